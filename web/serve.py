@@ -12,9 +12,12 @@ import sys
 class Handler(http.server.SimpleHTTPRequestHandler):
     extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map, ".wasm": "application/wasm", ".js": "text/javascript"}
 
+    isolated = True
+
     def end_headers(self):
-        self.send_header("Cross-Origin-Opener-Policy", "same-origin")
-        self.send_header("Cross-Origin-Embedder-Policy", "require-corp")
+        if self.isolated:
+            self.send_header("Cross-Origin-Opener-Policy", "same-origin")
+            self.send_header("Cross-Origin-Embedder-Policy", "require-corp")
         self.send_header("Cache-Control", "no-cache")
         super().end_headers()
 
@@ -22,9 +25,16 @@ class Handler(http.server.SimpleHTTPRequestHandler):
         pass
 
 
-def make_server(folder, port=0):
+class PlainHandler(Handler):
+    """As most hosts of static files are."""
+
+    isolated = False
+
+
+def make_server(folder, port=0, isolated=True):
     """A server of `folder`; port 0: one that is free."""
-    return http.server.ThreadingHTTPServer(("127.0.0.1", port), functools.partial(Handler, directory=folder))
+    handler = Handler if isolated else PlainHandler
+    return http.server.ThreadingHTTPServer(("127.0.0.1", port), functools.partial(handler, directory=folder))
 
 
 if __name__ == "__main__":

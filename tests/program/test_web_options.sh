@@ -26,7 +26,7 @@ done
 
 # The names of the tables `reading` and `drawing`, and those that are no words.
 names=$(sed -n '/^const reading/,/^};/p; /^const drawing/,/^};/p' "$words" | sed -n 's/^    \([a-zA-Z]*\)[:,].*/\1/p')
-names="$names $(sed -n "s/^const others = //p" "$words" | grep -oE "'[a-z]+'" | tr -d "'")"
+names="$names $(sed -n "s/^const others = //p" "$words" | grep -oE "'[a-zA-Z]+'" | tr -d "'")"
 check "there are names" test "$(echo $names | wc -w)" -ge 30
 for name in $names; do
     check "the types have $name" grep -Eq "^ +$name\?: |[{&] $name\?: |\{ $name\?:" "$types"

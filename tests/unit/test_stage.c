@@ -113,6 +113,33 @@ static void test_by_world(void **state)
     assert_true(fabs(number_of(n, "output_red") - number_of(n, "a")) < 1e-4);
     assert_true(fabs(number_of(n, "output_green") - number_of(n, "b")) < 1e-4);
     assert_true(fabs(number_of(n, "output_blue") - number_of(n, "c")) < 1e-4);
+    // What it went by: the point of the world, its areas, and what they mix.
+    static const double corners[3][3] = {{-48, 10, -82}, {29, 15, -44}, {13, -34, -114}};
+    static const char *const weights[] = {"a", "b", "c"}, *const areas[] = {"world_a", "world_b", "world_c"},
+                             *const axes[] = {"world_x", "world_y", "world_z"};
+    for (int i = 0; i < 3; i++) {
+        double place = 0;
+        for (int k = 0; k < 3; k++) {
+            place += number_of(n, weights[k]) * corners[k][i];
+        }
+        assert_true(fabs(number_of(n, axes[i]) - place) < 0.01);
+        assert_true(fabs(number_of(n, areas[i]) - number_of(n, weights[i])) < 1e-4);
+    }
+    assert_true(number_of(n, "method") == STAGE_WORLD);
+    assert_true(fabs(number_of(n, "world_u") - number_of(n, "u")) < 1e-4 &&
+                fabs(number_of(n, "world_v") - number_of(n, "v")) < 1e-4);
+    assert_true(number_of(n, "world_green") == number_of(n, "output_green"));
+}
+
+static void test_other_methods_have_no_point_of_the_world(void **state)
+{
+    (void)state;
+    stage_clear(0, 0, 0);
+    assert_true(stage_triangle(STAGE_WORLD, STAGE_COLORS, 0, SIZE));
+    assert_true(stage_triangle(STAGE_CORRECT, STAGE_COLORS, 0, SIZE)); // over it
+    const double *const n = stage_explain(X, Y);
+    assert_true(number_of(n, "method") == STAGE_CORRECT && number_of(n, "triangle") == 1);
+    assert_true(isnan(number_of(n, "world_x")) && isnan(number_of(n, "world_green")));
 }
 
 static void test_pictures_show_what_they_say(void **state)
@@ -217,6 +244,7 @@ int main(void)
         cmocka_unit_test(test_numbers_follow_the_formulas),
         cmocka_unit_test(test_naive_is_what_the_screen_says),
         cmocka_unit_test(test_by_world),
+        cmocka_unit_test(test_other_methods_have_no_point_of_the_world),
         cmocka_unit_test(test_pictures_show_what_they_say),
         cmocka_unit_test(test_columns),
         cmocka_unit_test(test_behind_the_eye),

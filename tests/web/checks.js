@@ -87,9 +87,40 @@ async function checkScene(checks, rhw, read, data, threads) {
     checks.same('explain as text', `${text}\n`.slice(model.length), wantedText.slice(path.length));
     checkData(checks, scene, samplesOf(await read(data.normals)).samples);
 
+    checkGivingUp(checks, scene);
+    checks.samples('and again, after a picture that was given up', withoutAlpha(scene.render().color), samples);
+
     scene.close();
     await checks.fails('a closed scene', (async () => scene.render())(), /^rhw: the scene is closed$/);
     await checks.fails('and its info', (async () => scene.info())(), /^rhw: the scene is closed$/);
+}
+
+function checkGivingUp(checks, scene) {
+    const whole = (options) => {
+        let asked = 0;
+        scene.render({ goesOn: () => ++asked > 0, ...options });
+        return asked;
+    };
+    const all = whole({});
+    checks.that('a picture asks all the while', all > 100, all);
+    const error = (goesOn) => {
+        try {
+            scene.render({ goesOn });
+        } catch (thrown) {
+            return thrown;
+        }
+        return undefined;
+    };
+    for (const left of [0, 1, Math.floor(all / 2)]) {
+        let asked = 0;
+        const { name, message } = error(() => asked++ < left) ?? {};
+        checks.same(`given up after ${left}`, [name, message, asked],
+                    ['RhwError', 'rhw: given up, as goesOn returned false', left + 1]);
+    }
+    const own = new Error('mine');
+    checks.that('what goesOn throws', error(() => {
+        throw own;
+    }) === own);
 }
 
 function checkData(checks, scene, normals) {
@@ -135,18 +166,23 @@ async function checkErrors(checks, rhw, read, data) {
                        /^rhw: a\.fbx: is FBX, which is not read here; glTF, OBJ, PLY, STL and 3MF are$/);
     await checks.fails('an option that is none', rhw.render(box, { sise: 4 }),
                        /^rhw: 'sise' is no option; there are name, /);
-    await checks.fails('a bad value', rhw.render(box, { samples: 3 }), /^rhw: --samples: '3' is not 1, 2, 4, 8 or 16$/);
+    await checks.fails('a bad value', rhw.render(box, { samples: 3 }), /^rhw: samples: '3' is not 1, 2, 4, 8 or 16$/);
     await checks.fails('a bad output', rhw.render(box, { outputs: ['depht'] }),
                        /^rhw: outputs: 'depht' is no output; /);
+    await checks.fails('a name of two words', rhw.render(box, { toneMap: 'film' }), /^rhw: toneMap: 'film' is not neutral, /);
+    await checks.fails('an argument of words', rhw.render(box, { zoom: '--zoom' }), /^rhw: zoom: '--zoom' is not /);
+    await checks.fails('half a camera', rhw.render(box, { camera: { eye: [1, 2, 3] } }),
+                       /^rhw: camera: target is not three numbers$/);
+    await checks.fails('two that do not go together', rhw.render(box, { orbit: 3, camera: 0 }), /^rhw: camera: cannot be together with orbit$/);
     await checks.fails('no threads', rhw.render(box, { threads: 0 }), /^rhw: threads: '0' is not a number from 1$/);
-    await checks.fails('a bad camera', rhw.render(box, { camera: 7 }), /^rhw: --camera-index: model has no cameras$/);
+    await checks.fails('a bad camera', rhw.render(box, { camera: 7 }), /^rhw: camera: model has no cameras$/);
     await checks.fails('a variant that is not there', rhw.load(box, { variant: 'red' }),
                        /^rhw: model: has no variants/);
     const scene = await rhw.load(box);
     await checks.fails('a pixel outside', (async () => scene.explain(1280, 0))(),
-                       /^rhw: --at: 1280,0 lies outside the picture, which is 1280x720$/);
+                       /^rhw: explain: 1280,0 lies outside the picture, which is 1280x720$/);
     await checks.fails('what cannot be explained', (async () => scene.explain(0, 0, { supersample: 4 }))(),
-                       /^rhw: --supersample: cannot be explained$/);
+                       /^rhw: supersample: cannot be explained$/);
     await checks.fails('pictures of 4 GiB', (async () => scene.render({ size: 16384, outputs: ['normal'] }))(),
                        /^rhw: model: Out of memory$/);
     const obj = new TextEncoder().encode('mtllib no.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n');

@@ -6,6 +6,7 @@ usage: page.py PAGE-FOLDER STAGE_REPLAY SCREENSHOT-FOLDER
 """
 import base64
 import os
+import re
 import struct
 import subprocess
 import sys
@@ -29,8 +30,8 @@ sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "web"))
 import serve  # noqa: E402: it stands beside the page
 
 
-def start_server(folder):
-    server = serve.make_server(folder)
+def start_server(folder, isolated=True):
+    server = serve.make_server(folder, isolated=isolated)
     threading.Thread(target=server.serve_forever, daemon=True).start()
     return f"http://127.0.0.1:{server.server_port}/index.html"
 
@@ -175,12 +176,55 @@ class Page(unittest.TestCase):
         said = self.node(f"#{name} .derivation .note").text
         self.assertLess(float(said.split("rhw is ")[1].split(" ULP")[0]), 8)
 
+    # Threads
+
+    def test_stages_draw_with_threads(self):
+        self.wait("rhw.stage.threads > 1")
+        for name in ["first", "floor"]:
+            self.show(name)
+            self.script(f"rhw.views.{name}.figure.dataset.drawn = ''; rhw.views.{name}.update()")
+            self.still(name)
+            self.check_native(name)
+        self.show("first")
+        self.drag("#first .view .cornerA .dot", 20, -20)  # whose place comes from the new stage too
+        self.still()
+        self.check_native("first")
+
+    def test_without_isolation_one_thread_draws(self):
+        self.browser.get(start_server(sys.argv[1], isolated=False))
+        self.wait("window.rhw?.views.first?.figure.dataset.drawn === 'still'")
+        self.assertFalse(self.script("return crossOriginIsolated"))
+        self.assertEqual(self.script("return rhw.stage.threads"), 1)
+        self.check_native("first")
+        self.open_sample()
+
     def test_exact_column(self):
         self.check_exact_column("first")
 
     def test_exact_column_with_a_corner_behind_the_eye(self):
         self.show("clip")
         self.check_exact_column("clip")
+
+    def test_by_the_world(self):
+        self.show("floor")
+        self.assertNotIn("Back to the world", self.node("#floor .derivation").text)
+        self.node("#floor button[value='world']").click()
+        self.wait("rhw.views.floor.numbers.method === 2")
+        told = self.node("#floor .derivation").text
+        self.assertIn("Back to the world", told)
+        self.assertNotIn("What is linear there", told)
+        x, y, z, a, weight, u, wrote = self.script(
+            "const n = rhw.views.floor.numbers; return [n.world_x, n.world_y, n.world_z, n.world_a, n.a, n.world_u, n.u]")
+        self.assertAlmostEqual(y, 0, places=5)  # it lies on the floor
+        self.assertAlmostEqual((x + 1) / 2, u, places=5)  # where u runs along x
+        self.assertAlmostEqual(a, weight, places=5)
+        self.assertAlmostEqual(u, wrote, places=5)
+        shown = self.node("#floor .derivation .world").text.replace("−", "-")
+        for number, word in zip((x, y, z), shown.split("(")[1].rstrip(")").split(", ")):
+            self.assertAlmostEqual(number, float(word), delta=1e-3)
+        written = float(self.node("#floor .derivation .written td:last-child").text)
+        self.assertAlmostEqual(written, u, delta=1e-8)  # not what the pipeline made
+        self.check_native("floor")
 
     # Hands
 
@@ -274,6 +318,52 @@ class Page(unittest.TestCase):
         finally:
             self.size(1440, 900)
 
+    def test_phone_keeps_the_picture_beside_its_derivation(self):
+        """The picture and all of the derivation are on the screen at once, once one has scrolled there."""
+        self.size(390, 844, touch=True)
+        try:
+            self.setUp()
+            for language in ["en", "zh"]:
+                for name in ["first", "floor", "clip", "triangle"]:
+                    self.show(name)
+                    for value in ["world", "correct"] if name == "floor" else [None]:
+                        if value:
+                            self.script("arguments[0].click()", self.node(f"#floor button[value='{value}']"))
+                            self.wait("document.querySelector('#floor .derivation table')")
+                        self.script(f"document.querySelector('#{name} .derivation').scrollIntoView({{block: 'end'}})")
+                        top, bottom, first, last = self.script(
+                            f"const v = document.querySelector('#{name} .view').getBoundingClientRect(),"
+                            f" d = document.querySelector('#{name} .derivation').getBoundingClientRect();"
+                            "return [v.top, v.bottom, d.top, d.bottom]")
+                        where = f"{name} {value} {language}"
+                        self.assertGreaterEqual(top, 48, f"{where}: the picture stays")
+                        self.assertGreaterEqual(first, bottom - 1, f"{where}: nothing of the derivation is under it")
+                        self.assertLessEqual(last, 845, where)
+                        self.browser.save_screenshot(os.path.join(sys.argv[3], f"beside_{language}_{name}_{value}.png"))
+                        self.script("scrollBy(0, 150)")
+                        top = self.script(f"return document.querySelector('#{name} .view').getBoundingClientRect().top")
+                        self.assertGreaterEqual(top, 48, f"{where}: the picture stays, further down too")
+                self.script("document.querySelector('#language').click()")
+        finally:
+            self.size(1440, 900)
+
+    def test_a_finger_slides_along_the_pixels(self):
+        self.size(390, 844, touch=True)
+        try:
+            self.setUp()
+            before = self.script("return rhw.views.first.pixel[0]")
+            x, y = self.middle("#first canvas")
+            touch = lambda kind, points: self.browser.execute_cdp_cmd(  # noqa: E731
+                "Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+            touch("touchStart", [{"x": x + 90, "y": y + 60}])
+            for step in range(1, 9):
+                touch("touchMove", [{"x": x + 90 + 5 * step, "y": y + 60}])
+            self.wait("rhw.views.first.pixel[0] > 0.8")
+            touch("touchEnd", [])
+            self.assertGreater(self.script("return rhw.views.first.pixel[0]"), before)
+        finally:
+            self.size(1440, 900)
+
     # One's own model
 
     def open_sample(self):
@@ -295,14 +385,66 @@ class Page(unittest.TestCase):
         actions = ActionBuilder(self.browser)
         actions.pointer_action.move_to_location(x, y).pointer_down().pointer_up()
         actions.perform()
-        self.wait("document.querySelector('#model .explained').textContent.includes('1/W_P = r/W_0')", 60)
+        self.wait("document.querySelector('#model .explained .numbers')", 60)
+        self.check_model_derivation()
         self.drag("#model canvas", 40, 0)
         self.assertEqual(self.script("return document.querySelector('#model .explained').textContent"), "", "it was of another picture")
+        self.assertEqual(self.script("return document.querySelector('#model .derivation').textContent"), "")
         for value in ["normal", "depth", "uv", "triangle"]:
             self.script(remember)
             self.node(f"#model button[value='{value}']").click()
             self.wait(f"{picture} !== before", 60)
         self.browser.save_screenshot(os.path.join(sys.argv[3], "model.png"))
+
+    def check_model_derivation(self):
+        """The library's numbers in the page's words, in both languages, and the triangle in the picture."""
+        def told():
+            return [self.node(f"#model {part}").text for part in [".derivation", ".explained"]]
+        said = self.script("return rhw.views.model.explanation")
+        seen = [f for f in said["fragments"] if f["fate"] == "written" and f["instance"] >= 0][-1]
+        steps, tables = told()
+        self.assertIn(said["color"], steps)
+        for title in ["On the screen: areas", "What is linear there is 1/W", "In space: divide"]:
+            self.assertIn(title, steps)
+        for title in ["The triangle that is seen", "Every value three ways", "Its textures there", "in the order of drawing"]:
+            self.assertIn(title, tables)
+        terms = {"r": seen["screen"][0], "b": seen["space"][1], "W_P": 1 / seen["inverse_w"][0]}
+        for term, value in terms.items():
+            node = self.script(f"return [...document.querySelectorAll('#model .derivation [data-term={term}]')]"
+                               ".map((n) => n.textContent).find((t) => /[0-9]/.test(t))")
+            self.assertAlmostEqual(float(node.replace("−", "-")), value, delta=abs(value) * 1e-3)
+        for varying in seen["varyings"]:
+            row = self.script("return [...document.querySelectorAll('#model .explained tr')].map((r) => [...r.cells]"
+                              ".map((c) => c.textContent)).find((r) => r[0] === arguments[0])",
+                              varying["name"] if not varying["name"].startswith("uv of") else
+                              f"{varying['name'][-1]} of {varying['name'][6:-2]}")
+            self.assertAlmostEqual(float(row[6].replace("−", "-")), varying["pipeline"], delta=1e-9 + abs(varying["pipeline"]) * 1e-5)
+            self.assertEqual(row[7], f"{varying['error_ulp']:.2f}")
+        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "#model .view .outline text")), 3)
+        self.browser.save_screenshot(os.path.join(sys.argv[3], "model_explained.png"))
+        self.node("#language").click()
+        steps, tables = told()
+        for title in ["屏幕上：面积之比", "在屏幕上线性的是 1/W", "回到空间：除以 W"]:
+            self.assertIn(title, steps)
+        for title in ["可见的三角形", "每个值的三种算法", "此处的纹理", "依绘制顺序", "基色", "位置 x", "写入", "背景"]:
+            self.assertIn(title, tables)
+        english = re.findall(r"[A-Za-z]{3,}", steps + tables)
+        self.assertEqual([word for word in english if word not in ("rhw", "ULP", "alpha") and word not in seen["node"]], [])
+        self.script("document.getElementById('model').scrollIntoView()")
+        self.browser.save_screenshot(os.path.join(sys.argv[3], "model_explained_zh.png"))
+        self.node("#language").click()
+
+    def test_a_picture_gives_way_to_a_drag(self):
+        self.open_sample()
+        self.script("const v = rhw.views.model; v.still = { samples: 16, supersample: 16 }; v.figure.dataset.drawn = ''; v.draw()")
+        time.sleep(0.5)  # of the seconds that it would take
+        self.assertEqual(self.script("return rhw.views.model.figure.dataset.drawn"), "")
+        before = time.monotonic()
+        self.script("const v = rhw.views.model; v.still = { samples: 4 }; v.turn(30, 0)")
+        self.wait("rhw.views.model.figure.dataset.drawn !== ''")
+        print(f"a picture gave way after {time.monotonic() - before:.2f} s")
+        self.assertEqual(self.script("return rhw.views.model.givenUp"), 1)
+        self.wait("rhw.views.model.figure.dataset.drawn === 'still'", 60)
 
     def test_a_file_that_is_no_model(self):
         self.open_sample()

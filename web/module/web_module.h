@@ -27,7 +27,7 @@ void web_free(void *memory);
 bool web_job_parse(struct cli_render_job *job, char *words, size_t size);
 
 /// web_read.c: reads the model file that the words name and writes it to WEB_REPLY. Ends the instance by exit: 0, or
-/// 3 when WEB_REPLY holds one line that says why not.
+/// 3 after a message.
 #define WEB_REPLY "/reply"
 int web_read(char *words, size_t size);
 
@@ -40,7 +40,8 @@ struct web_scene *web_scene_open(void *bytes, size_t size, char *words, size_t w
 void web_scene_close(struct web_scene *scene);
 /// Chooses the view that the words ask for and draws nothing. False after a message.
 bool web_scene_look(struct web_scene *scene, char *words, size_t size);
-/// Draws it. `outputs`: scene_output. False after a message.
+/// Draws it. `outputs`: scene_output. False after a message, or without one when the module's goesOn(), a function of
+/// JavaScript that is asked all the while, returned false.
 bool web_scene_render(struct web_scene *scene, char *words, size_t size, uint32_t outputs);
 /// The picture of one scene_output that was drawn last, or NULL; valid until the scene draws again or is closed.
 const void *web_scene_picture(const struct web_scene *scene, uint32_t output);

@@ -2,27 +2,27 @@
 // Reading a model file in an instance of the module that does nothing else; the part of import_process.c's child.
 #include "import.h"
 #include "import_blob.h"
+#include "message.h"
+#include "message_line.h"
 #include "web_module.h"
 
 #include <emscripten.h>
 #include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 enum { EXIT_MODEL = 0, EXIT_MESSAGE = 3 };
 
-_Noreturn static void end_with(FILE *reply, int status)
-{
-    fclose(reply);
-    exit(status);
-}
-
+// The message does not go into the file, which may have part of a model, or no room.
 _Noreturn void scene_import_fail(struct scene_import *import, const char *format, ...)
 {
+    char line[CLI_MESSAGE_LINE];
     va_list arguments;
     va_start(arguments, format);
-    vfprintf(import->reply, format, arguments);
+    vsnprintf(line, sizeof line, format, arguments);
     va_end(arguments);
-    end_with(import->reply, EXIT_MESSAGE);
+    cli_error(import->name, "%s", line);
+    exit(EXIT_MESSAGE);
 }
 
 EMSCRIPTEN_KEEPALIVE int web_read(char *words, size_t size)
@@ -31,7 +31,7 @@ EMSCRIPTEN_KEEPALIVE int web_read(char *words, size_t size)
     FILE *const reply = fopen(WEB_REPLY, "wb");
     web_messages_clear();
     if (!reply || !web_job_parse(&job, words, size)) {
-        return EXIT_MESSAGE; // web_messages has it
+        return EXIT_MESSAGE;
     }
     struct scene_import import = {.read = scene_import_read,
                                   .model.path = job.model_path,
@@ -44,8 +44,9 @@ EMSCRIPTEN_KEEPALIVE int web_read(char *words, size_t size)
                                   .is_posed = job.is_posed,
                                   .reply = reply};
     scene_import_run(&import);
-    if (!scene_blob_write(&import.model, reply)) {
+    const bool written = scene_blob_write(&import.model, reply);
+    if (fclose(reply) != 0 || !written) {
         scene_import_fail(&import, "there is not enough memory for the model");
     }
-    end_with(reply, EXIT_MODEL);
+    exit(EXIT_MODEL);
 }

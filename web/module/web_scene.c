@@ -73,6 +73,15 @@ static bool look(struct web_scene *scene, char *words, size_t size)
     return cli_render_set_view(&scene->render);
 }
 
+// Of the caller's thread: pthreads are never asked.
+EM_JS(int, ask_whether_it_goes_on, (void), { return !Module['goesOn'] || Module['goesOn'](); })
+
+static bool goes_on(void *user)
+{
+    (void)user;
+    return ask_whether_it_goes_on() != 0;
+}
+
 static bool open_scene(struct web_scene *scene)
 {
     return scene->render.scene || cli_render_open_scene(&scene->render);
@@ -90,6 +99,7 @@ EMSCRIPTEN_KEEPALIVE bool web_scene_render(struct web_scene *scene, char *words,
         return false;
     }
     scene->render.view.outputs = outputs;
+    scene->render.view.goes_on = goes_on;
     char error[256];
     if (!scene_view_check(&scene->render.view, error, sizeof error)) {
         cli_error("render", "%s", error);

@@ -6,8 +6,8 @@
  *
  * Everything runs where it is called and takes its time: in a page, call it in a worker.
  *
- * What goes wrong is an {@link RhwError}, whose message is one line that names the thing and the rule, as the program
- * prints it: `rhw: --samples: '3' is not 1, 2, 4, 8 or 16`. Functions that return promises reject with it, the
+ * What goes wrong is an {@link RhwError}, whose message is one line that names the thing and the rule: `rhw: samples:
+ * '3' is not 1, 2, 4, 8 or 16`. Functions that return promises reject with it, the
  * methods of a {@link Scene} throw it.
  *
  * @packageDocumentation
@@ -53,9 +53,10 @@ export interface LoadOptions {
     /** Fail where the file has something that is not drawn as it is meant, instead of a warning. */
     strict?: boolean;
     /**
-     * Threads to draw with. The default is one for each core in a page that is [cross-origin
-     * isolated](https://developer.mozilla.org/docs/Web/API/Window/crossOriginIsolated), and a greater number means
-     * that; elsewhere, node included, it is always 1. The picture is the same.
+     * Threads to draw with. The default is one for each core, and a greater number means that: in node and its
+     * workers, and in a page that is [cross-origin
+     * isolated](https://developer.mozilla.org/docs/Web/API/Window/crossOriginIsolated) and its workers; elsewhere it is
+     * always 1. The picture is the same. With several, a scene takes longer to open.
      */
     threads?: number;
 }
@@ -193,6 +194,12 @@ export interface RenderOptions {
     transparency?: 'sorted' | 'exact';
     /** Brighter by this many factors of two, -20 to 20. */
     exposure?: number;
+    /**
+     * Asked all the while that a picture is drawn, hundreds of times a second; `false` gives it up within a few
+     * milliseconds, which is an {@link RhwError}. The scene can draw again. A worker that draws hears no message
+     * meanwhile; it may look into shared memory here.
+     */
+    goesOn?: () => boolean;
 }
 
 /** What is drawn in one go: the pictures that were asked for, and the view. */

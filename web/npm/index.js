@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // rhw for node, pages and workers: see index.d.ts, which has the documentation, and README.md, which has examples.
-import { bytesOf, Instance, mostThreads, RhwError } from './instance.js';
+import { RhwError } from './error.js';
+import { bytesOf, Instance, mostThreads } from './instance.js';
 import { allWords, drawingOptions, drawingWords, readingWords } from './words.js';
 
 export { RhwError };
@@ -25,23 +26,23 @@ async function read(model, name, files, words) {
     writeFile(fs, name, model);
     fs.chdir(folder);
     const status = reader.withWords(words, (...place) => reader.call(name, '_web_read', ...place));
-    const reply = fs.readFile('/reply');
-    if (status === 0) {
-        return reply;
+    if (status !== 0) {
+        throw reader.error();
     }
-    throw reply.length > 0 ? new RhwError(`rhw: ${name}: ${new TextDecoder().decode(reply)}`) : reader.error();
+    return fs.readFile('/reply');
 }
 
-function threadsOf({ threads = mostThreads() }) {
-    if (!Number.isInteger(threads) || threads < 1) {
+async function threadsOf({ threads }) {
+    const most = await mostThreads();
+    if (threads !== undefined && (!Number.isInteger(threads) || threads < 1)) {
         throw new RhwError(`rhw: threads: '${threads}' is not a number from 1`);
     }
-    return Math.min(threads, mostThreads());
+    return Math.min(threads ?? most, most);
 }
 
 async function open(model, options, words) {
     const { files = {} } = options;
-    const threads = threadsOf(options);
+    const threads = await threadsOf(options);
     const name = (options.name ?? 'model').replace(/^\/+/, ''); // its place is in the module's memory
     const all = [...words, '--', name];
     const bytes = await read(model, name, files, all);
@@ -130,7 +131,7 @@ export class Scene {
         const names = [options.outputs ?? 'color'].flat();
         checkOutputs(names);
         const bits = names.reduce((sum, name) => sum | outputs[name].bit, 0);
-        this.#ask('_web_scene_render', drawingWords(options), bits);
+        this.#askWhile(options.goesOn, () => this.#ask('_web_scene_render', drawingWords(options), bits));
         const view = this.#view();
         const pixels = view.width * view.height;
         const pictures = names.map((name) => {
@@ -143,7 +144,7 @@ export class Scene {
 
     explain(x, y, { sample = 0, ...options } = {}) {
         if (![x, y, sample].every((number) => Number.isInteger(number) && number >= 0 && number < 16384)) {
-            throw new RhwError(`rhw: --at: ${x},${y}, sample ${sample} is no sample of a pixel, from 0,0 on`);
+            throw new RhwError(`rhw: explain: ${x},${y}, sample ${sample} is no sample of a pixel, from 0,0 on`);
         }
         this.#ask('_web_scene_explain', drawingWords(options), x, y, sample);
         const [json, text] = this.#instance.takeSaid().split('\n\f\n');
@@ -173,6 +174,27 @@ export class Scene {
         const instance = this.#held();
         if (!instance.withWords(all, (...place) => this.#call(name, ...place, ...values))) {
             throw instance.error();
+        }
+    }
+
+    // Draws as long as `goesOn()` is true. What it throws goes to the caller, not through the module.
+    #askWhile(goesOn, draw) {
+        const { module } = this.#held();
+        let failure;
+        module.goesOn = goesOn && (() => {
+            try {
+                failure = goesOn() ? undefined : new RhwError('rhw: given up, as goesOn returned false');
+            } catch (error) {
+                failure = error;
+            }
+            return failure === undefined;
+        });
+        try {
+            draw();
+        } catch (error) {
+            throw failure ?? error;
+        } finally {
+            module.goesOn = undefined;
         }
     }
 

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Instances of the WebAssembly modules (web/module/web_module.h), each with memory of its own, and what goes in and
 // out of them. Either module, for one thread or for several, is loaded when it is first wanted, once.
-
-/** A failure that rhw tells of; its message is the line that the program prints. */
-export class RhwError extends Error {
-    constructor(message) {
-        super(message);
-        this.name = 'RhwError';
-    }
-}
+import { RhwError } from './error.js';
+import { inOptions } from './words.js';
 
 async function fetchModule(url) {
     if (url.protocol === 'file:' && typeof process === 'object') {
@@ -28,9 +22,28 @@ async function fetchModule(url) {
 const single = { url: new URL('./rhw.wasm', import.meta.url), script: () => import('./rhw.js') };
 const threaded = { url: new URL('./rhw-threads.wasm', import.meta.url), script: () => import('./rhw-threads.js') };
 
+const isNode = typeof process === 'object' && typeof process.versions?.node === 'string' && typeof window === 'undefined';
+
 async function loadKind(kind) {
     const [module, { default: create }] = await Promise.all([fetchModule(kind.url), kind.script()]);
     return { module, create };
+}
+
+// Node has threads, but no Worker, which the module makes some of while it is called: it finds one then alone.
+async function withWorkers(create, options) {
+    if (!isNode || options.helpThreads === 0) {
+        return create(options);
+    }
+    const { NodeWorker } = await import(/* webpackIgnore: true */ /* @vite-ignore */ './node_worker.js');
+    const before = Object.getOwnPropertyDescriptor(globalThis, 'Worker');
+    Object.defineProperty(globalThis, 'Worker', { value: NodeWorker, configurable: true });
+    let made;
+    try {
+        made = create(options);
+    } finally {
+        before ? Object.defineProperty(globalThis, 'Worker', before) : delete globalThis.Worker;
+    }
+    return made;
 }
 
 function loaded(kind) {
@@ -41,12 +54,18 @@ function loaded(kind) {
     return kind.loading;
 }
 
+async function cores() {
+    if (isNode) {
+        const { availableParallelism, cpus } = await import(/* webpackIgnore: true */ /* @vite-ignore */ 'node:os');
+        return availableParallelism?.() ?? cpus().length;
+    }
+    return globalThis.crossOriginIsolated && typeof Worker === 'function' ? navigator.hardwareConcurrency : 1;
+}
+
 /** How many threads can draw here: they share memory, which pages may do where they are cross-origin isolated. */
-export function mostThreads() {
+export async function mostThreads() {
     const most = 64; // RHW_MAX_THREADS
-    return globalThis.crossOriginIsolated && typeof Worker === 'function'
-        ? Math.min(navigator.hardwareConcurrency, most)
-        : 1;
+    return Math.min(await cores(), most);
 }
 
 /** The bytes of an ArrayBuffer or a view of one. `what` names them where they are none. */
@@ -68,7 +87,8 @@ export class Instance {
         instance.said = [];
         instance.complaints = [];
         instance.crashed = false;
-        instance.module = await create({
+        instance.module = await withWorkers(create, {
+            cores: await mostThreads(),
             helpThreads: threads - 1, // beside the one that calls; web/CMakeLists.txt makes workers for them
             instantiateWasm(imports, done) {
                 WebAssembly.instantiate(module, imports).then((made) => done(made, module));
@@ -124,12 +144,12 @@ export class Instance {
         }
     }
 
-    /** What rhw has said since it was called, a line each. */
+    /** What rhw has said since it was called, a line each, with options by their names here. */
     messages() {
         const heap = this.module.HEAPU8;
         const start = this.module._web_messages() >>> 0;
         const text = new TextDecoder().decode(heap.slice(start, heap.indexOf(0, start)));
-        return text.split('\n').filter((line) => line !== '');
+        return text.split('\n').filter((line) => line !== '').map(inOptions);
     }
 
     /** What it has printed since. */

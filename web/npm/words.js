@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Options as the words of rhw render's command line, which the module gives to the program's own parser: names,
 // defaults, limits and messages are the program's.
-import { RhwError } from './instance.js';
+import { RhwError } from './error.js';
 
 const asIs = (name) => (value) => [`--${name}=${value}`];
 const onOff = (name) => (value) => [`--${name}=${value ? 'on' : 'off'}`];
@@ -25,8 +25,14 @@ function camera(value, options) {
     if (options.ortho && !value.orthographic) {
         throw new RhwError('rhw: ortho: cannot be together with a camera in perspective; give that orthographic: true');
     }
+    const places = { eye: value.eye, target: value.target, up: value.up ?? [0, 1, 0] };
+    for (const [name, place] of Object.entries(places)) {
+        if (!(place?.length === 3 && [...place].every(Number.isFinite))) {
+            throw new RhwError(`rhw: camera: ${name} is not three numbers`);
+        }
+    }
     const lens = value.orthographic ? value.height : (value.fovy ?? 30);
-    const numbers = [value.eye, value.target, value.up ?? [0, 1, 0], lens].flat().join(',');
+    const numbers = [...Object.values(places).flatMap((place) => [...place]), lens].join(',');
     return [...(value.orthographic ? ['--ortho'] : []), `--camera=${numbers}`];
 }
 
@@ -63,7 +69,21 @@ const drawing = {
 };
 
 // Names of options that are no words.
-const others = { reading: ['name', 'files', 'threads'], drawing: ['outputs'] };
+const others = { reading: ['name', 'files', 'threads'], drawing: ['outputs', 'goesOn'] };
+
+// What the program calls otherwise than the options and arguments here.
+const renamed = { 'camera-index': 'camera', 'camera-name': 'camera', at: 'explain', sample: 'sample' };
+const optionOf = {
+    ...Object.fromEntries(Object.keys({ ...reading, ...drawing }).map((name) => [name.replace(/[A-Z]/g, '-$&').toLowerCase(), name])),
+    ...renamed,
+};
+
+/** A line of the program's, with options by their names here, but in what it quotes. */
+export function inOptions(line) {
+    return line
+        .replace(/; see 'rhw [a-z]+ --help'/, '')
+        .replace(/(?<=[ (])'[^']*'|(?<![\w-])--([a-z]+(?:-[a-z]+)*)/g, (word, name) => optionOf[name] ?? word);
+}
 
 function wordsOf(options, table, known) {
     return Object.entries(options).flatMap(([name, value]) => {

@@ -3,6 +3,7 @@
 import { exactWeights, threeWays } from './exact.js';
 import { say } from './language.js';
 import { formula, long, short } from './math.js';
+import { METHOD } from './stage.js';
 
 const NAMES = ['A', 'B', 'C'];
 
@@ -31,6 +32,10 @@ const MEANINGS = {
   q: { en: 'u/W', zh: 'u/W' },
   column: { en: 'pixels from the left', zh: '距左边的像素数' },
   row: { en: 'pixels from the top', zh: '距上边的像素数' },
+  PBC: { en: 'area of this triangle in the world', zh: '该三角形在世界空间中的面积' },
+  PCA: { en: 'area of this triangle in the world', zh: '该三角形在世界空间中的面积' },
+  PAB: { en: 'area of this triangle in the world', zh: '该三角形在世界空间中的面积' },
+  ABC: { en: 'area of the whole triangle in the world', zh: '整个三角形在世界空间中的面积' },
 };
 
 /** What a term means, in words. */
@@ -49,6 +54,11 @@ export function termsOf(n) {
     terms[`${axis}_P`] = n.a * terms[`${axis}_A`] + n.b * terms[`${axis}_B`] + n.c * terms[`${axis}_C`];
   }
   terms.u_P = n.u;
+  if (n.method === METHOD.world) {
+    Object.assign(terms, { a: n.world_a, b: n.world_b, c: n.world_c });
+    terms.x_P = terms.X_P / terms.W_P;
+    terms.y_P = terms.Y_P / terms.W_P;
+  }
   return terms;
 }
 
@@ -65,7 +75,8 @@ function line(parent, text, behind) {
 
 const number = (term, terms) => ({ text: term, values: { [term]: short(terms[term]) } });
 
-function section(parent, title) {
+/** A part of a derivation with its heading, {en, zh}. */
+export function section(parent, title) {
   const block = parent.appendChild(document.createElement('section'));
   const head = block.appendChild(document.createElement('h4'));
   head.textContent = say(title);
@@ -76,6 +87,9 @@ const TITLES = {
   screen: { en: '1. On the screen: areas', zh: '1. 屏幕上：面积之比' },
   divide: { en: '2. What is linear there is 1/W', zh: '2. 在屏幕上线性的是 1/W' },
   space: { en: '3. In space: divide', zh: '3. 回到空间：除以 W' },
+  back: { en: '1. Where the pixel is on the screen', zh: '1. 像素在屏幕上的位置' },
+  point: { en: '2. Back to the world', zh: '2. 变回世界空间' },
+  areas: { en: '3. There: areas', zh: '3. 在世界空间中：面积之比' },
   u: { en: '4. The texture coordinate u', zh: '4. 纹理坐标 u' },
   green: { en: '4. The green of its colour', zh: '4. 颜色的绿色分量' },
 };
@@ -112,6 +126,44 @@ function spaceSection(parent, terms) {
   }
 }
 
+/** On the screen, 1/W, and in space: the steps that every perspective picture has. */
+export function weightSections(parent, n) {
+  const terms = termsOf(n);
+  screenSection(parent, n, terms);
+  divideSection(parent, terms);
+  spaceSection(parent, terms);
+}
+
+const AREAS = [
+  ['a = [PBC|ABC]', 'a'],
+  ['b = [PCA|ABC]', 'b'],
+  ['c = [PAB|ABC]', 'c'],
+];
+
+// The other way to a, b, c: the numbers of the fragment function that went it.
+function worldSections(parent, n) {
+  const terms = termsOf(n);
+  const back = section(parent, TITLES.back);
+  for (const term of ['x_P', 'y_P', 'd_P']) {
+    line(back, term, number(term, terms)).classList.add('beside');
+  }
+  const point = section(parent, TITLES.point);
+  const note = point.appendChild(document.createElement('p'));
+  note.className = 'note';
+  note.textContent = say({
+    en: '(x, y, d, 1) times the inverse of projection × view; then all by the fourth coordinate. That is a point of the world:',
+    zh: '把 (x, y, d, 1) 乘以“投影 × 视图”矩阵的逆，再除以第四个坐标，得到世界空间中的一点：',
+  });
+  const place = point.appendChild(document.createElement('div'));
+  place.className = 'line world';
+  const digits = (value) => short(Number(value.toFixed(4))); // floats went there and back: more would be noise
+  place.textContent = `P = (${[n.world_x, n.world_y, n.world_z].map(digits).join(', ')})`;
+  const areas = section(parent, TITLES.areas);
+  for (const [text, term] of AREAS) {
+    line(areas, text, number(term, terms));
+  }
+}
+
 function tableRow(table, name, how, value, kind) {
   const row = table.insertRow();
   row.className = kind;
@@ -120,8 +172,8 @@ function tableRow(table, name, how, value, kind) {
   }
 }
 
-/** A value three ways, by its name in the numbers ("u", "v", "red"), in a picture of [width, height]. */
-export function threeWaysOf(n, name, size) {
+/** A value three ways, by its name in the numbers ("u", "green"), in a picture of [width, height]; `written`: what was made of it. */
+export function threeWaysOf(n, name, size, written = n[name]) {
   const weights = exactWeights({
     edges: [n.e_0, n.e_1, n.e_2],
     corners: [0, 1, 2].map((i) => ['X', 'Y', 'Z', 'W'].map((axis) => n[`${axis}_${i}`])),
@@ -129,27 +181,40 @@ export function threeWaysOf(n, name, size) {
     size,
   });
   const values = [n[`${name}_0`], n[`${name}_1`], n[`${name}_2`]];
-  return threeWays(weights, values, n[name], n.smooth === 1);
+  return threeWays(weights, values, written, n.smooth === 1);
 }
 
 const digits = (value) => long(Number(value.toPrecision(9)));
+
+// By way of the world floats lose more on their way than the pipeline does.
+const notes = {
+  world: (error, direct) => ({
+    en: `Naive and correct are computed in exact arithmetic here; by way of the world it came ${error.toFixed(2)} ULP of the largest corner value from the correct one, by r/W, s/W, t/W it is ${direct.toFixed(2)}: see “pipeline”.`,
+    zh: `前两行在此用精确有理数算出；经世界空间的结果相差 ${error.toFixed(2)} ULP（以顶点最大值计），由 r/W、s/W、t/W 求得的（见“管线”）相差 ${direct.toFixed(2)}。`,
+  }),
+  direct: (error) => ({
+    en: `Naive and correct are computed in exact arithmetic here; rhw is ${error.toFixed(2)} ULP of the largest corner value from the one it was asked for.`,
+    zh: `前两行在此用精确有理数算出；rhw 与所要求的一行相差 ${error.toFixed(2)} ULP（以顶点最大值计）。`,
+  }),
+};
 
 // `name`: which value, "u" or "green"
 function valueSection(parent, n, name, size) {
   const block = section(parent, TITLES[name]);
   const table = block.appendChild(document.createElement('table'));
-  const { naive, exact, error } = threeWaysOf(n, name, size);
+  const byWorld = n.method === METHOD.world;
+  const written = byWorld ? n[`world_${name}`] : n[name];
+  const { naive, exact, error } = threeWaysOf(n, name, size, written);
   const symbol = name === 'u' ? 'u' : 'I';
   const sum = (weights) => formula(weights.map((weight, i) => `${weight}·${symbol}_${NAMES[i]}`).join(' + '));
   tableRow(table, { en: 'naive', zh: '未校正' }, sum(['r', 's', 't']), digits(naive), 'naive');
   tableRow(table, { en: 'correct', zh: '正确' }, sum(['a', 'b', 'c']), digits(exact), 'correct');
-  tableRow(table, { en: 'rhw wrote', zh: 'rhw 的结果' }, n.smooth === 1 ? 'smooth' : 'noperspective', digits(n[name]), 'written');
+  const how = byWorld ? { en: 'by the world', zh: '经世界空间' } : n.smooth === 1 ? 'smooth' : 'noperspective';
+  tableRow(table, { en: 'rhw wrote', zh: 'rhw 的结果' }, say(how), digits(written), 'written');
   const note = block.appendChild(document.createElement('p'));
   note.className = 'note';
-  note.textContent = say({
-    en: `Naive and correct are computed in exact arithmetic here; rhw is ${error.toFixed(2)} ULP of the largest corner value from the one it was asked for.`,
-    zh: `前两行在此用精确有理数算出；rhw 与所要求的一行相差 ${error.toFixed(2)} ULP（以顶点最大值计）。`,
-  });
+  const direct = threeWaysOf(n, name, size).error;
+  note.textContent = say(byWorld ? notes.world(error, direct) : notes.direct(error));
 }
 
 /** Fills `panel` with the derivation of a pixel's value `name`, u or green; numbers null: says what to do. `size`: the picture's. */
@@ -165,9 +230,6 @@ export function showDerivation(panel, n, pixel, size, name = 'u') {
     return;
   }
   head.textContent = say({ en: `Pixel P = (${pixel})`, zh: `像素 P = (${pixel})` });
-  const terms = termsOf(n);
-  screenSection(panel, n, terms);
-  divideSection(panel, terms);
-  spaceSection(panel, terms);
+  (n.method === METHOD.world ? worldSections : weightSections)(panel, n);
   valueSection(panel, n, name, size);
 }

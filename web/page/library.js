@@ -5,8 +5,11 @@ export class Library {
   #worker = new Worker(new URL('model_worker.js', import.meta.url), { type: 'module' });
   #waiting = new Map();
   #count = 0;
+  // The worker hears nothing while it draws, but where pages may share memory it looks here: how often pictures were given up.
+  #turn = globalThis.crossOriginIsolated ? new Int32Array(new SharedArrayBuffer(4)) : null;
 
   constructor() {
+    this.#worker.postMessage({ turn: this.#turn });
     this.#worker.onmessage = ({ data: { id, result, error } }) => {
       const { done, fail } = this.#waiting.get(id);
       this.#waiting.delete(id);
@@ -20,12 +23,19 @@ export class Library {
     };
   }
 
+  /** Gives up the picture that is being drawn, whose result is null then; if pages may share memory. */
+  giveUp() {
+    if (this.#turn) {
+      Atomics.add(this.#turn, 0, 1);
+    }
+  }
+
   /** The result of a call of model_worker.js; it fails with rhw's line. */
   ask(call, what = {}) {
     const id = ++this.#count;
     return new Promise((done, fail) => {
       this.#waiting.set(id, { done, fail });
-      this.#worker.postMessage({ id, call, ...what });
+      this.#worker.postMessage({ id, call, mine: this.#turn && Atomics.load(this.#turn, 0), ...what });
     });
   }
 }

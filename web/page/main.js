@@ -47,8 +47,18 @@ function startTheme() {
   });
 }
 
-/** By name: the pictures of the page, for tests and the curious. */
+/** The pictures of the page by name, and the stage that draws them, for tests and the curious. */
 window.rhw = { views: {} };
+
+const MOST_THREADS = 4; // pictures are small, and the page has other work
+
+// The first picture does not wait for threads; nor need there be any.
+function useThreads(stage) {
+  const threads = Math.min(navigator.hardwareConcurrency, MOST_THREADS);
+  if (globalThis.crossOriginIsolated && threads > 1) {
+    stage.useThreads(threads).catch((error) => console.warn(error));
+  }
+}
 
 function startChapter(section, stage) {
   const name = section.id;
@@ -57,6 +67,9 @@ function startChapter(section, stage) {
       const view = start(section, stage);
       window.rhw.views[name] = view;
       whenLanguage(() => view?.retell());
+      if (name === 'first') {
+        whenDrawn(view, () => useThreads(stage));
+      }
     })
     .catch((error) => fail(section, error));
 }
@@ -68,7 +81,18 @@ function fail(section, error) {
   console.error(error);
 }
 
+function whenDrawn({ figure }, callback) {
+  const seen = new MutationObserver(() => {
+    if (figure.dataset.drawn) {
+      seen.disconnect();
+      callback();
+    }
+  });
+  seen.observe(figure, { attributeFilter: ['data-drawn'] });
+}
+
 function startChapters(stage) {
+  window.rhw.stage = stage;
   const near = new IntersectionObserver(
     (entries) => {
       for (const { isIntersecting, target } of entries) {

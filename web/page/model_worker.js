@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Reads and draws a model beside the page, so that the page stays quick: a worker of chapters/model.js. It answers every
-// message {id, call, ...} with {id, result} or {id, error}.
+// message {id, call, ...} with {id, result} or {id, error}. The first message has `turn`, memory that the page counts up to give
+// up what is drawn, or null.
 import { load } from './rhw/index.js';
 
 let scene;
+let turn;
 
 const bytes = (count, fill) => {
   const pixels = new Uint8ClampedArray(4 * count);
@@ -55,19 +57,31 @@ const CALLS = {
     return { info: scene.info(), warnings: scene.warnings };
   },
   view: ({ options }) => scene.view(options).camera,
-  draw({ picture, options }) {
+  draw({ picture, options, mine }) {
     const { output, pixels } = PICTURES[picture];
-    const drawn = scene.render({ ...options, outputs: [output] });
-    const image = new Uint8ClampedArray(pixels(drawn));
-    return { image, width: drawn.width, height: drawn.height, warnings: drawn.warnings };
+    const goesOn = turn ? () => Atomics.load(turn, 0) === mine : undefined;
+    try {
+      const drawn = scene.render({ ...options, outputs: [output], goesOn });
+      const image = new Uint8ClampedArray(pixels(drawn));
+      return { image, width: drawn.width, height: drawn.height, warnings: drawn.warnings };
+    } catch (error) {
+      if (goesOn?.() === false) {
+        return null;
+      }
+      throw error;
+    }
   },
-  explain: ({ x, y, options }) => scene.explain(x, y, options).text,
+  explain: ({ x, y, options }) => scene.explain(x, y, options),
 };
 
 self.onmessage = async ({ data: { id, call, ...what } }) => {
+  if (call === undefined) {
+    turn = what.turn;
+    return;
+  }
   try {
     const result = await CALLS[call](what);
-    self.postMessage({ id, result }, result.image ? [result.image.buffer] : []);
+    self.postMessage({ id, result }, result?.image ? [result.image.buffer] : []);
   } catch (error) {
     self.postMessage({ id, error: error.message });
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The library's stage (web/stage/stage.h) as an object of JavaScript. It remembers what it was told, line by line: a file of
-// such lines draws the same bytes natively (tests/web).
+// such lines draws the same bytes natively (tests/web). Where pages may share memory it goes on with threads once the first
+// picture is there, which needs none.
 
 const no = () => 0;
 
@@ -31,34 +32,57 @@ export const METHOD = { naive: 0, correct: 1, world: 2 };
 export const PATTERN = { colors: 0, checker: 1, floor: 2, depth: 3, inverseW: 4, uv: 5, uvOverW: 6 };
 
 export class Stage {
-  #functions;
+  #functions; // of the module, without "stage_" before their names
+  #buffer; // () => its memory
   #names;
   #lines = new Map(); // by what they set, in the order of setting
 
   /** `module` is a compiled stage.wasm. */
   static async create(module) {
     const stage = new Stage();
-    const imports = surroundings(() => stage.#functions.memory);
-    stage.#functions = (await WebAssembly.instantiate(module, imports)).exports;
-    stage.#functions._initialize();
-    stage.#check(stage.#functions.stage_open(1));
-    stage.#names = stage.#text(stage.#functions.stage_number_names()).split(',');
+    let exports;
+    exports = (await WebAssembly.instantiate(module, surroundings(() => exports.memory))).exports;
+    exports._initialize();
+    stage.#take((name) => exports[`stage_${name}`], () => exports.memory.buffer, 1);
+    stage.#names = stage.#text(stage.#call('number_names')).split(',');
     return stage;
   }
 
+  /** Goes on with so many threads: those of the page's own and workers. */
+  async useThreads(threads) {
+    const { default: create } = await import('./stage-threads.js');
+    const module = await create({ helpThreads: threads - 1 });
+    this.#take((name) => module[`_stage_${name}`], () => module.HEAPU8.buffer, threads);
+    if (this.width) {
+      this.#call('resize', this.#lines.get('resize').slice(1)); // all else is told anew for every picture
+    }
+  }
+
+  #take(functions, buffer, threads) {
+    this.#functions = functions;
+    this.#buffer = buffer;
+    this.#check(this.#call('open', [threads]));
+    this.threads = threads;
+  }
+
+  // A copy, as nothing else may be made of memory that is shared.
+  #read(Type, address, count) {
+    return new Type(this.#buffer(), address, count).slice();
+  }
+
   #text(address) {
-    const bytes = new Uint8Array(this.#functions.memory.buffer, address);
-    return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
+    const all = new Uint8Array(this.#buffer());
+    return new TextDecoder().decode(all.slice(address, all.indexOf(0, address)));
   }
 
   #check(success) {
     if (!success) {
-      throw new Error(this.#text(this.#functions.stage_error()));
+      throw new Error(this.#text(this.#call('error')));
     }
   }
 
-  #call(name, numbers) {
-    return this.#functions[`stage_${name}`](...numbers);
+  #call(name, numbers = []) {
+    return this.#functions(name)(...numbers);
   }
 
   /** Pixels; 1, 2, 4, 8 or 16 samples of each. */
@@ -96,25 +120,25 @@ export class Stage {
     this.#check(this.#call('triangle', [method, pattern, first, end]));
   }
 
-  /** [height][width] RGBA; the module's memory, until the next call. */
+  /** [height][width] RGBA. */
   draw() {
-    const address = this.#functions.stage_draw();
+    const address = this.#call('draw');
     this.#check(address);
-    return new Uint8ClampedArray(this.#functions.memory.buffer, address, 4 * this.width * this.height);
+    return this.#read(Uint8ClampedArray, address, 4 * this.width * this.height);
   }
 
   /** X, Y, Z, W of a point of the world. */
   clip(point) {
-    return Array.from(new Float64Array(this.#functions.memory.buffer, this.#call('clip', point), 4));
+    return Array.from(this.#read(Float64Array, this.#call('clip', point), 4));
   }
 
   /** The numbers of what is seen at a pixel, by their names in stage_number_names; null where nothing is. */
   explain(x, y) {
-    const address = this.#functions.stage_explain(x, y);
+    const address = this.#call('explain', [x, y]);
     if (!address) {
       return null;
     }
-    const numbers = new Float64Array(this.#functions.memory.buffer, address, this.#names.length);
+    const numbers = this.#read(Float64Array, address, this.#names.length);
     return Object.fromEntries(this.#names.map((name, i) => [name, numbers[i]]));
   }
 

@@ -3,16 +3,13 @@
 // drawing, the pixel that is explained and what a term means there), and the pointer.
 import { nextFrame } from './frame.js';
 import { say, whenLanguage } from './language.js';
-import { draggable, points, set, svg } from './svg.js';
+import { onScreen, Overlay } from './overlay.js';
+import { draggable, set, svg } from './svg.js';
 import { add, basis, clamp } from './vector.js';
 
 const MAX_PIXELS = 1280; // across
 const LAST = 0.999999; // of a picture's width or height
 const REST = 160; // ms without a change until the picture is refined
-
-// The terms that are a share of the triangle, by the corner they belong to; corners by their names.
-const PARTS = { r: 0, s: 1, t: 2, a: 0, b: 1, c: 2, e_A: 0, e_B: 1, e_C: 2 };
-const CORNERS = { A: 0, B: 1, C: 2 };
 
 export class View {
   /**
@@ -41,12 +38,7 @@ export class View {
   // What lies over the picture ----------------------------------------------------------------------
 
   #build() {
-    this.outline = svg(this.overlay, 'g', { class: 'outline' });
-    this.part = svg(this.overlay, 'polygon', { class: 'part' });
-    this.ray = svg(this.overlay, 'g', { class: 'rays' });
-    this.mark = svg(this.overlay, 'g', { class: 'mark' });
-    svg(this.mark, 'circle', { r: 5 });
-    svg(this.mark, 'text', { x: 8, y: -8 }, 'P');
+    this.explained = new Overlay(this.overlay);
     if (this.scene.split !== undefined) {
       this.#buildSplit();
     }
@@ -125,8 +117,8 @@ export class View {
       return [(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height];
     };
     this.canvas.addEventListener('pointermove', (event) => {
-      if (event.pointerType === 'mouse' && event.buttons === 0) {
-        this.pick(at(event));
+      if (event.pointerType === 'mouse' ? event.buttons === 0 : !this.scene.turn) {
+        this.pick(at(event)); // a finger slides across; up and down it scrolls
       }
     });
     this.canvas.addEventListener('pointerdown', (event) => this.pick(at(event)));
@@ -235,17 +227,10 @@ export class View {
     return this.stage.clip(point);
   }
 
-  // To CSS pixels; null behind the eye.
-  #onScreen([x, y, , w]) {
-    const { clientWidth, clientHeight } = this.figure;
-    return w > 1e-6 ? [((x / w + 1) / 2) * clientWidth, ((1 - y / w) / 2) * clientHeight] : null;
-  }
-
   #place() {
     const { clientWidth: width, clientHeight: height } = this.figure;
-    set(this.overlay, { viewBox: `0 0 ${width} ${height}` });
     this.handles.forEach((handle, i) => {
-      const at = this.clips && this.#onScreen(this.clips[i]);
+      const at = this.clips && onScreen(this.clips[i], [width, height]);
       handle.toggleAttribute('hidden', !at);
       if (at) {
         const seen = [clamp(at[0], 10, width - 10), clamp(at[1], 10, height - 10)];
@@ -255,10 +240,6 @@ export class View {
         handle.classList.toggle('away', seen[0] !== at[0] || seen[1] !== at[1]);
       }
     });
-    this.mark.toggleAttribute('hidden', !this.pixel);
-    if (this.pixel) {
-      set(this.mark, { transform: `translate(${this.pixel[0] * width},${this.pixel[1] * height})` });
-    }
     if (this.divider) {
       const x = this.scene.split * width;
       set(this.divider, { transform: `translate(${x},0)`, 'aria-valuenow': Math.round(100 * this.scene.split) });
@@ -268,57 +249,17 @@ export class View {
       set(this.names[0], { x: x - 12, 'text-anchor': 'end' });
       set(this.names[1], { x: x + 12 });
     }
-    this.#placeOutline();
-    this.#placePart();
-  }
-
-  // Of the triangle that is explained, with the names of its corners, unless it is the one with handles.
-  #placeOutline() {
-    this.outline.replaceChildren();
-    const cut = this.scene.outline?.(this.numbers)?.map((clip) => this.#onScreen(clip));
-    if (cut?.every(Boolean)) {
-      svg(this.outline, 'polygon', { points: points(cut) });
-    }
-    const on = this.numbers && cornersOf(this.numbers).map((clip) => this.#onScreen(clip));
-    const held = this.scene.triangleOf?.(this.numbers?.triangle) === this.scene.corners;
-    if (!on || !on.every(Boolean) || held) {
-      return;
-    }
-    svg(this.outline, 'polygon', { points: points(on) });
-    on.forEach(([x, y], i) => {
-      const [width, height] = [this.figure.clientWidth, this.figure.clientHeight];
-      const at = { x: clamp(x, 14, width - 14), y: clamp(y, 18, height - 8), class: `corner${'ABC'[i]}` };
-      svg(this.outline, 'text', at, 'ABC'[i]);
+    this.explained.place({
+      size: [width, height],
+      pixel: this.pixel,
+      numbers: this.numbers,
+      named: this.scene.triangleOf?.(this.numbers?.triangle) === this.scene.corners,
+      polygon: this.scene.outline?.(this.numbers),
     });
   }
-
-  // Pointing at a term ---------------------------------------------------------------------------------
 
   /** Shows where a term is in the picture; null: none. */
   point(term) {
-    this.term = term;
-    this.#placePart();
-  }
-
-  // r, s, t and a, b, c belong to the triangle between P and two corners; what has a corner's name to the corner.
-  #placePart() {
-    const corners = this.numbers ? cornersOf(this.numbers) : null;
-    const on = corners && corners.map((clip) => this.#onScreen(clip));
-    const p = this.pixel && [this.pixel[0] * this.figure.clientWidth, this.pixel[1] * this.figure.clientHeight];
-    const i = PARTS[this.term];
-    const corner = CORNERS[this.term?.split('_')[1]];
-    const showPart = on && p && i !== undefined && on[(i + 1) % 3] && on[(i + 2) % 3];
-    set(this.part, {
-      points: showPart ? points([p, on[(i + 1) % 3], on[(i + 2) % 3]]) : '',
-      class: `part corner${'ABC'[i]}`,
-    });
-    this.ray.replaceChildren();
-    const at = on && corner !== undefined ? on[corner] : this.term?.endsWith('_P') ? p : null;
-    if (at) {
-      svg(this.ray, 'circle', { cx: at[0], cy: at[1], r: 16 });
-    }
+    this.explained.point(term);
   }
 }
-
-/** The clip coordinates of the corners of an explained triangle. */
-export const cornersOf = (n) => [0, 1, 2].map((i) => ['X', 'Y', 'Z', 'W'].map((axis) => n[`${axis}_${i}`]));

@@ -41,6 +41,7 @@ static struct {
     double clip[4];
     double numbers[STAGE_MAX_NUMBERS];
     bool has_numbers;
+    enum stage_method method; // of the fragment that has them
     char error[160];
 } stage;
 
@@ -262,10 +263,12 @@ static float largest_inverse_w(const struct triangle *triangle)
     return 1 / (smallest > stage.near ? smallest : stage.near);
 }
 
-static void set_uniforms(const struct triangle *triangle, struct stage_uniforms *uniforms)
+static void set_uniforms(const struct triangle *triangle, enum stage_told told,
+                         struct stage_uniforms *uniforms)
 {
     memset(uniforms, 0, sizeof *uniforms);
     uniforms->by_world = triangle->method == STAGE_WORLD;
+    uniforms->told = uniforms->by_world ? (int32_t)told : STAGE_TOLD_COLOR;
     uniforms->pattern = (int32_t)triangle->pattern;
     uniforms->largest_inverse_w = largest_inverse_w(triangle);
     if (uniforms->by_world) {
@@ -288,14 +291,32 @@ static rhw_pipeline pipeline_of(const struct triangle *triangle)
     return stage.pipelines[triangle->method != STAGE_NAIVE][placed];
 }
 
-static void draw_triangle(rhw_pass pass, int number)
+// What is asked of a pixel.
+struct question {
+    struct rhw_explain explain;
+    enum stage_told told;
+};
+
+// Of the columns that a triangle is seen in all rows, or the pixel that is asked about.
+static struct rhw_rect part_of(const struct triangle *triangle, const struct question *question)
+{
+    const int first = triangle->first, width = triangle->end - first;
+    if (!question) {
+        return (struct rhw_rect){first, 0, width, stage.height};
+    }
+    const int x = question->explain.x, y = question->explain.y;
+    const bool inside = x >= first && x < triangle->end;
+    return (struct rhw_rect){x, y, inside, inside};
+}
+
+static void draw_triangle(rhw_pass pass, int number, const struct question *question)
 {
     const struct triangle *const triangle = &stage.triangles[number];
-    const struct rhw_rect columns = {triangle->first, 0, triangle->end - triangle->first, stage.height};
+    const struct rhw_rect part = part_of(triangle, question);
     struct stage_uniforms uniforms;
-    set_uniforms(triangle, &uniforms);
+    set_uniforms(triangle, question ? question->told : STAGE_TOLD_COLOR, &uniforms);
     rhw_pass_set_pipeline(stage.context, pass, pipeline_of(triangle));
-    rhw_pass_set_scissor(stage.context, pass, &columns);
+    rhw_pass_set_scissor(stage.context, pass, &part);
     rhw_pass_set_uniforms(stage.context, pass, &uniforms, sizeof uniforms);
     rhw_pass_draw(stage.context, pass, 3 * (uint32_t)number, 3, 0, 1);
 }
@@ -312,7 +333,7 @@ static enum rhw_result write_vertices(void)
                                   sizeof vertices[0] * 3 * (size_t)stage.triangle_count);
 }
 
-static bool draw_pass(int samples, const struct rhw_explain *explain)
+static bool draw_pass(int samples, const struct question *question)
 {
     struct rhw_pass_def def = rhw_pass_def_default();
     def.colors[0].texture = stage.target;
@@ -326,13 +347,13 @@ static bool draw_pass(int samples, const struct rhw_explain *explain)
     if (result != RHW_OK) {
         return fail("the picture", result);
     }
-    if (explain) {
-        rhw_pass_explain(stage.context, pass, explain);
+    if (question) {
+        rhw_pass_explain(stage.context, pass, &question->explain);
     }
     rhw_pass_set_pipeline(stage.context, pass, stage.pipelines[0][0]);
     rhw_pass_set_vertex_buffer(stage.context, pass, 0, stage.vertices, 0);
     for (int i = 0; i < stage.triangle_count; i++) {
-        draw_triangle(pass, i);
+        draw_triangle(pass, i, question);
     }
     result = rhw_pass_end(stage.context, pass, NULL);
     return result == RHW_OK || fail("the picture", result);
@@ -355,13 +376,27 @@ const uint8_t *stage_draw(void)
     return stage.pixels;
 }
 
+// The fragment that is seen is the last one that was written.
 static void note(void *user, const struct rhw_explained_fragment *fragment)
 {
-    (void)user;
-    if (fragment->fate == RHW_FRAGMENT_WRITTEN && fragment->is_shaded) {
-        stage_explain_numbers(fragment, stage.numbers);
-        stage.has_numbers = true;
+    const struct question *const question = user;
+    if (fragment->fate != RHW_FRAGMENT_WRITTEN || !fragment->is_shaded) {
+        return;
     }
+    if (question->told == STAGE_TOLD_COLOR) {
+        stage.method = stage.triangles[fragment->draw].method;
+        stage_explain_numbers(fragment, (int)stage.method, stage.numbers);
+        stage.has_numbers = true;
+    } else {
+        stage_explain_told(fragment, (int)question->told, stage.numbers);
+    }
+}
+
+static bool ask(int x, int y, enum stage_told told)
+{
+    struct question question = {.explain = {.x = x, .y = y, .fragment = note}, .told = told};
+    question.explain.user = &question;
+    return draw_pass(1, &question);
 }
 
 const double *stage_explain(int x, int y)
@@ -371,6 +406,9 @@ const double *stage_explain(int x, int y)
         return NULL;
     }
     stage.has_numbers = false;
-    const struct rhw_explain explain = {.x = x, .y = y, .fragment = note};
-    return draw_pass(1, &explain) && stage.has_numbers ? stage.numbers : NULL;
+    bool told = ask(x, y, STAGE_TOLD_COLOR) && stage.has_numbers;
+    for (int i = STAGE_TOLD_COLOR + 1; i < STAGE_TOLD && told && stage.method == STAGE_WORLD; i++) {
+        told = ask(x, y, (enum stage_told)i);
+    }
+    return told ? stage.numbers : NULL;
 }

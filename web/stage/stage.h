@@ -57,10 +57,11 @@ const uint8_t *stage_draw(void);
 const double *stage_clip(double x, double y, double z);
 
 /// The numbers of the fragment that is seen at the middle of a pixel, in the order of stage_number_names: NULL where none is. They
-/// are the pipeline's own: the pass is drawn once more, with one sample, and asked. What does not exist (edges of a
-/// triangle that cannot be snapped) is NaN. Valid until the next call.
+/// are the pipeline's own, and by way of the world the fragment function's: that pixel is drawn once more, with one sample,
+/// and asked. What does not exist (edges of a triangle that cannot be snapped, a point of the world where another method
+/// drew) is NaN. Valid until the next call.
 const double *stage_explain(int x, int y);
-/// "triangle,method,X_0,Y_0,..": names apart by commas.
+/// "triangle,clipped,X_0,Y_0,..": names apart by commas.
 const char *stage_number_names(void);
 
 #endif

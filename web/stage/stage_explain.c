@@ -14,8 +14,11 @@ const char *stage_number_names(void)
            "x_0,y_0,x_1,y_1,x_2,y_2,"
            "x_P,y_P,e_0,e_1,e_2,r,s,t,inverse_w,a,b,c,depth,"
            "u_0,v_0,red_0,green_0,blue_0,u_1,v_1,red_1,green_1,blue_1,u_2,v_2,red_2,green_2,blue_2,"
-           "u,v,red,green,blue,output_red,output_green,output_blue";
+           "u,v,red,green,blue,output_red,output_green,output_blue,"
+           "method,world_x,world_y,world_z,world_a,world_b,world_c,world_u,world_v,world_green";
 }
+
+enum { FIRST_WORLD_NUMBER = 59, WORLD_NUMBERS = 9 }; // of the names
 
 struct list {
     double *numbers;
@@ -48,7 +51,8 @@ static void add_raster(struct list *list, const struct rhw_explained_fragment *f
     }
 }
 
-int stage_explain_numbers(const struct rhw_explained_fragment *f, double numbers[STAGE_MAX_NUMBERS])
+int stage_explain_numbers(const struct rhw_explained_fragment *f, int method,
+                          double numbers[STAGE_MAX_NUMBERS])
 {
     struct list list = {.numbers = numbers};
     add(&list, f->draw);
@@ -70,5 +74,15 @@ int stage_explain_numbers(const struct rhw_explained_fragment *f, double numbers
     }
     add_floats(&list, f->varyings, STAGE_COMPONENTS);
     add_floats(&list, f->output[0], 3);
+    add(&list, method);
+    for (int i = 0; i < WORLD_NUMBERS; i++) {
+        add(&list, (double)NAN);
+    }
     return list.count;
+}
+
+void stage_explain_told(const struct rhw_explained_fragment *f, int told, double numbers[STAGE_MAX_NUMBERS])
+{
+    struct list list = {.numbers = numbers, .count = FIRST_WORLD_NUMBER + 3 * (told - STAGE_TOLD_POINT)};
+    add_floats(&list, f->output[0], 3);
 }

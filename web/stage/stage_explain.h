@@ -8,7 +8,11 @@
 
 enum { STAGE_MAX_NUMBERS = 80 };
 
-/// See stage_number_names.
-int stage_explain_numbers(const struct rhw_explained_fragment *fragment, double numbers[STAGE_MAX_NUMBERS]);
+/// See stage_number_names. `method`: enum stage_method.
+int stage_explain_numbers(const struct rhw_explained_fragment *fragment, int method,
+                          double numbers[STAGE_MAX_NUMBERS]);
+/// Adds what a fragment told by way of the world; `told`: enum stage_told.
+void stage_explain_told(const struct rhw_explained_fragment *fragment, int told,
+                        double numbers[STAGE_MAX_NUMBERS]);
 
 #endif

@@ -19,15 +19,17 @@ void RHW_ISA_NAME(stage_place)(struct rhw_vertex *groups, int count)
     }
 }
 
-// What a fragment is painted with.
+// What a fragment is painted with; and by world, what that was made with.
 struct values {
     rhw_float uv[2], color[3];
+    rhw_float point[3], weights[3];
 };
 
 static struct values interpolated(const struct rhw_fragment *fragment)
 {
     const rhw_float *const v = fragment->varying;
-    return (struct values){{v[STAGE_U], v[STAGE_V]}, {v[STAGE_RED], v[STAGE_RED + 1], v[STAGE_RED + 2]}};
+    return (struct values){.uv = {v[STAGE_U], v[STAGE_V]},
+                           .color = {v[STAGE_RED], v[STAGE_RED + 1], v[STAGE_RED + 2]}};
 }
 
 // (B − A) × (C − A), for points that are lanes.
@@ -54,12 +56,13 @@ static struct values by_world(const struct rhw_fragment *fragment, const struct 
         }
     }
     normal_of(corner[0], corner[1], corner[2], whole);
-    struct values values = {.color = {{0}}};
+    struct values values = {.point = {p[0], p[1], p[2]}};
     for (int i = 0; i < 3; i++) {
         rhw_float part[3];
         normal_of(p, corner[(i + 1) % 3], corner[(i + 2) % 3], part);
         const rhw_float weight = (part[0] * whole[0] + part[1] * whole[1] + part[2] * whole[2]) /
                                  (whole[0] * whole[0] + whole[1] * whole[1] + whole[2] * whole[2]);
+        values.weights[i] = weight;
         for (int k = 0; k < 2; k++) {
             values.uv[k] = values.uv[k] + weight * uniforms->corner_uv[i][k];
         }
@@ -161,11 +164,27 @@ static void paint_floor(const struct rhw_fragment *fragment, const struct values
     }
 }
 
+static void tell(const struct values *values, enum stage_told told, rhw_float color[4])
+{
+    const rhw_float of_values[3] = {values->uv[0], values->uv[1], values->color[1]};
+    const rhw_float *const numbers = told == STAGE_TOLD_POINT     ? values->point
+                                     : told == STAGE_TOLD_WEIGHTS ? values->weights
+                                                                  : of_values;
+    for (int k = 0; k < 3; k++) {
+        color[k] = numbers[k];
+    }
+}
+
 static void paint_one(struct rhw_fragment *fragment)
 {
     const struct stage_uniforms *const uniforms = fragment->uniforms;
     const struct values values = uniforms->by_world ? by_world(fragment, uniforms) : interpolated(fragment);
     rhw_float *const color = fragment->color[0];
+    color[3] = rhw_splat(1);
+    if (uniforms->told != STAGE_TOLD_COLOR) {
+        tell(&values, (enum stage_told)uniforms->told, color);
+        return;
+    }
     switch ((enum stage_pattern)uniforms->pattern) {
     case STAGE_CHECKER: paint_checker(fragment, &values, color); break;
     case STAGE_FLOOR: paint_floor(fragment, &values, color); break;
@@ -188,7 +207,6 @@ static void paint_one(struct rhw_fragment *fragment)
             color[k] = values.color[k];
         }
     }
-    color[3] = rhw_splat(1);
 }
 
 void RHW_ISA_NAME(stage_paint)(struct rhw_fragment *groups, int count)

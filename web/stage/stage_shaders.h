@@ -13,6 +13,15 @@ struct stage_vertex {
     float color[3];
 };
 
+/// What a fragment by way of the world puts out: its colour or, when its pixel is asked about, what that was made with.
+enum stage_told {
+    STAGE_TOLD_COLOR,
+    STAGE_TOLD_POINT,   ///< x, y, z of P in the world
+    STAGE_TOLD_WEIGHTS, ///< a, b, c
+    STAGE_TOLD_VALUES,  ///< u, v, green
+    STAGE_TOLD
+};
+
 /// Of a draw: one triangle.
 struct stage_uniforms {
     float world_from_screen[4][4]; ///< rows; from (column, row, depth, 1), up to a factor
@@ -21,6 +30,7 @@ struct stage_uniforms {
     float largest_inverse_w;
     int32_t by_world; ///< weights are areas in the world
     int32_t pattern;  ///< enum stage_pattern
+    int32_t told;     ///< enum stage_told
 };
 
 /// The varyings: u, v with derivatives, red, green, blue.

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A model of one's own: dropped in, looked at from all sides, and explained pixel by pixel. The work is done in a worker.
 import { choice } from '../controls.js';
-import { say, whenLanguage } from '../language.js';
+import { termsOf } from '../derivation.js';
+import { say } from '../language.js';
 import { Library } from '../library.js';
+import { numbersOf, seenIn, showModelDerivation } from '../model_derivation.js';
+import { Overlay } from '../overlay.js';
 import { centered, moved, panned, turned } from '../orbit.js';
-import { draggable } from '../svg.js';
+import { draggable, svg } from '../svg.js';
+import { chapterTerms } from '../tips.js';
 import { clamp } from '../vector.js';
 
 const SAMPLE = 'models/box.glb';
@@ -19,22 +23,58 @@ class ModelView {
   #moving = false;
   #drawing = false;
   #again = false; // what is being drawn has become old
+  #givesWay = false; // what is being drawn, to what moves
   #opened = 0; // how many models were asked for
+  #asked = 0; // how many explanations
+  #told = ''; // {en, zh} or a line of the library's
+
+  still = { samples: 4 }; // how pictures are drawn that do not move
+  givenUp = 0; // such pictures that gave way to one that moves
 
   constructor(section) {
     this.figure = section.querySelector('.view');
     this.canvas = section.querySelector('canvas');
     this.note = section.querySelector('.state');
     this.info = section.querySelector('.info');
-    this.text = section.querySelector('.explained');
-    this.spot = section.querySelector('.spot');
-    new ResizeObserver(() => this.draw()).observe(this.figure);
-    whenLanguage(() => this.#describe());
+    this.steps = section.querySelector('.derivation');
+    this.tables = section.querySelector('.explained');
+    this.overlay = new Overlay(svg(this.figure, 'svg'));
+    this.explanation = null;
+    this.pixel = null; // by parts of the picture
+    new ResizeObserver(() => {
+      this.#place();
+      this.draw();
+    }).observe(this.figure);
+    const meaning = { I: { en: 'value of the corner', zh: '顶点处的值' }, d: { en: 'depth, reversed: 1 near', zh: '深度（反向：近处为 1）' } };
+    chapterTerms(section, () => this.#numbers() && termsOf(this.#numbers()), [this.overlay], meaning);
+  }
+
+  /** What was told, in the language of now. */
+  retell() {
+    this.#tell(this.#told);
+    this.#describe();
+    this.#show();
   }
 
   #tell(text) {
-    this.note.textContent = text;
+    this.#told = text;
+    this.note.textContent = say(text);
     this.note.hidden = text === '';
+  }
+
+  #numbers() {
+    const seen = this.explanation && seenIn(this.explanation);
+    return seen ? numbersOf(seen) : null;
+  }
+
+  #show() {
+    showModelDerivation(this.steps, this.tables, this.explanation);
+    this.#place();
+  }
+
+  #place() {
+    const { clientWidth, clientHeight } = this.figure;
+    this.overlay.place({ size: [clientWidth, clientHeight], pixel: this.pixel, numbers: this.#numbers() });
   }
 
   #describe() {
@@ -52,7 +92,7 @@ class ModelView {
   /** Takes the place of what was shown, if it can be read. `files`: those that it names. */
   async open(bytes, name, files = {}) {
     const turn = ++this.#opened;
-    this.#tell(say({ en: `Reading ${name} …`, zh: `正在读取 ${name} …` }));
+    this.#tell({ en: `Reading ${name} …`, zh: `正在读取 ${name} …` });
     this.figure.dataset.drawn = '';
     try {
       const { info, warnings } = await this.#library.ask('open', { model: bytes, name, files });
@@ -91,17 +131,22 @@ class ModelView {
   }
 
   #options(moving) {
-    const coarse = moving ? { samples: 1, ambientOcclusion: false } : { samples: 4 };
+    const coarse = moving ? { samples: 1, ambientOcclusion: false } : this.still;
     return { size: this.#size(moving ? this.#scale : 1), camera: this.camera, interpolate: this.interpolate, ...coarse };
   }
 
   // Pictures that move are as large as can be drawn in time.
   async #drawOnce(moving) {
     const started = performance.now();
-    const { image, width, height } = await this.#library.ask('draw', {
-      picture: this.picture,
-      options: this.#options(moving),
-    });
+    const asked = this.#library.ask('draw', { picture: this.picture, options: this.#options(moving) });
+    this.#givesWay = !moving;
+    const drawn = await asked;
+    this.#givesWay = false;
+    if (!drawn) {
+      this.givenUp++;
+      return;
+    }
+    const { image, width, height } = drawn;
     this.canvas.width = width;
     this.canvas.height = height;
     this.canvas.getContext('2d').putImageData(new ImageData(image, width, height), 0, 0);
@@ -118,12 +163,20 @@ class ModelView {
       return;
     }
     this.#drawing = true;
+    const moving = this.#moving;
     try {
-      await this.#drawOnce(this.#moving);
+      await this.#drawOnce(moving);
     } catch (error) {
       this.#tell(error.message);
     }
     this.#drawing = false;
+    if (moving) { // what moved was seen at least once
+      clearTimeout(this.timer);
+      this.timer = setTimeout(() => {
+        this.#moving = false;
+        this.draw();
+      }, REST);
+    }
     if (this.#again) {
       this.draw();
     }
@@ -131,8 +184,10 @@ class ModelView {
 
   // What was told of a pixel of another picture.
   #forget() {
-    this.text.textContent = '';
-    this.spot.hidden = true;
+    this.#asked++;
+    this.explanation = null;
+    this.pixel = null;
+    this.#show();
   }
 
   /** Draws from another camera, or with other settings, those of a choice. */
@@ -146,11 +201,11 @@ class ModelView {
     this.camera = camera;
     this.#forget();
     this.#moving = true;
+    if (this.#givesWay) { // pictures of what moves do not: each would give way to the next
+      this.#givesWay = false;
+      this.#library.giveUp();
+    }
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => {
-      this.#moving = false;
-      this.draw();
-    }, REST);
     this.draw();
   }
 
@@ -166,17 +221,22 @@ class ModelView {
     this.#change(moved(this.camera, factor));
   }
 
-  /** The pixel at these parts of the picture's width and height, as text. */
+  /** The pixel at these parts of the picture's width and height. */
   async explain(x, y) {
     const options = this.#options(false);
-    Object.assign(this.spot.style, { left: `${100 * x}%`, top: `${100 * y}%` });
-    this.spot.hidden = false;
-    this.#tell(say({ en: 'Explaining …', zh: '正在解释 …' }));
+    this.#forget();
+    const turn = this.#asked;
+    this.pixel = [x, y];
+    this.#place();
+    this.#tell({ en: 'Explaining …', zh: '正在解释 …' });
     try {
       const at = { x: Math.floor(x * options.size[0]), y: Math.floor(y * options.size[1]) };
-      this.text.textContent = await this.#library.ask('explain', { ...at, options });
+      const explanation = await this.#library.ask('explain', { ...at, options });
       this.#tell('');
-      this.text.scrollIntoView({ block: 'nearest', behavior: 'smooth' });
+      if (turn === this.#asked) {
+        this.explanation = explanation;
+        this.#show();
+      }
     } catch (error) {
       this.#tell(error.message);
     }
@@ -268,4 +328,5 @@ export function start(section) {
   }
   listenForFiles(section, view);
   listenForHands(view);
+  return view;
 }

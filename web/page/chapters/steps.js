@@ -4,10 +4,11 @@ import { choice } from '../controls.js';
 import { termsOf } from '../derivation.js';
 import { say } from '../language.js';
 import { formula, short } from '../math.js';
+import { cornersOf } from '../overlay.js';
 import { METHOD, PATTERN } from '../stage.js';
 import { chapterTerms } from '../tips.js';
 import { within } from '../vector.js';
-import { cornersOf, View } from '../view.js';
+import { View } from '../view.js';
 
 const COLUMNS = 64;
 
