@@ -65,7 +65,7 @@ export class Stage {
     this.threads = threads;
   }
 
-  // A copy, as nothing else may be made of memory that is shared.
+  // A copy, as text cannot be made of memory that is shared.
   #read(Type, address, count) {
     return new Type(this.#buffer(), address, count).slice();
   }
@@ -120,11 +120,12 @@ export class Stage {
     this.#check(this.#call('triangle', [method, pattern, first, end]));
   }
 
-  /** [height][width] RGBA. */
+  /** [height][width] RGBA, until the next call. */
   draw() {
     const address = this.#call('draw');
     this.#check(address);
-    return this.#read(Uint8ClampedArray, address, 4 * this.width * this.height);
+    const pixels = new Uint8ClampedArray(this.#buffer(), address, 4 * this.width * this.height);
+    return pixels.buffer instanceof ArrayBuffer ? pixels : pixels.slice(); // no image takes memory that is shared
   }
 
   /** X, Y, Z, W of a point of the world. */
