@@ -50,6 +50,8 @@ NOT_RUN = {
     r"env/bin/pip install --no-build-isolation \./python( *#.*)?": "compiles the library; python_wheel installs one",
     r"python -m rhw\.dataset .*": "python_dataset runs them from the page",
     r"dask-(scheduler|worker) .*": "ends when it is told to; python_dataset starts some",
+    r"script/bootstrap python && .* && env/bin/pip install .*": "the same; docs/python.md has it in pieces",
+    r"env/bin/python python/examples/\w+\.py .*": "python_learning runs the examples",
     r"dpkg -i .*": "program_package installs into a root of its own",
     r"cc -O2 -pthread -c rhw\.c": ONE_FILE,
     r"cc -O2 -pthread -ffp-contract=off program\.c rhw\.o": ONE_FILE,
