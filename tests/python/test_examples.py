@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The examples draw the pictures that stand beside them, and the commands of the documents work."""
 
+import importlib.machinery
+import importlib.util
 import json
 import os
 import re
@@ -17,6 +19,19 @@ ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = sorted((ROOT / "python/examples").glob("*.py"))
 
 
+def check_curve(name, printed):
+    """What docs/images/losses.svg shows of an example, if anything, is what that prints."""
+    loader = importlib.machinery.SourceFileLoader("losses", str(ROOT / "script/losses"))
+    losses = importlib.util.module_from_spec(importlib.util.spec_from_loader("losses", loader))
+    loader.exec_module(losses)
+    shown = re.search(rf'<polyline id="{name}" points="(.*?)"', (ROOT / "docs/images/losses.svg").read_text())
+    assert bool(shown) == (name in losses.COLORS) == ("loss" in printed)
+    if shown:
+        there = np.array([point.split(",") for point in shown[1].split()], float)
+        # A last bit that differs may be a few percent after hundreds of steps.
+        assert there.shape == np.shape(losses.curve(printed)) and np.abs(there - losses.curve(printed)).max() < 12
+
+
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
 def test_example(example, tmp_path):
     model = [model_file("glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb")] if "MODEL" in example.read_text() else []
@@ -25,7 +40,8 @@ def test_example(example, tmp_path):
             pytest.skip("torch is not made for a sanitizer that is loaded before it")
         pytest.importorskip("torch", reason="torch is not here: script/bootstrap learn")
     out = tmp_path / "out.png"
-    subprocess.run([sys.executable, "-B", example, *model, out], check=True, stdout=subprocess.DEVNULL)
+    printed = subprocess.run([sys.executable, "-B", example, *model, out], check=True, stdout=subprocess.PIPE, text=True).stdout
+    check_curve(example.stem, printed)
     told = subprocess.run([os.environ["RHW_PROGRAM"], "compare", "--json", out, example.with_suffix(".png")],
                           capture_output=True, text=True, env=ENVIRONMENT).stdout
     # NumPy's sine differs from machine to machine in its last bit, and with it perhaps a pixel at an edge.
