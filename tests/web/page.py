@@ -179,7 +179,8 @@ class Page(unittest.TestCase):
     # Threads
 
     def test_stages_draw_with_threads(self):
-        self.wait("rhw.stage.threads > 1")
+        self.wait("rhw.stage.mostThreads > 1")
+        self.script("rhw.stage.settle(rhw.stage.mostThreads)")
         for name in ["first", "floor"]:
             self.show(name)
             self.script(f"rhw.views.{name}.figure.dataset.drawn = ''; rhw.views.{name}.update()")
@@ -189,12 +190,27 @@ class Page(unittest.TestCase):
         self.drag("#first .view .cornerA .dot", 20, -20)  # whose place comes from the new stage too
         self.still()
         self.check_native("first")
+        self.assertGreater(self.script("return rhw.stage.threads"), 1)
+
+    def test_threads_are_tried(self):
+        """Some pictures with one thread and as many with several, all alike; then what was quicker."""
+        self.wait("rhw.stage.mostThreads > 1")
+        drawn = self.script("const v = rhw.views.first, said = [], seen = new Set();"
+                            "for (let i = 0; i < 16; i++) { v.stage.resize(v.canvas.width, v.canvas.height, 4);"
+                            " v.stage.camera(v.scene.camera); v.stage.clear([0, 0, 0]); v.scene.draw(v.stage, v);"
+                            " said.push(v.stage.threads); let sum = 0; for (const b of v.stage.draw()) sum = (31 * sum + b) | 0;"
+                            " seen.add(sum); } return [said, seen.size]")
+        most = self.script("return rhw.stage.mostThreads")
+        self.assertEqual(drawn[1], 1)
+        self.assertEqual(set(drawn[0][:6]), {1, most})
+        self.assertEqual(len(set(drawn[0][14:])), 1)
+        self.assertEqual(self.script("return rhw.stage.threads"), drawn[0][-1])
 
     def test_without_isolation_one_thread_draws(self):
         self.browser.get(start_server(sys.argv[1], isolated=False))
         self.wait("window.rhw?.views.first?.figure.dataset.drawn === 'still'")
         self.assertFalse(self.script("return crossOriginIsolated"))
-        self.assertEqual(self.script("return rhw.stage.threads"), 1)
+        self.assertEqual(self.script("return rhw.stage.mostThreads"), 1)
         self.check_native("first")
         self.open_sample()
 

@@ -53,10 +53,10 @@ window.rhw = { views: {} };
 const MOST_THREADS = 4; // pictures are small, and the page has other work
 
 // The first picture does not wait for threads; nor need there be any.
-function useThreads(stage) {
+function tryThreads(stage) {
   const threads = Math.min(navigator.hardwareConcurrency, MOST_THREADS);
   if (globalThis.crossOriginIsolated && threads > 1) {
-    stage.useThreads(threads).catch((error) => console.warn(error));
+    stage.tryThreads(threads).catch((error) => console.warn(error));
   }
 }
 
@@ -68,7 +68,7 @@ function startChapter(section, stage) {
       window.rhw.views[name] = view;
       whenLanguage(() => view?.retell());
       if (name === 'first') {
-        whenDrawn(view, () => useThreads(stage));
+        whenDrawn(view, () => tryThreads(stage));
       }
     })
     .catch((error) => fail(section, error));

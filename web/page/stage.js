@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The library's stage (web/stage/stage.h) as an object of JavaScript. It remembers what it was told, line by line: a file of
-// such lines draws the same bytes natively (tests/web). Where pages may share memory it goes on with threads once the first
-// picture is there, which needs none.
+// such lines draws the same bytes natively (tests/web). Where pages may share memory there is a second module with threads, once
+// the first picture is drawn, which needs none. The two draw a few pictures in turn, and the quicker one goes on: on a machine
+// that is busy a picture waits for the last of its threads, and one thread is quicker.
 
 const no = () => 0;
 
@@ -31,9 +32,14 @@ function surroundings(memory) {
 export const METHOD = { naive: 0, correct: 1, world: 2 };
 export const PATTERN = { colors: 0, checker: 1, floor: 2, depth: 3, inverseW: 4, uv: 5, uvOverW: 6 };
 
+const TRIAL = 7; // pictures of each
+
+const middle = (times) => [...times].sort((a, b) => a - b)[times.length >> 1];
+
 export class Stage {
-  #functions; // of the module, without "stage_" before their names
-  #buffer; // () => its memory
+  #modules = []; // {functions: name without "stage_" → function, buffer: () => its memory, threads, times}
+  #module; // of them, the one that is told and asked
+  #trying = false;
   #names;
   #lines = new Map(); // by what they set, in the order of setting
 
@@ -43,35 +49,61 @@ export class Stage {
     let exports;
     exports = (await WebAssembly.instantiate(module, surroundings(() => exports.memory))).exports;
     exports._initialize();
-    stage.#take((name) => exports[`stage_${name}`], () => exports.memory.buffer, 1);
+    stage.#add((name) => exports[`stage_${name}`], () => exports.memory.buffer, 1);
     stage.#names = stage.#text(stage.#call('number_names')).split(',');
     return stage;
   }
 
-  /** Goes on with so many threads: those of the page's own and workers. */
-  async useThreads(threads) {
+  /** Tries so many threads: the page's own and workers. */
+  async tryThreads(threads) {
     const { default: create } = await import('./stage-threads.js');
     const module = await create({ helpThreads: threads - 1 });
-    this.#take((name) => module[`_stage_${name}`], () => module.HEAPU8.buffer, threads);
-    if (this.width) {
-      this.#call('resize', this.#lines.get('resize').slice(1)); // all else is told anew for every picture
+    const before = this.#module;
+    this.#add((name) => module[`_stage_${name}`], () => module.HEAPU8.buffer, threads);
+    this.#call('resize', this.#lines.get('resize').slice(1)); // all else is told anew for every picture
+    this.#module = before;
+    this.#trying = true;
+  }
+
+  #add(functions, buffer, threads) {
+    this.#module = { functions, buffer, threads, times: [] };
+    this.#modules.push(this.#module);
+    this.#check(this.#call('open', [threads]));
+  }
+
+  get threads() {
+    return this.#module.threads;
+  }
+
+  get mostThreads() {
+    return Math.max(...this.#modules.map(({ threads }) => threads));
+  }
+
+  /** Goes on with so many threads, one or the most. */
+  settle(threads) {
+    this.#trying = false;
+    this.#module = this.#modules.find((module) => module.threads === threads);
+    if (this.#lines.has('resize')) {
+      this.#call('resize', this.#lines.get('resize').slice(1));
     }
   }
 
-  #take(functions, buffer, threads) {
-    this.#functions = functions;
-    this.#buffer = buffer;
-    this.#check(this.#call('open', [threads]));
-    this.threads = threads;
+  // After a picture that took so long.
+  #compare(time) {
+    this.#module.times.push(time);
+    if (this.#modules.every(({ times }) => times.length >= TRIAL)) {
+      const [one, several] = this.#modules.map(({ times }) => middle(times));
+      this.settle(several < one ? this.mostThreads : 1);
+    }
   }
 
   // A copy, as text cannot be made of memory that is shared.
   #read(Type, address, count) {
-    return new Type(this.#buffer(), address, count).slice();
+    return new Type(this.#module.buffer(), address, count).slice();
   }
 
   #text(address) {
-    const all = new Uint8Array(this.#buffer());
+    const all = new Uint8Array(this.#module.buffer());
     return new TextDecoder().decode(all.slice(address, all.indexOf(0, address)));
   }
 
@@ -82,11 +114,14 @@ export class Stage {
   }
 
   #call(name, numbers = []) {
-    return this.#functions(name)(...numbers);
+    return this.#module.functions(name)(...numbers);
   }
 
   /** Pixels; 1, 2, 4, 8 or 16 samples of each. */
   resize(width, height, samples) {
+    if (this.#trying) { // a picture begins: the turn of the one that drew less
+      this.#module = [...this.#modules].sort((a, b) => a.times.length - b.times.length)[0];
+    }
     this.#lines.set('resize', ['resize', width, height, samples]);
     this.width = width;
     this.height = height;
@@ -122,10 +157,15 @@ export class Stage {
 
   /** [height][width] RGBA, until the next call. */
   draw() {
+    const started = performance.now();
     const address = this.#call('draw');
     this.#check(address);
-    const pixels = new Uint8ClampedArray(this.#buffer(), address, 4 * this.width * this.height);
-    return pixels.buffer instanceof ArrayBuffer ? pixels : pixels.slice(); // no image takes memory that is shared
+    const shown = new Uint8ClampedArray(this.#module.buffer(), address, 4 * this.width * this.height);
+    const pixels = shown.buffer instanceof ArrayBuffer ? shown : shown.slice(); // no image takes memory that is shared
+    if (this.#trying) {
+      this.#compare(performance.now() - started);
+    }
+    return pixels;
   }
 
   /** X, Y, Z, W of a point of the world. */
