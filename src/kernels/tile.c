@@ -184,6 +184,21 @@ static __attribute__((noinline)) void draw_stippled_line(struct tile_work *work,
     unite_marks(work);
 }
 
+// A small triangle whose pixels have several samples.
+RHW_INLINE void draw_sampled_small(struct tile_work *work, struct triangle_work *triangle)
+{
+    const struct triangle_setup8 *const setup = triangle->setup;
+    const int i = triangle->lane;
+    if (takes_tiny_samples(work, triangle)) {
+        const struct hiz_rect rect = {setup->x0[i], setup->y0[i], setup->x1[i], setup->y1[i]};
+        if (!hides_small(work, triangle, rect)) {
+            draw_tiny_samples(work, triangle);
+        }
+    } else {
+        draw_small_samples(work, triangle);
+    }
+}
+
 // Draws any triangle, small ones too.
 static void draw_any(struct tile_work *work, struct triangle_work *triangle, const struct rhw_chunk *chunk)
 {
@@ -200,11 +215,7 @@ static void draw_any(struct tile_work *work, struct triangle_work *triangle, con
     } else if (work->samples == 1) {
         draw_large(work, triangle, chunk);
     } else if (takes_small_samples(work, triangle)) {
-        if (takes_tiny_samples(work, triangle)) {
-            draw_tiny_samples(work, triangle);
-        } else {
-            draw_small_samples(work, triangle);
-        }
+        draw_sampled_small(work, triangle);
     } else {
         draw_multisampled(work, triangle, chunk);
     }
@@ -236,6 +247,8 @@ static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk,
     const uint16_t small_flag = begin_triangle(work, &triangle, chunk, setup, lane);
     if (triangle.t->flags & small_flag && !(setup->exact >> lane & 1)) {
         draw_small(work, &triangle);
+    } else if (is_plain_small(work, &triangle)) {
+        draw_sampled_small(work, &triangle);
     } else if (!work->plan.is_skipped) {
         draw_any(work, &triangle, chunk);
     }
@@ -305,13 +318,13 @@ struct bin_run {
 
 static void draw_run(struct tile_work *work, struct bin_run run, enum rhw_phase phase)
 {
-    // Triangles, at least, between two looks at the tile's depth, which are taken between bins.
+    // Triangles, at least, between two looks at the tile's depth in a sample, which are taken between bins.
     enum { REFRESH = 16 };
     uint32_t number = 0, looked = 0;
     start_phase(work, phase);
     for (const struct bin *bin = run.first; bin < run.end; bin++) {
         if (phase == RHW_PHASE_DEPTH && number - looked >= REFRESH && work->scratch->depth.direction != 0) {
-            hiz_refresh(&work->scratch->depth);
+            refresh_bounds(work);
             looked = number;
         }
         draw_bin(work, bin, number);
@@ -494,6 +507,9 @@ void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int number, int wo
     if (bins == 0 && !resolves_loaded(&work)) {
         pass_tile_through(&work);
         return;
+    }
+    if (work.samples == TINY_SAMPLES) {
+        work.tiny_lanes = tiny_lanes_of(pass->pattern);
     }
     const struct rhw_counters before = *work.counters;
     load_tile(&work);

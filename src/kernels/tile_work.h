@@ -118,16 +118,23 @@ static inline struct tile_depth *depth_plane(struct rhw_tile_scratch *scratch, i
     return sample == 0 ? &scratch->depth : &scratch->planes[sample - 1].depth;
 }
 
+// The samples of two pixels side by side, of 4 samples each, as lanes (tile/triangle_tiny_samples.h).
+struct tiny_lanes {
+    i8 x, y;   // 1/256 pixel from the top left of the first pixel
+    d8 dx, dy; // pixels from its centre: whole 256ths, so that sums with whole pixels are exact
+};
+
 // This is one worker's work on one tile.
 struct tile_work {
     struct rhw_pass_state *pass;
     struct rhw_tile_scratch *scratch;
     struct rhw_counters *counters;
-    int tile;          // its number, row by row
-    int layer;         // of the pass
-    int x, y;          // pixels of the tile's first pixel in the target
-    int width, height; // pixels of the tile: fewer at the target's end
-    int samples;       // of a pixel
+    int tile;                     // its number, row by row
+    int layer;                    // of the pass
+    int x, y;                     // pixels of the tile's first pixel in the target
+    int width, height;            // pixels of the tile: fewer at the target's end
+    int samples;                  // of a pixel
+    struct tiny_lanes tiny_lanes; // where there are 4
     enum rhw_phase phase;
 
     // Of the draw whose fragments are collected:
@@ -136,6 +143,7 @@ struct tile_work {
     const struct rhw_pipeline_data *pipeline;
     struct rhw_draw_plan plan; // of the state, in the phase
     bool tests_bounds;         // fragments behind the tile's bounds fail the depth test
+    bool tests_small_bounds;   // and small triangles are asked whether they lie there
     bool is_scissored;         // the scissor, or the target's end, leaves out pixels of the tile
     bool constant_is_ready;    // the draw's constant colour was made
     bool orders_lanes; // of multisampled passes: a group may cover a sample twice, and the last is seen

@@ -120,12 +120,12 @@ enum { DEPTHS = 97 };
 struct hiz_input {
     double at, dx, dy;
     float depths[DEPTHS];
-    int32_t direction, anchor_x, anchor_y, x, y;
+    int32_t direction, anchor_x, anchor_y, x, y, width, height, samples;
 };
 
 struct hiz_result {
     float bounds[HIZ_BLOCKS * HIZ_BLOCKS], covered;
-    uint32_t hidden[HIZ_BLOCKS], has_bounds;
+    uint32_t hidden[HIZ_BLOCKS], has_bounds, hides;
 };
 
 static void make_hiz(struct kernel_random *random, void *input)
@@ -143,6 +143,9 @@ static void make_hiz(struct kernel_random *random, void *input)
     in->anchor_y = (int32_t)random_int(random, -RHW_GUARD_BAND, RHW_GUARD_BAND);
     in->x = (int32_t)random_int(random, 0, HIZ_BLOCKS - 1) * RHW_BLOCK;
     in->y = (int32_t)random_int(random, 0, HIZ_BLOCKS - 1) * RHW_BLOCK;
+    in->width = (int32_t)random_int(random, 1, RHW_BLOCK);
+    in->height = (int32_t)random_int(random, 1, RHW_BLOCK);
+    in->samples = (int32_t)random_int(random, 1, 2);
 }
 
 static void run_hiz(const void *input, void *result)
@@ -150,20 +153,25 @@ static void run_hiz(const void *input, void *result)
     const struct hiz_input *const in = input;
     struct hiz_result *const out = result;
     const struct plane z = {in->at, in->dx, in->dy};
-    struct tile_depth depth;
+    const double reach = in->samples == 1 ? 0 : 0.5;
+    struct tile_depth depth, other; // in the first sample of each pixel, and in another
     depth.direction = in->direction;
     depth.least = 0.0f;
     depth.most = 1.0f;
     for (int i = 0, from = 0; i < RHW_TILE * RHW_TILE; i++, from = from + 1 == DEPTHS ? 0 : from + 1) {
         depth.texels[i] = in->depths[from];
+        other.texels[i] = in->depths[DEPTHS - 1 - from];
     }
-    hiz_refresh(&depth);
+    struct tile_depth *const planes[] = {&depth, &other};
+    hiz_refresh(planes, in->samples);
     for (int i = 0; i < HIZ_BLOCKS; i++) {
-        out->hidden[i] = hiz_hidden(&depth, z, in->anchor_x, in->anchor_y, i * RHW_BLOCK);
+        out->hidden[i] = hiz_hidden(&depth, z, in->anchor_x, in->anchor_y, i * RHW_BLOCK, reach);
     }
+    const struct hiz_rect rect = {in->x, in->y, in->x + in->width, in->y + in->height};
+    out->hides = hiz_hides(&depth, z, in->anchor_x, in->anchor_y, &rect, reach);
     out->has_bounds = hiz_has_bounds(&depth, in->y);
     memcpy(out->bounds, depth.bounds, sizeof out->bounds);
-    hiz_cover(&depth, z, in->anchor_x, in->anchor_y, in->x, in->y);
+    hiz_cover(&depth, z, in->anchor_x, in->anchor_y, in->x, in->y, reach);
     out->covered = depth.bounds[in->y / RHW_BLOCK * HIZ_BLOCKS + in->x / RHW_BLOCK];
 }
 

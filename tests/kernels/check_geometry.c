@@ -116,7 +116,7 @@ struct cull_input {
     uint32_t indices[9][3];
     struct rhw_rect scissor;
     uint32_t live;
-    int32_t front, cull, special_paths;
+    int32_t front, cull, samples; // 0: the general path
 };
 
 // Triangles of a pixel or of any size; some share vertices, and some have flags.
@@ -150,7 +150,7 @@ static void make_cull(struct kernel_random *random, void *input)
     in->live = random_one_in(random, 2) ? 0xff : (uint32_t)random_int(random, 1, 0xff);
     in->front = (int32_t)random_int(random, 0, 1);
     in->cull = (int32_t)random_int(random, RHW_CULL_NONE, RHW_CULL_BACK);
-    in->special_paths = random_one_in(random, 2);
+    in->samples = random_one_in(random, 2) ? 0 : 1 << random_int(random, 0, 2);
 }
 
 struct cull_result {
@@ -175,7 +175,8 @@ static void run_cull(const void *input, void *result)
     state.depth_least = 0.0f;
     state.depth_most = 1.0f;
     const struct triangle8 t = load_triangle8(in->vertices, 0, in->indices);
-    const struct cull8 cull = cull8(&t, &state, in->live, in->special_paths != 0);
+    const struct cull8 cull =
+        cull8(&t, &state, in->live, in->samples == 0 ? NULL : rhw_sample_pattern_of(in->samples));
     struct cull_result *const out = result;
     memset(out, 0, sizeof *out);
     out->drawn = cull.drawn;

@@ -354,6 +354,7 @@ static const struct packed_triangle *pack_triangle(struct tile_work *work, struc
 enum packed_parts {
     PACKED_QUANTITIES, // the four that every fragment needs
     PACKED_DISTANCE,   // and where it is, for derivatives
+    PACKED_SAMPLES,    // and of multisampled passes its samples
     PACKED_ANY         // and whatever the plan wants
 };
 
@@ -391,7 +392,7 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
     if (parts != PACKED_QUANTITIES) {
         partial->distance[n] = (d4){dy, dx, dy, dx};
     }
-    if (parts == PACKED_ANY) {
+    if (parts >= PACKED_SAMPLES) {
         partial->samples[n] = work->scratch->gathered.samples[i];
     }
     if (parts == PACKED_ANY && packed->clamps_depth) {
@@ -423,7 +424,10 @@ RHW_INLINE void pack_fragments(struct tile_work *work, const struct quantity_pla
 static void pack_gathered(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct packed_triangle *const packed = pack_triangle(work, triangle);
-    if (work->plan.shading == RHW_SHADING_ANY || work->samples > 1) {
+    const bool late = work->plan.depth_mode >= RHW_DEPTH_LATE;
+    if (work->samples > 1 && work->plan.shading == RHW_SHADING_SMOOTH && !late && !packed->clamps_depth) {
+        pack_fragments(work, &triangle->planes.quantities, packed, PACKED_SAMPLES);
+    } else if (work->plan.shading == RHW_SHADING_ANY || work->samples > 1) {
         pack_fragments(work, &triangle->planes.quantities, packed, PACKED_ANY);
     } else if (work->pipeline->any_derivatives) {
         pack_fragments(work, &triangle->planes.quantities, packed, PACKED_DISTANCE);

@@ -187,7 +187,8 @@ static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_c
 {
     struct rhw_geometry_scratch *const scratch = worker->geometry;
     scratch->special_paths = rhw_pass_takes_special_paths(pass);
-    scratch->culls_uncovered = scratch->special_paths && pass->pattern->count == 1;
+    scratch->uncovered_pattern =
+        scratch->special_paths && pass->pattern->count <= MOST_CULLED_SAMPLES ? pass->pattern : NULL;
     scratch->run_count = scratch->polygon_count = 0;
     scratch->index_count = scratch->vertex_count = 0;
     scratch->arena = &worker->arena;

@@ -29,9 +29,9 @@ RHW_INLINE void area_signs8(const struct triangle8 *t, unsigned *negative, unsig
     *nonzero = ~i8_sign_bits(rhw_equal(area, f8_splat(0)));
 }
 
-// `live`: bits of the lanes that are triangles. `culls_uncovered`: see cull_uncovered.h.
+// `live`: bits of the lanes that are triangles. `pattern`: NULL where cull_uncovered.h has nothing to do.
 RHW_INLINE struct cull8 cull8(const struct triangle8 *t, const struct rhw_draw_state *state, unsigned live,
-                              bool culls_uncovered)
+                              const struct rhw_sample_pattern *pattern)
 {
     const struct rhw_pipeline_def *const def = &state->pipeline->def;
     struct cull8 c;
@@ -45,8 +45,8 @@ RHW_INLINE struct cull8 cull8(const struct triangle8 *t, const struct rhw_draw_s
         c.pixels = pixel_rect8_of(t, state);
         c.drawn &=
             i8_sign_bits(rhw_less_int(c.pixels.x0, c.pixels.x1) & rhw_less_int(c.pixels.y0, c.pixels.y1));
-        if (c.drawn != 0 && culls_uncovered) {
-            c.drawn &= ~uncovered8(t, &c.pixels, c.negative);
+        if (c.drawn != 0 && pattern) {
+            c.drawn &= ~uncovered8(t, &c.pixels, c.negative, pattern);
         }
     }
     c.culled = unclipped & ~c.drawn;

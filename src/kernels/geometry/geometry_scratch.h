@@ -69,8 +69,8 @@ struct rhw_geometry_scratch {
         tile_ranges[RHW_TRIANGLES_MOST * RHW_CHUNK_TRIANGLES]; // of the triangles that are drawn
     uint32_t index_count, vertex_count;                        // triangles of `indices`; vertices
     int run_count, polygon_count, segment_count;
-    bool special_paths;   // see rhw_pass_takes_special_paths
-    bool culls_uncovered; // see cull_uncovered.h
+    bool special_paths;                                 // see rhw_pass_takes_special_paths
+    const struct rhw_sample_pattern *uncovered_pattern; // see cull_uncovered.h; NULL: nothing is culled there
     // Where made vertices stand, see made_vertices.h: in the last segment `made_count`, of run `made_run`.
     struct rhw_arena *arena;
     uint32_t made_run, made_count;

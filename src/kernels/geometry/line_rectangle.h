@@ -24,7 +24,8 @@ struct line_half8 {
 };
 
 static void set_half8(struct line_half8 *half, const struct rhw_draw_state *state, const struct lines8 *l,
-                      const struct triangle8 *t, i8 middle, unsigned live, bool culls_uncovered)
+                      const struct triangle8 *t, i8 middle, unsigned live,
+                      const struct rhw_sample_pattern *pattern)
 {
     const struct pixel_rect8 pixels = pixel_rect8_of(t, state);
     const i8 plain =
@@ -34,8 +35,8 @@ static void set_half8(struct line_half8 *half, const struct rhw_draw_state *stat
         .vertex = {l->vertex[0], middle, l->vertex[1]}, .primitive = l->primitive, .segment = l->segment};
     half->drawn =
         live & i8_sign_bits(rhw_less_int(pixels.x0, pixels.x1) & rhw_less_int(pixels.y0, pixels.y1));
-    if (half->drawn != 0 && culls_uncovered) {
-        half->drawn &= ~uncovered8(t, &pixels, 0);
+    if (half->drawn != 0 && pattern) {
+        half->drawn &= ~uncovered8(t, &pixels, 0, pattern);
     }
     if (half->drawn != 0) {
         fill_words(&half->words, t, &pixels, flags, &names);
@@ -57,8 +58,8 @@ static unsigned add_rectangles8(struct rhw_geometry_scratch *scratch, const stru
     const struct triangle8 second = {.x = {x[0] - n.x, x[1] - n.x, x[1] + n.x},
                                      .y = {y[0] - n.y, y[1] - n.y, y[1] + n.y}};
     struct line_half8 halves[2];
-    set_half8(&halves[0], state, l, &first, l->vertex[0], live & n.nonzero, scratch->culls_uncovered);
-    set_half8(&halves[1], state, l, &second, l->vertex[1], live & n.nonzero, scratch->culls_uncovered);
+    set_half8(&halves[0], state, l, &first, l->vertex[0], live & n.nonzero, scratch->uncovered_pattern);
+    set_half8(&halves[1], state, l, &second, l->vertex[1], live & n.nonzero, scratch->uncovered_pattern);
     const unsigned drawn = halves[0].drawn | halves[1].drawn;
     for (unsigned left = drawn; left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);

@@ -35,7 +35,7 @@ static void setup8(struct rhw_geometry_scratch *scratch, const struct run_slice 
     const struct rhw_draw_state *const state = segment->draw->state;
     const struct triangle8 t = load_triangle8(run->vertices, run->first_slot, slice->indices);
     const struct cull8 cull =
-        cull8(&t, state, slice->live, scratch->culls_uncovered && !state->pipeline->is_conservative);
+        cull8(&t, state, slice->live, state->pipeline->is_conservative ? NULL : scratch->uncovered_pattern);
     scratch->counters.culled += (unsigned)__builtin_popcount(cull.culled);
     if ((cull.drawn | cull.clipped) == 0) {
         return;

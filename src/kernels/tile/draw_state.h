@@ -61,7 +61,8 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
         work->orders_lanes = work->orders_lanes && !state->blend[t].blend;
     }
     work->scratch->gathered.overtakes = false;
-    work->tests_bounds = work->samples == 1 && hiz_follow(depth, &work->plan);
+    work->tests_bounds = hiz_follow(depth, &work->plan);
+    work->tests_small_bounds = work->tests_bounds && work->samples > 1 && work->phase != RHW_PHASE_ONLY;
     if (work->plan.moves_depth) {
         depth->has_ranges = false;
         depth->unranged = 0;
@@ -115,6 +116,16 @@ static void open_all(const struct tile_work *work, struct tile_depth *depth)
     depth->open_count = work->width * work->height;
 }
 
+// Looks anew at the bounds of the tile's blocks.
+static void refresh_bounds(const struct tile_work *work)
+{
+    struct tile_depth *planes[RHW_MAX_SAMPLES];
+    for (int s = 0; s < work->samples; s++) {
+        planes[s] = depth_plane(work->scratch, s);
+    }
+    hiz_refresh(planes, work->samples);
+}
+
 // What waits is tested against the open pixels of its own phase: it is flushed before they change.
 static void start_phase(struct tile_work *work, enum rhw_phase phase)
 {
@@ -131,7 +142,7 @@ static void start_phase(struct tile_work *work, enum rhw_phase phase)
     work->draw = NULL;
     work->phase = phase;
     if (phase == RHW_PHASE_SHADE && depth->direction != 0) {
-        hiz_refresh(depth);
+        refresh_bounds(work);
     }
 }
 

@@ -25,6 +25,8 @@ static void resolve_color(const struct tile_work *work, int t)
     const struct rhw_format_info *const info = rhw_format_info(attachment->format);
     const enum rhw_resolve mode = color_mode(attachment, info);
     const struct memory_rows rows = rows_of_level(work, attachment, attachment->resolve);
+    const bool is_common = info->codec == RHW_CODEC_UNORM8 && info->size == 4 &&
+                           mode == RHW_RESOLVE_AVERAGE && work->samples == 4;
     soil(work, attachment->resolve_clean);
     for (int y = 0; y < work->height; y++) {
         for (int x = 0; x < work->width; x += RHW_BLOCK) {
@@ -40,7 +42,12 @@ static void resolve_color(const struct tile_work *work, int t)
             for (int s = 1; s < work->samples; s++) {
                 row.plane[s] = color_plane(scratch, t, s) + at;
             }
-            resolve_row(info, mode, &row, left < RHW_BLOCK ? (1u << left) - 1 : 0xff, to);
+            const unsigned lanes = left < RHW_BLOCK ? (1u << left) - 1 : 0xff;
+            if (is_common) {
+                resolve_unorm8_row(&row, lanes, to);
+            } else {
+                resolve_row(info, mode, &row, lanes, to);
+            }
         }
     }
 }

@@ -10,7 +10,6 @@
 #include "../fragment/explained_fragment.h"
 #include "../fragment/gather.h"
 #include "../raster/depth_range.h"
-#include "../raster/hiz.h"
 #include "span_blocks.h"
 #include "triangle_planes.h"
 
@@ -32,7 +31,7 @@ RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_wor
     if (is_whole && work->tests_bounds && work->plan.early.write && !block->leaves_triangle &&
         planes->kind == PLANES_LINEAR && ((block->x | block->y) & (RHW_BLOCK - 1)) == 0) {
         hiz_cover(depth, plane_of(&planes->quantities, QUANTITY_Z), planes->anchor_x - work->x,
-                  planes->anchor_y - work->y, block->x, block->y);
+                  planes->anchor_y - work->y, block->x, block->y, 0);
     }
     return mask;
 }
@@ -146,24 +145,6 @@ static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, st
 }
 
 // All ---------------------------------------------------------------------------------------------------
-
-// Bit n: the triangle's plane lies behind all that block n of the row of blocks at y shows.
-static unsigned hidden_blocks(struct tile_work *work, struct triangle_work *triangle, int y)
-{
-    const struct tile_depth *const depth = &work->scratch->depth;
-    const struct planes *const planes = &triangle->planes;
-    if (!work->tests_bounds || !hiz_has_bounds(depth, y)) {
-        return 0;
-    }
-    if (!triangle->has_planes) {
-        set_planes(work, triangle);
-    }
-    if (planes->kind != PLANES_LINEAR) {
-        return 0;
-    }
-    return hiz_hidden(depth, plane_of(&planes->quantities, QUANTITY_Z), planes->anchor_x - work->x,
-                      planes->anchor_y - work->y, y);
-}
 
 // Whether what is known of blocks of the triangle's plane holds for the one at (x, y): its bit is set, and depth in it is
 // the plane's.

@@ -64,11 +64,26 @@ static void leave_open(struct tile_work *work, struct sampled_block *block)
     }
 }
 
+// Whether depth in the block at (x, y) is not the plane's at some sample.
+static bool samples_leave(const struct tile_work *work, const struct triangle_work *triangle, int x, int y)
+{
+    struct anchor_offset at = block_offset(work, &triangle->planes, x, y);
+    at.dx.lo[0] -= SAMPLE_REACH;
+    at.dx.hi[3] += SAMPLE_REACH;
+    at.dy.lo[0] -= SAMPLE_REACH;
+    at.dy.hi[3] += SAMPLE_REACH;
+    return leaves_triangle(triangle, &at);
+}
+
 // Tests the samples before shading.
 static void test_samples(struct tile_work *work, const struct triangle_work *triangle,
                          struct sampled_block *block)
 {
+    const struct planes *const planes = &triangle->planes;
     const int face = triangle->t->flags & RHW_TRIANGLE_BACK ? 1 : 0;
+    const bool covers = work->tests_bounds && work->plan.early.write && planes->kind == PLANES_LINEAR &&
+                        all_samples(work, block->mask) == ~(uint64_t)0 &&
+                        !samples_leave(work, triangle, block->x, block->y);
     for (int s = 0; s < work->samples; s++) {
         if (block->mask[s] == 0) {
             continue;
@@ -77,6 +92,10 @@ static void test_samples(struct tile_work *work, const struct triangle_work *tri
         const struct block_pixels pixels = {depth, block->z[s], block->x, block->y, block->mask[s]};
         block->mask[s] = work->plan.is_full ? test_block_full(&pixels, work->plan.early, face)
                                             : test_early(&work->plan, test_block, &pixels);
+    }
+    if (covers) {
+        hiz_cover(depth_plane(work->scratch, 0), plane_of(&planes->quantities, QUANTITY_Z),
+                  planes->anchor_x - work->x, planes->anchor_y - work->y, block->x, block->y, SAMPLE_REACH);
     }
 }
 
@@ -296,7 +315,11 @@ static __attribute__((noinline)) void draw_multisampled(struct tile_work *work,
         wide_edges_set(&wide, work, triangle->t);
     }
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
+        const unsigned hidden = hidden_blocks(work, triangle, y);
         for (int x = rect.x0 & -RHW_BLOCK; x < rect.x1; x += RHW_BLOCK) {
+            if (hidden >> (x / RHW_BLOCK) & 1 && !samples_leave(work, triangle, x, y)) {
+                continue;
+            }
             struct sampled_block block;
             const enum block_side side = is_whole ? side_of_block(&wide, x, y) : BLOCK_CROSSED;
             block.x = x;

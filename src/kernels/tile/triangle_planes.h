@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What blocks of any triangle are drawn with: its planes, made when its first block survives, and the depths of a block.
+// What blocks of any triangle are drawn with: its planes, made when its first block survives, the depths of a block, and
+// the blocks that it is hidden in.
 #ifndef RHW_TRIANGLE_PLANES_H
 #define RHW_TRIANGLE_PLANES_H
 
 #include "../fragment/row_groups.h"
 #include "../integer.h"
+#include "../raster/hiz.h"
 #include "depth_bias.h"
 
 // Gives what a triangle may cover of the tile.
@@ -74,6 +76,27 @@ static void set_planes(const struct tile_work *work, struct triangle_work *trian
 RHW_INLINE bool leaves_triangle(const struct triangle_work *triangle, const struct anchor_offset *at)
 {
     return triangle->clipped && block_leaves_triangle(&triangle->planes, triangle->clipped, at);
+}
+
+// Samples lie within half a pixel of the centre, each way.
+static const double SAMPLE_REACH = 0.5;
+
+// Bit n: the triangle's plane lies behind all that block n of the row of blocks at y shows.
+static unsigned hidden_blocks(struct tile_work *work, struct triangle_work *triangle, int y)
+{
+    const struct tile_depth *const depth = &work->scratch->depth;
+    const struct planes *const planes = &triangle->planes;
+    if (!work->tests_bounds || !hiz_has_bounds(depth, y)) {
+        return 0;
+    }
+    if (!triangle->has_planes) {
+        set_planes(work, triangle);
+    }
+    if (planes->kind != PLANES_LINEAR) {
+        return 0;
+    }
+    return hiz_hidden(depth, plane_of(&planes->quantities, QUANTITY_Z), planes->anchor_x - work->x,
+                      planes->anchor_y - work->y, y, work->samples == 1 ? 0 : SAMPLE_REACH);
 }
 
 // Gives the depths of a block; those of pixels outside `mask` are rubbish.

@@ -18,16 +18,15 @@ enum {
 _Static_assert(TINY_ROWS *(TINY_COLUMNS + TINY_PIXELS) <= RHW_GATHERED_FRAGMENTS,
                "the fragments of a triangle are listed without a look at their number");
 
-// The lanes' samples, 1/256 pixel from the top left of the first pixel.
-struct tiny_lanes {
-    i8 x, y;
-};
-
-RHW_INLINE struct tiny_lanes tiny_lanes_of(const struct rhw_sample_pattern *pattern)
+// Where the samples of the lanes lie, for all triangles of a tile.
+static struct tiny_lanes tiny_lanes_of(const struct rhw_sample_pattern *pattern)
 {
     const i8 sample = rhw_lane_index >> 1, pixel = rhw_lane_index & i8_splat(1);
-    return (struct tiny_lanes){i8_permute(i8_load(pattern->x_0_8), sample) + (pixel << RHW_SUBPIXEL_BITS),
-                               i8_permute(i8_load(pattern->y_0_8), sample)};
+    const i8 x = i8_permute(i8_load(pattern->x_0_8), sample) + (pixel << RHW_SUBPIXEL_BITS),
+             y = i8_permute(i8_load(pattern->y_0_8), sample);
+    const d8 scale = d8_splat(1.0 / RHW_SUBPIXEL);
+    return (struct tiny_lanes){x, y, d8_mul(d8_from_i8(x - SAMPLE_OFFSET_0_8), scale),
+                               d8_mul(d8_from_i8(y - SAMPLE_OFFSET_0_8), scale)};
 }
 
 // Two columns of a triangle, or the last of a tile, of which a column may have been drawn.
@@ -38,16 +37,10 @@ struct tiny_columns {
     d8 column, dy;    // of depth: what depends on the column, and the rows of the lanes from the anchor
 };
 
-RHW_INLINE d8 tiny_distance(i8 at_0_8, int pixels)
-{
-    const i8 distance = at_0_8 + i8_splat(pixels * RHW_SUBPIXEL - SAMPLE_OFFSET_0_8);
-    return d8_mul(d8_from_i8(distance), d8_splat(1.0 / RHW_SUBPIXEL));
-}
-
 RHW_INLINE void tiny_columns_set(struct tiny_columns *columns, const struct tile_work *work,
-                                 const struct triangle_work *triangle, int from,
-                                 const struct tiny_lanes *lanes)
+                                 const struct triangle_work *triangle, int from)
 {
+    const struct tiny_lanes *const lanes = &work->tiny_lanes;
     const struct triangle_setup8 *const setup = triangle->setup;
     const int i = triangle->lane, x = min_int(from, RHW_TILE - TINY_PIXELS);
     const i8 dx = lanes->x + i8_splat((x - setup->x[i]) * RHW_SUBPIXEL);
@@ -65,8 +58,10 @@ RHW_INLINE void tiny_columns_set(struct tiny_columns *columns, const struct tile
     }
     if (work->plan.tests_early) {
         const struct plane z = plane_of(&setup->quantities[i], QUANTITY_Z);
-        columns->column = plane_column(z, tiny_distance(lanes->x, work->x + x - setup->anchor_x[i]));
-        columns->dy = tiny_distance(lanes->y, work->y + setup->y0[i] - setup->anchor_y[i]);
+        const double right = work->x + x - setup->anchor_x[i],
+                     down = work->y + setup->y0[i] - setup->anchor_y[i];
+        columns->column = plane_column(z, d8_add(lanes->dx, d8_splat(right)));
+        columns->dy = d8_add(lanes->dy, d8_splat(down));
     }
 }
 
@@ -147,7 +142,6 @@ RHW_INLINE uint64_t draw_tiny(const void *what, const struct rhw_depth_rule rule
     struct rhw_tile_scratch *const scratch = work->scratch;
     const int i = test->triangle->lane, y0 = setup->y0[i], y1 = setup->y1[i], x1 = setup->x1[i];
     const struct plane z = plane_of(&setup->quantities[i], QUANTITY_Z);
-    const struct tiny_lanes lanes = tiny_lanes_of(work->pass->pattern);
     const i8 by_pixel = {0, 2, 4, 6, 1, 3, 5, 7};
     const bool tests = work->plan.tests_early;
     float *texels[TINY_SAMPLES];
@@ -157,7 +151,7 @@ RHW_INLINE uint64_t draw_tiny(const void *what, const struct rhw_depth_rule rule
     uint64_t waiting = 0;
     for (int x = setup->x0[i]; x < x1; x += TINY_PIXELS) {
         struct tiny_columns columns;
-        tiny_columns_set(&columns, work, test->triangle, x, &lanes);
+        tiny_columns_set(&columns, work, test->triangle, x);
         for (int y = y0; y < y1; y++) {
             const int at = y * RHW_TILE + columns.x;
             i8 pass = ~((columns.q[0] | columns.q[1] | columns.q[2] | columns.sides) >> 31);

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// What multisampled tiles leave out, since a block shows nothing behind it or a triangle covers no sample, and what they
+// resolve in one step: the samples are those of the general path, which leaves nothing out.
+#include "harness.h"
+
+#include <string.h>
+
+enum { SIZE = 136, PIXELS = SIZE * SIZE, TRIANGLES = 2600, LARGE = 40, COUNTS = 4 };
+
+static const int counts[COUNTS] = {2, 4, 8, 16};
+
+static rhw_texture make_texture(struct rig *rig, enum rhw_format format, int samples)
+{
+    rhw_texture texture;
+    const struct rhw_texture_def def = {.format = format, .width = SIZE, .height = SIZE, .samples = samples};
+    assert_int_equal(rhw_texture_create(rig->context, &def, &texture), RHW_OK);
+    return texture;
+}
+
+static void open_samples(struct rig *rig, enum rhw_format format, int samples, enum rhw_paths paths)
+{
+    rig_open_with(rig, SIZE, SIZE, &(struct rhw_context_def){.threads = 2, .paths = paths});
+    rig_set_depth(rig);
+    rig_set_target(rig, 0, format);
+    rhw_texture_destroy(rig->context, rig->pass.colors[0].texture);
+    rhw_texture_destroy(rig->context, rig->pass.depth.texture);
+    rig->pass.colors[0].texture = make_texture(rig, format, samples);
+    rig->pass.depth.texture = make_texture(rig, RHW_FORMAT_D32_FLOAT, samples);
+}
+
+// A vertex on one of two slanted planes that are hardly apart, or anywhere behind them; W is 1, so that depth is linear.
+static void put_vertex(struct rig *rig, uint64_t *random, float x, float y, int layer,
+                       struct rig_vertex *vertex)
+{
+    const float plane = 0.3f + 0.0011f * x - 0.0007f * y;
+    const float depth = layer < 2 ? plane + 1e-6f * (float)layer : rig_random_float(random, plane, 0.95f);
+    rig_place(rig, x, y, depth, 1, vertex->position);
+    for (int c = 0; c < 4; c++) {
+        vertex->value[c] = rig_random_float(random, 0, 1);
+    }
+}
+
+// Large triangles, then small ones, then such of the size of pixels, over each other.
+static void make_layers(struct rig *rig, uint64_t seed, struct rig_vertex *vertices)
+{
+    uint64_t random = seed;
+    for (int t = 0; t < TRIANGLES; t++) {
+        const float size = t < LARGE ? 200 : t < 4 * LARGE ? 14 : 1.2f;
+        const float x = rig_random_float(&random, 0, SIZE), y = rig_random_float(&random, 0, SIZE);
+        const int layer = rig_random_int(&random, 4);
+        for (int i = 0; i < 3; i++) {
+            put_vertex(rig, &random, x + rig_random_float(&random, -size, size),
+                       y + rig_random_float(&random, -size, size), layer, &vertices[3 * t + i]);
+        }
+    }
+}
+
+static uint64_t hash_of_layers(enum rhw_compare compare, int samples, uint64_t seed, enum rhw_paths paths)
+{
+    static struct rig_vertex vertices[3 * TRIANGLES];
+    static unsigned char texels[PIXELS * 16];
+    uint64_t hash = 0;
+    struct rig rig;
+    open_samples(&rig, RHW_FORMAT_RGBA32_FLOAT, samples, paths);
+    rig.pipeline.depth_compare = compare;
+    rig.pass.depth.clear = compare == RHW_COMPARE_GREATER ? 0.05f : 1;
+    make_layers(&rig, seed, vertices);
+    rig_draw_once(&rig, vertices, 3 * TRIANGLES);
+    for (int s = 0; s < samples; s++) {
+        rhw_texture_read_sample(rig.context, rig.pass.colors[0].texture, s, texels, 0);
+        hash = rig_hash_bytes(hash, texels, sizeof texels);
+        rhw_texture_read_sample(rig.context, rig.pass.depth.texture, s, texels, 0);
+        hash = rig_hash_bytes(hash, texels, PIXELS * 4);
+    }
+    rig_close(&rig);
+    return hash;
+}
+
+static void test_what_is_hidden_is_not_missed(void **state)
+{
+    (void)state;
+    const enum rhw_compare compare[] = {RHW_COMPARE_LESS, RHW_COMPARE_LESS_EQUAL, RHW_COMPARE_GREATER};
+    for (int i = 0; i < COUNTS; i++) {
+        for (int n = 0; n < 3; n++) {
+            const uint64_t seed = (uint64_t)(10 * i + n);
+            assert_true(hash_of_layers(compare[n], counts[i], seed, RHW_PATHS_ALL) ==
+                        hash_of_layers(compare[n], counts[i], seed, RHW_PATHS_GENERAL));
+        }
+    }
+}
+
+// Triangles of a third of a pixel, of which most cover no sample.
+static void draw_dust(enum rhw_paths paths, struct rhw_stats *stats, uint64_t *hash)
+{
+    enum { GRAINS = 1500 };
+    static struct rig_vertex vertices[3 * GRAINS];
+    static unsigned char texels[PIXELS * 16];
+    uint64_t random = 5;
+    struct rig rig;
+    open_samples(&rig, RHW_FORMAT_RGBA32_FLOAT, 4, paths);
+    for (int t = 0; t < GRAINS; t++) {
+        const float x = rig_random_float(&random, 1, SIZE - 1), y = rig_random_float(&random, 1, SIZE - 1);
+        for (int i = 0; i < 3; i++) {
+            put_vertex(&rig, &random, x + rig_random_float(&random, -0.3f, 0.3f),
+                       y + rig_random_float(&random, -0.3f, 0.3f), 0, &vertices[3 * t + i]);
+        }
+    }
+    rig_draw_once(&rig, vertices, 3 * GRAINS);
+    *stats = rig.stats;
+    *hash = 0;
+    for (int s = 0; s < 4; s++) {
+        rhw_texture_read_sample(rig.context, rig.pass.colors[0].texture, s, texels, 0);
+        *hash = rig_hash_bytes(*hash, texels, sizeof texels);
+    }
+    rig_close(&rig);
+}
+
+static void test_triangles_without_a_sample_are_culled(void **state)
+{
+    (void)state;
+    struct rhw_stats all, general;
+    uint64_t all_hash, general_hash;
+    draw_dust(RHW_PATHS_ALL, &all, &all_hash);
+    draw_dust(RHW_PATHS_GENERAL, &general, &general_hash);
+    assert_true(all_hash == general_hash);
+    assert_true(all.fragments_shaded == general.fragments_shaded && all.fragments_shaded > 50);
+    assert_true(all.triangles_culled > general.triangles_culled + 300);
+}
+
+// The mean of 8-bit channels, which tiles make in one step, is that of rhw_texture_resolve, which knows all formats.
+static void test_tiles_resolve_as_regions_do(void **state)
+{
+    (void)state;
+    static struct rig_vertex vertices[3 * TRIANGLES];
+    const enum rhw_format formats[] = {RHW_FORMAT_RGBA8_UNORM, RHW_FORMAT_BGRA8_UNORM};
+    for (int i = 0; i < 2; i++) {
+        struct rig rig;
+        open_samples(&rig, formats[i], 4, RHW_PATHS_ALL);
+        rig.pass.colors[0].resolve = make_texture(&rig, formats[i], 1);
+        const rhw_texture region = make_texture(&rig, formats[i], 1);
+        make_layers(&rig, 77, vertices);
+        rig_draw_once(&rig, vertices, 3 * TRIANGLES);
+        const rhw_texture samples = rig.pass.colors[0].texture;
+        assert_int_equal(rhw_texture_resolve(rig.context, samples, NULL, region, NULL, RHW_RESOLVE_AVERAGE),
+                         RHW_OK);
+        static unsigned char tiles[PIXELS * 4];
+        memcpy(tiles, rig_read(&rig, rig.pass.colors[0].resolve), sizeof tiles);
+        assert_memory_equal(tiles, rig_read(&rig, region), sizeof tiles);
+        rig_close(&rig);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_what_is_hidden_is_not_missed),
+        cmocka_unit_test(test_triangles_without_a_sample_are_culled),
+        cmocka_unit_test(test_tiles_resolve_as_regions_do),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
