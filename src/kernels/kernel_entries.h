@@ -14,6 +14,7 @@ void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int tile, int work
 // sample.c
 rhw_sample_function RHW_ISA_NAME(rhw_sample_float);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_compared);
+rhw_compare_window_function RHW_ISA_NAME(rhw_compare_window);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_unorm8);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_srgb8);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_unorm8_general);

@@ -8,6 +8,7 @@ const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {
     .tile = RHW_ISA_NAME(rhw_draw_tile),
     .sample_float = RHW_ISA_NAME(rhw_sample_float),
     .sample_compared = RHW_ISA_NAME(rhw_sample_compared),
+    .compare_window = RHW_ISA_NAME(rhw_compare_window),
     .sample_unorm8 = RHW_ISA_NAME(rhw_sample_unorm8),
     .sample_srgb8 = RHW_ISA_NAME(rhw_sample_srgb8),
     .sample_unorm8_general = RHW_ISA_NAME(rhw_sample_unorm8_general),

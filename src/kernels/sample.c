@@ -25,6 +25,14 @@ void RHW_ISA_NAME(rhw_sample_compared)(const struct rhw_binding *binding,
     sample_compared(binding, request, texel);
 }
 
+bool RHW_ISA_NAME(rhw_compare_window)(const struct rhw_binding *binding,
+                                      const struct rhw_sample_request *request, int column, int columns,
+                                      int rows, int stride, rhw_float *parts)
+{
+    const struct compared_window window = {column, columns, rows, stride};
+    return compare_window(binding, request, &window, parts);
+}
+
 void RHW_ISA_NAME(rhw_sample_unorm8)(const struct rhw_binding *binding,
                                      const struct rhw_sample_request *request, rhw_float texel[4])
 {
