@@ -57,6 +57,11 @@ static bool is_shadow_map(const struct rhw_texture_data *texture, const struct r
            (texture->levels == 1 || sampler->def.mip_filter == RHW_MIP_FILTER_NONE);
 }
 
+static bool has_four_halves(const struct rhw_texture_data *texture)
+{
+    return texture->info->codec == RHW_CODEC_FLOAT16 && texture->info->channels == 4;
+}
+
 struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_paths paths,
                                   const struct rhw_texture_data *texture,
                                   const struct rhw_sampler_data *sampler)
@@ -82,6 +87,8 @@ struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_pa
     } else if (texture && special && sampler->filters_compared && is_shadow_map(texture, sampler)) {
         binding.sample = kernels->sample_compared;
         binding.compare_window = anisotropic ? NULL : kernels->compare_window;
+    } else if (texture && special && sampler->filters_plainly && has_four_halves(texture)) {
+        binding.sample = kernels->sample_halves;
     }
     if (!texture) {
         binding.sample_offset = kernels->sample_float;

@@ -7,6 +7,7 @@ const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {
     .chunk = RHW_ISA_NAME(rhw_make_chunk),
     .tile = RHW_ISA_NAME(rhw_draw_tile),
     .sample_float = RHW_ISA_NAME(rhw_sample_float),
+    .sample_halves = RHW_ISA_NAME(rhw_sample_halves),
     .sample_compared = RHW_ISA_NAME(rhw_sample_compared),
     .compare_window = RHW_ISA_NAME(rhw_compare_window),
     .sample_unorm8 = RHW_ISA_NAME(rhw_sample_unorm8),

@@ -57,6 +57,8 @@ struct rhw_kernels {
     // Samples plain 2D textures of every format with every sampler that asks for no more, in floats, and a slot without
     // a texture.
     rhw_sample_function *sample_float;
+    // Samples those of four halves by linear filters without a border or a comparison: the same bytes sooner.
+    rhw_sample_function *sample_halves;
     // Samples one level of plain 2D textures of one float by samplers that take it (sampler.h): the same bytes sooner.
     rhw_sample_function *sample_compared;
     rhw_compare_window_function *compare_window; // of the same textures and samplers

@@ -15,8 +15,14 @@ void RHW_ISA_NAME(rhw_sample_float)(const struct rhw_binding *binding,
         texel[0] = texel[1] = texel[2] = rhw_splat(0.0f);
         texel[3] = rhw_splat(1.0f);
     } else {
-        sample_float(binding, request, texel);
+        sample_float(binding, request, false, texel);
     }
+}
+
+void RHW_ISA_NAME(rhw_sample_halves)(const struct rhw_binding *binding,
+                                     const struct rhw_sample_request *request, rhw_float texel[4])
+{
+    sample_float(binding, request, true, texel);
 }
 
 void RHW_ISA_NAME(rhw_sample_compared)(const struct rhw_binding *binding,
