@@ -35,16 +35,16 @@ static void shadowed_vertex(struct rhw_vertex *groups, int count)
 }
 
 // The part of the light that arrives: 3 × 3 footprints of 2 × 2 texels, a texel apart.
-ALWAYS_INLINE rhw_float lightness(const struct rhw_fragment *f, float texel)
+ALWAYS_INLINE rhw_float lightness(const struct rhw_fragment *f)
 {
     const rhw_float *const at = f->varying + 6;
     const rhw_float reference = rhw_min(at[2], rhw_splat(1.0f)); // beyond the map it is light
-    rhw_float sum = rhw_splat(0.0f);
-    for (int y = -1; y <= 1; y++) {
-        for (int x = -1; x <= 1; x++) {
-            const rhw_float uv[2] = {at[0] + texel * (float)x, at[1] + texel * (float)y};
-            sum = sum + rhw_sample_compare_lod(f->textures, 0, uv, reference, rhw_splat(0.0f));
-        }
+    const rhw_int first[2] = {rhw_splat_int(-1), rhw_splat_int(-1)};
+    const struct rhw_sample_request request = {.coordinates = at, .reference = &reference, .offset = first};
+    rhw_float parts[9], sum = rhw_splat(0.0f);
+    rhw_sample_compare_window(f->textures, 0, &request, 3, 3, parts);
+    for (int i = 0; i < 9; i++) {
+        sum = sum + parts[i];
     }
     return sum * (1.0f / 9.0f);
 }
@@ -52,11 +52,10 @@ ALWAYS_INLINE rhw_float lightness(const struct rhw_fragment *f, float texel)
 static void shadowed_fragment(struct rhw_fragment *groups, int count)
 {
     const struct bench_uniforms *const u = groups->uniforms;
-    const float texel = shared_of(u)[3][0];
     for (int g = 0; g < count; g++) {
         rhw_float n_dot_l, n_dot_h;
         light(&groups[g], u, &n_dot_l, &n_dot_h);
-        const rhw_float lit = lightness(&groups[g], texel);
+        const rhw_float lit = lightness(&groups[g]);
         const rhw_float gloss = u->specular * rhw_exp2(u->shininess * rhw_log2(n_dot_h)) * lit;
         const rhw_float diffuse = u->ambient + (1.0f - u->ambient) * n_dot_l * lit;
         for (int c = 0; c < 3; c++) {

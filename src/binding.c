@@ -8,6 +8,8 @@
 #include "texture.h"
 #include "watch.h"
 
+#include <string.h>
+
 // What a constant channel has, of integer formats the bits of 0 and 1.
 static rhw_float constant_channel(const struct rhw_texture_data *texture, enum rhw_swizzle swizzle)
 {
@@ -55,6 +57,11 @@ static bool is_shadow_map(const struct rhw_texture_data *texture, const struct r
            (texture->levels == 1 || sampler->def.mip_filter == RHW_MIP_FILTER_NONE);
 }
 
+static bool has_four_halves(const struct rhw_texture_data *texture)
+{
+    return texture->info->codec == RHW_CODEC_FLOAT16 && texture->info->channels == 4;
+}
+
 struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_paths paths,
                                   const struct rhw_texture_data *texture,
                                   const struct rhw_sampler_data *sampler)
@@ -64,6 +71,7 @@ struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_pa
     const bool special = paths != RHW_PATHS_GENERAL;
     const bool fixed =
         texture && texture->is_plain && sampler->filters_fixed && texture->info->path != RHW_TEXELS_GENERAL;
+    const bool anisotropic = texture && sampler->def.max_anisotropy > 1;
     struct rhw_binding binding = {.sample = kernels->sample_float,
                                   .sample_offset = kernels->sample_general,
                                   .general = kernels->sample_general,
@@ -78,8 +86,10 @@ struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_pa
         binding.sample = special ? kernels->sample_srgb8 : kernels->sample_srgb8_general;
     } else if (texture && special && sampler->filters_compared && is_shadow_map(texture, sampler)) {
         binding.sample = kernels->sample_compared;
+        binding.compare_window = anisotropic ? NULL : kernels->compare_window;
+    } else if (texture && special && sampler->filters_plainly && has_four_halves(texture)) {
+        binding.sample = kernels->sample_halves;
     }
-    const bool anisotropic = texture && sampler->def.max_anisotropy > 1;
     if (!texture) {
         binding.sample_offset = kernels->sample_float;
     } else if (anisotropic) {
@@ -92,6 +102,7 @@ struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_pa
         binding.own_offset = binding.sample_offset;
         binding.sample = binding.sample_offset = sample_swizzled;
         binding.shares_footprints = false;
+        binding.compare_window = NULL;
     }
     return binding;
 }
@@ -129,6 +140,56 @@ void rhw_sample(const struct rhw_bindings *textures, int slot, const struct rhw_
         binding->sample_offset(binding, request, texel);
     } else {
         binding->sample(binding, request, texel);
+    }
+}
+
+// Columns of a window's footprints, one by one.
+static void compare_columns(const struct rhw_bindings *textures, const struct rhw_binding *binding,
+                            const struct rhw_sample_request *request, int column, int columns, int rows,
+                            int stride, rhw_float *parts)
+{
+    struct rhw_sample_request shifted = *request;
+    rhw_int offset[3] = {rhw_splat_int(0), rhw_splat_int(0), rhw_splat_int(0)}, first[3];
+    const int axes = rhw_texture_components(binding->texture->shape.kind);
+    for (int i = 0; request->offset && i < axes; i++) {
+        offset[i] = request->offset[i];
+    }
+    memcpy(first, offset, sizeof first);
+    shifted.offset = offset;
+    for (int row = 0; row < rows; row++) {
+        offset[1] = first[1] + row;
+        for (int i = 0; i < columns; i++) {
+            rhw_float texel[4];
+            offset[0] = first[0] + (column + i);
+            if (request->bias) {
+                textures->kernels->sample_biased(binding, &shifted, texel);
+            } else {
+                binding->sample_offset(binding, &shifted, texel);
+            }
+            parts[row * stride + i] = texel[0];
+        }
+    }
+}
+
+void rhw_sample_compare_window(const struct rhw_bindings *textures, int slot,
+                               const struct rhw_sample_request *request, int columns, int rows,
+                               rhw_float *parts)
+{
+    enum { AT_ONCE = 3 }; // columns that the kernel takes
+    if (textures->site.findings) {
+        rhw_watch_sample(textures, slot, request);
+    }
+    const bool is_bound = (unsigned)slot < RHW_MAX_TEXTURES && textures->slot[slot].texture;
+    const struct rhw_binding *const binding = is_bound ? &textures->slot[slot] : NULL;
+    for (int i = 0; !binding && i < columns * rows; i++) {
+        parts[i] = rhw_splat(0);
+    }
+    for (int column = 0; binding && column < columns; column += AT_ONCE) {
+        const int count = columns - column < AT_ONCE ? columns - column : AT_ONCE;
+        if (request->bias || !binding->compare_window ||
+            !binding->compare_window(binding, request, column, count, rows, columns, parts + column)) {
+            compare_columns(textures, binding, request, column, count, rows, columns, parts + column);
+        }
     }
 }
 

@@ -14,11 +14,12 @@ struct rhw_sampler_data;
 // One slot.
 struct rhw_binding {
     rhw_sample_function *sample;
-    rhw_sample_function *sample_offset;     // a request with offsets in texels
-    rhw_sample_function *isotropic;         // an anisotropic sampler's single samples
-    rhw_sample_function *general;           // the same with offsets
-    rhw_sample_function *own, *own_offset;  // of a view with a swizzle: the texels before it
-    const struct rhw_texture_data *texture; // NULL: nothing is bound
+    rhw_sample_function *sample_offset;          // a request with offsets in texels
+    rhw_sample_function *isotropic;              // an anisotropic sampler's single samples
+    rhw_sample_function *general;                // the same with offsets
+    rhw_sample_function *own, *own_offset;       // of a view with a swizzle: the texels before it
+    rhw_compare_window_function *compare_window; // NULL: footprints are compared one by one
+    const struct rhw_texture_data *texture;      // NULL: nothing is bound
     const struct rhw_sampler_data *sampler;
     // The texture is filtered in fixed point and special paths are taken: rhw_sample_groups may sample it together with
     // others.

@@ -10,6 +10,13 @@ static bool is_over(struct rhw_blend_component component)
            component.dst == RHW_BLEND_ONE_MINUS_SRC_ALPHA && component.operation == RHW_BLEND_ADD;
 }
 
+// src + dst, as lights are added.
+static bool is_sum(struct rhw_blend_component component)
+{
+    return component.src == RHW_BLEND_ONE && component.dst == RHW_BLEND_ONE &&
+           component.operation == RHW_BLEND_ADD;
+}
+
 // src × 1 + dst × 0 is replacement, which has faster paths than blending. For float formats it is not the
 // same: 0 × infinity is NaN.
 static bool is_replacement(struct rhw_blend_component component)
@@ -41,6 +48,9 @@ static enum rhw_blend_path choose_path(const struct rhw_blend_state *state)
     }
     if (format->path == RHW_TEXELS_RGBA8_SRGB && is_over(state->color) && is_over(state->alpha)) {
         return BLEND_SRGB8_OVER;
+    }
+    if (format->path == RHW_TEXELS_RGBA8_UNORM && is_sum(state->color) && is_sum(state->alpha)) {
+        return BLEND_RGBA8_SUM;
     }
     if (!rhw_format_is_normalized(format) && !rhw_format_is_integer(format) && state->replaces) {
         return BLEND_FLOAT_REPLACE;
@@ -112,6 +122,7 @@ void rhw_blend_state_generalize(struct rhw_blend_state *state)
     case BLEND_RGBA8_MASKED:
     case BLEND_SRGB8_REPLACE:
     case BLEND_SRGB8_OVER:
+    case BLEND_RGBA8_SUM:
     case BLEND_FLOAT_REPLACE: state->path = BLEND_GENERAL; break;
     default: break;
     }

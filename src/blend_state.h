@@ -14,6 +14,7 @@ enum rhw_blend_path {
     BLEND_RGBA8_OVER,    // SRC_ALPHA or ONE, and ONE_MINUS_SRC_ALPHA, added
     BLEND_SRGB8_REPLACE, // any channels
     BLEND_SRGB8_OVER,    // as BLEND_RGBA8_OVER
+    BLEND_RGBA8_SUM,     // ONE and ONE, added
     BLEND_BITS_REPLACE,  // one channel of 32 bits
     BLEND_FLOAT_REPLACE, // all channels of a float format
     BLEND_GENERAL

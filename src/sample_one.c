@@ -4,6 +4,8 @@
 #include "binding.h"
 #include "texture.h"
 
+#include <string.h>
+
 // A request of one lane, in all of them.
 struct widened {
     rhw_float coordinates[4], gradient[6], lod, reference, bias;
@@ -65,6 +67,27 @@ void rhw_sample1(const struct rhw_bindings *textures, int slot, const struct rhw
     widen(textures, slot, request, &lanes);
     rhw_sample(textures, slot, &lanes.request, texels);
     first_lane(texels, 4, texel);
+}
+
+void rhw_sample_compare_window1(const struct rhw_bindings *textures, int slot,
+                                const struct rhw_sample_request1 *request, int columns, int rows,
+                                float *parts)
+{
+    struct rhw_sample_request1 shifted = *request;
+    const int axes = components_of(texture_of(textures, slot));
+    int32_t first[3] = {0}, offset[3];
+    for (int i = 0; request->offset && i < axes; i++) {
+        first[i] = request->offset[i];
+    }
+    memcpy(offset, first, sizeof offset);
+    shifted.offset = offset;
+    for (int i = 0; i < columns * rows; i++) {
+        float texel[4];
+        offset[0] = first[0] + i % columns;
+        offset[1] = first[1] + i / columns;
+        rhw_sample1(textures, slot, &shifted, texel);
+        parts[i] = texel[0];
+    }
 }
 
 void rhw_sample_gather1(const struct rhw_bindings *textures, int slot,

@@ -98,11 +98,11 @@ static bool is_general(const struct rhw_sampler_def *def)
            def->address_u == RHW_ADDRESS_MIRROR_ONCE || def->address_v == RHW_ADDRESS_MIRROR_ONCE;
 }
 
-static bool filters_fixed(const struct rhw_sampler_def *def)
+static bool filters_plainly(const struct rhw_sampler_def *def)
 {
     return !is_general(def) && !def->compares && def->min_filter == RHW_FILTER_LINEAR &&
-           def->mag_filter == RHW_FILTER_LINEAR && def->mip_filter != RHW_MIP_FILTER_NEAREST &&
-           def->address_u != RHW_ADDRESS_BORDER && def->address_v != RHW_ADDRESS_BORDER;
+           def->mag_filter == RHW_FILTER_LINEAR && def->address_u != RHW_ADDRESS_BORDER &&
+           def->address_v != RHW_ADDRESS_BORDER;
 }
 
 static bool filters_compared(const struct rhw_sampler_def *def)
@@ -121,7 +121,9 @@ static float lod_max_of(const struct rhw_sampler_def *def)
 void rhw_sampler_data_init(struct rhw_sampler_data *sampler, const struct rhw_sampler_def *def)
 {
     *sampler = (struct rhw_sampler_data){.def = *def,
-                                         .filters_fixed = filters_fixed(def),
+                                         .filters_plainly = filters_plainly(def),
+                                         .filters_fixed = filters_plainly(def) &&
+                                                          def->mip_filter != RHW_MIP_FILTER_NEAREST,
                                          .filters_compared = filters_compared(def),
                                          .is_general = is_general(def)};
     sampler->def.lod_max = lod_max_of(def);

@@ -8,6 +8,7 @@
 
 struct rhw_sampler_data {
     struct rhw_sampler_def def;
+    bool filters_plainly;  // by linear filters, with nothing else to ask for: see filter_half.h
     bool filters_fixed;    // textures of 8 bits take the fixed-point path: see filter_fixed.h
     bool filters_compared; // shadow maps of one level may take a path of their own: see filter_compare.h
     bool is_general;       // only the general sampler does what it asks for: see filter_general.h

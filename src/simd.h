@@ -151,6 +151,29 @@ RHW_INLINE unsigned i8_sign_bits(i8 v)
 #endif
 }
 
+// Those of 8 vectors, of the first in the lowest byte.
+RHW_INLINE uint64_t i8_sign_bits_of_rows(const i8 row[8])
+{
+#if defined(__AVX2__)
+    // Saturating, so that signs stay. Each step joins halves of 16 bytes: 4 lanes of 4 rows, twice, are put in order.
+    const __m256i order = _mm256_setr_epi32(0, 4, 1, 5, 2, 6, 3, 7);
+    uint32_t bits[2];
+    for (int i = 0; i < 2; i++) {
+        const i8 *const four = row + 4 * i;
+        const __m256i bytes = _mm256_packs_epi16(_mm256_packs_epi32((__m256i)four[0], (__m256i)four[1]),
+                                                 _mm256_packs_epi32((__m256i)four[2], (__m256i)four[3]));
+        bits[i] = (uint32_t)_mm256_movemask_epi8(_mm256_permutevar8x32_epi32(bytes, order));
+    }
+    return bits[0] | (uint64_t)bits[1] << 32;
+#else
+    uint64_t bits = 0;
+    for (int i = 0; i < 8; i++) {
+        bits |= (uint64_t)i8_sign_bits(row[i]) << (8 * i);
+    }
+    return bits;
+#endif
+}
+
 // 8 bytes. gcc 12 makes a conversion of them one by one.
 RHW_INLINE i8 i8_load_bytes(const uint8_t *p)
 {

@@ -236,6 +236,25 @@ RHW_INLINE f8 f8_from_half(i8 half)
 #endif
 }
 
+// The same of 8 halves side by side.
+RHW_INLINE f8 f8_from_halves(i4 halves)
+{
+#if defined(__F16C__) && defined(__AVX2__)
+    return (f8)_mm256_cvtph_ps((__m128i)halves);
+#else
+    const i4 low = halves & 0xffff, high = (halves >> 16) & 0xffff; // the even and the odd ones
+#if defined(__SSE2__)
+    const __m128i pairs[2] = {_mm_unpacklo_epi32((__m128i)low, (__m128i)high),
+                              _mm_unpackhi_epi32((__m128i)low, (__m128i)high)};
+    return f8_from_half(i8_load(pairs));
+#else
+    const i4 pairs[2] = {__builtin_shufflevector(low, high, 0, 4, 1, 5),
+                         __builtin_shufflevector(low, high, 2, 6, 3, 7)};
+    return f8_from_half(i8_load(pairs));
+#endif
+#endif
+}
+
 // And back, rounded to nearest, ties to even.
 RHW_INLINE i8 i8_half_from_f8(f8 value)
 {

@@ -54,6 +54,10 @@ RHW_API void rhw_sample_fetch_sample1(const struct rhw_bindings *textures, int s
 RHW_API void rhw_sample_query_lod1(const struct rhw_bindings *textures, int slot,
                                    const struct rhw_sample_request1 *request, float lod[2]);
 RHW_API void rhw_sample_size1(const struct rhw_bindings *textures, int slot, int32_t level, int32_t size[3]);
+/// A lane of rhw_sample_compare_window, footprint by footprint.
+RHW_API void rhw_sample_compare_window1(const struct rhw_bindings *textures, int slot,
+                                        const struct rhw_sample_request1 *request, int columns, int rows,
+                                        float *parts);
 /// A lane of rhw_sample_groups: bit n of `slots` samples slot n into texels[n], for this fragment alone, hence no count and
 /// no stride. fragment->color is allowed.
 RHW_API void rhw_sample_groups1(const struct rhw_fragment1 *fragment, uint32_t slots, int at,

@@ -76,6 +76,14 @@ RHW_API void rhw_sample_query_lod(const struct rhw_bindings *textures, int slot,
 RHW_API void rhw_sample_size(const struct rhw_bindings *textures, int slot, const rhw_int *level,
                              rhw_int size[3]);
 
+/// rhw_sample by a sampler that compares, of columns × rows footprints a texel apart, as percentage-closer filters take them:
+/// parts[row * columns + column] is texel[0] of the request whose offset is (column, row) more, or that where it has none.
+/// The same bits as one by one. Those of shadow maps share texels and what is compared, in a fraction of the time: one
+/// level of 32-bit floats with one channel, plain 2D, linear filters, no border. A slot without a texture gives zeros.
+RHW_API void rhw_sample_compare_window(const struct rhw_bindings *textures, int slot,
+                                       const struct rhw_sample_request *request, int columns, int rows,
+                                       rhw_float *parts);
+
 /// rhw_sample with a gradient.
 static inline void rhw_sample_grad(const struct rhw_bindings *textures, int slot,
                                    const rhw_float *coordinates, const rhw_float *grad, rhw_float texel[4])

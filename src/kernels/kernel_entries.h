@@ -13,7 +13,9 @@ void RHW_ISA_NAME(rhw_shade_shared_part)(struct rhw_pass_state *pass, const stru
 void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int tile, int worker);
 // sample.c
 rhw_sample_function RHW_ISA_NAME(rhw_sample_float);
+rhw_sample_function RHW_ISA_NAME(rhw_sample_halves);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_compared);
+rhw_compare_window_function RHW_ISA_NAME(rhw_compare_window);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_unorm8);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_srgb8);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_unorm8_general);

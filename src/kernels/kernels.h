@@ -22,6 +22,11 @@ struct rhw_texture_data;
 // Does what rhw_sample does, for one slot.
 typedef void rhw_sample_function(const struct rhw_binding *binding, const struct rhw_sample_request *request,
                                  rhw_float texel[4]);
+// Does what rhw_sample_compare_window does in `columns` columns of footprints from number `column` on, of a window that has
+// `stride` of them. False, with nothing done, where the function takes none of the request's.
+typedef bool rhw_compare_window_function(const struct rhw_binding *binding,
+                                         const struct rhw_sample_request *request, int column, int columns,
+                                         int rows, int stride, rhw_float *parts);
 // Does what rhw_sample_groups does.
 typedef void rhw_sample_groups_function(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                                         rhw_float (*texels)[4], int stride);
@@ -52,8 +57,11 @@ struct rhw_kernels {
     // Samples plain 2D textures of every format with every sampler that asks for no more, in floats, and a slot without
     // a texture.
     rhw_sample_function *sample_float;
+    // Samples those of four halves by linear filters without a border or a comparison: the same bytes sooner.
+    rhw_sample_function *sample_halves;
     // Samples one level of plain 2D textures of one float by samplers that take it (sampler.h): the same bytes sooner.
     rhw_sample_function *sample_compared;
+    rhw_compare_window_function *compare_window; // of the same textures and samplers
     // Sample RGBA8 textures of either encoding, with samplers that allow it (sampler.h), in fixed point: with the
     // special paths of filter_fixed.h, and always on the general path, which gives the same bytes.
     rhw_sample_function *sample_unorm8, *sample_srgb8, *sample_unorm8_general, *sample_srgb8_general;

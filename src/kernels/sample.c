@@ -15,14 +15,28 @@ void RHW_ISA_NAME(rhw_sample_float)(const struct rhw_binding *binding,
         texel[0] = texel[1] = texel[2] = rhw_splat(0.0f);
         texel[3] = rhw_splat(1.0f);
     } else {
-        sample_float(binding, request, texel);
+        sample_float(binding, request, false, texel);
     }
+}
+
+void RHW_ISA_NAME(rhw_sample_halves)(const struct rhw_binding *binding,
+                                     const struct rhw_sample_request *request, rhw_float texel[4])
+{
+    sample_float(binding, request, true, texel);
 }
 
 void RHW_ISA_NAME(rhw_sample_compared)(const struct rhw_binding *binding,
                                        const struct rhw_sample_request *request, rhw_float texel[4])
 {
     sample_compared(binding, request, texel);
+}
+
+bool RHW_ISA_NAME(rhw_compare_window)(const struct rhw_binding *binding,
+                                      const struct rhw_sample_request *request, int column, int columns,
+                                      int rows, int stride, rhw_float *parts)
+{
+    const struct compared_window window = {column, columns, rows, stride};
+    return compare_window(binding, request, &window, parts);
 }
 
 void RHW_ISA_NAME(rhw_sample_unorm8)(const struct rhw_binding *binding,

@@ -37,7 +37,7 @@ static void run_positions(const void *input, void *result)
 // Coverage -------------------------------------------------------------------------------------------
 
 struct coverage_input {
-    int tile_x, tile_y, row0, row1;
+    int tile_x, tile_y;
     struct rhw_triangle triangle;
     struct rhw_polygon polygon;
 };
@@ -53,8 +53,6 @@ static void make_coverage(struct kernel_random *random, void *input)
     struct coverage_input *const in = input;
     in->tile_x = (int)random_int(random, 0, TILES - 1) * RHW_TILE;
     in->tile_y = (int)random_int(random, 0, TILES - 1) * RHW_TILE;
-    in->row0 = (int)random_int(random, 0, RHW_BLOCK - 1);
-    in->row1 = (int)random_int(random, in->row0 + 1, RHW_BLOCK);
     const int32_t x = (in->tile_x + (int)random_int(random, 0, RHW_TILE)) * RHW_SUBPIXEL;
     const int32_t y = (in->tile_y + (int)random_int(random, 0, RHW_TILE)) * RHW_SUBPIXEL;
     random_triangle(random, x, y, in->triangle.x_24_8, in->triangle.y_24_8);
@@ -82,11 +80,9 @@ static void run_coverage(const void *input, void *result)
     struct coverage_result *const out = result;
     out->count = coverage.count;
     out->covers_tile = covers_tile(&coverage);
-    // Rows that are not asked for may be anything.
-    const uint64_t rows = ~(uint64_t)0 << (8 * in->row0) & ~(uint64_t)0 >> (8 * (RHW_BLOCK - in->row1));
     for (int i = 0; i < BLOCKS; i++) {
         const int x = i % (RHW_TILE / RHW_BLOCK) * RHW_BLOCK, y = i / (RHW_TILE / RHW_BLOCK) * RHW_BLOCK;
-        out->masks[i] = coverage_mask(&coverage, x, y, in->row0, in->row1) & rows;
+        out->masks[i] = coverage_mask(&coverage, x, y);
     }
 }
 

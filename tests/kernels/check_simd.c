@@ -105,6 +105,16 @@ static void run_i8_sign_bits(const void *input, void *result)
     memcpy(result, &bits, sizeof bits);
 }
 
+static void run_i8_sign_bits_of_rows(const void *input, void *result)
+{
+    i8 row[8];
+    for (int i = 0; i < 8; i++) {
+        row[i] = ints(input, i % 2) ^ i8_splat((int32_t)(0x96696996u << i)); // every row its own signs
+    }
+    const uint64_t bits = i8_sign_bits_of_rows(row);
+    memcpy(result, &bits, sizeof bits);
+}
+
 static void run_i8_load_bytes(const void *input, void *result)
 {
     const struct lane_input *const lanes = input;
@@ -195,6 +205,8 @@ static const struct kernel_check checks[] = {
     {"i8_min", sizeof(struct lane_input), WORDS, KERNEL_BITS, make_lanes, run_i8_min},
     {"i8_max", sizeof(struct lane_input), WORDS, KERNEL_BITS, make_lanes, run_i8_max},
     {"i8_sign_bits", sizeof(struct lane_input), sizeof(unsigned), KERNEL_BITS, make_lanes, run_i8_sign_bits},
+    {"i8_sign_bits_of_rows", sizeof(struct lane_input), sizeof(uint64_t), KERNEL_BITS, make_lanes,
+     run_i8_sign_bits_of_rows},
     {"i8_load_bytes", sizeof(struct lane_input), WORDS, KERNEL_BITS, make_lanes, run_i8_load_bytes},
     {"i8_to_bytes", sizeof(struct lane_input), sizeof(uint64_t), KERNEL_BITS, make_bytes, run_i8_to_bytes},
     {"i8_power2", sizeof(struct lane_input), WORDS, KERNEL_BITS, make_exponents, run_i8_power2},

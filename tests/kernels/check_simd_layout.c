@@ -166,6 +166,13 @@ static void run_f8_from_half(const void *input, void *result)
     f8_store(result, f8_from_half(lanes_a(input)));
 }
 
+static void run_f8_from_halves(const void *input, void *result)
+{
+    i4 halves;
+    memcpy(&halves, input, sizeof halves);
+    f8_store(result, f8_from_halves(halves));
+}
+
 static void run_i8_half_from_f8(const void *input, void *result)
 {
     i8_store(result, i8_half_from_f8(f8_load(input)));
@@ -251,6 +258,7 @@ static const struct kernel_check checks[] = {
      run_i8_bytes_from_small_f8},
     {"i8_bytes_from_f8", sizeof(struct layout_input), WORDS, KERNEL_BITS, make_floats, run_i8_bytes_from_f8},
     {"f8_from_half", sizeof(struct layout_input), WORDS, KERNEL_BITS, make_halves, run_f8_from_half},
+    {"f8_from_halves", sizeof(struct layout_input), WORDS, KERNEL_BITS, make_ints, run_f8_from_halves},
     {"i8_half_from_f8", sizeof(struct layout_input), WORDS, KERNEL_BITS, make_floats, run_i8_half_from_f8},
     {"s16_scale", sizeof(struct layout_input), WORDS, KERNEL_BITS, make_factors, run_s16_scale},
     {"i8_dot_halves", sizeof(struct layout_input), WORDS, KERNEL_BITS, make_counts, run_i8_dot_halves},

@@ -210,7 +210,7 @@ static void collect_coverage(const struct setup_scene *scene, int i, uint64_t ro
                    center_of_pixel(scene->work.x, scene->work.y));
     for (int y = setup->y0[i] & -RHW_BLOCK; y < setup->y1[i]; y += RHW_BLOCK) {
         for (int x = setup->x0[i] & -RHW_BLOCK; x < setup->x1[i]; x += RHW_BLOCK) {
-            const uint64_t mask = coverage_mask(&coverage, x, y, 0, RHW_BLOCK) &
+            const uint64_t mask = coverage_mask(&coverage, x, y) &
                                   rect_mask(x, y, setup->x0[i], setup->y0[i], setup->x1[i], setup->y1[i]);
             for (int row = 0; row < RHW_BLOCK; row++) {
                 rows[y + row] |= (mask >> (8 * row) & 0xff) << x;

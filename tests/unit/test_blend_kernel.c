@@ -315,6 +315,40 @@ static void test_replacing_rounds_each_format(void **state)
     }
 }
 
+// Sums have code of their own too, which writes what the general path does, on every instruction set.
+static void test_rgba8_sums_are_those_of_the_general_path(void **state)
+{
+    (void)state;
+    const float constant[4] = {0, 0, 0, 0};
+    uint64_t random = 11;
+    for (int n = 0; n < 8000; n++) {
+        struct rhw_color_target target = opaque(RHW_FORMAT_RGBA8_UNORM);
+        target.blend = true;
+        target.color.dst = target.alpha.dst = RHW_BLEND_ONE;
+        target.write_mask = (uint8_t)(n % 3 ? 15 : 1 + rig_random_int(&random, 15));
+        struct rhw_blend_state sum, general;
+        rhw_blend_state_init(&sum, &target, RHW_LOGIC_OFF, constant);
+        assert_int_equal(sum.path, BLEND_RGBA8_SUM);
+        general = sum;
+        rhw_blend_state_generalize(&general);
+        assert_int_equal(general.path, BLEND_GENERAL);
+        rhw_float color[4];
+        rhw_int mask;
+        unsigned char before[TEXELS * TEXEL_BYTES], expected[sizeof before], texels[sizeof before];
+        random_group(&random, color, &mask, before);
+        memcpy(expected, before, sizeof before);
+        isa_templates_for(RHW_ISA_BASELINE)->blend(&general, color, &mask, expected);
+        for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
+            const struct isa_templates *const templates = isa_templates_for((enum rhw_isa)isa);
+            if (templates) {
+                memcpy(texels, before, sizeof before);
+                templates->blend(&sum, color, &mask, texels);
+                assert_memory_equal(texels, expected, sizeof texels);
+            }
+        }
+    }
+}
+
 // The usual blending of RGBA8 has code of its own: it may differ from the exact value by float rounding
 // only, which shows where the exact value is next to a tie.
 static void test_rgba8_over_against_the_formula(void **state)
@@ -416,6 +450,7 @@ int main(void)
         cmocka_unit_test(test_nothing_else_is_written),
         cmocka_unit_test(test_replacing_rounds_each_format),
         cmocka_unit_test(test_rgba8_over_against_the_formula),
+        cmocka_unit_test(test_rgba8_sums_are_those_of_the_general_path),
         cmocka_unit_test(test_blending_keeps_every_destination_code),
         cmocka_unit_test(test_clear_values_are_what_drawing_writes),
     };

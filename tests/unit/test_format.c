@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "format.h"
+#include "kernels/texel/texel_codec.h"
 
 struct expectation {
     enum rhw_format format;
@@ -238,8 +239,28 @@ static void test_every_row_says_the_truth(void **state)
     }
 }
 
+// Every depth that a UNORM format holds is the quotient, rounded once, and found again.
+static void test_depths_are_quotients(void **state)
+{
+    (void)state;
+    const enum rhw_texel_codec codecs[] = {RHW_CODEC_DEPTH16, RHW_CODEC_DEPTH24};
+    for (int i = 0; i < 2; i++) {
+        const double steps = rhw_codec_depth_steps(codecs[i]);
+        for (int32_t first = 0; first <= (int32_t)steps; first += RHW_LANES) {
+            const i8 codes = i8_splat(first) + rhw_lane_index;
+            const f8 depth = depth_from_steps(d8_from_i8(codes), steps);
+            const i8 again = rhw_int_from_float_unchecked(f8_from_d8(steps_of_depth(depth, steps)));
+            for (int lane = 0; lane < RHW_LANES; lane++) {
+                assert_true(depth[lane] == (float)((double)codes[lane] / steps));
+                assert_true(again[lane] == codes[lane]);
+            }
+        }
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_row_says_the_truth)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_row_says_the_truth),
+                                       cmocka_unit_test(test_depths_are_quotients)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

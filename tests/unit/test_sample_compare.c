@@ -195,6 +195,105 @@ static void test_shadow_maps_give_the_bytes_of_the_general_path(void **state)
     rig_close(&rig);
 }
 
+// One window of a binding in slot 3, against its footprints one by one with the offsets that it stands for, of lanes and of
+// one at a time.
+static void compare_window(const struct rhw_bindings *bindings, const struct rhw_sample_request *request,
+                           int columns, int rows)
+{
+    enum { MOST = 8 };
+    rhw_float parts[MOST * MOST];
+    float parts1[MOST * MOST];
+    const float uv1[2] = {request->coordinates[0][0], request->coordinates[1][0]},
+                reference1 = (*request->reference)[0], bias1 = request->bias ? (*request->bias)[0] : 0;
+    const int32_t offset1[2] = {request->offset ? request->offset[0][0] : 0,
+                                request->offset ? request->offset[1][0] : 0};
+    const struct rhw_sample_request1 request1 = {.coordinates = uv1,
+                                                 .reference = &reference1,
+                                                 .offset = request->offset ? offset1 : NULL,
+                                                 .bias = request->bias ? &bias1 : NULL};
+    rhw_sample_compare_window(bindings, 3, request, columns, rows, parts);
+    rhw_sample_compare_window1(bindings, 3, &request1, columns, rows, parts1);
+    for (int i = 0; i < columns * rows; i++) {
+        struct rhw_sample_request one = *request;
+        rhw_int offset[2] = {rhw_splat_int(i % columns), rhw_splat_int(i / columns)};
+        for (int axis = 0; request->offset && axis < 2; axis++) {
+            offset[axis] = offset[axis] + request->offset[axis];
+        }
+        one.offset = offset;
+        rhw_float texel[4];
+        rhw_sample(bindings, 3, &one, texel);
+        assert_memory_equal(&parts[i], &texel[0], sizeof texel[0]);
+        assert_memory_equal(&parts1[i], &texel[0], sizeof parts1[i]); // of the first lane
+    }
+}
+
+// Windows in maps that have room for them, and in others.
+static void compare_windows(rhw_context *context, const struct rhw_texture_def *map,
+                            const struct rhw_sampler_def *def, uint64_t *random)
+{
+    const rhw_texture texture =
+        model_random_texture(context, map->format, map->width, map->height, map->mip_levels, random);
+    rhw_sampler sampler;
+    assert_int_equal(rhw_sampler_create(context, def, &sampler), RHW_OK);
+    for (int n = 0; n < 60; n++) {
+        const rhw_float uv[2] = {wild_coordinates(random), wild_coordinates(random)},
+                        reference = rhw_splat(rig_random_float(random, 0, 1)), bias = rhw_splat(0.5f);
+        rhw_int offset[2];
+        for (int lane = 0; lane < RHW_LANES; lane++) {
+            offset[0][lane] = rig_random_int(random, 100) == 0 ? 40000 : rig_random_int(random, 7) - 3;
+            offset[1][lane] = rig_random_int(random, 100) == 0 ? -33000 : rig_random_int(random, 3) - 1;
+        }
+        const struct rhw_sample_request request = {.coordinates = uv,
+                                                   .reference = &reference,
+                                                   .offset = n % 3 ? offset : NULL,
+                                                   .bias = n % 16 ? NULL : &bias};
+        const int columns = 1 + rig_random_int(random, 5), rows = 1 + rig_random_int(random, 5);
+        for (int isa = 0; isa < RHW_ISA_COUNT && rhw_isa_supported((enum rhw_isa)isa); isa++) {
+            struct rhw_bindings bindings;
+            rhw_bindings_init(&bindings, rhw_kernels_for((enum rhw_isa)isa));
+            bindings.slot[3] =
+                rhw_binding_of(bindings.kernels, RHW_PATHS_ALL, rhw_context_texture(context, texture, "test"),
+                               rhw_context_sampler(context, sampler, "test"));
+            compare_window(&bindings, &request, columns, rows);
+        }
+    }
+    rhw_sampler_destroy(context, sampler);
+    rhw_texture_destroy(context, texture);
+}
+
+static void test_windows_are_their_footprints(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    uint64_t random = 18;
+    const struct rhw_texture_def maps[] = {
+        {.format = RHW_FORMAT_D32_FLOAT, .width = 64, .height = 48, .mip_levels = 1},
+        {.format = RHW_FORMAT_D32_FLOAT, .width = 5, .height = 7, .mip_levels = 1},
+        {.format = RHW_FORMAT_D32_FLOAT, .width = 16, .height = 16, .mip_levels = 3},
+        {.format = RHW_FORMAT_R8_UNORM, .width = 32, .height = 32, .mip_levels = 1}};
+    for (int n = 0; n < 4 * 8 * 4; n++) {
+        const struct rhw_sampler_def def = {.compares = true,
+                                            .compare = (enum rhw_compare)(n / 4 % 8),
+                                            .max_anisotropy = n % 11 == 0 ? 4 : 0,
+                                            .address_u = (enum rhw_address)(n / 32),
+                                            .address_v = (enum rhw_address)(n % 3)};
+        compare_windows(rig.context, &maps[n % 4], &def, &random);
+    }
+    // A slot without a texture lets no light through.
+    struct rhw_bindings none;
+    rhw_bindings_init(&none, rhw_kernels_for(RHW_ISA_BASELINE));
+    const rhw_float uv[2] = {rhw_splat(0.5f), rhw_splat(0.5f)}, one = rhw_splat(1), zero = rhw_splat(0);
+    const struct rhw_sample_request request = {.coordinates = uv, .reference = &zero};
+    for (int slot = -1; slot <= RHW_MAX_TEXTURES; slot++) {
+        rhw_float parts[2] = {one, one};
+        rhw_sample_compare_window(&none, slot, &request, 1, 2, parts);
+        assert_memory_equal(&parts[0], &zero, sizeof zero);
+        assert_memory_equal(&parts[1], &zero, sizeof zero);
+    }
+    rig_close(&rig);
+}
+
 // Four texels by hand: 0.25 and 0.75 above 0.5 and 1, looked at from the middle of all four.
 static void test_a_footprint_by_hand(void **state)
 {
@@ -249,6 +348,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_comparisons_come_before_the_filter),
         cmocka_unit_test(test_shadow_maps_give_the_bytes_of_the_general_path),
+        cmocka_unit_test(test_windows_are_their_footprints),
         cmocka_unit_test(test_a_footprint_by_hand),
         cmocka_unit_test(test_misuse),
     };

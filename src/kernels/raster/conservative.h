@@ -76,7 +76,7 @@ static uint64_t conservative_mask(const struct conservative_edges *edges, int x,
 {
     uint64_t mask = ~(uint64_t)0;
     for (int i = 0; i < edges->count; i++) {
-        mask &= triangle_mask(&edges->groups[i], x, y, 0, RHW_BLOCK);
+        mask &= triangle_mask(&edges->groups[i], x, y);
     }
     return mask;
 }

@@ -81,9 +81,24 @@ struct triangle_edges {
     struct edge edges[3];
 };
 
-// Bit 8·row + column of the block whose first pixel is (x, y) in the tile. Rows outside row0 .. row1 − 1 may
-// be left out.
-static inline uint64_t triangle_mask(const struct triangle_edges *triangle, int x, int y, int row0, int row1)
+// The pixels of a block on the inner side of `count` edges: q of its first row, and what it changes by from row to row. All
+// rows, as a loop whose end cannot be foreseen costs more than those that nobody asks for.
+RHW_INLINE uint64_t mask_of_edges(i8 q[3], const i8 step[3], int count)
+{
+    i8 outside[RHW_BLOCK];
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        outside[row] = q[0];
+        q[0] += step[0];
+        for (int i = 1; i < count; i++) {
+            outside[row] |= q[i];
+            q[i] += step[i];
+        }
+    }
+    return ~i8_sign_bits_of_rows(outside);
+}
+
+// Bit 8·row + column of the block whose first pixel is (x, y) in the tile.
+static inline uint64_t triangle_mask(const struct triangle_edges *triangle, int x, int y)
 {
     i8 q[3], step[3];
     int crossing = 0;
@@ -100,25 +115,12 @@ static inline uint64_t triangle_mask(const struct triangle_edges *triangle, int 
         q[crossing] = i8_splat((int32_t)first) + i8_splat(edge->a) * rhw_lane_index;
         step[crossing++] = i8_splat(edge->b);
     }
-    if (crossing == 0) {
-        return ~(uint64_t)0;
+    switch (crossing) {
+    case 0: return ~(uint64_t)0;
+    case 1: return mask_of_edges(q, step, 1);
+    case 2: return mask_of_edges(q, step, 2);
+    default: return mask_of_edges(q, step, 3);
     }
-    for (int i = crossing; i < 3; i++) {
-        q[i] = q[0];
-        step[i] = step[0];
-    }
-    uint64_t mask = 0;
-    for (int i = 0; i < 3; i++) {
-        q[i] += step[i] * i8_splat(row0);
-    }
-    for (int row = row0; row < row1; row++) {
-        const uint64_t outside = i8_sign_bits(q[0] | q[1] | q[2]);
-        mask |= (outside ^ 0xff) << (8 * row);
-        q[0] += step[0];
-        q[1] += step[1];
-        q[2] += step[2];
-    }
-    return mask;
 }
 
 // Of the 8 blocks side by side in a tile, a bit for each that the triangle leaves out, and each that an edge crosses.
@@ -189,11 +191,11 @@ static inline bool covers_tile(const struct coverage *coverage)
     return coverage->count == 1 && coverage->triangles[0].count == 0;
 }
 
-static inline uint64_t coverage_mask(const struct coverage *coverage, int x, int y, int row0, int row1)
+static inline uint64_t coverage_mask(const struct coverage *coverage, int x, int y)
 {
     uint64_t mask = 0;
     for (int i = 0; i < coverage->count; i++) {
-        mask ^= triangle_mask(&coverage->triangles[i], x, y, row0, row1);
+        mask ^= triangle_mask(&coverage->triangles[i], x, y);
     }
     return mask;
 }

@@ -75,11 +75,38 @@ RHW_INLINE struct settled_blocks settle_blocks(const struct tile_depth *depth, e
     return is_less ? (struct settled_blocks){nearer, farther} : (struct settled_blocks){farther, nearer};
 }
 
+// 8 bytes: 1 where a bit of `bits` is set, else 0.
+RHW_INLINE uint64_t bytes_of_bits(unsigned bits)
+{
+    const uint64_t apart = bits * (uint64_t)0x0101010101010101 & 0x8040201008040201; // byte i has bit i alone
+    return (apart + 0x7f7f7f7f7f7f7f7f) >> 7 & 0x0101010101010101;
+}
+
+// Counts up or down by one, wrapping, 8 bytes at a time and without carries between them: what shadow volumes do, in half
+// of the instructions.
+RHW_INLINE void count_stencil_block(uint8_t *stencil, uint64_t mask, bool up)
+{
+    const uint64_t high = 0x8080808080808080;
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        const uint64_t ones = bytes_of_bits((unsigned)(mask >> (8 * row)) & 0xff);
+        uint64_t bytes;
+        memcpy(&bytes, stencil, sizeof bytes);
+        bytes = up ? ((bytes & ~high) + ones) ^ (bytes & high) : ((bytes | high) - ones) ^ (~bytes & high);
+        memcpy(stencil, &bytes, sizeof bytes);
+        stencil += RHW_TILE;
+    }
+}
+
 // Does an operation to the stencil of the pixels of the block at (x, y) that are set in `mask`.
 static __attribute__((noinline)) void change_stencil_block(struct tile_depth *depth, int x, int y,
                                                            uint64_t mask, const struct rhw_stencil_rule *face,
                                                            enum rhw_stencil_operation operation)
 {
+    const bool up = operation == RHW_STENCIL_INCREMENT_WRAP, down = operation == RHW_STENCIL_DECREMENT_WRAP;
+    if (face->write_mask == 0xff && (up || down)) {
+        count_stencil_block(&depth->stencil[y * RHW_TILE + x], mask, up);
+        return;
+    }
     for (int row = 0; row < RHW_BLOCK; row++) {
         const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
         uint8_t *const stencil = &depth->stencil[(y + row) * RHW_TILE + x];

@@ -113,8 +113,8 @@ RHW_INLINE i8 test_row_full(struct tile_depth *depth, int x, int y,
 }
 
 // Tests the pixels of a block before shading; `face`: 0 for the front.
-static __attribute__((noinline)) uint64_t test_block_full(const struct block_pixels *block,
-                                                          const struct rhw_depth_rule rule, int face)
+RHW_INLINE uint64_t test_rows_full(const struct block_pixels *block, const struct rhw_depth_rule rule,
+                                   int face)
 {
     struct tile_depth *const depth = block->depth;
     // Copies, which stay in registers: what rows write might else be these.
@@ -131,6 +131,21 @@ static __attribute__((noinline)) uint64_t test_block_full(const struct block_pix
     }
     count_passed(depth, passed);
     return settle_block(depth, block->x, block->y, passed, rule);
+}
+
+// The same, with the usual comparisons constants of the loop.
+static __attribute__((noinline)) uint64_t test_block_full(const struct block_pixels *block,
+                                                          const struct rhw_depth_rule rule, int face)
+{
+    struct rhw_depth_rule named = rule;
+    switch (rule.compare) {
+    case RHW_COMPARE_LESS: named.compare = RHW_COMPARE_LESS; return test_rows_full(block, named, face);
+    case RHW_COMPARE_EQUAL: named.compare = RHW_COMPARE_EQUAL; return test_rows_full(block, named, face);
+    case RHW_COMPARE_LESS_EQUAL:
+        named.compare = RHW_COMPARE_LESS_EQUAL;
+        return test_rows_full(block, named, face);
+    default: return test_rows_full(block, rule, face);
+    }
 }
 
 // Tests the fragments of a row that are set in `bits` after shading; those of `back` face away.

@@ -13,6 +13,7 @@
 #include "../../binding.h"
 #include "../../compare.h"
 #include "filter_fixed.h"
+#include "filter_half.h"
 #include "lod.h"
 #include "reference.h"
 #include "texel_fetch.h"
@@ -23,6 +24,7 @@ struct float_source {
     const struct rhw_format_info *format; // of the texture
     const struct rhw_sampler_data *sampler;
     bool border; // along u or v
+    bool halves; // filter_half.h takes footprints
     f8 s, t, nearest[2];
     const f8
         *reference; // of a sampler that compares: texels become 1 where the comparison holds, else 0; or NULL
@@ -85,6 +87,10 @@ static inline void filter_bilinear(const struct float_source *source, const stru
     const f8 left = rhw_floor(x), top = rhw_floor(y);
     const f8 weight_x = x - left, weight_y = y - top;
     const i8 x0 = rhw_int_from_float_unchecked(left), y0 = rhw_int_from_float_unchecked(top);
+    if (source->halves && footprints_inside(mip, x0, y0)) {
+        filter_halves(mip, x0, y0, weight_x, weight_y, texel);
+        return;
+    }
     f8 footprint[4][4];
     for (int i = 0; i < 4; i++) {
         fetch_texels(source, mip, x0 + (i & 1), y0 + (i >> 1), footprint[i]);
@@ -145,8 +151,10 @@ static inline void filter_levels(const struct float_source *source, i8 level, f8
     }
 }
 
+// `halves`: the texture and its sampler are what filter_half.h takes.
 static __attribute__((noinline)) void sample_float(const struct rhw_binding *binding,
-                                                   const struct rhw_sample_request *request, f8 texel[4])
+                                                   const struct rhw_sample_request *request, bool halves,
+                                                   f8 texel[4])
 {
     const struct rhw_texture_data *const texture = binding->texture;
     const struct rhw_sampler_data *const sampler = binding->sampler;
@@ -160,6 +168,7 @@ static __attribute__((noinline)) void sample_float(const struct rhw_binding *bin
         .format = texture->info,
         .sampler = sampler,
         .border = def->address_u == RHW_ADDRESS_BORDER || def->address_v == RHW_ADDRESS_BORDER,
+        .halves = halves,
         .s = s,
         .t = t,
         .nearest = {nearest_coordinate(def->address_u, u, s), nearest_coordinate(def->address_v, v, t)}};

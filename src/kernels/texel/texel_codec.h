@@ -87,10 +87,11 @@ RHW_INLINE i8 unorm8_texels(const f8 value[4])
 // Depth ----------------------------------------------------------------------------------------------
 
 // Whole steps of 0..1, of which there are `steps`, as floats, and back: to nearest, ties to even, since adding 2^52
-// leaves a double no room for a fraction.
+// leaves a double no room for a fraction. Of 65535 and of 2^24 − 1 steps every one times the reciprocal rounds to the
+// float that division gives, in a quarter of the time: test_format has them all.
 RHW_INLINE f8 depth_from_steps(d8 count, double steps)
 {
-    return f8_from_d8(d8_div(count, d8_splat(steps)));
+    return f8_from_d8(d8_mul(count, d8_splat(1 / steps)));
 }
 
 RHW_INLINE d8 steps_of_depth(f8 depth, double steps)

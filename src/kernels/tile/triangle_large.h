@@ -197,7 +197,6 @@ static void draw_blocks(struct tile_work *work, struct triangle_work *triangle,
         &work->state->depth_stencil.face[triangle->t->flags & RHW_TRIANGLE_BACK ? 1 : 0];
     const unsigned columns = 0xffu << (rect.x0 / RHW_BLOCK) & 0xffu >> ((RHW_TILE - rect.x1) / RHW_BLOCK);
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
-        const int row0 = max_int(rect.y0 - y, 0), row1 = min_int(rect.y1 - y, RHW_BLOCK);
         unsigned hidden = hidden_blocks(work, triangle, y);
         const struct settled_blocks settled = settled_blocks(work, triangle, y);
         hidden |= (face->pass == RHW_STENCIL_KEEP ? settled.passed : 0) |
@@ -211,8 +210,7 @@ static void draw_blocks(struct tile_work *work, struct triangle_work *triangle,
             if (holds_for_block(work, triangle, hidden, x, y)) {
                 continue;
             }
-            uint64_t mask =
-                row.crossed >> column & 1 ? coverage_mask(coverage, x, y, row0, row1) : ~(uint64_t)0;
+            uint64_t mask = row.crossed >> column & 1 ? coverage_mask(coverage, x, y) : ~(uint64_t)0;
             if (is_cut) {
                 mask &= rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
             }

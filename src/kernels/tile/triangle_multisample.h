@@ -234,11 +234,10 @@ static void cover_samples(const struct tile_work *work, const struct rhw_triangl
                           struct sampled_block *block)
 {
     const int x = block->x, y = block->y;
-    const int row0 = max_int(rect->y0 - y, 0), row1 = min_int(rect->y1 - y, RHW_BLOCK);
     const bool is_point = t->flags & RHW_TRIANGLE_RECTANGLE;
     for (int s = 0; s < work->samples; s++) {
         const bool is_drawn = work->pipeline->def.sample_mask >> s & 1;
-        block->mask[s] = is_drawn ? coverage_mask(&coverage[s], x, y, row0, row1) : 0;
+        block->mask[s] = is_drawn ? coverage_mask(&coverage[s], x, y) : 0;
         if (block->mask[s] != 0 && (work->is_scissored || is_point)) {
             const struct tile_rect inside = is_point ? point_rect(work, t, rect, s) : *rect;
             block->mask[s] &= overlap_mask(x, y, &inside);
