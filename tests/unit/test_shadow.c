@@ -384,6 +384,10 @@ static void test_open_floor(void **state)
     view.outputs = SCENE_OUTPUT_LINEAR;
     view.shadows = false;
     view.background = SCENE_BACKGROUND_TRANSPARENT;
+    // The lamp shines from below: the surroundings alone are left.
+    t.model.light_count = 1;
+    t.light = (struct scene_model_light){
+        .type = SCENE_LIGHT_DIRECTIONAL, .direction = {0, 0, 1}, .color = {1, 1, 1}, .intensity = 1};
     view.camera = (struct scene_camera){.up = {0, 0, 1}, .znear = 0.001, .zfar = 10};
     for (int orthographic = 0; orthographic < 2; orthographic++) {
         view.camera.orthographic = orthographic;
