@@ -210,6 +210,7 @@ xdotool keyup w
 seen "flying"
 check "it flies" test "$asked" != "$past"
 press r
+seen "the beginning after a flight"
 
 # What a click explains, here and on standard output.
 before=$(lines)
