@@ -29,7 +29,7 @@ SANITIZED = "builds the library anew; program_embedding does it in script/test t
 NOT_RUN = {
     r"script/build": BUILDS,
     r"script/demo": BUILDS,
-    r"(CTEST_ARGS='.*' )?script/test( \w+)?": "runs this test",
+    r"(CTEST_ARGS='.*' )?script/test(-long)?( \w+)?": "runs this test",
     r"script/bench": MINUTES,
     r"script/isas": MINUTES,
     r"script/growth": MINUTES,
