@@ -175,7 +175,6 @@ void rhw_sample_compare_window(const struct rhw_bindings *textures, int slot,
                                const struct rhw_sample_request *request, int columns, int rows,
                                rhw_float *parts)
 {
-    enum { AT_ONCE = 3 }; // columns that the kernel takes
     if (textures->site.findings) {
         rhw_watch_sample(textures, slot, request);
     }
@@ -184,8 +183,8 @@ void rhw_sample_compare_window(const struct rhw_bindings *textures, int slot,
     for (int i = 0; !binding && i < columns * rows; i++) {
         parts[i] = rhw_splat(0);
     }
-    for (int column = 0; binding && column < columns; column += AT_ONCE) {
-        const int count = columns - column < AT_ONCE ? columns - column : AT_ONCE;
+    for (int column = 0; binding && column < columns; column += RHW_WINDOW_COLUMNS) {
+        const int count = columns - column < RHW_WINDOW_COLUMNS ? columns - column : RHW_WINDOW_COLUMNS;
         if (request->bias || !binding->compare_window ||
             !binding->compare_window(binding, request, column, count, rows, columns, parts + column)) {
             compare_columns(textures, binding, request, column, count, rows, columns, parts + column);

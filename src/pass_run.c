@@ -210,8 +210,11 @@ static void end_wave(struct rhw_pass_state *pass, int end)
 // Asks the program on its own thread, worker 0; the others hear of it.
 static bool is_given_up(rhw_context *context, int worker)
 {
-    if (!context->goes_on || atomic_load_explicit(&context->given_up, memory_order_relaxed)) {
-        return context->goes_on;
+    if (!context->goes_on) {
+        return false;
+    }
+    if (atomic_load_explicit(&context->given_up, memory_order_relaxed)) {
+        return true;
     }
     const bool given_up = worker == 0 && !context->goes_on(context->goes_on_user);
     if (given_up) {
@@ -282,7 +285,8 @@ static bool shade_shared_vertices(struct rhw_pass_state *pass, struct rhw_stats 
     return true;
 }
 
-// The same for vertices that are shaded first, of all waves, and what follows from them. False when out of memory.
+// The same for vertices that are shaded first, of all waves, and what follows from them. False when out of memory or given
+// up.
 static bool shade_first_vertices(struct rhw_pass_state *pass, struct rhw_stats *stats)
 {
     struct rhw_shared_parts parts;
@@ -294,6 +298,9 @@ static bool shade_first_vertices(struct rhw_pass_state *pass, struct rhw_stats *
         return false;
     }
     run_parts(pass, &parts, stats);
+    if (atomic_load(&pass->context->given_up)) {
+        return false;
+    }
     rhw_strip_stipple_measure(pass);
     stats->front_ms += milliseconds(rhw_time_ns() - start);
     return true;
@@ -459,6 +466,34 @@ static void expect_clean(struct rhw_attachment *attachment)
     }
 }
 
+// Draws the next wave, as run_front finds it. False when out of memory or given up.
+static bool run_wave(struct rhw_pass_state *pass, struct position *at, struct rhw_stats *stats)
+{
+    struct rhw_context *const context = pass->context;
+    const uint64_t start = rhw_time_ns();
+    if (!run_front(pass, at, stats)) {
+        return false;
+    }
+    pass->last_wave = at->triangle == pass->triangle_count;
+    if (!pass->last_wave && !transients_ready(pass)) {
+        return false;
+    }
+    const uint64_t middle = rhw_time_ns();
+    if (is_given_up(context, 0)) { // the caller may get no tile, where others are quick
+        return false;
+    }
+    stats->back_busy_ms += milliseconds(run_tiles(pass));
+    if (atomic_load(&context->given_up)) {
+        return false;
+    }
+    stats->front_ms += milliseconds(middle - start);
+    stats->back_ms += milliseconds(rhw_time_ns() - middle);
+    stats->flushes += !pass->last_wave;
+    rhw_queries_stamp(pass, at->triangle);
+    pass->first_wave = false;
+    return true;
+}
+
 enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stats)
 {
     struct rhw_context *const context = pass->context;
@@ -482,30 +517,12 @@ enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stat
     atomic_store(&context->given_up, false);
     rhw_queries_stamp(pass, 0);
     if (!shade_first_vertices(pass, &s)) {
-        return RHW_ERROR_OUT_OF_MEMORY;
+        return failure(context);
     }
     do {
-        const uint64_t start = rhw_time_ns();
-        if (!run_front(pass, &at, &s)) {
+        if (!run_wave(pass, &at, &s)) {
             return failure(context);
         }
-        pass->last_wave = at.triangle == pass->triangle_count;
-        if (!pass->last_wave && !transients_ready(pass)) {
-            return RHW_ERROR_OUT_OF_MEMORY;
-        }
-        const uint64_t middle = rhw_time_ns();
-        if (is_given_up(context, 0)) { // the caller may get no tile, where others are quick
-            return RHW_ERROR_GIVEN_UP;
-        }
-        s.back_busy_ms += milliseconds(run_tiles(pass));
-        if (atomic_load(&context->given_up)) {
-            return RHW_ERROR_GIVEN_UP;
-        }
-        s.front_ms += milliseconds(middle - start);
-        s.back_ms += milliseconds(rhw_time_ns() - middle);
-        s.flushes += !pass->last_wave;
-        rhw_queries_stamp(pass, at.triangle);
-        pass->first_wave = false;
     } while (!pass->last_wave);
     sum_counters(pass, &s);
     s.memory_peak = context->memory.peak;

@@ -32,9 +32,10 @@ static inline enum rhw_result rhw_context_create(const struct rhw_context_def *d
 /// Destroys the context and everything in it. NULL is allowed. Not while a pass is recorded.
 RHW_API void rhw_context_destroy(rhw_context *context);
 RHW_API int rhw_context_threads(const rhw_context *context);
-/// What is asked while a pass of the context runs, before each task of the thread that ends it, some thousand times a second;
-/// false gives the pass up: rhw_pass_end returns RHW_ERROR_GIVEN_UP within a few milliseconds, and what the pass wrote to
-/// holds anything. NULL, at first: nobody is asked. Calls of the library in it are misuse.
+/// What is asked while a pass of the context runs, before each task of the thread that ends it, some thousand times a
+/// second; false gives the pass up: rhw_pass_end returns RHW_ERROR_GIVEN_UP when the tasks under way, a tile or 8192
+/// triangles each, are done. What the pass wrote to holds anything then, its queries have no result, and the stats are not
+/// written. NULL, at first: nobody is asked. Calls of the library in it are misuse.
 RHW_API void rhw_context_set_goes_on(rhw_context *context, bool (*goes_on)(void *user), void *user);
 RHW_API enum rhw_isa rhw_context_isa(const rhw_context *context);
 /// What rhw_context_def.isa_limit says for `isa`; RHW_ISA_BEST for RHW_ISA_COUNT.

@@ -171,7 +171,8 @@ class Model:
     def __init__(self, vertices: Any, faces: Any = None, *, normals: Any = None, uv: Any = None, colors: Any = None,
                  face_colors: Any = None, texture: Any = None, color: Optional[Sequence[float]] = None,
                  metallic: Optional[float] = None, roughness: Optional[float] = None,
-                 emissive: Optional[Sequence[float]] = None, alpha: Optional[str] = None, double_sided: bool = True, unlit: bool = False, smooth: bool = True,
+                 emissive: Optional[Sequence[float]] = None, alpha: Optional[str] = None,
+                 double_sided: bool = True, unlit: bool = False, smooth: bool = True,
                  up: str = "y", name: str = "array"):
         from . import _make  # which knows Model too
 
@@ -243,7 +244,7 @@ class Model:
         up: where the sky is; None: as the model says.
         context: the threads that draw; None: the calling thread's own.
 
-        The interpreter's lock is released meanwhile; Ctrl-C ends the draw of a large picture between its bands.
+        The interpreter's lock is released meanwhile; Ctrl-C ends the draw when the tiles under way are done.
         """
         width, height = _arrays.size(size)
         flags = [_arrays.flag(value, name) for value, name in

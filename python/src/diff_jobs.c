@@ -5,12 +5,8 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { CACHE_LINE = 64 };
-
-static const uint64_t look_ns =
-    50000000; // between two looks for signals, for which another Python thread has to stop
 
 struct jobs {
     // Written by every thread that takes a job; alone on its cache line, beside what all of them read.
@@ -20,24 +16,15 @@ struct jobs {
     void *data;
 };
 
-static uint64_t now_ns(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec;
-}
-
 void diff_crew_begin(struct diff_crew *crew)
 {
-    crew->looked_ns = now_ns();
-    crew->gave_up = false;
-    crew->python.state = PyEval_SaveThread();
+    crew->python = python_work_begin();
 }
 
 PyObject *diff_crew_end(struct diff_crew *crew, bool good)
 {
     PyEval_RestoreThread(crew->python.state);
-    if (crew->gave_up) {
+    if (crew->python.gave_up) {
         return NULL;
     }
     if (!good) {
@@ -49,11 +36,7 @@ PyObject *diff_crew_end(struct diff_crew *crew, bool good)
 
 bool diff_crew_goes_on(struct diff_crew *crew)
 {
-    if (!crew->gave_up && now_ns() - crew->looked_ns >= look_ns) {
-        crew->gave_up = !python_work_goes_on(&crew->python);
-        crew->looked_ns = now_ns();
-    }
-    return !crew->gave_up;
+    return python_work_goes_on(&crew->python);
 }
 
 static bool take(struct jobs *jobs)
@@ -75,7 +58,7 @@ static void *help(void *argument)
 
 void diff_jobs_run(struct diff_crew *crew, size_t count, void (*function)(void *data, size_t job), void *data)
 {
-    if (crew->gave_up) {
+    if (crew->python.gave_up) {
         return;
     }
     struct jobs jobs = {.count = count, .function = function, .data = data};

@@ -12,8 +12,6 @@
 struct diff_crew {
     int threads; ///< the caller's among them; beyond RHW_MAX_THREADS they are not started
     struct python_work python;
-    uint64_t looked_ns; ///< when the caller looked for signals
-    bool gave_up;
 };
 
 /// Gives the interpreter's lock back until diff_crew_end.

@@ -2,6 +2,8 @@
 // The module rhw._rhw.
 #include "extension.h"
 
+#include <time.h>
+
 PyObject *python_error;
 
 PyTypeObject *python_add_type(PyObject *module, const char *name, PyType_Spec *spec)
@@ -53,13 +55,30 @@ void python_free(PyObject *self)
     Py_DECREF(type); // instances of types from specifications hold theirs
 }
 
+static uint64_t now_ns(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec;
+}
+
+struct python_work python_work_begin(void)
+{
+    const uint64_t now = now_ns();
+    return (struct python_work){.state = PyEval_SaveThread(), .looked_ns = now};
+}
+
 bool python_work_goes_on(void *user)
 {
+    static const uint64_t look_ns = 50000000;
     struct python_work *work = user;
-    PyEval_RestoreThread(work->state);
-    const bool goes_on = PyErr_CheckSignals() == 0;
-    work->state = PyEval_SaveThread();
-    return goes_on;
+    if (!work->gave_up && now_ns() - work->looked_ns >= look_ns) {
+        PyEval_RestoreThread(work->state);
+        work->gave_up = PyErr_CheckSignals() != 0;
+        work->state = PyEval_SaveThread();
+        work->looked_ns = now_ns();
+    }
+    return !work->gave_up;
 }
 
 static int add_functions(PyObject *module)

@@ -48,10 +48,15 @@ extern PyMethodDef python_model_functions[], python_camera_functions[], python_e
 /// Work without the interpreter's lock that looks for signals now and then.
 struct python_work {
     PyThreadState *state;
+    uint64_t looked_ns; ///< when it looked for signals
+    bool gave_up;       ///< a handler raised an exception
 };
 
+/// Gives the interpreter's lock back; PyEval_RestoreThread of the state takes it again.
+struct python_work python_work_begin(void);
 /// The goes_on of struct scene_view and scene_model_options; `user` is a struct python_work whose state was saved.
-/// False with an exception set where a handler raised one, as that of Ctrl-C does.
+/// False with an exception set where a handler raised one, as that of Ctrl-C does. It looks 20 times a second at most,
+/// since it waits for another Python thread that runs.
 bool python_work_goes_on(void *user);
 
 #endif

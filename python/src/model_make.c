@@ -154,7 +154,7 @@ static void *read_all(PyObject *tuples, const struct kind *kind)
 static PyObject *make_from(const struct scene_arrays *arrays)
 {
     char error[512];
-    struct python_work work = {PyEval_SaveThread()};
+    struct python_work work = python_work_begin();
     const struct scene_model_options options = {.goes_on = python_work_goes_on, .user = &work};
     struct scene_model *model = scene_model_make(arrays, &options, error, sizeof error);
     PyEval_RestoreThread(work.state);

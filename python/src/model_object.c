@@ -65,7 +65,7 @@ static PyObject *load(PyObject *module, PyObject *arguments)
     options.confine = folder;
     options.memory = (size_t)memory;
     char error[512];
-    struct python_work work = {PyEval_SaveThread()};
+    struct python_work work = python_work_begin();
     options.user = &work;
     struct scene_model *model = scene_model_load(name, &options, error, sizeof error);
     PyEval_RestoreThread(work.state);

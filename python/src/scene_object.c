@@ -167,7 +167,7 @@ static PyObject *draw(PyObject *self, PyObject *arguments)
     keep_panorama(scene->item, panorama);
     struct scene_pictures pictures;
     struct scene_draw_stats stats;
-    struct python_work work = {PyEval_SaveThread()};
+    struct python_work work = python_work_begin();
     view.user = &work;
     const enum rhw_result result = scene_draw(scene->item->id.scene, &view, &pictures, &stats);
     PyEval_RestoreThread(work.state);

@@ -22,8 +22,11 @@ struct rhw_texture_data;
 // Does what rhw_sample does, for one slot.
 typedef void rhw_sample_function(const struct rhw_binding *binding, const struct rhw_sample_request *request,
                                  rhw_float texel[4]);
-// Does what rhw_sample_compare_window does in `columns` columns of footprints from number `column` on, of a window that has
-// `stride` of them. False, with nothing done, where the function takes none of the request's.
+// Columns of footprints that a kernel takes at once: a row of their texels is 16 bytes.
+enum { RHW_WINDOW_COLUMNS = 3 };
+
+// Does what rhw_sample_compare_window does in `columns` columns of footprints, RHW_WINDOW_COLUMNS at most, from number
+// `column` on, of a window that has `stride` of them. False, with nothing done, where the function takes none of the request's.
 typedef bool rhw_compare_window_function(const struct rhw_binding *binding,
                                          const struct rhw_sample_request *request, int column, int columns,
                                          int rows, int stride, rhw_float *parts);

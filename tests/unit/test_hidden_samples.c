@@ -89,6 +89,50 @@ static void test_what_is_hidden_is_not_missed(void **state)
     }
 }
 
+// The large triangles fail a test of another kind in every sample, so that they write no depth and hide nothing.
+static uint64_t hash_behind_failures(bool by_stencil, int samples, enum rhw_paths paths)
+{
+    static struct rig_vertex vertices[3 * TRIANGLES];
+    static unsigned char texels[PIXELS * 16];
+    uint64_t hash = 0;
+    struct rig rig;
+    open_samples(&rig, RHW_FORMAT_RGBA32_FLOAT, samples, paths);
+    rhw_texture_destroy(rig.context, rig.pass.depth.texture);
+    rig.pass.depth.texture = make_texture(&rig, RHW_FORMAT_D32_FLOAT_S8_UINT, samples);
+    make_layers(&rig, 9, vertices);
+    rig_begin(&rig);
+    rig.pipeline.stencil_test = by_stencil;
+    rig.pipeline.depth_bounds_test = !by_stencil;
+    rig.pipeline.stencil_front = rig.pipeline.stencil_back =
+        (struct rhw_stencil_face){.compares = true, .compare = RHW_COMPARE_EQUAL};
+    rig_use_pipeline(&rig);
+    rig_use_vertices(&rig, 0, vertices, sizeof vertices);
+    rhw_pass_set_stencil_reference(rig.context, rig.recording, 1, 1); // it is 0 everywhere
+    rhw_pass_set_depth_bounds(rig.context, rig.recording, 0, 0.9f);   // it is 1
+    rhw_pass_draw(rig.context, rig.recording, 0, 3 * LARGE, 0, 1);
+    rig.pipeline.stencil_test = rig.pipeline.depth_bounds_test = false;
+    rig_use_pipeline(&rig);
+    rhw_pass_draw(rig.context, rig.recording, 3 * LARGE, 3 * (TRIANGLES - LARGE), 0, 1);
+    rig_end(&rig);
+    for (int s = 0; s < samples; s++) {
+        rhw_texture_read_sample(rig.context, rig.pass.colors[0].texture, s, texels, 0);
+        hash = rig_hash_bytes(hash, texels, sizeof texels);
+    }
+    rig_close(&rig);
+    return hash;
+}
+
+static void test_what_fails_other_tests_hides_nothing(void **state)
+{
+    (void)state;
+    for (int i = 0; i < COUNTS; i++) {
+        for (int by_stencil = 0; by_stencil <= 1; by_stencil++) {
+            assert_true(hash_behind_failures(by_stencil, counts[i], RHW_PATHS_ALL) ==
+                        hash_behind_failures(by_stencil, counts[i], RHW_PATHS_GENERAL));
+        }
+    }
+}
+
 // Triangles of a third of a pixel, of which most cover no sample.
 static void draw_dust(enum rhw_paths paths, struct rhw_stats *stats, uint64_t *hash)
 {
@@ -154,6 +198,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_what_is_hidden_is_not_missed),
+        cmocka_unit_test(test_what_fails_other_tests_hides_nothing),
         cmocka_unit_test(test_triangles_without_a_sample_are_culled),
         cmocka_unit_test(test_tiles_resolve_as_regions_do),
     };

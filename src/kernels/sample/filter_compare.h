@@ -69,9 +69,7 @@ static inline void sample_compared(const struct rhw_binding *binding,
 
 // Windows -------------------------------------------------------------------------------------------
 
-enum { WINDOW_COLUMNS = 3 }; // of footprints, whose rows are 16 bytes of texels
-
-// A part of a window: `columns` (up to WINDOW_COLUMNS) of its columns of footprints, from number `column` on.
+// A part of a window: `columns` (up to RHW_WINDOW_COLUMNS) of its columns of footprints, from number `column` on.
 struct compared_window {
     int column, columns, rows;
     int stride; // footprints from row to row of the whole
@@ -114,7 +112,7 @@ RHW_INLINE bool find_window(const struct rhw_binding *binding, const struct rhw_
 RHW_INLINE bool is_inside(const struct rhw_mip *mip, const struct compared_window *window,
                           const struct window_place *place)
 {
-    const i8 beyond = place->x | (mip->width - 1 - WINDOW_COLUMNS - place->x) | place->y |
+    const i8 beyond = place->x | (mip->width - 1 - RHW_WINDOW_COLUMNS - place->x) | place->y |
                       (mip->height - 1 - window->rows - place->y); // negative: some texel lies outside
     return !rhw_any(beyond >> 31);
 }
@@ -144,19 +142,19 @@ RHW_INLINE void compare_rows(const struct rhw_sampler_def *def, const struct rhw
                              bool inside, enum rhw_compare compare, f8 reference, f8 *parts)
 {
     uint32_t at[RHW_LANES];
-    f8 above[WINDOW_COLUMNS] = {reference, reference, reference};
+    f8 above[RHW_WINDOW_COLUMNS] = {reference, reference, reference};
     if (inside) {
         spill_lanes(texel_number((place->x << 16) | place->y, mip), at);
     }
     for (int row = 0; row <= window->rows; row++) {
-        f8 held[4], below[WINDOW_COLUMNS];
+        f8 held[4], below[RHW_WINDOW_COLUMNS];
         if (inside) {
             load_inner_row(mip->texels + (size_t)row * mip->row_pitch, at, held);
         } else {
             load_wrapped_row(def, mip, place, row, held);
         }
         compare_footprint(compare, reference, held);
-        for (int i = 0; i < WINDOW_COLUMNS; i++) {
+        for (int i = 0; i < RHW_WINDOW_COLUMNS; i++) {
             below[i] = rhw_mix(held[i], held[i + 1], place->weight_x);
         }
         for (int i = 0; row > 0 && i < window->columns; i++) {

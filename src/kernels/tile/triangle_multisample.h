@@ -81,8 +81,9 @@ static void test_samples(struct tile_work *work, const struct triangle_work *tri
 {
     const struct planes *const planes = &triangle->planes;
     const int face = triangle->t->flags & RHW_TRIANGLE_BACK ? 1 : 0;
-    const bool covers = work->tests_bounds && work->plan.early.write && planes->kind == PLANES_LINEAR &&
-                        all_samples(work, block->mask) == ~(uint64_t)0 &&
+    // Samples that fail other tests leave depth as it is.
+    const bool covers = work->tests_bounds && !work->plan.is_full && work->plan.early.write &&
+                        planes->kind == PLANES_LINEAR && all_samples(work, block->mask) == ~(uint64_t)0 &&
                         !samples_leave(work, triangle, block->x, block->y);
     for (int s = 0; s < work->samples; s++) {
         if (block->mask[s] == 0) {
