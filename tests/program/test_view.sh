@@ -23,8 +23,11 @@ refuse 2 "other.obj: one argument too many" view cube.obj other.obj
 refuse 2 "--size: 'huge' is not" view cube.obj --size huge
 succeed view --help
 check "help has the keys" grep -Eq '^  F12 +save the picture$' "$folder/log/out"
+unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER
+export XDG_RUNTIME_DIR="$folder"
+refuse 1 "view: there is no display to open a window on: neither X11 nor Wayland" view cube.obj
+unset XDG_RUNTIME_DIR
 export SDL_VIDEODRIVER=x11
-unset DISPLAY
 refuse 1 "view: there is no display to open a window on: ." view cube.obj
 mkdir alone
 cp "$rhw" alone/rhw

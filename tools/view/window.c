@@ -5,11 +5,20 @@
 #include "message.h"
 
 #include <math.h>
+#include <string.h>
 
 static bool report(const char *what)
 {
     cli_error("view", "%s: %s", what, SDL_GetError());
     return false;
+}
+
+// Whether SDL fell back to a driver that nobody sees, and which nobody named.
+static bool is_unseen(void)
+{
+    const char *const driver = SDL_GetCurrentVideoDriver();
+    return !SDL_getenv("SDL_VIDEODRIVER") &&
+           (strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0);
 }
 
 bool view_window_open(struct view_window *window, int width, int height, bool is_fullscreen)
@@ -18,6 +27,10 @@ bool view_window_open(struct view_window *window, int width, int height, bool is
     SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "linear");
     SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
     if (SDL_Init(SDL_INIT_VIDEO) != 0) {
+        return report("there is no display to open a window on");
+    }
+    if (is_unseen()) {
+        SDL_SetError("neither X11 nor Wayland is to be had");
         return report("there is no display to open a window on");
     }
     const Uint32 flags =
