@@ -44,6 +44,11 @@ def files(folder):
             for path in sorted(Path(folder).rglob("*")) if path.is_file()}
 
 
+def finished(folder):
+    """Those but for what killed processes had begun to write, which is kept for an hour."""
+    return {name: sha for name, sha in files(folder).items() if not Path(name).name.startswith(".rhw-")}
+
+
 def marks(folder):
     """What changes when a file is written again."""
     return {str(path.relative_to(folder)): (path.stat().st_ino, path.stat().st_mtime_ns)

@@ -11,7 +11,7 @@ import time
 import pytest
 
 from conftest import SANITIZED
-from dataset_runs import files, records, run, start, wait_for
+from dataset_runs import files, finished, records, run, start, wait_for
 from rhw.dataset import cluster as cluster_module
 from rhw.dataset.main import main
 
@@ -71,7 +71,7 @@ def test_a_worker_is_killed(whole, boxes, tmp_path, cluster):
     said = process.communicate(timeout=60)
     assert process.returncode == 0 and there < 40, said
     assert said[1] == ""
-    assert files(tmp_path / "set") == whole
+    assert finished(tmp_path / "set") == whole
     run("--verify", tmp_path / "set")
 
 
@@ -87,7 +87,7 @@ def test_the_scheduler_is_lost(whole, boxes, tmp_path, cluster):
         worker.kill()
         worker.wait()
     run(boxes, *SLOW, "--out", tmp_path / "set")
-    assert files(tmp_path / "set") == whole
+    assert finished(tmp_path / "set") == whole
 
 
 def test_ended_and_begun_again(whole, boxes, tmp_path, cluster):
@@ -99,7 +99,7 @@ def test_ended_and_begun_again(whole, boxes, tmp_path, cluster):
     process.communicate(timeout=30)
     assert process.returncode == -signal.SIGINT and time.monotonic() - sent < 5
     run(boxes, *SLOW, "--out", tmp_path / "set", "--scheduler", cluster.address)
-    assert files(tmp_path / "set") == whole
+    assert finished(tmp_path / "set") == whole
 
 
 def test_workers_keep_nothing_of_another_data_set(boxes, tmp_path, cluster):

@@ -7,6 +7,7 @@ are.
 
 from __future__ import annotations
 
+import contextlib
 import filecmp
 import json
 import os
@@ -70,14 +71,16 @@ def write(folder: str, plan: Plan, paths: Sequence[str], skipped: Dict[int, str]
         raise Failure(f"{folder}: no model can be drawn")
     store.sweep(folder, [plan.models[number][0] for number in kept])
     target = store.manifest_path(folder)
-    beside = target + ".new"
-    with _files.replacing(beside) as file:
+    with contextlib.suppress(_Same), _files.replacing(target) as file:
         _write(file, folder, plan, kept)
-    if os.path.exists(target) and filecmp.cmp(beside, target, shallow=False):
-        os.unlink(beside)
-    else:
-        os.replace(beside, target)
+        file.flush()
+        if os.path.exists(target) and filecmp.cmp(file.name, target, shallow=False):
+            raise _Same
     return f": {target}"
+
+
+class _Same(Exception):
+    """What was written is there already."""
 
 
 def _check_model(folder: str, name: str, path: str) -> None:
