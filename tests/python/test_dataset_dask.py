@@ -129,7 +129,7 @@ def test_no_scheduler(boxes, tmp_path, monkeypatch, capsys, address):
     monkeypatch.setattr(cluster_module, "_CONNECT_SECONDS", 0.5)
     with pytest.raises(SystemExit) as ended:
         main([str(boxes), "--out", str(tmp_path / "set"), "--scheduler", address])
-    logging.disable(logging.NOTSET)
+    assert logging.root.manager.disable == logging.NOTSET
     said = capsys.readouterr().err
     assert ended.value.code == 1
     assert said.startswith(f"rhw.dataset: {address}: no scheduler answers: ") and said.count("\n") == 1

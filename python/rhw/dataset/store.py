@@ -54,6 +54,8 @@ def read(path: str) -> Dict[str, Any]:
         value = json.loads(data)
     except ValueError as error:
         raise Failure(f"{path}: is not JSON: {error}") from None
+    except RecursionError:
+        raise Failure(f"{path}: is damaged: lists in lists without end") from None
     if not isinstance(value, dict):
         raise Failure(f"{path}: must be a JSON object")
     return value
