@@ -3,6 +3,7 @@
 
 import hashlib
 import json
+import os
 import struct
 import subprocess
 import sys
@@ -65,6 +66,21 @@ def wait_for(condition, what, seconds=60):
     while not condition():
         assert time.monotonic() < end, f"{what} did not happen"
         time.sleep(0.002)
+
+
+def held(folder, asked, first):
+    """Begins a data set whose pictures from one on are not there until `let_go`: who comes to one waits, however long."""
+    run(*asked, "--out", folder, "--shard", "1/40")
+    for view in range(first, 40):
+        os.mkfifo(folder / f"boxes/{view:04}.png")
+
+
+def let_go(folder):
+    for path in (folder / "boxes").iterdir():
+        if path.is_fifo():
+            end = os.open(path, os.O_RDWR)
+            path.unlink()
+            os.close(end)
 
 
 def read_png(path):

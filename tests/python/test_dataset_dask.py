@@ -11,7 +11,7 @@ import time
 import pytest
 
 from conftest import SANITIZED
-from dataset_runs import files, finished, records, run, start, wait_for
+from dataset_runs import files, finished, held, let_go, records, run, start, wait_for
 from rhw.dataset import cluster as cluster_module
 from rhw.dataset.main import main
 
@@ -64,10 +64,12 @@ def whole(tmp_path_factory, boxes):
 
 
 def test_a_worker_is_killed(whole, boxes, tmp_path, cluster):
+    held(tmp_path / "set", (boxes, *SLOW), 20)
     process = start(boxes, *SLOW, "--out", tmp_path / "set", "--scheduler", cluster.address)
     wait_for(lambda: len(records(tmp_path / "set")) >= 6, "the sixth view")
     cluster.workers[0].send_signal(signal.SIGKILL)
     there = len(records(tmp_path / "set"))
+    let_go(tmp_path / "set")
     said = process.communicate(timeout=60)
     assert process.returncode == 0 and there < 40, said
     assert said[1] == ""
