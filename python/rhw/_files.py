@@ -20,13 +20,14 @@ def replacing(path: Path) -> Iterator[BinaryIO]:
     temporary = os.path.join(os.path.dirname(target), TEMPORARY + secrets.token_hex(8))
     try:
         # What others may do with it is the system's to say: to ask for the process's mask is to change it for other threads.
-        handle = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
+        file = open(temporary, "xb")
         try:
-            with os.fdopen(handle, "wb") as file:
+            with file:
                 yield file
             os.replace(temporary, target)
         except BaseException:
-            os.unlink(temporary)
+            with contextlib.suppress(FileNotFoundError):
+                os.unlink(temporary)
             raise
     except OSError as error:
         if error.errno is None:

@@ -3,6 +3,7 @@
 
 import hashlib
 import json
+import os
 import struct
 import subprocess
 import sys
@@ -44,6 +45,11 @@ def files(folder):
             for path in sorted(Path(folder).rglob("*")) if path.is_file()}
 
 
+def finished(folder):
+    """Those but for what killed processes had begun to write, which is kept for an hour."""
+    return {name: sha for name, sha in files(folder).items() if not Path(name).name.startswith(".rhw-")}
+
+
 def marks(folder):
     """What changes when a file is written again."""
     return {str(path.relative_to(folder)): (path.stat().st_ino, path.stat().st_mtime_ns)
@@ -60,6 +66,21 @@ def wait_for(condition, what, seconds=60):
     while not condition():
         assert time.monotonic() < end, f"{what} did not happen"
         time.sleep(0.002)
+
+
+def held(folder, asked, first):
+    """Begins a data set whose pictures from one on are not there until `let_go`: who comes to one waits, however long."""
+    run(*asked, "--out", folder, "--shard", "1/40")
+    for view in range(first, 40):
+        os.mkfifo(folder / f"boxes/{view:04}.png")
+
+
+def let_go(folder):
+    for path in (folder / "boxes").iterdir():
+        if path.is_fifo():
+            end = os.open(path, os.O_RDWR)
+            path.unlink()
+            os.close(end)
 
 
 def read_png(path):

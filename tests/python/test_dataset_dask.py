@@ -11,7 +11,7 @@ import time
 import pytest
 
 from conftest import SANITIZED
-from dataset_runs import files, records, run, start, wait_for
+from dataset_runs import files, finished, held, let_go, records, run, start, wait_for
 from rhw.dataset import cluster as cluster_module
 from rhw.dataset.main import main
 
@@ -64,14 +64,16 @@ def whole(tmp_path_factory, boxes):
 
 
 def test_a_worker_is_killed(whole, boxes, tmp_path, cluster):
+    held(tmp_path / "set", (boxes, *SLOW), 20)
     process = start(boxes, *SLOW, "--out", tmp_path / "set", "--scheduler", cluster.address)
     wait_for(lambda: len(records(tmp_path / "set")) >= 6, "the sixth view")
     cluster.workers[0].send_signal(signal.SIGKILL)
     there = len(records(tmp_path / "set"))
+    let_go(tmp_path / "set")
     said = process.communicate(timeout=60)
     assert process.returncode == 0 and there < 40, said
     assert said[1] == ""
-    assert files(tmp_path / "set") == whole
+    assert finished(tmp_path / "set") == whole
     run("--verify", tmp_path / "set")
 
 
@@ -87,7 +89,7 @@ def test_the_scheduler_is_lost(whole, boxes, tmp_path, cluster):
         worker.kill()
         worker.wait()
     run(boxes, *SLOW, "--out", tmp_path / "set")
-    assert files(tmp_path / "set") == whole
+    assert finished(tmp_path / "set") == whole
 
 
 def test_ended_and_begun_again(whole, boxes, tmp_path, cluster):
@@ -99,7 +101,7 @@ def test_ended_and_begun_again(whole, boxes, tmp_path, cluster):
     process.communicate(timeout=30)
     assert process.returncode == -signal.SIGINT and time.monotonic() - sent < 5
     run(boxes, *SLOW, "--out", tmp_path / "set", "--scheduler", cluster.address)
-    assert files(tmp_path / "set") == whole
+    assert finished(tmp_path / "set") == whole
 
 
 def test_workers_keep_nothing_of_another_data_set(boxes, tmp_path, cluster):
@@ -129,7 +131,7 @@ def test_no_scheduler(boxes, tmp_path, monkeypatch, capsys, address):
     monkeypatch.setattr(cluster_module, "_CONNECT_SECONDS", 0.5)
     with pytest.raises(SystemExit) as ended:
         main([str(boxes), "--out", str(tmp_path / "set"), "--scheduler", address])
-    logging.disable(logging.NOTSET)
+    assert logging.root.manager.disable == logging.NOTSET
     said = capsys.readouterr().err
     assert ended.value.code == 1
     assert said.startswith(f"rhw.dataset: {address}: no scheduler answers: ") and said.count("\n") == 1

@@ -10,6 +10,7 @@ import pytest
 
 from dataset_runs import files, manifest, run
 from rhw.dataset.main import main
+from rhw.dataset.plan import name_models
 
 POSE = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]]
 
@@ -78,6 +79,8 @@ def test_a_wrong_command_line(arguments, line, tmp_path, monkeypatch, capsys):
     ({"frames": [{"transform_matrix": POSE}]}, "frames[0]: fl_x or camera_angle_x: must say what the lens is"),
     ({"fl_x": 9, "k1": 0.1, "frames": [{"transform_matrix": POSE}]}, "frames[0]: k1: distortion of a lens is not drawn"),
     ({"fl_x": 9, "w": 10, "h": 20, "frames": [{"transform_matrix": POSE}]}, "w, h: are 10, 20, which is no scaled 64, 48"),
+    ({"fl_x": 9, "w": 0, "h": 0, "frames": [{"transform_matrix": POSE}]}, "w: must be a number from 1 to 16384, not 0"),
+    ("[" * 100000, "c.json: is damaged"),
     ({"fl_x": float("nan"), "frames": [{"transform_matrix": POSE}]}, "fl_x: must be a number"),
     ({"camera_angle_x": 4, "frames": [{"transform_matrix": POSE}]}, "camera_angle_x: must be a number from 0.0001 to 3.1, not 4"),
 ])
@@ -178,6 +181,24 @@ def test_a_damaged_folder(boxes, tmp_path, capsys, name, line):
     for damaged in ("{}", '{"format": "rhw.dataset 1"}', '{"format": "rhw.dataset 1", "models": [7]}'):
         (out / "manifest.json").write_text(damaged)
         assert say(capsys, "--verify", out)[1].count("\n") == 1
+
+
+@pytest.mark.parametrize("name, text", [(".rhw/plan.json", '{"format": "rhw.dataset 1"}'), (".rhw/boxes/0000.json", "{}"),
+                                        (".rhw/boxes/0000.json", '{"fx": 1.0, "files": {}}')])
+def test_damaged_parts_of_a_folder(boxes, tmp_path, capsys, name, text):
+    asked = (boxes, "--views", 1, "--size", 20, "--out", tmp_path / "set")
+    run(*asked)
+    (tmp_path / "set" / name).write_text(text)
+    status, said = say(capsys, *asked)
+    assert status == 1 and said.startswith(f"rhw.dataset: {tmp_path}/set/{name}: is damaged") and said.count("\n") == 1
+
+
+def test_names_of_models(tmp_path, capsys):
+    """No names of the folder's own files, and none that JSON cannot have."""
+    asked = ["plan.json.obj", "a/manifest.json.obj", "manifest.json.new.obj", "plan.obj"]
+    assert [name for name, _ in name_models(asked)] == ["manifest.json.new_", "manifest.json_", "plan", "plan.json_"]
+    status, said = say(capsys, "m\udcff.obj", "--out", tmp_path / "o")
+    assert status == 2 and said == "rhw.dataset: 'm\\udcff.obj': the names of models must be UTF-8\n"
 
 
 def test_a_place_that_cannot_be_written(boxes, tmp_path, capsys):

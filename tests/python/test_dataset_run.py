@@ -6,11 +6,13 @@ import pty
 import shutil
 import signal
 import subprocess
+import threading
 import time
 
 import pytest
 
-from dataset_runs import command, files, manifest, marks, records, run, start, wait_for
+from dataset_runs import command, files, held, let_go, manifest, marks, records, run, start, wait_for
+from rhw.dataset import local
 
 #: Slow enough to be ended in the middle.
 SLOW = ("--views", 40, "--size", 160, "--samples", 16, "--outputs", "color,distance,object:png,triangle:npz")
@@ -26,12 +28,13 @@ def whole(tmp_path_factory, boxes):
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGINT, signal.SIGTERM])
 def test_ended_and_begun_again(whole, boxes, tmp_path, number):
+    held(tmp_path / "set", (boxes, *SLOW), 20)
     process = start(boxes, *SLOW, "--out", tmp_path / "set")
     wait_for(lambda: len(records(tmp_path / "set")) >= 6, "the sixth view")
-    sent = time.monotonic()
     process.send_signal(number)
-    said = process.communicate(timeout=30)[1]
-    assert process.returncode == -number and time.monotonic() - sent < 5
+    said = process.communicate(timeout=60)[1]
+    let_go(tmp_path / "set")
+    assert process.returncode == -number
     assert said == ("rhw.dataset: ended; the same command goes on from here\n" if number == signal.SIGINT else "")
     there, before = files(tmp_path / "set"), marks(tmp_path / "set")
     assert 6 <= len(records(tmp_path / "set")) < 40 and "manifest.json" not in there
@@ -40,6 +43,8 @@ def test_ended_and_begun_again(whole, boxes, tmp_path, number):
     assert named.items() <= whole.items()
     assert "is not finished" in run("--verify", tmp_path / "set", status=1)
 
+    for path in (tmp_path / "set").rglob(".rhw-*"):
+        os.utime(path, (time.time() - 7200,) * 2)
     run(boxes, *SLOW, "--out", tmp_path / "set")
     assert files(tmp_path / "set") == whole  # nothing half is left
     after = marks(tmp_path / "set")
@@ -89,6 +94,44 @@ def test_from_elsewhere(whole, boxes, tmp_path, monkeypatch):
     run("boxes.obj", *SLOW, "--out", os.path.relpath(tmp_path / "set"))
     assert files(tmp_path / "set") == whole
     assert manifest(tmp_path / "set")["models"][0]["path"] == str(boxes)
+
+
+def test_equal_commands_at_once(boxes, tmp_path):
+    """Each finishes a folder that is finished; what a living process is at stays, what was left long ago goes."""
+    asked = (boxes, "--views", 3, "--size", 20, "--out", tmp_path / "set")
+    run(*asked)
+    before = marks(tmp_path / "set")
+    young, old = (tmp_path / "set/boxes" / f".rhw-{age}" for age in ("young", "old"))
+    young.write_text("half")
+    old.write_text("half")
+    os.utime(old, (time.time() - 7200,) * 2)
+    for process in [start(*asked) for _ in range(3)]:
+        said = process.communicate(timeout=300)
+        assert process.returncode == 0, said
+    assert young.exists() and not old.exists()
+    young.unlink()
+    assert marks(tmp_path / "set") == before
+
+
+def test_a_worker_raises(monkeypatch):
+    """The others are waited for, and begin nothing more."""
+    drawn, begun = [], threading.Event()
+
+    def draw(task):
+        if task == 0:
+            begun.wait()
+            raise MemoryError
+        begun.set()
+        time.sleep(0.2)
+        drawn.append(task)
+
+    monkeypatch.setattr(local, "draw", draw)
+    with pytest.raises(MemoryError):
+        list(local.draw_all(range(100), 2))
+    there = len(drawn)
+    assert 1 <= there < 99
+    time.sleep(0.3)
+    assert len(drawn) == there
 
 
 def test_verify(boxes, tmp_path):

@@ -53,6 +53,10 @@ def made(faces=F, node=0, last=()):
     return _rhw.make("m", 0, (("mesh", 3, True, 0, V, None, None, None, faces),), (MATERIAL,), (), (("n", node, WORLD), *last))
 
 
+def bad_camera():
+    _rhw.Scene(context, model._model).draw((8, 8), 1, 1, NOBODY, 0, 0, 0, 0, (0, 0, 0), 0, True, True, False, 0, 0, 0.0, 1, None, 0.0)
+
+
 def torn_pass():
     target = {"color": Texture(64)}
     with Pass(target) as draw:
@@ -76,7 +80,6 @@ def torn_pass():
     (300, lambda: _rhw.pipeline(context, (2, -1, -1, -1), False, 0, 0, 0, True, 0, True, False, ((0, 3), (9, 3)))),
     (300, lambda: _rhw.Pass(context, (0, 0), 1, (), True, None, False, 1.0)),
     (300, torn_pass),
-    (100, lambda: _rhw.Scene(context, model._model).draw((8, 8), 1, 1, NOBODY, 0, 0, 0, 0, (0, 0, 0), 0, True, True, False, 0, 0, 0.0, 1)),
     (300, lambda: rhw.write_png("/nowhere/x.png", np.zeros((99, 99, 3), np.uint8))),
     (300, lambda: _rhw.encode_output("x", {"color": V}, (8, 8), 0, 8, False, (0.0,) * 3, (1.0,) * 3)),
     (300, lambda: _rhw.encode_exr("x", {}, (8, 8), 1, NOBODY, model._model, 1)),
@@ -85,6 +88,10 @@ def torn_pass():
 ])
 def test_what_fails(times, call):
     check(times, call, fails=True)
+
+
+def test_a_bad_camera():
+    check(100, bad_camera, fails=True, word="field of view")
 
 
 def whole_chain():
@@ -115,12 +122,14 @@ def test_what_ends(times, call):
     check(times, call, fails=False)
 
 
-def check(times, call, fails):
+def check(times, call, fails, word=""):
+    """word: of what an error must say."""
     def once():
         try:
             call()
             failed = False
-        except (ValueError, TypeError, OSError, MemoryError, rhw.Error):
+        except (ValueError, TypeError, OSError, MemoryError, rhw.Error) as error:
+            assert word in str(error)
             failed = True
         assert failed == fails
 

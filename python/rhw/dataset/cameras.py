@@ -214,7 +214,7 @@ def _shot(about: Dict[str, Any], frame: Any, name: str, size: Tuple[int, int]) -
 
 def _lens(lens: Dict[str, float], name: str, size: Tuple[int, int]) -> Tuple[float, float, float, float]:
     """Of a picture of that size: the file's lens, scaled."""
-    width, height = lens.get("w", float(size[0])), lens.get("h", float(size[1]))
+    width, height = (_number(lens.get(key, side), f"{name}: {key}", 1, 16384) for key, side in zip(("w", "h"), size))
     if width * size[1] != height * size[0]:
         raise Failure(f"{name}: w, h: are {width:g}, {height:g}, which is no scaled {size[0]}, {size[1]}")
     scale = size[0] / width

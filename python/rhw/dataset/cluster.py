@@ -31,7 +31,15 @@ def draw_all(tasks: Sequence[Task], address: str) -> Generator[Done, None, None]
         distributed: Any = importlib.import_module("distributed")
     except ImportError:
         raise Failure("--scheduler: Dask distributed is not installed (Debian: python3-distributed)") from None
+    before = logging.root.manager.disable
     logging.disable()  # what is lost is told here, in one line
+    try:
+        yield from _draw_by(distributed, tasks, address)
+    finally:
+        logging.disable(before)
+
+
+def _draw_by(distributed: Any, tasks: Sequence[Task], address: str) -> Generator[Done, None, None]:
     try:
         client = distributed.Client(address, timeout=_CONNECT_SECONDS)
     except (OSError, ValueError, TypeError) as error:

@@ -29,7 +29,7 @@ def share(threads: int) -> Tuple[int, int]:
 
 
 def draw_all(tasks: Sequence[Task], at_once: int) -> Generator[Done, None, None]:
-    """Does the tasks in about their order. A generator that is closed waits for those that are under way."""
+    """Does the tasks in about their order. Where it is closed or one raises, it waits for those under way."""
     waiting: "queue.SimpleQueue[Task]" = queue.SimpleQueue()
     done: "queue.SimpleQueue[Union[Done, BaseException]]" = queue.SimpleQueue()
     for task in tasks:
@@ -54,7 +54,9 @@ def draw_all(tasks: Sequence[Task], at_once: int) -> Generator[Done, None, None]
             if isinstance(found, BaseException):
                 raise found
             yield found
-    except GeneratorExit:
+    except KeyboardInterrupt:  # ends the process, which waits for nobody
+        raise
+    except BaseException:
         stopped.set()
         for worker in workers:
             worker.join()

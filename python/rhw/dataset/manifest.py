@@ -7,6 +7,7 @@ are.
 
 from __future__ import annotations
 
+import contextlib
 import filecmp
 import json
 import os
@@ -70,14 +71,16 @@ def write(folder: str, plan: Plan, paths: Sequence[str], skipped: Dict[int, str]
         raise Failure(f"{folder}: no model can be drawn")
     store.sweep(folder, [plan.models[number][0] for number in kept])
     target = store.manifest_path(folder)
-    beside = target + ".new"
-    with _files.replacing(beside) as file:
+    with contextlib.suppress(_Same), _files.replacing(target) as file:
         _write(file, folder, plan, kept)
-    if os.path.exists(target) and filecmp.cmp(beside, target, shallow=False):
-        os.unlink(beside)
-    else:
-        os.replace(beside, target)
+        file.flush()
+        if os.path.exists(target) and filecmp.cmp(file.name, target, shallow=False):
+            raise _Same
     return f": {target}"
+
+
+class _Same(Exception):
+    """What was written is there already."""
 
 
 def _check_model(folder: str, name: str, path: str) -> None:
@@ -95,7 +98,17 @@ def _records(folder: str, plan: Plan, number: int) -> Iterator[Dict[str, Any]]:
         names = plan.names(view)
         if not store.has(folder, name, names):
             raise Failure(f"{folder}: view {plan.view_name(view)} of {name} is missing; the same command draws it")
-        yield store.read(os.path.join(store.places(folder, name)[1], names.record))
+        path = os.path.join(store.places(folder, name)[1], names.record)
+        record = store.read(path)
+        if not _is_record(record):
+            raise Failure(f"{path}: is damaged; without it, the same command draws the view again")
+        yield record
+
+
+def _is_record(record: Dict[str, Any]) -> bool:
+    numbers = all(isinstance(record.get(key), float) for key in ("fx", "fy", "cx", "cy"))
+    tables = all(isinstance(record.get(key), dict) and record[key] for key in ("files", "sha256"))
+    return numbers and tables and "camera_to_world" in record and "name" in record
 
 
 def _write(file: BinaryIO, folder: str, plan: Plan, kept: List[int]) -> None:

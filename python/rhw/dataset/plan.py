@@ -12,7 +12,7 @@ import os
 from dataclasses import dataclass
 from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple
 
-from .. import _rhw
+from .. import _arrays, _rhw
 from . import store
 from .cameras import Cameras, cameras_from
 from .errors import Failure, Mistake
@@ -24,6 +24,10 @@ FORMATS = {"color": ("png", "npz"), "linear": ("exr", "npz"), "display": ("npz",
            "distance": ("exr", "npz"), "normal": ("exr", "npz", "png"), "position": ("exr", "npz"),
            "uv": ("exr", "npz"), "object": ("exr", "npz", "png"), "triangle": ("exr", "npz", "png"),
            "barycentric": ("exr", "npz")}
+
+
+#: What the folder's own files are called, and were.
+_OWN = ("plan.json", "manifest.json", "manifest.json.new")
 
 
 @dataclass(frozen=True)
@@ -113,7 +117,10 @@ def read(folder: str) -> Plan:
     about = store.read(path)
     if about.get("format") != FORMAT:
         raise Failure(f"{path}: is not of {FORMAT}")
-    return Plan.from_json(about)
+    try:
+        return Plan.from_json(about)
+    except (AttributeError, IndexError, KeyError, TypeError):
+        raise Failure(f"{path}: is damaged") from None
 
 
 def _refuse_strangers(folder: str, plan: str) -> None:
@@ -132,6 +139,10 @@ def name_models(paths: Sequence[str]) -> Tuple[Tuple[str, str], ...]:
         raise Mistake(f"{twice}: is given twice")
     taken: Dict[str, str] = {}
     for path in paths:
+        try:
+            path.encode()
+        except UnicodeEncodeError:
+            raise Mistake(f"{_arrays.text(path)}: the names of models must be UTF-8") from None
         name = _name(path, parts)
         if name in taken:
             raise Mistake(f"{path}: would have the name '{name}', as {taken[name]} has")
@@ -157,4 +168,5 @@ def _name(path: str, parts: Dict[str, Tuple[str, ...]]) -> str:
         own = (os.path.basename(path), *own[1:])
         taken = 1
     joined = "-".join(reversed(own[:taken]))
-    return "".join(c if c.isprintable() and c not in "/\\" else "_" for c in joined).lstrip(".") or "model"
+    name = "".join(c if c.isprintable() and c not in "/\\" else "_" for c in joined).lstrip(".") or "model"
+    return name + "_" if name in _OWN else name

@@ -7,15 +7,19 @@ the hashes of its files, which is written after them: a view that has one is fin
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import json
 import os
+import time
 from typing import Any, Dict, Iterable, List, NamedTuple, Set, Tuple
 
 from .. import _files
 from .errors import Failure
 
 RECORDS = ".rhw"
+
+_ABANDONED_SECONDS = 3600  # others may be at what is younger
 
 
 class ViewNames(NamedTuple):
@@ -50,6 +54,8 @@ def read(path: str) -> Dict[str, Any]:
         value = json.loads(data)
     except ValueError as error:
         raise Failure(f"{path}: is not JSON: {error}") from None
+    except RecursionError:
+        raise Failure(f"{path}: is damaged: lists in lists without end") from None
     if not isinstance(value, dict):
         raise Failure(f"{path}: must be a JSON object")
     return value
@@ -103,4 +109,7 @@ def sweep(folder: str, names: Iterable[str]) -> None:
     for place in (folder, os.path.join(folder, RECORDS), *(place for name in names for place in places(folder, name))):
         for file in os.listdir(place):
             if file.startswith(_files.TEMPORARY):
-                os.unlink(os.path.join(place, file))
+                path = os.path.join(place, file)
+                with contextlib.suppress(FileNotFoundError):  # of another that sweeps, or that has finished it
+                    if time.time() - os.stat(path).st_mtime > _ABANDONED_SECONDS:
+                        os.unlink(path)
