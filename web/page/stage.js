@@ -39,6 +39,7 @@ const middle = (times) => [...times].sort((a, b) => a - b)[times.length >> 1];
 export class Stage {
   #modules = []; // {functions: name without "stage_" → function, buffer: () => its memory, threads, times}
   #module; // of them, the one that is told and asked
+  #settled; // the one that goes on when the next picture begins
   #trying = false;
   #names;
   #lines = new Map(); // by what they set, in the order of setting
@@ -49,7 +50,8 @@ export class Stage {
     let exports;
     exports = (await WebAssembly.instantiate(module, surroundings(() => exports.memory))).exports;
     exports._initialize();
-    stage.#add((name) => exports[`stage_${name}`], () => exports.memory.buffer, 1);
+    stage.#open((name) => exports[`stage_${name}`], () => exports.memory.buffer, 1);
+    stage.#modules.push(stage.#module);
     stage.#names = stage.#text(stage.#call('number_names')).split(',');
     return stage;
   }
@@ -59,15 +61,18 @@ export class Stage {
     const { default: create } = await import('./stage-threads.js');
     const module = await create({ helpThreads: threads - 1 });
     const before = this.#module;
-    this.#add((name) => module[`_stage_${name}`], () => module.HEAPU8.buffer, threads);
-    this.#call('resize', this.#lines.get('resize').slice(1)); // all else is told anew for every picture
-    this.#module = before;
+    try {
+      this.#open((name) => module[`_stage_${name}`], () => module.HEAPU8.buffer, threads);
+      this.#check(this.#call('resize', this.#lines.get('resize').slice(1))); // all else is told anew for every picture
+      this.#modules.push(this.#module);
+    } finally {
+      this.#module = before;
+    }
     this.#trying = true;
   }
 
-  #add(functions, buffer, threads) {
+  #open(functions, buffer, threads) {
     this.#module = { functions, buffer, threads, times: [] };
-    this.#modules.push(this.#module);
     this.#check(this.#call('open', [threads]));
   }
 
@@ -79,13 +84,10 @@ export class Stage {
     return Math.max(...this.#modules.map(({ threads }) => threads));
   }
 
-  /** Goes on with so many threads, one or the most. */
+  /** Goes on with so many threads, one or the most, from the next picture on: only this module knows the one that is shown. */
   settle(threads) {
     this.#trying = false;
-    this.#module = this.#modules.find((module) => module.threads === threads);
-    if (this.#lines.has('resize')) {
-      this.#call('resize', this.#lines.get('resize').slice(1));
-    }
+    this.#settled = this.#modules.find((module) => module.threads === threads);
   }
 
   // After a picture that took so long.
@@ -121,6 +123,8 @@ export class Stage {
   resize(width, height, samples) {
     if (this.#trying) { // a picture begins: the turn of the one that drew less
       this.#module = [...this.#modules].sort((a, b) => a.times.length - b.times.length)[0];
+    } else if (this.#settled) {
+      this.#module = this.#settled;
     }
     this.#lines.set('resize', ['resize', width, height, samples]);
     this.width = width;

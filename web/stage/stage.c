@@ -40,6 +40,7 @@ static struct {
     uint8_t *pixels;
     double clip[4];
     double numbers[STAGE_MAX_NUMBERS];
+    double *world; // of the numbers, those by way of the world
     bool has_numbers;
     enum stage_method method; // of the fragment that has them
     char error[160];
@@ -385,10 +386,10 @@ static void note(void *user, const struct rhw_explained_fragment *fragment)
     }
     if (question->told == STAGE_TOLD_COLOR) {
         stage.method = stage.triangles[fragment->draw].method;
-        stage_explain_numbers(fragment, (int)stage.method, stage.numbers);
+        stage.world = stage.numbers + stage_explain_numbers(fragment, (int)stage.method, stage.numbers);
         stage.has_numbers = true;
     } else {
-        stage_explain_told(fragment, (int)question->told, stage.numbers);
+        stage_explain_told(fragment, (int)question->told, stage.world);
     }
 }
 

@@ -18,7 +18,7 @@ const char *stage_number_names(void)
            "method,world_x,world_y,world_z,world_a,world_b,world_c,world_u,world_v,world_green";
 }
 
-enum { FIRST_WORLD_NUMBER = 59, WORLD_NUMBERS = 9 }; // of the names
+enum { WORLD_NUMBERS = 9 }; // the last names
 
 struct list {
     double *numbers;
@@ -75,14 +75,15 @@ int stage_explain_numbers(const struct rhw_explained_fragment *f, int method,
     add_floats(&list, f->varyings, STAGE_COMPONENTS);
     add_floats(&list, f->output[0], 3);
     add(&list, method);
+    const int world = list.count;
     for (int i = 0; i < WORLD_NUMBERS; i++) {
         add(&list, (double)NAN);
     }
-    return list.count;
+    return world;
 }
 
-void stage_explain_told(const struct rhw_explained_fragment *f, int told, double numbers[STAGE_MAX_NUMBERS])
+void stage_explain_told(const struct rhw_explained_fragment *f, int told, double *world)
 {
-    struct list list = {.numbers = numbers, .count = FIRST_WORLD_NUMBER + 3 * (told - STAGE_TOLD_POINT)};
+    struct list list = {.numbers = world, .count = 3 * (told - STAGE_TOLD_POINT)};
     add_floats(&list, f->output[0], 3);
 }

@@ -8,11 +8,10 @@
 
 enum { STAGE_MAX_NUMBERS = 80 };
 
-/// See stage_number_names. `method`: enum stage_method.
+/// See stage_number_names. `method`: enum stage_method. Returns where the numbers by way of the world begin, without values.
 int stage_explain_numbers(const struct rhw_explained_fragment *fragment, int method,
                           double numbers[STAGE_MAX_NUMBERS]);
-/// Adds what a fragment told by way of the world; `told`: enum stage_told.
-void stage_explain_told(const struct rhw_explained_fragment *fragment, int told,
-                        double numbers[STAGE_MAX_NUMBERS]);
+/// Sets what a fragment told by way of the world, in the numbers that begin at `world`; `told`: enum stage_told.
+void stage_explain_told(const struct rhw_explained_fragment *fragment, int told, double *world);
 
 #endif
