@@ -54,12 +54,16 @@ def _draw_by(distributed: Any, tasks: Sequence[Task], address: str) -> Generator
 
 def _result(future: Any, task: Task, address: str) -> Done:
     """What a task came to; what its worker raised, or that it was lost, as its failure."""
+    lost = Done(task, failed=f"{address}: the scheduler is lost")
     if future.status == "finished":
-        found = future.result()
+        try:
+            found = future.result()
+        except OSError:  # lost while it was handing the result over
+            return lost
         assert isinstance(found, Done)
         return found
     if future.status in ("cancelled", "lost"):
-        return Done(task, failed=f"{address}: the scheduler is lost")
+        return lost
     error = future.exception()
     if isinstance(error, ImportError):
         return Done(task, failed=f"{address}: a worker cannot import this rhw: {_line(error)}")
