@@ -37,6 +37,21 @@ static const struct {
     {"spz", "Gaussian splats (SPZ)"},
 };
 
+// What is no model, whatever its name says; a reader would complain of details.
+static const struct {
+    const char *mark, *name;
+} others[] = {
+    {"\x89PNG\r\n", "a PNG picture"},
+    {"\xff\xd8\xff", "a JPEG picture"},
+    {"GIF8", "a GIF picture"},
+    {"%PDF-", "a PDF document"},
+    {"\x7f"
+     "ELF",
+     "a program"},
+    {"<!DOCTYPE html", "a web page"},
+    {"<html", "a web page"},
+};
+
 static struct beginning look(struct scene_import *import)
 {
     struct beginning start = {.count = 0};
@@ -61,6 +76,15 @@ static const char *find_ending(const struct scene_import *import, const struct b
 {
     const char *slash = strrchr(import->name, '/'), *dot = strrchr(slash == NULL ? import->name : slash, '.');
     return dot != NULL ? dot + 1 : begins_with(start, "Kaydara FBX") ? "fbx" : "";
+}
+
+static void refuse_others(struct scene_import *import, const struct beginning *start)
+{
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
+        if (begins_with(start, others[i].mark)) {
+            scene_import_fail(import, "is no model but %s", others[i].name);
+        }
+    }
 }
 
 static void refuse_unread(struct scene_import *import, const struct beginning *start)
@@ -115,6 +139,7 @@ void scene_import_read(struct scene_import *import)
     const struct beginning start = look(import);
     import->ending = find_ending(import, &start);
     const bool nameless = import->ending[0] == 0;
+    refuse_others(import, &start);
     if (scene_import_is_gltf(import->name, start.bytes, start.count) ||
         (nameless && looks_like_json(&start))) {
         scene_import_gltf(import);

@@ -119,11 +119,17 @@ check "the texels are that too" sh -c "grep -Eq '\"texels\": \[\[\[0.033[0-9]*, 
 succeed explain tile.obj --at 80,100 $look
 check "level and texels" grep -Eq '^    base color +level [0-9.]+; level [0-4] has [0-9]+x[0-9]+ texels' "$folder/log/out"
 
+# Beyond the edge.
+sed 's/map_Kd/& -clamp on/' tile.mtl >clamp.mtl
+sed 's/tile.mtl/clamp.mtl/; s/^vt 1/vt 9/' tile.obj >clamp.obj
+succeed explain clamp.obj --at 80,100 $look
+check "held at the edge" grep -Eq '^ *that is \(15\.000, [0-9.]+\), as u stays at the edge$' "$folder/log/out"
+
 # Shares of the four texels make what sampling gives, where one level is read.
 box=/usr/share/assimp/models/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb
 if [ -f $box ] && command -v python3 >/dev/null 2>&1; then
     succeed explain $box --at 600,317
-    check "a place beyond the edge" grep -q 'beyond the edge, where it repeats' "$folder/log/out"
+    check "a place beyond the edge" grep -q '^ *that is (79.236, 76.475), as u repeats$' "$folder/log/out"
     succeed explain $box --at 600,317 --json
     check "the shares make the texel" python3 - "$folder/log/out" <<'PY'
 import json, math, sys

@@ -48,4 +48,17 @@ check "JSON" grep -q '"double_sided": false, "clearcoat": 0.5, "sheen_color": \[
     "$folder/log/out"
 check "JSON without layers" grep -q '"plain".*"double_sided": false}' "$folder/log/out"
 
+# Samplers, where they are not linear and repeating.
+printf 'P6\n1 1\n255\nabc' >dot.ppm
+sed 's/{"name": "plain"}\],/{"name": "plain", "emissiveTexture": {"index": 0}, "normalTexture": {"index": 1}, "occlusionTexture":\
+    {"index": 2}}], "images": [{"uri": "dot.ppm"}], "textures": [{"source": 0}, {"source": 0, "sampler": 0},\
+    {"source": 0, "sampler": 1}], "samplers": [{"magFilter": 9728, "minFilter": 9729, "wrapS": 33648, "wrapT": 33071},\
+    {"wrapS": 33071, "wrapT": 33071}],/' layers.gltf >sampled.gltf
+run info sampled.gltf
+check "samplers" grep -q "normal image 0 (nearest, no mip levels, mirror, clamp), occlusion image 0 (clamp), emissive image 0  \"plain\"$" \
+    "$folder/log/out"
+run info --json sampled.gltf
+check "JSON of a sampler" grep -q '"normal_image": 0, "normal_sampler": {"min": "linear", "mag": "nearest", "mip": "none", "u": "mirror", "v": "clamp"}' \
+    "$folder/log/out"
+
 finish

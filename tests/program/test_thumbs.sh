@@ -48,4 +48,11 @@ refuse 2 "thumbs: expected DIR -o OUT" thumbs -o out
 refuse 2 "--jobs: '0' is not a number of 1 to 64" thumbs in -o out --jobs 0
 refuse 1 "nowhere: cannot be read: No such file or directory" thumbs nowhere -o out -q
 refuse 1 "cube.obj: cannot be made: Not a directory" thumbs in -o cube.obj -q
+# A folder without a model is a mistake, most likely.
+mkdir -p none/deeper
+echo text >none/deeper/notes.txt
+run thumbs none -o none-out
+check "no model: status" test "$status" = 1
+check "no model: says so" grep -q '^rhw: none: has no file whose name is that of a model$' "$folder/log/err"
+
 finish

@@ -170,13 +170,46 @@ static void print_texels(FILE *out, const struct scene_texture_look *look, int n
     }
 }
 
-static bool is_beyond(const struct scene_texture_look *look)
+// Where the sampler's address mode reads, of a place in texels beyond the edge; and what the mode does, in a word.
+static double wrap(enum rhw_address address, double place, double side, const char **does)
 {
-    return look->uv[0] < 0.0f || look->uv[0] > 1.0f || look->uv[1] < 0.0f || look->uv[1] > 1.0f;
+    static const char *const words[] = {"repeats", "is mirrored", "stays at the edge",
+                                        "has the border's color", "is mirrored once"};
+    const double last = side - 1.0, period = place + 0.5 - side * floor((place + 0.5) / side) - 0.5;
+    *does = words[address];
+    switch (address) {
+    case RHW_ADDRESS_REPEAT: return period;
+    case RHW_ADDRESS_MIRROR: return fmod(floor((place + 0.5) / side), 2.0) != 0.0 ? last - period : period;
+    case RHW_ADDRESS_CLAMP: return fmin(fmax(place, 0.0), last);
+    case RHW_ADDRESS_MIRROR_ONCE: return fmin(fmax(fabs(place + 0.5) - 0.5, 0.0), last);
+    case RHW_ADDRESS_BORDER: return place;
+    }
+    return place;
 }
 
-static void print_textures(FILE *out, const struct cli_past_fragment *past)
+// Of a place beyond the edge: the one inside that it stands for, and why.
+static void print_wrapped(FILE *out, const struct scene_texture_look *look,
+                          const struct scene_texture_slot *slot)
 {
+    const double side[2] = {look->width, look->height};
+    const enum rhw_address address[2] = {slot->address_u, slot->address_v};
+    double inside[2];
+    const char *does[2] = {NULL, NULL};
+    for (int i = 0; i < 2; i++) {
+        const bool is_beyond = look->uv[i] < 0.0f || look->uv[i] > 1.0f;
+        inside[i] =
+            is_beyond ? wrap(address[i], (double)look->place[i], side[i], &does[i]) : (double)look->place[i];
+    }
+    if (does[0] || does[1]) {
+        fprintf(out, "\n    %20s that is (%.3f, %.3f), as ", "", inside[0], inside[1]);
+        fprintf(out, "%s%s%s%s%s", does[0] ? "u " : "", does[0] ? does[0] : "",
+                does[0] && does[1] ? " and " : "", does[1] ? "v " : "", does[1] ? does[1] : "");
+    }
+}
+
+static void print_textures(FILE *out, const struct cli_past_fragment *past, const struct scene_model *model)
+{
+    const struct scene_material *const material = cli_history_material(past, model);
     if (past->look_count > 0) {
         fprintf(
             out,
@@ -189,16 +222,13 @@ static void print_textures(FILE *out, const struct cli_past_fragment *past)
     }
     for (int i = 0; i < past->look_count; i++) {
         const struct scene_texture_look *const look = &past->looks[i];
-        fprintf(out,
-                "    %-20s level %.4g; level %d has %dx%d texels, and the place is (%.3f, %.3f)%s\n"
-                "    %20s gives ",
+        fprintf(out, "    %-20s level %.4g; level %d has %dx%d texels, and the place is (%.3f, %.3f)",
                 scene_slot_name(look->slot), (double)look->level, (int)look->level, look->width, look->height,
-                (double)look->place[0], (double)look->place[1],
-                is_beyond(look)
-                    ? ",\n                         beyond the edge, where it repeats or goes on as the "
-                      "file says"
-                    : "",
-                "");
+                (double)look->place[0], (double)look->place[1]);
+        if (material) {
+            print_wrapped(out, look, &material->slots[look->slot]);
+        }
+        fprintf(out, "\n    %20s gives ", "");
         print_color(out, look->texel);
         fprintf(out, "\n");
         print_texels(out, look, 0);
@@ -258,7 +288,7 @@ static void print_derivation(FILE *out, const struct cli_explanation *e, const s
     }
     fprintf(out, "\nDepth is linear on the screen: Z_P/W_P = %.9g at the sample.\n", (double)f->depth);
     print_components(out, past, &weights);
-    print_textures(out, past);
+    print_textures(out, past, e->model);
     cli_exact_weights_free(&weights);
 }
 

@@ -98,3 +98,10 @@ const char *cli_history_subject(const struct cli_past_fragment *fragment, const 
            : model->instances[instance].name  ? model->instances[instance].name
                                               : "";
 }
+
+const struct scene_material *cli_history_material(const struct cli_past_fragment *fragment,
+                                                  const struct scene_model *model)
+{
+    const int32_t instance = fragment->drawn.instance;
+    return instance < 0 ? NULL : &model->materials[model->meshes[model->instances[instance].mesh].material];
+}

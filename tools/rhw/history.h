@@ -31,5 +31,8 @@ void cli_history_free(struct cli_history *history);
 const char *cli_fate_name(enum rhw_fragment_fate fate);
 /// The node of the model that a fragment belongs to; "background" and "ground" are none.
 const char *cli_history_subject(const struct cli_past_fragment *fragment, const struct scene_model *model);
+/// Its material; NULL: the background and the ground have none of the model's.
+const struct scene_material *cli_history_material(const struct cli_past_fragment *fragment,
+                                                  const struct scene_model *model);
 
 #endif

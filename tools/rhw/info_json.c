@@ -71,6 +71,15 @@ static void json_layer(const char *name, const float *values, int count)
     }
 }
 
+static void json_sampler(const char *name, const struct scene_texture_slot *slot)
+{
+    printf(
+        ", \"%s_sampler\": {\"min\": \"%s\", \"mag\": \"%s\", \"mip\": \"%s\", \"u\": \"%s\", \"v\": \"%s\"}",
+        name, cli_filter_names[slot->min_filter], cli_filter_names[slot->mag_filter],
+        cli_mip_filter_names[slot->mip_filter], cli_address_names[slot->address_u],
+        cli_address_names[slot->address_v]);
+}
+
 static void json_materials(const struct scene_model *model)
 {
     printf(",\n  \"materials\": [");
@@ -90,6 +99,7 @@ static void json_materials(const struct scene_model *model)
         for (int k = 0; k < SCENE_SLOT_COUNT; k++) {
             if (material->slots[k].image >= 0) {
                 printf(", \"%s_image\": %" PRId32, cli_slot_names[k], material->slots[k].image);
+                json_sampler(cli_slot_names[k], &material->slots[k]);
             }
         }
         printf("}");

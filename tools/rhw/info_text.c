@@ -37,6 +37,26 @@ static void print_layer(const char *name, const float *values, int count)
     }
 }
 
+// How its texels are read, where that is not linear and repeating.
+static void print_sampler(const struct scene_texture_slot *slot)
+{
+    const char *const words[] = {slot->mag_filter != RHW_FILTER_LINEAR ? "nearest" : NULL,
+                                 slot->mip_filter == RHW_MIP_FILTER_NONE ? "no mip levels" : NULL,
+                                 slot->address_u != RHW_ADDRESS_REPEAT ? cli_address_names[slot->address_u]
+                                                                       : NULL,
+                                 slot->address_v != RHW_ADDRESS_REPEAT && slot->address_v != slot->address_u
+                                     ? cli_address_names[slot->address_v]
+                                     : NULL};
+    const char *before = " (";
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        if (words[i]) {
+            printf("%s%s", before, words[i]);
+            before = ", ";
+        }
+    }
+    printf("%s", before[0] == ',' ? ")" : "");
+}
+
 static void print_materials(const struct scene_model *model)
 {
     printf("\nmaterials: %" PRIu32 "\n", model->material_count);
@@ -60,6 +80,7 @@ static void print_materials(const struct scene_model *model)
         for (int k = 0; k < SCENE_SLOT_COUNT; k++) {
             if (material->slots[k].image >= 0) {
                 printf(", %s image %" PRId32, cli_slot_names[k], material->slots[k].image);
+                print_sampler(&material->slots[k]);
             }
         }
         printf(material->name[0] != 0 ? "  \"%s\"\n" : "%s\n", material->name);

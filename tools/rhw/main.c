@@ -13,7 +13,7 @@ static const struct {
     const char *name, *operands, *summary;
     int (*run)(int argc, char **argv);
 } verbs[] = {
-    {"render", "MODEL -o OUT", "draw a model file and write the picture", cli_render},
+    {"render", "MODEL [-o OUT]", "draw a model file and write the picture", cli_render},
     {"thumbs", "DIR -o OUT", "draw a small picture of every model in a folder", cli_thumbs},
     {"compare", "A B", "differences of two pictures, in numbers and as a picture", cli_compare},
     {"explain", "MODEL --at X,Y", "how a pixel of the picture got its value, step by step", cli_explain},

@@ -183,7 +183,7 @@ static const char notes[] =
 
 static const struct cli_verb verb = {
     .name = "render",
-    .operands = "MODEL... -o OUT",
+    .operands = "MODEL... [-o OUT]",
     .summary = "Draws model files (glTF, OBJ, PLY, STL, FBX, 3DS, Collada and more) and writes the picture.",
     .options = options,
     .option_count = (int)(sizeof options / sizeof *options),

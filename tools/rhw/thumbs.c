@@ -335,6 +335,10 @@ int cli_thumbs(int argc, char **argv)
     while (t.running > 0) {
         reap(&t);
     }
+    if (complete && t.drawn + t.kept + t.failed == 0) {
+        cli_error(t.in, "has no file whose name is that of a model");
+        return CLI_FAILED;
+    }
     if (!t.quiet) {
         printf("%d drawn, %d kept, %d failed\n", t.drawn, t.kept, t.failed);
     }
