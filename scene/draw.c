@@ -113,6 +113,7 @@ enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
         .scene = scene, .view = view, .pictures = pictures, .side = scene_view_grid_side(view)};
     draw.stats.upload_ms = scene->upload_ms;
     enum rhw_result result = RHW_ERROR_OUT_OF_MEMORY;
+    rhw_context_set_goes_on(scene->upload.context, view->goes_on, view->user);
     if (scene_lighting_create(&draw.lighting, scene->upload.model, &view->camera, view->up,
                               view->default_lights, view->exposure)) {
         draw.lighting.count = view->no_lights ? 0 : draw.lighting.count;
@@ -126,6 +127,7 @@ enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
         result = scene_draw_data(&draw);
     }
     scene_lighting_destroy(&draw.lighting);
+    rhw_context_set_goes_on(scene->upload.context, NULL, NULL);
     if (result != RHW_OK) {
         scene_pictures_free(pictures);
     }

@@ -244,7 +244,7 @@ class Model:
         up: where the sky is; None: as the model says.
         context: the threads that draw; None: the calling thread's own.
 
-        The interpreter's lock is released meanwhile; Ctrl-C ends the draw of a large picture between its bands.
+        The interpreter's lock is released meanwhile; Ctrl-C ends the draw when the tiles under way are done.
         """
         width, height = _arrays.size(size)
         flags = [_arrays.flag(value, name) for value, name in

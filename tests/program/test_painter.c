@@ -16,10 +16,14 @@
 
 #include <cmocka.h>
 
+enum { LARGE_SIDE = 2048, ATTEMPTS = 20 };
 enum { FIRST_SIDE = 96, SECOND_SIDE = 32, ROUNDS = 60, PATIENCE_MS = 60000 };
+
+static _Atomic int wakes; // one for every picture and answer
 
 static void wake(void)
 {
+    wakes++;
 }
 
 static void rest(long microseconds)
@@ -163,11 +167,54 @@ static void test_a_failure_is_told(void **state)
     view_painter_stop(painter);
 }
 
+static void await_drawing(struct view_painter *painter)
+{
+    double ms;
+    const char *doing = NULL;
+    for (int i = 0; i < PATIENCE_MS && !(doing && strcmp(doing, "Drawing") == 0); i++) {
+        doing = view_painter_doing(painter, &ms);
+        rest(1000);
+    }
+    rest(4000); // well into it
+}
+
+// A picture of one band, which is given up within its passes. Where the computer is busy it may be done before the second
+// order comes, but hardly every time; without, it always comes.
+static void test_a_large_picture_gives_way(void **state)
+{
+    (void)state;
+    static const struct scene_panorama none;
+    static char path[] = "first.obj";
+    struct view_painter *const painter = view_painter_start(&none, wake);
+    const struct render read = read_model(path);
+    view_painter_show(painter, &read);
+    bool gave_way = false;
+    for (int attempt = 0; attempt < ATTEMPTS && !gave_way; attempt++) {
+        struct view_order large = order_of(&read, LARGE_SIDE, 1), small = order_of(&read, SECOND_SIDE, 2);
+        large.job.shadows = large.job.ambient_occlusion = false;
+        small.hurries = true;
+        wakes = 0;
+        view_painter_draw(painter, &large);
+        await_drawing(painter);
+        view_painter_draw(painter, &small);
+        int version = 0;
+        while (version != small.version) {
+            const struct view_picture picture = await_picture(painter);
+            version = picture.version;
+            free(picture.pixels);
+        }
+        gave_way = wakes == 1; // of the small one alone
+    }
+    assert_true(gave_way);
+    view_painter_stop(painter);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_nothing_of_an_older_model),
         cmocka_unit_test(test_a_failure_is_told),
+        cmocka_unit_test(test_a_large_picture_gives_way),
     };
     return cmocka_run_group_tests(tests, enter_folder, leave_folder);
 }
