@@ -196,7 +196,7 @@ refuse 2 "--at: '-1,2' is not the X,Y of a pixel" explain cube.obj --at -1,2
 refuse 2 "--at: 64,3 lies outside the picture, which is 64x64" explain cube.obj --at=64,3 --size 64
 refuse 2 "--sample: '16' is not a number of 0 to 15" explain cube.obj --at 1,1 --sample 16
 refuse 2 "--sample: 4 is too many: a pixel has 4, 0 to 3" explain cube.obj --at 1,1 --sample 4
-refuse 2 "--supersample: cannot be explained; --size 2560x1440 --at 2,6 explains the first of the 4 pixels" explain cube.obj --at 1,3 --supersample 4
+refuse 2 "--supersample: cannot be explained; --size 2560x1440 with --at 2,6 explains the first of the 4 pixels" explain cube.obj --at 1,3 --supersample 4
 refuse 2 "--transparency: cannot be explained; without it the same surfaces are told in another order" explain cube.obj --at 1,1 --transparency exact
 refuse 2 "--out: explain writes no picture; --picture" explain cube.obj --at 1,1 -o a.png
 refuse 2 "--views: cannot be explained" explain cube.obj --at 1,1 --views top

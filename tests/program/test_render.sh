@@ -97,6 +97,9 @@ succeed render cube.obj $view -o 'braces/a-{}.v1.ppm' --output color,uv
 check "names with braces" test "$(ls braces | tr '\n' ' ')" = "a-color.v1.ppm a-uv.v1.ppm "
 succeed render cube.obj $view -o 'braces/{}.png' --output bary
 check "one name with braces" test -f braces/bary.png
+succeed render cube.obj $view -o whole.png --output barycentric
+check "barycentric is bary" cmp whole.png braces/bary.png
+rm whole.png
 for output in normal position uv object triangle bary; do
     for other in normal position uv object triangle bary; do
         [ $output = $other ] || ! equal set/x.$output.png set/x.$other.png || fail "$output and $other look alike"

@@ -10,7 +10,7 @@ bool cli_explain_check(const struct cli_render_job *job, int x, int y, int sampl
     const int side = scene_view_grid_side(&grid);
     if (side > 1) {
         cli_error("--supersample",
-                  "cannot be explained; --size %dx%d --at %d,%d explains the first of the %d pixels",
+                  "cannot be explained; --size %dx%d with --at %d,%d explains the first of the %d pixels",
                   side * job->width, side * job->height, side * x, side * y, job->supersample);
         return false;
     }

@@ -31,7 +31,8 @@ static int find_name(const char *text, size_t length)
             return kind;
         }
     }
-    return -1;
+    static const char whole[] = "barycentric"; // as the Python and the npm package call it
+    return length == sizeof whole - 1 && memcmp(whole, text, length) == 0 ? CLI_KIND_BARY : -1;
 }
 
 bool cli_outputs_parse(const char *list, unsigned *kinds, const char **bad)

@@ -152,7 +152,7 @@ static const char notes[] =
     "  uv        first texture coordinates without their integer part, in red and green\n"
     "  object    a colour for each node that draws\n"
     "  triangle  a colour for each triangle\n"
-    "  bary      the weights a, b, c of the three vertices in red, green and blue\n"
+    "  bary      the weights a, b, c of the three vertices in red, green and blue; also barycentric\n"
     "  all       all of these\n"
     "and of the work (dark to light is none to the most, which the file's comment tells):\n"
     "  overdraw  how many surfaces lie above each other, seen or not\n"
