@@ -415,8 +415,9 @@ static void assert_shaded(bool depth, enum rhw_paths paths, int layers)
         rig_draw(&rig, all, 6);
     }
     rig_end(&rig);
+    const float(*const seen)[4] = rig_read_float4(&rig);
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        assert_true(rig_read_float4(&rig)[i][0] == LAYERS - 1);
+        assert_true(seen[i][0] == LAYERS - 1);
     }
     assert_int_equal(rig.stats.fragments_shaded, layers * WIDTH * HEIGHT);
     rig_close(&rig);

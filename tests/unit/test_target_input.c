@@ -198,8 +198,9 @@ static void check_depth(bool one, bool early, const struct rhw_context_def *def)
             rig_draw(&rig, vertices, 6);
         }
         rig_end(&rig);
+        const float(*const seen)[4] = rig_read_float4(&rig);
         for (int i = 0; i < SIDE * SIDE; i++) {
-            assert_true(rig_read_float4(&rig)[i][0] == expected[early][last]);
+            assert_true(seen[i][0] == expected[early][last]);
         }
         assert_true(rig_read_depth(&rig)[SIDE] == (last == 2 ? depths[1] : depths[last]));
         rig_close(&rig);
