@@ -146,13 +146,16 @@ static bool read_view(const struct scene_object *scene, PyObject *arguments, str
     return true;
 }
 
-// While the scene has what it made of a panorama, no other one may get its address.
-static void keep_panorama(struct python_item *item, PyObject *panorama)
+// While the scene has what it made of a panorama, no other one may get its address. A draw that failed early has left it
+// with the older one.
+static void keep_panorama(struct python_item *item, PyObject *panorama, const struct scene_view *view)
 {
-    PyObject *const older = item->panorama;
-    Py_INCREF(panorama);
-    item->panorama = panorama;
-    Py_XDECREF(older);
+    if (scene_lit_by(item->id.scene) == view->panorama) {
+        PyObject *const older = item->panorama;
+        Py_INCREF(panorama);
+        item->panorama = panorama;
+        Py_XDECREF(older);
+    }
 }
 
 // Returns (pictures, triangles that were rasterized).
@@ -164,13 +167,13 @@ static PyObject *draw(PyObject *self, PyObject *arguments)
     if (!read_view(scene, arguments, &view, &panorama) || !python_context_enter(scene->context)) {
         return NULL;
     }
-    keep_panorama(scene->item, panorama);
     struct scene_pictures pictures;
     struct scene_draw_stats stats;
     struct python_work work = python_work_begin();
     view.user = &work;
     const enum rhw_result result = scene_draw(scene->item->id.scene, &view, &pictures, &stats);
     PyEval_RestoreThread(work.state);
+    keep_panorama(scene->item, panorama, &view);
     if (!python_context_leave(scene->context, result)) {
         scene_pictures_free(&pictures);
         return NULL;
