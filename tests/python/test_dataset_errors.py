@@ -9,8 +9,10 @@ import shutil
 import pytest
 
 from dataset_runs import files, manifest, run
+from rhw.dataset import work
 from rhw.dataset.main import main
 from rhw.dataset.plan import name_models
+from test_environment import radiance, sky
 
 POSE = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]]
 
@@ -50,6 +52,9 @@ def say(capsys, *arguments):
     ("m.obj --out o --up w", "--up: invalid choice: 'w'"),
     ("m.obj --out o --samples 3", "--samples: invalid choice: 3"),
     ("m.obj --out o --background pink", "--background: must be rrggbb in hexadecimal"),
+    ("m.obj --out o --background environment", "--background: 'environment' needs --environment"),
+    ("m.obj --out o --environment-rotation -3", "--environment-rotation: needs --environment"),
+    ("m.obj --out o --environment x.hdr --environment-rotation nan", "--environment-rotation: must lie between"),
     ("m.obj --out o --shadows maybe", "--shadows: must be on or off, not 'maybe'"),
     ("m.obj --out o --threads 0", "-j/--threads: must be a whole number from 1 to 64, not '0'"),
     ("m.obj --out o --shard 0/3", "--shard: must be NUMBER/COUNT, from 1/COUNT to COUNT/COUNT, not '0/3'"),
@@ -90,6 +95,34 @@ def test_a_wrong_file_of_cameras(about, line, tmp_path, monkeypatch, capsys):
     status, said = say(capsys, "m.obj", "--cameras", "c.json", "--size", "64x48", "--out", "o")
     assert status == 1 and re.fullmatch(r"rhw\.dataset: .*\n", said) and line in said
     assert os.listdir(tmp_path) == ["c.json"]
+
+
+def test_a_wrong_panorama(boxes, tmp_path, capsys):
+    """Nothing is begun with a file that is none, and nothing goes on with another one than before."""
+    light, out = tmp_path / "sky.hdr", tmp_path / "set"
+    asked = (boxes, "--views", 3, "--size", 20, "--out", out, "--environment", light)
+    assert say(capsys, *asked) == (1, f"rhw.dataset: {light}: No such file or directory\n")
+    light.write_text("clouds")
+    status, said = say(capsys, *asked)
+    assert status == 1 and said.startswith(f"rhw.dataset: {light}: ") and said.count("\n") == 1
+    assert os.listdir(tmp_path) == ["sky.hdr"]
+    light.write_bytes(radiance(sky()))
+    run(*asked, "--shard", "1/3")
+    before = files(out)
+    assert "environment.rotation is 0.0 there, not 5.0" in say(capsys, *asked, "--environment-rotation", 5)[1]
+    light.write_bytes(radiance(sky()[::-1]))
+    assert "environment.sha256 is " in say(capsys, *asked)[1]
+    assert files(out) == before
+
+
+def test_a_panorama_that_changes_on_the_way(boxes, tmp_path):
+    """A worker that sees another file than was asked for draws nothing."""
+    light, out = tmp_path / "sky.hdr", tmp_path / "set"
+    light.write_bytes(radiance(sky()))
+    run(boxes, "--views", 3, "--size", 20, "--out", out, "--environment", light, "--shard", "1/3")
+    light.write_bytes(radiance(sky()[::-1]))
+    done = work.draw(work.Task("another", str(out), 0, str(boxes), (1, 2), 1, lit_by=str(light)))
+    assert done.failed == f"{light}: has changed since {out} was begun; take another folder" and done.drawn == 0
 
 
 def test_a_folder_of_others(boxes, tmp_path, capsys):
