@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What is wrong with a request, a model or a place is one line, and leaves nothing half done."""
 
+import errno
 import json
 import os
 import re
@@ -9,9 +10,11 @@ import shutil
 import pytest
 
 from dataset_runs import files, manifest, run
-from rhw.dataset import work
+from rhw.dataset import plan, work
+from rhw.dataset.cameras import Sphere
+from rhw.dataset.errors import Failure
 from rhw.dataset.main import main
-from rhw.dataset.plan import name_models
+from rhw.dataset.plan import Plan, name_models
 from test_environment import radiance, sky
 
 POSE = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]]
@@ -148,6 +151,35 @@ def test_another_request_in_the_same_folder(boxes, tmp_path, capsys, changed, li
     status, said = say(capsys, *asked, *changed)
     assert (status, said) == (1, f"rhw.dataset: {out}: has another data set: {line}; take another folder\n")
     assert files(out) == before
+
+
+def plan_of(views):
+    return Plan((("boxes", "boxes.obj"),), Sphere(views), (20, 20), {"color": "png"}, {}, {})
+
+
+@pytest.mark.parametrize("links", [True, False])
+def test_two_requests_at_once(tmp_path, monkeypatch, links):
+    """Both see an empty folder; one has it, the other is refused, or goes on where it asks for the same."""
+    def refuse(*_):
+        raise PermissionError(errno.EPERM, "no links here")
+
+    if not links:
+        monkeypatch.setattr(os, "link", refuse)
+    look = plan._refuse_strangers
+
+    def look_and_wait(folder, path):
+        look(folder, path)
+        monkeypatch.setattr(plan, "_refuse_strangers", look)
+        assert plan.begin(folder, plan_of(3)).views == 3  # the other one's turn
+
+    for name, views in (("equal", 3), ("different", 4)):
+        monkeypatch.setattr(plan, "_refuse_strangers", look_and_wait)
+        if name == "different":
+            with pytest.raises(Failure, match="has another data set: cameras.sphere.views is 3 there, not 4"):
+                plan.begin(str(tmp_path / name), plan_of(views))
+        else:
+            assert plan.begin(str(tmp_path / name), plan_of(views)).views == 3
+        assert os.listdir(tmp_path / name / ".rhw") == ["plan.json"]
 
 
 def test_models_that_cannot_be_drawn(boxes, tmp_path):

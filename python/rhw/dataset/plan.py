@@ -108,7 +108,7 @@ def begin(folder: str, plan: Plan) -> Plan:
     if not os.path.exists(path):
         _refuse_strangers(folder, path)
         os.makedirs(os.path.dirname(path), exist_ok=True)
-        store.put(path, store.encode(plan.to_json()))
+        store.begin(path, store.encode(plan.to_json()))
     found = read(folder)
     differs = difference(found.to_json(), json.loads(json.dumps(plan.to_json())))
     if differs:

@@ -81,6 +81,12 @@ def put(path: str, data: bytes) -> None:
     _files.write(path, data)
 
 
+def begin(path: str, data: bytes) -> None:
+    """Writes a file, unless it is there, with whatever bytes: of several who begin it at once, all but one find it."""
+    with contextlib.suppress(FileExistsError), _files.replacing(path, new=True) as file:
+        file.write(data)
+
+
 def places(folder: str, name: str) -> Tuple[str, str]:
     """Where a model's pictures lie, and their records."""
     return os.path.join(folder, name), os.path.join(folder, RECORDS, name)
