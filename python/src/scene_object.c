@@ -146,8 +146,8 @@ static bool read_view(const struct scene_object *scene, PyObject *arguments, str
     return true;
 }
 
-// While the scene has what it made of a panorama, no other one may get its address. A draw that failed early has left it
-// with the older one.
+// While the scene has what it made of a panorama, no other one may get its address. A draw that failed early has left
+// it with the older one.
 static void keep_panorama(struct python_item *item, PyObject *panorama, const struct scene_view *view)
 {
     if (scene_lit_by(item->id.scene) == view->panorama) {
