@@ -11,6 +11,7 @@ import pytest
 
 import rhw
 from conftest import SANITIZED
+from rhw import _threads
 
 V = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)
 F = np.array([[0, 1, 2], [0, 2, 3]])
@@ -163,8 +164,18 @@ def test_other_threads_run_meanwhile():
     assert steps > 20
 
 
+def test_contexts_of_a_thread():
+    """It has one for each number of threads that draw, and they are its own."""
+    two, others = _threads.context(2), []
+    assert two.threads == 2 and two is _threads.context(2) and two is not _threads.context()
+    thread = threading.Thread(target=lambda: others.append(_threads.context(2)))
+    thread.start()
+    thread.join()
+    assert others[0] is not two
+
+
 def test_after_a_fork():
-    parents = rhw.Context(threads=2)
+    parents = _threads.context(2)
     model.render(20, context=parents)
     reading, writing = os.pipe()
     child = os.fork()
@@ -175,6 +186,7 @@ def test_after_a_fork():
             os.write(writing, picture)
             with pytest.raises(RuntimeError, match="does not live on in a forked process"):
                 model.render(20, context=parents)
+            assert model.render(20, context=_threads.context(2)).png() == picture
             status = 0
         finally:
             os._exit(status)

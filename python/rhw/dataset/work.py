@@ -12,7 +12,7 @@ from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
-from .. import _rhw
+from .. import _rhw, _threads
 from ..environment import Environment
 from ..model import Model
 from ..pictures import Pictures
@@ -22,7 +22,6 @@ from .errors import Broken, Failure
 from .models import Models
 from .plan import Plan
 
-_local = threading.local()
 _lock = threading.Lock()
 
 
@@ -77,14 +76,6 @@ def _workshop(task: Task) -> _Workshop:
         return _open_workshop(task.run, task.folder, task.strict, task.lit_by)
 
 
-def _context(threads: int) -> _rhw.Context:
-    """The calling thread's own."""
-    kept: Dict[int, _rhw.Context] = _local.__dict__.setdefault("contexts", {})
-    if threads not in kept:
-        kept[threads] = _rhw.Context(threads=threads)
-    return kept[threads]
-
-
 def draw(task: Task) -> Done:
     """Draws what is not finished of a task."""
     drawn = 0
@@ -110,7 +101,7 @@ def _draw_view(task: Task, shop: _Workshop, model: Model, view: int) -> None:
     name, names = plan.models[task.model][0], plan.names(view)
     shot = plan.cameras.shot(view, model, name, plan.size)
     try:
-        pictures = model.render(plan.size, shot.camera(), outputs=list(plan.outputs), context=_context(task.threads),
+        pictures = model.render(plan.size, shot.camera(), outputs=list(plan.outputs), context=_threads.context(task.threads),
                                 environment=shop.environment, environment_rotation=plan.light.rotation if plan.light else 0.0,
                                 **plan.render)
         files = {file: _encode(file, outputs, pictures) for file, outputs in names.files.items()}
