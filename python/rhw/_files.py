@@ -46,7 +46,10 @@ def replacing(path: Path, new: bool = False) -> Iterator[BinaryIO]:
         try:
             with file:
                 yield file
-            (_put_in_place if new else os.replace)(temporary, target)
+            if new:
+                _put_in_place(temporary, target)
+            else:
+                os.replace(temporary, target)
         except BaseException:
             with contextlib.suppress(FileNotFoundError):
                 os.unlink(temporary)

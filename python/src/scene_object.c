@@ -106,7 +106,7 @@ static PyObject *pictures_dictionary(struct scene_pictures *pictures)
     return dictionary;
 }
 
-// Everything of struct scene_view, in its order, the panorama last; see rhw/model.py. False with an exception.
+// Size, camera and outputs, and then what rhw/_look.py has of a view. False with an exception.
 static bool read_view(const struct scene_object *scene, PyObject *arguments, struct scene_view *view,
                       PyObject **panorama)
 {
@@ -114,11 +114,11 @@ static bool read_view(const struct scene_object *scene, PyObject *arguments, str
     int interpolate, wireframe, background, lights, shadows, ground, occlusion, transparency, tone, up;
     char error[256];
     *view = (struct scene_view){.goes_on = python_work_goes_on, .allocate = python_picture_allocate};
-    if (!PyArg_ParseTuple(arguments, "(ii)iiOiiii(bbb)ipppiidIOd:draw", &view->width, &view->height,
-                          &view->samples, &view->supersample, &camera, &up, &interpolate, &wireframe,
+    if (!PyArg_ParseTuple(arguments, "(ii)OIiiiiii(bbb)ipppiidOd:draw", &view->width, &view->height, &camera,
+                          &view->outputs, &view->samples, &view->supersample, &up, &interpolate, &wireframe,
                           &background, &view->background_color[0], &view->background_color[1],
                           &view->background_color[2], &lights, &shadows, &ground, &occlusion, &transparency,
-                          &tone, &view->exposure, &view->outputs, panorama, &view->panorama_rotation) ||
+                          &tone, &view->exposure, panorama, &view->panorama_rotation) ||
         (*panorama != Py_None && !(view->panorama = python_panorama_get(*panorama))) ||
         !python_camera_read(camera, &view->camera) ||
         (up >= 0 && !python_is_choice(up, SCENE_AXIS_Y, SCENE_AXIS_MINUS_X, "up")) ||

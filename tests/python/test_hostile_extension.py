@@ -110,7 +110,7 @@ def calls():
         "Model": (_rhw.Model, ()),
         "Resource": (_rhw.Resource, ()),
         "Scene": (_rhw.Scene, (context, model)),
-        "Scene.draw": (scene.draw, ((6, 5), 1, 1, CAMERA, 0, 0, 0, 0, (1, 2, 3), 0, True, True, False, 0, 0, 0.0, 1 | 4, None,
+        "Scene.draw": (scene.draw, ((6, 5), CAMERA, 1 | 4, 1, 1, 0, 0, 0, 0, (1, 2, 3), 0, True, True, False, 0, 0, 0.0, None,
                                    0.0)),
         "Panorama": (_rhw.Panorama, ()),
         "panorama": (_rhw.panorama, (np.ones((2, 4, 4), np.float32),)),

@@ -54,7 +54,7 @@ def made(faces=F, node=0, last=()):
 
 
 def bad_camera():
-    _rhw.Scene(context, model._model).draw((8, 8), 1, 1, NOBODY, 0, 0, 0, 0, (0, 0, 0), 0, True, True, False, 0, 0, 0.0, 1, None, 0.0)
+    _rhw.Scene(context, model._model).draw((8, 8), NOBODY, 1, 1, 1, 0, 0, 0, 0, (0, 0, 0), 0, True, True, False, 0, 0, 0.0, None, 0.0)
 
 
 def torn_pass():

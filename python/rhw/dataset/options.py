@@ -9,6 +9,7 @@ import sys
 from typing import Any, Callable, Dict, List, NoReturn, Optional, Sequence, Tuple
 
 from .. import _rhw
+from .._arrays import MOST
 from ..camera import AXES
 from . import cameras as views, light, local
 from .errors import Mistake
@@ -94,8 +95,8 @@ def _range(least: float, most: float) -> Callable[[str], Tuple[float, float]]:
 def _size(text: str) -> Tuple[int, int]:
     found = re.fullmatch(r"(\d{1,5})(?:x(\d{1,5}))?", text)
     size = (int(found[1]), int(found[2] or found[1])) if found else (0, 0)
-    if not (1 <= size[0] <= 16384 and 1 <= size[1] <= 16384):
-        raise ValueError(f"must be WIDTHxHEIGHT or one number, of 1 to 16384, not '{text}'")
+    if not (1 <= size[0] <= MOST and 1 <= size[1] <= MOST):
+        raise ValueError(f"must be WIDTHxHEIGHT or one number, of 1 to {MOST}, not '{text}'")
     return size
 
 
@@ -174,7 +175,7 @@ def _add_pictures(parser: argparse.ArgumentParser) -> None:
     add("--exposure", metavar="STOPS", type=_number(-20, 20), default=0.0, help="brighter by factors of two; default 0")
     add("--transparency", choices=("sorted", "exact"), default="sorted", help="default sorted")
     add("--variant", metavar="NAME", help="of the materials")
-    add("--max-texture", metavar="N", type=_whole(1, 16384), default=0, help="halve textures that are larger")
+    add("--max-texture", metavar="N", type=_whole(1, MOST), default=0, help="halve textures that are larger")
 
 
 def _add_run(parser: argparse.ArgumentParser) -> None:

@@ -38,7 +38,7 @@ def make(folder: str, asked: Plan, how: How) -> int:
     part = plans.shard(plan, *how.shard) if how.shard else list(plan.all_views())
     pending = _pending(folder, plan, part)
     paths = [os.path.abspath(path) for _, path in asked.models]
-    lit_by = asked.light and os.path.abspath(asked.light.path)
+    lit_by = os.path.abspath(asked.light.path) if asked.light else None
     tasks = _tasks(folder, pending, paths, lit_by, how)
     progress = Progress(sum(len(task.views) for task in tasks), how.quiet)
     drawn, broken = _draw(tasks, progress, how)
