@@ -66,6 +66,19 @@ def test_recipes_of_the_documents(tmp_path, monkeypatch, box_obj):
     assert (tmp_path / "chair.png").exists()
 
 
+def test_readme(tmp_path, monkeypatch, capsys):
+    """What it shows of Python runs as it stands, in a checkout: here in what may be written to beside it."""
+    (tmp_path / "tests").symlink_to(ROOT / "tests")
+    monkeypatch.chdir(tmp_path)
+    block, = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.S)
+    names = {}
+    exec(compile(block, "README.md", "exec"), names)
+    assert capsys.readouterr().out.startswith("(480, 640) 0.") and set(names["pictures"]) == {"color", "depth", "object"}
+    assert names["pictures"]["object"].any()
+    for name in ("cube.png", "mesh.png"):
+        assert (tmp_path / name).read_bytes().startswith(b"\x89PNG")
+
+
 def test_recipes_of_learning():
     """Every block of docs/learning.md; the two of them draw the same picture."""
     text = (ROOT / "docs/learning.md").read_text()
