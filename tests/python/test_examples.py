@@ -40,7 +40,10 @@ def test_example(example, tmp_path):
             pytest.skip("torch is not made for a sanitizer that is loaded before it")
         pytest.importorskip("torch", reason="torch is not here: script/bootstrap learn")
     out = tmp_path / "out.png"
-    printed = subprocess.run([sys.executable, "-B", example, *model, out], check=True, stdout=subprocess.PIPE, text=True).stdout
+    # Torch's threads wait for each other busily: with other tests beside them, longer than they work.
+    alone = {**os.environ, "OMP_NUM_THREADS": "1"}
+    printed = subprocess.run([sys.executable, "-B", example, *model, out], check=True, stdout=subprocess.PIPE, text=True,
+                             env=alone).stdout
     check_curve(example.stem, printed)
     told = subprocess.run([os.environ["RHW_PROGRAM"], "compare", "--json", out, example.with_suffix(".png")],
                           capture_output=True, text=True, env=ENVIRONMENT).stdout
