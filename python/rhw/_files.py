@@ -15,7 +15,7 @@ TEMPORARY = ".rhw-"  #: what the names of files begin with that are being writte
 
 
 #: What a system says whose files have one name each.
-_NO_LINKS = (errno.EPERM, errno.ENOSYS, errno.EOPNOTSUPP)
+_NO_LINKS = (errno.EPERM, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP)
 
 
 def _put_in_place(temporary: str, target: str) -> None:

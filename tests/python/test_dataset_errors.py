@@ -109,6 +109,9 @@ def test_a_wrong_panorama(boxes, tmp_path, capsys):
     status, said = say(capsys, *asked)
     assert status == 1 and said.startswith(f"rhw.dataset: {light}: ") and said.count("\n") == 1
     assert os.listdir(tmp_path) == ["sky.hdr"]
+    status, said = say(capsys, boxes, "--out", out, "--environment", "\udcff.hdr")
+    assert (status, said) == (2, "rhw.dataset: '\\udcff.hdr': the names of panoramas must be UTF-8\n")
+    assert os.listdir(tmp_path) == ["sky.hdr"]
     light.write_bytes(radiance(sky()))
     run(*asked, "--shard", "1/3")
     before = files(out)

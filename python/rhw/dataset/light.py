@@ -32,6 +32,7 @@ def _read(path: str, sha256: str) -> Environment:
 
 def find(path: str, rotation: float) -> Light:
     """Of a file that is one: nothing is begun with another."""
+    store.check_name(path, "panoramas")
     found = Light(path, store.digest(path), rotation)
     _read(os.path.abspath(path), found.sha256)
     return found

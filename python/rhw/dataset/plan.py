@@ -12,7 +12,7 @@ import os
 from dataclasses import asdict, dataclass
 from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple
 
-from .. import _arrays, _rhw
+from .. import _rhw
 from . import store
 from .cameras import Cameras, cameras_from
 from .errors import Failure, Mistake
@@ -144,10 +144,7 @@ def name_models(paths: Sequence[str]) -> Tuple[Tuple[str, str], ...]:
         raise Mistake(f"{twice}: is given twice")
     taken: Dict[str, str] = {}
     for path in paths:
-        try:
-            path.encode()
-        except UnicodeEncodeError:
-            raise Mistake(f"{_arrays.text(path)}: the names of models must be UTF-8") from None
+        store.check_name(path, "models")
         name = _name(path, parts)
         if name in taken:
             raise Mistake(f"{path}: would have the name '{name}', as {taken[name]} has")
