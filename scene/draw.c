@@ -136,3 +136,8 @@ enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
     }
     return result;
 }
+
+const struct scene_panorama *scene_lit_by(const struct scene *scene)
+{
+    return scene->surroundings.panorama;
+}

@@ -47,4 +47,8 @@ enum rhw_result scene_set_pose(struct scene *scene, const struct scene_model *po
 enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
                            struct scene_pictures *pictures, struct scene_draw_stats *stats);
 
+/// The panorama whose light the scene has in memory, which no draw but one by another panorama, or by none, makes anew:
+/// as long as it is this one, no other may lie at its address. NULL: none.
+const struct scene_panorama *scene_lit_by(const struct scene *scene);
+
 #endif

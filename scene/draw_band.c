@@ -3,6 +3,8 @@
 // moving a triangle by whole pixels changes nothing, hence bands do not show.
 #include "draw_state.h"
 
+#include "rhw/transfer.h"
+
 #include <stdlib.h>
 #include <time.h>
 
@@ -83,8 +85,9 @@ void scene_band_read(struct draw *draw, int target, void *picture)
 {
     const struct scene_target *t = &draw->scene->targets[target];
     const size_t row = (size_t)t->width * rhw_format_size(t->format);
-    rhw_texture_read(draw->scene->upload.context, t->texture, 0,
-                     (unsigned char *)picture + (size_t)draw->first_row * row, row);
+    const struct rhw_texture_region band = {.height = scene_band_height(draw)};
+    rhw_texture_read_region(draw->scene->upload.context, t->texture, &band,
+                            (unsigned char *)picture + (size_t)draw->first_row * row, row, 0);
 }
 
 int scene_band_rows(int height, size_t row_bytes)
@@ -92,6 +95,12 @@ int scene_band_rows(int height, size_t row_bytes)
     const size_t fit = (size_t)BAND_BYTES / row_bytes / BAND_ROWS * BAND_ROWS;
     const size_t rows = fit > 0 ? fit : BAND_ROWS;
     return rows >= (size_t)height ? height : (int)rows;
+}
+
+int scene_band_height(const struct draw *draw)
+{
+    const int left = draw->view->height - draw->first_row;
+    return left < draw->band_rows ? left : draw->band_rows;
 }
 
 enum rhw_result scene_draw_bands(struct draw *draw, enum rhw_result (*draw_band)(struct draw *))
@@ -108,8 +117,7 @@ enum rhw_result scene_draw_bands(struct draw *draw, enum rhw_result (*draw_band)
 
 bool scene_band_allocate(const struct draw *draw, enum rhw_format format, void **picture)
 {
-    const size_t bands = ((size_t)draw->view->height + (size_t)draw->band_rows - 1) / (size_t)draw->band_rows;
-    const uint64_t pixels = (uint64_t)bands * (uint64_t)draw->band_rows * (uint64_t)draw->view->width;
+    const uint64_t pixels = (uint64_t)draw->view->height * (uint64_t)draw->view->width;
     const uint64_t size = pixels * rhw_format_size(format);
     if (size >= SIZE_MAX) { // 4 GiB and more where addresses have 32 bits
         *picture = NULL;

@@ -62,7 +62,8 @@ enum rhw_result scene_draw_target(struct draw *draw, int which, enum rhw_format 
 // Rows of a band when a row of the picture takes `row_bytes` of targets.
 int scene_band_rows(int height, size_t row_bytes);
 enum rhw_result scene_draw_bands(struct draw *draw, enum rhw_result (*draw_band)(struct draw *));
-// A picture has room for whole bands; rows beyond the height are never looked at.
+// Rows of the picture in this band: the last one may have fewer than its targets.
+int scene_band_height(const struct draw *draw);
 bool scene_band_allocate(const struct draw *draw, enum rhw_format format, void **picture);
 void scene_band_read(struct draw *draw, int target, void *picture);
 // The viewport of the whole picture, moved so that the band's first row is the target's.

@@ -39,7 +39,9 @@ static void note_tile(const struct draw *draw, const struct rhw_tile_report *rep
     const struct scene_pictures *const pictures = draw->pictures;
     const int side = draw->side, width = draw->view->width;
     const int x0 = (report->x + side - 1) / side, x1 = (report->x + report->width + side - 1) / side;
-    const int y0 = (report->y + side - 1) / side, y1 = (report->y + report->height + side - 1) / side;
+    const int rows = scene_band_height(draw);
+    const int y0 = (report->y + side - 1) / side, end = (report->y + report->height + side - 1) / side;
+    const int y1 = end < rows ? end : rows;
     for (int y = y0; y < y1; y++) {
         const size_t row = (size_t)(draw->first_row + y) * (size_t)width;
         for (int x = x0; x < x1; x++) {

@@ -8,6 +8,11 @@ from typing import Any, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
+from . import _rhw
+
+#: The most rows and columns of anything that is drawn.
+MOST = _rhw.max_target_size
+
 Size = Union[int, Tuple[int, int]]
 
 
@@ -106,6 +111,11 @@ def texels(value: Any, name: str) -> np.ndarray:
     if array.shape[2] == 4:
         full[:, :, 3] = array[:, :, 3]
     return full
+
+
+def is_image(array: np.ndarray, channels: Sequence[int]) -> bool:
+    """Whether it has the shape (H, W, C), with so many channels, and as many rows and columns as pictures may have."""
+    return array.ndim == 3 and array.shape[2] in channels and 1 <= min(array.shape[:2]) <= max(array.shape[:2]) <= MOST
 
 
 def line(told: str, most: int = 200) -> str:
@@ -211,8 +221,8 @@ def size(value: Any) -> Tuple[int, int]:
     if len(pair) != 2 or not all(map(is_whole, pair)):
         raise TypeError(f"size: must be (width, height) or one number, not {text(value)}")
     width, height = int(pair[0]), int(pair[1])
-    if not (1 <= width <= 16384 and 1 <= height <= 16384):
-        raise ValueError(f"size: width and height must lie between 1 and 16384, not {width}, {height}")
+    if not (1 <= width <= MOST and 1 <= height <= MOST):
+        raise ValueError(f"size: width and height must lie between 1 and {MOST}, not {width}, {height}")
     return width, height
 
 

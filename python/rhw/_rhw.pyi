@@ -4,6 +4,7 @@
 from typing import Any, Dict, Optional, Tuple
 
 version: str
+max_target_size: int  # rows and columns
 
 class Error(RuntimeError): ...
 
@@ -21,10 +22,10 @@ class Panorama: ...
 
 class Scene:
     def __init__(self, context: Context, model: Model) -> None: ...
-    def draw(self, size: Tuple[int, int], samples: int, supersample: int, camera: Tuple[Any, ...], up: int,
+    def draw(self, size: Tuple[int, int], camera: Tuple[Any, ...], outputs: int, samples: int, supersample: int, up: int,
              interpolate: int, wireframe: int, background: int, color: Tuple[int, int, int], lights: int, shadows: bool,
              ground: bool, ambient_occlusion: bool, transparency: int, tone: int, exposure: float,
-             outputs: int, panorama: Optional[Panorama], rotation: float) -> Tuple[Dict[str, Memory], int]: ...
+             panorama: Optional[Panorama], rotation: float) -> Tuple[Dict[str, Memory], int]: ...
 
 class Resource:
     memory: Memory

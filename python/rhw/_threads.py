@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The context of each thread, made when it is first needed."""
+"""The contexts of each thread, made when they are first needed."""
 
 from __future__ import annotations
 
 import os
 import threading
-from typing import Optional
+from typing import Dict, Optional
 
 from . import _arrays, _rhw
 
@@ -13,7 +13,7 @@ _local = threading.local()
 
 
 def _forget() -> None:
-    # In a forked child the threads of the parent's contexts are not there.
+    # In a forked child the threads that draw for the parent are not there.
     global _local
     _local = threading.local()
 
@@ -21,12 +21,12 @@ def _forget() -> None:
 os.register_at_fork(after_in_child=_forget)
 
 
-def context() -> _rhw.Context:
-    """The calling thread's context."""
-    found = getattr(_local, "context", None)
-    if found is None:
-        found = _local.context = _rhw.Context()
-    return found
+def context(threads: int = 0) -> _rhw.Context:
+    """The calling thread's own, in which so many threads draw; 0: as many as the process has cores."""
+    kept: Dict[int, _rhw.Context] = _local.__dict__.setdefault("contexts", {})
+    if threads not in kept:
+        kept[threads] = _rhw.Context(threads=threads)
+    return kept[threads]
 
 
 def chosen(given: Optional[_rhw.Context]) -> _rhw.Context:

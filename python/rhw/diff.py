@@ -27,9 +27,7 @@ from typing import Any, List, Optional, Sequence, Tuple
 import numpy as np
 
 from . import _rhw, _threads
-from ._arrays import choice, flag, floats, indices, listed, read, text, whole
-
-_MOST = 16384  # rows and columns, RHW_MAX_TARGET_SIZE
+from ._arrays import MOST, choice, flag, floats, indices, listed, read, text, whole
 
 
 def _size(resolution: Any) -> Tuple[int, int]:
@@ -37,7 +35,7 @@ def _size(resolution: Any) -> Tuple[int, int]:
         height, width = resolution
     except (TypeError, ValueError):
         raise TypeError(f"resolution: must be (height, width), not {text(resolution)}") from None
-    return whole(height, "resolution", 1, _MOST), whole(width, "resolution", 1, _MOST)
+    return whole(height, "resolution", 1, MOST), whole(width, "resolution", 1, MOST)
 
 
 def _batched(value: Any, name: str, columns: Optional[int], images: Optional[int] = None) -> Tuple[np.ndarray, bool]:
@@ -55,8 +53,8 @@ def _batched(value: Any, name: str, columns: Optional[int], images: Optional[int
 
 def _rast(value: Any, name: str = "rast") -> np.ndarray:
     array = floats(value, name, (None, None, None, 4))
-    if array.size == 0 or max(array.shape[1:3]) > _MOST:
-        raise ValueError(f"{name}: must have at least one pixel and at most {_MOST} rows and columns, not {array.shape}")
+    if array.size == 0 or max(array.shape[1:3]) > MOST:
+        raise ValueError(f"{name}: must have at least one pixel and at most {MOST} rows and columns, not {array.shape}")
     return array
 
 
@@ -225,7 +223,7 @@ _BOUNDARIES = ("cube", "wrap", "clamp", "zero")
 def _texels(value: Any, name: str, cube: bool) -> np.ndarray:
     array = floats(value, name, (None,) * (5 if cube else 4))
     sides = array.shape[-3:-1]
-    if array.size == 0 or max(array.shape[-3:]) > _MOST or (cube and (array.shape[1] != 6 or sides[0] != sides[1])):
+    if array.size == 0 or max(array.shape[-3:]) > MOST or (cube and (array.shape[1] != 6 or sides[0] != sides[1])):
         raise ValueError(f"{name}: must have the shape {'(B, 6, N, N, C)' if cube else '(B, H, W, C)'}, not {array.shape}")
     return array
 
@@ -245,7 +243,7 @@ def _halved(texels: np.ndarray) -> np.ndarray:
 def texture_construct_mip(tex: Any, max_mip_level: Optional[int] = None, cube_mode: bool = False) -> List[np.ndarray]:
     """The levels above `tex`, each the mean of the one before, down to one texel or `max_mip_level`."""
     levels = [_texels(tex, "tex", flag(cube_mode, "cube_mode"))]
-    most = _MOST if max_mip_level is None else whole(max_mip_level, "max_mip_level", 0, _MOST)
+    most = MOST if max_mip_level is None else whole(max_mip_level, "max_mip_level", 0, MOST)
     while len(levels) <= most and max(levels[-1].shape[-3:-1]) > 1:
         levels.append(_halved(levels[-1]))
     return levels[1:]
@@ -297,7 +295,7 @@ def _sampling(tex: Any, uv: Any, uv_da: Any, mip_level_bias: Any, mip: Any, filt
         mip_level_bias = floats(mip_level_bias, "mip_level_bias", uv.shape[:3])
     levels = [tex]
     if filtering >= 2:
-        most = None if max_mip_level is None else whole(max_mip_level, "max_mip_level", 0, _MOST)
+        most = None if max_mip_level is None else whole(max_mip_level, "max_mip_level", 0, MOST)
         if mip is None:
             levels += texture_construct_mip(tex, most, cube)
         else:
@@ -377,7 +375,7 @@ def _silhouettes(color: Any, rast: Any, pos: Any, tri: Any, topology_hash: Any,
                  context: Optional[_rhw.Context]) -> Tuple[Any, ...]:
     rast = _rast(rast)
     color = floats(color, "color", rast.shape[:3] + (None,))
-    whole(color.shape[-1], "color: number of channels", 1, _MOST)
+    whole(color.shape[-1], "color: number of channels", 1, MOST)
     pos, shared = _batched(pos, "pos", 4)
     if not shared and len(pos) != len(rast):
         raise ValueError(f"pos: must have {len(rast)} images, as rast has, not {len(pos)}")

@@ -41,8 +41,9 @@ def _panorama(light: Any, name: str) -> Any:
     array = _arrays.read(light, name)
     if array.dtype.kind != "f":
         raise TypeError(f"{name}: must be a path, or floats of linear light, not {array.dtype}")
-    if array.ndim != 3 or array.shape[2] not in (3, 4) or not 1 <= min(array.shape[:2]) <= max(array.shape[:2]) <= 16384:
-        raise ValueError(f"{name}: must have the shape (H, W, 3) or (H, W, 4), of 1 to 16384 rows and columns, not {array.shape}")
+    if not _arrays.is_image(array, (3, 4)):
+        raise ValueError(f"{name}: must have the shape (H, W, 3) or (H, W, 4), of 1 to {_arrays.MOST} rows and columns, "
+                         f"not {array.shape}")
     full = np.ones(array.shape[:2] + (4,), np.float32)
     with np.errstate(over="ignore"):
         full[:, :, :3] = array[:, :, :3]

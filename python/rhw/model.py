@@ -11,10 +11,10 @@ from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from . import _arrays, _rhw, _threads
+from . import _arrays, _look, _rhw, _threads
 from ._arrays import Size
-from .camera import AXES, Camera, View, axis
-from .environment import Environment, chosen
+from .camera import AXES, Camera, View
+from .environment import Environment
 from .pictures import OUTPUTS, Pictures
 
 
@@ -128,15 +128,6 @@ def _placed(about: Dict[str, Any]) -> Dict[str, Any]:
     return {**about, "world": np.asarray(about["world"]).T}
 
 
-#: How light becomes a picture, the lights, and the rest of what `render` chooses from, in the order of the extension.
-_TONES = ("neutral", "aces", "agx", "none")
-_LIGHTS = ("file", "default", "none")
-_TRANSPARENCIES = ("sorted", "exact")
-_WIREFRAMES = ("none", "over", "plain")
-_INTERPOLATIONS = ("smooth", "noperspective")
-_BACKGROUNDS = {"default": 0, "environment": 2, "transparent": 3}
-
-
 class Model:
     """A model, read by `rhw.load` or made here from arrays.
 
@@ -247,50 +238,26 @@ class Model:
         The interpreter's lock is released meanwhile; Ctrl-C ends the draw when the tiles under way are done.
         """
         width, height = _arrays.size(size)
-        flags = [_arrays.flag(value, name) for value, name in
-                 ((shadows, "shadows"), (ground, "ground"), (ambient_occlusion, "ambient_occlusion"))]
         names = _outputs(outputs)
-        kind, color = _background(background)
-        light = chosen(environment)
-        if kind == _BACKGROUNDS["environment"] and light is None:
-            raise ValueError("background: 'environment' needs an environment")
-        turned = _arrays.number(environment_rotation, "environment_rotation", -1e6, 1e6)
-        seen_by = Camera.fit() if camera is None else camera
-        if not isinstance(seen_by, Camera):
+        look = _look.read(samples=samples, supersample=supersample, up=up, interpolate=interpolate, wireframe=wireframe,
+                          background=background, lights=lights, shadows=shadows, ground=ground,
+                          ambient_occlusion=ambient_occlusion, transparency=transparency, tone=tone, exposure=exposure,
+                          environment=environment, environment_rotation=environment_rotation)
+        chosen = Camera.fit() if camera is None else camera
+        if not isinstance(chosen, Camera):
             raise TypeError(f"camera: must be an rhw.Camera, as rhw.Camera.orbit(30, 20) makes one, not {_arrays.text(camera)}")
-        tuple_of = seen_by._resolve(self, width, height)
-        of_file = False
-        if camera is None and self.cameras:
-            tuple_of, of_file = self._first_camera(tuple_of, width, height)
+        fitted = chosen._resolve(self, width, height)
+        seen_by, of_file = self._first_camera(fitted, width, height) if camera is None and self.cameras else (fitted, False)
         scene, threads = self._scene(context)
-
-        def draw_some(numbers: Tuple[Any, ...], some: List[str]) -> Tuple[Dict[str, Any], int]:
-            return scene.draw((width, height), _arrays.one_of(samples, "samples", (1, 2, 4, 8, 16)),
-                              _arrays.one_of(supersample, "supersample", (1, 4, 9, 16)), numbers, axis(up),
-                              _arrays.choice(interpolate, "interpolate", _INTERPOLATIONS),
-                              _arrays.choice(wireframe, "wireframe", _WIREFRAMES), kind, color,
-                              _arrays.choice(lights, "lights", _LIGHTS), *flags,
-                              _arrays.choice(transparency, "transparency", _TRANSPARENCIES),
-                              _arrays.choice(tone, "tone", _TONES), _arrays.number(exposure, "exposure", -20, 20),
-                              sum(OUTPUTS[each] for each in some), light, turned)
-
-        def draw(numbers: Tuple[Any, ...]) -> Tuple[Dict[str, Any], int]:
-            # Beside `display` the colours would be rounded from it, and not be those of the program.
-            apart = [["display"]] if {"color", "display"} <= set(names) else []
-            first, rasterized = draw_some(numbers, [each for each in names if [each] not in apart])
-            for some in apart:
-                first.update(draw_some(numbers, some)[0])
-            return first, rasterized
-
-        drawn, rasterized = draw(tuple_of)
+        drawn, rasterized = _draw(scene, (width, height), seen_by, names, look)
         if rasterized == 0 and of_file:
             warnings.warn(f"{self.path}: its camera sees nothing of the model, which is fitted instead", stacklevel=2)
-            tuple_of = seen_by._resolve(self, width, height)
-            drawn, rasterized = draw(tuple_of)
+            seen_by = fitted
+            drawn, _ = _draw(scene, (width, height), seen_by, names, look)
         elif rasterized == 0:
             warnings.warn(f"{self.path}: nothing of the model is in the picture", stacklevel=2)
         arrays = {each: np.asarray(drawn[each]) for each in names}
-        return Pictures(arrays, (width, height), View(tuple_of, width, height), self, kind == 3, threads)
+        return Pictures(arrays, (width, height), View(seen_by, width, height), self, look.transparent, threads)
 
     def _first_camera(self, fitted: Tuple[Any, ...], width: int, height: int) -> Tuple[Tuple[Any, ...], bool]:
         """The file's first camera, unless it is of a format whose cameras are often wrong and sees next to nothing."""
@@ -310,6 +277,21 @@ class Model:
         return self.render((640, 480)).png()
 
 
+def _draw(scene: _rhw.Scene, size: Tuple[int, int], camera: Tuple[Any, ...], names: List[str],
+          look: _look.Look) -> Tuple[Dict[str, Any], int]:
+    """Pictures by their names, and how many triangles were rasterized."""
+    # Beside `display` the colours would be rounded from it, and not be those of the program.
+    apart = ["display"] if {"color", "display"} <= set(names) else []
+    drawn, rasterized = scene.draw(size, camera, _bits([each for each in names if each not in apart]), *look)
+    if apart:
+        drawn.update(scene.draw(size, camera, _bits(apart), *look)[0])
+    return drawn, rasterized
+
+
+def _bits(names: List[str]) -> int:
+    return sum(OUTPUTS[each] for each in names)
+
+
 def _outputs(outputs: Union[str, Iterable[str]]) -> List[str]:
     names = [outputs] if isinstance(outputs, str) else _arrays.listed(outputs, "outputs", "names")
     if not names:
@@ -317,17 +299,6 @@ def _outputs(outputs: Union[str, Iterable[str]]) -> List[str]:
     for each in names:
         _arrays.choice(each, "outputs", tuple(OUTPUTS))
     return list(dict.fromkeys(names))
-
-
-def _background(background: Union[str, Sequence[int]]) -> Tuple[int, Tuple[int, int, int]]:
-    if isinstance(background, str):
-        _arrays.choice(background, "background", tuple(_BACKGROUNDS))
-        return _BACKGROUNDS[background], (0, 0, 0)
-    values = _arrays.listed(background, "background", "'default', 'transparent', 'environment' or three numbers")
-    if len(values) != 3 or not all(_arrays.is_whole(each) and 0 <= each <= 255 for each in values):
-        raise ValueError("background: must be 'default', 'transparent', 'environment' or three numbers of 0 to "
-                         f"255, not {_arrays.text(background)}")
-    return 1, (int(values[0]), int(values[1]), int(values[2]))
 
 
 def load(path: Union[str, "os.PathLike[str]"], *, variant: Optional[str] = None,
@@ -354,7 +325,7 @@ def load(path: Union[str, "os.PathLike[str]"], *, variant: Optional[str] = None,
     moment = 0.0 if time is None else _arrays.number(time, "time", -1e30, 1e30)
     within = None if confine is None else os.fsencode(_arrays.path(confine, "confine"))
     limits = [_arrays.whole(value, limit, 0, most) for value, limit, most in
-              ((max_seconds, "max_seconds", 2**31 - 1), (max_memory, "max_memory", 2**63 - 1), (max_texture, "max_texture", 16384))]
+              ((max_seconds, "max_seconds", 2**31 - 1), (max_memory, "max_memory", 2**63 - 1), (max_texture, "max_texture", _arrays.MOST))]
     if not os.path.lexists(name):
         raise FileNotFoundError(2, "no such file", name)
     posed = animation is not None or time is not None

@@ -118,9 +118,9 @@ def write_png(path: _files.Path, image: Any, *, srgb: bool = True) -> None:
         raise TypeError(f"image: must be of uint8 or uint16, not {array.dtype}")
     if array.ndim == 2:
         array = array[:, :, None]
-    if array.ndim != 3 or array.shape[2] not in (1, 3, 4) or not 1 <= min(array.shape[:2]) <= max(array.shape[:2]) <= 16384:
-        raise ValueError("image: must have the shape (H, W), (H, W, 1), (H, W, 3) or (H, W, 4), of 1 to 16384 rows and columns, "
-                         f"not {_arrays.read(image, 'image').shape}")
+    if not _arrays.is_image(array, (1, 3, 4)):
+        raise ValueError(f"image: must have the shape (H, W), (H, W, 1), (H, W, 3) or (H, W, 4), of 1 to {_arrays.MOST} rows and "
+                         f"columns, not {_arrays.read(image, 'image').shape}")
     name = _arrays.path(path, "path")
     kind = array.dtype.newbyteorder("=")
     _files.write(name, _rhw.encode_png(_arrays.shown(name), _arrays.packed(array, kind), 8 * kind.itemsize, _arrays.flag(srgb, "srgb")))

@@ -17,7 +17,7 @@ what it uses is left alone. Where the block is left by an exception nothing is d
 from __future__ import annotations
 
 from types import TracebackType
-from typing import Any, Dict, Iterable, Mapping, Optional, Sequence, Tuple, Type, Union
+from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Type, Union
 
 import numpy as np
 
@@ -172,9 +172,6 @@ class Pipeline:
         self.outputs = _formats_of(outputs, "outputs")
         uv, normals, texture, depth_write, blend = (_arrays.flag(value, name) for value, name in (
             (uv, "uv"), (normals, "normals"), (texture, "texture"), (depth_write, "depth_write"), (blend, "blend")))
-        _arrays.one_of(positions, "positions", (3, 4))
-        if colors is not None:
-            _arrays.choice(colors, "colors", ("float32", "uint8"))
         if not uv and (texture or "uv" in self.outputs):
             raise ValueError("uv: needed by " + ("texture" if texture else "the output uv"))
         if not normals and "normal" in self.outputs:
@@ -182,27 +179,38 @@ class Pipeline:
         if blend and self.outputs.get("color") == "r32_uint":
             raise ValueError("blend: not into integers")
         #: What draws must give: columns and NumPy's type.
-        self._attributes: Dict[str, Tuple[int, Any]] = {"positions": (positions, np.float32)}
-        kinds = [_FLOATS[positions], -1, -1, -1]
-        if colors:
-            self._attributes["colors"] = (4, np.dtype(colors).type)
-            kinds[1] = _FLOATS[4] if colors == "float32" else _BYTES4
-        if uv:
-            self._attributes["uv"] = (2, np.float32)
-            kinds[2] = _FLOATS[2]
-        if normals:
-            self._attributes["normals"] = (3, np.float32)
-            kinds[3] = _FLOATS[3]
+        self._attributes = _attributes(positions, colors, uv, normals)
         self._textured = texture
         shape = _arrays.choice(topology, "topology", _TOPOLOGIES)
         self._corners = {"triangles": 3, "lines": 2}.get(topology, 1)
         self._context = _threads.chosen(context)
         names = tuple(OUTPUTS)
         self._resource = _rhw.pipeline(
-            self._context, tuple(kinds), texture, _arrays.choice(interpolate, "interpolate", _INTERPOLATIONS),
+            self._context, _kinds(self._attributes), texture, _arrays.choice(interpolate, "interpolate", _INTERPOLATIONS),
             shape, _arrays.choice(cull, "cull", _CULLS), depth is not None,
             0 if depth is None else _arrays.choice(depth, "depth", _COMPARES), depth_write, blend,
             tuple((names.index(name), _rhw.formats[each]) for name, each in self.outputs.items()))
+
+
+def _attributes(positions: Any, colors: Any, uv: bool, normals: bool) -> Dict[str, Tuple[int, Any]]:
+    found: Dict[str, Tuple[int, Any]] = {"positions": (_arrays.one_of(positions, "positions", (3, 4)), np.float32)}
+    if colors is not None:
+        _arrays.choice(colors, "colors", ("float32", "uint8"))
+        found["colors"] = (4, np.dtype(colors).type)
+    if uv:
+        found["uv"] = (2, np.float32)
+    if normals:
+        found["normals"] = (3, np.float32)
+    return found
+
+
+def _kinds(attributes: Dict[str, Tuple[int, Any]]) -> Tuple[int, int, int, int]:
+    """Formats of vertices by the extension's numbers; -1 where there is no such attribute."""
+    def kind(name: str) -> int:
+        columns, dtype = attributes.get(name, (0, None))
+        return -1 if dtype is None else _FLOATS[columns] if dtype is np.float32 else _BYTES4
+
+    return kind("positions"), kind("colors"), kind("uv"), kind("normals")
 
 
 def _formats_of(outputs: Any, argument: str) -> Dict[str, str]:
@@ -243,14 +251,7 @@ class Pass:
         if not isinstance(depth, Texture):
             depth = _arrays.flag(depth, "depth")
         load = _arrays.flag(load, "load")
-        textures = list(targets.values()) + ([depth] if isinstance(depth, Texture) else [])
-        for texture in textures:
-            if not isinstance(texture, Texture):
-                raise TypeError(f"targets: must be textures, not {type(texture).__name__}")
-            if texture.size != textures[0].size:
-                raise ValueError(f"targets: must be of one size, not {textures[0].size} and {texture.size}")
-        if isinstance(depth, Texture) and depth.format != "d32_float":
-            raise ValueError(f"depth: must be a texture of d32_float, not {depth.format}")
+        textures = _textures_of(targets, depth)
         _arrays.one_of(samples, "samples", (1, 2, 4, 8, 16))
         for name in clear:
             _arrays.choice(name, "clear", (*targets, "depth_test"))
@@ -394,6 +395,19 @@ def _dictionary(value: Any, name: str) -> Dict[Any, Any]:
     if not isinstance(value, Mapping):
         raise TypeError(f"{name}: must be a dictionary, not {_arrays.text(value)}")
     return dict(value)
+
+
+def _textures_of(targets: Dict[str, Any], depth: Union[bool, Texture]) -> List[Texture]:
+    """All that a pass draws into: textures, of one size."""
+    textures = list(targets.values()) + ([depth] if isinstance(depth, Texture) else [])
+    for texture in textures:
+        if not isinstance(texture, Texture):
+            raise TypeError(f"targets: must be textures, not {type(texture).__name__}")
+        if texture.size != textures[0].size:
+            raise ValueError(f"targets: must be of one size, not {textures[0].size} and {texture.size}")
+    if isinstance(depth, Texture) and depth.format != "d32_float":
+        raise ValueError(f"depth: must be a texture of d32_float, not {depth.format}")
+    return textures
 
 
 def _clear_of(value: _Clear, name: str, form: str) -> Tuple[Tuple[float, ...], bool]:

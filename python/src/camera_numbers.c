@@ -188,11 +188,8 @@ static PyObject *axis_turn(PyObject *module, PyObject *arguments)
     (void)module;
     int up;
     double v[3];
-    if (!PyArg_ParseTuple(arguments, "i(ddd):axis_turn", &up, &v[0], &v[1], &v[2])) {
-        return NULL;
-    }
-    if (up < SCENE_AXIS_Y || up > SCENE_AXIS_MINUS_X) {
-        PyErr_SetString(PyExc_ValueError, "up: there is no such axis");
+    if (!PyArg_ParseTuple(arguments, "i(ddd):axis_turn", &up, &v[0], &v[1], &v[2]) ||
+        !python_is_choice(up, SCENE_AXIS_Y, SCENE_AXIS_MINUS_X, "up")) {
         return NULL;
     }
     scene_axis_turn((enum scene_axis)up, v);

@@ -27,7 +27,7 @@ struct python_item {
         rhw_pass pass;
     } id;
     PyObject *kept;     ///< lives until the item is destroyed; may be NULL
-    PyObject *panorama; ///< of a scene, which it was drawn in last: the same
+    PyObject *panorama; ///< whose light a scene has: the same; may be NULL
     void *block;        ///< of malloc: the same
 };
 

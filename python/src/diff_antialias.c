@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Antialiasing of silhouettes for rhw.diff, which makes what is seen change with the positions of vertices (Laine et al.,
-// "Modular primitives for high-performance differentiable rendering", 2020, section 3.6).
+// Antialiasing of silhouettes for rhw.diff, which makes what is seen change with the positions of vertices (Laine et
+// al., "Modular primitives for high-performance differentiable rendering", 2020, section 3.6).
 //
-// Of two neighbouring pixels that see different triangles, the nearer triangle ends somewhere between their centres. Where
-// it does at an edge that is a silhouette, and that runs more across the way from centre to centre than along it, the edge
-// cuts the way at a part d of it, counted from the pixel that sees the triangle: the pixels are weighed as if each ended
-// there instead of half way. One of the two is changed: with d above 1/2 the other gets d − 1/2 of the triangle's colour,
-// else the triangle's pixel gets 1/2 − d of the other's.
+// Of two neighbouring pixels that see different triangles, the nearer triangle ends somewhere between their centres.
+// Where it does at an edge that is a silhouette, and that runs more across the way from centre to centre than along it,
+// the edge cuts the way at a part d of it, counted from the pixel that sees the triangle: the pixels are weighed as if
+// each ended there instead of half way. One of the two is changed: with d above 1/2 the other gets d − 1/2 of the
+// triangle's colour, else the triangle's pixel gets 1/2 − d of the other's.
 #include "diff_mesh.h"
 
 #include <math.h>
@@ -30,8 +30,8 @@ struct work {
     size_t first_row; // of each image, that a job begins with
 };
 
-// A triangle that ends between two pixels. `share` above 0: that much of the triangle's colour goes to the other pixel; below
-// 0: −share of the other's to the triangle's pixel.
+// A triangle that ends between two pixels. `share` above 0: that much of the triangle's colour goes to the other pixel;
+// below 0: −share of the other's to the triangle's pixel.
 struct ending {
     size_t near, other; // pixels of all images: that which sees the triangle, and the other
     float share;
@@ -96,7 +96,8 @@ static bool find_edge(double at[3][2], struct ending *ending, size_t *edge, doub
     return found;
 }
 
-// The sight of a triangle that ends between pixel `place` and the next along an axis. False where none does that counts.
+// The sight of a triangle that ends between pixel `place` and the next along an axis. False where none does that
+// counts.
 static bool find_ending(const struct work *work, size_t place, int axis, struct ending *ending)
 {
     const struct diff_mesh *const mesh = &work->mesh;
@@ -176,8 +177,8 @@ static int find_pairs(const struct work *work, size_t place, size_t other[4], fl
     return count;
 }
 
-// Colours forwards. Backwards, where the shares are those of the transposed matrix: what a pixel took from another it owes
-// to that, and what it gave away it does not have.
+// Colours forwards. Backwards, where the shares are those of the transposed matrix: what a pixel took from another it
+// owes to that, and what it gave away it does not have.
 static void blend_row(void *data, size_t row)
 {
     const struct work *work = data;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Attributes of vertices at pixels, A = u A0 + v A1 + (1 − u − v) A2, with slopes by the chain rule, and both backwards.
+// Attributes of vertices at pixels, A = u A0 + v A1 + (1 − u − v) A2, with slopes by the chain rule, and both
+// backwards.
 #include "diff_mesh.h"
 
 #include <stdlib.h>
@@ -175,7 +176,8 @@ static bool run_backwards(struct work *work)
     return good;
 }
 
-// (mesh, attributes, channels, whether all images have the same, rast, rast_db or None, selected channels, values, slopes)
+// (mesh, attributes, channels, whether all images have the same, rast, rast_db or None, selected channels, values,
+// slopes)
 static bool read_work(PyObject *tuple, struct work *work, bool backwards)
 {
     PyObject *mesh, *attributes, *rast, *rast_db, *selected, *values, *slopes;
@@ -227,8 +229,8 @@ static PyObject *interpolate(PyObject *module, PyObject *arguments)
     return diff_crew_end(&work.mesh.crew, true);
 }
 
-// (the arguments of diff_interpolate, with gradients of values and slopes, gradients of attributes, of rast, of rast_db or
-// None)
+// (the arguments of diff_interpolate, with gradients of values and slopes, gradients of attributes, of rast, of rast_db
+// or None)
 static PyObject *interpolate_grad(PyObject *module, PyObject *arguments)
 {
     (void)module;

@@ -7,8 +7,8 @@
 
 #include "extension.h"
 
-/// Who works for a call of Python, without the interpreter's lock. The caller takes that between jobs now and then, to see
-/// whether a signal's handler wants to end the call, as that of Ctrl-C does.
+/// Who works for a call of Python, without the interpreter's lock. The caller takes that between jobs now and then, to
+/// see whether a signal's handler wants to end the call, as that of Ctrl-C does.
 struct diff_crew {
     int threads; ///< the caller's among them; beyond RHW_MAX_THREADS they are not started
     struct python_work python;
@@ -21,14 +21,14 @@ PyObject *diff_crew_end(struct diff_crew *crew, bool good);
 /// Whether no handler has ended the call. Of the caller's thread.
 bool diff_crew_goes_on(struct diff_crew *crew);
 
-/// Calls function(data, 0..count − 1) on the crew, and returns when all are done; of a call that was given up, not all are.
-/// Where the system gives fewer threads, those that there are do the work. Jobs should take milliseconds: a call ends at
-/// the end of one.
+/// Calls function(data, 0..count − 1) on the crew, and returns when all are done; of a call that was given up, not all
+/// are. Where the system gives fewer threads, those that there are do the work. Jobs should take milliseconds: a call
+/// ends at the end of one.
 void diff_jobs_run(struct diff_crew *crew, size_t count, void (*function)(void *data, size_t job),
                    void *data);
 
-/// Sums for jobs to add to, zeroed: so many rows, each of which begins on a cache line of its own, so that no two threads
-/// write to one. `*pitch`: doubles from row to row. Freed by free; NULL without memory.
+/// Sums for jobs to add to, zeroed: so many rows, each of which begins on a cache line of its own, so that no two
+/// threads write to one. `*pitch`: doubles from row to row. Freed by free; NULL without memory.
 double *diff_sums(size_t rows, size_t columns, size_t *pitch);
 
 #endif

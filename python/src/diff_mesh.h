@@ -16,7 +16,8 @@ struct diff_mesh {
     struct diff_crew crew;
 };
 
-/// Corners by vertex: corner 3 · triangle + k of all triangles, those of vertex v at first[v] .. first[v + 1] − 1, ascending.
+/// Corners by vertex: corner 3 · triangle + k of all triangles, those of vertex v at first[v] .. first[v + 1] − 1,
+/// ascending.
 struct diff_corners {
     size_t *first, *corner;
 };

@@ -186,8 +186,8 @@ static bool read_ranges(PyObject *object, struct work *work)
     return good;
 }
 
-// (context, mesh, positions, whether all images have the same, ranges or None, values, slopes, depths of the layer before
-// or None, depths or None)
+// (context, mesh, positions, whether all images have the same, ranges or None, values, slopes, depths of the layer
+// before or None, depths or None)
 static PyObject *rasterize(PyObject *module, PyObject *arguments)
 {
     (void)module;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// From gradients of weights, and of their slopes, to those of clip coordinates. A pixel centre (X, Y) of the image plane is
-// r = (X, Y, 1), a corner p = (x, y, w). With n0 = p1 × p2, n1 = p2 × p0, n2 = p0 × p1 and N = n0 + n1 + n2, the weights in
-// space are u = n0·r / N·r and v = n1·r / N·r, and their slopes ∂u/∂X = (n0.x − u N.x) / N·r and so on: Olano and Greer,
-// "Triangle scan conversion using 2D homogeneous coordinates", 1997. What follows is that backwards, in doubles.
+// From gradients of weights, and of their slopes, to those of clip coordinates. A pixel centre (X, Y) of the image
+// plane is r = (X, Y, 1), a corner p = (x, y, w). With n0 = p1 × p2, n1 = p2 × p0, n2 = p0 × p1 and N = n0 + n1 + n2,
+// the weights in space are u = n0·r / N·r and v = n1·r / N·r, and their slopes ∂u/∂X = (n0.x − u N.x) / N·r and so on:
+// Olano and Greer, "Triangle scan conversion using 2D homogeneous coordinates", 1997. What follows is that backwards,
+// in doubles.
 //
 // First every pixel finds what it gives to its three corners, then every vertex adds up what it gets (diff_mesh.h).
 #include "diff_mesh.h"
@@ -37,8 +38,8 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// What a pixel at r gives to the x, y, w of its corners. `g` is the gradient of u and v, `h` that of their slopes along X
-// and Y, in the order of rast_db.
+// What a pixel at r gives to the x, y, w of its corners. `g` is the gradient of u and v, `h` that of their slopes along
+// X and Y, in the order of rast_db.
 static void give(double p[3][3], const double r[3], const double g[2], const double h[4], double gift[3][3])
 {
     double n[3][3], sum[3];

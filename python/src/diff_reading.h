@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a texture is read for a pixel of rhw.diff: which texels of which levels, with what weights, and how these change
-// with the coordinates. Values and gradients of texture come from the same answer.
+// Where a texture is read for a pixel of rhw.diff: which texels of which levels, with what weights, and how these
+// change with the coordinates. Values and gradients of texture come from the same answer.
 #ifndef PYTHON_DIFF_READING_H
 #define PYTHON_DIFF_READING_H
 
@@ -40,7 +40,8 @@ size_t diff_level_width(const struct diff_shape *shape, int level);
 size_t diff_level_height(const struct diff_shape *shape, int level); ///< of a face
 
 /// `uv`: 2 coordinates, of a cube 3; `uv_da`: twice as many slopes, or NULL; `bias`: of the level, or alone the level.
-/// Slopes that are no numbers choose level 0, infinite ones the last; neither have a gradient, nor `uv` one through them.
+/// Slopes that are no numbers choose level 0, infinite ones the last; neither have a gradient, nor `uv` one through
+/// them.
 void diff_read(const struct diff_shape *shape, const float *uv, const float *uv_da, float bias,
                struct diff_reading *reading);
 

@@ -134,7 +134,8 @@ enum {
 }; // so many that threads have work for milliseconds, between looks for signals
 
 // Every thread goes through all pixels of the block in order, and adds to the texels of its rows alone: to sort what is
-// added by texels would take eight times the memory of the picture. The sums are doubles: a float loses what is 2^-24 of it.
+// added by texels would take eight times the memory of the picture. The sums are doubles: a float loses what is 2^-24
+// of it.
 static void collect_rows(void *data, size_t owner)
 {
     const struct work *work = data;
@@ -269,8 +270,8 @@ static PyObject *texture(PyObject *module, PyObject *arguments)
     return diff_crew_end(&work.crew, true);
 }
 
-// (the arguments of diff_texture, with the gradient of values, gradients of levels, of uv, of uv_da or None, of the bias or
-// None)
+// (the arguments of diff_texture, with the gradient of values, gradients of levels, of uv, of uv_da or None, of the
+// bias or None)
 static PyObject *texture_grad(PyObject *module, PyObject *arguments)
 {
     (void)module;

@@ -120,8 +120,8 @@ static bool read_picture(PyObject *object, const struct python_picture_field *ki
     return true;
 }
 
-// A copy of the dictionary, which keeps its arrays alive whatever others do to the dictionary, as pictures of that size. NULL
-// with an exception.
+// A copy of the dictionary, which keeps its arrays alive whatever others do to the dictionary, as pictures of that
+// size. NULL with an exception.
 static PyObject *read_pictures(PyObject *dictionary, struct scene_pictures *p)
 {
     struct python_picture_field kinds[PYTHON_PICTURES];

@@ -111,7 +111,8 @@ static int fill(PyObject *module)
     }
     Py_INCREF(python_error);
     if (PyModule_AddObject(module, "Error", python_error) < 0 ||
-        PyModule_AddStringConstant(module, "version", rhw_version()) < 0) {
+        PyModule_AddStringConstant(module, "version", rhw_version()) < 0 ||
+        PyModule_AddIntConstant(module, "max_target_size", RHW_MAX_TARGET_SIZE) < 0) {
         return -1;
     }
     return add_functions(module) < 0 || python_add_memory(module) < 0 || python_add_contexts(module) < 0 ||

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the files of the extension share. The extension is thin: it has the objects that hold memory of the library, and
 // functions that draw without the interpreter's lock. Names, defaults and the checks of arguments that a user sees
-// stand in the Python modules above it, so that what is here says no more than which argument it cannot take. But it takes
-// nothing on trust other than the address of an array, so that no call crashes, whoever makes it.
+// stand in the Python modules above it, so that what is here says no more than which argument it cannot take. But it
+// takes nothing on trust other than the address of an array, so that no call crashes, whoever makes it.
 //
 // It keeps to the limited API of CPython 3.9, so that one binary serves every later one. The buffer protocol joined
 // that in 3.11; arrays therefore pass both ways by __array_interface__, a dictionary with an address, which NumPy

@@ -106,7 +106,7 @@ static PyObject *pictures_dictionary(struct scene_pictures *pictures)
     return dictionary;
 }
 
-// Everything of struct scene_view, in its order, the panorama last; see rhw/model.py. False with an exception.
+// Size, camera and outputs, and then what rhw/_look.py has of a view. False with an exception.
 static bool read_view(const struct scene_object *scene, PyObject *arguments, struct scene_view *view,
                       PyObject **panorama)
 {
@@ -114,11 +114,11 @@ static bool read_view(const struct scene_object *scene, PyObject *arguments, str
     int interpolate, wireframe, background, lights, shadows, ground, occlusion, transparency, tone, up;
     char error[256];
     *view = (struct scene_view){.goes_on = python_work_goes_on, .allocate = python_picture_allocate};
-    if (!PyArg_ParseTuple(arguments, "(ii)iiOiiii(bbb)ipppiidIOd:draw", &view->width, &view->height,
-                          &view->samples, &view->supersample, &camera, &up, &interpolate, &wireframe,
+    if (!PyArg_ParseTuple(arguments, "(ii)OIiiiiii(bbb)ipppiidOd:draw", &view->width, &view->height, &camera,
+                          &view->outputs, &view->samples, &view->supersample, &up, &interpolate, &wireframe,
                           &background, &view->background_color[0], &view->background_color[1],
                           &view->background_color[2], &lights, &shadows, &ground, &occlusion, &transparency,
-                          &tone, &view->exposure, &view->outputs, panorama, &view->panorama_rotation) ||
+                          &tone, &view->exposure, panorama, &view->panorama_rotation) ||
         (*panorama != Py_None && !(view->panorama = python_panorama_get(*panorama))) ||
         !python_camera_read(camera, &view->camera) ||
         (up >= 0 && !python_is_choice(up, SCENE_AXIS_Y, SCENE_AXIS_MINUS_X, "up")) ||
@@ -146,13 +146,16 @@ static bool read_view(const struct scene_object *scene, PyObject *arguments, str
     return true;
 }
 
-// While the scene has what it made of a panorama, no other one may get its address.
-static void keep_panorama(struct python_item *item, PyObject *panorama)
+// While the scene has what it made of a panorama, no other one may get its address. A draw that failed early has left
+// it with the older one.
+static void keep_panorama(struct python_item *item, PyObject *panorama, const struct scene_view *view)
 {
-    PyObject *const older = item->panorama;
-    Py_INCREF(panorama);
-    item->panorama = panorama;
-    Py_XDECREF(older);
+    if (scene_lit_by(item->id.scene) == view->panorama) {
+        PyObject *const older = item->panorama;
+        Py_INCREF(panorama);
+        item->panorama = panorama;
+        Py_XDECREF(older);
+    }
 }
 
 // Returns (pictures, triangles that were rasterized).
@@ -164,13 +167,13 @@ static PyObject *draw(PyObject *self, PyObject *arguments)
     if (!read_view(scene, arguments, &view, &panorama) || !python_context_enter(scene->context)) {
         return NULL;
     }
-    keep_panorama(scene->item, panorama);
     struct scene_pictures pictures;
     struct scene_draw_stats stats;
     struct python_work work = python_work_begin();
     view.user = &work;
     const enum rhw_result result = scene_draw(scene->item->id.scene, &view, &pictures, &stats);
     PyEval_RestoreThread(work.state);
+    keep_panorama(scene->item, panorama, &view);
     if (!python_context_leave(scene->context, result)) {
         scene_pictures_free(&pictures);
         return NULL;

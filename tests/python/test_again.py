@@ -111,18 +111,22 @@ def test_nothing_is_uploaded_twice(box_obj, monkeypatch):
 COUNT_PAGES = """
 import resource, sys, rhw
 model, context = rhw.load(sys.argv[1]), rhw.Context(threads=1)
-for _ in range(8):
+for _ in range(5):
     before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
-    model.render((640, 480), outputs=("color", "depth", "triangle", "object"), context=context)
+    model.render(%s, outputs=("color", "linear", "depth", "object"), context=context)
     print(resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before)
 """
 
 
 @pytest.mark.skipif(SANITIZED, reason="a sanitizer keeps what is freed")
-def test_pictures_stand_on_the_memory_of_the_last(box_obj):
+@pytest.mark.parametrize("keywords", [
+    "(640, 480)",  # 2700
+    "(4096, 130), supersample=16, samples=1, shadows=False, ambient_occlusion=False",  # 3600, in two bands of which the latter has two rows
+])
+def test_pictures_stand_on_the_memory_of_the_last(box_obj, keywords):
     pytest.importorskip("resource")
-    # Of malloc each picture would be new pages then, 1200 in all.
+    # Of malloc each picture would be new pages then, as many as are told above.
     environment = {**os.environ, "MALLOC_MMAP_THRESHOLD_": "100000"}
-    told = subprocess.run([sys.executable, "-c", COUNT_PAGES, str(box_obj)], check=True, env=environment,
+    told = subprocess.run([sys.executable, "-c", COUNT_PAGES % keywords, str(box_obj)], check=True, env=environment,
                           stdout=subprocess.PIPE, universal_newlines=True)
     assert max(map(int, told.stdout.split()[3:])) < 100

@@ -15,6 +15,7 @@ from conftest import model_file
 from dataset_runs import files, manifest, read_png, run
 from rhw.dataset import npz
 from rhw.dataset.cameras import Sphere
+from test_environment import radiance, sky
 
 SIZE = "64x48"
 COLUMNS, ROWS = np.meshgrid(np.arange(64), np.arange(48))
@@ -219,6 +220,22 @@ def test_options_reach_the_picture(boxes, tmp_path):
                          lights="none", shadows=False, ground=True, ambient_occlusion=False, tone="agx", exposure=-1.5,
                          transparency="exact", up="z")
     assert drawn.png() == (tmp_path / "out/boxes/0000.png").read_bytes()
+
+
+def test_light_of_a_panorama(boxes, tmp_path):
+    """As Model.render draws it; the manifest has the file's hash. Where it lies when a run goes on is no matter."""
+    light = tmp_path / "sky.hdr"
+    light.write_bytes(radiance(sky()))
+    asked = (boxes, "--views", 3, "--size", 40, "--environment-rotation", "-30", "--background", "environment")
+    run(*asked, "--environment", light, "--out", tmp_path / "out", "--shard", "1/3")
+    shutil.move(light, tmp_path / "moved.hdr")
+    run(*asked, "--environment", tmp_path / "moved.hdr", "--out", tmp_path / "out")
+    shot = Sphere(3).shot(1, rhw.load(boxes), "boxes", (40, 40))
+    drawn = rhw.load(boxes).render(40, shot.camera(), environment=sky(), environment_rotation=-30, background="environment")
+    assert drawn.png() == (tmp_path / "out/boxes/0001.png").read_bytes()
+    sha256 = hashlib.sha256((tmp_path / "moved.hdr").read_bytes()).hexdigest()
+    assert manifest(tmp_path / "out")["environment"] == {"path": str(light), "sha256": sha256, "rotation": -30}
+    run("--verify", tmp_path / "out")
 
 
 def test_a_textured_model(tmp_path):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What is wrong with a request, a model or a place is one line, and leaves nothing half done."""
 
+import errno
 import json
 import os
 import re
@@ -9,8 +10,12 @@ import shutil
 import pytest
 
 from dataset_runs import files, manifest, run
+from rhw.dataset import plan, work
+from rhw.dataset.cameras import Sphere
+from rhw.dataset.errors import Failure
 from rhw.dataset.main import main
-from rhw.dataset.plan import name_models
+from rhw.dataset.plan import Plan, name_models
+from test_environment import radiance, sky
 
 POSE = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]]
 
@@ -50,6 +55,9 @@ def say(capsys, *arguments):
     ("m.obj --out o --up w", "--up: invalid choice: 'w'"),
     ("m.obj --out o --samples 3", "--samples: invalid choice: 3"),
     ("m.obj --out o --background pink", "--background: must be rrggbb in hexadecimal"),
+    ("m.obj --out o --background environment", "--background: 'environment' needs --environment"),
+    ("m.obj --out o --environment-rotation -3", "--environment-rotation: needs --environment"),
+    ("m.obj --out o --environment x.hdr --environment-rotation nan", "--environment-rotation: must lie between"),
     ("m.obj --out o --shadows maybe", "--shadows: must be on or off, not 'maybe'"),
     ("m.obj --out o --threads 0", "-j/--threads: must be a whole number from 1 to 64, not '0'"),
     ("m.obj --out o --shard 0/3", "--shard: must be NUMBER/COUNT, from 1/COUNT to COUNT/COUNT, not '0/3'"),
@@ -92,6 +100,37 @@ def test_a_wrong_file_of_cameras(about, line, tmp_path, monkeypatch, capsys):
     assert os.listdir(tmp_path) == ["c.json"]
 
 
+def test_a_wrong_panorama(boxes, tmp_path, capsys):
+    """Nothing is begun with a file that is none, and nothing goes on with another one than before."""
+    light, out = tmp_path / "sky.hdr", tmp_path / "set"
+    asked = (boxes, "--views", 3, "--size", 20, "--out", out, "--environment", light)
+    assert say(capsys, *asked) == (1, f"rhw.dataset: {light}: No such file or directory\n")
+    light.write_text("clouds")
+    status, said = say(capsys, *asked)
+    assert status == 1 and said.startswith(f"rhw.dataset: {light}: ") and said.count("\n") == 1
+    assert os.listdir(tmp_path) == ["sky.hdr"]
+    status, said = say(capsys, boxes, "--out", out, "--environment", "\udcff.hdr")
+    assert (status, said) == (2, "rhw.dataset: '\\udcff.hdr': the names of panoramas must be UTF-8\n")
+    assert os.listdir(tmp_path) == ["sky.hdr"]
+    light.write_bytes(radiance(sky()))
+    run(*asked, "--shard", "1/3")
+    before = files(out)
+    assert "environment.rotation is 0.0 there, not 5.0" in say(capsys, *asked, "--environment-rotation", 5)[1]
+    light.write_bytes(radiance(sky()[::-1]))
+    assert "environment.sha256 is " in say(capsys, *asked)[1]
+    assert files(out) == before
+
+
+def test_a_panorama_that_changes_on_the_way(boxes, tmp_path):
+    """A worker that sees another file than was asked for draws nothing."""
+    light, out = tmp_path / "sky.hdr", tmp_path / "set"
+    light.write_bytes(radiance(sky()))
+    run(boxes, "--views", 3, "--size", 20, "--out", out, "--environment", light, "--shard", "1/3")
+    light.write_bytes(radiance(sky()[::-1]))
+    done = work.draw(work.Task("another", str(out), 0, str(boxes), (1, 2), 1, lit_by=str(light)))
+    assert done.failed == f"{light}: has changed since {out} was begun; take another folder" and done.drawn == 0
+
+
 def test_a_folder_of_others(boxes, tmp_path, capsys):
     (tmp_path / "thesis.tex").write_text("years")
     assert say(capsys, boxes, "--out", tmp_path) == (1, f"rhw.dataset: {tmp_path}: holds other files; take a new or empty folder\n")
@@ -115,6 +154,35 @@ def test_another_request_in_the_same_folder(boxes, tmp_path, capsys, changed, li
     status, said = say(capsys, *asked, *changed)
     assert (status, said) == (1, f"rhw.dataset: {out}: has another data set: {line}; take another folder\n")
     assert files(out) == before
+
+
+def plan_of(views):
+    return Plan((("boxes", "boxes.obj"),), Sphere(views), (20, 20), {"color": "png"}, {}, {})
+
+
+@pytest.mark.parametrize("links", [True, False])
+def test_two_requests_at_once(tmp_path, monkeypatch, links):
+    """Both see an empty folder; one has it, the other is refused, or goes on where it asks for the same."""
+    def refuse(*_):
+        raise PermissionError(errno.EPERM, "no links here")
+
+    if not links:
+        monkeypatch.setattr(os, "link", refuse)
+    look = plan._refuse_strangers
+
+    def look_and_wait(folder, path):
+        look(folder, path)
+        monkeypatch.setattr(plan, "_refuse_strangers", look)
+        assert plan.begin(folder, plan_of(3)).views == 3  # the other one's turn
+
+    for name, views in (("equal", 3), ("different", 4)):
+        monkeypatch.setattr(plan, "_refuse_strangers", look_and_wait)
+        if name == "different":
+            with pytest.raises(Failure, match="has another data set: cameras.sphere.views is 3 there, not 4"):
+                plan.begin(str(tmp_path / name), plan_of(views))
+        else:
+            assert plan.begin(str(tmp_path / name), plan_of(views)).views == 3
+        assert os.listdir(tmp_path / name / ".rhw") == ["plan.json"]
 
 
 def test_models_that_cannot_be_drawn(boxes, tmp_path):

@@ -2,6 +2,8 @@
 """Light from a panorama: the bytes of `rhw render --environment`, of files and of arrays."""
 
 import gc
+import signal
+import sys
 
 import numpy as np
 import pytest
@@ -78,6 +80,42 @@ def test_another_one_at_the_same_place(model):
             assert np.array_equal(model.render(24, environment=np.full((4, 8, 3), color, np.float32))["color"], seen)
             gc.collect()
     assert np.array_equal(model.render(24)["color"], model.render(24, context=rhw.Context(threads=1))["color"])
+
+
+def test_light_is_kept_as_long_as_the_scene_shows_it(model):
+    """While a draw makes other light the former is still there, also where the draw fails; then it is let go."""
+    skies = [rhw.Environment(np.full((4, 8, 3), shade)) for shade in (0.2, 0.8)]
+    context = rhw.Context(threads=1)
+
+    def holders():
+        return [sys.getrefcount(sky._panorama) for sky in skies]
+
+    alone = holders()
+
+    def held():
+        return [now - before for now, before in zip(holders(), alone)]
+
+    model.render(8, environment=skies[0], context=context)
+    assert held() == [1, 0]
+    with pytest.raises(TypeError):
+        model.render(8, environment=skies[1], context=context, camera=7)
+    assert held() == [1, 0]
+    meanwhile = []
+
+    def stop(*_):
+        meanwhile.append(held()[0])
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGVTALRM, stop)
+    try:
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0.1)  # of processor time: the draw has begun
+        with pytest.raises(KeyboardInterrupt):
+            model.render((16384, 4096), environment=skies[1], context=context, samples=1)
+    finally:
+        signal.signal(signal.SIGVTALRM, before)
+    assert meanwhile == [1] and held() == [0, 1]
+    model.render(8, context=context)
+    assert held() == [0, 0]
 
 
 def test_texels():

@@ -11,6 +11,7 @@ import pytest
 
 import rhw
 from conftest import SANITIZED
+from rhw import _threads
 
 V = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)
 F = np.array([[0, 1, 2], [0, 2, 3]])
@@ -99,12 +100,12 @@ def test_a_full_place_keeps_the_older_file(tmp_path):
     assert (tmp_path / "x.png").read_bytes() == b"older"
 
 
-def interrupted(work, after=0.3):
-    """Seconds from the signal until KeyboardInterrupt is there."""
+def interrupted(work, after):
+    """Seconds of processor time from the signal until KeyboardInterrupt is there: other programs take none of it."""
     sent = []
 
     def send():
-        sent.append(time.monotonic())
+        sent.append(time.process_time())
         os.kill(os.getpid(), signal.SIGINT)
 
     timer = threading.Timer(after, send)
@@ -112,26 +113,40 @@ def interrupted(work, after=0.3):
     try:
         with pytest.raises(KeyboardInterrupt):
             work()
-        return time.monotonic() - sent[0]
+        return time.process_time() - sent[0]
     finally:
         timer.cancel()
 
 
 @pytest.mark.skipif(SANITIZED, reason="a band takes longer with a sanitizer")
 def test_ctrl_c_ends_a_draw():
-    def work():
-        model.render(16384, samples=16, outputs="object")
-        model.render(16384, samples=16, supersample=1)
-    assert interrupted(work) < 5
+    """Before half of it: by the time of the same draw with a 16th of the pixels."""
+    keywords = dict(outputs="linear", samples=1, supersample=16)
+    begun = time.process_time()
+    model.render(1024, **keywords)
+    part = time.process_time() - begun
+    assert interrupted(lambda: model.render(4096, **keywords), 0.3) < 8 * part
     assert model.render(20)["color"].any()  # the context is as good as ever
 
 
 @pytest.mark.skipif(SANITIZED, reason="an import takes longer with a sanitizer")
 def test_ctrl_c_ends_an_import(tmp_path):
-    path = tmp_path / "large.obj"
+    """The process that reads is ended, and has not read half of it: by the time that it takes for a 15th."""
+    resource = pytest.importorskip("resource")
     line = b"v 1 2 3\nv 4 5 6\nv 7 8 1\nf -1 -2 -3\n"
-    path.write_bytes(line * 1500000)  # a second or more
-    assert interrupted(lambda: rhw.load(path), 0.2) < 0.4
+    (tmp_path / "small.obj").write_bytes(line * 100000)
+    (tmp_path / "large.obj").write_bytes(line * 1500000)  # a second or more
+
+    def of_children(work):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        work()
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+    part = of_children(lambda: rhw.load(tmp_path / "small.obj"))
+    assert of_children(lambda: interrupted(lambda: rhw.load(tmp_path / "large.obj"), 0.2)) < 7 * part
+    with pytest.raises(ChildProcessError):
+        os.waitpid(-1, os.WNOHANG)
 
 
 @pytest.mark.skipif(SANITIZED, reason="sanitizers cannot fork beside threads that allocate")
@@ -149,8 +164,18 @@ def test_other_threads_run_meanwhile():
     assert steps > 20
 
 
+def test_contexts_of_a_thread():
+    """It has one for each number of threads that draw, and they are its own."""
+    two, others = _threads.context(2), []
+    assert two.threads == 2 and two is _threads.context(2) and two is not _threads.context()
+    thread = threading.Thread(target=lambda: others.append(_threads.context(2)))
+    thread.start()
+    thread.join()
+    assert others[0] is not two
+
+
 def test_after_a_fork():
-    parents = rhw.Context(threads=2)
+    parents = _threads.context(2)
     model.render(20, context=parents)
     reading, writing = os.pipe()
     child = os.fork()
@@ -161,6 +186,7 @@ def test_after_a_fork():
             os.write(writing, picture)
             with pytest.raises(RuntimeError, match="does not live on in a forked process"):
                 model.render(20, context=parents)
+            assert model.render(20, context=_threads.context(2)).png() == picture
             status = 0
         finally:
             os._exit(status)

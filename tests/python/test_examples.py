@@ -40,7 +40,10 @@ def test_example(example, tmp_path):
             pytest.skip("torch is not made for a sanitizer that is loaded before it")
         pytest.importorskip("torch", reason="torch is not here: script/bootstrap learn")
     out = tmp_path / "out.png"
-    printed = subprocess.run([sys.executable, "-B", example, *model, out], check=True, stdout=subprocess.PIPE, text=True).stdout
+    # Torch's threads wait for each other busily: with other tests beside them, longer than they work.
+    alone = {**os.environ, "OMP_NUM_THREADS": "1"}
+    printed = subprocess.run([sys.executable, "-B", example, *model, out], check=True, stdout=subprocess.PIPE, text=True,
+                             env=alone).stdout
     check_curve(example.stem, printed)
     told = subprocess.run([os.environ["RHW_PROGRAM"], "compare", "--json", out, example.with_suffix(".png")],
                           capture_output=True, text=True, env=ENVIRONMENT).stdout
@@ -64,6 +67,19 @@ def test_recipes_of_the_documents(tmp_path, monkeypatch, box_obj):
     for block in blocks:
         exec(compile(block, "docs/python.md", "exec"), names)
     assert (tmp_path / "chair.png").exists()
+
+
+def test_readme(tmp_path, monkeypatch, capsys):
+    """What it shows of Python runs as it stands, in a checkout: here in what may be written to beside it."""
+    (tmp_path / "tests").symlink_to(ROOT / "tests")
+    monkeypatch.chdir(tmp_path)
+    block, = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.S)
+    names = {}
+    exec(compile(block, "README.md", "exec"), names)
+    assert capsys.readouterr().out.startswith("(480, 640) 0.") and set(names["pictures"]) == {"color", "depth", "object"}
+    assert names["pictures"]["object"].any()
+    for name in ("cube.png", "mesh.png"):
+        assert (tmp_path / name).read_bytes().startswith(b"\x89PNG")
 
 
 def test_recipes_of_learning():

@@ -190,7 +190,7 @@ def read_file(path: str, size: Optional[Tuple[int, int]], usual: Tuple[int, int]
 def _size_of(about: Dict[str, Any], name: str) -> Optional[Tuple[int, int]]:
     if "w" not in about or "h" not in about:
         return None
-    sides = [_number(about[key], f"{name}: {key}", 1, 16384) for key in ("w", "h")]
+    sides = [_number(about[key], f"{name}: {key}", 1, _arrays.MOST) for key in ("w", "h")]
     if any(side != int(side) for side in sides):
         raise Failure(f"{name}: w, h: must be whole numbers")
     return int(sides[0]), int(sides[1])
@@ -214,7 +214,7 @@ def _shot(about: Dict[str, Any], frame: Any, name: str, size: Tuple[int, int]) -
 
 def _lens(lens: Dict[str, float], name: str, size: Tuple[int, int]) -> Tuple[float, float, float, float]:
     """Of a picture of that size: the file's lens, scaled."""
-    width, height = (_number(lens.get(key, side), f"{name}: {key}", 1, 16384) for key, side in zip(("w", "h"), size))
+    width, height = (_number(lens.get(key, side), f"{name}: {key}", 1, _arrays.MOST) for key, side in zip(("w", "h"), size))
     if width * size[1] != height * size[0]:
         raise Failure(f"{name}: w, h: are {width:g}, {height:g}, which is no scaled {size[0]}, {size[1]}")
     scale = size[0] / width

@@ -7,6 +7,8 @@ them through the scheduler and us. A worker that is lost costs the views that it
 
 from __future__ import annotations
 
+import asyncio
+import contextlib
 import importlib
 import logging
 from typing import Any, Generator, List, Sequence
@@ -49,7 +51,8 @@ def _draw_by(distributed: Any, tasks: Sequence[Task], address: str) -> Generator
         for future in distributed.as_completed(list(futures)):
             yield _result(future, futures.pop(future), address)
     finally:
-        client.close(timeout=1)
+        with contextlib.suppress(OSError, asyncio.TimeoutError):  # a lost one does not answer, which is told already
+            client.close(timeout=1)
 
 
 def _result(future: Any, task: Task, address: str) -> Done:

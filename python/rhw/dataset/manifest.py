@@ -11,6 +11,7 @@ import contextlib
 import filecmp
 import json
 import os
+from dataclasses import asdict
 from typing import Any, BinaryIO, Dict, Iterator, List, Sequence
 
 from .. import _files, _rhw
@@ -58,7 +59,7 @@ def _header(plan: Plan) -> Dict[str, Any]:
                for output, form in plan.outputs.items()}
     cameras = plan.cameras.to_json() if isinstance(plan.cameras, Sphere) else {"given": plan.views}
     return {"format": FORMAT, "rhw": plan.version, "size": list(plan.size), "outputs": outputs, "cameras": cameras,
-            "load": plan.load, "render": plan.render, "conventions": CONVENTIONS}
+            "load": plan.load, "render": plan.render, "environment": plan.light and asdict(plan.light), "conventions": CONVENTIONS}
 
 
 def write(folder: str, plan: Plan, paths: Sequence[str], skipped: Dict[int, str]) -> str:

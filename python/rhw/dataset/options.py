@@ -9,15 +9,16 @@ import sys
 from typing import Any, Callable, Dict, List, NoReturn, Optional, Sequence, Tuple
 
 from .. import _rhw
+from .._arrays import MOST
 from ..camera import AXES
-from . import cameras as views, local
+from . import cameras as views, light, local
 from .errors import Mistake
 from .plan import FORMATS, Plan, name_models
 from .run import How
 
 _USUAL_SIZE = (512, 512)
 _USUAL_VIEWS = 24
-_MAY_BE_NEGATIVE = ("--elevation", "--center", "--up", "--exposure")
+_MAY_BE_NEGATIVE = ("--elevation", "--center", "--up", "--exposure", "--environment-rotation")
 
 _ABOUT = """Draws models from many places, and writes the pictures with a manifest of cameras, names and hashes.
 
@@ -94,8 +95,8 @@ def _range(least: float, most: float) -> Callable[[str], Tuple[float, float]]:
 def _size(text: str) -> Tuple[int, int]:
     found = re.fullmatch(r"(\d{1,5})(?:x(\d{1,5}))?", text)
     size = (int(found[1]), int(found[2] or found[1])) if found else (0, 0)
-    if not (1 <= size[0] <= 16384 and 1 <= size[1] <= 16384):
-        raise ValueError(f"must be WIDTHxHEIGHT or one number, of 1 to 16384, not '{text}'")
+    if not (1 <= size[0] <= MOST and 1 <= size[1] <= MOST):
+        raise ValueError(f"must be WIDTHxHEIGHT or one number, of 1 to {MOST}, not '{text}'")
     return size
 
 
@@ -110,10 +111,10 @@ def _shard(text: str) -> Tuple[int, int]:
 @_type
 def _background(text: str) -> Any:
     names = {"black": [0, 0, 0], "grey": [128, 128, 128], "white": [255, 255, 255]}
-    if text in ("default", "transparent"):
+    if text in ("default", "environment", "transparent"):
         return text
     if not re.fullmatch("#?[0-9a-fA-F]{6}", text) and text not in names:
-        raise ValueError(f"must be rrggbb in hexadecimal, black, grey, white, transparent or default, not '{text}'")
+        raise ValueError(f"must be rrggbb in hexadecimal, black, grey, white, environment, transparent or default, not '{text}'")
     return names.get(text) or list(bytes.fromhex(text[-6:]))
 
 
@@ -163,8 +164,10 @@ def _add_pictures(parser: argparse.ArgumentParser) -> None:
     add("--samples", type=int, choices=(1, 2, 4, 8, 16), default=4, help="of a pixel; default 4")
     add("--supersample", type=int, choices=(1, 4, 9, 16), default=1, help="pixels that are drawn for one; default 1")
     add("--background", metavar="COLOR", type=_background, default="default",
-        help="rrggbb, black, grey, white, transparent or default")
+        help="rrggbb, black, grey, white, environment, transparent or default")
     add("--lights", choices=("file", "default", "none"), default="file", help="default file")
+    add("--environment", metavar="FILE", help="light by a panorama, .hdr or .exr, instead of the studio")
+    add("--environment-rotation", metavar="DEGREES", type=_number(-1e6, 1e6), help="turn it about what is up")
     add("--shadows", metavar="on|off", type=_switch, default=True, help="default on")
     add("--ground", action="store_true", help="a soft shadow below the model")
     add("--ambient-occlusion", metavar="on|off", type=_switch, default=True, help="default on")
@@ -172,7 +175,7 @@ def _add_pictures(parser: argparse.ArgumentParser) -> None:
     add("--exposure", metavar="STOPS", type=_number(-20, 20), default=0.0, help="brighter by factors of two; default 0")
     add("--transparency", choices=("sorted", "exact"), default="sorted", help="default sorted")
     add("--variant", metavar="NAME", help="of the materials")
-    add("--max-texture", metavar="N", type=_whole(1, 16384), default=0, help="halve textures that are larger")
+    add("--max-texture", metavar="N", type=_whole(1, MOST), default=0, help="halve textures that are larger")
 
 
 def _add_run(parser: argparse.ArgumentParser) -> None:
@@ -220,7 +223,11 @@ class Asked:
                   "ambient_occlusion": given.ambient_occlusion, "tone": given.tone_map, "exposure": given.exposure,
                   "transparency": given.transparency, "up": given.up}
         return Plan(name_models(given.models), placed, size, given.outputs,
-                    {"variant": given.variant, "max_texture": given.max_texture}, render)
+                    {"variant": given.variant, "max_texture": given.max_texture}, render, self._light())
+
+    def _light(self) -> Optional[light.Light]:
+        given = self._given
+        return None if given.environment is None else light.find(given.environment, given.environment_rotation or 0.0)
 
     def _cameras(self) -> Tuple[views.Cameras, Tuple[int, int]]:
         given = self._given
@@ -265,6 +272,10 @@ def read(arguments: Optional[Sequence[str]]) -> Asked:
         raise Mistake(f"--{needless}: says nothing beside --cameras")
     if given.radius and given.distance:
         raise Mistake("--radius: says nothing beside --distance")
+    if given.environment is None and given.background == "environment":
+        raise Mistake("--background: 'environment' needs --environment")
+    if given.environment is None and given.environment_rotation is not None:
+        raise Mistake("--environment-rotation: needs --environment")
     if given.scheduler and given.shard:
         raise Mistake("--shard: says nothing beside --scheduler, which shares out the work")
     return Asked(given)

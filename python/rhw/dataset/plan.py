@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import json
 import os
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple
 
-from .. import _arrays, _rhw
+from .. import _rhw
 from . import store
 from .cameras import Cameras, cameras_from
 from .errors import Failure, Mistake
+from .light import Light
 
 FORMAT = "rhw.dataset 1"  #: what the files of this version say they are
 
@@ -40,17 +41,21 @@ class Plan:
     outputs: Dict[str, str]
     load: Dict[str, Any]
     render: Dict[str, Any]
+    light: Optional[Light] = None
     version: str = _rhw.version
 
     def to_json(self) -> Dict[str, Any]:
         return {"format": FORMAT, "rhw": self.version, "size": list(self.size), "outputs": self.outputs,
                 "cameras": self.cameras.to_json(), "load": self.load, "render": self.render,
+                "environment": self.light and asdict(self.light),
                 "models": [{"name": name, "path": path} for name, path in self.models]}
 
     @classmethod
     def from_json(cls, about: Dict[str, Any]) -> "Plan":
-        return cls(tuple((each["name"], each["path"]) for each in about["models"]), cameras_from(about["cameras"]),
-                   (about["size"][0], about["size"][1]), about["outputs"], about["load"], about["render"], about["rhw"])
+        models = tuple((each["name"], each["path"]) for each in about["models"])
+        light = Light(**about["environment"]) if about.get("environment") else None
+        return cls(models, cameras_from(about["cameras"]), (about["size"][0], about["size"][1]), about["outputs"], about["load"],
+                   about["render"], light, about["rhw"])
 
     @property
     def views(self) -> int:
@@ -103,7 +108,7 @@ def begin(folder: str, plan: Plan) -> Plan:
     if not os.path.exists(path):
         _refuse_strangers(folder, path)
         os.makedirs(os.path.dirname(path), exist_ok=True)
-        store.put(path, store.encode(plan.to_json()))
+        store.begin(path, store.encode(plan.to_json()))
     found = read(folder)
     differs = difference(found.to_json(), json.loads(json.dumps(plan.to_json())))
     if differs:
@@ -139,10 +144,7 @@ def name_models(paths: Sequence[str]) -> Tuple[Tuple[str, str], ...]:
         raise Mistake(f"{twice}: is given twice")
     taken: Dict[str, str] = {}
     for path in paths:
-        try:
-            path.encode()
-        except UnicodeEncodeError:
-            raise Mistake(f"{_arrays.text(path)}: the names of models must be UTF-8") from None
+        store.check_name(path, "models")
         name = _name(path, parts)
         if name in taken:
             raise Mistake(f"{path}: would have the name '{name}', as {taken[name]} has")

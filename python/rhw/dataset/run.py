@@ -38,7 +38,8 @@ def make(folder: str, asked: Plan, how: How) -> int:
     part = plans.shard(plan, *how.shard) if how.shard else list(plan.all_views())
     pending = _pending(folder, plan, part)
     paths = [os.path.abspath(path) for _, path in asked.models]
-    tasks = _tasks(folder, pending, paths, how)
+    lit_by = os.path.abspath(asked.light.path) if asked.light else None
+    tasks = _tasks(folder, pending, paths, lit_by, how)
     progress = Progress(sum(len(task.views) for task in tasks), how.quiet)
     drawn, broken = _draw(tasks, progress, how)
     progress.clear()
@@ -70,13 +71,13 @@ def _pending(folder: str, plan: Plan, part: List[Tuple[int, int]]) -> Dict[int, 
     return pending
 
 
-def _tasks(folder: str, pending: Dict[int, List[int]], paths: List[str], how: How) -> List[Task]:
+def _tasks(folder: str, pending: Dict[int, List[int]], paths: List[str], lit_by: Optional[str], how: How) -> List[Task]:
     run, count = secrets.token_hex(8), sum(map(len, pending.values()))
     threads = how.threads if how.scheduler else local.share(how.threads)[1]
     tasks = []
     for model, views in pending.items():
         portions = cluster.group(views, count) if how.scheduler else [[view] for view in views]
-        tasks += [Task(run, folder, model, paths[model], tuple(portion), threads, how.strict) for portion in portions]
+        tasks += [Task(run, folder, model, paths[model], tuple(portion), threads, how.strict, lit_by) for portion in portions]
     return tasks
 
 

@@ -14,8 +14,8 @@ import os
 import time
 from typing import Any, Dict, Iterable, List, NamedTuple, Set, Tuple
 
-from .. import _files
-from .errors import Failure
+from .. import _arrays, _files
+from .errors import Failure, Mistake
 
 RECORDS = ".rhw"
 
@@ -39,6 +39,14 @@ def model_path(folder: str, name: str) -> str:
 
 def manifest_path(folder: str) -> str:
     return os.path.join(folder, "manifest.json")
+
+
+def check_name(path: str, what: str) -> None:
+    """Refuses one that JSON cannot have."""
+    try:
+        path.encode()
+    except UnicodeEncodeError:
+        raise Mistake(f"{_arrays.text(path)}: the names of {what} must be UTF-8") from None
 
 
 def encode(value: Any) -> bytes:
@@ -79,6 +87,12 @@ def put(path: str, data: bytes) -> None:
     except FileNotFoundError:
         pass
     _files.write(path, data)
+
+
+def begin(path: str, data: bytes) -> None:
+    """Writes a file, unless it is there, with whatever bytes: of several who begin it at once, all but one find it."""
+    with contextlib.suppress(FileExistsError), _files.replacing(path, new=True) as file:
+        file.write(data)
 
 
 def places(folder: str, name: str) -> Tuple[str, str]:

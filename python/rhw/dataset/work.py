@@ -8,27 +8,27 @@ import hashlib
 import os
 import threading
 from dataclasses import dataclass
-from typing import Any, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
-from .. import _rhw
+from .. import _rhw, _threads
+from ..environment import Environment
 from ..model import Model
 from ..pictures import Pictures
-from . import npz, plan as plans, store
+from . import light, npz, plan as plans, store
 from .cameras import Shot
 from .errors import Broken, Failure
 from .models import Models
 from .plan import Plan
 
-_local = threading.local()
 _lock = threading.Lock()
 
 
 @dataclass(frozen=True)
 class Task:
     """Views of one model. run: names the run, as another one may begin in the same folder anew. path: of the model's file,
-    from the root. threads: that draw a picture."""
+    from the root; lit_by: of the panorama's. threads: that draw a picture."""
 
     run: str
     folder: str
@@ -37,6 +37,7 @@ class Task:
     views: Tuple[int, ...]
     threads: int
     strict: bool = False
+    lit_by: Optional[str] = None
 
 
 @dataclass(frozen=True)
@@ -50,41 +51,41 @@ class Done:
     failed: Optional[str] = None
 
 
+class _Workshop(NamedTuple):
+    """The plan of a folder, its models and its light, which a process keeps between tasks."""
+
+    plan: Plan
+    models: Models
+    environment: Optional[Environment]
+
+
 @functools.lru_cache(maxsize=2)
-def _open_workshop(run: str, folder: str, strict: bool) -> Tuple[Plan, Models]:
+def _open_workshop(run: str, folder: str, strict: bool, lit_by: Optional[str]) -> _Workshop:
     try:
         plan = plans.read(folder)
     except FileNotFoundError:
         raise Failure(f"{folder}: is not seen from here: all that draw must share the folder") from None
     if plan.version != _rhw.version:
         raise Failure(f"{folder}: is of rhw {plan.version}, and here is rhw {_rhw.version}")
-    return plan, Models(folder, plan, strict)
+    environment = light.take(plan.light, lit_by, folder) if plan.light and lit_by else None
+    return _Workshop(plan, Models(folder, plan, strict), environment)
 
 
-def _workshop(task: Task) -> Tuple[Plan, Models]:
-    """The plan of a folder and its models, which a process keeps between tasks."""
+def _workshop(task: Task) -> _Workshop:
     with _lock:
-        return _open_workshop(task.run, task.folder, task.strict)
-
-
-def _context(threads: int) -> _rhw.Context:
-    """The calling thread's own."""
-    kept: Dict[int, _rhw.Context] = _local.__dict__.setdefault("contexts", {})
-    if threads not in kept:
-        kept[threads] = _rhw.Context(threads=threads)
-    return kept[threads]
+        return _open_workshop(task.run, task.folder, task.strict, task.lit_by)
 
 
 def draw(task: Task) -> Done:
     """Draws what is not finished of a task."""
     drawn = 0
     try:
-        plan, models = _workshop(task)
-        model, about = models.get(task.model, task.path)
+        shop = _workshop(task)
+        model, about = shop.models.get(task.model, task.path)
         for view in task.views:
             # Another worker may have had this task before, and have been lost at its end.
-            if not store.has(task.folder, plan.models[task.model][0], plan.names(view)):
-                _draw_view(task, plan, model, view)
+            if not store.has(task.folder, shop.plan.models[task.model][0], shop.plan.names(view)):
+                _draw_view(task, shop, model, view)
                 drawn += 1
     except Broken as error:
         return Done(task, drawn, broken=str(error))
@@ -95,11 +96,13 @@ def draw(task: Task) -> Done:
     return Done(task, drawn, tuple(about["warnings"] + about["unsupported"]))
 
 
-def _draw_view(task: Task, plan: Plan, model: Model, view: int) -> None:
+def _draw_view(task: Task, shop: _Workshop, model: Model, view: int) -> None:
+    plan = shop.plan
     name, names = plan.models[task.model][0], plan.names(view)
     shot = plan.cameras.shot(view, model, name, plan.size)
     try:
-        pictures = model.render(plan.size, shot.camera(), outputs=list(plan.outputs), context=_context(task.threads),
+        pictures = model.render(plan.size, shot.camera(), outputs=list(plan.outputs), context=_threads.context(task.threads),
+                                environment=shop.environment, environment_rotation=plan.light.rotation if plan.light else 0.0,
                                 **plan.render)
         files = {file: _encode(file, outputs, pictures) for file, outputs in names.files.items()}
     except (_rhw.Error, ValueError) as error:
