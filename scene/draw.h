@@ -43,7 +43,8 @@ void scene_destroy(struct scene *scene);
 /// `pose` has as many of those and must outlive the scene, or the next pose. On failure destroy the scene.
 enum rhw_result scene_set_pose(struct scene *scene, const struct scene_model *pose);
 
-/// Draws a view that scene_view_check accepts. `stats` may be NULL. On failure `*pictures` is zeroed.
+/// Draws a view that scene_view_check accepts. `stats` may be NULL. On failure `*pictures` is zeroed. What the context asks
+/// (rhw_context_set_goes_on) is the view's meanwhile, and nothing afterwards.
 enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
                            struct scene_pictures *pictures, struct scene_draw_stats *stats);
 

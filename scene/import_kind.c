@@ -41,15 +41,8 @@ static const struct {
 static const struct {
     const char *mark, *name;
 } others[] = {
-    {"\x89PNG\r\n", "a PNG picture"},
-    {"\xff\xd8\xff", "a JPEG picture"},
-    {"GIF8", "a GIF picture"},
-    {"%PDF-", "a PDF document"},
-    {"\x7f"
-     "ELF",
-     "a program"},
-    {"<!DOCTYPE html", "a web page"},
-    {"<html", "a web page"},
+    {"\x89PNG\r\n", "a PNG picture"}, {"\xff\xd8\xff", "a JPEG picture"}, {"GIF8", "a GIF picture"},
+    {"%PDF-", "a PDF document"},      {"\177ELF", "a program"},
 };
 
 static struct beginning look(struct scene_import *import)
@@ -78,12 +71,24 @@ static const char *find_ending(const struct scene_import *import, const struct b
     return dot != NULL ? dot + 1 : begins_with(start, "Kaydara FBX") ? "fbx" : "";
 }
 
+// HTML, in any case and behind a byte order mark and white space.
+static bool looks_like_page(const struct beginning *start)
+{
+    const char *text = (const char *)start->bytes;
+    text += begins_with(start, "\xef\xbb\xbf") ? 3 : 0;
+    text += strspn(text, " \t\r\n");
+    return strncasecmp(text, "<!doctype html", 14) == 0 || strncasecmp(text, "<html", 5) == 0;
+}
+
 static void refuse_others(struct scene_import *import, const struct beginning *start)
 {
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
         if (begins_with(start, others[i].mark)) {
             scene_import_fail(import, "is no model but %s", others[i].name);
         }
+    }
+    if (looks_like_page(start)) {
+        scene_import_fail(import, "is no model but a web page");
     }
 }
 

@@ -79,7 +79,8 @@ struct scene_view {
     uint32_t outputs;     ///< scene_output, at least one
     /// Whose history is told while colour is drawn; NULL: none. Without supersampling, and SORTED.
     const struct scene_explain *explain;
-    /// Asked all the while, on the thread that draws; false: the draw is given up (RHW_ERROR_GIVEN_UP). NULL: nobody is asked.
+    /// Asked all the while, on the thread that draws; false: the draw is given up (RHW_ERROR_GIVEN_UP). NULL: nobody is
+    /// asked.
     bool (*goes_on)(void *user);
     void *user;
     /// Gives the memory of a picture, which free() gives back, on the thread that draws; NULL: malloc does.

@@ -146,16 +146,18 @@ static bool read_view(const struct scene_object *scene, PyObject *arguments, str
     return true;
 }
 
-// While the scene has what it made of a panorama, no other one may get its address. A draw that failed early has left
-// it with the older one.
+// While the scene has what it made of a panorama, no other one may get its address. A draw that failed before it made
+// light has left it with the older one, one that failed meanwhile with none.
 static void keep_panorama(struct python_item *item, PyObject *panorama, const struct scene_view *view)
 {
-    if (scene_lit_by(item->id.scene) == view->panorama) {
-        PyObject *const older = item->panorama;
-        Py_INCREF(panorama);
-        item->panorama = panorama;
-        Py_XDECREF(older);
+    const struct scene_panorama *const lit = scene_lit_by(item->id.scene);
+    if (lit && lit != view->panorama) {
+        return;
     }
+    PyObject *const older = item->panorama;
+    item->panorama = lit ? panorama : NULL;
+    Py_XINCREF(item->panorama);
+    Py_XDECREF(older);
 }
 
 // Returns (pictures, triangles that were rasterized).

@@ -124,6 +124,8 @@ sed 's/map_Kd/& -clamp on/' tile.mtl >clamp.mtl
 sed 's/tile.mtl/clamp.mtl/; s/^vt 1/vt 9/' tile.obj >clamp.obj
 succeed explain clamp.obj --at 80,100 $look
 check "held at the edge" grep -Eq '^ *that is \(15\.000, [0-9.]+\), as u stays at the edge$' "$folder/log/out"
+succeed explain clamp.obj --at 80,100 $look --json
+check "JSON has it too" grep -Eq '"address": \["clamp", "clamp"\], "inside": \[15, [0-9.]+\]' "$folder/log/out"
 
 # Shares of the four texels make what sampling gives, where one level is read.
 box=/usr/share/assimp/models/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb

@@ -53,9 +53,9 @@ printf 'P6\n1 1\n255\nabc' >dot.ppm
 sed 's/{"name": "plain"}\],/{"name": "plain", "emissiveTexture": {"index": 0}, "normalTexture": {"index": 1}, "occlusionTexture":\
     {"index": 2}}], "images": [{"uri": "dot.ppm"}], "textures": [{"source": 0}, {"source": 0, "sampler": 0},\
     {"source": 0, "sampler": 1}], "samplers": [{"magFilter": 9728, "minFilter": 9729, "wrapS": 33648, "wrapT": 33071},\
-    {"wrapS": 33071, "wrapT": 33071}],/' layers.gltf >sampled.gltf
+    {"minFilter": 9984, "wrapS": 33071, "wrapT": 33071}],/' layers.gltf >sampled.gltf
 run info sampled.gltf
-check "samplers" grep -q "normal image 0 (nearest, no mip levels, mirror, clamp), occlusion image 0 (clamp), emissive image 0  \"plain\"$" \
+check "samplers" grep -q "normal image 0 (nearest when enlarged, no mip levels, u mirror, v clamp), occlusion image 0 (nearest when reduced, nearest mip level, clamp), emissive image 0  \"plain\"$" \
     "$folder/log/out"
 run info --json sampled.gltf
 check "JSON of a sampler" grep -q '"normal_image": 0, "normal_sampler": {"min": "linear", "mag": "nearest", "mip": "none", "u": "mirror", "v": "clamp"}' \

@@ -175,11 +175,14 @@ static void await_drawing(struct view_painter *painter)
         doing = view_painter_doing(painter, &ms);
         rest(1000);
     }
+    if (!doing) {
+        fail_msg("it does not draw");
+    }
     rest(4000); // well into it
 }
 
-// A picture of one band, which is given up within its passes. Where the computer is busy it may be done before the second
-// order comes, but hardly every time; without, it always comes.
+// A picture of one band, which is given up within its passes. Where the computer is busy it may be done before the
+// second order comes, but hardly every time.
 static void test_a_large_picture_gives_way(void **state)
 {
     (void)state;

@@ -407,6 +407,8 @@ echo '#usda 1.0' >scene.txt
 refuse 1 "scene.txt: is USD \(text\), which is not supported$" render scene.txt -o x.png
 printf '\211PNG\r\n\032\n' >picture.glb
 refuse 1 "picture.glb: is no model but a PNG picture$" render picture.glb -o x.png
+printf '\357\273\277\n\n<!doctype HTML>\n' >page.obj
+refuse 1 "page.obj: is no model but a web page$" render page.obj -o x.png
 refuse 1 "none.obj: cannot be opened: No such file or directory" render none.obj -o x.png
 for model in empty.obj words.txt words.glb bare.obj cut.glb folder.obj; do
     refuse 1 "$model: " render $model -o x.png

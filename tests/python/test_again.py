@@ -121,7 +121,8 @@ for _ in range(5):
 @pytest.mark.skipif(SANITIZED, reason="a sanitizer keeps what is freed")
 @pytest.mark.parametrize("keywords", [
     "(640, 480)",  # 2700
-    "(4096, 130), supersample=16, samples=1, shadows=False, ambient_occlusion=False",  # 3600, in two bands of which the latter has two rows
+    # 3600, in two bands of which the latter has two rows
+    "(4096, 130), supersample=16, samples=1, shadows=False, ambient_occlusion=False",
 ])
 def test_pictures_stand_on_the_memory_of_the_last(box_obj, keywords):
     pytest.importorskip("resource")

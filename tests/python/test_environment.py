@@ -4,6 +4,7 @@
 import gc
 import signal
 import sys
+import time
 
 import numpy as np
 import pytest
@@ -95,7 +96,9 @@ def test_light_is_kept_as_long_as_the_scene_shows_it(model):
     def held():
         return [now - before for now, before in zip(holders(), alone)]
 
+    begun = time.process_time()
     model.render(8, environment=skies[0], context=context)
+    light = time.process_time() - begun  # most of it goes into making light
     assert held() == [1, 0]
     with pytest.raises(TypeError):
         model.render(8, environment=skies[1], context=context, camera=7)
@@ -106,14 +109,22 @@ def test_light_is_kept_as_long_as_the_scene_shows_it(model):
         meanwhile.append(held()[0])
         raise KeyboardInterrupt
 
-    before = signal.signal(signal.SIGVTALRM, stop)
-    try:
-        signal.setitimer(signal.ITIMER_VIRTUAL, 0.1)  # of processor time: the draw has begun
-        with pytest.raises(KeyboardInterrupt):
-            model.render((16384, 4096), environment=skies[1], context=context, samples=1)
-    finally:
-        signal.signal(signal.SIGVTALRM, before)
+    def stopped(sky, seconds):  # of processor time
+        before = signal.signal(signal.SIGVTALRM, stop)
+        try:
+            signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
+            with pytest.raises(KeyboardInterrupt):
+                model.render((16384, 4096), environment=sky, context=context, samples=4)
+        finally:
+            signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+            signal.signal(signal.SIGVTALRM, before)
+
+    stopped(skies[1], 2 * light + 0.1)  # the light is made, and the draw has begun
     assert meanwhile == [1] and held() == [0, 1]
+    stopped(skies[0], light / 2)  # before it is made, or meanwhile: the scene has the older one, or none
+    assert held()[0] == 0
+    model.render(8, environment=skies[0], context=context)
+    assert held() == [1, 0]
     model.render(8, context=context)
     assert held() == [0, 0]
 

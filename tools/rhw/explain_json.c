@@ -2,6 +2,7 @@
 // The same for programs; see explain_write.h.
 #include "exact_weights.h"
 #include "explain_write.h"
+#include "info_print.h"
 #include "json.h"
 
 #include <inttypes.h>
@@ -89,8 +90,9 @@ static void print_texels(const struct scene_texture_look *look)
     printf("]]");
 }
 
-static void print_textures(const struct cli_past_fragment *past)
+static void print_textures(const struct cli_past_fragment *past, const struct scene_model *model)
 {
+    const struct scene_material *const material = cli_history_material(past, model);
     printf(",\n   \"textures\": [");
     for (int i = 0; i < past->look_count; i++) {
         const struct scene_texture_look *const look = &past->looks[i];
@@ -99,6 +101,12 @@ static void print_textures(const struct cli_past_fragment *past)
         printf(", \"level_size\": [%d, %d]", look->width, look->height);
         print_floats("uv", look->uv, 2);
         print_floats("place", look->place, 2);
+        if (material) {
+            const struct cli_texture_place place = cli_texture_place(look, &material->slots[look->slot]);
+            printf(", \"address\": [\"%s\", \"%s\"]", cli_address_names[place.address[0]],
+                   cli_address_names[place.address[1]]);
+            print_doubles("inside", place.inside, 2);
+        }
         print_floats("texel", look->texel, 4);
         print_texels(look);
         printf("}");
@@ -143,7 +151,7 @@ static void print_fragment(const struct cli_explanation *e, const struct cli_pas
         print_doubles("inverse_w", &f->inverse_w, 1);
         print_floats("space", f->weights, 3);
     }
-    print_textures(past);
+    print_textures(past, e->model);
     if (past->drawn.instance != SCENE_DRAWN_BACKGROUND &&
         cli_exact_weights_set(&weights, f, e->width, e->height)) {
         print_exact(past, &weights);

@@ -6,6 +6,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 static void print_triangle_name(FILE *out, const struct cli_past_fragment *past,
                                 const struct scene_model *model)
@@ -170,40 +171,26 @@ static void print_texels(FILE *out, const struct scene_texture_look *look, int n
     }
 }
 
-// Where the sampler's address mode reads, of a place in texels beyond the edge; and what the mode does, in a word.
-static double wrap(enum rhw_address address, double place, double side, const char **does)
+// Of a place beyond the edge: what the address modes make of it.
+static void print_inside(FILE *out, const struct cli_texture_place *place)
 {
-    static const char *const words[] = {"repeats", "is mirrored", "stays at the edge",
-                                        "has the border's color", "is mirrored once"};
-    const double last = side - 1.0, period = place + 0.5 - side * floor((place + 0.5) / side) - 0.5;
-    *does = words[address];
-    switch (address) {
-    case RHW_ADDRESS_REPEAT: return period;
-    case RHW_ADDRESS_MIRROR: return fmod(floor((place + 0.5) / side), 2.0) != 0.0 ? last - period : period;
-    case RHW_ADDRESS_CLAMP: return fmin(fmax(place, 0.0), last);
-    case RHW_ADDRESS_MIRROR_ONCE: return fmin(fmax(fabs(place + 0.5) - 0.5, 0.0), last);
-    case RHW_ADDRESS_BORDER: return place;
+    static const char *const words[] = {[RHW_ADDRESS_REPEAT] = "repeats",
+                                        [RHW_ADDRESS_MIRROR] = "is mirrored",
+                                        [RHW_ADDRESS_CLAMP] = "stays at the edge",
+                                        [RHW_ADDRESS_MIRROR_ONCE] = "is mirrored once"};
+    if (place->is_border) {
+        fprintf(out, "\n    %20s beyond the edge, where the border's color is read", "");
+        return;
     }
-    return place;
-}
-
-// Of a place beyond the edge: the one inside that it stands for, and why.
-static void print_wrapped(FILE *out, const struct scene_texture_look *look,
-                          const struct scene_texture_slot *slot)
-{
-    const double side[2] = {look->width, look->height};
-    const enum rhw_address address[2] = {slot->address_u, slot->address_v};
-    double inside[2];
-    const char *does[2] = {NULL, NULL};
+    const char *between = "as";
     for (int i = 0; i < 2; i++) {
-        const bool is_beyond = look->uv[i] < 0.0f || look->uv[i] > 1.0f;
-        inside[i] =
-            is_beyond ? wrap(address[i], (double)look->place[i], side[i], &does[i]) : (double)look->place[i];
-    }
-    if (does[0] || does[1]) {
-        fprintf(out, "\n    %20s that is (%.3f, %.3f), as ", "", inside[0], inside[1]);
-        fprintf(out, "%s%s%s%s%s", does[0] ? "u " : "", does[0] ? does[0] : "",
-                does[0] && does[1] ? " and " : "", does[1] ? "v " : "", does[1] ? does[1] : "");
+        if (place->is_beyond[i]) {
+            if (strcmp(between, "as") == 0) {
+                fprintf(out, "\n    %20s that is (%.3f, %.3f), ", "", place->inside[0], place->inside[1]);
+            }
+            fprintf(out, "%s %c %s", between, "uv"[i], words[place->address[i]]);
+            between = " and";
+        }
     }
 }
 
@@ -226,7 +213,8 @@ static void print_textures(FILE *out, const struct cli_past_fragment *past, cons
                 scene_slot_name(look->slot), (double)look->level, (int)look->level, look->width, look->height,
                 (double)look->place[0], (double)look->place[1]);
         if (material) {
-            print_wrapped(out, look, &material->slots[look->slot]);
+            const struct cli_texture_place place = cli_texture_place(look, &material->slots[look->slot]);
+            print_inside(out, &place);
         }
         fprintf(out, "\n    %20s gives ", "");
         print_color(out, look->texel);

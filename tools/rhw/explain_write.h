@@ -24,6 +24,17 @@ void cli_explain_json(const struct cli_explanation *explanation);
 /// Draws the triangle of what is seen around the pixel into an SVG file. Reports failure.
 bool cli_explain_picture(const struct cli_explanation *explanation, const char *path);
 
+/// Where a texture is read.
+struct cli_texture_place {
+    enum rhw_address address[2]; ///< of u and v
+    bool is_beyond[2];           ///< u or v lies outside of 0..1
+    bool is_border;              ///< the border's colour is read
+    double inside[2];            ///< in texels from the middle of the first, as the address modes have it
+};
+
+struct cli_texture_place cli_texture_place(const struct scene_texture_look *look,
+                                           const struct scene_texture_slot *slot);
+
 /// The pixel itself, [4].
 static inline const uint8_t *cli_explained_color(const struct cli_explanation *e)
 {

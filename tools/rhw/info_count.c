@@ -6,9 +6,14 @@ const char *const cli_primitive_names[] = {"triangles", "lines", "points"};
 const char *const cli_image_type_names[] = {"RGBA8", "RGBA16", "RGBA32F"};
 const char *const cli_alpha_names[] = {"opaque", "mask", "blend"};
 const char *const cli_light_names[] = {"directional", "point", "spot"};
-const char *const cli_filter_names[] = {"linear", "nearest"};
-const char *const cli_mip_filter_names[] = {"linear", "nearest", "none"};
-const char *const cli_address_names[] = {"repeat", "mirror", "clamp", "border", "mirror once"};
+const char *const cli_filter_names[] = {[RHW_FILTER_LINEAR] = "linear", [RHW_FILTER_NEAREST] = "nearest"};
+const char *const cli_mip_filter_names[] = {
+    [RHW_MIP_FILTER_LINEAR] = "linear", [RHW_MIP_FILTER_NEAREST] = "nearest", [RHW_MIP_FILTER_NONE] = "none"};
+const char *const cli_address_names[] = {[RHW_ADDRESS_REPEAT] = "repeat",
+                                         [RHW_ADDRESS_MIRROR] = "mirror",
+                                         [RHW_ADDRESS_CLAMP] = "clamp",
+                                         [RHW_ADDRESS_BORDER] = "border",
+                                         [RHW_ADDRESS_MIRROR_ONCE] = "mirror once"};
 const char *const cli_slot_names[SCENE_SLOT_COUNT] = {
     [SCENE_SLOT_BASE_COLOR] = "base_color",
     [SCENE_SLOT_METALLIC_ROUGHNESS] = "metallic_roughness",

@@ -10,12 +10,15 @@ void cli_info_print_text(const struct scene_model *model);
 void cli_info_print_json(const struct scene_model *model);
 
 // By the enums of model.h.
-extern const char *const cli_primitive_names[],
-    *const cli_image_type_names[], *const cli_alpha_names[], *const cli_light_names[],
-                                                                 *const cli_slot_names[SCENE_SLOT_COUNT],
-                                                                     *const cli_filter_names[],
-                                                                         *const cli_mip_filter_names[],
-                                                                             *const cli_address_names[];
+extern const char *const cli_primitive_names[];
+extern const char *const cli_image_type_names[];
+extern const char *const cli_alpha_names[];
+extern const char *const cli_light_names[];
+extern const char *const cli_slot_names[SCENE_SLOT_COUNT];
+// By those of the library.
+extern const char *const cli_filter_names[];
+extern const char *const cli_mip_filter_names[];
+extern const char *const cli_address_names[];
 
 uint32_t cli_info_objects(const struct scene_model *model);
 /// Lines, points or triangles.

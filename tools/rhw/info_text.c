@@ -40,13 +40,21 @@ static void print_layer(const char *name, const float *values, int count)
 // How its texels are read, where that is not linear and repeating.
 static void print_sampler(const struct scene_texture_slot *slot)
 {
-    const char *const words[] = {slot->mag_filter != RHW_FILTER_LINEAR ? "nearest" : NULL,
-                                 slot->mip_filter == RHW_MIP_FILTER_NONE ? "no mip levels" : NULL,
-                                 slot->address_u != RHW_ADDRESS_REPEAT ? cli_address_names[slot->address_u]
-                                                                       : NULL,
-                                 slot->address_v != RHW_ADDRESS_REPEAT && slot->address_v != slot->address_u
-                                     ? cli_address_names[slot->address_v]
-                                     : NULL};
+    const bool near = slot->mag_filter == RHW_FILTER_NEAREST, far = slot->min_filter == RHW_FILTER_NEAREST;
+    const bool alike = slot->address_u == slot->address_v;
+    char apart[48];
+    snprintf(apart, sizeof apart, "u %s, v %s", cli_address_names[slot->address_u],
+             cli_address_names[slot->address_v]);
+    const char *const words[] = {near && far ? "nearest"
+                                 : near      ? "nearest when enlarged"
+                                 : far       ? "nearest when reduced"
+                                             : NULL,
+                                 slot->mip_filter == RHW_MIP_FILTER_NONE      ? "no mip levels"
+                                 : slot->mip_filter == RHW_MIP_FILTER_NEAREST ? "nearest mip level"
+                                                                              : NULL,
+                                 !alike                                  ? apart
+                                 : slot->address_u != RHW_ADDRESS_REPEAT ? cli_address_names[slot->address_u]
+                                                                         : NULL};
     const char *before = " (";
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         if (words[i]) {

@@ -12,8 +12,8 @@ struct render {
     struct cli_render_job job;
     struct cli_model_input input;
     struct scene_progress *progress; // of the import, as in struct scene_model_options
-    /// Asked while a model or standard input is read and all the while that a picture is drawn; false: it is given up, without
-    /// a report. NULL: nobody is asked.
+    /// Asked while a model or standard input is read and all the while that a picture is drawn; false: it is given up,
+    /// without a report. NULL: nobody is asked.
     bool (*goes_on)(void *user);
     void *user;
     struct scene_model *model;

@@ -25,9 +25,12 @@ class Light:
 @functools.lru_cache(maxsize=1)
 def _read(path: str, sha256: str) -> Environment:
     try:
-        return Environment(path)
+        environment = Environment(path)
     except _rhw.Error as error:
         raise Failure(str(error)) from None
+    if store.digest(path) != sha256:
+        raise Failure(f"{path}: has changed while it was read")
+    return environment
 
 
 def find(path: str, rotation: float) -> Light:

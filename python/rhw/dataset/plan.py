@@ -33,7 +33,8 @@ _OWN = ("plan.json", "manifest.json", "manifest.json.new")
 
 @dataclass(frozen=True)
 class Plan:
-    """models: names and paths. outputs: the format of each. load, render: keywords of rhw.load and Model.render."""
+    """models: names and paths. outputs: the format of each. load, render: keywords of rhw.load and Model.render. light:
+    the panorama, where there is one."""
 
     models: Tuple[Tuple[str, str], ...]
     cameras: Cameras
@@ -89,7 +90,7 @@ def _short(value: Any) -> str:
 
 
 def difference(there: Any, asked: Any, name: str = "") -> Optional[str]:
-    """The first thing in which two plans or descriptions differ; where models lie is no difference."""
+    """The first thing in which two plans or descriptions differ; where models and the panorama lie is no difference."""
     if isinstance(there, dict) and isinstance(asked, dict):
         inner = [(f"{name}.{key}" if name else key, there.get(key), asked.get(key))
                  for key in dict.fromkeys([*there, *asked]) if key != "path"]

@@ -67,7 +67,7 @@ def _open_workshop(run: str, folder: str, strict: bool, lit_by: Optional[str]) -
         raise Failure(f"{folder}: is not seen from here: all that draw must share the folder") from None
     if plan.version != _rhw.version:
         raise Failure(f"{folder}: is of rhw {plan.version}, and here is rhw {_rhw.version}")
-    environment = light.take(plan.light, lit_by, folder) if plan.light and lit_by else None
+    environment = light.take(plan.light, lit_by or plan.light.path, folder) if plan.light else None
     return _Workshop(plan, Models(folder, plan, strict), environment)
 
 
