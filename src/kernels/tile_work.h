@@ -99,6 +99,7 @@ struct rhw_tile_scratch {
     // Of multisampled passes, a bit for each block of 8×8 pixels: its samples have colours of their own. Those of other
     // blocks have all that of the first.
     uint64_t expanded;
+    bool is_woven;                   // and those of a pixel stand side by side (fragment/woven.h)
     struct rhw_sample_plane *planes; // of the samples but the first
 };
 
@@ -111,6 +112,14 @@ struct rhw_sample_plane {
 static inline unsigned char *color_plane(struct rhw_tile_scratch *scratch, int target, int sample)
 {
     return sample == 0 ? scratch->color[target] : scratch->planes[sample - 1].color[target];
+}
+
+enum { WOVEN_SAMPLES = 4, WOVEN_SIZE = 4 }; // of a pixel, bytes of each
+
+// The samples of a texel where they are woven. They take the room of the second sample's plane.
+static inline unsigned char *woven_pixel(struct rhw_tile_scratch *scratch, int target, int texel)
+{
+    return scratch->planes->color[target] + (size_t)texel * (WOVEN_SAMPLES * WOVEN_SIZE);
 }
 
 static inline struct tile_depth *depth_plane(struct rhw_tile_scratch *scratch, int sample)
