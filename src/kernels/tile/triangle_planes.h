@@ -110,7 +110,8 @@ RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_w
     }
     for (int row = 0; row < RHW_BLOCK && block->leaves_triangle; row++) {
         struct clipped_row clipped;
-        if (mask >> (8 * row) & 0xff) {
+        const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
+        if (bits != 0 && row_leaves_triangle(&triangle->planes, triangle->clipped, &block->at, row, bits)) {
             clipped_row_set(&clipped, &triangle->planes, triangle->clipped, &block->at, row);
             z[row] = f8_select(clipped.lanes, clipped.z, z[row]);
         }
