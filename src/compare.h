@@ -20,4 +20,20 @@ RHW_INLINE i8 compare_lanes(enum rhw_compare compare, f8 a, f8 b)
     }
 }
 
+// The same of four lanes.
+RHW_INLINE i4 compare_lanes4(enum rhw_compare compare, f4 a, f4 b)
+{
+    const i4 none = {0, 0, 0, 0};
+    switch (compare) {
+    case RHW_COMPARE_NEVER: return none;
+    case RHW_COMPARE_LESS: return a < b;
+    case RHW_COMPARE_EQUAL: return a == b;
+    case RHW_COMPARE_LESS_EQUAL: return a <= b;
+    case RHW_COMPARE_GREATER: return a > b;
+    case RHW_COMPARE_NOT_EQUAL: return a != b;
+    case RHW_COMPARE_GREATER_EQUAL: return a >= b;
+    default: return ~none;
+    }
+}
+
 #endif

@@ -116,6 +116,15 @@ RHW_INLINE f8 f8_select(i8 mask, f8 a, f8 b)
     return rhw_select(mask, a, b);
 }
 
+RHW_INLINE f4 f4_select(i4 mask, f4 a, f4 b)
+{
+#if defined(__AVX2__)
+    return (f4)_mm_blendv_ps((__m128)b, (__m128)a, (__m128)mask);
+#else
+    return (f4)((mask & (i4)a) | (~mask & (i4)b));
+#endif
+}
+
 // Of equal values, or when one is NaN, the second: as SSE minps does.
 RHW_INLINE f8 f8_min(f8 a, f8 b)
 {
@@ -148,6 +157,17 @@ RHW_INLINE unsigned i8_sign_bits(i8 v)
     return (unsigned)_mm_movemask_ps(half[0]) | (unsigned)_mm_movemask_ps(half[1]) << 4;
 #else
     return (unsigned)rhw_mask_bits(v >> 31);
+#endif
+}
+
+RHW_INLINE unsigned i4_sign_bits(i4 v)
+{
+#if defined(__SSE2__)
+    return (unsigned)_mm_movemask_ps((__m128)v);
+#else
+    const i4 bit = {1, 2, 4, 8};
+    const i4 bits = v >> 31 & bit;
+    return (unsigned)(bits[0] | bits[1] | bits[2] | bits[3]);
 #endif
 }
 
@@ -226,6 +246,12 @@ RHW_INLINE i8 i8_from_bits(unsigned bits)
 {
     const i8 bit = {1, 2, 4, 8, 16, 32, 64, 128};
     return rhw_equal_int(i8_splat((int32_t)bits) & bit, bit);
+}
+
+RHW_INLINE i4 i4_from_bits(unsigned bits)
+{
+    const i4 bit = {1, 2, 4, 8}, all = {(int32_t)bits, (int32_t)bits, (int32_t)bits, (int32_t)bits};
+    return (all & bit) == bit;
 }
 
 // a < b: −1 or 0, and 0 for NaN. gcc 12 without AVX makes scalar code of the operator.
@@ -335,6 +361,15 @@ RHW_INLINE d8 d8_from_i8(i8 v)
 RHW_INLINE f8 f8_from_d8(d8 v)
 {
     return rhw_from_double((struct rhw_double8){v.lo, v.hi});
+}
+
+RHW_INLINE f4 f4_from_d4(d4 v)
+{
+#if defined(__AVX2__)
+    return (f4)_mm256_cvtpd_ps((__m256d)v);
+#else
+    return (f4){(float)v[0], (float)v[1], (float)v[2], (float)v[3]};
+#endif
 }
 
 // Rounds to the nearest integer, ties to even, for |v| < 2^51: adding 1.5·2^52 leaves an integer in the

@@ -184,21 +184,6 @@ static __attribute__((noinline)) void draw_stippled_line(struct tile_work *work,
     unite_marks(work);
 }
 
-// A small triangle whose pixels have several samples.
-RHW_INLINE void draw_sampled_small(struct tile_work *work, struct triangle_work *triangle)
-{
-    const struct triangle_setup8 *const setup = triangle->setup;
-    const int i = triangle->lane;
-    if (takes_tiny_samples(work, triangle)) {
-        const struct hiz_rect rect = {setup->x0[i], setup->y0[i], setup->x1[i], setup->y1[i]};
-        if (!hides_small(work, triangle, rect)) {
-            draw_tiny_samples(work, triangle);
-        }
-    } else {
-        draw_small_samples(work, triangle);
-    }
-}
-
 // Draws any triangle, small ones too.
 static void draw_any(struct tile_work *work, struct triangle_work *triangle, const struct rhw_chunk *chunk)
 {
@@ -215,7 +200,7 @@ static void draw_any(struct tile_work *work, struct triangle_work *triangle, con
     } else if (work->samples == 1) {
         draw_large(work, triangle, chunk);
     } else if (takes_small_samples(work, triangle)) {
-        draw_sampled_small(work, triangle);
+        draw_small_samples(work, triangle);
     } else {
         draw_multisampled(work, triangle, chunk);
     }
@@ -247,8 +232,11 @@ static void draw_triangle(struct tile_work *work, const struct rhw_chunk *chunk,
     const uint16_t small_flag = begin_triangle(work, &triangle, chunk, setup, lane);
     if (triangle.t->flags & small_flag && !(setup->exact >> lane & 1)) {
         draw_small(work, &triangle);
-    } else if (is_plain_small(work, &triangle)) {
-        draw_sampled_small(work, &triangle);
+    } else if (work->samples > 1 && is_plain_small(setup, lane, plain_flags(&work->plan))) {
+        triangle.clipped = NULL;
+        triangle.clamps_depth = false;
+        triangle.depth_bias = 0;
+        draw_small_samples(work, &triangle);
     } else if (!work->plan.is_skipped) {
         draw_any(work, &triangle, chunk);
     }
@@ -290,9 +278,15 @@ static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, co
             break;
         }
         scratch->depth.marked = false;
+        if (work->samples == CELL_SAMPLES) {
+            i = draw_tiny_run(work, chunk, &setup, i);
+        }
+        if (i == read->count) {
+            break;
+        }
         draw_triangle(work, chunk, &setup, i);
         if (work->phase == RHW_PHASE_DEPTH && (scratch->depth.marked || work->plan.is_skipped)) {
-            scratch->seen[read->number[i] / 8] |= (uint8_t)(1u << read->number[i] % 8);
+            see_triangle(work, read->number[i]);
         }
     }
 }
@@ -508,8 +502,8 @@ void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int number, int wo
         pass_tile_through(&work);
         return;
     }
-    if (work.samples == TINY_SAMPLES) {
-        work.tiny_lanes = tiny_lanes_of(pass->pattern);
+    if (work.samples == CELL_SAMPLES) {
+        work.cell_places = cell_places_of(pass->pattern);
     }
     const struct rhw_counters before = *work.counters;
     load_tile(&work);

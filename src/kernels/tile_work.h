@@ -99,6 +99,7 @@ struct rhw_tile_scratch {
     // Of multisampled passes, a bit for each block of 8×8 pixels: its samples have colours of their own. Those of other
     // blocks have all that of the first.
     uint64_t expanded;
+    bool is_woven;                   // and those of a pixel stand side by side (fragment/woven.h)
     struct rhw_sample_plane *planes; // of the samples but the first
 };
 
@@ -113,15 +114,23 @@ static inline unsigned char *color_plane(struct rhw_tile_scratch *scratch, int t
     return sample == 0 ? scratch->color[target] : scratch->planes[sample - 1].color[target];
 }
 
+enum { WOVEN_SAMPLES = 4, WOVEN_SIZE = 4 }; // of a pixel, bytes of each
+
+// The samples of a texel where they are woven. They take the room of the second sample's plane.
+static inline unsigned char *woven_pixel(struct rhw_tile_scratch *scratch, int target, int texel)
+{
+    return scratch->planes->color[target] + (size_t)texel * (WOVEN_SAMPLES * WOVEN_SIZE);
+}
+
 static inline struct tile_depth *depth_plane(struct rhw_tile_scratch *scratch, int sample)
 {
     return sample == 0 ? &scratch->depth : &scratch->planes[sample - 1].depth;
 }
 
-// The samples of two pixels side by side, of 4 samples each, as lanes (tile/triangle_tiny_samples.h).
-struct tiny_lanes {
-    i8 x, y;   // 1/256 pixel from the top left of the first pixel
-    d8 dx, dy; // pixels from its centre: whole 256ths, so that sums with whole pixels are exact
+// The samples of a cell's columns and rows (tile/sample_cells.h): pixels from the centre of its first pixel, in whole
+// 256ths, so that sums with whole pixels are exact.
+struct cell_places {
+    d4 dx[4], dy[4];
 };
 
 // This is one worker's work on one tile.
@@ -129,12 +138,12 @@ struct tile_work {
     struct rhw_pass_state *pass;
     struct rhw_tile_scratch *scratch;
     struct rhw_counters *counters;
-    int tile;                     // its number, row by row
-    int layer;                    // of the pass
-    int x, y;                     // pixels of the tile's first pixel in the target
-    int width, height;            // pixels of the tile: fewer at the target's end
-    int samples;                  // of a pixel
-    struct tiny_lanes tiny_lanes; // where there are 4
+    int tile;                       // its number, row by row
+    int layer;                      // of the pass
+    int x, y;                       // pixels of the tile's first pixel in the target
+    int width, height;              // pixels of the tile: fewer at the target's end
+    int samples;                    // of a pixel
+    struct cell_places cell_places; // where there are 4
     enum rhw_phase phase;
 
     // Of the draw whose fragments are collected:
@@ -146,7 +155,9 @@ struct tile_work {
     bool tests_small_bounds;   // and small triangles are asked whether they lie there
     bool is_scissored;         // the scissor, or the target's end, leaves out pixels of the tile
     bool constant_is_ready;    // the draw's constant colour was made
-    bool orders_lanes; // of multisampled passes: a group may cover a sample twice, and the last is seen
+    uint64_t drawn_cell;       // where there are 4 samples: those that are drawn, by pixels of a cell
+    bool orders_lanes;  // of multisampled passes: a group may cover a sample twice, and the last is seen
+    bool packs_plainly; // and fragments need smooth varyings alone to be packed
     uint64_t fragments_before;       // of `counters`, when the state was set
     struct rhw_explained *explained; // NULL: it is of another tile, or none is asked for
     uint32_t plans;                  // rhw_tile_plan of the runs that were drawn

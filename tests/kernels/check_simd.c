@@ -89,6 +89,40 @@ static void run_f8_select(const void *input, void *result)
     f8_store(result, f8_select(ints(input, 0), floats(input, 0), floats(input, 1)));
 }
 
+static f4 floats4(const struct lane_input *lanes, int which)
+{
+    f4 v;
+    memcpy(&v, lanes->f[which], sizeof v);
+    return v;
+}
+
+static void run_f4_select(const void *input, void *result)
+{
+    const struct lane_input *const lanes = input;
+    const f4 selected = f4_select(i4_load(lanes->i[0]), floats4(input, 0), floats4(input, 1));
+    memcpy(result, &selected, sizeof selected);
+}
+
+static void run_i4_sign_bits(const void *input, void *result)
+{
+    const struct lane_input *const lanes = input;
+    const unsigned bits = i4_sign_bits(i4_load(lanes->i[0]));
+    memcpy(result, &bits, sizeof bits);
+}
+
+static void run_i4_from_bits(const void *input, void *result)
+{
+    const struct lane_input *const lanes = input;
+    const i4 mask = i4_from_bits((unsigned)lanes->i[0][0]);
+    memcpy(result, &mask, sizeof mask);
+}
+
+static void run_f4_from_d4(const void *input, void *result)
+{
+    const f4 rounded = f4_from_d4(doubles(input, 0).lo);
+    memcpy(result, &rounded, sizeof rounded);
+}
+
 static void run_i8_min(const void *input, void *result)
 {
     i8_store(result, i8_min(ints(input, 0), ints(input, 1)));
@@ -202,6 +236,10 @@ static const struct kernel_check checks[] = {
     {"f8_min", sizeof(struct lane_input), WORDS, KERNEL_BITS, make_lanes, run_f8_min},
     {"f8_max", sizeof(struct lane_input), WORDS, KERNEL_BITS, make_lanes, run_f8_max},
     {"f8_select", sizeof(struct lane_input), WORDS, KERNEL_BITS, make_mask, run_f8_select},
+    {"f4_select", sizeof(struct lane_input), WORDS / 2, KERNEL_BITS, make_mask, run_f4_select},
+    {"f4_from_d4", sizeof(struct lane_input), WORDS / 2, KERNEL_FLOATS, make_lanes, run_f4_from_d4},
+    {"i4_sign_bits", sizeof(struct lane_input), sizeof(unsigned), KERNEL_BITS, make_lanes, run_i4_sign_bits},
+    {"i4_from_bits", sizeof(struct lane_input), WORDS / 2, KERNEL_BITS, make_bytes, run_i4_from_bits},
     {"i8_min", sizeof(struct lane_input), WORDS, KERNEL_BITS, make_lanes, run_i8_min},
     {"i8_max", sizeof(struct lane_input), WORDS, KERNEL_BITS, make_lanes, run_i8_max},
     {"i8_sign_bits", sizeof(struct lane_input), sizeof(unsigned), KERNEL_BITS, make_lanes, run_i8_sign_bits},

@@ -1,50 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Multisampling: coverage, depth and colour of every sample against exact arithmetic, where fragments take their values,
 // sample masks, alpha to coverage, resolving, reading samples back, and what is refused.
-#include "harness.h"
+#include "sample_rig.h"
 
 #include <math.h>
-#include <string.h>
 
-enum { SIZE = 72, PIXELS = SIZE * SIZE, COUNTS = 4, INPUTS = 3 };
-
-static const int counts[COUNTS] = {2, 4, 8, 16};
 static const float red[4] = {1, 0, 0, 1};
-
-static rhw_texture make_texture(struct rig *rig, enum rhw_format format, int samples)
-{
-    rhw_texture texture;
-    const struct rhw_texture_def def = {.format = format, .width = SIZE, .height = SIZE, .samples = samples};
-    assert_int_equal(rhw_texture_create(rig->context, &def, &texture), RHW_OK);
-    return texture;
-}
-
-// A rig whose target has that many samples, and depth too.
-static void open_samples(struct rig *rig, int samples, enum rhw_paths paths)
-{
-    rig_open_with(rig, SIZE, SIZE, &(struct rhw_context_def){.threads = 2, .paths = paths});
-    rig_set_depth(rig);
-    rhw_texture_destroy(rig->context, rig->pass.colors[0].texture);
-    rhw_texture_destroy(rig->context, rig->pass.depth.texture);
-    rig->pass.colors[0].texture = make_texture(rig, RHW_FORMAT_RGBA32_FLOAT, samples);
-    rig->pass.depth.texture = make_texture(rig, RHW_FORMAT_D32_FLOAT, samples);
-}
-
-static const float (*read_color(struct rig *rig, int sample))[4]
-{
-    static float pixels[PIXELS][4];
-    assert_int_equal(rhw_texture_read_sample(rig->context, rig->pass.colors[0].texture, sample, pixels, 0),
-                     RHW_OK);
-    return (const float(*)[4])pixels;
-}
-
-static const float *read_depth(struct rig *rig, int sample)
-{
-    static float depth[PIXELS];
-    assert_int_equal(rhw_texture_read_sample(rig->context, rig->pass.depth.texture, sample, depth, 0),
-                     RHW_OK);
-    return depth;
-}
 
 // Whether a point is inside a triangle of 1/256-pixel vertices, by the top-left rule; exact.
 static bool covers(const int64_t x[3], const int64_t y[3], int64_t px, int64_t py)
@@ -170,151 +131,6 @@ static void test_every_sample_is_exact(void **state)
             compare_samples(counts[i], paths, 100 * 256, 30);
             compare_samples(counts[i], paths, 20 * 256, 60);
             compare_samples(counts[i], paths, 2 * 256, 200);
-        }
-    }
-}
-
-// Slanted triangles in perspective, large, small and clipped, drawn by the special paths and by the general one.
-static void draw_crowd(struct rig *rig)
-{
-    uint64_t random = 31;
-    struct rig_vertex vertices[600];
-    float corner[2] = {0, 0};
-    for (int v = 0; v < 600; v++) {
-        const float size = v < 60 ? 120 : v < 300 ? 12 : 2;
-        const float w = rig_random_float(&random, v < 60 ? -0.2f : 0.5f, 4);
-        float at[2];
-        for (int c = 0; c < 2; c++) {
-            corner[c] = v % 3 == 0 ? rig_random_float(&random, 0, SIZE) : corner[c];
-            at[c] = v % 3 == 0 ? corner[c] : corner[c] + rig_random_float(&random, -size, size);
-        }
-        rig_place(rig, at[0], at[1], rig_random_float(&random, 0, 1), w, vertices[v].position);
-        for (int c = 0; c < 4; c++) {
-            vertices[v].value[c] = rig_random_float(&random, 0, 1);
-        }
-    }
-    rig_draw_once(rig, vertices, 600);
-}
-
-static void test_paths_agree(void **state)
-{
-    (void)state;
-    for (int i = 0; i < COUNTS; i++) {
-        uint64_t hash[2] = {0, 0};
-        for (int general = 0; general < 2; general++) {
-            struct rig rig;
-            open_samples(&rig, counts[i], general ? RHW_PATHS_GENERAL : RHW_PATHS_ALL);
-            draw_crowd(&rig);
-            for (int s = 0; s < counts[i]; s++) {
-                hash[general] = rig_hash_bytes(hash[general], read_color(&rig, s), PIXELS * 16);
-                hash[general] = rig_hash_bytes(hash[general], read_depth(&rig, s), PIXELS * 4);
-            }
-            rig_close(&rig);
-        }
-        assert_true(hash[0] == hash[1]);
-    }
-}
-
-static void coord_fragment(struct rhw_fragment *groups, int count)
-{
-    for (int g = 0; g < count; g++) {
-        for (int c = 0; c < 4; c++) {
-            groups[g].color[0][c] = groups[g].coord[c] + groups[g].varying[c];
-        }
-    }
-}
-
-static void input_fragment(struct rhw_fragment *groups, int count)
-{
-    for (int g = 0; g < count; g++) {
-        const struct rhw_fragment *const f = &groups[g];
-        const rhw_float facing = rhw_select(f->front_facing, rhw_splat(1), rhw_splat(0));
-        for (int c = 0; c < 4; c++) {
-            groups[g].color[0][c] = f->coord[c] + f->varying[c] + f->ddx[c] * f->ddy[c];
-        }
-        for (int c = 0; c < 3; c++) {
-            groups[g].color[0][c] += f->barycentric[c] - f->barycentric_noperspective[c] * facing;
-            groups[g].color[0][c] += f->barycentric_ddx[c] + f->barycentric_ddy[c];
-        }
-        groups[g].color[0][3] += rhw_float_from_int(f->primitive);
-    }
-}
-
-static uint64_t hash_of_inputs(int samples, int inputs, enum rhw_paths paths)
-{
-    const uint32_t every =
-        RHW_USE_COORD | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_BARYCENTRIC | RHW_USE_BARYCENTRIC_DERIVATIVES;
-    const struct {
-        rhw_fragment_function *fragment;
-        uint32_t uses;
-        enum rhw_qualifier qualifier;
-        bool derivatives;
-    } asked[INPUTS] = {{coord_fragment, RHW_USE_COORD, RHW_SMOOTH, false},
-                       {input_fragment, every, RHW_SMOOTH, true},
-                       {input_fragment, every, RHW_NOPERSPECTIVE, true}};
-    struct rig rig;
-    open_samples(&rig, samples, paths);
-    rig_set_program(&rig, rig_vertex_pass, asked[inputs].fragment);
-    rig.pipeline.program.uses = asked[inputs].uses;
-    rig.pipeline.program.varyings[0].qualifier = asked[inputs].qualifier;
-    rig.pipeline.program.varyings[0].derivatives = asked[inputs].derivatives;
-    draw_crowd(&rig);
-    uint64_t hash = 0;
-    for (int s = 0; s < samples; s++) {
-        hash = rig_hash_bytes(hash, read_color(&rig, s), PIXELS * 16);
-    }
-    rig_close(&rig);
-    return hash;
-}
-
-static void test_paths_agree_on_inputs(void **state)
-{
-    (void)state;
-    for (int i = 0; i < COUNTS; i++) {
-        for (int inputs = 0; inputs < INPUTS; inputs++) {
-            assert_true(hash_of_inputs(counts[i], inputs, RHW_PATHS_ALL) ==
-                        hash_of_inputs(counts[i], inputs, RHW_PATHS_GENERAL));
-        }
-    }
-}
-
-// Of every way in which the texels of scattered groups are put in their places.
-static uint64_t hash_of_format(enum rhw_format format, uint8_t write_mask, int samples, enum rhw_paths paths)
-{
-    static unsigned char pixels[PIXELS * 16];
-    struct rig rig;
-    rig_open_with(&rig, SIZE, SIZE, &(struct rhw_context_def){.threads = 2, .paths = paths});
-    rig_set_depth(&rig);
-    rhw_texture_destroy(rig.context, rig.pass.colors[0].texture);
-    rhw_texture_destroy(rig.context, rig.pass.depth.texture);
-    const struct rhw_texture_def def = {.format = format, .width = SIZE, .height = SIZE, .samples = samples};
-    assert_int_equal(rhw_texture_create(rig.context, &def, &rig.pass.colors[0].texture), RHW_OK);
-    rig.pass.depth.texture = make_texture(&rig, RHW_FORMAT_D32_FLOAT, samples);
-    rig.pipeline.targets[0].format = format;
-    rig.pipeline.targets[0].write_mask = write_mask;
-    draw_crowd(&rig);
-    uint64_t hash = 0;
-    for (int s = 0; s < samples; s++) {
-        assert_int_equal(rhw_texture_read_sample(rig.context, rig.pass.colors[0].texture, s, pixels, 0),
-                         RHW_OK);
-        hash = rig_hash_bytes(hash, pixels, PIXELS * rhw_format_size(format));
-    }
-    rig_close(&rig);
-    return hash;
-}
-
-static void test_paths_agree_on_formats(void **state)
-{
-    (void)state;
-    static const enum rhw_format formats[] = {
-        RHW_FORMAT_RGBA8_UNORM, RHW_FORMAT_RGBA8_SRGB,   RHW_FORMAT_R32_UINT,    RHW_FORMAT_R32_FLOAT,
-        RHW_FORMAT_R8_UNORM,    RHW_FORMAT_RGBA16_FLOAT, RHW_FORMAT_RGBA32_FLOAT};
-    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
-        for (int samples = 1; samples <= 4; samples *= 4) {
-            for (uint8_t write_mask = 0; write_mask <= 5; write_mask += 5) { // 0: all
-                assert_true(hash_of_format(formats[i], write_mask, samples, RHW_PATHS_ALL) ==
-                            hash_of_format(formats[i], write_mask, samples, RHW_PATHS_GENERAL));
-            }
         }
     }
 }
@@ -785,9 +601,6 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_positions_are_the_standard_ones),
         cmocka_unit_test(test_every_sample_is_exact),
-        cmocka_unit_test(test_paths_agree),
-        cmocka_unit_test(test_paths_agree_on_inputs),
-        cmocka_unit_test(test_paths_agree_on_formats),
         cmocka_unit_test(test_fragments_are_shaded_once),
         cmocka_unit_test(test_resolve_on_store),
         cmocka_unit_test(test_resolve_in_waves),

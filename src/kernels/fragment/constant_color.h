@@ -67,6 +67,25 @@ static void blend_constant(struct tile_work *work, int x, int y, uint64_t mask)
     blend_constant_plane(work, 0, x, y, mask);
 }
 
+// Does so in all samples where they are woven.
+static void blend_constant_woven(struct tile_work *work, int x, int y, const uint64_t mask[RHW_MAX_SAMPLES])
+{
+    if (!work->constant_is_ready) {
+        prepare_constant(work);
+    }
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        int32_t texel[RHW_LANES];
+        i8 samples = i8_splat(0);
+        i8_store(texel, i8_splat((y + row) * RHW_TILE + x) + rhw_lane_index);
+        for (int s = 0; s < WOVEN_SAMPLES; s++) {
+            samples |= i8_from_bits((unsigned)(mask[s] >> (8 * row)) & 0xff) & i8_splat(1 << s);
+        }
+        for (int t = 0; t < work->pass->color_count; t++) {
+            blend_woven(work, t, texel, work->scratch->queue.colors[0][t], &samples);
+        }
+    }
+}
+
 // Does so for the samples in `mask`, of a block at multiples of 8.
 static __attribute__((noinline)) void blend_constant_samples(struct tile_work *work, int x, int y,
                                                              const uint64_t mask[RHW_MAX_SAMPLES])
@@ -79,7 +98,12 @@ static __attribute__((noinline)) void blend_constant_samples(struct tile_work *w
     if (differ && !(work->scratch->expanded >> block & 1)) {
         expand_block(work, block);
     }
-    const int planes = work->scratch->expanded >> block & 1 ? work->samples : 1;
+    const bool is_expanded = work->scratch->expanded >> block & 1;
+    if (is_expanded && work->scratch->is_woven) {
+        blend_constant_woven(work, x, y, mask);
+        return;
+    }
+    const int planes = is_expanded ? work->samples : 1;
     for (int s = 0; s < planes; s++) {
         blend_constant_plane(work, s, x, y, mask[s]);
     }

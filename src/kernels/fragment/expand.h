@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The colours of a multisampled tile. Where all samples of a block of 8×8 pixels agree they are stored once, in the plane
-// of the first sample. A fragment that covers a pixel in part expands the block: from then on each sample has its own.
+// of the first sample. A fragment that covers a pixel in part expands the block: from then on each sample has its own, in a
+// plane of the sample or woven.
 #ifndef RHW_EXPAND_H
 #define RHW_EXPAND_H
 
@@ -37,11 +38,35 @@ RHW_INLINE void copy_texels(unsigned char *to, const unsigned char *from, size_t
     }
 }
 
+// Gives all samples of a pixel the texel that the first has.
+RHW_INLINE void weave_pixel(struct rhw_tile_scratch *scratch, int target, int texel)
+{
+    int32_t word;
+    memcpy(&word, scratch->color[target] + (size_t)texel * WOVEN_SIZE, sizeof word);
+    const i4 samples = {word, word, word, word};
+    memcpy(woven_pixel(scratch, target, texel), &samples, sizeof samples);
+}
+
+static void expand_woven_block(const struct tile_work *work, int x, int y)
+{
+    for (int t = 0; t < work->pass->color_count; t++) {
+        for (int row = y; row < y + RHW_BLOCK; row++) {
+            for (int i = 0; i < RHW_BLOCK; i++) {
+                weave_pixel(work->scratch, t, row * RHW_TILE + x + i);
+            }
+        }
+    }
+}
+
 static __attribute__((noinline)) void expand_block(const struct tile_work *work, int block)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
     const int x = block % HIZ_BLOCKS * RHW_BLOCK, y = block / HIZ_BLOCKS * RHW_BLOCK;
     scratch->expanded |= (uint64_t)1 << block;
+    if (scratch->is_woven) {
+        expand_woven_block(work, x, y);
+        return;
+    }
     for (int t = 0; t < work->pass->color_count; t++) {
         const size_t size = work->pass->colors[t].texel_size;
         for (int row = 0; row < RHW_BLOCK; row++) {

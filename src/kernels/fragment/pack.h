@@ -316,19 +316,30 @@ static bool samples_meet(const struct tile_work *work)
     return (~free & ((1u << partial->count) - 1)) != 0;
 }
 
+// Begins a triangle whose anchor is a pixel of the target: all that smooth varyings need of it, beside its planes.
+RHW_INLINE struct packed_triangle *next_packed(struct tile_work *work,
+                                               const struct rhw_vertex_record *const vertex[3], int anchor_x,
+                                               int anchor_y)
+{
+    struct partial_group *const partial = &work->scratch->partial;
+    struct packed_triangle *const to = &partial->triangles[partial->triangle_count++ % RHW_PACKED_TRIANGLES];
+    to->anchor_x = anchor_x - work->x;
+    to->anchor_y = anchor_y - work->y;
+    to->clamps_depth = false;
+    for (int i = 0; i < 3; i++) {
+        to->varyings[i] = vertex[i]->varyings;
+    }
+    to->provoking = to->varyings[provoking_vertex(work->pipeline)];
+    return to;
+}
+
 // Copies what packing needs of a triangle.
 static const struct packed_triangle *pack_triangle(struct tile_work *work, struct triangle_work *triangle)
 {
-    struct partial_group *const partial = &work->scratch->partial;
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
-    struct packed_triangle *const to = &partial->triangles[partial->triangle_count++ % RHW_PACKED_TRIANGLES];
-    to->anchor_x = triangle->planes.anchor_x - work->x;
-    to->anchor_y = triangle->planes.anchor_y - work->y;
+    struct packed_triangle *const to =
+        next_packed(work, triangle->v, triangle->planes.anchor_x, triangle->planes.anchor_y);
     to->clamps_depth = work->samples > 1 && triangle->clamps_depth;
-    for (int i = 0; i < 3; i++) {
-        to->varyings[i] = triangle->v[i]->varyings;
-    }
-    to->provoking = to->varyings[provoking_vertex(pipeline)];
     if (work->plan.needs_distance && triangle->has_values) {
         memcpy(to->derivatives, triangle->derivatives,
                (size_t)pipeline->derivative_pairs * sizeof to->derivatives[0]);
@@ -352,10 +363,11 @@ static const struct packed_triangle *pack_triangle(struct tile_work *work, struc
 
 // What packing has to know of a fragment; a constant where a call names it.
 enum packed_parts {
-    PACKED_QUANTITIES, // the four that every fragment needs
-    PACKED_DISTANCE,   // and where it is, for derivatives
-    PACKED_SAMPLES,    // and of multisampled passes its samples
-    PACKED_ANY         // and whatever the plan wants
+    PACKED_QUANTITIES,    // the four that every fragment needs
+    PACKED_PLAIN_SAMPLES, // and of multisampled passes its samples
+    PACKED_DISTANCE,      // or where it is, for derivatives
+    PACKED_SAMPLES,       // and of multisampled passes its samples, too
+    PACKED_ANY            // and whatever the plan wants
 };
 
 // Keeps the depths of the samples of fragment n.
@@ -389,10 +401,10 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
     partial->pixels[y] |= (uint64_t)1 << x;
     partial->triangle[n] = packed;
     partial->quantities[n] = quantity_values(planes, dx, dy);
-    if (parts != PACKED_QUANTITIES) {
+    if (parts >= PACKED_DISTANCE) {
         partial->distance[n] = (d4){dy, dx, dy, dx};
     }
-    if (parts >= PACKED_SAMPLES) {
+    if (parts == PACKED_PLAIN_SAMPLES || parts >= PACKED_SAMPLES) {
         partial->samples[n] = work->scratch->gathered.samples[i];
     }
     if (parts == PACKED_ANY && packed->clamps_depth) {

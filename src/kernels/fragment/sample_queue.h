@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What follows the fragment function in a multisampled pass: samples are dropped, tested late, and blended plane by plane.
+// What follows the fragment function in a multisampled pass: samples are dropped, tested late, and blended plane by plane,
+// or pixel by pixel where they are woven.
 // A group that covers its pixels all over is blended once, into the first plane, where its blocks are not expanded.
 #ifndef RHW_SAMPLE_QUEUE_H
 #define RHW_SAMPLE_QUEUE_H
@@ -8,6 +9,7 @@
 #include "blend.h"
 #include "expand.h"
 #include "explained_fragment.h"
+#include "woven.h"
 
 // Lanes whose fragment covers sample s.
 RHW_INLINE unsigned lanes_of_sample(i8 samples, int s)
@@ -86,11 +88,12 @@ RHW_INLINE unsigned expanded_lanes(const struct tile_work *work, int g, unsigned
         }
         return *expanded >> block & 1 ? 0xff : 0;
     }
-    unsigned left = partial & ~expanded_texels(*expanded, queue->texels[g]);
-    for (; left != 0; left = partial & ~expanded_texels(*expanded, queue->texels[g])) {
-        expand_block(work, block_of_texel(queue->texels[g][__builtin_ctz(left)]));
+    unsigned lanes = expanded_texels(*expanded, queue->texels[g]);
+    while ((partial & ~lanes) != 0) {
+        expand_block(work, block_of_texel(queue->texels[g][__builtin_ctz(partial & ~lanes)]));
+        lanes = expanded_texels(*expanded, queue->texels[g]);
     }
-    return expanded_texels(*expanded, queue->texels[g]);
+    return lanes;
 }
 
 // Blends the lanes of group g, of which some are expanded, into target t. `samples`: what is to be drawn, not none.
@@ -135,6 +138,51 @@ RHW_INLINE void blend_scattered_samples(const struct tile_work *work, int t, int
     }
 }
 
+// Blends 8 fragments into those of their samples that are set. Of no sample are there two fragments.
+static __attribute__((noinline)) void blend_woven(const struct tile_work *work, int target,
+                                                  const int32_t texel[8], const f8 *color, const i8 *samples)
+{
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    const struct rhw_blend_state *const state = &work->state->blend[target];
+    f8 sample[WOVEN_SAMPLES];
+    f4 pixel[RHW_LANES];
+    load_woven(scratch, target, texel, sample);
+    for (int s = 0; s < WOVEN_SAMPLES; s++) {
+        _Alignas(32) unsigned char texels[RHW_LANES * 16];
+        f8_store(texels, sample[s]);
+        blend_group(state, color, i8_splat(-1), texels);
+        sample[s] = f8_load(texels);
+    }
+    f4_rows(sample, pixel);
+    store_woven(scratch, target, texel, pixel, *samples);
+}
+
+// Does so where samples are woven.
+RHW_INLINE void blend_woven_samples(const struct tile_work *work, int t, int g, i8 samples, unsigned expanded)
+{
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    struct fragment_queue *const queue = &scratch->queue;
+    const struct rhw_blend_state *const state = &work->state->blend[t];
+    i8 woven = samples;
+    if (expanded != 0xff && queue->is_scattered[g]) {
+        blend_scattered_samples(work, t, g, samples & i8_from_bits(~expanded), 0);
+        woven = samples & i8_from_bits(expanded);
+    } else if (expanded == 0) {
+        blend_row_samples(work, t, g, samples, 0);
+    }
+    if (expanded == 0) {
+        return;
+    }
+    if (!queue->is_scattered[g]) { // all of it is expanded
+        i8_store(queue->texels[g], i8_splat(queue->row_at[g]) + rhw_lane_index);
+    }
+    if (replaces_words(state)) {
+        replace_woven(scratch, t, queue->texels[g], replacing_words(state, queue->colors[g][t]), woven);
+    } else {
+        blend_woven(work, t, queue->texels[g], queue->colors[g][t], &woven);
+    }
+}
+
 RHW_INLINE void blend_samples(const struct tile_work *work, int g, i8 samples)
 {
     const i8 all = i8_splat((int32_t)(((int64_t)1 << work->samples) - 1));
@@ -145,7 +193,9 @@ RHW_INLINE void blend_samples(const struct tile_work *work, int g, i8 samples)
     }
     const unsigned expanded = expanded_lanes(work, g, partial);
     for (int t = 0; t < work->pass->color_count; t++) {
-        if (work->scratch->queue.is_scattered[g]) {
+        if (work->scratch->is_woven) {
+            blend_woven_samples(work, t, g, samples, expanded);
+        } else if (work->scratch->queue.is_scattered[g]) {
             blend_scattered_samples(work, t, g, samples, expanded);
         } else {
             blend_row_samples(work, t, g, samples, expanded);

@@ -8,6 +8,7 @@
 #include "../texel/texel_codec.h"
 #include "../tile_work.h"
 #include "expand.h"
+#include "woven.h"
 
 // The sample whose plane a group reads: programs that read targets run for every sample.
 static int plane_of_group(const struct fragment_queue *queue, int g)
@@ -33,9 +34,15 @@ static __attribute__((noinline)) void read_targets(const struct tile_work *work,
         for (int t = 0; t < count; t++) {
             const struct rhw_format_info *const format = work->state->blend[t].format;
             struct raw_texels raw = {{{0}}};
-            load_texel_row(format->size,
-                           color_plane(scratch, t, is_expanded ? sample : 0) + (size_t)at * format->size,
-                           &raw);
+            if (work->samples > 1 && is_expanded && scratch->is_woven) {
+                f8 texels[WOVEN_SAMPLES];
+                load_woven_row(scratch, t, at, texels);
+                raw.word[0] = (i8)texels[sample];
+            } else {
+                load_texel_row(format->size,
+                               color_plane(scratch, t, is_expanded ? sample : 0) + (size_t)at * format->size,
+                               &raw);
+            }
             decode_texels(format, &raw, queue->colors[g][t]);
         }
         if (uses & RHW_USE_DEPTH_INPUT) {

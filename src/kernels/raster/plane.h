@@ -65,6 +65,12 @@ RHW_INLINE double plane_value(struct plane p, double dx, double dy)
     return p.dx * dx + (p.at + p.dy * dy);
 }
 
+// Gives the value at 4 places.
+RHW_INLINE d4 plane_value4(struct plane p, d4 dx, d4 dy)
+{
+    return d4_splat(p.dx) * dx + (d4_splat(p.at) + d4_splat(p.dy) * dy);
+}
+
 // Gives those of the four quantities at one.
 RHW_INLINE d4 quantity_values(const struct quantity_planes *p, double dx, double dy)
 {

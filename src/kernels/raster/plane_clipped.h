@@ -196,6 +196,21 @@ static void weights_over_w(const struct planes *p, const struct clipped_planes *
     }
 }
 
+// Whether a row has values of its own in a lane whose bit is set: a weight below 0 there, or −0.
+static bool row_leaves_triangle(const struct planes *p, const struct clipped_planes *c,
+                                const struct anchor_offset *block, int row, unsigned bits)
+{
+    double rows[RHW_BLOCK];
+    d8 over_w[3];
+    if (p->kind == PLANES_DOUBLE_DOUBLE) {
+        return bits != 0;
+    }
+    memcpy(rows, &block->dy, sizeof rows);
+    weights_over_w(p, c, block->dx, rows[row], over_w);
+    const i8 signs = (i8)f8_from_d8(over_w[0]) | (i8)f8_from_d8(over_w[1]) | (i8)f8_from_d8(over_w[2]);
+    return (i8_sign_bits(signs) & bits) != 0;
+}
+
 static __attribute__((noinline)) void clipped_row_set(struct clipped_row *out, const struct planes *p,
                                                       const struct clipped_planes *c,
                                                       const struct anchor_offset *block, int row)

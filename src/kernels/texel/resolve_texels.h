@@ -25,25 +25,20 @@ RHW_INLINE f8 resolved_value(enum rhw_resolve mode, const f8 *value, int count)
 // Stores the mean of 4 samples of RGBA8_UNORM, or of its channels in another order, in the pixels of `lanes`: resolve_row
 // with all that it has to ask known. Equal bytes have themselves as mean, as only means halfway between two depend on
 // how sums are rounded.
-RHW_INLINE void resolve_unorm8_row(const struct sample_row *row, unsigned lanes, unsigned char *to)
+RHW_INLINE void resolve_unorm8(const i8 sample[4], unsigned lanes, unsigned char *to)
 {
-    enum { SAMPLES = 4 };
-    i8 word[SAMPLES], differ = i8_splat(0);
+    const i8 differ = (sample[1] ^ sample[0]) | (sample[2] ^ sample[0]) | (sample[3] ^ sample[0]);
     f8 mean[4];
-    for (int s = 0; s < SAMPLES; s++) {
-        word[s] = i8_load(row->plane[s]);
-        differ |= word[s] ^ word[0];
-    }
     if ((i8_sign_bits(rhw_equal_int(differ, i8_splat(0))) & lanes) == lanes) {
-        store_words(to, word[0], i8_from_bits(lanes));
+        store_words(to, sample[0], i8_from_bits(lanes));
         return;
     }
     for (int c = 0; c < 4; c++) {
-        mean[c] = unorm8_to_float(channel_byte(word[0], c));
-        for (int s = 1; s < SAMPLES; s++) {
-            mean[c] = mean[c] + unorm8_to_float(channel_byte(word[s], c));
+        mean[c] = unorm8_to_float(channel_byte(sample[0], c));
+        for (int s = 1; s < 4; s++) {
+            mean[c] = mean[c] + unorm8_to_float(channel_byte(sample[s], c));
         }
-        mean[c] = mean[c] * (1.0f / SAMPLES);
+        mean[c] = mean[c] * (1.0f / 4);
     }
     store_words(to, unorm8_texels(mean), i8_from_bits(lanes));
 }

@@ -60,6 +60,9 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
     for (int t = 0; t < work->pass->color_count; t++) {
         work->orders_lanes = work->orders_lanes && !state->blend[t].blend;
     }
+    work->packs_plainly = work->orders_lanes && work->plan.shading == RHW_SHADING_SMOOTH &&
+                          !work->plan.needs_distance && !work->plan.keeps_depth && !work->plan.keeps_identity;
+    work->drawn_cell = (pipeline->def.sample_mask & 0xf) * 0x1111111111111111u;
     work->scratch->gathered.overtakes = false;
     work->tests_bounds = hiz_follow(depth, &work->plan);
     work->tests_small_bounds = work->tests_bounds && work->samples > 1 && work->phase != RHW_PHASE_ONLY;
@@ -95,6 +98,12 @@ static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
     for (int g = 0; g < RHW_FRAGMENT_GROUPS; g++) {
         work->scratch->queue.groups[g].uniforms = draw->uniforms;
     }
+}
+
+// Keeps for the second of two phases that a triangle of the run was seen in the first.
+RHW_INLINE void see_triangle(const struct tile_work *work, uint32_t number)
+{
+    work->scratch->seen[number / 8] |= (uint8_t)(1u << number % 8);
 }
 
 // Whether no sample of the tile but the first is open, drawn backwards.

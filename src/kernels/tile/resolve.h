@@ -6,7 +6,9 @@
 
 #include "../fragment/blend.h"
 #include "../fragment/expand.h"
+#include "../fragment/woven.h"
 #include "../texel/resolve_texels.h"
+#include "../integer.h"
 #include "attachment.h"
 
 static enum rhw_resolve color_mode(const struct rhw_attachment *attachment,
@@ -17,6 +19,40 @@ static enum rhw_resolve color_mode(const struct rhw_attachment *attachment,
     return rhw_format_is_integer(info) ? RHW_RESOLVE_SAMPLE_ZERO : mode;
 }
 
+// How the samples of a target are resolved.
+struct color_resolve {
+    const struct rhw_format_info *info;
+    enum rhw_resolve mode;
+    bool is_common; // the mean of 4 samples of RGBA8
+};
+
+// Resolves 8 texels in a row, from `texel` on, whose samples have colours of their own, in the pixels of `lanes`.
+static inline void resolve_expanded(const struct tile_work *work, int t, const struct color_resolve *how,
+                                    int texel, unsigned lanes, unsigned char *to)
+{
+    struct rhw_tile_scratch *const scratch = work->scratch;
+    struct sample_row row;
+    i8 sample[WOVEN_SAMPLES];
+    if (scratch->is_woven) {
+        f8 woven[WOVEN_SAMPLES];
+        load_woven_row(scratch, t, texel, woven);
+        memcpy(sample, woven, sizeof sample);
+    }
+    row.count = work->samples;
+    for (int s = 0; s < work->samples && !(scratch->is_woven && how->is_common); s++) {
+        row.plane[s] = scratch->is_woven ? (const unsigned char *)&sample[s]
+                                         : color_plane(scratch, t, s) + (size_t)texel * how->info->size;
+        if (how->is_common) {
+            sample[s] = i8_load(row.plane[s]);
+        }
+    }
+    if (how->is_common) {
+        resolve_unorm8(sample, lanes, to);
+    } else {
+        resolve_row(how->info, how->mode, &row, lanes, to);
+    }
+}
+
 // Resolves target t.
 static void resolve_color(const struct tile_work *work, int t)
 {
@@ -25,28 +61,19 @@ static void resolve_color(const struct tile_work *work, int t)
     const struct rhw_format_info *const info = rhw_format_info(attachment->format);
     const enum rhw_resolve mode = color_mode(attachment, info);
     const struct memory_rows rows = rows_of_level(work, attachment, attachment->resolve);
-    const bool is_common = info->codec == RHW_CODEC_UNORM8 && info->size == 4 &&
-                           mode == RHW_RESOLVE_AVERAGE && work->samples == 4;
+    const struct color_resolve how = {info, mode,
+                                      info->codec == RHW_CODEC_UNORM8 && info->size == 4 &&
+                                          mode == RHW_RESOLVE_AVERAGE && work->samples == 4};
     soil(work, attachment->resolve_clean);
     for (int y = 0; y < work->height; y++) {
         for (int x = 0; x < work->width; x += RHW_BLOCK) {
             const int block = y / RHW_BLOCK * HIZ_BLOCKS + x / RHW_BLOCK;
-            const size_t at = (size_t)(y * RHW_TILE + x) * info->size;
-            const int left = work->width - x;
+            const int texel = y * RHW_TILE + x, left = min_int(work->width - x, RHW_BLOCK);
             unsigned char *const to = rows.first + (size_t)y * rows.pitch + (size_t)x * info->size;
-            struct sample_row row = {{scratch->color[t] + at}, work->samples};
-            if (!(scratch->expanded >> block & 1)) {
-                copy_row(to, row.plane[0], (size_t)(left < RHW_BLOCK ? left : RHW_BLOCK) * info->size);
-                continue;
-            }
-            for (int s = 1; s < work->samples; s++) {
-                row.plane[s] = color_plane(scratch, t, s) + at;
-            }
-            const unsigned lanes = left < RHW_BLOCK ? (1u << left) - 1 : 0xff;
-            if (is_common) {
-                resolve_unorm8_row(&row, lanes, to);
+            if (scratch->expanded >> block & 1) {
+                resolve_expanded(work, t, &how, texel, (1u << left) - 1, to);
             } else {
-                resolve_row(info, mode, &row, lanes, to);
+                copy_row(to, scratch->color[t] + (size_t)texel * info->size, (size_t)left * info->size);
             }
         }
     }
@@ -112,6 +139,27 @@ static void resolve_depth_stencil(const struct tile_work *work)
 
 // Loading and storing with several samples ---------------------------------------------------------------
 
+// Whether planes are stored, now or for the waves that follow.
+static bool stores_planes(const struct rhw_pass_state *pass)
+{
+    bool stores = false;
+    for (int t = 0; t < pass->color_count; t++) {
+        stores |= is_stored(pass, &pass->colors[t]);
+    }
+    return stores;
+}
+
+// Whether the tile is kept woven. An explanation looks into planes, and the general path draws them.
+static bool can_weave(const struct tile_work *work)
+{
+    const struct rhw_pass_state *const pass = work->pass;
+    bool has_size = work->samples == WOVEN_SAMPLES;
+    for (int t = 0; t < pass->color_count; t++) {
+        has_size = has_size && pass->colors[t].texel_size == WOVEN_SIZE;
+    }
+    return has_size && !stores_planes(pass) && !work->explained && rhw_pass_takes_special_paths(pass);
+}
+
 static void load_samples(const struct tile_work *work)
 {
     const struct rhw_pass_state *const pass = work->pass;
@@ -121,6 +169,7 @@ static void load_samples(const struct tile_work *work)
         differ |= load_of(pass, color) == RHW_LOAD_LOAD && !(color->loads_resolved && pass->first_wave);
     }
     work->scratch->expanded = differ ? ~(uint64_t)0 : 0;
+    work->scratch->is_woven = !differ && can_weave(work);
     for (int t = 0; t < pass->color_count; t++) {
         for (int s = 0; s < (differ ? work->samples : 1); s++) {
             load_attachment(work, &pass->colors[t], s, color_plane(work->scratch, t, s));
@@ -135,10 +184,7 @@ static void load_samples(const struct tile_work *work)
 static void store_samples(const struct tile_work *work)
 {
     const struct rhw_pass_state *const pass = work->pass;
-    bool stores = false;
-    for (int t = 0; t < pass->color_count; t++) {
-        stores |= is_stored(pass, &pass->colors[t]);
-    }
+    const bool stores = stores_planes(pass);
     for (int block = 0; block < HIZ_BLOCKS * HIZ_BLOCKS && stores; block++) {
         if (!(work->scratch->expanded >> block & 1)) {
             expand_block(work, block);

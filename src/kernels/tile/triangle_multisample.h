@@ -23,7 +23,9 @@ RHW_INLINE struct block block_at(const struct tile_work *work, const struct tria
                                  const struct sampled_block *from, int s)
 {
     const struct rhw_sample_pattern *const pattern = work->pass->pattern;
-    struct block block = {.x = from->x, .y = from->y};
+    struct block block; // all but its depths and samples
+    block.x = from->x;
+    block.y = from->y;
     block.at = block_offset(work, &triangle->planes, from->x, from->y);
     if (s >= 0) {
         block.at.dx = d8_add(block.at.dx, d8_splat(from_center(pattern->x_0_8[s])));
@@ -254,40 +256,55 @@ static void fill_samples(const struct tile_work *work, struct sampled_block *blo
     }
 }
 
-// The edges of a triangle at pixel centres, and how far they may be off anywhere in a pixel.
-struct wide_edges {
-    struct edge edge[3];
-    int64_t margin[3];
-};
-
-static void wide_edges_set(struct wide_edges *wide, const struct tile_work *work,
+// Sets the edges of a triangle that cross the tile at some sample. They are those at pixel centres, and reach over a block
+// as far as its samples do: half a pixel more, so that block_row_of tells of all samples at once. With that, |q| in the
+// tile is at most 63.5·(|a| + |b|) + 2 < 2^31. False where the triangle lies beside the tile.
+static bool wide_edges_set(struct triangle_edges *wide, const struct tile_work *work,
                            const struct rhw_triangle *t)
 {
     const int32_t sign = t->flags & RHW_TRIANGLE_NEGATIVE ? -1 : 1;
+    const int blocks = (RHW_TILE - 1) / (RHW_BLOCK - 1); // as in coverage_add
+    wide->count = 0;
     for (int i = 0; i < 3; i++) {
         const int j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
-        struct edge *const edge = &wide->edge[i];
-        *edge = make_edge(t->x_24_8[j], t->y_24_8[j], t->x_24_8[k], t->y_24_8[k], sign,
-                          center_of_pixel(work->x, work->y));
-        wide->margin[i] = (int64_t)max_int(edge->a, -edge->a) + max_int(edge->b, -edge->b);
+        struct edge edge = make_edge(t->x_24_8[j], t->y_24_8[j], t->x_24_8[k], t->y_24_8[k], sign,
+                                     center_of_pixel(work->x, work->y));
+        const int64_t reach = ((int64_t)max_int(edge.a, -edge.a) + max_int(edge.b, -edge.b)) / 2 + 1;
+        if (edge.q + edge.high * blocks + reach < 0) {
+            return false;
+        }
+        if (edge.q + edge.low * blocks - reach < 0) {
+            edge.low -= reach;
+            edge.high += reach;
+            wide->edges[wide->count++] = edge;
+        }
     }
+    return true;
 }
 
-enum block_side { BLOCK_OUTSIDE, BLOCK_CROSSED, BLOCK_INSIDE };
-
-// Where all samples of the block at (x, y) lie; crossed where that is not sure.
-static enum block_side side_of_block(const struct wide_edges *wide, int x, int y)
+// Draws the blocks of a triangle at row y of the tile.
+static void draw_sampled_row(struct tile_work *work, struct triangle_work *triangle,
+                             const struct coverage *coverage, const struct tile_rect *rect,
+                             const struct triangle_edges *wide, int y)
 {
-    enum block_side side = BLOCK_INSIDE;
-    for (int i = 0; i < 3; i++) {
-        const struct edge *const edge = &wide->edge[i];
-        const int64_t first = edge->q + (int64_t)edge->a * x + (int64_t)edge->b * y;
-        if (first + edge->high + wide->margin[i] < 0) {
-            return BLOCK_OUTSIDE;
+    const unsigned columns = 0xffu << (rect->x0 / RHW_BLOCK) & 0xffu >> ((RHW_TILE - rect->x1) / RHW_BLOCK);
+    const unsigned hidden = hidden_blocks(work, triangle, y);
+    const struct block_row sides = wide ? block_row_of(wide, y) : (struct block_row){0, 0xff};
+    for (unsigned left = columns & ~sides.outside; left != 0; left &= left - 1) {
+        const int column = __builtin_ctz(left), x = column * RHW_BLOCK;
+        if (hidden >> column & 1 && !samples_leave(work, triangle, x, y)) {
+            continue;
         }
-        side = first + edge->low - wide->margin[i] < 0 ? BLOCK_CROSSED : side;
+        struct sampled_block block;
+        block.x = x;
+        block.y = y;
+        if (sides.crossed >> column & 1 || work->is_scissored) {
+            cover_samples(work, triangle->t, coverage, rect, &block);
+        } else {
+            fill_samples(work, &block);
+        }
+        draw_sampled_block(work, triangle, &block);
     }
-    return side;
 }
 
 static __attribute__((noinline)) void draw_multisampled(struct tile_work *work,
@@ -296,6 +313,12 @@ static __attribute__((noinline)) void draw_multisampled(struct tile_work *work,
 {
     const struct rhw_sample_pattern *const pattern = work->pass->pattern;
     const struct tile_rect rect = rect_of(work, triangle->t);
+    // Of the others blocks are not all there is to look at.
+    const bool is_whole = !(triangle->t->flags & (RHW_TRIANGLE_POLYGON | RHW_TRIANGLE_RECTANGLE));
+    struct triangle_edges wide;
+    if (is_whole && !wide_edges_set(&wide, work, triangle->t)) {
+        return;
+    }
     struct coverage coverage[RHW_MAX_SAMPLES];
     bool reaches = false;
     for (int s = 0; s < work->samples; s++) {
@@ -308,32 +331,8 @@ static __attribute__((noinline)) void draw_multisampled(struct tile_work *work,
     if (!reaches) {
         return;
     }
-    // Of the others blocks are not all there is to look at.
-    const bool is_whole = !(triangle->t->flags & (RHW_TRIANGLE_POLYGON | RHW_TRIANGLE_RECTANGLE));
-    struct wide_edges wide;
-    if (is_whole) {
-        wide_edges_set(&wide, work, triangle->t);
-    }
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
-        const unsigned hidden = hidden_blocks(work, triangle, y);
-        for (int x = rect.x0 & -RHW_BLOCK; x < rect.x1; x += RHW_BLOCK) {
-            if (hidden >> (x / RHW_BLOCK) & 1 && !samples_leave(work, triangle, x, y)) {
-                continue;
-            }
-            struct sampled_block block;
-            const enum block_side side = is_whole ? side_of_block(&wide, x, y) : BLOCK_CROSSED;
-            block.x = x;
-            block.y = y;
-            if (side == BLOCK_OUTSIDE) {
-                continue;
-            }
-            if (side == BLOCK_INSIDE && !work->is_scissored) {
-                fill_samples(work, &block);
-            } else {
-                cover_samples(work, triangle->t, coverage, &rect, &block);
-            }
-            draw_sampled_block(work, triangle, &block);
-        }
+        draw_sampled_row(work, triangle, coverage, &rect, is_whole ? &wide : NULL, y);
     }
     finish_gathered(work, triangle);
     for (int s = 1; s < work->samples; s++) {

@@ -99,6 +99,30 @@ static unsigned hidden_blocks(struct tile_work *work, struct triangle_work *tria
                       planes->anchor_y - work->y, y, work->samples == 1 ? 0 : SAMPLE_REACH);
 }
 
+// Whether all of a small triangle in a rectangle of the tile lies behind what the tile shows there.
+RHW_INLINE bool hides_small(const struct tile_work *work, const struct triangle_setup8 *setup, int i,
+                            struct hiz_rect rect)
+{
+    return work->tests_small_bounds &&
+           hiz_hides(&work->scratch->depth, plane_of(&setup->quantities[i], QUANTITY_Z),
+                     setup->anchor_x[i] - work->x, setup->anchor_y[i] - work->y, &rect, SAMPLE_REACH);
+}
+
+// Flags of which a small triangle that nothing else has to be asked about has RHW_TRIANGLE_SMALL alone; without that where
+// the draw has no path for it.
+RHW_INLINE uint16_t plain_flags(const struct rhw_draw_plan *plan)
+{
+    const uint16_t others = RHW_TRIANGLE_RECTANGLE | RHW_TRIANGLE_LINE | RHW_TRIANGLE_SMOOTH |
+                            RHW_TRIANGLE_CONSERVATIVE | RHW_TRIANGLE_STIPPLE;
+    return others | (plan->is_biased ? 0 : plan->sampled_small_flag);
+}
+
+// Whether a triangle is such, in a pass of several samples: 3 % fewer instructions where triangles are tiny.
+RHW_INLINE bool is_plain_small(const struct triangle_setup8 *setup, int i, uint16_t plain)
+{
+    return (setup->read->triangle[i]->flags & plain) == RHW_TRIANGLE_SMALL && !(setup->exact >> i & 1);
+}
+
 // Gives the depths of a block; those of pixels outside `mask` are rubbish.
 RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_work *triangle,
                            const struct block *block, uint64_t mask, f8 z[RHW_BLOCK])
@@ -110,7 +134,8 @@ RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_w
     }
     for (int row = 0; row < RHW_BLOCK && block->leaves_triangle; row++) {
         struct clipped_row clipped;
-        if (mask >> (8 * row) & 0xff) {
+        const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
+        if (bits != 0 && row_leaves_triangle(&triangle->planes, triangle->clipped, &block->at, row, bits)) {
             clipped_row_set(&clipped, &triangle->planes, triangle->clipped, &block->at, row);
             z[row] = f8_select(clipped.lanes, clipped.z, z[row]);
         }

@@ -15,6 +15,25 @@ struct tile_rect {
     int x0, y0, x1, y1;
 };
 
+enum {
+    CELL = 4, // pixels of a cell, each way
+    CELL_SAMPLES = 4,
+    CELLS_X = 2, // of a triangle, at most
+    CELLS_Y = 4,
+    MOST_CELLS = BATCH * CELLS_X * CELLS_Y
+};
+
+// What small triangles cover where pixels have 4 samples (sample_cells.h): of triangle i in cells first[i] ..
+// first[i + 1] − 1. Lists have room for a vector that begins behind the last.
+struct sample_cells {
+    bool are_set;          // else nothing else is
+    unsigned fits, covers; // bit i: all of triangle i is here; and it covers a sample
+    int first[BATCH + 1];
+    int32_t entry[MOST_CELLS + BATCH];
+    int32_t x[MOST_CELLS + BATCH], y[MOST_CELLS + BATCH]; // of the tile
+    uint32_t low[MOST_CELLS + BATCH], high[MOST_CELLS + BATCH];
+};
+
 // Edges and pixels are those of small triangles (RHW_TRIANGLE_SMALL) alone, planes those of snapped ones. Edges: q, a,
 // b as in coverage.h, q at pixel (x, y0) of the tile. Vertices lie within 64 pixels of each other and within 72 of any
 // pixel of a block that reaches into their rectangle, as edge_lanes asks. Where pixels have several samples q is that of
@@ -29,6 +48,7 @@ struct triangle_setup8 {
     double inverse_area[BATCH];
     int32_t anchor_x[BATCH], anchor_y[BATCH]; // as in struct planes
     unsigned exact;                           // bit i: the planes of triangle i are PLANES_EXACT: a sliver
+    struct sample_cells cells;
 };
 
 // The words of 8 triangles.
@@ -197,6 +217,7 @@ static void setup_triangles8(struct triangle_setup8 *setup, const struct tile_wo
 {
     const struct triangle_words8 words = load_words8(read, work);
     setup->read = read;
+    setup->cells.are_set = false;
     setup_edges8(setup, &words, work);
     setup_planes8(setup, &words, chunk);
 }

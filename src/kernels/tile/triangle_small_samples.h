@@ -143,40 +143,13 @@ RHW_INLINE bool takes_small_samples(const struct tile_work *work, const struct t
            !(triangle->setup->exact >> triangle->lane & 1) && !triangle->clamps_depth;
 }
 
-// Whether it does, of those that nothing else has to be asked about: 3 % fewer instructions where triangles are tiny.
-RHW_INLINE bool is_plain_small(const struct tile_work *work, struct triangle_work *triangle)
-{
-    const uint16_t others = RHW_TRIANGLE_RECTANGLE | RHW_TRIANGLE_LINE | RHW_TRIANGLE_SMOOTH |
-                            RHW_TRIANGLE_CONSERVATIVE | RHW_TRIANGLE_STIPPLE;
-    const uint16_t small = work->plan.is_biased ? 0 : work->plan.sampled_small_flag;
-    if ((triangle->t->flags & (small | others)) != RHW_TRIANGLE_SMALL ||
-        triangle->setup->exact >> triangle->lane & 1) {
-        return false;
-    }
-    triangle->clipped = NULL;
-    triangle->clamps_depth = false;
-    triangle->depth_bias = 0;
-    return true;
-}
-
-// Whether all of it in a rectangle of the tile lies behind what the tile shows there.
-RHW_INLINE bool hides_small(const struct tile_work *work, const struct triangle_work *triangle,
-                            struct hiz_rect rect)
-{
-    const struct triangle_setup8 *const setup = triangle->setup;
-    const int i = triangle->lane;
-    return work->tests_small_bounds &&
-           hiz_hides(&work->scratch->depth, plane_of(&setup->quantities[i], QUANTITY_Z),
-                     setup->anchor_x[i] - work->x, setup->anchor_y[i] - work->y, &rect, SAMPLE_REACH);
-}
-
-// Whether all of the triangle in a part lies there.
+// Whether all of the triangle in a part lies behind what the tile shows there.
 static inline bool hides_part(const struct tile_work *work, const struct triangle_work *triangle,
                               const struct small_part *part)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
     const int i = triangle->lane;
-    return hides_small(work, triangle,
+    return hides_small(work, setup, i,
                        (struct hiz_rect){max_int(part->x, setup->x0[i]), part->y,
                                          min_int(part->x + RHW_BLOCK, setup->x1[i]), part->y1});
 }
@@ -197,10 +170,11 @@ static __attribute__((noinline)) void draw_small_samples(struct tile_work *work,
     }
     for (int y = y0; y < y1; y += RHW_BLOCK) {
         for (int x = x0; x < x1; x += RHW_BLOCK) {
-            struct small_part part = {.x = min_int(x, RHW_TILE - RHW_BLOCK),
-                                      .y = y,
-                                      .y1 = min_int(y + RHW_BLOCK, y1),
-                                      .top = min_int(y, RHW_TILE - RHW_BLOCK)};
+            struct small_part part; // without its edges, which would be cleared
+            part.x = min_int(x, RHW_TILE - RHW_BLOCK);
+            part.y = y;
+            part.y1 = min_int(y + RHW_BLOCK, y1);
+            part.top = min_int(y, RHW_TILE - RHW_BLOCK);
             const i8 column = i8_splat(part.x) + rhw_lane_index;
             part.sides = (column - i8_splat(x)) | (i8_splat(x1 - 1) - column);
             if (trim_rows(&part, triangle) && !hides_part(work, triangle, &part)) {

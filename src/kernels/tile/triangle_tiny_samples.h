@@ -1,215 +1,232 @@
 // SPDX-License-Identifier: MIT
 // The smallest triangles where pixels have 4 samples: those of a few columns, as in meshes that are finer than the
-// picture. The lanes of a vector are the 4 samples of 2 pixels side by side, so that coverage and the early depth test
-// of a triangle of two columns are one step for each of its rows, and its fragments are listed as they are found.
+// picture. What they cover is known by cells of 4×4 pixels (sample_cells.h). The samples of a pixel are the lanes of a
+// vector of four, in the early depth test too, so that nothing is done for pixels that are not covered.
 #ifndef RHW_TRIANGLE_TINY_SAMPLES_H
 #define RHW_TRIANGLE_TINY_SAMPLES_H
 
+#include "draw_state.h"
 #include "../fragment/gather.h"
+#include "sample_cells.h"
 #include "triangle_planes.h"
 
-enum {
-    TINY_SAMPLES = 4,
-    TINY_PIXELS = RHW_LANES / TINY_SAMPLES, // of a vector; lane 2·s + p: sample s of pixel p
-    TINY_COLUMNS = 6,
-    TINY_ROWS = 16 // with as many columns no more fragments than can be gathered
-};
-
-_Static_assert(TINY_ROWS *(TINY_COLUMNS + TINY_PIXELS) <= RHW_GATHERED_FRAGMENTS,
+_Static_assert(MOST_CELLS / BATCH * CELL * CELL <= RHW_GATHERED_FRAGMENTS,
                "the fragments of a triangle are listed without a look at their number");
 
-// Where the samples of the lanes lie, for all triangles of a tile.
-static struct tiny_lanes tiny_lanes_of(const struct rhw_sample_pattern *pattern)
+// Where the samples of a cell's pixels lie, for all triangles of a tile.
+static struct cell_places cell_places_of(const struct rhw_sample_pattern *pattern)
 {
-    const i8 sample = rhw_lane_index >> 1, pixel = rhw_lane_index & i8_splat(1);
-    const i8 x = i8_permute(i8_load(pattern->x_0_8), sample) + (pixel << RHW_SUBPIXEL_BITS),
-             y = i8_permute(i8_load(pattern->y_0_8), sample);
-    const d8 scale = d8_splat(1.0 / RHW_SUBPIXEL);
-    return (struct tiny_lanes){x, y, d8_mul(d8_from_i8(x - SAMPLE_OFFSET_0_8), scale),
-                               d8_mul(d8_from_i8(y - SAMPLE_OFFSET_0_8), scale)};
+    struct cell_places places;
+    for (int n = 0; n < CELL; n++) {
+        for (int s = 0; s < CELL_SAMPLES; s++) {
+            places.dx[n][s] = n + from_center(pattern->x_0_8[s]);
+            places.dy[n][s] = n + from_center(pattern->y_0_8[s]);
+        }
+    }
+    return places;
 }
 
-// Two columns of a triangle, or the last of a tile, of which a column may have been drawn.
-struct tiny_columns {
-    int x;
-    i8 q[3], step[3]; // edges, and what they change by to the next row
-    i8 sides;         // negative in lanes that are not drawn
-    d8 column, dy;    // of depth: what depends on the column, and the rows of the lanes from the anchor
-};
-
-RHW_INLINE void tiny_columns_set(struct tiny_columns *columns, const struct tile_work *work,
-                                 const struct triangle_work *triangle, int from)
+// The depth of the samples of a pixel.
+RHW_INLINE f4 depth_of_pixel(struct rhw_tile_scratch *scratch, int texel)
 {
-    const struct tiny_lanes *const lanes = &work->tiny_lanes;
-    const struct triangle_setup8 *const setup = triangle->setup;
-    const int i = triangle->lane, x = min_int(from, RHW_TILE - TINY_PIXELS);
-    const i8 dx = lanes->x + i8_splat((x - setup->x[i]) * RHW_SUBPIXEL);
-    for (int e = 0; e < 3; e++) {
-        const i8 a = i8_splat(setup->a[e][i]), b = i8_splat(setup->b[e][i]);
-        columns->q[e] = i8_splat(setup->q[e][i]) + a * dx + b * lanes->y;
-        columns->step[e] = b << RHW_SUBPIXEL_BITS;
-    }
-    const i8 pixel = i8_splat(x) + (rhw_lane_index & i8_splat(1));
-    columns->x = x;
-    columns->sides = (pixel - i8_splat(from)) | (i8_splat(setup->x1[i] - 1) - pixel);
-    const uint32_t drawn = work->pipeline->def.sample_mask;
-    if ((~drawn & ((1u << TINY_SAMPLES) - 1)) != 0) {
-        columns->sides |= (i8)((u8)i8_splat((int32_t)~drawn) >> (u8)(rhw_lane_index >> 1)) << 31;
-    }
-    if (work->plan.tests_early) {
-        const struct plane z = plane_of(&setup->quantities[i], QUANTITY_Z);
-        const double right = work->x + x - setup->anchor_x[i],
-                     down = work->y + setup->y0[i] - setup->anchor_y[i];
-        columns->column = plane_column(z, d8_add(lanes->dx, d8_splat(right)));
-        columns->dy = d8_add(lanes->dy, d8_splat(down));
+    return (f4){depth_plane(scratch, 0)->texels[texel], depth_plane(scratch, 1)->texels[texel],
+                depth_plane(scratch, 2)->texels[texel], depth_plane(scratch, 3)->texels[texel]};
+}
+
+RHW_INLINE void store_depth_of_pixel(struct rhw_tile_scratch *scratch, int texel, f4 depth)
+{
+    for (int s = 0; s < CELL_SAMPLES; s++) {
+        depth_plane(scratch, s)->texels[texel] = depth[s];
     }
 }
 
-// What is drawn.
-struct tiny_test {
-    struct tile_work *work;
-    const struct triangle_work *triangle;
-};
-
-// The depth of two pixels in four planes.
-RHW_INLINE f8 tiny_depth(float *const texels[TINY_SAMPLES], int at)
-{
-    ul4 pairs;
-    for (int s = 0; s < TINY_SAMPLES; s++) {
-        uint64_t pair;
-        memcpy(&pair, &texels[s][at], sizeof pair);
-        pairs[s] = pair;
-    }
-    return (f8)pairs;
-}
-
-RHW_INLINE void tiny_depth_store(float *const texels[TINY_SAMPLES], int at, f8 depth)
-{
-    const ul4 pairs = (ul4)depth;
-    for (int s = 0; s < TINY_SAMPLES; s++) {
-        const uint64_t pair = pairs[s];
-        memcpy(&texels[s][at], &pair, sizeof pair);
-    }
-}
-
-// Open pixels of a row, lane by lane, where a test has to know them.
-RHW_INLINE unsigned tiny_open(const struct tile_work *work, int x, int y, const struct rhw_depth_rule rule)
+// The open samples of the pixel at (x, y), a bit each.
+static inline unsigned open_of_pixel(struct rhw_tile_scratch *scratch, int x, int y)
 {
     unsigned open = 0;
-    for (int s = 0; s < TINY_SAMPLES && rule.open >= RHW_OPEN_CLAIM; s++) {
-        open |= (unsigned)(depth_plane(work->scratch, s)->open[y] >> x & 3) << (TINY_PIXELS * s);
+    for (int s = 0; s < CELL_SAMPLES; s++) {
+        open |= (unsigned)(depth_plane(scratch, s)->open[y] >> x & 1) << s;
     }
     return open;
 }
 
-// As settle_block does for the lanes of a row that passed.
-RHW_INLINE i8 tiny_settle(const struct tile_work *work, int x, int y, i8 pass, unsigned open,
-                          const struct rhw_depth_rule rule)
+// As settle_block does for the samples of the pixel at (x, y) that passed; gives those that go on.
+RHW_INLINE unsigned settle_pixel(struct rhw_tile_scratch *scratch, int x, int y, unsigned passed,
+                                 const struct rhw_depth_rule rule)
 {
     if (rule.open != RHW_OPEN_CLAIM && rule.open != RHW_OPEN_MARK) {
-        return pass;
+        return passed;
     }
-    unsigned bits = i8_sign_bits(pass);
-    bits &= rule.open == RHW_OPEN_CLAIM ? open : 0xff;
-    for (int s = 0; s < TINY_SAMPLES; s++) {
-        uint64_t *const row = &depth_plane(work->scratch, s)->open[y];
-        const uint64_t pixels = (uint64_t)(bits >> (TINY_PIXELS * s) & 3) << x;
-        *row = rule.open == RHW_OPEN_CLAIM ? *row & ~pixels : *row | pixels;
+    if (rule.open == RHW_OPEN_CLAIM) {
+        passed &= open_of_pixel(scratch, x, y);
+    } else {
+        scratch->depth.marked = true;
     }
-    if (rule.open == RHW_OPEN_MARK && bits != 0) {
-        work->scratch->depth.marked = true;
+    for (int s = 0; s < CELL_SAMPLES; s++) {
+        uint64_t *const row = &depth_plane(scratch, s)->open[y];
+        const uint64_t pixel = (uint64_t)(passed >> s & 1) << x;
+        *row = rule.open == RHW_OPEN_CLAIM ? *row & ~pixel : *row | pixel;
     }
-    return rule.open == RHW_OPEN_CLAIM ? i8_from_bits(bits) : pass;
+    return passed;
 }
 
-// Lists the fragments of two pixels. `passed`: their samples, 4 bits of the one and 4 of the other.
-RHW_INLINE void tiny_gather(struct gathered_fragments *gathered, int texel, unsigned passed)
-{
-    const int count = gathered->count, next = count + ((passed & 0xf) != 0);
-    gathered->texel[count] = texel;
-    gathered->samples[count] = (int32_t)(passed & 0xf);
-    gathered->texel[next] = texel + 1;
-    gathered->samples[next] = (int32_t)(passed >> TINY_SAMPLES);
-    gathered->count = next + (passed >> TINY_SAMPLES != 0);
-}
+// What is drawn: triangles of a batch, from `first` on.
+struct tiny_run {
+    struct tile_work *work;
+    const struct rhw_chunk *chunk;
+    struct triangle_setup8 *setup;
+    int first;
+};
 
-// Draws the triangle by a depth rule. Gives the pixels of its fragments, of all rows in one, where others wait.
-RHW_INLINE uint64_t draw_tiny(const void *what, const struct rhw_depth_rule rule)
+// Tests the samples of a cell by a depth rule, and lists its fragments.
+RHW_INLINE void draw_cell(const struct tile_work *work, const struct triangle_setup8 *setup, int i,
+                          const struct sample_cell *cell, const struct rhw_depth_rule rule)
 {
-    const struct tiny_test *const test = what;
-    struct tile_work *const work = test->work;
-    const struct triangle_setup8 *const setup = test->triangle->setup;
     struct rhw_tile_scratch *const scratch = work->scratch;
-    const int i = test->triangle->lane, y0 = setup->y0[i], y1 = setup->y1[i], x1 = setup->x1[i];
+    struct gathered_fragments *const gathered = &scratch->gathered;
+    const struct cell_places *const places = &work->cell_places;
     const struct plane z = plane_of(&setup->quantities[i], QUANTITY_Z);
-    const i8 by_pixel = {0, 2, 4, 6, 1, 3, 5, 7};
-    const bool tests = work->plan.tests_early;
-    float *texels[TINY_SAMPLES];
-    for (int s = 0; s < TINY_SAMPLES; s++) {
-        texels[s] = depth_plane(scratch, s)->texels;
-    }
-    uint64_t waiting = 0;
-    for (int x = setup->x0[i]; x < x1; x += TINY_PIXELS) {
-        struct tiny_columns columns;
-        tiny_columns_set(&columns, work, test->triangle, x);
-        for (int y = y0; y < y1; y++) {
-            const int at = y * RHW_TILE + columns.x;
-            i8 pass = ~((columns.q[0] | columns.q[1] | columns.q[2] | columns.sides) >> 31);
-            for (int e = 0; e < 3; e++) {
-                columns.q[e] += columns.step[e];
+    const d4 right = d4_splat(work->x + cell->x - setup->anchor_x[i]),
+             down = d4_splat(work->y + cell->y - setup->anchor_y[i]);
+    const bool tests = work->plan.tests_early, lists = work->plan.shading != RHW_SHADING_NONE;
+    int count = gathered->count;
+    for (uint64_t left = cell->covered; left != 0;) {
+        const int pixel = __builtin_ctzll(left) / CELL_SAMPLES, column = pixel % CELL, row = pixel / CELL;
+        const int x = cell->x + column, y = cell->y + row, texel = y * RHW_TILE + x;
+        const unsigned covered = (unsigned)(left >> (CELL_SAMPLES * pixel)) & 0xf;
+        unsigned samples = covered;
+        left &= ~((uint64_t)0xf << (CELL_SAMPLES * pixel));
+        if (tests) {
+            const f4 stored = depth_of_pixel(scratch, texel);
+            const f4 depth = f4_from_d4(plane_value4(z, places->dx[column] + right, places->dy[row] + down));
+            samples &= i4_sign_bits(compare_lanes4(rule.compare, depth, stored));
+            if (rule.open >= RHW_OPEN_TRY) {
+                samples |= covered & open_of_pixel(scratch, x, y) &
+                           i4_sign_bits(compare_lanes4(RHW_COMPARE_EQUAL, depth, stored));
             }
-            const d8 dy = columns.dy;
-            columns.dy = d8_add(dy, d8_splat(1));
-            if (i8_sign_bits(pass) == 0) {
+            if (samples == 0) {
                 continue;
             }
-            if (tests) {
-                const f8 depth = f8_from_d8(d8_add(columns.column, plane_row(z, dy)));
-                const f8 stored = tiny_depth(texels, at);
-                const unsigned open = tiny_open(work, columns.x, y, rule);
-                pass &= rule_passes(rule, depth, stored, open);
-                if (rule.write) {
-                    tiny_depth_store(texels, at, f8_select(pass, depth, stored));
-                }
-                pass = tiny_settle(work, columns.x, y, pass, open, rule);
+            if (rule.write) {
+                store_depth_of_pixel(scratch, texel, f4_select(i4_from_bits(samples), depth, stored));
             }
-            const unsigned passed = i8_sign_bits(i8_permute(pass, by_pixel));
-            if (passed != 0) {
-                const uint64_t pixels = ((passed & 0xf) != 0) | (uint64_t)(passed >> TINY_SAMPLES != 0) << 1;
-                waiting |= scratch->partial.pixels[y] & pixels << columns.x;
-                tiny_gather(&scratch->gathered, at, passed);
-            }
+            samples = settle_pixel(scratch, x, y, samples, rule);
+        }
+        gathered->texel[count] = texel;
+        gathered->samples[count] = (int32_t)samples;
+        count += lists && samples != 0;
+    }
+    gathered->count = count;
+}
+
+// Whether gathered fragments lie where others wait.
+static bool gathered_wait(const struct tile_work *work)
+{
+    const struct gathered_fragments *const gathered = &work->scratch->gathered;
+    uint64_t waiting = 0;
+    for (int i = 0; i < gathered->count; i++) {
+        const int texel = gathered->texel[i];
+        waiting |= work->scratch->partial.pixels[texel / RHW_TILE] >> texel % RHW_TILE;
+    }
+    return waiting & 1;
+}
+
+// Makes groups of the fragments of triangle i, or packs them.
+static __attribute__((noinline)) void finish_tiny(const struct tiny_run *run, int i)
+{
+    struct tile_work *const work = run->work;
+    struct gathered_fragments *const gathered = &work->scratch->gathered;
+    struct triangle_work triangle;
+    triangle.t = run->setup->read->triangle[i];
+    triangle.segment = &run->chunk->segments[triangle.t->segment];
+    triangle.setup = run->setup;
+    triangle.lane = i;
+    triangle.clamps_depth = triangle.has_values = false;
+    triangle.depth_bias = 0;
+    triangle.clipped = NULL;
+    copy_planes(work, &triangle);
+    work->counters->fragments += (uint64_t)gathered->count;
+    // Nobody asks where fragments may share a group and there are too few for one of their own.
+    gathered->overtakes = (!work->orders_lanes || gathered->count >= RHW_LANES) && gathered_wait(work);
+    release_gathered(work, &triangle);
+}
+
+// Packs them where they are few and the draw wants no more than smooth varyings of them.
+RHW_INLINE void pack_tiny(const struct tiny_run *run, int i)
+{
+    struct tile_work *const work = run->work;
+    const struct triangle_setup8 *const setup = run->setup;
+    const struct packed_triangle *const packed =
+        next_packed(work, setup->read->vertex[i], setup->anchor_x[i], setup->anchor_y[i]);
+    work->counters->fragments += (uint64_t)work->scratch->gathered.count;
+    pack_fragments(work, &setup->quantities[i], packed, PACKED_PLAIN_SAMPLES);
+    work->scratch->gathered.count = 0;
+}
+
+// Draws triangle i by a depth rule.
+RHW_INLINE void draw_tiny(const struct tiny_run *run, int i, const struct rhw_depth_rule rule)
+{
+    const struct tile_work *const work = run->work;
+    const struct triangle_setup8 *const setup = run->setup;
+    const struct sample_cells *const cells = &setup->cells;
+    for (int n = cells->first[i]; n < cells->first[i + 1]; n++) {
+        struct sample_cell cell = cell_at(cells, n);
+        cell.covered &= work->drawn_cell;
+        if (cell.covered != 0) {
+            draw_cell(work, setup, i, &cell, rule);
         }
     }
-    return waiting;
+    const int count = work->scratch->gathered.count;
+    if (count != 0 && count < RHW_LANES && work->packs_plainly) {
+        pack_tiny(run, i);
+    } else if (count != 0) {
+        finish_tiny(run, i);
+    }
+    if (rule.open == RHW_OPEN_MARK && work->scratch->depth.marked) {
+        work->scratch->depth.marked = false;
+        see_triangle(work, setup->read->number[i]);
+    }
 }
 
-// Whether a small triangle takes this path.
-RHW_INLINE bool takes_tiny_samples(const struct tile_work *work, const struct triangle_work *triangle)
+// Draws triangles as long as they take this path; gives the first that does not, or the end of the batch.
+RHW_INLINE uint64_t draw_tiny_triangles(const void *what, const struct rhw_depth_rule rule)
 {
-    const struct triangle_setup8 *const setup = triangle->setup;
-    const int i = triangle->lane;
-    return work->samples == TINY_SAMPLES && setup->x1[i] - setup->x0[i] <= TINY_COLUMNS &&
-           setup->y1[i] - setup->y0[i] <= TINY_ROWS;
+    const struct tiny_run *const run = what;
+    const struct tile_work *const work = run->work;
+    const struct triangle_setup8 *const setup = run->setup;
+    const uint16_t plain = plain_flags(&work->plan);
+    const unsigned fits = setup->cells.fits, covers = setup->cells.covers;
+    int i = run->first;
+    for (; i < setup->read->count; i++) {
+        const struct rhw_triangle *const t = setup->read->triangle[i];
+        if (run->chunk->segments[t->segment].draw != work->draw || !(fits >> i & 1) ||
+            !is_plain_small(setup, i, plain)) {
+            break;
+        }
+        const struct hiz_rect rect = {setup->x0[i], setup->y0[i], setup->x1[i], setup->y1[i]};
+        if (covers >> i & 1 && !hides_small(work, setup, i, rect)) {
+            draw_tiny(run, i, rule);
+        }
+    }
+    return (uint64_t)i;
 }
 
-static __attribute__((noinline)) void draw_tiny_samples(struct tile_work *work,
-                                                        struct triangle_work *triangle)
+// Does so from triangle `first` of a batch on.
+static __attribute__((noinline)) int draw_tiny_run(struct tile_work *work, const struct rhw_chunk *chunk,
+                                                   struct triangle_setup8 *setup, int first)
 {
-    struct gathered_fragments *const gathered = &work->scratch->gathered;
-    const struct tiny_test test = {work, triangle};
-    const uint64_t waiting = test_early(&work->plan, draw_tiny, &test);
-    if (gathered->count == 0) {
-        return;
+    const struct tiny_run run = {work, chunk, setup, first};
+    const struct rhw_draw *const draw = chunk->segments[setup->read->triangle[first]->segment].draw;
+    if (draw != work->draw) {
+        set_draw(work, draw);
     }
-    if (work->plan.shading == RHW_SHADING_NONE) {
-        gathered->count = 0;
-        return;
+    if (!is_plain_small(setup, first, plain_flags(&work->plan))) {
+        return first;
     }
-    work->counters->fragments += (uint64_t)gathered->count;
-    copy_planes(work, triangle);
-    gathered->overtakes = waiting != 0;
-    finish_gathered(work, triangle);
+    if (!setup->cells.are_set) {
+        cover_cells(setup, work->pass->pattern);
+    }
+    return (int)test_early(&work->plan, draw_tiny_triangles, &run);
 }
 
 #endif
