@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What tests of multisampling draw with: a rig whose target has several samples, and its samples read back.
-#ifndef RHW_SAMPLE_RIG_H
-#define RHW_SAMPLE_RIG_H
+#ifndef SAMPLE_RIG_H
+#define SAMPLE_RIG_H
 
 #include "harness.h"
 
