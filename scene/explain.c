@@ -79,6 +79,7 @@ static void look_at(const struct rhw_explained_fragment *fragment, int unit, int
     rhw_sample(fragment->textures, unit, &request, texel);
     rhw_sample_query_lod(fragment->textures, unit, &request, lod);
     look->level = lod[0][0];
+    look->is_enlarged = lod[1][0] <= 0.0f; // Vulkan 1.3, Texel Filtering
     const rhw_int level = rhw_splat_int((int)look->level);
     rhw_sample_size(fragment->textures, unit, &level, size);
     look->width = size[0][0];

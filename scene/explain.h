@@ -19,7 +19,8 @@ struct scene_drawn {
 struct scene_texture_look {
     enum scene_slot slot;
     float uv[2];
-    float level;       ///< that is read, between two of them with a fraction
+    float level;      ///< that is read, between two of them with a fraction
+    bool is_enlarged; ///< a texel is at least as wide as a pixel: the magnification filter is that which counts
     int width, height; ///< of the finer of the two
     float place[2];    ///< in its texels, from the middle of the first: those around it are mixed
     float texels

@@ -10,6 +10,8 @@ import numpy as np
 
 import rhw
 
+if len(sys.argv) != 2:
+    sys.exit(__doc__)
 ALONG, AROUND = 600, 48
 t = np.linspace(0, 2 * np.pi, ALONG, endpoint=False)
 way = np.stack([(2 + np.cos(3 * t)) * np.cos(2 * t), (2 + np.cos(3 * t)) * np.sin(2 * t), np.sin(3 * t)], axis=1)

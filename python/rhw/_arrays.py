@@ -99,6 +99,8 @@ def indices(value: Any, name: str, shape: Sequence[Optional[int]], count: int) -
 
 def texels(value: Any, name: str) -> np.ndarray:
     """A contiguous (H, W, 4) array of uint8 of an image with 1, 3 or 4 channels."""
+    if isinstance(value, (str, bytes)):
+        raise TypeError(f"{name}: must be an array of uint8, not the path {value!r}")
     array = read(value, name)
     if array.dtype != np.uint8:
         raise TypeError(f"{name}: must be of uint8, not {array.dtype}")

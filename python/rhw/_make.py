@@ -37,6 +37,8 @@ def _color(value: Sequence[float], name: str, count: Tuple[int, ...]) -> Tuple[f
     if array.shape not in [(each,) for each in count]:
         raise ValueError(f"{name}: must have {' or '.join(map(str, count))} numbers, not {_arrays.text(value)}")
     numbers = _arrays.floats(array, name, array.shape).tolist()
+    if name == "color" and max(numbers) > 1:
+        raise ValueError(f"{name}: must lie between 0 and 1, linear light, not {max(numbers):g}")
     if min(numbers) < 0:
         raise ValueError(f"{name}: no number may be negative, not {_arrays.text(value)}")
     return tuple(numbers)

@@ -44,6 +44,8 @@ def _panorama(light: Any, name: str) -> Any:
     if not _arrays.is_image(array, (3, 4)):
         raise ValueError(f"{name}: must have the shape (H, W, 3) or (H, W, 4), of 1 to {_arrays.MOST} rows and columns, "
                          f"not {array.shape}")
+    if not np.isfinite(array[:, :, :3]).any():
+        raise ValueError(f"{name}: must be of numbers: none is finite")
     full = np.ones(array.shape[:2] + (4,), np.float32)
     with np.errstate(over="ignore"):
         full[:, :, :3] = array[:, :, :3]

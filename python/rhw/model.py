@@ -170,6 +170,8 @@ class Model:
         surface = _make.Surface(color=color, metallic=metallic, roughness=roughness, emissive=emissive, alpha=alpha,
                                 double_sided=double_sided, unlit=unlit)
         arrays = _make.Arrays(name)
+        if isinstance(vertices, (str, bytes)):
+            raise TypeError(f"vertices: must be an array, not the path {vertices!r}; rhw.load reads files")
         if hasattr(vertices, "geometry") and hasattr(vertices, "graph"):
             arrays.add_scene(vertices, surface, smooth)
         elif hasattr(vertices, "vertices"):

@@ -48,6 +48,9 @@ class Pictures(Dict[str, np.ndarray]):
         self._transparent = transparent
         self._threads = threads
 
+    def __missing__(self, output: str) -> np.ndarray:
+        raise KeyError(f"{output!r} was not drawn; render(outputs=…) says what is: here {', '.join(self)}")
+
     def png(self, output: str = "color", bits: Optional[int] = None) -> bytes:
         """The bytes of the PNG that `rhw render --output` writes of one output.
 

@@ -144,6 +144,24 @@ for channel in range(3):
     assert abs(mixed - look["texel"][channel]) < 1e-4, (mixed, look["texel"])
 assert max(corners) > min(corners), "a place where the picture changes"
 PY
+    # This file reads the nearest texel where the texture is reduced, of two levels.
+    succeed explain $box --at 663,58 --json
+    check "the nearest texels make the texel" python3 - "$folder/log/out" <<'PY'
+import json, math, sys
+look = [f for f in json.load(open(sys.argv[1]))["fragments"] if f["textures"]][-1]["textures"][0]
+assert look["filter"] == "nearest" and len(look["texels"]) == 2 and look["level_size"] == [105, 105]
+nearest = []
+for size, texels in zip((105, 52), look["texels"]):
+    x, y = (uv * size - 0.5 - math.floor(uv * size - 0.5) >= 0.5 for uv in look["uv"])
+    nearest.append(texels[x + 2 * y])
+part = look["level"] % 1
+for channel in range(3):
+    mixed = nearest[0][channel] * (1 - part) + nearest[1][channel] * part
+    assert abs(mixed - look["texel"][channel]) < 5e-3, (mixed, look["texel"])
+PY
+    succeed explain $box --at 663,58
+    check "it says so" grep -q '^ *level 1, the nearest texel, as the file says:$' "$folder/log/out"
+    check "one texel of each level" test "$(grep -c '^ *1.0000 of ' "$folder/log/out")" = 2
 fi
 
 # The picture of the triangle.

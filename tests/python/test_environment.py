@@ -149,6 +149,7 @@ def test_texels():
     (dict(environment=np.zeros((2, 3))), ValueError, r"environment: must have the shape \(H, W, 3\) or .*, not \(2, 3\)"),
     (dict(environment=np.zeros((0, 3, 3))), ValueError, r"environment: must have the shape .*, not \(0, 3, 3\)"),
     (dict(environment=np.zeros((1, 20000, 3))), ValueError, r"of 1 to 16384 rows and columns, not \(1, 20000, 3\)"),
+    (dict(environment=np.full((2, 2, 3), np.nan)), ValueError, "environment: must be of numbers: none is finite"),
     (dict(background="environment"), ValueError, "background: 'environment' needs an environment"),
     (dict(environment_rotation=float("nan")), ValueError, "environment_rotation: must lie between"),
     (dict(environment_rotation="far"), TypeError, "environment_rotation: must be a number"),

@@ -106,6 +106,7 @@ static void print_textures(const struct cli_past_fragment *past, const struct sc
             printf(", \"address\": [\"%s\", \"%s\"]", cli_address_names[place.address[0]],
                    cli_address_names[place.address[1]]);
             print_doubles("inside", place.inside, 2);
+            printf(", \"filter\": \"%s\"", cli_filter_names[place.filter]);
         }
         print_floats("texel", look->texel, 4);
         print_texels(look);

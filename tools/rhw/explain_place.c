@@ -21,7 +21,8 @@ static double wrap(enum rhw_address address, double place, double side)
 struct cli_texture_place cli_texture_place(const struct scene_texture_look *look,
                                            const struct scene_texture_slot *slot)
 {
-    struct cli_texture_place place = {.address = {slot->address_u, slot->address_v}};
+    struct cli_texture_place place = {.address = {slot->address_u, slot->address_v},
+                                      .filter = look->is_enlarged ? slot->mag_filter : slot->min_filter};
     const double side[2] = {look->width, look->height};
     for (int i = 0; i < 2; i++) {
         place.is_beyond[i] = look->uv[i] < 0.0f || look->uv[i] > 1.0f;

@@ -152,8 +152,19 @@ static void print_components(FILE *out, const struct cli_past_fragment *past,
     fprintf(out, "\nThe largest error is %.2f ULP; rhw promises 8 (docs/exactness.md).\n", worst);
 }
 
-// The four texels that are mixed in a level, each with its share there.
-static void print_texels(FILE *out, const struct scene_texture_look *look, int next)
+// How much of texel i of the four around a place is read; `part`: how far that lies to the right of and below the first.
+static double share_of(int i, const double part[2], enum rhw_filter filter)
+{
+    double share = 1.0;
+    for (int k = 0; k < 2; k++) {
+        const double next = filter == RHW_FILTER_LINEAR ? part[k] : part[k] >= 0.5 ? 1.0 : 0.0;
+        share *= (i >> k & 1) != 0 ? next : 1.0 - next;
+    }
+    return share;
+}
+
+// The four texels around the place in a level: each with its share where they are mixed, else the nearest.
+static void print_texels(FILE *out, const struct scene_texture_look *look, int next, enum rhw_filter filter)
 {
     const float side[2] = {(float)look->width, (float)look->height};
     double part[2];
@@ -162,12 +173,15 @@ static void print_texels(FILE *out, const struct scene_texture_look *look, int n
         const double place = (double)look->uv[i] * half - 0.5;
         part[i] = place - floor(place);
     }
-    fprintf(out, "    %20s level %d:\n", "", (int)look->level + next);
+    fprintf(out, "    %20s level %d%s:\n", "", (int)look->level + next,
+            filter == RHW_FILTER_LINEAR ? "" : ", the nearest texel, as the file says");
     for (int i = 0; i < 4; i++) {
-        const double share = ((i & 1) != 0 ? part[0] : 1.0 - part[0]) * (i > 1 ? part[1] : 1.0 - part[1]);
-        fprintf(out, "    %20s   %.4f of ", "", share);
-        print_color(out, look->texels[next][i]);
-        fprintf(out, "\n");
+        const double share = share_of(i, part, filter);
+        if (filter == RHW_FILTER_LINEAR || share > 0.0) {
+            fprintf(out, "    %20s   %.4f of ", "", share);
+            print_color(out, look->texels[next][i]);
+            fprintf(out, "\n");
+        }
     }
 }
 
@@ -194,35 +208,38 @@ static void print_inside(FILE *out, const struct cli_texture_place *place)
     }
 }
 
+static void print_texture(FILE *out, const struct scene_texture_look *look,
+                          const struct scene_material *material)
+{
+    struct cli_texture_place place = {.filter = RHW_FILTER_LINEAR};
+    fprintf(out, "    %-20s level %.4g; level %d has %dx%d texels, and the place is (%.3f, %.3f)",
+            scene_slot_name(look->slot), (double)look->level, (int)look->level, look->width, look->height,
+            (double)look->place[0], (double)look->place[1]);
+    if (material) {
+        place = cli_texture_place(look, &material->slots[look->slot]);
+        print_inside(out, &place);
+    }
+    fprintf(out, "\n    %20s gives ", "");
+    print_color(out, look->texel);
+    fprintf(out, "\n");
+    print_texels(out, look, 0, place.filter);
+    if (look->level > floorf(look->level)) {
+        print_texels(out, look, 1, place.filter);
+    }
+}
+
 static void print_textures(FILE *out, const struct cli_past_fragment *past, const struct scene_model *model)
 {
     const struct scene_material *const material = cli_history_material(past, model);
     if (past->look_count > 0) {
-        fprintf(
-            out,
-            "\nIts textures there. The level follows from how far u and v go from pixel to pixel; the place "
-            "in "
-            "it is u\n"
-            "and v times its size, less half a texel. Around it lie the four texels that are mixed, in this "
-            "level and,\n"
-            "by its fraction, in the next:\n\n");
+        fprintf(out, "\nIts textures there. The level follows from how far u and v go from pixel to pixel; "
+                     "the place in\n"
+                     "it is u and v times its size, less half a texel. Of the four texels around it, in this "
+                     "level and,\n"
+                     "by its fraction, in the next, this is read:\n\n");
     }
     for (int i = 0; i < past->look_count; i++) {
-        const struct scene_texture_look *const look = &past->looks[i];
-        fprintf(out, "    %-20s level %.4g; level %d has %dx%d texels, and the place is (%.3f, %.3f)",
-                scene_slot_name(look->slot), (double)look->level, (int)look->level, look->width, look->height,
-                (double)look->place[0], (double)look->place[1]);
-        if (material) {
-            const struct cli_texture_place place = cli_texture_place(look, &material->slots[look->slot]);
-            print_inside(out, &place);
-        }
-        fprintf(out, "\n    %20s gives ", "");
-        print_color(out, look->texel);
-        fprintf(out, "\n");
-        print_texels(out, look, 0);
-        if (look->level > floorf(look->level)) {
-            print_texels(out, look, 1);
-        }
+        print_texture(out, &past->looks[i], material);
     }
 }
 

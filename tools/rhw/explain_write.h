@@ -30,6 +30,7 @@ struct cli_texture_place {
     bool is_beyond[2];           ///< u or v lies outside of 0..1
     bool is_border;              ///< the border's colour is read
     double inside[2];            ///< in texels from the middle of the first, as the address modes have it
+    enum rhw_filter filter; ///< LINEAR: the four texels around are mixed; NEAREST: the nearest of them is taken
 };
 
 struct cli_texture_place cli_texture_place(const struct scene_texture_look *look,
