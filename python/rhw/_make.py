@@ -32,13 +32,13 @@ def _linear(colors: Any, name: str, rows: int) -> np.ndarray:
     return full
 
 
-def _color(value: Sequence[float], name: str, count: Tuple[int, ...]) -> Tuple[float, ...]:
+def _color(value: Sequence[float], name: str, count: Tuple[int, ...], most: float = np.inf) -> Tuple[float, ...]:
     array = _arrays.read(value, name)
     if array.shape not in [(each,) for each in count]:
         raise ValueError(f"{name}: must have {' or '.join(map(str, count))} numbers, not {_arrays.text(value)}")
     numbers = _arrays.floats(array, name, array.shape).tolist()
-    if name == "color" and max(numbers) > 1:
-        raise ValueError(f"{name}: must lie between 0 and 1, linear light, not {max(numbers):g}")
+    if max(numbers) > most:
+        raise ValueError(f"{name}: must lie between 0 and {most:g}, linear light, not {max(numbers):g}")
     if min(numbers) < 0:
         raise ValueError(f"{name}: no number may be negative, not {_arrays.text(value)}")
     return tuple(numbers)
@@ -68,7 +68,7 @@ class Surface:
         if any(each is None for each in (self.color, self.metallic, self.roughness, self.emissive)):
             usual = self.where_unsaid(color=(0.8, 0.8, 0.8), metallic=0.0, roughness=0.6, emissive=(0, 0, 0))
             return usual.row(name, image)
-        color = _color(self.color, "color", (3, 4))
+        color = _color(self.color, "color", (3, 4), most=1)
         color = color if len(color) == 4 else color + (1.0,)
         seen_through = color[3] < 1 or (self.texture is not None and bool((self.texture[:, :, 3] < 255).any()))
         alpha = ("blend" if seen_through else "opaque") if self.alpha is None else self.alpha
