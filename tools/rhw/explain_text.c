@@ -6,7 +6,6 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 static void print_triangle_name(FILE *out, const struct cli_past_fragment *past,
                                 const struct scene_model *model)
@@ -196,14 +195,14 @@ static void print_inside(FILE *out, const struct cli_texture_place *place)
         fprintf(out, "\n    %20s beyond the edge, where the border's color is read", "");
         return;
     }
-    const char *between = "as";
+    if (!place->is_beyond[0] && !place->is_beyond[1]) {
+        return;
+    }
+    fprintf(out, "\n    %20s that is (%.3f, %.3f), as", "", place->inside[0], place->inside[1]);
     for (int i = 0; i < 2; i++) {
         if (place->is_beyond[i]) {
-            if (strcmp(between, "as") == 0) {
-                fprintf(out, "\n    %20s that is (%.3f, %.3f), ", "", place->inside[0], place->inside[1]);
-            }
-            fprintf(out, "%s %c %s", between, "uv"[i], words[place->address[i]]);
-            between = " and";
+            fprintf(out, "%s %c %s", i == 1 && place->is_beyond[0] ? " and" : "", "uv"[i],
+                    words[place->address[i]]);
         }
     }
 }
