@@ -65,13 +65,14 @@ static void tell(void *user, const struct rhw_explained_fragment *fragment)
 static bool begin_telling(struct telling *telling, const struct draw *draw, rhw_pass pass)
 {
     const struct scene_explain *const explain = draw->view->explain;
-    *telling = (struct telling){.explain = explain, .first_row = draw->first_row};
-    if (!explain || explain->y < draw->first_row || explain->y >= draw->first_row + draw->band_rows) {
+    const int first_row = draw->first_row * draw->side;
+    *telling = (struct telling){.explain = explain, .first_row = first_row};
+    if (!explain || explain->y < first_row || explain->y >= first_row + draw->band_rows * draw->side) {
         telling->explain = NULL;
         return true;
     }
     const struct rhw_explain ask = {.x = explain->x,
-                                    .y = explain->y - draw->first_row,
+                                    .y = explain->y - first_row,
                                     .sample = explain->sample,
                                     .fragment = tell,
                                     .user = telling};

@@ -79,13 +79,19 @@ static void look_at(const struct rhw_explained_fragment *fragment, int unit, int
     rhw_sample(fragment->textures, unit, &request, texel);
     rhw_sample_query_lod(fragment->textures, unit, &request, lod);
     look->level = lod[0][0];
+    look->lod = lod[1][0];
     look->is_enlarged = lod[1][0] <= 0.0f; // Vulkan 1.3, Texel Filtering
+    rhw_sample_size(fragment->textures, unit, NULL, size);
+    look->base_width = size[0][0];
+    look->base_height = size[1][0];
     const rhw_int level = rhw_splat_int((int)look->level);
     rhw_sample_size(fragment->textures, unit, &level, size);
     look->width = size[0][0];
     look->height = size[1][0];
     for (int i = 0; i < 2; i++) {
         look->uv[i] = fragment->varyings[first + i];
+        look->step[0][i] = fragment->ddx[first + i];
+        look->step[1][i] = fragment->ddy[first + i];
         look->place[i] = look->uv[i] * (float)size[i][0] - 0.5f;
     }
     for (int c = 0; c < 4; c++) {

@@ -19,10 +19,13 @@ struct scene_drawn {
 struct scene_texture_look {
     enum scene_slot slot;
     float uv[2];
+    float step[2][2]; ///< of u and v to the pixel on the right, and to the one below
+    float lod; ///< λ of the Vulkan specification, which follows from the steps; the levels there are bound it
     float level;      ///< that is read, between two of them with a fraction
     bool is_enlarged; ///< a texel is at least as wide as a pixel: the magnification filter is that which counts
-    int width, height; ///< of the finer of the two
-    float place[2];    ///< in its texels, from the middle of the first: those around it are mixed
+    int base_width, base_height; ///< of level 0
+    int width, height;           ///< of the finer of the two
+    float place[2];              ///< in its texels, from the middle of the first: those around it are mixed
     float texels
         [2][4]
         [4]; ///< around the place, top left, top right, below: in that level, and in the next one at its place
@@ -30,10 +33,10 @@ struct scene_texture_look {
 };
 
 struct scene_explain {
-    int x, y;   ///< of the picture
+    int x, y;   ///< of the pixels that are drawn: `supersample` of them are one of the picture's
     int sample; ///< of the pixel, 0..samples − 1
-    /// Is called while the view is drawn, in order. The fragment's places are those of a picture that begins with
-    /// row `first_row` of this one.
+    /// Is called while the view is drawn, in order. The fragment's places are those of a target that begins with
+    /// row `first_row` of the pixels that are drawn.
     void (*fragment)(void *user, const struct rhw_explained_fragment *fragment,
                      const struct scene_drawn *drawn, int first_row);
     void *user;

@@ -44,7 +44,8 @@ o cellar
 usemtl front
 f 9 10 11 12
 OBJ
-look="--camera 0,0,10,0,0,0,0,1,0,60 --size 160x120 --lights none"
+view="--camera 0,0,10,0,0,0,0,1,0,60 --lights none"
+look="$view --size 160x120"
 succeed explain floor.obj --at 80,100 $look
 cp "$folder/log/out" told.txt
 check "names the pixel" grep -q '^floor.obj: pixel (80, 100) of 160x120, sample 0 of 4, is #' told.txt
@@ -118,6 +119,18 @@ check "the texel: $(field "$folder/log/out" texel)" sh -c "grep -Eq '\"texel\": 
 check "the texels are that too" sh -c "grep -Eq '\"texels\": \[\[\[0.033[0-9]*, 0.13[0-9]*, 0.318[0-9]*, 1\], \[0.033' '$folder/log/out'"
 succeed explain tile.obj --at 80,100 $look
 check "level and texels" grep -Eq '^    base color +level [0-9.]+; level [0-4] has [0-9]+x[0-9]+ texels' "$folder/log/out"
+check "why that level" grep -Eq '^ +[0-9.]+ and [0-9.]+ texels of 16x16; log2 of the larger is -?[0-9.]+$' "$folder/log/out"
+check "and the color in the end" grep -q '^Of these values, light and shadow the shader makes (' "$folder/log/out"
+succeed explain tile.obj --at 80,100 $look --json
+if command -v python3 >/dev/null 2>&1; then
+    check "the steps make the level" python3 - "$folder/log/out" <<'PY'
+import json, math, sys
+look = [f for f in json.load(open(sys.argv[1]))["fragments"] if f["textures"]][-1]["textures"][0]
+longer = max(math.hypot(*(16 * part for part in look[name])) for name in ("uv_dx", "uv_dy"))
+assert abs(look["lod"] - math.log2(longer)) < 1e-4, (look["lod"], longer)
+assert look["base_size"] == [16, 16] and look["level"] == max(0, min(look["lod"], 4))
+PY
+fi
 
 # Beyond the edge.
 sed 's/map_Kd/& -clamp on/' tile.mtl >clamp.mtl
@@ -195,7 +208,7 @@ succeed explain cube.obj --at 0,0 --size 64 --json
 check "JSON has it too" grep -q "\"nearest\": \[$(echo "$near" | sed 's/,/, /')\]" "$folder/log/out"
 succeed explain cube.obj --at "$near" --size 64
 check "there is something" grep -q '^What is seen: ' "$folder/log/out"
-check "colors are told of" grep -q '^of sRGB: #[0-9a-f]*, the mean of the samples\.$' "$folder/log/out"
+check "colors are told of" grep -q ' of sRGB: #[0-9a-f]*, the mean of the samples\.$' "$folder/log/out"
 succeed explain cube.obj --at 0,0 --size 64 --camera 0,0,9,0,0,18,0,1,0,20 --quiet
 check "nothing at all" grep -q '^Nothing of the model is seen here\.$' "$folder/log/out"
 succeed explain floor.obj --at 80,110 --camera 0,0,4,0,0,0,0,1,0,90 --size 160x120
@@ -204,6 +217,24 @@ for sample in 1 2 3; do
     succeed explain floor.obj --at 80,100 $look --sample $sample
     check "sample $sample" grep -q "sample $sample of 4" "$folder/log/out"
 done
+
+# Of a grid of pixels for each one of the picture: the numbers of the larger picture but for colors, as the background and
+# the shading know of the picture's size. That of 8192 rows is drawn in bands.
+without_colors() {
+    sed 's/, "\(color_before\|color_after\|output\)": \[[^]]*\]//g; 1,/fragments/d' "$folder/log/out"
+}
+for case in "80x60 40,50 2 4 3 81,101" "80x60 40,50 4 16 6 162,201" "2048 1024,1900 4 16 9 4097,7602"; do
+    set -- $case
+    width=${1%x*} height=${1#*x}
+    succeed explain tile.obj --at "$2" --size "$1" --supersample "$4" --samples 1 --sample "$5" $view --json
+    without_colors >grid.json
+    succeed explain tile.obj --at "$6" --size $((width * $3))x$((height * $3)) --samples 1 $view --json
+    without_colors >larger.json
+    check "sample $5 of $4 at $2" sh -c 'grep -q snapped larger.json && cmp grid.json larger.json'
+done
+succeed explain floor.obj --at 80,100 $look --supersample 4 --sample 6
+check "names the one that is drawn" grep -q '^It is the mean of 2x2 pixels. This is about (161, 200) of 320x240 that are drawn, sample 2 of 4\.$' "$folder/log/out"
+check "the mean" grep -q ' of sRGB: #[0-9a-f]*, the mean of what is drawn for it\.$' "$folder/log/out"
 succeed explain --help
 check "help" grep -q -- '--at X,Y' "$folder/log/out"
 
@@ -214,9 +245,9 @@ refuse 2 "--at: '5' is not the X,Y of a pixel, from 0,0 on" explain cube.obj --a
 refuse 2 "--at: '1.5,2' is not the X,Y of a pixel" explain cube.obj --at 1.5,2
 refuse 2 "--at: '-1,2' is not the X,Y of a pixel" explain cube.obj --at -1,2
 refuse 2 "--at: 64,3 lies outside the picture, which is 64x64" explain cube.obj --at=64,3 --size 64
-refuse 2 "--sample: '16' is not a number of 0 to 15" explain cube.obj --at 1,1 --sample 16
+refuse 2 "--sample: '256' is not a number of 0 to 255" explain cube.obj --at 1,1 --sample 256
 refuse 2 "--sample: 4 is too many: a pixel has 4, 0 to 3" explain cube.obj --at 1,1 --sample 4
-refuse 2 "--supersample: cannot be explained; --size 2560x1440 with --at 2,6 explains the first of the 4 pixels" explain cube.obj --at 1,3 --supersample 4
+refuse 2 "--sample: 36 is too many: a pixel has 36, 0 to 35" explain cube.obj --at 1,1 --supersample 9 --sample 36
 refuse 2 "--transparency: cannot be explained; without it the same surfaces are told in another order" explain cube.obj --at 1,1 --transparency exact
 refuse 2 "--out: explain writes no picture; --picture" explain cube.obj --at 1,1 -o a.png
 refuse 2 "--views: cannot be explained" explain cube.obj --at 1,1 --views top

@@ -14,7 +14,9 @@ enum { OPTION_AT = 256, OPTION_SAMPLE, OPTION_JSON, OPTION_PICTURE };
 
 static const struct cli_option options[] = {
     {"at", OPTION_AT, "X,Y", "the pixel, from the top left of the picture"},
-    {"sample", OPTION_SAMPLE, "N", "which of its samples, 0..15; default 0"},
+    {"sample", OPTION_SAMPLE, "N",
+     "which of its samples, from 0 on; default 0; with --supersample those of each pixel that is drawn "
+     "follow those of the one before, row by row"},
     {"json", OPTION_JSON, NULL, "the same as JSON, with every fragment's numbers"},
     {"picture", OPTION_PICTURE, "FILE", "draw the triangle around the pixel too, into a .svg file"},
 };
@@ -74,8 +76,8 @@ static bool take_option(struct question *q, int argc, char **argv, int *i, bool 
         q->x = (int)place[0];
         q->y = (int)place[1];
     } else if ((argument = argument_of("--sample", argc, argv, i))) {
-        if (!cli_parse_int(argument, 0, 15, &q->sample)) {
-            cli_error("--sample", "'%s' is not a number of 0 to 15", argument);
+        if (!cli_parse_int(argument, 0, 255, &q->sample)) {
+            cli_error("--sample", "'%s' is not a number of 0 to 255", argument);
             return false;
         }
     } else if ((argument = argument_of("--picture", argc, argv, i))) {

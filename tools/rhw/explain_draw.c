@@ -6,14 +6,6 @@
 
 bool cli_explain_check(const struct cli_render_job *job, int x, int y, int sample)
 {
-    const struct scene_view grid = {.supersample = job->supersample};
-    const int side = scene_view_grid_side(&grid);
-    if (side > 1) {
-        cli_error("--supersample",
-                  "cannot be explained; --size %dx%d with --at %d,%d explains the first of the %d pixels",
-                  side * job->width, side * job->height, side * x, side * y, job->supersample);
-        return false;
-    }
     if (job->transparency != SCENE_TRANSPARENCY_SORTED) {
         cli_error("--transparency",
                   "cannot be explained; without it the same surfaces are told in another order");
@@ -30,9 +22,9 @@ bool cli_explain_check(const struct cli_render_job *job, int x, int y, int sampl
         cli_error("--at", "%d,%d lies outside the picture, which is %dx%d", x, y, job->width, job->height);
         return false;
     }
-    if (sample >= job->samples) {
-        cli_error("--sample", "%d is too many: a pixel has %d, 0 to %d", sample, job->samples,
-                  job->samples - 1);
+    const int samples = job->samples * job->supersample;
+    if (sample >= samples) {
+        cli_error("--sample", "%d is too many: a pixel has %d, 0 to %d", sample, samples, samples - 1);
         return false;
     }
     return true;
@@ -59,17 +51,22 @@ bool cli_explain_draw(struct render *render, int x, int y, int sample, struct cl
                       struct cli_explanation *explanation)
 {
     *history = (struct cli_history){0};
-    const struct scene_explain explain = {
-        .x = x, .y = y, .sample = sample, .fragment = cli_history_add, .user = history};
+    const int side = scene_view_grid_side(&render->view), samples = render->view.samples;
+    const int drawn = sample / samples; // of the grid, row by row
+    const struct scene_explain explain = {.x = side * x + drawn % side,
+                                          .y = side * y + drawn / side,
+                                          .sample = sample % samples,
+                                          .fragment = cli_history_add,
+                                          .user = history};
     render->view.explain = &explain;
     render->view.outputs |= SCENE_OUTPUT_OBJECT;
-    bool drawn = cli_render_draw(render);
+    bool is_drawn = cli_render_draw(render);
     render->view.explain = NULL;
-    if (drawn && history->failed) {
+    if (is_drawn && history->failed) {
         cli_error(render->job.model_path, "out of memory");
-        drawn = false;
+        is_drawn = false;
     }
-    if (!drawn) {
+    if (!is_drawn) {
         cli_history_free(history);
         return false;
     }
@@ -78,10 +75,15 @@ bool cli_explain_draw(struct render *render, int x, int y, int sample, struct cl
                                             .history = history,
                                             .x = x,
                                             .y = y,
-                                            .sample = sample,
-                                            .samples = render->view.samples,
                                             .width = render->view.width,
                                             .height = render->view.height,
+                                            .side = side,
+                                            .drawn_x = explain.x,
+                                            .drawn_y = explain.y,
+                                            .drawn_width = side * render->view.width,
+                                            .drawn_height = side * render->view.height,
+                                            .sample = explain.sample,
+                                            .samples = samples,
                                             .picture = render->pictures.color};
     find_nearest(render->pictures.object, explanation);
     return true;

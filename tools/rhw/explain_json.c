@@ -99,7 +99,11 @@ static void print_textures(const struct cli_past_fragment *past, const struct sc
         printf("%s\n    {\"slot\": \"%s\", \"level\": ", i ? "," : "", scene_slot_name(look->slot));
         cli_json_number(stdout, (double)look->level);
         printf(", \"level_size\": [%d, %d]", look->width, look->height);
+        printf(", \"base_size\": [%d, %d], \"lod\": ", look->base_width, look->base_height);
+        cli_json_number(stdout, (double)look->lod);
         print_floats("uv", look->uv, 2);
+        print_floats("uv_dx", look->step[0], 2);
+        print_floats("uv_dy", look->step[1], 2);
         print_floats("place", look->place, 2);
         if (material) {
             const struct cli_texture_place place = cli_texture_place(look, &material->slots[look->slot]);
@@ -154,7 +158,7 @@ static void print_fragment(const struct cli_explanation *e, const struct cli_pas
     }
     print_textures(past, e->model);
     if (past->drawn.instance != SCENE_DRAWN_BACKGROUND &&
-        cli_exact_weights_set(&weights, f, e->width, e->height)) {
+        cli_exact_weights_set(&weights, f, e->drawn_width, e->drawn_height)) {
         print_exact(past, &weights);
         cli_exact_weights_free(&weights);
     }
@@ -166,9 +170,13 @@ void cli_explain_json(const struct cli_explanation *e)
     const uint8_t *const c = cli_explained_color(e);
     printf("{\"model\": ");
     cli_json_string(stdout, e->model_path);
-    printf(", \"size\": [%d, %d], \"pixel\": [%d, %d], \"sample\": %d, \"samples\": %d,\n"
-           " \"color\": \"#%02x%02x%02x\",\n \"fragments\": [",
-           e->width, e->height, e->x, e->y, e->sample, e->samples, c[0], c[1], c[2]);
+    printf(", \"size\": [%d, %d], \"pixel\": [%d, %d], \"sample\": %d, \"samples\": %d,\n", e->width,
+           e->height, e->x, e->y, e->sample, e->samples);
+    if (e->side > 1) {
+        printf(" \"drawn_size\": [%d, %d], \"drawn_pixel\": [%d, %d],\n", e->drawn_width, e->drawn_height,
+               e->drawn_x, e->drawn_y);
+    }
+    printf(" \"color\": \"#%02x%02x%02x\",\n \"fragments\": [", c[0], c[1], c[2]);
     for (int i = 0; i < e->history->count; i++) {
         printf("%s\n  ", i ? "," : "");
         print_fragment(e, &e->history->fragments[i]);

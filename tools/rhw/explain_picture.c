@@ -8,14 +8,16 @@
 
 #include <errno.h>
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 enum { PANEL = 440, LEFT = 30, RIGHT = 520, TOP = 70, WIDTH = RIGHT + PANEL + 30, HEIGHT = 660, AROUND = 4 };
+enum { LABEL = 120, LINE = 20 }; // width and height of a label
 
 static const char *const colors[3] = {"#d1495b", "#2a9d8f", "#3d5a98"}; // of vertices 0, 1, 2
 
-// From the screen, in pixels, to a panel.
+// From the screen, in pixels that are drawn, to a panel.
 struct panel_map {
     double scale, x, y; // what lies at the panel's left and top
     int left;
@@ -33,6 +35,7 @@ static double to_y(const struct panel_map *map, double y)
 
 static void draw_pixels(FILE *out, const struct cli_explanation *e, const struct panel_map *map)
 {
+    const double left = (double)e->x * e->side, top = (double)e->y * e->side, size = map->scale * e->side;
     for (int y = e->y - AROUND; y <= e->y + AROUND; y++) {
         for (int x = e->x - AROUND; x <= e->x + AROUND; x++) {
             if (x < 0 || y < 0 || x >= e->width || y >= e->height) {
@@ -42,15 +45,15 @@ static void draw_pixels(FILE *out, const struct cli_explanation *e, const struct
             fprintf(out,
                     "<rect x='%.2f' y='%.2f' width='%.2f' height='%.2f' fill='#%02x%02x%02x' stroke='#888' "
                     "stroke-width='0.5'/>\n",
-                    to_x(map, x), to_y(map, y), map->scale, map->scale, c[0], c[1], c[2]);
+                    to_x(map, (double)x * e->side), to_y(map, (double)y * e->side), size, size, c[0], c[1],
+                    c[2]);
         }
     }
     fprintf(
         out,
         "<rect x='%.2f' y='%.2f' width='%.2f' height='%.2f' fill='none' stroke='#fff' stroke-width='4'/>\n"
         "<rect x='%.2f' y='%.2f' width='%.2f' height='%.2f' fill='none' stroke='#000' stroke-width='1.5'/>\n",
-        to_x(map, e->x), to_y(map, e->y), map->scale, map->scale, to_x(map, e->x), to_y(map, e->y),
-        map->scale, map->scale);
+        to_x(map, left), to_y(map, top), size, size, to_x(map, left), to_y(map, top), size, size);
 }
 
 static void draw_outline(FILE *out, const struct rhw_explained_fragment *f, const struct panel_map *map)
@@ -91,23 +94,59 @@ static void draw_shares(FILE *out, const struct rhw_explained_fragment *f, const
     }
 }
 
+// Whether an edge of the triangle goes through a label of LABEL × LINE whose left and top are given.
+static bool is_crossed(const struct rhw_explained_fragment *f, const struct panel_map *map, double left,
+                       double top)
+{
+    enum { STEPS = 128 };
+    for (int n = 0; n < 3 * STEPS; n++) {
+        const int i = n / STEPS, j = (i + 1) % 3;
+        const double part = (double)(n % STEPS) / STEPS;
+        const double x = to_x(map, (f->x[i] + (f->x[j] - f->x[i]) * part) / 256.0) - left;
+        const double y = to_y(map, (f->y[i] + (f->y[j] - f->y[i]) * part) / 256.0) - top;
+        if (x >= 0 && x <= LABEL && y >= 0 && y <= LINE) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Where the label of vertex i begins: as near as no edge crosses it.
+static void place_label(const struct rhw_explained_fragment *f, const struct panel_map *map, int i,
+                        double place[2])
+{
+    enum { NEAR = 8, SIDES = 2, SHIFTS = 3, DISTANCES = 4 };
+    const double x = to_x(map, f->x[i] / 256.0), y = to_y(map, f->y[i] / 256.0);
+    for (int n = 0; n < SIDES * SHIFTS * DISTANCES; n++) {
+        const int is_below = n % SIDES, shift = n / SIDES % SHIFTS;
+        const double distance = NEAR * (1.0 + n / (SIDES * SHIFTS));
+        const double left = x - LABEL * (shift == 0 ? 0.5 : shift == 1 ? 0.05 : 0.95);
+        place[0] = fmin(fmax(left, map->left), map->left + PANEL - LABEL);
+        place[1] = is_below ? y + distance : y - distance - LINE;
+        if (!is_crossed(f, map, place[0], place[1])) {
+            return;
+        }
+    }
+}
+
 static void draw_vertices(FILE *out, const struct rhw_explained_fragment *f, const struct panel_map *map)
 {
     for (int i = 0; i < 3; i++) {
-        const double x = to_x(map, f->x[i] / 256.0), y = to_y(map, f->y[i] / 256.0);
-        const int is_right = x > map->left + PANEL / 2.0;
+        double label[2];
+        place_label(f, map, i, label);
         fprintf(out,
                 "<circle cx='%.2f' cy='%.2f' r='5' fill='%s'/>\n"
-                "<text x='%.2f' y='%.2f' text-anchor='%s' fill='%s' stroke='#fafaf8' stroke-width='4' "
+                "<text x='%.2f' y='%.2f' text-anchor='middle' fill='%s' stroke='#fafaf8' stroke-width='4' "
                 "paint-order='stroke'>%d, W = %.5g</text>\n",
-                x, y, colors[i], x + (is_right ? -9 : 9), y < TOP + PANEL / 2.0 ? y - 10 : y + 20,
-                is_right ? "end" : "start", colors[i], i, (double)f->position[i][3]);
+                to_x(map, f->x[i] / 256.0), to_y(map, f->y[i] / 256.0), colors[i], label[0] + LABEL / 2.0,
+                label[1] + LINE - 5, colors[i], i, (double)f->position[i][3]);
     }
 }
 
 static struct panel_map map_around(const struct cli_explanation *e)
 {
-    return (struct panel_map){PANEL / (2.0 * AROUND + 1.0), e->x - AROUND, e->y - AROUND, LEFT};
+    return (struct panel_map){PANEL / (2.0 * AROUND + 1.0) / e->side, (double)(e->x - AROUND) * e->side,
+                              (double)(e->y - AROUND) * e->side, LEFT};
 }
 
 static struct panel_map map_of_all(const struct rhw_explained_fragment *f)
@@ -172,7 +211,7 @@ bool cli_explain_picture(const struct cli_explanation *e, const char *path)
     struct cli_exact_weights weights;
     struct cli_output_file file;
     if (!seen || !seen->told.is_snapped ||
-        !cli_exact_weights_set(&weights, &seen->told, e->width, e->height)) {
+        !cli_exact_weights_set(&weights, &seen->told, e->drawn_width, e->drawn_height)) {
         cli_error(path, seen ? "not drawn: a vertex of the triangle lies nowhere on the screen"
                              : "not drawn: nothing of the model is seen there");
         return false;

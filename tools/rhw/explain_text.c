@@ -15,7 +15,7 @@ static void print_triangle_name(FILE *out, const struct cli_past_fragment *past,
         fprintf(out, "the background");
         return;
     }
-    fprintf(out, "%s%s%striangle %" PRIu32 ", %s", subject, *subject ? ", " : "", "", past->told.primitive,
+    fprintf(out, "%s%striangle %" PRIu32 ", %s", subject, *subject ? ", " : "", past->told.primitive,
             past->told.front_facing ? "front" : "back");
 }
 
@@ -33,9 +33,12 @@ static void print_history(FILE *out, const struct cli_explanation *e)
     fprintf(
         out,
         "%d fragment%s came here, in the order of drawing. Depth is reversed: 1 at the near plane, 0 at\n"
-        "infinity, and the greater one is seen. Colors are linear light, which the picture has in 8 bits\n"
-        "of sRGB: #%02x%02x%02x%s.\n\n",
-        count, count == 1 ? "" : "s", c[0], c[1], c[2], e->samples > 1 ? ", the mean of the samples" : "");
+        "infinity, and the greater one is seen. Triangles are counted from 0, those of `--output triangle`\n"
+        "from 1. Colors are linear light, which the picture has in 8 bits of sRGB: #%02x%02x%02x%s.\n\n",
+        count, count == 1 ? "" : "s", c[0], c[1], c[2],
+        e->side > 1      ? ", the mean of what is drawn for it"
+        : e->samples > 1 ? ", the mean of the samples"
+                         : "");
     for (int i = 0; i < count; i++) {
         const struct cli_past_fragment *const past = &e->history->fragments[i];
         const struct rhw_explained_fragment *const f = &past->told;
@@ -116,10 +119,11 @@ static void print_perspective(FILE *out, const struct rhw_explained_fragment *f,
     static const char *const names = "abc", *const screen = "rst";
     fprintf(out, "So in space P lies at\n\n");
     for (int i = 0; i < 3; i++) {
-        fprintf(out, "    %c = %c W_P/W_%d = %.9g%s", names[i], screen[i], i, mpq_get_d(w->space[i]),
-                i > 0 ? "" : "\n");
+        fprintf(out, "    %c = %c W_P/W_%d = %.9g", names[i], screen[i], i, mpq_get_d(w->space[i]));
         if (i > 0) {
             fprintf(out, "      the pipeline has %.9g\n", (double)f->weights[i]);
+        } else {
+            fprintf(out, "      the pipeline leaves it out: a = 1 - b - c\n");
         }
     }
 }
@@ -207,6 +211,22 @@ static void print_inside(FILE *out, const struct cli_texture_place *place)
     }
 }
 
+// Why it is that level: Vulkan 1.3, Scale Factor, Level of Detail and Image Level Selection.
+static void print_steps(FILE *out, const struct scene_texture_look *look)
+{
+    double texels[2];
+    for (int i = 0; i < 2; i++) {
+        texels[i] =
+            hypot((double)look->step[i][0] * look->base_width, (double)look->step[i][1] * look->base_height);
+    }
+    fprintf(out,
+            "\n    %20s to the pixel on the right u, v go (%.5g, %.5g), to the one below (%.5g, %.5g):\n"
+            "    %20s %.4g and %.4g texels of %dx%d; log2 of the larger is %.4g",
+            "", (double)look->step[0][0], (double)look->step[0][1], (double)look->step[1][0],
+            (double)look->step[1][1], "", texels[0], texels[1], look->base_width, look->base_height,
+            (double)look->lod);
+}
+
 static void print_texture(FILE *out, const struct scene_texture_look *look,
                           const struct scene_material *material)
 {
@@ -218,6 +238,7 @@ static void print_texture(FILE *out, const struct scene_texture_look *look,
         place = cli_texture_place(look, &material->slots[look->slot]);
         print_inside(out, &place);
     }
+    print_steps(out, look);
     fprintf(out, "\n    %20s gives ", "");
     print_color(out, look->texel);
     fprintf(out, "\n");
@@ -240,6 +261,21 @@ static void print_textures(FILE *out, const struct cli_past_fragment *past, cons
     for (int i = 0; i < past->look_count; i++) {
         print_texture(out, &past->looks[i], material);
     }
+}
+
+// From there on it is the shader and the target.
+static void print_color_made(FILE *out, const struct cli_past_fragment *past)
+{
+    const struct rhw_explained_fragment *const f = &past->told;
+    fprintf(out, "\nOf these values, light and shadow the shader makes ");
+    print_color(out, f->output[0]);
+    if (f->output[0][3] < 1.0f) {
+        fprintf(out, ", which lies over ");
+        print_color(out, f->color_before[0]);
+    }
+    fprintf(out, ".\nRounded to the format of the samples that is ");
+    print_color(out, f->color_after[0]);
+    fprintf(out, ".\n");
 }
 
 // Without a division of areas: a vertex behind the eye has none on the screen.
@@ -280,7 +316,7 @@ static void print_derivation(FILE *out, const struct cli_explanation *e, const s
                 "\nThe triangle is clipped: what it covers is the polygon that the view leaves of it.\n");
     }
     fprintf(out, "\n");
-    if (!cli_exact_weights_set(&weights, f, e->width, e->height)) {
+    if (!cli_exact_weights_set(&weights, f, e->drawn_width, e->drawn_height)) {
         fprintf(out, "It has no area.\n");
         return;
     }
@@ -293,6 +329,7 @@ static void print_derivation(FILE *out, const struct cli_explanation *e, const s
     fprintf(out, "\nDepth is linear on the screen: Z_P/W_P = %.9g at the sample.\n", (double)f->depth);
     print_components(out, past, &weights);
     print_textures(out, past, e->model);
+    print_color_made(out, past);
     cli_exact_weights_free(&weights);
 }
 
@@ -309,10 +346,18 @@ void cli_explain_text(FILE *out, const struct cli_explanation *e)
 {
     const uint8_t *const c = cli_explained_color(e);
     fprintf(out, "%s: pixel (%d, %d) of %dx%d", e->model_path, e->x, e->y, e->width, e->height);
-    if (e->samples > 1) {
+    if (e->side == 1 && e->samples > 1) {
         fprintf(out, ", sample %d of %d", e->sample, e->samples);
     }
     fprintf(out, ", is #%02x%02x%02x in the picture.\n", c[0], c[1], c[2]);
+    if (e->side > 1) {
+        fprintf(out, "It is the mean of %dx%d pixels. This is about (%d, %d) of %dx%d that are drawn",
+                e->side, e->side, e->drawn_x, e->drawn_y, e->drawn_width, e->drawn_height);
+        if (e->samples > 1) {
+            fprintf(out, ", sample %d of %d", e->sample, e->samples);
+        }
+        fprintf(out, ".\n");
+    }
     print_history(out, e);
     const struct cli_past_fragment *const seen = cli_history_seen(e->history);
     if (seen) {

@@ -13,9 +13,12 @@ struct cli_explanation {
     const char *model_path;
     const struct scene_model *model;
     const struct cli_history *history;
-    int x, y, sample, samples, width, height;
-    const uint8_t *picture; ///< [height][width][4], sRGB
-    bool has_nearest;       ///< where the model is seen; else it is seen nowhere in the picture
+    int x, y, width, height; ///< the picture and its pixel
+    int side; ///< of the grid of pixels that are drawn for one of the picture: 1 without --supersample
+    int drawn_x, drawn_y, drawn_width, drawn_height; ///< the one that is explained, and all
+    int sample, samples;                             ///< of each that is drawn
+    const uint8_t *picture;                          ///< [height][width][4], sRGB
+    bool has_nearest; ///< where the model is seen; else it is seen nowhere in the picture
     int nearest_x, nearest_y;
 };
 

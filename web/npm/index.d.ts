@@ -249,8 +249,8 @@ export class Scene {
      *
      * @param x from the left, 0 to width − 1
      * @param y from the top, 0 to height − 1
-     * @param options those the picture was drawn with, without `supersample` and exact `transparency`; and which of the
-     *   pixel's samples, 0 where that is left out
+     * @param options those the picture was drawn with, without exact `transparency`; and which of the pixel's samples, 0
+     *   where that is left out; with `supersample` those of each pixel that is drawn follow those of the one before
      */
     explain(x: number, y: number, options?: RenderOptions & { sample?: number }): Explanation;
     /** Ends the scene's threads and gives its memory back. It cannot be used after that. */
@@ -356,7 +356,13 @@ export interface ExplainedFragment {
         slot: string;
         level: number;
         level_size: [number, number];
+        base_size: [number, number];
+        /** The level of detail, log2 of the longer step in texels of level 0, before the levels there are bound it. */
+        lod: number | null;
         uv: [number, number];
+        /** What u and v are more by at the pixel on the right, and at the one below. */
+        uv_dx: [number | null, number | null];
+        uv_dy: [number | null, number | null];
         place: [number, number];
         texel: [number, number, number, number];
         /** The four around the place, top left, top right, below, of this level and, by its fraction, of the next. */
@@ -389,6 +395,9 @@ export interface Explanation {
     pixel: [x: number, y: number];
     sample: number;
     samples: number;
+    /** With `supersample`: the pixels that are drawn, and which of them is told about; places of fragments are theirs. */
+    drawn_size?: [width: number, height: number];
+    drawn_pixel?: [x: number, y: number];
     /** `#rrggbb`: the pixel in the picture. */
     color: string;
     /** In the order of drawing; the background is one of them. */
