@@ -15,8 +15,7 @@ enum { OPTION_AT = 256, OPTION_SAMPLE, OPTION_JSON, OPTION_PICTURE };
 static const struct cli_option options[] = {
     {"at", OPTION_AT, "X,Y", "the pixel, from the top left of the picture"},
     {"sample", OPTION_SAMPLE, "N",
-     "which of its samples, from 0 on; default 0; with --supersample those of each pixel that is drawn "
-     "follow those of the one before, row by row"},
+     "which of its samples, those of all pixels of --supersample in rows; default 0"},
     {"json", OPTION_JSON, NULL, "the same as JSON, with every fragment's numbers"},
     {"picture", OPTION_PICTURE, "FILE", "draw the triangle around the pixel too, into a .svg file"},
 };

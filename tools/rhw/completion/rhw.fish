@@ -92,7 +92,7 @@ complete -c rhw -n "$seen" -s h -l help -d 'print this and exit'
 set -l seen '__fish_seen_subcommand_from explain'
 complete -c rhw -n "$seen" -F
 complete -c rhw -n "$seen" -l at -x -d 'the pixel, from the top left of the picture'
-complete -c rhw -n "$seen" -l sample -x -d 'which of its samples, from 0 on'
+complete -c rhw -n "$seen" -l sample -x -d 'which of its samples, those of all pixels of --supersample in rows'
 complete -c rhw -n "$seen" -l json -d 'the same as JSON, with every fragment\'s numbers'
 complete -c rhw -n "$seen" -l picture -r -F -d 'draw the triangle around the pixel too, into a .svg file'
 complete -c rhw -n "$seen" -s h -l help -d 'print this and exit'
