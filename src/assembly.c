@@ -223,6 +223,17 @@ static void fetch_connected(const struct rhw_draw *draw, uint32_t first, uint32_
     }
 }
 
+// Of some primitives whose elements were read, those that are the same in all.
+static void pick(const struct layout *layout, const uint32_t *read, uint32_t count, uint32_t (*room)[3])
+{
+    const size_t step = layout->step, a = layout->pick[0], b = layout->pick[1], c = layout->pick[2];
+    for (uint32_t t = 0; t < count; t++, read += step) {
+        room[t][0] = read[a];
+        room[t][1] = read[b];
+        room[t][2] = read[c];
+    }
+}
+
 // All others, some at a time.
 static void fetch_picked(const struct rhw_draw *draw, uint32_t first, uint32_t count, uint32_t (*room)[3])
 {
@@ -234,6 +245,10 @@ static void fetch_picked(const struct rhw_draw *draw, uint32_t first, uint32_t c
         const uint64_t at = (uint64_t)layout->step * (first + done);
         uint32_t read[SOME * LONGEST];
         read_elements(draw, draw->first + at, layout->step * (some - 1) + layout->span, read);
+        if (def->topology != RHW_TRIANGLE_STRIP_ADJACENCY) {
+            pick(layout, read, some, room + done);
+            continue;
+        }
         for (uint32_t t = 0; t < some; t++) {
             uint64_t e[3];
             elements(def->topology, def->provoking, (uint64_t)first + done + t, e);

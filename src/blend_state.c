@@ -102,7 +102,7 @@ void rhw_blend_state_init(struct rhw_blend_state *state, const struct rhw_color_
                    !(normalized && is_replacement(target->color) && is_replacement(target->alpha));
     state->reads_second = state->blend && rhw_blend_reads_second(target);
     state->writes_all = state->write_mask == channels;
-    state->replaces = !state->blend && state->writes_all;
+    state->replaces = !state->blend && state->logic == RHW_LOGIC_OFF && state->writes_all;
     if (state->writes_all) {
         memset(state->texel_mask, 0xff, sizeof state->texel_mask);
     }

@@ -36,4 +36,19 @@ RHW_INLINE i4 compare_lanes4(enum rhw_compare compare, f4 a, f4 b)
     }
 }
 
+// The same of two numbers.
+RHW_INLINE bool compare_numbers(enum rhw_compare compare, float a, float b)
+{
+    switch (compare) {
+    case RHW_COMPARE_NEVER: return false;
+    case RHW_COMPARE_LESS: return a < b;
+    case RHW_COMPARE_EQUAL: return a == b;
+    case RHW_COMPARE_LESS_EQUAL: return a <= b;
+    case RHW_COMPARE_GREATER: return a > b;
+    case RHW_COMPARE_NOT_EQUAL: return a != b;
+    case RHW_COMPARE_GREATER_EQUAL: return a >= b;
+    default: return true;
+    }
+}
+
 #endif

@@ -189,6 +189,7 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
         plan.small_flag = plan.is_biased ? 0 : small;
         plan.biased_small_flag = plan.is_biased ? small : 0;
         plan.span_flag = RHW_TRIANGLE_SMALL;
+        plan.speck_flag = shades && phase != RHW_PHASE_BACKWARDS ? plan.small_flag : 0;
     }
     const bool any_group = plan.shading == RHW_SHADING_SMOOTH || plan.shading == RHW_SHADING_ANY ||
                            plan.shading == RHW_SHADING_NONE;

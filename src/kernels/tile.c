@@ -16,6 +16,7 @@
 #include "tile/triangle_multisample.h"
 #include "tile/triangle_small_samples.h"
 #include "tile/triangle_small.h"
+#include "tile/triangle_specks.h"
 #include "tile/triangle_tiny_samples.h"
 
 // Lists the bins of the tile that are not empty, in the order of their chunks; returns how many there are.
@@ -273,6 +274,7 @@ static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, co
         explain_batch(work, chunk, &setup);
         return;
     }
+    const unsigned specks = work->samples == 1 ? set_specks(work, chunk, &setup) : 0;
     for (int i = 0; i < read->count; i++) {
         if (backwards && is_hidden(work)) {
             break;
@@ -280,6 +282,8 @@ static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, co
         scratch->depth.marked = false;
         if (work->samples == CELL_SAMPLES) {
             i = draw_tiny_run(work, chunk, &setup, i);
+        } else if (specks >> i & 1) {
+            i = draw_specks(work, chunk, &setup, i);
         }
         if (i == read->count) {
             break;

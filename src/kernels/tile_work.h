@@ -150,14 +150,14 @@ struct tile_work {
     const struct rhw_draw *draw;
     const struct rhw_draw_state *state;
     const struct rhw_pipeline_data *pipeline;
-    struct rhw_draw_plan plan; // of the state, in the phase
-    bool tests_bounds;         // fragments behind the tile's bounds fail the depth test
-    bool tests_small_bounds;   // and small triangles are asked whether they lie there
-    bool is_scissored;         // the scissor, or the target's end, leaves out pixels of the tile
-    bool constant_is_ready;    // the draw's constant colour was made
-    uint64_t drawn_cell;       // where there are 4 samples: those that are drawn, by pixels of a cell
-    bool orders_lanes;  // of multisampled passes: a group may cover a sample twice, and the last is seen
-    bool packs_plainly; // and fragments need smooth varyings alone to be packed
+    struct rhw_draw_plan plan;       // of the state, in the phase
+    bool tests_bounds;               // fragments behind the tile's bounds fail the depth test
+    bool tests_small_bounds;         // and small triangles are asked whether they lie there
+    bool is_scissored;               // the scissor, or the target's end, leaves out pixels of the tile
+    bool constant_is_ready;          // the draw's constant colour was made
+    uint64_t drawn_cell;             // where there are 4 samples: those that are drawn, by pixels of a cell
+    bool orders_lanes;               // a group may cover a pixel or sample twice, and the last is seen
+    bool packs_plainly;              // and fragments need smooth varyings alone to be packed
     uint64_t fragments_before;       // of `counters`, when the state was set
     struct rhw_explained *explained; // NULL: it is of another tile, or none is asked for
     uint32_t plans;                  // rhw_tile_plan of the runs that were drawn

@@ -115,9 +115,16 @@ static void test_paths_agree_on_inputs(void **state)
     }
 }
 
+struct way_of_writing {
+    enum rhw_format format;
+    uint8_t write_mask;
+    enum rhw_logic logic;
+};
+
 // Of every way in which the texels of scattered groups are put in their places.
-static uint64_t hash_of_format(enum rhw_format format, uint8_t write_mask, int samples, enum rhw_paths paths)
+static uint64_t hash_of_writing(const struct way_of_writing *way, int samples, enum rhw_paths paths)
 {
+    const enum rhw_format format = way->format;
     static unsigned char pixels[PIXELS * 16];
     struct rig rig;
     rig_open_with(&rig, SIZE, SIZE, &(struct rhw_context_def){.threads = 2, .paths = paths});
@@ -128,7 +135,8 @@ static uint64_t hash_of_format(enum rhw_format format, uint8_t write_mask, int s
     assert_int_equal(rhw_texture_create(rig.context, &def, &rig.pass.colors[0].texture), RHW_OK);
     rig.pass.depth.texture = make_texture(&rig, RHW_FORMAT_D32_FLOAT, samples);
     rig.pipeline.targets[0].format = format;
-    rig.pipeline.targets[0].write_mask = write_mask;
+    rig.pipeline.targets[0].write_mask = way->write_mask;
+    rig.pipeline.logic = way->logic;
     draw_crowd(&rig);
     uint64_t hash = 0;
     for (int s = 0; s < samples; s++) {
@@ -149,10 +157,22 @@ static void test_paths_agree_on_formats(void **state)
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
         for (int samples = 1; samples <= 4; samples *= 4) {
             for (uint8_t write_mask = 0; write_mask <= 5; write_mask += 5) { // 0: all
-                assert_true(hash_of_format(formats[i], write_mask, samples, RHW_PATHS_ALL) ==
-                            hash_of_format(formats[i], write_mask, samples, RHW_PATHS_GENERAL));
+                const struct way_of_writing way = {formats[i], write_mask, RHW_LOGIC_OFF};
+                assert_true(hash_of_writing(&way, samples, RHW_PATHS_ALL) ==
+                            hash_of_writing(&way, samples, RHW_PATHS_GENERAL));
             }
         }
+    }
+}
+
+// Each fragment reads what the one before left in its pixel, so that no group may have two of the same.
+static void test_paths_agree_on_logic(void **state)
+{
+    (void)state;
+    const struct way_of_writing way = {RHW_FORMAT_R32_UINT, 0, RHW_LOGIC_XOR};
+    for (int samples = 1; samples <= 4; samples *= 4) {
+        assert_true(hash_of_writing(&way, samples, RHW_PATHS_ALL) ==
+                    hash_of_writing(&way, samples, RHW_PATHS_GENERAL));
     }
 }
 
@@ -249,6 +269,7 @@ int main(void)
         cmocka_unit_test(test_paths_agree),
         cmocka_unit_test(test_paths_agree_on_inputs),
         cmocka_unit_test(test_paths_agree_on_formats),
+        cmocka_unit_test(test_paths_agree_on_logic),
         cmocka_unit_test(test_paths_agree_on_resolved),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

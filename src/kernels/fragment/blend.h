@@ -295,12 +295,13 @@ RHW_INLINE void scatter_sized(const int32_t at[8], unsigned bits, unsigned char 
 }
 
 // Puts the texels of a scattered group side by side for blending, and back. The usual sizes are constants: 16 calls of
-// memcpy would take longer than the blending.
+// memcpy would take longer than the blending. Words are loaded into lanes: a vector that is read from where single words
+// were just written waits until all of these are in the cache, which took particles 11 % of their time.
 RHW_INLINE void gather_texels(const int32_t at[8], const unsigned char *texels, size_t size,
                               unsigned char *out)
 {
     switch (size) {
-    case 4: gather_sized(at, texels, 4, out); break;
+    case 4: i8_store(out, i8_gather(texels, i8_load(at))); break;
     case 8: gather_sized(at, texels, 8, out); break;
     case 16: gather_sized(at, texels, 16, out); break;
     default: gather_sized(at, texels, size, out); break;

@@ -186,12 +186,36 @@ RHW_INLINE void finish_gathered(struct tile_work *work, struct triangle_work *tr
     }
 }
 
+// Whether gathered fragments lie where others wait.
+static bool gathered_wait(const struct tile_work *work)
+{
+    const struct gathered_fragments *const gathered = &work->scratch->gathered;
+    uint64_t waiting = 0;
+    for (int i = 0; i < gathered->count; i++) {
+        const int texel = gathered->texel[i];
+        waiting |= work->scratch->partial.pixels[texel / RHW_TILE] >> texel % RHW_TILE;
+    }
+    return waiting & 1;
+}
+
+// Fragments are gathered where others wait: those go first, unless all may share a group.
+RHW_INLINE void overtake(struct tile_work *work)
+{
+    if (work->orders_lanes) {
+        work->scratch->gathered.overtakes = true;
+    } else {
+        release_partial(work);
+    }
+}
+
 // Gathers the fragments of the first `rows` rows at (x, y) whose bits are set in `mask`.
 RHW_INLINE void gather_fragments(struct tile_work *work, struct triangle_work *triangle, int x, int y,
                                  int rows, uint64_t mask)
 {
     struct gathered_fragments *const gathered = &work->scratch->gathered;
-    release_overtaken(work, x, y, mask);
+    if (fragments_wait(work, x, y, mask)) {
+        overtake(work);
+    }
     if (gathered->count > RHW_GATHERED_FRAGMENTS - RHW_BLOCK * RHW_BLOCK) {
         queue_gathered(work, triangle);
     }

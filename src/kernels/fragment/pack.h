@@ -2,8 +2,8 @@
 // The partial group: single fragments of several triangles, the few of each that its own groups leave over. They wait
 // until 8 make a group, which is then packed: a fragment is evaluated as one vector over quantities and one over
 // components, then 8 of them are turned into lanes. Only fragments that wait here can be overtaken by later ones of the
-// same pixel, so such a one closes the group first. Where pixels have several samples neighbours share most of them:
-// what has samples of its own may share a group, and what replaces too, as the last lane is stored last.
+// same pixel. Those that replace what is there may share a group with them, as the last lane is stored last; others close
+// it first, but for those that have no sample in common.
 #ifndef RHW_PACK_H
 #define RHW_PACK_H
 
@@ -388,6 +388,19 @@ static double clamp_depth(const struct tile_depth *depth, double z)
     return (double)(above < depth->most ? above : depth->most);
 }
 
+// Adds the fragment at a texel, whose quantities have these values; gives its place in the group.
+RHW_INLINE int pack_values(struct partial_group *partial, const struct packed_triangle *packed, int texel,
+                           d4 quantities)
+{
+    const int n = partial->count;
+    partial->texel[n] = texel;
+    partial->pixels[texel / RHW_TILE] |= (uint64_t)1 << texel % RHW_TILE;
+    partial->triangle[n] = packed;
+    partial->quantities[n] = quantities;
+    partial->count = n + 1;
+    return n;
+}
+
 // Adds gathered fragment i of a triangle whose planes are `planes`.
 RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_planes *planes,
                               const struct packed_triangle *packed, int i, enum packed_parts parts)
@@ -396,11 +409,7 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
     const int texel = work->scratch->gathered.texel[i];
     const int x = texel & (RHW_TILE - 1), y = texel >> RHW_TILE_LOG2;
     const double dx = x - packed->anchor_x, dy = y - packed->anchor_y;
-    const int n = partial->count;
-    partial->texel[n] = texel;
-    partial->pixels[y] |= (uint64_t)1 << x;
-    partial->triangle[n] = packed;
-    partial->quantities[n] = quantity_values(planes, dx, dy);
+    const int n = pack_values(partial, packed, texel, quantity_values(planes, dx, dy));
     if (parts >= PACKED_DISTANCE) {
         partial->distance[n] = (d4){dy, dx, dy, dx};
     }
@@ -417,7 +426,6 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
     if (parts == PACKED_ANY && work->plan.needs_screen) {
         partial->screen[n] = (d4){plane_value(packed->n1, dx, dy), plane_value(packed->n2, dx, dy), 0, 0};
     }
-    partial->count = n + 1;
     if (n + 1 == 8) {
         pack_group(work, 0xff);
     }

@@ -7,6 +7,7 @@
 
 #include "../../compare.h"
 #include "../../draw_plan.h"
+#include "../../simd_layout.h"
 #include "open_pixels.h"
 #include "tile_depth.h"
 
@@ -47,6 +48,30 @@ RHW_INLINE i8 test_lanes(float *texels, f8 z, i8 live, unsigned open, const stru
         f8_store(texels, f8_select(pass, z, stored));
     }
     return pass;
+}
+
+// Tests a fragment before shading, and does to its pixel what settle_block does to a block's; tells whether it goes on.
+RHW_INLINE bool test_texel_early(struct tile_depth *depth, int texel, float z,
+                                 const struct rhw_depth_rule rule)
+{
+    const float stored = depth->texels[texel];
+    uint64_t *const row = &depth->open[texel / RHW_TILE];
+    const uint64_t pixel = (uint64_t)1 << texel % RHW_TILE;
+    const bool passes = compare_numbers(rule.compare, z, stored) ||
+                        (rule.open >= RHW_OPEN_TRY && z == stored && *row & pixel);
+    if (!passes || (rule.open == RHW_OPEN_CLAIM && !(*row & pixel))) {
+        return false;
+    }
+    if (rule.write) {
+        depth->texels[texel] = z;
+    }
+    if (rule.open == RHW_OPEN_CLAIM) {
+        *row &= ~pixel;
+    } else if (rule.open == RHW_OPEN_MARK) {
+        *row |= pixel;
+        depth->marked = true;
+    }
+    return true;
 }
 
 // What a test does to the open pixels of the block at (x, y) whose pixels `passed` passed it; returns those that go on.
@@ -138,13 +163,12 @@ static unsigned test_row_late(struct tile_depth *depth, int x, int y, f8 z, unsi
 static unsigned test_texels_late(struct tile_depth *depth, const int32_t texel[8], f8 z, unsigned bits,
                                  const struct rhw_depth_rule rule)
 {
-    float stored[8];
     unsigned open = 0;
-    for (int i = 0; i < 8; i++) {
-        stored[i] = depth->texels[texel[i]];
+    for (int i = 0; i < 8 && rule.open >= RHW_OPEN_TRY; i++) {
         open |= (unsigned)(depth->open[texel[i] / RHW_TILE] >> texel[i] % RHW_TILE & 1) << i;
     }
-    const unsigned passed = i8_sign_bits(i8_from_bits(bits) & rule_passes(rule, z, f8_load(stored), open));
+    const f8 stored = (f8)i8_gather(depth->texels, i8_load(texel)); // not from memory: see gather_texels
+    const unsigned passed = i8_sign_bits(i8_from_bits(bits) & rule_passes(rule, z, stored, open));
     float lanes[8];
     f8_store(lanes, z);
     for (unsigned left = passed; left != 0; left &= left - 1) {

@@ -56,9 +56,10 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
         plane->state = &state->depth_stencil;
         plane->passed = 0;
     }
-    work->orders_lanes = work->samples > 1 && work->plan.depth_mode < RHW_DEPTH_LATE;
+    work->orders_lanes = work->plan.depth_mode < RHW_DEPTH_LATE;
     for (int t = 0; t < work->pass->color_count; t++) {
-        work->orders_lanes = work->orders_lanes && !state->blend[t].blend;
+        const struct rhw_blend_state *const blend = &state->blend[t];
+        work->orders_lanes = work->orders_lanes && !blend->blend && blend->logic == RHW_LOGIC_OFF;
     }
     work->packs_plainly = work->orders_lanes && work->plan.shading == RHW_SHADING_SMOOTH &&
                           !work->plan.needs_distance && !work->plan.keeps_depth && !work->plan.keeps_identity;

@@ -145,4 +145,28 @@ RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_w
     }
 }
 
+// The smallest ones -------------------------------------------------------------------------------------
+
+// Triangles of a batch from `first` on that take a path of the smallest ones, one after another.
+struct tiny_run {
+    struct tile_work *work;
+    const struct rhw_chunk *chunk;
+    struct triangle_setup8 *setup;
+    int first;
+};
+
+// Makes triangle i ready for shading.
+RHW_INLINE void begin_tiny(const struct tile_work *work, struct triangle_work *triangle,
+                           const struct tiny_run *run, int i)
+{
+    triangle->t = run->setup->read->triangle[i];
+    triangle->segment = &run->chunk->segments[triangle->t->segment];
+    triangle->setup = run->setup;
+    triangle->lane = i;
+    triangle->clamps_depth = triangle->has_values = false;
+    triangle->depth_bias = 0;
+    triangle->clipped = NULL;
+    copy_planes(work, triangle);
+}
+
 #endif

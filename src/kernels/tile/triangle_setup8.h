@@ -49,11 +49,13 @@ struct triangle_setup8 {
     int32_t anchor_x[BATCH], anchor_y[BATCH]; // as in struct planes
     unsigned exact;                           // bit i: the planes of triangle i are PLANES_EXACT: a sliver
     struct sample_cells cells;
+    unsigned specks; // bits of the smallest triangles, where pixels have one sample (triangle_specks.h),
+    uint32_t speck[BATCH]; // and what these cover
 };
 
 // The words of 8 triangles.
 struct triangle_words8 {
-    i8 x[3], y[3], flags, x0, y0, x1, y1;
+    i8 x[3], y[3], segment, flags, x0, y0, x1, y1;
 };
 
 RHW_INLINE struct triangle_words8 load_words8(const struct bin_batch *read, const struct tile_work *work)
@@ -71,6 +73,7 @@ RHW_INLINE struct triangle_words8 load_words8(const struct bin_batch *read, cons
         words.y[k] = (i8)low[3 + k];
     }
     const i8 zero = i8_splat(0), end = i8_splat(RHW_TILE), x = i8_splat(work->x), y = i8_splat(work->y);
+    words.segment = (i8)high[2];
     words.flags = (i8)high[4]; // and above them x0; then y0 and x1, and y1: see struct rhw_triangle
     words.x0 = i8_max(((i8)high[4] >> 16) - x, zero);
     words.y0 = i8_max(((i8)high[5] << 16 >> 16) - y, zero);
@@ -125,8 +128,16 @@ RHW_INLINE void setup_planes_at(struct triangle_setup8 *setup, int i, const stru
 }
 
 // Loads the depth ranges of the triangles' draws.
-RHW_INLINE void depth_ranges8(const struct bin_batch *read, const struct rhw_chunk *chunk, d8 *low, d8 *span)
+RHW_INLINE void depth_ranges8(const struct bin_batch *read, i8 segment, const struct rhw_chunk *chunk,
+                              d8 *low, d8 *span)
 {
+    const uint32_t first = read->triangle[0]->segment;
+    if (i8_sign_bits(rhw_equal_int(segment, i8_splat((int32_t)first))) == 0xff) {
+        const struct rhw_draw_state *const state = chunk->segments[first].draw->state;
+        *low = d8_splat(state->depth_low);
+        *span = d8_splat(state->depth_span);
+        return;
+    }
     double lows[BATCH], spans[BATCH];
     for (int i = 0; i < BATCH; i++) {
         const struct rhw_draw_state *const state = chunk->segments[read->triangle[i]->segment].draw->state;
@@ -152,7 +163,7 @@ RHW_INLINE void setup_planes8(struct triangle_setup8 *setup, const struct triang
     i8_store(setup->anchor_x, pixel_of_position8(words->x[0]));
     i8_store(setup->anchor_y, pixel_of_position8(words->y[0]));
     d8 low, span;
-    depth_ranges8(read, chunk, &low, &span);
+    depth_ranges8(read, words->segment, chunk, &low, &span);
     const d8 x1 = d8_from_i8(words->x[1] - words->x[0]), y1 = d8_from_i8(words->y[1] - words->y[0]),
              x2 = d8_from_i8(words->x[2] - words->x[0]), y2 = d8_from_i8(words->y[2] - words->y[0]),
              px = d8_from_i8(sample_from_position8(words->x[0])),

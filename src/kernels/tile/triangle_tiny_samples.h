@@ -70,14 +70,6 @@ RHW_INLINE unsigned settle_pixel(struct rhw_tile_scratch *scratch, int x, int y,
     return passed;
 }
 
-// What is drawn: triangles of a batch, from `first` on.
-struct tiny_run {
-    struct tile_work *work;
-    const struct rhw_chunk *chunk;
-    struct triangle_setup8 *setup;
-    int first;
-};
-
 // Tests the samples of a cell by a depth rule, and lists its fragments.
 RHW_INLINE void draw_cell(const struct tile_work *work, const struct triangle_setup8 *setup, int i,
                           const struct sample_cell *cell, const struct rhw_depth_rule rule)
@@ -119,32 +111,13 @@ RHW_INLINE void draw_cell(const struct tile_work *work, const struct triangle_se
     gathered->count = count;
 }
 
-// Whether gathered fragments lie where others wait.
-static bool gathered_wait(const struct tile_work *work)
-{
-    const struct gathered_fragments *const gathered = &work->scratch->gathered;
-    uint64_t waiting = 0;
-    for (int i = 0; i < gathered->count; i++) {
-        const int texel = gathered->texel[i];
-        waiting |= work->scratch->partial.pixels[texel / RHW_TILE] >> texel % RHW_TILE;
-    }
-    return waiting & 1;
-}
-
 // Makes groups of the fragments of triangle i, or packs them.
 static __attribute__((noinline)) void finish_tiny(const struct tiny_run *run, int i)
 {
     struct tile_work *const work = run->work;
     struct gathered_fragments *const gathered = &work->scratch->gathered;
     struct triangle_work triangle;
-    triangle.t = run->setup->read->triangle[i];
-    triangle.segment = &run->chunk->segments[triangle.t->segment];
-    triangle.setup = run->setup;
-    triangle.lane = i;
-    triangle.clamps_depth = triangle.has_values = false;
-    triangle.depth_bias = 0;
-    triangle.clipped = NULL;
-    copy_planes(work, &triangle);
+    begin_tiny(work, &triangle, run, i);
     work->counters->fragments += (uint64_t)gathered->count;
     // Nobody asks where fragments may share a group and there are too few for one of their own.
     gathered->overtakes = (!work->orders_lanes || gathered->count >= RHW_LANES) && gathered_wait(work);
