@@ -178,20 +178,44 @@ struct position {
     uint32_t draw;
 };
 
+static uint64_t end_of(const struct rhw_draw *draw)
+{
+    return draw->first_triangle + (uint64_t)draw->triangles_per_instance * draw->instances;
+}
+
+// Triangles from `at` on that are hidden by the same rule, `most` at most: what differs in it, a background and the model
+// before it, would be drawn in order if it were one chunk.
+static uint64_t count_of_one_rule(const struct rhw_pass_state *pass, struct position at, uint64_t most)
+{
+    const struct rhw_draw *draw = rhw_pass_draw_at(pass, at.draw);
+    const struct rhw_hidden_rule rule = draw->state->hidden;
+    while (end_of(draw) - at.triangle < most) {
+        const struct rhw_draw *const next = rhw_pass_draw_at(pass, ++at.draw);
+        if (!rhw_hidden_rule_equal(next->state->hidden, rule)) {
+            return end_of(draw) - at.triangle;
+        }
+        draw = next;
+    }
+    return most;
+}
+
 // Cuts what is left into chunks, as many as a wave takes at most. False when out of memory.
 static bool cut_wave(struct rhw_pass_state *pass, struct position at)
 {
+    enum { CUTS = 16 }; // by rules, in a wave: draws of two rules in turn would make a chunk each
     const uint64_t size = pass->chunk_size;
+    int cuts = 0;
     pass->chunk_count = 0;
     while (at.triangle < pass->triangle_count && pass->chunk_count < RHW_WAVE_CHUNKS) {
         const uint64_t left = pass->triangle_count - at.triangle;
         const struct rhw_draw *draw = rhw_pass_draw_at(pass, at.draw);
-        while (at.triangle >=
-               draw->first_triangle + (uint64_t)draw->triangles_per_instance * draw->instances) {
+        while (at.triangle >= end_of(draw)) {
             draw = rhw_pass_draw_at(pass, ++at.draw);
         }
-        const struct rhw_chunk chunk = {
-            .first = at.triangle, .count = left < size ? left : size, .first_draw = at.draw};
+        const uint64_t most = left < size ? left : size;
+        const uint64_t count = cuts < CUTS ? count_of_one_rule(pass, at, most) : most;
+        const struct rhw_chunk chunk = {.first = at.triangle, .count = count, .first_draw = at.draw};
+        cuts += count < most;
         if (!add_chunk(pass, chunk)) {
             return false;
         }

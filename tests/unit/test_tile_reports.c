@@ -97,6 +97,39 @@ static void test_plans(void **state)
     rig_close(&rig);
 }
 
+// Draws of two kinds in turn, `turns` of each: what has no depth test, then layers above each other.
+static uint32_t plans_in_turn(struct rig *rig, int turns)
+{
+    enum { LAYERS = 40 };
+    struct rhw_tile_report reports[TILES];
+    struct rig_vertex vertices[6 * LAYERS];
+    for (int i = 0; i < LAYERS; i++) {
+        rig_rectangle(rig, 0, 0, 64, 64, 1.0f - (float)i / LAYERS, white, vertices + 6 * i);
+    }
+    rig_begin(rig);
+    rhw_pass_report_tiles(rig->context, rig->recording, reports, TILES);
+    for (int turn = 0; turn < turns; turn++) {
+        rig->pipeline.depth_test = false;
+        rig_draw(rig, vertices, 6);
+        rig->pipeline.depth_test = true;
+        rig_draw(rig, vertices, 6 * LAYERS);
+    }
+    rig_end(rig);
+    return reports[0].plans;
+}
+
+// A background keeps nothing before it from being drawn depth first; draws that take turns many times are not each cut off.
+static void test_plans_of_a_background_and_a_model(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, WIDTH, HEIGHT);
+    rig_set_depth(&rig);
+    assert_int_equal(plans_in_turn(&rig, 1), RHW_TILE_BACKWARDS | RHW_TILE_DEPTH_FIRST);
+    assert_true((plans_in_turn(&rig, 40) & RHW_TILE_IN_ORDER) != 0);
+    rig_close(&rig);
+}
+
 static void test_a_pass_reports_for_itself_alone(void **state)
 {
     (void)state;
@@ -136,8 +169,11 @@ static void test_misuse(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_places), cmocka_unit_test(test_counts), cmocka_unit_test(test_plans),
-        cmocka_unit_test(test_a_pass_reports_for_itself_alone), cmocka_unit_test(test_misuse)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_places),
+                                       cmocka_unit_test(test_counts),
+                                       cmocka_unit_test(test_plans),
+                                       cmocka_unit_test(test_plans_of_a_background_and_a_model),
+                                       cmocka_unit_test(test_a_pass_reports_for_itself_alone),
+                                       cmocka_unit_test(test_misuse)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
