@@ -31,9 +31,21 @@ static void set_masks(struct rhw_stencil_rule face[2], const struct rhw_stencil_
     face[1].write_mask = masks->write_back;
 }
 
+// Of 24 bits, steps are as far from each other as floats between 1/2 and 1: z = N·2^-24 is nearest to step N − 1, which the
+// float nearest to is z.
+static float kept_above(double depth_steps)
+{
+    return depth_steps == 0 ? -INFINITY : depth_steps == 0xffffff ? 0.5f : INFINITY;
+}
+
+static bool keeps_stencil(const struct rhw_stencil_rule *rule)
+{
+    return rule->write_mask == 0 || rule->fail == RHW_STENCIL_KEEP;
+}
+
 static bool keeps_failed(const struct rhw_stencil_rule *rule)
 {
-    return rule->write_mask == 0 || (rule->fail == RHW_STENCIL_KEEP && rule->depth_fail == RHW_STENCIL_KEEP);
+    return rule->write_mask == 0 || (keeps_stencil(rule) && rule->depth_fail == RHW_STENCIL_KEEP);
 }
 
 // Points and lines have no bias; polygons drawn as such do.
@@ -60,6 +72,7 @@ void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct 
     state->tests_bounds = def->depth_bounds_test;
     state->depth_steps = def->depth_test ? depth_steps : 0;
     state->depth_margin = state->depth_steps != 0 ? (float)(2 / state->depth_steps) : 0;
+    state->kept_above = kept_above(state->depth_steps);
     state->counts = setting->counts;
     state->counts_by_test = state->counts && counts_by_test(def, setting->many_samples);
     state->is_full =
@@ -71,6 +84,9 @@ void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct 
     }
     state->rejects_early =
         !state->tests_stencil || (keeps_failed(&state->face[0]) && keeps_failed(&state->face[1]));
+    state->rejects_by_stencil =
+        state->tests_stencil && keeps_stencil(&state->face[0]) && keeps_stencil(&state->face[1]) &&
+        (state->face[0].compare != RHW_COMPARE_ALWAYS || state->face[1].compare != RHW_COMPARE_ALWAYS);
     state->bounds_least = setting->bounds_least;
     state->bounds_most = setting->bounds_most;
     state->bias = setting->has_bias ? setting->bias : def->depth_bias;

@@ -25,8 +25,10 @@ struct rhw_depth_stencil_state {
     bool rejects_early;              // fragments that fail the depth test change nothing
     struct rhw_stencil_rule face[2]; // front and back
     float bounds_least, bounds_most;
-    double depth_steps; // between 0 and 1, which depth is rounded to; 0: it stays a float
-    float depth_margin; // two steps: more than rounding moves a depth, in double and to a float
+    double depth_steps;      // between 0 and 1, which depth is rounded to; 0: it stays a float
+    float depth_margin;      // two steps: more than rounding moves a depth, in double and to a float
+    float kept_above;        // depths above this, up to 1, are what rounding makes of them
+    bool rejects_by_stencil; // fragments that fail the stencil test, which some do, change nothing
     bool is_biased;
     struct rhw_depth_bias bias;
     bool counts;         // samples that pass: for queries

@@ -145,6 +145,9 @@ static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
     plan_rules(plan, def, phase);
     plan->early_name = general || plan->is_full ? RHW_RULE_ANY : name_of(plan->early);
     plan->tests_early = plan->depth_mode == RHW_DEPTH_EARLY || plan->depth_mode == RHW_DEPTH_EARLY_REJECT;
+    plan->tests_masks = !general && plan->is_full && plan->tests_early && !depth_stencil->tests_bounds &&
+                        plan->early.open == RHW_OPEN_IGNORED;
+    plan->tests_stencil_first = plan->tests_masks && samples == 1 && depth_stencil->rejects_by_stencil;
     plan->settles_blocks = !general && samples == 1 && settles_blocks(plan, def, depth_stencil);
     // What lies behind a bound may still round to it, or change the stencil.
     const bool can_be_bounded = depth_stencil->rejects_early && depth_stencil->depth_steps == 0;

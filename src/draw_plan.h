@@ -76,6 +76,8 @@ struct rhw_draw_plan {
     bool weighs_alpha;          // after the fragment function: by the area that a smooth line covers
     bool masks_samples;         // after the fragment function: by alpha, or the function itself
     bool is_full;               // tests are full ones (kernels/raster/full_test.h)
+    bool tests_masks;         // full, but of stencil and depth alone, in order (kernels/raster/block_test.h)
+    bool tests_stencil_first; // and stencil before anything is asked about depth
     bool settles_blocks; // full, but depth stays and stencil follows the depth test alone (kernels/raster/depth_range.h)
     bool is_biased;      // depth is
     bool tests_early;    // with `early`

@@ -231,6 +231,42 @@ RHW_INLINE uint64_t i8_to_bytes(i8 v)
     return bytes;
 }
 
+// Counts up or down by one, wrapping, in 8 rows of 8 bytes, `stride` apart: bytes whose bit is set, as above.
+RHW_INLINE void count_bytes_of_rows(uint8_t *p, size_t stride, uint64_t bits, bool up)
+{
+#if defined(__AVX2__)
+    const __m256i bit = _mm256_set1_epi64x((int64_t)0x8040201008040201);
+    const __m256i row = _mm256_setr_epi64x(0, 0x0101010101010101, 0x0202020202020202, 0x0303030303030303);
+    for (int i = 0; i < 2; i++) {
+        const __m256i all = _mm256_shuffle_epi8(_mm256_set1_epi32((int32_t)(bits >> (32 * i))), row);
+        const __m256i set = _mm256_cmpeq_epi8(_mm256_and_si256(all, bit), bit); // −1
+        int64_t word[4];
+        for (int k = 0; k < 4; k++) {
+            memcpy(&word[k], p + (size_t)k * stride, sizeof *word);
+        }
+        const __m256i bytes = _mm256_setr_epi64x(word[0], word[1], word[2], word[3]);
+        const __m256i counted = up ? _mm256_sub_epi8(bytes, set) : _mm256_add_epi8(bytes, set);
+        const __m128i half[2] = {_mm256_castsi256_si128(counted), _mm256_extracti128_si256(counted, 1)};
+        for (int k = 0; k < 2; k++) {
+            _mm_storel_epi64((__m128i *)(void *)p, half[k]);
+            _mm_storeh_pd((double *)(void *)(p + stride), (__m128d)half[k]);
+            p += 2 * stride;
+        }
+    }
+#else
+    const uint64_t ones = 0x0101010101010101, high = 0x80 * ones;
+    for (int i = 0; i < 8; i++) {
+        const uint64_t apart = (bits >> (8 * i) & 0xff) * ones & 0x8040201008040201; // byte i has bit i alone
+        const uint64_t count = (apart + 0x7f * ones) >> 7 & ones;
+        uint64_t bytes; // no carry passes between them
+        memcpy(&bytes, p, sizeof bytes);
+        bytes = up ? ((bytes & ~high) + count) ^ (bytes & high) : ((bytes | high) - count) ^ (~bytes & high);
+        memcpy(p, &bytes, sizeof bytes);
+        p += stride;
+    }
+#endif
+}
+
 // 2^n, for n of 0 .. 30.
 RHW_INLINE i8 i8_power2(i8 n)
 {

@@ -149,6 +149,21 @@ static void run_i8_sign_bits_of_rows(const void *input, void *result)
     memcpy(result, &bits, sizeof bits);
 }
 
+static void run_count_bytes_of_rows(const void *input, void *result)
+{
+    const struct lane_input *const lanes = input;
+    uint64_t bits;
+    uint8_t bytes[2][8 * 11];
+    memcpy(&bits, lanes->i[1], sizeof bits);
+    for (int i = 0; i < 2; i++) {
+        for (int k = 0; k < 8 * 11; k++) {
+            bytes[i][k] = (uint8_t)(lanes->i[0][k % 8] >> (k % 4 * 8));
+        }
+        count_bytes_of_rows(bytes[i], 11, bits, i == 0);
+    }
+    memcpy(result, bytes, sizeof bytes);
+}
+
 static void run_i8_load_bytes(const void *input, void *result)
 {
     const struct lane_input *const lanes = input;
@@ -245,6 +260,8 @@ static const struct kernel_check checks[] = {
     {"i8_sign_bits", sizeof(struct lane_input), sizeof(unsigned), KERNEL_BITS, make_lanes, run_i8_sign_bits},
     {"i8_sign_bits_of_rows", sizeof(struct lane_input), sizeof(uint64_t), KERNEL_BITS, make_lanes,
      run_i8_sign_bits_of_rows},
+    {"count_bytes_of_rows", sizeof(struct lane_input), 2 * 8 * 11, KERNEL_BITS, make_lanes,
+     run_count_bytes_of_rows},
     {"i8_load_bytes", sizeof(struct lane_input), WORDS, KERNEL_BITS, make_lanes, run_i8_load_bytes},
     {"i8_to_bytes", sizeof(struct lane_input), sizeof(uint64_t), KERNEL_BITS, make_bytes, run_i8_to_bytes},
     {"i8_power2", sizeof(struct lane_input), WORDS, KERNEL_BITS, make_exponents, run_i8_power2},

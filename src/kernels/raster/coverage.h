@@ -142,6 +142,45 @@ static inline struct block_row block_row_of(const struct triangle_edges *triangl
     return (struct block_row){i8_sign_bits(outside), i8_sign_bits(crossed)};
 }
 
+// The same of all blocks of the tile, row by row: those of which the triangle may cover something, and those that an edge
+// crosses.
+struct block_bits {
+    uint64_t inside, crossed;
+};
+
+static inline struct block_bits blocks_of(const struct triangle_edges *triangle)
+{
+    i8 outside[RHW_BLOCK] = {{0}}, crossed[RHW_BLOCK] = {{0}};
+    for (int i = 0; i < triangle->count; i++) {
+        const struct edge *const edge = &triangle->edges[i];
+        const i8 columns = i8_splat(RHW_BLOCK * edge->a) * rhw_lane_index;
+        const i8 high = columns + i8_splat((int32_t)edge->high), low = columns + i8_splat((int32_t)edge->low);
+        for (int row = 0; row < RHW_BLOCK; row++) {
+            const i8 first = i8_splat((int32_t)(edge->q + (int64_t)edge->b * (RHW_BLOCK * row)));
+            outside[row] |= first + high;
+            crossed[row] |= first + low;
+        }
+    }
+    return (struct block_bits){~i8_sign_bits_of_rows(outside), i8_sign_bits_of_rows(crossed)};
+}
+
+// triangle_mask of a block that an edge crosses, by all edges: which of them cross it, a processor cannot predict.
+static inline uint64_t crossed_mask(const struct triangle_edges *triangle, int x, int y)
+{
+    i8 q[3], step[3];
+    for (int i = 0; i < triangle->count; i++) {
+        const struct edge *const edge = &triangle->edges[i];
+        q[i] = i8_splat((int32_t)(edge->q + (int64_t)edge->a * x + (int64_t)edge->b * y)) +
+               i8_splat(edge->a) * rhw_lane_index;
+        step[i] = i8_splat(edge->b);
+    }
+    switch (triangle->count) {
+    case 1: return mask_of_edges(q, step, 1);
+    case 2: return mask_of_edges(q, step, 2);
+    default: return mask_of_edges(q, step, 3);
+    }
+}
+
 // This is what a triangle, clipped or not, covers in one tile.
 struct coverage {
     int count; // of triangles that reach into the tile: of 1, or of the fan of a clipped polygon
@@ -209,6 +248,13 @@ static inline uint64_t rect_mask(int x, int y, int x0, int y0, int x1, int y1)
     const uint64_t row = (0xffu << left & 0xffu) & 0xffu >> (RHW_BLOCK - right);
     const uint64_t rows = (~(uint64_t)0 << (8 * top)) & (~(uint64_t)0 >> (8 * (RHW_BLOCK - bottom)));
     return row * 0x0101010101010101u & rows;
+}
+
+// Of the tile's blocks those that the rectangle reaches into, which is not empty.
+static inline uint64_t blocks_of_rect(int x0, int y0, int x1, int y1)
+{
+    return rect_mask(0, 0, x0 / RHW_BLOCK, y0 / RHW_BLOCK, (x1 - 1) / RHW_BLOCK + 1,
+                     (y1 - 1) / RHW_BLOCK + 1);
 }
 
 #endif

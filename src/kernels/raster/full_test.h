@@ -24,6 +24,14 @@ RHW_INLINE i8 stencil_result(enum rhw_stencil_operation operation, i8 stencil, i
     return stencil;
 }
 
+// `compare`: that of the face, which may be a constant.
+RHW_INLINE i8 stencil_passes(const struct rhw_stencil_rule *face, enum rhw_compare compare, i8 stencil)
+{
+    const i8 read = i8_splat(face->read_mask);
+    return compare_lanes(compare, rhw_float_from_int(i8_splat(face->reference) & read),
+                         rhw_float_from_int(stencil & read));
+}
+
 // Stencil and depth of 8 pixels, and the fragments over them.
 struct tested_pixels {
     f8 depth;
@@ -69,9 +77,7 @@ RHW_INLINE i8 test_pixels(struct tested_pixels *pixels, const struct rhw_depth_s
     }
     i8 unfailed = live;
     if (face->compare != RHW_COMPARE_ALWAYS) {
-        const i8 read = i8_splat(face->read_mask);
-        unfailed &= compare_lanes(face->compare, rhw_float_from_int(i8_splat(face->reference) & read),
-                                  rhw_float_from_int(pixels->stencil & read));
+        unfailed &= stencil_passes(face, face->compare, pixels->stencil);
     }
     const i8 pass = unfailed & rule_passes(rule, z, pixels->depth, open);
     if (state->tests_stencil) { // the lanes of each are others

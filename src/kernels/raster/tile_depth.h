@@ -18,7 +18,7 @@ struct tile_depth {
     int direction; // which way depth moves, 1 down and −1 up; 0 where it may move both ways: no bounds
     float range_least[HIZ_BLOCKS * HIZ_BLOCKS], range_most[HIZ_BLOCKS * HIZ_BLOCKS]; // see depth_range.h
     bool has_ranges;                                                                 // which hold
-    int unranged;            // rows of blocks that could have used them
+    int unranged;            // triangles that could have used them
     uint64_t open[RHW_TILE]; // by row, a bit per pixel: see open_pixels.h
     int open_count;          // open pixels, drawn backwards
     bool marked;             // a fragment opened its pixel since this was last cleared

@@ -9,11 +9,24 @@
 #include "../fragment/constant_color.h"
 #include "../fragment/explained_fragment.h"
 #include "../fragment/gather.h"
+#include "../raster/block_test.h"
 #include "../raster/depth_range.h"
 #include "span_blocks.h"
 #include "triangle_planes.h"
 
 // Blocks -----------------------------------------------------------------------------------------------
+
+// 0 for the front.
+RHW_INLINE int face_of(const struct triangle_work *triangle)
+{
+    return triangle->t->flags & RHW_TRIANGLE_BACK ? 1 : 0;
+}
+
+// Whether stencil is tested before the triangle's planes are made; what is explained has numbers before any test.
+RHW_INLINE bool tests_stencil_first(const struct tile_work *work)
+{
+    return work->plan.tests_stencil_first && !work->explained;
+}
 
 // Tests a block's pixels set in `mask` before shading; returns those that pass.
 RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_work *triangle,
@@ -24,7 +37,7 @@ RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_wor
     const bool is_whole = mask == ~(uint64_t)0;
     if (work->plan.is_full) {
         const struct block_pixels pixels = {depth, block->z, block->x, block->y, mask};
-        return test_block_full(&pixels, work->plan.early, triangle->t->flags & RHW_TRIANGLE_BACK ? 1 : 0);
+        return test_full_early(&pixels, &work->plan, face_of(triangle), tests_stencil_first(work));
     }
     mask = test_block_early(depth, block->z, block->x, block->y, mask, &work->plan);
     // Blocks of spans start anywhere; only those at multiples of 8 have a bound.
@@ -45,6 +58,9 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
         mask = claim_backwards(depth, x, y, mask);
     } else if (plan->early_name == RHW_RULE_CLAIM) {
         mask &= block_bits(&depth->open[y], x);
+    }
+    if (tests_stencil_first(work)) {
+        mask &= compare_stencil_block(depth, x, y, &work->state->depth_stencil.face[face_of(triangle)]);
     }
     if (mask == 0) {
         return;
@@ -158,49 +174,14 @@ static bool holds_for_block(const struct tile_work *work, const struct triangle_
     return !leaves_triangle(triangle, &at);
 }
 
-// Of the row of blocks at y those that stencil can be changed in without a test; none where the draw is another.
-static struct settled_blocks settled_blocks(struct tile_work *work, struct triangle_work *triangle, int y)
-{
-    // Rows of blocks that are tested before a look at all of the tile's depth pays.
-    enum { ROWS_UNRANGED = 8 };
-    struct tile_depth *const depth = &work->scratch->depth;
-    const struct planes *const planes = &triangle->planes;
-    if (!work->plan.settles_blocks || (!depth->has_ranges && depth->unranged++ < ROWS_UNRANGED)) {
-        return (struct settled_blocks){0, 0};
-    }
-    if (!depth->has_ranges) {
-        ranges_refresh(depth);
-    }
-    if (!triangle->has_planes) {
-        set_planes(work, triangle);
-    }
-    if (planes->kind != PLANES_LINEAR) {
-        return (struct settled_blocks){0, 0};
-    }
-    return settle_blocks(depth, work->plan.early.compare, plane_of(&planes->quantities, QUANTITY_Z),
-                         planes->anchor_x - work->x, planes->anchor_y - work->y, y, triangle->clamps_depth);
-}
-
-// What a settled block's fragments do to stencil.
-static enum rhw_stencil_operation settled_operation(const struct rhw_stencil_rule *face,
-                                                    struct settled_blocks settled, int x)
-{
-    return settled.passed >> (x / RHW_BLOCK) & 1 ? face->pass : face->depth_fail;
-}
-
 static void draw_blocks(struct tile_work *work, struct triangle_work *triangle,
                         const struct coverage *coverage)
 {
     const struct tile_rect rect = rect_of(work, triangle->t);
     const bool is_cut = work->is_scissored || triangle->t->flags & RHW_TRIANGLE_RECTANGLE;
-    const struct rhw_stencil_rule *const face =
-        &work->state->depth_stencil.face[triangle->t->flags & RHW_TRIANGLE_BACK ? 1 : 0];
     const unsigned columns = 0xffu << (rect.x0 / RHW_BLOCK) & 0xffu >> ((RHW_TILE - rect.x1) / RHW_BLOCK);
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
-        unsigned hidden = hidden_blocks(work, triangle, y);
-        const struct settled_blocks settled = settled_blocks(work, triangle, y);
-        hidden |= (face->pass == RHW_STENCIL_KEEP ? settled.passed : 0) |
-                  (face->depth_fail == RHW_STENCIL_KEEP ? settled.failed : 0);
+        const unsigned hidden = hidden_blocks(work, triangle, y);
         struct block_row row = {0, ~0u};
         if (coverage->count == 1) {
             row = block_row_of(&coverage->triangles[0], y);
@@ -214,18 +195,97 @@ static void draw_blocks(struct tile_work *work, struct triangle_work *triangle,
             if (is_cut) {
                 mask &= rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
             }
-            if (mask == 0) {
-                continue;
-            }
-            if (holds_for_block(work, triangle, settled.passed | settled.failed, x, y)) {
-                change_stencil_block(&work->scratch->depth, x, y, mask, face,
-                                     settled_operation(face, settled, x));
-            } else {
+            if (mask != 0) {
                 draw_block(work, triangle, x, y, mask);
             }
         }
     }
     finish_gathered(work, triangle);
+}
+
+// Settled blocks ----------------------------------------------------------------------------------------
+
+// Whether the tile knows enough of its depth to draw a triangle by the function below, where its draw may be.
+static bool settles_blocks(const struct tile_work *work)
+{
+    enum {
+        TRIANGLES_UNRANGED = 2
+    }; // of a draw that are tested before a look at all of the tile's depth pays
+    struct tile_depth *const depth = &work->scratch->depth;
+    if (!work->plan.settles_blocks || (!depth->has_ranges && depth->unranged++ < TRIANGLES_UNRANGED)) {
+        return false;
+    }
+    if (!depth->has_ranges) {
+        ranges_refresh(depth);
+    }
+    return true;
+}
+
+// Of the blocks that are `wanted` those that stencil can be changed in without a test.
+static struct settled_blocks settled_blocks(struct tile_work *work, struct triangle_work *triangle,
+                                            uint64_t wanted)
+{
+    const struct planes *const planes = &triangle->planes;
+    if (!triangle->has_planes) {
+        set_planes(work, triangle);
+    }
+    if (planes->kind != PLANES_LINEAR) {
+        return (struct settled_blocks){0, 0};
+    }
+    if (triangle->clipped) {
+        for (uint64_t left = wanted; left != 0; left &= left - 1) {
+            const int n = __builtin_ctzll(left);
+            const struct anchor_offset at =
+                block_offset(work, planes, n % HIZ_BLOCKS * RHW_BLOCK, n / HIZ_BLOCKS * RHW_BLOCK);
+            wanted &= ~((uint64_t)leaves_triangle(triangle, &at) << n);
+        }
+    }
+    const struct settled_blocks settled = settle_blocks(
+        &work->scratch->depth, work->plan.early.compare, plane_of(&planes->quantities, QUANTITY_Z),
+        planes->anchor_x - work->x, planes->anchor_y - work->y, triangle->clamps_depth, wanted);
+    return (struct settled_blocks){settled.passed & wanted, settled.failed & wanted};
+}
+
+// What is covered of a block, which is among the triangle's.
+static uint64_t mask_of_block(const struct tile_work *work, const struct triangle_work *triangle,
+                              const struct coverage *coverage, bool is_crossed, int x, int y)
+{
+    uint64_t mask = !is_crossed            ? ~(uint64_t)0
+                    : coverage->count == 1 ? crossed_mask(&coverage->triangles[0], x, y)
+                                           : coverage_mask(coverage, x, y);
+    if (work->is_scissored || triangle->t->flags & RHW_TRIANGLE_RECTANGLE) {
+        const struct tile_rect rect = rect_of(work, triangle->t);
+        mask &= rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
+    }
+    return mask;
+}
+
+// A triangle that leaves depth as it is and changes stencil by whether it passes the depth test.
+static __attribute__((noinline)) void draw_settled(struct tile_work *work, struct triangle_work *triangle,
+                                                   const struct coverage *coverage)
+{
+    struct tile_depth *const depth = &work->scratch->depth;
+    const struct rhw_stencil_rule *const face = &work->state->depth_stencil.face[face_of(triangle)];
+    struct block_bits blocks = {~(uint64_t)0, ~(uint64_t)0};
+    if (coverage->count == 1) {
+        blocks = blocks_of(&coverage->triangles[0]);
+    }
+    const struct tile_rect rect = rect_of(work, triangle->t);
+    blocks.inside &= blocks_of_rect(rect.x0, rect.y0, rect.x1, rect.y1);
+    const struct settled_blocks settled = settled_blocks(work, triangle, blocks.inside);
+    const uint64_t kept = (face->pass == RHW_STENCIL_KEEP ? settled.passed : 0) |
+                          (face->depth_fail == RHW_STENCIL_KEEP ? settled.failed : 0);
+    for (uint64_t left = blocks.inside & ~kept; left != 0; left &= left - 1) {
+        const int n = __builtin_ctzll(left);
+        const int x = n % HIZ_BLOCKS * RHW_BLOCK, y = n / HIZ_BLOCKS * RHW_BLOCK;
+        const uint64_t mask = mask_of_block(work, triangle, coverage, blocks.crossed >> n & 1, x, y);
+        if ((settled.passed | settled.failed) >> n & 1) {
+            change_stencil_block(depth, x, y, mask, face,
+                                 settled.passed >> n & 1 ? face->pass : face->depth_fail);
+        } else {
+            draw_block(work, triangle, x, y, mask);
+        }
+    }
 }
 
 // A small triangle whose groups must be rows, or that is a sliver: 6 % fewer instructions for lines drawn as quads.
@@ -252,7 +312,11 @@ static __attribute__((noinline)) void draw_large(struct tile_work *work, struct 
         draw_whole_tile(work, triangle)) {
         return;
     }
-    draw_blocks(work, triangle, &coverage);
+    if (settles_blocks(work)) {
+        draw_settled(work, triangle, &coverage);
+    } else {
+        draw_blocks(work, triangle, &coverage);
+    }
 }
 
 #endif

@@ -8,6 +8,7 @@
 #include "../fragment/constant_color.h"
 #include "../fragment/explained_fragment.h"
 #include "../fragment/gather.h"
+#include "../raster/block_test.h"
 #include "triangle_planes.h"
 
 // A block of 8×8 pixels by sample.
@@ -93,7 +94,7 @@ static void test_samples(struct tile_work *work, const struct triangle_work *tri
         }
         struct tile_depth *const depth = depth_plane(work->scratch, s);
         const struct block_pixels pixels = {depth, block->z[s], block->x, block->y, block->mask[s]};
-        block->mask[s] = work->plan.is_full ? test_block_full(&pixels, work->plan.early, face)
+        block->mask[s] = work->plan.is_full ? test_full_early(&pixels, &work->plan, face, false)
                                             : test_early(&work->plan, test_block, &pixels);
     }
     if (covers) {
