@@ -3,6 +3,7 @@
 #include "scene_pbr_made.h"
 
 #include "elementary.h"
+#include "file.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -11,7 +12,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { PATH_SIZE = 64, FILES = 3 };
+enum { FOLDER_SIZE = 512, PATH_SIZE = 600, FILES = 3 };
 static const char *const names[FILES] = {"model.obj", "model.mtl", "wall.ppm"};
 
 static FILE *open_file(const char *folder, int file)
@@ -23,10 +24,10 @@ static FILE *open_file(const char *folder, int file)
 
 static struct scene_model *load(bool (*write)(const char *folder), char *why, size_t why_size)
 {
-    char folder[] = "/tmp/rhw-bench-XXXXXX", path[PATH_SIZE];
+    char folder[FOLDER_SIZE], path[PATH_SIZE];
     struct scene_model *model = NULL;
-    if (!mkdtemp(folder)) {
-        snprintf(why, why_size, "no folder can be made in /tmp");
+    if (!system_folder_make_unnamed(folder, sizeof folder)) {
+        snprintf(why, why_size, "no folder can be made for its files");
         return NULL;
     }
     snprintf(path, sizeof path, "%s/%s", folder, names[0]);

@@ -4,13 +4,13 @@
 #include "import.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "file.h"
 #include "model_up.h"
 
 enum { MESSAGES = 64 }; // lines of each kind that are kept; a hostile file could make millions
@@ -229,8 +229,7 @@ int32_t scene_import_add_image(struct scene_import *import, const char *name,
 void *scene_import_read_file(struct scene_import *import, const char *path, size_t *size,
                              const char **problem)
 {
-    // O_NONBLOCK: opening a named pipe must not wait for a writer.
-    const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    const int descriptor = system_file_open(path, SYSTEM_FILE_READ);
     if (descriptor < 0) {
         *problem = strerror(errno);
         return NULL;
@@ -245,7 +244,8 @@ void *scene_import_read_file(struct scene_import *import, const char *path, size
     char *bytes = scene_import_allocate(import, *size + 1, 1);
     size_t done = 0;
     while (done < *size) {
-        const ssize_t step = read(descriptor, bytes + done, *size - done);
+        const size_t left = *size - done, most = 1 << 30; // that Windows reads at a time, and Linux nearly
+        const ssize_t step = read(descriptor, bytes + done, (unsigned)(left < most ? left : most));
         if (step < 0 && errno == EINTR) {
             continue;
         }

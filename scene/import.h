@@ -40,6 +40,7 @@ struct scene_import_channels {
 };
 
 struct scene_import;
+struct system_child;
 /// Fills the model from what import->model.path or import->arrays name.
 typedef void scene_import_reader(struct scene_import *import);
 
@@ -63,7 +64,7 @@ struct scene_import {
     struct scene_progress *progress; // of the options
     const char *missing;             // why scene_import_find_file gave NULL last
     bool up_is_open;                 // model.up is what is usual in the format; the model's shape decides
-    FILE *reply;                     // what the parent reads
+    struct system_child *child;      // that reads; its reply is what the parent gets
 };
 
 /// Sends one line to the parent and ends the process.

@@ -12,10 +12,10 @@
 #include <math.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include "elementary.h"
+#include "memory_limit.h"
 
 _Static_assert(sizeof(ai_real) == sizeof(float), "assimp is built with single precision");
 
@@ -409,20 +409,13 @@ static void add_light(struct reader *reader, const struct aiLight *source, const
 
 // Limits the memory of assimp by the size of the file, and sets back what was before. A few hundred bytes that
 // ask for gigabytes would otherwise be given them all.
-static struct rlimit limit_memory(struct scene_import *import)
+static uint64_t limit_memory(struct scene_import *import)
 {
-    const rlim_t base = (rlim_t)1 << 30, per_byte = 64;
+    const uint64_t base = (uint64_t)1 << 30, per_byte = 64;
     struct stat status;
-    struct rlimit before, limit;
-    getrlimit(RLIMIT_AS, &before);
-    limit = before;
-    if (before.rlim_cur != RLIM_INFINITY &&
-        stat(import->model.path, &status) == 0) { // a sanitizer needs infinity
-        const rlim_t wanted = base + per_byte * (rlim_t)status.st_size;
-        limit.rlim_cur = wanted < before.rlim_cur ? wanted : before.rlim_cur;
-        setrlimit(RLIMIT_AS, &limit);
-    }
-    return before;
+    return stat(import->model.path, &status) == 0
+               ? system_memory_limit_lower(base + per_byte * (uint64_t)status.st_size)
+               : 0;
 }
 
 static const struct aiScene *read_scene(struct scene_import *import)
@@ -432,12 +425,12 @@ static const struct aiScene *read_scene(struct scene_import *import)
     // The matrices that a node of an FBX is made of, each in a node of its own: where assimp 5.2.5 multiplies them, it turns
     // what exporters aim cameras and lights with the wrong way.
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 1);
-    const struct rlimit before = limit_memory(import);
+    const uint64_t before = limit_memory(import);
     struct aiFileIO files = scene_assimp_files(import);
     const struct aiScene *scene = aiImportFileExWithProperties(
         import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords,
         import->confine != NULL ? &files : NULL, properties);
-    setrlimit(RLIMIT_AS, &before);
+    system_memory_limit_restore(before);
     if (scene != NULL) {
         return scene;
     }

@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "file.h"
 #include "import.h"
 
 static bool is_file(const char *path)
@@ -20,7 +21,7 @@ bool scene_import_within(const struct scene_import *import, const char *path)
     if (import->confine == NULL) {
         return true;
     }
-    char *const resolved = realpath(path, NULL); // links lead nowhere else
+    char *const resolved = system_file_resolve(path); // links lead nowhere else
     const size_t length = strlen(import->confine);
     const bool is_root = length == 1;
     const bool within = resolved != NULL && strncmp(resolved, import->confine, length) == 0 &&

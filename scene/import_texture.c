@@ -5,10 +5,10 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "image_read.h"
 #include "import.h"
+#include "machine.h"
 
 // Decoding ------------------------------------------------------------------------------------------
 
@@ -96,7 +96,7 @@ static int helper_count(uint32_t images)
     return 0;
 #endif
 #endif
-    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    const long processors = system_machine_processors();
     long count = processors - 1 < (long)images - 1 ? processors - 1 : (long)images - 1;
     count = count > MOST ? MOST : count;
     return count > 0 ? (int)count : 0;

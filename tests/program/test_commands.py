@@ -36,7 +36,7 @@ NOT_RUN = {
     r"script/instructions( .*)?": MINUTES,
     r"script/fuzz \d+": MINUTES,
     r"script/determinism( .*)?": ELSEWHERE,
-    r"script/windows": ELSEWHERE,
+    r"script/windows( .*)?": ELSEWHERE,
     r"script/web": ELSEWHERE,
     r"script/web-test": ELSEWHERE,
     r"script/format": "writes into the sources; script/test has --check",

@@ -43,7 +43,7 @@ static void write_model(const char *path)
 static struct render read_model(char *path)
 {
     static char verb[] = "render", out[] = "--out=picture.png", quiet[] = "--quiet", *words[4];
-    struct render render = {.input.descriptor = -1};
+    struct render render = {0};
     int status;
     memcpy(words, (char *[]){verb, out, quiet, path}, sizeof words);
     assert_true(cli_render_job_parse(&render.job, NULL, 4, words, &status));

@@ -2,14 +2,15 @@
 // rhw bench: the scenes of bench/, drawn by rhw and by a peer in turn, timed and compared.
 #include "bench_job.h"
 #include "image_write.h"
+#include "machine.h"
 #include "message.h"
 #include "options.h"
+#include "subprocess.h"
 #include "rhw/rhw.h"
 #include "verbs.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 // In the order in which they take turns.
 enum { ALL_THREADS, OTHERS, RENDERERS_MAX = 3 };
@@ -68,7 +69,7 @@ static void open_peer(struct bench *bench)
     }
     if (job->peer_threads) {
         snprintf(number, sizeof number, "%d", job->peer_threads);
-        setenv("LP_NUM_THREADS", number, 1);
+        system_subprocess_set_variable("LP_NUM_THREADS", number);
     }
     if (!bench_open_gles(&bench->renderers[bench->renderer_count], job->peer, &why)) {
         cli_warning(job->peer, "not compared with: %s", why);
@@ -341,7 +342,7 @@ int cli_bench(int argc, char **argv)
     int status = cli_bench_options(argc, argv, &bench->job, &go);
     if (go) {
         bench->report.job = &bench->job;
-        bench->report.cores = (int)sysconf(_SC_NPROCESSORS_ONLN);
+        bench->report.cores = system_machine_processors();
         find_cpu(bench->report.cpu, sizeof bench->report.cpu);
         if (open_renderers(bench)) {
             run_scenes(bench);

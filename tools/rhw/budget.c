@@ -2,13 +2,12 @@
 // See budget.h.
 #include "budget.h"
 
+#include "memory_limit.h"
 #include "options.h"
 #include "output_file.h"
-#include "sanitizer.h"
 
 #include <stdlib.h>
 #include <strings.h>
-#include <sys/resource.h>
 
 enum { LEAST_MEGABYTES = 64, LEAST_SIDE = 1024 };
 
@@ -59,11 +58,8 @@ bool cli_parse_budget(struct cli_budget *budget, int id, const char *argument)
 
 void cli_budget_apply(const struct cli_budget *budget, const char *subject)
 {
-    struct rlimit limit;
-    if (budget->memory > 0 && !SCENE_SANITIZED && getrlimit(RLIMIT_AS, &limit) == 0 &&
-        (limit.rlim_max == RLIM_INFINITY || limit.rlim_max > budget->memory)) {
-        limit.rlim_cur = budget->memory;
-        setrlimit(RLIMIT_AS, &limit);
+    if (budget->memory > 0 && !system_memory_limit_set(budget->memory)) {
+        cli_warning("--max-memory", "is not kept, as this system sets no such limit");
     }
     if (budget->seconds > 0.0) {
         cli_output_files_deadline(budget->seconds, subject);

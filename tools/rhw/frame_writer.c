@@ -113,7 +113,7 @@ struct cli_frame_writer *cli_frame_writer_open(const struct render *render, stru
         cli_error(render->job.model_path, "out of memory");
         return NULL;
     }
-    const bool forks = SCENE_SANITIZED && render->job.rate > 0.0; // see pose_reader.c
+    const bool forks = SYSTEM_SANITIZED && render->job.rate > 0.0; // see pose_reader.c
     const int threads = forks ? 0 : rhw_context_threads(render->context);
     const int most = threads < THREADS_MAX ? threads : THREADS_MAX;
     writer->moving = moving;

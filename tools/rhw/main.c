@@ -3,6 +3,7 @@
 #include "options.h"
 #include "output_file.h"
 #include "rhw/base.h"
+#include "streams.h"
 #include "verbs.h"
 
 #include <errno.h>
@@ -69,6 +70,7 @@ int main(int argc, char **argv)
 {
     // All that help says fits: what cannot be written is told by the one flush below, which knows why.
     static char buffer[1 << 16];
+    system_streams_start(argc, argv);
     setvbuf(stdout, buffer, _IOFBF, sizeof buffer);
     cli_output_files_guard();
     const int status = run(argc, argv);

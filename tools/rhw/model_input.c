@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: MIT
 // See model_input.h. Standard input goes into an anonymous file in memory, as readers want to know its size and read it
 // more than once.
-#define _GNU_SOURCE // memfd_create
 #include "model_input.h"
 
 #include <errno.h>
 #include <limits.h>
-#include <poll.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
+#include "file.h"
 #include "message.h"
+#include "streams.h"
 
 static bool write_all(int descriptor, const char *bytes, size_t size)
 {
     while (size > 0) {
-        const ssize_t step = write(descriptor, bytes, size);
+        const ssize_t step = write(descriptor, bytes, (unsigned)size); // of a small buffer
         if (step < 0 && errno == EINTR) {
             continue;
         }
@@ -35,12 +33,11 @@ static bool write_all(int descriptor, const char *bytes, size_t size)
 static bool wait_for_input(bool (*goes_on)(void *user), void *user)
 {
     enum { PATIENCE_MS = 50 };
-    struct pollfd input = {.fd = STDIN_FILENO, .events = POLLIN};
-    int ready = 0;
-    while (goes_on && ready == 0 && goes_on(user)) {
-        ready = poll(&input, 1, PATIENCE_MS);
+    bool ready = false;
+    while (goes_on && !ready && goes_on(user)) {
+        ready = system_streams_have_input(PATIENCE_MS);
     }
-    return !goes_on || ready != 0;
+    return !goes_on || ready;
 }
 
 // False with errno; 0: it was given up.
@@ -65,35 +62,31 @@ static bool copy_standard_input(int descriptor, bool (*goes_on)(void *user), voi
 bool cli_model_input_open(struct cli_model_input *input, const char *argument, bool (*goes_on)(void *user),
                           void *user)
 {
-    *input = (struct cli_model_input){.name = argument, .argument = argument, .descriptor = -1};
+    *input = (struct cli_model_input){.name = argument, .argument = argument};
     if (strcmp(argument, "-") != 0) {
         return true;
     }
     input->name = "standard input";
     input->is_standard_input = true;
-    input->descriptor = memfd_create("rhw-input", MFD_CLOEXEC);
-    if (input->descriptor < 0 || !copy_standard_input(input->descriptor, goes_on, user)) {
+    if (!system_memory_file_open(&input->memory, "rhw-input") ||
+        !copy_standard_input(fileno(input->memory.stream), goes_on, user)) {
         if (errno != 0) {
             cli_error(input->name, "cannot be read: %s", strerror(errno));
         }
         return false;
     }
-    snprintf(input->memory, sizeof input->memory, "/proc/self/fd/%d", input->descriptor);
     return true;
 }
 
 void cli_model_input_close(struct cli_model_input *input)
 {
-    if (input->descriptor >= 0) {
-        close(input->descriptor);
-    }
-    input->descriptor = -1;
+    system_memory_file_close(&input->memory);
 }
 
 // What to open.
 static const char *path_of(const struct cli_model_input *input)
 {
-    return input->is_standard_input ? input->memory : input->argument;
+    return input->is_standard_input ? input->memory.path : input->argument;
 }
 
 // The folder that the model lies in, with nothing after its last slash.
@@ -128,9 +121,7 @@ struct scene_model *cli_model_input_load(const struct cli_model_input *input, co
 
 bool cli_model_input_is(const struct cli_model_input *input, const char *path)
 {
-    struct stat model, other;
-    const bool same = stat(path_of(input), &model) == 0 && stat(path, &other) == 0 &&
-                      model.st_dev == other.st_dev && model.st_ino == other.st_ino;
+    const bool same = system_file_is_same(path_of(input), path);
     if (same) {
         cli_error(path, "is the model itself; name another file for the picture");
     }

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 
 #include "budget.h"
+#include "memory_file.h"
 #include "model.h"
 
 /// May be copied; one of the copies is closed.
@@ -13,8 +14,7 @@ struct cli_model_input {
     const char *name;     ///< for messages
     const char *argument; ///< of the command line
     bool is_standard_input;
-    char memory[32]; ///< path of what standard input gave
-    int descriptor;  ///< of that; −1: none
+    struct system_memory_file memory; ///< what standard input gave
 };
 
 /// `goes_on` is asked several times a second while standard input is read; false gives it up, without a report. NULL: nobody

@@ -3,6 +3,7 @@
 // picture as they are, of the others their image data under another name, each behind a chunk that says when it is shown.
 #include "moving_write.h"
 
+#include "growing.h"
 #include "image_webp.h"
 #include "message.h"
 
@@ -99,12 +100,15 @@ static bool encode_png(const struct cli_moving *moving, const struct cli_raster 
 {
     struct cli_output_file memory = *moving->file;
     errno = 0;
-    memory.stream = open_memstream(&frame->bytes, &frame->size);
-    if (!memory.stream) {
+    struct system_growing growing;
+    if (!system_growing_open(&growing)) {
         return fail(moving);
     }
+    memory.stream = growing.stream;
     const bool written = cli_png_write(&memory, raster);
-    const bool closed = fclose(memory.stream) == 0;
+    const bool closed = system_growing_close(&growing);
+    frame->bytes = growing.bytes;
+    frame->size = growing.size;
     return written && ((closed && frame->size > SIGNATURE) || fail(moving));
 }
 

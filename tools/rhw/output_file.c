@@ -4,17 +4,17 @@
 // async-signal-safe functions, can walk and unlink. Files may be open in several threads.
 #include "output_file.h"
 
+#include "ending.h"
+#include "file.h"
 #include "message.h"
 
 #include <errno.h>
-#include <fcntl.h>
+#include <stdbool.h>
 #include <libgen.h>
 #include <pthread.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <sys/time.h>
 #include <unistd.h>
 
 enum {
@@ -25,74 +25,35 @@ enum {
 
 static struct {
     const char *volatile names[PENDING_MAX]; // NULL: free; the strings outlive their entry
-    volatile pid_t owner; // a forked child inherits the handler but must not remove its parent's files
-    volatile sig_atomic_t dying;
-    char late[512]; // what is said at the deadline
-    size_t late_size;
+    volatile bool dying;
+    char late[512];       // what is said at the deadline
     pthread_mutex_t lock; // of what follows, and of taking an entry
     unsigned long created;
 } pending = {.lock = PTHREAD_MUTEX_INITIALIZER};
 
 static void remove_pending(void)
 {
-    if (getpid() == pending.owner) {
-        pending.dying = 1;
-        for (int i = 0; i < PENDING_MAX; i++) {
-            if (pending.names[i]) {
-                unlink(pending.names[i]);
-            }
+    pending.dying = true;
+    for (int i = 0; i < PENDING_MAX; i++) {
+        if (pending.names[i]) {
+            unlink(pending.names[i]);
         }
     }
-}
-
-static void remove_pending_and_die(int number)
-{
-    remove_pending();
-    signal(number, SIG_DFL);
-    raise(number);
-}
-
-static void remove_pending_and_tell(int number)
-{
-    (void)number;
-    remove_pending();
-    const ssize_t written = write(STDERR_FILENO, pending.late, pending.late_size);
-    (void)written;
-    _exit(1);
 }
 
 void cli_output_files_deadline(double seconds, const char *subject)
 {
-    const int size = snprintf(pending.late, sizeof pending.late,
-                              "rhw: %.400s: takes longer than --max-time, %g seconds\n", subject, seconds);
-    pending.late_size = (size_t)size;
-    struct sigaction action = {.sa_handler = remove_pending_and_tell};
-    const struct itimerval timer = {
-        .it_value = {.tv_sec = (time_t)seconds,
-                     .tv_usec = (suseconds_t)((seconds - (double)(time_t)seconds) * 1e6)}};
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGALRM, &action, NULL);
-    setitimer(ITIMER_REAL, &timer, NULL);
+    snprintf(pending.late, sizeof pending.late, "rhw: %.400s: takes longer than --max-time, %g seconds\n",
+             subject, seconds);
+    system_ending_deadline(seconds, pending.late);
 }
 
 void cli_output_files_guard(void)
 {
-    static const int deadly[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
-    pending.owner = getpid();
     for (int i = 0; i < PENDING_MAX; i++) {
         pending.names[i] = NULL; // those of the process that forked this one
     }
-    for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++) {
-        struct sigaction action, old;
-        memset(&action, 0, sizeof action);
-        action.sa_handler = remove_pending_and_die;
-        sigemptyset(&action.sa_mask);
-        // nohup and shells that start background jobs ignore signals on purpose: leave those ignored
-        if (sigaction(deadly[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN) {
-            sigaction(deadly[i], &action, NULL);
-        }
-    }
-    signal(SIGXFSZ, SIG_IGN);
+    system_ending_guard(remove_pending);
 }
 
 static bool report(const char *path)
@@ -154,7 +115,7 @@ bool cli_output_file_check(const char *path)
 // A symbolic link stays one: the file it leads to is what is replaced.
 static char *resolve(const char *path)
 {
-    char *resolved = realpath(path, NULL);
+    char *resolved = system_file_resolve(path);
     return resolved ? resolved : errno == ENOENT ? strdup(path) : NULL;
 }
 
@@ -184,7 +145,7 @@ static int create_guarded(struct cli_output_file *file, char *name, size_t size,
             errno = EMFILE;
             return -1;
         }
-        descriptor = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        descriptor = system_file_open(name, SYSTEM_FILE_CREATE);
         if (descriptor < 0) {
             pending.names[file->pending] = NULL;
         }
@@ -222,7 +183,7 @@ static int open_target(struct cli_output_file *file)
     const bool exists = stat(file->path, &status) == 0;
     if (exists && !S_ISREG(status.st_mode)) {
         file->seekable = false;
-        return open(file->path, O_WRONLY | O_CLOEXEC);
+        return system_file_open(file->path, SYSTEM_FILE_WRITE);
     }
     file->target = resolve(file->path);
     if (!file->target) {
@@ -230,7 +191,7 @@ static int open_target(struct cli_output_file *file)
     }
     const int descriptor = open_temporary(file);
     if (descriptor >= 0 && exists) {
-        fchmod(descriptor, status.st_mode & 07777); // best effort, as a copy would
+        system_file_permit_as(descriptor, file->path); // as a copy would
     }
     return descriptor;
 }
@@ -270,7 +231,7 @@ bool cli_output_file_commit(struct cli_output_file *file)
 {
     bool renamed = true;
     if (file->temporary) {
-        renamed = rename(file->temporary, file->target) == 0;
+        renamed = system_file_replace(file->temporary, file->target);
         if (renamed) {
             pending.names[file->pending] = NULL;
             free(file->temporary);

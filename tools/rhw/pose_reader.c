@@ -16,7 +16,7 @@ static void *read_one(void *user)
 static void begin(struct cli_pose_reader *reader)
 {
     reader->pose = NULL;
-    reader->reads = !SCENE_SANITIZED && reader->frame < reader->movement->frame_count &&
+    reader->reads = !SYSTEM_SANITIZED && reader->frame < reader->movement->frame_count &&
                     pthread_create(&reader->thread, NULL, read_one, reader) == 0;
 }
 

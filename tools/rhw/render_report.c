@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What rhw render --stats writes: times by stage and what went through the pipeline, as JSON.
 #include "json.h"
+#include "memory_limit.h"
 #include "message.h"
 #include "output_file.h"
 #include "render_job.h"
 
 #include <inttypes.h>
 #include <string.h>
-#include <sys/resource.h>
-
-static uint64_t process_memory_peak(void)
-{
-    struct rusage usage;
-    return getrusage(RUSAGE_SELF, &usage) == 0 ? (uint64_t)usage.ru_maxrss * 1024 : 0;
-}
 
 static void print_outputs(FILE *stream, unsigned kinds)
 {
@@ -85,7 +79,7 @@ static void print_report(FILE *stream, const struct cli_render_job *job, const s
     fprintf(stream,
             "  \"geometry_peak\": %" PRIu64 ",\n  \"memory_peak\": %" PRIu64
             ",\n  \"process_memory_peak\": %" PRIu64 "\n}\n",
-            pipeline->geometry_peak, pipeline->memory_peak, process_memory_peak());
+            pipeline->geometry_peak, pipeline->memory_peak, system_memory_peak());
 }
 
 bool cli_render_report(const struct cli_render_job *job, const struct scene_model *model,

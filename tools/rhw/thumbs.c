@@ -3,8 +3,12 @@
 // a time as there are cores: small models keep all cores busy so, and a file that takes its process down takes no other.
 // What is there and newer than its model is left alone, so a run that was ended goes on where it stopped.
 #include "budget.h"
+#include "file.h"
+#include "machine.h"
+#include "memory_limit.h"
 #include "options.h"
 #include "output_file.h"
+#include "subprocess.h"
 #include "rhw/rhw.h"
 #include "verbs.h"
 
@@ -15,8 +19,6 @@
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 enum {
     OPTION_OUT = 'o',
@@ -93,29 +95,33 @@ static bool is_model(const char *name)
 // Waits for one of the processes that draw.
 static void reap(struct thumbs *t)
 {
-    int status;
-    pid_t child;
-    do {
-        child = wait(&status);
-    } while (child < 0 && errno == EINTR);
+    const int status = system_subprocess_wait();
     t->running--;
-    if (child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == CLI_OK) {
+    if (status == CLI_OK) {
         t->drawn++;
     } else {
         t->failed++;
     }
 }
 
-// In the child: what rhw render does.
-static int draw(const struct thumbs *t, const char *model, const char *picture)
+// In the child.
+static int draw(int count, char **arguments)
+{
+    cli_output_files_guard();
+    return cli_render(count, arguments);
+}
+
+// False where no process can be started for it.
+static bool start_drawing(const struct thumbs *t, const char *model, const char *picture)
 {
     char size[32];
     snprintf(size, sizeof size, "%dx%d", t->width, t->height);
-    cli_output_files_guard();
     const char *arguments[20] = {"render", "--threads", "1",  "--format",     "png",        "-o",
                                  picture,  "--size",    size, "--background", t->background};
     int count = 11;
-    arguments[count++] = t->memory;
+    if (system_memory_limit_is_there()) {
+        arguments[count++] = t->memory;
+    }
     arguments[count++] = t->confine;
     arguments[count++] = t->seconds;
     if (t->budget.texture > 0) {
@@ -126,36 +132,19 @@ static int draw(const struct thumbs *t, const char *model, const char *picture)
     }
     arguments[count++] = "--";
     arguments[count++] = model;
-    return cli_render(count, (char **)arguments);
+    return system_subprocess_start(draw, count, (char **)arguments);
 }
 
-static bool is_newer(const char *picture, const struct stat *model)
+static bool start(struct thumbs *t, const char *model, const char *picture)
 {
-    struct stat there;
-    if (stat(picture, &there) != 0) {
-        return false;
-    }
-    return there.st_mtim.tv_sec > model->st_mtim.tv_sec ||
-           (there.st_mtim.tv_sec == model->st_mtim.tv_sec && there.st_mtim.tv_nsec >= model->st_mtim.tv_nsec);
-}
-
-static bool start(struct thumbs *t, const char *model, const char *picture, const struct stat *status)
-{
-    if (!t->force && is_newer(picture, status)) {
+    if (!t->force && system_file_is_newer(picture, model)) {
         t->kept++;
         return true;
     }
     while (t->running >= t->jobs) {
         reap(t);
     }
-    fflush(stdout);
-    const pid_t child = fork();
-    if (child == 0) {
-        const int result = draw(t, model, picture);
-        fflush(stdout);
-        _exit(result);
-    }
-    if (child < 0) {
+    if (!start_drawing(t, model, picture)) {
         cli_error(model, "no process can be started for it: %s", strerror(errno));
         return false;
     }
@@ -168,15 +157,15 @@ static bool make_folder(const char *path)
 {
     char part[PATH_SIZE];
     struct stat status;
-    int result = 0;
+    bool made = true;
     for (size_t i = 1; i < PATH_SIZE && path[i - 1] != '\0'; i++) {
         if ((path[i] == '/' || path[i] == '\0') && path[i - 1] != '/') {
             memcpy(part, path, i);
             part[i] = '\0';
-            result = mkdir(part, 0777);
+            made = system_folder_make(part);
         }
     }
-    if (result == 0 || (errno == EEXIST && stat(path, &status) == 0 && S_ISDIR(status.st_mode))) {
+    if (made || (errno == EEXIST && stat(path, &status) == 0 && S_ISDIR(status.st_mode))) {
         return true;
     }
     cli_error(path, "cannot be made: %s", strerror(errno == EEXIST ? ENOTDIR : errno));
@@ -194,26 +183,21 @@ static bool join(char path[PATH_SIZE], const char *folder, const char *name, con
     return false;
 }
 
-static int skip_dots(const struct dirent *entry)
-{
-    return entry->d_name[0] != '.';
-}
-
 static bool walk(struct thumbs *t, const char *in, const char *out, int depth);
 
 // False: nothing more can be done.
 static bool visit(struct thumbs *t, const char *in, const char *out, const char *name, int depth)
 {
     char model[PATH_SIZE], picture[PATH_SIZE];
-    struct stat status, link;
+    struct stat status;
     if (!join(model, in, name, "")) {
         t->failed++;
         return true;
     }
-    if (stat(model, &status) != 0 || lstat(model, &link) != 0) {
+    if (stat(model, &status) != 0) {
         return true; // it is gone, or a link to nowhere
     }
-    if (S_ISDIR(status.st_mode) && S_ISLNK(link.st_mode)) {
+    if (S_ISDIR(status.st_mode) && system_file_is_link(model)) {
         return true; // it may lead back here
     }
     const bool is_folder = S_ISDIR(status.st_mode);
@@ -232,13 +216,57 @@ static bool visit(struct thumbs *t, const char *in, const char *out, const char 
     if (is_folder) {
         return walk(t, model, picture, depth + 1);
     }
-    return make_folder(out) && start(t, model, picture, &status);
+    return make_folder(out) && start(t, model, picture);
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+// The names in a folder that do not begin with a point, in order; to be freed, each and all. −1 with errno.
+static int list_folder(const char *folder, char ***names)
+{
+    int count = 0, capacity = 0;
+    bool complete = true;
+    DIR *const entries = opendir(folder);
+    *names = NULL;
+    if (!entries) {
+        return -1;
+    }
+    for (const struct dirent *entry = readdir(entries); entry && complete; entry = readdir(entries)) {
+        if (entry->d_name[0] == '.') {
+            continue;
+        }
+        if (count == capacity) {
+            capacity = capacity > 0 ? capacity * 2 : 64;
+            char **const larger = realloc(*names, (size_t)capacity * sizeof *larger);
+            *names = larger ? larger : *names;
+            complete = larger != NULL;
+        }
+        char *const name = complete ? strdup(entry->d_name) : NULL;
+        complete = name != NULL;
+        if (complete) {
+            (*names)[count++] = name;
+        }
+    }
+    closedir(entries);
+    if (!complete) {
+        while (count-- > 0) {
+            free((*names)[count]);
+        }
+        free(*names);
+        errno = ENOMEM;
+        return -1;
+    }
+    qsort(*names, (size_t)count, sizeof **names, by_name);
+    return count;
 }
 
 static bool walk(struct thumbs *t, const char *in, const char *out, int depth)
 {
-    struct dirent **entries;
-    const int count = scandir(in, &entries, skip_dots, alphasort);
+    char **names;
+    const int count = list_folder(in, &names);
     if (count < 0) {
         cli_error(in, "cannot be read: %s", strerror(errno));
         t->failed++;
@@ -247,10 +275,10 @@ static bool walk(struct thumbs *t, const char *in, const char *out, int depth)
     bool going = true;
     for (int i = 0; i < count; i++) {
         // Pictures may lie within the folder of the models.
-        going = going && visit(t, in, out, entries[i]->d_name, depth);
-        free(entries[i]);
+        going = going && visit(t, in, out, names[i], depth);
+        free(names[i]);
     }
-    free(entries);
+    free(names);
     return going;
 }
 
@@ -284,8 +312,7 @@ static bool parse_option(struct thumbs *t, int id, const char *argument)
 static bool share_budget(struct thumbs *t)
 {
     const size_t megabyte = 1 << 20, least = 256;
-    const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
-    const size_t machine = pages > 0 && page > 0 ? (size_t)pages * (size_t)page / megabyte : least;
+    const size_t machine = system_machine_memory() / megabyte;
     const size_t share = machine / (size_t)t->jobs > least ? machine / (size_t)t->jobs : least;
     snprintf(t->memory, sizeof t->memory, "--max-memory=%zuM",
              t->budget.memory > 0 ? t->budget.memory / megabyte : share);
@@ -302,13 +329,11 @@ static bool share_budget(struct thumbs *t)
 
 int cli_thumbs(int argc, char **argv)
 {
-    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    const int cores = system_machine_processors();
     struct thumbs t = {.width = 256,
                        .height = 256,
                        .background = "transparent",
-                       .jobs = cores < 1                 ? 1
-                               : cores > RHW_MAX_THREADS ? RHW_MAX_THREADS
-                                                         : (int)cores};
+                       .jobs = cores > RHW_MAX_THREADS ? RHW_MAX_THREADS : cores};
     struct cli_parser parser;
     cli_parser_start(&parser, &verb, argc, argv);
     int id;
@@ -330,6 +355,9 @@ int cli_thumbs(int argc, char **argv)
     t.in = parser.operands[0];
     if (!share_budget(&t)) {
         return CLI_USAGE;
+    }
+    if (t.budget.memory > 0 && !system_memory_limit_is_there()) {
+        cli_warning("--max-memory", "is not kept, as this system sets no such limit");
     }
     const bool complete = make_folder(t.out) && walk(&t, t.in, t.out, 0);
     while (t.running > 0) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // See command_line.h. What is not said is as rhw render has it without being told; names are those of its options.
-#define _GNU_SOURCE // open_memstream
 #include "command_line.h"
 
+#include "growing.h"
 #include "view_job.h"
 
 #include <stdio.h>
@@ -114,12 +114,11 @@ static void put_look(FILE *out, const struct cli_render_job *job)
 
 char *view_command_line(const struct cli_render_job *job)
 {
-    char *line = NULL;
-    size_t size;
-    FILE *const out = open_memstream(&line, &size);
-    if (!out) {
+    struct system_growing line;
+    if (!system_growing_open(&line)) {
         return NULL;
     }
+    FILE *const out = line.stream;
     const enum cli_output_kind kind = (enum cli_output_kind)__builtin_ctz(job->kinds);
     fputs("rhw render ", out);
     put_model(out, job);
@@ -140,9 +139,5 @@ char *view_command_line(const struct cli_render_job *job)
     put_light(out, job);
     put_look(out, job);
     fputs(" -o picture.png", out);
-    if (fclose(out) != 0) {
-        free(line);
-        return NULL;
-    }
-    return line;
+    return system_growing_close(&line) ? line.bytes : NULL;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // See loader.h. The import itself runs in a process of its own (scene/import_process.c), which shares a page with this one
 // that says how far it is.
-#define _GNU_SOURCE // MAP_ANONYMOUS
 #include "loader.h"
 
+#include "child.h"
 #include "options.h"
 #include "sanitizer.h"
 
@@ -12,7 +12,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
 
 struct view_loader {
     struct render render;
@@ -34,7 +33,7 @@ static bool goes_on(void *user)
 // Reading forks a process; see pose_reader.c. A sanitized window therefore stands still from then on until it is done.
 static void stand_still(struct view_loader *loader)
 {
-    while (SCENE_SANITIZED && atomic_load(&loader->forks) && !atomic_load(&loader->done)) {
+    while (SYSTEM_SANITIZED && atomic_load(&loader->forks) && !atomic_load(&loader->done)) {
         atomic_store(&loader->waits, true);
         sched_yield();
     }
@@ -44,7 +43,7 @@ static void wait_for_stillness(struct view_loader *loader)
 {
     atomic_store(&loader->forks, true);
     loader->wake();
-    while (SCENE_SANITIZED && !atomic_load(&loader->waits) && goes_on(loader)) {
+    while (SYSTEM_SANITIZED && !atomic_load(&loader->waits) && goes_on(loader)) {
         sched_yield();
     }
 }
@@ -64,17 +63,19 @@ static void *load(void *user)
 
 static void release(struct view_loader *loader)
 {
-    munmap(loader->render.progress, sizeof *loader->render.progress);
+    system_child_unshare(loader->render.progress, sizeof *loader->render.progress);
     free(loader);
 }
 
 struct view_loader *view_loader_start(const struct cli_render_job *job, const char *path, void (*wake)(void))
 {
     struct view_loader *const loader = calloc(1, sizeof *loader);
-    void *const page =
-        mmap(NULL, sizeof(struct scene_progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (!loader || page == MAP_FAILED) {
+    void *const page = system_child_share(sizeof(struct scene_progress));
+    if (!loader || !page) {
         cli_error(path, "out of memory");
+        if (page) {
+            system_child_unshare(page, sizeof(struct scene_progress));
+        }
         free(loader);
         return NULL;
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // See painting.h.
-#define _GNU_SOURCE // open_memstream
 #include "painting.h"
 
 #include "explain_draw.h"
+#include "growing.h"
 #include "movement.h"
 #include "options.h"
 
@@ -49,7 +49,6 @@ static struct view_moment moment_of(const struct cli_render_job *job)
 void view_painting_open(struct view_painting *p, const struct scene_panorama *panorama)
 {
     p->render.panorama = *panorama;
-    p->render.input.descriptor = -1;
     p->render.goes_on = p->goes_on;
     p->render.user = p->user;
 }
@@ -240,19 +239,17 @@ char *view_painting_explain(struct view_painting *p, const struct view_order *or
     if (!cli_explain_draw(&p->render, x, y, 0, &history, &explanation)) {
         return NULL;
     }
-    char *text = NULL;
-    size_t size;
-    FILE *const out = open_memstream(&text, &size);
-    if (out) {
-        cli_explain_text(out, &explanation);
+    struct system_growing text;
+    const bool opened = system_growing_open(&text);
+    if (opened) {
+        cli_explain_text(text.stream, &explanation);
     }
     cli_history_free(&history);
-    if (!out || fclose(out) != 0) {
+    if (!opened || !system_growing_close(&text)) {
         cli_error(p->render.job.model_path, "out of memory");
-        free(text);
         return NULL;
     }
-    return text;
+    return text.bytes;
 }
 
 // The first name of a picture of the model that no file has.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What stands in the window: the picture, and over it what there is to say; see session.h.
+#include "growing.h"
 #include "keys.h"
 #include "panel.h"
 #include "session.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { NOTICE_SHOWN_MS = 6000, PATIENCE_MS = 400 };
@@ -49,17 +51,21 @@ static void draw_info(const struct view_session *s)
 
 static bool print_help(char *text, size_t size, bool in_one_column)
 {
-    FILE *const out = fmemopen(text, size, "w");
-    if (!out) {
+    struct system_growing help;
+    if (!system_growing_open(&help)) {
         return false;
     }
     if (in_one_column) {
-        fputs("Up, Down, wheel: scroll\n", out);
-        view_keys_print(out);
+        fputs("Up, Down, wheel: scroll\n", help.stream);
+        view_keys_print(help.stream);
     } else {
-        view_keys_print_beside(out);
+        view_keys_print_beside(help.stream);
     }
-    fclose(out);
+    if (!system_growing_close(&help)) {
+        return false;
+    }
+    snprintf(text, size, "%s", help.bytes);
+    free(help.bytes);
     return true;
 }
 

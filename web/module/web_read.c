@@ -41,8 +41,7 @@ EMSCRIPTEN_KEEPALIVE int web_read(char *words, size_t size)
                                   .texture_side = job.budget.texture,
                                   .animation = job.animation,
                                   .time = job.time,
-                                  .is_posed = job.is_posed,
-                                  .reply = reply};
+                                  .is_posed = job.is_posed};
     scene_import_run(&import);
     const bool written = scene_blob_write(&import.model, reply);
     if (fclose(reply) != 0 || !written) {

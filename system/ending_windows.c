@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// See ending.h. The system calls its handler in a thread of its own; the deadline is a thread, too.
+#include "ending.h"
+
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
+
+#include <string.h>
+
+static struct {
+    void (*clean)(void);
+    const char *late;
+    DWORD milliseconds;
+} ending;
+
+static void clean_up(void)
+{
+    if (ending.clean) {
+        ending.clean();
+    }
+}
+
+static BOOL WINAPI hear(DWORD event)
+{
+    (void)event;
+    clean_up();
+    return FALSE; // the next handler ends the program
+}
+
+void system_ending_guard(void (*clean)(void))
+{
+    ending.clean = clean;
+    (void)SetConsoleCtrlHandler(hear, TRUE);
+}
+
+static DWORD WINAPI wait_for_deadline(void *user)
+{
+    (void)user;
+    DWORD written;
+    Sleep(ending.milliseconds);
+    clean_up();
+    (void)WriteFile(GetStdHandle(STD_ERROR_HANDLE), ending.late, (DWORD)strlen(ending.late), &written, NULL);
+    ExitProcess(1);
+}
+
+void system_ending_deadline(double seconds, const char *line)
+{
+    ending.late = line;
+    ending.milliseconds = (DWORD)(seconds * 1e3);
+    HANDLE const thread = CreateThread(NULL, 0, wait_for_deadline, NULL, 0, NULL);
+    if (thread) {
+        CloseHandle(thread);
+    }
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Standard streams, and the words of the command line.
+#ifndef SYSTEM_STREAMS_H
+#define SYSTEM_STREAMS_H
+
+#include <stdbool.h>
+
+/// First of all: standard streams carry bytes as they are, and names of files have slashes. On Windows a backslash in an
+/// argument becomes one.
+void system_streams_start(int argc, char **argv);
+
+/// Waits so long, at most, for something to read from standard input, its end too. On Windows it does not wait: whether there
+/// is something is seen by reading.
+bool system_streams_have_input(int milliseconds);
+
+#endif
