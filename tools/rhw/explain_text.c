@@ -216,8 +216,9 @@ static void print_steps(FILE *out, const struct scene_texture_look *look)
 {
     double texels[2];
     for (int i = 0; i < 2; i++) {
-        texels[i] =
-            hypot((double)look->step[i][0] * look->base_width, (double)look->step[i][1] * look->base_height);
+        const double u = (double)look->step[i][0] * look->base_width;
+        const double v = (double)look->step[i][1] * look->base_height;
+        texels[i] = sqrt(u * u + v * v);
     }
     fprintf(out,
             "\n    %20s to the pixel on the right u, v go (%.5g, %.5g), to the one below (%.5g, %.5g):\n"
