@@ -23,7 +23,7 @@ bool scene_import_within(const struct scene_import *import, const char *path)
     }
     char *const resolved = system_file_resolve(path); // links lead nowhere else
     const size_t length = strlen(import->confine);
-    const bool is_root = length == 1;
+    const bool is_root = length > 0 && import->confine[length - 1] == '/';
     const bool within = resolved != NULL && strncmp(resolved, import->confine, length) == 0 &&
                         (is_root || resolved[length] == '/');
     free(resolved);

@@ -202,7 +202,9 @@ static uint64_t count_of_one_rule(const struct rhw_pass_state *pass, struct posi
 // Cuts what is left into chunks, as many as a wave takes at most. False when out of memory.
 static bool cut_wave(struct rhw_pass_state *pass, struct position at)
 {
-    enum { CUTS = 16 }; // by rules, in a wave: draws of two rules in turn would make a chunk each
+    // By rules, in a wave: enough for a background, a model, its shadow and what is seen through, while draws of two rules in
+    // turn, which would make a chunk each, cost no more than these.
+    enum { CUTS = 16 };
     const uint64_t size = pass->chunk_size;
     int cuts = 0;
     pass->chunk_count = 0;

@@ -94,18 +94,24 @@ static bool look_at(const char *path, BY_HANDLE_FILE_INFORMATION *about)
 char *system_file_resolve(const char *path)
 {
     enum { SIZE = 32768 };
-    static const char mark[] = "\\\\?\\"; // which the system puts before such paths
+    // Which the system puts before such paths.
+    static const char mark[] = "\\\\?\\", share_mark[] = "\\\\?\\UNC\\";
     HANDLE const handle = look(path);
-    char *const text = handle != INVALID_HANDLE_VALUE ? malloc(SIZE) : NULL;
-    const DWORD length = text ? GetFinalPathNameByHandleA(handle, text, SIZE, FILE_NAME_NORMALIZED) : 0;
-    if (handle != INVALID_HANDLE_VALUE) {
-        CloseHandle(handle);
+    if (handle == INVALID_HANDLE_VALUE) {
+        return NULL;
     }
+    char *const text = malloc(SIZE);
+    const DWORD length = text ? GetFinalPathNameByHandleA(handle, text, SIZE, FILE_NAME_NORMALIZED) : 0;
+    CloseHandle(handle);
     if (length == 0 || length >= SIZE) {
+        errno = text ? EACCES : ENOMEM;
         free(text);
         return NULL;
     }
-    if (strncmp(text, mark, strlen(mark)) == 0) {
+    const bool is_shared = strncmp(text, share_mark, strlen(share_mark)) == 0;
+    if (is_shared) { // \\server\share
+        memmove(text + 1, text + strlen(share_mark) - 1, length + 2 - strlen(share_mark));
+    } else if (strncmp(text, mark, strlen(mark)) == 0) {
         memmove(text, text + strlen(mark), length + 1 - strlen(mark));
     }
     for (char *c = text; *c; c++) {

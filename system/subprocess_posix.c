@@ -58,10 +58,20 @@ int system_subprocess_wait(void)
     return child > 0 ? status_of(status) : -1;
 }
 
+// What to start this program from: on Linux that which runs, whatever has become of its file.
+static void find_itself(char path[PATH_MAX])
+{
+#if defined(__linux__)
+    memcpy(path, "/proc/self/exe", sizeof "/proc/self/exe");
+#else
+    find_program(path);
+#endif
+}
+
 bool system_subprocess_can_restart(void)
 {
     char path[PATH_MAX];
-    find_program(path);
+    find_itself(path);
     return access(path, X_OK) == 0;
 }
 
@@ -71,11 +81,15 @@ int system_subprocess_restart(const char *const *arguments)
     char path[PATH_MAX];
     pid_t child;
     int status = -1;
-    find_program(path);
-    const bool ran =
-        posix_spawn(&child, path, NULL, NULL, (char *const *)(uintptr_t)arguments, environ) == 0 &&
-        waitpid(child, &status, 0) == child;
-    return ran ? status_of(status) : -1;
+    find_itself(path);
+    if (posix_spawn(&child, path, NULL, NULL, (char *const *)(uintptr_t)arguments, environ) != 0) {
+        return -1;
+    }
+    pid_t ended;
+    do {
+        ended = waitpid(child, &status, 0);
+    } while (ended < 0 && errno == EINTR);
+    return ended == child ? status_of(status) : -1;
 }
 
 void system_subprocess_become(const char *name, char **arguments)

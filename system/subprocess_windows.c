@@ -51,6 +51,11 @@ static void put_argument(struct line *line, const char *argument)
     put(line, ' ');
 }
 
+static bool is_missing(DWORD error)
+{
+    return error == ERROR_FILE_NOT_FOUND || error == ERROR_PATH_NOT_FOUND;
+}
+
 // The process, or NULL with errno.
 static HANDLE start(const char *program, const char *const *arguments)
 {
@@ -69,7 +74,7 @@ static HANDLE start(const char *program, const char *const *arguments)
         is_whole && CreateProcessA(program, line->text, NULL, NULL, TRUE, 0, NULL, NULL, &about, &process);
     free(line);
     if (!runs) {
-        errno = !is_whole ? E2BIG : GetLastError() == ERROR_FILE_NOT_FOUND ? ENOENT : EACCES;
+        errno = !is_whole ? E2BIG : is_missing(GetLastError()) ? ENOENT : EACCES;
         return NULL;
     }
     CloseHandle(process.hThread);
@@ -148,6 +153,7 @@ void system_subprocess_become(const char *name, char **arguments)
     char path[PATH_SIZE];
     char *const slash = find_program(path) ? strrchr(path, '\\') : NULL;
     HANDLE process = NULL;
+    errno = ENOENT;
     if (slash && (size_t)(slash - path) + strlen(name) + sizeof "\\.exe" < PATH_SIZE) {
         strcpy(slash + 1, name);
         strcat(slash, ".exe");
@@ -157,7 +163,6 @@ void system_subprocess_become(const char *name, char **arguments)
         (void)WaitForSingleObject(process, INFINITE);
         exit(take_status(process));
     }
-    errno = errno ? errno : ENOENT;
 }
 
 void system_subprocess_set_variable(const char *name, const char *value)

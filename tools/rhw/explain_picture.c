@@ -111,22 +111,31 @@ static bool is_crossed(const struct rhw_explained_fragment *f, const struct pane
     return false;
 }
 
-// Where the label of vertex i begins: as near as no edge crosses it.
+// The places around a vertex, from the nearest on; all of them lie beside the other panel and under the heading.
+enum { LABEL_SIDES = 2, LABEL_SHIFTS = 3, LABEL_PLACES = LABEL_SIDES * LABEL_SHIFTS * 4 };
+
+static void place_around(const struct panel_map *map, double x, double y, int n, double place[2])
+{
+    enum { NEAR = 8 };
+    const int is_below = n % LABEL_SIDES, shift = n / LABEL_SIDES % LABEL_SHIFTS;
+    const double distance = NEAR * (1.0 + n / (LABEL_SIDES * LABEL_SHIFTS));
+    const double left = x - LABEL * (shift == 0 ? 0.5 : shift == 1 ? 0.05 : 0.95);
+    place[0] = fmin(fmax(left, map->left), map->left + PANEL - LABEL);
+    place[1] = fmax(is_below ? y + distance : y - distance - LINE, TOP - LINE);
+}
+
+// Where the label of vertex i begins: as near as no edge crosses it, or else nearest.
 static void place_label(const struct rhw_explained_fragment *f, const struct panel_map *map, int i,
                         double place[2])
 {
-    enum { NEAR = 8, SIDES = 2, SHIFTS = 3, DISTANCES = 4 };
     const double x = to_x(map, f->x[i] / 256.0), y = to_y(map, f->y[i] / 256.0);
-    for (int n = 0; n < SIDES * SHIFTS * DISTANCES; n++) {
-        const int is_below = n % SIDES, shift = n / SIDES % SHIFTS;
-        const double distance = NEAR * (1.0 + n / (SIDES * SHIFTS));
-        const double left = x - LABEL * (shift == 0 ? 0.5 : shift == 1 ? 0.05 : 0.95);
-        place[0] = fmin(fmax(left, map->left), map->left + PANEL - LABEL);
-        place[1] = is_below ? y + distance : y - distance - LINE;
+    for (int n = 0; n < LABEL_PLACES; n++) {
+        place_around(map, x, y, n, place);
         if (!is_crossed(f, map, place[0], place[1])) {
             return;
         }
     }
+    place_around(map, x, y, 0, place);
 }
 
 static void draw_vertices(FILE *out, const struct rhw_explained_fragment *f, const struct panel_map *map)

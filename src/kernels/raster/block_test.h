@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The full test of a block of 8×8 pixels by masks, a bit for each pixel: stencil and depth are compared row by row, and what
 // follows is done to all of the block at once. It serves where no depth has to be rounded to its steps: where depth is a
-// float, and of 24 bits the farther half of the depth range, which perspective puts nearly everything into. A fifth of the
-// instructions of shadow_volumes.
+// float, and of 24 bits depths above 1/2: the farther half, which perspective puts nearly everything into where depth is not
+// reversed. A fifth of the instructions of shadow_volumes.
 #ifndef RHW_BLOCK_TEST_H
 #define RHW_BLOCK_TEST_H
 
 #include "full_test.h"
+
+#include <math.h>
 
 // Stencil ----------------------------------------------------------------------------------------------
 

@@ -55,7 +55,8 @@ RHW_INLINE struct settled_blocks settle_blocks(const struct tile_depth *depth, e
                                                uint64_t wanted)
 {
     const bool is_less = compare == RHW_COMPARE_LESS || compare == RHW_COMPARE_LESS_EQUAL;
-    const float margin = 2 * depth->state->depth_margin; // which rounding does not cross
+    const float margin =
+        2 * depth->state->depth_margin; // which rounding does not cross; 0 where depth is a float
     const int first_x = z.dx < 0 ? RHW_BLOCK - 1 : 0, first_y = z.dy < 0 ? RHW_BLOCK - 1 : 0;
     const i8 blocks = rhw_lane_index * RHW_BLOCK;
     const i8 column = blocks + (first_x - anchor_x), row = blocks + (first_y - anchor_y);

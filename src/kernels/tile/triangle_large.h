@@ -260,7 +260,8 @@ static uint64_t mask_of_block(const struct tile_work *work, const struct triangl
     return mask;
 }
 
-// A triangle that leaves depth as it is and changes stencil by whether it passes the depth test.
+// A triangle that leaves depth as it is and changes stencil by whether it passes the depth test. Nothing shades it, so there
+// is nothing gathered to end with.
 static __attribute__((noinline)) void draw_settled(struct tile_work *work, struct triangle_work *triangle,
                                                    const struct coverage *coverage)
 {

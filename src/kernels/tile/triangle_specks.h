@@ -31,7 +31,8 @@ RHW_INLINE unsigned find_specks(const struct triangle_setup8 *setup)
     return __builtin_popcount(specks) > FEW ? specks : 0;
 }
 
-// Sets the masks of the batch; those of triangles that are no specks are rubbish.
+// Sets the masks of the batch; those of triangles that are no specks are rubbish. Triangles of a bin reach into its tile, so
+// that all others have a column and a row at least.
 static __attribute__((noinline)) void cover_specks(struct triangle_setup8 *setup)
 {
     const i8 x0 = i8_load(setup->x0), y0 = i8_load(setup->y0);
