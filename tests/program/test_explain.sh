@@ -84,7 +84,7 @@ fragments = [f for f in told["fragments"] if "varyings" in f]
 assert len(fragments) >= 2, "the floor, the glass, and perhaps the cellar"
 assert [f["color_before"] for f in told["fragments"][1:]] == [f["color_after"] for f in told["fragments"][:-1]]
 for f in fragments:
-    assert f["sample"] == [80 * 256 + 128, 100 * 256 + 128]
+    assert f["sample"] == [80 * 256 + 128, 100 * 256 + 128] and f["at"] == [80.5, 100.5]
     assert sum(f["edges"]) == f["sum"] and all(0 <= e <= f["sum"] for e in f["edges"])
     for mine, exact in zip(f["screen"], f["screen_exact"]):
         assert abs(mine - exact) < 1e-14

@@ -147,7 +147,7 @@ static void print_components(FILE *out, const struct cli_past_fragment *past,
         struct cli_three_ways ways;
         cli_exact_component(w, f, i, &ways);
         scene_component_name(&past->drawn.surface, i, name);
-        fprintf(out, "    %-24s %13.7g %13.7g %13.7g   %15.9g %15.9g %15.9g  %6.2f\n", name,
+        fprintf(out, "    %-24s %13.9g %13.9g %13.9g   %15.9g %15.9g %15.9g  %6.2f\n", name,
                 (double)f->vertex_varyings[0][i], (double)f->vertex_varyings[1][i],
                 (double)f->vertex_varyings[2][i], ways.naive, ways.exact, (double)ways.written, ways.error);
         worst = ways.error > worst ? ways.error : worst;
@@ -327,7 +327,11 @@ static void print_derivation(FILE *out, const struct cli_explanation *e, const s
     } else {
         print_homogeneous(out, f, &weights);
     }
-    fprintf(out, "\nDepth is linear on the screen: Z_P/W_P = %.9g at the sample.\n", (double)f->depth);
+    fprintf(out,
+            "\nDepth is linear on the screen. It is tested at the sample S = (%.6g, %.6g): Z_S/W_S = %.9g. "
+            "The output\n"
+            "depth is 1 - Z/W, in the middle of the pixel.\n",
+            f->sample_x / 256.0, f->sample_y / 256.0, (double)f->depth);
     print_components(out, past, &weights);
     print_textures(out, past, e->model);
     print_color_made(out, past);

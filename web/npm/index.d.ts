@@ -348,6 +348,8 @@ export interface ExplainedFragment {
     snapped?: [number, number][];
     /** The sample, 1/256 pixel. */
     sample: [number, number];
+    /** Where values are taken, pixels: the middle of the pixel, mostly. What follows is of there. */
+    at?: [number, number];
     /** r, s, t: the weights on the screen; with `inverse_w`, 1/W, and `space`, a, b, c, where its shader ran. */
     screen?: Triple;
     inverse_w?: [number];
