@@ -249,7 +249,7 @@ RHW_INLINE void count_bytes_of_rows(uint8_t *p, size_t stride, uint64_t bits, bo
         const __m128i half[2] = {_mm256_castsi256_si128(counted), _mm256_extracti128_si256(counted, 1)};
         for (int k = 0; k < 2; k++) {
             _mm_storel_epi64((__m128i *)(void *)p, half[k]);
-            _mm_storeh_pd((double *)(void *)(p + stride), (__m128d)half[k]);
+            _mm_storel_epi64((__m128i *)(void *)(p + stride), _mm_unpackhi_epi64(half[k], half[k]));
             p += 2 * stride;
         }
     }
