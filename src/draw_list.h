@@ -79,6 +79,12 @@ struct rhw_draw {
         *viewports; // RHW_MAX_VIEWPORTS, the same for each viewport; NULL: the first alone is used
 };
 
+// Where the draw ends in the line of all triangles of its pass.
+static inline uint64_t rhw_draw_end(const struct rhw_draw *draw)
+{
+    return draw->first_triangle + (uint64_t)draw->triangles_per_instance * draw->instances;
+}
+
 // The part of a chunk that belongs to one instance of one draw, or to several that are in the chunk as a whole.
 struct rhw_segment {
     const struct rhw_draw *draw;

@@ -178,21 +178,16 @@ struct position {
     uint32_t draw;
 };
 
-static uint64_t end_of(const struct rhw_draw *draw)
-{
-    return draw->first_triangle + (uint64_t)draw->triangles_per_instance * draw->instances;
-}
-
 // Triangles from `at` on that are hidden by the same rule, `most` at most: what differs in it, a background and the model
 // before it, would be drawn in order if it were one chunk.
 static uint64_t count_of_one_rule(const struct rhw_pass_state *pass, struct position at, uint64_t most)
 {
     const struct rhw_draw *draw = rhw_pass_draw_at(pass, at.draw);
     const struct rhw_hidden_rule rule = draw->state->hidden;
-    while (end_of(draw) - at.triangle < most) {
+    while (rhw_draw_end(draw) - at.triangle < most) {
         const struct rhw_draw *const next = rhw_pass_draw_at(pass, ++at.draw);
         if (!rhw_hidden_rule_equal(next->state->hidden, rule)) {
-            return end_of(draw) - at.triangle;
+            return rhw_draw_end(draw) - at.triangle;
         }
         draw = next;
     }
@@ -211,7 +206,7 @@ static bool cut_wave(struct rhw_pass_state *pass, struct position at)
     while (at.triangle < pass->triangle_count && pass->chunk_count < RHW_WAVE_CHUNKS) {
         const uint64_t left = pass->triangle_count - at.triangle;
         const struct rhw_draw *draw = rhw_pass_draw_at(pass, at.draw);
-        while (at.triangle >= end_of(draw)) {
+        while (at.triangle >= rhw_draw_end(draw)) {
             draw = rhw_pass_draw_at(pass, ++at.draw);
         }
         const uint64_t most = left < size ? left : size;

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # The program asks its system in system/ alone: no other object calls what only POSIX has, and Windows' C library (mingw-w64)
 # does not; and each file of system/ has both kinds, for POSIX and for Windows.
-# usage: program_platform.sh SYSTEM_FOLDER SYSTEM_LIBRARY OBJECTS...
 # The list has what programs of this kind ask for; what is not in it is not looked for.
+# usage: program_platform.sh SYSTEM_FOLDER SYSTEM_LIBRARY OBJECTS...
 set -eu
 
 posix="_NSGetExecutablePath alarm dlopen execv execvp fchmod fcntl fmemopen fork fsync getrlimit getrusage kill link lstat"

@@ -152,8 +152,8 @@ static void print_fragment(const struct cli_explanation *e, const struct cli_pas
     }
     printf(", \"sample\": [%d, %d]", f->sample_x, f->sample_y);
     if (f->is_shaded) {
-        const double at[2] = {(f->sample_x >> 8) + (double)f->place[0],
-                              (f->sample_y >> 8) + (double)f->place[1]};
+        double at[2];
+        cli_explained_place(f, at);
         print_doubles("at", at, 2);
         print_doubles("screen", f->screen, 3);
         print_doubles("inverse_w", &f->inverse_w, 1);

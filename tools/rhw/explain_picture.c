@@ -193,7 +193,8 @@ static void write_numbers(FILE *out, const struct rhw_explained_fragment *f,
 static bool write_svg(FILE *out, const struct cli_explanation *e, const struct rhw_explained_fragment *f,
                       const struct cli_exact_weights *w)
 {
-    const double x = (f->sample_x >> 8) + (double)f->place[0], y = (f->sample_y >> 8) + (double)f->place[1];
+    double place[2];
+    cli_explained_place(f, place);
     const struct panel_map around = map_around(e), all = map_of_all(f);
     fprintf(
         out,
@@ -206,9 +207,9 @@ static bool write_svg(FILE *out, const struct cli_explanation *e, const struct r
     draw_pixels(out, e, &around);
     draw_outline(out, f, &around);
     fprintf(out, "</g>\n");
-    draw_place(out, &around, x, y);
-    draw_shares(out, f, &all, x, y);
-    draw_place(out, &all, x, y);
+    draw_place(out, &around, place[0], place[1]);
+    draw_shares(out, f, &all, place[0], place[1]);
+    draw_place(out, &all, place[0], place[1]);
     draw_vertices(out, f, &all);
     write_numbers(out, f, w);
     return fprintf(out, "</svg>\n") > 0;

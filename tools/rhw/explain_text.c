@@ -82,10 +82,12 @@ static void print_vertices(FILE *out, const struct rhw_explained_fragment *f)
 
 static void print_edges(FILE *out, const struct rhw_explained_fragment *f, const struct cli_exact_weights *w)
 {
+    double place[2];
+    cli_explained_place(f, place);
     fprintf(out,
             "Values are taken at P = (%.6g, %.6g). The edge functions there, in 1/65536 pixel²; the one of\n"
             "vertex i belongs to the edge opposite to it, and all are above 0 inside:\n\n",
-            (f->sample_x >> 8) + (double)f->place[0], (f->sample_y >> 8) + (double)f->place[1]);
+            place[0], place[1]);
     for (int i = 0; i < 3; i++) {
         fprintf(out, "    e_%d = %" PRId64 "\n", i, w->edge[i]);
     }
@@ -284,11 +286,13 @@ static void print_homogeneous(FILE *out, const struct rhw_explained_fragment *f,
                               const struct cli_exact_weights *w)
 {
     static const char space[] = "abc", screen[] = "rst";
+    double place[2];
+    cli_explained_place(f, place);
     fprintf(
         out,
         "A vertex lies behind the eye or too far away to be snapped. P = (%.6g, %.6g) is still a mixture of\n"
         "the vertices, and seen from P the X and Y of the mixture are 0; that leaves one a : b : c:\n\n",
-        (f->sample_x >> 8) + (double)f->place[0], (f->sample_y >> 8) + (double)f->place[1]);
+        place[0], place[1]);
     for (int i = 0; i < 3; i++) {
         fprintf(out, "    %c = %.9g      the pipeline has %.9g\n", space[i], mpq_get_d(w->space[i]),
                 (double)f->weights[i]);
@@ -347,20 +351,25 @@ static void print_nothing(FILE *out, const struct cli_explanation *e)
     fprintf(out, ".\n");
 }
 
+static void print_sample(FILE *out, const struct cli_explanation *e)
+{
+    if (e->samples > 1) {
+        fprintf(out, ", sample %d of %d", e->sample, e->samples);
+    }
+}
+
 void cli_explain_text(FILE *out, const struct cli_explanation *e)
 {
     const uint8_t *const c = cli_explained_color(e);
     fprintf(out, "%s: pixel (%d, %d) of %dx%d", e->model_path, e->x, e->y, e->width, e->height);
-    if (e->side == 1 && e->samples > 1) {
-        fprintf(out, ", sample %d of %d", e->sample, e->samples);
+    if (e->side == 1) {
+        print_sample(out, e);
     }
     fprintf(out, ", is #%02x%02x%02x in the picture.\n", c[0], c[1], c[2]);
     if (e->side > 1) {
         fprintf(out, "It is the mean of %dx%d pixels. This is about (%d, %d) of %dx%d that are drawn",
                 e->side, e->side, e->drawn_x, e->drawn_y, e->drawn_width, e->drawn_height);
-        if (e->samples > 1) {
-            fprintf(out, ", sample %d of %d", e->sample, e->samples);
-        }
+        print_sample(out, e);
         fprintf(out, ".\n");
     }
     print_history(out, e);

@@ -39,6 +39,13 @@ struct cli_texture_place {
 struct cli_texture_place cli_texture_place(const struct scene_texture_look *look,
                                            const struct scene_texture_slot *slot);
 
+/// P, where the values of a shaded fragment are taken, in pixels that are drawn.
+static inline void cli_explained_place(const struct rhw_explained_fragment *f, double place[2])
+{
+    place[0] = (f->sample_x >> 8) + (double)f->place[0];
+    place[1] = (f->sample_y >> 8) + (double)f->place[1];
+}
+
 /// The pixel itself, [4].
 static inline const uint8_t *cli_explained_color(const struct cli_explanation *e)
 {

@@ -9,9 +9,10 @@
 #include "message.h"
 
 #include <errno.h>
-#include <stdbool.h>
 #include <libgen.h>
 #include <pthread.h>
+#include <signal.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -25,7 +26,7 @@ enum {
 
 static struct {
     const char *volatile names[PENDING_MAX]; // NULL: free; the strings outlive their entry
-    volatile bool dying;
+    volatile sig_atomic_t dying;
     char late[512];       // what is said at the deadline
     pthread_mutex_t lock; // of what follows, and of taking an entry
     unsigned long created;
@@ -33,7 +34,7 @@ static struct {
 
 static void remove_pending(void)
 {
-    pending.dying = true;
+    pending.dying = 1;
     for (int i = 0; i < PENDING_MAX; i++) {
         if (pending.names[i]) {
             unlink(pending.names[i]);

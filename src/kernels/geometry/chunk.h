@@ -102,8 +102,7 @@ static bool start_runs(const struct rhw_pass_state *pass, const struct rhw_chunk
     const uint64_t end = chunk->first + chunk->count;
     for (uint32_t d = chunk->first_draw; at < end; d++) {
         const struct rhw_draw *const draw = rhw_pass_draw_at(pass, d);
-        const uint64_t draw_end =
-            draw->first_triangle + (uint64_t)draw->triangles_per_instance * draw->instances;
+        const uint64_t draw_end = rhw_draw_end(draw);
         while (at < end && at < draw_end) {
             const struct run_extent extent = next_extent(draw, at - draw->first_triangle, end - at);
             if (!start_run(worker, draw, &extent)) {
