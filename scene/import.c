@@ -347,6 +347,21 @@ static void warn_of_missing_uvs(struct scene_import *import)
     }
 }
 
+// A picture of such a model would be empty, and nothing would say why.
+static void warn_of_no_area(struct scene_import *import)
+{
+    const struct scene_model *model = &import->model;
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        const struct scene_mesh *mesh = &model->meshes[model->instances[i].mesh];
+        if (mesh->primitive != SCENE_PRIMITIVE_TRIANGLES || scene_import_has_area(mesh)) {
+            return;
+        }
+    }
+    if (model->instance_count > 0) {
+        scene_import_warn(import, "none of its triangles has an area: there is nothing to see");
+    }
+}
+
 static void mark_image_uses(struct scene_model *model)
 {
     for (uint32_t i = 0; i < model->image_count; i++) {
@@ -395,6 +410,7 @@ void scene_import_run(struct scene_import *import)
         }
     }
     keep_drawable_instances(import);
+    warn_of_no_area(import);
     if (import->up_is_open) {
         const enum scene_axis usual = model->up;
         model->up = scene_model_guess_up(model, usual);

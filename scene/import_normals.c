@@ -327,6 +327,40 @@ void scene_import_make_normals(struct scene_import *import, struct scene_mesh *m
     }
 }
 
+void scene_import_turn_to_normals(struct scene_mesh *mesh)
+{
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        uint32_t *const corner = mesh->indices + i;
+        double facet[3], given[3] = {0, 0, 0};
+        face_normal(mesh, i, facet);
+        for (int k = 0; k < 3; k++) {
+            for (int c = 0; c < 3; c++) {
+                given[c] += (double)mesh->normals[corner[k]][c];
+            }
+        }
+        if (dot(facet, given) < 0) {
+            const uint32_t second = corner[1];
+            corner[1] = corner[2];
+            corner[2] = second;
+        }
+    }
+}
+
+bool scene_import_has_area(const struct scene_mesh *mesh)
+{
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        const uint32_t *corner = mesh->indices + i;
+        double a[3], b[3], product[3];
+        subtract(mesh->positions[corner[1]], mesh->positions[corner[0]], a);
+        subtract(mesh->positions[corner[2]], mesh->positions[corner[0]], b);
+        cross(a, b, product);
+        if (product[0] != 0 || product[1] != 0 || product[2] != 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 // Tangents ------------------------------------------------------------------------------------------
 
 // Direction of growing u on a triangle, and on which side growing −v lies: 1, −1, or 0 when the texture

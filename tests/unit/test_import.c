@@ -350,6 +350,21 @@ static void check_ply(struct scene_model *model)
     scene_model_free(model);
 }
 
+static void test_no_area(void **state)
+{
+    (void)state;
+    const char *warning = "none of its triangles has an area: there is nothing to see";
+    struct scene_model *model = load_text("x.obj", "v 0 0 0\nv 1 2 3\nv -1 -2 -3\nf 1 2 3\n");
+    assert_true(has_warning(model, warning));
+    scene_model_free(model);
+    model = load_text("x.obj", "v 0 0 0\nv 1 2 3\nv -1 -2 -3\nv 1 0 0\nf 1 2 3\nf 1 2 4\n");
+    assert_int_equal(model->warning_count, 0);
+    scene_model_free(model);
+    model = load_text("x.obj", "v 0 0 0\nv 1 2 3\nl 1 2\n");
+    assert_int_equal(model->warning_count, 0);
+    scene_model_free(model);
+}
+
 static void test_ply(void **state)
 {
     (void)state;
@@ -577,6 +592,7 @@ int main(void)
         cmocka_unit_test(test_a_tip_keeps_its_faces),
         cmocka_unit_test(test_obj_syntax),
         cmocka_unit_test(test_obj_materials),
+        cmocka_unit_test(test_no_area),
         cmocka_unit_test(test_ply),
         cmocka_unit_test(test_ply_elements),
         cmocka_unit_test(test_blob),

@@ -153,6 +153,23 @@ static void test_odd_normals(void **state)
     scene_model_free(model);
 }
 
+// Normals say which side is the outside, and not the order of the corners: it is turned where they oppose each other.
+static void test_normals_that_oppose_corners(void **state)
+{
+    (void)state;
+    struct scene_model *model =
+        load_text("x.stl", "solid\n" FACET_TEXT "endloop\nendfacet\nfacet normal 0 0 -1\nouter loop\n"
+                           "vertex 0 0 5\nvertex 1 0 5\nvertex 0 1 5\nendloop\nendfacet\n"
+                           "endsolid\n");
+    const struct scene_mesh *mesh = &model->meshes[0];
+    const float corners[6][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 5}, {0, 1, 5}, {1, 0, 5}};
+    for (uint32_t k = 0; k < 6; k++) {
+        assert_floats(mesh->positions[mesh->indices[k]], corners[k], 3, 0);
+        assert_floats(mesh->normals[mesh->indices[k]], (const float[]){0, 0, k < 3 ? 1 : -1}, 3, 0);
+    }
+    scene_model_free(model);
+}
+
 static void test_cut_text(void **state)
 {
     (void)state;
@@ -179,6 +196,7 @@ int main(void)
         cmocka_unit_test(test_text),
         cmocka_unit_test(test_odd_normals),
         cmocka_unit_test(test_one_lacks_a_normal),
+        cmocka_unit_test(test_normals_that_oppose_corners),
         cmocka_unit_test(test_cut_text),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
