@@ -50,6 +50,7 @@ succeed explain floor.obj --at 80,100 $look
 cp "$folder/log/out" told.txt
 check "names the pixel" grep -q '^floor.obj: pixel (80, 100) of 160x120, sample 0 of 4, is #' told.txt
 check "the background first" grep -q '^  1. the background: written$' told.txt
+check "what it was before" grep -q '^     color (.*), which it was cleared to, becomes (' told.txt
 check "the floor" grep -Eq '[0-9]\. floor, triangle [01], (front|back): depth 0\.[0-9]+, there is 0' told.txt
 check "the cellar is hidden, or drawn over" grep -Eq 'cellar, triangle [01]' told.txt
 check "the glass is seen" grep -q '^What is seen: glass, triangle' told.txt
@@ -58,6 +59,13 @@ check "edges" grep -Eq '^    e_2 = [0-9]+$' told.txt
 check "the division" grep -q '1/W_P = r/W_0 + s/W_1 + t/W_2' told.txt
 check "three ways" grep -Eq '^    position z +[-0-9.e+]+ +[-0-9.e+]+' told.txt
 check "within the bound" test "$(sed -n 's/^The largest error is \([0-9]*\)\..*/\1/p' told.txt)" -lt 6
+check "smooth is not said to be noperspective" sh -c '! grep -q noperspective told.txt'
+succeed explain floor.obj --at 80,100 $look --interpolate noperspective
+check "nothing of 1/W is taken" grep -q "^This picture's varyings are noperspective: they take r, s, t, and nothing of 1/W.$" "$folder/log/out"
+sed 's/^d 0.5/map_Kd nowhere.png/; s/^Kd 0.2.*/map_Kd nowhere.png/' floor.mtl >lost.mtl
+sed 's/floor.mtl/lost.mtl/; s/^f 5 6 7 8/f 5\/1 6\/2 7\/3 8\/4/' floor.obj >lost.obj
+succeed explain lost.obj --quiet --at 80,100 $look
+check "a texture that is missing" grep -q 'the nearest texel, as it stands in for a file that is missing:$' "$folder/log/out"
 
 # A floor that reaches behind the eye has corners nowhere on the screen: the weights follow from the homogeneous triangle.
 sed 's/^v \(.*\) 8$/v \1 30/' floor.obj >long.obj

@@ -53,7 +53,7 @@ static void print_history(FILE *out, const struct cli_explanation *e)
         if (f->fate == RHW_FRAGMENT_WRITTEN) {
             fprintf(out, "\n     color ");
             print_color(out, f->color_before[0]);
-            fprintf(out, " becomes ");
+            fprintf(out, i == 0 ? ", which it was cleared to, becomes " : " becomes ");
             print_color(out, f->color_after[0]);
             if (f->is_shaded) {
                 fprintf(out, "; its shader gave ");
@@ -128,6 +128,9 @@ static void print_perspective(FILE *out, const struct rhw_explained_fragment *f,
             fprintf(out, "      the pipeline leaves it out: a = 1 - b - c\n");
         }
     }
+    if (f->component_count > 0 && f->qualifiers[0] == RHW_NOPERSPECTIVE) {
+        fprintf(out, "\nThis picture's varyings are noperspective: they take r, s, t, and nothing of 1/W.\n");
+    }
 }
 
 static void print_components(FILE *out, const struct cli_past_fragment *past,
@@ -168,8 +171,9 @@ static double share_of(int i, const double part[2], enum rhw_filter filter)
     return share;
 }
 
-// The four texels around the place in a level: each with its share where they are mixed, else the nearest.
-static void print_texels(FILE *out, const struct scene_texture_look *look, int next, enum rhw_filter filter)
+// The four texels around the place in a level: each with its share where they are mixed, else the nearest. `nearest`: why.
+static void print_texels(FILE *out, const struct scene_texture_look *look, int next, enum rhw_filter filter,
+                         const char *nearest)
 {
     const float side[2] = {(float)look->width, (float)look->height};
     double part[2];
@@ -178,8 +182,9 @@ static void print_texels(FILE *out, const struct scene_texture_look *look, int n
         const double place = (double)look->uv[i] * half - 0.5;
         part[i] = place - floor(place);
     }
-    fprintf(out, "    %20s level %d%s:\n", "", (int)look->level + next,
-            filter == RHW_FILTER_LINEAR ? "" : ", the nearest texel, as the file says");
+    fprintf(out, "    %20s level %d%s%s:\n", "", (int)look->level + next,
+            filter == RHW_FILTER_LINEAR ? "" : ", the nearest texel, as ",
+            filter == RHW_FILTER_LINEAR ? "" : nearest);
     for (int i = 0; i < 4; i++) {
         const double share = share_of(i, part, filter);
         if (filter == RHW_FILTER_LINEAR || share > 0.0) {
@@ -230,24 +235,27 @@ static void print_steps(FILE *out, const struct scene_texture_look *look)
             (double)look->lod);
 }
 
-static void print_texture(FILE *out, const struct scene_texture_look *look,
+static void print_texture(FILE *out, const struct scene_texture_look *look, const struct scene_model *model,
                           const struct scene_material *material)
 {
     struct cli_texture_place place = {.filter = RHW_FILTER_LINEAR};
+    const char *nearest = "the file says";
     fprintf(out, "    %-20s level %.4g; level %d has %dx%d texels, and the place is (%.3f, %.3f)",
             scene_slot_name(look->slot), (double)look->level, (int)look->level, look->width, look->height,
             (double)look->place[0], (double)look->place[1]);
     if (material) {
-        place = cli_texture_place(look, &material->slots[look->slot]);
+        const struct scene_texture_slot *const slot = &material->slots[look->slot];
+        place = cli_texture_place(look, slot);
         print_inside(out, &place);
+        nearest = model->images[slot->image].missing ? "it stands in for a file that is missing" : nearest;
     }
     print_steps(out, look);
     fprintf(out, "\n    %20s gives ", "");
     print_color(out, look->texel);
     fprintf(out, "\n");
-    print_texels(out, look, 0, place.filter);
+    print_texels(out, look, 0, place.filter, nearest);
     if (look->level > floorf(look->level)) {
-        print_texels(out, look, 1, place.filter);
+        print_texels(out, look, 1, place.filter, nearest);
     }
 }
 
@@ -262,7 +270,7 @@ static void print_textures(FILE *out, const struct cli_past_fragment *past, cons
                      "by its fraction, in the next, this is read:\n\n");
     }
     for (int i = 0; i < past->look_count; i++) {
-        print_texture(out, &past->looks[i], material);
+        print_texture(out, &past->looks[i], model, material);
     }
 }
 
