@@ -64,7 +64,7 @@ struct scene_import {
     struct scene_progress *progress; // of the options
     const char *missing;             // why scene_import_find_file gave NULL last
     bool up_is_open;                 // model.up is what is usual in the format; the model's shape decides
-    bool winding_is_open;            // the order of corners says nothing of sides; normals of the file do
+    bool sides_are_open;             // nothing in the format says which side of a surface is the front
     struct system_child *child;      // that reads; its reply is what the parent gets
 };
 
@@ -162,9 +162,9 @@ void scene_import_gather_vertices(struct scene_import *import, struct scene_mesh
 uint32_t *scene_import_weld_positions(struct scene_import *import, const struct scene_mesh *mesh);
 void scene_import_make_normals(struct scene_import *import, struct scene_mesh *mesh,
                                enum scene_import_normals kind);
-/// Turns the triangles whose normals point to where their corners run clockwise: the second corner and the third change
-/// places, so that the side the normals point to is the front.
-void scene_import_turn_to_normals(struct scene_mesh *mesh);
+/// Turns normals of the triangles that have them on the side from which their corners run clockwise: what shades a surface
+/// by the side that is seen goes by the corners. A vertex of such triangles and of others becomes two.
+void scene_import_turn_normals(struct scene_import *import, struct scene_mesh *mesh);
 /// Whether some triangle of a mesh of triangles has an area.
 bool scene_import_has_area(const struct scene_mesh *mesh);
 void scene_import_make_tangents(struct scene_import *import, struct scene_mesh *mesh,

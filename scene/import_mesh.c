@@ -318,8 +318,8 @@ void scene_import_complete_mesh(struct scene_import *import, uint32_t index,
         if (normals == SCENE_IMPORT_FLAT) {
             join_vertices(import, mesh); // the triangles of one flat face share their vertices again
         }
-    } else if (import->winding_is_open) {
-        scene_import_turn_to_normals(mesh);
+    } else if (import->sides_are_open) {
+        scene_import_turn_normals(import, mesh);
     }
     const struct scene_texture_slot *slot = find_tangent_slot(&import->model.materials[mesh->material]);
     if (slot == NULL || mesh->uvs[slot->uv_set] == NULL) {

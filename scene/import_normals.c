@@ -327,23 +327,64 @@ void scene_import_make_normals(struct scene_import *import, struct scene_mesh *m
     }
 }
 
-void scene_import_turn_to_normals(struct scene_mesh *mesh)
+// Whether the normals of a triangle's corners point, together, to where the corners run clockwise.
+static bool opposes_corners(const struct scene_mesh *mesh, uint32_t first_corner)
 {
-    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
-        uint32_t *const corner = mesh->indices + i;
-        double facet[3], given[3] = {0, 0, 0};
-        face_normal(mesh, i, facet);
-        for (int k = 0; k < 3; k++) {
-            for (int c = 0; c < 3; c++) {
-                given[c] += (double)mesh->normals[corner[k]][c];
-            }
-        }
-        if (dot(facet, given) < 0) {
-            const uint32_t second = corner[1];
-            corner[1] = corner[2];
-            corner[2] = second;
+    double facet[3], given[3] = {0, 0, 0};
+    face_normal(mesh, first_corner, facet);
+    for (uint32_t k = 0; k < 3; k++) {
+        const float *const normal = mesh->normals[mesh->indices[first_corner + k]];
+        for (int c = 0; c < 3; c++) {
+            given[c] += (double)normal[c];
         }
     }
+    return dot(facet, given) < 0;
+}
+
+static void turn_normal(struct scene_mesh *mesh, uint32_t vertex)
+{
+    for (int c = 0; c < 3; c++) {
+        mesh->normals[vertex][c] = -mesh->normals[vertex][c];
+    }
+    if (mesh->tangents) { // the bitangent, which is their product, stays
+        mesh->tangents[vertex][3] = -mesh->tangents[vertex][3];
+    }
+}
+
+void scene_import_turn_normals(struct scene_import *import, struct scene_mesh *mesh)
+{
+    enum { KEPT = 1, TURNED = 2 }; // how a vertex is used
+    const uint32_t count = mesh->vertex_count;
+    uint8_t *use = scene_import_allocate(import, count, sizeof *use);
+    bool *opposes = scene_import_allocate(import, mesh->index_count / 3, sizeof *opposes);
+    bool any = false;
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        opposes[i / 3] = i % 3 == 0 ? opposes_corners(mesh, i) : opposes[i / 3];
+        any = any || opposes[i / 3];
+        use[mesh->indices[i]] |= opposes[i / 3] ? TURNED : KEPT;
+    }
+    if (any) {
+        uint32_t *source = scene_import_allocate(import, 2 * (size_t)count, sizeof *source);
+        uint32_t *turned = scene_import_allocate(import, count, sizeof *turned), end = count;
+        for (uint32_t v = 0; v < count; v++) {
+            source[v] = v;
+            turned[v] = use[v] == (KEPT | TURNED) ? end++ : v;
+            source[turned[v]] = v;
+        }
+        scene_import_gather_vertices(import, mesh, source, end);
+        for (uint32_t v = 0; v < count; v++) {
+            if (use[v] & TURNED) {
+                turn_normal(mesh, turned[v]);
+            }
+        }
+        for (uint32_t i = 0; i < mesh->index_count; i++) {
+            mesh->indices[i] = opposes[i / 3] ? turned[mesh->indices[i]] : mesh->indices[i];
+        }
+        free(source);
+        free(turned);
+    }
+    free(use);
+    free(opposes);
 }
 
 bool scene_import_has_area(const struct scene_mesh *mesh)

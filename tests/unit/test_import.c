@@ -350,6 +350,23 @@ static void check_ply(struct scene_model *model)
     scene_model_free(model);
 }
 
+// Two triangles share vertices whose normals point up; one lies with its corners the other way round.
+static void test_normals_turned_apart(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_text("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\n"
+                                                   "f 1//1 2//1 3//1\nf 2//1 3//1 4//1\nl 1 2\n");
+    const struct scene_mesh *mesh = &model->meshes[0];
+    assert_int_equal(mesh->vertex_count, 6); // two of four are in both
+    const int corners[6] = {0, 1, 2, 1, 2, 3};
+    for (uint32_t i = 0; i < 6; i++) {
+        const float place[3] = {(float)(corners[i] % 2), (float)(corners[i] / 2), 0};
+        assert_floats(mesh->positions[mesh->indices[i]], place, 3, 0);
+        assert_floats(mesh->normals[mesh->indices[i]], (const float[]){0, 0, i < 3 ? 1 : -1}, 3, 0);
+    }
+    scene_model_free(model);
+}
+
 static void test_no_area(void **state)
 {
     (void)state;
@@ -592,6 +609,7 @@ int main(void)
         cmocka_unit_test(test_a_tip_keeps_its_faces),
         cmocka_unit_test(test_obj_syntax),
         cmocka_unit_test(test_obj_materials),
+        cmocka_unit_test(test_normals_turned_apart),
         cmocka_unit_test(test_no_area),
         cmocka_unit_test(test_ply),
         cmocka_unit_test(test_ply_elements),
