@@ -192,7 +192,7 @@ async function checkErrors(checks, rhw, read, data) {
                        /^rhw: a\.obj: is not drawn as /);
 }
 
-async function checkTriangles(checks, rhw) {
+async function checkTriangles(checks, rhw, threads) {
     const square = new Float32Array([-1, -1, 0.5, 1, -1, 0.5, -1, 1, 0.5, 1, 1, 0.5]);
     const indices = new Uint32Array([0, 1, 2, 2, 1, 3]);
     // The diagonal goes through the centres of four pixels, of which it is the left edge of the second triangle.
@@ -220,6 +220,16 @@ async function checkTriangles(checks, rhw) {
     const none = await rhw.rasterize({ size: 2, positions: new Float32Array(0) });
     checks.same('no triangles', [[...none.ids], [...none.depth]], [[0, 0, 0, 0], [1, 1, 1, 1]]);
 
+    const many = Float32Array.from({ length: 3 * 4 * 300 }, (_, i) => i % 4 < 2 ? Math.sin(i * i) : i % 4 === 2 ? i / 7200 : 1);
+    const [all, single] = [await rhw.rasterize({ size: 300, positions: many }), await rhw.rasterize({ size: 300, positions: many, threads: 1 })];
+    checks.same('threads of triangles', [all.threads, single.threads], [threads, 1]);
+    checks.that('something is drawn', single.ids.some((id) => id !== 0));
+    for (const name of ['ids', 'depth', 'barycentric']) {
+        checks.that(`${name} with threads`, all[name].every((value, i) => value === single[name][i]));
+    }
+    await checks.fails('no threads for triangles', rhw.rasterize({ size: 4, positions: square, threads: 0 }),
+                       /^rhw: threads: '0' is not a number from 1$/);
+
     const good = { size: 4, positions: square, components: 3, indices };
     const bad = (what, change, pattern) => checks.fails(what, rhw.rasterize({ ...good, ...change }), pattern);
     await bad('a size beyond 32 bits', { size: [-4294967196, 100] }, /^rhw: rasterize: size -4294967196x100: width and height/);
@@ -240,6 +250,6 @@ export async function check(rhw, read, threads) {
     await checkPictures(checks, rhw, read, data.cases);
     await checkScene(checks, rhw, read, data, threads);
     await checkErrors(checks, rhw, read, data);
-    await checkTriangles(checks, rhw);
+    await checkTriangles(checks, rhw, threads);
     return { count: checks.count, failures: checks.failures };
 }

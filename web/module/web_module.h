@@ -69,12 +69,13 @@ struct web_triangles {
     const float *matrix; ///< [16], column major, from the positions to clip coordinates; NULL: they are such
     int32_t cull;        ///< enum rhw_cull; front faces are counter-clockwise
     int32_t depth_range; ///< enum rhw_depth_range
+    int32_t threads;     ///< at most, 1..RHW_MAX_THREADS; afterwards how many drew
     // What comes out, [height][width] from the top left. NULL: not wanted.
     uint32_t *ids;      ///< 1 + the nearest triangle's number; 0 where there is none
     float *depth;       ///< 0 near to 1 far; 1 where there is none
     float *barycentric; ///< [4]: a, b, c, which are right in perspective, and 0
 };
 /// False after a message.
-bool web_rasterize(const struct web_triangles *triangles);
+bool web_rasterize(struct web_triangles *triangles);
 
 #endif

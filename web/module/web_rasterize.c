@@ -142,7 +142,7 @@ static enum rhw_result record(rhw_context *context, rhw_pass pass, const struct 
     return result;
 }
 
-static enum rhw_result draw(rhw_context *context, const struct web_triangles *t)
+static enum rhw_result draw(rhw_context *context, struct web_triangles *t)
 {
     static const enum rhw_format formats[TARGETS] = {RHW_FORMAT_R32_UINT, RHW_FORMAT_RGBA32_FLOAT};
     struct rhw_pass_def def = rhw_pass_def_default();
@@ -160,7 +160,9 @@ static enum rhw_result draw(rhw_context *context, const struct web_triangles *t)
         return result;
     }
     result = t->index_count > 0 ? record(context, pass, t) : RHW_OK;
-    const enum rhw_result ended = rhw_pass_end(context, pass, NULL);
+    struct rhw_stats stats = {0};
+    const enum rhw_result ended = rhw_pass_end(context, pass, &stats);
+    t->threads = stats.threads;
     result = result == RHW_OK ? ended : result;
     if (result == RHW_OK && t->ids) {
         result = rhw_texture_read(context, def.colors[IDS].texture, 0, t->ids, 0);
@@ -174,13 +176,14 @@ static enum rhw_result draw(rhw_context *context, const struct web_triangles *t)
     return result;
 }
 
-EMSCRIPTEN_KEEPALIVE bool web_rasterize(const struct web_triangles *triangles)
+EMSCRIPTEN_KEEPALIVE bool web_rasterize(struct web_triangles *triangles)
 {
     web_messages_clear();
     if (!check(triangles)) {
         return false;
     }
-    const struct rhw_context_def def = rhw_context_def_default();
+    struct rhw_context_def def = rhw_context_def_default();
+    def.threads = triangles->threads;
     rhw_context *context;
     if (fail(rhw_context_create(&def, &context))) {
         return false;

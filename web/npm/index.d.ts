@@ -436,6 +436,8 @@ export interface Triangles {
     cull?: 'none' | 'front' | 'back';
     /** Of the depth that is in view, after the division by W: WebGPU's and Vulkan's (the default), or OpenGL's. */
     depthRange?: 'zero-to-one' | 'minus-one-to-one';
+    /** At most; the default is all that `Picture.threads` may have. The result does not depend on it. */
+    threads?: number;
 }
 
 /** What is nearest at the centre of every pixel, rows from top to bottom. */
@@ -451,6 +453,8 @@ export interface Fragments {
      * [height × width × 4]
      */
     barycentric: Float32Array;
+    /** That drew. */
+    threads: number;
 }
 
 /**

@@ -236,16 +236,23 @@ function checkArray(option, array, Type, rule, fits = () => true) {
     }
 }
 
-let rasterizer;
+const rasterizers = new Map(); // by how many threads they have at most
 
-async function rasterizerInstance() {
-    rasterizer ??= Instance.create();
-    const instance = await rasterizer.catch((error) => {
-        rasterizer = undefined;
+async function rasterizerInstance(threads) {
+    if (!rasterizers.has(threads)) {
+        rasterizers.set(threads, Instance.create(threads));
+    }
+    try {
+        const instance = await rasterizers.get(threads);
+        if (!instance.crashed) {
+            return instance;
+        }
+    } catch (error) {
+        rasterizers.delete(threads);
         throw error;
-    });
-    rasterizer = instance.crashed ? undefined : rasterizer;
-    return instance.crashed ? rasterizerInstance() : instance;
+    }
+    rasterizers.delete(threads);
+    return rasterizerInstance(threads);
 }
 
 // What lies in the module's memory for a call, and is freed after it.
@@ -295,7 +302,8 @@ export async function rasterize(triangles) {
         checkArray('matrix', matrix, Float32Array, 'of 16 numbers, column by column', (length) => length === 16);
     }
     const rules = [choose('cull', cull, culls), choose('depthRange', depthRange, depthRanges)];
-    const instance = await rasterizerInstance();
+    const threads = await threadsOf(triangles);
+    const instance = await rasterizerInstance(threads === 1 ? 1 : await mostThreads());
     const lent = new Lent(instance);
     try {
         const vertices = positions.length / components;
@@ -303,8 +311,9 @@ export async function rasterize(triangles) {
         const asked = [lent.give(positions), lent.give(indices), lent.give(matrix)];
         const [ids, depth, barycentric] = [4, 4, 16].map((size) => lent.room(Math.max(pixels, 1) * size));
         const words = [width, height, asked[0], components, vertices, asked[1], indices?.length ?? vertices, asked[2],
-                       ...rules, ids, depth, barycentric];
-        if (!instance.call('rasterize', '_web_rasterize', lent.give(Uint32Array.from(words)))) {
+                       ...rules, threads, ids, depth, barycentric];
+        const place = lent.give(Uint32Array.from(words));
+        if (!instance.call('rasterize', '_web_rasterize', place)) {
             throw instance.error();
         }
         return {
@@ -313,6 +322,7 @@ export async function rasterize(triangles) {
             ids: instance.copyOut(Uint32Array, ids, pixels),
             depth: instance.copyOut(Float32Array, depth, pixels),
             barycentric: instance.copyOut(Float32Array, barycentric, 4 * pixels),
+            threads: instance.copyOut(Uint32Array, place, words.length).at(-4),
         };
     } finally {
         lent.takeBack();
