@@ -180,6 +180,41 @@ static void test_bias_of_small_triangles(void **state)
     }
 }
 
+// Depth that clipping switched off, or bias, carries from 3/4 to 5/4 is 1 from the middle on, on every path: where blocks are
+// tested by masks too, which a draw with stencil is. What is drawn at 1 afterwards counts there, and nowhere else.
+static void test_depth_beyond_one(void **state)
+{
+    (void)state;
+    static const enum rhw_format formats[] = {RHW_FORMAT_D24_UNORM_S8_UINT, RHW_FORMAT_D32_FLOAT_S8_UINT};
+    static const struct rhw_stencil_face count = {.pass = RHW_STENCIL_INCREMENT_WRAP};
+    for (int i = 0; i < 8; i++) {
+        const bool is_float = i & 1, biased = i & 2, general = i & 4;
+        struct rig rig;
+        uint8_t stencil[SIZE * SIZE];
+        rig_open_with(&rig, SIZE, SIZE,
+                      &(struct rhw_context_def){.paths = general ? RHW_PATHS_GENERAL : RHW_PATHS_ALL});
+        set_format(&rig, formats[is_float]);
+        struct rhw_pipeline_def *const def = &rig.pipeline;
+        def->stencil_test = true;
+        def->stencil_front = def->stencil_back = count;
+        def->depth_compare = RHW_COMPARE_LESS_EQUAL;
+        def->depth_clip_disabled = !biased;
+        def->depth_bias.constant = !biased ? 0 : is_float ? 0x1p21f : 0x1p22f; // 1/4
+        rig_begin(&rig);
+        cover_ramp(&rig, biased ? 0.5f : 0.75f, 0.5f / SIZE, red);
+        def->depth_bias.constant = 0;
+        def->depth_compare = RHW_COMPARE_EQUAL;
+        cover(&rig, 1, green);
+        rig_end(&rig);
+        assert_int_equal(rhw_texture_read_stencil(rig.context, rig.pass.depth.texture, 0, stencil, 0),
+                         RHW_OK);
+        for (int p = 0; p < SIZE * SIZE; p++) {
+            assert_int_equal(stencil[p], p % SIZE < SIZE / 2 ? 1 : 2);
+        }
+        rig_close(&rig);
+    }
+}
+
 // A ramp from −1 to 2 in front of, within and behind the view volume.
 static void test_clip_and_clamp(void **state)
 {
@@ -299,6 +334,7 @@ int main(void)
         cmocka_unit_test(test_steps_draw_the_same_on_every_path),
         cmocka_unit_test(test_bias),
         cmocka_unit_test(test_bias_of_small_triangles),
+        cmocka_unit_test(test_depth_beyond_one),
         cmocka_unit_test(test_clip_and_clamp),
         cmocka_unit_test(test_no_near_plane),
         cmocka_unit_test(test_depth_bounds),

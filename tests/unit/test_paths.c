@@ -257,8 +257,34 @@ static void test_every_path_draws_the_same_bytes(void **state)
     }
 }
 
+// One colour, of which RGBA8 takes the texel: in blocks that the rectangle fills, and in the parts of others.
+static void test_constant_texels(void **state)
+{
+    (void)state;
+    static const unsigned char texel[4] = {0, 64, 128, 191};
+    struct rig rig;
+    struct rig_vertex vertices[6];
+    rig_open(&rig, WIDTH, HEIGHT);
+    rig_set_target(&rig, 0, RHW_FORMAT_RGBA8_UNORM);
+    rig_set_program(&rig, position_alone, constant);
+    rig.pipeline.program.varying_count = 0;
+    rig.pipeline.program.varyings[0] = (struct rhw_varying){0};
+    rig_rectangle(&rig, 3, 5, 61, 60, 0.5f, (const float[4]){0}, vertices);
+    rig_draw_once(&rig, vertices, 6);
+    const unsigned char *const texels = rig_read(&rig, rig.pass.colors[0].texture);
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        const int x = i % WIDTH, y = i / WIDTH;
+        const bool inside = x >= 3 && x < 61 && y >= 5 && y < 60;
+        assert_memory_equal(texels + 4 * (size_t)i, inside ? texel : (const unsigned char[4]){0}, 4);
+    }
+    rig_close(&rig);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_path_draws_the_same_bytes)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_path_draws_the_same_bytes),
+        cmocka_unit_test(test_constant_texels),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

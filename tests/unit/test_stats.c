@@ -176,6 +176,41 @@ static void test_bin_entries(void **state)
     rig_close(&rig);
 }
 
+// Long triangles are drawn in the tiles that their edges lead through. From 8 at the top, y = 8, to 312 at the bottom,
+// y = 248, an edge has x = 78.9, 160 and 241.1 where one row of tiles ends and the next begins; that of the other side stays
+// within the same tiles: to 94 in the first row, 172 in the second, 251 in the third. So it is two tiles in each of 4 rows, of
+// 20 that its rectangle has, whether it turns this way or that, begins outside of the target, or is what the near plane leaves.
+static void test_bin_entries_of_long_triangles(void **state)
+{
+    (void)state;
+    enum { WIDTH = 5 * 64, HEIGHT = 4 * 64, LONG = 4 };
+    static const float corners[LONG][3][3] = {
+        {{8, 8, 0.5f}, {24, 8, 0.5f}, {312, 248, 0.5f}},
+        {{WIDTH - 8, 8, 0.5f}, {WIDTH - 24, 8, 0.5f}, {WIDTH - 312, 248, 0.5f}},
+        {{-296, -232, 0.5f}, {-280, -232, 0.5f}, {312, 248, 0.5f}},
+        {{8, 8, 0.5f}, {24, 8, 0.5f}, {616, 488, -0.5f}}, // cut in its middle: at (312, 248) and (320, 248)
+    };
+    struct rig rig;
+    rig_open(&rig, WIDTH, HEIGHT);
+    for (int i = 0; i < LONG; i++) {
+        struct rig_vertex vertices[3];
+        for (int k = 0; k < 3; k++) {
+            const float *const at = corners[i][k];
+            rig_place(&rig, at[0], at[1], at[2], 1, vertices[k].position);
+            memcpy(vertices[k].value, white, sizeof white);
+        }
+        rig_draw_once(&rig, vertices, 3);
+        assert_int_equal(rig.stats.triangles_clipped, i == 3);
+        assert_int_equal(rig.stats.bin_entries, 8);
+    }
+    // The halves of a square, of 4 rows and columns: the tiles on and beside its diagonal, whose corners are tiles' corners.
+    struct rig_vertex square[6];
+    rig_rectangle(&rig, 0, 0, HEIGHT, HEIGHT, 0.5f, white, square);
+    rig_draw_once(&rig, square, 6);
+    assert_int_equal(rig.stats.bin_entries, 2 * (1 + 2 + 3 + 4));
+    rig_close(&rig);
+}
+
 static void test_stats_start_anew(void **state)
 {
     (void)state;
@@ -202,6 +237,7 @@ int main(void)
         cmocka_unit_test(test_shared_vertices),
         cmocka_unit_test(test_times_add_up),
         cmocka_unit_test(test_bin_entries),
+        cmocka_unit_test(test_bin_entries_of_long_triangles),
         cmocka_unit_test(test_stats_start_anew),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

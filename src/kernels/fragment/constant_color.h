@@ -34,6 +34,21 @@ static void prepare_constant(struct tile_work *work)
     work->constant_is_ready = true;
 }
 
+// Puts a texel of 4 bytes into the pixels of a block that are set in `mask`.
+RHW_INLINE void replace_block(unsigned char *texels, i8 texel, uint64_t mask)
+{
+    const size_t stride = RHW_TILE * sizeof(int32_t);
+    if (mask == ~(uint64_t)0) { // most are, where a draw is large
+        for (int row = 0; row < RHW_BLOCK; row++) {
+            i8_store(texels + (size_t)row * stride, texel);
+        }
+        return;
+    }
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        store_words(texels + (size_t)row * stride, texel, i8_from_bits((unsigned)(mask >> (8 * row)) & 0xff));
+    }
+}
+
 // Blends the pixels of the block at (x, y) whose bits are set in `mask`, in one sample.
 RHW_INLINE void blend_constant_plane(struct tile_work *work, int sample, int x, int y, uint64_t mask)
 {
@@ -45,18 +60,14 @@ RHW_INLINE void blend_constant_plane(struct tile_work *work, int sample, int x, 
         const struct rhw_blend_state *const state = &work->state->blend[t];
         const size_t size = work->pass->colors[t].texel_size;
         unsigned char *const texels = color_plane(scratch, t, sample) + (size_t)(y * RHW_TILE + x) * size;
-        const i8 texel = scratch->constant[t];
+        if (state->path == BLEND_RGBA8_REPLACE) {
+            replace_block(texels, scratch->constant[t], mask);
+            continue;
+        }
         for (int row = 0; row < RHW_BLOCK; row++) {
-            const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
-            unsigned char *const to = texels + (size_t)(row * RHW_TILE) * size;
-            if (state->path != BLEND_RGBA8_REPLACE) {
-                const i8 live = i8_from_bits(bits);
-                blend_group_apart(state, scratch->queue.colors[0][t], &live, to);
-            } else if (bits == 0xff) {
-                i8_store(to, texel);
-            } else {
-                store_words(to, texel, i8_from_bits(bits));
-            }
+            const i8 live = i8_from_bits((unsigned)(mask >> (8 * row)) & 0xff);
+            blend_group_apart(state, scratch->queue.colors[0][t], &live,
+                              texels + (size_t)(row * RHW_TILE) * size);
         }
     }
 }

@@ -5,6 +5,7 @@
 
 #include "../../arena.h"
 #include "geometry_scratch.h"
+#include "tile_spans.h"
 
 // Unites the tiles of all triangles in the list, which is not empty. Bytes are compared 32 at a time; the array has
 // room for that.
@@ -76,8 +77,8 @@ static int triangles_that_fit(const struct rhw_chunk *chunk, const struct rhw_tr
     }
     uint32_t entries = 0; // below 2^16 triangles · 2^16 tiles
     for (int t = 0; t < list->count; t++) {
-        const struct rhw_tile_range *const r = &list->ranges[t];
-        entries += (uint32_t)((r->x1 - r->x0 + 1) * (r->y1 - r->y0 + 1));
+        struct tile_spans spans;
+        entries += set_tile_spans(&spans, list, t);
         if (entries > most) {
             return t;
         }
@@ -100,21 +101,45 @@ RHW_INLINE ptrdiff_t first_bin(struct bin_grid grid, const struct rhw_triangle_l
                       : in_layer;
 }
 
-// Adds the number of entries of each bin to counts[bin]. Most triangles lie in one tile.
+// Adds the entries of triangle `t` to the counts from that of its first tile on.
+static __attribute__((noinline)) void count_tiles(uint32_t *counts, int width,
+                                                  const struct rhw_triangle_list *list, int t)
+{
+    const int height = list->ranges[t].y1 - list->ranges[t].y0 + 1;
+    struct tile_spans spans;
+    set_tile_spans(&spans, list, t);
+    for (int y = 0; y < height; y++) {
+        for (int x = spans.first[y]; x <= spans.last[y]; x++) {
+            counts[y * width + x]++;
+        }
+    }
+}
+
+// Writes them.
+static __attribute__((noinline)) void place_tiles(uint16_t *entries, uint32_t *ends, int width,
+                                                  const struct rhw_triangle_list *list, int t)
+{
+    const int height = list->ranges[t].y1 - list->ranges[t].y0 + 1;
+    struct tile_spans spans;
+    set_tile_spans(&spans, list, t);
+    for (int y = 0; y < height; y++) {
+        for (int x = spans.first[y]; x <= spans.last[y]; x++) {
+            entries[ends[y * width + x]++] = (uint16_t)t;
+        }
+    }
+}
+
+// Adds the number of entries of each bin to counts[bin]. Most triangles lie in one tile; the others are counted out of line,
+// so that these keep their registers.
 RHW_INLINE void count_entries(uint32_t *counts, struct bin_grid grid, const struct rhw_triangle_list *list,
                               bool is_layered)
 {
     for (int t = 0; t < list->count; t++) {
-        const struct rhw_tile_range *const r = &list->ranges[t];
         uint32_t *const count = counts + first_bin(grid, list, t, is_layered);
-        if (is_one_tile(r)) {
+        if (is_one_tile(&list->ranges[t])) {
             ++*count;
-            continue;
-        }
-        for (int y = 0; y <= r->y1 - r->y0; y++) {
-            for (int x = 0; x <= r->x1 - r->x0; x++) {
-                count[y * grid.width + x]++;
-            }
+        } else {
+            count_tiles(count, grid.width, list, t);
         }
     }
 }
@@ -124,16 +149,11 @@ RHW_INLINE void place_entries(uint16_t *entries, uint32_t *ends, struct bin_grid
                               const struct rhw_triangle_list *list, bool is_layered)
 {
     for (int t = 0; t < list->count; t++) {
-        const struct rhw_tile_range *const r = &list->ranges[t];
         uint32_t *const end = ends + first_bin(grid, list, t, is_layered);
-        if (is_one_tile(r)) {
+        if (is_one_tile(&list->ranges[t])) {
             entries[(*end)++] = (uint16_t)t;
-            continue;
-        }
-        for (int y = 0; y <= r->y1 - r->y0; y++) {
-            for (int x = 0; x <= r->x1 - r->x0; x++) {
-                entries[end[y * grid.width + x]++] = (uint16_t)t;
-            }
+        } else {
+            place_tiles(entries, end, grid.width, list, t);
         }
     }
 }

@@ -202,8 +202,10 @@ static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_c
     const uint64_t shaded = rhw_time_ns();
     // There is room for all triangles; what culling leaves of it goes back.
     const size_t room = (size_t)chunk->count * (size_t)pass->triangles_most * sizeof *list->triangles;
-    *list = (struct rhw_triangle_list){rhw_arena_alloc(&worker->arena, room, RHW_CACHE_LINE),
-                                       scratch->tile_ranges, 0};
+    *list = (struct rhw_triangle_list){.triangles = rhw_arena_alloc(&worker->arena, room, RHW_CACHE_LINE),
+                                       .ranges = scratch->tile_ranges,
+                                       .segments = scratch->segments,
+                                       .polygons = scratch->polygons};
     if (!list->triangles) {
         return false;
     }

@@ -8,8 +8,6 @@
 
 #include "full_test.h"
 
-#include <math.h>
-
 // Stencil ----------------------------------------------------------------------------------------------
 
 // Does an operation to the stencil of the pixels of the block at (x, y) that are set in `mask`.
@@ -94,7 +92,8 @@ RHW_INLINE uint64_t test_depth_rows(const struct block_pixels *block, const stru
 }
 
 // Tests the pixels of a block before shading, where rounding keeps its depths and nothing but stencil and depth is tested;
-// `face`: 0 for the front. `stencil_is_tested`: they have passed that test.
+// `face`: 0 for the front. `stencil_is_tested`: they have passed that test. No depth has to be held to 1: those of a triangle
+// that may leave the viewport's range have been held to it (depth_rows).
 static __attribute__((noinline)) uint64_t test_block_masks(const struct block_pixels *block,
                                                            const struct rhw_depth_rule rule, int face,
                                                            bool stencil_is_tested)
@@ -108,12 +107,7 @@ static __attribute__((noinline)) uint64_t test_block_masks(const struct block_pi
         unfailed &= compare_stencil_block(depth, x, y, rules);
         change_stencil_block(depth, x, y, block->mask & ~unfailed, rules, rules->fail);
     }
-    f8 z[RHW_BLOCK];
-    const f8 most = f8_splat(state->depth_steps != 0 ? 1 : INFINITY);
-    for (int row = 0; row < RHW_BLOCK; row++) {
-        z[row] = f8_min(block->z[row], most);
-    }
-    const struct block_pixels pixels = {depth, z, x, y, unfailed};
+    const struct block_pixels pixels = {depth, block->z, x, y, unfailed};
     const uint64_t passed = test_depth_rows(&pixels, rule);
     if (state->tests_stencil && rules->depth_fail != RHW_STENCIL_KEEP) {
         change_stencil_block(depth, x, y, unfailed & ~passed, rules, rules->depth_fail);

@@ -74,8 +74,14 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
         set_planes(work, triangle);
     }
     f8 z[RHW_BLOCK];
-    struct block block = {.x = x, .y = y, .at = block_offset(work, &triangle->planes, x, y), .z = z};
+    struct block
+        block; // set member by member: gcc clears all of it before an initializer, by a slow `rep stos`
+    block.x = x;
+    block.y = y;
+    block.at = block_offset(work, &triangle->planes, x, y);
+    block.z = z;
     block.leaves_triangle = leaves_triangle(triangle, &block.at);
+    block.samples = NULL;
     if (plan->needs_depth || work->explained) {
         depth_rows(work, triangle, &block, mask, z);
     }
