@@ -74,8 +74,8 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
         set_planes(work, triangle);
     }
     f8 z[RHW_BLOCK];
-    struct block
-        block; // set member by member: gcc clears all of it before an initializer, by a slow `rep stos`
+    // Set member by member: before an initializer gcc clears all of it, by a slow `rep stos`.
+    struct block block;
     block.x = x;
     block.y = y;
     block.at = block_offset(work, &triangle->planes, x, y);
