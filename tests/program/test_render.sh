@@ -245,6 +245,10 @@ succeed render cube.obj $view -o a.png --environment other.exr
 succeed render cube.obj $view -o a.png
 refuse 1 "nowhere.hdr: No such file" render cube.obj -o a.png --environment nowhere.hdr
 refuse 1 "a.png: an environment must be a Radiance HDR or an OpenEXR picture" render cube.obj -o b.png --environment a.png
+refuse 1 "cube.mtl: an environment must be a Radiance HDR or an OpenEXR picture" render cube.obj -o b.png --environment cube.mtl
+: >empty.hdr
+refuse 1 "empty.hdr: the file is empty" render cube.obj -o b.png --environment empty.hdr
+refuse 1 "\.: Is a directory" render cube.obj -o b.png --environment .
 head -c 60 sky.hdr >cut.hdr
 refuse 1 "cut.hdr: the Radiance HDR file ends too early" render cube.obj -o b.png --environment cut.hdr
 check "nothing is left of a failure" test ! -e b.png

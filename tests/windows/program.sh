@@ -123,6 +123,10 @@ same render absent.glb -o picture.png
 same render folder -o picture.png
 same render square.glb -o absent/picture.png
 same render square.glb -o folder
+same render square.glb -o folder/
+same render square.glb -o '{word}.png'
+same thumbs absent -o thumbs
+same help compare
 same info absent.glb
 same compare absent.png square.glb
 for side in models native windows; do

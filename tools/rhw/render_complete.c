@@ -54,11 +54,38 @@ static bool choose_out(struct cli_render_job *job)
     return true;
 }
 
+// A word in braces would be a part of the file's name.
+static bool check_placeholders(const struct cli_render_job *job)
+{
+    static const char *const known[] = {"{name}", "{view}", "{frame}"};
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ",
+                      others[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_:";
+    for (const char *in = strchr(job->out, '{'); in; in = strchr(in + 1, '{')) {
+        const size_t length = strspn(in + 1, others);
+        if (strspn(in + 1, letters) == 0 || in[length + 1] != '}') {
+            continue;
+        }
+        bool is_known = false;
+        for (size_t i = 0; i < sizeof known / sizeof *known && !is_known; i++) {
+            is_known = strlen(known[i]) == length + 2 && strncmp(known[i], in, length + 2) == 0;
+        }
+        if (!is_known) {
+            cli_error(job->out, "%.*s stands for nothing; there are {name}, {view}, {frame} and {}",
+                      (int)length + 2, in);
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool check_format(struct cli_render_job *job)
 {
     const bool to_stdout = strcmp(job->out, "-") == 0;
     if (job->format == CLI_PICTURE_UNKNOWN) {
         job->format = to_stdout ? CLI_PICTURE_PNG : cli_picture_format_of(job->out);
+    }
+    if (job->format == CLI_PICTURE_UNKNOWN && cli_output_file_is_folder(job->out)) {
+        return false;
     }
     if (job->format == CLI_PICTURE_UNKNOWN) {
         cli_error(job->out,
@@ -251,8 +278,8 @@ bool cli_render_job_complete(struct cli_render_job *job)
         cli_error("--background", "environment needs --environment FILE");
         return false;
     }
-    if (!check_models(job) || !choose_out(job) || !check_format(job) || !check_camera(job) ||
-        !check_several(job) || !check_movement(job)) {
+    if (!check_models(job) || !choose_out(job) || !check_placeholders(job) || !check_format(job) ||
+        !check_camera(job) || !check_several(job) || !check_movement(job)) {
         return false;
     }
     choose_texture_side(job);

@@ -5,7 +5,6 @@
 #include "budget.h"
 #include "file.h"
 #include "machine.h"
-#include "memory_limit.h"
 #include "options.h"
 #include "output_file.h"
 #include "subprocess.h"
@@ -70,7 +69,7 @@ static const struct cli_verb verb = {
 struct thumbs {
     const char *in, *out, *background;
     int width, height, jobs;
-    bool quiet, force;
+    bool quiet, force, keeps_memory;
     struct cli_budget budget; // of each model
     char memory[48], seconds[32], texture[32];
     char confine[PATH_SIZE + 16];
@@ -119,7 +118,7 @@ static bool start_drawing(const struct thumbs *t, const char *model, const char 
     const char *arguments[20] = {"render", "--threads", "1",  "--format",     "png",        "-o",
                                  picture,  "--size",    size, "--background", t->background};
     int count = 11;
-    if (system_memory_limit_is_there()) {
+    if (t->keeps_memory) {
         arguments[count++] = t->memory;
     }
     arguments[count++] = t->confine;
@@ -282,6 +281,18 @@ static bool walk(struct thumbs *t, const char *in, const char *out, int depth)
     return going;
 }
 
+// Reports where not.
+static bool can_read(const char *folder)
+{
+    DIR *const entries = opendir(folder);
+    if (entries) {
+        closedir(entries);
+    } else {
+        cli_error(folder, "cannot be read: %s", strerror(errno));
+    }
+    return entries != NULL;
+}
+
 static bool parse_option(struct thumbs *t, int id, const char *argument)
 {
     switch (id) {
@@ -356,9 +367,10 @@ int cli_thumbs(int argc, char **argv)
     if (!share_budget(&t)) {
         return CLI_USAGE;
     }
-    if (t.budget.memory > 0 && !system_memory_limit_is_there()) {
-        cli_warning("--max-memory", "is not kept, as this system sets no such limit");
+    if (!can_read(t.in)) {
+        return CLI_FAILED;
     }
+    t.keeps_memory = cli_budget_check(&t.budget);
     const bool complete = make_folder(t.out) && walk(&t, t.in, t.out, 0);
     while (t.running > 0) {
         reap(&t);
