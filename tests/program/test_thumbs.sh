@@ -35,6 +35,24 @@ ln -s .. in/deep/above
 succeed thumbs in -o out --size 32 --force
 check "links to folders" grep -q "^3 drawn, 0 kept, 0 failed$" "$folder/log/out"
 
+# The camera of a file is taken, unless --fit says otherwise: as render does. A ground that makes it a dot is left out of
+# the subject.
+mkdir cameras
+cp "$root/tests/fuzz/seeds/square.glb" cameras
+cat cube.obj >cameras/ground.obj
+printf 'v -500 0 -500\nv 500 0 -500\nv 500 0 500\nv -500 0 500\nf -4 -3 -2 -1\n' >>cameras/ground.obj
+cp cube.mtl cameras
+for option in "" --fit --fit=subject --fit=all; do
+    succeed thumbs cameras -o fitted --size 32 --force $option
+    for model in square.glb ground.obj; do
+        succeed render cameras/$model --size 32 -o "$model$option.png" --background transparent $option
+        check "a thumbnail is what render draws, $model $option" cmp "$model$option.png" fitted/$model.png
+    done
+done
+check "a camera of a file" sh -c "! cmp -s square.glb.png square.glb--fit.png"
+check "all of a file" sh -c "! cmp -s ground.obj--fit.png ground.obj--fit=all.png"
+refuse 2 "--fit: 'some' is not subject or all" thumbs cameras -o fitted --fit=some
+
 # One that cannot be drawn is told, the others are drawn, nothing is left of it.
 printf 'solid nothing\n' >in/broken.stl
 run thumbs in -o other --size 16

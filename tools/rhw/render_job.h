@@ -72,6 +72,9 @@ enum { CLI_AXES = SCENE_AXIS_MINUS_X + 1 };
 
 extern const char *const cli_axis_names[CLI_AXES]; ///< of enum scene_axis
 
+/// What --fit fits: all, or the subject, which it is without an argument, NULL. Reports what is wrong with it.
+bool cli_parse_fit(const char *argument, bool *fit_all);
+
 struct cli_render_times {
     double import_ms, encode_ms, total_ms;
 };

@@ -242,14 +242,19 @@ static bool parse_paths(struct cli_render_job *job, const char *argument)
     return true;
 }
 
-static bool parse_fit(struct cli_render_job *job, const char *argument)
+bool cli_parse_fit(const char *argument, bool *fit_all)
 {
     static const char *const names[] = {"subject", "all"};
-    const bool turned = job->camera == CLI_CAMERA_ORBIT || job->camera == CLI_CAMERA_VIEWS;
     const int what = argument ? cli_choose("--fit", argument, names, 2) : 0;
-    job->fit_all = what == 1;
+    *fit_all = what == 1;
+    return what >= 0;
+}
+
+static bool parse_fit(struct cli_render_job *job, const char *argument)
+{
+    const bool turned = job->camera == CLI_CAMERA_ORBIT || job->camera == CLI_CAMERA_VIEWS;
     // --orbit and --views fit as well
-    return what >= 0 && (turned || choose_camera(job, CLI_CAMERA_FIT, "--fit"));
+    return cli_parse_fit(argument, &job->fit_all) && (turned || choose_camera(job, CLI_CAMERA_FIT, "--fit"));
 }
 
 const char *const cli_axis_names[CLI_AXES] = {

@@ -7,6 +7,7 @@
 #include "machine.h"
 #include "options.h"
 #include "output_file.h"
+#include "render_job.h"
 #include "subprocess.h"
 #include "rhw/rhw.h"
 #include "verbs.h"
@@ -26,6 +27,7 @@ enum {
     OPTION_JOBS = 'j',
     OPTION_BACKGROUND = 256,
     OPTION_FORCE,
+    OPTION_FIT,
     OPTION_MEMORY = CLI_BUDGET_MEMORY,
     OPTION_TIME = CLI_BUDGET_TIME,
     OPTION_TEXTURE = CLI_BUDGET_TEXTURE,
@@ -37,6 +39,9 @@ static const struct cli_option options[] = {
     {"out", OPTION_OUT, "DIR", "the folder for the pictures, made where it is missing"},
     {"size", OPTION_SIZE, "WxH", "pixels, each way 1..16384, or N for a square; default 256x256"},
     {"background", OPTION_BACKGROUND, "COLOR", "as for rhw render; default transparent"},
+    {"fit", OPTION_FIT, "[WHAT]",
+     "fit each model into its picture, also when its file has cameras: its\nsubject (the default) or all, as "
+     "for rhw render"},
     {"force", OPTION_FORCE, NULL, "draw also what is there and newer than its model"},
     {"jobs", OPTION_JOBS, "N",
      "models at a time, 1..64; default: one for each core that the process may use"},
@@ -68,6 +73,7 @@ static const struct cli_verb verb = {
 
 struct thumbs {
     const char *in, *out, *background;
+    const char *fit; // an option; NULL: the file's camera, where it has one
     int width, height, jobs;
     bool quiet, force, keeps_memory;
     struct cli_budget budget; // of each model
@@ -123,6 +129,9 @@ static bool start_drawing(const struct thumbs *t, const char *model, const char 
     }
     arguments[count++] = t->confine;
     arguments[count++] = t->seconds;
+    if (t->fit) {
+        arguments[count++] = t->fit;
+    }
     if (t->budget.texture > 0) {
         arguments[count++] = t->texture;
     }
@@ -295,10 +304,17 @@ static bool can_read(const char *folder)
 
 static bool parse_option(struct thumbs *t, int id, const char *argument)
 {
+    bool fit_all;
     switch (id) {
     case OPTION_OUT: t->out = argument; return true;
     case OPTION_BACKGROUND: t->background = argument; return true;
     case OPTION_FORCE: t->force = true; return true;
+    case OPTION_FIT:
+        if (!cli_parse_fit(argument, &fit_all)) {
+            return false;
+        }
+        t->fit = fit_all ? "--fit=all" : "--fit";
+        return true;
     case OPTION_QUIET: t->quiet = true; return true;
     case OPTION_JOBS:
         if (cli_parse_int(argument, 1, RHW_MAX_THREADS, &t->jobs)) {

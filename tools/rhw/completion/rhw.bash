@@ -70,7 +70,7 @@ _rhw_thumbs() { # CURRENT PREVIOUS
     --max-texture) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
     --confine) _rhw_files "$1" ;;
     --jobs | -j) ;;
-    *) _rhw_rest "$1" file --out --size --background --force --jobs --max-memory --max-time --max-texture --confine --quiet --help ;;
+    *) _rhw_rest "$1" file --out --size --background --fit --force --jobs --max-memory --max-time --max-texture --confine --quiet --help ;;
     esac
 }
 
