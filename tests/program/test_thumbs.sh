@@ -53,6 +53,17 @@ check "a camera of a file" sh -c "! cmp -s square.glb.png square.glb--fit.png"
 check "all of a file" sh -c "! cmp -s ground.obj--fit.png ground.obj--fit=all.png"
 refuse 2 "--fit: 'some' is not subject or all" thumbs cameras -o fitted --fit=some
 
+# Names in braces stand for nothing.
+mkdir -p 'braces/{name}'
+cp cube.mtl 'braces/{name}'
+for word in '{foo}' '{frame}' '{}'; do
+    cp cube.obj "braces/{name}/$word.obj"
+done
+succeed thumbs braces -o '{view}' --size 16
+for word in '{foo}' '{frame}' '{}'; do
+    check "a picture of $word" test -s "{view}/{name}/$word.obj.png"
+done
+
 # One that cannot be drawn is told, the others are drawn, nothing is left of it.
 printf 'solid nothing\n' >in/broken.stl
 run thumbs in -o other --size 16

@@ -89,12 +89,19 @@ refuse 2 "--camera-index: cube.obj has no cameras" render cube.obj -o a.png --ca
 refuse 2 "--camera-name: cube.obj has no cameras" render cube.obj -o a.png --camera-name front
 
 for word in foo Name frame:04 names; do
-    refuse 2 "a_\{$word\}.png: \{$word\} stands for nothing; there are \{name\}, \{view\}, \{frame\} and \{\}" \
+    refuse 2 "a_\{$word\}.png: \{$word\} stands for nothing; there are \{name\}, \{view\}, \{frame\} and \{\}; --literal takes it as it is\$" \
         render cube.obj -o "a_{$word}.png"
     refuse 2 ".* stands for nothing" render cube.obj --turntable 2 -o "{name}{$word}/{frame}.png"
 done
 succeed render cube.obj --size 8 -o '{1-2}{a-b}{{x.{}.png' # none of those is a word
 check "braces in a name" test -s '{1-2}{a-b}{{x.color.png'
+for word in '{foo}' '{name}' '{view}' '{frame}' '{}'; do
+    succeed render cube.obj --size 8 --literal -o "a_$word.png"
+    check "--literal $word" test -s "a_$word.png"
+    cp cube.obj "$word.obj"
+    succeed render "$word.obj" --size 8
+    check "a picture is named after $word.obj" test -s "$word.png"
+done
 
 refuse 2 "a.gif: no format for this ending" render cube.obj -o a.gif
 refuse 2 "png: no format for this ending" render cube.obj -o png

@@ -40,6 +40,7 @@ enum {
     OPTION_PRINT_CAMERA,
     OPTION_QUALITY,
     OPTION_STATS,
+    OPTION_LITERAL,
     OPTION_STRICT
 };
 
@@ -47,6 +48,7 @@ static const struct cli_option options[] = {
     {"out", OPTION_OUT, "OUT",
      "the file to write: .png, .jpg, .webp, .exr or .ppm; '-' is standard\noutput; default: MODEL's name "
      "with .png in the current folder, unless there is\nsuch a file"},
+    {"literal", OPTION_LITERAL, NULL, "braces in OUT stand for themselves (see below)"},
     {"size", OPTION_SIZE, "WxH", "pixels, each way 1..16384, or N for a square; default 1280x720"},
     {"samples", OPTION_SAMPLES, "N", "samples of each pixel, for smooth edges: 1, 2, 4, 8 or 16; default 4"},
     {"supersample", OPTION_SUPERSAMPLE, "N",
@@ -163,10 +165,10 @@ static const char notes[] =
     "ending:\n"
     "out.depth.png. If OUT has a {}, the name of the output takes its place. Several models need an OUT with "
     "{name},\n"
-    "which stands for a model's name without its ending: rhw render *.glb -o out/{name}.png. An EXR holds "
-    "all outputs in "
-    "one\n"
-    "file as numbers without any mapping: R G B A (light before tone mapping, premultiplied, without\n"
+    "which stands for a model's name without its ending: rhw render *.glb -o out/{name}.png. With --literal "
+    "nothing in\n"
+    "OUT stands for anything. An EXR holds all outputs in one file as numbers without any mapping: R G B A\n"
+    "(light before tone mapping, premultiplied, without "
     "background), depth.Z, distance.Z, normal.XYZA, position.XYZA, uv.UV, object.id, triangle.id (integers, "
     "0\n"
     "is nothing), bary.abc.\n\n"
@@ -435,6 +437,7 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
         job->stats = true;
         job->stats_path = argument ? argument : "-";
         return true;
+    case OPTION_LITERAL: job->is_literal = true; return true;
     case OPTION_ISA: return parse_isa(job, argument);
     case OPTION_UP: return parse_up(job, argument);
     case OPTION_PATHS: return parse_paths(job, argument);

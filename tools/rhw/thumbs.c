@@ -121,9 +121,9 @@ static bool start_drawing(const struct thumbs *t, const char *model, const char 
 {
     char size[32];
     snprintf(size, sizeof size, "%dx%d", t->width, t->height);
-    const char *arguments[20] = {"render", "--threads", "1",  "--format",     "png",        "-o",
-                                 picture,  "--size",    size, "--background", t->background};
-    int count = 11;
+    const char *arguments[20] = {"render", "--threads", "1",      "--format", "png",          "--literal",
+                                 "-o",     picture,     "--size", size,       "--background", t->background};
+    int count = 12;
     if (t->keeps_memory) {
         arguments[count++] = t->memory;
     }

@@ -20,6 +20,7 @@ complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explai
 set -l seen '__fish_seen_subcommand_from render'
 complete -c rhw -n "$seen" -F
 complete -c rhw -n "$seen" -s o -l out -r -F -d 'the file to write'
+complete -c rhw -n "$seen" -l literal -d 'braces in OUT stand for themselves'
 complete -c rhw -n "$seen" -s s -l size -x -a '512 1280x720 1920x1080 1024x1024 3840x2160' -d 'pixels, each way 1..16384, or N for a square'
 complete -c rhw -n "$seen" -l samples -x -a '1 2 4 8 16' -d 'samples of each pixel, for smooth edges'
 complete -c rhw -n "$seen" -l supersample -x -a '1 4 9 16' -d 'pixels drawn and shaded for each one of the picture, which smooths surfaces too and costs as many times as much'
