@@ -226,8 +226,9 @@ int32_t scene_import_add_image(struct scene_import *import, const char *name,
     return (int32_t)(import->model.image_count - 1);
 }
 
-void *scene_import_read_file(struct scene_import *import, const char *path, size_t *size,
-                             const char **problem)
+const char scene_import_no_memory[] = "outofmem"; // as stb_image says it
+
+void *scene_import_read_bytes(const char *path, size_t *size, const char **problem)
 {
     const int descriptor = system_file_open(path, SYSTEM_FILE_READ);
     if (descriptor < 0) {
@@ -241,7 +242,12 @@ void *scene_import_read_file(struct scene_import *import, const char *path, size
         return NULL;
     }
     *size = (size_t)status.st_size;
-    char *bytes = scene_import_allocate(import, *size + 1, 1);
+    char *bytes = calloc(*size + 1, 1);
+    if (bytes == NULL) {
+        *problem = scene_import_no_memory;
+        close(descriptor);
+        return NULL;
+    }
     size_t done = 0;
     while (done < *size) {
         const size_t left = *size - done, most = 1 << 30; // that Windows reads at a time, and Linux nearly
@@ -259,6 +265,16 @@ void *scene_import_read_file(struct scene_import *import, const char *path, size
         *problem = "could not be read to its end";
         free(bytes);
         return NULL;
+    }
+    return bytes;
+}
+
+void *scene_import_read_file(struct scene_import *import, const char *path, size_t *size,
+                             const char **problem)
+{
+    void *bytes = scene_import_read_bytes(path, size, problem);
+    if (bytes == NULL && *problem == scene_import_no_memory) {
+        scene_import_fail(import, "needs more memory than there is (%zu MiB more)", *size / 1048576);
     }
     return bytes;
 }

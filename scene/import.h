@@ -68,7 +68,7 @@ struct scene_import {
     struct system_child *child;      // that reads; its reply is what the parent gets
 };
 
-/// Sends one line to the parent and ends the process.
+/// Sends one line to the parent and ends the process. For the thread that reads alone, when it has no helpers.
 _Noreturn void scene_import_fail(struct scene_import *import, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 /// Adds a line to the warnings / the unsupported things of the model, once.
@@ -84,9 +84,12 @@ void scene_import_reserve(struct scene_import *import, void *array, size_t *capa
                           size_t size);
 /// A copy of at most `length` bytes as one line of valid UTF-8: what is neither becomes '?'.
 const char *scene_import_string(struct scene_import *import, const char *text, size_t length);
-/// The whole of a regular file, or NULL with a reason in `problem`.
+/// The whole of a regular file, or NULL with a reason in `problem`; fails the import where there is no memory for it.
 void *scene_import_read_file(struct scene_import *import, const char *path, size_t *size,
                              const char **problem);
+/// The same for helpers: where there is no memory, that is the reason, scene_import_no_memory.
+void *scene_import_read_bytes(const char *path, size_t *size, const char **problem);
+extern const char scene_import_no_memory[];
 
 // Adding to the model. The pointer is valid until the next addition of the same kind.
 struct scene_mesh *scene_import_add_mesh(struct scene_import *import);

@@ -50,16 +50,57 @@ static size_t default_memory(void)
     return share > 0 && share < most ? share : most;
 }
 
+// What the child is told. All of it is the child's own (child.h), but for arrays and the progress.
 struct order {
-    const struct scene_import *start;
-    const struct scene_model_options *options;
+    struct scene_import start;
+    struct scene_model_options options;
+    char *strings[5]; // that those point to
 };
 
-static int run_child(const void *user, struct system_child *child)
+static void release_order(void *user)
+{
+    struct order *const order = user;
+    for (size_t i = 0; i < sizeof order->strings / sizeof order->strings[0]; i++) {
+        free(order->strings[i]);
+    }
+    free(order);
+}
+
+static bool own(const char **text, char **copy)
+{
+    if (*text != NULL) {
+        *text = *copy = strdup(*text);
+        return *copy != NULL;
+    }
+    return true;
+}
+
+// NULL: there is not enough memory.
+static struct order *make_order(const struct scene_import *import, const struct scene_model_options *options)
+{
+    struct order *const order = malloc(sizeof *order);
+    if (order == NULL) {
+        return NULL;
+    }
+    *order = (struct order){.start = *import, .options = *options};
+    const char **const texts[] = {&order->start.model.path, &order->options.name, &order->options.variant,
+                                  &order->options.animation, &order->options.confine};
+    bool enough = true;
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        enough = own(texts[i], &order->strings[i]) && enough;
+    }
+    if (!enough) {
+        release_order(order);
+        return NULL;
+    }
+    return order;
+}
+
+static int run_child(void *user, struct system_child *child)
 {
     const struct order *const order = user;
-    const struct scene_model_options *const options = order->options;
-    struct scene_import import = *order->start;
+    const struct scene_model_options *const options = &order->options;
+    struct scene_import import = order->start;
     import.model.unit = "";
     import.name = options->name != NULL ? options->name : import.model.path;
     import.variant = options->variant;
@@ -183,9 +224,15 @@ struct scene_model *scene_import_start(const struct scene_import *import,
                                        size_t error_size)
 {
     const unsigned seconds = options->seconds > 0 ? options->seconds : DEFAULT_SECONDS;
-    const struct order order = {import, options};
+    struct order *const order = make_order(import, options);
+    if (order == NULL) {
+        refuse(error, error_size, "import could not start: %s", strerror(ENOMEM));
+        return NULL;
+    }
     const struct system_child_work work = {.run = run_child,
-                                           .user = &order,
+                                           .user = order,
+                                           .release = release_order,
+                                           .is_borrowing = import->arrays || options->progress,
                                            .cpu_seconds = seconds,
                                            .wall_seconds = seconds * WALL_FACTOR,
                                            .memory = options->memory > 0 ? options->memory : default_memory(),

@@ -13,9 +13,9 @@
 // Decoding ------------------------------------------------------------------------------------------
 
 struct decoding {
-    struct scene_import *import;
-    const char **problems; // per image; written by the thread that took the image
-    atomic_uint next;      // the next image that nobody has taken
+    const struct scene_import *import; // which helpers cannot fail
+    const char **problems;             // per image; written by the thread that took the image
+    atomic_uint next;                  // the next image that nobody has taken
 };
 
 // Large images one at a time, so that what they take together, and whether there is memory for it, is not a matter of
@@ -37,7 +37,7 @@ static const char *decode_bytes(const struct scene_import *import, const void *b
     return problem;
 }
 
-static const char *decode_image(struct scene_import *import, uint32_t index)
+static const char *decode_image(const struct scene_import *import, uint32_t index)
 {
     struct scene_image *image = &import->model.images[index];
     const struct scene_import_source *source = &import->sources[index];
@@ -61,7 +61,7 @@ static const char *decode_image(struct scene_import *import, uint32_t index)
         return problem;
     }
     size_t size = 0;
-    void *bytes = scene_import_read_file(import, source->file, &size, &problem);
+    void *bytes = scene_import_read_bytes(source->file, &size, &problem);
     if (bytes == NULL) {
         return problem;
     }
@@ -307,7 +307,7 @@ void scene_import_decode_images(struct scene_import *import)
         if (decoding.problems[i] == NULL) {
             continue;
         }
-        if (strcmp(decoding.problems[i], "outofmem") == 0) { // as stb_image says it; no fault of the file
+        if (strcmp(decoding.problems[i], scene_import_no_memory) == 0) { // no fault of the file
             scene_import_fail(import, "needs more memory than there is for texture \"%s\"",
                               model->images[i].name);
         }

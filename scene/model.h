@@ -219,7 +219,7 @@ struct scene_model {
 };
 
 /// How far an import is: for another thread while one is under way, which reads it by the __atomic built-ins. Zeroed before;
-/// in memory that forked processes share (mmap with MAP_SHARED).
+/// in memory that forked processes share (system_child_share).
 struct scene_progress {
     uint32_t image_count, images; ///< to be decoded, 0 until that begins; of them, done
 };
@@ -238,7 +238,8 @@ struct scene_model_options {
     bool without_images;   ///< they are not read: a single white texel stands for each
     uint32_t texture_side; ///< images that are longer are halved until they are not; 0: none is
     const char *confine;   ///< a folder; nothing outside it is read that the file names. NULL: everything is
-    struct scene_progress *progress; ///< NULL: nobody asks
+    /// NULL: nobody asks. Windows keeps no time for an import that has one (system/child.h).
+    struct scene_progress *progress;
     /// Asked several times a second by the thread that waits; false: the import is given up. NULL: nobody is asked.
     bool (*goes_on)(void *user);
     void *user;

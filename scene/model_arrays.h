@@ -54,7 +54,7 @@ struct scene_arrays {
 };
 
 /// Copies the arrays, which must stay as they are meanwhile. Indices that are out of range fail; what is not finite
-/// is left out as it is of a file. Otherwise as scene_model_load.
+/// is left out as it is of a file. Otherwise as scene_model_load, but that Windows keeps no time.
 struct scene_model *scene_model_make(const struct scene_arrays *arrays,
                                      const struct scene_model_options *options, char *error,
                                      size_t error_size);

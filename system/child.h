@@ -2,6 +2,9 @@
 // Work that is done apart from the program, because it may crash, hang or ask for all memory: in a process that is a copy of
 // this one. Windows copies no processes; there it is a thread, which shares the fate of the program, and whose memory is not
 // limited. What it takes and never frees is then the program's loss.
+//
+// Nobody can end a thread: one that runs out of time goes on. What it uses is therefore its own: `user`, the reply and what is
+// known of it here have two owners, the thread and who waits for it, and the last of them frees all three.
 #ifndef SYSTEM_CHILD_H
 #define SYSTEM_CHILD_H
 
@@ -25,17 +28,18 @@ enum system_child_end {
 /// What the child has of it.
 struct system_child {
     FILE *reply; ///< to be read by the parent
-    // ---
-    void *ended; ///< of a thread: an event
-    long leaving;
-    int status;
 };
 
 struct system_child_work {
-    /// Runs in the child, its standard streams silenced where it is a process; what it returns is its status. `user` has to
-    /// live as long as the program where children are threads and run out of time.
-    int (*run)(const void *user, struct system_child *child);
-    const void *user;
+    /// Runs in the child, its standard streams silenced where it is a process; what it returns is its status.
+    int (*run)(void *user, struct system_child *child);
+    /// All that `run` uses of the caller's memory has to be in it, or to live as long as the program.
+    void *user;
+    /// Frees `user`: called once, by the caller's thread or the child's, when neither uses it any more, also where the child
+    /// did not start.
+    void (*release)(void *user);
+    /// `user` names memory of the caller, who will have it until the child has ended: a thread has no limit of time then.
+    bool is_borrowing;
     unsigned cpu_seconds, wall_seconds; ///< the processor's time is looked at where the child is a process
     size_t memory;                      ///< bytes of address space; 0: as much as there is
     /// Asked many times a second; false gives the child up. NULL: nobody is asked. A thread is waited for all the same.
@@ -49,10 +53,11 @@ struct system_child_result {
     struct system_memory_file reply; ///< what the child wrote; to be closed whatever came of it
 };
 
-/// Runs the work and waits for it. Any number of threads may do so at once.
+/// Runs the work and waits for it; takes work->user, whatever comes of it. Any number of threads may do so at once.
 struct system_child_result system_child_run(const struct system_child_work *work);
 
-/// Ends the child from any place within it, its own threads too, with what is written to the reply so far.
+/// Ends the child from any depth of `run`, with what is written to the reply so far. The thread that called `run` alone may do
+/// so, and has none left of those that it started: they would use what is not theirs.
 _Noreturn void system_child_leave(struct system_child *child, int status);
 
 /// Zeroed memory that children see change, and change. NULL where there is none.

@@ -142,7 +142,9 @@ struct system_child_result system_child_run(const struct system_child_work *work
 {
     struct system_memory_file reply;
     if (!system_memory_file_open(&reply, "rhw-model")) {
-        return (struct system_child_result){.end = SYSTEM_CHILD_NOT_STARTED, .number = errno};
+        const int problem = errno;
+        work->release(work->user);
+        return (struct system_child_result){.end = SYSTEM_CHILD_NOT_STARTED, .number = problem};
     }
     const pid_t child = fork();
     if (child == 0) {
@@ -154,6 +156,7 @@ struct system_child_result system_child_run(const struct system_child_work *work
     struct system_child_result result =
         child < 0 ? (struct system_child_result){.end = SYSTEM_CHILD_NOT_STARTED, .number = errno}
                   : wait_for(child, work);
+    work->release(work->user); // the child has its own copy
     result.reply = reply;
     return result;
 }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See child.h. When a child leaves, it and the threads that it has started may be anywhere: the first to leave says how the
-// child ended, and then sleeps, as all do that come later. Nothing is taken from them, so what they use stays until the
-// program ends.
+// See child.h. A thread that leaves takes nothing back: what its readers have allocated stays until the program ends.
 #include "child.h"
 
 #include <errno.h>
@@ -18,35 +16,46 @@ enum {
 };
 
 struct thread {
-    struct system_child child;
-    int (*run)(const void *user, struct system_child *child);
-    const void *user;
+    struct system_child child; // first: system_child_leave has its address
+    struct system_child_work work;
+    struct system_memory_file reply; // none once the result has it
+    HANDLE ended;                    // an event
+    int status;
+    LONG owners; // the thread and who waits for it
 };
 
-static void end(struct system_child *child, int status)
+static void disown(struct thread *thread)
 {
-    fflush(child->reply);
-    child->status = status;
-    SetEvent(child->ended);
+    if (InterlockedDecrement(&thread->owners) > 0) {
+        return;
+    }
+    thread->work.release(thread->work.user);
+    system_memory_file_close(&thread->reply);
+    if (thread->ended) {
+        CloseHandle(thread->ended);
+    }
+    free(thread);
+}
+
+static void end(struct thread *thread, int status)
+{
+    fflush(thread->child.reply);
+    thread->status = status;
+    SetEvent(thread->ended);
+    disown(thread);
 }
 
 _Noreturn void system_child_leave(struct system_child *child, int status)
 {
-    if (InterlockedExchange(&child->leaving, 1) == 0) {
-        end(child, status);
-    }
-    for (;;) {
-        Sleep(INFINITE);
-    }
+    end((struct thread *)child, status);
+    _endthreadex(0);
+    abort(); // its declaration does not say that it never returns
 }
 
 static unsigned __stdcall run(void *user)
 {
     struct thread *const thread = user;
-    const int status = thread->run(thread->user, &thread->child);
-    if (InterlockedExchange(&thread->child.leaving, 2) == 0) {
-        end(&thread->child, status);
-    }
+    end(thread, thread->work.run(thread->work.user, &thread->child));
     return 0;
 }
 
@@ -56,53 +65,75 @@ static bool wait_for(HANDLE ended, const struct system_child_work *work, bool *i
     const ULONGLONG last = GetTickCount64() + 1000ull * work->wall_seconds;
     while (WaitForSingleObject(ended, PATIENCE_MS) != WAIT_OBJECT_0) {
         *is_wanted = *is_wanted && (!work->goes_on || work->goes_on(work->goes_on_user));
-        if (GetTickCount64() >= last) {
+        if (!work->is_borrowing && GetTickCount64() >= last) {
             return false;
         }
     }
     return true;
 }
 
-static struct system_child_result no_start(struct thread *thread, struct system_memory_file *reply)
+// With the caller as its owner. NULL: the work is released, and `problem` is an errno.
+static struct thread *make_thread(const struct system_child_work *work, int *problem)
 {
-    if (thread && thread->child.ended) {
-        CloseHandle(thread->child.ended);
+    struct thread *const thread = calloc(1, sizeof *thread);
+    *problem = EAGAIN;
+    if (!thread) {
+        work->release(work->user);
+        return NULL;
     }
-    free(thread);
-    system_memory_file_close(reply);
-    return (struct system_child_result){.end = SYSTEM_CHILD_NOT_STARTED, .number = EAGAIN};
+    *thread = (struct thread){.work = *work, .owners = 1};
+    if (!system_memory_file_open(&thread->reply, "rhw-model")) {
+        *problem = errno;
+        disown(thread);
+        return NULL;
+    }
+    thread->child.reply = thread->reply.stream;
+    thread->ended = CreateEventA(NULL, TRUE, FALSE, NULL);
+    if (!thread->ended) {
+        disown(thread);
+        return NULL;
+    }
+    return thread;
+}
+
+static bool start(struct thread *thread)
+{
+    thread->owners++;
+    const uintptr_t handle =
+        _beginthreadex(NULL, STACK, run, thread, STACK_SIZE_PARAM_IS_A_RESERVATION, NULL);
+    if (handle == 0) {
+        thread->owners--;
+        return false;
+    }
+    CloseHandle((HANDLE)handle);
+    return true;
+}
+
+// Takes the reply of a thread that has ended; one that has not may be writing to it.
+static struct system_child_result wait_for_result(struct thread *thread)
+{
+    bool is_wanted = true;
+    if (!wait_for(thread->ended, &thread->work, &is_wanted)) {
+        return (struct system_child_result){.end = SYSTEM_CHILD_WALL_TIME};
+    }
+    const struct system_child_result result = {.end = is_wanted ? SYSTEM_CHILD_LEFT : SYSTEM_CHILD_GIVEN_UP,
+                                               .number = thread->status,
+                                               .reply = thread->reply};
+    thread->reply = (struct system_memory_file){0};
+    return result;
 }
 
 struct system_child_result system_child_run(const struct system_child_work *work)
 {
-    struct system_memory_file reply;
-    if (!system_memory_file_open(&reply, "rhw-model")) {
-        return (struct system_child_result){.end = SYSTEM_CHILD_NOT_STARTED, .number = errno};
+    struct system_child_result result = {.end = SYSTEM_CHILD_NOT_STARTED, .number = EAGAIN};
+    struct thread *const thread = make_thread(work, &result.number);
+    if (!thread) {
+        return result;
     }
-    struct thread *const thread = calloc(1, sizeof *thread);
-    HANDLE ended = thread ? CreateEventA(NULL, TRUE, FALSE, NULL) : NULL;
-    if (!ended) {
-        return no_start(thread, &reply);
+    if (start(thread)) {
+        result = wait_for_result(thread);
     }
-    *thread = (struct thread){
-        .child = {.reply = reply.stream, .ended = ended}, .run = work->run, .user = work->user};
-    const uintptr_t handle =
-        _beginthreadex(NULL, STACK, run, thread, STACK_SIZE_PARAM_IS_A_RESERVATION, NULL);
-    if (handle == 0) {
-        return no_start(thread, &reply);
-    }
-    CloseHandle((HANDLE)handle);
-    bool is_wanted = true;
-    if (!wait_for(ended, work, &is_wanted)) {
-        return (struct system_child_result){.end = SYSTEM_CHILD_WALL_TIME}; // it may be writing to its reply
-    }
-    const struct system_child_result result = {.end = is_wanted ? SYSTEM_CHILD_LEFT : SYSTEM_CHILD_GIVEN_UP,
-                                               .number = thread->child.status,
-                                               .reply = reply};
-    if (thread->child.leaving == 2) { // by its end, with all threads that it had
-        CloseHandle(ended);
-        free(thread);
-    }
+    disown(thread);
     return result;
 }
 

@@ -11,7 +11,7 @@ bool system_memory_limit_is_there(void)
     return true;
 }
 
-bool system_memory_limit_set(size_t bytes)
+void system_memory_limit_set(size_t bytes)
 {
     struct rlimit limit;
     if (!SYSTEM_SANITIZED && getrlimit(RLIMIT_AS, &limit) == 0 &&
@@ -19,7 +19,6 @@ bool system_memory_limit_set(size_t bytes)
         limit.rlim_cur = bytes;
         setrlimit(RLIMIT_AS, &limit);
     }
-    return true;
 }
 
 uint64_t system_memory_limit_lower(uint64_t bytes)

@@ -13,10 +13,9 @@ bool system_memory_limit_is_there(void)
     return false;
 }
 
-bool system_memory_limit_set(size_t bytes)
+void system_memory_limit_set(size_t bytes)
 {
     (void)bytes;
-    return false;
 }
 
 uint64_t system_memory_limit_lower(uint64_t bytes)

@@ -47,6 +47,9 @@ succeed render cube.obj -o cube.png --max-memory 2G
 if ! grep -aq __asan_init "$rhw" && ! grep -aq __tsan_init "$rhw"; then
     refuse 1 'wide.gltf: needs more memory than there is for texture "wide.png"' render wide.gltf -o a.png \
         --max-memory 80M --max-texture 4096 --threads 1
+    truncate -s 400M huge.png # too long to be read at all
+    sed 's/wide.png/huge.png/' wide.gltf >huge.gltf
+    refuse 1 'huge.gltf: needs more memory than there is for texture "huge.png"' render huge.gltf -o a.png --max-memory 256M
     refuse 1 "cube.obj: .*memory" render cube.obj --size 16384 -o a.png --max-memory 512M
 fi
 

@@ -9,13 +9,16 @@ small="--size 64x48"
 # Places where nothing can be written.
 mkdir folder folder.png
 refuse 1 "none/a.png: cannot be written: No such file or directory" render cube.obj -o none/a.png
-refuse 1 "folder.png: cannot be written: Is a directory" render cube.obj -o folder.png
-refuse 1 "new.png/: cannot be written: Is a directory" render cube.obj --format png -o new.png/
+refuse 1 "folder.png: is a folder; name a file in it" render cube.obj -o folder.png
+refuse 1 "new.png/: is a folder; name a file in it" render cube.obj --format png -o new.png/
+refuse 2 "folder: is a folder; name a file in it" render cube.obj -o folder
+refuse 2 "folder/: is a folder; name a file in it" render cube.obj -o folder/
+refuse 1 "folder: is a folder; name a file in it" render cube.obj --format png -o folder
 refuse 1 "cube.obj/a.png: cannot be written: Not a directory" render cube.obj -o cube.obj/a.png
 refuse 1 "'': an output file needs a name" render cube.obj --format png -o ''
 refuse 1 "/proc/a.png: " render cube.obj $small -o /proc/a.png
 refuse 1 "none/s.json: cannot be written: No such file or directory" render cube.obj -o a.png --stats=none/s.json
-refuse 1 "folder: cannot be written: Is a directory" render cube.obj -o a.png --stats=folder
+refuse 1 "folder: is a folder; name a file in it" render cube.obj -o a.png --stats=folder
 name=$(printf '%0300d' 0).png
 refuse 1 "$name: cannot be written: File name too long" render cube.obj -o "$name"
 if [ "$(id -u)" != 0 ]; then

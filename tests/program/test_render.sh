@@ -125,6 +125,31 @@ check "worldToCamera moves by -1 -2 -5" test "$(matrix worldToCamera 12) $(matri
     "bf800000 c0000000 c0a00000"
 check "worldToNDC at 90 degrees" test "$(matrix worldToNDC 0) $(matrix worldToNDC 5)" = "3f800000 3f800000"
 check "objectNames" grep -aq objectNames camera.exr
+# A node's name, or where it has none its mesh's, or none; in the order of ids.
+cat >names.gltf <<'GLTF'
+{"asset": {"version": "2.0"}, "nodes": [{"mesh": 0, "name": "chair"}, {"mesh": 0}, {"mesh": 1}, {"mesh": 0, "name": ""}],
+ "meshes": [{"name": "seat", "primitives": [{"attributes": {"POSITION": 0}}, {"attributes": {"POSITION": 0}}]},
+            {"primitives": [{"attributes": {"POSITION": 0}}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36,
+  "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}
+GLTF
+succeed render names.gltf -o names.exr --size 16
+if command -v python3 >/dev/null 2>&1; then
+    check "names of nodes and meshes" python3 - <<'PYTHON'
+import struct
+
+data = open("names.exr", "rb").read()
+at = data.index(b"objectNames\0stringvector\0") + len(b"objectNames\0stringvector\0")
+end = at + 4 + struct.unpack_from("<i", data, at)[0]
+names, at = [], at + 4
+while at < end:
+    (length,) = struct.unpack_from("<i", data, at)
+    names.append(data[at + 4 : at + 4 + length])
+    at += 4 + length
+assert names == [b"chair", b"seat", b"", b"seat"], names
+PYTHON
+fi
 succeed render cube.obj $view -o some.exr --output depth,triangle
 refuse 1 "some.exr: has no channel" compare all.exr some.exr
 
@@ -245,6 +270,10 @@ succeed render cube.obj $view -o a.png --environment other.exr
 succeed render cube.obj $view -o a.png
 refuse 1 "nowhere.hdr: No such file" render cube.obj -o a.png --environment nowhere.hdr
 refuse 1 "a.png: an environment must be a Radiance HDR or an OpenEXR picture" render cube.obj -o b.png --environment a.png
+refuse 1 "cube.mtl: an environment must be a Radiance HDR or an OpenEXR picture" render cube.obj -o b.png --environment cube.mtl
+: >empty.hdr
+refuse 1 "empty.hdr: the file is empty" render cube.obj -o b.png --environment empty.hdr
+refuse 1 "\.: Is a directory" render cube.obj -o b.png --environment .
 head -c 60 sky.hdr >cut.hdr
 refuse 1 "cut.hdr: the Radiance HDR file ends too early" render cube.obj -o b.png --environment cut.hdr
 check "nothing is left of a failure" test ! -e b.png

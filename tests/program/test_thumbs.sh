@@ -35,6 +35,35 @@ ln -s .. in/deep/above
 succeed thumbs in -o out --size 32 --force
 check "links to folders" grep -q "^3 drawn, 0 kept, 0 failed$" "$folder/log/out"
 
+# The camera of a file is taken, unless --fit says otherwise: as render does. A ground that makes it a dot is left out of
+# the subject.
+mkdir cameras
+cp "$root/tests/fuzz/seeds/square.glb" cameras
+cat cube.obj >cameras/ground.obj
+printf 'v -500 0 -500\nv 500 0 -500\nv 500 0 500\nv -500 0 500\nf -4 -3 -2 -1\n' >>cameras/ground.obj
+cp cube.mtl cameras
+for option in "" --fit --fit=subject --fit=all; do
+    succeed thumbs cameras -o fitted --size 32 --force $option
+    for model in square.glb ground.obj; do
+        succeed render cameras/$model --size 32 -o "$model$option.png" --background transparent $option
+        check "a thumbnail is what render draws, $model $option" cmp "$model$option.png" fitted/$model.png
+    done
+done
+check "a camera of a file" sh -c "! cmp -s square.glb.png square.glb--fit.png"
+check "all of a file" sh -c "! cmp -s ground.obj--fit.png ground.obj--fit=all.png"
+refuse 2 "--fit: 'some' is not subject or all" thumbs cameras -o fitted --fit=some
+
+# Names in braces stand for nothing.
+mkdir -p 'braces/{name}'
+cp cube.mtl 'braces/{name}'
+for word in '{foo}' '{frame}' '{}'; do
+    cp cube.obj "braces/{name}/$word.obj"
+done
+succeed thumbs braces -o '{view}' --size 16
+for word in '{foo}' '{frame}' '{}'; do
+    check "a picture of $word" test -s "{view}/{name}/$word.obj.png"
+done
+
 # One that cannot be drawn is told, the others are drawn, nothing is left of it.
 printf 'solid nothing\n' >in/broken.stl
 run thumbs in -o other --size 16
@@ -46,7 +75,8 @@ check "no half file" test "$(find other -type f | wc -l)" = 3
 refuse 2 "thumbs: -o OUT is missing" thumbs in
 refuse 2 "thumbs: expected DIR -o OUT" thumbs -o out
 refuse 2 "--jobs: '0' is not a number of 1 to 64" thumbs in -o out --jobs 0
-refuse 1 "nowhere: cannot be read: No such file or directory" thumbs nowhere -o out -q
+refuse 1 "nowhere: cannot be read: No such file or directory" thumbs nowhere -o new
+refuse 1 "cube.obj: cannot be read: Not a directory" thumbs cube.obj -o new
 refuse 1 "cube.obj: cannot be made: Not a directory" thumbs in -o cube.obj -q
 # A folder without a model is a mistake, most likely.
 mkdir -p none/deeper

@@ -14,7 +14,17 @@ succeed --help
 cp "$folder/log/out" help.txt
 succeed help
 check "help as a word" cmp "$folder/log/out" help.txt
-for verb in render compare explain view info bench; do
+refuse 2 "nope: no such verb" help nope
+refuse 2 "--nope: no such option" help --nope
+refuse 2 "extra: one argument too many" help render extra
+for verb in render thumbs compare explain info bench; do
+    succeed $verb --help
+    cp "$folder/log/out" verb.txt
+    succeed help $verb
+    check "help $verb" cmp "$folder/log/out" verb.txt
+done
+succeed help
+for verb in render thumbs compare explain view info bench; do
     check "help lists $verb" grep -Eq "^  rhw $verb " "$folder/log/out"
 done
 for verb in render compare info bench; do
@@ -78,6 +88,21 @@ refuse 2 "--camera-index: '-1' is not a number" render cube.obj -o a.png --camer
 refuse 2 "--camera-index: cube.obj has no cameras" render cube.obj -o a.png --camera-index 0
 refuse 2 "--camera-name: cube.obj has no cameras" render cube.obj -o a.png --camera-name front
 
+for word in foo Name frame:04 names; do
+    refuse 2 "a_\{$word\}.png: \{$word\} stands for nothing; there are \{name\}, \{view\}, \{frame\} and \{\}; --literal takes it as it is\$" \
+        render cube.obj -o "a_{$word}.png"
+    refuse 2 ".* stands for nothing" render cube.obj --turntable 2 -o "{name}{$word}/{frame}.png"
+done
+succeed render cube.obj --size 8 -o '{1-2}{a-b}{{x.{}.png' # none of those is a word
+check "braces in a name" test -s '{1-2}{a-b}{{x.color.png'
+for word in '{foo}' '{name}' '{view}' '{frame}' '{}'; do
+    succeed render cube.obj --size 8 --literal -o "a_$word.png"
+    check "--literal $word" test -s "a_$word.png"
+    cp cube.obj "$word.obj"
+    succeed render "$word.obj" --size 8
+    check "a picture is named after $word.obj" test -s "$word.png"
+done
+
 refuse 2 "a.gif: no format for this ending" render cube.obj -o a.gif
 refuse 2 "png: no format for this ending" render cube.obj -o png
 refuse 2 ".png: no format for this ending" render cube.obj -o .png
@@ -85,6 +110,12 @@ refuse 2 "--background: a PPM file cannot be transparent" render cube.obj -o a.p
 refuse 2 "--bits: an EXR file always holds 32 bits" render cube.obj -o a.exr --bits 16
 refuse 2 "--stats: standard output takes the picture" render cube.obj -o - --stats
 refuse 2 "--output: standard output takes one output" render cube.obj -o - --output color,depth
+
+for missing in "" =; do
+    refuse 2 "--at: needs X,Y, a pixel; see 'rhw explain --help'" explain cube.obj --at$missing
+    refuse 2 "--sample: needs N, the number of a sample; see" explain cube.obj --at 1,1 --sample$missing
+    refuse 2 "--picture: needs FILE, the name of a .svg file; see" explain cube.obj --at 1,1 --picture$missing
+done
 
 refuse 2 "scene: one argument too many" bench scene
 refuse 2 "--scene: there is no scene 'fil_flat'" bench --scene fill_color,fil_flat

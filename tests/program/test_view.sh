@@ -19,6 +19,7 @@ refuse 1 "absent.obj: cannot be opened: No such file" view absent.obj
 refuse 2 "--views: cannot be shown in a window" view cube.obj --views all
 refuse 2 "--output with several outputs: cannot be shown" view cube.obj --output color,depth
 refuse 2 "--out: cannot be shown in a window" view cube.obj -o picture.png
+refuse 2 "--literal: cannot be shown in a window" view cube.obj --literal
 refuse 2 "other.obj: one argument too many" view cube.obj other.obj
 refuse 2 "--size: 'huge' is not" view cube.obj --size huge
 succeed view --help

@@ -7,7 +7,7 @@ words=$root/web/npm/words.js
 types=$root/web/npm/index.d.ts
 
 # Options that are none there: of files, pictures in a row and what is measured; a process of its own; a panorama's file.
-left_out="out output bits format quality print-camera views animate turntable isa paths stats quiet max-memory max-time
+left_out="out literal output bits format quality print-camera views animate turntable isa paths stats quiet max-memory max-time
     confine environment environment-rotation help"
 
 succeed render --help

@@ -8,9 +8,14 @@ set(tiny_tests test_scene test_work_outputs test_camera test_light test_shadow t
 set(texture_tests test_texture test_sample test_sample_compare test_texture_kinds test_anisotropy)
 set(kind_tests test_texture_kinds test_anisotropy)
 set(texel_tests test_texel_formats)
+# And those ask the system as the program does.
+set(system_tests test_child)
 
-# Adds the models of textures that a test compares with.
+# Adds what a test looks into, and the models of textures that it compares with.
 function(rhw_unit_models name)
+  if(name IN_LIST system_tests)
+    target_link_libraries(${name} PRIVATE rhw_system)
+  endif()
   if(name IN_LIST texture_tests)
     target_sources(${name} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/texture_model.c)
   endif()

@@ -123,6 +123,10 @@ same render absent.glb -o picture.png
 same render folder -o picture.png
 same render square.glb -o absent/picture.png
 same render square.glb -o folder
+same render square.glb -o folder/
+same render square.glb -o '{word}.png'
+same thumbs absent -o thumbs
+same help compare
 same info absent.glb
 same compare absent.png square.glb
 for side in models native windows; do
@@ -142,7 +146,7 @@ same render box.obj --confine --size 32 -o picture.png
 cp "$work/models/kept.png" "$work/native/in.glb"
 cp "$work/models/kept.png" "$work/windows/in.glb"
 same render in.glb -o in.glb
-same thumbs . -o thumbs --size 16 # of which some cannot be drawn
+same thumbs . -o thumbs --size 16 --jobs 1 # some cannot be drawn, and their lines have an order then
 
 # A picture takes its name when it is whole, also where there is a file of that name, and goes where time is up.
 (

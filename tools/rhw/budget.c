@@ -56,10 +56,19 @@ bool cli_parse_budget(struct cli_budget *budget, int id, const char *argument)
     }
 }
 
+bool cli_budget_check(const struct cli_budget *budget)
+{
+    const bool is_kept = system_memory_limit_is_there();
+    if (budget->memory > 0 && !is_kept) {
+        cli_warning("--max-memory", "is not kept, as this system sets no such limit");
+    }
+    return is_kept;
+}
+
 void cli_budget_apply(const struct cli_budget *budget, const char *subject)
 {
-    if (budget->memory > 0 && !system_memory_limit_set(budget->memory)) {
-        cli_warning("--max-memory", "is not kept, as this system sets no such limit");
+    if (cli_budget_check(budget) && budget->memory > 0) {
+        system_memory_limit_set(budget->memory);
     }
     if (budget->seconds > 0.0) {
         cli_output_files_deadline(budget->seconds, subject);

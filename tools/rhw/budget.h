@@ -17,6 +17,8 @@ enum { CLI_BUDGET_MEMORY = 700, CLI_BUDGET_TIME, CLI_BUDGET_TEXTURE, CLI_BUDGET_
 
 /// The option `id`, one of those above, was given. Reports what is wrong with its argument.
 bool cli_parse_budget(struct cli_budget *budget, int id, const char *argument);
+/// Whether this system keeps a limit of memory; warns of one that it does not keep.
+bool cli_budget_check(const struct cli_budget *budget);
 /// Limits this process, which works on `subject`, and, but for time, what it starts.
 void cli_budget_apply(const struct cli_budget *budget, const char *subject);
 /// The longest side of textures that a picture can use whose longer side has so many pixels: a power of two.

@@ -45,7 +45,8 @@ struct question {
     char **argv;
 };
 
-// The argument of `name`, which is that option of argv[*i] or the word behind it; NULL: it is another.
+// The argument of `name`, which is that option of argv[*i] or the word behind it, or "" where there is none; NULL: it is
+// another.
 static const char *argument_of(const char *name, int argc, char **argv, int *i)
 {
     const size_t length = strlen(name);
@@ -58,6 +59,15 @@ static const char *argument_of(const char *name, int argc, char **argv, int *i)
     return *i + 1 < argc ? argv[++*i] : "";
 }
 
+// Reports where there is no argument. `what` it has to be.
+static bool has_argument(const char *argument, const char *name, const char *what)
+{
+    if (*argument == '\0') {
+        cli_error(name, "needs %s; see 'rhw explain --help'", what);
+    }
+    return *argument != '\0';
+}
+
 static bool take_option(struct question *q, int argc, char **argv, int *i, bool *taken)
 {
     const char *argument;
@@ -65,6 +75,9 @@ static bool take_option(struct question *q, int argc, char **argv, int *i, bool 
     int count;
     *taken = true;
     if ((argument = argument_of("--at", argc, argv, i))) {
+        if (!has_argument(argument, "--at", "X,Y, a pixel")) {
+            return false;
+        }
         q->has_place = cli_parse_numbers(argument, 2, 2, place, &count) && place[0] >= 0 && place[1] >= 0 &&
                        place[0] < RHW_MAX_TARGET_SIZE && place[1] < RHW_MAX_TARGET_SIZE &&
                        place[0] == (int)place[0] && place[1] == (int)place[1];
@@ -75,11 +88,17 @@ static bool take_option(struct question *q, int argc, char **argv, int *i, bool 
         q->x = (int)place[0];
         q->y = (int)place[1];
     } else if ((argument = argument_of("--sample", argc, argv, i))) {
+        if (!has_argument(argument, "--sample", "N, the number of a sample")) {
+            return false;
+        }
         if (!cli_parse_int(argument, 0, 255, &q->sample)) {
             cli_error("--sample", "'%s' is not a number of 0 to 255", argument);
             return false;
         }
     } else if ((argument = argument_of("--picture", argc, argv, i))) {
+        if (!has_argument(argument, "--picture", "FILE, the name of a .svg file")) {
+            return false;
+        }
         const size_t length = strlen(argument);
         if (length < 5 || strcmp(argument + length - 4, ".svg") != 0) {
             cli_error("--picture", "'%s' is not the name of a .svg file", argument);

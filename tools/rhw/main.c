@@ -33,9 +33,36 @@ static void print_program_help(void)
     for (int i = 0; i < VERB_COUNT; i++) {
         printf("  rhw %-7s %-15s %s\n", verbs[i].name, verbs[i].operands, verbs[i].summary);
     }
-    printf("\n  help, --help             print this and exit; 'rhw VERB --help' explains a verb\n"
+    printf("\n  help [VERB], --help      print this, or what 'rhw VERB --help' prints, and exit\n"
            "  --version                print the version and exit\n\n"
            "Exit status: 0, 1 when the work failed, 2 for a wrong command line.\n");
+}
+
+// −1 after a message.
+static int find_verb(const char *word)
+{
+    for (int i = 0; i < VERB_COUNT; i++) {
+        if (strcmp(word, verbs[i].name) == 0) {
+            return i;
+        }
+    }
+    cli_error(word, "no such %s; see 'rhw --help'", word[0] == '-' ? "option" : "verb");
+    return -1;
+}
+
+// help VERB
+static int print_verb_help(int argc, char **argv)
+{
+    static char option[] = "--help";
+    const int verb = find_verb(argv[1]);
+    if (verb < 0) {
+        return CLI_USAGE;
+    }
+    if (argc > 2) {
+        cli_error(argv[2], "one argument too many; see 'rhw --help'");
+        return CLI_USAGE;
+    }
+    return verbs[verb].run(2, (char *[]){argv[1], option, NULL});
 }
 
 static int run(int argc, char **argv)
@@ -49,21 +76,19 @@ static int run(int argc, char **argv)
         printf("rhw %s\n", rhw_version());
         return CLI_OK;
     }
+    if (strcmp(word, "help") == 0 && argc > 2) {
+        return print_verb_help(argc - 1, argv + 1);
+    }
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0) {
         print_program_help();
         return CLI_OK;
-    }
-    for (int i = 0; i < VERB_COUNT; i++) {
-        if (strcmp(word, verbs[i].name) == 0) {
-            return verbs[i].run(argc - 1, argv + 1);
-        }
     }
     // A model by itself is drawn.
     if (word[0] != '-' && (strchr(word, '.') || strchr(word, '/'))) {
         return cli_render(argc, argv);
     }
-    cli_error(word, "no such %s; see 'rhw --help'", word[0] == '-' ? "option" : "verb");
-    return CLI_USAGE;
+    const int verb = find_verb(word);
+    return verb < 0 ? CLI_USAGE : verbs[verb].run(argc - 1, argv + 1);
 }
 
 int main(int argc, char **argv)

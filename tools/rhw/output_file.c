@@ -76,6 +76,18 @@ static char *directory_of(const char *path)
     return directory;
 }
 
+bool cli_output_file_is_folder(const char *path)
+{
+    struct stat status;
+    const size_t length = strlen(path);
+    const bool is_folder = (length > 0 && path[length - 1] == '/') ||
+                           (!is_standard_output(path) && stat(path, &status) == 0 && S_ISDIR(status.st_mode));
+    if (is_folder) {
+        cli_error(path, "is a folder; name a file in it");
+    }
+    return is_folder;
+}
+
 bool cli_output_file_check(const char *path)
 {
     if (is_standard_output(path)) {
@@ -85,12 +97,11 @@ bool cli_output_file_check(const char *path)
         cli_error("''", "an output file needs a name");
         return false;
     }
+    if (cli_output_file_is_folder(path)) {
+        return false;
+    }
     struct stat status;
     if (stat(path, &status) == 0) {
-        if (S_ISDIR(status.st_mode)) {
-            errno = EISDIR;
-            return report(path);
-        }
         if (access(path, W_OK) != 0) {
             return report(path);
         }
@@ -98,10 +109,6 @@ bool cli_output_file_check(const char *path)
             return true;
         }
     } else if (errno != ENOENT) {
-        return report(path);
-    }
-    if (path[strlen(path) - 1] == '/') {
-        errno = EISDIR;
         return report(path);
     }
     char *directory = directory_of(path);

@@ -446,6 +446,13 @@ int cli_outputs_exr_channels(const struct scene_pictures *pictures, unsigned kin
     return count;
 }
 
+// A node's, or where it has none its mesh's.
+static const char *object_name(const struct scene_model *model, const struct scene_instance *instance)
+{
+    const bool is_named = instance->name && *instance->name;
+    return is_named ? instance->name : model->meshes[instance->mesh].name;
+}
+
 bool cli_outputs_exr_describe(const struct scene_model *model, const struct scene_camera *camera,
                               double aspect, struct cli_exr_about *about)
 {
@@ -460,7 +467,7 @@ bool cli_outputs_exr_describe(const struct scene_model *model, const struct scen
     scene_camera_projection(camera, aspect, projection);
     scene_matrix_multiply(projection, about->world_to_camera, about->world_to_ndc);
     for (uint32_t i = 0; about->objects && i < model->instance_count; i++) {
-        about->objects[model->instances[i].object - 1] = model->instances[i].name;
+        about->objects[model->instances[i].object - 1] = object_name(model, &model->instances[i]);
     }
     for (uint32_t i = 0; i < largest && about->objects; i++) {
         about->objects[i] = about->objects[i] ? about->objects[i] : ""; // of nodes that are left out

@@ -82,10 +82,9 @@ static bool load_exr(struct scene_panorama *p, const char *path)
     double *row = malloc((size_t)image.width * sizeof *row);
     bool ok = row != NULL && allocate(p, path);
     for (int c = 0; c < 3 && ok; c++) {
-        channels[c] = image.encoded ? -1 : cli_image_find_channel(&image, names[c]);
+        channels[c] = cli_image_find_channel(&image, names[c]);
         if (channels[c] < 0) {
-            cli_error(path, image.encoded ? "an environment must be a Radiance HDR or an OpenEXR picture"
-                                          : "an environment must have the channels R, G and B");
+            cli_error(path, "an environment must have the channels R, G and B");
             ok = false;
         }
         for (int y = 0; y < image.height && ok; y++) {
@@ -106,15 +105,27 @@ static bool load_exr(struct scene_panorama *p, const char *path)
 
 bool cli_panorama_load(struct scene_panorama *panorama, const char *path)
 {
-    char magic[2] = {0};
+    static const char exr_magic[] = {0x76, 0x2F, 0x31, 0x01};
+    char magic[sizeof exr_magic] = {0};
     FILE *stream = fopen(path, "rb");
     if (stream == NULL) {
         cli_error(path, "%s", strerror(errno));
         return false;
     }
-    const bool radiance = fread(magic, 1, 2, stream) == 2 && memcmp(magic, "#?", 2) == 0;
-    rewind(stream);
-    const bool loaded = radiance ? load_radiance(panorama, path, stream) : load_exr(panorama, path);
+    bool loaded = false;
+    const size_t got = fread(magic, 1, sizeof magic, stream);
+    if (ferror(stream)) {
+        cli_error(path, "%s", strerror(errno));
+    } else if (got == 0) {
+        cli_error(path, "the file is empty");
+    } else if (memcmp(magic, "#?", 2) == 0) {
+        rewind(stream);
+        loaded = load_radiance(panorama, path, stream);
+    } else if (memcmp(magic, exr_magic, sizeof exr_magic) == 0) {
+        loaded = load_exr(panorama, path);
+    } else {
+        cli_error(path, "an environment must be a Radiance HDR or an OpenEXR picture");
+    }
     fclose(stream);
     if (loaded) {
         cli_panorama_clean(panorama);

@@ -51,6 +51,38 @@ static bool choose_out(struct cli_render_job *job)
         return false;
     }
     job->out = job->own_out;
+    job->is_literal = true;
+    return true;
+}
+
+bool cli_out_has(const struct cli_render_job *job, const char *word)
+{
+    return !job->is_literal && strstr(job->out, word);
+}
+
+// A word in braces would be a part of the file's name.
+static bool check_placeholders(const struct cli_render_job *job)
+{
+    static const char *const known[] = {"{name}", "{view}", "{frame}"};
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ",
+                      others[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_:";
+    for (const char *in = job->is_literal ? NULL : strchr(job->out, '{'); in; in = strchr(in + 1, '{')) {
+        const size_t length = strspn(in + 1, others);
+        if (strspn(in + 1, letters) == 0 || in[length + 1] != '}') {
+            continue;
+        }
+        bool is_known = false;
+        for (size_t i = 0; i < sizeof known / sizeof *known && !is_known; i++) {
+            is_known = strlen(known[i]) == length + 2 && strncmp(known[i], in, length + 2) == 0;
+        }
+        if (!is_known) {
+            cli_error(job->out,
+                      "%.*s stands for nothing; there are {name}, {view}, {frame} and {}; --literal takes it "
+                      "as it is",
+                      (int)length + 2, in);
+            return false;
+        }
+    }
     return true;
 }
 
@@ -59,6 +91,9 @@ static bool check_format(struct cli_render_job *job)
     const bool to_stdout = strcmp(job->out, "-") == 0;
     if (job->format == CLI_PICTURE_UNKNOWN) {
         job->format = to_stdout ? CLI_PICTURE_PNG : cli_picture_format_of(job->out);
+    }
+    if (job->format == CLI_PICTURE_UNKNOWN && cli_output_file_is_folder(job->out)) {
+        return false;
     }
     if (job->format == CLI_PICTURE_UNKNOWN) {
         cli_error(job->out,
@@ -183,7 +218,7 @@ static bool check_names(const struct cli_render_job *job)
 // Several models or views: what one file or standard output cannot take.
 static bool check_several(const struct cli_render_job *job)
 {
-    const bool has_name = strstr(job->out, "{name}") != NULL, has_view = strstr(job->out, "{view}") != NULL;
+    const bool has_name = cli_out_has(job, "{name}"), has_view = cli_out_has(job, "{view}");
     if (job->model_count > 1 && !has_name) {
         cli_error(job->out, "several models need a {name} in OUT, which stands for each one's name");
         return false;
@@ -209,7 +244,7 @@ static bool check_several(const struct cli_render_job *job)
 // Pictures that follow one another.
 static bool check_movement(const struct cli_render_job *job)
 {
-    const bool moves = cli_render_moves(job), is_sequence = strstr(job->out, "{frame}") != NULL;
+    const bool moves = cli_render_moves(job), is_sequence = cli_out_has(job, "{frame}");
     const char *const option = job->turntable > 0 ? "--turntable" : "--animate";
     const char *const other = job->view_count > 0                ? "--views"
                               : job->stats                       ? "--stats"
@@ -251,8 +286,8 @@ bool cli_render_job_complete(struct cli_render_job *job)
         cli_error("--background", "environment needs --environment FILE");
         return false;
     }
-    if (!check_models(job) || !choose_out(job) || !check_format(job) || !check_camera(job) ||
-        !check_several(job) || !check_movement(job)) {
+    if (!check_models(job) || !choose_out(job) || !check_placeholders(job) || !check_format(job) ||
+        !check_camera(job) || !check_several(job) || !check_movement(job)) {
         return false;
     }
     choose_texture_side(job);

@@ -22,7 +22,9 @@ static bool expand_out(struct render *render, int number)
     size_t at = 0;
     for (const char *in = job->out; *in && at < sizeof render->out;) {
         const size_t room = sizeof render->out - at;
-        if (strncmp(in, "{name}", 6) == 0) {
+        if (job->is_literal) {
+            render->out[at++] = *in++;
+        } else if (strncmp(in, "{name}", 6) == 0) {
             at += (size_t)snprintf(render->out + at, room, "%.*s", stem, base);
             in += 6;
         } else if (number >= 0 && number < job->view_count && strncmp(in, "{view}", 6) == 0) {
@@ -52,7 +54,7 @@ static char *make_path(const struct cli_render_job *job, const char *out, enum c
     if (!path) {
         return NULL;
     }
-    const char *place = strstr(out, "{}");
+    const char *place = job->is_literal ? NULL : strstr(out, "{}");
     const bool several = (job->kinds & (job->kinds - 1)) != 0;
     if (job->format != CLI_PICTURE_EXR && place) {
         snprintf(path, size, "%.*s%s%s", (int)(place - out), out, name, place + 2);
@@ -189,7 +191,7 @@ bool cli_render_files_write(struct render *render)
 
 bool cli_render_has_file_per_view(const struct cli_render_job *job)
 {
-    return strstr(job->out, "{view}") != NULL;
+    return cli_out_has(job, "{view}");
 }
 
 bool cli_render_files_check(struct render *render)

@@ -10,7 +10,7 @@
 
 static bool is_sequence(const struct cli_render_job *job)
 {
-    return strstr(job->out, "{frame}") != NULL;
+    return cli_out_has(job, "{frame}");
 }
 
 // Pictures in the making.

@@ -23,6 +23,7 @@ struct cli_render_job {
     int model_count;
     const char *model_path; ///< of model_paths, the one whose turn it is
     const char *out;        ///< {name} stands for that model's, {view} for the view's, {} for the output's
+    bool is_literal;        ///< nothing in `out` stands for anything
     char own_out[512];      ///< where `out` points when it was not given
     const char *variant;    ///< of the materials; NULL: none
     bool is_posed;          ///< as an animation has it at `time`
@@ -71,6 +72,12 @@ struct cli_render_job {
 enum { CLI_AXES = SCENE_AXIS_MINUS_X + 1 };
 
 extern const char *const cli_axis_names[CLI_AXES]; ///< of enum scene_axis
+
+/// Whether OUT has the word, in its braces, and it stands for something.
+bool cli_out_has(const struct cli_render_job *job, const char *word);
+
+/// What --fit fits: all, or the subject, which it is without an argument, NULL. Reports what is wrong with it.
+bool cli_parse_fit(const char *argument, bool *fit_all);
 
 struct cli_render_times {
     double import_ms, encode_ms, total_ms;

@@ -40,6 +40,7 @@ enum {
     OPTION_PRINT_CAMERA,
     OPTION_QUALITY,
     OPTION_STATS,
+    OPTION_LITERAL,
     OPTION_STRICT
 };
 
@@ -47,6 +48,7 @@ static const struct cli_option options[] = {
     {"out", OPTION_OUT, "OUT",
      "the file to write: .png, .jpg, .webp, .exr or .ppm; '-' is standard\noutput; default: MODEL's name "
      "with .png in the current folder, unless there is\nsuch a file"},
+    {"literal", OPTION_LITERAL, NULL, "braces in OUT stand for themselves (see below)"},
     {"size", OPTION_SIZE, "WxH", "pixels, each way 1..16384, or N for a square; default 1280x720"},
     {"samples", OPTION_SAMPLES, "N", "samples of each pixel, for smooth edges: 1, 2, 4, 8 or 16; default 4"},
     {"supersample", OPTION_SUPERSAMPLE, "N",
@@ -163,13 +165,11 @@ static const char notes[] =
     "ending:\n"
     "out.depth.png. If OUT has a {}, the name of the output takes its place. Several models need an OUT with "
     "{name},\n"
-    "which stands for a model's name without its ending: rhw render *.glb -o out/{name}.png. An EXR holds "
-    "all outputs in "
-    "one\n"
-    "file as numbers without any mapping: R G B A (light before tone mapping, premultiplied, without\n"
-    "background), depth.Z, distance.Z, normal.XYZA, position.XYZA, uv.UV, object.id, triangle.id (integers, "
-    "0\n"
-    "is nothing), bary.abc.\n\n"
+    "which stands for a model's name without its ending: rhw render *.glb -o out/{name}.png. With --literal "
+    "nothing in\n"
+    "OUT stands for anything. An EXR holds all outputs in one file as numbers without any mapping: R G B A\n"
+    "(light before tone mapping, premultiplied, without background), depth.Z, distance.Z, normal.XYZA,\n"
+    "position.XYZA, uv.UV, object.id, triangle.id (integers, 0 is nothing), bary.abc.\n\n"
     "What is up matters to a fitted camera and to the sky. glTF has y, 3MF and AMF z; FBX says it; STL has "
     "z, OBJ, PLY and "
     "OFF y,\nunless the model clearly stands on another side, which --stats tells. Numbers stay those of the "
@@ -242,14 +242,19 @@ static bool parse_paths(struct cli_render_job *job, const char *argument)
     return true;
 }
 
-static bool parse_fit(struct cli_render_job *job, const char *argument)
+bool cli_parse_fit(const char *argument, bool *fit_all)
 {
     static const char *const names[] = {"subject", "all"};
-    const bool turned = job->camera == CLI_CAMERA_ORBIT || job->camera == CLI_CAMERA_VIEWS;
     const int what = argument ? cli_choose("--fit", argument, names, 2) : 0;
-    job->fit_all = what == 1;
+    *fit_all = what == 1;
+    return what >= 0;
+}
+
+static bool parse_fit(struct cli_render_job *job, const char *argument)
+{
+    const bool turned = job->camera == CLI_CAMERA_ORBIT || job->camera == CLI_CAMERA_VIEWS;
     // --orbit and --views fit as well
-    return what >= 0 && (turned || choose_camera(job, CLI_CAMERA_FIT, "--fit"));
+    return cli_parse_fit(argument, &job->fit_all) && (turned || choose_camera(job, CLI_CAMERA_FIT, "--fit"));
 }
 
 const char *const cli_axis_names[CLI_AXES] = {
@@ -430,6 +435,7 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
         job->stats = true;
         job->stats_path = argument ? argument : "-";
         return true;
+    case OPTION_LITERAL: job->is_literal = true; return true;
     case OPTION_ISA: return parse_isa(job, argument);
     case OPTION_UP: return parse_up(job, argument);
     case OPTION_PATHS: return parse_paths(job, argument);

@@ -5,9 +5,9 @@
 #include "budget.h"
 #include "file.h"
 #include "machine.h"
-#include "memory_limit.h"
 #include "options.h"
 #include "output_file.h"
+#include "render_job.h"
 #include "subprocess.h"
 #include "rhw/rhw.h"
 #include "verbs.h"
@@ -27,6 +27,7 @@ enum {
     OPTION_JOBS = 'j',
     OPTION_BACKGROUND = 256,
     OPTION_FORCE,
+    OPTION_FIT,
     OPTION_MEMORY = CLI_BUDGET_MEMORY,
     OPTION_TIME = CLI_BUDGET_TIME,
     OPTION_TEXTURE = CLI_BUDGET_TEXTURE,
@@ -38,6 +39,9 @@ static const struct cli_option options[] = {
     {"out", OPTION_OUT, "DIR", "the folder for the pictures, made where it is missing"},
     {"size", OPTION_SIZE, "WxH", "pixels, each way 1..16384, or N for a square; default 256x256"},
     {"background", OPTION_BACKGROUND, "COLOR", "as for rhw render; default transparent"},
+    {"fit", OPTION_FIT, "[WHAT]",
+     "fit each model into its picture, also when its file has cameras: its\nsubject (the default) or all, as "
+     "for rhw render"},
     {"force", OPTION_FORCE, NULL, "draw also what is there and newer than its model"},
     {"jobs", OPTION_JOBS, "N",
      "models at a time, 1..64; default: one for each core that the process may use"},
@@ -69,8 +73,9 @@ static const struct cli_verb verb = {
 
 struct thumbs {
     const char *in, *out, *background;
+    const char *fit; // an option; NULL: the file's camera, where it has one
     int width, height, jobs;
-    bool quiet, force;
+    bool quiet, force, keeps_memory;
     struct cli_budget budget; // of each model
     char memory[48], seconds[32], texture[32];
     char confine[PATH_SIZE + 16];
@@ -116,14 +121,17 @@ static bool start_drawing(const struct thumbs *t, const char *model, const char 
 {
     char size[32];
     snprintf(size, sizeof size, "%dx%d", t->width, t->height);
-    const char *arguments[20] = {"render", "--threads", "1",  "--format",     "png",        "-o",
-                                 picture,  "--size",    size, "--background", t->background};
-    int count = 11;
-    if (system_memory_limit_is_there()) {
+    const char *arguments[20] = {"render", "--threads", "1",      "--format", "png",          "--literal",
+                                 "-o",     picture,     "--size", size,       "--background", t->background};
+    int count = 12;
+    if (t->keeps_memory) {
         arguments[count++] = t->memory;
     }
     arguments[count++] = t->confine;
     arguments[count++] = t->seconds;
+    if (t->fit) {
+        arguments[count++] = t->fit;
+    }
     if (t->budget.texture > 0) {
         arguments[count++] = t->texture;
     }
@@ -282,12 +290,31 @@ static bool walk(struct thumbs *t, const char *in, const char *out, int depth)
     return going;
 }
 
+// Reports where not.
+static bool can_read(const char *folder)
+{
+    DIR *const entries = opendir(folder);
+    if (entries) {
+        closedir(entries);
+    } else {
+        cli_error(folder, "cannot be read: %s", strerror(errno));
+    }
+    return entries != NULL;
+}
+
 static bool parse_option(struct thumbs *t, int id, const char *argument)
 {
+    bool fit_all;
     switch (id) {
     case OPTION_OUT: t->out = argument; return true;
     case OPTION_BACKGROUND: t->background = argument; return true;
     case OPTION_FORCE: t->force = true; return true;
+    case OPTION_FIT:
+        if (!cli_parse_fit(argument, &fit_all)) {
+            return false;
+        }
+        t->fit = fit_all ? "--fit=all" : "--fit";
+        return true;
     case OPTION_QUIET: t->quiet = true; return true;
     case OPTION_JOBS:
         if (cli_parse_int(argument, 1, RHW_MAX_THREADS, &t->jobs)) {
@@ -356,9 +383,10 @@ int cli_thumbs(int argc, char **argv)
     if (!share_budget(&t)) {
         return CLI_USAGE;
     }
-    if (t.budget.memory > 0 && !system_memory_limit_is_there()) {
-        cli_warning("--max-memory", "is not kept, as this system sets no such limit");
+    if (!can_read(t.in)) {
+        return CLI_FAILED;
     }
+    t.keeps_memory = cli_budget_check(&t.budget);
     const bool complete = make_folder(t.out) && walk(&t, t.in, t.out, 0);
     while (t.running > 0) {
         reap(&t);

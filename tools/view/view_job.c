@@ -42,6 +42,7 @@ static bool check(const struct cli_render_job *job)
                                : job->print_camera                   ? "--print-camera"
                                : job->budget.seconds > 0.0           ? "--max-time"
                                : strcmp(job->out, "{name}.png") != 0 ? "--out"
+                               : job->is_literal                     ? "--literal"
                                : job->format != CLI_PICTURE_PNG      ? "--format"
                                                                      : NULL;
     if (option) {

@@ -56,7 +56,7 @@ _rhw_render() { # CURRENT PREVIOUS
     --max-time) _rhw_words "$1" 10 60 300 ;;
     --max-texture) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
     --quality | --zoom | --margin | --orbit | --camera | --camera-index | --camera-name | --fovy | --variant | --animation | --time | --environment-rotation | --exposure | --threads | -j) ;;
-    *) _rhw_rest "$1" file --out --size --samples --supersample --output --bits --format --quality --fit --up --zoom --margin --ortho --print-camera --orbit --views --camera --camera-index --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --animate --turntable --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --threads --isa --paths --max-memory --max-time --max-texture --confine --stats --strict --quiet --help ;;
+    *) _rhw_rest "$1" file --out --literal --size --samples --supersample --output --bits --format --quality --fit --up --zoom --margin --ortho --print-camera --orbit --views --camera --camera-index --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --animate --turntable --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --threads --isa --paths --max-memory --max-time --max-texture --confine --stats --strict --quiet --help ;;
     esac
 }
 
@@ -70,7 +70,7 @@ _rhw_thumbs() { # CURRENT PREVIOUS
     --max-texture) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
     --confine) _rhw_files "$1" ;;
     --jobs | -j) ;;
-    *) _rhw_rest "$1" file --out --size --background --force --jobs --max-memory --max-time --max-texture --confine --quiet --help ;;
+    *) _rhw_rest "$1" file --out --size --background --fit --force --jobs --max-memory --max-time --max-texture --confine --quiet --help ;;
     esac
 }
 

@@ -20,6 +20,7 @@ complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explai
 set -l seen '__fish_seen_subcommand_from render'
 complete -c rhw -n "$seen" -F
 complete -c rhw -n "$seen" -s o -l out -r -F -d 'the file to write'
+complete -c rhw -n "$seen" -l literal -d 'braces in OUT stand for themselves'
 complete -c rhw -n "$seen" -s s -l size -x -a '512 1280x720 1920x1080 1024x1024 3840x2160' -d 'pixels, each way 1..16384, or N for a square'
 complete -c rhw -n "$seen" -l samples -x -a '1 2 4 8 16' -d 'samples of each pixel, for smooth edges'
 complete -c rhw -n "$seen" -l supersample -x -a '1 4 9 16' -d 'pixels drawn and shaded for each one of the picture, which smooths surfaces too and costs as many times as much'
@@ -73,6 +74,7 @@ complete -c rhw -n "$seen" -F
 complete -c rhw -n "$seen" -s o -l out -r -F -d 'the folder for the pictures, made where it is missing'
 complete -c rhw -n "$seen" -s s -l size -x -a '128 256 512' -d 'pixels, each way 1..16384, or N for a square'
 complete -c rhw -n "$seen" -l background -x -a 'transparent default black grey white' -d 'as for rhw render'
+complete -c rhw -n "$seen" -l fit -a 'all' -d 'fit each model into its picture, also when its file has cameras'
 complete -c rhw -n "$seen" -l force -d 'draw also what is there and newer than its model'
 complete -c rhw -n "$seen" -s j -l jobs -x -d 'models at a time, 1..64'
 complete -c rhw -n "$seen" -l max-memory -x -a '512M 1G 2G 4G' -d 'fail for a model that needs more than this'
