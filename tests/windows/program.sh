@@ -125,6 +125,7 @@ same render square.glb -o absent/picture.png
 same render square.glb -o folder
 same render square.glb -o folder/
 same render square.glb -o '{word}.png'
+same render square.glb --literal --size 32 -o '{word}.png'
 same thumbs absent -o thumbs
 same help compare
 same info absent.glb
