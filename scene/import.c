@@ -367,13 +367,17 @@ static void warn_of_missing_uvs(struct scene_import *import)
 static void warn_of_no_area(struct scene_import *import)
 {
     const struct scene_model *model = &import->model;
-    for (uint32_t i = 0; i < model->instance_count; i++) {
-        const struct scene_mesh *mesh = &model->meshes[model->instances[i].mesh];
-        if (mesh->primitive != SCENE_PRIMITIVE_TRIANGLES || scene_import_has_area(mesh)) {
-            return;
-        }
+    bool *is_asked = scene_import_allocate(import, model->mesh_count, sizeof *is_asked);
+    bool has_area = model->instance_count == 0;
+    for (uint32_t i = 0; i < model->instance_count && !has_area; i++) {
+        const uint32_t index = model->instances[i].mesh;
+        const struct scene_mesh *mesh = &model->meshes[index];
+        has_area =
+            !is_asked[index] && (mesh->primitive != SCENE_PRIMITIVE_TRIANGLES || scene_import_has_area(mesh));
+        is_asked[index] = true;
     }
-    if (model->instance_count > 0) {
+    free(is_asked);
+    if (!has_area) {
         scene_import_warn(import, "none of its triangles has an area: there is nothing to see");
     }
 }

@@ -68,7 +68,7 @@ struct scene_import {
     struct system_child *child;      // that reads; its reply is what the parent gets
 };
 
-/// Sends one line to the parent and ends the process. For the thread that reads alone, when it has no helpers.
+/// Sends one line to the parent and ends the process. Only the thread that reads may call it, and only while no helper runs.
 _Noreturn void scene_import_fail(struct scene_import *import, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 /// Adds a line to the warnings / the unsupported things of the model, once.
@@ -165,8 +165,9 @@ void scene_import_gather_vertices(struct scene_import *import, struct scene_mesh
 uint32_t *scene_import_weld_positions(struct scene_import *import, const struct scene_mesh *mesh);
 void scene_import_make_normals(struct scene_import *import, struct scene_mesh *mesh,
                                enum scene_import_normals kind);
-/// Turns normals of the triangles that have them on the side from which their corners run clockwise: what shades a surface
-/// by the side that is seen goes by the corners. A vertex of such triangles and of others becomes two.
+/// Turns normals, and tangents with them, of the triangles that have normals on the side from which their corners run
+/// clockwise: a surface is shaded by the side that is seen, and which that is the corners say. A vertex of such triangles
+/// and of others becomes two.
 void scene_import_turn_normals(struct scene_import *import, struct scene_mesh *mesh);
 /// Whether some triangle of a mesh of triangles has an area.
 bool scene_import_has_area(const struct scene_mesh *mesh);

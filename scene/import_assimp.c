@@ -510,13 +510,18 @@ static void set_unit(struct scene_import *import, const struct aiScene *scene)
 // Assimp turns most formats so that y is up; these it leaves as they are.
 static void set_up(struct scene_import *import, const struct aiScene *scene)
 {
-    if (strcasecmp(import->ending, "amf") == 0) {
-        import->model.up = SCENE_AXIS_Z;
-    } else if (strcasecmp(import->ending, "fbx") == 0) {
+    static const char *const upright[] = {"amf", "blend", "cob", "hmp", "smd"}; // along z
+    for (size_t i = 0; i < sizeof upright / sizeof *upright; i++) {
+        if (strcasecmp(import->ending, upright[i]) == 0) {
+            import->model.up = SCENE_AXIS_Z;
+        }
+    }
+    if (strcasecmp(import->ending, "fbx") == 0) {
         const int axis = fbx_up_axis(scene);
         import->model.up = axis == 2 ? SCENE_AXIS_Z : axis == 0 ? SCENE_AXIS_X : SCENE_AXIS_Y;
     }
-    import->up_is_open = strcasecmp(import->ending, "off") == 0;
+    import->up_is_open = strcasecmp(import->ending, "off") == 0 || strcasecmp(import->ending, "xgl") == 0 ||
+                         strcasecmp(import->ending, "zgl") == 0;
 }
 
 void scene_import_assimp(struct scene_import *import)

@@ -313,13 +313,12 @@ void scene_import_complete_mesh(struct scene_import *import, uint32_t index,
     if (mesh->primitive != SCENE_PRIMITIVE_TRIANGLES) {
         return;
     }
-    if (mesh->normals == NULL) {
+    const bool has_normals = mesh->normals != NULL;
+    if (!has_normals) {
         scene_import_make_normals(import, mesh, normals);
         if (normals == SCENE_IMPORT_FLAT) {
             join_vertices(import, mesh); // the triangles of one flat face share their vertices again
         }
-    } else if (import->sides_are_open) {
-        scene_import_turn_normals(import, mesh);
     }
     const struct scene_texture_slot *slot = find_tangent_slot(&import->model.materials[mesh->material]);
     if (slot == NULL || mesh->uvs[slot->uv_set] == NULL) {
@@ -327,5 +326,8 @@ void scene_import_complete_mesh(struct scene_import *import, uint32_t index,
         mesh->tangents = NULL;
     } else if (mesh->tangents == NULL) {
         scene_import_make_tangents(import, mesh, slot);
+    }
+    if (has_normals && import->sides_are_open) {
+        scene_import_turn_normals(import, mesh);
     }
 }

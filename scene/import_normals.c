@@ -327,27 +327,49 @@ void scene_import_make_normals(struct scene_import *import, struct scene_mesh *m
     }
 }
 
-// Whether the normals of a triangle's corners point, together, to where the corners run clockwise.
-static bool opposes_corners(const struct scene_mesh *mesh, uint32_t first_corner)
+// Of a triangle: how many of its corners' normals point to where the corners run clockwise.
+static int count_opposed(const struct scene_mesh *mesh, uint32_t first_corner)
 {
-    double facet[3], given[3] = {0, 0, 0};
+    double facet[3];
+    int opposed = 0;
     face_normal(mesh, first_corner, facet);
     for (uint32_t k = 0; k < 3; k++) {
         const float *const normal = mesh->normals[mesh->indices[first_corner + k]];
-        for (int c = 0; c < 3; c++) {
-            given[c] += (double)normal[c];
-        }
+        const double given[3] = {(double)normal[0], (double)normal[1], (double)normal[2]};
+        opposed += dot(facet, given) < 0;
     }
-    return dot(facet, given) < 0;
+    return opposed;
 }
 
+// Says of each triangle whether its normals oppose its corners. Where they are not of one mind, as on an edge that is smoothed
+// over, most of the other triangles decide. Gives whether any does.
+static bool find_opposed(const struct scene_mesh *mesh, bool *opposes)
+{
+    size_t for_all = 0, for_none = 0, mixed = 0;
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        const int opposed = count_opposed(mesh, i);
+        opposes[i / 3] = opposed == 3;
+        for_all += opposed == 3;
+        for_none += opposed == 0;
+        mixed += opposed % 3 != 0;
+    }
+    const bool most = for_all > for_none;
+    for (uint32_t i = 0; i < mesh->index_count && mixed > 0 && most; i += 3) {
+        opposes[i / 3] = opposes[i / 3] || count_opposed(mesh, i) != 0;
+    }
+    return for_all > 0;
+}
+
+// The tangent is turned too: a surface that is seen from its back is shaded by the whole frame the other way, so that a normal
+// map shows the relief that it has in the file's own. The bitangent, which is the product of both times the fourth number, is
+// the opposite of the file's already, as that number goes by the corners.
 static void turn_normal(struct scene_mesh *mesh, uint32_t vertex)
 {
     for (int c = 0; c < 3; c++) {
         mesh->normals[vertex][c] = -mesh->normals[vertex][c];
     }
-    if (mesh->tangents) { // the bitangent, which is their product, stays
-        mesh->tangents[vertex][3] = -mesh->tangents[vertex][3];
+    for (int c = 0; c < 3 && mesh->tangents; c++) {
+        mesh->tangents[vertex][c] = -mesh->tangents[vertex][c];
     }
 }
 
@@ -357,10 +379,8 @@ void scene_import_turn_normals(struct scene_import *import, struct scene_mesh *m
     const uint32_t count = mesh->vertex_count;
     uint8_t *use = scene_import_allocate(import, count, sizeof *use);
     bool *opposes = scene_import_allocate(import, mesh->index_count / 3, sizeof *opposes);
-    bool any = false;
-    for (uint32_t i = 0; i < mesh->index_count; i++) {
-        opposes[i / 3] = i % 3 == 0 ? opposes_corners(mesh, i) : opposes[i / 3];
-        any = any || opposes[i / 3];
+    const bool any = find_opposed(mesh, opposes);
+    for (uint32_t i = 0; i < mesh->index_count && any; i++) {
         use[mesh->indices[i]] |= opposes[i / 3] ? TURNED : KEPT;
     }
     if (any) {

@@ -213,7 +213,8 @@ uint32_t scene_phong_add(struct scene_import *import, const struct scene_phong *
 {
     struct scene_material *material = scene_import_add_material(import);
     material->name = phong->name;
-    material->double_sided = import->sides_are_open = true; // none of these formats can be trusted to know
+    material->double_sided = true; // none of these formats can be trusted to know
+    import->sides_are_open = true; // for that reason
     set_base_color(phong, material);
     set_surface(phong, material);
     set_slot(import, &phong->color, &material->slots[SCENE_SLOT_BASE_COLOR]);

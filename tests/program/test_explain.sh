@@ -60,6 +60,8 @@ check "the division" grep -q '1/W_P = r/W_0 + s/W_1 + t/W_2' told.txt
 check "three ways" grep -Eq '^    position z +[-0-9.e+]+ +[-0-9.e+]+' told.txt
 check "within the bound" test "$(sed -n 's/^The largest error is \([0-9]*\)\..*/\1/p' told.txt)" -lt 6
 check "smooth is not said to be noperspective" sh -c '! grep -q noperspective told.txt'
+succeed explain floor.obj --at 80,2 $look --background transparent
+check "where nothing is" grep -q '^It keeps what it was cleared to, (0, 0, 0, 0);' "$folder/log/out"
 succeed explain floor.obj --at 80,100 $look --interpolate noperspective
 check "nothing of 1/W is taken" grep -q "^This picture's varyings are noperspective: they take r, s, t, and nothing of 1/W.$" "$folder/log/out"
 sed 's/^d 0.5/map_Kd nowhere.png/; s/^Kd 0.2.*/map_Kd nowhere.png/' floor.mtl >lost.mtl

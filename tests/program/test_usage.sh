@@ -14,6 +14,8 @@ succeed --help
 cp "$folder/log/out" help.txt
 succeed help
 check "help as a word" cmp "$folder/log/out" help.txt
+succeed help help
+check "help of help" cmp "$folder/log/out" help.txt
 refuse 2 "nope: no such verb" help nope
 refuse 2 "--nope: no such option" help --nope
 refuse 2 "extra: one argument too many" help render extra
@@ -102,6 +104,13 @@ for word in '{foo}' '{name}' '{view}' '{frame}' '{}'; do
     succeed render "$word.obj" --size 8
     check "a picture is named after $word.obj" test -s "$word.png"
 done
+
+cp cube.obj color.obj
+succeed render '{}.obj' color.obj --size 8 -o 'of_{name}.png'
+check "braces of a model's name are no part of OUT" test -s 'of_{}.png'
+check "nor in the way of another" test -s of_color.png
+succeed render '{}.obj' --size 8 -o '{name}_{}.png' --output color,depth
+check "OUT's own are found behind them" test -s '{}_depth.png'
 
 refuse 2 "a.gif: no format for this ending" render cube.obj -o a.gif
 refuse 2 "png: no format for this ending" render cube.obj -o png

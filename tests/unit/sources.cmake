@@ -8,7 +8,7 @@ set(tiny_tests test_scene test_work_outputs test_camera test_light test_shadow t
 set(texture_tests test_texture test_sample test_sample_compare test_texture_kinds test_anisotropy)
 set(kind_tests test_texture_kinds test_anisotropy)
 set(texel_tests test_texel_formats)
-# And those ask the system as the program does.
+# Those link system/.
 set(system_tests test_child)
 
 # Adds what a test looks into, and the models of textures that it compares with.

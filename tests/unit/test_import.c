@@ -367,6 +367,48 @@ static void test_normals_turned_apart(void **state)
     scene_model_free(model);
 }
 
+// A slope over an edge: normals that are smoothed are not of one mind there, and the rest of the mesh decides.
+static void test_normals_of_two_minds(void **state)
+{
+    (void)state;
+    const char *vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 2 0 9\nvn 0 0 1\nvn 1 0 0\n";
+    const char *clockwise = "f 1//1 3//1 2//1\nf 2//1 3//1 4//1\nf 2//1 4//1 5//2\n",
+               *counter = "f 1//1 2//1 3//1\nf 2//1 4//1 3//1\nf 2//1 4//1 5//2\n";
+    for (int i = 0; i < 2; i++) {
+        char text[400];
+        snprintf(text, sizeof text, "%s%s", vertices, i == 0 ? clockwise : counter);
+        struct scene_model *model = load_text("x.obj", text);
+        const struct scene_mesh *mesh = &model->meshes[0];
+        assert_int_equal(mesh->index_count, 9);
+        for (uint32_t k = 0; k < 8; k++) {
+            assert_floats(mesh->normals[mesh->indices[k]], (const float[]){0, 0, i == 0 ? -1 : 1}, 3, 0);
+        }
+        assert_floats(mesh->normals[mesh->indices[8]], (const float[]){i == 0 ? -1 : 1, 0, 0}, 3, 0);
+        scene_model_free(model);
+    }
+}
+
+// A normal map's frame is turned as a whole: N × T is y in both, so that the bitangent goes with the fourth number.
+static void test_tangents_are_turned(void **state)
+{
+    (void)state;
+    write_text("x.mtl", "newmtl a\nnorm bumps.png\n");
+    const char *vertices =
+        "mtllib x.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\n";
+    for (int i = 0; i < 2; i++) {
+        char text[400];
+        snprintf(text, sizeof text, "%s%s", vertices,
+                 i == 0 ? "f 1/1/1 2/2/1 3/3/1\n" : "f 1/1/1 3/3/1 2/2/1\n");
+        struct scene_model *model = load_text("x.obj", text);
+        const struct scene_mesh *mesh = &model->meshes[0];
+        const float sign = i == 0 ? 1 : -1;
+        assert_floats(mesh->normals[0], (const float[]){0, 0, sign}, 3, 0);
+        assert_non_null(mesh->tangents);
+        assert_floats(mesh->tangents[0], (const float[]){sign, 0, 0, sign}, 4, 1e-6f);
+        scene_model_free(model);
+    }
+}
+
 static void test_no_area(void **state)
 {
     (void)state;
@@ -610,6 +652,8 @@ int main(void)
         cmocka_unit_test(test_obj_syntax),
         cmocka_unit_test(test_obj_materials),
         cmocka_unit_test(test_normals_turned_apart),
+        cmocka_unit_test(test_normals_of_two_minds),
+        cmocka_unit_test(test_tangents_are_turned),
         cmocka_unit_test(test_no_area),
         cmocka_unit_test(test_ply),
         cmocka_unit_test(test_ply_elements),

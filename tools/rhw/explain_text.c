@@ -39,6 +39,11 @@ static void print_history(FILE *out, const struct cli_explanation *e)
         e->side > 1      ? ", the mean of what is drawn for it"
         : e->samples > 1 ? ", the mean of the samples"
                          : "");
+    if (count == 0) {
+        fprintf(
+            out,
+            "It keeps what it was cleared to, (0, 0, 0, 0); a background of one color is laid under that.\n");
+    }
     for (int i = 0; i < count; i++) {
         const struct cli_past_fragment *const past = &e->history->fragments[i];
         const struct rhw_explained_fragment *const f = &past->told;

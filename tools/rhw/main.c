@@ -50,16 +50,21 @@ static int find_verb(const char *word)
     return -1;
 }
 
+static bool is_help(const char *word)
+{
+    return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0;
+}
+
 // help VERB
 static int print_verb_help(int argc, char **argv)
 {
     static char option[] = "--help";
-    const int verb = find_verb(argv[1]);
-    if (verb < 0) {
-        return CLI_USAGE;
-    }
     if (argc > 2) {
         cli_error(argv[2], "one argument too many; see 'rhw --help'");
+        return CLI_USAGE;
+    }
+    const int verb = find_verb(argv[1]);
+    if (verb < 0) {
         return CLI_USAGE;
     }
     return verbs[verb].run(2, (char *[]){argv[1], option, NULL});
@@ -76,10 +81,10 @@ static int run(int argc, char **argv)
         printf("rhw %s\n", rhw_version());
         return CLI_OK;
     }
-    if (strcmp(word, "help") == 0 && argc > 2) {
+    if (strcmp(word, "help") == 0 && argc > 2 && !is_help(argv[2])) {
         return print_verb_help(argc - 1, argv + 1);
     }
-    if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0) {
+    if (is_help(word)) {
         print_program_help();
         return CLI_OK;
     }

@@ -80,12 +80,12 @@ bool cli_output_file_is_folder(const char *path)
 {
     struct stat status;
     const size_t length = strlen(path);
-    const bool is_folder = (length > 0 && path[length - 1] == '/') ||
-                           (!is_standard_output(path) && stat(path, &status) == 0 && S_ISDIR(status.st_mode));
-    if (is_folder) {
-        cli_error(path, "is a folder; name a file in it");
+    const bool is_named = length > 0 && path[length - 1] == '/';
+    const bool is_there = !is_standard_output(path) && stat(path, &status) == 0 && S_ISDIR(status.st_mode);
+    if (is_named || is_there) {
+        cli_error(path, "%s a folder; name a file in it", is_there ? "is" : "is named as");
     }
-    return is_folder;
+    return is_named || is_there;
 }
 
 bool cli_output_file_check(const char *path)

@@ -12,8 +12,9 @@
 enum { JPEG_QUALITY = 92 };
 
 // OUT with the names of the model, and of the view or the frame, which count from 0; −1: there is none.
-static bool expand_out(struct render *render, int number)
+static bool expand_out(struct render *render, int number, int *braces)
 {
+    *braces = -1;
     const struct cli_render_job *const job = &render->job;
     const char *const slash = strrchr(job->model_path, '/'), *const base =
                                                                  slash ? slash + 1 : job->model_path;
@@ -22,6 +23,9 @@ static bool expand_out(struct render *render, int number)
     size_t at = 0;
     for (const char *in = job->out; *in && at < sizeof render->out;) {
         const size_t room = sizeof render->out - at;
+        if (!job->is_literal && *braces < 0 && strncmp(in, "{}", 2) == 0) {
+            *braces = (int)at;
+        }
         if (job->is_literal) {
             render->out[at++] = *in++;
         } else if (strncmp(in, "{name}", 6) == 0) {
@@ -45,8 +49,9 @@ static bool expand_out(struct render *render, int number)
     return true;
 }
 
-// `out`, or with several outputs that with the output's name in it.
-static char *make_path(const struct cli_render_job *job, const char *out, enum cli_output_kind kind)
+// `out`, or with several outputs that with the output's name in it. `braces`: where it has a {} for that; −1: nowhere.
+static char *make_path(const struct cli_render_job *job, const char *out, int braces,
+                       enum cli_output_kind kind)
 {
     const char *name = cli_output_name(kind);
     const size_t size = strlen(out) + strlen(name) + 2;
@@ -54,10 +59,9 @@ static char *make_path(const struct cli_render_job *job, const char *out, enum c
     if (!path) {
         return NULL;
     }
-    const char *place = job->is_literal ? NULL : strstr(out, "{}");
     const bool several = (job->kinds & (job->kinds - 1)) != 0;
-    if (job->format != CLI_PICTURE_EXR && place) {
-        snprintf(path, size, "%.*s%s%s", (int)(place - out), out, name, place + 2);
+    if (job->format != CLI_PICTURE_EXR && braces >= 0) {
+        snprintf(path, size, "%.*s%s%s", braces, out, name, out + braces + 2);
     } else if (job->format == CLI_PICTURE_EXR || !several || kind == CLI_KIND_COLOR) {
         snprintf(path, size, "%s", out);
     } else {
@@ -81,14 +85,15 @@ void cli_render_files_forget(struct render *render)
 bool cli_render_files_plan(struct render *render, int number)
 {
     const struct cli_render_job *job = &render->job;
-    if (!expand_out(render, number)) {
+    int braces;
+    if (!expand_out(render, number, &braces)) {
         return false;
     }
     for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
         if (!(job->kinds >> kind & 1)) {
             continue;
         }
-        render->paths[kind] = make_path(job, render->out, (enum cli_output_kind)kind);
+        render->paths[kind] = make_path(job, render->out, braces, (enum cli_output_kind)kind);
         if (!render->paths[kind]) {
             cli_error(render->out, "out of memory");
             return false;

@@ -42,7 +42,8 @@ static const struct cli_option options[] = {
     {"fit", OPTION_FIT, "[WHAT]",
      "fit each model into its picture, also when its file has cameras: its\nsubject (the default) or all, as "
      "for rhw render"},
-    {"force", OPTION_FORCE, NULL, "draw also what is there and newer than its model"},
+    {"force", OPTION_FORCE, NULL,
+     "draw also what is there and newer than its model, as it is after other options"},
     {"jobs", OPTION_JOBS, "N",
      "models at a time, 1..64; default: one for each core that the process may use"},
     {"max-memory", OPTION_MEMORY, "SIZE",
@@ -84,10 +85,11 @@ struct thumbs {
 
 static bool is_model(const char *name)
 {
-    static const char *const endings[] = {"glb", "gltf", "vrm", "obj", "ply", "stl", "3mf",     "fbx", "dae",
-                                          "3ds", "off",  "amf", "ac",  "ase", "b3d", "blend",   "bvh", "dxf",
-                                          "ifc", "iqm",  "lwo", "lws", "md2", "md3", "md5mesh", "mdl", "ms3d",
-                                          "nff", "ogex", "q3o", "smd", "x",   "x3d"};
+    static const char *const endings[] = {
+        "glb",     "gltf", "vrm", "obj", "ply",   "stl", "3mf", "fbx",     "dae", "3ds", "off",  "amf",
+        "ac",      "acc",  "ase", "b3d", "blend", "bvh", "cob", "dxf",     "hmp", "ifc", "iqm",  "irr",
+        "irrmesh", "lwo",  "lws", "lxo", "m3d",   "md2", "md3", "md5mesh", "mdc", "mdl", "ms3d", "nff",
+        "ogex",    "q3o",  "q3s", "sib", "smd",   "uc",  "x",   "x3d",     "xgl", "zgl"};
     const char *dot = strrchr(name, '.');
     for (size_t i = 0; dot && dot > name && i < sizeof endings / sizeof *endings; i++) {
         if (strcasecmp(dot + 1, endings[i]) == 0) {
@@ -121,7 +123,7 @@ static bool start_drawing(const struct thumbs *t, const char *model, const char 
 {
     char size[32];
     snprintf(size, sizeof size, "%dx%d", t->width, t->height);
-    const char *arguments[20] = {"render", "--threads", "1",      "--format", "png",          "--literal",
+    const char *arguments[24] = {"render", "--threads", "1",      "--format", "png",          "--literal",
                                  "-o",     picture,     "--size", size,       "--background", t->background};
     int count = 12;
     if (t->keeps_memory) {

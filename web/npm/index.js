@@ -242,17 +242,16 @@ async function rasterizerInstance(threads) {
     if (!rasterizers.has(threads)) {
         rasterizers.set(threads, Instance.create(threads));
     }
-    try {
-        const instance = await rasterizers.get(threads);
-        if (!instance.crashed) {
-            return instance;
-        }
-    } catch (error) {
-        rasterizers.delete(threads);
-        throw error;
+    const waited = rasterizers.get(threads);
+    const instance = await waited.catch(() => undefined);
+    if (instance && !instance.crashed) {
+        return instance;
     }
-    rasterizers.delete(threads);
-    return rasterizerInstance(threads);
+    if (rasterizers.get(threads) === waited) { // who waits for it too may have been first
+        rasterizers.delete(threads);
+        instance?.end();
+    }
+    return instance ? rasterizerInstance(threads) : waited;
 }
 
 // What lies in the module's memory for a call, and is freed after it.

@@ -115,7 +115,7 @@ static __attribute__((noinline)) void count_tiles(uint32_t *counts, int width,
     }
 }
 
-// Writes them.
+// Writes the entries of triangle `t`, and moves their ends.
 static __attribute__((noinline)) void place_tiles(uint16_t *entries, uint32_t *ends, int width,
                                                   const struct rhw_triangle_list *list, int t)
 {

@@ -48,8 +48,8 @@ struct rhw_triangle_list {
     struct rhw_triangle *triangles;
     struct rhw_tile_range *ranges; // the tiles of each
     int count;
-    const struct rhw_segment *segments; // of theirs
-    const struct rhw_polygon *polygons; // and those of clipped ones
+    const struct rhw_segment *segments; // that the triangles belong to
+    const struct rhw_polygon *polygons; // of those that are clipped
 };
 
 struct rhw_geometry_scratch {

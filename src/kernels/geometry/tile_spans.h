@@ -14,7 +14,7 @@
 #include "geometry_scratch.h"
 
 enum {
-    ROWS_MOST = 256, // of tiles
+    ROWS_MOST = RHW_MAX_TARGET_SIZE / RHW_TILE, // of tiles
     ROW_STEPS_LOG2 = RHW_TILE_LOG2 + RHW_SUBPIXEL_BITS
 };
 
@@ -36,7 +36,7 @@ static inline bool is_long(const struct rhw_triangle_list *list, int t)
 {
     enum { LONG = 4 }; // a range of 3×3 tiles, or 5×2
     const struct rhw_tile_range *const range = &list->ranges[t];
-    // Those draw no more than what is inside of their corners.
+    // These draw other pixels than those inside of their corners.
     const unsigned others =
         RHW_TRIANGLE_RECTANGLE | RHW_TRIANGLE_LINE | RHW_TRIANGLE_SMOOTH | RHW_TRIANGLE_CONSERVATIVE;
     return (range->x1 - range->x0) * (range->y1 - range->y0) >= LONG && !(list->triangles[t].flags & others);
@@ -50,7 +50,8 @@ static void add_extent(struct row_extents *rows, int row, int32_t x0, int32_t x1
 }
 
 // Adds an edge, downwards: y0 <= y1. Between its ends x is off by less than 2 steps: the slope's error, below 2^-24, times a
-// height of at most 2^24, and what the shift drops. As |x1 − x0| <= 2^24, |height·slope| <= 2^48.
+// height of less than 2^24, as rows lie in the target, and what the shift drops. Their product has 64 bits, and |x1 − x0| is
+// about 2^24 at most: lines reach beyond the guard band by half their width.
 static void add_edge_extents(struct row_extents *rows, int32_t x0, int32_t y0, int32_t x1, int32_t y1)
 {
     enum { SLOPE_BITS = 24 };
