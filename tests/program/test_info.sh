@@ -61,4 +61,24 @@ run info --json sampled.gltf
 check "JSON of a sampler" grep -q '"normal_image": 0, "normal_sampler": {"min": "linear", "mag": "nearest", "mip": "none", "u": "mirror", "v": "clamp"}' \
     "$folder/log/out"
 
+# Source's models stand along z, and assimp leaves them so.
+cat >stands.smd <<'SMD'
+version 1
+nodes
+0 "a" -1
+end
+skeleton
+time 0
+0 0 0 0 0 0 0
+end
+triangles
+x.bmp
+0 0 0 0 0 0 1 0 0
+0 1 0 0 0 0 1 1 0
+0 0 1 0 0 0 1 0 1
+end
+SMD
+run info stands.smd
+check "z is up" grep -q '^up:        z, by its format$' "$folder/log/out"
+
 finish
