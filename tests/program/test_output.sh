@@ -10,7 +10,7 @@ small="--size 64x48"
 mkdir folder folder.png
 refuse 1 "none/a.png: cannot be written: No such file or directory" render cube.obj -o none/a.png
 refuse 1 "folder.png: is a folder; name a file in it" render cube.obj -o folder.png
-refuse 1 "new.png/: is a folder; name a file in it" render cube.obj --format png -o new.png/
+refuse 1 "new.png/: is named as a folder; name a file in it" render cube.obj --format png -o new.png/
 refuse 2 "folder: is a folder; name a file in it" render cube.obj -o folder
 refuse 2 "folder/: is a folder; name a file in it" render cube.obj -o folder/
 refuse 1 "folder: is a folder; name a file in it" render cube.obj --format png -o folder
