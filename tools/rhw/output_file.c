@@ -6,6 +6,7 @@
 
 #include "ending.h"
 #include "file.h"
+#include "folder.h"
 #include "message.h"
 
 #include <errno.h>
@@ -76,18 +77,6 @@ static char *directory_of(const char *path)
     return directory;
 }
 
-bool cli_output_file_is_folder(const char *path)
-{
-    struct stat status;
-    const size_t length = strlen(path);
-    const bool is_named = length > 0 && path[length - 1] == '/';
-    const bool is_there = !is_standard_output(path) && stat(path, &status) == 0 && S_ISDIR(status.st_mode);
-    if (is_named || is_there) {
-        cli_error(path, "%s a folder; name a file in it", is_there ? "is" : "is named as");
-    }
-    return is_named || is_there;
-}
-
 bool cli_output_file_check(const char *path)
 {
     if (is_standard_output(path)) {
@@ -97,7 +86,7 @@ bool cli_output_file_check(const char *path)
         cli_error("''", "an output file needs a name");
         return false;
     }
-    if (cli_output_file_is_folder(path)) {
+    if (cli_is_folder(path)) {
         return false;
     }
     struct stat status;

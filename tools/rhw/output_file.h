@@ -28,9 +28,6 @@ void cli_output_files_deadline(double seconds, const char *subject);
 /// written: so that no one waits for a picture that cannot be kept. "-" is standard output.
 bool cli_output_file_check(const char *path);
 
-/// Whether `path` is a folder, or named as one. Reports that it is.
-bool cli_output_file_is_folder(const char *path);
-
 /// Opens. On failure one line is printed and nothing is left behind. `path` must live until the end.
 bool cli_output_file_open(struct cli_output_file *file, const char *path);
 /// Writes out what is buffered and closes the stream; the target is not there yet. Reports failure; the

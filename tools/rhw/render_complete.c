@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the options of rhw render mean together: what follows from those that were given, and which exclude each other.
-#include "output_file.h"
+#include "folder.h"
 #include "render_job.h"
 
 #include "options.h"
@@ -92,7 +92,7 @@ static bool check_format(struct cli_render_job *job)
     if (job->format == CLI_PICTURE_UNKNOWN) {
         job->format = to_stdout ? CLI_PICTURE_PNG : cli_picture_format_of(job->out);
     }
-    if (job->format == CLI_PICTURE_UNKNOWN && cli_output_file_is_folder(job->out)) {
+    if (job->format == CLI_PICTURE_UNKNOWN && cli_is_folder(job->out)) {
         return false;
     }
     if (job->format == CLI_PICTURE_UNKNOWN) {
