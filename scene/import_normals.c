@@ -343,21 +343,19 @@ static int count_opposed(const struct scene_mesh *mesh, uint32_t first_corner)
 
 // Says of each triangle whether its normals oppose its corners. Where they are not of one mind, as on an edge that is smoothed
 // over, most of the other triangles decide. Gives whether any does.
-static bool find_opposed(const struct scene_mesh *mesh, bool *opposes)
+static bool find_opposed(const struct scene_mesh *mesh, uint8_t *opposes)
 {
-    size_t for_all = 0, for_none = 0, mixed = 0;
-    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
-        const int opposed = count_opposed(mesh, i);
-        opposes[i / 3] = opposed == 3;
-        for_all += opposed == 3;
-        for_none += opposed == 0;
-        mixed += opposed % 3 != 0;
+    const uint32_t triangles = mesh->index_count / 3;
+    uint32_t of_count[4] = {0}; // triangles with so many corners that oppose
+    for (uint32_t t = 0; t < triangles; t++) {
+        opposes[t] = (uint8_t)count_opposed(mesh, 3 * t);
+        of_count[opposes[t]]++;
     }
-    const bool most = for_all > for_none;
-    for (uint32_t i = 0; i < mesh->index_count && mixed > 0 && most; i += 3) {
-        opposes[i / 3] = opposes[i / 3] || count_opposed(mesh, i) != 0;
+    const int enough = of_count[3] > of_count[0] ? 1 : 3;
+    for (uint32_t t = 0; t < triangles; t++) {
+        opposes[t] = opposes[t] >= enough;
     }
-    return for_all > 0;
+    return of_count[3] > 0;
 }
 
 // The tangent is turned too: a surface that is seen from its back is shaded by the whole frame the other way, so that a normal
@@ -378,7 +376,7 @@ void scene_import_turn_normals(struct scene_import *import, struct scene_mesh *m
     enum { KEPT = 1, TURNED = 2 }; // how a vertex is used
     const uint32_t count = mesh->vertex_count;
     uint8_t *use = scene_import_allocate(import, count, sizeof *use);
-    bool *opposes = scene_import_allocate(import, mesh->index_count / 3, sizeof *opposes);
+    uint8_t *opposes = scene_import_allocate(import, mesh->index_count / 3, sizeof *opposes);
     const bool any = find_opposed(mesh, opposes);
     for (uint32_t i = 0; i < mesh->index_count && any; i++) {
         use[mesh->indices[i]] |= opposes[i / 3] ? TURNED : KEPT;

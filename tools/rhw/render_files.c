@@ -11,16 +11,17 @@
 
 enum { JPEG_QUALITY = 92 };
 
-// OUT with the names of the model, and of the view or the frame, which count from 0; −1: there is none.
+// OUT with the names of the model, and of the view or the frame, which count from 0; −1: there is none. `braces`: where in that
+// OUT's own {} has come, for the output's name; −1: it has none.
 static bool expand_out(struct render *render, int number, int *braces)
 {
-    *braces = -1;
     const struct cli_render_job *const job = &render->job;
     const char *const slash = strrchr(job->model_path, '/'), *const base =
                                                                  slash ? slash + 1 : job->model_path;
     const char *const dot = strrchr(base, '.');
     const int stem = dot && dot > base ? (int)(dot - base) : (int)strlen(base);
     size_t at = 0;
+    *braces = -1;
     for (const char *in = job->out; *in && at < sizeof render->out;) {
         const size_t room = sizeof render->out - at;
         if (!job->is_literal && *braces < 0 && strncmp(in, "{}", 2) == 0) {
