@@ -452,6 +452,14 @@ static void resolve_functions(struct rhw_pipeline_data *data, enum rhw_isa isa)
     }
 }
 
+static void add_smooth(struct rhw_pipeline_data *data, int component)
+{
+    if (data->smooth_runs == 0 || data->smooth_run[data->smooth_runs - 1].end != component) {
+        data->smooth_run[data->smooth_runs++].first = component;
+    }
+    data->smooth_run[data->smooth_runs - 1].end = component + 1;
+}
+
 static void lay_out_varyings(struct rhw_pipeline_data *data)
 {
     int next = 0;
@@ -465,6 +473,8 @@ static void lay_out_varyings(struct rhw_pipeline_data *data)
             data->component_derivatives[next] = varying->derivatives;
             if (varying->qualifier == RHW_FLAT) {
                 data->flat_component[data->flat_count++] = (uint8_t)next;
+            } else if (varying->qualifier == RHW_SMOOTH) {
+                add_smooth(data, next);
             }
             data->any_constant_derivatives |= varying->derivatives && varying->qualifier != RHW_SMOOTH;
             data->noperspective_mask[next] = varying->qualifier == RHW_NOPERSPECTIVE ? -1 : 0;

@@ -45,6 +45,10 @@ struct rhw_pipeline_data {
     } vector_qualifier[RHW_MAX_VARYING_COMPONENTS / 8];
     int flat_count;
     uint8_t flat_component[RHW_MAX_VARYING_COMPONENTS];
+    int smooth_runs; // of smooth components beside each other
+    struct rhw_component_run {
+        int first, end; // the one behind the last
+    } smooth_run[RHW_MAX_VARYING_COMPONENTS];
     bool any_constant_derivatives; // of components that are not smooth
     int32_t noperspective_mask[RHW_MAX_VARYING_COMPONENTS],
         flat_mask[RHW_MAX_VARYING_COMPONENTS]; // −1 where it is so

@@ -507,7 +507,7 @@ void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int number, int wo
         return;
     }
     if (work.samples == CELL_SAMPLES) {
-        work.cell_places = cell_places_of(pass->pattern);
+        set_cell_pixels(work.cell_pixels, pass->pattern);
     }
     const struct rhw_counters before = *work.counters;
     load_tile(&work);

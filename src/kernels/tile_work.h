@@ -127,10 +127,10 @@ static inline struct tile_depth *depth_plane(struct rhw_tile_scratch *scratch, i
     return sample == 0 ? &scratch->depth : &scratch->planes[sample - 1].depth;
 }
 
-// The samples of a cell's columns and rows (tile/sample_cells.h): pixels from the centre of its first pixel, in whole
-// 256ths, so that sums with whole pixels are exact.
-struct cell_places {
-    d4 dx[4], dy[4];
+// The samples of a pixel of a cell (tile/sample_cells.h): pixels from the centre of the cell's first, in whole 256ths, so
+// that sums with whole pixels are exact.
+struct cell_pixel {
+    d4 dx, dy;
 };
 
 // This is one worker's work on one tile.
@@ -138,12 +138,12 @@ struct tile_work {
     struct rhw_pass_state *pass;
     struct rhw_tile_scratch *scratch;
     struct rhw_counters *counters;
-    int tile;                       // its number, row by row
-    int layer;                      // of the pass
-    int x, y;                       // pixels of the tile's first pixel in the target
-    int width, height;              // pixels of the tile: fewer at the target's end
-    int samples;                    // of a pixel
-    struct cell_places cell_places; // where there are 4
+    int tile;                          // its number, row by row
+    int layer;                         // of the pass
+    int x, y;                          // pixels of the tile's first pixel in the target
+    int width, height;                 // pixels of the tile: fewer at the target's end
+    int samples;                       // of a pixel
+    struct cell_pixel cell_pixels[16]; // where there are 4
     enum rhw_phase phase;
 
     // Of the draw whose fragments are collected:

@@ -73,7 +73,10 @@ static void run_interpolate_groups(const void *input, void *result)
     set_values(&triangle.work, &triangle.pipeline);
     memcpy(weights.b, in->b, sizeof weights.b);
     memcpy(weights.c, in->c, sizeof weights.c);
-    interpolate_groups(result, COMPONENTS, &triangle.work, &weights, RHW_BLOCK);
+    const struct rhw_component_run runs[] = {{0, 3}, {3, COMPONENTS}};
+    for (int i = 0; i < 2; i++) {
+        interpolate_groups(result, COMPONENTS, runs[i], &triangle.work, &weights, RHW_BLOCK);
+    }
 }
 
 static void run_interpolate_any(const void *input, void *result)

@@ -54,10 +54,11 @@ RHW_INLINE void fill_scattered(const struct tile_work *work, const struct triang
         }
     }
     f8 *const varyings = queue->varyings + first * pipeline->varying_components;
-    interpolate_groups(varyings, pipeline->varying_components, triangle, &weights, count);
-    if (pipeline->flat_count != 0) {
-        set_flat_groups(varyings, pipeline, triangle, count);
+    for (int run = 0; run < pipeline->smooth_runs; run++) {
+        interpolate_groups(varyings, pipeline->varying_components, pipeline->smooth_run[run], triangle,
+                           &weights, count);
     }
+    set_flat_groups(varyings, pipeline, triangle, count);
 }
 
 // Does so with everything that a fragment function may ask for.
@@ -220,11 +221,12 @@ RHW_INLINE void gather_fragments(struct tile_work *work, struct triangle_work *t
         queue_gathered(work, triangle);
     }
     int count = gathered->count;
+    i8 first = i8_splat(y * RHW_TILE + x); // of the row
     // Empty rows too: which are, a processor cannot predict, and a wrong guess costs more than a row.
     for (int row = 0; row < rows; row++) {
         const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
-        const i8 texels = i8_load_bytes(gathered->set_lanes[bits]) + i8_splat((y + row) * RHW_TILE + x);
-        i8_store(&gathered->texel[count], texels);
+        i8_store(&gathered->texel[count], first + i8_load_bytes(gathered->set_lanes[bits]));
+        first += i8_splat(RHW_TILE);
         count += __builtin_popcount(bits);
     }
     gathered->count = count;

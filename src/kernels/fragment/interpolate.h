@@ -24,10 +24,11 @@ static void set_values(struct triangle_work *triangle, const struct rhw_pipeline
     const float *const a = triangle->v[0]->varyings, *const b = triangle->v[1]->varyings,
                        *const c = triangle->v[2]->varyings;
     triangle->provoking = triangle->v[provoking_vertex(pipeline)]->varyings;
-    for (int i = 0; i < pipeline->varying_components; i++) {
-        triangle->i0[i] = a[i];
-        triangle->d1[i] = a[i] - b[i];
-        triangle->d2[i] = a[i] - c[i];
+    for (int i = 0; i < pipeline->varying_components; i += 8) { // vertex records are padded to whole vectors
+        const f8 i0 = f8_load(a + i);
+        f8_store(&triangle->i0[i], i0);
+        f8_store(&triangle->d1[i], i0 - f8_load(b + i));
+        f8_store(&triangle->d2[i], i0 - f8_load(c + i));
     }
 }
 
@@ -41,7 +42,7 @@ struct group_weights {
     f8 b[RHW_BLOCK], c[RHW_BLOCK];
 };
 
-// Sets the flat varyings of `count` groups, over what stands there.
+// Sets the flat varyings of `count` groups, those of the first at `varyings`.
 RHW_INLINE void set_flat_groups(f8 *varyings, const struct rhw_pipeline_data *pipeline,
                                 const struct triangle_work *triangle, int count)
 {
@@ -54,12 +55,12 @@ RHW_INLINE void set_flat_groups(f8 *varyings, const struct rhw_pipeline_data *pi
     }
 }
 
-// Sets the smooth varyings of `count` groups, those of the first at `varyings`; set_flat_groups has to follow where some
-// are flat.
-RHW_INLINE void interpolate_groups(f8 *varyings, ptrdiff_t components, const struct triangle_work *triangle,
-                                   const struct group_weights *weights, int count)
+// Sets the smooth ones of a run of components.
+RHW_INLINE void interpolate_groups(f8 *varyings, ptrdiff_t components, struct rhw_component_run run,
+                                   const struct triangle_work *triangle, const struct group_weights *weights,
+                                   int count)
 {
-    for (int i = 0; i < components; i++) {
+    for (int i = run.first; i < run.end; i++) {
         const f8 i0 = f8_splat(triangle->i0[i]), d1 = f8_splat(triangle->d1[i]),
                  d2 = f8_splat(triangle->d2[i]);
         f8 *to = varyings + i;

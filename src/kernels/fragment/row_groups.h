@@ -213,6 +213,7 @@ RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_w
     enum { STEP = 4 };
     const int first = work->scratch->queue.count;
     const ptrdiff_t components = work->pipeline->varying_components;
+    const struct rhw_component_run all = {0, work->pipeline->varying_components};
     d8 squared[RHW_BLOCK];
     for (int n = 0; n < rows->count; n += STEP) {
         const int left = rows->count - n, count = rows == &all_rows || left > STEP ? STEP : left;
@@ -226,10 +227,10 @@ RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_w
                 squared[n + k] = d8_mul(w.inverse_s, w.inverse_s);
             }
         }
-        interpolate_groups(work->scratch->queue.varyings + (first + n) * components, components, triangle,
-                           &weights, count);
+        interpolate_groups(work->scratch->queue.varyings + (first + n) * components, components, all,
+                           triangle, &weights, count);
     }
-    if (work->pipeline->flat_count != 0) {
+    if (work->pipeline->flat_count != 0) { // over what was made of them
         set_flat_groups(work->scratch->queue.varyings + first * components, work->pipeline, triangle,
                         rows->count);
     }

@@ -13,17 +13,40 @@
 _Static_assert(MOST_CELLS / BATCH * CELL * CELL <= RHW_GATHERED_FRAGMENTS,
                "the fragments of a triangle are listed without a look at their number");
 
-// Where the samples of a cell's pixels lie, for all triangles of a tile.
-static struct cell_places cell_places_of(const struct rhw_sample_pattern *pattern)
+// Sets where the samples of a cell's pixels lie, for all triangles of a tile.
+static void set_cell_pixels(struct cell_pixel pixels[CELL * CELL], const struct rhw_sample_pattern *pattern)
 {
-    struct cell_places places;
-    for (int n = 0; n < CELL; n++) {
+    for (int n = 0; n < CELL * CELL; n++) {
         for (int s = 0; s < CELL_SAMPLES; s++) {
-            places.dx[n][s] = n + from_center(pattern->x_0_8[s]);
-            places.dy[n][s] = n + from_center(pattern->y_0_8[s]);
+            pixels[n].dx[s] = n % CELL + from_center(pattern->x_0_8[s]);
+            pixels[n].dy[s] = n / CELL + from_center(pattern->y_0_8[s]);
         }
     }
-    return places;
+}
+
+// Texels from the first of a cell to its others.
+static const uint8_t texel_of_pixel[CELL * CELL] = {0,
+                                                    1,
+                                                    2,
+                                                    3,
+                                                    RHW_TILE,
+                                                    RHW_TILE + 1,
+                                                    RHW_TILE + 2,
+                                                    RHW_TILE + 3,
+                                                    2 * RHW_TILE,
+                                                    2 * RHW_TILE + 1,
+                                                    2 * RHW_TILE + 2,
+                                                    2 * RHW_TILE + 3,
+                                                    3 * RHW_TILE,
+                                                    3 * RHW_TILE + 1,
+                                                    3 * RHW_TILE + 2,
+                                                    3 * RHW_TILE + 3};
+
+// The pixels of a cell that have a sample in `covered`: the lowest bit of their four.
+RHW_INLINE uint64_t covered_pixels(uint64_t covered)
+{
+    const uint64_t pairs = covered | covered >> 2;
+    return (pairs | pairs >> 1) & 0x1111111111111111u;
 }
 
 // The depth of the samples of a pixel.
@@ -40,9 +63,10 @@ RHW_INLINE void store_depth_of_pixel(struct rhw_tile_scratch *scratch, int texel
     }
 }
 
-// The open samples of the pixel at (x, y), a bit each.
-static inline unsigned open_of_pixel(struct rhw_tile_scratch *scratch, int x, int y)
+// The open samples of a pixel, a bit each.
+static inline unsigned open_of_pixel(struct rhw_tile_scratch *scratch, int texel)
 {
+    const int x = texel % RHW_TILE, y = texel / RHW_TILE;
     unsigned open = 0;
     for (int s = 0; s < CELL_SAMPLES; s++) {
         open |= (unsigned)(depth_plane(scratch, s)->open[y] >> x & 1) << s;
@@ -50,15 +74,16 @@ static inline unsigned open_of_pixel(struct rhw_tile_scratch *scratch, int x, in
     return open;
 }
 
-// As settle_block does for the samples of the pixel at (x, y) that passed; gives those that go on.
-RHW_INLINE unsigned settle_pixel(struct rhw_tile_scratch *scratch, int x, int y, unsigned passed,
+// As settle_block does for the samples of a pixel that passed; gives those that go on.
+RHW_INLINE unsigned settle_pixel(struct rhw_tile_scratch *scratch, int texel, unsigned passed,
                                  const struct rhw_depth_rule rule)
 {
+    const int x = texel % RHW_TILE, y = texel / RHW_TILE;
     if (rule.open != RHW_OPEN_CLAIM && rule.open != RHW_OPEN_MARK) {
         return passed;
     }
     if (rule.open == RHW_OPEN_CLAIM) {
-        passed &= open_of_pixel(scratch, x, y);
+        passed &= open_of_pixel(scratch, texel);
     } else {
         scratch->depth.marked = true;
     }
@@ -76,24 +101,24 @@ RHW_INLINE void draw_cell(const struct tile_work *work, const struct triangle_se
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
     struct gathered_fragments *const gathered = &scratch->gathered;
-    const struct cell_places *const places = &work->cell_places;
     const struct plane z = plane_of(&setup->quantities[i], QUANTITY_Z);
     const d4 right = d4_splat(work->x + cell->x - setup->anchor_x[i]),
              down = d4_splat(work->y + cell->y - setup->anchor_y[i]);
     const bool tests = work->plan.tests_early, lists = work->plan.shading != RHW_SHADING_NONE;
+    const int first = cell->y * RHW_TILE + cell->x;
     int count = gathered->count;
-    for (uint64_t left = cell->covered; left != 0;) {
-        const int pixel = __builtin_ctzll(left) / CELL_SAMPLES, column = pixel % CELL, row = pixel / CELL;
-        const int x = cell->x + column, y = cell->y + row, texel = y * RHW_TILE + x;
-        const unsigned covered = (unsigned)(left >> (CELL_SAMPLES * pixel)) & 0xf;
+    for (uint64_t left = covered_pixels(cell->covered); left != 0; left &= left - 1) {
+        const unsigned bit = (unsigned)__builtin_ctzll(left), n = bit / CELL_SAMPLES;
+        const int texel = first + texel_of_pixel[n];
+        const unsigned covered = (unsigned)(cell->covered >> bit) & 0xf;
         unsigned samples = covered;
-        left &= ~((uint64_t)0xf << (CELL_SAMPLES * pixel));
         if (tests) {
+            const struct cell_pixel *const pixel = &work->cell_pixels[n];
             const f4 stored = depth_of_pixel(scratch, texel);
-            const f4 depth = f4_from_d4(plane_value4(z, places->dx[column] + right, places->dy[row] + down));
+            const f4 depth = f4_from_d4(plane_value4(z, pixel->dx + right, pixel->dy + down));
             samples &= i4_sign_bits(compare_lanes4(rule.compare, depth, stored));
             if (rule.open >= RHW_OPEN_TRY) {
-                samples |= covered & open_of_pixel(scratch, x, y) &
+                samples |= covered & open_of_pixel(scratch, texel) &
                            i4_sign_bits(compare_lanes4(RHW_COMPARE_EQUAL, depth, stored));
             }
             if (samples == 0) {
@@ -102,7 +127,7 @@ RHW_INLINE void draw_cell(const struct tile_work *work, const struct triangle_se
             if (rule.write) {
                 store_depth_of_pixel(scratch, texel, f4_select(i4_from_bits(samples), depth, stored));
             }
-            samples = settle_pixel(scratch, x, y, samples, rule);
+            samples = settle_pixel(scratch, texel, samples, rule);
         }
         gathered->texel[count] = texel;
         gathered->samples[count] = (int32_t)samples;
