@@ -109,9 +109,20 @@ static void keep_sample_depths(const struct tile_work *work, const struct planes
     }
 }
 
-// Queues groups of the fragments at `texel`, 8 each.
+// Leaves only those lanes of group g live.
+static __attribute__((noinline)) void mask_group(const struct tile_work *work, int g, unsigned live)
+{
+    struct fragment_queue *const queue = &work->scratch->queue;
+    queue->live[g] = (uint8_t)live;
+    queue->groups[g].mask = i8_from_bits(live);
+    if (work->samples > 1) {
+        queue->samples[g] &= i8_from_bits(live);
+    }
+}
+
+// Queues groups of the fragments at `texel`, 8 each. last_live: the lanes of the last group that are no repetitions.
 static void queue_scattered(struct tile_work *work, struct triangle_work *triangle, const int32_t *texel,
-                            int count)
+                            int count, unsigned last_live)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
     if (!triangle->has_values) {
@@ -144,31 +155,50 @@ static void queue_scattered(struct tile_work *work, struct triangle_work *triang
         }
         queue->only_full_rows = false;
         queue->count = first + n;
-        shade_if_full(work);
         count -= n;
         texel += 8 * n;
+        if (count == 0 && last_live != 0xff) {
+            mask_group(work, first + n - 1, last_live);
+        }
+        shade_if_full(work);
     }
 }
 
-// Makes groups of the gathered fragments that fill them; the others stay.
-static __attribute__((noinline)) void queue_gathered(struct tile_work *work, struct triangle_work *triangle)
+// Makes groups of the gathered fragments, the last of no fewer than `least` of them; the others stay.
+static __attribute__((noinline)) void queue_gathered(struct tile_work *work, struct triangle_work *triangle,
+                                                     int least)
 {
     struct gathered_fragments *const gathered = &work->scratch->gathered;
-    const int groups = gathered->count / 8, rest = gathered->count % 8;
+    const int groups = (gathered->count + RHW_LANES - least) / RHW_LANES, end = RHW_LANES * groups;
+    const int missing = max_int(end - gathered->count, 0);
     if (gathered->overtakes && work->scratch->partial.count != 0) {
         release_partial(work);
     }
     gathered->overtakes = false;
-    queue_scattered(work, triangle, gathered->texel, groups);
-    memcpy(gathered->texel, &gathered->texel[8 * groups], 8 * sizeof *gathered->texel);
-    memcpy(gathered->samples, &gathered->samples[8 * groups], 8 * sizeof *gathered->samples);
-    gathered->count = rest;
+    for (int i = end - missing; i < end; i++) {
+        gathered->texel[i] = gathered->texel[end - RHW_LANES];
+        gathered->samples[i] = gathered->samples[end - RHW_LANES];
+    }
+    queue_scattered(work, triangle, gathered->texel, groups, 0xffu >> missing);
+    memcpy(gathered->texel, &gathered->texel[end], RHW_LANES * sizeof *gathered->texel);
+    memcpy(gathered->samples, &gathered->samples[end], RHW_LANES * sizeof *gathered->samples);
+    gathered->count += missing - end;
+}
+
+// Fragments of a triangle, at least, that are a group rather than packed with those of others: packing one costs as much
+// as a third of a cheap group, and of a textured one less. With it, particles take 3 % fewer instructions.
+RHW_INLINE int least_of_group(const struct tile_work *work)
+{
+    enum { CHEAP = 6, TEXTURED = 7 };
+    return work->pipeline->any_derivatives ? TEXTURED : CHEAP;
 }
 
 static __attribute__((noinline)) void release_gathered(struct tile_work *work, struct triangle_work *triangle)
 {
-    if (work->scratch->gathered.count >= 8) {
-        queue_gathered(work, triangle);
+    // Those that wait where some of these lie would have to go first, before their group is full.
+    const int least = work->scratch->gathered.overtakes ? RHW_LANES : least_of_group(work);
+    if (work->scratch->gathered.count >= least) {
+        queue_gathered(work, triangle, least);
     }
     if (work->scratch->gathered.count != 0) {
         if (work->scratch->gathered.overtakes && !work->orders_lanes && samples_meet(work)) {
@@ -218,7 +248,7 @@ RHW_INLINE void gather_fragments(struct tile_work *work, struct triangle_work *t
         overtake(work);
     }
     if (gathered->count > RHW_GATHERED_FRAGMENTS - RHW_BLOCK * RHW_BLOCK) {
-        queue_gathered(work, triangle);
+        queue_gathered(work, triangle, RHW_LANES);
     }
     int count = gathered->count;
     i8 first = i8_splat(y * RHW_TILE + x); // of the row
@@ -241,7 +271,7 @@ static void gather_samples(struct tile_work *work, struct triangle_work *triangl
         gathered->overtakes = true; // unless they wait there too
     }
     if (gathered->count > RHW_GATHERED_FRAGMENTS - RHW_BLOCK * RHW_BLOCK) {
-        queue_gathered(work, triangle);
+        queue_gathered(work, triangle, RHW_LANES);
     }
     int count = gathered->count;
     for (int row = 0; row < RHW_BLOCK; row++) {

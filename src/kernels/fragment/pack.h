@@ -394,7 +394,7 @@ RHW_INLINE int pack_values(struct partial_group *partial, const struct packed_tr
 {
     const int n = partial->count;
     partial->texel[n] = texel;
-    partial->pixels[texel / RHW_TILE] |= (uint64_t)1 << texel % RHW_TILE;
+    partial->pixels[texel >> RHW_TILE_LOG2] |= (uint64_t)1 << (texel & (RHW_TILE - 1));
     partial->triangle[n] = packed;
     partial->quantities[n] = quantities;
     partial->count = n + 1;

@@ -145,7 +145,8 @@ static __attribute__((noinline)) void finish_tiny(const struct tiny_run *run, in
     begin_tiny(work, &triangle, run, i);
     work->counters->fragments += (uint64_t)gathered->count;
     // Nobody asks where fragments may share a group and there are too few for one of their own.
-    gathered->overtakes = (!work->orders_lanes || gathered->count >= RHW_LANES) && gathered_wait(work);
+    gathered->overtakes =
+        (!work->orders_lanes || gathered->count >= least_of_group(work)) && gathered_wait(work);
     release_gathered(work, &triangle);
 }
 
