@@ -126,7 +126,9 @@ void cli_print_help(const struct cli_verb *verb)
     printf("Usage: rhw %s%s%s [option...]\n%s\n\n", verb->name, verb->operands[0] ? " " : "", verb->operands,
            verb->summary);
     for (int i = 0; i < verb->option_count; i++) {
-        print_option(&verb->options[i]);
+        if (verb->options[i].help) {
+            print_option(&verb->options[i]);
+        }
     }
     print_option(&(struct cli_option){"help", HELP_ID, NULL, "print this and exit"});
     if (verb->notes) {

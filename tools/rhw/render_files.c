@@ -147,6 +147,7 @@ void cli_render_rasterize(const struct render *render, enum cli_output_kind kind
                          job->background == SCENE_BACKGROUND_TRANSPARENT, render->model->bounds_min,
                          render->model->bounds_max);
 }
+    output.raster.mark = job->thumb_mark;
 
 static bool encode_raster(struct render *render, struct cli_output_file *file, enum cli_output_kind kind)
 {

@@ -41,6 +41,7 @@ enum {
     OPTION_QUALITY,
     OPTION_STATS,
     OPTION_LITERAL,
+    OPTION_THUMB_MARK,
     OPTION_STRICT
 };
 
@@ -142,6 +143,7 @@ static const struct cli_option options[] = {
     {"strict", OPTION_STRICT, NULL,
      "no picture where the file has something that is not drawn as it is meant"},
     {"quiet", OPTION_QUIET, NULL, "no warnings"},
+    {"thumb-mark", OPTION_THUMB_MARK, "TEXT", NULL}, // of rhw thumbs, which starts this verb
 };
 
 static const char notes[] =
@@ -437,6 +439,7 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
         return true;
     case OPTION_LITERAL: job->is_literal = true; return true;
     case OPTION_ISA: return parse_isa(job, argument);
+    case OPTION_THUMB_MARK: job->thumb_mark = argument; return true;
     case OPTION_UP: return parse_up(job, argument);
     case OPTION_PATHS: return parse_paths(job, argument);
     case OPTION_THREADS:
