@@ -13,4 +13,9 @@ void system_streams_start(int argc, char **argv);
 /// is something is seen by reading.
 bool system_streams_have_input(int milliseconds);
 
+/// Sends what is written to standard error nowhere, for libraries that write there, until it is restored. Returns what
+/// restores it; −1: it goes where it went.
+int system_streams_silence(void);
+void system_streams_restore(int silenced);
+
 #endif

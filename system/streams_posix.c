@@ -2,6 +2,7 @@
 // See streams.h.
 #include "streams.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -14,4 +15,25 @@ bool system_streams_have_input(int milliseconds)
 {
     struct pollfd input = {.fd = STDIN_FILENO, .events = POLLIN};
     return poll(&input, 1, milliseconds) != 0;
+}
+
+int system_streams_silence(void)
+{
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    const int silenced = nowhere >= 0 ? fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1) : -1;
+    if (silenced >= 0) {
+        dup2(nowhere, STDERR_FILENO);
+    }
+    if (nowhere >= 0) {
+        close(nowhere);
+    }
+    return silenced;
+}
+
+void system_streams_restore(int silenced)
+{
+    if (silenced >= 0) {
+        dup2(silenced, STDERR_FILENO);
+        close(silenced);
+    }
 }
