@@ -486,6 +486,12 @@ run render other.ac $view -o x.png
 check "another is" grep -q 'other.bmp.*drawn in magenta' "$folder/log/err"
 run render cube.obj $view -o x.png --camera 0,0,9,0,0,18,0,1,0,30
 check "nothing in view is a warning" grep -q "^rhw: cube.obj: warning: nothing of the model is in the picture" "$folder/log/err"
+printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >thin.obj
+run render thin.obj $view -o x.png
+check "no area is one warning" test "$(cat "$folder/log/err")" = \
+    "rhw: thin.obj: warning: none of its triangles has an area: there is nothing to see"
+run render thin.obj $view -o x.png --camera 0,0,9,0,0,18,0,1,0,30
+check "and one by any camera" test "$(wc -l <"$folder/log/err")" = 1
 no_temporary_files
 
 finish

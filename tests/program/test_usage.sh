@@ -112,6 +112,27 @@ check "nor in the way of another" test -s of_color.png
 succeed render '{}.obj' --size 8 -o '{name}_{}.png' --output color,depth
 check "OUT's own are found behind them" test -s '{}_depth.png'
 
+mkdir both
+succeed render cube.obj --size 8 -o 'both/{}-{name}-{}.png' --output color,depth
+check "each {} is the output's name" test "$(ls both | tr '\n' ' ')" = "color-cube-color.png depth-cube-depth.png "
+refuse 2 "all_\{\}.exr: \{\} stands for an output's name, and an EXR file holds all outputs: leave it out" \
+    render cube.obj --size 8 -o 'all_{}.exr' --output color,depth
+refuse 2 "all_\{\}.png: \{\} stands for an output's name, and an EXR" render cube.obj -o 'all_{}.png' --format exr
+succeed render cube.obj --size 8 -o 'all_{}.exr' --literal
+check "an EXR named by --literal" test -s 'all_{}.exr'
+refuse 2 "--literal: is for one model: several need an OUT in which \{name\} stands for each one's name" \
+    render cube.obj color.obj --literal -o '{name}.png'
+refuse 2 "\{frame\}.jpg: only .png and .webp hold pictures that move; without --literal a \{frame\} gives each a file" \
+    render cube.obj --turntable 2 --literal -o '{frame}.jpg'
+
+# A picture where a model should be; its name tells where there is none yet.
+succeed render cube.obj --size 8 -o x.png
+for words in x.png "cube.obj x.png" "cube.obj new.png" new.JPG; do
+    refuse 2 "[a-z]*.(png|JPG): is no model but a picture, by its name; a picture to write is named by -o" render $words
+done
+refuse 2 "x.png: is no model but a picture, by its name" x.png
+refuse 1 "x.png: is no model but a PNG picture" render x.png -o y.png
+
 refuse 2 "a.gif: no format for this ending" render cube.obj -o a.gif
 refuse 2 "png: no format for this ending" render cube.obj -o png
 refuse 2 ".png: no format for this ending" render cube.obj -o .png

@@ -9,10 +9,18 @@
 #include <string.h>
 #include <unistd.h>
 
-// An argument that stands apart from its option, where that does not have to have one, is taken for a model.
+// An argument that stands apart from its option, where that does not have to have one, is taken for a model; a picture to
+// write, without its -o, too.
 static bool check_models(const struct cli_render_job *job)
 {
     static const char *const arguments[] = {"all", "subject", "over", "plain"};
+    for (int i = 0; i < job->model_count && !job->out; i++) {
+        if (cli_picture_format_of(job->model_paths[i]) != CLI_PICTURE_UNKNOWN) {
+            cli_error(job->model_paths[i],
+                      "is no model but a picture, by its name; a picture to write is named by -o");
+            return false;
+        }
+    }
     for (int i = 0; i < job->model_count && job->model_count > 1; i++) {
         const int found = cli_parse_name(job->model_paths[i], arguments, 4);
         if (found >= 0 && access(job->model_paths[i], F_OK) != 0) {
@@ -86,6 +94,21 @@ static bool check_placeholders(const struct cli_render_job *job)
     return true;
 }
 
+static bool check_exr(const struct cli_render_job *job)
+{
+    if (cli_out_has(job, "{}")) {
+        cli_error(job->out,
+                  "{} stands for an output's name, and an EXR file holds all outputs: leave it out, or "
+                  "--literal takes it as it is");
+        return false;
+    }
+    if (job->bits) {
+        cli_error("--bits", "an EXR file always holds 32 bits per sample");
+        return false;
+    }
+    return true;
+}
+
 static bool check_format(struct cli_render_job *job)
 {
     const bool to_stdout = strcmp(job->out, "-") == 0;
@@ -128,11 +151,7 @@ static bool check_format(struct cli_render_job *job)
         cli_error("--size", "a WebP file has at most 16383 pixels each way");
         return false;
     }
-    if (job->bits && job->format == CLI_PICTURE_EXR) {
-        cli_error("--bits", "an EXR file always holds 32 bits per sample");
-        return false;
-    }
-    return true;
+    return job->format != CLI_PICTURE_EXR || check_exr(job);
 }
 
 static bool check_camera(struct cli_render_job *job)
@@ -219,6 +238,11 @@ static bool check_names(const struct cli_render_job *job)
 static bool check_several(const struct cli_render_job *job)
 {
     const bool has_name = cli_out_has(job, "{name}"), has_view = cli_out_has(job, "{view}");
+    if (job->model_count > 1 && job->is_literal) {
+        cli_error("--literal",
+                  "is for one model: several need an OUT in which {name} stands for each one's name");
+        return false;
+    }
     if (job->model_count > 1 && !has_name) {
         cli_error(job->out, "several models need a {name} in OUT, which stands for each one's name");
         return false;
@@ -257,6 +281,12 @@ static bool check_movement(const struct cli_render_job *job)
     }
     if (moves && other) {
         cli_error(option, "cannot be together with %s", other);
+        return false;
+    }
+    if (moves && job->is_literal && job->format != CLI_PICTURE_PNG && job->format != CLI_PICTURE_WEBP) {
+        cli_error(
+            job->out,
+            "only .png and .webp hold pictures that move; without --literal a {frame} gives each a file");
         return false;
     }
     if (moves && !is_sequence && job->format != CLI_PICTURE_PNG && job->format != CLI_PICTURE_WEBP) {
