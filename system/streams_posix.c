@@ -9,6 +9,12 @@
 void system_streams_start(int argc, char **argv)
 {
     (void)argc, (void)argv;
+    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; stream++) {
+        if (fcntl(stream, F_GETFD) <
+            0) { // what is opened takes its number, in the direction that nobody uses
+            (void)open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+        }
+    }
 }
 
 bool system_streams_have_input(int milliseconds)
