@@ -124,7 +124,8 @@ refuse 2 "--jobs: '0' is not a number of 1 to 64" thumbs in -o out --jobs 0
 refuse 1 "nowhere: cannot be read: No such file or directory" thumbs nowhere -o new
 refuse 1 "cube.obj: cannot be read: Not a directory" thumbs cube.obj -o new
 check "and no folder" test ! -e new
-refuse 1 "cube.obj: cannot be made: Not a directory" thumbs in -o cube.obj -q
+refuse 1 "cube.obj: cannot be made: Not a directory" thumbs in -o cube.obj
+refuse 1 "nowhere: cannot be read: No such file or directory" thumbs in -o new --confine nowhere
 # A folder without a model is a mistake, most likely.
 mkdir -p none/deeper
 echo text >none/deeper/notes.txt

@@ -9,6 +9,11 @@
 #include <string.h>
 #include <unistd.h>
 
+bool cli_out_has(const struct cli_render_job *job, const char *word)
+{
+    return !job->is_literal && strstr(job->out, word);
+}
+
 // An argument that stands apart from its option, where that does not have to have one, is taken for a model; a picture to
 // write, without its -o, too.
 static bool check_models(const struct cli_render_job *job)
@@ -21,11 +26,19 @@ static bool check_models(const struct cli_render_job *job)
             return false;
         }
     }
-    for (int i = 0; i < job->model_count && job->model_count > 1; i++) {
+    const bool is_many = job->model_count > 1;
+    for (int i = 0; i < job->model_count && is_many; i++) {
         const int found = cli_parse_name(job->model_paths[i], arguments, 4);
         if (found >= 0 && access(job->model_paths[i], F_OK) != 0) {
             cli_error(job->model_paths[i], "is no model; it belongs to %s=%s, with the sign between them",
                       found < 2 ? "--fit" : "--wireframe", arguments[found]);
+            return false;
+        }
+        // What was meant for one model more likely than as another.
+        if (!(job->out && cli_out_has(job, "{name}")) && strcmp(job->model_paths[i], "-") != 0 &&
+            access(job->model_paths[i], F_OK) != 0) {
+            cli_error(job->model_paths[i],
+                      "stands behind no option, so it is a model, and there is no such file");
             return false;
         }
     }
@@ -46,6 +59,11 @@ static bool choose_out(struct cli_render_job *job)
     const char *slash = strrchr(job->model_path, '/'), *name = slash ? slash + 1 : job->model_path;
     const char *dot = strrchr(name, '.');
     const int length = dot && dot > name ? (int)(dot - name) : (int)strlen(name);
+    if (length == 0) {
+        cli_error(job->model_path,
+                  "is named as a folder, and a model is wanted; rhw thumbs draws all models in a folder");
+        return false;
+    }
     const char *ending = endings[job->format == CLI_PICTURE_UNKNOWN ? CLI_PICTURE_PNG : job->format];
     snprintf(job->own_out, sizeof job->own_out, "%.*s.%s", length, name, ending);
     if (strcmp(job->model_path, "-") == 0 || length >= (int)sizeof job->own_out - 6) {
@@ -61,11 +79,6 @@ static bool choose_out(struct cli_render_job *job)
     job->out = job->own_out;
     job->is_literal = true;
     return true;
-}
-
-bool cli_out_has(const struct cli_render_job *job, const char *word)
-{
-    return !job->is_literal && strstr(job->out, word);
 }
 
 // A word in braces would be a part of the file's name.

@@ -454,12 +454,12 @@ int cli_thumbs(int argc, char **argv)
     if (!share_budget(&t)) {
         return CLI_USAGE;
     }
-    if (!can_read(t.in)) {
+    if (!can_read(t.in) || !can_read(folder_of(&t)) || !make_folder(t.out)) {
         return CLI_FAILED;
     }
     write_mark(&t);
     t.keeps_memory = cli_budget_check(&t.budget);
-    const bool complete = make_folder(t.out) && walk(&t, t.in, t.out, 0);
+    const bool complete = walk(&t, t.in, t.out, 0);
     while (t.running > 0) {
         reap(&t);
     }
