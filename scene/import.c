@@ -366,7 +366,7 @@ static void warn_of_missing_uvs(struct scene_import *import)
 // A picture of such a model would be empty, and nothing would say why.
 static void warn_of_no_area(struct scene_import *import)
 {
-    const struct scene_model *model = &import->model;
+    struct scene_model *model = &import->model;
     bool *is_asked = scene_import_allocate(import, model->mesh_count, sizeof *is_asked);
     bool has_area = model->instance_count == 0;
     for (uint32_t i = 0; i < model->instance_count && !has_area; i++) {
@@ -377,7 +377,8 @@ static void warn_of_no_area(struct scene_import *import)
         is_asked[index] = true;
     }
     free(is_asked);
-    if (!has_area) {
+    model->lacks_area = !has_area;
+    if (model->lacks_area) {
         scene_import_warn(import, "none of its triangles has an area: there is nothing to see");
     }
 }

@@ -146,7 +146,7 @@ static bool file_acceptable(const char *path, char *error, size_t error_size)
         return refuse(error, error_size, "cannot be opened: %s", strerror(errno));
     }
     if (S_ISDIR(status.st_mode)) {
-        return refuse(error, error_size, "is a directory");
+        return refuse(error, error_size, "is a folder");
     }
     if (!S_ISREG(status.st_mode)) {
         return refuse(error, error_size, "is not a regular file");

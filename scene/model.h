@@ -199,6 +199,7 @@ struct scene_model {
     enum scene_axis up; ///< what the format says, or where it says little, what the model stands on
     bool up_guessed;
     bool doubts_cameras; ///< of a format whose cameras are often wrong
+    bool lacks_area;     ///< every instance is of triangles, and none has an area; a warning tells it
     uint32_t mesh_count, material_count, image_count, instance_count, camera_count, light_count,
         animation_count, extension_count;
     struct scene_mesh *meshes;

@@ -24,3 +24,13 @@ bool system_streams_have_input(int milliseconds)
     (void)milliseconds;
     return true;
 }
+
+int system_streams_silence(void)
+{
+    return -1; // no library writes there
+}
+
+void system_streams_restore(int silenced)
+{
+    (void)silenced;
+}

@@ -238,7 +238,7 @@ def matrix(value: Any, name: str) -> np.ndarray:
 
 def product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """a @ b of (4, 4) matrices, summed in a fixed order: libraries for linear algebra choose theirs by the machine."""
-    total = a[:, 0, None] * b[None, 0, :]
+    total: np.ndarray = a[:, 0, None] * b[None, 0, :]
     for k in range(1, 4):
         total = total + a[:, k, None] * b[None, k, :]
     return total

@@ -65,7 +65,7 @@ class Surface:
         return replace(self, **{key: value for key, value in values.items() if getattr(self, key) is None})
 
     def row(self, name: str, image: int) -> Tuple[Any, ...]:
-        if any(each is None for each in (self.color, self.metallic, self.roughness, self.emissive)):
+        if self.color is None or self.metallic is None or self.roughness is None or self.emissive is None:
             usual = self.where_unsaid(color=(0.8, 0.8, 0.8), metallic=0.0, roughness=0.6, emissive=(0, 0, 0))
             return usual.row(name, image)
         color = _color(self.color, "color", (3, 4), most=1)
@@ -193,7 +193,7 @@ def _texture_of(material: Any) -> Optional[np.ndarray]:
 
 
 def _from_trimesh(mesh: Any, surface: Surface, smooth: bool) -> Tuple[Geometry, Surface]:
-    visual = getattr(mesh, "visual", None)
+    visual: Any = getattr(mesh, "visual", None)
     kind = getattr(visual, "kind", None)
     uv = getattr(visual, "uv", None) if kind == "texture" else None
     texture = _texture_of(getattr(visual, "material", None)) if uv is not None else None

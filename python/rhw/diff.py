@@ -97,7 +97,7 @@ def _rasterize(pos: Any, tri: Any, resolution: Any, ranges: Any, context: Option
     return rast, rast_db, found
 
 
-def rasterize(pos: Any, tri: Any, resolution: Tuple[int, int], ranges: Any = None, *,
+def rasterize(pos: Any, tri: Any, resolution: Sequence[int], ranges: Any = None, *,
               context: Optional[_rhw.Context] = None) -> Tuple[np.ndarray, np.ndarray]:
     """What every pixel sees.
 
@@ -122,7 +122,7 @@ def rasterize_grad(pos: Any, tri: Any, rast: Any, to_rast: Any, to_rast_db: Any 
     if not shared and len(pos) != len(rast):
         raise ValueError(f"pos: must have {len(rast)} images, as rast has, not {len(pos)}")
     tri = indices(tri, "tri", (None, 3), pos.shape[-2])
-    result = np.empty_like(pos)
+    result: np.ndarray = np.empty_like(pos)
     _rhw.diff_rasterize_grad(_mesh(tri, pos.shape[-2], rast.shape, context), pos, shared, rast,
                              _like(to_rast, "to_rast", rast),
                              None if to_rast_db is None else _like(to_rast_db, "to_rast_db", rast), result)
@@ -139,7 +139,7 @@ class DepthPeeler:
     The arguments are those of rasterize. What lies at the depth of the layer before is left out.
     """
 
-    def __init__(self, pos: Any, tri: Any, resolution: Tuple[int, int], ranges: Any = None, *,
+    def __init__(self, pos: Any, tri: Any, resolution: Sequence[int], ranges: Any = None, *,
                  context: Optional[_rhw.Context] = None) -> None:
         self._arguments = pos, tri, resolution, ranges, context
         self._depths: Optional[np.ndarray] = None
@@ -159,8 +159,12 @@ class DepthPeeler:
 # Attributes ------------------------------------------------------------------------------------------------------------
 
 
+# What _rhw.diff_interpolate takes, but for its results.
+_Interpolation = Tuple[Tuple[Any, ...], np.ndarray, int, bool, np.ndarray, Optional[np.ndarray], np.ndarray]
+
+
 def _interpolation(attr: Any, rast: Any, tri: Any, rast_db: Any, diff_attrs: Any,
-                   context: Optional[_rhw.Context]) -> Tuple[np.ndarray, bool, np.ndarray, Tuple[Any, ...]]:
+                   context: Optional[_rhw.Context]) -> Tuple[np.ndarray, bool, np.ndarray, _Interpolation]:
     """What the calls of both directions begin with."""
     rast = _rast(rast)
     attr, shared = _batched(attr, "attr", None, len(rast))
@@ -274,9 +278,13 @@ def _collected(levels: List[np.ndarray]) -> np.ndarray:
     return gradient
 
 
+# What _rhw.diff_texture takes, but for its result.
+_Sampling = Tuple[Tuple[Any, ...], np.ndarray, Optional[np.ndarray], Optional[np.ndarray]]
+
+
 def _sampling(tex: Any, uv: Any, uv_da: Any, mip_level_bias: Any, mip: Any, filter_mode: str, boundary_mode: str,
               max_mip_level: Optional[int], context: Optional[_rhw.Context],
-              ) -> Tuple[Tuple[np.ndarray, ...], Tuple[Any, ...], Tuple[int, ...]]:
+              ) -> Tuple[Tuple[np.ndarray, ...], _Sampling, Tuple[int, ...]]:
     """Levels, the first arguments of the extension, and the shape of what is read."""
     filtering, boundary = choice(filter_mode, "filter_mode", (*_FILTERS, "auto")), choice(boundary_mode, "boundary_mode", _BOUNDARIES)
     if filtering == len(_FILTERS):
@@ -338,7 +346,8 @@ def texture_grad(tex: Any, uv: Any, to_values: Any, uv_da: Any = None, mip_level
     levels, arguments, shape = _sampling(tex, uv, uv_da, mip_level_bias, mip, filter_mode, boundary_mode, max_mip_level,
                                          context)
     to_levels = tuple(np.empty_like(level) for level in levels)
-    to_uv, to_uv_da, to_bias = (None if array is None else np.empty_like(array) for array in arguments[1:])
+    to_uv = np.empty_like(arguments[1])
+    to_uv_da, to_bias = (None if array is None else np.empty_like(array) for array in arguments[2:])
     _rhw.diff_texture_grad((*arguments, floats(to_values, "to_values", shape)), to_levels, to_uv, to_uv_da, to_bias)
     to_tex, to_mip = to_levels[0], list(to_levels[1:])
     if mip is None:
@@ -371,8 +380,12 @@ def antialias_construct_topology_hash(tri: Any) -> np.ndarray:
     return result.reshape(tri.shape)
 
 
+# What _rhw.diff_antialias takes, but for its result.
+_Silhouettes = Tuple[Tuple[Any, ...], np.ndarray, int, np.ndarray, np.ndarray, bool, np.ndarray]
+
+
 def _silhouettes(color: Any, rast: Any, pos: Any, tri: Any, topology_hash: Any,
-                 context: Optional[_rhw.Context]) -> Tuple[Any, ...]:
+                 context: Optional[_rhw.Context]) -> _Silhouettes:
     rast = _rast(rast)
     color = floats(color, "color", rast.shape[:3] + (None,))
     whole(color.shape[-1], "color: number of channels", 1, MOST)

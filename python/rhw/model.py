@@ -120,8 +120,9 @@ def _view(memory: Any) -> Optional[np.ndarray]:
 
 
 def _mesh(about: Dict[str, Any]) -> Mesh:
-    arrays = ("vertices", "faces", "normals", "tangents", "uv", "uv2", "colors")
-    return Mesh(name=about["name"], material=about["material"], **{key: _view(about[key]) for key in arrays})
+    names = ("vertices", "faces", "normals", "tangents", "uv", "uv2", "colors")
+    arrays: Dict[str, Any] = {name: _view(about[name]) for name in names}
+    return Mesh(name=about["name"], material=about["material"], **arrays)
 
 
 def _placed(about: Dict[str, Any]) -> Dict[str, Any]:

@@ -106,7 +106,8 @@ class Pictures(Dict[str, np.ndarray]):
         return f"<rhw.Pictures {self.size[0]} x {self.size[1]}: {', '.join(self)}>"
 
     def _repr_png_(self) -> Optional[bytes]:
-        output = "color" if "color" in self else next((name for name in self if name in _FILE_KINDS), None)
+        kinds = [name for name in self if name in _FILE_KINDS]
+        output = "color" if "color" in self else kinds[0] if kinds else None
         return None if output is None else self.png(output)
 
 

@@ -109,7 +109,7 @@ class Texture:
         item = np.dtype(kind).itemsize
         shape: Tuple[int, ...] = (height, width) if channels == 1 else (height, width, channels)
         strides = (pitch, channels * item, item)[:len(shape)]
-        self.array = np.ndarray(shape, kind, np.asarray(self._resource.memory), 0, strides)
+        self.array: np.ndarray = np.ndarray(shape, kind, np.asarray(self._resource.memory), 0, strides)
 
     @classmethod
     def of(cls, image: Any, *, srgb: bool = True, context: Optional[_rhw.Context] = None) -> "Texture":
@@ -333,7 +333,7 @@ class Pass:
             raise ValueError(f"{name}: belongs to another context")
 
     def _attributes(self, pipeline: Pipeline, given: Mapping[str, Any]) -> Sequence[Buffer]:
-        buffers = []
+        buffers: List[Buffer] = []
         for name, value in given.items():
             wanted = pipeline._attributes.get(name)
             if wanted is None or value is None:
@@ -438,4 +438,5 @@ def _matrices(matrix: Any, world: Any, color: Sequence[float]) -> np.ndarray:
 
 
 def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    return a[[1, 2, 0]] * b[[2, 0, 1]] - a[[2, 0, 1]] * b[[1, 2, 0]]
+    product: np.ndarray = a[[1, 2, 0]] * b[[2, 0, 1]] - a[[2, 0, 1]] * b[[1, 2, 0]]
+    return product

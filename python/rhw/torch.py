@@ -8,6 +8,8 @@ another device are copied here and results back. What the operations do, and wha
 gradients are theirs, to the last bit the same for any number of threads.
 """
 
+# torch's Function says nothing of its subclasses' arguments and results.
+# mypy: disable-error-code="override, no-any-return"
 from __future__ import annotations
 
 from typing import Any, Callable, List, Optional, Sequence, Tuple, Union
@@ -106,7 +108,7 @@ def rasterize(glctx: RasterizeContext, pos: torch.Tensor, tri: torch.Tensor, res
         raise RuntimeError("rasterize: the context peels depth; call rasterize_next_layer, or leave the DepthPeeler first")
 
     def draw() -> Tuple[np.ndarray, np.ndarray]:
-        return diff.rasterize(_array(pos), _array(tri), tuple(resolution), _array(ranges), context=glctx.context)
+        return diff.rasterize(_array(pos), _array(tri), resolution, _array(ranges), context=glctx.context)
 
     return _Rasterize.apply(draw, glctx.context, pos, tri, grad_db)
 
@@ -118,7 +120,7 @@ class DepthPeeler:
                  ranges: Optional[torch.Tensor] = None, grad_db: bool = True) -> None:
         _check(pos=pos, tri=tri)
         self._glctx, self._pos, self._tri, self._grad_db = glctx, pos, tri, grad_db
-        self._peeler = diff.DepthPeeler(_array(pos), _array(tri), tuple(resolution), _array(ranges), context=glctx.context)
+        self._peeler = diff.DepthPeeler(_array(pos), _array(tri), resolution, _array(ranges), context=glctx.context)
 
     def __enter__(self) -> "DepthPeeler":
         if self._glctx.active_depth_peeler is not None:
@@ -220,12 +222,12 @@ class _Antialias(Function):
                 topology_hash: np.ndarray, boost: float) -> Any:
         ctx.save_for_backward(color, rast, pos, tri)
         ctx.topology_hash, ctx.boost = topology_hash, boost
-        return _tensor(diff.antialias(*map(_array, (color, rast, pos, tri)), topology_hash), color)
+        return _tensor(diff.antialias(_array(color), _array(rast), _array(pos), _array(tri), topology_hash), color)
 
     @staticmethod
     def backward(ctx: Any, to_result: torch.Tensor) -> Tuple[Any, ...]:
-        tensors = ctx.saved_tensors
-        to_color, to_pos = diff.antialias_grad(*map(_array, tensors), _array(to_result), ctx.topology_hash)
+        color, rast, pos, tri = map(_array, ctx.saved_tensors)
+        to_color, to_pos = diff.antialias_grad(color, rast, pos, tri, _array(to_result), ctx.topology_hash)
         return _tensor(to_color, to_result), None, _tensor(to_pos, to_result) * ctx.boost, None, None, None
 
 

@@ -61,6 +61,8 @@ succeed render cube.obj --size 64x48 -o a.png
 refuse 1 "a.png: is 64x48, but a.ppm is 2x2" compare a.ppm a.png
 refuse 1 "a.png: an EXR file compares with EXR files only" compare one.exr a.png
 refuse 1 "none.png: cannot be opened: No such file or directory" compare a.png none.png
+refuse 1 "a.png: is one of the pictures; name another file for the difference" compare a.png a.png -d a.png
+refuse 1 "./a.ppm: is one of the pictures" compare a.png a.ppm -d ./a.ppm
 mkdir folder
 refuse 1 "folder: Is a directory" compare folder a.png
 : >empty.png

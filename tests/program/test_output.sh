@@ -19,6 +19,9 @@ refuse 1 "'': an output file needs a name" render cube.obj --format png -o ''
 refuse 1 "/proc/a.png: " render cube.obj $small -o /proc/a.png
 refuse 1 "none/s.json: cannot be written: No such file or directory" render cube.obj -o a.png --stats=none/s.json
 refuse 1 "folder: is a folder; name a file in it" render cube.obj -o a.png --stats=folder
+refuse 1 "--stats: new.png is the picture's file; name another" render cube.obj -o new.png --stats=new.png
+refuse 1 "--stats: new.depth.png is the picture's file" render cube.obj -o new.png --output color,depth \
+    --stats=new.depth.png
 name=$(printf '%0300d' 0).png
 refuse 1 "$name: cannot be written: File name too long" render cube.obj -o "$name"
 if [ "$(id -u)" != 0 ]; then

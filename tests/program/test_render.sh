@@ -268,7 +268,7 @@ differs "--background environment" --environment sky.hdr --background environmen
 succeed render cube.obj $view -o other.exr --environment sky.hdr
 succeed render cube.obj $view -o a.png --environment other.exr
 succeed render cube.obj $view -o a.png
-refuse 1 "nowhere.hdr: No such file" render cube.obj -o a.png --environment nowhere.hdr
+refuse 1 "nowhere.hdr: cannot be opened: No such file" render cube.obj -o a.png --environment nowhere.hdr
 refuse 1 "a.png: an environment must be a Radiance HDR or an OpenEXR picture" render cube.obj -o b.png --environment a.png
 refuse 1 "cube.mtl: an environment must be a Radiance HDR or an OpenEXR picture" render cube.obj -o b.png --environment cube.mtl
 : >empty.hdr
@@ -396,6 +396,15 @@ done
 # With nothing open but the files that are asked for.
 "$rhw" render cube.obj $view -o closed.png <&- >&- 2>&-
 check "standard streams that are closed" cmp -s a.png closed.png
+"$rhw" render cube.obj $view -o - >&- 2>"$folder/log/err"
+check "a picture to a closed stream" grep -q "^rhw: standard output: cannot be written: Bad file desc" "$folder/log/err"
+# Their numbers are no file's, which would get what is printed.
+if [ -d /dev/fd ]; then
+    "$rhw" info /dev/fd/0 <&- 2>"$folder/log/0"
+    "$rhw" info /dev/fd/1 >&- 2>"$folder/log/1"
+    check "the number of a closed stream is taken" grep -q "is not a regular file" "$folder/log/0"
+    check "of standard output too" grep -q "is not a regular file" "$folder/log/1"
+fi
 
 # A picture does not take the model's place.
 cp cube.obj self.png
@@ -486,6 +495,12 @@ run render other.ac $view -o x.png
 check "another is" grep -q 'other.bmp.*drawn in magenta' "$folder/log/err"
 run render cube.obj $view -o x.png --camera 0,0,9,0,0,18,0,1,0,30
 check "nothing in view is a warning" grep -q "^rhw: cube.obj: warning: nothing of the model is in the picture" "$folder/log/err"
+printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >thin.obj
+run render thin.obj $view -o x.png
+check "no area is one warning" test "$(cat "$folder/log/err")" = \
+    "rhw: thin.obj: warning: none of its triangles has an area: there is nothing to see"
+run render thin.obj $view -o x.png --camera 0,0,9,0,0,18,0,1,0,30
+check "and one by any camera" test "$(wc -l <"$folder/log/err")" = 1
 no_temporary_files
 
 finish

@@ -29,6 +29,49 @@ check "--force" grep -q "^3 drawn, 0 kept, 0 failed$" "$folder/log/out"
 succeed thumbs in -o out --size 32 --force --quiet
 check "--quiet" test ! -s "$folder/log/out"
 
+# One of other options is drawn anew, by options that are the same it is kept, however they are written.
+thumbs_draws() { # NUMBER OPTION...: of the 3 models
+    number=$1
+    shift
+    succeed thumbs in -o out "$@"
+    check "thumbs $* draws $number" grep -q "^$number drawn, $((3 - number)) kept, 0 failed$" "$folder/log/out"
+}
+thumbs_draws 0 --size 32
+thumbs_draws 3 --size 32x24
+thumbs_draws 0 --size 32x24
+thumbs_draws 3 --size 32x24 --background white
+thumbs_draws 0 --size 32x24 --background '#fff'
+thumbs_draws 3 --size 32x24 --background default
+thumbs_draws 3 --size 32x24 --background transparent
+thumbs_draws 0 --size 32x24
+thumbs_draws 3 --size 32x24 --fit
+thumbs_draws 0 --size 32x24 --fit=subject
+thumbs_draws 3 --size 32x24 --fit=all
+thumbs_draws 3 --size 32x24 --max-texture 64
+thumbs_draws 3 --size 32
+thumbs_draws 0 --size 32 --jobs 1 --max-time 100 --max-memory 2G
+thumbs_draws 3 --size 32 --confine .
+thumbs_draws 0 --size 32 --confine "$PWD"
+# What a model may read is the same from the folder within: its picture is kept.
+succeed thumbs in/deep -o out/deep --size 32 --confine .
+check "a folder by itself" grep -q "^0 drawn, 2 kept, 0 failed$" "$folder/log/out"
+thumbs_draws 3 --size 32
+# Who has drawn what lies there is not told by its options: so is a picture of another program.
+cp one.png out/cube.obj.png
+cp one.png out/deep/cube.obj.png
+: >out/deep/deeper/CUBE.OBJ.png
+thumbs_draws 0 --size 24
+thumbs_draws 3 --size 24 --force
+# The bytes follow from the model and the options, not from where it lies.
+cp -r in "$folder/elsewhere"
+succeed thumbs "$folder/elsewhere" -o elsewhere --size 24
+check "the same bytes elsewhere" diff -r out elsewhere
+mkdir said
+(cd said && "$rhw" thumbs ../in -o . --size 24 >/dev/null)
+check "the same bytes from another folder" diff -r out said
+rm -r "$folder/elsewhere" said
+check "the mark is no option for users" sh -c "! '$rhw' render --help | grep -q mark"
+
 # A link to a folder is not followed: it may lead back.
 ln -s . in/here
 ln -s .. in/deep/above
@@ -46,7 +89,8 @@ for option in "" --fit --fit=subject --fit=all; do
     succeed thumbs cameras -o fitted --size 32 --force $option
     for model in square.glb ground.obj; do
         succeed render cameras/$model --size 32 -o "$model$option.png" --background transparent $option
-        check "a thumbnail is what render draws, $model $option" cmp "$model$option.png" fitted/$model.png
+        check "a thumbnail is what render draws, $model $option" \
+            "$rhw" compare "$model$option.png" fitted/$model.png >"$folder/log/compare"
     done
 done
 check "a camera of a file" sh -c "! cmp -s square.glb.png square.glb--fit.png"
@@ -73,12 +117,15 @@ check "one line about it" test "$(grep -c 'in/broken.stl: ' "$folder/log/err")" 
 check "no half file" test "$(find other -type f | wc -l)" = 3
 
 refuse 2 "thumbs: -o OUT is missing" thumbs in
+refuse 2 "--background: 'puce' is not a colour" thumbs in -o out --background puce
+refuse 2 "--background: environment is for rhw render" thumbs in -o out --background environment
 refuse 2 "thumbs: expected DIR -o OUT" thumbs -o out
 refuse 2 "--jobs: '0' is not a number of 1 to 64" thumbs in -o out --jobs 0
 refuse 1 "nowhere: cannot be read: No such file or directory" thumbs nowhere -o new
 refuse 1 "cube.obj: cannot be read: Not a directory" thumbs cube.obj -o new
 check "and no folder" test ! -e new
-refuse 1 "cube.obj: cannot be made: Not a directory" thumbs in -o cube.obj -q
+refuse 1 "cube.obj: cannot be made: Not a directory" thumbs in -o cube.obj
+refuse 1 "nowhere: cannot be read: No such file or directory" thumbs in -o new --confine nowhere
 # A folder without a model is a mistake, most likely.
 mkdir -p none/deeper
 echo text >none/deeper/notes.txt

@@ -39,7 +39,8 @@ for verb in render compare info bench; do
 done
 
 refuse 2 "render: -o OUT is missing" render -
-refuse 2 "a.png: several models need a \{name\} in OUT" render cube.obj extra -o a.png
+refuse 2 "extra: stands behind no option, so it is a model, and there is no such file" render cube.obj extra -o a.png
+refuse 2 "a.png: several models need a \{name\} in OUT" render cube.obj ./cube.obj -o a.png
 refuse 2 "-o: needs an argument|--out: needs an argument" render cube.obj -o
 refuse 2 "'': no format for this ending" render cube.obj -o ""
 refuse 1 "'': cannot be opened" render "" -o a.png
@@ -111,6 +112,51 @@ check "braces of a model's name are no part of OUT" test -s 'of_{}.png'
 check "nor in the way of another" test -s of_color.png
 succeed render '{}.obj' --size 8 -o '{name}_{}.png' --output color,depth
 check "OUT's own are found behind them" test -s '{}_depth.png'
+
+mkdir both
+succeed render cube.obj --size 8 -o 'both/{}-{name}-{}.png' --output color,depth
+check "each {} is the output's name" test "$(ls both | tr '\n' ' ')" = "color-cube-color.png depth-cube-depth.png "
+refuse 2 "all_\{\}.exr: \{\} stands for an output's name, and an EXR file holds all outputs: leave it out" \
+    render cube.obj --size 8 -o 'all_{}.exr' --output color,depth
+refuse 2 "all_\{\}.png: \{\} stands for an output's name, and an EXR" render cube.obj -o 'all_{}.png' --format exr
+succeed render cube.obj --size 8 -o 'all_{}.exr' --literal
+check "an EXR named by --literal" test -s 'all_{}.exr'
+refuse 2 "--literal: is for one model: several need an OUT in which \{name\} stands for each one's name" \
+    render cube.obj color.obj --literal -o '{name}.png'
+refuse 2 "\{frame\}.jpg: only .png and .webp hold pictures that move; without --literal a \{frame\} gives each a file" \
+    render cube.obj --turntable 2 --literal -o '{frame}.jpg'
+
+# What getopt knows of a word is told of that word.
+cp cube.obj ./-dash.obj
+for verb in render info; do
+    refuse 2 "-d: no such option; the file -dash.obj is to be named ./-dash.obj" $verb -dash.obj
+done
+refuse 2 "-d: no such option; the file -dash.obj is to be named" explain -dash.obj --at 1,1
+refuse 2 "-d: no such option; see" render -dart.obj
+refuse 2 "-3: no such option; see" render cube.obj -q3
+refuse 2 "--qui: takes no argument" render --qui=3 cube.obj
+refuse 2 "--s: more than one option begins so; see 'rhw render --help'" render cube.obj --s 16
+refuse 2 "--s: more than one option begins so" render cube.obj --s=16
+succeed render ./-dash.obj --siz 8 -o ./-dash.png
+
+# A second argument of an option that takes one is no model.
+refuse 2 "20: stands behind no option, so it is a model, and there is no such file" render cube.obj --orbit 30 20 -o a.png
+refuse 2 "20: stands behind no option, so it is a model" render cube.obj --orbit 30 20
+
+# A folder is no model.
+mkdir models
+for verb in render info "explain --at 1,1"; do
+    refuse 1 "models: is a folder, and a model is wanted; rhw thumbs draws all models in a folder" $verb models
+done
+refuse 2 "models/: is named as a folder, and a model is wanted" models/
+
+# A picture where a model should be; its name tells where there is none yet.
+succeed render cube.obj --size 8 -o x.png
+for words in x.png "cube.obj x.png" "cube.obj new.png" new.JPG; do
+    refuse 2 "[a-z]*.(png|JPG): is no model but a picture, by its name; a picture to write is named by -o" render $words
+done
+refuse 2 "x.png: is no model but a picture, by its name" x.png
+refuse 1 "x.png: is no model but a PNG picture" render x.png -o y.png
 
 refuse 2 "a.gif: no format for this ending" render cube.obj -o a.gif
 refuse 2 "png: no format for this ending" render cube.obj -o png

@@ -25,6 +25,8 @@ refuse 2 "--size: 'huge' is not" view cube.obj --size huge
 succeed view --help
 check "help has the keys" grep -Eq '^  F12 +save the picture$' "$folder/log/out"
 unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER
+unset XDG_RUNTIME_DIR # which Wayland's library tells too
+refuse 1 "view: there is no display to open a window on: neither X11 nor Wayland" view cube.obj
 export XDG_RUNTIME_DIR="$folder"
 refuse 1 "view: there is no display to open a window on: neither X11 nor Wayland" view cube.obj
 unset XDG_RUNTIME_DIR

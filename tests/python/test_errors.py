@@ -21,7 +21,7 @@ model = rhw.Model(V, F)
 @pytest.mark.parametrize("call, kind, line", [
     (lambda: rhw.load("/nowhere/x.glb"), FileNotFoundError, "no such file: '/nowhere/x.glb'"),
     (lambda: rhw.load(__file__), rhw.Error, "test_errors.py: is not a model"),
-    (lambda: rhw.load(os.path.dirname(__file__)), rhw.Error, "is a directory"),
+    (lambda: rhw.load(os.path.dirname(__file__)), rhw.Error, "is a folder"),
     (lambda: rhw.load("x\0y"), (ValueError, FileNotFoundError), ""),
     (lambda: rhw.Model("chair.glb"), TypeError, "vertices: must be an array, not the path 'chair.glb'; rhw.load reads files"),
     (lambda: rhw.Model(V, F, uv=V[:, :2], texture="wood.png"), TypeError, "texture: must be an array of uint8, not the path 'wood.png'"),

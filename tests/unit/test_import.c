@@ -415,9 +415,11 @@ static void test_no_area(void **state)
     const char *warning = "none of its triangles has an area: there is nothing to see";
     struct scene_model *model = load_text("x.obj", "v 0 0 0\nv 1 2 3\nv -1 -2 -3\nf 1 2 3\n");
     assert_true(has_warning(model, warning));
+    assert_true(model->lacks_area);
     scene_model_free(model);
     model = load_text("x.obj", "v 0 0 0\nv 1 2 3\nv -1 -2 -3\nv 1 0 0\nf 1 2 3\nf 1 2 4\n");
     assert_int_equal(model->warning_count, 0);
+    assert_false(model->lacks_area);
     scene_model_free(model);
     model = load_text("x.obj", "v 0 0 0\nv 1 2 3\nl 1 2\n");
     assert_int_equal(model->warning_count, 0);

@@ -122,7 +122,7 @@ static void test_no_files(void **state)
 {
     (void)state;
     expect_refused("does not exist.gltf", "No such file");
-    expect_refused("", "is a directory");
+    expect_refused("", "is a folder");
     assert_int_equal(mkfifo(path_of("pipe.obj"), 0600), 0);
     expect_refused("pipe.obj", "is not a regular file");
 }

@@ -2,6 +2,7 @@
 // rhw compare: how two pictures differ, per channel in numbers and as a picture. Everything is computed in
 // double from the stored samples, row by row, so that equal files give exactly 0 and ids compare as integers.
 #include "elementary.h"
+#include "file.h"
 #include "image_load.h"
 #include "image_write.h"
 #include "json.h"
@@ -308,7 +309,13 @@ static void print_table(const struct comparison *comparison)
 
 static bool load_and_compare(struct comparison *comparison)
 {
-    if (comparison->difference_path && !cli_output_file_check(comparison->difference_path)) {
+    const char *const path = comparison->difference_path;
+    if (path &&
+        (system_file_is_same(path, comparison->path_a) || system_file_is_same(path, comparison->path_b))) {
+        cli_error(path, "is one of the pictures; name another file for the difference");
+        return false;
+    }
+    if (path && !cli_output_file_check(path)) {
         return false;
     }
     if (!cli_image_load(&comparison->a, comparison->path_a) ||

@@ -3,6 +3,7 @@
 #include "image_write.h"
 
 #include "message.h"
+#include "thumb_mark.h"
 
 #include <errno.h>
 #include <spng.h>
@@ -24,6 +25,23 @@ static int write_to_stream(spng_ctx *context, void *user, void *data, size_t siz
     return fwrite(data, 1, size, user) == size ? SPNG_OK : SPNG_IO_ERROR;
 }
 
+static int set_texts(spng_ctx *context, const struct cli_raster *raster)
+{
+    struct spng_text texts[2] = {0};
+    uint32_t count = 0;
+    if (raster->comment[0]) {
+        texts[count++] = (struct spng_text){.keyword = "Comment", .text = (char *)raster->comment};
+    }
+    if (raster->mark) {
+        texts[count++] = (struct spng_text){.keyword = CLI_THUMB_MARK_KEYWORD, .text = (char *)raster->mark};
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        texts[i].type = SPNG_TEXT;
+        texts[i].length = strlen(texts[i].text);
+    }
+    return count > 0 ? spng_set_text(context, texts, count) : SPNG_OK;
+}
+
 static int start_png(spng_ctx *context, const struct cli_raster *raster)
 {
     struct spng_ihdr header = {
@@ -38,10 +56,8 @@ static int start_png(spng_ctx *context, const struct cli_raster *raster)
     if (!result && raster->srgb) {
         result = spng_set_srgb(context, 0); // perceptual
     }
-    if (!result && raster->comment[0]) {
-        struct spng_text text = {.type = SPNG_TEXT, .keyword = "Comment", .text = (char *)raster->comment};
-        text.length = strlen(raster->comment);
-        result = spng_set_text(context, &text, 1);
+    if (!result) {
+        result = set_texts(context, raster);
     }
     if (!result) {
         result = spng_set_option(context, SPNG_IMG_COMPRESSION_LEVEL, PNG_LEVEL);

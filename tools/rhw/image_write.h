@@ -29,6 +29,7 @@ struct cli_raster {
     int bits;          ///< 8 or 16
     bool srgb;         ///< samples are sRGB-encoded colours; false: numbers
     char comment[160]; ///< kept in the file where the format can; "" for none
+    const char *mark;  ///< of thumbnails, thumb_mark.h; kept in a PNG; NULL: none
     cli_raster_row *row;
     const void *user;
 };

@@ -7,6 +7,7 @@
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "file.h"
@@ -101,6 +102,11 @@ struct scene_model *cli_model_input_load(const struct cli_model_input *input, co
                                          struct scene_model_options options)
 {
     char folder[PATH_MAX], error[512];
+    struct stat status;
+    if (!input->is_standard_input && stat(input->argument, &status) == 0 && S_ISDIR(status.st_mode)) {
+        cli_error(input->name, "is a folder, and a model is wanted; rhw thumbs draws all models in a folder");
+        return NULL;
+    }
     folder_of(input, folder);
     // What standard input names is looked for in the current folder.
     options.name = input->is_standard_input ? "-" : NULL;

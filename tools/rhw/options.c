@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum {
     LETTERS_END = 256, // ids below are letters
@@ -44,19 +45,60 @@ static void print_option(const struct cli_option *option)
     }
 }
 
+// How many long options begin as a word does.
+static int count_matches(const struct cli_parser *parser, const char *word, size_t length)
+{
+    int count = 0;
+    for (int i = 0; parser->longs[i].name; i++) {
+        count += strncmp(parser->longs[i].name, word, length) == 0;
+    }
+    return count;
+}
+
+// Whether what getopt complains of is a letter: a long option that is known gives its letter too.
+static bool is_letter(const struct cli_parser *parser, const char *word)
+{
+    bool is_long = false;
+    for (int i = 0; parser->longs[i].name && strncmp(word, "--", 2) == 0; i++) {
+        is_long = is_long || (parser->longs[i].val == optopt &&
+                              strncmp(parser->longs[i].name, word + 2, strcspn(word + 2, "=")) == 0);
+    }
+    return optopt && optopt < LETTERS_END && !is_long;
+}
+
+// Whether an unknown letter stands in the name of a file that begins with a dash; getopt may not be past it.
+static bool report_file(const struct cli_parser *parser, const char *name)
+{
+    for (int i = optind - 1; i <= optind && i < parser->argc; i++) {
+        const char *const word = parser->argv[i];
+        if (word[0] == '-' && strchr(word, optopt) && access(word, F_OK) == 0) {
+            cli_error(name, "no such option; the file %s is to be named ./%s", word, word);
+            return true;
+        }
+    }
+    return false;
+}
+
 // The word the user typed for a long option, without its value; getopt leaves only its place.
 static void report_bad_option(const struct cli_parser *parser, int kind)
 {
     char name[128];
-    const char *word = parser->argv[optind - 1];
-    if (optopt && optopt < LETTERS_END && strncmp(word, "--", 2) != 0) {
+    const char *word = parser->argv[optind - 1], *cause = "no such option";
+    const bool short_form = is_letter(parser, word);
+    if (short_form) {
         snprintf(name, sizeof name, "-%c", optopt);
     } else {
         snprintf(name, sizeof name, "%.*s", (int)strcspn(word, "="), word);
     }
-
-    const bool known = optopt != 0 && strchr(word, '=') != NULL;
-    const char *cause = kind == ':' ? "needs an argument" : known ? "takes no argument" : "no such option";
+    if (kind == ':') {
+        cause = "needs an argument";
+    } else if (!short_form && optopt != 0 && strchr(word, '=')) {
+        cause = "takes no argument";
+    } else if (short_form && report_file(parser, name)) {
+        return;
+    } else if (!short_form && count_matches(parser, name + 2, strlen(name + 2)) > 1) {
+        cause = "more than one option begins so";
+    }
     cli_error(name, "%s; see 'rhw %s --help'", cause, parser->verb->name);
 }
 
@@ -126,7 +168,9 @@ void cli_print_help(const struct cli_verb *verb)
     printf("Usage: rhw %s%s%s [option...]\n%s\n\n", verb->name, verb->operands[0] ? " " : "", verb->operands,
            verb->summary);
     for (int i = 0; i < verb->option_count; i++) {
-        print_option(&verb->options[i]);
+        if (verb->options[i].help) {
+            print_option(&verb->options[i]);
+        }
     }
     print_option(&(struct cli_option){"help", HELP_ID, NULL, "print this and exit"});
     if (verb->notes) {

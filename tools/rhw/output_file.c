@@ -199,6 +199,7 @@ bool cli_output_file_open(struct cli_output_file *file, const char *path)
     const int descriptor = open_target(file);
     file->stream = descriptor >= 0 ? fdopen(descriptor, "wb") : NULL;
     if (!file->stream) {
+        errno = errno == EINVAL ? EBADF : errno; // standard output is closed, or cannot be written
         report(path);
         if (descriptor >= 0) {
             close(descriptor);

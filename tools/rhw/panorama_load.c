@@ -109,7 +109,7 @@ bool cli_panorama_load(struct scene_panorama *panorama, const char *path)
     char magic[sizeof exr_magic] = {0};
     FILE *stream = fopen(path, "rb");
     if (stream == NULL) {
-        cli_error(path, "%s", strerror(errno));
+        cli_error(path, "cannot be opened: %s", strerror(errno));
         return false;
     }
     bool loaded = false;

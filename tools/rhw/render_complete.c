@@ -9,15 +9,36 @@
 #include <string.h>
 #include <unistd.h>
 
-// An argument that stands apart from its option, where that does not have to have one, is taken for a model.
+bool cli_out_has(const struct cli_render_job *job, const char *word)
+{
+    return !job->is_literal && strstr(job->out, word);
+}
+
+// An argument that stands apart from its option, where that does not have to have one, is taken for a model; a picture to
+// write, without its -o, too.
 static bool check_models(const struct cli_render_job *job)
 {
     static const char *const arguments[] = {"all", "subject", "over", "plain"};
-    for (int i = 0; i < job->model_count && job->model_count > 1; i++) {
+    for (int i = 0; i < job->model_count && !job->out; i++) {
+        if (cli_picture_format_of(job->model_paths[i]) != CLI_PICTURE_UNKNOWN) {
+            cli_error(job->model_paths[i],
+                      "is no model but a picture, by its name; a picture to write is named by -o");
+            return false;
+        }
+    }
+    const bool is_many = job->model_count > 1;
+    for (int i = 0; i < job->model_count && is_many; i++) {
         const int found = cli_parse_name(job->model_paths[i], arguments, 4);
         if (found >= 0 && access(job->model_paths[i], F_OK) != 0) {
             cli_error(job->model_paths[i], "is no model; it belongs to %s=%s, with the sign between them",
                       found < 2 ? "--fit" : "--wireframe", arguments[found]);
+            return false;
+        }
+        // What was meant for one model more likely than as another.
+        if (!(job->out && cli_out_has(job, "{name}")) && strcmp(job->model_paths[i], "-") != 0 &&
+            access(job->model_paths[i], F_OK) != 0) {
+            cli_error(job->model_paths[i],
+                      "stands behind no option, so it is a model, and there is no such file");
             return false;
         }
     }
@@ -38,6 +59,11 @@ static bool choose_out(struct cli_render_job *job)
     const char *slash = strrchr(job->model_path, '/'), *name = slash ? slash + 1 : job->model_path;
     const char *dot = strrchr(name, '.');
     const int length = dot && dot > name ? (int)(dot - name) : (int)strlen(name);
+    if (length == 0) {
+        cli_error(job->model_path,
+                  "is named as a folder, and a model is wanted; rhw thumbs draws all models in a folder");
+        return false;
+    }
     const char *ending = endings[job->format == CLI_PICTURE_UNKNOWN ? CLI_PICTURE_PNG : job->format];
     snprintf(job->own_out, sizeof job->own_out, "%.*s.%s", length, name, ending);
     if (strcmp(job->model_path, "-") == 0 || length >= (int)sizeof job->own_out - 6) {
@@ -53,11 +79,6 @@ static bool choose_out(struct cli_render_job *job)
     job->out = job->own_out;
     job->is_literal = true;
     return true;
-}
-
-bool cli_out_has(const struct cli_render_job *job, const char *word)
-{
-    return !job->is_literal && strstr(job->out, word);
 }
 
 // A word in braces would be a part of the file's name.
@@ -82,6 +103,21 @@ static bool check_placeholders(const struct cli_render_job *job)
                       (int)length + 2, in);
             return false;
         }
+    }
+    return true;
+}
+
+static bool check_exr(const struct cli_render_job *job)
+{
+    if (cli_out_has(job, "{}")) {
+        cli_error(job->out,
+                  "{} stands for an output's name, and an EXR file holds all outputs: leave it out, or "
+                  "--literal takes it as it is");
+        return false;
+    }
+    if (job->bits) {
+        cli_error("--bits", "an EXR file always holds 32 bits per sample");
+        return false;
     }
     return true;
 }
@@ -128,11 +164,7 @@ static bool check_format(struct cli_render_job *job)
         cli_error("--size", "a WebP file has at most 16383 pixels each way");
         return false;
     }
-    if (job->bits && job->format == CLI_PICTURE_EXR) {
-        cli_error("--bits", "an EXR file always holds 32 bits per sample");
-        return false;
-    }
-    return true;
+    return job->format != CLI_PICTURE_EXR || check_exr(job);
 }
 
 static bool check_camera(struct cli_render_job *job)
@@ -219,6 +251,11 @@ static bool check_names(const struct cli_render_job *job)
 static bool check_several(const struct cli_render_job *job)
 {
     const bool has_name = cli_out_has(job, "{name}"), has_view = cli_out_has(job, "{view}");
+    if (job->model_count > 1 && job->is_literal) {
+        cli_error("--literal",
+                  "is for one model: several need an OUT in which {name} stands for each one's name");
+        return false;
+    }
     if (job->model_count > 1 && !has_name) {
         cli_error(job->out, "several models need a {name} in OUT, which stands for each one's name");
         return false;
@@ -257,6 +294,12 @@ static bool check_movement(const struct cli_render_job *job)
     }
     if (moves && other) {
         cli_error(option, "cannot be together with %s", other);
+        return false;
+    }
+    if (moves && job->is_literal && job->format != CLI_PICTURE_PNG && job->format != CLI_PICTURE_WEBP) {
+        cli_error(
+            job->out,
+            "only .png and .webp hold pictures that move; without --literal a {frame} gives each a file");
         return false;
     }
     if (moves && !is_sequence && job->format != CLI_PICTURE_PNG && job->format != CLI_PICTURE_WEBP) {

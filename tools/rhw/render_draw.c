@@ -98,6 +98,9 @@ static void log_line(void *user, enum rhw_log_level level, const char *message)
 static enum rhw_result draw_again(struct render *render)
 {
     const struct cli_render_job *job = &render->job;
+    if (render->model->lacks_area) {
+        return RHW_OK; // a warning about the model has said why
+    }
     const bool refit =
         job->camera == CLI_CAMERA_AUTO && cli_camera_find(job, render->model) && !render->distrusts_camera;
     if (!job->quiet) {

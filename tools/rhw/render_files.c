@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The files of one model's pictures: their names, and how they come to be, all or none.
+#include "file.h"
 #include "output_file.h"
 #include "render_state.h"
 
@@ -11,9 +12,8 @@
 
 enum { JPEG_QUALITY = 92 };
 
-// OUT with the names of the model, and of the view or the frame, which count from 0; −1: there is none. `braces`: where in that
-// OUT's own {} has come, for the output's name; −1: it has none.
-static bool expand_out(struct render *render, int number, int *braces)
+// OUT with the names of the model, the output, and of the view or the frame, which count from 0; −1: there is none.
+static bool expand_out(struct render *render, int number, enum cli_output_kind kind)
 {
     const struct cli_render_job *const job = &render->job;
     const char *const slash = strrchr(job->model_path, '/'), *const base =
@@ -21,14 +21,13 @@ static bool expand_out(struct render *render, int number, int *braces)
     const char *const dot = strrchr(base, '.');
     const int stem = dot && dot > base ? (int)(dot - base) : (int)strlen(base);
     size_t at = 0;
-    *braces = -1;
     for (const char *in = job->out; *in && at < sizeof render->out;) {
         const size_t room = sizeof render->out - at;
-        if (!job->is_literal && *braces < 0 && strncmp(in, "{}", 2) == 0) {
-            *braces = (int)at;
-        }
         if (job->is_literal) {
             render->out[at++] = *in++;
+        } else if (strncmp(in, "{}", 2) == 0) {
+            at += (size_t)snprintf(render->out + at, room, "%s", cli_output_name(kind));
+            in += 2;
         } else if (strncmp(in, "{name}", 6) == 0) {
             at += (size_t)snprintf(render->out + at, room, "%.*s", stem, base);
             in += 6;
@@ -50,9 +49,8 @@ static bool expand_out(struct render *render, int number, int *braces)
     return true;
 }
 
-// `out`, or with several outputs that with the output's name in it. `braces`: where it has a {} for that; −1: nowhere.
-static char *make_path(const struct cli_render_job *job, const char *out, int braces,
-                       enum cli_output_kind kind)
+// `out`, or with several outputs that with the output's name in it, where it has had no {} for that.
+static char *make_path(const struct cli_render_job *job, const char *out, enum cli_output_kind kind)
 {
     const char *name = cli_output_name(kind);
     const size_t size = strlen(out) + strlen(name) + 2;
@@ -61,9 +59,7 @@ static char *make_path(const struct cli_render_job *job, const char *out, int br
         return NULL;
     }
     const bool several = (job->kinds & (job->kinds - 1)) != 0;
-    if (job->format != CLI_PICTURE_EXR && braces >= 0) {
-        snprintf(path, size, "%.*s%s%s", braces, out, name, out + braces + 2);
-    } else if (job->format == CLI_PICTURE_EXR || !several || kind == CLI_KIND_COLOR) {
+    if (job->format == CLI_PICTURE_EXR || !several || kind == CLI_KIND_COLOR || cli_out_has(job, "{}")) {
         snprintf(path, size, "%s", out);
     } else {
         const char *base = strrchr(out, '/') ? strrchr(out, '/') : out;
@@ -83,24 +79,33 @@ void cli_render_files_forget(struct render *render)
     render->file_count = 0;
 }
 
+// Also where it is not there yet.
+static bool is_one_file(const char *path, const char *other)
+{
+    return strcmp(path, other) == 0 || system_file_is_same(path, other);
+}
+
 bool cli_render_files_plan(struct render *render, int number)
 {
     const struct cli_render_job *job = &render->job;
-    int braces;
-    if (!expand_out(render, number, &braces)) {
-        return false;
-    }
     for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
         if (!(job->kinds >> kind & 1)) {
             continue;
         }
-        render->paths[kind] = make_path(job, render->out, braces, (enum cli_output_kind)kind);
+        if (!expand_out(render, number, (enum cli_output_kind)kind)) {
+            return false;
+        }
+        render->paths[kind] = make_path(job, render->out, (enum cli_output_kind)kind);
         if (!render->paths[kind]) {
             cli_error(render->out, "out of memory");
             return false;
         }
         if (!cli_output_file_check(render->paths[kind]) ||
             cli_model_input_is(&render->input, render->paths[kind])) {
+            return false;
+        }
+        if (job->stats && is_one_file(render->paths[kind], job->stats_path)) {
+            cli_error("--stats", "%s is the picture's file; name another", job->stats_path);
             return false;
         }
         if (job->format == CLI_PICTURE_EXR) {
@@ -153,6 +158,7 @@ static bool encode_raster(struct render *render, struct cli_output_file *file, e
     const struct cli_render_job *job = &render->job;
     struct cli_output_raster output;
     cli_render_rasterize(render, kind, &output);
+    output.raster.mark = job->thumb_mark;
     switch (job->format) {
     case CLI_PICTURE_PNG: return cli_png_write(file, &output.raster);
     case CLI_PICTURE_JPEG:

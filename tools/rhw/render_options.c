@@ -41,6 +41,7 @@ enum {
     OPTION_QUALITY,
     OPTION_STATS,
     OPTION_LITERAL,
+    OPTION_THUMB_MARK,
     OPTION_STRICT
 };
 
@@ -142,6 +143,7 @@ static const struct cli_option options[] = {
     {"strict", OPTION_STRICT, NULL,
      "no picture where the file has something that is not drawn as it is meant"},
     {"quiet", OPTION_QUIET, NULL, "no warnings"},
+    {"thumb-mark", OPTION_THUMB_MARK, "TEXT", NULL}, // of rhw thumbs, which starts this verb
 };
 
 static const char notes[] =
@@ -163,7 +165,8 @@ static const char notes[] =
     "The ranges behind depth, distance and position stand in the PNG file as a comment.\n\n"
     "With several outputs in PNG or PPM, color takes the name OUT and the others get theirs before the "
     "ending:\n"
-    "out.depth.png. If OUT has a {}, the name of the output takes its place. Several models need an OUT with "
+    "out.depth.png. Where OUT has a {}, the name of the output takes its place. Several models need an OUT "
+    "with "
     "{name},\n"
     "which stands for a model's name without its ending: rhw render *.glb -o out/{name}.png. With --literal "
     "nothing in\n"
@@ -436,6 +439,7 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
         job->stats_path = argument ? argument : "-";
         return true;
     case OPTION_LITERAL: job->is_literal = true; return true;
+    case OPTION_THUMB_MARK: job->thumb_mark = argument; return true;
     case OPTION_ISA: return parse_isa(job, argument);
     case OPTION_UP: return parse_up(job, argument);
     case OPTION_PATHS: return parse_paths(job, argument);

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 // rhw thumbs: a small picture of every model in a folder. Each is drawn by a process of its own with one thread, as many at
 // a time as there are cores: small models keep all cores busy so, and a file that takes its process down takes no other.
-// What is there and newer than its model is left alone, so a run that was ended goes on where it stopped.
+// What is there, newer than its model and drawn with the same options is left alone, so a run that was ended goes on where
+// it stopped.
 #include "budget.h"
 #include "file.h"
 #include "machine.h"
 #include "options.h"
 #include "output_file.h"
 #include "render_job.h"
+#include "render_look.h"
 #include "subprocess.h"
+#include "thumb_mark.h"
 #include "rhw/rhw.h"
 #include "verbs.h"
 
@@ -43,7 +46,7 @@ static const struct cli_option options[] = {
      "fit each model into its picture, also when its file has cameras: its\nsubject (the default) or all, as "
      "for rhw render"},
     {"force", OPTION_FORCE, NULL,
-     "draw also what is there and newer than its model, as it is after other options"},
+     "draw also what is there, newer than its model and drawn with the same options"},
     {"jobs", OPTION_JOBS, "N",
      "models at a time, 1..64; default: one for each core that the process may use"},
     {"max-memory", OPTION_MEMORY, "SIZE",
@@ -56,12 +59,17 @@ static const struct cli_option options[] = {
     {"quiet", OPTION_QUIET, NULL, "no warnings, and no count at the end"},
 };
 
-static const char notes[] = "Takes files that end as models do (.glb, .gltf, .obj, .ply, .stl, .3mf, .fbx, "
-                            ".dae, .3ds, .off and more), also in\n"
-                            "folders within DIR. The picture of DIR/a/b.glb is OUT/a/b.glb.png. One line "
-                            "tells of each model that cannot be drawn;\n"
-                            "the others are.\n\n"
-                            "Exit status: 0, 1 when a model could not be drawn, 2 for a wrong command line.";
+static const char notes[] =
+    "Takes files that end as models do (.glb, .gltf, .obj, .ply, .stl, .3mf, .fbx, "
+    ".dae, .3ds, .off and more), also in\n"
+    "folders within DIR. The picture of DIR/a/b.glb is OUT/a/b.glb.png. One line "
+    "tells of each model that cannot be drawn;\n"
+    "the others are. A picture that is newer than its model is kept, unless it was drawn "
+    "with another --size,\n"
+    "--background, --fit, --max-texture or --confine, which its file tells; one that rhw "
+    "thumbs has not made\n"
+    "tells nothing and is kept.\n\n"
+    "Exit status: 0, 1 when a model could not be drawn, 2 for a wrong command line.";
 
 static const struct cli_verb verb = {
     .name = "thumbs",
@@ -77,8 +85,11 @@ struct thumbs {
     const char *fit; // an option; NULL: the file's camera, where it has one
     int width, height, jobs;
     bool quiet, force, keeps_memory;
-    struct cli_budget budget; // of each model
+    struct cli_budget budget;   // of each model
+    struct cli_render_job look; // its background
     char memory[48], seconds[32], texture[32];
+    char mark[CLI_THUMB_MARK_SIZE - 32]; // what is said of every model
+    int levels; // of folders above DIR that files may be read in; negative: they may elsewhere
     char confine[PATH_SIZE + 16];
     int running, drawn, kept, failed;
 };
@@ -119,13 +130,14 @@ static int draw(int count, char **arguments)
 }
 
 // False where no process can be started for it.
-static bool start_drawing(const struct thumbs *t, const char *model, const char *picture)
+static bool start_drawing(const struct thumbs *t, const char *model, const char *picture, const char *mark)
 {
     char size[32];
     snprintf(size, sizeof size, "%dx%d", t->width, t->height);
-    const char *arguments[24] = {"render", "--threads", "1",      "--format", "png",          "--literal",
-                                 "-o",     picture,     "--size", size,       "--background", t->background};
-    int count = 12;
+    const char *arguments[24] = {
+        "render",    "--threads",    "1",  "--format", "png", "-o",           picture,
+        "--literal", "--thumb-mark", mark, "--size",   size,  "--background", t->background};
+    int count = 14;
     if (t->keeps_memory) {
         arguments[count++] = t->memory;
     }
@@ -145,16 +157,19 @@ static bool start_drawing(const struct thumbs *t, const char *model, const char 
     return system_subprocess_start(draw, count, (char **)arguments);
 }
 
-static bool start(struct thumbs *t, const char *model, const char *picture)
+// `depth`: folders below DIR.
+static bool start(struct thumbs *t, const char *model, const char *picture, int depth)
 {
-    if (!t->force && system_file_is_newer(picture, model)) {
+    char mark[CLI_THUMB_MARK_SIZE];
+    snprintf(mark, sizeof mark, "%s --confine %d", t->mark, t->levels < 0 ? -1 : t->levels + depth);
+    if (!t->force && system_file_is_newer(picture, model) && !cli_thumb_mark_differs(picture, mark)) {
         t->kept++;
         return true;
     }
     while (t->running >= t->jobs) {
         reap(t);
     }
-    if (!start_drawing(t, model, picture)) {
+    if (!start_drawing(t, model, picture, mark)) {
         cli_error(model, "no process can be started for it: %s", strerror(errno));
         return false;
     }
@@ -226,7 +241,7 @@ static bool visit(struct thumbs *t, const char *in, const char *out, const char 
     if (is_folder) {
         return walk(t, model, picture, depth + 1);
     }
-    return make_folder(out) && start(t, model, picture);
+    return make_folder(out) && start(t, model, picture, depth);
 }
 
 static int by_name(const void *a, const void *b)
@@ -304,12 +319,25 @@ static bool can_read(const char *folder)
     return entries != NULL;
 }
 
+static bool parse_background(struct thumbs *t, const char *argument)
+{
+    t->background = argument;
+    if (!cli_parse_look(&t->look, CLI_LOOK_BACKGROUND, argument)) {
+        return false;
+    }
+    if (t->look.background == SCENE_BACKGROUND_PANORAMA) {
+        cli_error("--background", "environment is for rhw render, which has an --environment FILE to show");
+        return false;
+    }
+    return true;
+}
+
 static bool parse_option(struct thumbs *t, int id, const char *argument)
 {
     bool fit_all;
     switch (id) {
     case OPTION_OUT: t->out = argument; return true;
-    case OPTION_BACKGROUND: t->background = argument; return true;
+    case OPTION_BACKGROUND: return parse_background(t, argument);
     case OPTION_FORCE: t->force = true; return true;
     case OPTION_FIT:
         if (!cli_parse_fit(argument, &fit_all)) {
@@ -337,6 +365,12 @@ static bool parse_option(struct thumbs *t, int id, const char *argument)
     }
 }
 
+// That no model may read out of.
+static const char *folder_of(const struct thumbs *t)
+{
+    return t->budget.folder ? t->budget.folder : t->in;
+}
+
 // What each process is told; cli_parse_budget has looked at the values.
 static bool share_budget(struct thumbs *t)
 {
@@ -348,12 +382,46 @@ static bool share_budget(struct thumbs *t)
     snprintf(t->seconds, sizeof t->seconds, "--max-time=%g",
              t->budget.seconds > 0.0 ? t->budget.seconds : 120.0);
     snprintf(t->texture, sizeof t->texture, "--max-texture=%u", t->budget.texture);
-    const char *const folder = t->budget.folder ? t->budget.folder : t->in;
+    const char *const folder = folder_of(t);
     if (snprintf(t->confine, sizeof t->confine, "--confine=%s", folder) < (int)sizeof t->confine) {
         return true;
     }
     cli_error(folder, "its path is longer than %d bytes", PATH_SIZE);
     return false;
+}
+
+// How many folders --confine lies above DIR, or −1: it lies elsewhere. A path would make the bytes of pictures depend on
+// where the models lie.
+static int count_levels(const struct thumbs *t)
+{
+    char *const in = system_file_resolve(t->in), *const bounds = system_file_resolve(folder_of(t));
+    size_t length = bounds ? strlen(bounds) : 0;
+    length -= length > 0 && bounds[length - 1] == '/'; // of the root
+    int levels = -1;
+    if (in && bounds && strncmp(in, bounds, length) == 0 && (in[length] == '/' || in[length] == '\0')) {
+        levels = 0;
+        for (const char *c = in + length; *c; c++) {
+            levels += *c == '/' && c[1] != '\0';
+        }
+    }
+    free(in);
+    free(bounds);
+    return levels;
+}
+
+// What other pictures follow from, in one form however it is written.
+static void write_mark(struct thumbs *t)
+{
+    char color[8];
+    const uint8_t *const c = t->look.background_color;
+    snprintf(color, sizeof color, "%02x%02x%02x", c[0], c[1], c[2]);
+    const char *const background = t->look.background == SCENE_BACKGROUND_TRANSPARENT ? "transparent"
+                                   : t->look.background == SCENE_BACKGROUND_DEFAULT   ? "default"
+                                                                                      : color;
+    snprintf(t->mark, sizeof t->mark, "--size %dx%d --background %s%s%s%s%s", t->width, t->height, background,
+             t->fit ? " " : "", t->fit ? t->fit : "", t->budget.texture > 0 ? " " : "",
+             t->budget.texture > 0 ? t->texture : "");
+    t->levels = count_levels(t);
 }
 
 int cli_thumbs(int argc, char **argv)
@@ -362,6 +430,7 @@ int cli_thumbs(int argc, char **argv)
     struct thumbs t = {.width = 256,
                        .height = 256,
                        .background = "transparent",
+                       .look.background = SCENE_BACKGROUND_TRANSPARENT,
                        .jobs = cores > RHW_MAX_THREADS ? RHW_MAX_THREADS : cores};
     struct cli_parser parser;
     cli_parser_start(&parser, &verb, argc, argv);
@@ -385,11 +454,12 @@ int cli_thumbs(int argc, char **argv)
     if (!share_budget(&t)) {
         return CLI_USAGE;
     }
-    if (!can_read(t.in)) {
+    if (!can_read(t.in) || !can_read(folder_of(&t)) || !make_folder(t.out)) {
         return CLI_FAILED;
     }
+    write_mark(&t);
     t.keeps_memory = cli_budget_check(&t.budget);
-    const bool complete = make_folder(t.out) && walk(&t, t.in, t.out, 0);
+    const bool complete = walk(&t, t.in, t.out, 0);
     while (t.running > 0) {
         reap(&t);
     }

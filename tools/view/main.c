@@ -3,6 +3,7 @@
 #include "options.h"
 #include "output_file.h"
 #include "session.h"
+#include "streams.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -32,6 +33,7 @@ static int run(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    system_streams_start(argc, argv);
     cli_output_files_guard();
     const int status = run(argc, argv);
     errno = 0;

@@ -3,6 +3,7 @@
 #include "window.h"
 
 #include "message.h"
+#include "streams.h"
 
 #include <math.h>
 #include <string.h>
@@ -26,7 +27,10 @@ bool view_window_open(struct view_window *window, int width, int height, bool is
     *window = (struct view_window){.is_fullscreen = is_fullscreen};
     SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "linear");
     SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
-    if (SDL_Init(SDL_INIT_VIDEO) != 0) {
+    const int silenced = system_streams_silence(); // Wayland's library tells what it tries and has not
+    const bool has_video = SDL_Init(SDL_INIT_VIDEO) == 0;
+    system_streams_restore(silenced);
+    if (!has_video) {
         return report("there is no display to open a window on");
     }
     if (is_unseen()) {

@@ -75,7 +75,7 @@ complete -c rhw -n "$seen" -s o -l out -r -F -d 'the folder for the pictures, ma
 complete -c rhw -n "$seen" -s s -l size -x -a '128 256 512' -d 'pixels, each way 1..16384, or N for a square'
 complete -c rhw -n "$seen" -l background -x -a 'transparent default black grey white' -d 'as for rhw render'
 complete -c rhw -n "$seen" -l fit -a 'all' -d 'fit each model into its picture, also when its file has cameras'
-complete -c rhw -n "$seen" -l force -d 'draw also what is there and newer than its model, as it is after other options'
+complete -c rhw -n "$seen" -l force -d 'draw also what is there, newer than its model and drawn with the same options'
 complete -c rhw -n "$seen" -s j -l jobs -x -d 'models at a time, 1..64'
 complete -c rhw -n "$seen" -l max-memory -x -a '512M 1G 2G 4G' -d 'fail for a model that needs more than this'
 complete -c rhw -n "$seen" -l max-time -x -a '10 60 300' -d 'fail for a model that takes longer, 0.1..86400'
