@@ -133,11 +133,9 @@ void scene_component_name(const struct scene_surface *s, int component, char nam
     const struct {
         int first, count;
         const char *name, *parts;
-    } groups[] = {{s->varying_position, 3, "position", "xyz"},
-                  {s->varying_normal, 3, "normal", "xyz"},
-                  {s->varying_tangent, 4, "tangent", "xyzw"},
-                  {s->varying_color, 4, "color", "rgba"},
-                  {s->varying_disc, 2, "disc", "xy"}};
+    } groups[] = {{s->varying_position, 3, "position", "xyz"}, {s->varying_normal, 3, "normal", "xyz"},
+                  {s->varying_tangent, 4, "tangent", "xyzw"},  {s->varying_color, 4, "color", "rgba"},
+                  {s->varying_support, 1, "plane", "d"},       {s->varying_disc, 2, "disc", "xy"}};
     for (size_t i = 0; i < sizeof groups / sizeof *groups; i++) {
         const int part = component - groups[i].first;
         if (groups[i].first >= 0 && part >= 0 && part < groups[i].count) {

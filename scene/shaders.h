@@ -124,6 +124,7 @@ struct scene_surface {
     float handedness; // −1 where `world` mirrors
     int32_t attribute_normal, attribute_tangent, attribute_color;
     int32_t varying_position, varying_normal, varying_tangent, varying_color, varying_uv, varying_disc;
+    int32_t varying_support; // how far above the eye the tangent plane of a corner lies, along its normal
     int32_t stream_count;
     struct scene_uv_stream streams[SCENE_UV_STREAMS];
 

@@ -255,8 +255,14 @@ ALWAYS_INLINE void shadow_irradiance(const struct rhw_fragment *f, const struct 
 {
     const int at = s->varying_position;
     const bool plane = s->is_triangle;
+    struct scene_shadow_curve curve = {.origin = s->frame->eye};
+    if (plane) {
+        curve.normal = &f->varying[s->varying_normal];
+        curve.support = &f->varying[s->varying_support];
+        curve.turn = s->double_sided ? ~f->front_facing : rhw_splat_int(0);
+    }
     const rhw_float open = scene_shadow(light, &f->varying[at], plane ? &f->ddx[at] : NULL,
-                                        plane ? &f->ddy[at] : NULL, f->mask & facing);
+                                        plane ? &f->ddy[at] : NULL, plane ? &curve : NULL, f->mask & facing);
     for (int c = 0; c < 3; c++) {
         irradiance[c] = irradiance[c] * open;
     }

@@ -5,7 +5,14 @@
 //
 // Every texel is compared with the depth that the fragment's own plane has at its centre: depth, and in a perspective
 // map 1/distance, is linear there, with a gradient that follows from exact derivatives on the screen. So a plane never
-// shades itself, however slanted it is and however wide the filter.
+// shades itself, however slanted it is and however wide the filter. Where that plane leads away from the light, what is
+// nearer than the fragment alone can shade it; and the farther beside it, the higher above it. So neither do planes that
+// meet in a fold shade each other.
+//
+// Facets that stand for a curved surface and are turned away from the light lie in the shadow of those before them, while
+// the normals of their corners still face it: dark triangles along the limit of light. What they stand for is looked up in
+// their place, the point that the tangent planes of the corners suggest (J. Hanika, "Hacking the shadow terminator", Ray
+// Tracing Gems II, 2021), and the plane across the normal there.
 #ifndef SCENE_SHADERS_SHADOW_H
 #define SCENE_SHADERS_SHADOW_H
 
@@ -17,21 +24,37 @@ enum { SCENE_SHADOW_SEARCHES = 12, SCENE_SHADOW_MORE = 24, SCENE_SHADOW_TAPS = 2
 
 static const float scene_shadow_widest = 24.0f; // texels, the radius of the widest filter
 static const float scene_shadow_wide = 5.0f;    // texels, the radius of a filter that takes more taps
-static const float scene_shadow_steepest =
-    8.0f; // of the planes that are followed: depth per width, both in the world
+
+// Depth per width, both in the world. Steeper planes than these are not followed, by the filter and by the search for what
+// casts a shadow; what rises less than a fold above a plane does not shade it.
+static const float scene_shadow_steepest = 32.0f, scene_shadow_gentle = 8.0f, scene_shadow_fold = 2.0f;
+static const float scene_shadow_lift =
+    6.0f; // texels that what a facet stands for is brought nearer to the light
 
 /// A fragment as a light sees it.
 struct scene_shadow_point {
     rhw_float column, row, depth;
+    rhw_float own;       // that depth, no less than where the map is empty
     rhw_float slope[2];  // depth per column and per row on the fragment's plane
+    rhw_float gentle[2]; // the same, where a penumbra is searched
     rhw_float step;      // of depth, that is as far as a texel is wide
     rhw_float per_texel; // width of a texel in the world
     rhw_float distance;  // from the light
     rhw_int inside;      // the map reaches there
+    rhw_int away;        // the light sees the plane's other side
 };
 
-// Place n of `count` on a disc of radius 1: sunflower seeds (H. Vogel 1979), as even as any.
-static inline void scene_shadow_seed(int n, int count, float seed[2])
+/// What a facet stands for, of interpolated values.
+struct scene_shadow_curve {
+    const rhw_float *normal;  // not unit
+    const rhw_float *support; // of the corners: the distance of `origin` from the tangent plane
+    const float *origin;
+    rhw_int turn; // −1 where the back is seen, 0 elsewhere
+};
+
+// Place n of `count` on a disc of radius 1 and its distance from the middle: sunflower seeds (H. Vogel 1979), as even as
+// any.
+static inline void scene_shadow_seed(int n, int count, float seed[3])
 {
     static const float turns[SCENE_SHADOW_TAPS][2] = {
         {1.000000f, 0.000000f},   {-0.737369f, 0.675490f}, {0.087426f, -0.996171f}, {0.608439f, 0.793601f},
@@ -42,10 +65,11 @@ static inline void scene_shadow_seed(int n, int count, float seed[2])
     const float radius = __builtin_sqrtf(((float)n + 0.5f) / (float)count);
     seed[0] = turns[n][0] * radius;
     seed[1] = turns[n][1] * radius;
+    seed[2] = radius;
 }
 
 // Of a second disc, between those of the first.
-static inline void scene_shadow_seed_between(int n, int count, float seed[2])
+static inline void scene_shadow_seed_between(int n, int count, float seed[3])
 {
     static const float turns[SCENE_SHADOW_FINE][2] = {
         {0.362375f, 0.932032f},   {-0.896783f, -0.442471f}, {0.960145f, -0.279504f},
@@ -66,6 +90,7 @@ static inline void scene_shadow_seed_between(int n, int count, float seed[2])
     const float radius = __builtin_sqrtf(((float)n + 0.5f) / (float)count);
     seed[0] = turns[n][0] * radius;
     seed[1] = turns[n][1] * radius;
+    seed[2] = radius;
 }
 
 static inline void scene_shadow_project(const struct scene_shadow_map *map, const rhw_float p[3], float one,
@@ -90,6 +115,7 @@ static inline struct scene_shadow_point scene_shadow_place(const struct scene_sh
     p.column = c[0] * inverse;
     p.row = c[1] * inverse;
     p.depth = c[2] * inverse;
+    p.own = rhw_max(p.depth, 0.0f); // beyond all that casts shadows, where the map is empty, nothing does
     const float edge = (float)map->size;
     p.inside = before & rhw_less(0.0f, p.column) & rhw_less(p.column, edge) & rhw_less(0.0f, p.row) &
                rhw_less(p.row, edge);
@@ -102,7 +128,8 @@ static inline struct scene_shadow_point scene_shadow_place(const struct scene_sh
         p.per_texel = rhw_splat(1.0f / map->unit);
         p.step = rhw_splat(1.0f / (map->unit * map->range));
     }
-    p.slope[0] = p.slope[1] = rhw_splat(0.0f);
+    p.slope[0] = p.slope[1] = p.gentle[0] = p.gentle[1] = rhw_splat(0.0f);
+    p.away = rhw_splat_int(0);
     if (ddx) {
         // (∂column, ∂row) · slope = ∂depth, along both axes of the screen.
         rhw_float x[4], y[4];
@@ -116,9 +143,13 @@ static inline struct scene_shadow_point scene_shadow_place(const struct scene_sh
         const rhw_float area = x[0] * y[1] - x[1] * y[0];
         const rhw_int flat = rhw_less(rhw_abs(area), 1e-30f);
         const rhw_float scale = rhw_select(flat, 0.0f, 1.0f / rhw_select(flat, 1.0f, area));
+        p.away = rhw_less(area, 0.0f); // columns and rows turn as on the screen, where both see the same side
         const rhw_float steepest = p.step * scene_shadow_steepest;
+        const rhw_float gentle = p.step * scene_shadow_gentle;
         p.slope[0] = rhw_clamp((y[1] * x[2] - x[1] * y[2]) * scale, -steepest, steepest);
         p.slope[1] = rhw_clamp((x[0] * y[2] - y[0] * x[2]) * scale, -steepest, steepest);
+        p.gentle[0] = rhw_clamp(p.slope[0], -gentle, gentle);
+        p.gentle[1] = rhw_clamp(p.slope[1], -gentle, gentle);
     }
     return p;
 }
@@ -128,75 +159,83 @@ static inline rhw_int scene_shadow_texel(const struct scene_shadow_map *map, rhw
     return rhw_int_from_float_unchecked(rhw_clamp(place, 0.0f, (float)(map->size - 1)));
 }
 
-// Depth of the fragment's plane at the centre of a texel, brought `bias` nearer to the light.
-static inline rhw_float scene_shadow_reference(const struct scene_shadow_point *p, rhw_int column,
-                                               rhw_int row, rhw_float bias)
-{
-    const rhw_float depth = p->depth + p->slope[0] * (rhw_float_from_int(column) + 0.5f - p->column) +
-                            p->slope[1] * (rhw_float_from_int(row) + 0.5f - p->row) + bias;
-    return rhw_max(depth, 0.0f); // beyond all that casts shadows, where the map is empty, nothing does
-}
+// What a place of the disc within reach has in the map. `before`: it is before the fragment's plane; `above`: nearer to the
+// light than the fragment too, which alone can cast a shadow.
+struct scene_shadow_find {
+    rhw_float depth;
+    rhw_int before, above;
+};
 
-// What blocks the light at a place of the disc within reach is added to the sum of distances and the count.
-static inline void scene_shadow_search(const struct scene_shadow_map *map, const struct scene_shadow_point *p,
-                                       const float seed[2], rhw_float reach, rhw_float *sum, rhw_float *count)
+static inline struct scene_shadow_find scene_shadow_search(const struct scene_shadow_map *map,
+                                                           const struct scene_shadow_point *p,
+                                                           const float seed[3], rhw_float reach)
 {
+    struct scene_shadow_find found;
     const rhw_float bias = p->step * (1.0f + 0.1f * reach);
     const rhw_int column = scene_shadow_texel(map, p->column + seed[0] * reach);
     const rhw_int row = scene_shadow_texel(map, p->row + seed[1] * reach);
-    const rhw_float depth = rhw_gather(map->depth, map->pitch * map->size, row * map->pitch + column);
-    const rhw_int blocks = rhw_less(scene_shadow_reference(p, column, row, bias), depth);
-    const rhw_float distance =
-        map->perspective ? map->range / rhw_max(depth, 1e-20f) : (1.0f - depth) * map->range;
-    *sum += rhw_select(blocks, distance, 0.0f);
-    *count += rhw_select(blocks, 1.0f, 0.0f);
+    found.depth = rhw_gather(map->depth, map->pitch * map->size, row * map->pitch + column);
+    const rhw_float plane = p->depth + p->gentle[0] * (rhw_float_from_int(column) + 0.5f - p->column) +
+                            p->gentle[1] * (rhw_float_from_int(row) + 0.5f - p->row);
+    const rhw_float least = found.depth - bias;
+    found.before = rhw_less(rhw_max(plane, -bias), least);
+    found.above = found.before & rhw_less(p->own, least);
+    return found;
 }
 
 /// Radius of the penumbra in texels, from the mean distance of what casts it; −1 where nothing does, −2 where everything
-/// within reach does.
+/// within reach does. A few places find out whether there is a penumbra. Small things fall between them; so what is before
+/// the plane, as a part of each fold is, is reason enough to look at more places.
 static inline rhw_float scene_shadow_penumbra(const struct scene_shadow_map *map,
                                               const struct scene_shadow_point *p, rhw_int who)
 {
     const rhw_float reach = rhw_clamp(map->softness * p->distance / p->per_texel, 1.5f, scene_shadow_widest);
-    rhw_float sum = rhw_splat(0.0f), count = rhw_splat(0.0f);
-    float seed[2];
+    rhw_int some = rhw_splat_int(0), all = rhw_splat_int(-1);
+    float seed[3];
     for (int n = 0; n < SCENE_SHADOW_SEARCHES; n++) {
         scene_shadow_seed(n, SCENE_SHADOW_SEARCHES, seed);
-        scene_shadow_search(map, p, seed, reach, &sum, &count);
+        const struct scene_shadow_find found = scene_shadow_search(map, p, seed, reach);
+        some |= found.before;
+        all &= found.above;
     }
-    const rhw_int some = rhw_less(0.0f, count), all = rhw_less((float)SCENE_SHADOW_SEARCHES - 0.5f, count);
-    const rhw_int partly = some & ~all;
-    if (rhw_any(partly & who)) { // in steps of a dozen the penumbra would show steps
-        rhw_float finer_sum = sum, finer_count = count;
+    rhw_float radius = rhw_splat(1.0f);
+    if (rhw_any(some & ~all & who)) {
+        rhw_float sum = rhw_splat(0.0f), count = rhw_splat(0.0f);
         for (int n = 0; n < SCENE_SHADOW_MORE; n++) {
             scene_shadow_seed_between(n, SCENE_SHADOW_MORE, seed);
-            scene_shadow_search(map, p, seed, reach, &finer_sum, &finer_count);
+            const struct scene_shadow_find found = scene_shadow_search(map, p, seed, reach);
+            const rhw_float distance = map->perspective ? map->range / rhw_max(found.depth, 1e-20f)
+                                                        : (1.0f - found.depth) * map->range;
+            sum += rhw_select(found.above, distance, 0.0f);
+            count += rhw_select(found.above, 1.0f, 0.0f);
         }
-        sum = rhw_select(partly, finer_sum, sum);
-        count = rhw_select(partly, finer_count, count);
+        const rhw_float height = p->distance - sum / rhw_max(count, 1.0f);
+        radius = rhw_clamp(map->softness * height / p->per_texel, 1.0f, scene_shadow_widest);
+        radius = rhw_select(rhw_less(0.0f, count), radius, 1.0f);
     }
-    const rhw_float mean = sum / rhw_select(some, count, 1.0f);
-    const rhw_float radius =
-        rhw_clamp(map->softness * (p->distance - mean) / p->per_texel, 1.0f, scene_shadow_widest);
     return rhw_select(some, rhw_select(all, -2.0f, radius), -1.0f);
 }
 
 // What of a tap, a linear filter of four texels at a place of the disc, the light reaches.
 static inline rhw_float scene_shadow_tap(const struct scene_shadow_map *map,
-                                         const struct scene_shadow_point *p, const float seed[2],
+                                         const struct scene_shadow_point *p, const float seed[3],
                                          rhw_float radius)
 {
-    const rhw_float bias = p->step * (0.7f + 0.1f * radius);
+    const rhw_float bias = p->step * (0.7f + (seed[2] * scene_shadow_fold) * radius);
     const rhw_float x = p->column + seed[0] * radius - 0.5f, y = p->row + seed[1] * radius - 0.5f;
     const rhw_float left = rhw_floor(x), top = rhw_floor(y);
+    const rhw_float corner =
+        p->depth + p->slope[0] * (left + 0.5f - p->column) + p->slope[1] * (top + 0.5f - p->row) + bias;
+    const rhw_float own = p->own + bias;
     rhw_float sum = rhw_splat(0.0f);
     for (int i = 0; i < 4; i++) {
         const rhw_int column = scene_shadow_texel(map, left + (float)(i & 1));
         const rhw_int row = scene_shadow_texel(map, top + (float)(i >> 1));
         const rhw_float depth = rhw_gather(map->depth, map->pitch * map->size, row * map->pitch + column);
         const rhw_float share = (i & 1 ? x - left : 1.0f - (x - left)) * (i & 2 ? y - top : 1.0f - (y - top));
-        const rhw_int open = rhw_less_equal(depth, scene_shadow_reference(p, column, row, bias));
-        sum += rhw_select(open, share, 0.0f);
+        const rhw_float along = i & 1 ? corner + p->slope[0] : corner;
+        const rhw_float plane = i & 2 ? along + p->slope[1] : along;
+        sum += rhw_select(rhw_less_equal(depth, rhw_max(plane, own)), share, 0.0f);
     }
     return sum;
 }
@@ -206,7 +245,7 @@ static inline rhw_float scene_shadow_filter(const struct scene_shadow_map *map,
                                             const struct scene_shadow_point *p, rhw_float radius, rhw_int who)
 {
     rhw_float sum = rhw_splat(0.0f);
-    float seed[2];
+    float seed[3];
     for (int n = 0; n < SCENE_SHADOW_TAPS; n++) {
         scene_shadow_seed(n, SCENE_SHADOW_TAPS, seed);
         sum += scene_shadow_tap(map, p, seed, radius);
@@ -240,15 +279,65 @@ static inline rhw_float scene_shadow_look(const struct scene_shadow_map *map,
     return rhw_select(mine, open, 1.0f);
 }
 
+// The place of what the facet stands for, on the plane across the normal.
+static inline struct scene_shadow_point scene_shadow_place_curved(const struct scene_shadow_map *map,
+                                                                  const struct scene_shadow_curve *curve,
+                                                                  const rhw_float position[3],
+                                                                  const rhw_float ddx[3],
+                                                                  const rhw_float ddy[3])
+{
+    const rhw_float *n = curve->normal;
+    rhw_float rise = *curve->support; // of the corners' tangent planes above the fragment
+    for (int c = 0; c < 3; c++) {
+        rise -= (position[c] - curve->origin[c]) * n[c];
+    }
+    rise = rhw_select(curve->turn, rhw_min(rise, 0.0f), rhw_max(rise, 0.0f));
+    const rhw_float inverse = 1.0f / rhw_max(rhw_dot3(n, n), 1e-20f);
+    const rhw_float x = rhw_dot3(ddx, n) * inverse, y = rhw_dot3(ddy, n) * inverse;
+    rhw_float moved[3], across[2][3];
+    for (int c = 0; c < 3; c++) {
+        moved[c] = position[c] + n[c] * rise;
+        across[0][c] = ddx[c] - n[c] * x;
+        across[1][c] = ddy[c] - n[c] * y;
+    }
+    struct scene_shadow_point p = scene_shadow_place(map, moved, across[0], across[1]);
+    p.depth += p.step * scene_shadow_lift;
+    p.own = rhw_max(p.depth, 0.0f);
+    return p;
+}
+
+static inline void scene_shadow_choose(struct scene_shadow_point *p, rhw_int mask,
+                                       const struct scene_shadow_point *other)
+{
+    p->column = rhw_select(mask, other->column, p->column);
+    p->row = rhw_select(mask, other->row, p->row);
+    p->depth = rhw_select(mask, other->depth, p->depth);
+    p->own = rhw_select(mask, other->own, p->own);
+    p->slope[0] = rhw_select(mask, other->slope[0], p->slope[0]);
+    p->slope[1] = rhw_select(mask, other->slope[1], p->slope[1]);
+    p->gentle[0] = rhw_select(mask, other->gentle[0], p->gentle[0]);
+    p->gentle[1] = rhw_select(mask, other->gentle[1], p->gentle[1]);
+    p->step = rhw_select(mask, other->step, p->step);
+    p->per_texel = rhw_select(mask, other->per_texel, p->per_texel);
+    p->distance = rhw_select(mask, other->distance, p->distance);
+    p->inside = (mask & other->inside) | (~mask & p->inside);
+}
+
 /// The part of a light that arrives at the lanes `mask`. Of the maps around a point light each lane takes the first that
-/// has it well within.
+/// has it well within. `curve` may be NULL: the facet then stands for itself.
 static inline rhw_float scene_shadow(const struct scene_shader_light *light, const rhw_float position[3],
-                                     const rhw_float ddx[3], const rhw_float ddy[3], rhw_int mask)
+                                     const rhw_float ddx[3], const rhw_float ddy[3],
+                                     const struct scene_shadow_curve *curve, rhw_int mask)
 {
     rhw_float open = rhw_splat(1.0f);
     for (int m = 0; m < light->map_count && rhw_any(mask); m++) {
         const struct scene_shadow_map *map = &light->maps[m];
-        const struct scene_shadow_point p = scene_shadow_place(map, position, ddx, ddy);
+        struct scene_shadow_point p = scene_shadow_place(map, position, ddx, ddy);
+        if (curve && rhw_any(p.away & mask)) {
+            const struct scene_shadow_point curved =
+                scene_shadow_place_curved(map, curve, position, ddx, ddy);
+            scene_shadow_choose(&p, p.away, &curved);
+        }
         const float low = light->map_count > 1 ? scene_shadow_widest + 1.0f : 0.0f,
                     high = (float)map->size - low;
         const rhw_int mine = mask & p.inside & rhw_less(low, p.column) & rhw_less(p.column, high) &

@@ -27,6 +27,20 @@ ALWAYS_INLINE void write_normal(const struct scene_surface *s, const struct rhw_
     rhw_normalize3(turned, &v->varying[s->varying_normal]);
 }
 
+// From the eye, so that models far from the origin lose no digits.
+ALWAYS_INLINE void write_support(const struct scene_surface *s, rhw_float *varying)
+{
+    if (s->varying_support < 0) {
+        return;
+    }
+    const rhw_float *p = &varying[s->varying_position], *n = &varying[s->varying_normal];
+    rhw_float support = rhw_splat(0.0f);
+    for (int c = 0; c < 3; c++) {
+        support += (p[c] - s->frame->eye[c]) * n[c];
+    }
+    varying[s->varying_support] = support;
+}
+
 // A tangent lies in the surface, so it goes with the world matrix itself. Its w is turned where the matrix
 // mirrors, because a cross product does not mirror with its arguments.
 ALWAYS_INLINE void write_tangent(const struct scene_surface *s, const struct rhw_vertex *v)
@@ -78,6 +92,7 @@ static void surface_vertex(struct rhw_vertex *groups, int count)
         rhw_mat4_mul_point(s->clip, p, v->position);
         write_position(s, p, v->varying);
         write_normal(s, v);
+        write_support(s, v->varying);
         write_tangent(s, v);
         write_color(s, v);
         write_uvs(s, v);

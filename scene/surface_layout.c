@@ -147,14 +147,18 @@ static void use_position(struct scene_surface *s, struct scene_surface_key *key)
     key->position_number = key->varying_count;
 }
 
-// The plane of a fragment, in which shadows are looked up, follows from the derivatives of its position.
+// The plane of a fragment, in which shadows are looked up, follows from the derivatives of its position; what a facet
+// stands for from the tangent planes of its corners.
 static void use_shadows(struct scene_surface *s, struct scene_surface_key *key,
                         const struct scene_frame *frame)
 {
     for (int32_t i = 0; i < frame->light_count; i++) {
         s->shadowed = s->shadowed || frame->lights[i].map_count > 0;
     }
-    key->position_derivatives = s->shadowed && s->is_triangle;
+    if (s->shadowed && s->is_triangle) {
+        key->position_derivatives = true;
+        s->varying_support = add_varying(key, 1);
+    }
 }
 
 static void use_normal(struct scene_surface *s, struct scene_surface_key *key,
@@ -351,6 +355,7 @@ void scene_surface_lay_out(const struct scene_upload *upload, const struct scene
                                 .varying_tangent = -1,
                                 .varying_color = -1,
                                 .varying_disc = -1,
+                                .varying_support = -1,
                                 .uv_varying = -1};
     for (int slot = 0; slot < SCENE_SLOT_COUNT; slot++) {
         s->slot_varying[slot] = -1;

@@ -131,6 +131,26 @@ succeed explain tile.obj --at 80,100 $look
 check "level and texels" grep -Eq '^    base color +level [0-9.]+; level [0-4] has [0-9]+x[0-9]+ texels' "$folder/log/out"
 check "why that level" grep -Eq '^ +[0-9.]+ and [0-9.]+ texels of 16x16; log2 of the larger is -?[0-9.]+$' "$folder/log/out"
 check "and the color in the end" grep -q '^Of these values, light and shadow the shader makes (' "$folder/log/out"
+# A square over a floor, in the way of the studio's light, which comes from (-0.5, 0.62, 0.6) of the eye.
+cat >shaded.obj <<'OBJ'
+v -4 -4 0
+v 4 -4 0
+v 4 4 0
+v -4 4 0
+v -1.4333 0.4333 1
+v -0.2333 0.4333 1
+v -0.2333 1.6333 1
+v -1.4333 1.6333 1
+f 1 2 3 4
+f 5 6 7 8
+OBJ
+above="--size 81 --camera 0,0,10,0,0,0,0,1,0,40 --ambient-occlusion off"
+succeed explain shaded.obj --at 40,40 $above
+check "in shadow" grep -q '^    light 1, directional  n·l is 0.6017: 100 % of it is in shadow, so of (0.56, 0.535, 0.5) arrives (0, 0, 0)$' "$folder/log/out"
+succeed explain shaded.obj --at 60,60 $above
+check "in the light" grep -q ': 0 % of it is in shadow, so of (0.56, 0.535, 0.5) arrives (0.3369, 0.3219, 0.3008)$' "$folder/log/out"
+succeed explain shaded.obj --at 40,40 $above --json
+check "the same as JSON" grep -q '"type": "directional", "n_dot_l": 0.601[0-9]*, "open": 0,' "$folder/log/out"
 succeed explain tile.obj --at 80,100 $look --json
 if command -v python3 >/dev/null 2>&1; then
     check "the steps make the level" python3 - "$folder/log/out" <<'PY'

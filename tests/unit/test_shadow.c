@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "shaders_shadow.h"
+#include "shadow.h"
 
 enum { SIZE = 128 };
 
@@ -84,7 +85,7 @@ static rhw_float look(const struct scene_shadow_map *map, const struct plane *p,
     ddy[1] = rhw_splat(-0.01f);
     ddy[2] = rhw_splat((float)(-0.002 * p->x - 0.01 * p->y));
     const struct scene_shader_light light = {.map_count = 1, .maps = map};
-    return scene_shadow(&light, position, ddx, ddy, rhw_splat_int(-1));
+    return scene_shadow(&light, position, ddx, ddy, NULL, rhw_splat_int(-1));
 }
 
 static void test_a_plane_does_not_shade_itself(void **state)
@@ -101,6 +102,27 @@ static void test_a_plane_does_not_shade_itself(void **state)
                     tiny_assert_close((double)open[lane], 1.0, 1e-6);
                 }
             }
+        }
+    }
+}
+
+// Two planes that meet along x = 0: neither shades the other where both face the light.
+static void test_a_fold_does_not_shade_itself(void **state)
+{
+    (void)state;
+    const double slopes[][2] = {{0, 1}, {-1, 1}, {-0.5, 0.9}, {0, 1.5}};
+    for (size_t i = 0; i < sizeof slopes / sizeof *slopes; i++) {
+        const struct scene_shadow_map map = parallel_map(0.12f);
+        const struct plane left = {slopes[i][0], 0, -2}, right = {slopes[i][1], 0, -2};
+        for (int y = 0; y < SIZE; y++) {
+            for (int x = 0; x < SIZE; x++) {
+                const struct plane *p = x < SIZE / 2 ? &left : &right;
+                texels[y * SIZE + x] = (float)plane_depth(&map, p, x + 0.5, y + 0.5);
+            }
+        }
+        for (double x = -0.4; x < 0.4; x += 0.003) {
+            const double open = (double)look(&map, x < 0.0 ? &left : &right, x, 0.1, 0.0)[0];
+            tiny_assert_close(open, 1.0, 0.005);
         }
     }
 }
@@ -147,6 +169,84 @@ static void test_beyond_the_map_is_light(void **state)
 }
 
 // Scenes --------------------------------------------------------------------------------------------
+
+enum {
+    RINGS = 8,
+    SECTORS = 16,
+    BALL_VERTICES = (RINGS + 1) * (SECTORS + 1),
+    BALL_INDICES = RINGS * SECTORS * 6
+};
+
+// A ball of radius 1 of few facets, with the normals of the sphere.
+struct ball {
+    struct tiny t;
+    float positions[BALL_VERTICES][3];
+    uint32_t indices[BALL_INDICES];
+};
+
+static void make_ball(struct ball *ball)
+{
+    tiny_make(&ball->t);
+    ball->t.material.unlit = false;
+    ball->t.material.roughness = 1;
+    for (int r = 0; r <= RINGS; r++) {
+        for (int s = 0; s <= SECTORS; s++) {
+            const double down = 3.14159265358979 * r / RINGS, around = 2.0 * 3.14159265358979 * s / SECTORS;
+            float *p = ball->positions[r * (SECTORS + 1) + s];
+            p[0] = (float)(sin(down) * cos(around));
+            p[1] = (float)(sin(down) * sin(around));
+            p[2] = (float)cos(down);
+        }
+    }
+    uint32_t *index = ball->indices;
+    for (uint32_t r = 0; r < RINGS; r++) {
+        for (uint32_t s = 0; s < SECTORS; s++) {
+            const uint32_t a = r * (SECTORS + 1) + s, b = a + SECTORS + 1;
+            const uint32_t corners[6] = {a, b, b + 1, a, b + 1, a + 1};
+            memcpy(index, corners, sizeof corners);
+            index += 6;
+        }
+    }
+    ball->t.mesh = (struct scene_mesh){.name = "",
+                                       .vertex_count = BALL_VERTICES,
+                                       .index_count = BALL_INDICES,
+                                       .indices = ball->indices,
+                                       .positions = ball->positions,
+                                       .normals = ball->positions};
+    tiny_identity(ball->t.instances[0].world);
+    for (int c = 0; c < 3; c++) {
+        ball->t.model.bounds_min[c] = -1;
+        ball->t.model.bounds_max[c] = 1;
+    }
+    ball->t.model.light_count = 1;
+}
+
+// Light from the side: facets along its limit are turned away from it while the normals of their corners are not. They do
+// not lie in the shadow of the ball, which stands for a sphere.
+static void test_a_ball_of_few_facets_does_not_shade_itself(void **state)
+{
+    (void)state;
+    static const float directions[][3] = {
+        {-1, 0, 0}, {-0.8f, 0.6f, 0}, {-0.64f, 0.48f, -0.6f}, {0, -0.28f, 0.96f}};
+    for (size_t i = 0; i < sizeof directions / sizeof *directions; i++) {
+        struct ball ball;
+        make_ball(&ball);
+        ball.t.light =
+            (struct scene_model_light){.type = SCENE_LIGHT_DIRECTIONAL, .color = {1, 1, 1}, .intensity = 1};
+        memcpy(ball.t.light.direction, directions[i], sizeof directions[i]);
+        struct scene_view view = tiny_view(&ball.t, 256);
+        view.outputs = SCENE_OUTPUT_LINEAR;
+        view.ambient_occlusion = false;
+        struct scene_pictures with = tiny_draw(&ball.t, &view);
+        view.shadows = false;
+        struct scene_pictures without = tiny_draw(&ball.t, &view);
+        for (size_t k = 0; k < 256 * 256 * 4; k++) {
+            tiny_assert_close((double)with.linear[k], (double)without.linear[k], 0.025);
+        }
+        scene_pictures_free(&with);
+        scene_pictures_free(&without);
+    }
+}
 
 static void place(struct scene_instance *instance, float scale, float x, float y, float z)
 {
@@ -271,6 +371,45 @@ static void test_what_casts_no_shadow(void **state)
         scene_pictures_free(&with);
         scene_pictures_free(&without);
     }
+}
+
+// A square that stands on the floor along the line x = 0, half a unit high, and light from the left at 45 degrees: the
+// shadow begins where the square does, to within two texels of the map.
+static void test_contact(void **state)
+{
+    (void)state;
+    struct tiny t;
+    make_floor(&t);
+    t.material.double_sided = true;
+    float *m = t.instances[1].world;
+    tiny_identity(m); // x to z, z to −x
+    m[0] = 0;
+    m[2] = 0.25f;
+    m[8] = -1;
+    m[10] = 0;
+    m[14] = 0.25f;
+    t.model.light_count = 1;
+    t.light = (struct scene_model_light){.type = SCENE_LIGHT_DIRECTIONAL,
+                                         .direction = {(float)sqrt(0.5), 0, -(float)sqrt(0.5)},
+                                         .color = {1, 1, 1},
+                                         .intensity = 1};
+    struct scene_view view = floor_view(&t, 512);
+    struct scene_pictures with = tiny_draw(&t, &view);
+    view.shadows = false;
+    struct scene_pictures without = tiny_draw(&t, &view);
+    const double texel = 4.0 / SCENE_SHADOW_SIZE;
+    for (double y = -0.9; y < 0.91; y += 0.1) {
+        for (double x = 0.0; x < 0.45; x += 0.01) {
+            const double at = x + 2.0 * texel;
+            assert_true(brightness(&with, at, y) < 0.7 * brightness(&without, at, y));
+        }
+        for (double x = 0.0; x < 0.5; x += 0.01) {
+            const double at = -x - 4.0 * texel;
+            tiny_assert_close(brightness(&with, at, y), brightness(&without, at, y), 1e-6);
+        }
+    }
+    scene_pictures_free(&with);
+    scene_pictures_free(&without);
 }
 
 // Ambient occlusion ---------------------------------------------------------------------------------
@@ -420,11 +559,14 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_plane_does_not_shade_itself),
+        cmocka_unit_test(test_a_fold_does_not_shade_itself),
         cmocka_unit_test(test_penumbra),
         cmocka_unit_test(test_beyond_the_map_is_light),
         cmocka_unit_test(test_shadow_of_a_sun),
         cmocka_unit_test(test_shadow_of_lamps),
         cmocka_unit_test(test_what_casts_no_shadow),
+        cmocka_unit_test(test_a_ball_of_few_facets_does_not_shade_itself),
+        cmocka_unit_test(test_contact),
         cmocka_unit_test(test_corner),
         cmocka_unit_test(test_open_square),
         cmocka_unit_test(test_open_floor),

@@ -119,6 +119,29 @@ static void print_textures(const struct cli_past_fragment *past, const struct sc
     printf("]");
 }
 
+static void print_light(const struct scene_light_looks *looks)
+{
+    if (!looks->is_lit) {
+        printf(",\n   \"light\": null");
+        return;
+    }
+    printf(",\n   \"light\": {\"normal_mapped\": %s", looks->is_mapped ? "true" : "false");
+    print_floats("normal", looks->normal, 3);
+    print_floats("sum", looks->sum, 3);
+    printf(", \"lights\": [");
+    for (int i = 0; i < looks->count; i++) {
+        const struct scene_light_look *const light = &looks->lights[i];
+        printf("%s\n    {\"type\": \"%s\", \"n_dot_l\": ", i ? "," : "", cli_light_names[light->type]);
+        cli_json_number(stdout, (double)light->n_dot_l);
+        printf(", \"open\": ");
+        cli_json_number(stdout, (double)light->open);
+        print_floats("facing", light->facing, 3);
+        print_floats("arrives", light->arrives, 3);
+        printf("}");
+    }
+    printf("]}");
+}
+
 static void print_fragment(const struct cli_explanation *e, const struct cli_past_fragment *past)
 {
     static const char *const fates[] = {"failed_early", "discarded", "failed_late", "written"};
@@ -160,6 +183,7 @@ static void print_fragment(const struct cli_explanation *e, const struct cli_pas
         print_floats("space", f->weights, 3);
     }
     print_textures(past, e->model);
+    print_light(&past->light);
     if (past->drawn.instance != SCENE_DRAWN_BACKGROUND &&
         cli_exact_weights_set(&weights, f, e->drawn_width, e->drawn_height)) {
         print_exact(past, &weights);

@@ -2,6 +2,7 @@
 // A worked example, as a textbook would have it; see explain_write.h. The notation is that of docs/exactness.md.
 #include "exact_weights.h"
 #include "explain_write.h"
+#include "info_print.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -279,6 +280,48 @@ static void print_textures(FILE *out, const struct cli_past_fragment *past, cons
     }
 }
 
+static void print_rgb(FILE *out, const float color[3])
+{
+    fprintf(out, "(%.4g, %.4g, %.4g)", (double)color[0], (double)color[1], (double)color[2]);
+}
+
+static void print_light(FILE *out, int number, const struct scene_light_look *light)
+{
+    fprintf(out, "    light %d, %-12s n·l is %.4g: ", number, cli_light_names[light->type],
+            (double)light->n_dot_l);
+    if (light->n_dot_l <= 0.0f) {
+        fprintf(out, "the surface faces away from it\n");
+        return;
+    }
+    fprintf(out, "%.4g %% of it is in shadow, so of ", 100.0 * (1.0 - (double)light->open));
+    print_rgb(out, light->facing);
+    fprintf(out, " arrives ");
+    print_rgb(out, light->arrives);
+    fprintf(out, "\n");
+}
+
+static void print_lights(FILE *out, const struct scene_light_looks *looks)
+{
+    if (!looks->is_lit) {
+        return;
+    }
+    fprintf(out, "\nThe light there. The unit normal n%s is ",
+            looks->is_mapped ? ", which the normal map has turned," : "");
+    print_rgb(out, looks->normal);
+    fprintf(out,
+            ". From a\nlight in direction l arrives n·l of what a white surface that faces it sends on, less "
+            "what is in shadow:\n\n");
+    for (int i = 0; i < looks->count; i++) {
+        print_light(out, i + 1, &looks->lights[i]);
+    }
+    if (looks->left_out > 0) {
+        fprintf(out, "    and %d more\n", looks->left_out);
+    }
+    fprintf(out, "    together ");
+    print_rgb(out, looks->sum);
+    fprintf(out, ", beside what comes from all around\n");
+}
+
 // From there on it is the shader and the target.
 static void print_color_made(FILE *out, const struct cli_past_fragment *past)
 {
@@ -351,6 +394,7 @@ static void print_derivation(FILE *out, const struct cli_explanation *e, const s
             f->sample_x / 256.0, f->sample_y / 256.0, (double)f->depth);
     print_components(out, past, &weights);
     print_textures(out, past, e->model);
+    print_lights(out, &past->light);
     print_color_made(out, past);
     cli_exact_weights_free(&weights);
 }

@@ -48,6 +48,7 @@ void cli_history_add(void *user, const struct rhw_explained_fragment *fragment,
     *past = (struct cli_past_fragment){.told = *fragment, .drawn = *drawn};
     if (drawn->instance >= 0) {
         past->look_count = scene_texture_looks(fragment, &drawn->surface, past->looks);
+        scene_light_looks(fragment, &drawn->surface, &past->light);
     }
     if (!keep_values(past, fragment)) {
         history->failed = true;

@@ -3,7 +3,7 @@
 #ifndef CLI_HISTORY_H
 #define CLI_HISTORY_H
 
-#include "explain.h"
+#include "explain_light.h"
 #include "model.h"
 
 struct cli_past_fragment {
@@ -11,6 +11,7 @@ struct cli_past_fragment {
     struct scene_drawn drawn;
     int look_count;
     struct scene_texture_look looks[SCENE_SLOT_COUNT];
+    struct scene_light_looks light;
     float *values; ///< [4][component_count]: at the three vertices and at the sample
 };
 

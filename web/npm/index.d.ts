@@ -370,6 +370,25 @@ export interface ExplainedFragment {
         /** The four around the place, top left, top right, below, of this level and, by its fraction, of the next. */
         texels: [number, number, number, number][][];
     }[];
+    /** What the built-in shader makes of the lights there; null where the surface has none, or is the background. */
+    light: {
+        /** A normal map has turned the normal. */
+        normal_mapped: boolean;
+        normal: Triple;
+        /** The first 8; `sum` is what arrives of all of them. */
+        lights: {
+            type: 'directional' | 'point' | 'spot';
+            /** Below 0 the surface faces away. */
+            n_dot_l: number;
+            /** The part that no shadow takes, 0 to 1. */
+            open: number;
+            /** What a white surface that faces the light sends on. */
+            facing: Triple;
+            /** Of that: times n_dot_l, where above 0, and times open. */
+            arrives: Triple;
+        }[];
+        sum: Triple;
+    } | null;
     /** The edge functions and their sum, 1/65536 pixel², and what follows from them in exact arithmetic. */
     edges?: Triple;
     sum?: number;

@@ -28,6 +28,7 @@ const WORDS = {
   position: '位置',
   normal: '法线',
   tangent: '切线',
+  plane: '切平面',
   color: '颜色',
   disc: '圆点',
   component: '分量',
