@@ -67,8 +67,8 @@ static void look_at_light(const struct rhw_fragment *f, const struct scene_surfa
 void scene_light_looks(const struct rhw_explained_fragment *fragment, const struct scene_surface *surface,
                        struct scene_light_looks *looks)
 {
-    *looks = (struct scene_light_looks){
-        .is_lit = fragment->is_shaded && surface->varying_position >= 0 && surface->varying_normal >= 0};
+    *looks = (struct scene_light_looks){.is_lit = fragment->is_shaded && surface->varying_position >= 0 &&
+                                                  surface->varying_normal >= 0};
     if (!looks->is_lit) {
         return;
     }

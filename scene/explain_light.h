@@ -10,16 +10,16 @@ enum { SCENE_LIGHT_LOOKS = 8 };
 
 struct scene_light_look {
     enum scene_light_type type;
-    float n_dot_l;    ///< below 0 the surface faces away
-    float open;       ///< the part that no shadow takes, 0..1; 1 where the light casts none
-    float facing[3];  ///< what a surface gets that faces the light; irradiance over π, as a white one sends it on
+    float n_dot_l; ///< below 0 the surface faces away
+    float open;    ///< the part that no shadow takes, 0..1; 1 where the light casts none
+    float facing[3]; ///< what a surface gets that faces the light; irradiance over π, as a white one sends it on
     float arrives[3]; ///< of that: times n·l, where above 0, and times the open part
 };
 
 struct scene_light_looks {
-    bool is_lit; ///< else the surface has no light, and nothing else is set
-    bool is_mapped; ///< a normal map turned the normal
-    float normal[3]; ///< unit, of the side that is seen
+    bool is_lit;         ///< else the surface has no light, and nothing else is set
+    bool is_mapped;      ///< a normal map turned the normal
+    float normal[3];     ///< unit, of the side that is seen
     int count, left_out; ///< lights that are told, and those beyond SCENE_LIGHT_LOOKS
     struct scene_light_look lights[SCENE_LIGHT_LOOKS];
     float sum[3]; ///< of what arrives, of all lights
