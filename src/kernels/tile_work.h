@@ -47,11 +47,11 @@ struct fragment_queue {
 
 // Texels of the fragments of the triangle under way that are in no group yet (fragment/gather.h).
 struct gathered_fragments {
-    int count;
-    int32_t texel[RHW_GATHERED_FRAGMENTS + 8];   // and room for a vector that begins at the last
-    int32_t samples[RHW_GATHERED_FRAGMENTS + 8]; // of multisampled passes
-    bool overtakes; // some lie where fragments of other triangles wait in the partial group: groups must not go first
+    _Alignas(32) int32_t texel[RHW_GATHERED_FRAGMENTS + 8]; // and room for a vector that begins at the last
+    int32_t samples[RHW_GATHERED_FRAGMENTS + 8];            // of multisampled passes
     uint8_t set_lanes[256][8]; // by bits: which are set, in order; behind them lanes of any number
+    int first, count;          // those from `first` on, below `count`, are left
+    bool overtakes; // some lie where fragments of other triangles wait in the partial group: groups must not go first
 };
 
 // This is kept of a triangle until its last fragment has found a group.

@@ -308,7 +308,7 @@ static bool samples_meet(const struct tile_work *work)
     const struct gathered_fragments *const gathered = &work->scratch->gathered;
     const i8 texels = i8_load(partial->texel), samples = i8_load(partial->samples);
     i8 meet = i8_splat(0);
-    for (int i = 0; i < gathered->count; i++) {
+    for (int i = gathered->first; i < gathered->count; i++) {
         meet |=
             rhw_equal_int(texels, i8_splat(gathered->texel[i])) & samples & i8_splat(gathered->samples[i]);
     }
@@ -435,12 +435,12 @@ RHW_INLINE void pack_fragments(struct tile_work *work, const struct quantity_pla
                                const struct packed_triangle *packed, enum packed_parts parts)
 {
     const struct gathered_fragments *const gathered = &work->scratch->gathered;
-    for (int i = 0; i < gathered->count; i++) {
+    for (int i = gathered->first; i < gathered->count; i++) {
         pack_fragment(work, planes, packed, i, parts);
     }
 }
 
-// Adds the gathered fragments of a triangle, fewer than 8.
+// Adds what is left of the gathered fragments of a triangle, fewer than 8.
 static void pack_gathered(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct packed_triangle *const packed = pack_triangle(work, triangle);
@@ -454,7 +454,6 @@ static void pack_gathered(struct tile_work *work, struct triangle_work *triangle
     } else {
         pack_fragments(work, &triangle->planes.quantities, packed, PACKED_QUANTITIES);
     }
-    work->scratch->gathered.count = 0;
 }
 
 #endif
