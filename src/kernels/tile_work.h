@@ -47,8 +47,9 @@ struct fragment_queue {
 
 // Texels of the fragments of the triangle under way that are in no group yet (fragment/gather.h).
 struct gathered_fragments {
-    _Alignas(32) int32_t texel[RHW_GATHERED_FRAGMENTS + 8]; // and room for a vector that begins at the last
-    int32_t samples[RHW_GATHERED_FRAGMENTS + 8];            // of multisampled passes
+    // With room for a vector that begins at the last; vectors of a group lie in one cache line each.
+    _Alignas(32) int32_t texel[RHW_GATHERED_FRAGMENTS + 8];
+    int32_t samples[RHW_GATHERED_FRAGMENTS + 8]; // of multisampled passes
     uint8_t set_lanes[256][8]; // by bits: which are set, in order; behind them lanes of any number
     int first, count;          // those from `first` on, below `count`, are left
     bool overtakes; // some lie where fragments of other triangles wait in the partial group: groups must not go first
@@ -162,6 +163,17 @@ struct tile_work {
     struct rhw_explained *explained; // NULL: it is of another tile, or none is asked for
     uint32_t plans;                  // rhw_tile_plan of the runs that were drawn
 };
+
+// Where a texel of the tile lies. Shifts, as texels are never negative, which a compiler cannot know.
+RHW_INLINE int texel_column(int texel)
+{
+    return texel & (RHW_TILE - 1);
+}
+
+RHW_INLINE int texel_row(int texel)
+{
+    return texel >> RHW_TILE_LOG2;
+}
 
 // Tells where a block at (x, y) of the tile lies from the anchor.
 RHW_INLINE struct anchor_offset block_offset(const struct tile_work *work, const struct planes *planes, int x,

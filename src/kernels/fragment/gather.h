@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What of a triangle is seen becomes groups. A block that is seen all over is 8 groups as it stands (row_groups.h). The
 // fragments of other blocks are gathered: they are listed, and once the triangle is done, or the list full, every 8 of
-// them make a group, wherever in the tile they lie; the last few are packed with those of other triangles (pack.h).
+// them make a group, wherever in the tile they lie. The last 6 or 7 are a group with lanes that are not live; fewer are
+// packed with those of other triangles (pack.h).
 // Where groups must be rows (RHW_SHADING_ROWS, slivers, blocks that leave their triangle), a block has one for every
 // row. Every number is made by the same operations on each path.
 #ifndef RHW_GATHER_H
@@ -241,7 +242,7 @@ static bool gathered_wait(const struct tile_work *work)
     uint64_t waiting = 0;
     for (int i = 0; i < gathered->count; i++) {
         const int texel = gathered->texel[i];
-        waiting |= work->scratch->partial.pixels[texel / RHW_TILE] >> texel % RHW_TILE;
+        waiting |= work->scratch->partial.pixels[texel_row(texel)] >> texel_column(texel);
     }
     return waiting & 1;
 }

@@ -55,7 +55,7 @@ RHW_INLINE void set_flat_groups(f8 *varyings, const struct rhw_pipeline_data *pi
     }
 }
 
-// Sets the smooth ones of a run of components.
+// Sets a run of components as smooth ones; what in it is flat is set afterwards.
 RHW_INLINE void interpolate_groups(f8 *varyings, ptrdiff_t components, struct rhw_component_run run,
                                    const struct triangle_work *triangle, const struct group_weights *weights,
                                    int count)

@@ -215,7 +215,7 @@ static int place_partial(struct tile_work *work, unsigned bits)
         queue->samples[g] = i8_load(partial->samples) & i8_from_bits(bits);
     }
     for (int i = 0; i < 8; i++) {
-        partial->pixels[partial->texel[i] >> RHW_TILE_LOG2] = 0;
+        partial->pixels[texel_row(partial->texel[i])] = 0;
     }
     partial->count = 0;
     return g;
@@ -394,7 +394,7 @@ RHW_INLINE int pack_values(struct partial_group *partial, const struct packed_tr
 {
     const int n = partial->count;
     partial->texel[n] = texel;
-    partial->pixels[texel >> RHW_TILE_LOG2] |= (uint64_t)1 << (texel & (RHW_TILE - 1));
+    partial->pixels[texel_row(texel)] |= (uint64_t)1 << texel_column(texel);
     partial->triangle[n] = packed;
     partial->quantities[n] = quantities;
     partial->count = n + 1;
@@ -407,7 +407,7 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
 {
     struct partial_group *const partial = &work->scratch->partial;
     const int texel = work->scratch->gathered.texel[i];
-    const int x = texel & (RHW_TILE - 1), y = texel >> RHW_TILE_LOG2;
+    const int x = texel_column(texel), y = texel_row(texel);
     const double dx = x - packed->anchor_x, dy = y - packed->anchor_y;
     const int n = pack_values(partial, packed, texel, quantity_values(planes, dx, dy));
     if (parts >= PACKED_DISTANCE) {

@@ -25,22 +25,9 @@ static void set_cell_pixels(struct cell_pixel pixels[CELL * CELL], const struct 
 }
 
 // Texels from the first of a cell to its others.
-static const uint8_t texel_of_pixel[CELL * CELL] = {0,
-                                                    1,
-                                                    2,
-                                                    3,
-                                                    RHW_TILE,
-                                                    RHW_TILE + 1,
-                                                    RHW_TILE + 2,
-                                                    RHW_TILE + 3,
-                                                    2 * RHW_TILE,
-                                                    2 * RHW_TILE + 1,
-                                                    2 * RHW_TILE + 2,
-                                                    2 * RHW_TILE + 3,
-                                                    3 * RHW_TILE,
-                                                    3 * RHW_TILE + 1,
-                                                    3 * RHW_TILE + 2,
-                                                    3 * RHW_TILE + 3};
+#define CELL_ROW(y) (y) * RHW_TILE, (y)*RHW_TILE + 1, (y)*RHW_TILE + 2, (y)*RHW_TILE + 3
+static const uint8_t texel_of_pixel[CELL * CELL] = {CELL_ROW(0), CELL_ROW(1), CELL_ROW(2), CELL_ROW(3)};
+#undef CELL_ROW
 
 // The pixels of a cell that have a sample in `covered`: the lowest bit of their four.
 RHW_INLINE uint64_t covered_pixels(uint64_t covered)
@@ -66,7 +53,7 @@ RHW_INLINE void store_depth_of_pixel(struct rhw_tile_scratch *scratch, int texel
 // The open samples of a pixel, a bit each.
 static inline unsigned open_of_pixel(struct rhw_tile_scratch *scratch, int texel)
 {
-    const int x = texel % RHW_TILE, y = texel / RHW_TILE;
+    const int x = texel_column(texel), y = texel_row(texel);
     unsigned open = 0;
     for (int s = 0; s < CELL_SAMPLES; s++) {
         open |= (unsigned)(depth_plane(scratch, s)->open[y] >> x & 1) << s;
@@ -78,7 +65,7 @@ static inline unsigned open_of_pixel(struct rhw_tile_scratch *scratch, int texel
 RHW_INLINE unsigned settle_pixel(struct rhw_tile_scratch *scratch, int texel, unsigned passed,
                                  const struct rhw_depth_rule rule)
 {
-    const int x = texel % RHW_TILE, y = texel / RHW_TILE;
+    const int x = texel_column(texel), y = texel_row(texel);
     if (rule.open != RHW_OPEN_CLAIM && rule.open != RHW_OPEN_MARK) {
         return passed;
     }
@@ -176,6 +163,7 @@ RHW_INLINE void draw_tiny(const struct tiny_run *run, int i, const struct rhw_de
         }
     }
     const int count = work->scratch->gathered.count;
+    // Plainly packed, 6 or 7 cost less than a group of their own: msaa4_sphere_1m 1 % of its instructions.
     if (count != 0 && count < RHW_LANES && work->packs_plainly) {
         pack_tiny(run, i);
     } else if (count != 0) {
