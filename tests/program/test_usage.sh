@@ -157,6 +157,7 @@ for verb in render info "explain --at 1,1"; do
     refuse 1 "models: is a folder, and a model is wanted; rhw thumbs draws all models in a folder" $verb models
 done
 refuse 2 "models/: is named as a folder, and a model is wanted" models/
+refuse 2 "'': a model needs a name$" render ""
 
 # A picture where a model should be; its name tells where there is none yet.
 succeed render cube.obj --size 8 -o x.png
