@@ -144,7 +144,7 @@ refuse 2 "--thumb: no such option" render cube.obj --thumb x -o th.png
 refuse 2 "--thumb-mark: needs a TEXT, and '' is none" render cube.obj --size 8 --thumb-mark "" -o th.png
 refuse 2 "--thumb-mark: needs a TEXT, and '' is none" render cube.obj --size 8 --thumb-mark= -o th.png
 succeed render cube.obj --size 8 --thumb-mark=some -o th.png
-check "a mark" grep -q some th.png
+check "a mark" sh -c "tr '\\0' ' ' <th.png | grep -aq 'tEXtrhw thumbs some'"
 succeed render ./-dash.obj --siz 8 -o ./-dash.png
 
 # A second argument of an option that takes one is no model.

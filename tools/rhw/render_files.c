@@ -2,6 +2,7 @@
 // The files of one model's pictures: their names, and how they come to be, all or none.
 #include "output_file.h"
 #include "render_state.h"
+#include "thumb_mark.h"
 
 #include "message.h"
 
@@ -151,7 +152,9 @@ static bool encode_raster(struct render *render, struct cli_output_file *file, e
     const struct cli_render_job *job = &render->job;
     struct cli_output_raster output;
     cli_render_rasterize(render, kind, &output);
-    output.raster.mark = job->thumb_mark;
+    const struct cli_raster_text mark = {.keyword = CLI_THUMB_MARK_KEYWORD, .text = job->thumb_mark};
+    output.raster.texts = &mark;
+    output.raster.text_count = job->thumb_mark != NULL;
     switch (job->format) {
     case CLI_PICTURE_PNG: return cli_png_write(file, &output.raster);
     case CLI_PICTURE_JPEG:
