@@ -6,7 +6,8 @@
 #include <stdbool.h>
 
 /// First of all: standard streams carry bytes as they are, and names of files have slashes. On Windows a backslash in an
-/// argument becomes one. A stream that is closed stays so, but its number is taken: a file that got it would get messages.
+/// argument becomes one. A stream that is closed stays so, but its number is taken: a file that got it would get messages. On
+/// Windows the C library has taken it before.
 void system_streams_start(int argc, char **argv);
 
 /// Waits so long, at most, for something to read from standard input, its end too. On Windows it does not wait: whether there

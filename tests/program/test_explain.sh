@@ -151,6 +151,11 @@ succeed explain shaded.obj --at 60,60 $above
 check "in the light" grep -q ': 0 % of it is in shadow, so of (0.56, 0.535, 0.5) arrives (0.3369, 0.3219, 0.3008)$' "$folder/log/out"
 succeed explain shaded.obj --at 40,40 $above --json
 check "the same as JSON" grep -q '"type": "directional", "n_dot_l": 0.601[0-9]*, "open": 0,' "$folder/log/out"
+check "the help names textures and light" sh -c "'$rhw' explain --help | grep -q 'texture.* light'"
+# A hidden side comes last and is not shaded.
+succeed explain cube.obj --at 100,100 --size 200 --samples 1 --json
+check "a side that is hidden" grep -q '"fate": "failed_early"' "$folder/log/out"
+check "has no light" test "$(sed -n 's/.*"light": \(.\).*/\1/p' "$folder/log/out" | tr -d '\n')" = 'n{n'
 succeed explain tile.obj --at 80,100 $look --json
 if command -v python3 >/dev/null 2>&1; then
     check "the steps make the level" python3 - "$folder/log/out" <<'PY'

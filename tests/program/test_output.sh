@@ -22,6 +22,17 @@ refuse 1 "folder: is a folder; name a file in it" render cube.obj -o a.png --sta
 refuse 1 "--stats: new.png is the picture's file; name another" render cube.obj -o new.png --stats=new.png
 refuse 1 "--stats: new.depth.png is the picture's file" render cube.obj -o new.png --output color,depth \
     --stats=new.depth.png
+mkdir folder/within
+for other in ./new.png folder/../new.png "$PWD/new.png" .//folder/within/../../new.png; do
+    refuse 1 "--stats: new.png is the picture's file; name another" render cube.obj -o "$other" --stats=new.png
+    refuse 1 "--stats: $other is the picture's file; name another" render cube.obj -o new.png --stats="$other"
+done
+succeed render cube.obj $small -o new.png --stats=folder/new.png
+check "a name in another folder is another file" test -s new.png -a -s folder/new.png
+run render cube.obj $small -o ./- --format png --stats=-
+check "a file named as standard output is another" test "$status" = 0 -a -s ./-
+check "and there is what was asked for" grep -q '^{' "$folder/log/out"
+rm -r new.png folder/new.png folder/within ./-
 name=$(printf '%0300d' 0).png
 refuse 1 "$name: cannot be written: File name too long" render cube.obj -o "$name"
 if [ "$(id -u)" != 0 ]; then

@@ -116,6 +116,18 @@ check "the count of failures" grep -q "^3 drawn, 0 kept, 1 failed$" "$folder/log
 check "one line about it" test "$(grep -c 'in/broken.stl: ' "$folder/log/err")" = 1
 check "no half file" test "$(find other -type f | wc -l)" = 3
 
+# Where a picture should be is a pipe: nobody writes into it or reads from it, and it is not waited for.
+rm in/broken.stl other/cube.obj.png
+mkfifo other/cube.obj.png
+for option in "" --force; do
+    status=0
+    timeout 30 "$rhw" thumbs in -o other --size 16 $option >"$folder/log/out" 2>"$folder/log/err" || status=$?
+    check "a pipe $option: status" test "$status" = 1
+    check "a pipe $option: the others" grep -q "drawn, .* kept, 1 failed$" "$folder/log/out"
+    check "a pipe $option: a line" grep -q "^rhw: other/cube.obj.png: is there and is no regular file" "$folder/log/err"
+    check "a pipe $option: is there" test -p other/cube.obj.png
+done
+
 refuse 2 "thumbs: -o OUT is missing" thumbs in
 refuse 2 "--background: 'puce' is not a colour" thumbs in -o out --background puce
 refuse 2 "--background: environment is for rhw render" thumbs in -o out --background environment

@@ -137,6 +137,14 @@ refuse 2 "-3: no such option; see" render cube.obj -q3
 refuse 2 "--qui: takes no argument" render --qui=3 cube.obj
 refuse 2 "--s: more than one option begins so; see 'rhw render --help'" render cube.obj --s 16
 refuse 2 "--s: more than one option begins so" render cube.obj --s=16
+# Options that --help does not show take no beginning from those that it shows.
+succeed render cube.obj --size 8 --th 1 -o th.png
+succeed render cube.obj --size 8 --thr=1 -o th.png
+refuse 2 "--thumb: no such option" render cube.obj --thumb x -o th.png
+refuse 2 "--thumb-mark: needs a TEXT, and '' is none" render cube.obj --size 8 --thumb-mark "" -o th.png
+refuse 2 "--thumb-mark: needs a TEXT, and '' is none" render cube.obj --size 8 --thumb-mark= -o th.png
+succeed render cube.obj --size 8 --thumb-mark=some -o th.png
+check "a mark" sh -c "tr '\\0' ' ' <th.png | grep -aq 'tEXtrhw thumbs some'"
 succeed render ./-dash.obj --siz 8 -o ./-dash.png
 
 # A second argument of an option that takes one is no model.
@@ -149,6 +157,7 @@ for verb in render info "explain --at 1,1"; do
     refuse 1 "models: is a folder, and a model is wanted; rhw thumbs draws all models in a folder" $verb models
 done
 refuse 2 "models/: is named as a folder, and a model is wanted" models/
+refuse 2 "'': a model needs a name$" render ""
 
 # A picture where a model should be; its name tells where there is none yet.
 succeed render cube.obj --size 8 -o x.png

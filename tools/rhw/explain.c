@@ -27,7 +27,10 @@ static const char notes[] =
     "one\n"
     "that is seen how its value follows: the edges, r, s, t on the screen, 1/W, a, b, c in space, and every\n"
     "varying three ways: naive (r, s, t), by the formula in exact arithmetic, and as the pipeline wrote "
-    "it.\n\n"
+    "it;\n"
+    "then what was read of each texture and why there, the normal and what of every light arrives, and the "
+    "color\n"
+    "that the shader made of it all.\n\n"
     "Exit status: 0, 1 when the work failed, 2 for a wrong command line.";
 
 static const struct cli_verb verb = {.name = "explain",

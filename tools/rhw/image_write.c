@@ -3,7 +3,6 @@
 #include "image_write.h"
 
 #include "message.h"
-#include "thumb_mark.h"
 
 #include <errno.h>
 #include <spng.h>
@@ -27,13 +26,15 @@ static int write_to_stream(spng_ctx *context, void *user, void *data, size_t siz
 
 static int set_texts(spng_ctx *context, const struct cli_raster *raster)
 {
-    struct spng_text texts[2] = {0};
+    struct spng_text texts[1 + CLI_RASTER_TEXTS_MAX] = {0};
     uint32_t count = 0;
     if (raster->comment[0]) {
         texts[count++] = (struct spng_text){.keyword = "Comment", .text = (char *)raster->comment};
     }
-    if (raster->mark) {
-        texts[count++] = (struct spng_text){.keyword = CLI_THUMB_MARK_KEYWORD, .text = (char *)raster->mark};
+    for (int i = 0; i < raster->text_count; i++) {
+        struct spng_text *const text = &texts[count++];
+        text->text = (char *)raster->texts[i].text;
+        snprintf(text->keyword, sizeof text->keyword, "%s", raster->texts[i].keyword);
     }
     for (uint32_t i = 0; i < count; i++) {
         texts[i].type = SPNG_TEXT;

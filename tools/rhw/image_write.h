@@ -23,13 +23,21 @@ enum cli_picture_format cli_picture_format_of(const char *path);
 /// Fills one row of a raster: uint8_t or uint16_t samples, as `bits` says.
 typedef void cli_raster_row(const void *user, int y, void *row);
 
+enum { CLI_RASTER_TEXTS_MAX = 4 };
+
+/// What a PNG file says in words: a keyword of 1 to 79 bytes, and a text that is not empty.
+struct cli_raster_text {
+    const char *keyword, *text;
+};
+
 struct cli_raster {
     int width, height;
-    int channels;      ///< 1 grey, 3 RGB, 4 RGBA with straight alpha
-    int bits;          ///< 8 or 16
-    bool srgb;         ///< samples are sRGB-encoded colours; false: numbers
-    char comment[160]; ///< kept in the file where the format can; "" for none
-    const char *mark;  ///< of thumbnails, thumb_mark.h; kept in a PNG; NULL: none
+    int channels;                        ///< 1 grey, 3 RGB, 4 RGBA with straight alpha
+    int bits;                            ///< 8 or 16
+    bool srgb;                           ///< samples are sRGB-encoded colours; false: numbers
+    char comment[160];                   ///< kept in the file where the format can; "" for none
+    const struct cli_raster_text *texts; ///< kept in a PNG beside the comment
+    int text_count;                      ///< at most CLI_RASTER_TEXTS_MAX
     cli_raster_row *row;
     const void *user;
 };

@@ -102,18 +102,35 @@ static void report_bad_option(const struct cli_parser *parser, int kind)
     cli_error(name, "%s; see 'rhw %s --help'", cause, parser->verb->name);
 }
 
+// One that --help does not show is there for who writes all of it, so that it makes no beginning of another ambiguous.
+static bool is_asked_for(const struct cli_option *option, int argc, char **argv)
+{
+    const size_t length = strlen(option->name);
+    bool asked = option->help != NULL;
+    for (int i = 1; i < argc && !asked; i++) {
+        asked = strncmp(argv[i], "--", 2) == 0 && strncmp(argv[i] + 2, option->name, length) == 0 &&
+                (argv[i][length + 2] == '\0' || argv[i][length + 2] == '=');
+    }
+    return asked;
+}
+
 void cli_parser_start(struct cli_parser *parser, const struct cli_verb *verb, int argc, char **argv)
 {
     *parser = (struct cli_parser){.verb = verb, .argc = argc, .argv = argv};
     char *letter = parser->shorts;
     *letter++ = ':'; // tells a missing argument from an unknown option
     const int count = verb->option_count < CLI_OPTIONS_MAX ? verb->option_count : CLI_OPTIONS_MAX;
+    int known = 0;
     for (int i = 0; i < count; i++) {
         const struct cli_option *option = &verb->options[i];
+        if (!is_asked_for(option, argc, argv)) {
+            continue;
+        }
         const int argument = !option->argument     ? no_argument
                              : is_optional(option) ? optional_argument
                                                    : required_argument;
-        parser->longs[i] = (struct option){.name = option->name, .has_arg = argument, .val = option->id};
+        parser->longs[known++] =
+            (struct option){.name = option->name, .has_arg = argument, .val = option->id};
         if (option->id < LETTERS_END) {
             *letter++ = (char)option->id;
             if (argument == required_argument) {
@@ -122,7 +139,7 @@ void cli_parser_start(struct cli_parser *parser, const struct cli_verb *verb, in
         }
     }
     *letter = HELP_ID;
-    parser->longs[count] = (struct option){.name = "help", .has_arg = no_argument, .val = HELP_ID};
+    parser->longs[known] = (struct option){.name = "help", .has_arg = no_argument, .val = HELP_ID};
     optind = 1;
     opterr = 0;
 }

@@ -23,8 +23,8 @@ struct cli_option {
     const char *name;     ///< long name without dashes
     int id;               ///< a letter: the short form too; 256 or more: long form only
     const char *argument; ///< what --help calls the argument; NULL: none; "[NAME]": optional, as --name=NAME
-    const char
-        *help; ///< one or more lines, separated by \n; NULL: the program tells itself so, and --help does not
+    const char *
+        help; ///< one or more lines, separated by \n; NULL: the program tells itself so, and --help does not; known when written in full
 };
 
 /// One verb: its name on the command line and all that --help says about it.

@@ -109,6 +109,31 @@ bool cli_output_file_check(const char *path)
     return writable;
 }
 
+static const char *base_of(const char *path)
+{
+    const char *const slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+// Names of what is not there yet are one in one folder, however that is written.
+static bool will_be_same(const char *path, const char *other)
+{
+    char *const folder = directory_of(path), *const other_folder = directory_of(other);
+    const bool same = folder && other_folder && system_file_is_same(folder, other_folder) &&
+                      strcmp(base_of(path), base_of(other)) == 0;
+    free(folder);
+    free(other_folder);
+    return same;
+}
+
+bool cli_output_file_is_same(const char *path, const char *other)
+{
+    if (is_standard_output(path) || is_standard_output(other)) {
+        return strcmp(path, other) == 0;
+    }
+    return system_file_is_same(path, other) || will_be_same(path, other);
+}
+
 // A symbolic link stays one: the file it leads to is what is replaced.
 static char *resolve(const char *path)
 {

@@ -27,6 +27,8 @@ void cli_output_files_deadline(double seconds, const char *subject);
 /// Reports what would keep `path` from being written, as far as that can be known before anything is
 /// written: so that no one waits for a picture that cannot be kept. "-" is standard output.
 bool cli_output_file_check(const char *path);
+/// Whether both names lead to one file, also where it is not there yet.
+bool cli_output_file_is_same(const char *path, const char *other);
 
 /// Opens. On failure one line is printed and nothing is left behind. `path` must live until the end.
 bool cli_output_file_open(struct cli_output_file *file, const char *path);

@@ -59,6 +59,10 @@ static bool choose_out(struct cli_render_job *job)
     const char *slash = strrchr(job->model_path, '/'), *name = slash ? slash + 1 : job->model_path;
     const char *dot = strrchr(name, '.');
     const int length = dot && dot > name ? (int)(dot - name) : (int)strlen(name);
+    if (length == 0 && !slash) {
+        cli_error(job->model_path, "a model needs a name");
+        return false;
+    }
     if (length == 0) {
         cli_error(job->model_path,
                   "is named as a folder, and a model is wanted; rhw thumbs draws all models in a folder");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The files of one model's pictures: their names, and how they come to be, all or none.
-#include "file.h"
 #include "output_file.h"
 #include "render_state.h"
+#include "thumb_mark.h"
 
 #include "message.h"
 
@@ -79,12 +79,6 @@ void cli_render_files_forget(struct render *render)
     render->file_count = 0;
 }
 
-// Also where it is not there yet.
-static bool is_one_file(const char *path, const char *other)
-{
-    return strcmp(path, other) == 0 || system_file_is_same(path, other);
-}
-
 bool cli_render_files_plan(struct render *render, int number)
 {
     const struct cli_render_job *job = &render->job;
@@ -104,7 +98,7 @@ bool cli_render_files_plan(struct render *render, int number)
             cli_model_input_is(&render->input, render->paths[kind])) {
             return false;
         }
-        if (job->stats && is_one_file(render->paths[kind], job->stats_path)) {
+        if (job->stats && cli_output_file_is_same(render->paths[kind], job->stats_path)) {
             cli_error("--stats", "%s is the picture's file; name another", job->stats_path);
             return false;
         }
@@ -158,7 +152,9 @@ static bool encode_raster(struct render *render, struct cli_output_file *file, e
     const struct cli_render_job *job = &render->job;
     struct cli_output_raster output;
     cli_render_rasterize(render, kind, &output);
-    output.raster.mark = job->thumb_mark;
+    const struct cli_raster_text mark = {.keyword = CLI_THUMB_MARK_KEYWORD, .text = job->thumb_mark};
+    output.raster.texts = &mark;
+    output.raster.text_count = job->thumb_mark != NULL;
     switch (job->format) {
     case CLI_PICTURE_PNG: return cli_png_write(file, &output.raster);
     case CLI_PICTURE_JPEG:

@@ -439,7 +439,12 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
         job->stats_path = argument ? argument : "-";
         return true;
     case OPTION_LITERAL: job->is_literal = true; return true;
-    case OPTION_THUMB_MARK: job->thumb_mark = argument; return true;
+    case OPTION_THUMB_MARK:
+        job->thumb_mark = argument;
+        if (!*argument) {
+            cli_error("--thumb-mark", "needs a TEXT, and '' is none");
+        }
+        return *argument != '\0';
     case OPTION_ISA: return parse_isa(job, argument);
     case OPTION_UP: return parse_up(job, argument);
     case OPTION_PATHS: return parse_paths(job, argument);

@@ -157,10 +157,25 @@ static bool start_drawing(const struct thumbs *t, const char *model, const char 
     return system_subprocess_start(draw, count, (char **)arguments);
 }
 
+// Whether something is there that is no file. A pipe would be waited for, to read it and to write it.
+static bool is_taken(const char *picture)
+{
+    struct stat status;
+    const bool taken = stat(picture, &status) == 0 && !S_ISREG(status.st_mode);
+    if (taken) {
+        cli_error(picture, "is there and is no regular file; no picture is written there");
+    }
+    return taken;
+}
+
 // `depth`: folders below DIR.
 static bool start(struct thumbs *t, const char *model, const char *picture, int depth)
 {
     char mark[CLI_THUMB_MARK_SIZE];
+    if (is_taken(picture)) {
+        t->failed++;
+        return true;
+    }
     snprintf(mark, sizeof mark, "%s --confine %d", t->mark, t->levels < 0 ? -1 : t->levels + depth);
     if (!t->force && system_file_is_newer(picture, model) && !cli_thumb_mark_differs(picture, mark)) {
         t->kept++;

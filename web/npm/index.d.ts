@@ -370,7 +370,7 @@ export interface ExplainedFragment {
         /** The four around the place, top left, top right, below, of this level and, by its fraction, of the next. */
         texels: [number, number, number, number][][];
     }[];
-    /** What the built-in shader makes of the lights there; null where the surface has none, or is the background. */
+    /** What the built-in shader makes of the lights there; null for a surface without any, the background, and a fragment that was not shaded. */
     light: {
         /** A normal map has turned the normal. */
         normal_mapped: boolean;
