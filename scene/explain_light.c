@@ -27,36 +27,30 @@ static void spread(const struct rhw_explained_fragment *told, struct lanes *lane
     }
 }
 
-static void look_at_normal(const struct rhw_fragment *f, const struct scene_surface *s, bool mapped,
-                           rhw_float normal[3])
+static void look_at_normal(const struct rhw_fragment *f, const struct scene_surface *s, rhw_float normal[3])
 {
-    rhw_float texel[4], view[3];
-    if (mapped) {
-        sample_slot(f, s->slot_varying[SCENE_SLOT_NORMAL], SCENE_SLOT_NORMAL, texel);
-    }
-    map_normal(f, s, mapped ? texel : NULL, s->normal_scale, normal);
-    face_seen_side(f, s, normal);
-    if (mapped) {
-        view_direction(s->frame, &f->varying[s->varying_position], view);
-        bend_to_view(view, normal);
-    }
+    slot_texels texels;
+    rhw_float view[3];
+    sample_shared(f, 1, s, &texels);
+    view_direction(s->frame, &f->varying[s->varying_position], view);
+    seen_normal(f, s, s->varying_tangent >= 0, s->layers != NULL, texels, view, normal);
 }
 
 static void look_at_light(const struct rhw_fragment *f, const struct scene_surface *s,
                           const struct scene_shader_light *light, const rhw_float normal[3],
                           struct scene_light_look *look)
 {
-    rhw_float to_light[3], irradiance[3], one[3];
+    rhw_float to_light[3], irradiance[3], open[3];
     scene_light_at(light, &f->varying[s->varying_position], to_light, irradiance);
     look->type = light->type;
     look->n_dot_l = rhw_dot3(normal, to_light)[0];
     for (int c = 0; c < 3; c++) {
-        one[c] = rhw_splat(1.0f);
+        open[c] = rhw_splat(1.0f);
     }
     if (light->map_count > 0 && look->n_dot_l > 0.0f) {
-        shadow_irradiance(f, s, light, f->mask, one);
+        shadow_irradiance(f, s, light, f->mask, open);
     }
-    look->open = one[0][0];
+    look->open = open[0][0];
     const float share = look->n_dot_l > 0.0f ? look->n_dot_l * look->open : 0.0f;
     for (int c = 0; c < 3; c++) {
         look->facing[c] = irradiance[c][0] * scene_inverse_pi;
@@ -76,7 +70,7 @@ void scene_light_looks(const struct rhw_explained_fragment *fragment, const stru
     rhw_float normal[3];
     spread(fragment, &lanes);
     looks->is_mapped = surface->varying_tangent >= 0 && surface->slot_varying[SCENE_SLOT_NORMAL] >= 0;
-    look_at_normal(&lanes.fragment, surface, looks->is_mapped, normal);
+    look_at_normal(&lanes.fragment, surface, normal);
     for (int c = 0; c < 3; c++) {
         looks->normal[c] = normal[c][0];
     }

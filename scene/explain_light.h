@@ -6,6 +6,7 @@
 
 #include "explain.h"
 
+/// Each fragment of a history keeps so many, and so many can be read at a glance; few models have more. The sum has all.
 enum { SCENE_LIGHT_LOOKS = 8 };
 
 struct scene_light_look {

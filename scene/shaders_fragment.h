@@ -171,6 +171,16 @@ ALWAYS_INLINE void bend_to_view(const rhw_float view[3], rhw_float normal[3])
     }
 }
 
+// The normal that light is summed with. Layers mirror as maps do: their surfaces are bent too, mapped or not.
+ALWAYS_INLINE void seen_normal(const struct rhw_fragment *f, const struct scene_surface *s, bool mapped,
+                               bool layered, slot_texels texels, const rhw_float view[3], rhw_float normal[3])
+{
+    surface_normal(f, s, mapped, texels, normal);
+    if (mapped || layered) {
+        bend_to_view(view, normal);
+    }
+}
+
 // Lines of the wireframe: the distance to an edge in pixels is its barycentric weight over the weight's
 // gradient, exact on the edge and to first order beside it. Where triangles get as small as the lines, the
 // lines fade; else a dense mesh would be one blot.

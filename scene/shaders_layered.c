@@ -206,8 +206,7 @@ ALWAYS_INLINE void shade(struct rhw_fragment *f, const struct scene_surface *s)
     m.has_sheen = l->sheen_color[0] > 0.0f || l->sheen_color[1] > 0.0f || l->sheen_color[2] > 0.0f;
     m.has_coat = l->clearcoat > 0.0f;
     view_direction(frame, position, m.view);
-    surface_normal(f, s, mapped, texels, m.normal);
-    bend_to_view(m.view, m.normal);
+    seen_normal(f, s, mapped, true, texels, m.view, m.normal);
     m.n_dot_v = rhw_clamp(rhw_dot3(m.normal, m.view), 1.0f / 1024.0f, 1.0f);
     set_body(&m, f, s, base);
     if (l->iridescence > 0.0f) {

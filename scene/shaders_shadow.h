@@ -11,8 +11,11 @@
 //
 // Facets that stand for a curved surface and are turned away from the light lie in the shadow of those before them, while
 // the normals of their corners still face it: dark triangles along the limit of light. What they stand for is looked up in
-// their place, the point that the tangent planes of the corners suggest (J. Hanika, "Hacking the shadow terminator", Ray
-// Tracing Gems II, 2021), and the plane across the normal there.
+// their place, the point that the tangent planes of the corners suggest, and the plane across the normal there. It is a
+// simplified form of J. Hanika, "Hacking the shadow terminator" (Ray Tracing Gems II, 2021), who projects onto the plane of
+// each corner, holds each projection to the outer side, and takes their mean. A fragment has no corners, and 18 varyings more
+// would bring them; one brings the mean distance of the planes. So that is held to the outer side, once, and taken
+// along the interpolated normal. Where all three planes lie above the fragment, as on a convex body, little differs.
 #ifndef SCENE_SHADERS_SHADOW_H
 #define SCENE_SHADERS_SHADOW_H
 

@@ -156,6 +156,57 @@ check "the help names textures and light" sh -c "'$rhw' explain --help | grep -q
 succeed explain cube.obj --at 100,100 --size 200 --samples 1 --json
 check "a side that is hidden" grep -q '"fate": "failed_early"' "$folder/log/out"
 check "has no light" test "$(sed -n 's/.*"light": \(.\).*/\1/p' "$folder/log/out" | tr -d '\n')" = 'n{n'
+# Normals that lean away from the eye are bent to it, as the shader bends them: under layers, mapped or not, and where a
+# map turns them; the texel of this one is (1, 0, -0.5). Of nine lights that shine from the eye eight are told.
+triangle() { # EXTENSIONS-USED MATERIAL ATTRIBUTES NORMALS
+    cat <<GLTF
+{"asset": {"version": "2.0"}, "extensionsUsed": [$1], "extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional"}]}},
+ "scenes": [{"nodes": [0, 1, 2, 3, 4, 5, 6, 7, 8, 9]}], "nodes": [{"mesh": 0}$nine_lights],
+ "meshes": [{"primitives": [{"material": 0, "attributes": {"POSITION": 0, $3}}]}],
+ "materials": [{$2}], "textures": [{"source": 0}],
+ "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP43+AAAARBAcAM0e2RAAAAAElFTkSuQmCC"}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]},
+  {"bufferView": 0, "byteOffset": 36, "componentType": 5126, "count": 3, "type": "VEC3"},
+  {"bufferView": 0, "byteOffset": 72, "componentType": 5126, "count": 3, "type": "VEC4"},
+  {"bufferView": 0, "byteOffset": 120, "componentType": 5126, "count": 3, "type": "VEC2"}],
+ "bufferViews": [{"buffer": 0, "byteLength": 144}],
+ "buffers": [{"byteLength": 144, "uri": "data:application/octet-stream;base64,$corners$4$tangents"}]}
+GLTF
+}
+nine_lights=
+for i in 1 2 3 4 5 6 7 8 9; do
+    nine_lights="$nine_lights, {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}"
+done
+corners=AACAvwAAgL8AAAAAAACAPwAAgL8AAAAAAAAAAAAAgD8AAAAA
+leaning=SOF6PwAAAADNzEy+SOF6PwAAAADNzEy+SOF6PwAAAADNzEy+
+facing=AAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/
+tangents=AACAPwAAAAAAAAAAAACAPwAAgD8AAAAAAAAAAAAAgD8AAIA/AAAAAAAAAAAAAIA/AAAAPwAAAD8AAAA/AAAAPwAAAD8AAAA/
+coat='"KHR_materials_clearcoat": {"clearcoatFactor": 1}'
+map='"normalTexture": {"index": 0}'
+triangle '"KHR_lights_punctual", "KHR_materials_clearcoat"' "\"extensions\": {$coat}" '"NORMAL": 1' "$leaning" >coat.gltf
+triangle '"KHR_lights_punctual"' '' '"NORMAL": 1' "$leaning" >leaning.gltf
+base='"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}' # is sampled at once with the map
+triangle '"KHR_lights_punctual"' "$map" '"NORMAL": 1, "TANGENT": 2, "TEXCOORD_0": 3' "$facing" >mapped.gltf
+triangle '"KHR_lights_punctual"' "$map, $base" '"NORMAL": 1, "TANGENT": 2, "TEXCOORD_0": 3' "$facing" >mapped_base.gltf
+triangle '"KHR_lights_punctual", "KHR_materials_clearcoat"' "$map, \"extensions\": {$coat}" '"NORMAL": 1, "TANGENT": 2, "TEXCOORD_0": 3' "$facing" >mapped_coat.gltf
+triangle '"KHR_lights_punctual", "KHR_materials_unlit"' '"extensions": {"KHR_materials_unlit": {}}' '"NORMAL": 1' "$leaning" >unlit.gltf
+eye="--at 40,40 --size 81 --camera 0,0,5,0,0,0,0,1,0,40 --shadows off"
+told() { # DESCRIPTION FILE PATTERN: what is told of the middle pixel has that line
+    succeed explain "$2" $eye
+    check "$1" grep -Eq "$3" "$folder/log/out"
+}
+told "what leans away without a map or layers is left" leaning.gltf 'normal n is \(0.9798, 0, -0.2'
+told "and no light reaches it" leaning.gltf '^    light 8, directional +n·l is -0.2: the surface faces away from it$'
+told "what leans away under a layer is bent" coat.gltf 'normal n is \(0.9998, 0, 0.020'
+told "and faces the light" coat.gltf '^    light 8, directional +n·l is 0.0204'
+told "eight lights are told" coat.gltf '^    and 1 more$'
+told "the map's is bent" mapped.gltf 'normal n, which the normal map has turned, is \(0.99'
+told "beside another texture too" mapped_base.gltf 'normal n, which the normal map has turned, is \(0.99'
+told "under a layer too" mapped_coat.gltf 'normal n, which the normal map has turned, is \(0.99'
+succeed explain unlit.gltf $eye --json
+check "no light is told where there is none" grep -q '"light": null' "$folder/log/out"
+check "of any fragment" sh -c "! grep -q n_dot_l '$folder/log/out'"
+
 succeed explain tile.obj --at 80,100 $look --json
 if command -v python3 >/dev/null 2>&1; then
     check "the steps make the level" python3 - "$folder/log/out" <<'PY'
