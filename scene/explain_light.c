@@ -44,10 +44,12 @@ static void look_at_light(const struct rhw_fragment *f, const struct scene_surfa
     scene_light_at(light, &f->varying[s->varying_position], to_light, irradiance);
     look->type = light->type;
     look->n_dot_l = rhw_dot3(normal, to_light)[0];
+    look->has_shadows = light->map_count > 0;
     for (int c = 0; c < 3; c++) {
+        look->direction[c] = to_light[c][0];
         open[c] = rhw_splat(1.0f);
     }
-    if (light->map_count > 0 && look->n_dot_l > 0.0f) {
+    if (look->has_shadows && look->n_dot_l > 0.0f) {
         shadow_irradiance(f, s, light, f->mask, open);
     }
     look->open = open[0][0];

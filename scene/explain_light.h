@@ -11,8 +11,10 @@ enum { SCENE_LIGHT_LOOKS = 8 };
 
 struct scene_light_look {
     enum scene_light_type type;
-    float n_dot_l; ///< below 0 the surface faces away
-    float open;    ///< the part that no shadow takes, 0..1; 1 where the light casts none
+    float direction[3]; ///< l, unit, towards the light
+    float n_dot_l;      ///< below 0 the surface faces away
+    bool has_shadows;   ///< else nothing stands in its way
+    float open;         ///< the part that no shadow takes, 0..1
     float facing[3]; ///< what a surface gets that faces the light; irradiance over π, as a white one sends it on
     float arrives[3]; ///< of that: times n·l, where above 0, and times the open part
 };

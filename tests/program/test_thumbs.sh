@@ -129,6 +129,7 @@ for option in "" --force; do
 done
 
 refuse 2 "thumbs: -o OUT is missing" thumbs in
+refuse 2 "--out: '': a folder needs a name" thumbs in -o ''
 refuse 2 "--background: 'puce' is not a colour" thumbs in -o out --background puce
 refuse 2 "--background: environment is for rhw render" thumbs in -o out --background environment
 refuse 2 "thumbs: expected DIR -o OUT" thumbs -o out

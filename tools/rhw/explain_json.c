@@ -133,7 +133,8 @@ static void print_light(const struct scene_light_looks *looks)
         const struct scene_light_look *const light = &looks->lights[i];
         printf("%s\n    {\"type\": \"%s\", \"n_dot_l\": ", i ? "," : "", cli_light_names[light->type]);
         cli_json_number(stdout, (double)light->n_dot_l);
-        printf(", \"open\": ");
+        print_floats("direction", light->direction, 3);
+        printf(", \"has_shadows\": %s, \"open\": ", light->has_shadows ? "true" : "false");
         cli_json_number(stdout, (double)light->open);
         print_floats("facing", light->facing, 3);
         print_floats("arrives", light->arrives, 3);

@@ -280,23 +280,28 @@ static void print_textures(FILE *out, const struct cli_past_fragment *past, cons
     }
 }
 
-static void print_rgb(FILE *out, const float color[3])
+static void print_triple(FILE *out, const float v[3])
 {
-    fprintf(out, "(%.4g, %.4g, %.4g)", (double)color[0], (double)color[1], (double)color[2]);
+    fprintf(out, "(%.4g, %.4g, %.4g)", (double)v[0], (double)v[1], (double)v[2]);
 }
 
 static void print_light(FILE *out, int number, const struct scene_light_look *light)
 {
-    fprintf(out, "    light %d, %-12s n·l is %.4g: ", number, cli_light_names[light->type],
-            (double)light->n_dot_l);
+    fprintf(out, "    light %d, %-12s l is ", number, cli_light_names[light->type]);
+    print_triple(out, light->direction);
+    fprintf(out, ", n·l %.4g: ", (double)light->n_dot_l);
     if (light->n_dot_l <= 0.0f) {
         fprintf(out, "the surface faces away from it\n");
         return;
     }
-    fprintf(out, "%.4g %% of it is in shadow, so of ", 100.0 * (1.0 - (double)light->open));
-    print_rgb(out, light->facing);
+    if (light->has_shadows) {
+        fprintf(out, "%.4g %% of it is in shadow, so of ", 100.0 * (1.0 - (double)light->open));
+    } else {
+        fprintf(out, "without shadows, of ");
+    }
+    print_triple(out, light->facing);
     fprintf(out, " arrives ");
-    print_rgb(out, light->arrives);
+    print_triple(out, light->arrives);
     fprintf(out, "\n");
 }
 
@@ -307,7 +312,11 @@ static void print_lights(FILE *out, const struct scene_light_looks *looks)
     }
     fprintf(out, "\nThe light there. The unit normal n%s is ",
             looks->is_mapped ? ", which the normal map has turned," : "");
-    print_rgb(out, looks->normal);
+    print_triple(out, looks->normal);
+    if (looks->count == 0) {
+        fprintf(out, ". No light is set;\nwhat there is comes from all around.\n");
+        return;
+    }
     fprintf(out,
             ". From a\nlight in direction l arrives n·l of what a white surface that faces it sends on, less "
             "what is in shadow:\n\n");
@@ -318,7 +327,7 @@ static void print_lights(FILE *out, const struct scene_light_looks *looks)
         fprintf(out, "    and %d more\n", looks->left_out);
     }
     fprintf(out, "    together ");
-    print_rgb(out, looks->sum);
+    print_triple(out, looks->sum);
     fprintf(out, ", beside what comes from all around\n");
 }
 

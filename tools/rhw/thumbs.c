@@ -465,6 +465,10 @@ int cli_thumbs(int argc, char **argv)
         cli_error("thumbs", "-o OUT is missing: where should the pictures go?");
         return CLI_USAGE;
     }
+    if (*t.out == '\0') {
+        cli_error("--out", "'': a folder needs a name");
+        return CLI_USAGE;
+    }
     t.in = parser.operands[0];
     if (!share_budget(&t)) {
         return CLI_USAGE;

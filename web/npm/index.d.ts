@@ -380,6 +380,10 @@ export interface ExplainedFragment {
             type: 'directional' | 'point' | 'spot';
             /** Below 0 the surface faces away. */
             n_dot_l: number;
+            /** Unit, towards the light. */
+            direction: Triple;
+            /** Without shadows `open` is 1. */
+            has_shadows: boolean;
             /** The part that no shadow takes, 0 to 1. */
             open: number;
             /** What a white surface that faces the light sends on. */
