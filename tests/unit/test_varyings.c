@@ -344,19 +344,19 @@ static void many_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// Varyings of several qualifiers, each component in its place.
-static void draw_components(const int components[VARYINGS])
+// Varyings of `kinds` qualifiers in turn, each component in its place.
+static void draw_components(const enum rhw_qualifier *qualifiers, int kinds, const int components[VARYINGS])
 {
     struct rig rig;
     rig_open(&rig, SIZE, SIZE);
     rig_set_program(&rig, many_vertex, many_fragment);
-    int qualifier_of[RHW_MAX_VARYING_COMPONENTS];
+    enum rhw_qualifier qualifier_of[RHW_MAX_VARYING_COMPONENTS];
     many = 0;
     for (int v = 0; v < VARYINGS; v++) {
         rig.pipeline.program.varyings[v] =
-            (struct rhw_varying){.components = components[v], .qualifier = (enum rhw_qualifier)(v % 3)};
+            (struct rhw_varying){.components = components[v], .qualifier = qualifiers[v % kinds]};
         for (int c = 0; c < components[v]; c++) {
-            qualifier_of[many++] = v % 3;
+            qualifier_of[many++] = qualifiers[v % kinds];
         }
     }
     rig.pipeline.program.varying_count = VARYINGS;
@@ -393,12 +393,21 @@ static void draw_components(const int components[VARYINGS])
     rig_close(&rig);
 }
 
-// Some sizes, and the most that there may be.
+// Some sizes, and the most that there may be; with noperspective ones, which another path interpolates, and without.
 static void test_all_components(void **state)
 {
     (void)state;
-    draw_components((const int[VARYINGS]){4, 3, 2, 1, 4, 4, 3, 3, 2, 4, 1, 4, 4, 3, 2, 4});
-    draw_components((const int[VARYINGS]){4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4});
+    static const enum rhw_qualifier all[] = {RHW_SMOOTH, RHW_NOPERSPECTIVE, RHW_FLAT},
+                                    two[] = {RHW_SMOOTH, RHW_FLAT}, flat_first[] = {RHW_FLAT, RHW_SMOOTH},
+                                    smooth[] = {RHW_SMOOTH};
+    static const int some[VARYINGS] = {4, 3, 2, 1, 4, 4, 3, 3, 2, 4, 1, 4, 4, 3, 2, 4},
+                     most[VARYINGS] = {4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4};
+    draw_components(all, 3, some);
+    draw_components(two, 2, some);
+    draw_components(flat_first, 2, some);
+    draw_components(smooth, 1, some);
+    draw_components(all, 3, most);
+    draw_components(two, 2, most);
     assert_int_equal(many, RHW_MAX_VARYING_COMPONENTS);
 }
 
