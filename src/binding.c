@@ -235,6 +235,7 @@ void rhw_sample_fetch_sample(const struct rhw_bindings *textures, int slot, cons
     }
     if ((unsigned)slot < RHW_MAX_TEXTURES && textures->slot[slot].multisampled) {
         textures->kernels->fetch_sample(textures->slot[slot].multisampled, at, sample, texel);
+        swizzle(textures->slot[slot].multisampled, texel);
     } else {
         no_texel(texel);
     }

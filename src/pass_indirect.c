@@ -40,6 +40,7 @@ static const unsigned char *find_bytes(const rhw_context *context, rhw_buffer id
                              "%zu bytes of %s",
                              where, name, offset, (unsigned long long)size, buffer->size,
                              rhw_name_of(&context->buffers, id.index).text) &&
+                   rhw_buffer_check_readable(context, id, buffer, where) &&
                    rhw_buffer_check_drawable(context, id, buffer, where)
                ? buffer->bytes + offset
                : NULL;

@@ -422,6 +422,14 @@ static void resolve_defaults(struct rhw_pipeline_def *def)
     }
 }
 
+// What alpha decides is left out where target 0 has integers (Vulkan 1.3 §28.9).
+static void resolve_alpha(struct rhw_pipeline_def *def)
+{
+    if (def->target_count > 0 && rhw_format_is_integer(rhw_format_info(def->targets[0].format))) {
+        def->alpha_to_coverage = def->alpha_to_one = false;
+    }
+}
+
 // With two-sided stencil after the fragment function, groups say which way their fragments face.
 static void resolve_uses(struct rhw_pipeline_def *def)
 {
@@ -557,6 +565,7 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
     data->def = *def;
     data->def.label = NULL; // which is the caller's
     resolve_defaults(&data->def);
+    resolve_alpha(&data->def);
     resolve_uses(&data->def);
     data->output_count =
         def->target_count + (def->target_count == 1 && rhw_blend_reads_second(&data->def.targets[0]) ? 1 : 0);

@@ -239,7 +239,8 @@ struct rhw_sampler_def {
     enum rhw_filter min_filter, mag_filter; ///< LINEAR
     enum rhw_mip_filter mip_filter;         ///< LINEAR: trilinear where the texture has levels
     enum rhw_address address_u, address_v;  ///< REPEAT
-    float border[4];                        ///< for RHW_ADDRESS_BORDER, linear values, converted for integer formats; 0,0,0,0
+    float border[4];                        ///< for RHW_ADDRESS_BORDER, linear values, converted for integer formats; 0,0,0,0.
+                                            ///< Channels that a format lacks stay 0, 0, 0, 1
     float lod_bias, lod_min;                ///< 0, 0
     float lod_max; ///< 0: no limit. There is nothing above level 0, so any negative one is a limit of 0
     /// Texels become 1 where `reference compare texel` holds for their first channel, else 0, before they are filtered
@@ -578,8 +579,9 @@ struct rhw_pipeline_def {
     /// In multisampled passes (Vulkan 1.3 §27.1, §28.9): samples that may be covered, a bit each; 0: all.
     uint32_t sample_mask;
     /// The alpha of target 0 says how many samples of a fragment are kept: the first round(alpha · samples) of the pass.
+    /// Nothing where its format is of integers (Vulkan 1.3 §28.9); so of alpha_to_one.
     bool alpha_to_coverage;
-    bool alpha_to_one; ///< alpha of every target is 1 then, after alpha_to_coverage
+    bool alpha_to_one; ///< alpha of target 0 is 1 then, after alpha_to_coverage
     struct rhw_color_target targets[RHW_MAX_COLOR_ATTACHMENTS];
     int target_count;
     const char *label; ///< for messages

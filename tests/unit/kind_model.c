@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "format.h"
+
 // Vulkan's table of faces: the axes of s, t and the normal, and their signs.
 static const struct {
     int s_axis, s_sign, t_axis, t_sign, axis, sign;
@@ -116,7 +118,8 @@ static bool texel_at(const struct place *place, int level, const long at[3], dou
         inside[i] = at[i];
         if (!wrap(address[i], size[i], &inside[i])) {
             for (int c = 0; c < 4; c++) {
-                value[c] = (double)place->sampler->border[c];
+                const float lacking = c < 3 ? 0.0f : 1.0f;
+                value[c] = (double)(c < place->texture->info->channels ? place->sampler->border[c] : lacking);
             }
             return true;
         }

@@ -434,6 +434,38 @@ static uint32_t pattern(uint32_t primitive)
 }
 
 // R32_UINT takes the bits of the first channel, signalling NaNs and all.
+// Factors are held to what a target holds: 1 − (−1) is 1 in SNORM formats (Vulkan 1.3 §29.1.1), by destination and constant.
+static void test_factors_of_snorm_targets(void **state)
+{
+    (void)state;
+    static const enum rhw_format formats[] = {RHW_FORMAT_RGBA8_SNORM, RHW_FORMAT_RGBA16_SNORM};
+    static const enum rhw_blend_factor factors[] = {RHW_BLEND_ONE_MINUS_DST, RHW_BLEND_ONE_MINUS_CONSTANT,
+                                                    RHW_BLEND_ONE_MINUS_DST_ALPHA};
+    for (int n = 0; n < 6; n++) {
+        struct rig rig;
+        rig_open(&rig, 16, 16);
+        rig_set_target(&rig, 0, formats[n % 2]);
+        for (int c = 0; c < 4; c++) {
+            rig.pass.colors[0].clear[c] = -1;
+        }
+        rig.pipeline.targets[0].blend = true;
+        rig.pipeline.targets[0].color = rig.pipeline.targets[0].alpha =
+            (struct rhw_blend_component){factors[n / 2], RHW_BLEND_ZERO, RHW_BLEND_ADD};
+        struct rig_vertex all[6];
+        rig_cover(&rig, 0.5f, (const float[4]){0.25f, 0.25f, 0.25f, 0.25f}, all);
+        rig_begin(&rig);
+        rhw_pass_set_blend_constant(rig.context, rig.recording, (const float[4]){-1, -1, -1, -1});
+        rig_draw(&rig, all, 6);
+        rig_end(&rig);
+        const void *const texels = rig_read(&rig, rig.pass.colors[0].texture);
+        int16_t red;
+        memcpy(&red, texels, sizeof red);
+        assert_int_equal(n % 2 ? red : *(const int8_t *)texels,
+                         n % 2 ? 8192 : 32); // round(0.25 · 32767 or 127)
+        rig_close(&rig);
+    }
+}
+
 static void test_integer_target(void **state)
 {
     (void)state;
@@ -476,6 +508,7 @@ int main(void)
         cmocka_unit_test(test_nan_is_zero_in_fixed_point),
         cmocka_unit_test(test_write_mask),
         cmocka_unit_test(test_eight_targets_each_with_its_own_state),
+        cmocka_unit_test(test_factors_of_snorm_targets),
         cmocka_unit_test(test_integer_target),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -115,6 +115,46 @@ static void check_format(enum rhw_format format, bool one, const struct rhw_cont
     rig_close(&rig);
 }
 
+static void fetch_first(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const rhw_int zero[2] = {rhw_splat_int(0), rhw_splat_int(0)};
+        rhw_sample_fetch_sample(groups[g].textures, 2, zero, &zero[0], groups[g].color[0]);
+    }
+}
+
+// A view's swizzle stands between samples and the function too.
+static void swizzles(void **state)
+{
+    (void)state;
+    struct rig rig;
+    struct rig_vertex vertices[6];
+    rhw_texture texture, view;
+    rhw_sampler sampler;
+    rig_open(&rig, SIDE, SIDE);
+    const struct rhw_sampler_def sampler_def = {.lod_bias = 0};
+    rhw_sampler_create(rig.context, &sampler_def, &sampler);
+    const struct rhw_texture_def def = {
+        .format = RHW_FORMAT_RGBA32_FLOAT, .width = SIDE, .height = SIDE, .samples = SAMPLES};
+    assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_OK);
+    const struct rhw_texture_view_def view_def = {
+        .texture = texture,
+        .swizzle = {RHW_SWIZZLE_ALPHA, RHW_SWIZZLE_ONE, RHW_SWIZZLE_ZERO, RHW_SWIZZLE_RED}};
+    assert_int_equal(rhw_texture_view_create(rig.context, &view_def, &view), RHW_OK);
+    draw_samples(&rig, texture); // whose clear value is 0.75, 0.5, 0.25, 1
+    rig_set_program(&rig, rig_vertex_pass, fetch_first);
+    rig_cover(&rig, 0.5f, (const float[4]){0}, vertices);
+    rig_begin(&rig);
+    rhw_pass_set_texture(rig.context, rig.recording, 2, view, sampler);
+    rig_draw(&rig, vertices, 6);
+    rig_end(&rig);
+    assert_memory_equal(rig_read_float4(&rig)[100], ((const float[4]){1, 1, 0, 0.75f}), 4 * sizeof(float));
+    rhw_texture_destroy(rig.context, view);
+    rhw_texture_destroy(rig.context, texture);
+    rhw_sampler_destroy(rig.context, sampler);
+    rig_close(&rig);
+}
+
 static void formats(void **state)
 {
     (void)state;
@@ -177,6 +217,7 @@ static void validation(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(formats), cmocka_unit_test(validation)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(formats), cmocka_unit_test(swizzles),
+                                       cmocka_unit_test(validation)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

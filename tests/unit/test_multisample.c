@@ -455,6 +455,51 @@ static void test_alpha_to_coverage(void **state)
     }
 }
 
+static void numbers_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        for (int c = 0; c < 4; c++) {
+            groups[g].color[0][c] = (rhw_float)rhw_splat_int(7 + c);
+            groups[g].color[1][c] = rhw_splat(0.25f);
+        }
+    }
+}
+
+// Integers of target 0 are no alpha: they drop no sample and stay. Where it has floats, its alpha alone becomes 1.
+static void test_alpha_of_targets(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        struct rig rig;
+        open_samples(&rig, 4, RHW_PATHS_ALL);
+        rig.pipeline.alpha_to_one = true;
+        rig.pipeline.alpha_to_coverage = i == 0;
+        const enum rhw_format formats[2] = {i == 0 ? RHW_FORMAT_RGBA32_UINT : RHW_FORMAT_RGBA32_FLOAT,
+                                            RHW_FORMAT_RGBA32_FLOAT};
+        for (int t = 0; t < 2; t++) {
+            rig_set_target(&rig, t, formats[t]);
+            rhw_texture_destroy(rig.context, rig.pass.colors[t].texture);
+            rig.pass.colors[t].texture = make_texture(&rig, formats[t], 4);
+        }
+        rig_set_program(&rig, rig_vertex_pass, numbers_fragment);
+        struct rig_vertex all[6];
+        rig_cover(&rig, 0.5f, (const float[4]){0}, all);
+        rig_draw_once(&rig, all, 6);
+        for (int s = 0; s < 4; s++) {
+            uint32_t texel[2][4];
+            static float texels[2][SIZE * SIZE][4];
+            for (int t = 0; t < 2; t++) {
+                rhw_texture_read_sample(rig.context, rig.pass.colors[t].texture, s, texels[t], 0);
+                memcpy(texel[t], texels[t][100], sizeof texel[t]);
+            }
+            assert_true(texel[0][0] == 7 && texel[0][2] == 9);
+            assert_int_equal(texel[0][3], i == 0 ? 10 : 0x3f800000);
+            assert_true(texels[1][100][0] == 0.25f && texels[1][100][3] == 0.25f);
+        }
+        rig_close(&rig);
+    }
+}
+
 // A fragment that discards leaves no sample; what it keeps is tested sample by sample.
 static void discarding_fragment(struct rhw_fragment *groups, int count)
 {
@@ -611,6 +656,7 @@ int main(void)
         cmocka_unit_test(test_sample_inputs),
         cmocka_unit_test(test_sample_masks),
         cmocka_unit_test(test_alpha_to_coverage),
+        cmocka_unit_test(test_alpha_of_targets),
         cmocka_unit_test(test_early_and_late_agree),
         cmocka_unit_test(test_blending),
         cmocka_unit_test(test_stencil_by_sample),

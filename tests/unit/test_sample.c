@@ -629,6 +629,53 @@ static void test_a_nan_slope_means_the_last_level(void **state)
     rig_close(&rig);
 }
 
+// Outside, a format has the channels of the border that it has of texels (Vulkan 1.3, "Texel Replacement").
+static void test_a_border_has_the_channels_of_the_format(void **state)
+{
+    (void)state;
+    static const struct {
+        enum rhw_format format;
+        float outside[4];
+    } cases[] = {
+        {RHW_FORMAT_R8_UNORM, {0.25f, 0, 0, 1}},
+        {RHW_FORMAT_RG16_FLOAT, {0.25f, 0.5f, 0, 1}},
+        {RHW_FORMAT_R32_FLOAT, {0.25f, 0, 0, 1}},
+        {RHW_FORMAT_RGB565_UNORM, {0.25f, 0.5f, 0.75f, 1}},
+        {RHW_FORMAT_D32_FLOAT, {0.25f, 0, 0, 1}},
+        {RHW_FORMAT_RG11B10_FLOAT, {0.25f, 0.5f, 0.75f, 1}},
+        {RHW_FORMAT_RGBA8_UNORM, {0.25f, 0.5f, 0.75f, 0}},
+        {RHW_FORMAT_BGRA8_UNORM, {0.25f, 0.5f, 0.75f, 0}},
+    };
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
+        struct rhw_texture_def def = rhw_texture_def_default();
+        def.format = cases[n].format;
+        def.width = def.height = 4;
+        rhw_texture texture;
+        assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_OK);
+        for (int mode = 0; mode < 4; mode++) { // filters, along one axis and both, and an anisotropic one
+            const struct rhw_sampler_def sampler = {
+                .min_filter = mode % 2 ? RHW_FILTER_NEAREST : RHW_FILTER_LINEAR,
+                .mag_filter = mode % 2 ? RHW_FILTER_NEAREST : RHW_FILTER_LINEAR,
+                .address_u = RHW_ADDRESS_BORDER,
+                .address_v = mode / 2 ? RHW_ADDRESS_BORDER : RHW_ADDRESS_REPEAT,
+                .border = {0.25f, 0.5f, 0.75f, 0},
+                .max_anisotropy = mode == 2 ? 4 : 0};
+            struct rhw_binding binding =
+                bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
+            const rhw_float uv[2] = {rhw_splat(-2.5f), rhw_splat(0.5f)}, lod = rhw_splat(0.0f);
+            rhw_float texel[4];
+            sample_all_isas(&binding, uv, NULL, &lod, texel);
+            for (int c = 0; c < 4; c++) {
+                assert_true(texel[c][3] == cases[n].outside[c]);
+            }
+        }
+        rhw_texture_destroy(rig.context, texture);
+    }
+    rig_close(&rig);
+}
+
 static void test_an_unbound_slot_samples_opaque_black(void **state)
 {
     (void)state;
@@ -657,6 +704,7 @@ int main(void)
         cmocka_unit_test(test_lanes_are_independent),
         cmocka_unit_test(test_hostile_coordinates),
         cmocka_unit_test(test_a_nan_slope_means_the_last_level),
+        cmocka_unit_test(test_a_border_has_the_channels_of_the_format),
         cmocka_unit_test(test_an_unbound_slot_samples_opaque_black),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "format.h"
 #include "reference.h"
 
 const enum rhw_format sampled_formats[SAMPLED_FORMATS] = {
@@ -74,7 +75,8 @@ static void model_texel(const struct rhw_texture_data *texture, const struct rhw
         case RHW_ADDRESS_BORDER:
             if (at[i] < 0 || at[i] >= n) {
                 for (int c = 0; c < 4; c++) {
-                    value[c] = (double)sampler->border[c];
+                    const float lacking = c < 3 ? 0.0f : 1.0f;
+                    value[c] = (double)(c < texture->info->channels ? sampler->border[c] : lacking);
                 }
                 return;
             }

@@ -73,8 +73,8 @@ RHW_INLINE void store_target(const struct rhw_blend_state *state, const f8 value
 }
 
 // Gives the factor of channel `i` (3: alpha). src[4..7] is the second source.
-static inline f8 blend_factor(const struct rhw_blend_state *state, enum rhw_blend_factor factor,
-                              const f8 *src, const f8 dst[4], int i)
+static inline f8 any_blend_factor(const struct rhw_blend_state *state, enum rhw_blend_factor factor,
+                                  const f8 *src, const f8 dst[4], int i)
 {
     switch (factor) {
     case RHW_BLEND_DEFAULT: break; // pipeline.c has put what it stands for in its place
@@ -99,6 +99,14 @@ static inline f8 blend_factor(const struct rhw_blend_state *state, enum rhw_blen
     case RHW_BLEND_ONE_MINUS_SRC1_ALPHA: return 1.0f - src[7];
     }
     return rhw_splat(0.0f);
+}
+
+// The same as a target holds it: 1 less a negative value of an SNORM format is above 1 (Vulkan 1.3 §29.1.1).
+static inline f8 blend_factor(const struct rhw_blend_state *state, enum rhw_blend_factor factor,
+                              const f8 *src, const f8 dst[4], int i)
+{
+    const f8 value = any_blend_factor(state, factor, src, dst, i);
+    return state->least < 0 ? rhw_min(value, rhw_splat(1.0f)) : value;
 }
 
 static inline f8 blend_channel(const struct rhw_blend_state *state, const f8 *src, const f8 dst[4], int i)

@@ -212,8 +212,8 @@ static __attribute__((noinline)) void finish_sample_queue(struct tile_work *work
                        def->program.uses & RHW_USE_DISCARD;
     for (int g = 0; g < queue->count; g++) {
         const i8 samples = drops ? finish_samples(work, g) : queue->samples[g];
-        for (int t = 0; t < work->pass->color_count && def->alpha_to_one; t++) {
-            queue->colors[g][t][3] = f8_splat(1);
+        if (def->alpha_to_one) {
+            queue->colors[g][0][3] = f8_splat(1);
         }
         if (work->explained) {
             explain_written(work, g, lanes_of_sample(samples, work->explained->ask.sample));
