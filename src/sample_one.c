@@ -119,7 +119,11 @@ void rhw_sample_fetch1(const struct rhw_bindings *textures, int slot, const int3
 void rhw_sample_fetch_sample1(const struct rhw_bindings *textures, int slot, const int32_t *at,
                               int32_t sample, float texel[4])
 {
-    const rhw_int lanes[2] = {rhw_splat_int(at[0]), rhw_splat_int(at[1])}, samples = rhw_splat_int(sample);
+    const bool has_layer = (unsigned)slot < RHW_MAX_TEXTURES && textures->slot[slot].multisampled &&
+                           textures->slot[slot].multisampled->shape.is_array;
+    const rhw_int lanes[3] = {rhw_splat_int(at[0]), rhw_splat_int(at[1]),
+                              rhw_splat_int(has_layer ? at[2] : 0)};
+    const rhw_int samples = rhw_splat_int(sample);
     rhw_float texels[4];
     rhw_sample_fetch_sample(textures, slot, lanes, &samples, texels);
     first_lane(texels, 4, texel);

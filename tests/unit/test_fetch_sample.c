@@ -155,6 +155,79 @@ static void swizzles(void **state)
     rig_close(&rig);
 }
 
+// Lanes of other layers and samples side by side; layers −1 and 3 do not exist.
+static void fetch_layer(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const rhw_int x = rhw_int_from_float(groups[g].coord[0]);
+        const rhw_int at[3] = {x, rhw_int_from_float(groups[g].coord[1]), x / SAMPLES % 5 - 1};
+        const rhw_int sample = x % SAMPLES;
+        rhw_sample_fetch_sample(groups[g].textures, 2, at, &sample, groups[g].color[0]);
+    }
+}
+
+static void fetch_layer1(struct rhw_fragment1 *f)
+{
+    const int32_t x = (int32_t)f->coord[0], at[3] = {x, (int32_t)f->coord[1], x / SAMPLES % 5 - 1};
+    rhw_sample_fetch_sample1(f->textures, 2, at, x % SAMPLES, f->color[0]);
+}
+
+static void expect_layers(struct rig *rig, rhw_texture texture, rhw_sampler sampler, int first, int layers)
+{
+    struct rig_vertex vertices[6];
+    rig_cover(rig, 0.5f, (const float[4]){0}, vertices);
+    rig_begin(rig);
+    rhw_pass_set_texture(rig->context, rig->recording, 2, texture, sampler);
+    rig_draw(rig, vertices, 6);
+    rig_end(rig);
+    const float(*const pixels)[4] = rig_read_float4(rig);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        const int x = i % SIDE, layer = x / SAMPLES % 5 - 1;
+        const bool exists = layer >= 0 && layer < layers;
+        const int value = exists ? 10000 * (first + layer) + 2000 * (x % SAMPLES) + i : 0;
+        assert_true(pixels[i][0] == (float)value && pixels[i][3] == 1);
+    }
+}
+
+// An array, a part of it as an array of its own, and one layer of it as an array.
+static void arrays(void **state)
+{
+    (void)state;
+    static float texels[SIDE * SIDE];
+    struct rig rig;
+    rhw_texture texture, views[2];
+    rhw_sampler sampler;
+    rig_open(&rig, SIDE, SIDE);
+    const struct rhw_sampler_def sampler_def = {.lod_bias = 0};
+    rhw_sampler_create(rig.context, &sampler_def, &sampler);
+    const struct rhw_texture_def def = {
+        .format = RHW_FORMAT_R32_FLOAT, .width = SIDE, .height = SIDE, .layers = 3, .samples = SAMPLES};
+    assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_OK);
+    for (int n = 0; n < 3 * SAMPLES; n++) {
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            texels[i] = (float)(10000 * (n / SAMPLES) + 2000 * (n % SAMPLES) + i);
+        }
+        const struct rhw_texture_region region = {.z = n / SAMPLES, .depth = 1, .sample = n % SAMPLES};
+        assert_int_equal(rhw_texture_write_region(rig.context, texture, &region, texels, 0, 0), RHW_OK);
+    }
+    for (int i = 0; i < 2; i++) {
+        const struct rhw_texture_view_def view = {.texture = texture, .layer = 1, .layers = 2 - i};
+        assert_int_equal(rhw_texture_view_create(rig.context, &view, &views[i]), RHW_OK);
+    }
+    for (int one = 0; one < 2; one++) {
+        rig_set_program(&rig, rig_vertex_pass, fetch_layer);
+        if (one) {
+            memset(rig.pipeline.program.fragment, 0, sizeof rig.pipeline.program.fragment);
+            rig.pipeline.program.fragment1 = fetch_layer1;
+        }
+        rig.pipeline.program.uses = RHW_USE_COORD;
+        expect_layers(&rig, texture, sampler, 0, 3);
+        expect_layers(&rig, views[0], sampler, 1, 2);
+        expect_layers(&rig, views[1], sampler, 1, 1);
+    }
+    rig_close(&rig);
+}
+
 static void formats(void **state)
 {
     (void)state;
@@ -218,6 +291,6 @@ static void validation(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(formats), cmocka_unit_test(swizzles),
-                                       cmocka_unit_test(validation)};
+                                       cmocka_unit_test(arrays), cmocka_unit_test(validation)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

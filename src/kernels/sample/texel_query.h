@@ -46,7 +46,7 @@ static inline void fetch_plain(const struct rhw_texture_data *texture, const i8 
     }
 }
 
-// The same of a sample of a multisampled texture. Lanes of one sample are read together: the samples stand so far apart
+// The same of a sample of a multisampled texture. Lanes of one sample and layer are read together: they stand so far apart
 // that texels of all of them are too many to number.
 static inline void fetch_sample(const struct rhw_texture_data *texture, const i8 *at, i8 sample, f8 texel[4])
 {
@@ -56,13 +56,18 @@ static inline void fetch_sample(const struct rhw_texture_data *texture, const i8
     const i8 x = keep_inside(at[0], i8_splat(mip->width), &inside);
     const i8 y = keep_inside(at[1], i8_splat(mip->height), &inside);
     const i8 existing = keep_inside(sample, i8_splat(texture->samples), &inside);
+    const int layers = mip->slices;
+    const i8 layer = texture->shape.is_array ? keep_inside(at[2], i8_splat(layers), &inside) : i8_splat(0);
+    const i8 plane = existing * i8_splat(layers) + layer;
     const i8 number = y * i8_splat((int32_t)(mip->row_pitch / size)) + x;
     for (unsigned left = 0xff; left != 0;) {
-        const int32_t s = existing[__builtin_ctz(left)];
-        const i8 lanes = rhw_equal_int(existing, i8_splat(s));
+        const int32_t p = plane[__builtin_ctz(left)];
+        const size_t at_sample = (size_t)(p / layers) * texture->sample_stride,
+                     at_layer = (size_t)(p % layers) * mip->slice_pitch;
+        const i8 lanes = rhw_equal_int(plane, i8_splat(p));
         struct raw_texels raw;
         f8 value[4];
-        fetch_numbered_texels(size, mip->texels + (size_t)s * texture->sample_stride, number, &raw);
+        fetch_numbered_texels(size, mip->texels + at_sample + at_layer, number, &raw);
         decode_texels(texture->info, &raw, value);
         for (int c = 0; c < 4; c++) {
             texel[c] = rhw_select(lanes, value[c], left == 0xff ? value[c] : texel[c]);
