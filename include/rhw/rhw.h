@@ -230,7 +230,7 @@ RHW_API void rhw_pass_draw(rhw_context *context, rhw_pass pass, uint32_t first, 
 RHW_API void rhw_pass_draw_indexed(rhw_context *context, rhw_pass pass, uint32_t first, uint32_t count,
                                    int32_t base_vertex, uint32_t first_instance, uint32_t instances);
 /// A draw for each command, which is read from the buffer now: what is written there later is not seen. Commands and
-/// count must lie within their buffers.
+/// count must lie within their buffers, which this pass does not write.
 RHW_API void rhw_pass_draw_indirect(rhw_context *context, rhw_pass pass,
                                     const struct rhw_draw_commands *commands);
 RHW_API void rhw_pass_draw_indexed_indirect(rhw_context *context, rhw_pass pass,

@@ -61,8 +61,8 @@ RHW_API void rhw_sample_fetch(const struct rhw_bindings *textures, int slot, con
                               const rhw_int *level, rhw_float texel[4]);
 
 /// The texel at x, y of `at`, and of an array the layer, in one sample of a multisampled texture, unfiltered, as
-/// rhw_sample_fetch gives it; zeros where there is no such sample or layer. The other functions take a slot with a multisampled texture for one without, and this
-/// one a slot with any other.
+/// rhw_sample_fetch gives it; zeros where there is no such sample or layer. The other functions take a slot with a
+/// multisampled texture for one without, and this one a slot with any other.
 RHW_API void rhw_sample_fetch_sample(const struct rhw_bindings *textures, int slot, const rhw_int *at,
                                      const rhw_int *sample, rhw_float texel[4]);
 

@@ -434,7 +434,7 @@ static uint32_t pattern(uint32_t primitive)
 }
 
 // R32_UINT takes the bits of the first channel, signalling NaNs and all.
-// Factors are held to what a target holds: 1 − (−1) is 1 in SNORM formats (Vulkan 1.3 §29.1.1), by destination and constant.
+// Factors are held to what a target holds: 1 − (−1) is 1 in SNORM formats (Vulkan 1.3 §29.1), by destination and constant.
 static void test_factors_of_snorm_targets(void **state)
 {
     (void)state;

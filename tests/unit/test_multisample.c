@@ -469,12 +469,13 @@ static void numbers_fragment(struct rhw_fragment *groups, int count)
 static void test_alpha_of_targets(void **state)
 {
     (void)state;
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 4; i++) {
+        const bool is_integer = i % 2 == 0;
         struct rig rig;
         open_samples(&rig, 4, RHW_PATHS_ALL);
         rig.pipeline.alpha_to_one = true;
-        rig.pipeline.alpha_to_coverage = i == 0;
-        const enum rhw_format formats[2] = {i == 0 ? RHW_FORMAT_RGBA32_UINT : RHW_FORMAT_RGBA32_FLOAT,
+        rig.pipeline.alpha_to_coverage = is_integer;
+        const enum rhw_format formats[2] = {is_integer ? RHW_FORMAT_RGBA32_UINT : RHW_FORMAT_RGBA32_FLOAT,
                                             RHW_FORMAT_RGBA32_FLOAT};
         for (int t = 0; t < 2; t++) {
             rig_set_target(&rig, t, formats[t]);
@@ -482,6 +483,10 @@ static void test_alpha_of_targets(void **state)
             rig.pass.colors[t].texture = make_texture(&rig, formats[t], 4);
         }
         rig_set_program(&rig, rig_vertex_pass, numbers_fragment);
+        if (i >= 2) { // the function is called once for all
+            rig.pipeline.program.varyings[0] = (struct rhw_varying){.components = 0};
+            rig.pipeline.program.varying_count = 0;
+        }
         struct rig_vertex all[6];
         rig_cover(&rig, 0.5f, (const float[4]){0}, all);
         rig_draw_once(&rig, all, 6);
@@ -493,7 +498,7 @@ static void test_alpha_of_targets(void **state)
                 memcpy(texel[t], texels[t][100], sizeof texel[t]);
             }
             assert_true(texel[0][0] == 7 && texel[0][2] == 9);
-            assert_int_equal(texel[0][3], i == 0 ? 10 : 0x3f800000);
+            assert_int_equal(texel[0][3], is_integer ? 10 : 0x3f800000);
             assert_true(texels[1][100][0] == 0.25f && texels[1][100][3] == 0.25f);
         }
         rig_close(&rig);

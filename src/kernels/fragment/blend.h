@@ -101,7 +101,7 @@ static inline f8 any_blend_factor(const struct rhw_blend_state *state, enum rhw_
     return rhw_splat(0.0f);
 }
 
-// The same as a target holds it: 1 less a negative value of an SNORM format is above 1 (Vulkan 1.3 §29.1.1).
+// The same as a target holds it: 1 less a negative value of an SNORM format is above 1 (Vulkan 1.3 §29.1).
 static inline f8 blend_factor(const struct rhw_blend_state *state, enum rhw_blend_factor factor,
                               const f8 *src, const f8 dst[4], int i)
 {
