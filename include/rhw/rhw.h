@@ -222,7 +222,7 @@ RHW_API void rhw_pass_set_depth_bounds(rhw_context *context, rhw_pass pass, floa
 /// (vkCmdClearAttachments). What the pass has set stays and has no say: pipeline, scissor, masks, depth bias, queries. Every rectangle is
 /// a draw in the numbers of draws.
 RHW_API void rhw_pass_clear_attachments(rhw_context *context, rhw_pass pass, const struct rhw_clear *clear);
-/// Vertices `first`.. of the vertex buffers. A vertex outside its buffer reads 0, 0, 0, 1.
+/// Vertices `first`.. of the vertex buffers. Outside of its buffer a vertex reads zeros (robustBufferAccess2).
 RHW_API void rhw_pass_draw(rhw_context *context, rhw_pass pass, uint32_t first, uint32_t count,
                            uint32_t first_instance, uint32_t instances);
 /// Indices `first`.. of the index buffer, `base_vertex` added to each. An index outside the index buffer

@@ -98,28 +98,21 @@ RHW_INLINE void fetch_places(const void *const place[8], const struct rhw_fetch 
 }
 
 // Those of a buffer that may end before. `element` says which element of the stream each lane reads; a lane whose element
-// is not wholly inside the buffer reads 0, 0, 0, 1.
+// is not wholly inside the buffer reads bytes of 0 (robustBufferAccess2): channels that the format lacks are as ever.
 static __attribute__((noinline)) void fetch_checked(const struct rhw_vertex_stream *stream,
                                                     const struct rhw_fetch *fetch, uint32_t stride,
                                                     const uint32_t element[8], f8 out[4])
 {
     unsigned char bytes[8][16] = {{0}};
     const void *places[8];
-    unsigned outside = 0;
     for (int lane = 0; lane < 8; lane++) {
         const uint64_t offset = (uint64_t)element[lane] * stride + fetch->offset;
         if (offset <= stream->size && stream->size - offset >= fetch->size) {
             memcpy(bytes[lane], stream->bytes + offset, fetch->size);
-        } else {
-            outside |= 1u << lane;
         }
         places[lane] = bytes[lane];
     }
     fetch_places(places, fetch, out);
-    const f8 one = fetch->is_integer ? (f8)i8_splat(1) : f8_splat(1);
-    for (int c = 0; c < 4; c++) {
-        out[c] = f8_select(i8_from_bits(outside), c < 3 ? f8_splat(0) : one, out[c]);
-    }
 }
 
 // Whether the attribute lies wholly inside the buffer for all of 8 vertices.
