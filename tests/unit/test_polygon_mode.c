@@ -48,7 +48,7 @@ static void test_edges_are_lines(void **state)
         rig.pipeline.line_width = 2.5f;
         struct rig_vertex t[3] = {vertex_at(&rig, 10, 12, 0.5f, 3), vertex_at(&rig, 80, 30, 0.5f, 4),
                                   vertex_at(&rig, 30, 85, 0.5f, 5)};
-        const int pairs[3][2] = {{0, 1}, {1, 2}, {0, 2}};
+        const int pairs[3][2] = {{0, 1}, {1, 2}, {2, 0}};
         struct rig_vertex lines[6];
         for (int i = 0; i < 6; i++) {
             lines[i] = t[pairs[i / 2][i % 2]];

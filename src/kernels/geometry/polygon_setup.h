@@ -3,8 +3,10 @@
 // the triangle, then each edge goes the way of lines and each corner that of points (Vulkan 1.3 §28.10.2). Edges are
 // those of the triangle before clipping: a plane cuts them, and adds none of its own.
 //
-// Flat values are those of the triangle's provoking vertex. A line takes them from its first or last vertex, so the one
-// edge that lacks that vertex, and corners beside it, are drawn between copies that have its flat values.
+// Edges go around the triangle, so that each corner, which Bresenham's lines leave out at their ends, begins one.
+//
+// Flat values are those of the triangle's provoking vertex. A line takes them from its first or last vertex, so edges
+// that have another there, and corners beside it, are drawn between copies that have its flat values.
 #ifndef RHW_POLYGON_SETUP_H
 #define RHW_POLYGON_SETUP_H
 
@@ -115,15 +117,14 @@ static void add_part(struct rhw_geometry_scratch *scratch, const struct polygon 
 static void add_parts(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
                       const struct polygon *p, struct part_batch *batch, struct rhw_triangle_list *list)
 {
-    // Both ends of the one edge without the provoking vertex are copied; an edge's own is its first or its last.
-    static const int edges[3][2] = {{0, 1}, {1, 2}, {0, 2}}, corners[3][2] = {{0, 0}, {1, 1}, {2, 2}};
+    static const int edges[3][2] = {{0, 1}, {1, 2}, {2, 0}}, corners[3][2] = {{0, 0}, {1, 1}, {2, 2}};
     const struct rhw_pipeline_data *const pipeline = state->pipeline;
     const bool is_lines = pipeline->primitive == RHW_PRIMITIVE_POLYGON_LINES;
-    const int provoking = pipeline->def.provoking == RHW_PROVOKING_FIRST ? 0 : 2;
+    const bool is_first = pipeline->def.provoking == RHW_PROVOKING_FIRST;
     for (int i = 0; i < 3; i++) {
         const int *const corner = is_lines ? edges[i] : corners[i];
         const uint32_t all = p->v[corner[0]]->flags & p->v[corner[1]]->flags;
-        const bool copies = pipeline->flat_count != 0 && corner[0] != provoking && corner[1] != provoking;
+        const bool copies = pipeline->flat_count != 0 && corner[is_first ? 0 : 1] != (is_first ? 0 : 2);
         if (all & (is_lines ? RHW_VERTEX_OUTSIDE : RHW_VERTEX_OUTSIDE | RHW_VERTEX_UNSNAPPED)) {
             continue;
         }
