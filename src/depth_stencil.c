@@ -60,8 +60,8 @@ static bool counts_by_test(const struct rhw_pipeline_def *def, bool many_samples
 {
     const struct rhw_program *const program = &def->program;
     const bool has_fragment = program->fragment[RHW_ISA_BASELINE] != NULL || program->fragment1 != NULL;
-    return many_samples || !has_fragment ||
-           program->uses & (RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_EFFECTS);
+    return many_samples || !has_fragment || def->alpha_to_coverage ||
+           program->uses & (RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_SAMPLE_MASK | RHW_USE_EFFECTS);
 }
 
 void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct rhw_pipeline_def *def,

@@ -8,23 +8,23 @@
 #include "triangle.h"
 
 // Whether samples may be dropped after the fragment function.
-static bool masks_samples(const struct rhw_pipeline_def *def, int samples)
+static bool masks_samples(const struct rhw_pipeline_def *def)
 {
-    return samples > 1 && (def->alpha_to_coverage || def->program.uses & RHW_USE_SAMPLE_MASK);
+    return def->alpha_to_coverage || def->program.uses & RHW_USE_SAMPLE_MASK;
 }
 
 // Whether fragments may be dropped, or moved, after the fragment function.
-static bool drops_late(const struct rhw_pipeline_def *def, int samples)
+static bool drops_late(const struct rhw_pipeline_def *def)
 {
-    return def->program.uses & (RHW_USE_DISCARD | RHW_USE_DEPTH) || masks_samples(def, samples);
+    return def->program.uses & (RHW_USE_DISCARD | RHW_USE_DEPTH) || masks_samples(def);
 }
 
 // Whether depth is tested after it: for that reason, since the function has effects for fragments that fail too, or reads
 // what depth was before.
-static bool tests_late(const struct rhw_pipeline_def *def, int samples)
+static bool tests_late(const struct rhw_pipeline_def *def)
 {
     return !def->program.early_fragment_tests &&
-           (drops_late(def, samples) || def->program.uses & (RHW_USE_EFFECTS | RHW_USE_DEPTH_INPUT));
+           (drops_late(def) || def->program.uses & (RHW_USE_EFFECTS | RHW_USE_DEPTH_INPUT));
 }
 
 static enum rhw_sampling choose_sampling(const struct rhw_pipeline_data *pipeline, int samples)
@@ -48,12 +48,12 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
     // What a fragment function sees of samples, and does to them, is kept by rows; and in other groups a pixel may be
     // twice, which effects must not meet.
     const bool by_rows =
-        samples > 1 && (masks_samples(&pipeline->def, samples) || uses & (RHW_USE_DEPTH | RHW_USE_EFFECTS) ||
+        samples > 1 && (masks_samples(&pipeline->def) || uses & (RHW_USE_DEPTH | RHW_USE_EFFECTS) ||
                         choose_sampling(pipeline, samples) != RHW_SAMPLING_CENTER);
     if (paths == RHW_PATHS_GENERAL || by_rows) {
         return RHW_SHADING_ROWS;
     }
-    if (uses == 0 && pipeline->varying_components == 0) {
+    if (uses == 0 && pipeline->varying_components == 0 && !masks_samples(&pipeline->def)) {
         return RHW_SHADING_CONSTANT;
     }
     const bool smooth = !pipeline->any_noperspective && !pipeline->any_constant_derivatives;
@@ -74,13 +74,13 @@ static int direction_of(enum rhw_compare compare)
 
 static enum rhw_depth_mode choose_depth_mode(const struct rhw_pipeline_def *def,
                                              const struct rhw_depth_stencil_state *depth_stencil,
-                                             enum rhw_shading shading, int samples)
+                                             enum rhw_shading shading)
 {
     const uint32_t uses = def->program.uses;
     if (!def->depth_test && !depth_stencil->is_full) {
         return RHW_DEPTH_NONE;
     }
-    if (shading == RHW_SHADING_NONE || !tests_late(def, samples)) {
+    if (shading == RHW_SHADING_NONE || !tests_late(def)) {
         return RHW_DEPTH_EARLY;
     }
     // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile. How many do
@@ -141,7 +141,7 @@ static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
     plan->is_full = depth_stencil->is_full;
     plan->is_biased = depth_stencil->is_biased;
     plan->moves_depth = def->depth_test && !def->depth_read_only;
-    plan->depth_mode = choose_depth_mode(def, depth_stencil, plan->shading, samples);
+    plan->depth_mode = choose_depth_mode(def, depth_stencil, plan->shading);
     plan_rules(plan, def, phase);
     plan->early_name = general || plan->is_full ? RHW_RULE_ANY : name_of(plan->early);
     plan->tests_early = plan->depth_mode == RHW_DEPTH_EARLY || plan->depth_mode == RHW_DEPTH_EARLY_REJECT;
@@ -175,7 +175,7 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
                                  .shading = choose_shading(pipeline, phase, samples, paths),
                                  .sampling = choose_sampling(pipeline, samples),
                                  .weighs_alpha = weighs_alpha(pipeline),
-                                 .masks_samples = masks_samples(&pipeline->def, samples)};
+                                 .masks_samples = masks_samples(&pipeline->def)};
     const bool shades = plan.shading != RHW_SHADING_NONE;
     plan_depth(&plan, &pipeline->def, depth_stencil, phase, samples, paths);
     plan.is_skipped = phase == RHW_PHASE_DEPTH && (uses & RHW_USE_DISCARD || plan.masks_samples);

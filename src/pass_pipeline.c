@@ -49,21 +49,6 @@ static bool targets_match(const struct rhw_pass_state *pass, rhw_pipeline id,
                      rhw_name_of(&context->pipelines, id.index).text);
 }
 
-// Under validation: what a pass of one sample has no use for. The pipeline may be meant for others too, hence no misuse.
-static void warn_of_samples(const struct rhw_pass_state *pass, rhw_pipeline id,
-                            const struct rhw_pipeline_def *def, const char *where)
-{
-    const char *const name = def->alpha_to_coverage           ? "alpha_to_coverage"
-                             : def->alpha_to_one              ? "alpha_to_one"
-                             : def->sample_mask != UINT32_MAX ? "sample_mask"
-                                                              : NULL;
-    if (name != NULL && pass->pattern->count == 1) {
-        rhw_context_log(pass->context, RHW_LOG_WARNING,
-                        "%s: %s has %s set and the pass has one sample a pixel; it has no effect", where,
-                        rhw_name_of(&pass->context->pipelines, id.index).text, name);
-    }
-}
-
 void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipeline_id)
 {
     static const char *const where = "rhw_pass_set_pipeline";
@@ -77,9 +62,6 @@ void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipel
                   where) &&
         targets_match(pass, pipeline_id, pipeline, where)) {
         rhw_pool_use(&context->pipelines, pipeline_id.index, context->recording.generation);
-        if (context->findings && pass->pending.pipeline != pipeline) {
-            warn_of_samples(pass, pipeline_id, &pipeline->def, where);
-        }
         pass->pending_changed |= pass->pending.pipeline != pipeline;
         pass->pending.pipeline = pipeline;
         pass->bound.pipeline = pipeline_id;

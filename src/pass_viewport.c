@@ -145,9 +145,11 @@ static struct rhw_rect clip_rect(const struct rhw_pass_state *pass, const struct
 
 void rhw_pass_clip_scissor(const struct rhw_pass_state *pass, struct rhw_draw_state *state)
 {
-    state->scissor = clip_rect(pass, &state->viewport, &state->scissor,
-                               state->pipeline->primitive == RHW_PRIMITIVE_POINTS ||
-                                   state->pipeline->primitive == RHW_PRIMITIVE_POLYGON_POINTS);
+    const bool any_sample = state->pipeline->def.sample_mask & ((1u << pass->pattern->count) - 1);
+    state->scissor = any_sample ? clip_rect(pass, &state->viewport, &state->scissor,
+                                            state->pipeline->primitive == RHW_PRIMITIVE_POINTS ||
+                                                state->pipeline->primitive == RHW_PRIMITIVE_POLYGON_POINTS)
+                                : (struct rhw_rect){0};
 }
 
 void rhw_draw_state_map_viewport(struct rhw_draw_state *state)

@@ -304,9 +304,9 @@ static bool has_fragment(const struct rhw_program *program)
 static bool check_targets(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
     if (!check_range(context, "target_count", def->target_count, 0, RHW_MAX_COLOR_ATTACHMENTS) ||
-        !rhw_check(context, !def->alpha_to_coverage || (def->target_count > 0 && has_fragment(&def->program)),
-                   "%s: alpha_to_coverage is true and no alpha is written; it needs a fragment function and "
-                   "target 0",
+        !rhw_check(context, !def->alpha_to_coverage || has_fragment(&def->program),
+                   "%s: alpha_to_coverage is true and the program has no fragment function, which would give "
+                   "alpha",
                    create_name)) {
         return false;
     }
@@ -428,6 +428,15 @@ static void resolve_alpha(struct rhw_pipeline_def *def)
     if (def->target_count > 0 && rhw_format_is_integer(rhw_format_info(def->targets[0].format))) {
         def->alpha_to_coverage = def->alpha_to_one = false;
     }
+}
+
+// Of the fragment function: alpha may decide about coverage where no target has it.
+static int count_outputs(const struct rhw_pipeline_def *def)
+{
+    if (def->target_count == 0) {
+        return def->alpha_to_coverage;
+    }
+    return def->target_count + (def->target_count == 1 && rhw_blend_reads_second(&def->targets[0]));
 }
 
 // With two-sided stencil after the fragment function, groups say which way their fragments face.
@@ -567,8 +576,7 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
     resolve_defaults(&data->def);
     resolve_alpha(&data->def);
     resolve_uses(&data->def);
-    data->output_count =
-        def->target_count + (def->target_count == 1 && rhw_blend_reads_second(&data->def.targets[0]) ? 1 : 0);
+    data->output_count = count_outputs(&data->def);
     resolve_attributes(data);
     resolve_functions(data, isa);
     lay_out_varyings(data);

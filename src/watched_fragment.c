@@ -199,6 +199,9 @@ static unsigned needed_channels(const struct rhw_watch *watch, int t)
     if (t >= watch->pipeline->output_count) {
         return 0;
     }
+    if (def->target_count == 0) {
+        return RHW_WRITE_ALPHA; // which decides about coverage
+    }
     const bool is_second = t >= def->target_count;
     const struct rhw_color_target *const target = &def->targets[is_second ? 0 : t];
     const unsigned kept = target->write_mask & ((1u << rhw_format_info(target->format)->channels) - 1);
@@ -327,7 +330,8 @@ static __attribute__((cold)) void name_input(const struct rhw_watch *watch,
 
 static bool is_integer(const struct rhw_watch *watch, int t)
 {
-    return rhw_format_is_integer(rhw_format_info(watch->pipeline->def.targets[t].format));
+    const struct rhw_pipeline_def *const def = &watch->pipeline->def;
+    return t < def->target_count && rhw_format_is_integer(rhw_format_info(def->targets[t].format));
 }
 
 static void warn_of_nan(const struct rhw_watch *watch, const struct rhw_fragment *group,

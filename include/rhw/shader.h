@@ -51,8 +51,8 @@ struct rhw_fragment {
     rhw_float barycentric[3];        ///< a, b, c: weights in space
     rhw_float barycentric_noperspective[3]; ///< r, s, t: weights on the screen
     rhw_float barycentric_ddx[3], barycentric_ddy[3]; ///< of a, b, c per pixel
-    rhw_int sample_mask;             ///< samples that are covered, a bit each; what is cleared is not drawn.
-                                     ///< Of one sample 1, and what is left there has no say
+    rhw_int sample_mask;             ///< samples that are covered, a bit each, of one sample bit 0; what is cleared is not
+                                     ///< drawn
     rhw_int sample_id;
     rhw_float sample_position[2];    ///< in the pixel: 0..1 from its top left
     rhw_float point_coord[2]; ///< on a point: 0, 0 at its top left corner, 1, 1 at the opposite; elsewhere rubbish

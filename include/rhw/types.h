@@ -576,10 +576,10 @@ struct rhw_pipeline_def {
     bool depth_bounds_test;  ///< fragments pass where the attachment's depth lies in rhw_pass_set_depth_bounds
     bool stencil_test;       ///< the pass must have a stencil attachment then
     struct rhw_stencil_face stencil_front, stencil_back; ///< by facing
-    /// In multisampled passes (Vulkan 1.3 §27.1, §28.9): samples that may be covered, a bit each; 0: all.
+    /// Samples that may be covered, a bit each (Vulkan 1.3 §27.1, §28.9), of which a pass of one has bit 0; 0: all.
     uint32_t sample_mask;
-    /// The alpha of target 0 says how many samples of a fragment are kept: the first round(alpha · samples) of the pass.
-    /// Nothing where its format is of integers (Vulkan 1.3 §28.9); so of alpha_to_one.
+    /// The alpha of color[0] says how many samples of a fragment are kept: the first round(alpha · samples) of the pass.
+    /// Nothing where target 0 is of integers (Vulkan 1.3 §28.9); so of alpha_to_one.
     bool alpha_to_coverage;
     bool alpha_to_one; ///< alpha of target 0 is 1 then, after alpha_to_coverage
     struct rhw_color_target targets[RHW_MAX_COLOR_ATTACHMENTS];

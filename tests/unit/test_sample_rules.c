@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Rules of multisampled passes off the beaten way: tiles that a wave draws nothing in, stencil by facing after the
-// fragment function, what equal samples resolve to, what is counted, refused and warned of; and what fragments are told
-// of samples where there is one.
+// fragment function, what equal samples resolve to, what is counted and refused; what fragments are told of samples where
+// there is one, and what masks it.
 #include "harness.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -99,35 +100,161 @@ static void sample_fragment(struct rhw_fragment *groups, int count)
         f->color[0][1] = f->sample_position[0];
         f->color[0][2] = f->sample_position[1];
         f->color[0][3] = rhw_float_from_int(f->sample_mask);
-        f->sample_mask = rhw_splat_int(0);
+        f->sample_mask = rhw_splat_int(*(const int32_t *)f->user);
     }
 }
 
-// Full rows, parts of blocks and small triangles; what the function leaves in sample_mask has no say.
+// Full rows, parts of blocks and small triangles, and what the function leaves in sample_mask: bit 0 is that of the sample.
 static void test_one_sample(void **state)
 {
     (void)state;
-    const float expected[4] = {0, 0.5f, 0.5f, 1};
-    for (int general = 0; general < 2; general++) {
+    static const int32_t left[] = {1, -1, 0, 2};
+    for (int i = 0; i < 2 * 4; i++) {
+        const int general = i % 2;
+        const float seen[4] = {0, 0.5f, 0.5f, 1}, none[4] = {0};
+        const float *const expected = left[i / 2] & 1 ? seen : none;
         struct rig rig;
         rig_open_with(
             &rig, SIZE, SIZE,
             &(struct rhw_context_def){.threads = 1, .paths = general ? RHW_PATHS_GENERAL : RHW_PATHS_ALL});
         rig_set_program(&rig, rig_vertex_pass, sample_fragment);
         rig.pipeline.program.uses = RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK;
+        rig.pipeline.program.user = (void *)(uintptr_t)&left[i / 2];
         rig_begin(&rig);
         draw_rectangle(&rig, 0, 0, 100, 100, red);
-        for (int i = 0; i < 30; i++) {
-            draw_rectangle(&rig, (float)(4 * i), 110, (float)(4 * i + i % 3 + 1), 113, red);
+        for (int n = 0; n < 30; n++) {
+            draw_rectangle(&rig, (float)(4 * n), 110, (float)(4 * n + n % 3 + 1), 113, red);
         }
         rig_end(&rig);
         const float(*const pixels)[4] = rig_read_float4(&rig);
-        for (int i = 0; i < 100 * 100; i++) {
-            assert_memory_equal(pixels[i / 100 * SIZE + i % 100], expected, sizeof expected);
+        for (int n = 0; n < 100 * 100; n++) {
+            assert_memory_equal(pixels[n / 100 * SIZE + n % 100], expected, sizeof seen);
         }
-        for (int i = 0; i < 30; i++) {
-            assert_memory_equal(pixels[111 * SIZE + 4 * i + i % 3], expected, sizeof expected);
+        for (int n = 0; n < 30; n++) {
+            assert_memory_equal(pixels[111 * SIZE + 4 * n + n % 3], expected, sizeof seen);
         }
+        rig_close(&rig);
+    }
+}
+
+static void one_color_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const float *const color = groups[g].user;
+        for (int c = 0; c < 4; c++) {
+            groups[g].color[0][c] = rhw_splat(color[c]);
+        }
+    }
+}
+
+// How alpha, the pipeline's mask and alpha to one meet a pass of one sample (Vulkan 1.3 §28.9 makes no exception of it):
+// round(alpha · 1) samples are kept. What is not neither moves depth nor is counted.
+static void test_alpha_of_one_sample(void **state)
+{
+    (void)state;
+    static const float alphas[] = {0, 0.25f, 0.4990234375f, 0.5f, 0.75f, 1, 2, -1, NAN};
+    enum { ALPHAS = sizeof alphas / sizeof alphas[0] };
+    for (int i = 0; i < ALPHAS * 32; i++) {
+        const float alpha = alphas[i / 32];
+        const bool by_alpha = i & 1, to_one = i & 2, constant = i & 4, general = i & 8, counted = i & 16;
+        const float color[4] = {0.25f, 0.5f, 0.75f, alpha};
+        const bool kept = !by_alpha || alpha >= 0.5f;
+        struct rig rig;
+        rig_open_with(
+            &rig, SIZE, SIZE,
+            &(struct rhw_context_def){.threads = 1, .paths = general ? RHW_PATHS_GENERAL : RHW_PATHS_ALL});
+        rig_set_program(&rig, rig_vertex_pass, constant ? one_color_fragment : rig_fragment_pass);
+        if (constant) {
+            rig.pipeline.program.varying_count = 0;
+            rig.pipeline.program.varyings[0] = (struct rhw_varying){0};
+            rig.pipeline.program.user = (void *)(uintptr_t)color;
+        }
+        rig_set_depth(&rig);
+        rig.pipeline.depth_test = true;
+        rig.pipeline.depth_compare = RHW_COMPARE_LESS;
+        rig.pipeline.alpha_to_coverage = by_alpha;
+        rig.pipeline.alpha_to_one = to_one;
+        rhw_query query;
+        assert_int_equal(
+            rhw_query_create(rig.context, &(struct rhw_query_def){.kind = RHW_QUERY_OCCLUSION}, &query),
+            RHW_OK);
+        rig_begin(&rig);
+        if (counted) { // in order then
+            rhw_pass_begin_query(rig.context, rig.recording, query);
+        }
+        draw_rectangle(&rig, 0, 0, 80, 80, color);
+        draw_rectangle(&rig, 101, 90, 103, 91, color);
+        if (counted) {
+            rhw_pass_end_query(rig.context, rig.recording, query);
+        }
+        rig_end(&rig);
+        if (counted) {
+            struct rhw_query_counts counts;
+            assert_int_equal(rhw_query_read(rig.context, query, &counts), RHW_OK);
+            assert_int_equal(counts.samples_passed, kept ? 80 * 80 + 2 : 0);
+        }
+        const float(*const pixels)[4] = rig_read_float4(&rig);
+        for (int n = 0; n < 4; n++) {
+            const int p = (const int[]){0, 79 * SIZE + 79, 41 * SIZE + 37, 90 * SIZE + 102}[n];
+            const float written = to_one ? 1 : alpha;
+            assert_true(pixels[p][0] == (kept ? 0.25f : 0));
+            assert_true(pixels[p][3] == (kept ? written : 0) || (kept && isnan(written)));
+            assert_true(rig_read_depth(&rig)[p] == (kept ? 0.5f : 1.0f));
+        }
+        rhw_query_destroy(rig.context, query);
+        rig_close(&rig);
+    }
+}
+
+// Bit 0 of the pipeline's mask is that of the sample. Vertices are shaded for what it keeps out, too.
+static void test_mask_of_one_sample(void **state)
+{
+    (void)state;
+    static const uint32_t masks[] = {0, 1, 2, 3, 0x10000, 0xffffffff};
+    for (int i = 0; i < 6; i++) {
+        const bool drawn = masks[i] == 0 || masks[i] & 1;
+        struct rig rig;
+        rig_open(&rig, SIZE, SIZE);
+        rig.pipeline.sample_mask = masks[i];
+        rig_begin(&rig);
+        draw_rectangle(&rig, 3, 3, 90, 90, red);
+        rig.pipeline.topology = RHW_POINT_LIST;
+        struct rig_vertex point = {.value = {0, 1, 0, 1}};
+        rig_place(&rig, 100.5f, 100.5f, 0.5f, 1, point.position);
+        rig_draw(&rig, &point, 1);
+        rig_end(&rig);
+        assert_int_equal(rig.stats.fragments_shaded, drawn ? 87 * 87 + 1 : 0);
+        assert_true(rig.stats.vertices_shaded >= 4);
+        const float(*const pixels)[4] = rig_read_float4(&rig);
+        assert_true(pixels[50 * SIZE + 50][0] == (drawn ? 1 : 0));
+        assert_true(pixels[100 * SIZE + 100][1] == (drawn ? 1 : 0));
+        rig_close(&rig);
+    }
+}
+
+// Alpha decides about coverage also where no target has it (Vulkan 1.3 §28.9: output 0).
+static void test_alpha_without_target(void **state)
+{
+    (void)state;
+    for (int samples = 1; samples <= 4; samples *= 4) {
+        struct rig rig;
+        rig_open(&rig, SIZE, SIZE);
+        const rhw_texture color = rig.pass.colors[0].texture;
+        rig.pass.colors[0].texture = (rhw_texture){0};
+        rig.pass.color_count = rig.pipeline.target_count = 0;
+        rig_set_depth(&rig);
+        rig.pass.samples = samples;
+        rig.pass.depth.resolve_mode = RHW_RESOLVE_MIN;
+        rig.pipeline.depth_test = true;
+        rig.pipeline.depth_compare = RHW_COMPARE_LESS;
+        rig.pipeline.alpha_to_coverage = true;
+        rig_begin(&rig);
+        draw_rectangle(&rig, 0, 0, 40, 40, (const float[4]){1, 1, 1, 0.1f});
+        draw_rectangle(&rig, 50, 0, 90, 40, (const float[4]){0, 0, 0, 0.6f});
+        rig_end(&rig);
+        assert_true(rig_read_depth(&rig)[20 * SIZE + 20] == 1);
+        assert_true(rig_read_depth(&rig)[20 * SIZE + 70] == 0.5f);
+        rhw_texture_destroy(rig.context, color);
         rig_close(&rig);
     }
 }
@@ -203,7 +330,7 @@ static void discarding_fragment(struct rhw_fragment *groups, int count)
 }
 
 // What is tested after the fragment function.
-enum late { LATE_NOTHING, LATE_DEPTH, LATE_STENCIL, LATE_COUNT };
+enum late { LATE_NOTHING, LATE_DEPTH, LATE_STENCIL, LATE_ALPHA, LATE_COUNT };
 
 // Triangles of a few pixels and of many in one draw, above each other: the last is seen, or all are blended in order.
 static uint64_t hash_of_crowd(int samples, bool blends, enum rhw_compare compare, enum late late,
@@ -222,7 +349,8 @@ static uint64_t hash_of_crowd(int samples, bool blends, enum rhw_compare compare
         (struct rhw_depth_attachment){.enabled = true, .store = RHW_STORE_DISCARD, .clear = 0.9f};
     rig.pipeline.depth_test = true;
     rig.pipeline.depth_compare = compare;
-    if (late != LATE_NOTHING) {
+    rig.pipeline.alpha_to_coverage = late == LATE_ALPHA;
+    if (late == LATE_DEPTH || late == LATE_STENCIL) {
         rig.pipeline.program.uses = RHW_USE_DISCARD;
         rig_set_program(&rig, rig_vertex_pass, discarding_fragment);
     }
@@ -266,11 +394,11 @@ static void test_order(void **state)
 {
     (void)state;
     const enum rhw_compare compares[] = {RHW_COMPARE_ALWAYS, RHW_COMPARE_LESS, RHW_COMPARE_GREATER_EQUAL};
-    for (int i = 0; i < 4 * 3 * 2 * LATE_COUNT; i++) {
-        const int samples = 2 << i % 4;
-        const enum rhw_compare compare = compares[i / 4 % 3];
-        const bool blends = i / 12 % 2;
-        const enum late late = (enum late)(i / 24);
+    for (int i = 0; i < 5 * 3 * 2 * LATE_COUNT; i++) {
+        const int samples = 1 << i % 5;
+        const enum rhw_compare compare = compares[i / 5 % 3];
+        const bool blends = i / 15 % 2;
+        const enum late late = (enum late)(i / 30);
         assert_true(hash_of_crowd(samples, blends, compare, late, RHW_PATHS_ALL) ==
                     hash_of_crowd(samples, blends, compare, late, RHW_PATHS_GENERAL));
     }
@@ -283,16 +411,12 @@ static void test_misuse(void **state)
     rig_open(&rig, SIZE, SIZE);
     struct rhw_pipeline_def def = rig.pipeline;
     rhw_pipeline pipeline;
-    def.alpha_to_coverage = true;
-    def.target_count = 0;
-    assert_int_equal(rhw_pipeline_create(rig.context, &def, &pipeline), RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig, "alpha_to_coverage is true and no alpha is written");
     def = rig.pipeline;
     def.alpha_to_coverage = true;
     memset(def.program.fragment, 0, sizeof def.program.fragment);
     def.targets[0].write_mask = RHW_WRITE_NONE;
     assert_int_equal(rhw_pipeline_create(rig.context, &def, &pipeline), RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig, "alpha_to_coverage is true and no alpha is written");
+    rig_expect_misuse(&rig, "alpha_to_coverage is true and the program has no fragment function");
 
     struct rhw_texture_def texture_def = {
         .format = RHW_FORMAT_RGBA32_FLOAT, .width = SIZE, .height = SIZE, .samples = 4};
@@ -326,55 +450,19 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-static char logged[512];
-
-static void keep_log(void *user, enum rhw_log_level level, const char *message)
-{
-    (void)user;
-    if (level == RHW_LOG_WARNING) {
-        snprintf(logged, sizeof logged, "%s", message);
-    }
-}
-
-// Under validation a pass of one sample tells what of a pipeline it has no use for; one of several does not.
-static void test_warnings(void **state)
-{
-    (void)state;
-    static const char *const names[] = {"alpha_to_coverage", "alpha_to_one", "sample_mask"};
-    for (int i = 0; i < 3 * 4; i++) {
-        const bool validates = i % 2, several = i / 2 % 2;
-        struct rig rig;
-        rig_open_with(&rig, 8, 8,
-                      &(struct rhw_context_def){.threads = 1,
-                                                .validate = validates ? RHW_VALIDATE_ON : RHW_VALIDATE_OFF,
-                                                .log = keep_log});
-        rig.pass.samples = several ? 4 : 1;
-        rig.pipeline.alpha_to_coverage = i / 4 == 0;
-        rig.pipeline.alpha_to_one = i / 4 == 1;
-        rig.pipeline.sample_mask = i / 4 == 2 ? 3 : 0;
-        logged[0] = 0;
-        rig_begin(&rig);
-        rig_use_pipeline(&rig);
-        char expected[64];
-        snprintf(expected, sizeof expected, "has %s set and the pass has one sample", names[i / 4]);
-        assert_true((strstr(logged, expected) != NULL) == (validates && !several));
-        assert_true((logged[0] != 0) == (validates && !several));
-        rig_end(&rig);
-        rig_close(&rig);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_loading_in_waves),
         cmocka_unit_test(test_late_stencil_by_facing),
         cmocka_unit_test(test_one_sample),
+        cmocka_unit_test(test_alpha_of_one_sample),
+        cmocka_unit_test(test_mask_of_one_sample),
+        cmocka_unit_test(test_alpha_without_target),
         cmocka_unit_test(test_equal_samples_resolve_to_themselves),
         cmocka_unit_test(test_fragments_are_counted),
         cmocka_unit_test(test_order),
         cmocka_unit_test(test_misuse),
-        cmocka_unit_test(test_warnings),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -19,7 +19,7 @@ static void prepare_constant(struct tile_work *work)
     struct fragment_queue *const queue = &work->scratch->queue;
     queue->groups[0].mask = i8_splat(-1);
     run_fragment_function(work, 1);
-    if (work->samples > 1 && work->pipeline->def.alpha_to_one) {
+    if (work->pipeline->def.alpha_to_one) {
         queue->colors[0][0][3] = f8_splat(1);
     }
     work->counters->groups++;

@@ -21,7 +21,7 @@ static void run_fragment_function(const struct tile_work *work, int count)
     }
 }
 
-// Gives the lanes of group g that are still live after discarding and the late depth test.
+// Gives the lanes of group g that are still live after discarding, masks and the late depth test.
 static unsigned finish_depth(struct tile_work *work, int g)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
@@ -29,15 +29,11 @@ static unsigned finish_depth(struct tile_work *work, int g)
     const struct rhw_fragment *const group = &queue->groups[g];
     const struct rhw_draw_plan *const plan = &work->plan;
     const uint32_t uses = work->pipeline->def.program.uses;
-    i8 mask = i8_from_bits(queue->live[g]);
-    if (uses & RHW_USE_DISCARD) {
-        mask &= rhw_less_int(group->mask, i8_splat(0));
-    }
+    const unsigned bits = lanes_of_sample(masked_samples(work, g, i8_from_bits(queue->live[g])), 0);
     if (plan->depth_mode < RHW_DEPTH_LATE) {
-        return i8_sign_bits(mask);
+        return bits;
     }
     const f8 z = uses & RHW_USE_DEPTH ? viewport_clamp(depth, group->depth) : group->depth;
-    const unsigned bits = i8_sign_bits(mask);
     const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // of a row
     if (plan->is_full) {
         const unsigned back = uses & RHW_USE_FACING ? i8_sign_bits(~group->front_facing) : 0;
@@ -91,11 +87,16 @@ RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend
 RHW_INLINE void finish_queue(struct tile_work *work)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
-    if (work->plan.depth_mode >= RHW_DEPTH_LATE || work->pipeline->def.program.uses & RHW_USE_DISCARD) {
+    const struct rhw_pipeline_def *const def = &work->pipeline->def;
+    if (work->plan.depth_mode >= RHW_DEPTH_LATE || work->plan.masks_samples ||
+        def->program.uses & RHW_USE_DISCARD) {
         for (int g = 0; g < queue->count; g++) {
             queue->live[g] = (uint8_t)finish_depth(work, g);
             queue->only_full_rows = queue->only_full_rows && queue->live[g] == 0xff;
         }
+    }
+    for (int g = 0; g < queue->count && def->alpha_to_one; g++) {
+        queue->colors[g][0][3] = f8_splat(1);
     }
     for (int g = 0; g < queue->count && work->explained; g++) {
         explain_written(work, g, queue->live[g]);

@@ -57,13 +57,13 @@ static i8 test_samples_late(struct tile_work *work, int g, i8 samples)
     return passed;
 }
 
-// The samples of group g that are still to be blended.
-static i8 finish_samples(struct tile_work *work, int g)
+// Those of a group's samples that the fragment function and its alpha leave. A pixel of one has bit 0 (Vulkan 1.3 §28.9
+// makes no exception of it).
+static i8 masked_samples(const struct tile_work *work, int g, i8 samples)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_fragment *const group = &queue->groups[g];
     const struct rhw_pipeline_def *const def = &work->pipeline->def;
-    i8 samples = queue->samples[g];
     if (def->program.uses & RHW_USE_DISCARD) {
         samples &= rhw_less_int(group->mask, i8_splat(0));
     }
@@ -73,6 +73,13 @@ static i8 finish_samples(struct tile_work *work, int g)
     if (def->alpha_to_coverage) {
         samples &= samples_of_alpha(queue->colors[g][0][3], work->samples);
     }
+    return samples;
+}
+
+// The samples of group g that are still to be blended.
+static i8 finish_samples(struct tile_work *work, int g)
+{
+    const i8 samples = masked_samples(work, g, work->scratch->queue.samples[g]);
     return work->plan.depth_mode >= RHW_DEPTH_LATE ? test_samples_late(work, g, samples) : samples;
 }
 

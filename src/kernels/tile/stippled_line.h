@@ -34,7 +34,7 @@ static uint64_t stippled_line_mask(const struct stippled_line *line, const struc
                                    int y, int s)
 {
     const struct sample_origin origin = origin_of_sample(work, s);
-    const bool is_drawn = work->samples == 1 || work->pipeline->def.sample_mask >> s & 1;
+    const bool is_drawn = work->pipeline->def.sample_mask >> s & 1;
     const uint64_t covered = is_drawn ? coverage_mask(&line->coverage[s], x, y) : 0;
     return covered == 0 ? 0
                         : covered & stippled_samples(&line->rectangle, origin.x + x * RHW_SUBPIXEL,
