@@ -24,12 +24,12 @@ static bool drops_late(const struct rhw_pipeline_def *def)
 static bool tests_late(const struct rhw_pipeline_def *def)
 {
     return !def->program.early_fragment_tests &&
-           (drops_late(def) || def->program.uses & (RHW_USE_EFFECTS | RHW_USE_DEPTH_INPUT));
+           (drops_late(def) || def->program.uses & (RHW_USE_EFFECTS | RHW_USE_TEST_INPUT));
 }
 
 static enum rhw_sampling choose_sampling(const struct rhw_pipeline_data *pipeline, int samples)
 {
-    const uint32_t each = RHW_USE_SAMPLE | RHW_USE_COLOR_INPUT | RHW_USE_DEPTH_INPUT;
+    const uint32_t each = RHW_USE_SAMPLE | RHW_USE_TARGET_INPUT;
     return samples == 1                        ? RHW_SAMPLING_CENTER
            : pipeline->def.program.uses & each ? RHW_SAMPLING_SAMPLE
                                                : pipeline->sampling;
@@ -85,7 +85,7 @@ static enum rhw_depth_mode choose_depth_mode(const struct rhw_pipeline_def *def,
     }
     // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile. How many do
     // so now depends on the path: what is counted is tested once.
-    const bool can_reject = !(uses & (RHW_USE_DEPTH | RHW_USE_EFFECTS | RHW_USE_DEPTH_INPUT)) &&
+    const bool can_reject = !(uses & (RHW_USE_DEPTH | RHW_USE_EFFECTS | RHW_USE_TEST_INPUT)) &&
                             direction_of(def->depth_compare) != 0 && !depth_stencil->tests_stencil &&
                             !depth_stencil->tests_bounds && !depth_stencil->counts;
     return can_reject ? RHW_DEPTH_EARLY_REJECT : RHW_DEPTH_LATE;
@@ -168,7 +168,7 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
                                     int samples, enum rhw_paths paths)
 {
     const uint32_t uses = pipeline->def.program.uses;
-    const bool reads_targets = uses & (RHW_USE_COLOR_INPUT | RHW_USE_DEPTH_INPUT);
+    const bool reads_targets = uses & RHW_USE_TARGET_INPUT;
     // Whose groups are rows.
     paths = reads_targets || uses & RHW_USE_FULLY_COVERED || pipeline->is_smooth ? RHW_PATHS_GENERAL : paths;
     struct rhw_draw_plan plan = {.reads_targets = reads_targets,

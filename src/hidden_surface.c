@@ -21,8 +21,7 @@ struct rhw_hidden_rule rhw_hidden_rule_of(const struct rhw_draw_state *state, in
 {
     const struct rhw_pipeline_def *const def = &state->pipeline->def;
     const struct rhw_depth_stencil_state *const depth = &state->depth_stencil;
-    if (def->program.uses &
-            (RHW_USE_EFFECTS | RHW_USE_COLOR_INPUT | RHW_USE_DEPTH_INPUT | RHW_USE_FULLY_COVERED) ||
+    if (def->program.uses & (RHW_USE_EFFECTS | RHW_USE_TARGET_INPUT | RHW_USE_FULLY_COVERED) ||
         def->program.early_fragment_tests || state->pipeline->is_smooth) {
         return in_order;
     }

@@ -44,6 +44,9 @@ static bool targets_match(const struct rhw_pass_state *pass, rhw_pipeline id,
            rhw_check(context, pass->has_depth || !(pipeline->def.program.uses & RHW_USE_DEPTH_INPUT),
                      "%s: %s reads depth_input; the pass has no depth attachment", where,
                      rhw_name_of(&context->pipelines, id.index).text) &&
+           rhw_check(context, pass->has_stencil || !(pipeline->def.program.uses & RHW_USE_STENCIL_INPUT),
+                     "%s: %s reads stencil_input; the pass has no stencil attachment", where,
+                     rhw_name_of(&context->pipelines, id.index).text) &&
            rhw_check(context, pass->has_stencil || !pipeline->def.stencil_test,
                      "%s: %s tests stencil; the pass has no stencil attachment", where,
                      rhw_name_of(&context->pipelines, id.index).text);

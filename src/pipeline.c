@@ -22,7 +22,7 @@ static const char *const create_name = "rhw_pipeline_create";
 static const uint32_t known_uses =
     RHW_USE_COORD | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_BARYCENTRIC | RHW_USE_DISCARD | RHW_USE_DEPTH |
     RHW_USE_BARYCENTRIC_DERIVATIVES | RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK | RHW_USE_POINT_COORD |
-    RHW_USE_FULLY_COVERED | RHW_USE_LAYER | RHW_USE_EFFECTS | RHW_USE_COLOR_INPUT | RHW_USE_DEPTH_INPUT;
+    RHW_USE_FULLY_COVERED | RHW_USE_LAYER | RHW_USE_EFFECTS | RHW_USE_TARGET_INPUT;
 
 static bool check_range(const struct rhw_context *context, const char *field, long long value, long long low,
                         long long high)
@@ -443,7 +443,7 @@ static int count_outputs(const struct rhw_pipeline_def *def)
 static void resolve_uses(struct rhw_pipeline_def *def)
 {
     const uint32_t late =
-        RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_SAMPLE_MASK | RHW_USE_EFFECTS | RHW_USE_DEPTH_INPUT;
+        RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_SAMPLE_MASK | RHW_USE_EFFECTS | RHW_USE_TEST_INPUT;
     if (def->stencil_test && (def->program.uses & late || def->alpha_to_coverage)) {
         def->program.uses |= RHW_USE_FACING;
     }

@@ -6,6 +6,10 @@
 #include "feedback_layout.h"
 #include "format.h"
 
+// What a fragment function reads of the attachments, and of those that fragments are tested against.
+#define RHW_USE_TEST_INPUT   (RHW_USE_DEPTH_INPUT | RHW_USE_STENCIL_INPUT)
+#define RHW_USE_TARGET_INPUT (RHW_USE_COLOR_INPUT | RHW_USE_TEST_INPUT)
+
 struct rhw_watch;
 struct rhw_memory;
 

@@ -81,6 +81,7 @@ static void load_builtins(const struct rhw_fragment *group, int lane, uint32_t u
 {
     one->depth = uses & RHW_USE_DEPTH ? group->depth[lane] : 0;
     one->depth_input = uses & RHW_USE_DEPTH_INPUT ? group->depth_input[lane] : 0;
+    one->stencil_input = uses & RHW_USE_STENCIL_INPUT ? group->stencil_input[lane] : 0;
     for (int c = 0; c < 4 && uses & RHW_USE_COORD; c++) {
         one->coord[c] = group->coord[c][lane];
     }

@@ -43,6 +43,7 @@ static const struct {
     {RHW_USE_POINT_COORD, "reads point_coord; RHW_USE_POINT_COORD is missing in its program's uses"},
     {RHW_USE_FULLY_COVERED, "reads fully_covered; RHW_USE_FULLY_COVERED is missing in its program's uses"},
     {RHW_USE_DEPTH_INPUT, "reads depth_input; RHW_USE_DEPTH_INPUT is missing in its program's uses"},
+    {RHW_USE_STENCIL_INPUT, "reads stencil_input; RHW_USE_STENCIL_INPUT is missing in its program's uses"},
     {RHW_USE_LAYER, "reads layer or viewport_index; RHW_USE_LAYER is missing in its program's uses"},
     {RHW_USE_DEPTH, "reads depth; RHW_USE_DEPTH is missing in its program's uses"},
 };
@@ -90,6 +91,9 @@ static void spoil_builtins(struct rhw_fragment *group, uint32_t uses, int32_t ch
     }
     if (!(uses & RHW_USE_DEPTH_INPUT)) {
         spoil(&group->depth_input, 1, changed & RHW_USE_DEPTH_INPUT);
+    }
+    if (!(uses & RHW_USE_STENCIL_INPUT)) {
+        group->stencil_input = rhw_splat_int(changed & RHW_USE_STENCIL_INPUT ? 0 : 1);
     }
     if (!(uses & RHW_USE_LAYER)) {
         group->layer = group->viewport_index = rhw_splat_int(changed & RHW_USE_LAYER ? 0 : 1);

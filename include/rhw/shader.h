@@ -57,6 +57,7 @@ struct rhw_fragment {
     rhw_float sample_position[2];    ///< in the pixel: 0..1 from its top left
     rhw_float point_coord[2]; ///< on a point: 0, 0 at its top left corner, 1, 1 at the opposite; elsewhere rubbish
     rhw_float depth_input;    ///< with RHW_USE_DEPTH_INPUT: the depth attachment's value
+    rhw_int stencil_input;    ///< with RHW_USE_STENCIL_INPUT: the stencil attachment's value, 0..255
     rhw_int layer, viewport_index; ///< of the primitive
     /// −1 where the triangle contains the square of the fragment's pixel, else 0; 0 without conservative rasterization, of
     /// points and of lines (Vulkan, VK_EXT_conservative_rasterization: FullyCoveredEXT). Exact for the snapped triangle.
@@ -97,6 +98,7 @@ struct rhw_fragment1 {
     float sample_position[2];
     float point_coord[2];
     float depth_input;
+    int32_t stencil_input;
     int32_t layer, viewport_index;
     bool fully_covered;
 };

@@ -479,7 +479,8 @@ enum rhw_fragment_use {
     /// primitives (Vulkan 1.3, "Input Attachment Interface"; VK_EXT_rasterization_order_attachment_access). In
     /// multisampled passes the function is called for every sample.
     RHW_USE_COLOR_INPUT = 131072,
-    RHW_USE_DEPTH_INPUT = 262144 ///< the same of depth, in depth_input; depth is then tested after the function
+    RHW_USE_DEPTH_INPUT = 262144,  ///< the same of depth, in depth_input
+    RHW_USE_STENCIL_INPUT = 524288 ///< of stencil, in stencil_input. With either, both are tested after the function
 };
 
 struct rhw_vertex;
@@ -527,7 +528,7 @@ struct rhw_program {
     bool vertex_effects;
     /// Depth bounds, stencil and depth are tested, and written, before the fragment function, which is called for what
     /// passes; then what it discards or writes as depth does not change that (Vulkan 1.3 §28.1.2, EarlyFragmentTests).
-    /// false: with RHW_USE_EFFECTS and RHW_USE_DEPTH_INPUT they are tested after it, for every fragment.
+    /// false: with RHW_USE_EFFECTS, RHW_USE_DEPTH_INPUT and RHW_USE_STENCIL_INPUT they are tested after it, for every fragment.
     bool early_fragment_tests;
     /// The vertex function writes `viewport_index`, or `layer`: which viewport and scissor a primitive takes, and which
     /// layer of the pass's attachments it is drawn into, as its provoking vertex says (VK_EXT_shader_viewport_index_layer).

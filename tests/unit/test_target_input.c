@@ -217,6 +217,70 @@ static void depth(void **state)
     }
 }
 
+// Stencil ----------------------------------------------------------------------------------------------
+
+static void show_stencil(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        for (int c = 0; c < 4; c++) {
+            groups[g].color[0][c] = rhw_float_from_int(groups[g].stencil_input);
+        }
+    }
+}
+
+static void show_stencil1(struct rhw_fragment1 *f)
+{
+    f->color[0][0] = f->color[0][1] = f->color[0][2] = f->color[0][3] = (float)f->stencil_input;
+}
+
+// Three times two rectangles that count themselves in stencil from 250 on, up to 255: the left one covers two columns
+// more each time. Early tests have counted a fragment itself when its function reads.
+static void check_stencil(bool one, bool early, int samples, const struct rhw_context_def *def)
+{
+    struct rig rig;
+    struct rig_vertex vertices[6];
+    rig_open_with(&rig, SIDE, SIDE, def);
+    rig_set_program(&rig, rig_vertex_pass, show_stencil);
+    if (one) {
+        memset(rig.pipeline.program.fragment, 0, sizeof rig.pipeline.program.fragment);
+        rig.pipeline.program.fragment1 = show_stencil1;
+    }
+    rig.pass.samples = samples;
+    rig.pass.depth = (struct rhw_depth_attachment){.enabled = true,
+                                                   .format = RHW_FORMAT_S8_UINT,
+                                                   .stencil_clear = 250,
+                                                   .stencil_store = RHW_STORE_DISCARD};
+    rig.pipeline.stencil_test = true;
+    rig.pipeline.stencil_front.pass = rig.pipeline.stencil_back.pass = RHW_STENCIL_INCREMENT_CLAMP;
+    rig.pipeline.program.uses = RHW_USE_STENCIL_INPUT;
+    rig.pipeline.program.early_fragment_tests = early;
+    rig_begin(&rig);
+    for (int i = 0; i < 6; i++) {
+        const float to = i % 2 == 0 ? (float)(3 + i) : SIDE;
+        rig_rectangle(&rig, 0, 0, to, SIDE, 0.5f, (const float[4]){0}, vertices);
+        rig_draw(&rig, vertices, 6);
+    }
+    rig_end(&rig);
+    const float(*const seen)[4] = rig_read_float4(&rig);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        const int x = i % SIDE, before = 2 + (x < 3) + (x < 5) + (x < 7);
+        const int expected = 250 + before + early;
+        assert_true(seen[i][0] == (float)(expected > 255 ? 255 : expected));
+    }
+    rig_close(&rig);
+}
+
+static void stencil(void **state)
+{
+    (void)state;
+    for (int bits = 0; bits < 8; bits++) {
+        const int samples = bits & 4 ? 4 : 1;
+        check_stencil(bits & 1, bits & 2, samples, &(struct rhw_context_def){.threads = 2});
+        check_stencil(bits & 1, bits & 2, samples, &(struct rhw_context_def){.paths = RHW_PATHS_GENERAL});
+        check_stencil(bits & 1, bits & 2, samples, &(struct rhw_context_def){.validate = RHW_VALIDATE_ON});
+    }
+}
+
 static void misuse(void **state)
 {
     (void)state;
@@ -236,12 +300,25 @@ static void misuse(void **state)
     rig_draw(&rig, vertices, 6);
     rhw_pass_end(rig.context, rig.recording, NULL);
     rig_expect_misuse(&rig, "reads depth_input; RHW_USE_DEPTH_INPUT is missing in its program's uses");
+    rig.pipeline.program.uses = RHW_USE_STENCIL_INPUT;
+    rig_set_depth(&rig);
+    rig_begin(&rig);
+    rig_use_pipeline(&rig);
+    rig_expect_misuse(&rig, "reads stencil_input; the pass has no stencil attachment");
+    rhw_pass_cancel(rig.context, rig.recording);
+    rig_set_program(&rig, rig_vertex_pass, show_stencil);
+    rig.pipeline.program.uses = 0;
+    rig_begin(&rig);
+    rig_draw(&rig, vertices, 6);
+    rhw_pass_end(rig.context, rig.recording, NULL);
+    rig_expect_misuse(&rig, "reads stencil_input; RHW_USE_STENCIL_INPUT is missing in its program's uses");
     rig_close(&rig);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(sums), cmocka_unit_test(formats),
-                                       cmocka_unit_test(depth), cmocka_unit_test(misuse)};
+                                       cmocka_unit_test(depth), cmocka_unit_test(stencil),
+                                       cmocka_unit_test(misuse)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tile holds at the fragments of a queue, for programs that read it (RHW_USE_COLOR_INPUT, RHW_USE_DEPTH_INPUT).
+// What the tile holds at the fragments of a queue, for programs that read it (RHW_USE_TARGET_INPUT).
 // Their groups are rows, those of one call rows of one block and one triangle, so that no pixel is among them twice: what
 // came before has been blended, and each fragment finds what is there in its turn.
 #ifndef RHW_TARGET_INPUT_H
@@ -20,7 +20,7 @@ static int plane_of_group(const struct fragment_queue *queue, int g)
     return __builtin_ctz((unsigned)samples);
 }
 
-// Decodes them into the colours and depth inputs of `added` groups from `first` on, before which the queue is empty.
+// Decodes them into the colours, depth and stencil inputs of `added` groups from `first` on, before which the queue is empty.
 static __attribute__((noinline)) void read_targets(const struct tile_work *work, int first, int added)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
@@ -47,6 +47,9 @@ static __attribute__((noinline)) void read_targets(const struct tile_work *work,
         }
         if (uses & RHW_USE_DEPTH_INPUT) {
             queue->groups[g].depth_input = f8_load(depth_plane(scratch, sample)->texels + at);
+        }
+        if (uses & RHW_USE_STENCIL_INPUT) {
+            queue->groups[g].stencil_input = i8_load_bytes(depth_plane(scratch, sample)->stencil + at);
         }
     }
 }
