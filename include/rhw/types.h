@@ -239,8 +239,8 @@ struct rhw_sampler_def {
     enum rhw_filter min_filter, mag_filter; ///< LINEAR
     enum rhw_mip_filter mip_filter;         ///< LINEAR: trilinear where the texture has levels
     enum rhw_address address_u, address_v;  ///< REPEAT
-    float border[4];                        ///< for RHW_ADDRESS_BORDER, linear values, converted for integer formats; 0,0,0,0.
-                                            ///< Channels that a format lacks stay 0, 0, 0, 1
+    float border[4];                        ///< for RHW_ADDRESS_BORDER, linear values; 0, 0, 0, 0. Of integers see
+                                            ///< border_integer. Channels that a format lacks stay 0, 0, 0, 1
     float lod_bias, lod_min;                ///< 0, 0
     float lod_max; ///< 0: no limit. There is nothing above level 0, so any negative one is a limit of 0
     /// Texels become 1 where `reference compare texel` holds for their first channel, else 0, before they are filtered
@@ -257,6 +257,7 @@ struct rhw_sampler_def {
     /// Coordinates are in texels, of level 0 alone: filters are equal, addresses CLAMP or BORDER, no level but 0, no
     /// comparison, no anisotropy; the texture is 1D or 2D and no array (VkSamplerCreateInfo, unnormalizedCoordinates).
     bool unnormalized;
+    int32_t border_integer[4]; ///< the same of UINT and SINT formats, bit for bit
 };
 
 /// How attributes stand in buffers. FLOAT, HALF, UNORM and SNORM are what texel formats of these names are; USCALED and

@@ -9,6 +9,7 @@
 
 #include "binding.h"
 #include "context.h"
+#include "format.h"
 #include "half.h"
 #include "kernels/kernels.h"
 #include "lookup.h"
@@ -645,6 +646,9 @@ static void test_a_border_has_the_channels_of_the_format(void **state)
         {RHW_FORMAT_RG11B10_FLOAT, {0.25f, 0.5f, 0.75f, 1}},
         {RHW_FORMAT_RGBA8_UNORM, {0.25f, 0.5f, 0.75f, 0}},
         {RHW_FORMAT_BGRA8_UNORM, {0.25f, 0.5f, 0.75f, 0}},
+        {RHW_FORMAT_R8_UINT, {5, 0, 0, 1}},
+        {RHW_FORMAT_RG32_SINT, {5, 6, 0, 1}},
+        {RHW_FORMAT_RGBA16_UINT, {5, 6, 7, 8}},
     };
     struct rig rig;
     rig_open(&rig, 8, 8);
@@ -654,13 +658,16 @@ static void test_a_border_has_the_channels_of_the_format(void **state)
         def.width = def.height = 4;
         rhw_texture texture;
         assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_OK);
-        for (int mode = 0; mode < 4; mode++) { // filters, along one axis and both, and an anisotropic one
+        const bool is_integer = rhw_format_is_integer(rhw_format_info(def.format));
+        // Filters, of integers the nearest, along one axis and both, and an anisotropic one.
+        for (int mode = is_integer; mode < 4; mode += 1 + is_integer) {
             const struct rhw_sampler_def sampler = {
                 .min_filter = mode % 2 ? RHW_FILTER_NEAREST : RHW_FILTER_LINEAR,
                 .mag_filter = mode % 2 ? RHW_FILTER_NEAREST : RHW_FILTER_LINEAR,
                 .address_u = RHW_ADDRESS_BORDER,
                 .address_v = mode / 2 ? RHW_ADDRESS_BORDER : RHW_ADDRESS_REPEAT,
                 .border = {0.25f, 0.5f, 0.75f, 0},
+                .border_integer = {5, 6, 7, 8},
                 .max_anisotropy = mode == 2 ? 4 : 0};
             struct rhw_binding binding =
                 bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
@@ -668,7 +675,8 @@ static void test_a_border_has_the_channels_of_the_format(void **state)
             rhw_float texel[4];
             sample_all_isas(&binding, uv, NULL, &lod, texel);
             for (int c = 0; c < 4; c++) {
-                assert_true(texel[c][3] == cases[n].outside[c]);
+                const float seen = is_integer ? (float)((rhw_int)texel[c])[3] : texel[c][3];
+                assert_true(seen == cases[n].outside[c]);
             }
         }
         rhw_texture_destroy(rig.context, texture);

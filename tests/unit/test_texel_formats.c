@@ -567,7 +567,7 @@ static void fragment_sampled(struct rhw_fragment *groups, int count)
     }
 }
 
-// Nearest samples are bits too, NaN or not, and the border is a converted number.
+// Nearest samples are bits too, NaN or not, and the border is the very integers, which no float could be.
 static void test_integers_are_sampled(void **state)
 {
     (void)state;
@@ -581,7 +581,8 @@ static void test_integers_are_sampled(void **state)
     const struct rhw_sampler_def nearest = {.min_filter = RHW_FILTER_NEAREST,
                                             .mag_filter = RHW_FILTER_NEAREST,
                                             .address_u = RHW_ADDRESS_BORDER,
-                                            .border = {7, -3, 0, 1}};
+                                            .border = {0.5f, 1, 1, 0.25f},
+                                            .border_integer = {16777217, -3, 0, INT32_MIN}};
     rhw_sampler sampler;
     assert_int_equal(rhw_sampler_create(rig.context, &nearest, &sampler), RHW_OK);
     struct rig_vertex vertices[6];
@@ -592,7 +593,7 @@ static void test_integers_are_sampled(void **state)
     rig_end(&rig);
     const uint32_t(*const read)[4] =
         (const uint32_t(*)[4])(const void *)rig_read(&rig, rig.pass.colors[0].texture);
-    static const uint32_t border[4] = {7, (uint32_t)-3, 0, 1};
+    static const uint32_t border[4] = {16777217, (uint32_t)-3, 0, 0x80000000u};
     for (int i = 0; i < TEXELS; i++) {
         const int x = i % WIDTH * 2 + 1, y = i / WIDTH;
         assert_memory_equal(read[i], x < WIDTH ? texels[y * WIDTH + x] : border, 16);

@@ -44,7 +44,7 @@ static inline void replace_outside(const struct float_source *source, const stru
     }
     if (rhw_any(outside)) {
         for (int i = 0; i < 4; i++) {
-            texel[i] = rhw_select(outside, border_channel(source->format, sampler->def.border, i), texel[i]);
+            texel[i] = rhw_select(outside, border_channel(source->format, &sampler->def, i), texel[i]);
         }
     }
 }

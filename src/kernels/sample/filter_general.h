@@ -32,7 +32,7 @@ static inline void general_texels(const struct lookup *lookup, const struct lane
     }
     lane_texels(lookup->texture, level, inside[0], inside[1], inside[2], texel);
     for (int c = 0; lookup->border && c < 4; c++) {
-        texel[c] = rhw_select(outside, border_channel(lookup->texture->info, def->border, c), texel[c]);
+        texel[c] = rhw_select(outside, border_channel(lookup->texture->info, def, c), texel[c]);
     }
     if (def->compares) {
         const i8 holds = compare_lanes(def->compare, lookup->reference, texel[0]);

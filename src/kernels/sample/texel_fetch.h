@@ -65,13 +65,15 @@ RHW_INLINE i8 texel_number(i8 xy, const struct rhw_mip *mip)
     return i8_dot_halves(xy, i8_load(mip->step));
 }
 
-// A channel of the border: what the format lacks stays 0, 0, 0, 1 (Vulkan 1.3 §16.3.3 "Texel Replacement"), and of integer
-// formats it is converted.
-RHW_INLINE f8 border_channel(const struct rhw_format_info *format, const float border[4], int channel)
+// A channel of the border: what the format lacks stays 0, 0, 0, 1 (Vulkan 1.3 §16.3.3 "Texel Replacement"), and integer
+// formats have a colour of their own.
+RHW_INLINE f8 border_channel(const struct rhw_format_info *format, const struct rhw_sampler_def *def,
+                             int channel)
 {
-    const float lacking = channel < 3 ? 0.0f : 1.0f;
-    const float value = channel < format->channels ? border[channel] : lacking;
-    return rhw_format_is_integer(format) ? (f8)rhw_int_from_float(rhw_splat(value)) : rhw_splat(value);
+    const bool lacks = channel >= format->channels;
+    const int lacking = channel < 3 ? 0 : 1;
+    return rhw_format_is_integer(format) ? (f8)rhw_splat_int(lacks ? lacking : def->border_integer[channel])
+                                         : rhw_splat(lacks ? (float)lacking : def->border[channel]);
 }
 
 // Loads ---------------------------------------------------------------------------------------------
