@@ -10,7 +10,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PASSES = 500, WIDTH = 90, HEIGHT = 75, DRAWS_MOST = 7, VERTICES_MOST = 60, LAYERS_MOST = 3, COUNTERS = 4 };
+enum {
+    PASSES = 500,
+    WIDTH = 90,
+    HEIGHT = 75,
+    DRAWS_MOST = 7,
+    VERTICES_MOST = 60,
+    LAYERS_MOST = 3,
+    COUNTERS = 4
+};
 
 // What a draw is made of besides its pipeline's definition. Lives as long as the pipeline: its functions read it.
 struct combination {
@@ -118,7 +126,8 @@ static void fragment(struct rhw_fragment *groups, int count)
         const struct rhw_program *const program = &of->def.program;
         rhw_float v[4];
         for (int c = 0; c < 4; c++) {
-            const bool varies = program->varying_count > 0, derives = varies && program->varyings[0].derivatives;
+            const bool varies = program->varying_count > 0,
+                       derives = varies && program->varyings[0].derivatives;
             v[c] = varies ? f->varying[c] : rhw_splat(0.2f * (float)(c + 1));
             v[c] += derives ? f->ddx[c] + f->ddy[3 - c] : rhw_splat(0);
         }
@@ -135,9 +144,10 @@ static void fragment(struct rhw_fragment *groups, int count)
             for (int c = 0; c < 4; c++) {
                 const rhw_float value = v[(c + t) % 4];
                 const rhw_int bits = rhw_int_from_float(value * 100.0f);
-                f->color[t][c] = of->is_integer[t] ? (rhw_float)(blends ? bits ^ (rhw_int)f->color[t][c] : bits)
-                                 : blends          ? 0.5f * value + 0.5f * f->color[t][c]
-                                                   : value;
+                f->color[t][c] = of->is_integer[t]
+                                     ? (rhw_float)(blends ? bits ^ (rhw_int)f->color[t][c] : bits)
+                                 : blends ? 0.5f * value + 0.5f * f->color[t][c]
+                                          : value;
             }
         }
     }
@@ -146,11 +156,11 @@ static void fragment(struct rhw_fragment *groups, int count)
 // State -------------------------------------------------------------------------------------------------
 
 static const enum rhw_format color_formats[] = {
-    RHW_FORMAT_RGBA8_UNORM,  RHW_FORMAT_RGBA8_UNORM,   RHW_FORMAT_RGBA8_UNORM,   RHW_FORMAT_RGBA8_SRGB,
-    RHW_FORMAT_BGRA8_UNORM,  RHW_FORMAT_R8_UNORM,      RHW_FORMAT_RG8_SNORM,     RHW_FORMAT_RGBA32_FLOAT,
-    RHW_FORMAT_RGBA16_FLOAT, RHW_FORMAT_RGBA16_UNORM,  RHW_FORMAT_RGB10A2_UNORM, RHW_FORMAT_RG11B10_FLOAT,
-    RHW_FORMAT_RGB565_UNORM, RHW_FORMAT_RGB5A1_UNORM,  RHW_FORMAT_R32_UINT,      RHW_FORMAT_RGBA8_SINT,
-    RHW_FORMAT_RG16_UINT,    RHW_FORMAT_RGB10A2_UINT,  RHW_FORMAT_R32_FLOAT,     RHW_FORMAT_RGBA32_SINT};
+    RHW_FORMAT_RGBA8_UNORM,  RHW_FORMAT_RGBA8_UNORM,  RHW_FORMAT_RGBA8_UNORM,   RHW_FORMAT_RGBA8_SRGB,
+    RHW_FORMAT_BGRA8_UNORM,  RHW_FORMAT_R8_UNORM,     RHW_FORMAT_RG8_SNORM,     RHW_FORMAT_RGBA32_FLOAT,
+    RHW_FORMAT_RGBA16_FLOAT, RHW_FORMAT_RGBA16_UNORM, RHW_FORMAT_RGB10A2_UNORM, RHW_FORMAT_RG11B10_FLOAT,
+    RHW_FORMAT_RGB565_UNORM, RHW_FORMAT_RGB5A1_UNORM, RHW_FORMAT_R32_UINT,      RHW_FORMAT_RGBA8_SINT,
+    RHW_FORMAT_RG16_UINT,    RHW_FORMAT_RGB10A2_UINT, RHW_FORMAT_R32_FLOAT,     RHW_FORMAT_RGBA32_SINT};
 static const enum rhw_format depth_formats[] = {
     RHW_FORMAT_D32_FLOAT,         RHW_FORMAT_D32_FLOAT,         RHW_FORMAT_D16_UNORM, RHW_FORMAT_D24_UNORM,
     RHW_FORMAT_D24_UNORM_S8_UINT, RHW_FORMAT_D32_FLOAT_S8_UINT, RHW_FORMAT_S8_UINT};
@@ -169,8 +179,9 @@ static bool has_stencil(enum rhw_format format)
 
 static bool is_integer(enum rhw_format format)
 {
-    return format == RHW_FORMAT_R32_UINT || format == RHW_FORMAT_RGBA8_SINT || format == RHW_FORMAT_RG16_UINT ||
-           format == RHW_FORMAT_RGB10A2_UINT || format == RHW_FORMAT_RGBA32_SINT;
+    return format == RHW_FORMAT_R32_UINT || format == RHW_FORMAT_RGBA8_SINT ||
+           format == RHW_FORMAT_RG16_UINT || format == RHW_FORMAT_RGB10A2_UINT ||
+           format == RHW_FORMAT_RGBA32_SINT;
 }
 
 // The attachments of a pass.
@@ -218,11 +229,11 @@ static void choose_inputs(struct rhw_program *program, const struct attachments 
     program->uses &= has_stencil(a->depth) ? UINT32_MAX : ~(uint32_t)RHW_USE_STENCIL_INPUT;
     program->varying_count = !chance(random, 6);
     if (program->varying_count > 0) {
-        program->varyings[0] =
-            (struct rhw_varying){.components = 4,
-                                 .qualifier = (enum rhw_qualifier)(chance(random, 2) ? rig_random_int(random, 3) : 0),
-                                 .derivatives = chance(random, 5),
-                                 .sampling = (enum rhw_sampling)(chance(random, 3) ? rig_random_int(random, 3) : 0)};
+        program->varyings[0] = (struct rhw_varying){
+            .components = 4,
+            .qualifier = (enum rhw_qualifier)(chance(random, 2) ? rig_random_int(random, 3) : 0),
+            .derivatives = chance(random, 5),
+            .sampling = (enum rhw_sampling)(chance(random, 3) ? rig_random_int(random, 3) : 0)};
     }
     program->early_fragment_tests = chance(random, 8);
     program->clip_distance_count = chance(random, 6) ? 1 + rig_random_int(random, 8) : 0;
@@ -255,14 +266,16 @@ static struct rhw_stencil_face choose_face(uint64_t *random)
 
 static void choose_raster(struct rhw_pipeline_def *def, uint64_t *random)
 {
-    def->topology = chance(random, 2) ? RHW_TRIANGLE_LIST
-                                      : (enum rhw_topology)rig_random_int(random, RHW_TRIANGLE_STRIP_ADJACENCY + 1);
+    def->topology = chance(random, 2)
+                        ? RHW_TRIANGLE_LIST
+                        : (enum rhw_topology)rig_random_int(random, RHW_TRIANGLE_STRIP_ADJACENCY + 1);
     def->primitive_restart = chance(random, 4);
     def->provoking = (enum rhw_provoking)rig_random_int(random, 2);
     def->polygon_mode = (enum rhw_polygon_mode)(chance(random, 4) ? rig_random_int(random, 3) : 0);
     def->line_width = chance(random, 2) ? rig_random_float(random, 1, 9) : 0;
     def->line_mode = (enum rhw_line_mode)rig_random_int(random, 3);
-    def->line_stipple = (struct rhw_line_stipple){chance(random, 3) ? 1 + rig_random_int(random, 4) : 0, 0x72e5};
+    def->line_stipple =
+        (struct rhw_line_stipple){chance(random, 3) ? 1 + rig_random_int(random, 4) : 0, 0x72e5};
     def->conservative = (enum rhw_conservative)(chance(random, 6) ? rig_random_int(random, 3) : 0);
     def->cull = (enum rhw_cull)(chance(random, 4) ? rig_random_int(random, 4) : 0);
     def->front = (enum rhw_winding)rig_random_int(random, 2);
@@ -279,8 +292,9 @@ static void choose_tests(struct rhw_pipeline_def *def, const struct attachments 
     def->depth_read_only = chance(random, 5);
     def->depth_bounds_test = has_depth(a->depth) && chance(random, 8);
     if (chance(random, 5)) {
-        def->depth_bias = (struct rhw_depth_bias){rig_random_float(random, -1000, 1000), rig_random_float(random, -1, 1),
-                                                  chance(random, 2) ? rig_random_float(random, -0.01f, 0.01f) : 0};
+        def->depth_bias =
+            (struct rhw_depth_bias){rig_random_float(random, -1000, 1000), rig_random_float(random, -1, 1),
+                                    chance(random, 2) ? rig_random_float(random, -0.01f, 0.01f) : 0};
     }
     def->stencil_test = has_stencil(a->depth) && !chance(random, 3);
     def->stencil_front = choose_face(random);
@@ -307,7 +321,8 @@ static void choose_targets(struct rhw_pipeline_def *def, const struct attachment
     }
 }
 
-static void choose(struct combination *of, const struct rig *rig, const struct attachments *a, uint64_t *random)
+static void choose(struct combination *of, const struct rig *rig, const struct attachments *a,
+                   uint64_t *random)
 {
     *of = (struct combination){.def = rig->pipeline};
     struct rhw_pipeline_def *const def = &of->def;
@@ -358,12 +373,13 @@ static void attach(struct rig *rig, const struct attachments *a, uint64_t *rando
         }
     }
     if (a->depth != RHW_FORMAT_NONE) {
-        rig->pass.depth = (struct rhw_depth_attachment){.enabled = true,
-                                                        .texture = make_texture(rig, a->depth, kept, a->layers),
-                                                        .load = RHW_LOAD_CLEAR,
-                                                        .clear = chance(random, 3) ? 0.5f : 1,
-                                                        .stencil_clear = (uint8_t)rig_random_int(random, 256),
-                                                        .layer_count = a->layers};
+        rig->pass.depth =
+            (struct rhw_depth_attachment){.enabled = true,
+                                          .texture = make_texture(rig, a->depth, kept, a->layers),
+                                          .load = RHW_LOAD_CLEAR,
+                                          .clear = chance(random, 3) ? 0.5f : 1,
+                                          .stencil_clear = (uint8_t)rig_random_int(random, 256),
+                                          .layer_count = a->layers};
     }
 }
 
@@ -375,7 +391,8 @@ static void set_dynamic(struct rig *rig, uint64_t *random)
             rig_random_float(random, 20, 150), rig_random_float(random, 20, 150),
             rig_random_float(random, 0, 1),    rig_random_float(random, 0, 1)};
         const struct rhw_rect scissor = {rig_random_int(random, 30) - 10, rig_random_int(random, 30) - 10,
-                                         10 + rig_random_int(random, WIDTH), 10 + rig_random_int(random, HEIGHT)};
+                                         10 + rig_random_int(random, WIDTH),
+                                         10 + rig_random_int(random, HEIGHT)};
         rhw_pass_set_viewports(rig->context, rig->recording, i, 1, &viewport);
         rhw_pass_set_scissors(rig->context, rig->recording, i, 1, &scissor);
     }
@@ -402,8 +419,8 @@ static int make_vertices(const struct rig *rig, uint64_t *random, struct rig_ver
         }
         const float w = level >= 0 ? 1 : rig_random_float(random, cut ? -0.3f : 0.3f, 2);
         const float z = level >= 0 ? level : rig_random_float(random, cut ? -0.3f : 0, cut ? 1.3f : 1);
-        rig_place(rig, x + rig_random_float(random, -size, size), y + rig_random_float(random, -size, size), z, w,
-                  vertices[i].position);
+        rig_place(rig, x + rig_random_float(random, -size, size), y + rig_random_float(random, -size, size),
+                  z, w, vertices[i].position);
         for (int c = 0; c < 4; c++) {
             vertices[i].value[c] = rig_random_float(random, -0.4f, 1.2f);
         }
@@ -421,11 +438,9 @@ struct way {
 };
 
 static const struct way ways[] = {
-    {RHW_PATHS_GENERAL, 1, 0, RHW_ISA_BEST, false},
-    {RHW_PATHS_ALL, 1, 0, RHW_ISA_BEST, false},
+    {RHW_PATHS_GENERAL, 1, 0, RHW_ISA_BEST, false},       {RHW_PATHS_ALL, 1, 0, RHW_ISA_BEST, false},
     {RHW_PATHS_ALL, 2, 1, RHW_ISA_BEST, false}, // in waves of a chunk each
-    {RHW_PATHS_ALL, 2, 0, RHW_ISA_UP_TO_BASELINE, false},
-    {RHW_PATHS_IN_ORDER, 1, 0, RHW_ISA_BEST, true},
+    {RHW_PATHS_ALL, 2, 0, RHW_ISA_UP_TO_BASELINE, false}, {RHW_PATHS_IN_ORDER, 1, 0, RHW_ISA_BEST, true},
 };
 
 enum { WAYS = sizeof ways / sizeof ways[0] };
@@ -477,7 +492,8 @@ static int draw_all(struct rig *rig, const struct attachments *a, struct combina
         }
         rhw_pass_set_pipeline(rig->context, rig->recording, pipeline);
         rig_use_vertices(rig, 0, vertices, (size_t)count * sizeof vertices[0]);
-        rhw_pass_draw(rig->context, rig->recording, 0, (uint32_t)count, 0, 1 + (uint32_t)rig_random_int(random, 2));
+        rhw_pass_draw(rig->context, rig->recording, 0, (uint32_t)count, 0,
+                      1 + (uint32_t)rig_random_int(random, 2));
         rhw_pipeline_destroy(rig->context, pipeline);
         drawn++;
     }
@@ -552,8 +568,8 @@ static void test_every_way_draws_the_same(void **state)
             draw_pass((uint64_t)pass, &ways[w], &outcomes[w]);
             if (memcmp(&outcomes[w], &outcomes[0], sizeof outcomes[0]) != 0) {
                 const struct outcome *const a = &outcomes[0], *const b = &outcomes[w];
-                fail_msg("pass %ld by way %d: colors %d, depth %d, stencil %d, counts %d, counters %d differ", pass, w,
-                         memcmp(a->hash, b->hash, sizeof a->hash) != 0, a->depth != b->depth,
+                fail_msg("pass %ld by way %d: colors %d, depth %d, stencil %d, counts %d, counters %d differ",
+                         pass, w, memcmp(a->hash, b->hash, sizeof a->hash) != 0, a->depth != b->depth,
                          a->stencil != b->stencil, memcmp(a->counts, b->counts, sizeof a->counts) != 0,
                          memcmp(a->counters, b->counters, sizeof a->counters) != 0);
             }

@@ -156,6 +156,48 @@ static void test_bias(void **state)
     }
 }
 
+// The step of a float is that of the triangle's largest depth in the view: of vertices however far aside, of those before
+// the eye where others lie behind it, of the far plane where it is crossed.
+static void test_bias_of_cut_triangles(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 2 * 3; i++) {
+        const int what = i / 2;
+        static const float clip[2][3][4] = {
+            {{-1e6f, -1e6f, 0.25f, 1}, {3e6f, -1e6f, 0.25f, 1}, {-1e6f, 3e6f, 0.25f, 1}}, // not snapped
+            {{-4, -4, 0.5f, 1}, {4, -4, 0.5f, 1}, {0, 12, -1.5f, -1}}};                   // Z = W − 1/2
+        struct rig rig;
+        rig_open_with(
+            &rig, SIZE, SIZE,
+            &(struct rhw_context_def){.threads = 1, .paths = i % 2 ? RHW_PATHS_GENERAL : RHW_PATHS_ALL});
+        set_format(&rig, RHW_FORMAT_D32_FLOAT);
+        rig.pipeline.depth_bias.constant = 65536;
+        rig_begin(&rig);
+        if (what < 2) {
+            struct rig_vertex vertices[3] = {{.value = {1}}};
+            for (int v = 0; v < 3; v++) {
+                memcpy(vertices[v].position, clip[what][v], sizeof vertices[v].position);
+            }
+            rig_draw(&rig, vertices, 3);
+        } else {
+            rhw_pass_set_viewport(rig.context, rig.recording,
+                                  &(struct rhw_viewport){0, 0, SIZE, SIZE, 0, 0.5f});
+            cover_ramp(&rig, 0.5f, 2.5f / SIZE, red);
+        }
+        rig_end(&rig);
+        const float *const depth = rig_read_depth(&rig);
+        const int x = 3,
+                  y = SIZE -
+                      10; // where y = −1 + 19 / SIZE, t = (y + 4) / (16 + 2y) along the edges to the third
+        const double ndc = -1 + 19.0 / SIZE, t = (ndc + 4) / (16 + 2 * ndc);
+        const double expected[] = {0.25 + 0x1p-9, 1 - 0.5 / (1 - 2 * t) + 0x1p-8,
+                                   0.25 + 1.25 * (x + 0.5) / SIZE + 0x1p-8};
+        const double seen = (double)depth[y * SIZE + x];
+        assert_true(fabs(seen - expected[what]) < 1e-6);
+        rig_close(&rig);
+    }
+}
+
 // Small triangles take other paths than large ones; biased near the ends of the range they are clamped.
 static void test_bias_of_small_triangles(void **state)
 {
@@ -334,6 +376,7 @@ int main(void)
         cmocka_unit_test(test_steps_draw_the_same_on_every_path),
         cmocka_unit_test(test_bias),
         cmocka_unit_test(test_bias_of_small_triangles),
+        cmocka_unit_test(test_bias_of_cut_triangles),
         cmocka_unit_test(test_depth_beyond_one),
         cmocka_unit_test(test_clip_and_clamp),
         cmocka_unit_test(test_no_near_plane),

@@ -42,6 +42,23 @@ static float within_unit(float depth)
     return depth > 0 ? depth < 1 ? depth : 1 : 0;
 }
 
+// The largest depth of what lies between the planes in front and behind of a triangle: that of a vertex, or of a plane that
+// it crosses. Where nothing is cut off there, W may be 0 and depth anything.
+static float largest_depth(const struct rhw_draw_state *state, const struct rhw_vertex_record *const v[3])
+{
+    const bool symmetric = state->pipeline->def.depth_range == RHW_DEPTH_MINUS_ONE_TO_ONE;
+    const float near = (float)(state->depth_low - (symmetric ? state->depth_span : 0));
+    const float far = (float)(state->depth_low + state->depth_span);
+    float most = 0;
+    for (int i = 0; i < 3; i++) {
+        const bool is_near = v[i]->flags & RHW_VERTEX_NEAR, is_far = v[i]->flags & RHW_VERTEX_FAR;
+        const float inside = v[i]->position[3] > 0 ? v[i]->depth : state->depth_most;
+        const float depth = is_far && (!is_near || far > near) ? far : is_near ? near : inside;
+        most = depth > most ? depth : most;
+    }
+    return within_unit(most);
+}
+
 // Biases the planes of the triangle, whose vertices are snapped, in its setup.
 static inline void bias_snapped(const struct tile_work *work, struct triangle_work *triangle,
                                 struct triangle_setup8 *setup)
@@ -54,7 +71,7 @@ static inline void bias_snapped(const struct tile_work *work, struct triangle_wo
         most = v[i]->depth > most ? v[i]->depth : most;
     }
     triangle->depth_bias =
-        depth_bias(&work->state->depth_stencil, plane_of(planes, QUANTITY_Z), within_unit(most));
+        depth_bias(&work->state->depth_stencil, plane_of(planes, QUANTITY_Z), largest_depth(work->state, v));
     planes->at[QUANTITY_Z] += triangle->depth_bias;
     const double margin = 0x1p-20; // of roundings
     const struct tile_depth *const depth = &work->scratch->depth;
@@ -81,7 +98,7 @@ static __attribute__((noinline)) void bias_homogeneous(const struct tile_work *w
 {
     struct planes *const planes = &triangle->planes;
     triangle->depth_bias = depth_bias(&work->state->depth_stencil, plane_of(&planes->quantities, QUANTITY_Z),
-                                      work->state->depth_most);
+                                      largest_depth(work->state, triangle->v));
     planes->quantities.at[QUANTITY_Z] += triangle->depth_bias;
 }
 
