@@ -140,6 +140,51 @@ static void test_what_becomes_of_fragments(void **state)
     rig_close(&rig);
 }
 
+static void masking_fragment(struct rhw_fragment *groups, int count)
+{
+    rig_fragment_pass(groups, count);
+    for (int g = 0; g < count; g++) {
+        groups[g].sample_mask &= rhw_int_from_float(groups[g].color[0][0]);
+    }
+}
+
+// What the function's sample mask and alpha to coverage leave out, in passes of one sample and of four, with a depth test
+// that waits for them and without.
+static void test_masked_samples(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 8; i++) {
+        const bool by_alpha = i & 1, tests_depth = i & 2;
+        struct rig rig;
+        static struct history history;
+        struct rig_vertex all[6];
+        rig_open(&rig, SIZE, SIZE);
+        rig_set_depth(&rig);
+        rig.pass.samples = i & 4 ? 4 : 1;
+        rig.pipeline.depth_test = tests_depth;
+        rig.pipeline.alpha_to_coverage = by_alpha;
+        if (!by_alpha) {
+            rig_set_program(&rig, rig_vertex_pass, masking_fragment);
+            rig.pipeline.program.uses = RHW_USE_SAMPLE_MASK;
+        }
+        const int sample = i & 4 ? 2 : 0;
+        ask(&rig, &history, 70, 9, sample);
+        for (int n = 0; n < 3; n++) { // left out; kept; behind that
+            const float kept = (float)(n > 0), mask = (float)(1 << sample) * kept;
+            rig_cover(&rig, n == 2 ? 0.75f : 0.5f, (const float[4]){mask, 0, 0, kept}, all);
+            rig_draw(&rig, all, 6);
+        }
+        rig_end(&rig);
+        assert_int_equal(history.count, 3);
+        assert_int_equal(history.fragments[0].fate, RHW_FRAGMENT_DISCARDED);
+        assert_int_equal(history.fragments[1].fate, RHW_FRAGMENT_WRITTEN);
+        const enum rhw_fragment_fate last = history.fragments[2].fate;
+        assert_true(tests_depth ? last == RHW_FRAGMENT_FAILED_EARLY || last == RHW_FRAGMENT_FAILED_LATE
+                                : last == RHW_FRAGMENT_WRITTEN);
+        rig_close(&rig);
+    }
+}
+
 static void test_depth_alone(void **state)
 {
     (void)state;
@@ -321,6 +366,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_triangle_by_hand),
         cmocka_unit_test(test_what_becomes_of_fragments),
+        cmocka_unit_test(test_masked_samples),
         cmocka_unit_test(test_depth_alone),
         cmocka_unit_test(test_samples),
         cmocka_unit_test(test_histories_lead_to_the_picture),

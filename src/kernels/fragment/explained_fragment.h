@@ -99,7 +99,15 @@ static __attribute__((noinline)) void explain_shaded(const struct tile_work *wor
                 e->fragment.output[t][c] = queue->colors[g][t][c][lane];
             }
         }
-        e->discarded = pipeline->def.program.uses & RHW_USE_DISCARD && group->mask[lane] >= 0;
+    }
+}
+
+// Discarding and masks have left `after` of the lanes of group g whose fragment covered the sample, those of `before`.
+static __attribute__((noinline)) void explain_masked(const struct tile_work *work, int g, unsigned before,
+                                                     unsigned after)
+{
+    if (explained_lane(work, work->scratch->queue.row_at[g], before & ~after) >= 0) {
+        work->explained->discarded = true;
     }
 }
 

@@ -30,6 +30,9 @@ static unsigned finish_depth(struct tile_work *work, int g)
     const struct rhw_draw_plan *const plan = &work->plan;
     const uint32_t uses = work->pipeline->def.program.uses;
     const unsigned bits = lanes_of_sample(masked_samples(work, g, i8_from_bits(queue->live[g])), 0);
+    if (work->explained) {
+        explain_masked(work, g, queue->live[g], bits);
+    }
     if (plan->depth_mode < RHW_DEPTH_LATE) {
         return bits;
     }

@@ -79,7 +79,11 @@ static i8 masked_samples(const struct tile_work *work, int g, i8 samples)
 // The samples of group g that are still to be blended.
 static i8 finish_samples(struct tile_work *work, int g)
 {
-    const i8 samples = masked_samples(work, g, work->scratch->queue.samples[g]);
+    const i8 covered = work->scratch->queue.samples[g], samples = masked_samples(work, g, covered);
+    if (work->explained) {
+        const int sample = work->explained->ask.sample;
+        explain_masked(work, g, lanes_of_sample(covered, sample), lanes_of_sample(samples, sample));
+    }
     return work->plan.depth_mode >= RHW_DEPTH_LATE ? test_samples_late(work, g, samples) : samples;
 }
 
