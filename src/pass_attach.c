@@ -11,6 +11,7 @@
 #include "format.h"
 #include "lookup.h"
 #include "misuse.h"
+#include "pass_feedback_loop.h"
 #include "pass_state.h"
 #include "shared_texels.h"
 #include "texture_shape.h"
@@ -38,16 +39,6 @@ static struct rhw_name name_of(const rhw_context *context, rhw_texture id)
     return rhw_name_of(&context->textures, id.index);
 }
 
-// Whether the pass's layers from `a` on of one level and from `b` on of another have memory in common. The slices of a
-// level stand one after the other.
-static bool overlaps(const struct rhw_pass_state *pass, const struct rhw_mip *mip_a, int a,
-                     const struct rhw_mip *mip_b, int b)
-{
-    const int more = pass->layers - 1;
-    return (uintptr_t)rhw_mip_slice(mip_a, a) <= (uintptr_t)rhw_mip_slice(mip_b, b + more) &&
-           (uintptr_t)rhw_mip_slice(mip_b, b) <= (uintptr_t)rhw_mip_slice(mip_a, a + more);
-}
-
 // The plane of stencil of a level as a level of its own in `plane`.
 static const struct rhw_mip *stencil_of(const struct rhw_mip *mip, struct rhw_mip *plane)
 {
@@ -61,30 +52,13 @@ static const struct rhw_mip *stencil_of(const struct rhw_mip *mip, struct rhw_mi
     return plane;
 }
 
-// The same of a level and one with a plane of stencil, which a view may have as texels of its own.
-static bool overlaps_any_plane(const struct rhw_pass_state *pass, const struct rhw_mip *mip_a, int a,
-                               const struct rhw_mip *mip_b, int b)
+// Whether an attachment before the one that is attached now draws into the same texels, or their stencil.
+static bool is_attached(const struct rhw_pass_state *pass, const struct rhw_mip *mip, int layer)
 {
     struct rhw_mip plane;
-    return overlaps(pass, mip_a, a, mip_b, b) ||
-           (mip_b->stencil && overlaps(pass, mip_a, a, stencil_of(mip_b, &plane), b));
-}
-
-// Whether an attachment before the one that is attached now draws into the same texels.
-static bool is_attached(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment,
-                        const struct rhw_mip *mip, int layer)
-{
-    for (int i = 0; i < pass->color_count; i++) {
-        const struct rhw_attachment *const other = &pass->colors[i];
-        if ((other->target && overlaps_any_plane(pass, other->target, other->layer, mip, layer)) ||
-            (other->resolve && overlaps_any_plane(pass, other->resolve, other->layer, mip, layer))) {
-            return true;
-        }
-        if (other == attachment) {
-            break; // those behind it are of an earlier pass
-        }
-    }
-    return false;
+    return rhw_pass_attaches(pass, rhw_texel_range_of(mip, layer, pass->layers)) ||
+           (mip->stencil &&
+            rhw_pass_attaches(pass, rhw_texel_range_of(stencil_of(mip, &plane), layer, pass->layers)));
 }
 
 // What of a texture is attached.
@@ -100,8 +74,7 @@ static int layers_of(int layer_count)
 // Checks the texture of an attachment against the pass and the attachments before it. The first gives the pass its size,
 // where that is not set.
 static bool check_texture(struct rhw_pass_state *pass, rhw_texture id, const struct rhw_texture_data *texture,
-                          const char *name, const struct rhw_attachment *attachment,
-                          struct attached_part part)
+                          const char *name, struct attached_part part)
 {
     rhw_context *const context = pass->context;
     if (!rhw_check(context, part.level >= 0 && part.level < texture->levels,
@@ -125,7 +98,7 @@ static bool check_texture(struct rhw_pass_state *pass, rhw_texture id, const str
            rhw_check(context, !texture->swizzles,
                      "%s: %s is %s, a view with a swizzle; attachments have none", where, name,
                      name_of(context, id).text) &&
-           rhw_check(context, !is_attached(pass, attachment, mip, layer),
+           rhw_check(context, !is_attached(pass, mip, layer),
                      "%s: %s is %s, as another attachment is; each needs its own texture or layer", where,
                      name, name_of(context, id).text) &&
            rhw_check(context, mip->width == pass->width && mip->height == pass->height,
@@ -183,8 +156,7 @@ static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, struc
     if (!texture) {
         return RHW_ERROR_MISUSE;
     }
-    if (!check_texture(pass, id, texture, name, attachment, part) ||
-        !check_attached_samples(pass, id, texture, name)) {
+    if (!check_texture(pass, id, texture, name, part) || !check_attached_samples(pass, id, texture, name)) {
         return RHW_ERROR_MISUSE;
     }
     struct rhw_clean_tiles *clean;
@@ -267,7 +239,7 @@ static enum rhw_result attach_resolve(struct rhw_pass_state *pass, rhw_texture i
     snprintf(name, sizeof name, "colors[%d].resolve", i);
     const struct attached_part part = {attachment->layer, attachment->level, pass->layers};
     struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
-    if (!texture || !check_texture(pass, id, texture, name, attachment, part) ||
+    if (!texture || !check_texture(pass, id, texture, name, part) ||
         !rhw_check(
             context, !attachment->loads_resolved && pass->pattern->count > 1,
             "%s: colors[%d].resolve is set and colors[%d].texture has one sample; it must be null then",
@@ -476,6 +448,8 @@ enum rhw_result rhw_pass_attach(struct rhw_pass_state *pass, const struct rhw_pa
                    "%s: %s is %d; it is 0..%d", where, counted, pass->layers, RHW_MAX_TEXTURE_LAYERS)) {
         return RHW_ERROR_MISUSE;
     }
+    memset(pass->colors, 0, sizeof pass->colors); // of an earlier pass
+    pass->depth = pass->stencil = (struct rhw_attachment){.target = NULL};
     for (int i = 0; i < def->color_count; i++) {
         const enum rhw_result result = attach_color(pass, def, i);
         if (result != RHW_OK) {

@@ -52,6 +52,8 @@ struct rhw_geometry_scratch;
 struct rhw_tile_scratch;
 struct rhw_sample_plane;
 struct rhw_used_query;
+struct rhw_sampled_texture;
+struct rhw_stored_level;
 
 // One per thread; padded so that no two share a cache line.
 struct rhw_worker {
@@ -130,7 +132,9 @@ struct rhw_pass_state {
     struct rhw_rect scissors[RHW_MAX_VIEWPORTS];
     const struct rhw_draw_state *routed[RHW_MAX_VIEWPORTS]; // `current` by viewport; NULL: not made yet
 
-    struct rhw_used_query *queries; // a list, the last one first
+    struct rhw_used_query *queries;            // a list, the last one first
+    const struct rhw_sampled_texture *sampled; // lists of what was set (pass_feedback_loop.h)
+    const struct rhw_stored_level *stored;
     struct rhw_feedback_state feedback;
     bool has_feedback; // of some draw
 
