@@ -322,6 +322,27 @@ static enum rhw_result attach_depth_texture(struct rhw_pass_state *pass,
                : RHW_ERROR_MISUSE;
 }
 
+// What is only read is neither cleared nor discarded. `prefix`: of the members' names.
+static bool check_read_only(const struct rhw_context *context, const struct rhw_depth_attachment *depth,
+                            const char *prefix, enum rhw_load load, enum rhw_store store)
+{
+    return rhw_check(context, depth->texture.index != 0,
+                     "%s: %sread_only is true and depth.texture is null; there is nothing to read", where,
+                     prefix) &&
+           rhw_check(context, (load == RHW_LOAD_DEFAULT || load == RHW_LOAD_LOAD) && store == RHW_STORE_STORE,
+                     "%s: %sread_only is true, and %sload or %sstore clears or discards; they must be "
+                     "RHW_LOAD_LOAD and RHW_STORE_STORE, which stores nothing then",
+                     where, prefix, prefix, prefix);
+}
+
+// Makes an attachment one that is read and stays as it is.
+static void set_read_only(struct rhw_attachment *attachment)
+{
+    attachment->is_read_only = true;
+    attachment->load = RHW_LOAD_LOAD;
+    attachment->store = RHW_STORE_DISCARD;
+}
+
 // Without a texture nothing can be loaded or stored. `prefix`: of the members' names.
 static bool check_not_kept(const struct rhw_context *context, const char *prefix, enum rhw_load load,
                            enum rhw_store store)
@@ -358,6 +379,9 @@ static void attach_stencil(struct rhw_pass_state *pass, const struct rhw_depth_a
     *stencil = (struct rhw_attachment){.format = pass->depth.format, .texel_size = 1};
     stencil->load = load_of(depth->stencil_load);
     stencil->store = depth->stencil_store;
+    if (depth->stencil_read_only) {
+        set_read_only(stencil);
+    }
     stencil->sample_stride = pass->depth.sample_stride;
     stencil->layer = pass->depth.layer;
     stencil->loads_resolved = pass->depth.loads_resolved;
@@ -375,9 +399,13 @@ static void set_depth(struct rhw_pass_state *pass, const struct rhw_depth_attach
     pass->depth.load = load_of(depth->load);
     pass->depth.store = depth->store;
     pass->depth.resolve_mode = depth->resolve_mode;
-    pass->depth.resolves =
-        pass->depth.resolve && (depth->store == RHW_STORE_STORE || depth->stencil_store == RHW_STORE_STORE);
-    pass->depth_by_default = depth->load == RHW_LOAD_DEFAULT && depth->clear == 0;
+    if (depth->read_only) {
+        set_read_only(&pass->depth);
+    }
+    const bool stores_stencil = depth->stencil_store == RHW_STORE_STORE && !depth->stencil_read_only;
+    pass->depth.resolves = pass->depth.resolve && (pass->depth.store == RHW_STORE_STORE || stores_stencil);
+    pass->depth_by_default =
+        pass->depth.load == RHW_LOAD_CLEAR && depth->load == RHW_LOAD_DEFAULT && depth->clear == 0;
     const float clear[4] = {pass->depth_by_default ? 1 : depth->clear};
     unsigned char texel[RHW_TEXEL_BYTES] = {0};
     const uint64_t environment = rhw_cpu_float_enter();
@@ -399,7 +427,10 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
     }
     if (!check_operations(context, "depth.", depth->load, depth->store) ||
         !check_operations(context, "depth.stencil_", depth->stencil_load, depth->stencil_store) ||
-        !check_resolve_mode(context, "depth.", depth->resolve_mode)) {
+        !check_resolve_mode(context, "depth.", depth->resolve_mode) ||
+        (depth->read_only && !check_read_only(context, depth, "depth.", depth->load, depth->store)) ||
+        (depth->stencil_read_only &&
+         !check_read_only(context, depth, "depth.stencil_", depth->stencil_load, depth->stencil_store))) {
         return RHW_ERROR_MISUSE;
     }
     if (depth->texture.index != 0) {

@@ -84,6 +84,10 @@ static bool check(const struct rhw_pass_state *pass, const struct rhw_clear *cle
                      where) &&
            rhw_check(context, !clear->stencil || pass->has_stencil, "%s: the pass has no stencil attachment",
                      where) &&
+           rhw_check(context, !clear->depth || !pass->depth.is_read_only,
+                     "%s: depth is true and the pass has it read_only", where) &&
+           rhw_check(context, !clear->stencil || !pass->stencil.is_read_only,
+                     "%s: stencil is true and the pass has it read_only", where) &&
            rhw_check(context, clear->depth_value >= 0 && clear->depth_value <= 1,
                      "%s: depth_value is %g; it is in 0..1", where, (double)clear->depth_value) &&
            rhw_check(context,

@@ -28,14 +28,29 @@ static bool is_in_attachment(const struct rhw_pass_state *pass, const struct rhw
            is_in(texels, attachment->resolve, attachment->layer, pass->layers);
 }
 
-bool rhw_pass_attaches(const struct rhw_pass_state *pass, struct rhw_texel_range texels)
+static bool is_in_color(const struct rhw_pass_state *pass, struct rhw_texel_range texels)
 {
     for (int i = 0; i < pass->color_count; i++) {
         if (is_in_attachment(pass, &pass->colors[i], texels)) {
             return true;
         }
     }
-    return is_in_attachment(pass, &pass->depth, texels) || is_in_attachment(pass, &pass->stencil, texels);
+    return false;
+}
+
+bool rhw_pass_attaches(const struct rhw_pass_state *pass, struct rhw_texel_range texels)
+{
+    return is_in_color(pass, texels) || is_in_attachment(pass, &pass->depth, texels) ||
+           is_in_attachment(pass, &pass->stencil, texels);
+}
+
+// Stencil alone is in both, depth and stencil.
+static bool draws_into(const struct rhw_pass_state *pass, struct rhw_texel_range texels)
+{
+    const bool writes_depth = pass->has_depth && !pass->depth.is_read_only,
+               writes_stencil = pass->has_stencil && !pass->stencil.is_read_only;
+    return is_in_color(pass, texels) || (writes_depth && is_in_attachment(pass, &pass->depth, texels)) ||
+           (writes_stencil && is_in_attachment(pass, &pass->stencil, texels));
 }
 
 static struct rhw_texel_range range_of_level(const struct rhw_texture_data *texture, int level)
@@ -45,15 +60,15 @@ static struct rhw_texel_range range_of_level(const struct rhw_texture_data *text
 }
 
 // Most textures that are set are nobody's attachment, by any name.
-bool rhw_pass_attaches_texture(const struct rhw_pass_state *pass, const struct rhw_texture_data *texture)
+bool rhw_pass_draws_into(const struct rhw_pass_state *pass, const struct rhw_texture_data *texture)
 {
-    bool attaches = false;
+    bool draws = false;
     if (rhw_texture_is_attached(pass->context, texture)) {
-        for (int i = 0; i < texture->levels && !attaches; i++) {
-            attaches = rhw_pass_attaches(pass, range_of_level(texture, i));
+        for (int i = 0; i < texture->levels && !draws; i++) {
+            draws = draws_into(pass, range_of_level(texture, i));
         }
     }
-    return attaches;
+    return draws;
 }
 
 bool rhw_pass_stores_texture(const struct rhw_pass_state *pass, const struct rhw_texture_data *texture)
@@ -91,7 +106,8 @@ bool rhw_pass_note_sampled(struct rhw_pass_state *pass, struct rhw_texture_data 
     if (texture->sampled_pass == generation) {
         return true;
     }
-    struct rhw_sampled_texture *const sampled = rhw_arena_alloc(&pass->arena, sizeof *sampled, sizeof(void *));
+    struct rhw_sampled_texture *const sampled =
+        rhw_arena_alloc(&pass->arena, sizeof *sampled, sizeof(void *));
     if (sampled) {
         *sampled = (struct rhw_sampled_texture){pass->sampled, item};
         pass->sampled = sampled;

@@ -12,8 +12,8 @@ struct rhw_pass_state;
 
 // Whether an attachment holds some of the texels.
 bool rhw_pass_attaches(const struct rhw_pass_state *pass, struct rhw_texel_range texels);
-// The same of a texture's, all of which a shader may sample.
-bool rhw_pass_attaches_texture(const struct rhw_pass_state *pass, const struct rhw_texture_data *texture);
+// Whether one that is not read-only holds some of a texture's, all of which a shader may sample.
+bool rhw_pass_draws_into(const struct rhw_pass_state *pass, const struct rhw_texture_data *texture);
 
 // Whether a storage image that was set in the pass holds some of a texture's texels.
 bool rhw_pass_stores_texture(const struct rhw_pass_state *pass, const struct rhw_texture_data *texture);

@@ -41,6 +41,10 @@ static bool targets_match(const struct rhw_pass_state *pass, rhw_pipeline id,
                      pass->has_depth || !(pipeline->def.depth_test || pipeline->def.depth_bounds_test),
                      "%s: %s tests depth; the pass has no depth attachment", where,
                      rhw_name_of(&context->pipelines, id.index).text) &&
+           rhw_check(context,
+                     !pass->depth.is_read_only || !pipeline->def.depth_test || pipeline->def.depth_read_only,
+                     "%s: %s writes depth, and the pass has it read_only; depth_read_only must be true",
+                     where, rhw_name_of(&context->pipelines, id.index).text) &&
            rhw_check(context, pass->has_depth || !(pipeline->def.program.uses & RHW_USE_DEPTH_INPUT),
                      "%s: %s reads depth_input; the pass has no depth attachment", where,
                      rhw_name_of(&context->pipelines, id.index).text) &&

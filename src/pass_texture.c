@@ -25,7 +25,7 @@ static bool check_sampled(const struct rhw_pass_state *pass, rhw_texture id, int
            rhw_check(context, rhw_format_has_role(texture->info, RHW_ROLE_SAMPLED),
                      "%s: %s is %s; it cannot be sampled", where,
                      rhw_name_of(&context->textures, id.index).text, texture->info->name) &&
-           rhw_check(context, !rhw_pass_attaches_texture(pass, texture),
+           rhw_check(context, !rhw_pass_draws_into(pass, texture),
                      "%s: %s, for slot %d, is an attachment of this pass, or has a level and layer of one; "
                      "sample a view of others",
                      where, rhw_name_of(&context->textures, id.index).text, slot) &&

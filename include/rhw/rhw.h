@@ -179,8 +179,8 @@ RHW_API void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass pass, rhw_
 /// Copies `size` bytes, at most RHW_MAX_UNIFORM_SIZE; at a draw they must be at least the program's uniform_size.
 RHW_API void rhw_pass_set_uniforms(rhw_context *context, rhw_pass pass, const void *data, size_t size);
 /// A null texture unbinds the slot; sampling an unbound slot gives 0, 0, 0, 1. What has a level and layer of an attachment or
-/// storage image of this pass is refused, also depth that is only tested: sample a view of others (view.h), or end the pass
-/// and sample in the next one, which loads what it goes on with.
+/// storage image of this pass is refused: sample a view of others (view.h), or end the pass and sample in the next one, which
+/// loads what it goes on with. Depth and stencil that are attached read_only are sampled too.
 RHW_API void rhw_pass_set_texture(rhw_context *context, rhw_pass pass, int slot, rhw_texture texture,
                                   rhw_sampler sampler);
 /// Bytes `offset`, a multiple of 4, to offset + size of the buffer, 0: to its end, as storage slot `slot`,

@@ -638,6 +638,10 @@ struct rhw_depth_attachment {
     enum rhw_resolve resolve_mode; ///< where the texture has fewer samples than the pass
     int layer, level; ///< as those of a colour attachment
     int layer_count;  ///< as that of a colour attachment; without a texture there are as many as colours have
+    /// Depth, or stencil, is tested and never written: what the texture holds is loaded and stays as it is, and may be sampled
+    /// in the same pass. Pipelines that write it are refused. Its load operation is DEFAULT or LOAD then, its store operation
+    /// STORE, which stores nothing (WebGPU's depthReadOnly and stencilReadOnly; VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL).
+    bool read_only, stencil_read_only;
 };
 
 /// Without attachments, for effects and queries alone, a pass says its size, samples and layers itself.
