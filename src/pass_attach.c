@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "blend_state.h"
 #include "clear_texel.h"
 #include "context.h"
 #include "cpu.h"
@@ -142,9 +143,7 @@ static struct rhw_texture_data *find_texture(const rhw_context *context, rhw_tex
 {
     char whose[64];
     snprintf(whose, sizeof whose, "%s: %s.texture", where, name);
-    return rhw_check(context, id.index != 0, "%s is the null id", whose)
-               ? rhw_context_texture(context, id, whose)
-               : NULL;
+    return rhw_context_texture(context, id, whose);
 }
 
 // Fills what an attachment with a texture has. `name`: "colors[0]" or "depth".
@@ -254,6 +253,16 @@ static enum rhw_result attach_resolve(struct rhw_pass_state *pass, rhw_texture i
     return take(pass, id, texture, part, &attachment->resolve_clean) ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
 }
 
+// What tiles have of an attachment that the pass does not have: cleared, drawn into by nobody, forgotten.
+static struct rhw_attachment left_out(void)
+{
+    return (struct rhw_attachment){.is_left_out = true,
+                                   .format = rhw_left_out_format,
+                                   .texel_size = rhw_format_size(rhw_left_out_format),
+                                   .load = RHW_LOAD_CLEAR,
+                                   .store = RHW_STORE_DISCARD};
+}
+
 static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rhw_pass_def *def, int i)
 {
     struct rhw_context *const context = pass->context;
@@ -265,6 +274,14 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
     if (!check_operations(context, prefix, color->load, color->store) ||
         !check_resolve_mode(context, prefix, color->resolve_mode)) {
         return RHW_ERROR_MISUSE;
+    }
+    if (color->texture.index == 0) {
+        *attachment = left_out();
+        return rhw_check(context, color->resolve.index == 0,
+                         "%s: colors[%d].resolve is set and colors[%d].texture is null; it must be null then",
+                         where, i, i)
+                   ? RHW_OK
+                   : RHW_ERROR_MISUSE;
     }
     *attachment = (struct rhw_attachment){.resolve_mode = color->resolve_mode};
     enum rhw_result result = attach(
@@ -450,15 +467,49 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
     return RHW_OK;
 }
 
+// The first colour attachment that is not left out; the number of all where there is none.
+static int first_color(const struct rhw_pass_def *def)
+{
+    int i = 0;
+    while (i < def->color_count && def->colors[i].texture.index == 0) {
+        i++;
+    }
+    return i;
+}
+
+bool rhw_pass_def_has_color(const struct rhw_pass_def *def)
+{
+    return first_color(def) < def->color_count;
+}
+
 // The samples of a pixel: those that the definition names, or those of the first attachment. 0: misuse.
 static int samples_of(const struct rhw_pass_state *pass, const struct rhw_pass_def *def)
 {
-    const rhw_texture first = def->color_count > 0 ? def->colors[0].texture : def->depth.texture;
+    const int color = first_color(def);
+    const rhw_texture first = color < def->color_count ? def->colors[color].texture : def->depth.texture;
     if (def->samples != 0 || first.index == 0) {
         return def->samples == 0 ? 1 : def->samples;
     }
     const struct rhw_texture_data *const texture = rhw_context_texture(pass->context, first, where);
     return texture ? texture->samples : 0;
+}
+
+// The layers of the first attachment, or those that the definition names.
+static bool set_layers(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
+{
+    const int color = first_color(def);
+    char counted[32] = "layers";
+    int count = def->layers;
+    if (color < def->color_count) {
+        snprintf(counted, sizeof counted, "colors[%d].layer_count", color);
+        count = def->colors[color].layer_count;
+    } else if (def->depth.enabled) {
+        snprintf(counted, sizeof counted, "depth.layer_count");
+        count = def->depth.layer_count;
+    }
+    pass->layers = layers_of(count);
+    return rhw_check(pass->context, pass->layers > 0 && pass->layers <= RHW_MAX_TEXTURE_LAYERS,
+                     "%s: %s is %d; it is 0..%d", where, counted, pass->layers, RHW_MAX_TEXTURE_LAYERS);
 }
 
 enum rhw_result rhw_pass_attach(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
@@ -469,14 +520,7 @@ enum rhw_result rhw_pass_attach(struct rhw_pass_state *pass, const struct rhw_pa
         return RHW_ERROR_MISUSE;
     }
     pass->pattern = rhw_sample_pattern_of(samples);
-    const char *const counted = def->color_count > 0 ? "colors[0].layer_count"
-                                : def->depth.enabled ? "depth.layer_count"
-                                                     : "layers";
-    pass->layers = layers_of(def->color_count > 0 ? def->colors[0].layer_count
-                             : def->depth.enabled ? def->depth.layer_count
-                                                  : def->layers);
-    if (!rhw_check(pass->context, pass->layers > 0 && pass->layers <= RHW_MAX_TEXTURE_LAYERS,
-                   "%s: %s is %d; it is 0..%d", where, counted, pass->layers, RHW_MAX_TEXTURE_LAYERS)) {
+    if (!set_layers(pass, def)) {
         return RHW_ERROR_MISUSE;
     }
     memset(pass->colors, 0, sizeof pass->colors); // of an earlier pass

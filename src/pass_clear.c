@@ -116,7 +116,7 @@ static struct rhw_pipeline_def pipeline_of(const struct rhw_pass_state *pass, co
     def.program.writes_layer = pass->layers > 1;
     def.program.fragment[RHW_ISA_BASELINE] = clear->colors != 0 ? fill : NULL;
     for (int i = 0; i < pass->color_count; i++) {
-        def.targets[i].format = pass->colors[i].format;
+        def.targets[i].format = pass->colors[i].is_left_out ? RHW_FORMAT_NONE : pass->colors[i].format;
         def.targets[i].write_mask = clear->colors >> i & 1 ? 0 : RHW_WRITE_NONE;
     }
     return def;

@@ -29,6 +29,7 @@ struct rhw_attachment {
     bool resolves;
     struct rhw_clean_tiles *resolve_clean;
     enum rhw_resolve resolve_mode;
+    bool is_left_out;    // of colour; tiles have texels for it that nobody writes or wants
     bool is_read_only;   // loaded, and never stored: it is sampled meanwhile
     bool loads_resolved; // what is loaded are the texels of `resolve`, for all samples
     // What a tile starts from where nothing is loaded, texels side by side: the clear value, or 0, which is undefined

@@ -416,7 +416,7 @@ enum rhw_logic {
 /// UNORM and sRGB targets clamp the source to 0..1 before blending, SNORM to −1..1; sRGB targets blend in linear
 /// light (the destination is decoded, the result encoded).
 struct rhw_color_target {
-    enum rhw_format format;                  ///< to be set
+    enum rhw_format format;                  ///< the attachment's; NONE where the pass leaves that out: the output goes nowhere
     bool blend;                              ///< false: the source replaces
     /// src × srcFactor op dst × dstFactor. Each has its own defaults: with `color` alone set, alpha replaces.
     struct rhw_blend_component color, alpha;
@@ -609,8 +609,10 @@ enum rhw_resolve {
 };
 
 struct rhw_color_attachment {
-    rhw_texture texture; ///< In a multisampled pass: with the pass's samples, which are stored;
-                         ///< or with one, into which they are resolved
+    /// In a multisampled pass: with the pass's samples, which are stored; or with one, into which they are resolved. Null: the
+    /// attachment is left out and the others keep their numbers (VK_ATTACHMENT_UNUSED; null in WebGPU's colorAttachments);
+    /// clears pass it by, and as an input it is 0. One is there at least.
+    rhw_texture texture;
     rhw_texture resolve; ///< what samples that are stored, or discarded, are resolved into besides; may be null
     enum rhw_resolve resolve_mode;
     enum rhw_load load;
