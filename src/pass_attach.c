@@ -72,6 +72,20 @@ static int layers_of(int layer_count)
     return layer_count == 0 ? 1 : layer_count;
 }
 
+// A pass that names its size draws into that part of larger levels (Vulkan 1.3, VkFramebufferCreateInfo); one that takes it
+// from the first attachment has others of that size, as anything else is likely a mistake.
+static bool check_size(const struct rhw_pass_state *pass, rhw_texture id, const char *name,
+                       struct attached_part part, const struct rhw_mip *mip)
+{
+    const bool fits = pass->names_size ? mip->width >= pass->width && mip->height >= pass->height
+                                       : mip->width == pass->width && mip->height == pass->height;
+    return rhw_check(
+        pass->context, fits, "%s: %s is %s, whose level %d is %dx%d; the pass is %dx%d%s", where, name,
+        name_of(pass->context, id).text, part.level, mip->width, mip->height, pass->width, pass->height,
+        pass->names_size ? ", and each is at least as large"
+                         : " as its first attachment; set width and height for a part of larger ones");
+}
+
 // Checks the texture of an attachment against the pass and the attachments before it. The first gives the pass its size,
 // where that is not set.
 static bool check_texture(struct rhw_pass_state *pass, rhw_texture id, const struct rhw_texture_data *texture,
@@ -102,10 +116,7 @@ static bool check_texture(struct rhw_pass_state *pass, rhw_texture id, const str
            rhw_check(context, !is_attached(pass, mip, layer),
                      "%s: %s is %s, as another attachment is; each needs its own texture or layer", where,
                      name, name_of(context, id).text) &&
-           rhw_check(context, mip->width == pass->width && mip->height == pass->height,
-                     "%s: %s is %s, whose level %d is %dx%d; the pass is %dx%d", where, name,
-                     name_of(context, id).text, part.level, mip->width, mip->height, pass->width,
-                     pass->height);
+           check_size(pass, id, name, part, mip);
 }
 
 // Whether a texture with other samples than the pass can be resolved into.
@@ -118,8 +129,8 @@ static bool check_attached_samples(const struct rhw_pass_state *pass, rhw_textur
                      name_of(pass->context, id).text, texture->samples, samples);
 }
 
-// Makes a part of a texture one that the pass writes; gives the record of its tiles. Several layers have none, and what
-// is recorded of the texture's is forgotten. False when out of memory.
+// Makes a part of a texture one that the pass writes; gives the record of its tiles. Several layers, and a part of a
+// level, have none, and what is recorded of the texture's is forgotten. False when out of memory.
 static bool take(struct rhw_pass_state *pass, rhw_texture id, struct rhw_texture_data *texture,
                  struct attached_part part, struct rhw_clean_tiles **clean)
 {
@@ -129,7 +140,7 @@ static bool take(struct rhw_pass_state *pass, rhw_texture id, struct rhw_texture
     rhw_pool_use(&context->textures, id.index, context->recording.generation);
     const struct rhw_mip *const mip = &texture->mip[part.level];
     *clean = NULL;
-    if (pass->layers > 1) {
+    if (pass->layers > 1 || mip->width != pass->width || mip->height != pass->height) {
         rhw_clean_tiles_forget(texture->clean);
         return true;
     }

@@ -19,6 +19,7 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->begun_ns = rhw_time_ns();
     pass->width = def->width;
     pass->height = def->height;
+    pass->names_size = def->width != 0;
     pass->draws.count = 0;
     pass->triangle_count = 0;
     pass->queries = NULL;

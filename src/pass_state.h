@@ -104,6 +104,7 @@ struct rhw_pass_state {
     struct rhw_context *context;
     uint64_t begun_ns;
     int width, height, tiles_x, tiles_y;
+    bool names_size;                          // the definition does, so that attachments may be larger
     int layers;                               // of every attachment
     const struct rhw_sample_pattern *pattern; // samples of a pixel
     int color_count;

@@ -648,7 +648,9 @@ struct rhw_depth_attachment {
 
 /// Without attachments, for effects and queries alone, a pass says its size, samples and layers itself.
 struct rhw_pass_def {
-    int width, height; ///< of every attachment; 0: taken from the first attachment
+    /// Pixels of the pass, from the top left of its attachments, which are at least as large: what lies beyond is neither
+    /// loaded, cleared, drawn nor stored (Vulkan 1.3, VkFramebufferCreateInfo). 0: the first attachment's, and the others'.
+    int width, height;
     struct rhw_color_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
     int color_count;
     struct rhw_depth_attachment depth;

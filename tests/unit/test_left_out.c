@@ -32,7 +32,8 @@ static void add_inputs(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         for (int c = 0; c < 4; c++) {
-            const rhw_float all = groups[g].color[0][c] + groups[g].color[1][c] * 10 + groups[g].color[2][c] * 100;
+            const rhw_float all =
+                groups[g].color[0][c] + groups[g].color[1][c] * 10 + groups[g].color[2][c] * 100;
             groups[g].color[3][c] = all;
         }
     }
@@ -129,7 +130,8 @@ static void test_inputs_and_clears(void **state)
         rig_begin(&rig);
         rhw_pass_clear_attachments(rig.context, rig.recording, &clear);
         rig_draw(&rig, vertices, 6);
-        rhw_pass_clear_attachments(rig.context, rig.recording, &(struct rhw_clear){.colors = 1, .color = {{9}}});
+        rhw_pass_clear_attachments(rig.context, rig.recording,
+                                   &(struct rhw_clear){.colors = 1, .color = {{9}}});
         rig_end(&rig);
         const float *const sums = rig_read(&rig, rig.pass.colors[3].texture);
         for (int i = 0; i < SIDE * SIDE; i++) {
@@ -185,8 +187,8 @@ static void test_pipelines_match(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_outputs), cmocka_unit_test(test_inputs_and_clears),
-                                       cmocka_unit_test(test_first_attachment),
-                                       cmocka_unit_test(test_pipelines_match)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_outputs), cmocka_unit_test(test_inputs_and_clears),
+        cmocka_unit_test(test_first_attachment), cmocka_unit_test(test_pipelines_match)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
