@@ -20,6 +20,9 @@ enum rhw_blend_path {
     BLEND_GENERAL
 };
 
+// What tiles have in the place of a target that is left out: texels of a size that has no path of its own to lose.
+static const enum rhw_format rhw_left_out_format = RHW_FORMAT_RGBA8_UNORM;
+
 struct rhw_blend_state {
     enum rhw_blend_path path;
     const struct rhw_format_info *format;

@@ -93,6 +93,24 @@ void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct 
     state->is_biased = draws_polygons(def->topology) && (state->bias.constant != 0 || state->bias.slope != 0);
 }
 
+static bool face_writes(const struct rhw_stencil_face *face, int mask)
+{
+    return mask != 0 && (face->fail != RHW_STENCIL_KEEP || face->depth_fail != RHW_STENCIL_KEEP ||
+                         face->pass != RHW_STENCIL_KEEP);
+}
+
+// Points and lines face the front, and are not culled.
+bool rhw_writes_stencil(const struct rhw_pipeline_def *def, const struct rhw_depth_stencil_setting *setting)
+{
+    const bool has_masks = setting->has_masks, has_sides = draws_polygons(def->topology);
+    const int front = has_masks ? setting->masks.write_front : mask_of(def->stencil_front.write_mask);
+    const int back = has_masks ? setting->masks.write_back : mask_of(def->stencil_back.write_mask);
+    const bool draws_front = !has_sides || !(def->cull == RHW_CULL_FRONT || def->cull == RHW_CULL_BOTH);
+    const bool draws_back = has_sides && !(def->cull == RHW_CULL_BACK || def->cull == RHW_CULL_BOTH);
+    return def->stencil_test && ((draws_front && face_writes(&def->stencil_front, front)) ||
+                                 (draws_back && face_writes(&def->stencil_back, back)));
+}
+
 bool rhw_check_depth_bias(const struct rhw_context *context, const struct rhw_depth_bias *bias,
                           const char *where)
 {

@@ -50,6 +50,9 @@ struct rhw_depth_stencil_setting {
 void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct rhw_pipeline_def *def,
                             const struct rhw_depth_stencil_setting *setting, double depth_steps);
 
+// Whether a draw may change stencil, by its operations and the masks that hold for it.
+bool rhw_writes_stencil(const struct rhw_pipeline_def *def, const struct rhw_depth_stencil_setting *setting);
+
 // False, and misuse, where a bias is not finite. `where`: the function called.
 bool rhw_check_depth_bias(const struct rhw_context *context, const struct rhw_depth_bias *bias,
                           const char *where);

@@ -12,7 +12,7 @@ static bool shades_opaque_texels(const struct rhw_draw_state *state, int color_c
     const struct rhw_pipeline_data *const pipeline = state->pipeline;
     bool opaque = color_count != 0 && (pipeline->fragment || pipeline->def.program.fragment1);
     for (int i = 0; i < color_count; i++) {
-        opaque = opaque && state->blend[i].replaces;
+        opaque = opaque && (state->blend[i].replaces || pipeline->left_out >> i & 1);
     }
     return opaque;
 }

@@ -8,6 +8,7 @@
 #include "assembly.h"
 #include "context.h"
 #include "cpu.h"
+#include "depth_stencil.h"
 #include "draw_range.h"
 #include "effect_vertices.h"
 #include "entry.h"
@@ -59,6 +60,13 @@ static bool faces_unset_depth(const struct rhw_pass_state *pass)
            (def->depth_compare == RHW_COMPARE_GREATER || def->depth_compare == RHW_COMPARE_GREATER_EQUAL);
 }
 
+// Its masks are those of the draw.
+static bool writes_read_only_stencil(const struct rhw_pass_state *pass)
+{
+    return pass->stencil.is_read_only &&
+           rhw_writes_stencil(&pass->pending.pipeline->def, &pass->pending.depth_setting);
+}
+
 static bool check_draw(const struct rhw_pass_state *pass, bool indexed, const char *where)
 {
     struct rhw_context *const context = pass->context;
@@ -74,7 +82,12 @@ static bool check_draw(const struct rhw_pass_state *pass, bool indexed, const ch
             context, !faces_unset_depth(pass),
             "%s: the first draw asks for greater depth, which RHW_LOAD_DEFAULT cleared to 1; clear to 0 by "
             "RHW_LOAD_CLEAR",
-            where)) {
+            where) ||
+        !rhw_check(
+            context, !writes_read_only_stencil(pass),
+            "%s: %s writes stencil, and the pass has it read_only; its operations must keep it, or its "
+            "write masks have no bits",
+            where, rhw_name_of(&context->pipelines, pass->bound.pipeline.index).text)) {
         return false;
     }
     for (int i = 0; i < pipeline->def.attribute_count; i++) {

@@ -5,12 +5,14 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "blend_state.h"
 #include "clear_texel.h"
 #include "context.h"
 #include "cpu.h"
 #include "format.h"
 #include "lookup.h"
 #include "misuse.h"
+#include "pass_feedback_loop.h"
 #include "pass_state.h"
 #include "shared_texels.h"
 #include "texture_shape.h"
@@ -38,16 +40,6 @@ static struct rhw_name name_of(const rhw_context *context, rhw_texture id)
     return rhw_name_of(&context->textures, id.index);
 }
 
-// Whether the pass's layers from `a` on of one level and from `b` on of another have memory in common. The slices of a
-// level stand one after the other.
-static bool overlaps(const struct rhw_pass_state *pass, const struct rhw_mip *mip_a, int a,
-                     const struct rhw_mip *mip_b, int b)
-{
-    const int more = pass->layers - 1;
-    return (uintptr_t)rhw_mip_slice(mip_a, a) <= (uintptr_t)rhw_mip_slice(mip_b, b + more) &&
-           (uintptr_t)rhw_mip_slice(mip_b, b) <= (uintptr_t)rhw_mip_slice(mip_a, a + more);
-}
-
 // The plane of stencil of a level as a level of its own in `plane`.
 static const struct rhw_mip *stencil_of(const struct rhw_mip *mip, struct rhw_mip *plane)
 {
@@ -61,30 +53,13 @@ static const struct rhw_mip *stencil_of(const struct rhw_mip *mip, struct rhw_mi
     return plane;
 }
 
-// The same of a level and one with a plane of stencil, which a view may have as texels of its own.
-static bool overlaps_any_plane(const struct rhw_pass_state *pass, const struct rhw_mip *mip_a, int a,
-                               const struct rhw_mip *mip_b, int b)
+// Whether an attachment before the one that is attached now draws into the same texels, or their stencil.
+static bool is_attached(const struct rhw_pass_state *pass, const struct rhw_mip *mip, int layer)
 {
     struct rhw_mip plane;
-    return overlaps(pass, mip_a, a, mip_b, b) ||
-           (mip_b->stencil && overlaps(pass, mip_a, a, stencil_of(mip_b, &plane), b));
-}
-
-// Whether an attachment before the one that is attached now draws into the same texels.
-static bool is_attached(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment,
-                        const struct rhw_mip *mip, int layer)
-{
-    for (int i = 0; i < pass->color_count; i++) {
-        const struct rhw_attachment *const other = &pass->colors[i];
-        if ((other->target && overlaps_any_plane(pass, other->target, other->layer, mip, layer)) ||
-            (other->resolve && overlaps_any_plane(pass, other->resolve, other->layer, mip, layer))) {
-            return true;
-        }
-        if (other == attachment) {
-            break; // those behind it are of an earlier pass
-        }
-    }
-    return false;
+    return rhw_pass_attaches(pass, rhw_texel_range_of(mip, layer, pass->layers)) ||
+           (mip->stencil &&
+            rhw_pass_attaches(pass, rhw_texel_range_of(stencil_of(mip, &plane), layer, pass->layers)));
 }
 
 // What of a texture is attached.
@@ -97,11 +72,24 @@ static int layers_of(int layer_count)
     return layer_count == 0 ? 1 : layer_count;
 }
 
+// A pass that names its size draws into that part of larger levels (Vulkan 1.3, VkFramebufferCreateInfo); one that takes it
+// from the first attachment has others of that size, as anything else is likely a mistake.
+static bool check_size(const struct rhw_pass_state *pass, rhw_texture id, const char *name,
+                       struct attached_part part, const struct rhw_mip *mip)
+{
+    const bool fits = pass->names_size ? mip->width >= pass->width && mip->height >= pass->height
+                                       : mip->width == pass->width && mip->height == pass->height;
+    return rhw_check(
+        pass->context, fits, "%s: %s is %s, whose level %d is %dx%d; the pass is %dx%d%s", where, name,
+        name_of(pass->context, id).text, part.level, mip->width, mip->height, pass->width, pass->height,
+        pass->names_size ? ", and each is at least as large"
+                         : " as its first attachment; set width and height for a part of larger ones");
+}
+
 // Checks the texture of an attachment against the pass and the attachments before it. The first gives the pass its size,
 // where that is not set.
 static bool check_texture(struct rhw_pass_state *pass, rhw_texture id, const struct rhw_texture_data *texture,
-                          const char *name, const struct rhw_attachment *attachment,
-                          struct attached_part part)
+                          const char *name, struct attached_part part)
 {
     rhw_context *const context = pass->context;
     if (!rhw_check(context, part.level >= 0 && part.level < texture->levels,
@@ -125,13 +113,10 @@ static bool check_texture(struct rhw_pass_state *pass, rhw_texture id, const str
            rhw_check(context, !texture->swizzles,
                      "%s: %s is %s, a view with a swizzle; attachments have none", where, name,
                      name_of(context, id).text) &&
-           rhw_check(context, !is_attached(pass, attachment, mip, layer),
+           rhw_check(context, !is_attached(pass, mip, layer),
                      "%s: %s is %s, as another attachment is; each needs its own texture or layer", where,
                      name, name_of(context, id).text) &&
-           rhw_check(context, mip->width == pass->width && mip->height == pass->height,
-                     "%s: %s is %s, whose level %d is %dx%d; the pass is %dx%d", where, name,
-                     name_of(context, id).text, part.level, mip->width, mip->height, pass->width,
-                     pass->height);
+           check_size(pass, id, name, part, mip);
 }
 
 // Whether a texture with other samples than the pass can be resolved into.
@@ -144,8 +129,8 @@ static bool check_attached_samples(const struct rhw_pass_state *pass, rhw_textur
                      name_of(pass->context, id).text, texture->samples, samples);
 }
 
-// Makes a part of a texture one that the pass writes; gives the record of its tiles. Several layers have none, and what
-// is recorded of the texture's is forgotten. False when out of memory.
+// Makes a part of a texture one that the pass writes; gives the record of its tiles. Several layers, and a part of a
+// level, have none, and what is recorded of the texture's is forgotten. False when out of memory.
 static bool take(struct rhw_pass_state *pass, rhw_texture id, struct rhw_texture_data *texture,
                  struct attached_part part, struct rhw_clean_tiles **clean)
 {
@@ -155,7 +140,7 @@ static bool take(struct rhw_pass_state *pass, rhw_texture id, struct rhw_texture
     rhw_pool_use(&context->textures, id.index, context->recording.generation);
     const struct rhw_mip *const mip = &texture->mip[part.level];
     *clean = NULL;
-    if (pass->layers > 1) {
+    if (pass->layers > 1 || mip->width != pass->width || mip->height != pass->height) {
         rhw_clean_tiles_forget(texture->clean);
         return true;
     }
@@ -169,9 +154,7 @@ static struct rhw_texture_data *find_texture(const rhw_context *context, rhw_tex
 {
     char whose[64];
     snprintf(whose, sizeof whose, "%s: %s.texture", where, name);
-    return rhw_check(context, id.index != 0, "%s is the null id", whose)
-               ? rhw_context_texture(context, id, whose)
-               : NULL;
+    return rhw_context_texture(context, id, whose);
 }
 
 // Fills what an attachment with a texture has. `name`: "colors[0]" or "depth".
@@ -183,8 +166,7 @@ static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, struc
     if (!texture) {
         return RHW_ERROR_MISUSE;
     }
-    if (!check_texture(pass, id, texture, name, attachment, part) ||
-        !check_attached_samples(pass, id, texture, name)) {
+    if (!check_texture(pass, id, texture, name, part) || !check_attached_samples(pass, id, texture, name)) {
         return RHW_ERROR_MISUSE;
     }
     struct rhw_clean_tiles *clean;
@@ -267,7 +249,7 @@ static enum rhw_result attach_resolve(struct rhw_pass_state *pass, rhw_texture i
     snprintf(name, sizeof name, "colors[%d].resolve", i);
     const struct attached_part part = {attachment->layer, attachment->level, pass->layers};
     struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
-    if (!texture || !check_texture(pass, id, texture, name, attachment, part) ||
+    if (!texture || !check_texture(pass, id, texture, name, part) ||
         !rhw_check(
             context, !attachment->loads_resolved && pass->pattern->count > 1,
             "%s: colors[%d].resolve is set and colors[%d].texture has one sample; it must be null then",
@@ -282,6 +264,16 @@ static enum rhw_result attach_resolve(struct rhw_pass_state *pass, rhw_texture i
     return take(pass, id, texture, part, &attachment->resolve_clean) ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
 }
 
+// What tiles have of an attachment that the pass does not have: cleared, drawn into by nobody, forgotten.
+static struct rhw_attachment left_out(void)
+{
+    return (struct rhw_attachment){.is_left_out = true,
+                                   .format = rhw_left_out_format,
+                                   .texel_size = rhw_format_size(rhw_left_out_format),
+                                   .load = RHW_LOAD_CLEAR,
+                                   .store = RHW_STORE_DISCARD};
+}
+
 static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rhw_pass_def *def, int i)
 {
     struct rhw_context *const context = pass->context;
@@ -293,6 +285,14 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
     if (!check_operations(context, prefix, color->load, color->store) ||
         !check_resolve_mode(context, prefix, color->resolve_mode)) {
         return RHW_ERROR_MISUSE;
+    }
+    if (color->texture.index == 0) {
+        *attachment = left_out();
+        return rhw_check(context, color->resolve.index == 0,
+                         "%s: colors[%d].resolve is set and colors[%d].texture is null; it must be null then",
+                         where, i, i)
+                   ? RHW_OK
+                   : RHW_ERROR_MISUSE;
     }
     *attachment = (struct rhw_attachment){.resolve_mode = color->resolve_mode};
     enum rhw_result result = attach(
@@ -350,6 +350,27 @@ static enum rhw_result attach_depth_texture(struct rhw_pass_state *pass,
                : RHW_ERROR_MISUSE;
 }
 
+// What is only read is neither cleared nor discarded. `prefix`: of the members' names.
+static bool check_read_only(const struct rhw_context *context, const struct rhw_depth_attachment *depth,
+                            const char *prefix, enum rhw_load load, enum rhw_store store)
+{
+    return rhw_check(context, depth->texture.index != 0,
+                     "%s: %sread_only is true and depth.texture is null; there is nothing to read", where,
+                     prefix) &&
+           rhw_check(context, (load == RHW_LOAD_DEFAULT || load == RHW_LOAD_LOAD) && store == RHW_STORE_STORE,
+                     "%s: %sread_only is true, and %sload or %sstore clears or discards; they must be "
+                     "RHW_LOAD_LOAD and RHW_STORE_STORE, which stores nothing then",
+                     where, prefix, prefix, prefix);
+}
+
+// Makes an attachment one that is read and stays as it is.
+static void set_read_only(struct rhw_attachment *attachment)
+{
+    attachment->is_read_only = true;
+    attachment->load = RHW_LOAD_LOAD;
+    attachment->store = RHW_STORE_DISCARD;
+}
+
 // Without a texture nothing can be loaded or stored. `prefix`: of the members' names.
 static bool check_not_kept(const struct rhw_context *context, const char *prefix, enum rhw_load load,
                            enum rhw_store store)
@@ -386,6 +407,9 @@ static void attach_stencil(struct rhw_pass_state *pass, const struct rhw_depth_a
     *stencil = (struct rhw_attachment){.format = pass->depth.format, .texel_size = 1};
     stencil->load = load_of(depth->stencil_load);
     stencil->store = depth->stencil_store;
+    if (depth->stencil_read_only) {
+        set_read_only(stencil);
+    }
     stencil->sample_stride = pass->depth.sample_stride;
     stencil->layer = pass->depth.layer;
     stencil->loads_resolved = pass->depth.loads_resolved;
@@ -403,9 +427,13 @@ static void set_depth(struct rhw_pass_state *pass, const struct rhw_depth_attach
     pass->depth.load = load_of(depth->load);
     pass->depth.store = depth->store;
     pass->depth.resolve_mode = depth->resolve_mode;
-    pass->depth.resolves =
-        pass->depth.resolve && (depth->store == RHW_STORE_STORE || depth->stencil_store == RHW_STORE_STORE);
-    pass->depth_by_default = depth->load == RHW_LOAD_DEFAULT && depth->clear == 0;
+    if (depth->read_only) {
+        set_read_only(&pass->depth);
+    }
+    const bool stores_stencil = depth->stencil_store == RHW_STORE_STORE && !depth->stencil_read_only;
+    pass->depth.resolves = pass->depth.resolve && (pass->depth.store == RHW_STORE_STORE || stores_stencil);
+    pass->depth_by_default =
+        pass->depth.load == RHW_LOAD_CLEAR && depth->load == RHW_LOAD_DEFAULT && depth->clear == 0;
     const float clear[4] = {pass->depth_by_default ? 1 : depth->clear};
     unsigned char texel[RHW_TEXEL_BYTES] = {0};
     const uint64_t environment = rhw_cpu_float_enter();
@@ -427,7 +455,10 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
     }
     if (!check_operations(context, "depth.", depth->load, depth->store) ||
         !check_operations(context, "depth.stencil_", depth->stencil_load, depth->stencil_store) ||
-        !check_resolve_mode(context, "depth.", depth->resolve_mode)) {
+        !check_resolve_mode(context, "depth.", depth->resolve_mode) ||
+        (depth->read_only && !check_read_only(context, depth, "depth.", depth->load, depth->store)) ||
+        (depth->stencil_read_only &&
+         !check_read_only(context, depth, "depth.stencil_", depth->stencil_load, depth->stencil_store))) {
         return RHW_ERROR_MISUSE;
     }
     if (depth->texture.index != 0) {
@@ -447,15 +478,49 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
     return RHW_OK;
 }
 
+// The first colour attachment that is not left out; the number of all where there is none.
+static int first_color(const struct rhw_pass_def *def)
+{
+    int i = 0;
+    while (i < def->color_count && def->colors[i].texture.index == 0) {
+        i++;
+    }
+    return i;
+}
+
+bool rhw_pass_def_has_color(const struct rhw_pass_def *def)
+{
+    return first_color(def) < def->color_count;
+}
+
 // The samples of a pixel: those that the definition names, or those of the first attachment. 0: misuse.
 static int samples_of(const struct rhw_pass_state *pass, const struct rhw_pass_def *def)
 {
-    const rhw_texture first = def->color_count > 0 ? def->colors[0].texture : def->depth.texture;
+    const int color = first_color(def);
+    const rhw_texture first = color < def->color_count ? def->colors[color].texture : def->depth.texture;
     if (def->samples != 0 || first.index == 0) {
         return def->samples == 0 ? 1 : def->samples;
     }
     const struct rhw_texture_data *const texture = rhw_context_texture(pass->context, first, where);
     return texture ? texture->samples : 0;
+}
+
+// The layers of the first attachment, or those that the definition names.
+static bool set_layers(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
+{
+    const int color = first_color(def);
+    char counted[32] = "layers";
+    int count = def->layers;
+    if (color < def->color_count) {
+        snprintf(counted, sizeof counted, "colors[%d].layer_count", color);
+        count = def->colors[color].layer_count;
+    } else if (def->depth.enabled) {
+        snprintf(counted, sizeof counted, "depth.layer_count");
+        count = def->depth.layer_count;
+    }
+    pass->layers = layers_of(count);
+    return rhw_check(pass->context, pass->layers > 0 && pass->layers <= RHW_MAX_TEXTURE_LAYERS,
+                     "%s: %s is %d; it is 0..%d", where, counted, pass->layers, RHW_MAX_TEXTURE_LAYERS);
 }
 
 enum rhw_result rhw_pass_attach(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
@@ -466,16 +531,11 @@ enum rhw_result rhw_pass_attach(struct rhw_pass_state *pass, const struct rhw_pa
         return RHW_ERROR_MISUSE;
     }
     pass->pattern = rhw_sample_pattern_of(samples);
-    const char *const counted = def->color_count > 0 ? "colors[0].layer_count"
-                                : def->depth.enabled ? "depth.layer_count"
-                                                     : "layers";
-    pass->layers = layers_of(def->color_count > 0 ? def->colors[0].layer_count
-                             : def->depth.enabled ? def->depth.layer_count
-                                                  : def->layers);
-    if (!rhw_check(pass->context, pass->layers > 0 && pass->layers <= RHW_MAX_TEXTURE_LAYERS,
-                   "%s: %s is %d; it is 0..%d", where, counted, pass->layers, RHW_MAX_TEXTURE_LAYERS)) {
+    if (!set_layers(pass, def)) {
         return RHW_ERROR_MISUSE;
     }
+    memset(pass->colors, 0, sizeof pass->colors); // of an earlier pass
+    pass->depth = pass->stencil = (struct rhw_attachment){.target = NULL};
     for (int i = 0; i < def->color_count; i++) {
         const enum rhw_result result = attach_color(pass, def, i);
         if (result != RHW_OK) {

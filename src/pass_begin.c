@@ -19,9 +19,12 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->begun_ns = rhw_time_ns();
     pass->width = def->width;
     pass->height = def->height;
+    pass->names_size = def->width != 0;
     pass->draws.count = 0;
     pass->triangle_count = 0;
     pass->queries = NULL;
+    pass->sampled = NULL;
+    pass->stored = NULL;
     pass->feedback = (struct rhw_feedback_state){0};
     pass->has_feedback = false;
     pass->triangles_most = 1;
@@ -54,6 +57,11 @@ static bool check_def(rhw_context *context, const struct rhw_pass_def *def, cons
                      "%s: colors[0].texture is set and color_count is 0; it must be 1 or more, or the "
                      "texture null",
                      where) &&
+           rhw_check(
+               context, def->color_count == 0 || rhw_pass_def_has_color(def),
+               "%s: colors[0].texture is null, and so are all others; give one of them a texture, or set "
+               "color_count = 0",
+               where) &&
            rhw_check(context,
                      def->color_count > 0 || def->depth.enabled || (def->width > 0 && def->height > 0),
                      "%s: the pass has no attachment, so width and height must be set", where) &&

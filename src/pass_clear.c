@@ -84,6 +84,10 @@ static bool check(const struct rhw_pass_state *pass, const struct rhw_clear *cle
                      where) &&
            rhw_check(context, !clear->stencil || pass->has_stencil, "%s: the pass has no stencil attachment",
                      where) &&
+           rhw_check(context, !clear->depth || !pass->depth.is_read_only,
+                     "%s: depth is true and the pass has it read_only", where) &&
+           rhw_check(context, !clear->stencil || !pass->stencil.is_read_only,
+                     "%s: stencil is true and the pass has it read_only", where) &&
            rhw_check(context, clear->depth_value >= 0 && clear->depth_value <= 1,
                      "%s: depth_value is %g; it is in 0..1", where, (double)clear->depth_value) &&
            rhw_check(context,
@@ -112,7 +116,7 @@ static struct rhw_pipeline_def pipeline_of(const struct rhw_pass_state *pass, co
     def.program.writes_layer = pass->layers > 1;
     def.program.fragment[RHW_ISA_BASELINE] = clear->colors != 0 ? fill : NULL;
     for (int i = 0; i < pass->color_count; i++) {
-        def.targets[i].format = pass->colors[i].format;
+        def.targets[i].format = pass->colors[i].is_left_out ? RHW_FORMAT_NONE : pass->colors[i].format;
         def.targets[i].write_mask = clear->colors >> i & 1 ? 0 : RHW_WRITE_NONE;
     }
     return def;

@@ -10,6 +10,11 @@
 #include "pipeline.h"
 #include "rhw/rhw.h"
 
+static const char *format_of(enum rhw_format format, bool is_left_out)
+{
+    return is_left_out ? "left out" : rhw_format_info(format)->name;
+}
+
 // A definition whose targets are those of another, for depth alone, is right; but a reason to look at first.
 static bool forgets_count(const struct rhw_pipeline_def *def)
 {
@@ -29,11 +34,13 @@ static bool targets_match(const struct rhw_pass_state *pass, rhw_pipeline id,
         return false;
     }
     for (int i = 0; i < pass->color_count; i++) {
-        if (!rhw_check(context, pipeline->def.targets[i].format == pass->colors[i].format,
+        const struct rhw_attachment *const color = &pass->colors[i];
+        const enum rhw_format format = pipeline->def.targets[i].format;
+        const bool is_left_out = pipeline->left_out >> i & 1;
+        if (!rhw_check(context, format == color->format && is_left_out == color->is_left_out,
                        "%s: target %d of %s is %s; the attachment is %s", where, i,
-                       rhw_name_of(&context->pipelines, id.index).text,
-                       rhw_format_info(pipeline->def.targets[i].format)->name,
-                       rhw_format_info(pass->colors[i].format)->name)) {
+                       rhw_name_of(&context->pipelines, id.index).text, format_of(format, is_left_out),
+                       format_of(color->format, color->is_left_out))) {
             return false;
         }
     }
@@ -41,6 +48,10 @@ static bool targets_match(const struct rhw_pass_state *pass, rhw_pipeline id,
                      pass->has_depth || !(pipeline->def.depth_test || pipeline->def.depth_bounds_test),
                      "%s: %s tests depth; the pass has no depth attachment", where,
                      rhw_name_of(&context->pipelines, id.index).text) &&
+           rhw_check(context,
+                     !pass->depth.is_read_only || !pipeline->def.depth_test || pipeline->def.depth_read_only,
+                     "%s: %s writes depth, and the pass has it read_only; depth_read_only must be true",
+                     where, rhw_name_of(&context->pipelines, id.index).text) &&
            rhw_check(context, pass->has_depth || !(pipeline->def.program.uses & RHW_USE_DEPTH_INPUT),
                      "%s: %s reads depth_input; the pass has no depth attachment", where,
                      rhw_name_of(&context->pipelines, id.index).text) &&

@@ -418,11 +418,14 @@ static bool run_front(struct rhw_pass_state *pass, struct position *at, struct r
     return true;
 }
 
-// Memory for what has no texture, needed only when a second wave must find it again.
+// Memory for what has no texture, needed only when a second wave must find it again. False when out of memory.
 static bool transient_ready(struct rhw_pass_state *pass, struct rhw_attachment *attachment,
                             struct rhw_transient *transient)
 {
     struct rhw_memory *const memory = &pass->context->memory;
+    if (attachment->target || attachment->is_read_only) {
+        return true;
+    }
     const size_t row = (size_t)pass->width * attachment->texel_size;
     const size_t pitch = (row + RHW_CACHE_LINE - 1) & ~(size_t)(RHW_CACHE_LINE - 1);
     const uint64_t plane = (uint64_t)pitch * (uint64_t)pass->height,
@@ -452,14 +455,10 @@ static bool transients_ready(struct rhw_pass_state *pass)
 {
     bool ready = true;
     for (int i = 0; i < pass->color_count; i++) {
-        ready = ready && (pass->colors[i].target ||
-                          transient_ready(pass, &pass->colors[i], &pass->transient_colors[i]));
+        ready = ready && transient_ready(pass, &pass->colors[i], &pass->transient_colors[i]);
     }
-    return ready &&
-           (!pass->has_depth || pass->depth.target ||
-            transient_ready(pass, &pass->depth, &pass->transient_depth)) &&
-           (!pass->has_stencil || pass->stencil.target ||
-            transient_ready(pass, &pass->stencil, &pass->transient_stencil));
+    return ready && (!pass->has_depth || transient_ready(pass, &pass->depth, &pass->transient_depth)) &&
+           (!pass->has_stencil || transient_ready(pass, &pass->stencil, &pass->transient_stencil));
 }
 
 static void sum_counters(const struct rhw_pass_state *pass, struct rhw_stats *stats)

@@ -29,6 +29,8 @@ struct rhw_attachment {
     bool resolves;
     struct rhw_clean_tiles *resolve_clean;
     enum rhw_resolve resolve_mode;
+    bool is_left_out;    // of colour; tiles have texels for it that nobody writes or wants
+    bool is_read_only;   // loaded, and never stored: it is sampled meanwhile
     bool loads_resolved; // what is loaded are the texels of `resolve`, for all samples
     // What a tile starts from where nothing is loaded, texels side by side: the clear value, or 0, which is undefined
     // to the user and still the same bytes on every run.
@@ -52,6 +54,8 @@ struct rhw_geometry_scratch;
 struct rhw_tile_scratch;
 struct rhw_sample_plane;
 struct rhw_used_query;
+struct rhw_sampled_texture;
+struct rhw_stored_level;
 
 // One per thread; padded so that no two share a cache line.
 struct rhw_worker {
@@ -100,6 +104,7 @@ struct rhw_pass_state {
     struct rhw_context *context;
     uint64_t begun_ns;
     int width, height, tiles_x, tiles_y;
+    bool names_size;                          // the definition does, so that attachments may be larger
     int layers;                               // of every attachment
     const struct rhw_sample_pattern *pattern; // samples of a pixel
     int color_count;
@@ -130,7 +135,9 @@ struct rhw_pass_state {
     struct rhw_rect scissors[RHW_MAX_VIEWPORTS];
     const struct rhw_draw_state *routed[RHW_MAX_VIEWPORTS]; // `current` by viewport; NULL: not made yet
 
-    struct rhw_used_query *queries; // a list, the last one first
+    struct rhw_used_query *queries;            // a list, the last one first
+    const struct rhw_sampled_texture *sampled; // lists of what was set (pass_feedback_loop.h)
+    const struct rhw_stored_level *stored;
     struct rhw_feedback_state feedback;
     bool has_feedback; // of some draw
 

@@ -9,11 +9,11 @@
 #include "lookup.h"
 #include "misuse.h"
 #include "pass_enter.h"
+#include "pass_feedback_loop.h"
 #include "pass_state.h"
 #include "rhw/rhw.h"
 #include "shared_texels.h"
 #include "texture.h"
-#include "texture_access.h"
 
 static bool check_range(const struct rhw_context *context, rhw_buffer id, const struct rhw_buffer_data *data,
                         size_t offset, size_t size, const char *where)
@@ -79,11 +79,35 @@ static bool check_slot(const struct rhw_context *context, int slot, const char *
                      where, slot, RHW_MAX_STORAGE_IMAGES - 1);
 }
 
-static bool check_image(const struct rhw_context *context, rhw_texture id,
+// Whether the level was set as a storage image in this pass already.
+static bool is_stored(const struct rhw_pass_state *pass, const struct rhw_texture_data *texture, int level)
+{
+    return texture->stored_pass == pass->context->recording.generation &&
+           (texture->stored_levels >> level & 1) != 0;
+}
+
+// What is drawn into or sampled is not written, level by level and layer by layer.
+static bool check_access(const struct rhw_pass_state *pass, rhw_texture id,
+                         const struct rhw_texture_data *texture, int level, const char *where)
+{
+    const struct rhw_context *const context = pass->context;
+    const struct rhw_texel_range texels =
+        rhw_texel_range_of(&texture->mip[level], 0, texture->mip[level].slices);
+    return is_stored(pass, texture, level) ||
+           (rhw_check(context, !rhw_pass_attaches(pass, texels),
+                      "%s: level %d of %s is an attachment of this pass, or has a layer of one; it must be "
+                      "another",
+                      where, level, rhw_name_of(&context->textures, id.index).text) &&
+            rhw_check(
+                context, !rhw_pass_samples(pass, texels),
+                "%s: level %d of %s is sampled in this pass, or has a layer that is; it must be another",
+                where, level, rhw_name_of(&context->textures, id.index).text));
+}
+
+static bool check_image(const struct rhw_pass_state *pass, rhw_texture id,
                         const struct rhw_texture_data *texture, int level, const char *where)
 {
-    const uint32_t generation = context->recording.generation;
-    const bool is_stored = texture->stored_pass == generation;
+    const struct rhw_context *const context = pass->context;
     return rhw_check(context, level >= 0 && level < texture->levels, "%s: level is %d; %s has levels 0..%d",
                      where, level, rhw_name_of(&context->textures, id.index).text, texture->levels - 1) &&
            rhw_check(context,
@@ -96,13 +120,7 @@ static bool check_image(const struct rhw_context *context, rhw_texture id,
                      rhw_name_of(&context->textures, id.index).text) &&
            rhw_check(context, texture->samples == 1, "%s: %s has %d samples; it must have one", where,
                      rhw_name_of(&context->textures, id.index).text, texture->samples) &&
-           rhw_check(context, is_stored || !rhw_texture_is_attached(context, texture),
-                     "%s: %s is an attachment of this pass", where,
-                     rhw_name_of(&context->textures, id.index).text) &&
-           rhw_check(context,
-                     is_stored || (rhw_pool_last_use(&context->textures, id.index) != generation &&
-                                   !(texture->shared && texture->shared->sampled == generation)),
-                     "%s: %s is sampled in this pass", where, rhw_name_of(&context->textures, id.index).text);
+           check_access(pass, id, texture, level, where);
 }
 
 static void bind_image(struct rhw_pass_state *pass, int slot, struct rhw_bound_image image)
@@ -121,10 +139,12 @@ static void set_storage_image(struct rhw_pass_state *pass, int slot, rhw_texture
     }
     if (id.index != 0) {
         struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
-        if (!texture || !check_image(context, id, texture, level, where)) {
+        if (!texture || !check_image(pass, id, texture, level, where)) {
             return;
         }
-        texture->stored_pass = context->recording.generation;
+        if (!is_stored(pass, texture, level)) {
+            pass->out_of_memory |= !rhw_pass_note_stored(pass, texture, level);
+        }
         rhw_texture_note_attached(texture, context->recording.generation);
         rhw_texture_note_written(texture);
         texture->written |= 1u << level;

@@ -9,24 +9,30 @@
 #include "lookup.h"
 #include "misuse.h"
 #include "pass_enter.h"
+#include "pass_feedback_loop.h"
 #include "pass_state.h"
 #include "pass_storage.h"
 #include "rhw/rhw.h"
 #include "sampler.h"
 #include "srgb_texture.h"
 #include "shared_texels.h"
-#include "texture_access.h"
 
-static bool check_sampled(const rhw_context *context, rhw_texture id, int slot, const char *where)
+static bool check_sampled(const struct rhw_pass_state *pass, rhw_texture id, int slot, const char *where)
 {
+    const rhw_context *const context = pass->context;
     const struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
     return texture &&
            rhw_check(context, rhw_format_has_role(texture->info, RHW_ROLE_SAMPLED),
                      "%s: %s is %s; it cannot be sampled", where,
                      rhw_name_of(&context->textures, id.index).text, texture->info->name) &&
-           rhw_check(context, !rhw_texture_is_attached(context, texture),
-                     "%s: %s, for slot %d, is an attachment of this pass", where,
-                     rhw_name_of(&context->textures, id.index).text, slot);
+           rhw_check(context, !rhw_pass_draws_into(pass, texture),
+                     "%s: %s, for slot %d, is an attachment of this pass, or has a level and layer of one; "
+                     "sample a view of others",
+                     where, rhw_name_of(&context->textures, id.index).text, slot) &&
+           rhw_check(context, !rhw_pass_stores_texture(pass, texture),
+                     "%s: %s, for slot %d, is a storage image of this pass, or has a level and layer of one; "
+                     "sample a view of others",
+                     where, rhw_name_of(&context->textures, id.index).text, slot);
 }
 
 // Whether a sampler gives texels as they are.
@@ -74,15 +80,15 @@ static void set_texture(struct rhw_pass_state *pass, int slot, rhw_texture textu
         return;
     }
     if (texture.index != 0) {
-        bound.sampler = check_sampled(context, texture, slot, where)
-                            ? rhw_context_sampler(context, sampler, where)
-                            : NULL;
+        bound.sampler =
+            check_sampled(pass, texture, slot, where) ? rhw_context_sampler(context, sampler, where) : NULL;
         if (!bound.sampler || !check_sampler(context, texture, sampler, bound.sampler, where)) {
             return;
         }
         bound.texture = rhw_pool_get(&context->textures, texture.index, texture.generation);
         rhw_texture_note_sampled(*bound.texture, context->recording.generation);
-        pass->out_of_memory |= !linearize(context, *bound.texture);
+        pass->out_of_memory |=
+            !rhw_pass_note_sampled(pass, bound.texture) || !linearize(context, *bound.texture);
         rhw_pool_use(&context->textures, texture.index, context->recording.generation);
         rhw_pool_use(&context->samplers, sampler.index, context->recording.generation);
     }

@@ -276,6 +276,12 @@ static bool check_blend(const struct rhw_context *context, int index, const char
 
 static bool check_target(const struct rhw_context *context, int index, const struct rhw_color_target *target)
 {
+    if (target->format == RHW_FORMAT_NONE) {
+        return rhw_check(context, !target->blend,
+                         "%s: targets[%d].blend is true and its format is not set (RHW_FORMAT_NONE), which "
+                         "leaves the target out",
+                         create_name, index);
+    }
     char field[32];
     snprintf(field, sizeof field, "targets[%d].format", index);
     if (!rhw_check_format(context, create_name, field, target->format)) {
@@ -301,13 +307,28 @@ static bool has_fragment(const struct rhw_program *program)
     return program->fragment[RHW_ISA_BASELINE] != NULL || program->fragment1 != NULL;
 }
 
+// Targets that were counted and not filled; some may be left out.
+static bool check_any_format(const struct rhw_context *context, const struct rhw_pipeline_def *def)
+{
+    bool any = def->target_count == 0;
+    for (int i = 0; i < def->target_count; i++) {
+        any |= def->targets[i].format != RHW_FORMAT_NONE;
+    }
+    return rhw_check(
+        context, any,
+        "%s: targets[0].format is not set (RHW_FORMAT_NONE), nor is that of another target; give one "
+        "of them a format, or set target_count = 0",
+        create_name);
+}
+
 static bool check_targets(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
     if (!check_range(context, "target_count", def->target_count, 0, RHW_MAX_COLOR_ATTACHMENTS) ||
         !rhw_check(context, !def->alpha_to_coverage || has_fragment(&def->program),
                    "%s: alpha_to_coverage is true and the program has no fragment function, which would give "
                    "alpha",
-                   create_name)) {
+                   create_name) ||
+        !check_any_format(context, def)) {
         return false;
     }
     for (int i = 0; i < def->target_count; i++) {
@@ -316,7 +337,9 @@ static bool check_targets(const struct rhw_context *context, const struct rhw_pi
                        "%s: targets[%d] blends with the second source, color[1], and target_count is %d; it "
                        "must be 1",
                        create_name, i, def->target_count) ||
-            !rhw_check(context, has_fragment(&def->program) || def->targets[i].write_mask == RHW_WRITE_NONE,
+            !rhw_check(context,
+                       has_fragment(&def->program) || def->targets[i].format == RHW_FORMAT_NONE ||
+                           def->targets[i].write_mask == RHW_WRITE_NONE,
                        "%s: the program has no fragment function and targets[%d] is written; give it one, or "
                        "the target the write_mask RHW_WRITE_NONE",
                        create_name, i)) {
@@ -404,6 +427,9 @@ static void resolve_defaults(struct rhw_pipeline_def *def)
     for (int i = 0; i < def->target_count; i++) {
         struct rhw_color_target *const target = &def->targets[i];
         target->write_mask = target->write_mask == 0 ? all : target->write_mask & all;
+        if (target->format == RHW_FORMAT_NONE) {
+            *target = (struct rhw_color_target){.format = rhw_left_out_format};
+        }
         resolve_blend(&target->color);
         resolve_blend(&target->alpha);
     }
@@ -573,6 +599,9 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
     memset(data, 0, sizeof *data);
     data->def = *def;
     data->def.label = NULL; // which is the caller's
+    for (int i = 0; i < def->target_count; i++) {
+        data->left_out |= def->targets[i].format == RHW_FORMAT_NONE ? 1u << i : 0;
+    }
     resolve_defaults(&data->def);
     resolve_alpha(&data->def);
     resolve_uses(&data->def);

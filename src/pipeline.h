@@ -18,6 +18,8 @@ struct rhw_pipeline_data {
     struct rhw_watch *watch;     // under validation, and then in the place of its functions; see watch.h
     rhw_vertex_function *vertex; // best entry for the context's instruction set; NULL: use program.vertex1
     rhw_fragment_function *fragment; // likewise; NULL: program.fragment1, and when that is NULL too, depth only
+    unsigned
+        left_out; // targets, a bit each; their format is rhw_left_out_format then, and none of their channels is written
     int output_count; // colours that the fragment function writes: the targets', and a second source
     struct rhw_fetch fetches[RHW_MAX_ATTRIBUTES];
     int varying_components;     // of all varyings together

@@ -81,6 +81,8 @@ struct rhw_texture_data {
     bool swizzles;                    // a view's channels are other ones
     enum rhw_swizzle swizzle[4];
     uint32_t stored_pass; // generation of the last pass that has it as a storage image, hence as attached too
+    uint32_t stored_levels; // in that pass, a bit each
+    uint32_t sampled_pass;  // generation of the last pass that it was set in to be sampled
 };
 
 struct rhw_context;

@@ -78,7 +78,7 @@ RHW_API enum rhw_format rhw_texture_format(const rhw_context *context, rhw_textu
 /// Replaces a whole level, of textures with layers or slices the first one of it. Rows top to bottom, `row_pitch` bytes
 /// apart (0: tightly packed), texels in the texture's format; of a compressed format rows of whole blocks, also where the
 /// level ends within one. As with rhw_buffer_write, draws that were recorded before see the texels of then. Not while the
-/// texture is an attachment of the pass being recorded; the same holds for the next two functions.
+/// texture or a view of it is an attachment of the pass being recorded; the same holds for the next two functions.
 RHW_API enum rhw_result rhw_texture_write(rhw_context *context, rhw_texture texture, int level,
                                           const void *data, size_t row_pitch);
 /// Copies a level out, in the same layout as rhw_texture_write. Of a compressed format: the texels that its blocks were
@@ -178,8 +178,9 @@ RHW_API void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass pass, rhw_
                                        enum rhw_index_type type, size_t offset);
 /// Copies `size` bytes, at most RHW_MAX_UNIFORM_SIZE; at a draw they must be at least the program's uniform_size.
 RHW_API void rhw_pass_set_uniforms(rhw_context *context, rhw_pass pass, const void *data, size_t size);
-/// A null texture unbinds the slot; sampling an unbound slot gives 0, 0, 0, 1. An attachment of this pass is refused,
-/// also depth that is only tested: end the pass and sample in the next one, which loads what it goes on with.
+/// A null texture unbinds the slot; sampling an unbound slot gives 0, 0, 0, 1. What has a level and layer of an attachment or
+/// storage image of this pass is refused: sample a view of others (view.h), or end the pass and sample in the next one, which
+/// loads what it goes on with. Depth and stencil that are attached read_only are sampled too.
 RHW_API void rhw_pass_set_texture(rhw_context *context, rhw_pass pass, int slot, rhw_texture texture,
                                   rhw_sampler sampler);
 /// Bytes `offset`, a multiple of 4, to offset + size of the buffer, 0: to its end, as storage slot `slot`,
@@ -190,7 +191,7 @@ RHW_API void rhw_pass_set_storage_buffer(rhw_context *context, rhw_pass pass, in
                                          size_t offset, size_t size);
 /// A level of a texture, all its layers or slices, as image slot `slot`, 0..RHW_MAX_STORAGE_IMAGES − 1, which shader
 /// functions read and write (shader_image.h). Its format can be drawn into as colour, its texels have one sample. A null
-/// texture unbinds the slot. It counts as an attachment of this pass, and is neither attached nor sampled besides.
+/// texture unbinds the slot. The level counts as an attachment of this pass, and is neither attached nor sampled besides.
 RHW_API void rhw_pass_set_storage_image(rhw_context *context, rhw_pass pass, int slot, rhw_texture texture,
                                         int level);
 /// The same of bytes `offset` to offset + size of a buffer, 0: to its end, read and written as texels of a colour format.

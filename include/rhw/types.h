@@ -417,7 +417,7 @@ enum rhw_logic {
 /// UNORM and sRGB targets clamp the source to 0..1 before blending, SNORM to −1..1; sRGB targets blend in linear
 /// light (the destination is decoded, the result encoded).
 struct rhw_color_target {
-    enum rhw_format format;                  ///< to be set
+    enum rhw_format format;                  ///< the attachment's; NONE where the pass leaves that out: the output goes nowhere
     bool blend;                              ///< false: the source replaces
     /// src × srcFactor op dst × dstFactor. Each has its own defaults: with `color` alone set, alpha replaces.
     struct rhw_blend_component color, alpha;
@@ -611,8 +611,10 @@ enum rhw_resolve {
 };
 
 struct rhw_color_attachment {
-    rhw_texture texture; ///< In a multisampled pass: with the pass's samples, which are stored;
-                         ///< or with one, into which they are resolved
+    /// In a multisampled pass: with the pass's samples, which are stored; or with one, into which they are resolved. Null: the
+    /// attachment is left out and the others keep their numbers (VK_ATTACHMENT_UNUSED; null in WebGPU's colorAttachments);
+    /// clears pass it by, and as an input it is 0. One is there at least.
+    rhw_texture texture;
     rhw_texture resolve; ///< what samples that are stored, or discarded, are resolved into besides; may be null
     enum rhw_resolve resolve_mode;
     enum rhw_load load;
@@ -640,11 +642,17 @@ struct rhw_depth_attachment {
     enum rhw_resolve resolve_mode; ///< where the texture has fewer samples than the pass
     int layer, level; ///< as those of a colour attachment
     int layer_count;  ///< as that of a colour attachment; without a texture there are as many as colours have
+    /// Depth, or stencil, is tested and never written: what the texture holds is loaded and stays as it is, and may be sampled
+    /// in the same pass. Pipelines that write it are refused. Its load operation is DEFAULT or LOAD then, its store operation
+    /// STORE, which stores nothing (WebGPU's depthReadOnly and stencilReadOnly; VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL).
+    bool read_only, stencil_read_only;
 };
 
 /// Without attachments, for effects and queries alone, a pass says its size, samples and layers itself.
 struct rhw_pass_def {
-    int width, height; ///< of every attachment; 0: taken from the first attachment
+    /// Pixels of the pass, from the top left of its attachments, which are at least as large: what lies beyond is neither
+    /// loaded, cleared, drawn nor stored (Vulkan 1.3, VkFramebufferCreateInfo). 0: the first attachment's, and the others'.
+    int width, height;
     struct rhw_color_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
     int color_count;
     struct rhw_depth_attachment depth;

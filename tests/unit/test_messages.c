@@ -60,7 +60,8 @@ static void test_attachments_are_named(void **state)
     struct rhw_pass_def def = rig.pass;
     const rhw_texture texture = def.colors[0].texture;
     def.color_count = 2;
-    refuse_pass(&rig, &def, "rhw_pass_begin: colors[1].texture is the null id");
+    def.colors[1].resolve = texture;
+    refuse_pass(&rig, &def, "rhw_pass_begin: colors[1].resolve is set and colors[1].texture is null");
     def.colors[1].load = 9;
     refuse_pass(&rig, &def, "rhw_pass_begin: colors[1].load is 9; not a load operation");
     def.color_count = 1;
@@ -90,6 +91,13 @@ static void test_formats_are_named(void **state)
     rig.pipeline.targets[0].format = RHW_FORMAT_NONE;
     rhw_pipeline_create(rig.context, &rig.pipeline, &pipeline);
     rig_expect_misuse(&rig, "targets[0].format is not set (RHW_FORMAT_NONE)");
+    rig.pipeline.targets[1].format = RHW_FORMAT_R8_UNORM;
+    rig.pipeline.target_count = 2;
+    rig.pipeline.targets[0].blend = true;
+    rhw_pipeline_create(rig.context, &rig.pipeline, &pipeline);
+    rig_expect_misuse(&rig, "targets[0].blend is true and its format is not set (RHW_FORMAT_NONE)");
+    rig.pipeline.targets[0].blend = false;
+    rig.pipeline.target_count = 1;
     rig.pipeline.targets[0].format = 999;
     rhw_pipeline_create(rig.context, &rig.pipeline, &pipeline);
     rig_expect_misuse(&rig, "targets[0].format is 999; it must be RHW_FORMAT_R8_UNORM (1) to RHW_FORMAT_");

@@ -374,7 +374,7 @@ static void test_pass_definitions(void **state)
         case 1: def.color_count = -1; break;
         case 2: def.color_count = 0, def.depth.enabled = false; break;
         case 3: def.colors[1].texture = small; break;
-        case 4: def.width = 7, def.height = 8; break;
+        case 4: def.width = 9, def.height = 8; break;
         case 5: def.width = 8, def.height = -8; break;
         case 6: def.colors[0].load = (enum rhw_load)4; break;
         case 7: def.colors[0].store = (enum rhw_store)2; break;

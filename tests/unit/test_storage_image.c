@@ -391,7 +391,7 @@ static void misuse(void **state)
     rhw_pass_set_storage_image(context, pass, 0, image, 0);
     rhw_pass_set_storage_image(context, pass, 1, image, 0); // the same in two slots
     rhw_pass_set_texture(context, pass, 1, image, sampler);
-    rig_expect_misuse(&rig, "is an attachment of this pass");
+    rig_expect_misuse(&rig, "for slot 1, is a storage image of this pass");
     rhw_texture_write(context, image, 0, bytes, 0);
     rig_expect_misuse(&rig, "is an attachment of the pass being recorded");
     rhw_pass_set_texel_buffer(context, pass, 0, buffer, RHW_FORMAT_RGBA16_FLOAT, 4, 0);

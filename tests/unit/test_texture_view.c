@@ -559,8 +559,8 @@ static void test_feedback(void **state)
     struct rhw_pass_def pass = {.color_count = 1, .colors = {{.texture = first}}};
     rhw_pass recording;
     assert_int_equal(rhw_pass_begin(rig.context, &pass, &recording), RHW_OK);
-    rhw_pass_set_texture(rig.context, recording, 0, second, sampler);
-    rig_expect_misuse(&rig, "rhw_pass_set_texture: texture 4, for slot 0, is an attachment of this pass");
+    rhw_pass_set_texture(rig.context, recording, 0, texture, sampler);
+    rig_expect_misuse(&rig, "rhw_pass_set_texture: texture 2, for slot 0, is an attachment of this pass");
     rhw_texture_read(rig.context, texture, 0, texels, 0);
     rig_expect_misuse(&rig, "rhw_texture_read: texture 2 is an attachment of the pass being recorded");
     rhw_texture_clear(rig.context, same, NULL, &(struct rhw_clear_value){.depth = 0});

@@ -15,7 +15,7 @@ static enum rhw_load load_of(const struct rhw_pass_state *pass, const struct rhw
 static bool is_stored(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment)
 {
     const bool ends = attachment->store == RHW_STORE_DISCARD || attachment->loads_resolved;
-    return attachment->target && !(pass->last_wave && ends);
+    return attachment->target && !attachment->is_read_only && !(pass->last_wave && ends);
 }
 
 static void fill_bytes(unsigned char *to, const unsigned char pattern[RHW_CLEAR_BYTES], size_t bytes)
@@ -70,7 +70,7 @@ static struct memory_rows rows_of_target(const struct tile_work *work,
 static struct memory_rows loaded_rows(const struct tile_work *work, const struct rhw_attachment *attachment,
                                       int sample)
 {
-    return attachment->loads_resolved && work->pass->first_wave
+    return attachment->loads_resolved && (work->pass->first_wave || attachment->is_read_only)
                ? rows_of_level(work, attachment, attachment->resolve)
                : rows_of_target(work, attachment, sample);
 }

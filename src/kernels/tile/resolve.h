@@ -215,7 +215,7 @@ static bool wants_tile(const struct tile_work *work, const struct rhw_attachment
         return false;
     }
     if (pass->first_wave && attachment->loads_resolved) {
-        return !pass->last_wave;
+        return !pass->last_wave && !attachment->is_read_only;
     }
     return attachment->resolves && pass->last_wave;
 }
