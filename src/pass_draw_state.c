@@ -17,9 +17,8 @@
 
 static struct rhw_vertex_stream stream_of(struct rhw_bound_buffer bound)
 {
-    return bound.data
-               ? (struct rhw_vertex_stream){bound.data->bytes + bound.offset, bound.data->size - bound.offset}
-               : (struct rhw_vertex_stream){NULL, 0};
+    return bound.data ? (struct rhw_vertex_stream){bound.data->bytes + bound.offset, bound.size}
+                      : (struct rhw_vertex_stream){NULL, 0};
 }
 
 // The bytes that buffers have now: one that is written after a draw of this pass gets new ones.
