@@ -58,6 +58,9 @@ struct rhw_draw_state {
     int viewport_index;                       // of `viewport`
     struct rhw_line_stipple_setting stipple_setting;
     struct rhw_line_stipple stipple; // of the lines; factor 0: none
+    float line_width_setting;        // of the pass; 0: the pipeline's
+    int line_pixels;                 // the width of Bresenham lines
+    double half_width_24_8;          // of other lines
 };
 
 struct rhw_draw {

@@ -229,6 +229,8 @@ RHW_API void rhw_pass_set_depth_bias(rhw_context *context, rhw_pass pass, const 
 /// Stands in the place of the pipelines' own line_stipple until NULL is set; with factor 0 there is none.
 RHW_API void rhw_pass_set_line_stipple(rhw_context *context, rhw_pass pass,
                                        const struct rhw_line_stipple *stipple);
+/// Stands in the place of the pipelines' own line_width until 0 is set: 1..RHW_MAX_LINE_WIDTH pixels.
+RHW_API void rhw_pass_set_line_width(rhw_context *context, rhw_pass pass, float width);
 /// For pipelines with depth_bounds_test: 0 <= least <= most <= 1. 0 and 1 at the start.
 RHW_API void rhw_pass_set_depth_bounds(rhw_context *context, rhw_pass pass, float least, float most);
 /// Clears rectangles of attachments, all samples of them, after what was drawn before and below what is drawn after

@@ -562,7 +562,7 @@ struct rhw_pipeline_def {
                             ///< unfinished is not drawn
     enum rhw_provoking provoking;    ///< FIRST
     enum rhw_polygon_mode polygon_mode; ///< FILL
-    float line_width; ///< pixels, 1..RHW_MAX_LINE_WIDTH, of rectangles around the lines; 0: 1
+    float line_width; ///< pixels, 1..RHW_MAX_LINE_WIDTH, of rectangles around the lines; 0: 1; see rhw_pass_set_line_width
     enum rhw_cull cull;              ///< NONE
     enum rhw_winding front;          ///< COUNTER_CLOCKWISE
     enum rhw_depth_range depth_range; ///< ZERO_TO_ONE
