@@ -15,7 +15,7 @@ struct rhw_limits {
     /// Bytes of the one block of uniforms that a draw has. Where Vulkan has 12 uniform buffers for a stage, a program
     /// lays them out in it: 12 of 65536 bytes fit.
     uint32_t max_uniform_buffer_range;
-    /// Slots that both functions of a program share: Vulkan has 16 for each.
+    /// Slots that both functions of a program share: as many as Vulkan has for the two together.
     uint32_t max_per_stage_descriptor_samplers, max_per_stage_descriptor_sampled_images;
 
     // Vertex input; offsets and strides in bytes.

@@ -29,7 +29,7 @@ enum {
     RHW_MAX_ATTRIBUTES = 16,
     RHW_MAX_VARYINGS = 32,
     RHW_MAX_VARYING_COMPONENTS = 64,
-    RHW_MAX_TEXTURES = 16,       ///< texture slots of a draw
+    RHW_MAX_TEXTURES = 32,       ///< texture slots of a draw, for both functions
     RHW_MAX_SAMPLES = 16,        ///< of a pixel
     RHW_MAX_GROUPS = 16,         ///< groups of 8 lanes in one call of a shader function
     RHW_MAX_UNIFORM_SIZE = 1 << 20, ///< bytes

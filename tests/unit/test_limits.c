@@ -37,8 +37,8 @@ static void test_what_vulkan_requires(void **state)
         {"maxUniformBufferRange", l.max_uniform_buffer_range, 16384},
         {"maxPerStageDescriptorUniformBuffers of it", l.max_uniform_buffer_range, 12 * 16384},
         {"maxPushConstantsSize of it", l.max_uniform_buffer_range, 128 + 12 * 16384},
-        {"maxPerStageDescriptorSamplers", l.max_per_stage_descriptor_samplers, 16},
-        {"maxPerStageDescriptorSampledImages", l.max_per_stage_descriptor_sampled_images, 16},
+        {"maxPerStageDescriptorSamplers of both", l.max_per_stage_descriptor_samplers, 2 * 16},
+        {"maxPerStageDescriptorSampledImages of both", l.max_per_stage_descriptor_sampled_images, 2 * 16},
         {"maxPerStageDescriptorStorageBuffers", l.max_per_stage_descriptor_storage_buffers, 4},
         {"maxPerStageDescriptorStorageImages", l.max_per_stage_descriptor_storage_images, 4},
         {"maxPerStageDescriptorInputAttachments", l.max_per_stage_descriptor_input_attachments, 4},
@@ -245,6 +245,88 @@ static void test_textures(void **state)
     rig_close(&rig);
 }
 
+// Slot i has i + 1: the sum by a fetch from each, and by rhw_sample_groups from all at once.
+static void sum_slots(struct rhw_fragment *groups, int count)
+{
+    rhw_float texels[RHW_MAX_GROUPS][RHW_MAX_TEXTURES][4];
+    rhw_sample_groups(groups, count, UINT32_MAX, 0, texels[0], RHW_MAX_TEXTURES);
+    for (int g = 0; g < count; g++) {
+        const rhw_int zero[2] = {rhw_splat_int(0), rhw_splat_int(0)};
+        rhw_float fetched = rhw_splat(0), sampled = rhw_splat(0);
+        for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
+            rhw_float texel[4];
+            rhw_sample_fetch(groups[g].textures, i, zero, NULL, texel);
+            fetched += texel[0];
+            sampled += texels[g][i][0];
+        }
+        groups[g].color[0][0] = fetched;
+        groups[g].color[0][1] = sampled;
+        groups[g].color[0][2] = texels[g][RHW_MAX_TEXTURES - 1][0];
+        groups[g].color[0][3] = rhw_splat(1);
+    }
+}
+
+static void sum_slots1(struct rhw_fragment1 *f)
+{
+    float texels[RHW_MAX_TEXTURES][4];
+    const int32_t zero[2] = {0, 0};
+    rhw_sample_groups1(f, UINT32_MAX, 0, texels);
+    f->color[0][0] = f->color[0][1] = 0;
+    for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
+        float texel[4];
+        rhw_sample_fetch1(f->textures, i, zero, 0, texel);
+        f->color[0][0] += texel[0];
+        f->color[0][1] += texels[i][0];
+    }
+    f->color[0][2] = texels[RHW_MAX_TEXTURES - 1][0];
+    f->color[0][3] = 1;
+}
+
+static void test_texture_slots(void **state)
+{
+    (void)state;
+    const int count = (int)rhw_limits_get().max_per_stage_descriptor_sampled_images;
+    assert_int_equal(count, 32);
+    for (int n = 0; n < 4; n++) { // single floats, and textures of 8 bits that share their footprints
+        struct rig rig;
+        rhw_sampler sampler;
+        rhw_texture textures[RHW_MAX_TEXTURES];
+        struct rig_vertex vertices[6];
+        rig_open(&rig, 16, 16);
+        assert_int_equal(rhw_sampler_create(rig.context, &(struct rhw_sampler_def){.label = NULL}, &sampler),
+                         RHW_OK);
+        rig_set_program(&rig, rig_vertex_pass, sum_slots);
+        if (n & 1) {
+            memset(rig.pipeline.program.fragment, 0, sizeof rig.pipeline.program.fragment);
+            rig.pipeline.program.fragment1 = sum_slots1;
+        }
+        rig.pipeline.program.varyings[0].derivatives = true;
+        rig_cover(&rig, 0.5f, (const float[4]){0.5f, 0.5f}, vertices);
+        const bool is_float = n < 2;
+        rig_begin(&rig);
+        for (int i = 0; i < count; i++) {
+            const struct rhw_texture_def def = {
+                .format = is_float ? RHW_FORMAT_R32_FLOAT : RHW_FORMAT_RGBA8_UNORM, .width = 1, .height = 1};
+            const float value = (float)(i + 1);
+            const unsigned char bytes[4] = {i < 31 ? 0 : 255, 0, 0, 0};
+            assert_int_equal(rhw_texture_create(rig.context, &def, &textures[i]), RHW_OK);
+            assert_int_equal(
+                rhw_texture_write(rig.context, textures[i], 0, is_float ? (const void *)&value : bytes, 0),
+                RHW_OK);
+            rhw_pass_set_texture(rig.context, rig.recording, i, textures[i], sampler);
+        }
+        rig_draw(&rig, vertices, 6);
+        rig_end(&rig);
+        const float sum = is_float ? 32 * 33 / 2 : 1, last = is_float ? 32 : 1;
+        assert_memory_equal(rig_read_float4(&rig)[77], ((const float[4]){sum, sum, last, 1}), 16);
+        for (int i = 0; i < count; i++) {
+            rhw_texture_destroy(rig.context, textures[i]);
+        }
+        rhw_sampler_destroy(rig.context, sampler);
+        rig_close(&rig);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -253,6 +335,7 @@ int main(void)
         cmocka_unit_test(test_uniforms),
         cmocka_unit_test(test_sizes),
         cmocka_unit_test(test_textures),
+        cmocka_unit_test(test_texture_slots),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
