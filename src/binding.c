@@ -252,19 +252,35 @@ void rhw_sample_query_lod(const struct rhw_bindings *textures, int slot,
     }
 }
 
+// The texture of a slot, of one sample or more; NULL where it has none or does not exist.
+static const struct rhw_texture_data *any_texture(const struct rhw_bindings *textures, int slot)
+{
+    if ((unsigned)slot < RHW_MAX_TEXTURES && textures->slot[slot].multisampled) {
+        return textures->slot[slot].multisampled;
+    }
+    const struct rhw_binding *const binding = bound_slot(textures, slot);
+    return binding ? binding->texture : NULL;
+}
+
 void rhw_sample_size(const struct rhw_bindings *textures, int slot, const rhw_int *level, rhw_int size[3])
 {
-    const struct rhw_binding *const binding = bound_slot(textures, slot);
+    const struct rhw_binding any = {.texture = any_texture(textures, slot)};
     size[0] = size[1] = size[2] = rhw_splat_int(0);
-    if (binding) {
-        textures->kernels->query_size(binding, level, size);
+    if (any.texture) {
+        textures->kernels->query_size(&any, level, size);
     }
 }
 
 int rhw_sample_levels(const struct rhw_bindings *textures, int slot)
 {
-    const struct rhw_binding *const binding = bound_slot(textures, slot);
-    return binding ? binding->texture->levels : 0;
+    const struct rhw_texture_data *const texture = any_texture(textures, slot);
+    return texture ? texture->levels : 0;
+}
+
+int rhw_sample_samples(const struct rhw_bindings *textures, int slot)
+{
+    const struct rhw_texture_data *const texture = any_texture(textures, slot);
+    return texture ? texture->samples : 0;
 }
 
 _Static_assert(RHW_MAX_TEXTURES == 32, "a bit of `slots` for each");
