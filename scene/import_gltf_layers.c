@@ -120,7 +120,7 @@ static void read_dispersion(struct scene_gltf *gltf, const json_t *object, struc
     material->layers.dispersion = number(gltf, object, "dispersion", 0, 100);
 }
 
-// A draw has RHW_MAX_TEXTURES, of which the base material, the surroundings and what lies behind take the others.
+// The slots before SCENE_SLOT_BACKDROP, of which the base material takes the others.
 static void drop_textures(struct scene_gltf *gltf, struct scene_material *material)
 {
     int count = 0;

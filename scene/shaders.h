@@ -17,7 +17,7 @@ enum {
     SCENE_UV_STREAMS =
         10, // one for each texture of the base, the untransformed set 0, and some of the layers
     SCENE_DATA_OUTPUTS = 9,
-    SCENE_SLOT_BACKDROP = RHW_MAX_TEXTURES - 2, // slots of a draw; materials have those before
+    SCENE_SLOT_BACKDROP = 14, // slots of a draw; materials have those before
     SCENE_SLOT_ENVIRONMENT
 };
 

@@ -110,8 +110,9 @@ struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_pa
 void rhw_bindings_init(struct rhw_bindings *bindings, const struct rhw_kernels *kernels)
 {
     *bindings = (struct rhw_bindings){.kernels = kernels, .storage = &rhw_no_storage};
+    const struct rhw_binding none = rhw_binding_of(kernels, RHW_PATHS_ALL, NULL, NULL);
     for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
-        bindings->slot[i] = rhw_binding_of(kernels, RHW_PATHS_ALL, NULL, NULL);
+        bindings->slot[i] = none;
     }
 }
 
@@ -251,29 +252,46 @@ void rhw_sample_query_lod(const struct rhw_bindings *textures, int slot,
     }
 }
 
+// The texture of a slot, of one sample or more; NULL where it has none or does not exist.
+static const struct rhw_texture_data *any_texture(const struct rhw_bindings *textures, int slot)
+{
+    if ((unsigned)slot < RHW_MAX_TEXTURES && textures->slot[slot].multisampled) {
+        return textures->slot[slot].multisampled;
+    }
+    const struct rhw_binding *const binding = bound_slot(textures, slot);
+    return binding ? binding->texture : NULL;
+}
+
 void rhw_sample_size(const struct rhw_bindings *textures, int slot, const rhw_int *level, rhw_int size[3])
 {
-    const struct rhw_binding *const binding = bound_slot(textures, slot);
+    const struct rhw_binding any = {.texture = any_texture(textures, slot)};
     size[0] = size[1] = size[2] = rhw_splat_int(0);
-    if (binding) {
-        textures->kernels->query_size(binding, level, size);
+    if (any.texture) {
+        textures->kernels->query_size(&any, level, size);
     }
 }
 
 int rhw_sample_levels(const struct rhw_bindings *textures, int slot)
 {
-    const struct rhw_binding *const binding = bound_slot(textures, slot);
-    return binding ? binding->texture->levels : 0;
+    const struct rhw_texture_data *const texture = any_texture(textures, slot);
+    return texture ? texture->levels : 0;
 }
+
+int rhw_sample_samples(const struct rhw_bindings *textures, int slot)
+{
+    const struct rhw_texture_data *const texture = any_texture(textures, slot);
+    return texture ? texture->samples : 0;
+}
+
+_Static_assert(RHW_MAX_TEXTURES == 32, "a bit of `slots` for each");
 
 void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                        rhw_float (*texels)[4], int stride)
 {
-    const uint32_t known = slots & ((1u << RHW_MAX_TEXTURES) - 1);
-    if (groups->textures->site.findings && !rhw_watch_sample_groups(groups, count, known, at, stride)) {
+    if (groups->textures->site.findings && !rhw_watch_sample_groups(groups, count, slots, at, stride)) {
         return;
     }
-    if (known != 0) {
-        groups->textures->kernels->sample_groups(groups, count, known, at, texels, stride);
+    if (slots != 0) {
+        groups->textures->kernels->sample_groups(groups, count, slots, at, texels, stride);
     }
 }

@@ -15,6 +15,12 @@ struct rhw_memory;
 // Readable zero bytes after the end of every buffer: a kernel may load whole vectors at the last byte.
 enum { RHW_BUFFER_PADDING = 64 };
 
+// Bytes that a pass uses, in its arena (buffer_use.h).
+struct rhw_used_range {
+    struct rhw_used_range *next;
+    size_t first, end;
+};
+
 struct rhw_buffer_data {
     unsigned char *bytes; // aligned to a cache line
     size_t size;          // as the user gave it, without padding
@@ -22,9 +28,10 @@ struct rhw_buffer_data {
     uint32_t renewed_pass, renewed_draws;
     bool is_callers;                // `bytes` is the program's memory
     bool is_mapped, is_map_written; // see rhw_buffer_map; the second: not for reading alone
-    // The last passes that have it as a storage buffer, and that read it as vertices or indices, by generation.
-    uint32_t stored_pass, fetched_pass;
-    uint32_t captured_pass; // the last that writes it by transform feedback
+    // The last passes that read it, whose shader functions may write it, and that write it by transform feedback, by
+    // generation; and in those which bytes.
+    uint32_t read_pass, stored_pass, captured_pass;
+    struct rhw_used_range *read, *stored, *captured;
 };
 
 // Releases what the item owns.

@@ -48,7 +48,8 @@ struct rhw_draw_state {
     float depth_least, depth_most; // what depth is held to: the viewport's range in order, or 0 and 1
     struct rhw_depth_stencil_setting depth_setting;
     struct rhw_depth_stencil_state depth_stencil;
-    // Screen position of clip coordinates: x = X/W·half_width + center_x, y = center_y − Y/W·half_height.
+    // Screen position of clip coordinates: x = X/W·half_width + center_x, y = center_y − Y/W·half_height. The height is
+    // negative where the viewport's is: then y points down in clip coordinates too.
     double half_width, half_height, center_x, center_y;
     // Added to a position, 1/256 pixel, they lead to the first pixel with a sample behind it, and past the last with one
     // before it (kernels/raster/sample_position.h).
@@ -57,6 +58,9 @@ struct rhw_draw_state {
     int viewport_index;                       // of `viewport`
     struct rhw_line_stipple_setting stipple_setting;
     struct rhw_line_stipple stipple; // of the lines; factor 0: none
+    float line_width_setting;        // of the pass; 0: the pipeline's
+    int line_pixels;                 // the width of Bresenham lines
+    double half_width_24_8;          // of other lines
 };
 
 struct rhw_draw {

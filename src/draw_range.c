@@ -23,7 +23,7 @@ static uint64_t elements_of(const struct rhw_pass_state *pass, int i)
     const struct rhw_pipeline_def *const def = &pass->pending.pipeline->def;
     const struct rhw_attribute *const attribute = &def->attributes[i];
     const struct rhw_bound_buffer *const bound = &pass->bound.vertices[attribute->buffer];
-    const uint64_t size = bound->data->size - bound->offset;
+    const uint64_t size = bound->size;
     const uint64_t end = (uint64_t)attribute->offset + rhw_vertex_format_size(attribute->format);
     const struct rhw_vertex_layout *const layout = &def->buffers[attribute->buffer];
     return size < end ? 0 : layout->constant ? 1 : (size - end) / layout->stride + 1;
@@ -100,7 +100,7 @@ static bool check_indices(const struct rhw_pass_state *pass, const struct rhw_dr
 {
     const uint32_t size = index_sizes[pass->pending.index_type];
     const size_t offset = pass->bound.indices.offset;
-    const uint64_t there = (pass->bound.indices.data->size - offset) / size;
+    const uint64_t there = pass->bound.indices.size / size;
     uint32_t least = 0, most = 0;
     if (!rhw_check(
             pass->context, offset % size == 0,

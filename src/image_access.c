@@ -7,8 +7,8 @@
 #include "texture.h"
 #include "watch.h"
 
-// The image of a slot; none where it has none or does not exist, or where validation finds that the program did not
-// declare the effect.
+// The image of a slot; none where it has none or does not exist, and none to change where it is set for reading, or where
+// validation finds that the program did not declare the effect.
 static struct rhw_storage_image image_of(const struct rhw_bindings *textures, int slot,
                                          enum rhw_storage_operation operation)
 {
@@ -16,8 +16,10 @@ static struct rhw_storage_image image_of(const struct rhw_bindings *textures, in
     if (textures->site.findings) {
         rhw_watch_image(textures, slot, operation);
     }
-    const bool is_dropped = textures->drops_effects && operation != RHW_STORAGE_LOAD;
-    return (unsigned)slot < RHW_MAX_STORAGE_IMAGES && !is_dropped ? textures->storage->images[slot] : none;
+    const struct rhw_storage_image *const image =
+        (unsigned)slot < RHW_MAX_STORAGE_IMAGES ? &textures->storage->images[slot] : &none;
+    const bool is_dropped = operation != RHW_STORAGE_LOAD && (textures->drops_effects || image->is_read_only);
+    return is_dropped ? none : *image;
 }
 
 void rhw_image_load(const struct rhw_bindings *textures, int slot, const rhw_int *at, rhw_float texel[4])

@@ -9,7 +9,7 @@
 #include "context.h"
 #include "cpu.h"
 #include "hidden_surface.h"
-#include "pass_line_stipple.h"
+#include "pass_line.h"
 #include "pass_state.h"
 #include "pass_texture.h"
 #include "pass_viewport.h"
@@ -17,9 +17,8 @@
 
 static struct rhw_vertex_stream stream_of(struct rhw_bound_buffer bound)
 {
-    return bound.data
-               ? (struct rhw_vertex_stream){bound.data->bytes + bound.offset, bound.data->size - bound.offset}
-               : (struct rhw_vertex_stream){NULL, 0};
+    return bound.data ? (struct rhw_vertex_stream){bound.data->bytes + bound.offset, bound.size}
+                      : (struct rhw_vertex_stream){NULL, 0};
 }
 
 // The bytes that buffers have now: one that is written after a draw of this pass gets new ones.
@@ -78,7 +77,7 @@ const struct rhw_draw_state *rhw_pass_draw_state(struct rhw_pass_state *pass)
     rhw_depth_stencil_init(&state->depth_stencil, &state->pipeline->def, &state->depth_setting,
                            pass->depth_steps);
     rhw_draw_state_map_viewport(state);
-    state->stipple = rhw_line_stipple_of(&state->stipple_setting, state->pipeline);
+    rhw_draw_state_set_lines(state);
     state->first_step = RHW_SUBPIXEL - pass->pattern->most_0_8 - 1;
     state->past_step = RHW_SUBPIXEL - pass->pattern->least_0_8;
     if (state->pipeline->is_conservative) { // borders of pixels instead

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "buffer.h"
+#include "buffer_use.h"
 #include "context.h"
 #include "draw_list.h"
 #include "entry.h"
@@ -30,7 +31,8 @@ static uint64_t extent(uint32_t count, uint64_t stride, uint64_t size)
 static const unsigned char *find_bytes(const rhw_context *context, rhw_buffer id, size_t offset,
                                        uint64_t size, const char *name, const char *where)
 {
-    const struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
+    struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
+    const struct rhw_buffer_part part = {id, buffer, RHW_BUFFER_READ, offset, offset + (size_t)size};
     return buffer != NULL &&
                    rhw_check(context, offset % 4 == 0, "%s: %soffset is %zu; it must be a multiple of 4",
                              where, name, offset) &&
@@ -40,7 +42,7 @@ static const unsigned char *find_bytes(const rhw_context *context, rhw_buffer id
                              "%zu bytes of %s",
                              where, name, offset, (unsigned long long)size, buffer->size,
                              rhw_name_of(&context->buffers, id.index).text) &&
-                   rhw_buffer_check_readable(context, id, buffer, where) &&
+                   rhw_buffer_check_use(context, &part, where) &&
                    rhw_buffer_check_drawable(context, id, buffer, where)
                ? buffer->bytes + offset
                : NULL;

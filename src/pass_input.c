@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "buffer.h"
+#include "buffer_use.h"
 #include "context.h"
 #include "entry.h"
 #include "lookup.h"
@@ -11,53 +12,60 @@
 #include "pass_state.h"
 #include "rhw/rhw.h"
 
-// Nothing says what would come first, reading or writing.
-static __attribute__((cold)) void report_written(const rhw_context *context, rhw_buffer id,
-                                                 const struct rhw_buffer_data *buffer, const char *where)
+// Notes that draws read bytes of a buffer. False when that is misuse.
+static __attribute__((noinline)) bool note_read(struct rhw_pass_state *pass,
+                                                const struct rhw_buffer_part *part, const char *where)
 {
-    const bool is_stored = buffer->stored_pass == context->recording.generation;
-    rhw_misuse(context, "%s: %s is %s", where, rhw_name_of(&context->buffers, id.index).text,
-               is_stored ? "a storage buffer of this pass, which may write it"
-                         : "written by the transform feedback of this pass");
+    if (!rhw_buffer_check_use(pass->context, part, where)) {
+        return false;
+    }
+    pass->out_of_memory |= !rhw_buffer_note_use(pass->context, &pass->arena, part);
+    return true;
 }
 
-// A buffer that draws will read from `offset` on; its data is NULL when the call was misuse.
-static inline struct rhw_bound_buffer bind_buffer(rhw_context *context, rhw_buffer id, size_t offset,
-                                                  const char *where)
+// Bytes `offset` to offset + size of a buffer, 0: to its end, that draws will read; the data is NULL when the call was
+// misuse.
+static inline struct rhw_bound_buffer bind_buffer(struct rhw_pass_state *pass, rhw_buffer id, size_t offset,
+                                                  size_t size, const char *where)
 {
-    const uint32_t generation = context->recording.generation;
+    rhw_context *const context = pass->context;
     struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
-    if (!buffer || !rhw_check(context, offset <= buffer->size, "%s: offset is %zu; %s has %zu bytes", where,
-                              offset, rhw_name_of(&context->buffers, id.index).text, buffer->size)) {
+    if (!buffer ||
+        !rhw_check(context, offset <= buffer->size, "%s: offset is %zu; %s has %zu bytes", where, offset,
+                   rhw_name_of(&context->buffers, id.index).text, buffer->size) ||
+        !rhw_check(context, size <= buffer->size - offset,
+                   "%s: offset is %zu and size is %zu; together they must stay within the %zu bytes of %s",
+                   where, offset, size, buffer->size, rhw_name_of(&context->buffers, id.index).text) ||
+        (buffer->is_map_written && !rhw_buffer_check_drawable(context, id, buffer, where))) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
-    if (buffer->stored_pass == generation || buffer->captured_pass == generation) {
-        report_written(context, id, buffer, where);
+    const uint32_t generation = context->recording.generation;
+    const size_t length = size == 0 ? buffer->size - offset : size, end = offset + length;
+    const bool is_noted =
+        buffer->read_pass == generation && buffer->read->first <= offset && end <= buffer->read->end;
+    const struct rhw_buffer_part part = {id, buffer, RHW_BUFFER_READ, offset, end};
+    if (!is_noted && !note_read(pass, &part, where)) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
-    if (buffer->is_map_written && !rhw_buffer_check_drawable(context, id, buffer, where)) {
-        return (struct rhw_bound_buffer){.data = NULL};
-    }
-    buffer->fetched_pass = generation;
     rhw_pool_use(&context->buffers, id.index, generation);
-    return (struct rhw_bound_buffer){buffer, offset, id.index};
+    return (struct rhw_bound_buffer){buffer, offset, length, id.index};
 }
 
 static bool same_buffer(struct rhw_bound_buffer a, struct rhw_bound_buffer b)
 {
-    return a.data == b.data && a.offset == b.offset;
+    return a.data == b.data && a.offset == b.offset && a.size == b.size;
 }
 
-void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer, size_t offset)
+static inline void set_vertex_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer,
+                                     size_t offset, size_t size, const char *where)
 {
-    static const char *const where = "rhw_pass_set_vertex_buffer";
     struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (!pass) {
         return;
     }
     if (rhw_check(context, slot >= 0 && slot < RHW_MAX_VERTEX_BUFFERS, "%s: slot is %d; it is in 0..%d",
                   where, slot, RHW_MAX_VERTEX_BUFFERS - 1)) {
-        const struct rhw_bound_buffer bound = bind_buffer(context, buffer, offset, where);
+        const struct rhw_bound_buffer bound = bind_buffer(pass, buffer, offset, size, where);
         if (bound.data) {
             pass->pending_changed |= !same_buffer(pass->bound.vertices[slot], bound);
             pass->bound.vertices[slot] = bound;
@@ -66,17 +74,27 @@ void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass id, int slot, rhw
     rhw_context_leave(context);
 }
 
-void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buffer, enum rhw_index_type type,
-                               size_t offset)
+void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer, size_t offset)
 {
-    static const char *const where = "rhw_pass_set_index_buffer";
+    set_vertex_buffer(context, id, slot, buffer, offset, 0, "rhw_pass_set_vertex_buffer");
+}
+
+void rhw_pass_set_vertex_buffer_range(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer,
+                                      size_t offset, size_t size)
+{
+    set_vertex_buffer(context, id, slot, buffer, offset, size, "rhw_pass_set_vertex_buffer_range");
+}
+
+static inline void set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buffer,
+                                    enum rhw_index_type type, size_t offset, size_t size, const char *where)
+{
     struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (!pass) {
         return;
     }
     if (rhw_check(context, (unsigned)type <= RHW_INDEX_UINT32, "%s: type is %d; not an index type", where,
                   (int)type)) {
-        const struct rhw_bound_buffer bound = bind_buffer(context, buffer, offset, where);
+        const struct rhw_bound_buffer bound = bind_buffer(pass, buffer, offset, size, where);
         if (bound.data) {
             pass->pending_changed |=
                 !same_buffer(pass->bound.indices, bound) || pass->pending.index_type != type;
@@ -85,6 +103,18 @@ void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buf
         }
     }
     rhw_context_leave(context);
+}
+
+void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buffer, enum rhw_index_type type,
+                               size_t offset)
+{
+    set_index_buffer(context, id, buffer, type, offset, 0, "rhw_pass_set_index_buffer");
+}
+
+void rhw_pass_set_index_buffer_range(rhw_context *context, rhw_pass id, rhw_buffer buffer,
+                                     enum rhw_index_type type, size_t offset, size_t size)
+{
+    set_index_buffer(context, id, buffer, type, offset, size, "rhw_pass_set_index_buffer_range");
 }
 
 static void set_uniforms(struct rhw_pass_state *pass, const void *data, size_t size)

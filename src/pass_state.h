@@ -74,8 +74,8 @@ struct rhw_worker {
 // something is drawn.
 struct rhw_bound_buffer {
     const struct rhw_buffer_data *data; // NULL: nothing is set
-    size_t offset;
-    uint32_t index; // of the buffer, for messages
+    size_t offset, size;                // bytes
+    uint32_t index;                     // of the buffer, for messages
 };
 struct rhw_bound_texture {
     struct rhw_texture_data *const *texture; // in the context's pool; NULL: nothing is set
@@ -84,6 +84,7 @@ struct rhw_bound_texture {
 struct rhw_bound_range {
     const struct rhw_buffer_data *data; // NULL: nothing is set
     size_t offset, size;                // bytes
+    bool is_read_only;
 };
 // A level of a texture, or a range of a buffer as texels.
 struct rhw_bound_image {

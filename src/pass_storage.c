@@ -3,6 +3,7 @@
 #include "pass_storage.h"
 
 #include "buffer.h"
+#include "buffer_use.h"
 #include "context.h"
 #include "entry.h"
 #include "format.h"
@@ -15,46 +16,39 @@
 #include "shared_texels.h"
 #include "texture.h"
 
-static bool check_range(const struct rhw_context *context, rhw_buffer id, const struct rhw_buffer_data *data,
-                        size_t offset, size_t size, const char *where)
+// Makes bytes of a live buffer ones that shader functions read, and write where they are not `is_read_only`. False when
+// that is misuse.
+static bool bind_range(struct rhw_pass_state *pass, rhw_buffer id, size_t offset, size_t size,
+                       bool is_read_only, const char *where, struct rhw_bound_range *range)
 {
-    return rhw_check(context, offset <= data->size && size <= data->size - offset,
-                     "%s: offset is %zu and size is %zu; together they must stay within the %zu bytes of %s",
-                     where, offset, size, data->size, rhw_name_of(&context->buffers, id.index).text) &&
-           rhw_check(context, data->captured_pass != context->recording.generation,
-                     "%s: %s is written by the transform feedback of this pass", where,
-                     rhw_name_of(&context->buffers, id.index).text) &&
-           rhw_check(context, data->fetched_pass != context->recording.generation,
-                     "%s: %s is a vertex or index buffer of this pass, which may not write it", where,
-                     rhw_name_of(&context->buffers, id.index).text);
-}
-
-// Makes bytes of a live buffer ones that shader functions write. False when that is misuse.
-static bool bind_range(struct rhw_context *context, rhw_buffer id, size_t offset, size_t size,
-                       const char *where, struct rhw_bound_range *range)
-{
+    struct rhw_context *const context = pass->context;
     struct rhw_buffer_data *const data = rhw_context_buffer(context, id, where);
-    if (!data || !check_range(context, id, data, offset, size, where) ||
-        !rhw_buffer_check_unmapped(context, id, data, where)) {
+    if (!data || !rhw_buffer_check_range(context, id, data, offset, size, where) ||
+        !(is_read_only ? rhw_buffer_check_drawable(context, id, data, where)
+                       : rhw_buffer_check_unmapped(context, id, data, where))) {
         return false;
     }
-    data->stored_pass = context->recording.generation;
-    rhw_pool_use(&context->buffers, id.index, context->recording.generation);
-    *range = (struct rhw_bound_range){data, offset, size == 0 ? data->size - offset : size};
+    const size_t length = size == 0 ? data->size - offset : size;
+    const struct rhw_buffer_part part = {id, data, is_read_only ? RHW_BUFFER_READ : RHW_BUFFER_STORED, offset,
+                                         offset + length};
+    if (!rhw_buffer_check_use(context, &part, where)) {
+        return false;
+    }
+    pass->out_of_memory |= !rhw_buffer_note_use(context, &pass->arena, &part);
+    *range = (struct rhw_bound_range){data, offset, length, is_read_only};
     return true;
 }
 
 static void set_storage_buffer(struct rhw_pass_state *pass, int slot, rhw_buffer id, size_t offset,
-                               size_t size)
+                               size_t size, bool is_read_only, const char *where)
 {
-    static const char *const where = "rhw_pass_set_storage_buffer";
     struct rhw_context *const context = pass->context;
-    struct rhw_bound_range range = {NULL, 0, 0};
+    struct rhw_bound_range range = {.data = NULL};
     if (!rhw_check(context, slot >= 0 && slot < RHW_MAX_STORAGE_BUFFERS, "%s: slot is %d; it is in 0..%d",
                    where, slot, RHW_MAX_STORAGE_BUFFERS - 1) ||
         !rhw_check(context, offset % 4 == 0, "%s: offset is %zu; it must be a multiple of 4", where,
                    offset) ||
-        (id.index != 0 && !bind_range(context, id, offset, size, where, &range))) {
+        (id.index != 0 && !bind_range(pass, id, offset, size, is_read_only, where, &range))) {
         return;
     }
     pass->bound.storage[slot] = range;
@@ -64,9 +58,21 @@ static void set_storage_buffer(struct rhw_pass_state *pass, int slot, rhw_buffer
 void rhw_pass_set_storage_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer,
                                  size_t offset, size_t size)
 {
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_storage_buffer");
+    static const char *const where = "rhw_pass_set_storage_buffer";
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (pass) {
-        set_storage_buffer(pass, slot, buffer, offset, size);
+        set_storage_buffer(pass, slot, buffer, offset, size, false, where);
+        rhw_context_leave(context);
+    }
+}
+
+void rhw_pass_set_read_only_storage_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer,
+                                           size_t offset, size_t size)
+{
+    static const char *const where = "rhw_pass_set_read_only_storage_buffer";
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
+    if (pass) {
+        set_storage_buffer(pass, slot, buffer, offset, size, true, where);
         rhw_context_leave(context);
     }
 }
@@ -181,9 +187,8 @@ static bool check_texels(const struct rhw_context *context, enum rhw_format form
 }
 
 static void set_texel_buffer(struct rhw_pass_state *pass, int slot, rhw_buffer id, enum rhw_format format,
-                             size_t offset, size_t size)
+                             size_t offset, size_t size, bool is_read_only, const char *where)
 {
-    static const char *const where = "rhw_pass_set_texel_buffer";
     struct rhw_context *const context = pass->context;
     struct rhw_bound_image bound = {.texture = NULL};
     if (!check_slot(context, slot, where)) {
@@ -191,7 +196,7 @@ static void set_texel_buffer(struct rhw_pass_state *pass, int slot, rhw_buffer i
     }
     if (id.index != 0) {
         if (!check_texels(context, format, offset, where) ||
-            !bind_range(context, id, offset, size, where, &bound.range)) {
+            !bind_range(pass, id, offset, size, is_read_only, where, &bound.range)) {
             return;
         }
         bound.format = format;
@@ -202,9 +207,21 @@ static void set_texel_buffer(struct rhw_pass_state *pass, int slot, rhw_buffer i
 void rhw_pass_set_texel_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer,
                                enum rhw_format format, size_t offset, size_t size)
 {
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_texel_buffer");
+    static const char *const where = "rhw_pass_set_texel_buffer";
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (pass) {
-        set_texel_buffer(pass, slot, buffer, format, offset, size);
+        set_texel_buffer(pass, slot, buffer, format, offset, size, false, where);
+        rhw_context_leave(context);
+    }
+}
+
+void rhw_pass_set_read_only_texel_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer,
+                                         enum rhw_format format, size_t offset, size_t size)
+{
+    static const char *const where = "rhw_pass_set_read_only_texel_buffer";
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
+    if (pass) {
+        set_texel_buffer(pass, slot, buffer, format, offset, size, true, where);
         rhw_context_leave(context);
     }
 }
@@ -230,8 +247,9 @@ static struct rhw_storage_words words_of(const struct rhw_bound_range *range)
 {
     const size_t count = range->size / 4;
     return range->data ? (struct rhw_storage_words){(uint32_t *)(void *)(range->data->bytes + range->offset),
-                                                    count < UINT32_MAX ? (uint32_t)count : UINT32_MAX}
-                       : (struct rhw_storage_words){NULL, 0};
+                                                    count < UINT32_MAX ? (uint32_t)count : UINT32_MAX,
+                                                    range->is_read_only}
+                       : (struct rhw_storage_words){.words = NULL};
 }
 
 // A texel buffer as a texture of one row. NULL when out of memory.
@@ -261,7 +279,8 @@ static bool image_of(const struct rhw_bound_image *bound, struct rhw_arena *aren
                      struct rhw_storage_image *image)
 {
     const bool has_texels = bound->range.data && bound->range.size >= rhw_format_size(bound->format);
-    *image = (struct rhw_storage_image){bound->texture ? *bound->texture : NULL, bound->level};
+    *image = (struct rhw_storage_image){bound->texture ? *bound->texture : NULL, bound->level,
+                                        bound->range.is_read_only};
     if (has_texels) {
         image->texture = row_of_texels(bound, arena);
     }

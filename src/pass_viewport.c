@@ -10,18 +10,23 @@
 #include "pipeline.h"
 #include "rhw/rhw.h"
 
+static bool is_within(float v, float limit)
+{
+    return v >= -limit && v <= limit;
+}
+
 static void set_viewport(struct rhw_pass_state *pass, int index, const struct rhw_viewport *v,
                          const char *where)
 {
     rhw_context *const context = pass->context;
     const float limit = RHW_MAX_TARGET_SIZE;
     if (!rhw_check(context, v != NULL, "%s: viewport is NULL", where) ||
-        !rhw_check(context, v->width > 0 && v->height > 0 && v->width <= limit && v->height <= limit,
-                   "%s: the size is %gx%g; each is above 0 and at most %g", where, (double)v->width,
-                   (double)v->height, (double)limit) ||
+        !rhw_check(context, v->width > 0 && v->width <= limit && v->height >= -limit && v->height <= limit,
+                   "%s: the size is %gx%g; the width is above 0, and neither is beyond %g", where,
+                   (double)v->width, (double)v->height, (double)limit) ||
         !rhw_check(context,
-                   v->x >= -2 * limit && v->x + v->width <= 2 * limit && v->y >= -2 * limit &&
-                       v->y + v->height <= 2 * limit,
+                   v->x >= -2 * limit && v->x + v->width <= 2 * limit && is_within(v->y, 2 * limit) &&
+                       is_within(v->y + v->height, 2 * limit),
                    "%s: the corners are %g,%g and %g,%g; each is within ±%g", where, (double)v->x,
                    (double)v->y, (double)(v->x + v->width), (double)(v->y + v->height),
                    (double)(2 * limit)) ||
@@ -131,7 +136,8 @@ static struct rhw_rect clip_rect(const struct rhw_pass_state *pass, const struct
                                  const struct rhw_rect *scissor, bool is_points)
 {
     const int vx0 = first_pixel(v->x), vx1 = first_pixel((double)v->x + (double)v->width);
-    const int vy0 = first_pixel(v->y), vy1 = first_pixel((double)v->y + (double)v->height);
+    const double y = (double)v->y, end = y + (double)v->height; // which is above where the height is negative
+    const int vy0 = first_pixel(y < end ? y : end), vy1 = first_pixel(y < end ? end : y);
     const int sx0 = clamp_to(scissor->x, 0, pass->width), sy0 = clamp_to(scissor->y, 0, pass->height);
     const int sx1 = clamp_to((int64_t)scissor->x + scissor->width, 0, pass->width);
     const int sy1 = clamp_to((int64_t)scissor->y + scissor->height, 0, pass->height);

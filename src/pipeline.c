@@ -583,8 +583,6 @@ static void lay_out_primitives(struct rhw_pipeline_data *data)
     data->is_smooth =
         def->line_mode == RHW_LINE_RECTANGULAR_SMOOTH &&
         (data->primitive == RHW_PRIMITIVE_LINES || data->primitive == RHW_PRIMITIVE_POLYGON_LINES);
-    data->line_pixels = (int)(def->line_width + 0.5f);
-    data->half_width_24_8 = (double)def->line_width * (RHW_SUBPIXEL / 2);
     const int distances = def->program.clip_distance_count + def->program.cull_distance_count;
     data->point_size_component = data->varying_components + distances;
     data->extra_components = distances + (def->program.writes_point_size ? 1 : 0);

@@ -33,11 +33,9 @@ struct rhw_pipeline_data {
         RHW_PRIMITIVE_POLYGON_POINTS, // and as their corners
         RHW_PRIMITIVE_NOTHING         // rasterizer_discard
     } primitive;
-    int triangles_most;     // that tiles draw of a primitive
-    double half_width_24_8; // of lines
-    int line_pixels;        // the width of Bresenham lines
-    bool is_smooth;         // lines are drawn by the area that they cover
-    bool is_conservative;   // triangles are filled, and not by what they cover
+    int triangles_most;   // that tiles draw of a primitive
+    bool is_smooth;       // lines are drawn by the area that they cover
+    bool is_conservative; // triangles are filled, and not by what they cover
     int extra_components; // behind the varyings in a vertex record: clip distances, cull distances, point size
     int point_size_component; // of the record; where it is written
     bool any_noperspective, any_derivatives;

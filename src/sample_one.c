@@ -151,7 +151,7 @@ void rhw_sample_size1(const struct rhw_bindings *textures, int slot, int32_t lev
 
 void rhw_sample_groups1(const struct rhw_fragment1 *fragment, uint32_t slots, int at, float (*texels)[4])
 {
-    for (uint32_t todo = slots & ((1u << RHW_MAX_TEXTURES) - 1); todo != 0; todo &= todo - 1) {
+    for (uint32_t todo = slots; todo != 0; todo &= todo - 1) {
         const int slot = __builtin_ctz(todo);
         const int components = components_of(texture_of(fragment->textures, slot));
         float gradient[6];

@@ -4,6 +4,7 @@
 #ifndef RHW_STORAGE_H
 #define RHW_STORAGE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -14,6 +15,7 @@
 struct rhw_storage_words {
     uint32_t *words; // NULL: nothing is bound
     uint32_t count;
+    bool is_read_only;
 };
 
 struct rhw_texture_data;
@@ -22,6 +24,7 @@ struct rhw_texture_data;
 struct rhw_storage_image {
     const struct rhw_texture_data *texture; // NULL: nothing is bound
     int level;
+    bool is_read_only;
 };
 
 // Of a draw.

@@ -61,8 +61,8 @@ int32_t rhw_storage_word(uint32_t *word, enum rhw_storage_operation operation, u
     return 0;
 }
 
-// The words of a slot, none where it has no buffer or does not exist; and none to change where validation finds that the
-// program did not declare it.
+// The words of a slot, none where it has no buffer or does not exist; and none to change where it is set for reading, or
+// where validation finds that the program did not declare it.
 static struct rhw_storage_words words_of(const struct rhw_bindings *textures, int slot,
                                          enum rhw_storage_operation operation)
 {
@@ -70,8 +70,10 @@ static struct rhw_storage_words words_of(const struct rhw_bindings *textures, in
     if (textures->site.findings) {
         rhw_watch_storage(textures, slot, operation);
     }
-    const bool is_dropped = textures->drops_effects && operation != RHW_STORAGE_LOAD;
-    return (unsigned)slot < RHW_MAX_STORAGE_BUFFERS && !is_dropped ? textures->storage->buffers[slot] : none;
+    const struct rhw_storage_words *const words =
+        (unsigned)slot < RHW_MAX_STORAGE_BUFFERS ? &textures->storage->buffers[slot] : &none;
+    const bool is_dropped = operation != RHW_STORAGE_LOAD && (textures->drops_effects || words->is_read_only);
+    return is_dropped ? none : *words;
 }
 
 void rhw_storage_access(const struct rhw_bindings *textures, int slot,

@@ -55,7 +55,7 @@ static int64_t rounded_root(int64_t n)
 }
 
 // The places from the beginning of a line to that of the next in its strip.
-static int64_t places_of(const struct rhw_pipeline_data *pipeline, const struct rhw_snapped_vertex *a,
+static int64_t places_of(const struct rhw_draw_state *state, const struct rhw_snapped_vertex *a,
                          const struct rhw_snapped_vertex *b)
 {
     const int32_t x[2] = {a->x_24_8, b->x_24_8}, y[2] = {a->y_24_8, b->y_24_8};
@@ -63,11 +63,11 @@ static int64_t places_of(const struct rhw_pipeline_data *pipeline, const struct 
         (x[0] == x[1] && y[0] == y[1])) {
         return 0;
     }
-    if (pipeline->def.line_mode != RHW_LINE_BRESENHAM) {
+    if (state->pipeline->def.line_mode != RHW_LINE_BRESENHAM) {
         const int64_t dx = x[1] - x[0], dy = y[1] - y[0];
         return rounded_root(dx * dx + dy * dy);
     }
-    const struct line_ends line = line_ends_of(x, y, pipeline->line_pixels);
+    const struct line_ends line = line_ends_of(x, y, state->line_pixels);
     const struct pixel_range columns = major_pixels(&line);
     return columns.end > columns.first ? columns.end - columns.first : 0;
 }
@@ -84,7 +84,7 @@ static void measure_instance(const struct rhw_draw *draw, uint32_t instance)
         place = draw->strip_stipple->begins[i] ? 0 : place;
         phases[i] = (int32_t)place;
         const uint32_t *const slots = draw->expanded[i];
-        place = (place + places_of(pipeline, &vertices[slots[0]], &vertices[slots[1]])) % pattern;
+        place = (place + places_of(draw->state, &vertices[slots[0]], &vertices[slots[1]])) % pattern;
     }
 }
 

@@ -3,6 +3,7 @@
 #include "transform_feedback.h"
 
 #include "buffer.h"
+#include "buffer_use.h"
 #include "context.h"
 #include "draw_list.h"
 #include "entry.h"
@@ -15,12 +16,12 @@
 
 static const char *const begin_name = "rhw_pass_begin_transform_feedback";
 
-// Whether a target may be written from now on.
-static bool check_target(const struct rhw_pass_state *pass, const struct rhw_feedback_target *target, int i)
+// Gives what a target is to write. False where that is misuse.
+static bool find_part(const struct rhw_pass_state *pass, const struct rhw_feedback_target *target, int i,
+                      struct rhw_buffer_part *part)
 {
     const struct rhw_context *const context = pass->context;
-    const struct rhw_buffer_data *const buffer = rhw_context_buffer(context, target->buffer, begin_name);
-    const uint32_t generation = context->recording.generation;
+    struct rhw_buffer_data *const buffer = rhw_context_buffer(context, target->buffer, begin_name);
     if (!buffer || !rhw_buffer_check_unmapped(context, target->buffer, buffer, begin_name) ||
         !rhw_check(context,
                    target->offset % 4 == 0 && target->offset <= buffer->size &&
@@ -28,57 +29,34 @@ static bool check_target(const struct rhw_pass_state *pass, const struct rhw_fee
                    "%s: targets[%d] has offset %zu and size %zu; the offset must be a multiple of 4, and "
                    "together they must stay within the %zu bytes of %s",
                    begin_name, i, target->offset, target->size, buffer->size,
-                   rhw_name_of(&context->buffers, target->buffer.index).text) ||
-        !rhw_check(context,
-                   buffer->captured_pass == generation ||
-                       rhw_pool_last_use(&context->buffers, target->buffer.index) != generation,
-                   "%s: %s, targets[%d], is a vertex, index or storage buffer of this pass", begin_name,
-                   rhw_name_of(&context->buffers, target->buffer.index).text, i)) {
+                   rhw_name_of(&context->buffers, target->buffer.index).text)) {
         return false;
     }
     const size_t end = target->size == 0 ? buffer->size : target->offset + target->size;
-    for (const struct rhw_feedback_range *range = pass->feedback.ranges; range; range = range->next) {
-        if (!rhw_check(context,
-                       range->buffer != target->buffer.index || range->end <= target->offset ||
-                           end <= range->first,
-                       "%s: targets[%d], bytes %zu to %zu of %s, was written by this pass from %zu to %zu",
-                       begin_name, i, target->offset, end,
-                       rhw_name_of(&context->buffers, target->buffer.index).text, range->first, range->end)) {
+    *part = (struct rhw_buffer_part){target->buffer, buffer, RHW_BUFFER_CAPTURED, target->offset, end};
+    return rhw_buffer_check_use(context, part, begin_name);
+}
+
+// Whether the last of some parts shares no bytes with those before it, where they are of targets.
+static bool check_apart(const struct rhw_pass_state *pass, const struct rhw_buffer_part *parts, int last)
+{
+    for (int i = 0; i < last; i++) {
+        if (parts[i].data == parts[last].data &&
+            !rhw_buffer_check_apart(pass->context, &parts[last], RHW_BUFFER_CAPTURED, parts[i].first,
+                                    parts[i].end, begin_name)) {
             return false;
         }
     }
     return true;
 }
 
-static void begin_target(struct rhw_pass_state *pass, const struct rhw_feedback_target *target, int i)
+static void begin_target(struct rhw_pass_state *pass, const struct rhw_buffer_part *part, int i)
 {
-    struct rhw_context *const context = pass->context;
     struct rhw_feedback_state *const feedback = &pass->feedback;
-    struct rhw_feedback_range *const range =
-        rhw_arena_alloc(&pass->arena, sizeof *range, _Alignof(struct rhw_feedback_range));
-    if (!range) {
-        pass->out_of_memory = true;
-        return;
-    }
-    const struct rhw_buffer_data *const buffer = rhw_context_buffer(context, target->buffer, begin_name);
-    const size_t end = target->size == 0 ? buffer->size : target->offset + target->size;
-    *range = (struct rhw_feedback_range){feedback->ranges, target->buffer.index, target->offset, end};
-    feedback->ranges = feedback->range[i] = range;
-    feedback->bytes[i] = buffer->bytes;
-    feedback->at[i] = target->offset;
-}
-
-// Notes that the pass writes the buffers of its targets.
-static void note_writes(const struct rhw_pass_state *pass, const struct rhw_feedback_target *targets)
-{
-    struct rhw_context *const context = pass->context;
-    for (int i = 0; i < RHW_MAX_FEEDBACK_TARGETS; i++) {
-        if (pass->feedback.range[i]) {
-            struct rhw_buffer_data *const buffer = rhw_context_buffer(context, targets[i].buffer, begin_name);
-            buffer->captured_pass = context->recording.generation;
-            rhw_pool_use(&context->buffers, targets[i].buffer.index, context->recording.generation);
-        }
-    }
+    feedback->range[i] = rhw_buffer_note_use(pass->context, &pass->arena, part);
+    feedback->bytes[i] = part->data->bytes;
+    feedback->at[i] = part->first;
+    pass->out_of_memory |= !feedback->range[i];
 }
 
 static int vertices_of(const struct rhw_pipeline_def *def)
@@ -123,22 +101,23 @@ static void begin(struct rhw_pass_state *pass, const struct rhw_feedback_target 
     if (pass->out_of_memory || !check_begin(pass, targets, count)) {
         return;
     }
-    const struct rhw_feedback_range *const before = feedback->ranges;
+    struct rhw_buffer_part parts[RHW_MAX_FEEDBACK_TARGETS] = {{.data = NULL}};
+    const unsigned written = pass->pending.pipeline->feedback_targets;
     for (int i = 0; i < RHW_MAX_FEEDBACK_TARGETS; i++) {
         feedback->range[i] = NULL;
-        if (!(pass->pending.pipeline->feedback_targets >> i & 1)) {
-            continue;
-        }
-        if (!check_target(pass, &targets[i], i)) {
-            feedback->ranges = before;
-            return;
-        }
-        begin_target(pass, &targets[i], i);
-        if (pass->out_of_memory) {
+        if (written >> i & 1 &&
+            (!find_part(pass, &targets[i], i, &parts[i]) || !check_apart(pass, parts, i))) {
             return;
         }
     }
-    note_writes(pass, targets);
+    for (int i = 0; i < RHW_MAX_FEEDBACK_TARGETS; i++) {
+        if (written >> i & 1) {
+            begin_target(pass, &parts[i], i);
+        }
+    }
+    if (pass->out_of_memory) {
+        return;
+    }
     feedback->vertices = vertices_of(&pass->pending.pipeline->def);
     feedback->is_active = true;
 }

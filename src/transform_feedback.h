@@ -8,22 +8,15 @@
 
 struct rhw_draw;
 struct rhw_pass_state;
-
-// Bytes that a pass writes.
-struct rhw_feedback_range {
-    const struct rhw_feedback_range *next;
-    uint32_t buffer; // index
-    size_t first, end;
-};
+struct rhw_used_range;
 
 // Of a pass, between the calls.
 struct rhw_feedback_state {
     bool is_active;
-    const struct rhw_feedback_range *ranges;                    // of those before, and of the one under way
-    struct rhw_feedback_range *range[RHW_MAX_FEEDBACK_TARGETS]; // under way; NULL: no target
-    unsigned char *bytes[RHW_MAX_FEEDBACK_TARGETS];             // of the buffers
-    size_t at[RHW_MAX_FEEDBACK_TARGETS];                        // where the next vertex goes
-    int vertices;                                               // of a primitive
+    struct rhw_used_range *range[RHW_MAX_FEEDBACK_TARGETS]; // that is written, under way; NULL: no target
+    unsigned char *bytes[RHW_MAX_FEEDBACK_TARGETS];         // of the buffers
+    size_t at[RHW_MAX_FEEDBACK_TARGETS];                    // where the next vertex goes
+    int vertices;                                           // of a primitive
 };
 
 // Where a draw writes.

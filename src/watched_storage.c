@@ -3,8 +3,8 @@
 #include "findings.h"
 #include "watch.h"
 
-static void watch(const struct rhw_bindings *textures, int slot, int count, bool is_set, const char *noun,
-                  enum rhw_storage_operation operation)
+static void watch(const struct rhw_bindings *textures, int slot, int count, bool is_set, bool is_read_only,
+                  const char *noun, enum rhw_storage_operation operation)
 {
     const struct rhw_sample_site *const site = &textures->site;
     if ((unsigned)slot >= (unsigned)count) {
@@ -15,6 +15,10 @@ static void watch(const struct rhw_bindings *textures, int slot, int count, bool
         rhw_findings_add(site->findings, RHW_FINDING_MISUSE, site->draw,
                          "a shader function of %s uses %s slot %d, in which nothing is set", site->pipeline,
                          noun, slot);
+    } else if (is_read_only && operation != RHW_STORAGE_LOAD) {
+        rhw_findings_add(site->findings, RHW_FINDING_MISUSE, site->draw,
+                         "a shader function of %s writes to %s slot %d, which is set for reading alone",
+                         site->pipeline, noun, slot);
     } else if (textures->drops_effects && operation != RHW_STORAGE_LOAD) {
         rhw_findings_add(site->findings, RHW_FINDING_MISUSE, site->draw,
                          "a shader function of %s writes to %s slot %d; its program declares no such "
@@ -26,13 +30,15 @@ static void watch(const struct rhw_bindings *textures, int slot, int count, bool
 void rhw_watch_storage(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation)
 {
     const int count = RHW_MAX_STORAGE_BUFFERS;
-    const bool is_set = (unsigned)slot < (unsigned)count && textures->storage->buffers[slot].words;
-    watch(textures, slot, count, is_set, "storage", operation);
+    const struct rhw_storage_words *const words =
+        (unsigned)slot < (unsigned)count ? &textures->storage->buffers[slot] : &rhw_no_storage.buffers[0];
+    watch(textures, slot, count, words->words, words->is_read_only, "storage", operation);
 }
 
 void rhw_watch_image(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation)
 {
     const int count = RHW_MAX_STORAGE_IMAGES;
-    const bool is_set = (unsigned)slot < (unsigned)count && textures->storage->images[slot].texture;
-    watch(textures, slot, count, is_set, "image", operation);
+    const struct rhw_storage_image *const image =
+        (unsigned)slot < (unsigned)count ? &textures->storage->images[slot] : &rhw_no_storage.images[0];
+    watch(textures, slot, count, image->texture, image->is_read_only, "image", operation);
 }

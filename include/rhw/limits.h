@@ -15,7 +15,7 @@ struct rhw_limits {
     /// Bytes of the one block of uniforms that a draw has. Where Vulkan has 12 uniform buffers for a stage, a program
     /// lays them out in it: 12 of 65536 bytes fit.
     uint32_t max_uniform_buffer_range;
-    /// Slots that both functions of a program share: Vulkan has 16 for each.
+    /// Slots that both functions of a program share: as many as Vulkan has for the two together.
     uint32_t max_per_stage_descriptor_samplers, max_per_stage_descriptor_sampled_images;
 
     // Vertex input; offsets and strides in bytes.
@@ -32,6 +32,7 @@ struct rhw_limits {
     uint32_t max_color_attachments, max_fragment_output_attachments, max_fragment_dual_src_attachments;
     uint32_t framebuffer_color_sample_counts; ///< or-ed numbers of samples
     uint32_t framebuffer_depth_sample_counts, framebuffer_stencil_sample_counts;
+    uint32_t framebuffer_no_attachments_sample_counts;
     uint32_t max_sample_mask_words;
 
     // Rasterization: pixels, and bits behind the point.
@@ -43,6 +44,9 @@ struct rhw_limits {
     float point_size_range[2], point_size_granularity;
     float line_width_range[2], line_width_granularity;
     bool standard_sample_locations;
+    /// Pixels, of rhw_interpolate_at, which takes any; so far floats have those bits behind the point, nearer more.
+    float min_interpolation_offset, max_interpolation_offset;
+    uint32_t sub_pixel_interpolation_offset_bits;
 
     // Samplers. Weights have 15 bits at least; those of coordinates fewer where a float of 0..1 leaves no more.
     uint32_t sub_texel_precision_bits, mipmap_precision_bits;
@@ -61,9 +65,11 @@ struct rhw_limits {
     uint32_t max_per_stage_descriptor_input_attachments; ///< every colour target, and depth
     uint32_t max_fragment_combined_output_resources;
     uint32_t max_storage_buffer_range, max_texel_buffer_elements;
+    uint32_t min_memory_map_alignment; ///< of what rhw_buffer_map gives, less its offset
     uint32_t min_storage_buffer_offset_alignment, min_texel_buffer_offset_alignment;
-    uint32_t sampled_image_color_sample_counts,
-        sampled_image_depth_sample_counts; ///< by rhw_sample_fetch_sample
+    // By rhw_sample_fetch_sample; stencil by a view of R8_UINT.
+    uint32_t sampled_image_color_sample_counts, sampled_image_integer_sample_counts;
+    uint32_t sampled_image_depth_sample_counts, sampled_image_stencil_sample_counts;
     uint32_t storage_image_sample_counts;
 
     float timestamp_period; ///< nanoseconds of a step of rhw_query_counts.timestamp_ns

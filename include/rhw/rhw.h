@@ -176,6 +176,11 @@ RHW_API void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass pass, int
 /// `offset`: bytes to index 0.
 RHW_API void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass pass, rhw_buffer buffer,
                                        enum rhw_index_type type, size_t offset);
+/// The same of `size` bytes, 0: to the end of the buffer. What lies behind them is outside to draws.
+RHW_API void rhw_pass_set_vertex_buffer_range(rhw_context *context, rhw_pass pass, int slot,
+                                              rhw_buffer buffer, size_t offset, size_t size);
+RHW_API void rhw_pass_set_index_buffer_range(rhw_context *context, rhw_pass pass, rhw_buffer buffer,
+                                             enum rhw_index_type type, size_t offset, size_t size);
 /// Copies `size` bytes, at most RHW_MAX_UNIFORM_SIZE; at a draw they must be at least the program's uniform_size.
 RHW_API void rhw_pass_set_uniforms(rhw_context *context, rhw_pass pass, const void *data, size_t size);
 /// A null texture unbinds the slot; sampling an unbound slot gives 0, 0, 0, 1. What has a level and layer of an attachment or
@@ -185,10 +190,14 @@ RHW_API void rhw_pass_set_texture(rhw_context *context, rhw_pass pass, int slot,
                                   rhw_sampler sampler);
 /// Bytes `offset`, a multiple of 4, to offset + size of the buffer, 0: to its end, as storage slot `slot`,
 /// 0..RHW_MAX_STORAGE_BUFFERS − 1, which shader functions read and write (shader_storage.h). A null buffer unbinds the
-/// slot. What they write is there when the pass has ended. A buffer that this pass reads as vertices or indices is
-/// refused, and from then on the other way round.
+/// slot. What they write is there when the pass has ended. Bytes that this pass reads otherwise, as vertices, indices or in
+/// a read-only slot, are refused, and from then on the other way round; then draws find no commands there either.
 RHW_API void rhw_pass_set_storage_buffer(rhw_context *context, rhw_pass pass, int slot, rhw_buffer buffer,
                                          size_t offset, size_t size);
+/// The same for functions that only read it (WebGPU, read-only-storage): the bytes may be read in any other way too, and written
+/// between draws, as those of vertex buffers. Writing and atomics do nothing, and give 0.
+RHW_API void rhw_pass_set_read_only_storage_buffer(rhw_context *context, rhw_pass pass, int slot,
+                                                   rhw_buffer buffer, size_t offset, size_t size);
 /// A level of a texture, all its layers or slices, as image slot `slot`, 0..RHW_MAX_STORAGE_IMAGES − 1, which shader
 /// functions read and write (shader_image.h). Its format can be drawn into as colour, its texels have one sample. A null
 /// texture unbinds the slot. The level counts as an attachment of this pass, and is neither attached nor sampled besides.
@@ -198,6 +207,10 @@ RHW_API void rhw_pass_set_storage_image(rhw_context *context, rhw_pass pass, int
 /// `offset` is a multiple of the texel's size. It is a storage buffer of this pass. A null buffer unbinds the slot.
 RHW_API void rhw_pass_set_texel_buffer(rhw_context *context, rhw_pass pass, int slot, rhw_buffer buffer,
                                        enum rhw_format format, size_t offset, size_t size);
+/// The same for functions that only read it (Vulkan, uniform texel buffers), as rhw_pass_set_read_only_storage_buffer.
+RHW_API void rhw_pass_set_read_only_texel_buffer(rhw_context *context, rhw_pass pass, int slot,
+                                                 rhw_buffer buffer, enum rhw_format format, size_t offset,
+                                                 size_t size);
 RHW_API void rhw_pass_set_viewport(rhw_context *context, rhw_pass pass, const struct rhw_viewport *viewport);
 RHW_API void rhw_pass_set_scissor(rhw_context *context, rhw_pass pass, const struct rhw_rect *scissor);
 /// Viewports and scissors `first` .. `first` + count − 1 of RHW_MAX_VIEWPORTS, for programs that write viewport_index;
@@ -217,6 +230,8 @@ RHW_API void rhw_pass_set_depth_bias(rhw_context *context, rhw_pass pass, const 
 /// Stands in the place of the pipelines' own line_stipple until NULL is set; with factor 0 there is none.
 RHW_API void rhw_pass_set_line_stipple(rhw_context *context, rhw_pass pass,
                                        const struct rhw_line_stipple *stipple);
+/// Stands in the place of the pipelines' own line_width until 0 is set: 1..RHW_MAX_LINE_WIDTH pixels.
+RHW_API void rhw_pass_set_line_width(rhw_context *context, rhw_pass pass, float width);
 /// For pipelines with depth_bounds_test: 0 <= least <= most <= 1. 0 and 1 at the start.
 RHW_API void rhw_pass_set_depth_bounds(rhw_context *context, rhw_pass pass, float least, float most);
 /// Clears rectangles of attachments, all samples of them, after what was drawn before and below what is drawn after

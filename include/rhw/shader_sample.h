@@ -61,8 +61,9 @@ RHW_API void rhw_sample_fetch(const struct rhw_bindings *textures, int slot, con
                               const rhw_int *level, rhw_float texel[4]);
 
 /// The texel at x, y of `at`, and of an array the layer, in one sample of a multisampled texture, unfiltered, as
-/// rhw_sample_fetch gives it; zeros where there is no such sample or layer. The other functions take a slot with a
-/// multisampled texture for one without, and this one a slot with any other.
+/// rhw_sample_fetch gives it; zeros where there is no such sample or layer. The other functions but rhw_sample_size,
+/// rhw_sample_levels and rhw_sample_samples take a slot with a multisampled texture for one without, and this one a slot
+/// with any other.
 RHW_API void rhw_sample_fetch_sample(const struct rhw_bindings *textures, int slot, const rhw_int *at,
                                      const rhw_int *sample, rhw_float texel[4]);
 
@@ -160,5 +161,8 @@ struct rhw_bindings;
 
 /// Mip levels of a slot's texture; 0 in a slot without one.
 RHW_API int rhw_sample_levels(const struct rhw_bindings *textures, int slot);
+/// Samples of a texel of a slot's texture, 1 where it is not multisampled; 0 in a slot without one (GLSL 4.60
+/// textureSamples, SPIR-V OpImageQuerySamples).
+RHW_API int rhw_sample_samples(const struct rhw_bindings *textures, int slot);
 
 #endif

@@ -29,7 +29,7 @@ enum {
     RHW_MAX_ATTRIBUTES = 16,
     RHW_MAX_VARYINGS = 32,
     RHW_MAX_VARYING_COMPONENTS = 64,
-    RHW_MAX_TEXTURES = 16,       ///< texture slots of a draw
+    RHW_MAX_TEXTURES = 32,       ///< texture slots of a draw, for both functions
     RHW_MAX_SAMPLES = 16,        ///< of a pixel
     RHW_MAX_GROUPS = 16,         ///< groups of 8 lanes in one call of a shader function
     RHW_MAX_UNIFORM_SIZE = 1 << 20, ///< bytes
@@ -563,7 +563,7 @@ struct rhw_pipeline_def {
                             ///< unfinished is not drawn
     enum rhw_provoking provoking;    ///< FIRST
     enum rhw_polygon_mode polygon_mode; ///< FILL
-    float line_width; ///< pixels, 1..RHW_MAX_LINE_WIDTH, of rectangles around the lines; 0: 1
+    float line_width; ///< pixels, 1..RHW_MAX_LINE_WIDTH, of rectangles around the lines; 0: 1; see rhw_pass_set_line_width
     enum rhw_cull cull;              ///< NONE
     enum rhw_winding front;          ///< COUNTER_CLOCKWISE
     enum rhw_depth_range depth_range; ///< ZERO_TO_ONE
@@ -698,8 +698,12 @@ struct rhw_draw_commands {
 /// Where −1..1 in x and y goes. Triangles and lines are cut off at its edges; a point is kept or left out by its centre, and
 /// one near an edge reaches beyond (Vulkan 1.3 §27.4): rhw_pass_set_scissor cuts that too. Positions are rounded to 1/256
 /// pixel after x and y were added, so that a viewport moved by whole pixels need not draw the same bytes to the last bit.
+/// With a negative height y is the lower edge and y + height the upper one, and Y of clip space points down, as Vulkan's does
+/// with a positive height (VK_KHR_maintenance1): Vulkan's x, y, width, height is x, y + height, width, −height here. Facing
+/// is that on the screen, and so turns over. A height of 0 shows nothing but points.
 struct rhw_viewport {
-    float x, y, width, height; ///< pixels from the top left; corners within ±2·RHW_MAX_TARGET_SIZE
+    float x, y;          ///< pixels from the top left; corners within ±2·RHW_MAX_TARGET_SIZE
+    float width, height; ///< above 0; at most RHW_MAX_TARGET_SIZE either way
     float depth_min, depth_max; ///< 0..1; depth_min > depth_max reverses. Both 0: 0 and 1; for nothing but depth 0
                                 ///< depth_max is −1, which counts as 0
 };

@@ -283,7 +283,7 @@ class Pass:
             self._recorded().cancel()
 
     def viewport(self, x: float, y: float, width: float, height: float) -> None:
-        """Where -1..1 goes from now on: pixels from the top left."""
+        """Where -1..1 goes from now on: pixels from the top left. With a negative height from the lower left, turned over."""
         corner = [_arrays.number(value, name, -1e9, 1e9) for value, name in ((x, "x"), (y, "y"), (width, "width"), (height, "height"))]
         self._recorded().viewport(*corner)
 

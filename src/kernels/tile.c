@@ -62,7 +62,7 @@ static bool set_shape(const struct tile_work *work, const struct rhw_triangle *t
     shape->is_smooth = t->flags & RHW_TRIANGLE_SMOOTH;
     shape->tells_contained = false;
     if (shape->is_line) {
-        shape->line = line_pixels_of(t, pipeline->line_pixels);
+        shape->line = line_pixels_of(t, work->state->line_pixels);
         return true;
     }
     if (shape->is_smooth) {

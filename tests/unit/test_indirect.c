@@ -158,7 +158,8 @@ static void test_misuse(void **state)
     rhw_pass_set_storage_buffer(rig->context, rig->recording, 0, stage.commands, 0, 0);
     rhw_pass_draw_indirect(rig->context, rig->recording,
                            &(struct rhw_draw_commands){.buffer = stage.commands, .count = 1});
-    rig_expect_misuse(rig, "buffer 1 \"commands\" is a storage buffer of this pass; end the pass first");
+    rig_expect_misuse(
+        rig, "it reads bytes 0 to 16 of buffer 1 \"commands\"; storage of this pass may write bytes");
     rig_end(rig);
     assert_int_equal(rig->stats.draws, 0);
     rig_close(rig);

@@ -244,9 +244,36 @@ static void test_from_samples(void **state)
     rig_close(&rig);
 }
 
+// As far as limits say, and by steps of the bits they give: a value that is x less 31.5, which is 0 in the middle of a pixel.
+static void test_limits(void **state)
+{
+    (void)state;
+    const struct rhw_limits l = rhw_limits_get();
+    const float least = l.min_interpolation_offset, most = l.max_interpolation_offset;
+    const float step = 1.0f / (float)(1u << l.sub_pixel_interpolation_offset_bits);
+    assert_true(least <= -0.5f && most >= 0.5f - step && l.sub_pixel_interpolation_offset_bits >= 4);
+    const float offsets[] = {least, most, least + step, most - step, -0.5f, 0.5f - step, step, -step};
+    for (int one = 0; one < 2; one++) {
+        struct rig rig;
+        open_rig(&rig, one ? NULL : move, one ? move1 : NULL);
+        struct vertex vertices[3] = {{.smooth = -31.5f, .screen = -31.5f},
+                                     {.smooth = 32.5f, .screen = 32.5f},
+                                     {.smooth = -31.5f, .screen = -31.5f}};
+        rig_place(&rig, 0, 0, 0.5f, 1, vertices[0].position);
+        rig_place(&rig, SIZE, 0, 0.5f, 1, vertices[1].position);
+        rig_place(&rig, 0, SIZE, 0.5f, 1, vertices[2].position);
+        for (size_t i = 0; i < sizeof offsets / sizeof *offsets; i++) {
+            const float *const pixel = draw(&rig, vertices, (const float[2]){offsets[i], 7})[2 * SIZE + 31];
+            assert_true(pixel[0] == offsets[i] && pixel[1] == offsets[i]);
+        }
+        rig_close(&rig);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_limits),
         cmocka_unit_test(test_by_hand),
         cmocka_unit_test(test_against_the_formulas),
         cmocka_unit_test(test_from_samples),

@@ -37,14 +37,19 @@ static void test_what_vulkan_requires(void **state)
         {"maxUniformBufferRange", l.max_uniform_buffer_range, 16384},
         {"maxPerStageDescriptorUniformBuffers of it", l.max_uniform_buffer_range, 12 * 16384},
         {"maxPushConstantsSize of it", l.max_uniform_buffer_range, 128 + 12 * 16384},
-        {"maxPerStageDescriptorSamplers", l.max_per_stage_descriptor_samplers, 16},
-        {"maxPerStageDescriptorSampledImages", l.max_per_stage_descriptor_sampled_images, 16},
+        {"maxPerStageDescriptorSamplers of both", l.max_per_stage_descriptor_samplers, 2 * 16},
+        {"maxPerStageDescriptorSampledImages of both", l.max_per_stage_descriptor_sampled_images, 2 * 16},
         {"maxPerStageDescriptorStorageBuffers", l.max_per_stage_descriptor_storage_buffers, 4},
         {"maxPerStageDescriptorStorageImages", l.max_per_stage_descriptor_storage_images, 4},
         {"maxPerStageDescriptorInputAttachments", l.max_per_stage_descriptor_input_attachments, 4},
         {"maxFragmentCombinedOutputResources", l.max_fragment_combined_output_resources, 4},
         {"maxStorageBufferRange", l.max_storage_buffer_range, 134217728},
         {"maxTexelBufferElements", l.max_texel_buffer_elements, 65536},
+        {"minMemoryMapAlignment", l.min_memory_map_alignment, 64},
+        {"-minInterpolationOffset", -(double)l.min_interpolation_offset, 0.5},
+        {"maxInterpolationOffset", (double)l.max_interpolation_offset, 0.5},
+        {"subPixelInterpolationOffsetBits", l.sub_pixel_interpolation_offset_bits, 4},
+        {"sampledImageIntegerSampleCounts", l.sampled_image_integer_sample_counts, 1},
         {"-minStorageBufferOffsetAlignment", -(double)l.min_storage_buffer_offset_alignment, -256},
         {"-minTexelBufferOffsetAlignment", -(double)l.min_texel_buffer_offset_alignment, -256},
         {"storageImageSampleCounts", l.storage_image_sample_counts, 1},
@@ -96,8 +101,11 @@ static void test_what_vulkan_requires(void **state)
         {"timestampPeriod", (double)l.timestamp_period, 1},
     };
     expect_at_least(rows, sizeof rows / sizeof *rows);
-    const uint32_t counts[] = {l.framebuffer_color_sample_counts, l.framebuffer_depth_sample_counts,
-                               l.framebuffer_stencil_sample_counts};
+    const uint32_t counts[] = {
+        l.framebuffer_color_sample_counts,    l.framebuffer_depth_sample_counts,
+        l.framebuffer_stencil_sample_counts,  l.framebuffer_no_attachments_sample_counts,
+        l.sampled_image_color_sample_counts,  l.sampled_image_depth_sample_counts,
+        l.sampled_image_stencil_sample_counts};
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
         assert_int_equal(counts[i] & (1 | 4), 1 | 4);
     }
@@ -245,6 +253,233 @@ static void test_textures(void **state)
     rig_close(&rig);
 }
 
+// Slot i has i + 1: the sum by a fetch from each, and by rhw_sample_groups from all at once.
+static void sum_slots(struct rhw_fragment *groups, int count)
+{
+    rhw_float texels[RHW_MAX_GROUPS][RHW_MAX_TEXTURES][4];
+    rhw_sample_groups(groups, count, UINT32_MAX, 0, texels[0], RHW_MAX_TEXTURES);
+    for (int g = 0; g < count; g++) {
+        const rhw_int zero[2] = {rhw_splat_int(0), rhw_splat_int(0)};
+        rhw_float fetched = rhw_splat(0), sampled = rhw_splat(0);
+        for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
+            rhw_float texel[4];
+            rhw_sample_fetch(groups[g].textures, i, zero, NULL, texel);
+            fetched += texel[0];
+            sampled += texels[g][i][0];
+        }
+        groups[g].color[0][0] = fetched;
+        groups[g].color[0][1] = sampled;
+        groups[g].color[0][2] = texels[g][RHW_MAX_TEXTURES - 1][0];
+        groups[g].color[0][3] = rhw_splat(1);
+    }
+}
+
+static void sum_slots1(struct rhw_fragment1 *f)
+{
+    float texels[RHW_MAX_TEXTURES][4];
+    const int32_t zero[2] = {0, 0};
+    rhw_sample_groups1(f, UINT32_MAX, 0, texels);
+    f->color[0][0] = f->color[0][1] = 0;
+    for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
+        float texel[4];
+        rhw_sample_fetch1(f->textures, i, zero, 0, texel);
+        f->color[0][0] += texel[0];
+        f->color[0][1] += texels[i][0];
+    }
+    f->color[0][2] = texels[RHW_MAX_TEXTURES - 1][0];
+    f->color[0][3] = 1;
+}
+
+static void test_texture_slots(void **state)
+{
+    (void)state;
+    const int count = (int)rhw_limits_get().max_per_stage_descriptor_sampled_images;
+    assert_int_equal(count, 32);
+    for (int n = 0; n < 4; n++) { // single floats, and textures of 8 bits that share their footprints
+        struct rig rig;
+        rhw_sampler sampler;
+        rhw_texture textures[RHW_MAX_TEXTURES];
+        struct rig_vertex vertices[6];
+        rig_open(&rig, 16, 16);
+        assert_int_equal(rhw_sampler_create(rig.context, &(struct rhw_sampler_def){.label = NULL}, &sampler),
+                         RHW_OK);
+        rig_set_program(&rig, rig_vertex_pass, sum_slots);
+        if (n & 1) {
+            memset(rig.pipeline.program.fragment, 0, sizeof rig.pipeline.program.fragment);
+            rig.pipeline.program.fragment1 = sum_slots1;
+        }
+        rig.pipeline.program.varyings[0].derivatives = true;
+        rig_cover(&rig, 0.5f, (const float[4]){0.5f, 0.5f}, vertices);
+        const bool is_float = n < 2;
+        rig_begin(&rig);
+        for (int i = 0; i < count; i++) {
+            const struct rhw_texture_def def = {
+                .format = is_float ? RHW_FORMAT_R32_FLOAT : RHW_FORMAT_RGBA8_UNORM, .width = 1, .height = 1};
+            const float value = (float)(i + 1);
+            const unsigned char bytes[4] = {i < 31 ? 0 : 255, 0, 0, 0};
+            assert_int_equal(rhw_texture_create(rig.context, &def, &textures[i]), RHW_OK);
+            assert_int_equal(
+                rhw_texture_write(rig.context, textures[i], 0, is_float ? (const void *)&value : bytes, 0),
+                RHW_OK);
+            rhw_pass_set_texture(rig.context, rig.recording, i, textures[i], sampler);
+        }
+        rig_draw(&rig, vertices, 6);
+        rig_end(&rig);
+        const float sum = is_float ? 32 * 33 / 2 : 1, last = is_float ? 32 : 1;
+        assert_memory_equal(rig_read_float4(&rig)[77], ((const float[4]){sum, sum, last, 1}), 16);
+        for (int i = 0; i < count; i++) {
+            rhw_texture_destroy(rig.context, textures[i]);
+        }
+        rhw_sampler_destroy(rig.context, sampler);
+        rig_close(&rig);
+    }
+}
+
+// Every number of samples: drawn into, then read by a shader function, of colour, integers, depth and stencil; and a pass
+// without attachments, whose samples a query counts.
+static void read_sample(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const rhw_int at[2] = {rhw_splat_int(3), rhw_splat_int(5)};
+        const int last = rhw_sample_samples(groups[g].textures, 0) - 1;
+        const rhw_int sample = rhw_splat_int(last);
+        rhw_float texel[4];
+        rhw_sample_fetch_sample(groups[g].textures, 0, at, &sample, texel);
+        groups[g].color[0][0] = texel[0];
+        groups[g].color[0][1] = rhw_float_from_int(rhw_bits_from_float(texel[0]));
+        groups[g].color[0][2] = rhw_splat((float)last);
+        groups[g].color[0][3] = rhw_splat(1);
+    }
+}
+
+static rhw_texture make_multisampled(const struct rig *rig, enum rhw_format format, int samples)
+{
+    rhw_texture texture;
+    const struct rhw_texture_def def = {.format = format, .width = 8, .height = 8, .samples = samples};
+    assert_int_equal(rhw_texture_create(rig->context, &def, &texture), RHW_OK);
+    return texture;
+}
+
+static void expect_sample(struct rig *rig, rhw_texture texture, rhw_sampler sampler, bool is_bits,
+                          float expected, int samples)
+{
+    struct rig_vertex vertices[6];
+    rig_cover(rig, 0.5f, (const float[4]){0}, vertices);
+    rig_begin(rig);
+    rhw_pass_set_texture(rig->context, rig->recording, 0, texture, sampler);
+    rig_draw(rig, vertices, 6);
+    rig_end(rig);
+    const float *const pixel = rig_read_float4(rig)[9];
+    assert_true(pixel[is_bits] == expected && pixel[2] == (float)(samples - 1));
+}
+
+static void expect_sampled_counts(int samples)
+{
+    struct rig rig;
+    rhw_sampler sampler;
+    rhw_texture stencil;
+    rig_open(&rig, 8, 8);
+    rhw_sampler_create(
+        rig.context,
+        &(struct rhw_sampler_def){.min_filter = RHW_FILTER_NEAREST, .mag_filter = RHW_FILTER_NEAREST},
+        &sampler);
+    const rhw_texture color = make_multisampled(&rig, RHW_FORMAT_RGBA16_FLOAT, samples),
+                      integer = make_multisampled(&rig, RHW_FORMAT_R32_UINT, samples),
+                      depth = make_multisampled(&rig, RHW_FORMAT_D32_FLOAT_S8_UINT, samples);
+    const struct rhw_pass_def def = {
+        .color_count = 2,
+        .colors = {{.texture = color, .load = RHW_LOAD_CLEAR, .clear = {0.25f}},
+                   {.texture = integer, .load = RHW_LOAD_CLEAR, .clear_integer = {1234567}}},
+        .depth = {.enabled = true,
+                  .texture = depth,
+                  .load = RHW_LOAD_CLEAR,
+                  .clear = 0.125f,
+                  .stencil_load = RHW_LOAD_CLEAR,
+                  .stencil_clear = 77}};
+    rhw_pass pass;
+    assert_int_equal(rhw_pass_begin(rig.context, &def, &pass), RHW_OK);
+    assert_int_equal(rhw_pass_end(rig.context, pass, NULL), RHW_OK);
+    const struct rhw_texture_view_def view = {.texture = depth, .format = RHW_FORMAT_R8_UINT};
+    assert_int_equal(rhw_texture_view_create(rig.context, &view, &stencil), RHW_OK);
+    rig_set_program(&rig, rig_vertex_pass, read_sample);
+    if (samples > 1) { // one is fetched otherwise
+        expect_sample(&rig, color, sampler, false, 0.25f, samples);
+        expect_sample(&rig, integer, sampler, true, 1234567, samples);
+        expect_sample(&rig, depth, sampler, false, 0.125f, samples);
+        expect_sample(&rig, stencil, sampler, true, 77, samples);
+    }
+    const rhw_texture textures[] = {stencil, color, integer, depth};
+    for (int i = 0; i < 4; i++) {
+        rhw_texture_destroy(rig.context, textures[i]);
+    }
+    rhw_sampler_destroy(rig.context, sampler);
+    rig_close(&rig);
+}
+
+static void expect_samples_without_attachments(int samples)
+{
+    struct rig rig;
+    struct rig_vertex vertices[6];
+    rhw_query query;
+    struct rhw_query_counts counts;
+    rig_open(&rig, 8, 8);
+    rig_cover(&rig, 0.5f, (const float[4]){0}, vertices);
+    rig.pass.colors[0].texture = (rhw_texture){0};
+    rig.pass.color_count = rig.pipeline.target_count = 0;
+    rig.pass.width = rig.pass.height = 8;
+    rig.pass.samples = samples;
+    assert_int_equal(
+        rhw_query_create(rig.context, &(struct rhw_query_def){.kind = RHW_QUERY_OCCLUSION}, &query), RHW_OK);
+    rig_begin(&rig);
+    rhw_pass_begin_query(rig.context, rig.recording, query);
+    rig_draw(&rig, vertices, 6);
+    rhw_pass_end_query(rig.context, rig.recording, query);
+    rig_end(&rig);
+    assert_int_equal(rhw_query_read(rig.context, query, &counts), RHW_OK);
+    assert_int_equal(counts.samples_passed, 64 * samples);
+    rhw_query_destroy(rig.context, query);
+    rig_close(&rig);
+}
+
+static void test_sample_counts(void **state)
+{
+    (void)state;
+    const struct rhw_limits l = rhw_limits_get();
+    const uint32_t sampled = l.sampled_image_color_sample_counts;
+    assert_int_equal(l.sampled_image_integer_sample_counts, sampled);
+    assert_int_equal(l.sampled_image_depth_sample_counts, sampled);
+    assert_int_equal(l.sampled_image_stencil_sample_counts, sampled);
+    for (int samples = 1; samples <= RHW_MAX_SAMPLES; samples *= 2) {
+        assert_true(sampled & (uint32_t)samples);
+        expect_sampled_counts(samples);
+        assert_true(l.framebuffer_no_attachments_sample_counts & (uint32_t)samples);
+        expect_samples_without_attachments(samples);
+    }
+}
+
+static void test_mapped_memory(void **state)
+{
+    (void)state;
+    const uintptr_t alignment = rhw_limits_get().min_memory_map_alignment;
+    static const size_t offsets[] = {0, 1, 63, 64, 1000};
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    for (size_t i = 0; i < 2 * sizeof offsets / sizeof *offsets; i++) {
+        static _Alignas(RHW_MEMORY_ALIGNMENT) unsigned char memory[1024 + RHW_MEMORY_PADDING];
+        rhw_buffer buffer;
+        const struct rhw_buffer_def def = {
+            .size = 1024, .memory = i % 2 ? memory : NULL, .memory_size = i % 2 ? sizeof memory : 0};
+        const size_t offset = offsets[i / 2];
+        void *at = NULL;
+        assert_int_equal(rhw_buffer_create(rig.context, &def, &buffer), RHW_OK);
+        assert_int_equal(rhw_buffer_map(rig.context, buffer, offset, 0, RHW_MAP_READ, &at), RHW_OK);
+        assert_true(((uintptr_t)at - offset) % alignment == 0);
+        rhw_buffer_unmap(rig.context, buffer);
+        rhw_buffer_destroy(rig.context, buffer);
+    }
+    rig_close(&rig);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -253,6 +488,9 @@ int main(void)
         cmocka_unit_test(test_uniforms),
         cmocka_unit_test(test_sizes),
         cmocka_unit_test(test_textures),
+        cmocka_unit_test(test_texture_slots),
+        cmocka_unit_test(test_sample_counts),
+        cmocka_unit_test(test_mapped_memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

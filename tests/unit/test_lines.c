@@ -357,6 +357,98 @@ static void test_widths_out_of_range_are_misuse(void **state)
     rig_close(&rig);
 }
 
+// What the pass sets stands in the place of the pipelines' own, 3 pixels, until it sets 0. Rows of lines through middles.
+static void test_widths_of_the_pass(void **state)
+{
+    (void)state;
+    static const struct {
+        double y;
+        float set; // -1: nothing
+        int first, rows;
+    } lines[] = {{4.5, -1, 3, 3},    {14.5, 7, 11, 7}, {22.5, -1, 19, 7},    {26.5, 1, 26, 1},
+                 {45.5, 31, 30, 31}, {64.5, 0, 63, 3}, {74.5, 4.75f, 72, 5}, {84.5, 0, 83, 3}};
+    enum { LINES = sizeof lines / sizeof *lines };
+    for (int mode = RHW_LINE_RECTANGULAR; mode <= RHW_LINE_BRESENHAM; mode++) {
+        struct rig rig;
+        struct rig_vertex v[2 * LINES];
+        open_rig(&rig, RHW_PATHS_ALL);
+        rig.pipeline.line_mode = (enum rhw_line_mode)mode;
+        rig.pipeline.line_width = 3;
+        bool wanted[SIZE] = {false};
+        for (int i = 0; i < LINES; i++) {
+            v[2 * i] = vertex_at(&rig, 4, lines[i].y, 1, 1);
+            v[2 * i + 1] = vertex_at(&rig, 90, lines[i].y, 1, 1);
+            for (int y = 0; y < lines[i].rows; y++) {
+                wanted[lines[i].first + y] = true;
+            }
+        }
+        rig_begin(&rig);
+        rig_use_pipeline(&rig);
+        rig_use_vertices(&rig, 0, v, sizeof v);
+        for (int i = 0; i < LINES; i++) {
+            if (lines[i].set >= 0) {
+                rhw_pass_set_line_width(rig.context, rig.recording, lines[i].set);
+            }
+            rhw_pass_draw(rig.context, rig.recording, (uint32_t)(2 * i), 2, 0, 1);
+        }
+        rig_end(&rig);
+        const float(*const pixels)[4] = rig_read_float4(&rig);
+        for (int y = 0; y < SIZE; y++) {
+            if ((pixels[y * SIZE + 48][3] != 0) != wanted[y]) {
+                fail_msg("mode %d, row %d: expected %d", mode, y, wanted[y]);
+            }
+        }
+        rig_close(&rig);
+    }
+}
+
+// Edges of triangles, and lines of strips with a stipple: the bytes of a pipeline with that width.
+static void test_widths_of_edges_and_strips(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 6; n++) {
+        struct rig rig;
+        open_rig(&rig, n % 2 ? RHW_PATHS_GENERAL : RHW_PATHS_ALL);
+        rig.pipeline.line_mode = (enum rhw_line_mode)(n / 2);
+        rig.pipeline.topology = n % 2 ? RHW_TRIANGLE_LIST : RHW_LINE_STRIP;
+        rig.pipeline.polygon_mode = RHW_POLYGON_LINE;
+        rig.pipeline.line_stipple = (struct rhw_line_stipple){2, 0x6b2d};
+        const struct rig_vertex v[3] = {vertex_at(&rig, 11.25, 20.5, 1, 0.25f),
+                                        vertex_at(&rig, 80.75, 33.5, 2, 0.5f),
+                                        vertex_at(&rig, 50.5, 77.125, 1, 1)};
+        uint64_t hashes[3];
+        for (int i = 0; i < 3; i++) {
+            rig.pipeline.line_width = i == 0 ? 5.5f : 2;
+            rig_begin(&rig);
+            if (i == 1) {
+                rhw_pass_set_line_width(rig.context, rig.recording, 5.5f);
+            }
+            rig_draw(&rig, v, 3);
+            rig_end(&rig);
+            hashes[i] = rig_hash(&rig, 0);
+        }
+        assert_true(hashes[0] == hashes[1]);
+        assert_true(hashes[0] != hashes[2]); // the next pass has the pipelines' own
+        rig_close(&rig);
+    }
+}
+
+static void test_widths_of_the_pass_are_checked(void **state)
+{
+    (void)state;
+    static const float widths[] = {0.5f, -1, 256.5f, NAN};
+    struct rig rig;
+    open_rig(&rig, RHW_PATHS_ALL);
+    rig_begin(&rig);
+    for (int i = 0; i < 4; i++) {
+        rhw_pass_set_line_width(rig.context, rig.recording, widths[i]);
+        rig_expect_misuse(&rig, "it must be 1..256, or 0 for the pipelines' own");
+    }
+    rhw_pass_set_line_width(rig.context, rig.recording, RHW_MAX_LINE_WIDTH);
+    rig_end(&rig);
+    rig_close(&rig);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -370,6 +462,9 @@ int main(void)
         cmocka_unit_test(test_restart_cuts_every_topology),
         cmocka_unit_test(test_paths_agree),
         cmocka_unit_test(test_widths_out_of_range_are_misuse),
+        cmocka_unit_test(test_widths_of_the_pass),
+        cmocka_unit_test(test_widths_of_edges_and_strips),
+        cmocka_unit_test(test_widths_of_the_pass_are_checked),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

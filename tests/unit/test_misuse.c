@@ -436,7 +436,7 @@ static void test_pass_state(void **state)
     rhw_pass_set_texture(context, rig.recording, 0, rig.pass.colors[0].texture, sampler);
     rig_expect_misuse(&rig, "rhw_pass_set_texture"); // it is drawn into
     const struct rhw_viewport viewports[] = {
-        {0, 0, 0, 8, 0, 1},   {0, 0, 8, -8, 0, 1},       {0, 0, 8, 8, -0.5f, 1}, {0, 0, 8, 8, 0, 2},
+        {0, 0, 0, 8, 0, 1},   {0, 0, 8, -20000, 0, 1},   {0, 0, 8, 8, -0.5f, 1}, {0, 0, 8, 8, 0, 2},
         {NAN, 0, 8, 8, 0, 1}, {0, 0, INFINITY, 8, 0, 1}, {0, 0, 8, 8, NAN, 1},   {0, 1e9f, 8, 8, 0, 1},
         {0, 0, 8, NAN, 0, 1}, {-32769, 0, 8, 8, 0, 1},   {0, 0, 8, 8, 0, -0.5f},
     };

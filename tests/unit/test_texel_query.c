@@ -154,6 +154,34 @@ static void test_sizes(void **state)
     rig_close(&rig);
 }
 
+// What there is of a multisampled array, which is not sampled.
+static void test_samples(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    struct bound bound;
+    const struct rhw_sampler_def def = {0};
+    for (int samples = 1; samples <= 16; samples *= 2) {
+        const struct rhw_texture_def layers = {
+            .format = RHW_FORMAT_R32_FLOAT, .width = 7, .height = 5, .layers = 3, .samples = samples};
+        rhw_texture texture;
+        assert_int_equal(rhw_texture_create(rig.context, &layers, &texture), RHW_OK);
+        bind(&bound, &rig, texture, &def);
+        assert_int_equal(rhw_sample_samples(&bound.bindings, SLOT), samples);
+        assert_int_equal(rhw_sample_levels(&bound.bindings, SLOT), 1);
+        int32_t size[3];
+        rhw_sample_size1(&bound.bindings, SLOT, 0, size);
+        assert_true(size[0] == 7 && size[1] == 5 && size[2] == 3);
+        rhw_sample_size1(&bound.bindings, SLOT, 1, size);
+        assert_true(size[0] == 0 && size[1] == 0 && size[2] == 0);
+    }
+    assert_int_equal(rhw_sample_samples(&bound.bindings, SLOT + 1), 0);
+    assert_int_equal(rhw_sample_samples(&bound.bindings, -1), 0);
+    assert_int_equal(rhw_sample_samples(&bound.bindings, RHW_MAX_TEXTURES), 0);
+    rig_close(&rig);
+}
+
 static void expect_four(const struct bound *bound, const struct rhw_sample_request1 *request, int channel,
                         float a, float b, float c, float d)
 {
@@ -447,15 +475,11 @@ static void test_misuse(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_fetch),
-        cmocka_unit_test(test_sizes),
-        cmocka_unit_test(test_gather),
-        cmocka_unit_test(test_reductions),
-        cmocka_unit_test(test_bias),
-        cmocka_unit_test(test_bias_of_bytes),
-        cmocka_unit_test(test_coordinates_in_texels),
-        cmocka_unit_test(test_mirror_once),
-        cmocka_unit_test(test_misuse),
+        cmocka_unit_test(test_fetch),         cmocka_unit_test(test_samples),
+        cmocka_unit_test(test_sizes),         cmocka_unit_test(test_gather),
+        cmocka_unit_test(test_reductions),    cmocka_unit_test(test_bias),
+        cmocka_unit_test(test_bias_of_bytes), cmocka_unit_test(test_coordinates_in_texels),
+        cmocka_unit_test(test_mirror_once),   cmocka_unit_test(test_misuse),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -376,13 +376,16 @@ static void test_misuse_in_a_pass(void **state)
     rig_expect_misuse(&rig, "targets[0] has offset 8 and size 249");
     rhw_pass_set_vertex_buffer(rig.context, rig.recording, 0, read, 0);
     begin_feedback(&rig, &(struct rhw_feedback_target){.buffer = read}, 1);
-    rig_expect_misuse(&rig,
-                      "buffer 2 \"kept\", targets[0], is a vertex, index or storage buffer of this pass");
+    rig_expect_misuse(
+        &rig, "it writes bytes 0 to 256 of buffer 2 \"kept\"; a vertex, index or read-only buffer of this "
+              "pass reads bytes 0 to 256");
     begin_feedback(&rig, &target, 1);
     begin_feedback(&rig, &target, 1);
     rig_expect_misuse(&rig, "it is under way; end it first");
     rhw_pass_set_vertex_buffer(rig.context, rig.recording, 0, buffer, 0);
-    rig_expect_misuse(&rig, "buffer 1 \"kept\" is written by the transform feedback of this pass");
+    rig_expect_misuse(
+        &rig, "it reads bytes 0 to 256 of buffer 1 \"kept\"; the transform feedback of this pass writes "
+              "bytes 0 to 256");
     assert_int_equal(rhw_buffer_write(rig.context, buffer, 0, "x", 1), RHW_ERROR_MISUSE);
     rig_expect_misuse(&rig,
                       "buffer 1 \"kept\" is written by the transform feedback of this pass; end the pass");
@@ -391,14 +394,20 @@ static void test_misuse_in_a_pass(void **state)
     rig_expect_misuse(&rig, "rhw_buffer_read: buffer 1 \"kept\" is written by the transform feedback");
     rhw_pass_set_storage_buffer(rig.context, rig.recording, 0, buffer, 0, 0);
     rig_expect_misuse(&rig,
-                      "rhw_pass_set_storage_buffer: buffer 1 \"kept\" is written by the transform feedback");
+                      "rhw_pass_set_storage_buffer: it may write bytes 0 to 256 of buffer 1 \"kept\"; the "
+                      "transform feedback of this pass writes bytes 0 to 256");
     rig_use_pipeline(&rig);
     rig_expect_misuse(&rig, "rhw_pass_set_pipeline: transform feedback is under way; end it first");
     rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
     end_feedback(&rig, NULL);
     begin_feedback(&rig, &(struct rhw_feedback_target){buffer, 8, 4}, 1);
-    rig_expect_misuse(
-        &rig, "targets[0], bytes 8 to 12 of buffer 1 \"kept\", was written by this pass from 0 to 12");
+    rig_expect_misuse(&rig, "it writes bytes 8 to 12 of buffer 1 \"kept\"; the transform feedback of this "
+                            "pass writes bytes 0 to 12");
+    // What it did not come to, and other bytes of what is read, are free.
+    rhw_pass_set_storage_buffer(rig.context, rig.recording, 0, buffer, 128, 0);
+    rhw_pass_set_vertex_buffer_range(rig.context, rig.recording, 0, buffer, 64, 64);
+    begin_feedback(&rig, &(struct rhw_feedback_target){buffer, 60, 8}, 1);
+    rig_expect_misuse(&rig, "a vertex, index or read-only buffer of this pass reads bytes 64 to 128");
     begin_feedback(&rig, &(struct rhw_feedback_target){buffer, 12, 4}, 1);
     assert_int_equal(rhw_pass_end(rig.context, rig.recording, NULL), RHW_ERROR_MISUSE);
     rig_expect_misuse(&rig, "rhw_pass_end: transform feedback was begun and not ended");
@@ -411,7 +420,8 @@ static void test_misuse_in_a_pass(void **state)
     rig_expect_misuse(&rig, "count is 1; the pipeline that is set writes target 1");
     begin_feedback(&rig, (const struct rhw_feedback_target[2]){{buffer, 0, 128}, {buffer, 124, 0}}, 2);
     rig_expect_misuse(&rig,
-                      "targets[1], bytes 124 to 256 of buffer 1 \"kept\", was written by this pass from 0");
+                      "it writes bytes 124 to 256 of buffer 1 \"kept\"; the transform feedback of this pass "
+                      "writes bytes 0 to 128");
     rhw_pass_cancel(rig.context, rig.recording);
     rig_close(&rig);
 }

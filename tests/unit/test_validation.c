@@ -67,7 +67,7 @@ static void paint(struct rhw_fragment *groups, int count)
         case WRITE_NO_TARGET: f->color[1][2] = rhw_splat(1); break;
         case SAMPLE_NO_SLOT: {
             const rhw_float uv[2] = {rhw_splat(0), rhw_splat(0)};
-            rhw_sample_lod(f->textures, 16, uv, rhw_splat(0), texel);
+            rhw_sample_lod(f->textures, 32, uv, rhw_splat(0), texel);
             break;
         }
         case DIVIDE_BY_ZERO: extra = extra / extra; break;
@@ -102,7 +102,7 @@ static void paint1(struct rhw_fragment1 *f)
     case WRITE_NO_TARGET: f->color[1][2] = 1; break;
     case SAMPLE_NO_SLOT: {
         const float uv[2] = {0, 0};
-        rhw_sample_lod1(f->textures, 16, uv, 0, texel);
+        rhw_sample_lod1(f->textures, 32, uv, 0, texel);
         break;
     }
     case DIVIDE_BY_ZERO: extra = extra / texel[0]; break;
@@ -134,7 +134,7 @@ static const struct {
     {WRITE_DEPTH, RHW_USE_DEPTH, "writes depth; RHW_USE_DEPTH is missing in its program's uses"},
     {LEAVE_ALPHA, 0, "does not write color[0][3]"},
     {LEAVE_SOME_LANES, 0, "does not write color[0][0]"},
-    {SAMPLE_NO_SLOT, 0, "samples slot 16; slots are 0..15"},
+    {SAMPLE_NO_SLOT, 0, "samples slot 32; slots are 0..31"},
 };
 
 // Draws two triangles after one that is right, with the deed done.
@@ -347,7 +347,7 @@ static void test_vertex_functions(void **state)
         {WRITE_FAR_VARYING, "writes varying[4]; its program has 4 components"},
         {READ_ATTRIBUTE, "reads an attribute behind the last; the pipeline has 2"},
         {READ_FAR_UNIFORMS, "reads uniforms behind uniform_size, which is 8"},
-        {SAMPLE_FROM_VERTEX, "samples slot -1; slots are 0..15"},
+        {SAMPLE_FROM_VERTEX, "samples slot -1; slots are 0..31"},
     };
     for (size_t i = 0; i < 2 * sizeof wrong / sizeof wrong[0]; i++) {
         struct rig rig;

@@ -11,21 +11,24 @@
 #include "facing.h"
 #include "geometry_scratch.h"
 
-// The determinant of the vertices' (X, Y, W): above 0 where they turn counter-clockwise with y up.
-static double homogeneous_turn(const struct rhw_vertex_record *const v[3])
+// Whether the triangle turns the negative way on the screen before it is snapped. The determinant of the vertices' (X, Y,
+// W) is above 0 where they turn counter-clockwise with y up.
+static bool homogeneous_turns_negative(const struct rhw_draw_state *state,
+                                       const struct rhw_vertex_record *const v[3])
 {
     const float *const a = v[0]->position, *const b = v[1]->position, *const c = v[2]->position;
-    return (double)a[3] * ((double)b[0] * (double)c[1] - (double)b[1] * (double)c[0]) +
-           (double)b[3] * ((double)c[0] * (double)a[1] - (double)c[1] * (double)a[0]) +
-           (double)c[3] * ((double)a[0] * (double)b[1] - (double)a[1] * (double)b[0]);
+    const double turn = (double)a[3] * ((double)b[0] * (double)c[1] - (double)b[1] * (double)c[0]) +
+                        (double)b[3] * ((double)c[0] * (double)a[1] - (double)c[1] * (double)a[0]) +
+                        (double)c[3] * ((double)a[0] * (double)b[1] - (double)a[1] * (double)b[0]);
+    return state->half_height < 0 ? turn < 0 : turn > 0;
 }
 
 // Whether the triangle turns the negative way on the screen. Vertices that the clipper makes are snapped on their own:
 // a triangle without area may leave a polygon with one, and a thin polygon may cross itself, so that its halves turn
 // opposite ways and their areas add up to nothing. So the triangle is asked first, then the polygon, then the triangle
 // before it was snapped.
-static bool turns_negative(const struct rhw_vertex_record *const v[3], bool snapped,
-                           const struct rhw_polygon *polygon)
+static bool turns_negative(const struct rhw_draw_state *state, const struct rhw_vertex_record *const v[3],
+                           bool snapped, const struct rhw_polygon *polygon)
 {
     const int64_t x1 = v[1]->x_24_8 - v[0]->x_24_8, y1 = v[1]->y_24_8 - v[0]->y_24_8;
     const int64_t x2 = v[2]->x_24_8 - v[0]->x_24_8, y2 = v[2]->y_24_8 - v[0]->y_24_8;
@@ -33,7 +36,7 @@ static bool turns_negative(const struct rhw_vertex_record *const v[3], bool snap
     if (area == 0) {
         area = rhw_polygon_area(polygon);
     }
-    return area != 0 ? area < 0 : homogeneous_turn(v) > 0;
+    return area != 0 ? area < 0 : homogeneous_turns_negative(state, v);
 }
 
 // Sets the pixels that the polygon may cover, within the state's scissor. False where there is none.
@@ -83,7 +86,7 @@ static bool setup_clipped(struct rhw_geometry_scratch *scratch, const struct rhw
         return false;
     }
     scratch->counters.clipped++;
-    const unsigned negative = turns_negative(v, !(any & RHW_VERTEX_UNSNAPPED), polygon);
+    const unsigned negative = turns_negative(state, v, !(any & RHW_VERTEX_UNSNAPPED), polygon);
     const unsigned back = facing_back(def, negative) & 1;
     if (rhw_polygon_is_flat(polygon) || (culled_facing(def, back) & 1) ||
         !bound_polygon(triangle, polygon, state)) {

@@ -67,7 +67,7 @@ static unsigned add_bresenham8(const struct rhw_draw_state *state, const struct 
     const struct triangle_names8 names = {.vertex = {l->vertex[0], l->vertex[0], l->vertex[1]},
                                           .primitive = l->primitive,
                                           .segment = l->segment};
-    const int width = state->pipeline->line_pixels;
+    const int width = state->line_pixels;
     struct pixel_rect8 pixels = {i8_splat(0), i8_splat(0), i8_splat(0), i8_splat(0)};
     for (unsigned left = live & n.nonzero; left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);

@@ -51,7 +51,7 @@ static void set_half8(struct line_half8 *half, const struct rhw_draw_state *stat
 static unsigned add_rectangles8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
                                 const struct lines8 *l, unsigned live, struct rhw_triangle_list *list)
 {
-    const struct line_sides8 n = line_sides8(l, state->pipeline->half_width_24_8);
+    const struct line_sides8 n = line_sides8(l, state->half_width_24_8);
     const i8 *const x = l->x, *const y = l->y;
     const struct triangle8 first = {.x = {x[0] + n.x, x[0] - n.x, x[1] + n.x},
                                     .y = {y[0] + n.y, y[0] - n.y, y[1] + n.y}};

@@ -24,7 +24,7 @@ static __attribute__((noinline)) unsigned add_smooth8(const struct rhw_draw_stat
                                                       struct rhw_triangle_list *list)
 {
     const struct rhw_rect *const scissor = &state->scissor;
-    const struct line_sides8 n = line_sides8(l, state->pipeline->half_width_24_8);
+    const struct line_sides8 n = line_sides8(l, state->half_width_24_8);
     const i8 *const x = l->x, *const y = l->y;
     const struct triangle8 t = {.x = {x[0] + n.x, x[0] - n.x, x[1] + n.x},
                                 .y = {y[0] + n.y, y[0] - n.y, y[1] + n.y}};

@@ -158,7 +158,7 @@ static __attribute__((noinline)) void setup_polygons8(struct rhw_geometry_scratc
             p.v[i] = record_at(segment, p.slot[i]);
         }
         const unsigned turns =
-            unsnapped >> lane & 1 ? (unsigned)(homogeneous_turn(p.v) > 0) : negative >> lane & 1;
+            unsnapped >> lane & 1 ? (unsigned)homogeneous_turns_negative(state, p.v) : negative >> lane & 1;
         const unsigned back = facing_back(def, turns) & 1;
         if (culled_facing(def, back) & 1) {
             seen &= ~(1u << lane);

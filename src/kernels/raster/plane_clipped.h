@@ -102,8 +102,8 @@ static void planes_homogeneous(struct planes *p, struct clipped_planes *c, const
         planes_without_area(p, c);
         return;
     }
-    const double inverse =
-        1 / (-(half_width * half_height) * determinant.hi); // the map to pixels turns y over
+    // The map to pixels turns y over, or with a negative height does not.
+    const double inverse = 1 / (-(half_width * half_height) * determinant.hi);
     struct plane row[3];
     double size = 0;
     for (int i = 0; i < 3; i++) {
@@ -112,7 +112,7 @@ static void planes_homogeneous(struct planes *p, struct clipped_planes *c, const
             dd_edge(vertex[i == 2 ? 0 : i + 1], vertex[i == 0 ? 2 : i - 1], half_width, half_height, cx, cy);
         row[i] = plane_scale(inverse, (struct plane){e->at.hi, e->dx.hi, e->dy.hi});
         size += magnitude(row[i].at) + magnitude(row[i].dx) * (half_width + 1) +
-                magnitude(row[i].dy) * (half_height + 1);
+                magnitude(row[i].dy) * (magnitude(half_height) + 1);
     }
     // Terms of the sums over the least 1/W: how much cancels, see setup_planes4.
     p->kind = size * c->w[nearest_vertex(c)] > 0x1p22 ? PLANES_DOUBLE_DOUBLE : PLANES_LINEAR;
