@@ -23,7 +23,8 @@ static rhw_texture make(const struct rig *rig, enum rhw_format format, int sampl
 
 // Whether all bytes beyond the pass are those of before, and inside each texel is `left` where the rectangle was drawn,
 // `right` elsewhere.
-static void check_texels(const struct rig *rig, rhw_texture texture, size_t size, const void *left, const void *right)
+static void check_texels(const struct rig *rig, rhw_texture texture, size_t size, const void *left,
+                         const void *right)
 {
     static unsigned char texels[WIDTH * HEIGHT * 16];
     unsigned char pattern[16];
@@ -72,8 +73,8 @@ static void draw(int samples, enum rhw_format depth_format, size_t bin_memory)
     const float near = 0, far = 1;
     const uint16_t near_step = 0, far_step = 0xffff;
     const bool is_float = depth_format == RHW_FORMAT_D32_FLOAT;
-    check_texels(&rig, rig.pass.depth.texture, is_float ? 4 : 2,
-                 is_float ? (const void *)&near : &near_step, is_float ? (const void *)&far : &far_step);
+    check_texels(&rig, rig.pass.depth.texture, is_float ? 4 : 2, is_float ? (const void *)&near : &near_step,
+                 is_float ? (const void *)&far : &far_step);
     rig_close(&rig);
 }
 
@@ -89,8 +90,9 @@ static void test_beyond_the_pass(void **state)
 static void test_samples(void **state)
 {
     (void)state;
-    static const enum rhw_format formats[] = {RHW_FORMAT_R8_UNORM, RHW_FORMAT_RG8_UNORM, RHW_FORMAT_RGBA8_SRGB,
-                                              RHW_FORMAT_RGBA16_FLOAT, RHW_FORMAT_RGBA32_FLOAT};
+    static const enum rhw_format formats[] = {RHW_FORMAT_R8_UNORM, RHW_FORMAT_RG8_UNORM,
+                                              RHW_FORMAT_RGBA8_SRGB, RHW_FORMAT_RGBA16_FLOAT,
+                                              RHW_FORMAT_RGBA32_FLOAT};
     for (size_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
         struct rig rig;
         struct rig_vertex vertices[6];
@@ -106,7 +108,9 @@ static void test_samples(void **state)
         unsigned char left[16] = {0}, right[16] = {0};
         const size_t size = rhw_format_size(formats[f]);
         switch (formats[f]) {
-        case RHW_FORMAT_RGBA16_FLOAT: memcpy(left, (uint16_t[4]){0x3c00, 0x3c00, 0x3c00, 0x3c00}, size); break;
+        case RHW_FORMAT_RGBA16_FLOAT:
+            memcpy(left, (uint16_t[4]){0x3c00, 0x3c00, 0x3c00, 0x3c00}, size);
+            break;
         case RHW_FORMAT_RGBA32_FLOAT: memcpy(left, one, size); break;
         default: memset(left, 255, size);
         }
@@ -177,8 +181,9 @@ static void test_misuse(void **state)
     rig_open(&rig, 8, 8);
     rig_set_target(&rig, 1, RHW_FORMAT_RGBA8_UNORM);
     rig.pass.colors[1].texture = make(&rig, RHW_FORMAT_RGBA8_UNORM, 1);
-    expect_refused(&rig, "colors[1] is texture 3, whose level 0 is 150x90; the pass is 8x8 as its first attachment; "
-                         "set width and height for a part of larger ones");
+    expect_refused(
+        &rig, "colors[1] is texture 3, whose level 0 is 150x90; the pass is 8x8 as its first attachment; "
+              "set width and height for a part of larger ones");
     rig.pass.width = 8;
     rig.pass.height = 9;
     expect_refused(&rig, "whose level 0 is 8x8; the pass is 8x9, and each is at least as large");
