@@ -73,7 +73,7 @@ struct rhw_limits rhw_limits_get(void)
         .max_transform_feedback_buffer_data_stride = UINT32_MAX - 3, // a multiple of 4
         .max_per_stage_descriptor_storage_buffers = RHW_MAX_STORAGE_BUFFERS,
         .max_per_stage_descriptor_storage_images = RHW_MAX_STORAGE_IMAGES,
-        .max_per_stage_descriptor_input_attachments = RHW_MAX_COLOR_ATTACHMENTS + 1,
+        .max_per_stage_descriptor_input_attachments = RHW_MAX_COLOR_ATTACHMENTS + 2,
         .max_fragment_combined_output_resources =
             RHW_MAX_COLOR_ATTACHMENTS + RHW_MAX_STORAGE_BUFFERS + RHW_MAX_STORAGE_IMAGES,
         .max_storage_buffer_range = UINT32_MAX,

@@ -62,7 +62,7 @@ struct rhw_limits {
     uint32_t max_transform_feedback_buffer_data_stride;
     // Storage. Slots are shared by both functions of a program; offsets in bytes.
     uint32_t max_per_stage_descriptor_storage_buffers, max_per_stage_descriptor_storage_images;
-    uint32_t max_per_stage_descriptor_input_attachments; ///< every colour target, and depth
+    uint32_t max_per_stage_descriptor_input_attachments; ///< every colour target, depth and stencil
     uint32_t max_fragment_combined_output_resources;
     uint32_t max_storage_buffer_range, max_texel_buffer_elements;
     uint32_t min_memory_map_alignment; ///< of what rhw_buffer_map gives, less its offset

@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "format.h"
+
 enum {
     PASSES = 500,
     WIDTH = 90,
@@ -169,19 +171,17 @@ static const enum rhw_format depth_formats[] = {
 
 static bool has_depth(enum rhw_format format)
 {
-    return format != RHW_FORMAT_NONE && format != RHW_FORMAT_S8_UINT;
+    return rhw_format_has_role(rhw_format_info(format), RHW_ROLE_DEPTH_TARGET);
 }
 
 static bool has_stencil(enum rhw_format format)
 {
-    return format >= RHW_FORMAT_D24_UNORM_S8_UINT && format <= RHW_FORMAT_S8_UINT;
+    return rhw_format_has_role(rhw_format_info(format), RHW_ROLE_STENCIL_TARGET);
 }
 
 static bool is_integer(enum rhw_format format)
 {
-    return format == RHW_FORMAT_R32_UINT || format == RHW_FORMAT_RGBA8_SINT ||
-           format == RHW_FORMAT_RG16_UINT || format == RHW_FORMAT_RGB10A2_UINT ||
-           format == RHW_FORMAT_RGBA32_SINT;
+    return rhw_format_is_integer(rhw_format_info(format));
 }
 
 // The attachments of a pass.
