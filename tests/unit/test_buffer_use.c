@@ -334,10 +334,8 @@ static void halves(void **state)
 }
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(read_only_goes_with_all),
-                                       cmocka_unit_test(read_only_is_written_between_draws),
-                                       cmocka_unit_test(read_only_is_not_written),
-                                       cmocka_unit_test(ranges),
-                                       cmocka_unit_test(halves)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(read_only_goes_with_all), cmocka_unit_test(read_only_is_written_between_draws),
+        cmocka_unit_test(read_only_is_not_written), cmocka_unit_test(ranges), cmocka_unit_test(halves)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
