@@ -12,10 +12,8 @@
 #include "format.h"
 #include "lookup.h"
 #include "misuse.h"
-#include "pass_feedback_loop.h"
+#include "pass_attachment.h"
 #include "pass_state.h"
-#include "shared_texels.h"
-#include "texture_shape.h"
 
 static const char *const where = "rhw_pass_begin";
 
@@ -29,10 +27,16 @@ static bool check_operations(rhw_context *context, const char *prefix, enum rhw_
                      "%s: %sstore is %d; not a store operation", where, prefix, (int)store);
 }
 
-static bool check_resolve_mode(rhw_context *context, const char *prefix, enum rhw_resolve mode)
+// `may_be_none`: so that what it would be resolved into stays as it is.
+static bool check_resolve_mode(rhw_context *context, const char *prefix, enum rhw_resolve mode,
+                               bool may_be_none)
 {
-    return rhw_check(context, (unsigned)mode <= RHW_RESOLVE_SAMPLE_ZERO,
-                     "%s: %sresolve_mode is %d; not a resolve mode", where, prefix, (int)mode);
+    return rhw_check(context, (unsigned)mode <= RHW_RESOLVE_NONE,
+                     "%s: %sresolve_mode is %d; not a resolve mode", where, prefix, (int)mode) &&
+           rhw_check(
+               context, mode != RHW_RESOLVE_NONE || may_be_none,
+               "%s: %sresolve_mode is RHW_RESOLVE_NONE; that is for a depth attachment with resolve set",
+               where, prefix);
 }
 
 static struct rhw_name name_of(const rhw_context *context, rhw_texture id)
@@ -40,153 +44,9 @@ static struct rhw_name name_of(const rhw_context *context, rhw_texture id)
     return rhw_name_of(&context->textures, id.index);
 }
 
-// The plane of stencil of a level as a level of its own in `plane`.
-static const struct rhw_mip *stencil_of(const struct rhw_mip *mip, struct rhw_mip *plane)
-{
-    if (!mip) {
-        return NULL;
-    }
-    *plane = *mip;
-    plane->texels = mip->stencil;
-    plane->row_pitch = mip->stencil_pitch;
-    plane->slice_pitch = mip->stencil_pitch * (size_t)mip->height;
-    return plane;
-}
-
-// Whether an attachment before the one that is attached now draws into the same texels, or their stencil.
-static bool is_attached(const struct rhw_pass_state *pass, const struct rhw_mip *mip, int layer)
-{
-    struct rhw_mip plane;
-    return rhw_pass_attaches(pass, rhw_texel_range_of(mip, layer, pass->layers)) ||
-           (mip->stencil &&
-            rhw_pass_attaches(pass, rhw_texel_range_of(stencil_of(mip, &plane), layer, pass->layers)));
-}
-
-// What of a texture is attached.
-struct attached_part {
-    int layer, level, layer_count;
-};
-
 static int layers_of(int layer_count)
 {
     return layer_count == 0 ? 1 : layer_count;
-}
-
-// A pass that names its size draws into that part of larger levels (Vulkan 1.3, VkFramebufferCreateInfo); one that takes it
-// from the first attachment has others of that size, as anything else is likely a mistake.
-static bool check_size(const struct rhw_pass_state *pass, rhw_texture id, const char *name,
-                       struct attached_part part, const struct rhw_mip *mip)
-{
-    const bool fits = pass->names_size ? mip->width >= pass->width && mip->height >= pass->height
-                                       : mip->width == pass->width && mip->height == pass->height;
-    return rhw_check(
-        pass->context, fits, "%s: %s is %s, whose level %d is %dx%d; the pass is %dx%d%s", where, name,
-        name_of(pass->context, id).text, part.level, mip->width, mip->height, pass->width, pass->height,
-        pass->names_size ? ", and each is at least as large"
-                         : " as its first attachment; set width and height for a part of larger ones");
-}
-
-// Checks the texture of an attachment against the pass and the attachments before it. The first gives the pass its size,
-// where that is not set.
-static bool check_texture(struct rhw_pass_state *pass, rhw_texture id, const struct rhw_texture_data *texture,
-                          const char *name, struct attached_part part)
-{
-    rhw_context *const context = pass->context;
-    if (!rhw_check(context, part.level >= 0 && part.level < texture->levels,
-                   "%s: %s.level is %d; %s has levels 0..%d", where, name, part.level,
-                   name_of(context, id).text, texture->levels - 1)) {
-        return false;
-    }
-    const struct rhw_mip *const mip = &texture->mip[part.level];
-    const int layer = part.layer;
-    if (pass->width == 0) {
-        pass->width = mip->width;
-        pass->height = mip->height;
-    }
-    return rhw_check(context, part.layer_count == pass->layers,
-                     "%s: %s.layer_count is %d; the first attachment has %d", where, name, part.layer_count,
-                     pass->layers) &&
-           rhw_texture_check_layer(context, id, texture, part.level, layer, where) &&
-           rhw_check(context, pass->layers <= mip->slices - layer,
-                     "%s: %s has %d layers from %d on; level %d of %s has 0..%d", where, name, pass->layers,
-                     layer, part.level, name_of(context, id).text, mip->slices - 1) &&
-           rhw_check(context, !texture->swizzles,
-                     "%s: %s is %s, a view with a swizzle; attachments have none", where, name,
-                     name_of(context, id).text) &&
-           rhw_check(context, !is_attached(pass, mip, layer),
-                     "%s: %s is %s, as another attachment is; each needs its own texture or layer", where,
-                     name, name_of(context, id).text) &&
-           check_size(pass, id, name, part, mip);
-}
-
-// Whether a texture with other samples than the pass can be resolved into.
-static bool check_attached_samples(const struct rhw_pass_state *pass, rhw_texture id,
-                                   const struct rhw_texture_data *texture, const char *name)
-{
-    const int samples = pass->pattern->count;
-    return rhw_check(pass->context, texture->samples == samples || texture->samples == 1,
-                     "%s: %s is %s, which has %d samples; the pass has %d", where, name,
-                     name_of(pass->context, id).text, texture->samples, samples);
-}
-
-// Makes a part of a texture one that the pass writes; gives the record of its tiles. Several layers, and a part of a
-// level, have none, and what is recorded of the texture's is forgotten. False when out of memory.
-static bool take(struct rhw_pass_state *pass, rhw_texture id, struct rhw_texture_data *texture,
-                 struct attached_part part, struct rhw_clean_tiles **clean)
-{
-    struct rhw_context *const context = pass->context;
-    rhw_texture_note_attached(texture, context->recording.generation);
-    texture->written |= 1u << part.level;
-    rhw_pool_use(&context->textures, id.index, context->recording.generation);
-    const struct rhw_mip *const mip = &texture->mip[part.level];
-    *clean = NULL;
-    if (pass->layers > 1 || mip->width != pass->width || mip->height != pass->height) {
-        rhw_clean_tiles_forget(texture->clean);
-        return true;
-    }
-    *clean = rhw_clean_tiles_of_part(&context->memory, &texture->clean, part.layer, part.level, mip->width,
-                                     mip->height);
-    return *clean != NULL;
-}
-
-// The texture of the attachment `name`; NULL, and misuse, when there is none.
-static struct rhw_texture_data *find_texture(const rhw_context *context, rhw_texture id, const char *name)
-{
-    char whose[64];
-    snprintf(whose, sizeof whose, "%s: %s.texture", where, name);
-    return rhw_context_texture(context, id, whose);
-}
-
-// Fills what an attachment with a texture has. `name`: "colors[0]" or "depth".
-static enum rhw_result attach(struct rhw_pass_state *pass, rhw_texture id, struct attached_part part,
-                              const char *name, struct rhw_attachment *attachment)
-{
-    struct rhw_context *const context = pass->context;
-    struct rhw_texture_data *const texture = find_texture(context, id, name);
-    if (!texture) {
-        return RHW_ERROR_MISUSE;
-    }
-    if (!check_texture(pass, id, texture, name, part) || !check_attached_samples(pass, id, texture, name)) {
-        return RHW_ERROR_MISUSE;
-    }
-    struct rhw_clean_tiles *clean;
-    if (!take(pass, id, texture, part, &clean)) {
-        return RHW_ERROR_OUT_OF_MEMORY;
-    }
-    attachment->layer = part.layer;
-    attachment->level = part.level;
-    attachment->format = texture->format;
-    attachment->texel_size = rhw_format_size(texture->format);
-    attachment->loads_resolved = texture->samples != pass->pattern->count;
-    if (attachment->loads_resolved) {
-        attachment->resolve = &texture->mip[part.level];
-        attachment->resolve_clean = clean;
-    } else {
-        attachment->target = &texture->mip[part.level];
-        attachment->clean = clean;
-        attachment->sample_stride = texture->samples > 1 ? texture->sample_stride : 0;
-    }
-    return RHW_OK;
 }
 
 // What RHW_LOAD_DEFAULT stands for.
@@ -202,6 +62,13 @@ static void set_clear(struct rhw_attachment *attachment, const unsigned char *te
          i += attachment->texel_size) {
         memcpy(attachment->clear + i, texel, attachment->texel_size);
     }
+}
+
+// What is resolved into its only texture is so as that is stored; into one of its own, in any case.
+static bool is_resolved(const struct rhw_attachment *attachment)
+{
+    return attachment->resolve && attachment->resolve_mode != RHW_RESOLVE_NONE &&
+           (!attachment->loads_resolved || attachment->store == RHW_STORE_STORE);
 }
 
 // NaN is told under validation.
@@ -240,30 +107,6 @@ static void set_color_clear(struct rhw_attachment *attachment, const struct rhw_
     set_clear(attachment, texel);
 }
 
-// What samples that have a texture of their own are resolved into besides.
-static enum rhw_result attach_resolve(struct rhw_pass_state *pass, rhw_texture id, int i,
-                                      struct rhw_attachment *attachment)
-{
-    struct rhw_context *const context = pass->context;
-    char name[32];
-    snprintf(name, sizeof name, "colors[%d].resolve", i);
-    const struct attached_part part = {attachment->layer, attachment->level, pass->layers};
-    struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
-    if (!texture || !check_texture(pass, id, texture, name, part) ||
-        !rhw_check(
-            context, !attachment->loads_resolved && pass->pattern->count > 1,
-            "%s: colors[%d].resolve is set and colors[%d].texture has one sample; it must be null then",
-            where, i, i) ||
-        !rhw_check(context, texture->samples == 1 && texture->format == attachment->format,
-                   "%s: colors[%d].resolve is %s, which is %s with %d samples; it must be %s with one", where,
-                   i, name_of(context, id).text, rhw_format_info(texture->format)->name, texture->samples,
-                   rhw_format_info(attachment->format)->name)) {
-        return RHW_ERROR_MISUSE;
-    }
-    attachment->resolve = &texture->mip[part.level];
-    return take(pass, id, texture, part, &attachment->resolve_clean) ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
-}
-
 // What tiles have of an attachment that the pass does not have: cleared, drawn into by nobody, forgotten.
 static struct rhw_attachment left_out(void)
 {
@@ -283,7 +126,7 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
     snprintf(name, sizeof name, "colors[%d]", i);
     snprintf(prefix, sizeof prefix, "%s.", name);
     if (!check_operations(context, prefix, color->load, color->store) ||
-        !check_resolve_mode(context, prefix, color->resolve_mode)) {
+        !check_resolve_mode(context, prefix, color->resolve_mode, false)) {
         return RHW_ERROR_MISUSE;
     }
     if (color->texture.index == 0) {
@@ -295,17 +138,16 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
                    : RHW_ERROR_MISUSE;
     }
     *attachment = (struct rhw_attachment){.resolve_mode = color->resolve_mode};
-    enum rhw_result result = attach(
+    enum rhw_result result = rhw_pass_attach_texture(
         pass, color->texture,
-        (struct attached_part){color->layer, color->level, layers_of(color->layer_count)}, name, attachment);
+        (struct rhw_attached_part){color->layer, color->level, layers_of(color->layer_count)}, name,
+        attachment);
     if (result == RHW_OK && color->resolve.index != 0) {
-        result = attach_resolve(pass, color->resolve, i, attachment);
+        result = rhw_pass_attach_resolve(pass, color->resolve, name, attachment);
     }
     if (result != RHW_OK) {
         return result;
     }
-    attachment->resolves =
-        attachment->resolve && (!attachment->loads_resolved || color->store == RHW_STORE_STORE);
     const struct rhw_format_info *const info = rhw_format_info(attachment->format);
     if (!rhw_check(context, rhw_format_has_role(info, RHW_ROLE_COLOR_TARGET),
                    "%s: colors[%d] is %s, which is %s; that is no colour target", where, i,
@@ -317,6 +159,7 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
     }
     attachment->load = load_of(color->load);
     attachment->store = color->store;
+    attachment->resolves = is_resolved(attachment);
     set_color_clear(attachment, color, info);
     return RHW_OK;
 }
@@ -330,10 +173,13 @@ static enum rhw_result attach_depth_texture(struct rhw_pass_state *pass,
                                             const struct rhw_depth_attachment *depth)
 {
     struct rhw_context *const context = pass->context;
-    const enum rhw_result result =
-        attach(pass, depth->texture,
-               (struct attached_part){depth->layer, depth->level, layers_of(depth->layer_count)}, "depth",
-               &pass->depth);
+    enum rhw_result result = rhw_pass_attach_texture(
+        pass, depth->texture,
+        (struct rhw_attached_part){depth->layer, depth->level, layers_of(depth->layer_count)}, "depth",
+        &pass->depth);
+    if (result == RHW_OK && depth->resolve.index != 0) {
+        result = rhw_pass_attach_resolve(pass, depth->resolve, "depth", &pass->depth);
+    }
     if (result != RHW_OK) {
         return result;
     }
@@ -413,9 +259,11 @@ static void attach_stencil(struct rhw_pass_state *pass, const struct rhw_depth_a
     stencil->sample_stride = pass->depth.sample_stride;
     stencil->layer = pass->depth.layer;
     stencil->loads_resolved = pass->depth.loads_resolved;
-    stencil->target = stencil_of(pass->depth.target, &pass->stencil_plane);
-    stencil->resolve = stencil_of(pass->depth.resolve, &pass->stencil_resolve);
-    stencil->resolves = stencil->resolve && stencil->store == RHW_STORE_STORE;
+    stencil->target = rhw_stencil_plane_of(pass->depth.target, &pass->stencil_plane);
+    stencil->resolve = rhw_stencil_plane_of(pass->depth.resolve, &pass->stencil_resolve);
+    stencil->resolve_mode = depth->stencil_resolve_mode == RHW_RESOLVE_DEFAULT ? depth->resolve_mode
+                                                                               : depth->stencil_resolve_mode;
+    stencil->resolves = is_resolved(stencil);
     set_clear(stencil, &depth->stencil_clear);
 }
 
@@ -430,8 +278,7 @@ static void set_depth(struct rhw_pass_state *pass, const struct rhw_depth_attach
     if (depth->read_only) {
         set_read_only(&pass->depth);
     }
-    const bool stores_stencil = depth->stencil_store == RHW_STORE_STORE && !depth->stencil_read_only;
-    pass->depth.resolves = pass->depth.resolve && (pass->depth.store == RHW_STORE_STORE || stores_stencil);
+    pass->depth.resolves = is_resolved(&pass->depth);
     pass->depth_by_default =
         pass->depth.load == RHW_LOAD_CLEAR && depth->load == RHW_LOAD_DEFAULT && depth->clear == 0;
     const float clear[4] = {pass->depth_by_default ? 1 : depth->clear};
@@ -455,10 +302,16 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
     }
     if (!check_operations(context, "depth.", depth->load, depth->store) ||
         !check_operations(context, "depth.stencil_", depth->stencil_load, depth->stencil_store) ||
-        !check_resolve_mode(context, "depth.", depth->resolve_mode) ||
+        !check_resolve_mode(context, "depth.", depth->resolve_mode, depth->resolve.index != 0) ||
+        !check_resolve_mode(context, "depth.stencil_", depth->stencil_resolve_mode,
+                            depth->resolve.index != 0) ||
         (depth->read_only && !check_read_only(context, depth, "depth.", depth->load, depth->store)) ||
         (depth->stencil_read_only &&
          !check_read_only(context, depth, "depth.stencil_", depth->stencil_load, depth->stencil_store))) {
+        return RHW_ERROR_MISUSE;
+    }
+    if (!rhw_check(context, depth->resolve.index == 0 || depth->texture.index != 0,
+                   "%s: depth.resolve is set and depth.texture is null; it must be null then", where)) {
         return RHW_ERROR_MISUSE;
     }
     if (depth->texture.index != 0) {

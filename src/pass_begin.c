@@ -20,6 +20,7 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->width = def->width;
     pass->height = def->height;
     pass->names_size = def->width != 0;
+    pass->area = def->render_area;
     pass->draws.count = 0;
     pass->triangle_count = 0;
     pass->queries = NULL;
@@ -71,6 +72,21 @@ static bool check_def(rhw_context *context, const struct rhw_pass_def *def, cons
                where, def->layers);
 }
 
+// Finds the pixels of the pass, whose size is known.
+static bool set_area(struct rhw_pass_state *pass)
+{
+    struct rhw_rect *const area = &pass->area;
+    if (area->x == 0 && area->y == 0 && area->width == 0 && area->height == 0) {
+        area->width = pass->width;
+        area->height = pass->height;
+    }
+    return rhw_check(pass->context,
+                     area->x >= 0 && area->y >= 0 && area->width > 0 && area->height > 0 &&
+                         area->width <= pass->width - area->x && area->height <= pass->height - area->y,
+                     "%s: render_area is %d,%d %dx%d; it lies within the pass, which is %dx%d, or is all 0",
+                     where, area->x, area->y, area->width, area->height, pass->width, pass->height);
+}
+
 static void begin_recording(struct rhw_context *context, const struct rhw_pass_def *def)
 {
     struct rhw_recording *const recording = &context->recording;
@@ -101,6 +117,9 @@ static enum rhw_result begin(rhw_context *context, const struct rhw_pass_def *de
                        pass->height <= RHW_MAX_TARGET_SIZE,
                    "%s: the size is %dx%d; each is in 1..%d", where, pass->width, pass->height,
                    RHW_MAX_TARGET_SIZE)) {
+        return RHW_ERROR_MISUSE;
+    }
+    if (!set_area(pass)) {
         return RHW_ERROR_MISUSE;
     }
     pass->tiles_x = (pass->width + RHW_TILE - 1) / RHW_TILE;

@@ -53,6 +53,7 @@ static void fill(struct rhw_fragment *groups, int count)
 static bool check_rects(const struct rhw_pass_state *pass, const struct rhw_clear *clear)
 {
     const struct rhw_context *const context = pass->context;
+    const struct rhw_rect *const area = &pass->area;
     if (!rhw_check(context, clear->rect_count >= 0 && (clear->rects || clear->rect_count == 0),
                    "%s: rect_count is %d and rects is %s", where, clear->rect_count,
                    clear->rects ? "set" : "NULL")) {
@@ -61,10 +62,12 @@ static bool check_rects(const struct rhw_pass_state *pass, const struct rhw_clea
     for (int i = 0; i < clear->rect_count; i++) {
         const struct rhw_rect *const r = &clear->rects[i];
         if (!rhw_check(context,
-                       r->x >= 0 && r->y >= 0 && r->width > 0 && r->height > 0 &&
-                           r->width <= pass->width - r->x && r->height <= pass->height - r->y,
-                       "%s: rects[%d] is %d,%d %dx%d; it lies within the pass, which is %dx%d", where, i,
-                       r->x, r->y, r->width, r->height, pass->width, pass->height)) {
+                       r->x >= area->x && r->y >= area->y && r->width > 0 && r->height > 0 &&
+                           r->width <= area->width - (r->x - area->x) &&
+                           r->height <= area->height - (r->y - area->y),
+                       "%s: rects[%d] is %d,%d %dx%d; it lies within the pass's render area, %d,%d %dx%d",
+                       where, i, r->x, r->y, r->width, r->height, area->x, area->y, area->width,
+                       area->height)) {
             return false;
         }
     }

@@ -10,16 +10,17 @@
 static bool check(const struct rhw_context *context, const struct rhw_pass_state *pass,
                   const struct rhw_explain *explain, const char *where)
 {
+    const struct rhw_rect *const area = &pass->area;
     return rhw_check(context, explain && explain->fragment, "%s: explain.fragment is NULL", where) &&
            rhw_check(context, pass->draws.count == 0, "%s: the pass has drawn already; call it before",
                      where) &&
            rhw_check(context, !pass->explained.ask.fragment, "%s: the pass explains a sample already",
                      where) &&
            rhw_check(context,
-                     explain->x >= 0 && explain->x < pass->width && explain->y >= 0 &&
-                         explain->y < pass->height,
-                     "%s: (%d, %d) lies outside the target, which is %dx%d", where, explain->x, explain->y,
-                     pass->width, pass->height) &&
+                     explain->x >= area->x && explain->x - area->x < area->width && explain->y >= area->y &&
+                         explain->y - area->y < area->height,
+                     "%s: (%d, %d) lies outside of what the pass draws, %d,%d %dx%d", where, explain->x,
+                     explain->y, area->x, area->y, area->width, area->height) &&
            rhw_check(context, explain->layer >= 0 && explain->layer < pass->layers,
                      "%s: layer is %d; the pass has %d", where, explain->layer, pass->layers) &&
            rhw_check(context, explain->sample >= 0 && explain->sample < pass->pattern->count,

@@ -44,13 +44,20 @@ bool rhw_pass_attaches(const struct rhw_pass_state *pass, struct rhw_texel_range
            is_in_attachment(pass, &pass->stencil, texels);
 }
 
+// Whether depth, or stencil, writes some of the texels: what is read-only only where it is resolved.
+static bool writes(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment,
+                   struct rhw_texel_range texels)
+{
+    return attachment->is_read_only
+               ? attachment->resolves && is_in(texels, attachment->resolve, attachment->layer, pass->layers)
+               : is_in_attachment(pass, attachment, texels);
+}
+
 // Stencil alone is in both, depth and stencil.
 static bool draws_into(const struct rhw_pass_state *pass, struct rhw_texel_range texels)
 {
-    const bool writes_depth = pass->has_depth && !pass->depth.is_read_only,
-               writes_stencil = pass->has_stencil && !pass->stencil.is_read_only;
-    return is_in_color(pass, texels) || (writes_depth && is_in_attachment(pass, &pass->depth, texels)) ||
-           (writes_stencil && is_in_attachment(pass, &pass->stencil, texels));
+    return is_in_color(pass, texels) || (pass->has_depth && writes(pass, &pass->depth, texels)) ||
+           (pass->has_stencil && writes(pass, &pass->stencil, texels));
 }
 
 static struct rhw_texel_range range_of_level(const struct rhw_texture_data *texture, int level)

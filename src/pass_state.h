@@ -106,6 +106,7 @@ struct rhw_pass_state {
     uint64_t begun_ns;
     int width, height, tiles_x, tiles_y;
     bool names_size;                          // the definition does, so that attachments may be larger
+    struct rhw_rect area;                     // of rendering: pixels outside of it are not touched
     int layers;                               // of every attachment
     const struct rhw_sample_pattern *pattern; // samples of a pixel
     int color_count;

@@ -131,16 +131,18 @@ static int first_pixel(double x)
     return (double)towards_zero < edge ? towards_zero + 1 : towards_zero;
 }
 
-// The pixels whose centres are inside the viewport, the scissor and the target. Points may reach over the viewport.
+// The pixels whose centres are inside the viewport, the scissor and the render area. Points may reach over the viewport.
 static struct rhw_rect clip_rect(const struct rhw_pass_state *pass, const struct rhw_viewport *v,
                                  const struct rhw_rect *scissor, bool is_points)
 {
     const int vx0 = first_pixel(v->x), vx1 = first_pixel((double)v->x + (double)v->width);
     const double y = (double)v->y, end = y + (double)v->height; // which is above where the height is negative
     const int vy0 = first_pixel(y < end ? y : end), vy1 = first_pixel(y < end ? end : y);
-    const int sx0 = clamp_to(scissor->x, 0, pass->width), sy0 = clamp_to(scissor->y, 0, pass->height);
-    const int sx1 = clamp_to((int64_t)scissor->x + scissor->width, 0, pass->width);
-    const int sy1 = clamp_to((int64_t)scissor->y + scissor->height, 0, pass->height);
+    const struct rhw_rect *const area = &pass->area;
+    const int ax1 = area->x + area->width, ay1 = area->y + area->height;
+    const int sx0 = clamp_to(scissor->x, area->x, ax1), sy0 = clamp_to(scissor->y, area->y, ay1);
+    const int sx1 = clamp_to((int64_t)scissor->x + scissor->width, area->x, ax1);
+    const int sy1 = clamp_to((int64_t)scissor->y + scissor->height, area->y, ay1);
     if (is_points) {
         return (struct rhw_rect){sx0, sy0, sx1 > sx0 ? sx1 - sx0 : 0, sy1 > sy0 ? sy1 - sy0 : 0};
     }

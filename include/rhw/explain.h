@@ -62,7 +62,7 @@ struct rhw_explained_fragment {
 typedef void rhw_explain_function(void *user, const struct rhw_explained_fragment *fragment);
 
 struct rhw_explain {
-    int x, y; ///< pixels from the top left of the target
+    int x, y; ///< pixels from the top left of the target, within the render area
     int layer;
     int sample; ///< of the pixel
     rhw_explain_function *fragment;

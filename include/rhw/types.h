@@ -603,11 +603,12 @@ struct rhw_pipeline_def {
 enum rhw_load { RHW_LOAD_DEFAULT, RHW_LOAD_CLEAR, RHW_LOAD_LOAD, RHW_LOAD_DISCARD };
 enum rhw_store { RHW_STORE_STORE, RHW_STORE_DISCARD };
 
-/// How the samples of a pixel become one texel. AVERAGE is in linear light for sRGB. Of integers the first is
-/// taken, whatever the mode.
+/// How the samples of a pixel become one texel. AVERAGE is in linear light for sRGB. Of integers but
+/// stencil the first is taken, whatever the mode.
 enum rhw_resolve {
     RHW_RESOLVE_DEFAULT, ///< AVERAGE for colour, SAMPLE_ZERO for depth and stencil
-    RHW_RESOLVE_AVERAGE, RHW_RESOLVE_MIN, RHW_RESOLVE_MAX, RHW_RESOLVE_SAMPLE_ZERO
+    RHW_RESOLVE_AVERAGE, RHW_RESOLVE_MIN, RHW_RESOLVE_MAX, RHW_RESOLVE_SAMPLE_ZERO,
+    RHW_RESOLVE_NONE ///< of depth or stencil, of which rhw_depth_attachment.resolve keeps what it holds
 };
 
 struct rhw_color_attachment {
@@ -639,14 +640,20 @@ struct rhw_depth_attachment {
     enum rhw_load stencil_load;
     enum rhw_store stencil_store;
     uint8_t stencil_clear;
-    enum rhw_resolve resolve_mode; ///< where the texture has fewer samples than the pass
+    enum rhw_resolve resolve_mode; ///< of depth, where `texture` has fewer samples than the pass, or `resolve` is set
     int layer, level; ///< as those of a colour attachment
     int layer_count;  ///< as that of a colour attachment; without a texture there are as many as colours have
     /// Depth, or stencil, is tested and never written: what the texture holds is loaded and stays as it is, and may be sampled
     /// in the same pass. Pipelines that write it are refused. Its load operation is DEFAULT or LOAD then, its store operation
     /// STORE, which stores nothing (WebGPU's depthReadOnly and stencilReadOnly; VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL).
     bool read_only, stencil_read_only;
+    /// What samples that are stored, or discarded, are resolved into besides, depth and stencil each by its mode
+    /// (VkSubpassDescriptionDepthStencilResolve); of the texture's format; may be null.
+    rhw_texture resolve;
+    enum rhw_resolve stencil_resolve_mode; ///< DEFAULT: that of depth, AVERAGE being SAMPLE_ZERO
 };
+
+struct rhw_rect { int x, y, width, height; }; ///< pixels
 
 /// Without attachments, for effects and queries alone, a pass says its size, samples and layers itself.
 struct rhw_pass_def {
@@ -659,6 +666,9 @@ struct rhw_pass_def {
     int samples; ///< of each pixel: 0: as many as the first attachment's texture has; 1, 2, 4, 8, 16
     const char *label; ///< for messages
     int layers; ///< of a pass without attachments; others have those of the first. 0: 1
+    /// The pixels that are loaded, cleared, drawn, stored and resolved, within the pass: the others of its attachments stay as
+    /// they are (Vulkan 1.3 §8.8, renderArea, with every scissor cut to it). All 0: the whole pass.
+    struct rhw_rect render_area;
 };
 
 /// What rhw_pass_clear_attachments clears, and to what.
@@ -669,7 +679,7 @@ struct rhw_clear {
     int32_t color_integer[RHW_MAX_COLOR_ATTACHMENTS][4]; ///< of UINT and SINT formats, within their range
     float depth_value; ///< 0..1
     uint8_t stencil_value;
-    const struct rhw_rect *rects; ///< within the pass; read during the call
+    const struct rhw_rect *rects; ///< within the pass's render area; read during the call
     int rect_count;               ///< 0: everything
     int layer, layer_count;       ///< of the pass's; 0: all from `layer` on
 };
@@ -707,8 +717,6 @@ struct rhw_viewport {
     float depth_min, depth_max; ///< 0..1; depth_min > depth_max reverses. Both 0: 0 and 1; for nothing but depth 0
                                 ///< depth_max is −1, which counts as 0
 };
-
-struct rhw_rect { int x, y, width, height; }; ///< pixels
 
 /// What a pass did. "Triangles" are primitives: points and lines count as one each. Times of stages are wall
 /// milliseconds. Busy times are milliseconds of threads, added up over all of them: front_busy_ms / (threads × front_ms)

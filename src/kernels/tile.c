@@ -483,6 +483,15 @@ static __attribute__((noinline)) void report(const struct tile_work *work, struc
     }
 }
 
+// What lies within the render area of a tile at (x, y).
+static struct tile_rect area_of_tile(const struct rhw_pass_state *pass, int x, int y)
+{
+    const struct rhw_rect *const area = &pass->area;
+    return (struct tile_rect){max_int(area->x - x, 0), max_int(area->y - y, 0),
+                              min_int(area->x + area->width - x, RHW_TILE),
+                              min_int(area->y + area->height - y, RHW_TILE)};
+}
+
 void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int number, int worker)
 {
     const int tiles = pass->tiles_x * pass->tiles_y, tile = number % tiles;
@@ -497,10 +506,14 @@ void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int number, int wo
                              .y = tile_y * RHW_TILE,
                              .width = min_int(pass->width - tile_x * RHW_TILE, RHW_TILE),
                              .height = min_int(pass->height - tile_y * RHW_TILE, RHW_TILE),
+                             .area = area_of_tile(pass, tile_x * RHW_TILE, tile_y * RHW_TILE),
                              .samples = pass->pattern->count,
                              .explained = pass->explained.ask.fragment && pass->explained.tile == number
                                               ? &pass->explained
                                               : NULL};
+    if (work.area.x0 >= work.area.x1 || work.area.y0 >= work.area.y1) {
+        return;
+    }
     const int bins = list_bins(&work);
     if (bins == 0 && !resolves_loaded(&work)) {
         pass_tile_through(&work);

@@ -134,16 +134,22 @@ struct cell_pixel {
     d4 dx, dy;
 };
 
+// These are pixels of the tile; x1 and y1 are exclusive.
+struct tile_rect {
+    int x0, y0, x1, y1;
+};
+
 // This is one worker's work on one tile.
 struct tile_work {
     struct rhw_pass_state *pass;
     struct rhw_tile_scratch *scratch;
     struct rhw_counters *counters;
-    int tile;                          // its number, row by row
-    int layer;                         // of the pass
-    int x, y;                          // pixels of the tile's first pixel in the target
-    int width, height;                 // pixels of the tile: fewer at the target's end
-    int samples;                       // of a pixel
+    int tile;              // its number, row by row
+    int layer;             // of the pass
+    int x, y;              // pixels of the tile's first pixel in the target
+    int width, height;     // pixels of the tile: fewer at the target's end
+    struct tile_rect area; // those within the render area; the others are neither loaded nor stored
+    int samples;           // of a pixel
     struct cell_pixel cell_pixels[16]; // where there are 4
     enum rhw_phase phase;
 

@@ -259,7 +259,7 @@ static void test_misuse(void **state)
     expect_refused(&rig, &(struct rhw_clear){.colors = 1, .rect_count = 1},
                    "rect_count is 1 and rects is NULL");
     expect_refused(&rig, &(struct rhw_clear){.colors = 1, .rects = &outside, .rect_count = 1},
-                   "rects[0] is 90,0 11x5; it lies within the pass, which is 100x75");
+                   "rects[0] is 90,0 11x5; it lies within the pass's render area, 0,0 100x75");
     expect_refused(&rig, &(struct rhw_clear){.colors = 1, .rects = &empty, .rect_count = 1}, "rects[0] is");
     assert_int_equal(rhw_pass_end(rig.context, rig.recording, NULL), RHW_ERROR_MISUSE);
     rhw_pass_clear_attachments(rig.context, rig.recording, &(struct rhw_clear){.colors = 1});

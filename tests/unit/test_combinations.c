@@ -187,7 +187,7 @@ static bool is_integer(enum rhw_format format)
 // The attachments of a pass.
 struct attachments {
     int samples, layers, count;
-    bool resolves;
+    bool resolves, keeps_too; // samples into the textures, or into others, where they are kept as well
     enum rhw_format colors[4], depth;
 };
 
@@ -197,6 +197,7 @@ static struct attachments choose_attachments(uint64_t *random)
                             .layers = chance(random, 4) ? 1 + rig_random_int(random, LAYERS_MOST) : 1,
                             .count = chance(random, 2) ? 1 : rig_random_int(random, 5)};
     a.resolves = a.samples > 1 && chance(random, 2);
+    a.keeps_too = a.samples > 1 && !a.resolves && chance(random, 2);
     for (int i = 0; i < a.count; i++) {
         a.colors[i] = ONE_OF(random, color_formats);
     }
@@ -364,10 +365,18 @@ static void attach(struct rig *rig, const struct attachments *a, uint64_t *rando
 {
     const int kept = a->resolves ? 1 : a->samples;
     rig->pass = (struct rhw_pass_def){.color_count = a->count, .samples = a->samples};
+    if (chance(random, 4)) {
+        const int x = rig_random_int(random, WIDTH), y = rig_random_int(random, HEIGHT);
+        rig->pass.render_area = (struct rhw_rect){x, y, 1 + rig_random_int(random, WIDTH - x),
+                                                  1 + rig_random_int(random, HEIGHT - y)};
+    }
     for (int i = 0; i < a->count; i++) {
         struct rhw_color_attachment *const color = &rig->pass.colors[i];
         color->texture = make_texture(rig, a->colors[i], kept, a->layers);
         color->layer_count = a->layers;
+        if (a->keeps_too) {
+            color->resolve = make_texture(rig, a->colors[i], 1, a->layers);
+        }
         for (int c = 0; c < 4; c++) {
             color->clear[c] = is_integer(a->colors[i]) ? 0 : rig_random_float(random, 0, 1);
         }
@@ -380,6 +389,12 @@ static void attach(struct rig *rig, const struct attachments *a, uint64_t *rando
                                           .clear = chance(random, 3) ? 0.5f : 1,
                                           .stencil_clear = (uint8_t)rig_random_int(random, 256),
                                           .layer_count = a->layers};
+        if (a->keeps_too) {
+            rig->pass.depth.resolve = make_texture(rig, a->depth, 1, a->layers);
+            rig->pass.depth.resolve_mode = (enum rhw_resolve)rig_random_int(random, RHW_RESOLVE_NONE + 1);
+            rig->pass.depth.stencil_resolve_mode =
+                (enum rhw_resolve)rig_random_int(random, RHW_RESOLVE_NONE + 1);
+        }
     }
 }
 
@@ -453,19 +468,26 @@ static void ignore(void *user, enum rhw_log_level level, const char *message)
     (void)message;
 }
 
-static uint64_t hash_texture(struct rig *rig, const struct attachments *a, rhw_texture texture,
-                             enum rhw_aspect aspect, uint64_t hash)
+static uint64_t hash_samples(struct rig *rig, rhw_texture texture, enum rhw_aspect aspect, int samples,
+                             int layers, uint64_t hash)
 {
     static unsigned char texels[WIDTH * HEIGHT * 16];
-    const int kept = a->resolves ? 1 : a->samples;
-    for (int n = 0; n < a->layers * kept; n++) {
+    for (int n = 0; n < layers * samples; n++) {
         const struct rhw_texture_region region = {
-            .z = n / kept, .depth = 1, .sample = n % kept, .aspect = aspect};
+            .z = n / samples, .depth = 1, .sample = n % samples, .aspect = aspect};
         memset(texels, 0, sizeof texels);
         assert_int_equal(rhw_texture_read_region(rig->context, texture, &region, texels, 0, 0), RHW_OK);
         hash = rig_hash_bytes(hash, texels, sizeof texels);
     }
     return hash;
+}
+
+// `resolve`: null where there is none.
+static uint64_t hash_texture(struct rig *rig, const struct attachments *a, rhw_texture texture,
+                             rhw_texture resolve, enum rhw_aspect aspect)
+{
+    const uint64_t hash = hash_samples(rig, texture, aspect, a->resolves ? 1 : a->samples, a->layers, 0);
+    return a->keeps_too ? hash_samples(rig, resolve, aspect, 1, a->layers, hash) : hash;
 }
 
 // What is left of a pass.
@@ -539,13 +561,16 @@ static void draw_pass(uint64_t seed, const struct way *way, struct outcome *out)
         assert_int_equal(rhw_query_read(rig.context, queries[i], &out->counts[i]), RHW_OK);
     }
     for (int i = 0; i < a.count; i++) {
-        out->hash[i] = hash_texture(&rig, &a, rig.pass.colors[i].texture, RHW_ASPECT_DEFAULT, 0);
+        out->hash[i] = hash_texture(&rig, &a, rig.pass.colors[i].texture, rig.pass.colors[i].resolve,
+                                    RHW_ASPECT_DEFAULT);
     }
     if (a.depth != RHW_FORMAT_NONE) {
-        out->depth = hash_texture(&rig, &a, rig.pass.depth.texture, RHW_ASPECT_DEFAULT, 0);
+        out->depth =
+            hash_texture(&rig, &a, rig.pass.depth.texture, rig.pass.depth.resolve, RHW_ASPECT_DEFAULT);
     }
     if (has_depth(a.depth) && has_stencil(a.depth)) {
-        out->stencil = hash_texture(&rig, &a, rig.pass.depth.texture, RHW_ASPECT_STENCIL, 0);
+        out->stencil =
+            hash_texture(&rig, &a, rig.pass.depth.texture, rig.pass.depth.resolve, RHW_ASPECT_STENCIL);
     }
     assert_int_equal(rhw_buffer_read(rig.context, counters, 0, out->counters, sizeof out->counters), RHW_OK);
     rig_close(&rig);

@@ -339,7 +339,7 @@ static void test_misuse(void **state)
     rhw_pass_explain(rig.context, rig.recording, NULL);
     rig_expect_misuse(&rig, "rhw_pass_explain: explain.fragment is NULL");
     rhw_pass_explain(rig.context, rig.recording, &explain);
-    rig_expect_misuse(&rig, "rhw_pass_explain: (80, 1) lies outside the target, which is 80x80");
+    rig_expect_misuse(&rig, "rhw_pass_explain: (80, 1) lies outside of what the pass draws, 0,0 80x80");
     explain.x = 1;
     explain.layer = 1;
     rhw_pass_explain(rig.context, rig.recording, &explain);

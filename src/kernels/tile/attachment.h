@@ -85,9 +85,11 @@ static void load_attachment(const struct tile_work *work, const struct rhw_attac
         return;
     }
     const struct memory_rows rows = loaded_rows(work, attachment, sample);
-    for (int y = 0; y < work->height; y++) {
-        copy_row(tile + (size_t)y * RHW_TILE * size, rows.first + (size_t)y * rows.pitch,
-                 (size_t)work->width * size);
+    const struct tile_rect *const area = &work->area;
+    const size_t first = (size_t)area->x0 * size, bytes = (size_t)(area->x1 - area->x0) * size;
+    for (int y = area->y0; y < area->y1; y++) {
+        copy_row(tile + (size_t)y * RHW_TILE * size + first, rows.first + (size_t)y * rows.pitch + first,
+                 bytes);
     }
 }
 
@@ -95,6 +97,18 @@ static void soil(const struct tile_work *work, struct rhw_clean_tiles *clean)
 {
     if (clean) {
         clean->is_clean[work->tile] = false;
+    }
+}
+
+// Writes a plane of the tile.
+static void write_rows(const struct tile_work *work, struct memory_rows rows, const unsigned char *tile,
+                       size_t size)
+{
+    const struct tile_rect *const area = &work->area;
+    const size_t first = (size_t)area->x0 * size, bytes = (size_t)(area->x1 - area->x0) * size;
+    for (int y = area->y0; y < area->y1; y++) {
+        copy_row(rows.first + (size_t)y * rows.pitch + first, tile + (size_t)y * RHW_TILE * size + first,
+                 bytes);
     }
 }
 
@@ -106,14 +120,17 @@ static void store_attachment(const struct tile_work *work, const struct rhw_atta
         return;
     }
     soil(work, attachment->clean);
-    const struct memory_rows rows = rows_of_target(work, attachment, sample);
-    for (int y = 0; y < work->height; y++) {
-        copy_row(rows.first + (size_t)y * rows.pitch, tile + (size_t)y * RHW_TILE * size,
-                 (size_t)work->width * size);
-    }
+    write_rows(work, rows_of_target(work, attachment, sample), tile, size);
 }
 
 // Depth and stencil ------------------------------------------------------------------------------------
+
+// The pixels x .. x + 7 that lie in the area, a bit each; some do.
+static unsigned area_lanes(const struct tile_rect *area, int x)
+{
+    const int first = area->x0 > x ? area->x0 - x : 0, end = area->x1 - x < 8 ? area->x1 - x : 8;
+    return (1u << end) - (1u << first);
+}
 
 // Depth in the tile is float; where memory has steps of a UNORM format, it is converted on the way.
 static void load_depth_steps(const struct tile_work *work, int sample, float *tile)
@@ -131,8 +148,8 @@ static void load_depth_steps(const struct tile_work *work, int sample, float *ti
         return;
     }
     const struct memory_rows rows = loaded_rows(work, depth, sample);
-    for (int y = 0; y < work->height; y++) {
-        for (int x = 0; x < work->width; x += 8) { // rows are padded
+    for (int y = work->area.y0; y < work->area.y1; y++) {
+        for (int x = work->area.x0 & -8; x < work->area.x1; x += 8) { // rows are padded
             struct raw_texels raw;
             f8 value[4];
             load_texel_row(info->size, rows.first + (size_t)y * rows.pitch + (size_t)x * info->size, &raw);
@@ -146,9 +163,9 @@ static void load_depth_steps(const struct tile_work *work, int sample, float *ti
 static void write_depth_steps(const struct tile_work *work, struct memory_rows rows, const float *tile)
 {
     const struct rhw_format_info *const info = rhw_format_info(work->pass->depth.format);
-    for (int y = 0; y < work->height; y++) {
-        for (int x = 0; x < work->width; x += 8) {
-            const i8 mask = rhw_less_int(rhw_lane_index, i8_splat(work->width - x));
+    for (int y = work->area.y0; y < work->area.y1; y++) {
+        for (int x = work->area.x0 & -8; x < work->area.x1; x += 8) {
+            const i8 mask = i8_from_bits(area_lanes(&work->area, x));
             const f8 value[4] = {f8_load(tile + y * RHW_TILE + x)};
             struct raw_texels raw;
             encode_texels(info, value, &raw);
@@ -199,18 +216,21 @@ static void store_depth_stencil(const struct tile_work *work, int sample)
 static void clear_rows(const struct tile_work *work, struct memory_rows rows, size_t size,
                        const unsigned char clear[RHW_CLEAR_BYTES])
 {
-    for (int y = 0; y < work->height; y++) {
-        fill_bytes(rows.first + (size_t)y * rows.pitch, clear, (size_t)work->width * size);
+    const struct tile_rect *const area = &work->area;
+    for (int y = area->y0; y < area->y1; y++) {
+        fill_bytes(rows.first + (size_t)y * rows.pitch + (size_t)area->x0 * size, clear,
+                   (size_t)(area->x1 - area->x0) * size);
     }
 }
 
-// Whether the record says that it does; from now on it does.
+// Whether the record says that it does; from now on it does, unless the render area leaves out some of it.
 static bool is_clean(const struct tile_work *work, struct rhw_clean_tiles *clean)
 {
     bool *const state = clean ? &clean->is_clean[work->tile] : NULL;
     const bool was = state && *state;
     if (state) {
-        *state = true;
+        *state = was || (work->area.x1 - work->area.x0 == work->width &&
+                         work->area.y1 - work->area.y0 == work->height);
     }
     return was;
 }

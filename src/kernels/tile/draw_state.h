@@ -120,10 +120,12 @@ static __attribute__((noinline)) bool others_are_closed(const struct tile_work *
 // Opens all pixels of the tile.
 static void open_all(const struct tile_work *work, struct tile_depth *depth)
 {
+    const struct tile_rect *const area = &work->area;
+    const uint64_t row = ~(uint64_t)0 >> (RHW_TILE - area->x1) & ~(uint64_t)0 << area->x0;
     for (int y = 0; y < RHW_TILE; y++) {
-        depth->open[y] = y < work->height ? ~(uint64_t)0 >> (RHW_TILE - work->width) : 0;
+        depth->open[y] = y >= area->y0 && y < area->y1 ? row : 0;
     }
-    depth->open_count = work->width * work->height;
+    depth->open_count = (area->x1 - area->x0) * (area->y1 - area->y0);
 }
 
 // Looks anew at the bounds of the tile's blocks.

@@ -65,76 +65,82 @@ static void resolve_color(const struct tile_work *work, int t)
                                       info->codec == RHW_CODEC_UNORM8 && info->size == 4 &&
                                           mode == RHW_RESOLVE_AVERAGE && work->samples == 4};
     soil(work, attachment->resolve_clean);
-    for (int y = 0; y < work->height; y++) {
-        for (int x = 0; x < work->width; x += RHW_BLOCK) {
+    const struct tile_rect *const area = &work->area;
+    for (int y = area->y0; y < area->y1; y++) {
+        for (int x = area->x0 & -RHW_BLOCK; x < area->x1; x += RHW_BLOCK) {
             const int block = y / RHW_BLOCK * HIZ_BLOCKS + x / RHW_BLOCK;
-            const int texel = y * RHW_TILE + x, left = min_int(work->width - x, RHW_BLOCK);
-            unsigned char *const to = rows.first + (size_t)y * rows.pitch + (size_t)x * info->size;
+            unsigned char *const row = rows.first + (size_t)y * rows.pitch;
             if (scratch->expanded >> block & 1) {
-                resolve_expanded(work, t, &how, texel, (1u << left) - 1, to);
+                resolve_expanded(work, t, &how, y * RHW_TILE + x, area_lanes(area, x),
+                                 row + (size_t)x * info->size);
             } else {
-                copy_row(to, scratch->color[t] + (size_t)texel * info->size, (size_t)left * info->size);
+                const int first = max_int(x, area->x0), end = min_int(x + RHW_BLOCK, area->x1);
+                copy_row(row + (size_t)first * info->size,
+                         scratch->color[t] + (size_t)(y * RHW_TILE + first) * info->size,
+                         (size_t)(end - first) * info->size);
             }
         }
     }
 }
 
-// Makes plane 0 of depth and stencil what the others are resolved into.
+// Makes plane 0 of depth what the others are resolved into.
 static void resolve_depth_planes(const struct tile_work *work, enum rhw_resolve mode)
 {
     struct tile_depth *const first = depth_plane(work->scratch, 0);
-    const bool averages = mode == RHW_RESOLVE_AVERAGE;
     for (int i = 0; i < RHW_TILE * RHW_TILE; i += 8) {
         f8 value[RHW_MAX_SAMPLES];
-        i8 stencil = i8_load_bytes(&first->stencil[i]);
         for (int s = 0; s < work->samples; s++) {
-            const struct tile_depth *const plane = depth_plane(work->scratch, s);
-            const i8 other = i8_load_bytes(&plane->stencil[i]);
-            value[s] = f8_load(&plane->texels[i]);
-            stencil = averages                  ? stencil
-                      : mode == RHW_RESOLVE_MIN ? i8_min(stencil, other)
-                                                : i8_max(stencil, other);
+            value[s] = f8_load(&depth_plane(work->scratch, s)->texels[i]);
         }
         i8 agree = i8_splat(-1); // a mean of equal floats may round to another one
         for (int s = 1; s < work->samples; s++) {
             agree &= rhw_equal(value[s], value[0]);
         }
         f8_store(&first->texels[i], f8_select(agree, value[0], resolved_value(mode, value, work->samples)));
+    }
+}
+
+// The same of stencil, by RHW_RESOLVE_MIN or MAX.
+static void resolve_stencil_planes(const struct tile_work *work, enum rhw_resolve mode)
+{
+    struct tile_depth *const first = depth_plane(work->scratch, 0);
+    for (int i = 0; i < RHW_TILE * RHW_TILE; i += 8) {
+        i8 stencil = i8_load_bytes(&first->stencil[i]);
+        for (int s = 1; s < work->samples; s++) {
+            const i8 other = i8_load_bytes(&depth_plane(work->scratch, s)->stencil[i]);
+            stencil = mode == RHW_RESOLVE_MIN ? i8_min(stencil, other) : i8_max(stencil, other);
+        }
         const uint64_t bytes = i8_to_bytes(stencil);
         memcpy(&first->stencil[i], &bytes, sizeof bytes);
     }
 }
 
-static void write_rows(const struct tile_work *work, struct memory_rows rows, const unsigned char *tile,
-                       size_t size)
+// Resolves depth, after its planes were stored.
+static void resolve_depth(const struct tile_work *work)
 {
-    for (int y = 0; y < work->height; y++) {
-        copy_row(rows.first + (size_t)y * rows.pitch, tile + (size_t)y * RHW_TILE * size,
-                 (size_t)work->width * size);
-    }
-}
-
-// Resolves depth and stencil, after their planes were stored.
-static void resolve_depth_stencil(const struct tile_work *work)
-{
-    const struct rhw_pass_state *const pass = work->pass;
-    const struct rhw_attachment *const depth = &pass->depth, *const stencil = &pass->stencil;
+    const struct rhw_attachment *const depth = &work->pass->depth;
     const struct tile_depth *const first = depth_plane(work->scratch, 0);
+    const struct memory_rows rows = rows_of_level(work, depth, depth->resolve);
     if (depth->resolve_mode != RHW_RESOLVE_DEFAULT && depth->resolve_mode != RHW_RESOLVE_SAMPLE_ZERO) {
         resolve_depth_planes(work, depth->resolve_mode);
     }
     soil(work, depth->resolve_clean);
-    if (pass->has_depth && depth->store == RHW_STORE_STORE) {
-        const struct memory_rows rows = rows_of_level(work, depth, depth->resolve);
-        if (pass->depth_steps != 0) {
-            write_depth_steps(work, rows, first->texels);
-        } else {
-            write_rows(work, rows, (const unsigned char *)first->texels, sizeof(float));
-        }
+    if (work->pass->depth_steps != 0) {
+        write_depth_steps(work, rows, first->texels);
+    } else {
+        write_rows(work, rows, (const unsigned char *)first->texels, sizeof(float));
     }
-    if (pass->has_stencil && stencil->store == RHW_STORE_STORE) {
-        write_rows(work, rows_of_level(work, stencil, stencil->resolve), first->stencil, 1);
+}
+
+// Resolves stencil, likewise.
+static void resolve_stencil(const struct tile_work *work)
+{
+    const struct rhw_attachment *const stencil = &work->pass->stencil;
+    if (stencil->resolve_mode == RHW_RESOLVE_MIN || stencil->resolve_mode == RHW_RESOLVE_MAX) {
+        resolve_stencil_planes(work, stencil->resolve_mode);
     }
+    write_rows(work, rows_of_level(work, stencil, stencil->resolve), depth_plane(work->scratch, 0)->stencil,
+               1);
 }
 
 // Loading and storing with several samples ---------------------------------------------------------------
@@ -201,8 +207,11 @@ static void store_samples(const struct tile_work *work)
     for (int s = 0; s < work->samples; s++) {
         store_depth_stencil(work, s);
     }
-    if (pass->depth.resolves && pass->last_wave) {
-        resolve_depth_stencil(work);
+    if (pass->has_depth && pass->depth.resolves && pass->last_wave) {
+        resolve_depth(work);
+    }
+    if (pass->has_stencil && pass->stencil.resolves && pass->last_wave) {
+        resolve_stencil(work);
     }
 }
 

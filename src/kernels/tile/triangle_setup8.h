@@ -10,11 +10,6 @@
 #include "../triangle_work.h"
 #include "bin_reader.h"
 
-// These are pixels of the tile; x1 and y1 are exclusive.
-struct tile_rect {
-    int x0, y0, x1, y1;
-};
-
 enum {
     CELL = 4, // pixels of a cell, each way
     CELL_SAMPLES = 4,
