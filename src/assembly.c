@@ -24,6 +24,7 @@ static const struct layout {
     [RHW_LINE_STRIP_ADJACENCY] = {1, 4, {1, 2, 2}},
     [RHW_TRIANGLE_LIST_ADJACENCY] = {6, 6, {0, 2, 4}},
     [RHW_TRIANGLE_STRIP_ADJACENCY] = {2, 6, {0}},
+    [RHW_LINE_LOOP] = {1, 2, {0, 1, 1}},
 };
 
 static uint32_t index_at(const struct rhw_draw_state *state, uint64_t i)
@@ -78,7 +79,14 @@ static void elements(enum rhw_topology topology, enum rhw_provoking provoking, u
 static uint32_t primitives_of(enum rhw_topology topology, uint64_t count)
 {
     const struct layout *const layout = &layouts[topology];
-    return count < layout->span ? 0 : (uint32_t)((count - layout->span) / layout->step + 1);
+    const uint64_t closing = topology == RHW_LINE_LOOP;
+    return count < layout->span ? 0 : (uint32_t)((count - layout->span) / layout->step + 1 + closing);
+}
+
+// Makes the last line of a loop end at its first vertex.
+static void close_loop(uint32_t line[3], uint32_t first)
+{
+    line[1] = line[2] = first;
 }
 
 static bool has_restarts(const struct rhw_draw *draw)
@@ -120,6 +128,9 @@ static bool expand(struct rhw_draw *draw, uint32_t count, struct rhw_arena *aren
                 out[triangles][i] = index_at(draw->state, draw->first + at + e[i]);
             }
             triangles++;
+        }
+        if (def->topology == RHW_LINE_LOOP && whole != 0) {
+            close_loop(out[triangles - 1], index_at(draw->state, draw->first + at));
         }
         at += run + 1;
     }
@@ -256,6 +267,11 @@ static void fetch_picked(const struct rhw_draw *draw, uint32_t first, uint32_t c
                 room[done + t][i] = read[e[i] - at];
             }
         }
+    }
+    if (def->topology == RHW_LINE_LOOP && first + count == draw->triangles_per_instance) {
+        uint32_t begin;
+        read_elements(draw, draw->first, 1, &begin);
+        close_loop(room[count - 1], begin);
     }
 }
 

@@ -246,8 +246,7 @@ static bool check_line_width(const struct rhw_context *context, float width)
 
 static bool check_states(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
-    return check_enum(context, "topology", "rhw_topology", (int)def->topology,
-                      RHW_TRIANGLE_STRIP_ADJACENCY) &&
+    return check_enum(context, "topology", "rhw_topology", (int)def->topology, RHW_LINE_LOOP) &&
            check_enum(context, "polygon_mode", "rhw_polygon_mode", (int)def->polygon_mode,
                       RHW_POLYGON_POINT) &&
            check_line_width(context, def->line_width) &&
@@ -566,7 +565,8 @@ static void lay_out_primitives(struct rhw_pipeline_data *data)
     case RHW_LINE_LIST:
     case RHW_LINE_STRIP:
     case RHW_LINE_LIST_ADJACENCY:
-    case RHW_LINE_STRIP_ADJACENCY: data->primitive = RHW_PRIMITIVE_LINES; break;
+    case RHW_LINE_STRIP_ADJACENCY:
+    case RHW_LINE_LOOP: data->primitive = RHW_PRIMITIVE_LINES; break;
     default:
         data->primitive = def->polygon_mode == RHW_POLYGON_LINE    ? RHW_PRIMITIVE_POLYGON_LINES
                           : def->polygon_mode == RHW_POLYGON_POINT ? RHW_PRIMITIVE_POLYGON_POINTS

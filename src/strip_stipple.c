@@ -15,7 +15,7 @@ bool rhw_strip_stipple_needed(const struct rhw_draw *draw)
 {
     const enum rhw_topology topology = draw->state->pipeline->def.topology;
     return draw->state->stipple.factor != 0 &&
-           (topology == RHW_LINE_STRIP || topology == RHW_LINE_STRIP_ADJACENCY);
+           (topology == RHW_LINE_STRIP || topology == RHW_LINE_STRIP_ADJACENCY || topology == RHW_LINE_LOOP);
 }
 
 bool rhw_strip_stipple_prepare(struct rhw_draw *draw, uint32_t count, struct rhw_arena *arena)

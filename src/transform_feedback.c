@@ -66,7 +66,8 @@ static int vertices_of(const struct rhw_pipeline_def *def)
     case RHW_LINE_LIST:
     case RHW_LINE_STRIP:
     case RHW_LINE_LIST_ADJACENCY:
-    case RHW_LINE_STRIP_ADJACENCY: return 2;
+    case RHW_LINE_STRIP_ADJACENCY:
+    case RHW_LINE_LOOP: return 2;
     default: return 3;
     }
 }

@@ -345,7 +345,8 @@ enum rhw_topology {
     RHW_LINE_LIST_ADJACENCY,     ///< line i has vertices 4i+1, 4i+2
     RHW_LINE_STRIP_ADJACENCY,    ///< i+1, i+2
     RHW_TRIANGLE_LIST_ADJACENCY, ///< 6i, 6i+2, 6i+4
-    RHW_TRIANGLE_STRIP_ADJACENCY ///< the strip of the even vertices
+    RHW_TRIANGLE_STRIP_ADJACENCY, ///< the strip of the even vertices
+    RHW_LINE_LOOP ///< a strip and the line from its last vertex to its first (OpenGL ES 3.2 §10.1.3)
 };
 /// What is drawn of a triangle that is not culled: all of it, its edges as lines, or its corners as points (Vulkan 1.3
 /// §28.10.2). Facing and flat values are those of the triangle.

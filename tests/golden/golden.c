@@ -58,6 +58,7 @@ static const struct scene features[] = {
     {"samples-4", golden_samples_draw, 1},
     {"samples-8", golden_samples_draw, 2},
     {"samples-16", golden_samples_draw, 3},
+    {"areas", golden_areas_draw, 0},
     {"queries", golden_queries_draw, 0},
     {"queries-4", golden_queries_draw, 1},
     {"texture-kinds", golden_kinds_draw, 0},

@@ -33,6 +33,10 @@ golden_draw_function golden_stencil_draw; ///< operations, masks, bias, clamping
 golden_draw_function
     golden_samples_draw; ///< 2 << number samples; sampling, masks, alpha, early and late, lines
 
+// golden_areas.c
+golden_draw_function
+    golden_areas_draw; ///< render areas, line loops; samples kept and resolved, depth and stencil too
+
 // golden_stencil_views.c
 golden_draw_function golden_stencil_views_draw; ///< stencil of every format that a pass left, sampled as bytes
 

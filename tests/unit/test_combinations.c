@@ -267,9 +267,8 @@ static struct rhw_stencil_face choose_face(uint64_t *random)
 
 static void choose_raster(struct rhw_pipeline_def *def, uint64_t *random)
 {
-    def->topology = chance(random, 2)
-                        ? RHW_TRIANGLE_LIST
-                        : (enum rhw_topology)rig_random_int(random, RHW_TRIANGLE_STRIP_ADJACENCY + 1);
+    def->topology =
+        chance(random, 2) ? RHW_TRIANGLE_LIST : (enum rhw_topology)rig_random_int(random, RHW_LINE_LOOP + 1);
     def->primitive_restart = chance(random, 4);
     def->provoking = (enum rhw_provoking)rig_random_int(random, 2);
     def->polygon_mode = (enum rhw_polygon_mode)(chance(random, 4) ? rig_random_int(random, 3) : 0);

@@ -219,6 +219,9 @@ static void test_topologies_are_their_lists(void **state)
         int count, picks[40], pick_count;
     } cases[] = {
         {RHW_LINE_STRIP, RHW_LINE_LIST, 5, {0, 1, 1, 2, 2, 3, 3, 4}, 8},
+        {RHW_LINE_LOOP, RHW_LINE_LIST, 5, {0, 1, 1, 2, 2, 3, 3, 4, 4, 0}, 10},
+        {RHW_LINE_LOOP, RHW_LINE_LIST, 2, {0, 1, 1, 0}, 4},
+        {RHW_LINE_LOOP, RHW_LINE_LIST, 1, {0}, 0},
         {RHW_LINE_LIST, RHW_LINE_LIST, 5, {0, 1, 2, 3}, 4},
         {RHW_LINE_LIST_ADJACENCY, RHW_LINE_LIST, 10, {1, 2, 5, 6}, 4},
         {RHW_LINE_STRIP_ADJACENCY, RHW_LINE_LIST, 6, {1, 2, 2, 3, 3, 4}, 6},
@@ -266,6 +269,7 @@ static void test_restart_cuts_every_topology(void **state)
     } cases[] = {{RHW_POINT_LIST, 15},
                  {RHW_LINE_LIST, 2 + 1 + 3},
                  {RHW_LINE_STRIP, 3 + 2 + 6},
+                 {RHW_LINE_LOOP, 4 + 3 + 7},
                  {RHW_TRIANGLE_LIST, 1 + 1 + 2},
                  {RHW_TRIANGLE_STRIP, 2 + 1 + 5},
                  {RHW_TRIANGLE_FAN, 2 + 1 + 5},

@@ -123,6 +123,7 @@ static void test_topologies(void **state)
     EXPECT_ORDER(RHW_POINT_LIST, NULL, 3, 0, 1, 2);
     EXPECT_ORDER(RHW_LINE_LIST, NULL, 5, 0, 1, 2, 3);
     EXPECT_ORDER(RHW_LINE_STRIP, NULL, 4, 0, 1, 1, 2, 2, 3);
+    EXPECT_ORDER(RHW_LINE_LOOP, NULL, 4, 0, 1, 1, 2, 2, 3, 3, 0);
     EXPECT_ORDER(RHW_TRIANGLE_LIST, NULL, 8, 0, 1, 2, 3, 4, 5);
     EXPECT_ORDER(RHW_TRIANGLE_STRIP, NULL, 5, 0, 1, 2, 1, 3, 2, 2, 3, 4);
     EXPECT_ORDER(RHW_TRIANGLE_FAN, NULL, 5, 1, 2, 0, 2, 3, 0, 3, 4, 0);
@@ -131,6 +132,7 @@ static void test_topologies(void **state)
     const uint8_t strip[] = {9, 8, 7, 6, 255, 1, 255, 2, 3, 4};
     EXPECT_ORDER(RHW_TRIANGLE_STRIP, strip, 10, 9, 8, 7, 8, 6, 7, 2, 3, 4);
     EXPECT_ORDER(RHW_LINE_STRIP, strip, 10, 9, 8, 8, 7, 7, 6, 2, 3, 3, 4);
+    EXPECT_ORDER(RHW_LINE_LOOP, strip, 10, 9, 8, 8, 7, 7, 6, 6, 9, 2, 3, 3, 4, 4, 2);
 }
 
 // Places in a vertex -------------------------------------------------------------------------------------
