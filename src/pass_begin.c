@@ -66,6 +66,9 @@ static bool check_def(rhw_context *context, const struct rhw_pass_def *def, cons
            rhw_check(context,
                      def->color_count > 0 || def->depth.enabled || (def->width > 0 && def->height > 0),
                      "%s: the pass has no attachment, so width and height must be set", where) &&
+           rhw_check(context, (def->width == 0) == (def->height == 0),
+                     "%s: width is %d and height is %d; both are set, or both are 0", where, def->width,
+                     def->height) &&
            rhw_check(
                context, def->layers == 0 || (def->color_count == 0 && !def->depth.enabled),
                "%s: layers is %d and the pass has an attachment; its layer_count says how many there are",

@@ -418,12 +418,13 @@ static bool run_front(struct rhw_pass_state *pass, struct position *at, struct r
     return true;
 }
 
-// Memory for what has no texture, needed only when a second wave must find it again. False when out of memory.
+// Memory for what has no texture, needed only when a second wave must find it again; nobody looks for what is left out.
+// False when out of memory.
 static bool transient_ready(struct rhw_pass_state *pass, struct rhw_attachment *attachment,
                             struct rhw_transient *transient)
 {
     struct rhw_memory *const memory = &pass->context->memory;
-    if (attachment->target || attachment->is_read_only) {
+    if (attachment->target || attachment->is_read_only || attachment->is_left_out) {
         return true;
     }
     const size_t row = (size_t)pass->width * attachment->texel_size;

@@ -7,8 +7,10 @@
 #include "format.h"
 
 // What a fragment function reads of the attachments, and of those that fragments are tested against.
-#define RHW_USE_TEST_INPUT   (RHW_USE_DEPTH_INPUT | RHW_USE_STENCIL_INPUT)
-#define RHW_USE_TARGET_INPUT (RHW_USE_COLOR_INPUT | RHW_USE_TEST_INPUT)
+enum {
+    RHW_USE_TEST_INPUT = RHW_USE_DEPTH_INPUT | RHW_USE_STENCIL_INPUT,
+    RHW_USE_TARGET_INPUT = RHW_USE_COLOR_INPUT | RHW_USE_TEST_INPUT
+};
 
 struct rhw_watch;
 struct rhw_memory;
@@ -18,8 +20,8 @@ struct rhw_pipeline_data {
     struct rhw_watch *watch;     // under validation, and then in the place of its functions; see watch.h
     rhw_vertex_function *vertex; // best entry for the context's instruction set; NULL: use program.vertex1
     rhw_fragment_function *fragment; // likewise; NULL: program.fragment1, and when that is NULL too, depth only
-    unsigned
-        left_out; // targets, a bit each; their format is rhw_left_out_format then, and none of their channels is written
+    // Targets that are left out, a bit each: their format is rhw_left_out_format, and none of their channels is written.
+    unsigned left_out;
     int output_count; // colours that the fragment function writes: the targets', and a second source
     struct rhw_fetch fetches[RHW_MAX_ATTRIBUTES];
     int varying_components;     // of all varyings together

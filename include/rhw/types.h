@@ -196,9 +196,9 @@ enum {
 /// ("Cube Map Face Selection").
 enum rhw_texture_kind { RHW_TEXTURE_2D, RHW_TEXTURE_1D, RHW_TEXTURE_3D, RHW_TEXTURE_CUBE };
 
-/// A texture: sampled, drawn into, or both (not in the same pass). Zeroed when created. It takes the bytes of its
-/// texels (of a compressed format: as they are decoded), rows rounded up to 64; a 2D texture of RGBA8_SRGB texels that a
-/// pass samples takes 8 bytes a texel more from then on.
+/// A texture: sampled, drawn into, or both, in one pass of different levels and layers (view.h). Zeroed when created. It
+/// takes the bytes of its texels (of a compressed format: as they are decoded), rows rounded up to 64; a 2D texture of
+/// RGBA8_SRGB texels that a pass samples takes 8 bytes a texel more from then on.
 /// A texture that is no plain 2D one has fewer than 2^31 texels, all levels and rounded rows together.
 struct rhw_texture_def {
     enum rhw_format format; ///< to be set
@@ -714,7 +714,8 @@ struct rhw_draw_commands {
 /// is that on the screen, and so turns over. A height of 0 shows nothing but points.
 struct rhw_viewport {
     float x, y;          ///< pixels from the top left; corners within ±2·RHW_MAX_TARGET_SIZE
-    float width, height; ///< above 0; at most RHW_MAX_TARGET_SIZE either way
+    float width;         ///< above 0, at most RHW_MAX_TARGET_SIZE
+    float height;        ///< within ±RHW_MAX_TARGET_SIZE
     float depth_min, depth_max; ///< 0..1; depth_min > depth_max reverses. Both 0: 0 and 1; for nothing but depth 0
                                 ///< depth_max is −1, which counts as 0
 };

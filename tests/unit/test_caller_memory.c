@@ -157,6 +157,35 @@ static void sample_middle(struct rhw_fragment *groups, int count)
 }
 
 // Every pass sees what the program has written since the last one, also in the linear copy of an sRGB texture.
+// Two textures whose rows take turns, as halves of one picture, are told apart.
+static void test_side_by_side(void **state)
+{
+    (void)state;
+    enum { SIDE = 16, ROW = SIDE * 4, PITCH = 2 * ROW };
+    struct rig rig;
+    rig_open(&rig, SIDE, SIDE);
+    unsigned char *const memory = memory_of(SIDE * PITCH + ROW + RHW_MEMORY_PADDING);
+    for (int i = 0; i < 2; i++) {
+        const struct rhw_texture_def def = {.format = RHW_FORMAT_RGBA8_UNORM,
+                                            .width = SIDE,
+                                            .height = SIDE,
+                                            .row_pitch = PITCH,
+                                            .memory = memory + i * ROW,
+                                            .memory_size = SIDE * PITCH + RHW_MEMORY_PADDING};
+        rig_set_target(&rig, i, RHW_FORMAT_RGBA8_UNORM);
+        rig.pass.colors[i] = (struct rhw_color_attachment){.texture = make(&rig, &def)};
+        rig.pass.colors[i].clear[i] = 1;
+    }
+    rig_begin(&rig);
+    rig_end(&rig);
+    for (int i = 0; i < SIDE * PITCH; i += 4) {
+        assert_int_equal(memory[i], i % PITCH < ROW ? 255 : 0);
+        assert_int_equal(memory[i + 1], i % PITCH < ROW ? 0 : 255);
+    }
+    rig_close(&rig);
+    free(memory);
+}
+
 static void test_sampled(void **state)
 {
     (void)state;
@@ -293,8 +322,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_layout),     cmocka_unit_test(test_where_texels_are),
-        cmocka_unit_test(test_drawn_into), cmocka_unit_test(test_sampled),
-        cmocka_unit_test(test_buffers),    cmocka_unit_test(test_misuse),
+        cmocka_unit_test(test_drawn_into), cmocka_unit_test(test_side_by_side),
+        cmocka_unit_test(test_sampled),    cmocka_unit_test(test_buffers),
+        cmocka_unit_test(test_misuse),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

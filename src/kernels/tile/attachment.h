@@ -9,7 +9,7 @@
 
 static enum rhw_load load_of(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment)
 {
-    return pass->first_wave ? attachment->load : RHW_LOAD_LOAD;
+    return pass->first_wave || attachment->is_left_out ? attachment->load : RHW_LOAD_LOAD;
 }
 
 static bool is_stored(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment)
