@@ -200,11 +200,17 @@ RHW_API void rhw_pass_set_read_only_storage_buffer(rhw_context *context, rhw_pas
                                                    rhw_buffer buffer, size_t offset, size_t size);
 /// A level of a texture, all its layers or slices, as image slot `slot`, 0..RHW_MAX_STORAGE_IMAGES − 1, which shader
 /// functions read and write (shader_image.h). Its format can be drawn into as colour, its texels have one sample. A null
-/// texture unbinds the slot. The level counts as an attachment of this pass, and is neither attached nor sampled besides.
+/// texture unbinds the slot. The level counts as an attachment of this pass, and is neither attached nor read besides, as by
+/// sampling.
 RHW_API void rhw_pass_set_storage_image(rhw_context *context, rhw_pass pass, int slot, rhw_texture texture,
                                         int level);
-/// The same of bytes `offset` to offset + size of a buffer, 0: to its end, read and written as texels of a colour format.
-/// `offset` is a multiple of the texel's size. It is a storage buffer of this pass. A null buffer unbinds the slot.
+/// The same for functions that only read it (WebGPU, read-only storage textures): the level may be sampled and set for
+/// reading in other slots too, and is written between draws, as what is sampled. It is neither attached nor set to be
+/// written besides. Writing and atomics do nothing, and give 0.
+RHW_API void rhw_pass_set_read_only_storage_image(rhw_context *context, rhw_pass pass, int slot,
+                                                  rhw_texture texture, int level);
+/// Bytes `offset` to offset + size of a buffer, 0: to its end, as an image of one row, read and written as texels of a colour
+/// format. `offset` is a multiple of the texel's size. It is a storage buffer of this pass. A null buffer unbinds the slot.
 RHW_API void rhw_pass_set_texel_buffer(rhw_context *context, rhw_pass pass, int slot, rhw_buffer buffer,
                                        enum rhw_format format, size_t offset, size_t size);
 /// The same for functions that only read it (Vulkan, uniform texel buffers), as rhw_pass_set_read_only_storage_buffer.
