@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "buffer.h"
-#include "buffer_use.h"
+#include "buffer_access.h"
 #include "context.h"
 #include "draw_list.h"
 #include "entry.h"
@@ -43,7 +43,7 @@ static const unsigned char *find_bytes(const rhw_context *context, rhw_buffer id
                              where, name, offset, (unsigned long long)size, buffer->size,
                              rhw_name_of(&context->buffers, id.index).text) &&
                    rhw_buffer_check_use(context, &part, where) &&
-                   rhw_buffer_check_drawable(context, id, buffer, where)
+                   rhw_buffer_check_unmapped(context, &part, where)
                ? buffer->bytes + offset
                : NULL;
 }

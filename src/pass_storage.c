@@ -3,7 +3,7 @@
 #include "pass_storage.h"
 
 #include "buffer.h"
-#include "buffer_use.h"
+#include "buffer_access.h"
 #include "context.h"
 #include "entry.h"
 #include "format.h"
@@ -23,15 +23,13 @@ static bool bind_range(struct rhw_pass_state *pass, rhw_buffer id, size_t offset
 {
     struct rhw_context *const context = pass->context;
     struct rhw_buffer_data *const data = rhw_context_buffer(context, id, where);
-    if (!data || !rhw_buffer_check_range(context, id, data, offset, size, where) ||
-        !(is_read_only ? rhw_buffer_check_drawable(context, id, data, where)
-                       : rhw_buffer_check_unmapped(context, id, data, where))) {
+    if (!data || !rhw_buffer_check_range(context, id, data, offset, size, where)) {
         return false;
     }
     const size_t length = size == 0 ? data->size - offset : size;
     const struct rhw_buffer_part part = {id, data, is_read_only ? RHW_BUFFER_READ : RHW_BUFFER_STORED, offset,
                                          offset + length};
-    if (!rhw_buffer_check_use(context, &part, where)) {
+    if (!rhw_buffer_check_unmapped(context, &part, where) || !rhw_buffer_check_use(context, &part, where)) {
         return false;
     }
     pass->out_of_memory |= !rhw_buffer_note_use(context, &pass->arena, &part);

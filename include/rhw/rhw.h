@@ -54,11 +54,12 @@ RHW_API enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw
                                           rhw_buffer *buffer);
 RHW_API void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer);
 /// Replaces `size` bytes at `offset`. Draws that were recorded before read what the buffer held then: where the pass being
-/// recorded uses it, the first write after a draw gives it new memory. Without memory for that it stays as it is.
+/// recorded reads some of the bytes, the first write after a draw gives the buffer new memory. Without memory for that it
+/// stays as it is. Bytes that this pass may write, as storage or by transform feedback, are refused, and those that it reads
+/// where it may write others of the buffer; bytes that it does not use are free. So it is for all that writes to buffers.
 RHW_API enum rhw_result rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t offset,
                                          const void *data, size_t size);
-/// Copies `size` bytes at `offset` out. Not while the buffer is set as a storage buffer of the pass being recorded, nor is
-/// rhw_buffer_write then.
+/// Copies `size` bytes at `offset` out. Bytes that the pass being recorded may write are refused.
 RHW_API enum rhw_result rhw_buffer_read(rhw_context *context, rhw_buffer buffer, size_t offset, void *data,
                                         size_t size);
 

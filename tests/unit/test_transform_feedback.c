@@ -387,11 +387,12 @@ static void test_misuse_in_a_pass(void **state)
         &rig, "it reads bytes 0 to 256 of buffer 1 \"kept\"; the transform feedback of this pass writes "
               "bytes 0 to 256");
     assert_int_equal(rhw_buffer_write(rig.context, buffer, 0, "x", 1), RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig,
-                      "buffer 1 \"kept\" is written by the transform feedback of this pass; end the pass");
+    rig_expect_misuse(&rig, "it writes bytes 0 to 1 of buffer 1 \"kept\"; the transform feedback of this "
+                            "pass writes bytes 0 to 256");
     char byte;
     assert_int_equal(rhw_buffer_read(rig.context, buffer, 0, &byte, 1), RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig, "rhw_buffer_read: buffer 1 \"kept\" is written by the transform feedback");
+    rig_expect_misuse(&rig, "rhw_buffer_read: it reads bytes 0 to 1 of buffer 1 \"kept\"; the transform "
+                            "feedback of this pass writes");
     rhw_pass_set_storage_buffer(rig.context, rig.recording, 0, buffer, 0, 0);
     rig_expect_misuse(&rig,
                       "rhw_pass_set_storage_buffer: it may write bytes 0 to 256 of buffer 1 \"kept\"; the "
@@ -404,8 +405,15 @@ static void test_misuse_in_a_pass(void **state)
     rig_expect_misuse(&rig, "it writes bytes 8 to 12 of buffer 1 \"kept\"; the transform feedback of this "
                             "pass writes bytes 0 to 12");
     // What it did not come to, and other bytes of what is read, are free.
-    rhw_pass_set_storage_buffer(rig.context, rig.recording, 0, buffer, 128, 0);
+    assert_int_equal(rhw_buffer_write(rig.context, buffer, 12, "x", 1), RHW_OK);
+    assert_int_equal(rhw_buffer_read(rig.context, buffer, 12, &byte, 1), RHW_OK);
+    assert_true(byte == 'x');
+    rhw_buffer_read(rig.context, buffer, 8, &byte, 1);
+    rig_expect_misuse(&rig, "it reads bytes 8 to 9");
     rhw_pass_set_vertex_buffer_range(rig.context, rig.recording, 0, buffer, 64, 64);
+    assert_int_equal(rhw_buffer_write(rig.context, buffer, 70, "x", 1), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "this pass reads some of them and may write others; end the pass first");
+    rhw_pass_set_storage_buffer(rig.context, rig.recording, 0, buffer, 128, 0);
     begin_feedback(&rig, &(struct rhw_feedback_target){buffer, 60, 8}, 1);
     rig_expect_misuse(&rig, "a vertex, index or read-only buffer of this pass reads bytes 64 to 128");
     begin_feedback(&rig, &(struct rhw_feedback_target){buffer, 12, 4}, 1);
