@@ -104,8 +104,7 @@ static bool check_written(const struct rhw_pass_state *pass, rhw_texture id,
                       where, level, rhw_name_of(&context->textures, id.index).text) &&
             rhw_check(context, !rhw_pass_reads(pass, texels),
                       "%s: level %d of %s is sampled in this pass or set for reading alone, or has a layer "
-                      "that is; "
-                      "it must be another",
+                      "that is; it must be another",
                       where, level, rhw_name_of(&context->textures, id.index).text));
 }
 
