@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "buffer_access.h"
 #include "constants.h"
 #include "context.h"
 #include "entry.h"
@@ -37,8 +38,7 @@ static bool check_create(const struct rhw_context *context, const struct rhw_buf
                      RHW_BUFFER_PADDING);
 }
 
-// Zeroed, or undefined when something will be copied there; NULL when out of memory.
-static unsigned char *allocate_bytes(struct rhw_memory *memory, size_t size, bool zeroed)
+unsigned char *rhw_buffer_allocate(struct rhw_memory *memory, size_t size, bool zeroed)
 {
     if (size > SIZE_MAX - RHW_BUFFER_PADDING) {
         return NULL;
@@ -51,7 +51,7 @@ static unsigned char *allocate_bytes(struct rhw_memory *memory, size_t size, boo
 static bool fill(struct rhw_memory *memory, struct rhw_buffer_data *data, const struct rhw_buffer_def *def)
 {
     data->is_callers = def->memory != NULL;
-    data->bytes = data->is_callers ? def->memory : allocate_bytes(memory, def->size, def->data == NULL);
+    data->bytes = data->is_callers ? def->memory : rhw_buffer_allocate(memory, def->size, def->data == NULL);
     if (data->bytes == NULL) {
         return false;
     }
@@ -124,92 +124,24 @@ bool rhw_buffer_check_range(const struct rhw_context *context, rhw_buffer buffer
                      where, offset, size, data->size, rhw_name_of(&context->buffers, buffer.index).text);
 }
 
-bool rhw_buffer_check_readable(const struct rhw_context *context, rhw_buffer buffer,
-                               const struct rhw_buffer_data *data, const char *where)
-{
-    return rhw_check(context,
-                     !context->recording.active || data->stored_pass != context->recording.generation,
-                     "%s: %s is a storage buffer of this pass; end the pass first", where,
-                     rhw_name_of(&context->buffers, buffer.index).text) &&
-           rhw_check(context,
-                     !context->recording.active || data->captured_pass != context->recording.generation,
-                     "%s: %s is written by the transform feedback of this pass; end the pass first", where,
-                     rhw_name_of(&context->buffers, buffer.index).text);
-}
-
-bool rhw_buffer_check_unmapped(const struct rhw_context *context, rhw_buffer buffer,
-                               const struct rhw_buffer_data *data, const char *where)
-{
-    return rhw_check(context, !data->is_mapped, "%s: %s is mapped; call rhw_buffer_unmap first", where,
-                     rhw_name_of(&context->buffers, buffer.index).text);
-}
-
-bool rhw_buffer_check_writable(const struct rhw_context *context, rhw_buffer buffer,
-                               const struct rhw_buffer_data *data, const char *where)
-{
-    return rhw_buffer_check_readable(context, buffer, data, where) &&
-           rhw_buffer_check_unmapped(context, buffer, data, where) &&
-           rhw_check(context,
-                     !data->is_callers || !rhw_context_records(context, &context->buffers, buffer.index),
-                     "%s: %s stands on memory of the program and the pass being recorded uses it; end that "
-                     "first",
-                     where, rhw_name_of(&context->buffers, buffer.index).text);
-}
-
-bool rhw_buffer_check_drawable(const struct rhw_context *context, rhw_buffer buffer,
-                               const struct rhw_buffer_data *data, const char *where)
-{
-    return rhw_check(context, !data->is_map_written,
-                     "%s: %s is mapped for writing; call rhw_buffer_unmap first", where,
-                     rhw_name_of(&context->buffers, buffer.index).text);
-}
-
-// Gives the buffer new memory; draws that were recorded keep the old one. The bytes that will not be written are copied.
-// False when out of memory.
-static bool renew(struct rhw_context *context, uint32_t index, struct rhw_buffer_data *data, size_t written)
-{
-    unsigned char *const bytes = allocate_bytes(&context->memory, data->size, false);
-    if (bytes == NULL) {
-        return false;
-    }
-    if (!rhw_pool_retire_copy(&context->memory, &context->buffers, index)) {
-        rhw_memory_release(&context->memory, bytes, data->size + RHW_BUFFER_PADDING);
-        return false;
-    }
-    if (written < data->size) {
-        memcpy(bytes, data->bytes, data->size);
-    }
-    memset(bytes + data->size, 0, RHW_BUFFER_PADDING);
-    data->bytes = bytes;
-    data->renewed_pass = context->recording.generation;
-    data->renewed_draws = context->recording.draw;
-    context->recording.rewrites++;
-    return true;
-}
-
-bool rhw_buffer_to_write(struct rhw_context *context, uint32_t index, struct rhw_buffer_data *data,
-                         size_t written)
-{
-    return !rhw_context_draws_read(context, &context->buffers, index, data->renewed_pass,
-                                   data->renewed_draws) ||
-           renew(context, index, data, written);
-}
-
 static enum rhw_result write_bytes(struct rhw_context *context, rhw_buffer buffer, size_t offset,
                                    const void *data, size_t size)
 {
     static const char *const where = "rhw_buffer_write";
     struct rhw_buffer_data *const target = rhw_context_buffer(context, buffer, where);
     if (target == NULL || !rhw_buffer_check_range(context, buffer, target, offset, size, where) ||
-        !rhw_buffer_check_writable(context, buffer, target, where) ||
         !rhw_check(context, data != NULL || size == 0, "%s: data is NULL; it must point to %zu bytes", where,
                    size)) {
+        return RHW_ERROR_MISUSE;
+    }
+    const struct rhw_buffer_part part = {buffer, target, RHW_BUFFER_WRITTEN, offset, offset + size};
+    if (!rhw_buffer_check_writable(context, &part, where)) {
         return RHW_ERROR_MISUSE;
     }
     if (size == 0) {
         return RHW_OK;
     }
-    if (!rhw_buffer_to_write(context, buffer.index, target, size)) {
+    if (!rhw_buffer_to_write(context, &part, size)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     memcpy(target->bytes + offset, data, size);
@@ -234,10 +166,11 @@ enum rhw_result rhw_buffer_read(rhw_context *context, rhw_buffer buffer, size_t 
     if (!rhw_context_enter(context, where)) {
         return RHW_ERROR_MISUSE;
     }
-    const struct rhw_buffer_data *const source = rhw_context_buffer(context, buffer, where);
+    struct rhw_buffer_data *const source = rhw_context_buffer(context, buffer, where);
+    const struct rhw_buffer_part part = {buffer, source, RHW_BUFFER_READ, offset, offset + size};
     const bool valid = source != NULL &&
                        rhw_buffer_check_range(context, buffer, source, offset, size, where) &&
-                       rhw_buffer_check_readable(context, buffer, source, where) &&
+                       rhw_buffer_check_readable(context, &part, where) &&
                        rhw_check(context, data != NULL || size == 0,
                                  "%s: data is NULL; it must point to %zu bytes", where, size);
     if (valid && size != 0) {

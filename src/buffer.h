@@ -28,6 +28,7 @@ struct rhw_buffer_data {
     uint32_t renewed_pass, renewed_draws;
     bool is_callers;                // `bytes` is the program's memory
     bool is_mapped, is_map_written; // see rhw_buffer_map; the second: not for reading alone
+    size_t map_first, map_end;      // the bytes that are
     // The last passes that read it, whose shader functions may write it, and that write it by transform feedback, by
     // generation; and in those which bytes.
     uint32_t read_pass, stored_pass, captured_pass;
@@ -42,26 +43,7 @@ bool rhw_buffer_check_range(const struct rhw_context *context, rhw_buffer buffer
                             const struct rhw_buffer_data *data, size_t offset, size_t size,
                             const char *where);
 
-// Reports a buffer whose bytes are not known before the pass being recorded has ended.
-bool rhw_buffer_check_readable(const struct rhw_context *context, rhw_buffer buffer,
-                               const struct rhw_buffer_data *data, const char *where);
-
-// Reports a mapped buffer, which passes do not write.
-bool rhw_buffer_check_unmapped(const struct rhw_context *context, rhw_buffer buffer,
-                               const struct rhw_buffer_data *data, const char *where);
-
-// Reports a buffer that nobody may write now: a mapped one, one that the pass being recorded writes, and one on the program's memory that draws read which were
-// recorded.
-bool rhw_buffer_check_writable(const struct rhw_context *context, rhw_buffer buffer,
-                               const struct rhw_buffer_data *data, const char *where);
-
-// Reports a buffer that is mapped for writing, which passes do not use.
-bool rhw_buffer_check_drawable(const struct rhw_context *context, rhw_buffer buffer,
-                               const struct rhw_buffer_data *data, const char *where);
-
-// Makes the live buffer one that is written now: draws that were recorded keep what it holds. `written` bytes will be, all
-// or some. False when out of memory.
-bool rhw_buffer_to_write(struct rhw_context *context, uint32_t index, struct rhw_buffer_data *data,
-                         size_t written);
+// Bytes and padding, zeroed, or undefined when something will be copied there; NULL when out of memory.
+unsigned char *rhw_buffer_allocate(struct rhw_memory *memory, size_t size, bool zeroed);
 
 #endif

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "buffer.h"
+#include "buffer_access.h"
 #include "context.h"
 #include "entry.h"
 #include "lookup.h"
@@ -16,15 +17,19 @@ static enum rhw_result fill(struct rhw_context *context, rhw_buffer buffer, size
     struct rhw_buffer_data *const data = rhw_context_buffer(context, buffer, where);
     if (!data || !rhw_buffer_check_range(context, buffer, data, offset, size, where) ||
         !rhw_check(context, offset % sizeof word == 0 && size % sizeof word == 0,
-                   "%s: offset is %zu and size is %zu; they are multiples of 4", where, offset, size) ||
-        !rhw_buffer_check_writable(context, buffer, data, where)) {
+                   "%s: offset is %zu and size is %zu; they are multiples of 4", where, offset, size)) {
         return RHW_ERROR_MISUSE;
     }
     const size_t words = (size == 0 ? data->size - offset : size) / sizeof word;
+    const struct rhw_buffer_part part = {buffer, data, RHW_BUFFER_WRITTEN, offset,
+                                         offset + words * sizeof word};
+    if (!rhw_buffer_check_writable(context, &part, where)) {
+        return RHW_ERROR_MISUSE;
+    }
     if (words == 0) {
         return RHW_OK;
     }
-    if (!rhw_buffer_to_write(context, buffer.index, data, words * sizeof word)) {
+    if (!rhw_buffer_to_write(context, &part, words * sizeof word)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     const unsigned char bytes[] = {(unsigned char)word, (unsigned char)(word >> 8),
@@ -51,22 +56,24 @@ static enum rhw_result copy(struct rhw_context *context, rhw_buffer from, size_t
                             size_t to_offset, size_t size)
 {
     static const char *const where = "rhw_buffer_copy";
-    const struct rhw_buffer_data *const source = rhw_context_buffer(context, from, where);
+    struct rhw_buffer_data *const source = rhw_context_buffer(context, from, where);
     struct rhw_buffer_data *const target = source ? rhw_context_buffer(context, to, where) : NULL;
+    const struct rhw_buffer_part read = {from, source, RHW_BUFFER_READ, from_offset, from_offset + size};
+    const struct rhw_buffer_part written = {to, target, RHW_BUFFER_WRITTEN, to_offset, to_offset + size};
     if (!target || !rhw_buffer_check_range(context, from, source, from_offset, size, where) ||
         !rhw_buffer_check_range(context, to, target, to_offset, size, where) ||
-        !rhw_buffer_check_readable(context, from, source, where) ||
+        !rhw_buffer_check_readable(context, &read, where) ||
         !rhw_check(context,
                    source != target || from_offset + size <= to_offset || to_offset + size <= from_offset,
                    "%s: bytes %zu and %zu of %s are copied to each other, %zu of them; they must not overlap",
                    where, from_offset, to_offset, rhw_name_of(&context->buffers, to.index).text, size) ||
-        !rhw_buffer_check_writable(context, to, target, where)) {
+        !rhw_buffer_check_writable(context, &written, where)) {
         return RHW_ERROR_MISUSE;
     }
     if (size == 0) {
         return RHW_OK;
     }
-    if (!rhw_buffer_to_write(context, to.index, target, size)) {
+    if (!rhw_buffer_to_write(context, &written, size)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     memcpy(target->bytes + to_offset, source->bytes + from_offset, size);
@@ -93,14 +100,19 @@ static void *map(struct rhw_context *context, rhw_buffer buffer, size_t offset, 
         !rhw_check(context, (unsigned)access <= RHW_MAP_READ, "%s: access is %d; not an access", where,
                    (int)access) ||
         !rhw_check(context, !buffer_data->is_mapped, "%s: %s is mapped already", where,
-                   rhw_name_of(&context->buffers, buffer.index).text) ||
-        !rhw_check(context, !rhw_context_records(context, &context->buffers, buffer.index),
-                   "%s: %s is used by the pass being recorded; end that first", where,
                    rhw_name_of(&context->buffers, buffer.index).text)) {
+        return NULL;
+    }
+    const enum rhw_buffer_use use = access == RHW_MAP_READ ? RHW_BUFFER_READ : RHW_BUFFER_WRITTEN;
+    const struct rhw_buffer_part part = {buffer, buffer_data, use, offset,
+                                         size == 0 ? buffer_data->size : offset + size};
+    if (!rhw_buffer_check_use(context, &part, where)) {
         return NULL;
     }
     buffer_data->is_mapped = true;
     buffer_data->is_map_written = access != RHW_MAP_READ;
+    buffer_data->map_first = part.first;
+    buffer_data->map_end = part.end;
     return buffer_data->bytes + offset;
 }
 

@@ -9,13 +9,13 @@
 #include "lookup.h"
 #include "misuse.h"
 
-// The ranges of a use in the pass; NULL: none.
+// The ranges of a use in the pass being recorded; NULL: none.
 static struct rhw_used_range *ranges_of(const struct rhw_context *context, const struct rhw_buffer_data *data,
                                         enum rhw_buffer_use use)
 {
     const uint32_t passes[] = {data->read_pass, data->stored_pass, data->captured_pass};
     struct rhw_used_range *const ranges[] = {data->read, data->stored, data->captured};
-    return passes[use] == context->recording.generation ? ranges[use] : NULL;
+    return context->recording.active && passes[use] == context->recording.generation ? ranges[use] : NULL;
 }
 
 static void set_ranges(const struct rhw_context *context, struct rhw_buffer_data *data,
@@ -30,7 +30,7 @@ static void set_ranges(const struct rhw_context *context, struct rhw_buffer_data
 bool rhw_buffer_check_apart(const struct rhw_context *context, const struct rhw_buffer_part *part,
                             enum rhw_buffer_use use, size_t first, size_t end, const char *where)
 {
-    static const char *const verbs[] = {"reads", "may write", "writes"};
+    static const char *const verbs[] = {"reads", "may write", "writes", "writes"};
     static const char *const others[] = {"a vertex, index or read-only buffer of this pass reads",
                                          "storage of this pass may write",
                                          "the transform feedback of this pass writes"};
@@ -46,17 +46,38 @@ static bool goes_with_itself(enum rhw_buffer_use use)
     return use != RHW_BUFFER_CAPTURED;
 }
 
+bool rhw_buffer_check_unused(const struct rhw_context *context, const struct rhw_buffer_part *part,
+                             enum rhw_buffer_use use, const char *where)
+{
+    const struct rhw_used_range *range = ranges_of(context, part->data, use);
+    while (range && rhw_buffer_check_apart(context, part, use, range->first, range->end, where)) {
+        range = range->next;
+    }
+    return !range;
+}
+
+bool rhw_buffer_is_read(const struct rhw_context *context, const struct rhw_buffer_part *part)
+{
+    const struct rhw_used_range *range = ranges_of(context, part->data, RHW_BUFFER_READ);
+    while (range && (part->end <= range->first || range->end <= part->first)) {
+        range = range->next;
+    }
+    return range;
+}
+
+bool rhw_buffer_is_written(const struct rhw_context *context, const struct rhw_buffer_data *data)
+{
+    return ranges_of(context, data, RHW_BUFFER_STORED) || ranges_of(context, data, RHW_BUFFER_CAPTURED);
+}
+
 bool rhw_buffer_check_use(const struct rhw_context *context, const struct rhw_buffer_part *part,
                           const char *where)
 {
     for (int i = 0; i < RHW_BUFFER_USES; i++) {
         const enum rhw_buffer_use use = (enum rhw_buffer_use)i;
         const bool is_asked = use != part->use || !goes_with_itself(use);
-        const struct rhw_used_range *range = is_asked ? ranges_of(context, part->data, use) : NULL;
-        for (; range; range = range->next) {
-            if (!rhw_buffer_check_apart(context, part, use, range->first, range->end, where)) {
-                return false;
-            }
+        if (is_asked && !rhw_buffer_check_unused(context, part, use, where)) {
+            return false;
         }
     }
     return true;

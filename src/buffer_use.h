@@ -18,7 +18,9 @@ enum rhw_buffer_use {
     RHW_BUFFER_READ,     // as vertices, indices, commands, or by shader functions that cannot write it
     RHW_BUFFER_STORED,   // by shader functions
     RHW_BUFFER_CAPTURED, // by transform feedback
-    RHW_BUFFER_USES
+    RHW_BUFFER_USES,     // of a pass
+
+    RHW_BUFFER_WRITTEN = RHW_BUFFER_USES // by the program, between draws
 };
 
 // Bytes `first` to `end` of a live buffer, for one use.
@@ -32,6 +34,17 @@ struct rhw_buffer_part {
 // Reports a part that shares bytes with another of the same buffer, `first` to `end`, which has that use.
 bool rhw_buffer_check_apart(const struct rhw_context *context, const struct rhw_buffer_part *part,
                             enum rhw_buffer_use use, size_t first, size_t end, const char *where);
+
+// Reports bytes that the pass being recorded has that use for.
+bool rhw_buffer_check_unused(const struct rhw_context *context, const struct rhw_buffer_part *part,
+                             enum rhw_buffer_use use, const char *where);
+
+// Whether the pass being recorded reads some of the bytes, by vertices and in read-only slots that were set. Commands were
+// read already.
+bool rhw_buffer_is_read(const struct rhw_context *context, const struct rhw_buffer_part *part);
+
+// Whether the pass being recorded may write some of the buffer.
+bool rhw_buffer_is_written(const struct rhw_context *context, const struct rhw_buffer_data *data);
 
 // Reports bytes that the pass has another use for, which does not go with this one.
 bool rhw_buffer_check_use(const struct rhw_context *context, const struct rhw_buffer_part *part,

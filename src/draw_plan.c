@@ -156,10 +156,10 @@ static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
                         compare != RHW_COMPARE_NEVER;
 }
 
-// Integers have no part of themselves.
+// Integers have no part of themselves. Without a target there is a colour where alpha decides about coverage.
 static bool weighs_alpha(const struct rhw_pipeline_data *pipeline)
 {
-    return pipeline->is_smooth && pipeline->def.target_count != 0 &&
+    return pipeline->is_smooth && pipeline->output_count != 0 &&
            !rhw_format_is_integer(rhw_format_info(pipeline->def.targets[0].format));
 }
 

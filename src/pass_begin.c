@@ -24,7 +24,7 @@ static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
     pass->draws.count = 0;
     pass->triangle_count = 0;
     pass->queries = NULL;
-    pass->sampled = NULL;
+    pass->read = NULL;
     pass->stored = NULL;
     pass->feedback = (struct rhw_feedback_state){0};
     pass->has_feedback = false;

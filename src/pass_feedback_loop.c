@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// See pass_feedback_loop.h. What is set is in two lists, each texture once, so that setting it again costs nothing.
+// See pass_feedback_loop.h. What is set is in two lists, each level once, so that setting it again costs nothing.
 #include "pass_feedback_loop.h"
 
 #include "context.h"
 #include "pass_state.h"
 #include "texture_access.h"
 
-struct rhw_sampled_texture {
-    const struct rhw_sampled_texture *next;
+struct rhw_read_texture {
+    const struct rhw_read_texture *next;
     struct rhw_texture_data *const *item;
+    uint32_t levels; // a bit each
 };
 
 struct rhw_stored_level {
@@ -67,60 +68,68 @@ static struct rhw_texel_range range_of_level(const struct rhw_texture_data *text
 }
 
 // Most textures that are set are nobody's attachment, by any name.
-bool rhw_pass_draws_into(const struct rhw_pass_state *pass, const struct rhw_texture_data *texture)
+bool rhw_pass_draws_into(const struct rhw_pass_state *pass, const struct rhw_texture_data *texture,
+                         uint32_t levels)
 {
     bool draws = false;
-    if (rhw_texture_is_attached(pass->context, texture)) {
-        for (int i = 0; i < texture->levels && !draws; i++) {
-            draws = draws_into(pass, range_of_level(texture, i));
-        }
+    for (; rhw_texture_is_attached(pass->context, texture) && levels != 0 && !draws; levels &= levels - 1) {
+        draws = draws_into(pass, range_of_level(texture, __builtin_ctz(levels)));
     }
     return draws;
 }
 
-bool rhw_pass_stores_texture(const struct rhw_pass_state *pass, const struct rhw_texture_data *texture)
+// Whether one of a texture's levels has some of the texels.
+static bool levels_have(const struct rhw_texture_data *texture, uint32_t levels,
+                        struct rhw_texel_range texels)
+{
+    for (; levels != 0; levels &= levels - 1) {
+        if (rhw_texel_ranges_overlap(texels, range_of_level(texture, __builtin_ctz(levels)))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool rhw_pass_stores_texture(const struct rhw_pass_state *pass, const struct rhw_texture_data *texture,
+                             uint32_t levels)
 {
     if (!rhw_texture_is_attached(pass->context, texture)) {
         return false;
     }
     for (const struct rhw_stored_level *stored = pass->stored; stored; stored = stored->next) {
-        for (int i = 0; i < texture->levels; i++) {
-            if (rhw_texel_ranges_overlap(stored->texels, range_of_level(texture, i))) {
-                return true;
-            }
+        if (levels_have(texture, levels, stored->texels)) {
+            return true;
         }
     }
     return false;
 }
 
-bool rhw_pass_samples(const struct rhw_pass_state *pass, struct rhw_texel_range texels)
+bool rhw_pass_reads(const struct rhw_pass_state *pass, struct rhw_texel_range texels)
 {
-    for (const struct rhw_sampled_texture *sampled = pass->sampled; sampled; sampled = sampled->next) {
-        const struct rhw_texture_data *const texture = *sampled->item;
-        for (int i = 0; i < texture->levels; i++) {
-            if (rhw_texel_ranges_overlap(texels, range_of_level(texture, i))) {
-                return true;
-            }
+    for (const struct rhw_read_texture *read = pass->read; read; read = read->next) {
+        if (levels_have(*read->item, read->levels, texels)) {
+            return true;
         }
     }
     return false;
 }
 
-bool rhw_pass_note_sampled(struct rhw_pass_state *pass, struct rhw_texture_data *const *item)
+bool rhw_pass_note_read(struct rhw_pass_state *pass, struct rhw_texture_data *const *item, uint32_t levels)
 {
     struct rhw_texture_data *const texture = *item;
     const uint32_t generation = pass->context->recording.generation;
-    if (texture->sampled_pass == generation) {
+    texture->read_levels = texture->read_pass == generation ? texture->read_levels : 0;
+    if ((levels & ~texture->read_levels) == 0) {
         return true;
     }
-    struct rhw_sampled_texture *const sampled =
-        rhw_arena_alloc(&pass->arena, sizeof *sampled, sizeof(void *));
-    if (sampled) {
-        *sampled = (struct rhw_sampled_texture){pass->sampled, item};
-        pass->sampled = sampled;
-        texture->sampled_pass = generation;
+    struct rhw_read_texture *const read = rhw_arena_alloc(&pass->arena, sizeof *read, sizeof(void *));
+    if (read) {
+        *read = (struct rhw_read_texture){pass->read, item, levels};
+        pass->read = read;
+        texture->read_pass = generation;
+        texture->read_levels |= levels;
     }
-    return sampled != NULL;
+    return read != NULL;
 }
 
 bool rhw_pass_note_stored(struct rhw_pass_state *pass, struct rhw_texture_data *texture, int level)

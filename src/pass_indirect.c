@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "buffer.h"
-#include "buffer_use.h"
+#include "buffer_access.h"
 #include "context.h"
 #include "draw_list.h"
 #include "entry.h"
@@ -13,6 +13,7 @@
 #include "pass_enter.h"
 #include "pass_state.h"
 #include "rhw/rhw.h"
+#include "rhw/transform_feedback.h"
 
 // Commands that were found to be there.
 struct command_list {
@@ -43,7 +44,7 @@ static const unsigned char *find_bytes(const rhw_context *context, rhw_buffer id
                              where, name, offset, (unsigned long long)size, buffer->size,
                              rhw_name_of(&context->buffers, id.index).text) &&
                    rhw_buffer_check_use(context, &part, where) &&
-                   rhw_buffer_check_drawable(context, id, buffer, where)
+                   rhw_buffer_check_unmapped(context, &part, where)
                ? buffer->bytes + offset
                : NULL;
 }
@@ -106,6 +107,25 @@ static void draw_all_indexed(struct rhw_pass_state *pass, const struct rhw_draw_
     }
 }
 
+static void draw_byte_count(struct rhw_pass_state *pass, const struct rhw_draw_byte_count *draw,
+                            const char *where)
+{
+    const rhw_context *const context = pass->context;
+    uint32_t counter;
+    if (!rhw_check(context, draw != NULL, "%s: draw is NULL", where) ||
+        !rhw_check(context, draw->stride != 0, "%s: stride is 0; it must be at least 1 byte", where)) {
+        return;
+    }
+    const unsigned char *const bytes =
+        find_bytes(context, draw->buffer, draw->offset, sizeof counter, "", where);
+    if (bytes != NULL) {
+        memcpy(&counter, bytes, sizeof counter);
+        const uint32_t size = counter > draw->counter_offset ? counter - draw->counter_offset : 0;
+        const struct rhw_draw all = {.first_instance = draw->first_instance, .instances = draw->instances};
+        rhw_pass_record(pass, &all, size / draw->stride, where);
+    }
+}
+
 void rhw_pass_draw_indirect(rhw_context *context, rhw_pass id, const struct rhw_draw_commands *commands)
 {
     static const char *const where = "rhw_pass_draw_indirect";
@@ -123,6 +143,17 @@ void rhw_pass_draw_indexed_indirect(rhw_context *context, rhw_pass id,
     struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (pass != NULL) {
         draw_all_indexed(pass, commands, where);
+        rhw_context_leave(context);
+    }
+}
+
+void rhw_pass_draw_indirect_byte_count(rhw_context *context, rhw_pass id,
+                                       const struct rhw_draw_byte_count *draw)
+{
+    static const char *const where = "rhw_pass_draw_indirect_byte_count";
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
+    if (pass != NULL) {
+        draw_byte_count(pass, draw, where);
         rhw_context_leave(context);
     }
 }

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "buffer.h"
-#include "buffer_use.h"
+#include "buffer_access.h"
 #include "context.h"
 #include "entry.h"
 #include "lookup.h"
@@ -35,8 +35,7 @@ static inline struct rhw_bound_buffer bind_buffer(struct rhw_pass_state *pass, r
                    rhw_name_of(&context->buffers, id.index).text, buffer->size) ||
         !rhw_check(context, size <= buffer->size - offset,
                    "%s: offset is %zu and size is %zu; together they must stay within the %zu bytes of %s",
-                   where, offset, size, buffer->size, rhw_name_of(&context->buffers, id.index).text) ||
-        (buffer->is_map_written && !rhw_buffer_check_drawable(context, id, buffer, where))) {
+                   where, offset, size, buffer->size, rhw_name_of(&context->buffers, id.index).text)) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
     const uint32_t generation = context->recording.generation;
@@ -44,7 +43,8 @@ static inline struct rhw_bound_buffer bind_buffer(struct rhw_pass_state *pass, r
     const bool is_noted =
         buffer->read_pass == generation && buffer->read->first <= offset && end <= buffer->read->end;
     const struct rhw_buffer_part part = {id, buffer, RHW_BUFFER_READ, offset, end};
-    if (!is_noted && !note_read(pass, &part, where)) {
+    if ((buffer->is_map_written && !rhw_buffer_check_unmapped(context, &part, where)) ||
+        (!is_noted && !note_read(pass, &part, where))) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
     rhw_pool_use(&context->buffers, id.index, generation);

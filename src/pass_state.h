@@ -54,7 +54,7 @@ struct rhw_geometry_scratch;
 struct rhw_tile_scratch;
 struct rhw_sample_plane;
 struct rhw_used_query;
-struct rhw_sampled_texture;
+struct rhw_read_texture;
 struct rhw_stored_level;
 
 // One per thread; padded so that no two share a cache line.
@@ -92,6 +92,7 @@ struct rhw_bound_image {
     int level;
     struct rhw_bound_range range;
     enum rhw_format format; // of the range
+    bool is_read_only;
 };
 struct rhw_bound {
     struct rhw_bound_buffer vertices[RHW_MAX_VERTEX_BUFFERS], indices;
@@ -137,8 +138,8 @@ struct rhw_pass_state {
     struct rhw_rect scissors[RHW_MAX_VIEWPORTS];
     const struct rhw_draw_state *routed[RHW_MAX_VIEWPORTS]; // `current` by viewport; NULL: not made yet
 
-    struct rhw_used_query *queries;            // a list, the last one first
-    const struct rhw_sampled_texture *sampled; // lists of what was set (pass_feedback_loop.h)
+    struct rhw_used_query *queries;      // a list, the last one first
+    const struct rhw_read_texture *read; // lists of what was set (pass_feedback_loop.h)
     const struct rhw_stored_level *stored;
     struct rhw_feedback_state feedback;
     bool has_feedback; // of some draw

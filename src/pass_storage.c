@@ -3,7 +3,7 @@
 #include "pass_storage.h"
 
 #include "buffer.h"
-#include "buffer_use.h"
+#include "buffer_access.h"
 #include "context.h"
 #include "entry.h"
 #include "format.h"
@@ -23,15 +23,13 @@ static bool bind_range(struct rhw_pass_state *pass, rhw_buffer id, size_t offset
 {
     struct rhw_context *const context = pass->context;
     struct rhw_buffer_data *const data = rhw_context_buffer(context, id, where);
-    if (!data || !rhw_buffer_check_range(context, id, data, offset, size, where) ||
-        !(is_read_only ? rhw_buffer_check_drawable(context, id, data, where)
-                       : rhw_buffer_check_unmapped(context, id, data, where))) {
+    if (!data || !rhw_buffer_check_range(context, id, data, offset, size, where)) {
         return false;
     }
     const size_t length = size == 0 ? data->size - offset : size;
     const struct rhw_buffer_part part = {id, data, is_read_only ? RHW_BUFFER_READ : RHW_BUFFER_STORED, offset,
                                          offset + length};
-    if (!rhw_buffer_check_use(context, &part, where)) {
+    if (!rhw_buffer_check_unmapped(context, &part, where) || !rhw_buffer_check_use(context, &part, where)) {
         return false;
     }
     pass->out_of_memory |= !rhw_buffer_note_use(context, &pass->arena, &part);
@@ -92,9 +90,9 @@ static bool is_stored(const struct rhw_pass_state *pass, const struct rhw_textur
            (texture->stored_levels >> level & 1) != 0;
 }
 
-// What is drawn into or sampled is not written, level by level and layer by layer.
-static bool check_access(const struct rhw_pass_state *pass, rhw_texture id,
-                         const struct rhw_texture_data *texture, int level, const char *where)
+// What is drawn into or read is not written, level by level and layer by layer.
+static bool check_written(const struct rhw_pass_state *pass, rhw_texture id,
+                          const struct rhw_texture_data *texture, int level, const char *where)
 {
     const struct rhw_context *const context = pass->context;
     const struct rhw_texel_range texels =
@@ -104,10 +102,25 @@ static bool check_access(const struct rhw_pass_state *pass, rhw_texture id,
                       "%s: level %d of %s is an attachment of this pass, or has a layer of one; it must be "
                       "another",
                       where, level, rhw_name_of(&context->textures, id.index).text) &&
-            rhw_check(
-                context, !rhw_pass_samples(pass, texels),
-                "%s: level %d of %s is sampled in this pass, or has a layer that is; it must be another",
-                where, level, rhw_name_of(&context->textures, id.index).text));
+            rhw_check(context, !rhw_pass_reads(pass, texels),
+                      "%s: level %d of %s is sampled in this pass or set for reading alone, or has a layer "
+                      "that is; it must be another",
+                      where, level, rhw_name_of(&context->textures, id.index).text));
+}
+
+// What is drawn into or written is not read.
+static bool check_read(const struct rhw_pass_state *pass, rhw_texture id,
+                       const struct rhw_texture_data *texture, int level, const char *where)
+{
+    const struct rhw_context *const context = pass->context;
+    return rhw_check(context, !rhw_pass_draws_into(pass, texture, 1u << level),
+                     "%s: level %d of %s is an attachment of this pass, or has a layer of one; it must be "
+                     "another",
+                     where, level, rhw_name_of(&context->textures, id.index).text) &&
+           rhw_check(context, !rhw_pass_stores_texture(pass, texture, 1u << level),
+                     "%s: level %d of %s is a storage image of this pass, or has a layer of one; it must be "
+                     "another",
+                     where, level, rhw_name_of(&context->textures, id.index).text);
 }
 
 static bool check_image(const struct rhw_pass_state *pass, rhw_texture id,
@@ -125,8 +138,7 @@ static bool check_image(const struct rhw_pass_state *pass, rhw_texture id,
            rhw_check(context, !texture->swizzles, "%s: %s is a view that swizzles; it must not", where,
                      rhw_name_of(&context->textures, id.index).text) &&
            rhw_check(context, texture->samples == 1, "%s: %s has %d samples; it must have one", where,
-                     rhw_name_of(&context->textures, id.index).text, texture->samples) &&
-           check_access(pass, id, texture, level, where);
+                     rhw_name_of(&context->textures, id.index).text, texture->samples);
 }
 
 static void bind_image(struct rhw_pass_state *pass, int slot, struct rhw_bound_image image)
@@ -135,37 +147,60 @@ static void bind_image(struct rhw_pass_state *pass, int slot, struct rhw_bound_i
     pass->textures_changed = true;
 }
 
-static void set_storage_image(struct rhw_pass_state *pass, int slot, rhw_texture id, int level)
+static void note_written(struct rhw_pass_state *pass, struct rhw_texture_data *texture, int level)
 {
-    static const char *const where = "rhw_pass_set_storage_image";
+    if (!is_stored(pass, texture, level)) {
+        pass->out_of_memory |= !rhw_pass_note_stored(pass, texture, level);
+    }
+    rhw_texture_note_attached(texture, pass->context->recording.generation);
+    rhw_texture_note_written(texture);
+    texture->written |= 1u << level;
+}
+
+static void set_storage_image(struct rhw_pass_state *pass, int slot, rhw_texture id, int level,
+                              bool is_read_only, const char *where)
+{
     struct rhw_context *const context = pass->context;
-    struct rhw_bound_image bound = {.texture = NULL};
+    struct rhw_bound_image bound = {.level = level, .is_read_only = is_read_only};
     if (!check_slot(context, slot, where)) {
         return;
     }
     if (id.index != 0) {
         struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
-        if (!texture || !check_image(pass, id, texture, level, where)) {
+        if (!texture || !check_image(pass, id, texture, level, where) ||
+            !(is_read_only ? check_read(pass, id, texture, level, where)
+                           : check_written(pass, id, texture, level, where))) {
             return;
         }
-        if (!is_stored(pass, texture, level)) {
-            pass->out_of_memory |= !rhw_pass_note_stored(pass, texture, level);
-        }
-        rhw_texture_note_attached(texture, context->recording.generation);
-        rhw_texture_note_written(texture);
-        texture->written |= 1u << level;
-        rhw_pool_use(&context->textures, id.index, context->recording.generation);
         bound.texture = rhw_pool_get(&context->textures, id.index, id.generation);
-        bound.level = level;
+        if (is_read_only) {
+            rhw_texture_note_sampled(texture, context->recording.generation);
+            pass->out_of_memory |= !rhw_pass_note_read(pass, bound.texture, 1u << level);
+        } else {
+            note_written(pass, texture, level);
+        }
+        rhw_pool_use(&context->textures, id.index, context->recording.generation);
     }
     bind_image(pass, slot, bound);
 }
 
 void rhw_pass_set_storage_image(rhw_context *context, rhw_pass id, int slot, rhw_texture texture, int level)
 {
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_storage_image");
+    static const char *const where = "rhw_pass_set_storage_image";
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
     if (pass) {
-        set_storage_image(pass, slot, texture, level);
+        set_storage_image(pass, slot, texture, level, false, where);
+        rhw_context_leave(context);
+    }
+}
+
+void rhw_pass_set_read_only_storage_image(rhw_context *context, rhw_pass id, int slot, rhw_texture texture,
+                                          int level)
+{
+    static const char *const where = "rhw_pass_set_read_only_storage_image";
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
+    if (pass) {
+        set_storage_image(pass, slot, texture, level, true, where);
         rhw_context_leave(context);
     }
 }
@@ -190,7 +225,7 @@ static void set_texel_buffer(struct rhw_pass_state *pass, int slot, rhw_buffer i
                              size_t offset, size_t size, bool is_read_only, const char *where)
 {
     struct rhw_context *const context = pass->context;
-    struct rhw_bound_image bound = {.texture = NULL};
+    struct rhw_bound_image bound = {.is_read_only = is_read_only};
     if (!check_slot(context, slot, where)) {
         return;
     }
@@ -280,7 +315,7 @@ static bool image_of(const struct rhw_bound_image *bound, struct rhw_arena *aren
 {
     const bool has_texels = bound->range.data && bound->range.size >= rhw_format_size(bound->format);
     *image = (struct rhw_storage_image){bound->texture ? *bound->texture : NULL, bound->level,
-                                        bound->range.is_read_only};
+                                        bound->is_read_only};
     if (has_texels) {
         image->texture = row_of_texels(bound, arena);
     }

@@ -25,11 +25,11 @@ static bool check_sampled(const struct rhw_pass_state *pass, rhw_texture id, int
            rhw_check(context, rhw_format_has_role(texture->info, RHW_ROLE_SAMPLED),
                      "%s: %s is %s; it cannot be sampled", where,
                      rhw_name_of(&context->textures, id.index).text, texture->info->name) &&
-           rhw_check(context, !rhw_pass_draws_into(pass, texture),
+           rhw_check(context, !rhw_pass_draws_into(pass, texture, rhw_all_levels(texture)),
                      "%s: %s, for slot %d, is an attachment of this pass, or has a level and layer of one; "
                      "sample a view of others",
                      where, rhw_name_of(&context->textures, id.index).text, slot) &&
-           rhw_check(context, !rhw_pass_stores_texture(pass, texture),
+           rhw_check(context, !rhw_pass_stores_texture(pass, texture, rhw_all_levels(texture)),
                      "%s: %s, for slot %d, is a storage image of this pass, or has a level and layer of one; "
                      "sample a view of others",
                      where, rhw_name_of(&context->textures, id.index).text, slot);
@@ -87,8 +87,8 @@ static void set_texture(struct rhw_pass_state *pass, int slot, rhw_texture textu
         }
         bound.texture = rhw_pool_get(&context->textures, texture.index, texture.generation);
         rhw_texture_note_sampled(*bound.texture, context->recording.generation);
-        pass->out_of_memory |=
-            !rhw_pass_note_sampled(pass, bound.texture) || !linearize(context, *bound.texture);
+        pass->out_of_memory |= !rhw_pass_note_read(pass, bound.texture, rhw_all_levels(*bound.texture)) ||
+                               !linearize(context, *bound.texture);
         rhw_pool_use(&context->textures, texture.index, context->recording.generation);
         rhw_pool_use(&context->samplers, sampler.index, context->recording.generation);
     }

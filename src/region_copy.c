@@ -5,6 +5,7 @@
 #include "block_format.h"
 #include "block_level.h"
 #include "buffer.h"
+#include "buffer_access.h"
 #include "context.h"
 #include "entry.h"
 #include "format.h"
@@ -192,10 +193,10 @@ static bool check_layout_blocks(const struct rhw_context *context, const struct 
                      where, layout->image_height, unit.height);
 }
 
-// Bytes from the layout's offset to the end of the last row. Sizes are at most 2^14 texels and 2^31 rows.
+// Finds the bytes of a buffer from the layout's offset to the end of the last row. Sizes are at most 2^14 texels and 2^31 rows.
 static bool check_layout(const struct rhw_context *context, const struct rhw_region *region,
-                         enum direction direction, const struct rhw_texel_layout *layout, rhw_buffer buffer,
-                         const struct rhw_buffer_data *data, struct rows *rows, const char *where)
+                         enum direction direction, const struct rhw_texel_layout *layout,
+                         struct rhw_buffer_part *part, struct rows *rows, const char *where)
 {
     const struct unit unit = unit_of(region, direction);
     const int length = layout->row_length == 0 ? region->width : layout->row_length;
@@ -213,14 +214,17 @@ static bool check_layout(const struct rhw_context *context, const struct rhw_reg
     const uint64_t before =
         (uint64_t)(region->depth - 1) * rows_of_slice + (uint64_t)(units(region->height, unit.height) - 1);
     const uint64_t last = row_size(region, unit);
-    const bool fits = layout->offset <= data->size && last <= data->size - layout->offset &&
-                      (before == 0 || row <= (data->size - layout->offset - last) / before);
+    const size_t size = part->data->size;
+    const bool fits = layout->offset <= size && last <= size - layout->offset &&
+                      (before == 0 || row <= (size - layout->offset - last) / before);
+    part->first = layout->offset;
+    part->end = fits ? layout->offset + (size_t)(before * row + last) : size;
     rows->row_pitch = (size_t)row;
     rows->slice_pitch = (size_t)(row * rows_of_slice);
     return rhw_check(context, fits,
                      "%s: layout.offset is %zu and %dx%dx%d texels follow in rows of %d; %s has %zu bytes",
                      where, layout->offset, region->width, region->height, region->depth, length,
-                     rhw_name_of(&context->buffers, buffer.index).text, data->size);
+                     rhw_name_of(&context->buffers, part->id.index).text, size);
 }
 
 static enum rhw_result copy_from_buffer(struct rhw_context *context, rhw_texture texture,
@@ -229,18 +233,18 @@ static enum rhw_result copy_from_buffer(struct rhw_context *context, rhw_texture
 {
     static const char *const where = "rhw_texture_copy_from_buffer";
     struct rhw_region checked = rhw_region_check(context, texture, region, "region", where);
-    const struct rhw_buffer_data *const data =
-        checked.texture ? rhw_context_buffer(context, buffer, where) : NULL;
+    struct rhw_buffer_part part = {.id = buffer, .use = RHW_BUFFER_READ};
+    part.data = checked.texture ? rhw_context_buffer(context, buffer, where) : NULL;
     struct rows rows;
-    if (!data || !rhw_buffer_check_readable(context, buffer, data, where) ||
-        !check_whole_blocks(context, &checked, where) ||
-        !check_layout(context, &checked, INTO_TEXTURE, layout, buffer, data, &rows, where)) {
+    if (!part.data || !check_whole_blocks(context, &checked, where) ||
+        !check_layout(context, &checked, INTO_TEXTURE, layout, &part, &rows, where) ||
+        !rhw_buffer_check_readable(context, &part, where)) {
         return RHW_ERROR_MISUSE;
     }
     if (!rhw_region_to_write(context, &checked)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    rows.first = data->bytes + layout->offset;
+    rows.first = part.data->bytes + layout->offset;
     write_rows(context, &checked, &rows);
     return RHW_OK;
 }
@@ -251,16 +255,17 @@ static enum rhw_result copy_to_buffer(struct rhw_context *context, rhw_texture t
 {
     static const char *const where = "rhw_texture_copy_to_buffer";
     const struct rhw_region checked = rhw_region_check(context, texture, region, "region", where);
-    struct rhw_buffer_data *const data = checked.texture ? rhw_context_buffer(context, buffer, where) : NULL;
+    struct rhw_buffer_part part = {.id = buffer, .use = RHW_BUFFER_WRITTEN};
+    part.data = checked.texture ? rhw_context_buffer(context, buffer, where) : NULL;
     struct rows rows;
-    if (!data || !rhw_buffer_check_writable(context, buffer, data, where) ||
-        !check_layout(context, &checked, OUT_OF_TEXTURE, layout, buffer, data, &rows, where)) {
+    if (!part.data || !check_layout(context, &checked, OUT_OF_TEXTURE, layout, &part, &rows, where) ||
+        !rhw_buffer_check_writable(context, &part, where)) {
         return RHW_ERROR_MISUSE;
     }
-    if (!rhw_buffer_to_write(context, buffer.index, data, 0)) {
+    if (!rhw_buffer_to_write(context, &part, 0)) { // behind the rows bytes may stay
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    rows.first = data->bytes + layout->offset;
+    rows.first = part.data->bytes + layout->offset;
     copy_rows(&checked, &rows, OUT_OF_TEXTURE);
     return RHW_OK;
 }

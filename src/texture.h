@@ -82,7 +82,8 @@ struct rhw_texture_data {
     enum rhw_swizzle swizzle[4];
     uint32_t stored_pass; // generation of the last pass that has it as a storage image, hence as attached too
     uint32_t stored_levels; // in that pass, a bit each
-    uint32_t sampled_pass;  // generation of the last pass that it was set in to be sampled
+    uint32_t read_pass;     // generation of the last pass that it was set in to be sampled, or loaded alone
+    uint32_t read_levels;   // in that pass, a bit each
 };
 
 struct rhw_context;

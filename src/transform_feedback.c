@@ -3,7 +3,7 @@
 #include "transform_feedback.h"
 
 #include "buffer.h"
-#include "buffer_use.h"
+#include "buffer_access.h"
 #include "context.h"
 #include "draw_list.h"
 #include "entry.h"
@@ -22,7 +22,7 @@ static bool find_part(const struct rhw_pass_state *pass, const struct rhw_feedba
 {
     const struct rhw_context *const context = pass->context;
     struct rhw_buffer_data *const buffer = rhw_context_buffer(context, target->buffer, begin_name);
-    if (!buffer || !rhw_buffer_check_unmapped(context, target->buffer, buffer, begin_name) ||
+    if (!buffer ||
         !rhw_check(context,
                    target->offset % 4 == 0 && target->offset <= buffer->size &&
                        target->size <= buffer->size - target->offset,
@@ -34,7 +34,8 @@ static bool find_part(const struct rhw_pass_state *pass, const struct rhw_feedba
     }
     const size_t end = target->size == 0 ? buffer->size : target->offset + target->size;
     *part = (struct rhw_buffer_part){target->buffer, buffer, RHW_BUFFER_CAPTURED, target->offset, end};
-    return rhw_buffer_check_use(context, part, begin_name);
+    return rhw_buffer_check_unmapped(context, part, begin_name) &&
+           rhw_buffer_check_use(context, part, begin_name);
 }
 
 // Whether the last of some parts shares no bytes with those before it, where they are of targets.

@@ -54,11 +54,12 @@ RHW_API enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw
                                           rhw_buffer *buffer);
 RHW_API void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer);
 /// Replaces `size` bytes at `offset`. Draws that were recorded before read what the buffer held then: where the pass being
-/// recorded uses it, the first write after a draw gives it new memory. Without memory for that it stays as it is.
+/// recorded reads some of the bytes, the first write after a draw gives the buffer new memory. Without memory for that it
+/// stays as it is. Bytes that this pass may write, as storage or by transform feedback, are refused, and those that it reads
+/// where it may write others of the buffer; bytes that it does not use are free. So it is for all that writes to buffers.
 RHW_API enum rhw_result rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t offset,
                                          const void *data, size_t size);
-/// Copies `size` bytes at `offset` out. Not while the buffer is set as a storage buffer of the pass being recorded, nor is
-/// rhw_buffer_write then.
+/// Copies `size` bytes at `offset` out. Bytes that the pass being recorded may write are refused.
 RHW_API enum rhw_result rhw_buffer_read(rhw_context *context, rhw_buffer buffer, size_t offset, void *data,
                                         size_t size);
 
@@ -200,11 +201,17 @@ RHW_API void rhw_pass_set_read_only_storage_buffer(rhw_context *context, rhw_pas
                                                    rhw_buffer buffer, size_t offset, size_t size);
 /// A level of a texture, all its layers or slices, as image slot `slot`, 0..RHW_MAX_STORAGE_IMAGES − 1, which shader
 /// functions read and write (shader_image.h). Its format can be drawn into as colour, its texels have one sample. A null
-/// texture unbinds the slot. The level counts as an attachment of this pass, and is neither attached nor sampled besides.
+/// texture unbinds the slot. The level counts as an attachment of this pass, and is neither attached nor read besides, as by
+/// sampling.
 RHW_API void rhw_pass_set_storage_image(rhw_context *context, rhw_pass pass, int slot, rhw_texture texture,
                                         int level);
-/// The same of bytes `offset` to offset + size of a buffer, 0: to its end, read and written as texels of a colour format.
-/// `offset` is a multiple of the texel's size. It is a storage buffer of this pass. A null buffer unbinds the slot.
+/// The same for functions that only read it (WebGPU, read-only storage textures): the level may be sampled and set for
+/// reading in other slots too, and is written between draws, as what is sampled. It is neither attached nor set to be
+/// written besides. Writing and atomics do nothing, and give 0.
+RHW_API void rhw_pass_set_read_only_storage_image(rhw_context *context, rhw_pass pass, int slot,
+                                                  rhw_texture texture, int level);
+/// Bytes `offset` to offset + size of a buffer, 0: to its end, as an image of one row, read and written as texels of a colour
+/// format. `offset` is a multiple of the texel's size. It is a storage buffer of this pass. A null buffer unbinds the slot.
 RHW_API void rhw_pass_set_texel_buffer(rhw_context *context, rhw_pass pass, int slot, rhw_buffer buffer,
                                        enum rhw_format format, size_t offset, size_t size);
 /// The same for functions that only read it (Vulkan, uniform texel buffers), as rhw_pass_set_read_only_storage_buffer.

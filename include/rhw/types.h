@@ -361,7 +361,7 @@ enum rhw_conservative { RHW_CONSERVATIVE_OFF, RHW_CONSERVATIVE_OVERESTIMATE, RHW
 /// of each column, or row, that it passes, or as many as the width rounded; all samples of a pixel (Vulkan 1.3 §28.10.1).
 /// RECTANGULAR_SMOOTH: every pixel that the rectangle touches, all its samples; the alpha of colour 0 is multiplied by the
 /// area of the pixel that it covers, after the fragment function, but for integers (Vulkan 1.3 §28.10, smooth lines;
-/// VK_EXT_line_rasterization). The area is right to 2^−16; what covers less than that is not drawn. Where two lines meet
+/// VK_EXT_line_rasterization). That of other colours stays, also where target 0 is left out. The area is right to 2^−16; what covers less than that is not drawn. Where two lines meet
 /// each blends what it covers. A stipple draws the pixels whose centre lies in a piece that it draws.
 enum rhw_line_mode { RHW_LINE_RECTANGULAR, RHW_LINE_BRESENHAM, RHW_LINE_RECTANGULAR_SMOOTH };
 /// Which parts of a line are drawn (Vulkan 1.3 §28.10, Line Stipple; VK_EXT_line_rasterization): those where bit

@@ -178,17 +178,22 @@ static void test_misuse_of_maps(void **state)
     rig_begin(&rig);
     rig_use_pipeline(&rig);
     rhw_pass_set_vertex_buffer(rig.context, rig.recording, 0, buffer, 0);
-    rig_expect_misuse(&rig, "rhw_pass_set_vertex_buffer: buffer 1 \"mapped\" is mapped for writing");
+    rig_expect_misuse(&rig, "rhw_pass_set_vertex_buffer: bytes 0 to 22 of buffer 1 \"mapped\" are mapped for "
+                            "writing; call rhw_buffer_unmap first");
     rhw_pass_set_index_buffer(rig.context, rig.recording, buffer, RHW_INDEX_UINT8, 0);
-    rig_expect_misuse(&rig, "rhw_pass_set_index_buffer: buffer 1 \"mapped\" is mapped for writing");
+    rig_expect_misuse(
+        &rig, "rhw_pass_set_index_buffer: bytes 0 to 22 of buffer 1 \"mapped\" are mapped for writing");
     rhw_pass_draw_indirect(rig.context, rig.recording,
                            &(struct rhw_draw_commands){.buffer = buffer, .count = 1});
-    rig_expect_misuse(&rig, "rhw_pass_draw_indirect: buffer 1 \"mapped\" is mapped for writing");
+    rig_expect_misuse(&rig,
+                      "rhw_pass_draw_indirect: bytes 0 to 22 of buffer 1 \"mapped\" are mapped for writing");
     rhw_pass_set_vertex_buffer(rig.context, rig.recording, 0, other, 0);
-    rhw_buffer_map(rig.context, other, 0, 0, RHW_MAP_READ, &again);
-    rig_expect_misuse(&rig, "buffer 2 is used by the pass being recorded; end that first");
+    rhw_buffer_map(rig.context, other, 2, 3, RHW_MAP_READ_WRITE, &again);
+    rig_expect_misuse(&rig,
+                      "rhw_buffer_map: it writes bytes 2 to 5 of buffer 2; a vertex, index or read-only "
+                      "buffer of this pass reads bytes 0 to 22");
     rhw_pass_cancel(rig.context, rig.recording);
-    assert_int_equal(rhw_buffer_map(rig.context, other, 0, 0, RHW_MAP_READ, &again), RHW_OK);
+    assert_int_equal(rhw_buffer_map(rig.context, other, 0, 0, RHW_MAP_READ_WRITE, &again), RHW_OK);
     rhw_buffer_destroy(rig.context, other);
     rig_close(&rig);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a pass reads and writes of a buffer at once: buffers that shader functions only read, beside every other reading;
-// and reading and writing of one buffer, told apart by bytes.
+// reading and writing of one buffer, told apart by bytes; and what the program does with others meanwhile.
 #include "harness.h"
 
 #include <string.h>
@@ -332,10 +332,155 @@ static void halves(void **state)
     rhw_buffer_destroy(rig.context, buffer);
     rig_close(&rig);
 }
+
+// The program, meanwhile -------------------------------------------------------------------------------
+
+enum access {
+    HOST_READ,
+    HOST_COPY_FROM,
+    HOST_TEXTURE_FROM,
+    HOST_MAP_READ,
+    HOST_WRITE,
+    HOST_FILL,
+    HOST_COPY_TO,
+    HOST_TEXTURE_TO,
+    HOST_MAP,
+    HOST_ACCESSES
+};
+
+struct host {
+    rhw_buffer buffer, other;
+    rhw_texture texture; // a row of R32_UINT
+};
+
+static void access_bytes(struct rig *rig, const struct host *host, enum access access, size_t offset,
+                         size_t size)
+{
+    rhw_context *const context = rig->context;
+    unsigned char bytes[64] = {0};
+    void *mapped;
+    const struct rhw_texture_region region = {.width = (int)size / 4, .height = 1};
+    const struct rhw_texel_layout layout = {.offset = offset};
+    switch (access) {
+    case HOST_READ: rhw_buffer_read(context, host->buffer, offset, bytes, size); break;
+    case HOST_COPY_FROM: rhw_buffer_copy(context, host->buffer, offset, host->other, 0, size); break;
+    case HOST_TEXTURE_FROM:
+        rhw_texture_copy_from_buffer(context, host->texture, &region, host->buffer, &layout);
+        break;
+    case HOST_WRITE: rhw_buffer_write(context, host->buffer, offset, bytes, size); break;
+    case HOST_FILL: rhw_buffer_fill(context, host->buffer, offset, size, 0); break;
+    case HOST_COPY_TO: rhw_buffer_copy(context, host->other, 0, host->buffer, offset, size); break;
+    case HOST_TEXTURE_TO:
+        rhw_texture_copy_to_buffer(context, host->texture, &region, host->buffer, &layout);
+        break;
+    default:
+        if (rhw_buffer_map(context, host->buffer, offset, size,
+                           access == HOST_MAP ? RHW_MAP_READ_WRITE : RHW_MAP_READ, &mapped) == RHW_OK) {
+            rhw_buffer_unmap(context, host->buffer);
+        }
+    }
+}
+
+// What the pass may write the program neither reads nor writes; what it reads is written where nothing of the buffer is
+// written by the pass. Bytes beside all this are free.
+static void program_beside_passes(void **state)
+{
+    (void)state;
+    static const struct {
+        size_t offset, size;
+        bool shares;
+    } others[] = {{0, 16, false}, {32, 16, false}, {0, 20, true}, {28, 4, true}, {0, 48, true}};
+    struct rig rig;
+    rig_open(&rig, 16, 16);
+    struct host host = {make_buffer(&rig, 16, NULL), make_buffer(&rig, 16, NULL), {0}};
+    const struct rhw_texture_def def = {.format = RHW_FORMAT_R32_UINT, .width = 16, .height = 1};
+    assert_int_equal(rhw_texture_create(rig.context, &def, &host.texture), RHW_OK);
+    for (int n = 0; n < USES * HOST_ACCESSES * 5 * 2; n++) {
+        const enum use use = (enum use)(n / 10 / HOST_ACCESSES);
+        const enum access access = (enum access)(n / 10 % HOST_ACCESSES);
+        const bool is_written = use >= USE_STORAGE, writes_others = n % 10 >= 5,
+                   shares = others[n % 5].shares;
+        const bool refuses =
+            shares && (is_written || access == HOST_MAP || (writes_others && access >= HOST_WRITE));
+        rig_begin(&rig);
+        use_range(&rig, host.buffer, use, 16, 16);
+        if (writes_others) {
+            rhw_pass_set_storage_buffer(rig.context, rig.recording, 2, host.buffer, 48, 0);
+        }
+        access_bytes(&rig, &host, access, others[n % 5].offset, others[n % 5].size);
+        if (refuses != (rig.misuses != 0)) {
+            fail_msg("%d, %d, range %d: %s", (int)use, (int)access, n % 10,
+                     rig.misuses ? rig.message : "no misuse");
+        }
+        if (refuses) {
+            rig_expect_misuse(&rig, is_written           ? "storage of this pass may write bytes 16 to 32"
+                                    : access == HOST_MAP ? "of this pass reads bytes 16 to 32"
+                                                         : "this pass reads some of them and may write "
+                                                           "others; end the pass first");
+        }
+        rhw_pass_cancel(rig.context, rig.recording);
+        access_bytes(&rig, &host, access, 0, 64); // what the pass used is forgotten
+        assert_int_equal(rig.misuses, 0);
+    }
+    rig_close(&rig);
+}
+
+// Vertices in front, what is counted behind, and what the program writes and reads between the two, while a pass is
+// recorded that uses both: nothing of it is lost.
+static void program_between_draws(void **state)
+{
+    (void)state;
+    struct {
+        struct rig_vertex vertices[6];
+        uint32_t middle[4], sum;
+    } all = {.middle = {1, 2, 3, 4}};
+    const size_t middle = sizeof all.vertices;
+    struct rig rig;
+    rig_open_with(&rig, 16, 16, &(struct rhw_context_def){.validate = RHW_VALIDATE_OFF});
+    rhw_context *const context = rig.context;
+    rig_cover(&rig, 0.5f, (const float[4]){3, 0, 0, 1}, all.vertices);
+    const rhw_buffer buffer = make_buffer(&rig, sizeof all / 4, (const uint32_t *)(const void *)&all);
+    rig_set_program(&rig, rig_vertex_pass, count_in_slot1);
+    rig.pipeline.program.uses = RHW_USE_EFFECTS;
+    rig_begin(&rig);
+    rig_use_pipeline(&rig);
+    rhw_pass_set_vertex_buffer_range(context, rig.recording, 0, buffer, 0, middle);
+    rhw_pass_set_storage_buffer(context, rig.recording, 1, buffer, middle + 16, 0);
+    rhw_pass_draw(context, rig.recording, 0, 6, 0, 1);
+    assert_int_equal(rhw_buffer_fill(context, buffer, middle, 8, 50), RHW_OK);
+    void *mapped;
+    assert_int_equal(rhw_buffer_map(context, buffer, middle + 8, 8, RHW_MAP_READ_WRITE, &mapped), RHW_OK);
+    // What is mapped the pass leaves alone, and uses the bytes beside it.
+    rhw_pass_set_storage_buffer(context, rig.recording, 2, buffer, middle + 12, 4);
+    rig_expect_misuse(&rig, "rhw_pass_set_storage_buffer: bytes 200 to 208 of buffer");
+    rhw_pass_set_vertex_buffer_range(context, rig.recording, 1, buffer, 0, middle + 12);
+    rig_expect_misuse(&rig, "are mapped for writing; call rhw_buffer_unmap first");
+    rhw_pass_set_vertex_buffer_range(context, rig.recording, 0, buffer, 0, middle);
+    rhw_pass_set_storage_buffer(context, rig.recording, 1, buffer, middle + 16, 4);
+    assert_int_equal(rig.misuses, 0);
+    rhw_pass_draw(context, rig.recording, 0, 6, 0, 1);
+    uint32_t words[4];
+    assert_int_equal(rhw_buffer_read(context, buffer, middle, words, sizeof words), RHW_OK);
+    assert_memory_equal(words, ((const uint32_t[]){50, 50, 3, 4}), sizeof words);
+    assert_int_equal(rhw_pass_end(context, rig.recording, NULL), RHW_ERROR_MISUSE);
+    memcpy(mapped, words, 8);
+    rhw_buffer_unmap(context, buffer);
+    assert_int_equal(rhw_buffer_read(context, buffer, 0, &all, sizeof all), RHW_OK);
+    assert_memory_equal(all.middle, ((const uint32_t[]){50, 50, 50, 50}), sizeof words);
+    assert_int_equal(all.sum, 2 * 256);
+    assert_true(rig_read_float4(&rig)[77][0] == 3);
+    rhw_buffer_destroy(context, buffer);
+    rig_close(&rig);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(read_only_goes_with_all), cmocka_unit_test(read_only_is_written_between_draws),
-        cmocka_unit_test(read_only_is_not_written), cmocka_unit_test(ranges), cmocka_unit_test(halves)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(read_only_goes_with_all),
+                                       cmocka_unit_test(read_only_is_written_between_draws),
+                                       cmocka_unit_test(read_only_is_not_written),
+                                       cmocka_unit_test(ranges),
+                                       cmocka_unit_test(halves),
+                                       cmocka_unit_test(program_beside_passes),
+                                       cmocka_unit_test(program_between_draws)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

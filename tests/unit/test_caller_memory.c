@@ -251,7 +251,7 @@ static void test_buffers(void **state)
             rhw_buffer_fill(rig.context, buffer, 0, 0, 0);
             rig_expect_misuse(&rig,
                               "rhw_buffer_fill: buffer 1 \"own\" stands on memory of the program and the "
-                              "pass being recorded uses it; end that first");
+                              "pass being recorded reads some of bytes 0 to 192; end that first");
             assert_int_equal(rhw_pass_end(rig.context, rig.recording, NULL), RHW_ERROR_MISUSE);
         } else {
             rig_end(&rig);
@@ -261,6 +261,14 @@ static void test_buffers(void **state)
     assert_int_equal(rhw_buffer_fill(rig.context, buffer, 4, 4, 0x12345678), RHW_OK);
     memcpy(&word, (unsigned char *)memory + 4, sizeof word);
     assert_int_equal(word, 0x12345678);
+    rig_begin(&rig);
+    rig_use_pipeline(&rig);
+    rhw_pass_set_vertex_buffer_range(rig.context, rig.recording, 0, buffer, 0, 3 * sizeof *memory);
+    rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
+    assert_int_equal(rhw_buffer_fill(rig.context, buffer, 3 * sizeof *memory, 0, 7), RHW_OK); // beside them
+    memcpy(&word, memory + 3, sizeof word);
+    assert_int_equal(word, 7);
+    rig_end(&rig);
     rhw_buffer_destroy(rig.context, buffer);
     static const unsigned char three[3] = {7, 8, 9};
     def.size = 3;

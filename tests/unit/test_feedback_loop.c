@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a pass draws into, writes and samples is told apart by level and layer: others of the same texture are free, in the
+// What a pass draws into, writes and reads is told apart by level and layer: others of the same texture are free, in the
 // same pass, and the same ones are not, by any name.
 #include "harness.h"
 
@@ -214,7 +214,8 @@ static void test_images(void **state)
     rhw_pass_set_storage_image(context, pass, 0, level[1], 0); // by another name
     draw_cover(&rig);
     rhw_pass_set_storage_image(context, pass, 1, texture, 2);
-    rig_expect_misuse(&rig, "level 2 of texture 2 is sampled in this pass, or has a layer that is");
+    rig_expect_misuse(&rig, "level 2 of texture 2 is sampled in this pass or set for reading alone, or has a "
+                            "layer that is");
     rhw_pass_set_storage_image(context, pass, 1, texture, 3);
     rig_expect_misuse(&rig, "level 3 of texture 2 is an attachment of this pass, or has a layer of one");
     rhw_pass_set_texture(context, pass, 1, level[1], sampler);
@@ -239,6 +240,131 @@ static void test_images(void **state)
     rig_begin(&rig);
     rhw_pass_set_storage_image(context, rig.recording, 1, texture, 2);
     rhw_pass_set_texture(context, rig.recording, 0, level[1], sampler);
+    rhw_pass_cancel(context, rig.recording);
+    rig_close(&rig);
+}
+
+// What images 1 and 2 hold at the pixel and texture 0 does: a hundredth, a tenth and all of it; that is written to image 0
+// as well.
+static void add_loaded(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *const f = &groups[g];
+        const rhw_int at[2] = {rhw_int_from_float(f->coord[0]), rhw_int_from_float(f->coord[1])};
+        rhw_float texel[3][4];
+        rhw_sample_fetch(f->textures, 0, at, NULL, texel[0]);
+        rhw_image_load(f->textures, 1, at, texel[1]);
+        rhw_image_load(f->textures, 2, at, texel[2]);
+        for (int c = 0; c < 4; c++) {
+            f->color[0][c] = texel[0][c] * 100 + texel[1][c] * 10 + texel[2][c];
+        }
+        rhw_image_store(f->textures, 0, at, &f->mask, f->color[0]);
+    }
+}
+
+// A level that is only loaded is sampled and loaded by another name too, while others of its texture are written and drawn
+// into; it is written between draws, and each keeps what it had.
+static void test_read_only_images(void **state)
+{
+    (void)state;
+    enum { SIDE = 8 };
+    struct rig rig;
+    struct rig_vertex vertices[6];
+    static float texels[4 * SIDE * SIDE];
+    static const float zero[4];
+    rig_open(&rig, SIDE, SIDE);
+    rhw_context *const context = rig.context;
+    rig_set_program(&rig, rig_vertex_pass, add_loaded);
+    rig.pipeline.program.uses = RHW_USE_COORD | RHW_USE_EFFECTS;
+    rig.pipeline.targets[0].format = RHW_FORMAT_R32_FLOAT;
+    const rhw_sampler sampler = make_sampler(&rig);
+    const struct rhw_texture_def def = {
+        .format = RHW_FORMAT_R32_FLOAT, .width = 4 * SIDE, .height = 4 * SIDE, .mip_levels = 4};
+    const struct rhw_texture_def plain = {.format = RHW_FORMAT_R32_FLOAT, .width = SIDE, .height = SIDE};
+    const rhw_texture texture = make(&rig, def), other = make(&rig, plain);
+    const rhw_texture level2 =
+        make_view(&rig, (struct rhw_texture_view_def){.texture = texture, .level = 2, .levels = 1});
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        texels[i] = 2;
+    }
+    assert_int_equal(rhw_texture_write(context, texture, 2, texels, 0), RHW_OK);
+    assert_int_equal(rhw_texture_write(context, other, 0, texels, 0), RHW_OK);
+    rig.pass.colors[0] = (struct rhw_color_attachment){.texture = texture, .level = 3};
+    rig_begin(&rig);
+    const rhw_pass pass = rig.recording;
+    rhw_pass_set_storage_image(context, pass, 0, texture, 1);
+    rhw_pass_set_read_only_storage_image(context, pass, 1, texture, 2);
+    rhw_pass_set_read_only_storage_image(context, pass, 2, other, 0);
+    rhw_pass_set_texture(context, pass, 0, level2, sampler);
+    rig_rectangle(&rig, 0, 0, SIDE / 2, SIDE, 0, zero, vertices);
+    rig_draw(&rig, vertices, 6);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        texels[i] = 3;
+    }
+    rhw_texture_write(context, texture, 2, texels, 0); // what views share stays as it is
+    rig_expect_misuse(&rig, "is an attachment of the pass being recorded; end that first");
+    assert_int_equal(rhw_texture_write(context, other, 0, texels, 0), RHW_OK);
+    rig_rectangle(&rig, SIDE / 2, 0, SIDE, SIDE, 0, zero, vertices);
+    rig_draw(&rig, vertices, 6);
+    rig_end(&rig);
+    for (int level = 1; level < 4; level += 2) { // a pass of 4x4 pixels
+        assert_int_equal(rhw_texture_read(context, texture, level, texels, 0), RHW_OK);
+        const int row = 4 * SIDE >> level;
+        assert_true(texels[1] == 222 && texels[row + 2] == 223 && texels[3 * row + 3] == 223);
+    }
+    rig_close(&rig);
+}
+
+// It is neither attached nor written besides, in either order and by any name.
+static void test_read_only_images_exclude(void **state)
+{
+    (void)state;
+    enum { SIDE = 8 };
+    struct rig rig;
+    rig_open(&rig, SIDE, SIDE);
+    rhw_context *const context = rig.context;
+    const rhw_texture texture = make(
+        &rig, (struct rhw_texture_def){
+                  .format = RHW_FORMAT_RGBA8_UNORM, .width = 2 * SIDE, .height = 2 * SIDE, .mip_levels = 4});
+    const rhw_texture level1 =
+        make_view(&rig, (struct rhw_texture_view_def){.texture = texture, .level = 1, .levels = 1});
+    rig.pass.colors[0] = (struct rhw_color_attachment){.texture = texture, .level = 1};
+    rig_begin(&rig);
+    const rhw_pass pass = rig.recording;
+    rhw_pass_set_read_only_storage_image(context, pass, 0, level1, 0);
+    rig_expect_misuse(&rig, "rhw_pass_set_read_only_storage_image: level 0 of texture 3 is an attachment of "
+                            "this pass, or has a layer of one; it must be another");
+    rhw_pass_set_storage_image(context, pass, 0, texture, 2);
+    rhw_pass_set_read_only_storage_image(context, pass, 1, texture, 2);
+    rig_expect_misuse(&rig, "level 2 of texture 2 is a storage image of this pass, or has a layer of one");
+    rhw_pass_set_storage_image(context, pass, 0, (rhw_texture){0}, 0);
+    rhw_pass_set_read_only_storage_image(context, pass, 1, texture, 2); // from then on
+    rig_expect_misuse(&rig, "is a storage image of this pass");
+    rhw_pass_set_read_only_storage_image(context, pass, 1, texture, 0);
+    rhw_pass_set_read_only_storage_image(context, pass, 2, texture, 0);
+    rhw_pass_set_storage_image(context, pass, 0, texture, 0);
+    rig_expect_misuse(&rig, "rhw_pass_set_storage_image: level 0 of texture 2 is sampled in this pass or set "
+                            "for reading alone, or has a layer that is; it must be another");
+    rhw_pass_set_storage_image(context, pass, 0, texture, 3); // of the same texture, which is free
+    assert_int_equal(rig.misuses, 0);
+    rhw_pass_cancel(context, pass);
+    // What was set is forgotten with the pass.
+    rig_begin(&rig);
+    rhw_pass_set_storage_image(context, rig.recording, 0, texture, 0);
+    rhw_pass_set_read_only_storage_image(context, rig.recording, 1, texture, 2);
+    assert_int_equal(rig.misuses, 0);
+    rhw_pass_set_storage_image(context, rig.recording, 0, texture, 2);
+    rig_expect_misuse(&rig, "for reading alone");
+    rhw_pass_cancel(context, rig.recording);
+    // Texels that views share are not written while draws wait to read them.
+    static const unsigned char bytes[4 * SIDE * SIDE * 4];
+    rig.pass.colors[0] = (struct rhw_color_attachment){
+        .texture =
+            make(&rig, (struct rhw_texture_def){.format = RHW_FORMAT_R32_FLOAT, .width = 8, .height = 8})};
+    rig_begin(&rig);
+    rhw_pass_set_read_only_storage_image(context, rig.recording, 1, level1, 0);
+    rhw_texture_write(context, texture, 0, bytes, 0);
+    rig_expect_misuse(&rig, "and the pass being recorded samples them; end that first");
     rhw_pass_cancel(context, rig.recording);
     rig_close(&rig);
 }
@@ -501,9 +627,13 @@ static void test_read_only_misuse(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_read_only), cmocka_unit_test(test_read_only_misuse),
-        cmocka_unit_test(test_levels),    cmocka_unit_test(test_layers),
-        cmocka_unit_test(test_images),    cmocka_unit_test(test_renewed)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_read_only),
+                                       cmocka_unit_test(test_read_only_misuse),
+                                       cmocka_unit_test(test_levels),
+                                       cmocka_unit_test(test_layers),
+                                       cmocka_unit_test(test_images),
+                                       cmocka_unit_test(test_read_only_images),
+                                       cmocka_unit_test(test_read_only_images_exclude),
+                                       cmocka_unit_test(test_renewed)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

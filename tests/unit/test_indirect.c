@@ -121,6 +121,64 @@ static void test_counts_from_a_buffer(void **state)
     }
 }
 
+// As many vertices as there are whole ones in the bytes that a counter says.
+static void test_byte_counts(void **state)
+{
+    (void)state;
+    enum { SIZE = sizeof(struct rig_vertex) };
+    const uint32_t counters[] = {4 + 12 * SIZE + SIZE - 1, 4 + 12 * SIZE - 1, 4 + 6 * SIZE, 3, 0};
+    static const uint64_t triangles[] = {4, 3, 2, 0, 0};
+    for (size_t i = 0; i < sizeof counters / sizeof *counters; i++) {
+        struct stage stage;
+        struct rig *const rig = &stage.rig;
+        open_stage(&stage, counters, sizeof counters);
+        const struct rhw_draw_byte_count draw = {.buffer = stage.commands,
+                                                 .offset = 4 * i,
+                                                 .counter_offset = 4,
+                                                 .stride = SIZE,
+                                                 .first_instance = 3,
+                                                 .instances = 1};
+        rhw_pass_draw_indirect_byte_count(rig->context, rig->recording, &draw);
+        // What is written afterwards is not seen.
+        assert_int_equal(rhw_buffer_fill(rig->context, stage.commands, 0, 0, 0), RHW_OK);
+        rig_end(rig);
+        assert_int_equal(rig->misuses, 0);
+        assert_int_equal(rig->stats.triangles_in, triangles[i]);
+        const float *const first = rig_read_float4(rig)[0];
+        assert_true(triangles[i] ? first[0] == 1 && first[1] == 3 : first[3] == 0);
+        rig_close(rig);
+    }
+}
+
+static void test_misuse_of_byte_counts(void **state)
+{
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, (const uint32_t[2]){64, 64}, 8);
+    struct rig *const rig = &stage.rig;
+    rhw_context *const context = rig->context;
+    rhw_pass_draw_indirect_byte_count(context, rig->recording, NULL);
+    rig_expect_misuse(rig, "rhw_pass_draw_indirect_byte_count: draw is NULL");
+    struct rhw_draw_byte_count draw = {.buffer = stage.commands, .instances = 1};
+    rhw_pass_draw_indirect_byte_count(context, rig->recording, &draw);
+    rig_expect_misuse(rig, "stride is 0; it must be at least 1 byte");
+    draw.stride = 32;
+    draw.offset = 2;
+    rhw_pass_draw_indirect_byte_count(context, rig->recording, &draw);
+    rig_expect_misuse(rig, "offset is 2; it must be a multiple of 4");
+    draw.offset = 8;
+    rhw_pass_draw_indirect_byte_count(context, rig->recording, &draw);
+    rig_expect_misuse(rig, "offset is 8 and 4 bytes are read there");
+    draw.offset = 4;
+    rhw_pass_set_storage_buffer(context, rig->recording, 0, stage.commands, 4, 0);
+    rhw_pass_draw_indirect_byte_count(context, rig->recording, &draw);
+    rig_expect_misuse(rig,
+                      "it reads bytes 4 to 8 of buffer 1 \"commands\"; storage of this pass may write bytes");
+    rig_end(rig);
+    assert_int_equal(rig->stats.draws, 0);
+    rig_close(rig);
+}
+
 static void test_misuse(void **state)
 {
     (void)state;
@@ -171,6 +229,8 @@ int main(void)
         cmocka_unit_test(test_draws),
         cmocka_unit_test(test_indexed_draws_with_a_stride),
         cmocka_unit_test(test_counts_from_a_buffer),
+        cmocka_unit_test(test_byte_counts),
+        cmocka_unit_test(test_misuse_of_byte_counts),
         cmocka_unit_test(test_misuse),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -57,6 +57,74 @@ static void test_by_hand(void **state)
     rig_close(&rig);
 }
 
+static void write_both(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        memcpy(groups[g].color[0], groups[g].varying, sizeof groups[g].color[0]);
+        memcpy(groups[g].color[1], groups[g].varying, sizeof groups[g].color[1]);
+    }
+}
+
+// The alpha of colour 0 alone is weighed, and that of others is not in its place where target 0 is left out.
+static void test_other_colors(void **state)
+{
+    (void)state;
+    for (int left_out = 0; left_out < 2; left_out++) {
+        struct rig rig;
+        open_rig(&rig, RHW_PATHS_ALL);
+        rig.pipeline.line_width = 2;
+        rig_set_program(&rig, rig_vertex_pass, write_both);
+        rig_set_target(&rig, 1, RHW_FORMAT_RGBA32_FLOAT);
+        const rhw_texture first = rig.pass.colors[0].texture;
+        if (left_out) {
+            rig.pass.colors[0] = (struct rhw_color_attachment){.layer = 0};
+            rig.pipeline.targets[0] = (struct rhw_color_target){.format = RHW_FORMAT_NONE};
+        }
+        const struct rig_vertex v[] = {vertex_at(&rig, 4.25, 10.5), vertex_at(&rig, 7.75, 10.5)};
+        rig_draw_once(&rig, v, 2);
+        const int at = 10 * SIZE + 4;
+        const float *pixels = rig_read(&rig, rig.pass.colors[1].texture);
+        assert_float_equal(pixels[4 * at + 3], 0.5, 0);
+        pixels = rig_read(&rig, first);
+        assert_float_equal(pixels[4 * at + 3], left_out ? 0 : 0.375, 0);
+        rig_close(&rig);
+    }
+}
+
+// Where alpha decides about coverage the area does, also where there is no target that has alpha.
+static void test_coverage_by_alpha(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_rig(&rig, RHW_PATHS_ALL);
+    rig.pipeline.line_width = 2;
+    rig.pipeline.alpha_to_coverage = true;
+    const struct rig_vertex v[] = {vertex_at(&rig, 4.25, 10.5), vertex_at(&rig, 7.75, 10.5)};
+    uint64_t passed[2];
+    for (int without = 0; without < 2; without++) {
+        rhw_query query;
+        const struct rhw_query_def def = {.kind = RHW_QUERY_OCCLUSION};
+        assert_int_equal(rhw_query_create(rig.context, &def, &query), RHW_OK);
+        rig.pass.samples = 16;
+        if (without) {
+            rig.pass = (struct rhw_pass_def){.width = SIZE, .height = SIZE, .samples = 16};
+            rig.pipeline.target_count = 0;
+        }
+        rig_begin(&rig);
+        rhw_pass_begin_query(rig.context, rig.recording, query);
+        rig_draw(&rig, v, 2);
+        rhw_pass_end_query(rig.context, rig.recording, query);
+        rig_end(&rig);
+        struct rhw_query_counts counts;
+        assert_int_equal(rhw_query_read(rig.context, query, &counts), RHW_OK);
+        passed[without] = counts.samples_passed;
+    }
+    // Half of 16 samples, where the line has all of the pixel; of 0.75, 0.5 and 0.375 as much.
+    assert_int_equal(passed[0], 2 * 8 + 2 * 6 + 4 * 4 + 4 * 3);
+    assert_int_equal(passed[1], passed[0]);
+    rig_close(&rig);
+}
+
 struct corners {
     int count;
     double x[12], y[12];
@@ -166,7 +234,8 @@ static void test_paths_agree(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_by_hand), cmocka_unit_test(test_areas),
-                                       cmocka_unit_test(test_paths_agree)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_by_hand), cmocka_unit_test(test_areas), cmocka_unit_test(test_paths_agree),
+        cmocka_unit_test(test_other_colors), cmocka_unit_test(test_coverage_by_alpha)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -649,9 +649,11 @@ static void misuse(void **state)
         &rig, "it may write bytes 0 to 32 of buffer 2 \"counts\"; a vertex, index or read-only buffer "
               "of this pass reads bytes 0 to 32");
     rhw_buffer_write(context, buffer, 0, words, 4);
-    rig_expect_misuse(&rig, "is a storage buffer of this pass; end the pass first");
+    rig_expect_misuse(&rig, "rhw_buffer_write: it writes bytes 0 to 4 of buffer 1 \"counts\"; storage of "
+                            "this pass may write bytes 0 to 32");
     rhw_buffer_read(context, buffer, 0, words, 4);
-    rig_expect_misuse(&rig, "rhw_buffer_read: buffer 1 \"counts\" is a storage buffer of this pass");
+    rig_expect_misuse(&rig, "rhw_buffer_read: it reads bytes 0 to 4 of buffer 1 \"counts\"; storage of this "
+                            "pass may write bytes 0 to 32");
     rhw_pass_cancel(context, rig.recording);
     rhw_buffer_read(context, buffer, 30, words, 4);
     rig_expect_misuse(&rig, "offset is 30 and size is 4");

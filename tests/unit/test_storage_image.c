@@ -302,6 +302,73 @@ static void atomics(void **state)
     }
 }
 
+// Reading alone ----------------------------------------------------------------------------------------
+
+// Tries to write texel 1, 1 of slot 0 in every way, and shows what that gave, and the texel.
+static void write_in_vain(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *const f = &groups[g];
+        const rhw_int one = rhw_splat_int(1), at[2] = {one, one};
+        const rhw_float texel[4] = {rhw_splat(0), rhw_splat(0), rhw_splat(0), rhw_splat(0)};
+        const struct rhw_storage_request request = {
+            .operation = RHW_STORAGE_ADD, .mask = &f->mask, .index = at, .value = &one};
+        rhw_int before;
+        rhw_float found[4];
+        rhw_image_store(f->textures, 0, at, &f->mask, texel);
+        rhw_image_atomic(f->textures, 0, &request, &before);
+        rhw_image_load(f->textures, 0, at, found);
+        f->color[0][0] = rhw_float_from_int(before);
+        f->color[0][1] = rhw_float_from_int(rhw_bits_from_float(found[0]));
+        f->color[0][2] = f->color[0][3] = rhw_splat(1);
+    }
+}
+
+static void write_in_vain1(struct rhw_fragment1 *f)
+{
+    const int32_t at[2] = {1, 1};
+    const float none[4] = {0};
+    float found[4];
+    int32_t bits;
+    rhw_image_store1(f->textures, 0, at, none);
+    f->color[0][0] = (float)rhw_image_atomic1(f->textures, 0, RHW_STORAGE_ADD, at, 1, 0);
+    rhw_image_load1(f->textures, 0, at, found);
+    memcpy(&bits, found, sizeof bits);
+    f->color[0][1] = (float)bits;
+    f->color[0][2] = f->color[0][3] = 1;
+}
+
+// Writing and atomics do nothing and give 0; under validation they are told.
+static void read_only(void **state)
+{
+    (void)state;
+    uint32_t texels[WIDTH * HEIGHT], found[WIDTH * HEIGHT];
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        texels[i] = (uint32_t)i;
+    }
+    for (int n = 0; n < 4; n++) {
+        const bool validates = n & 1, one = n & 2;
+        struct rig rig;
+        rig_open_with(&rig, WIDTH, HEIGHT,
+                      &(struct rhw_context_def){.validate = validates ? RHW_VALIDATE_ON : RHW_VALIDATE_OFF});
+        const rhw_texture image = make_plain(&rig, RHW_FORMAT_R32_UINT);
+        assert_int_equal(rhw_texture_write(rig.context, image, 0, texels, 0), RHW_OK);
+        rig_begin(&rig);
+        rhw_pass_set_read_only_storage_image(rig.context, rig.recording, 0, image, 0);
+        draw(&rig, write_in_vain, one ? write_in_vain1 : NULL, RHW_USE_EFFECTS);
+        rhw_pass_end(rig.context, rig.recording, &rig.stats);
+        if (validates) {
+            rig_expect_misuse(&rig, "writes to image slot 0, which is set for reading alone");
+        }
+        assert_int_equal(rhw_texture_read(rig.context, image, 0, found, 0), RHW_OK);
+        assert_memory_equal(found, texels, sizeof texels);
+        const float *const pixel = rig_read_float4(&rig)[100];
+        assert_true(pixel[0] == 0 && pixel[1] == WIDTH + 1 && pixel[3] == 1);
+        rhw_texture_destroy(rig.context, image);
+        rig_close(&rig);
+    }
+}
+
 // Texel buffers ----------------------------------------------------------------------------------------
 
 // Reads texel x − 1 of slot 0 and writes it to texel 2·x of slot 1.
@@ -385,6 +452,10 @@ static void misuse(void **state)
     rig_expect_misuse(&rig, "has 4 samples; it must have one");
     rhw_pass_set_storage_image(context, pass, 0, rig.pass.colors[0].texture, 0);
     rig_expect_misuse(&rig, "is an attachment of this pass");
+    rhw_pass_set_read_only_storage_image(context, pass, RHW_MAX_STORAGE_IMAGES, image, 0);
+    rig_expect_misuse(&rig, "rhw_pass_set_read_only_storage_image: slot is 16; it is in 0..15");
+    rhw_pass_set_read_only_storage_image(context, pass, 0, depth, 0);
+    rig_expect_misuse(&rig, "rhw_pass_set_read_only_storage_image: texture 4 \"canvas\" is RHW_FORMAT_D32");
     rhw_pass_set_texture(context, pass, 0, sampled, sampler);
     rhw_pass_set_storage_image(context, pass, 0, sampled, 0);
     rig_expect_misuse(&rig, "is sampled in this pass");
@@ -412,8 +483,8 @@ static void misuse(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(formats), cmocka_unit_test(kinds),
-                                       cmocka_unit_test(atomics), cmocka_unit_test(texel_buffers),
-                                       cmocka_unit_test(misuse)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(formats),   cmocka_unit_test(kinds),
+                                       cmocka_unit_test(atomics),   cmocka_unit_test(texel_buffers),
+                                       cmocka_unit_test(read_only), cmocka_unit_test(misuse)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

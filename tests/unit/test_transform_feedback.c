@@ -270,7 +270,7 @@ static void test_overflow(void **state)
     }
 }
 
-// What one pass keeps the next draws.
+// What one pass keeps the next draws, as much as it is.
 static void test_kept_vertices_are_drawn(void **state)
 {
     (void)state;
@@ -289,16 +289,21 @@ static void test_kept_vertices_are_drawn(void **state)
     rig_use_vertices(&rig, 0, vertices, sizeof vertices);
     begin_feedback(&rig, &(struct rhw_feedback_target){.buffer = buffer}, 1);
     rhw_pass_draw(rig.context, rig.recording, 0, 6, 0, 1);
-    end_feedback(&rig, NULL);
+    size_t written[RHW_MAX_FEEDBACK_TARGETS];
+    end_feedback(&rig, written);
     rig_end(&rig);
     assert_true(rig_read_float4(&rig)[0][3] == 0);
+    const uint32_t counter = (uint32_t)written[0];
+    const struct rhw_draw_byte_count draw = {
+        .buffer = make_buffer(&rig, sizeof counter), .stride = sizeof *vertices, .instances = 1};
+    assert_int_equal(rhw_buffer_write(rig.context, draw.buffer, 0, &counter, sizeof counter), RHW_OK);
     assert_memory_equal(read_buffer(&rig, buffer, sizeof vertices), vertices, sizeof vertices);
     rig.pipeline.rasterizer_discard = false;
     rig.pipeline.feedback_output_count = 0;
     rig_begin(&rig);
     rig_use_pipeline(&rig);
     rhw_pass_set_vertex_buffer(rig.context, rig.recording, 0, buffer, 0);
-    rhw_pass_draw(rig.context, rig.recording, 0, 6, 0, 1);
+    rhw_pass_draw_indirect_byte_count(rig.context, rig.recording, &draw);
     rig_end(&rig);
     for (int i = 0; i < SIZE * SIZE; i++) {
         assert_memory_equal(rig_read_float4(&rig)[i], vertices[0].value, sizeof vertices[0].value);
@@ -389,11 +394,12 @@ static void test_misuse_in_a_pass(void **state)
         &rig, "it reads bytes 0 to 256 of buffer 1 \"kept\"; the transform feedback of this pass writes "
               "bytes 0 to 256");
     assert_int_equal(rhw_buffer_write(rig.context, buffer, 0, "x", 1), RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig,
-                      "buffer 1 \"kept\" is written by the transform feedback of this pass; end the pass");
+    rig_expect_misuse(&rig, "it writes bytes 0 to 1 of buffer 1 \"kept\"; the transform feedback of this "
+                            "pass writes bytes 0 to 256");
     char byte;
     assert_int_equal(rhw_buffer_read(rig.context, buffer, 0, &byte, 1), RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig, "rhw_buffer_read: buffer 1 \"kept\" is written by the transform feedback");
+    rig_expect_misuse(&rig, "rhw_buffer_read: it reads bytes 0 to 1 of buffer 1 \"kept\"; the transform "
+                            "feedback of this pass writes");
     rhw_pass_set_storage_buffer(rig.context, rig.recording, 0, buffer, 0, 0);
     rig_expect_misuse(&rig,
                       "rhw_pass_set_storage_buffer: it may write bytes 0 to 256 of buffer 1 \"kept\"; the "
@@ -406,8 +412,15 @@ static void test_misuse_in_a_pass(void **state)
     rig_expect_misuse(&rig, "it writes bytes 8 to 12 of buffer 1 \"kept\"; the transform feedback of this "
                             "pass writes bytes 0 to 12");
     // What it did not come to, and other bytes of what is read, are free.
-    rhw_pass_set_storage_buffer(rig.context, rig.recording, 0, buffer, 128, 0);
+    assert_int_equal(rhw_buffer_write(rig.context, buffer, 12, "x", 1), RHW_OK);
+    assert_int_equal(rhw_buffer_read(rig.context, buffer, 12, &byte, 1), RHW_OK);
+    assert_true(byte == 'x');
+    rhw_buffer_read(rig.context, buffer, 8, &byte, 1);
+    rig_expect_misuse(&rig, "it reads bytes 8 to 9");
     rhw_pass_set_vertex_buffer_range(rig.context, rig.recording, 0, buffer, 64, 64);
+    assert_int_equal(rhw_buffer_write(rig.context, buffer, 70, "x", 1), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "this pass reads some of them and may write others; end the pass first");
+    rhw_pass_set_storage_buffer(rig.context, rig.recording, 0, buffer, 128, 0);
     begin_feedback(&rig, &(struct rhw_feedback_target){buffer, 60, 8}, 1);
     rig_expect_misuse(&rig, "a vertex, index or read-only buffer of this pass reads bytes 64 to 128");
     begin_feedback(&rig, &(struct rhw_feedback_target){buffer, 12, 4}, 1);
