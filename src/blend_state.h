@@ -20,7 +20,7 @@ enum rhw_blend_path {
     BLEND_GENERAL
 };
 
-// What tiles have in the place of a target that is left out: texels of a size that has no path of its own to lose.
+// What tiles have in the place of a target that is left out: texels of 4 bytes, beside which others stay woven.
 static const enum rhw_format rhw_left_out_format = RHW_FORMAT_RGBA8_UNORM;
 
 struct rhw_blend_state {

@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "range_set.h"
 #include "rhw/types.h"
 
 struct rhw_context;
@@ -15,10 +16,20 @@ struct rhw_memory;
 // Readable zero bytes after the end of every buffer: a kernel may load whole vectors at the last byte.
 enum { RHW_BUFFER_PADDING = 64 };
 
-// Bytes that a pass uses, in its arena (buffer_use.h).
-struct rhw_used_range {
-    struct rhw_used_range *next;
-    size_t first, end;
+// What a pass does with bytes of a buffer (buffer_use.h).
+enum rhw_buffer_use {
+    RHW_BUFFER_READ,     // as vertices, indices, commands, or by shader functions that cannot write it
+    RHW_BUFFER_STORED,   // by shader functions
+    RHW_BUFFER_CAPTURED, // by transform feedback
+    RHW_BUFFER_USES,
+
+    RHW_BUFFER_WRITTEN = RHW_BUFFER_USES // by the program, between draws
+};
+
+// The bytes that one use has of a buffer, in the last pass that had it.
+struct rhw_used_bytes {
+    uint32_t pass; // by generation
+    struct rhw_range_set ranges;
 };
 
 struct rhw_buffer_data {
@@ -29,10 +40,7 @@ struct rhw_buffer_data {
     bool is_callers;                // `bytes` is the program's memory
     bool is_mapped, is_map_written; // see rhw_buffer_map; the second: not for reading alone
     size_t map_first, map_end;      // the bytes that are
-    // The last passes that read it, whose shader functions may write it, and that write it by transform feedback, by
-    // generation; and in those which bytes.
-    uint32_t read_pass, stored_pass, captured_pass;
-    struct rhw_used_range *read, *stored, *captured;
+    struct rhw_used_bytes used[RHW_BUFFER_USES];
 };
 
 // Releases what the item owns.

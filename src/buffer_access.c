@@ -51,8 +51,8 @@ bool rhw_buffer_check_writable(const struct rhw_context *context, const struct r
                       where, part->first, part->end, name.text));
 }
 
-// Gives the buffer new memory; draws that were recorded keep the old one. The bytes that will not be written are copied.
-// False when out of memory.
+// Gives the buffer new memory; draws that were recorded keep the old one. The bytes that will not be written are
+// copied. False when out of memory.
 static bool renew(struct rhw_context *context, uint32_t index, struct rhw_buffer_data *data, size_t written)
 {
     unsigned char *const bytes = rhw_buffer_allocate(&context->memory, data->size, false);

@@ -1,27 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Which bytes of which buffers the pass being recorded reads and writes. Nothing says what would come first, so none are
-// both: reading and writing of one buffer go together where they are of other bytes (Vulkan 1.3, "Synchronization and
-// Cache Control": else each is a hazard; WebGPU, "usage scope").
+// Which bytes of which buffers the pass being recorded reads and writes. Nothing says what would come first, so none
+// are both: reading and writing of one buffer go together where they are of other bytes (Vulkan 1.3, "Synchronization
+// and Cache Control": else each is a hazard; WebGPU, "usage scope").
 #ifndef RHW_BUFFER_USE_H
 #define RHW_BUFFER_USE_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "buffer.h"
 #include "rhw/types.h"
 
 struct rhw_arena;
-struct rhw_buffer_data;
 struct rhw_context;
-
-enum rhw_buffer_use {
-    RHW_BUFFER_READ,     // as vertices, indices, commands, or by shader functions that cannot write it
-    RHW_BUFFER_STORED,   // by shader functions
-    RHW_BUFFER_CAPTURED, // by transform feedback
-    RHW_BUFFER_USES,     // of a pass
-
-    RHW_BUFFER_WRITTEN = RHW_BUFFER_USES // by the program, between draws
-};
 
 // Bytes `first` to `end` of a live buffer, for one use.
 struct rhw_buffer_part {
@@ -39,8 +30,8 @@ bool rhw_buffer_check_apart(const struct rhw_context *context, const struct rhw_
 bool rhw_buffer_check_unused(const struct rhw_context *context, const struct rhw_buffer_part *part,
                              enum rhw_buffer_use use, const char *where);
 
-// Whether the pass being recorded reads some of the bytes, by vertices and in read-only slots that were set. Commands were
-// read already.
+// Whether the pass being recorded reads some of the bytes, by vertices and in read-only slots that were set. Commands
+// were read already.
 bool rhw_buffer_is_read(const struct rhw_context *context, const struct rhw_buffer_part *part);
 
 // Whether the pass being recorded may write some of the buffer.
@@ -50,9 +41,9 @@ bool rhw_buffer_is_written(const struct rhw_context *context, const struct rhw_b
 bool rhw_buffer_check_use(const struct rhw_context *context, const struct rhw_buffer_part *part,
                           const char *where);
 
-// Notes that the pass uses them. Gives the range that they are in: that of transform feedback is its own, and may become
-// shorter. NULL when out of memory.
-struct rhw_used_range *rhw_buffer_note_use(struct rhw_context *context, struct rhw_arena *arena,
-                                           const struct rhw_buffer_part *part);
+// Notes that the pass uses them. Gives the range that they are in: that of transform feedback is its own, and may
+// become shorter. NULL when out of memory.
+struct rhw_range *rhw_buffer_note_use(struct rhw_context *context, struct rhw_arena *arena,
+                                      const struct rhw_buffer_part *part);
 
 #endif

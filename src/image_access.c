@@ -7,8 +7,8 @@
 #include "texture.h"
 #include "watch.h"
 
-// The image of a slot; none where it has none or does not exist, and none to change where it is set for reading, or where
-// validation finds that the program did not declare the effect.
+// The image of a slot; none where it has none or does not exist, and none to change where it is set for reading, or
+// where validation finds that the program did not declare the effect.
 static struct rhw_storage_image image_of(const struct rhw_bindings *textures, int slot,
                                          enum rhw_storage_operation operation)
 {

@@ -41,8 +41,8 @@ static bool is_attached(const struct rhw_pass_state *pass, const struct rhw_mip 
                                                                        layer, pass->layers)));
 }
 
-// A pass that names its size draws into that part of larger levels (Vulkan 1.3, VkFramebufferCreateInfo); one that takes it
-// from the first attachment has others of that size, as anything else is likely a mistake.
+// A pass that names its size draws into that part of larger levels (Vulkan 1.3, VkFramebufferCreateInfo); one that
+// takes it from the first attachment has others of that size, as anything else is likely a mistake.
 static bool check_size(const struct rhw_pass_state *pass, rhw_texture id, const char *name,
                        struct rhw_attached_part part, const struct rhw_mip *mip)
 {
@@ -55,8 +55,8 @@ static bool check_size(const struct rhw_pass_state *pass, rhw_texture id, const 
                          : " as its first attachment; set width and height for a part of larger ones");
 }
 
-// Checks the texture of an attachment against the pass and the attachments before it. The first gives the pass its size,
-// where that is not set.
+// Checks the texture of an attachment against the pass and the attachments before it. The first gives the pass its
+// size, where that is not set.
 static bool check_texture(struct rhw_pass_state *pass, rhw_texture id, const struct rhw_texture_data *texture,
                           const char *name, struct rhw_attached_part part)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One attachment of a pass: the part of a texture that it is, checked against the pass and the attachments before it, and
-// taken.
+// One attachment of a pass: the part of a texture that it is, checked against the pass and the attachments before it,
+// and taken.
 #ifndef RHW_PASS_ATTACHMENT_H
 #define RHW_PASS_ATTACHMENT_H
 

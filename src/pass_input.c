@@ -40,8 +40,9 @@ static inline struct rhw_bound_buffer bind_buffer(struct rhw_pass_state *pass, r
     }
     const uint32_t generation = context->recording.generation;
     const size_t length = size == 0 ? buffer->size - offset : size, end = offset + length;
-    const bool is_noted =
-        buffer->read_pass == generation && buffer->read->first <= offset && end <= buffer->read->end;
+    const struct rhw_used_bytes *const used = &buffer->used[RHW_BUFFER_READ];
+    const bool is_noted = used->pass == generation && used->ranges.last &&
+                          used->ranges.last->first <= offset && end <= used->ranges.last->end;
     const struct rhw_buffer_part part = {id, buffer, RHW_BUFFER_READ, offset, end};
     if ((buffer->is_map_written && !rhw_buffer_check_unmapped(context, &part, where)) ||
         (!is_noted && !note_read(pass, &part, where))) {

@@ -131,7 +131,8 @@ static int first_pixel(double x)
     return (double)towards_zero < edge ? towards_zero + 1 : towards_zero;
 }
 
-// The pixels whose centres are inside the viewport, the scissor and the render area. Points may reach over the viewport.
+// The pixels whose centres are inside the viewport, the scissor and the render area. Points may reach over the
+// viewport.
 static struct rhw_rect clip_rect(const struct rhw_pass_state *pass, const struct rhw_viewport *v,
                                  const struct rhw_rect *scissor, bool is_points)
 {

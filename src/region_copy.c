@@ -193,7 +193,8 @@ static bool check_layout_blocks(const struct rhw_context *context, const struct 
                      where, layout->image_height, unit.height);
 }
 
-// Finds the bytes of a buffer from the layout's offset to the end of the last row. Sizes are at most 2^14 texels and 2^31 rows.
+// Finds the bytes of a buffer from the layout's offset to the end of the last row. Sizes are at most 2^14 texels and
+// 2^31 rows.
 static bool check_layout(const struct rhw_context *context, const struct rhw_region *region,
                          enum direction direction, const struct rhw_texel_layout *layout,
                          struct rhw_buffer_part *part, struct rows *rows, const char *where)

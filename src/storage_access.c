@@ -61,8 +61,8 @@ int32_t rhw_storage_word(uint32_t *word, enum rhw_storage_operation operation, u
     return 0;
 }
 
-// The words of a slot, none where it has no buffer or does not exist; and none to change where it is set for reading, or
-// where validation finds that the program did not declare it.
+// The words of a slot, none where it has no buffer or does not exist; and none to change where it is set for reading,
+// or where validation finds that the program did not declare it.
 static struct rhw_storage_words words_of(const struct rhw_bindings *textures, int slot,
                                          enum rhw_storage_operation operation)
 {

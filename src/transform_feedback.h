@@ -8,15 +8,15 @@
 
 struct rhw_draw;
 struct rhw_pass_state;
-struct rhw_used_range;
+struct rhw_range;
 
 // Of a pass, between the calls.
 struct rhw_feedback_state {
     bool is_active;
-    struct rhw_used_range *range[RHW_MAX_FEEDBACK_TARGETS]; // that is written, under way; NULL: no target
-    unsigned char *bytes[RHW_MAX_FEEDBACK_TARGETS];         // of the buffers
-    size_t at[RHW_MAX_FEEDBACK_TARGETS];                    // where the next vertex goes
-    int vertices;                                           // of a primitive
+    struct rhw_range *range[RHW_MAX_FEEDBACK_TARGETS]; // that is written, under way; NULL: no target
+    unsigned char *bytes[RHW_MAX_FEEDBACK_TARGETS];    // of the buffers
+    size_t at[RHW_MAX_FEEDBACK_TARGETS];               // where the next vertex goes
+    int vertices;                                      // of a primitive
 };
 
 // Where a draw writes.

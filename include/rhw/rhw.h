@@ -54,9 +54,10 @@ RHW_API enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw
                                           rhw_buffer *buffer);
 RHW_API void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer);
 /// Replaces `size` bytes at `offset`. Draws that were recorded before read what the buffer held then: where the pass being
-/// recorded reads some of the bytes, the first write after a draw gives the buffer new memory. Without memory for that it
-/// stays as it is. Bytes that this pass may write, as storage or by transform feedback, are refused, and those that it reads
-/// where it may write others of the buffer; bytes that it does not use are free. So it is for all that writes to buffers.
+/// recorded reads some of the bytes, the first write after a draw gives the buffer new memory. Without memory for that
+/// it stays as it is. Bytes that this pass may write, as storage or by transform feedback, are refused, and those that
+/// it reads where it may write others of the buffer; bytes that it does not use are free. So it is for all that writes
+/// to buffers.
 RHW_API enum rhw_result rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t offset,
                                          const void *data, size_t size);
 /// Copies `size` bytes at `offset` out. Bytes that the pass being recorded may write are refused.
@@ -184,25 +185,25 @@ RHW_API void rhw_pass_set_index_buffer_range(rhw_context *context, rhw_pass pass
                                              enum rhw_index_type type, size_t offset, size_t size);
 /// Copies `size` bytes, at most RHW_MAX_UNIFORM_SIZE; at a draw they must be at least the program's uniform_size.
 RHW_API void rhw_pass_set_uniforms(rhw_context *context, rhw_pass pass, const void *data, size_t size);
-/// A null texture unbinds the slot; sampling an unbound slot gives 0, 0, 0, 1. What has a level and layer of an attachment or
-/// storage image of this pass is refused: sample a view of others (view.h), or end the pass and sample in the next one, which
-/// loads what it goes on with. Depth and stencil that are attached read_only are sampled too.
+/// A null texture unbinds the slot; sampling an unbound slot gives 0, 0, 0, 1. What has a level and layer of an
+/// attachment or storage image of this pass is refused: sample a view of others (view.h), or end the pass and sample in
+/// the next one, which loads what it goes on with. Depth and stencil that are attached read_only are sampled too.
 RHW_API void rhw_pass_set_texture(rhw_context *context, rhw_pass pass, int slot, rhw_texture texture,
                                   rhw_sampler sampler);
 /// Bytes `offset`, a multiple of 4, to offset + size of the buffer, 0: to its end, as storage slot `slot`,
 /// 0..RHW_MAX_STORAGE_BUFFERS − 1, which shader functions read and write (shader_storage.h). A null buffer unbinds the
-/// slot. What they write is there when the pass has ended. Bytes that this pass reads otherwise, as vertices, indices or in
-/// a read-only slot, are refused, and from then on the other way round; then draws find no commands there either.
+/// slot. What they write is there when the pass has ended. Bytes that this pass reads otherwise, as vertices, indices
+/// or in a read-only slot, are refused, and from then on the other way round; then draws find no commands there either.
 RHW_API void rhw_pass_set_storage_buffer(rhw_context *context, rhw_pass pass, int slot, rhw_buffer buffer,
                                          size_t offset, size_t size);
-/// The same for functions that only read it (WebGPU, read-only-storage): the bytes may be read in any other way too, and written
-/// between draws, as those of vertex buffers. Writing and atomics do nothing, and give 0.
+/// The same for functions that only read it (WebGPU, read-only-storage): the bytes may be read in any other way too,
+/// and written between draws, as those of vertex buffers. Writing and atomics do nothing, and give 0.
 RHW_API void rhw_pass_set_read_only_storage_buffer(rhw_context *context, rhw_pass pass, int slot,
                                                    rhw_buffer buffer, size_t offset, size_t size);
 /// A level of a texture, all its layers or slices, as image slot `slot`, 0..RHW_MAX_STORAGE_IMAGES − 1, which shader
 /// functions read and write (shader_image.h). Its format can be drawn into as colour, its texels have one sample. A null
-/// texture unbinds the slot. The level counts as an attachment of this pass, and is neither attached nor read besides, as by
-/// sampling.
+/// texture unbinds the slot. The level counts as an attachment of this pass, and is neither attached nor read besides,
+/// as by sampling.
 RHW_API void rhw_pass_set_storage_image(rhw_context *context, rhw_pass pass, int slot, rhw_texture texture,
                                         int level);
 /// The same for functions that only read it (WebGPU, read-only storage textures): the level may be sampled and set for
@@ -210,8 +211,9 @@ RHW_API void rhw_pass_set_storage_image(rhw_context *context, rhw_pass pass, int
 /// written besides. Writing and atomics do nothing, and give 0.
 RHW_API void rhw_pass_set_read_only_storage_image(rhw_context *context, rhw_pass pass, int slot,
                                                   rhw_texture texture, int level);
-/// Bytes `offset` to offset + size of a buffer, 0: to its end, as an image of one row, read and written as texels of a colour
-/// format. `offset` is a multiple of the texel's size. It is a storage buffer of this pass. A null buffer unbinds the slot.
+/// Bytes `offset` to offset + size of a buffer, 0: to its end, as an image of one row, read and written as texels of a
+/// colour format. `offset` is a multiple of the texel's size. It is a storage buffer of this pass. A null buffer
+/// unbinds the slot.
 RHW_API void rhw_pass_set_texel_buffer(rhw_context *context, rhw_pass pass, int slot, rhw_buffer buffer,
                                        enum rhw_format format, size_t offset, size_t size);
 /// The same for functions that only read it (Vulkan, uniform texel buffers), as rhw_pass_set_read_only_storage_buffer.

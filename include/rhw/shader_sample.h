@@ -62,8 +62,8 @@ RHW_API void rhw_sample_fetch(const struct rhw_bindings *textures, int slot, con
 
 /// The texel at x, y of `at`, and of an array the layer, in one sample of a multisampled texture, unfiltered, as
 /// rhw_sample_fetch gives it; zeros where there is no such sample or layer. The other functions but rhw_sample_size,
-/// rhw_sample_levels and rhw_sample_samples take a slot with a multisampled texture for one without, and this one a slot
-/// with any other.
+/// rhw_sample_levels and rhw_sample_samples take a slot with a multisampled texture for one without, and this one a
+/// slot with any other.
 RHW_API void rhw_sample_fetch_sample(const struct rhw_bindings *textures, int slot, const rhw_int *at,
                                      const rhw_int *sample, rhw_float texel[4]);
 

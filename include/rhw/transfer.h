@@ -109,10 +109,10 @@ RHW_API enum rhw_result rhw_buffer_copy(rhw_context *context, rhw_buffer from, s
 /// What a program does with the bytes of a mapped buffer.
 enum rhw_map_access { RHW_MAP_READ_WRITE, RHW_MAP_READ };
 
-/// Gives the address of `size` bytes at `offset`, 0: up to the end, until rhw_buffer_unmap or rhw_buffer_destroy. Bytes that
-/// the pass being recorded uses are refused, and passes refuse bytes that are mapped, but where both only read them; other
-/// bytes of the buffer are free to passes. Functions that write to buffers refuse one that is mapped. A buffer is mapped once
-/// at a time. On failure `*data` is NULL.
+/// Gives the address of `size` bytes at `offset`, 0: up to the end, until rhw_buffer_unmap or rhw_buffer_destroy. Bytes
+/// that the pass being recorded uses are refused, and passes refuse bytes that are mapped, but where both only read
+/// them; other bytes of the buffer are free to passes. Functions that write to buffers refuse one that is mapped. A
+/// buffer is mapped once at a time. On failure `*data` is NULL.
 RHW_API enum rhw_result rhw_buffer_map(rhw_context *context, rhw_buffer buffer, size_t offset, size_t size,
                                        enum rhw_map_access access, void **data);
 RHW_API void rhw_buffer_unmap(rhw_context *context, rhw_buffer buffer);

@@ -21,7 +21,8 @@ struct rhw_feedback_target {
 RHW_API void rhw_pass_begin_transform_feedback(rhw_context *context, rhw_pass pass,
                                                const struct rhw_feedback_target *targets, int count);
 /// `written`: [RHW_MAX_FEEDBACK_TARGETS], the bytes that the draws since the beginning write to each target, where
-/// another range may go on; may be NULL. Divided by a stride it is how many vertices a draw of the next pass finds there.
+/// another range may go on; may be NULL. Divided by a stride it is how many vertices a draw of the next pass finds
+/// there.
 RHW_API void rhw_pass_end_transform_feedback(rhw_context *context, rhw_pass pass, size_t *written);
 
 /// Where rhw_pass_draw_indirect_byte_count finds its number of vertices, and the rest of what it draws.
@@ -33,9 +34,9 @@ struct rhw_draw_byte_count {
     uint32_t first_instance, instances;
 };
 
-/// Draws from vertex 0 on as many as whole ones fit into the bytes: (counter − counter_offset) / stride, none where the counter
-/// is less (vkCmdDrawIndirectByteCountEXT; DrawAuto of Direct3D 11). It is read now, as by rhw_pass_draw_indirect, whose rules hold for
-/// the buffer.
+/// Draws from vertex 0 on as many as whole ones fit into the bytes: (counter − counter_offset) / stride, none where the
+/// counter is less (vkCmdDrawIndirectByteCountEXT; DrawAuto of Direct3D 11). It is read now, as by
+/// rhw_pass_draw_indirect, whose rules hold for the buffer.
 RHW_API void rhw_pass_draw_indirect_byte_count(rhw_context *context, rhw_pass pass,
                                                const struct rhw_draw_byte_count *draw);
 

@@ -196,10 +196,10 @@ enum {
 /// ("Cube Map Face Selection").
 enum rhw_texture_kind { RHW_TEXTURE_2D, RHW_TEXTURE_1D, RHW_TEXTURE_3D, RHW_TEXTURE_CUBE };
 
-/// A texture: sampled, drawn into, or both, in one pass of different levels and layers (view.h). Zeroed when created. It
-/// takes the bytes of its texels (of a compressed format: as they are decoded), rows rounded up to 64; a 2D texture of
-/// RGBA8_SRGB texels that a pass samples takes 8 bytes a texel more from then on.
-/// A texture that is no plain 2D one has fewer than 2^31 texels, all levels and rounded rows together.
+/// A texture: sampled, drawn into, or both, in one pass of different levels and layers (view.h). Zeroed when created.
+/// It takes the bytes of its texels (of a compressed format: as they are decoded), rows rounded up to 64; a 2D texture
+/// of RGBA8_SRGB texels that a pass samples takes 8 bytes a texel more from then on. A texture that is no plain 2D one
+/// has fewer than 2^31 texels, all levels and rounded rows together.
 struct rhw_texture_def {
     enum rhw_format format; ///< to be set
     int width, height; ///< 1..RHW_MAX_TARGET_SIZE; equal for CUBE; height of 1D is 0 or 1
@@ -361,8 +361,9 @@ enum rhw_conservative { RHW_CONSERVATIVE_OFF, RHW_CONSERVATIVE_OVERESTIMATE, RHW
 /// of each column, or row, that it passes, or as many as the width rounded; all samples of a pixel (Vulkan 1.3 §28.10.1).
 /// RECTANGULAR_SMOOTH: every pixel that the rectangle touches, all its samples; the alpha of colour 0 is multiplied by the
 /// area of the pixel that it covers, after the fragment function, but for integers (Vulkan 1.3 §28.10, smooth lines;
-/// VK_EXT_line_rasterization). That of other colours stays, also where target 0 is left out. The area is right to 2^−16; what covers less than that is not drawn. Where two lines meet
-/// each blends what it covers. A stipple draws the pixels whose centre lies in a piece that it draws.
+/// VK_EXT_line_rasterization). That of other colours stays, also where target 0 is left out. The area is right to
+/// 2^−16; what covers less than that is not drawn. Where two lines meet each blends what it covers. A stipple draws the
+/// pixels whose centre lies in a piece that it draws.
 enum rhw_line_mode { RHW_LINE_RECTANGULAR, RHW_LINE_BRESENHAM, RHW_LINE_RECTANGULAR_SMOOTH };
 /// Which parts of a line are drawn (Vulkan 1.3 §28.10, Line Stipple; VK_EXT_line_rasterization): those where bit
 /// ⌊s / factor⌋ mod 16 of the pattern is 1, the lowest being bit 0. Of a Bresenham line s counts its columns, or rows, of
@@ -530,7 +531,8 @@ struct rhw_program {
     bool vertex_effects;
     /// Depth bounds, stencil and depth are tested, and written, before the fragment function, which is called for what
     /// passes; then what it discards or writes as depth does not change that (Vulkan 1.3 §28.1.2, EarlyFragmentTests).
-    /// false: with RHW_USE_EFFECTS, RHW_USE_DEPTH_INPUT and RHW_USE_STENCIL_INPUT they are tested after it, for every fragment.
+    /// false: with RHW_USE_EFFECTS, RHW_USE_DEPTH_INPUT and RHW_USE_STENCIL_INPUT they are tested after it, for every
+    /// fragment.
     bool early_fragment_tests;
     /// The vertex function writes `viewport_index`, or `layer`: which viewport and scissor a primitive takes, and which
     /// layer of the pass's attachments it is drawn into, as its provoking vertex says (VK_EXT_shader_viewport_index_layer).
@@ -581,8 +583,8 @@ struct rhw_pipeline_def {
     struct rhw_stencil_face stencil_front, stencil_back; ///< by facing
     /// Samples that may be covered, a bit each (Vulkan 1.3 §27.1, §28.9), of which a pass of one has bit 0; 0: all.
     uint32_t sample_mask;
-    /// The alpha of color[0] says how many samples of a fragment are kept: the first round(alpha · samples) of the pass.
-    /// Nothing where target 0 is of integers (Vulkan 1.3 §28.9); so of alpha_to_one.
+    /// The alpha of color[0] says how many samples of a fragment are kept: the first round(alpha · samples) of the
+    /// pass. Nothing where target 0 is of integers (Vulkan 1.3 §28.9); so of alpha_to_one.
     bool alpha_to_coverage;
     bool alpha_to_one; ///< alpha of target 0 is 1 then, after alpha_to_coverage
     struct rhw_color_target targets[RHW_MAX_COLOR_ATTACHMENTS];
@@ -613,9 +615,9 @@ enum rhw_resolve {
 };
 
 struct rhw_color_attachment {
-    /// In a multisampled pass: with the pass's samples, which are stored; or with one, into which they are resolved. Null: the
-    /// attachment is left out and the others keep their numbers (VK_ATTACHMENT_UNUSED; null in WebGPU's colorAttachments);
-    /// clears pass it by, and as an input it is 0. One is there at least.
+    /// In a multisampled pass: with the pass's samples, which are stored; or with one, into which they are resolved.
+    /// Null: the attachment is left out and the others keep their numbers (VK_ATTACHMENT_UNUSED; null in WebGPU's
+    /// colorAttachments); clears pass it by, and as an input it is 0. One is there at least.
     rhw_texture texture;
     rhw_texture resolve; ///< what samples that are stored, or discarded, are resolved into besides; may be null
     enum rhw_resolve resolve_mode;
@@ -644,9 +646,10 @@ struct rhw_depth_attachment {
     enum rhw_resolve resolve_mode; ///< of depth, where `texture` has fewer samples than the pass, or `resolve` is set
     int layer, level; ///< as those of a colour attachment
     int layer_count;  ///< as that of a colour attachment; without a texture there are as many as colours have
-    /// Depth, or stencil, is tested and never written: what the texture holds is loaded and stays as it is, and may be sampled
-    /// in the same pass. Pipelines that write it are refused. Its load operation is DEFAULT or LOAD then, its store operation
-    /// STORE, which stores nothing (WebGPU's depthReadOnly and stencilReadOnly; VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL).
+    /// Depth, or stencil, is tested and never written: what the texture holds is loaded and stays as it is, and may be
+    /// sampled in the same pass. Pipelines that write it are refused. Its load operation is DEFAULT or LOAD then, its
+    /// store operation STORE, which stores nothing (WebGPU's depthReadOnly and stencilReadOnly;
+    /// VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL).
     bool read_only, stencil_read_only;
     /// What samples that are stored, or discarded, are resolved into besides, depth and stencil each by its mode
     /// (VkSubpassDescriptionDepthStencilResolve); of the texture's format; may be null.
@@ -658,8 +661,9 @@ struct rhw_rect { int x, y, width, height; }; ///< pixels
 
 /// Without attachments, for effects and queries alone, a pass says its size, samples and layers itself.
 struct rhw_pass_def {
-    /// Pixels of the pass, from the top left of its attachments, which are at least as large: what lies beyond is neither
-    /// loaded, cleared, drawn nor stored (Vulkan 1.3, VkFramebufferCreateInfo). 0: the first attachment's, and the others'.
+    /// Pixels of the pass, from the top left of its attachments, which are at least as large: what lies beyond is
+    /// neither loaded, cleared, drawn nor stored (Vulkan 1.3, VkFramebufferCreateInfo). 0: the first attachment's, and
+    /// the others'.
     int width, height;
     struct rhw_color_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
     int color_count;
@@ -667,8 +671,8 @@ struct rhw_pass_def {
     int samples; ///< of each pixel: 0: as many as the first attachment's texture has; 1, 2, 4, 8, 16
     const char *label; ///< for messages
     int layers; ///< of a pass without attachments; others have those of the first. 0: 1
-    /// The pixels that are loaded, cleared, drawn, stored and resolved, within the pass: the others of its attachments stay as
-    /// they are (Vulkan 1.3 §8.8, renderArea, with every scissor cut to it). All 0: the whole pass.
+    /// The pixels that are loaded, cleared, drawn, stored and resolved, within the pass: the others of its attachments
+    /// stay as they are (Vulkan 1.3 §8.8, renderArea, with every scissor cut to it). All 0: the whole pass.
     struct rhw_rect render_area;
 };
 
@@ -709,9 +713,9 @@ struct rhw_draw_commands {
 /// Where −1..1 in x and y goes. Triangles and lines are cut off at its edges; a point is kept or left out by its centre, and
 /// one near an edge reaches beyond (Vulkan 1.3 §27.4): rhw_pass_set_scissor cuts that too. Positions are rounded to 1/256
 /// pixel after x and y were added, so that a viewport moved by whole pixels need not draw the same bytes to the last bit.
-/// With a negative height y is the lower edge and y + height the upper one, and Y of clip space points down, as Vulkan's does
-/// with a positive height (VK_KHR_maintenance1): Vulkan's x, y, width, height is x, y + height, width, −height here. Facing
-/// is that on the screen, and so turns over. A height of 0 shows nothing but points.
+/// With a negative height y is the lower edge and y + height the upper one, and Y of clip space points down, as
+/// Vulkan's does with a positive height (VK_KHR_maintenance1): Vulkan's x, y, width, height is x, y + height, width,
+/// −height here. Facing is that on the screen, and so turns over. A height of 0 shows nothing but points.
 struct rhw_viewport {
     float x, y;          ///< pixels from the top left; corners within ±2·RHW_MAX_TARGET_SIZE
     float width;         ///< above 0, at most RHW_MAX_TARGET_SIZE

@@ -35,11 +35,11 @@ struct rhw_texture_view_def {
 };
 
 /// Creates a view, which is used wherever a texture is: sampled, drawn into, written, read and copied. Texture and views
-/// share their texels. A pass may draw into some levels and layers of them, write others as storage images and read others
-/// again, each by a view that has those alone; a level and layer that it draws into or writes, other than read_only, it does
-/// not read, by any name (Vulkan 1.3 §8.9, WebGPU's usage scopes). Copies and reads ask about textures as a whole: none
-/// of them is read or written while the pass being recorded draws into one, and none written while it samples one. Either
-/// is destroyed before the other; the texels stay until all are.
+/// share their texels. A pass may draw into some levels and layers of them, write others as storage images and read
+/// others again, each by a view that has those alone; a level and layer that it draws into or writes, other than
+/// read_only, it does not read, by any name (Vulkan 1.3 §8.9, WebGPU's usage scopes). Copies and reads ask about
+/// textures as a whole: none of them is read or written while the pass being recorded draws into one, and none written
+/// while it samples one. Either is destroyed before the other; the texels stay until all are.
 RHW_API enum rhw_result rhw_texture_view_create(rhw_context *context, const struct rhw_texture_view_def *def,
                                                 rhw_texture *view);
 

@@ -44,8 +44,8 @@ static void draw(const struct golden_board *board, int number)
 
 void golden_areas_draw(rhw_context *context, int number, struct golden_images *images)
 {
-    static const struct rhw_rect areas[PASSES] = {{0},               {10, 20, 70, 5},  {64, 64, 64, 64},
-                                                  {3, 61, 130, 44}, {101, 0, 49, 150}, {149, 149, 1, 1}};
+    static const struct rhw_rect areas[PASSES] = {
+        {0}, {10, 20, 70, 5}, {64, 64, 64, 64}, {3, 61, 130, 44}, {101, 0, 49, 150}, {149, 149, 1, 1}};
     const enum rhw_format color = RHW_FORMAT_RGBA8_UNORM, depth = RHW_FORMAT_D32_FLOAT_S8_UINT;
     struct golden_board board;
     (void)number;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a pass reads and writes of a buffer at once: buffers that shader functions only read, beside every other reading;
-// reading and writing of one buffer, told apart by bytes; and what the program does with others meanwhile.
+// What a pass reads and writes of a buffer at once: buffers that shader functions only read, beside every other
+// reading; reading and writing of one buffer, told apart by bytes; and what the program does with others meanwhile.
 #include "harness.h"
 
 #include <string.h>
@@ -272,6 +272,14 @@ static void ranges(void **state)
         rig_expect_misuse(&rig, "bytes 32 to 48");
         rhw_pass_cancel(rig.context, rig.recording);
     }
+    // No commands are no bytes.
+    const struct rhw_draw_commands none = {.buffer = buffer, .offset = 4};
+    rig_begin(&rig);
+    rig_use_pipeline(&rig);
+    use_range(&rig, buffer, USE_STORAGE, 0, 0);
+    rhw_pass_draw_indirect(rig.context, rig.recording, &none);
+    rig_end(&rig);
+    assert_int_equal(rig.misuses, 0);
     rhw_buffer_destroy(rig.context, buffer);
     rig_close(&rig);
 }

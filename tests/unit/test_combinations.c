@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The whole pipeline at random: passes whose state, formats, samples, layers, viewports and shader inputs have nothing to do
-// with each other. Every path, instruction set, number of threads and way of waves gives the same bytes, counts of queries
-// and effects. RHW_COMBINATIONS=n tries n passes instead of a few; RHW_COMBINATION=n pass n alone.
+// The whole pipeline at random: passes whose state, formats, samples, layers, viewports and shader inputs have nothing
+// to do with each other. Every path, instruction set, number of threads and way of waves gives the same bytes, counts
+// of queries and effects. RHW_COMBINATIONS=n tries n passes instead of a few; RHW_COMBINATION=n pass n alone.
 #include "harness.h"
 
 #include <rhw/shader_storage.h>

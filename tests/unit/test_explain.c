@@ -148,8 +148,8 @@ static void masking_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// What the function's sample mask and alpha to coverage leave out, in passes of one sample and of four, with a depth test
-// that waits for them and without.
+// What the function's sample mask and alpha to coverage leave out, in passes of one sample and of four, with a depth
+// test that waits for them and without.
 static void test_masked_samples(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a pass draws into, writes and reads is told apart by level and layer: others of the same texture are free, in the
-// same pass, and the same ones are not, by any name.
+// What a pass draws into, writes and reads is told apart by level and layer: others of the same texture are free, in
+// the same pass, and the same ones are not, by any name.
 #include "harness.h"
 
 #include <string.h>
@@ -244,8 +244,8 @@ static void test_images(void **state)
     rig_close(&rig);
 }
 
-// What images 1 and 2 hold at the pixel and texture 0 does: a hundredth, a tenth and all of it; that is written to image 0
-// as well.
+// What images 1 and 2 hold at the pixel and texture 0 does: a hundredth, a tenth and all of it; that is written to
+// image 0 as well.
 static void add_loaded(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -262,8 +262,8 @@ static void add_loaded(struct rhw_fragment *groups, int count)
     }
 }
 
-// A level that is only loaded is sampled and loaded by another name too, while others of its texture are written and drawn
-// into; it is written between draws, and each keeps what it had.
+// A level that is only loaded is sampled and loaded by another name too, while others of its texture are written and
+// drawn into; it is written between draws, and each keeps what it had.
 static void test_read_only_images(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Viewports of negative height (VK_KHR_maintenance1): places and facing by hand; the bytes of what is drawn with every Y
-// negated in an upright viewport over the same pixels; the picture of the upright one with its rows turned over.
+// Viewports of negative height (VK_KHR_maintenance1): places and facing by hand; the bytes of what is drawn with every
+// Y negated in an upright viewport over the same pixels; the picture of the upright one with its rows turned over.
 #include "harness.h"
 
 #include <string.h>
@@ -86,7 +86,8 @@ static void tell_facing(struct rhw_fragment *groups, int count)
     }
 }
 
-// What turns one way in an upright viewport turns the other way in a flipped one: filled, clipped behind the eye, as lines.
+// What turns one way in an upright viewport turns the other way in a flipped one: filled, clipped behind the eye, as
+// lines.
 static void test_facing(void **state)
 {
     (void)state;

@@ -244,7 +244,8 @@ static void test_from_samples(void **state)
     rig_close(&rig);
 }
 
-// As far as limits say, and by steps of the bits they give: a value that is x less 31.5, which is 0 in the middle of a pixel.
+// As far as limits say, and by steps of the bits they give: a value that is x less 31.5, which is 0 in the middle of a
+// pixel.
 static void test_limits(void **state)
 {
     (void)state;

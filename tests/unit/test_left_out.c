@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Colour attachments that a pass leaves out: what is written to them goes nowhere, and the others keep their numbers, by
-// every path.
+// Colour attachments that a pass leaves out: what is written to them goes nowhere, and the others keep their numbers,
+// by every path.
 #include "harness.h"
 
 #include <string.h>

@@ -335,8 +335,8 @@ static void test_texture_slots(void **state)
     }
 }
 
-// Every number of samples: drawn into, then read by a shader function, of colour, integers, depth and stencil; and a pass
-// without attachments, whose samples a query counts.
+// Every number of samples: drawn into, then read by a shader function, of colour, integers, depth and stencil; and a
+// pass without attachments, whose samples a query counts.
 static void read_sample(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {

@@ -361,7 +361,8 @@ static void test_widths_out_of_range_are_misuse(void **state)
     rig_close(&rig);
 }
 
-// What the pass sets stands in the place of the pipelines' own, 3 pixels, until it sets 0. Rows of lines through middles.
+// What the pass sets stands in the place of the pipelines' own, 3 pixels, until it sets 0. Rows of lines through
+// middles.
 static void test_widths_of_the_pass(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Passes smaller than their attachments: what lies beyond them stays to the last byte, whatever is loaded, drawn, resolved
-// and stored, and tiles that are known to be clear are not taken for those of another size.
+// Passes smaller than their attachments: what lies beyond them stays to the last byte, whatever is loaded, drawn,
+// resolved and stored, and tiles that are known to be clear are not taken for those of another size.
 #include "harness.h"
 
 #include <string.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What Vulkan 1.0 wants of formats (chapter "Required Format Support"), beside what rhw has: what rhw_format_features says, and
-// of blits and texel buffers what comes of them. The table is written down by hand from there; --show prints it.
+// What Vulkan 1.0 wants of formats (chapter "Required Format Support"), beside what rhw has: what rhw_format_features
+// says, and of blits and texel buffers what comes of them. The table is written down by hand from there; --show prints
+// it.
 #include "harness.h"
 
 #include "format.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rules of multisampled passes off the beaten way: tiles that a wave draws nothing in, stencil by facing after the
-// fragment function, what equal samples resolve to, what is counted and refused; what fragments are told of samples where
-// there is one, and what masks it.
+// fragment function, what equal samples resolve to, what is counted and refused; what fragments are told of samples
+// where there is one, and what masks it.
 #include "harness.h"
 
 #include <math.h>
@@ -104,7 +104,8 @@ static void sample_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// Full rows, parts of blocks and small triangles, and what the function leaves in sample_mask: bit 0 is that of the sample.
+// Full rows, parts of blocks and small triangles, and what the function leaves in sample_mask: bit 0 is that of the
+// sample.
 static void test_one_sample(void **state)
 {
     (void)state;
@@ -147,8 +148,8 @@ static void one_color_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// How alpha, the pipeline's mask and alpha to one meet a pass of one sample (Vulkan 1.3 §28.9 makes no exception of it):
-// round(alpha · 1) samples are kept. What is not neither moves depth nor is counted.
+// How alpha, the pipeline's mask and alpha to one meet a pass of one sample (Vulkan 1.3 §28.9 makes no exception of
+// it): round(alpha · 1) samples are kept. What is not neither moves depth nor is counted.
 static void test_alpha_of_one_sample(void **state)
 {
     (void)state;

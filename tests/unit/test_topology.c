@@ -432,8 +432,8 @@ static void test_reads_outside_the_buffers(void **state)
     assert_int_equal(rig.stats.triangles_rasterized, 1);
     assert_int_equal(rig.stats.triangles_culled, 3);
 
-    // A vertex beyond its buffer reads zeros, and 1 in the channel that its format lacks: the middle of the view. With the
-    // other two corners it makes the same triangle as a vertex that says so itself.
+    // A vertex beyond its buffer reads zeros, and 1 in the channel that its format lacks: the middle of the view. With
+    // the other two corners it makes the same triangle as a vertex that says so itself.
     rig.pipeline.attributes[0].format = RHW_VERTEX_FLOAT3;
     const float around[2] = {0.5f, 0.75f};
     struct rig_vertex three[3] = {{{around[0], 0, 0, 1}, {5, 6, 7, 8}}, {{0, around[1], 0, 1}, {5, 6, 7, 8}}};

@@ -20,7 +20,8 @@ static int plane_of_group(const struct fragment_queue *queue, int g)
     return __builtin_ctz((unsigned)samples);
 }
 
-// Decodes them into the colours, depth and stencil inputs of `added` groups from `first` on, before which the queue is empty.
+// Decodes them into the colours, depth and stencil inputs of `added` groups from `first` on, before which the queue is
+// empty.
 static __attribute__((noinline)) void read_targets(const struct tile_work *work, int first, int added)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;

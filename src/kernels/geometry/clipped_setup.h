@@ -11,8 +11,8 @@
 #include "facing.h"
 #include "geometry_scratch.h"
 
-// Whether the triangle turns the negative way on the screen before it is snapped. The determinant of the vertices' (X, Y,
-// W) is above 0 where they turn counter-clockwise with y up.
+// Whether the triangle turns the negative way on the screen before it is snapped. The determinant of the vertices' (X,
+// Y, W) is above 0 where they turn counter-clockwise with y up.
 static bool homogeneous_turns_negative(const struct rhw_draw_state *state,
                                        const struct rhw_vertex_record *const v[3])
 {

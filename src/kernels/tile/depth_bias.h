@@ -42,8 +42,8 @@ static float within_unit(float depth)
     return depth > 0 ? depth < 1 ? depth : 1 : 0;
 }
 
-// The largest depth of what lies between the planes in front and behind of a triangle: that of a vertex, or of a plane that
-// it crosses. Where nothing is cut off there, W may be 0 and depth anything.
+// The largest depth of what lies between the planes in front and behind of a triangle: that of a vertex, or of a plane
+// that it crosses. Where nothing is cut off there, W may be 0 and depth anything.
 static float largest_depth(const struct rhw_draw_state *state, const struct rhw_vertex_record *const v[3])
 {
     const bool symmetric = state->pipeline->def.depth_range == RHW_DEPTH_MINUS_ONE_TO_ONE;
