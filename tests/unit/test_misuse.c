@@ -304,7 +304,7 @@ static void test_pipeline_definitions(void **state)
         case 14: def.attributes[1].offset = 17; break; // ends beyond the stride
         case 15: def.buffer_count = RHW_MAX_VERTEX_BUFFERS + 1; break;
         case 16: def.buffer_count = -1; break;
-        case 17: def.topology = (enum rhw_topology)10; break;
+        case 17: def.topology = (enum rhw_topology)(RHW_LINE_LOOP + 1); break;
         case 18: def.provoking = (enum rhw_provoking)2; break;
         case 19: def.cull = (enum rhw_cull)4; break;
         case 20: def.front = (enum rhw_winding)2; break;

@@ -97,7 +97,8 @@ static void test_many(void **state)
         }
         const size_t used = rhw_arena_used(&arena);
         for (size_t i = 0; i < 2 * MANY; i++) { // what is there takes no memory
-            assert_non_null(rhw_range_set_unite(&set, &arena, i * 12345 % MANY * 8 + 1, i * 12345 % MANY * 8 + 2));
+            assert_non_null(
+                rhw_range_set_unite(&set, &arena, i * 12345 % MANY * 8 + 1, i * 12345 % MANY * 8 + 2));
         }
         assert_int_equal(rhw_arena_used(&arena), used);
         assert_true(height(set.root) < 60);
@@ -110,6 +111,7 @@ static void test_many(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_united_bytes),
-                                       cmocka_unit_test(test_ranges_of_their_own), cmocka_unit_test(test_many)};
+                                       cmocka_unit_test(test_ranges_of_their_own),
+                                       cmocka_unit_test(test_many)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
