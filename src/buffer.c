@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Buffers: bytes that draws read as vertices and indices.
+// See buffer.h.
 #include "buffer.h"
 
 #include <string.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Storage of vertices and indices.
+// Buffers: bytes that draws read, and that shader functions and transform feedback write.
 #ifndef RHW_BUFFER_H
 #define RHW_BUFFER_H
 

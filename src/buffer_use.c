@@ -27,14 +27,19 @@ static const struct rhw_range *find(const struct rhw_context *context, const str
 bool rhw_buffer_check_apart(const struct rhw_context *context, const struct rhw_buffer_part *part,
                             enum rhw_buffer_use use, size_t first, size_t end, const char *where)
 {
-    static const char *const verbs[] = {"reads", "may write", "writes", "writes"};
-    static const char *const others[] = {"a vertex, index or read-only buffer of this pass reads",
-                                         "storage of this pass may write",
-                                         "the transform feedback of this pass writes"};
+    static const char *const verbs[] = {[RHW_BUFFER_READ] = "reads",
+                                        [RHW_BUFFER_STORED] = "may write",
+                                        [RHW_BUFFER_CAPTURED] = "writes",
+                                        [RHW_BUFFER_WRITTEN] = "writes"};
+    static const char *const others[] = {
+        [RHW_BUFFER_READ] = "a vertex, index or read-only buffer of this pass reads",
+        [RHW_BUFFER_STORED] = "storage of this pass may write",
+        [RHW_BUFFER_CAPTURED] = "the transform feedback of this pass writes"};
     return rhw_check(
         context, end <= part->first || part->end <= first || first == end || part->first == part->end,
-        "%s: it %s bytes %zu to %zu of %s; %s bytes %zu to %zu", where, verbs[part->use], part->first,
-        part->end, rhw_name_of(&context->buffers, part->id.index).text, others[use], first, end);
+        "%s: it %s bytes %zu to %zu of %s; %s bytes %zu to %zu, and they must lie apart until it ends", where,
+        verbs[part->use], part->first, part->end, rhw_name_of(&context->buffers, part->id.index).text,
+        others[use], first, end);
 }
 
 // Readings go together, and so do writings of shader functions.

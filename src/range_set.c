@@ -60,6 +60,15 @@ struct rhw_range *rhw_range_set_find(const struct rhw_range_set *set, size_t fir
     return range;
 }
 
+void rhw_range_set_shorten(struct rhw_range_set *set, struct rhw_range *range, size_t end)
+{
+    if (range->first < range->end && end == range->first) {
+        take_out(set, range);
+        set->last = set->last == range ? NULL : set->last;
+    }
+    range->end = end;
+}
+
 // One that has some of the bytes or is next to them.
 static struct rhw_range *find_touching(const struct rhw_range_set *set, size_t first, size_t end)
 {
@@ -74,8 +83,10 @@ struct rhw_range *rhw_range_set_add(struct rhw_range_set *set, struct rhw_arena 
                                     size_t end)
 {
     struct rhw_range *const range = rhw_arena_alloc(arena, sizeof *range, _Alignof(struct rhw_range));
-    if (range) {
+    if (range && first < end) {
         insert(set, range, first, end);
+    } else if (range) {
+        *range = (struct rhw_range){.first = first, .end = end};
     }
     return range;
 }
@@ -84,6 +95,9 @@ struct rhw_range *rhw_range_set_unite(struct rhw_range_set *set, struct rhw_aren
                                       size_t end)
 {
     struct rhw_range *taken = NULL, *range;
+    if (first == end) {
+        return rhw_range_set_add(set, arena, first, end);
+    }
     while ((range = find_touching(set, first, end)) != NULL) {
         if (range->first <= first && end <= range->end) {
             set->last = range;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Bytes as ranges that have none in common, found by where they lie: a tree that is in order by their beginnings and a heap
-// by a random rank (Seidel and Aragon, "Randomized Search Trees"), so that in whatever order a hundred thousand of them come,
-// each costs a few steps.
+// Bytes as ranges that have none in common, found by where they lie: a tree that is in order by their beginnings and a
+// heap by a random rank (Seidel and Aragon, "Randomized Search Trees"), so that in whatever order a hundred thousand of
+// them come, each costs a few steps.
 #ifndef RHW_RANGE_SET_H
 #define RHW_RANGE_SET_H
 
@@ -10,7 +10,7 @@
 
 struct rhw_arena;
 
-// Bytes `first` to `end`; it may become shorter at its end.
+// Bytes `first` to `end`.
 struct rhw_range {
     size_t first, end;
     uint32_t rank;
@@ -20,18 +20,23 @@ struct rhw_range {
 // Empty where it is zeroed.
 struct rhw_range_set {
     struct rhw_range *root;
-    struct rhw_range *last; // that was added to or found to have what was to be added; NULL: none
+    struct rhw_range *last; // of the last call that added; NULL: none, or it has left
     uint32_t rank;          // of the last one that was made
 };
 
 // A range that has some of the bytes; NULL: none has.
 struct rhw_range *rhw_range_set_find(const struct rhw_range_set *set, size_t first, size_t end);
 
-// Adds a range of its own, of bytes that no other has. NULL when out of memory.
+// Makes a range that was added end earlier. One that becomes empty leaves the set: nothing could be found past it.
+void rhw_range_set_shorten(struct rhw_range_set *set, struct rhw_range *range, size_t end);
+
+// Adds a range of its own, of bytes that no other has; one without bytes is made and not in the set. NULL when out of
+// memory.
 struct rhw_range *rhw_range_set_add(struct rhw_range_set *set, struct rhw_arena *arena, size_t first,
                                     size_t end);
 
-// Adds bytes, which become one range with those that have some of them or are next to them. NULL when out of memory.
+// Adds bytes, which become one range with those that have some of them or are next to them; none are added as by
+// rhw_range_set_add. NULL when out of memory.
 struct rhw_range *rhw_range_set_unite(struct rhw_range_set *set, struct rhw_arena *arena, size_t first,
                                       size_t end);
 

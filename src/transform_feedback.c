@@ -55,6 +55,7 @@ static void begin_target(struct rhw_pass_state *pass, const struct rhw_buffer_pa
 {
     struct rhw_feedback_state *const feedback = &pass->feedback;
     feedback->range[i] = rhw_buffer_note_use(pass->context, &pass->arena, part);
+    feedback->data[i] = part->data;
     feedback->bytes[i] = part->data->bytes;
     feedback->at[i] = part->first;
     pass->out_of_memory |= !feedback->range[i];
@@ -149,7 +150,8 @@ void rhw_pass_end_transform_feedback(rhw_context *context, rhw_pass id, size_t *
         rhw_check(context, feedback->is_active, "%s: it is not under way; begin it first", where)) {
         for (int i = 0; feedback->is_active && i < RHW_MAX_FEEDBACK_TARGETS; i++) {
             if (feedback->range[i]) {
-                feedback->range[i]->end = feedback->at[i];
+                rhw_range_set_shorten(&feedback->data[i]->used[RHW_BUFFER_CAPTURED].ranges,
+                                      feedback->range[i], feedback->at[i]);
                 if (written) {
                     written[i] = feedback->at[i] - feedback->range[i]->first;
                 }

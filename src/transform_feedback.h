@@ -6,6 +6,7 @@
 
 #include "rhw/transform_feedback.h"
 
+struct rhw_buffer_data;
 struct rhw_draw;
 struct rhw_pass_state;
 struct rhw_range;
@@ -14,9 +15,10 @@ struct rhw_range;
 struct rhw_feedback_state {
     bool is_active;
     struct rhw_range *range[RHW_MAX_FEEDBACK_TARGETS]; // that is written, under way; NULL: no target
-    unsigned char *bytes[RHW_MAX_FEEDBACK_TARGETS];    // of the buffers
-    size_t at[RHW_MAX_FEEDBACK_TARGETS];               // where the next vertex goes
-    int vertices;                                      // of a primitive
+    struct rhw_buffer_data *data[RHW_MAX_FEEDBACK_TARGETS];
+    unsigned char *bytes[RHW_MAX_FEEDBACK_TARGETS]; // of the buffers
+    size_t at[RHW_MAX_FEEDBACK_TARGETS];            // where the next vertex goes
+    int vertices;                                   // of a primitive
 };
 
 // Where a draw writes.

@@ -193,7 +193,7 @@ RHW_API void rhw_pass_set_texture(rhw_context *context, rhw_pass pass, int slot,
 /// Bytes `offset`, a multiple of 4, to offset + size of the buffer, 0: to its end, as storage slot `slot`,
 /// 0..RHW_MAX_STORAGE_BUFFERS − 1, which shader functions read and write (shader_storage.h). A null buffer unbinds the
 /// slot. What they write is there when the pass has ended. Bytes that this pass reads otherwise, as vertices, indices
-/// or in a read-only slot, are refused, and from then on the other way round; then draws find no commands there either.
+/// or in a read-only slot, are refused; once set, they are refused for all of these, and as commands, until it ends.
 RHW_API void rhw_pass_set_storage_buffer(rhw_context *context, rhw_pass pass, int slot, rhw_buffer buffer,
                                          size_t offset, size_t size);
 /// The same for functions that only read it (WebGPU, read-only-storage): the bytes may be read in any other way too,

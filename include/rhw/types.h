@@ -654,7 +654,7 @@ struct rhw_depth_attachment {
     /// What samples that are stored, or discarded, are resolved into besides, depth and stencil each by its mode
     /// (VkSubpassDescriptionDepthStencilResolve); of the texture's format; may be null.
     rhw_texture resolve;
-    enum rhw_resolve stencil_resolve_mode; ///< DEFAULT: that of depth, AVERAGE being SAMPLE_ZERO
+    enum rhw_resolve stencil_resolve_mode; ///< DEFAULT: that of depth, NONE too; AVERAGE is SAMPLE_ZERO
 };
 
 struct rhw_rect { int x, y, width, height; }; ///< pixels
@@ -672,7 +672,8 @@ struct rhw_pass_def {
     const char *label; ///< for messages
     int layers; ///< of a pass without attachments; others have those of the first. 0: 1
     /// The pixels that are loaded, cleared, drawn, stored and resolved, within the pass: the others of its attachments
-    /// stay as they are (Vulkan 1.3 §8.8, renderArea, with every scissor cut to it). All 0: the whole pass.
+    /// stay as they are (Vulkan 1.3 §8.8, renderArea; there the program stays inside, here every scissor is cut to it).
+    /// All 0: the whole pass.
     struct rhw_rect render_area;
 };
 

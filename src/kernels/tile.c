@@ -351,7 +351,8 @@ static double area_in_tile(const struct tile_work *work, const struct rhw_triang
 static bool overdraws(const struct tile_work *work, struct bin_run run)
 {
     enum { SAMPLES = 64 };
-    const double tile_pixels = work->width * work->height;
+    const struct tile_rect *const area = &work->area;
+    const double tile_pixels = (area->x1 - area->x0) * (area->y1 - area->y0);
     const double shading_ns = 9, textured_ns = 18, depth_ns = 3, triangle_ns = 60;
     uint32_t count = 0;
     for (const struct bin *bin = run.first; bin < run.end; bin++) {
@@ -362,16 +363,17 @@ static bool overdraws(const struct tile_work *work, struct bin_run run)
     }
     const uint32_t step = count / SAMPLES + 1;
     uint32_t next = 0; // of the bin under way
-    double area = 0;
+    double covered = 0;
     for (const struct bin *bin = run.first; bin < run.end; bin++) {
         for (; next < bin->end - bin->first; next += step) {
-            area += step * area_in_tile(work, &bin->chunk->triangles[bin->chunk->entries[bin->first + next]]);
+            covered +=
+                step * area_in_tile(work, &bin->chunk->triangles[bin->chunk->entries[bin->first + next]]);
         }
         next -= bin->end - bin->first;
     }
     const struct rhw_draw *const draw = run.first->chunk->segments[0].draw;
     const double pixel_ns = draw->state->pipeline->any_derivatives ? textured_ns : shading_ns;
-    return (area - tile_pixels) / 2 * pixel_ns > area * depth_ns + count * triangle_ns;
+    return (covered - tile_pixels) / 2 * pixel_ns > covered * depth_ns + count * triangle_ns;
 }
 
 static void draw_depth_first(struct tile_work *work, struct bin_run run)

@@ -68,11 +68,45 @@ static void test_ranges_of_their_own(void **state)
     assert_true(rhw_range_set_find(&set, 19, 20) == a && rhw_range_set_find(&set, 20, 21) == b);
     assert_true(rhw_range_set_find(&set, 9, 10) == c && !rhw_range_set_find(&set, 30, 40));
     assert_null(rhw_range_set_find(&set, 15, 15));
-    a->end = 10; // empty
+    rhw_range_set_shorten(&set, a, 10); // to nothing
     assert_null(rhw_range_set_find(&set, 10, 20));
     struct rhw_range *const d = rhw_range_set_add(&set, &arena, 10, 18);
     assert_true(rhw_range_set_find(&set, 0, 300) && rhw_range_set_find(&set, 17, 20) == d);
     rhw_arena_destroy(&arena);
+}
+
+// Ranges at random that are shortened again, to nothing too, with empty ones among them.
+static void test_shortened(void **state)
+{
+    (void)state;
+    struct rhw_memory memory = {.allocator = rhw_allocator_or_default((struct rhw_allocator){0})};
+    uint64_t random = 3;
+    for (int round = 0; round < 300; round++) {
+        struct rhw_arena arena;
+        rhw_arena_init(&arena, &memory);
+        struct rhw_range_set set = {.rank = (uint32_t)round};
+        uint8_t expected[BYTES] = {0};
+        for (int step = 0; step < 60; step++) {
+            const size_t first = (size_t)rig_random_int(&random, BYTES / 10) * 10;
+            const size_t end = first + 10 * (size_t)rig_random_int(&random, 2);
+            if (rhw_range_set_find(&set, first, end)) {
+                assert_non_null(memchr(expected + first, 1, end - first));
+                continue;
+            }
+            assert_null(memchr(expected + first, 1, end - first));
+            struct rhw_range *const range = rhw_range_set_add(&set, &arena, first, end);
+            const size_t left = (size_t)rig_random_int(&random, (int)(end - first) + 1) / 5 * 5;
+            rhw_range_set_shorten(&set, range, first + left);
+            memset(expected + first, 1, left);
+            assert_true(range->first == first && range->end == first + left);
+        }
+        uint8_t held[BYTES] = {0};
+        list(set.root, held, 0);
+        for (int i = 0; i < BYTES; i++) {
+            assert_int_equal(held[i] != 0, expected[i]);
+        }
+        rhw_arena_destroy(&arena);
+    }
 }
 
 // The height of the tree, whatever the order of what was added.
@@ -112,6 +146,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_united_bytes),
                                        cmocka_unit_test(test_ranges_of_their_own),
-                                       cmocka_unit_test(test_many)};
+                                       cmocka_unit_test(test_shortened), cmocka_unit_test(test_many)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

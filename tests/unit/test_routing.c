@@ -229,6 +229,7 @@ static void test_layers(void **state)
     }
     compare_layers(&kinds[0], 1, 1);
     compare_layers(&kinds[1], 0, 4);
+    compare_layers(&kinds[0], 1, 4);
 }
 
 // A layer that was cleared, drawn into with others and cleared again.

@@ -441,6 +441,39 @@ static void test_misuse_in_a_pass(void **state)
     rig_close(&rig);
 }
 
+// Feedback that wrote nothing hides nothing of what was written beside it.
+static void test_nothing_is_written(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_feedback(&rig, &(struct rhw_context_def){.threads = 1});
+    keep_numbers(&rig);
+    const rhw_buffer buffer = make_buffer(&rig, 256);
+    for (int n = 0; n < 20; n++) { // ranges stand in another order each time
+        static const uint8_t places[] = {0, 64, 128, 32, 96};
+        char byte;
+        rig_begin(&rig);
+        rig_use_pipeline(&rig);
+        for (int i = 0; i < 10; i++) {
+            const size_t offset = places[(i * 3 + n) % 5];
+            begin_feedback(&rig, &(struct rhw_feedback_target){buffer, offset, 32}, 1);
+            if (i >= 5) {
+                rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
+            }
+            end_feedback(&rig, NULL);
+        }
+        assert_int_equal(rig.misuses, 0);
+        for (int i = 0; i < 5; i++) {
+            assert_int_equal(rhw_buffer_read(rig.context, buffer, places[i], &byte, 1), RHW_ERROR_MISUSE);
+            rig_expect_misuse(&rig, "the transform feedback of this pass writes");
+            assert_int_equal(rhw_buffer_read(rig.context, buffer, places[i] + 12, &byte, 1), RHW_OK);
+        }
+        rhw_pass_cancel(rig.context, rig.recording);
+    }
+    rhw_buffer_destroy(rig.context, buffer);
+    rig_close(&rig);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -451,6 +484,7 @@ int main(void)
         cmocka_unit_test(test_kept_vertices_are_drawn),
         cmocka_unit_test(test_misuse_of_pipelines),
         cmocka_unit_test(test_misuse_in_a_pass),
+        cmocka_unit_test(test_nothing_is_written),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

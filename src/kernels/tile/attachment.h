@@ -48,20 +48,27 @@ struct memory_rows {
     size_t pitch;
 };
 
+// `layer`: the slice of the level that is the pass's first layer.
 static struct memory_rows rows_of_level(const struct tile_work *work, const struct rhw_attachment *attachment,
-                                        const struct rhw_mip *mip)
+                                        const struct rhw_mip *mip, int layer)
 {
-    return (struct memory_rows){rhw_mip_slice(mip, attachment->layer + work->layer) +
-                                    (size_t)work->y * mip->row_pitch +
+    return (struct memory_rows){rhw_mip_slice(mip, layer + work->layer) + (size_t)work->y * mip->row_pitch +
                                     (size_t)work->x * attachment->texel_size,
                                 mip->row_pitch};
 }
 
-// Those of a sample of the attachment's target.
+static struct memory_rows rows_of_resolve(const struct tile_work *work,
+                                          const struct rhw_attachment *attachment)
+{
+    return rows_of_level(work, attachment, attachment->resolve, attachment->layer);
+}
+
+// Those of a sample of the attachment's target. What keeps samples between waves has the layers of the pass alone.
 static struct memory_rows rows_of_target(const struct tile_work *work,
                                          const struct rhw_attachment *attachment, int sample)
 {
-    struct memory_rows rows = rows_of_level(work, attachment, attachment->target);
+    const int layer = attachment->loads_resolved ? 0 : attachment->layer;
+    struct memory_rows rows = rows_of_level(work, attachment, attachment->target, layer);
     rows.first += (size_t)sample * attachment->sample_stride;
     return rows;
 }
@@ -71,7 +78,7 @@ static struct memory_rows loaded_rows(const struct tile_work *work, const struct
                                       int sample)
 {
     return attachment->loads_resolved && (work->pass->first_wave || attachment->is_read_only)
-               ? rows_of_level(work, attachment, attachment->resolve)
+               ? rows_of_resolve(work, attachment)
                : rows_of_target(work, attachment, sample);
 }
 
@@ -249,8 +256,7 @@ static void pass_through(const struct tile_work *work, const struct rhw_attachme
         }
     }
     if (attachment->resolves && work->pass->last_wave && !is_clean(work, attachment->resolve_clean)) {
-        clear_rows(work, rows_of_level(work, attachment, attachment->resolve), attachment->texel_size,
-                   attachment->clear);
+        clear_rows(work, rows_of_resolve(work, attachment), attachment->texel_size, attachment->clear);
     }
 }
 

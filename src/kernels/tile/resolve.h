@@ -60,7 +60,7 @@ static void resolve_color(const struct tile_work *work, int t)
     const struct rhw_attachment *const attachment = &work->pass->colors[t];
     const struct rhw_format_info *const info = rhw_format_info(attachment->format);
     const enum rhw_resolve mode = color_mode(attachment, info);
-    const struct memory_rows rows = rows_of_level(work, attachment, attachment->resolve);
+    const struct memory_rows rows = rows_of_resolve(work, attachment);
     const struct color_resolve how = {info, mode,
                                       info->codec == RHW_CODEC_UNORM8 && info->size == 4 &&
                                           mode == RHW_RESOLVE_AVERAGE && work->samples == 4};
@@ -120,7 +120,7 @@ static void resolve_depth(const struct tile_work *work)
 {
     const struct rhw_attachment *const depth = &work->pass->depth;
     const struct tile_depth *const first = depth_plane(work->scratch, 0);
-    const struct memory_rows rows = rows_of_level(work, depth, depth->resolve);
+    const struct memory_rows rows = rows_of_resolve(work, depth);
     if (depth->resolve_mode != RHW_RESOLVE_DEFAULT && depth->resolve_mode != RHW_RESOLVE_SAMPLE_ZERO) {
         resolve_depth_planes(work, depth->resolve_mode);
     }
@@ -139,8 +139,7 @@ static void resolve_stencil(const struct tile_work *work)
     if (stencil->resolve_mode == RHW_RESOLVE_MIN || stencil->resolve_mode == RHW_RESOLVE_MAX) {
         resolve_stencil_planes(work, stencil->resolve_mode);
     }
-    write_rows(work, rows_of_level(work, stencil, stencil->resolve), depth_plane(work->scratch, 0)->stencil,
-               1);
+    write_rows(work, rows_of_resolve(work, stencil), depth_plane(work->scratch, 0)->stencil, 1);
 }
 
 // Loading and storing with several samples ---------------------------------------------------------------
