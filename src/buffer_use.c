@@ -37,8 +37,8 @@ bool rhw_buffer_check_apart(const struct rhw_context *context, const struct rhw_
         [RHW_BUFFER_CAPTURED] = "the transform feedback of this pass writes"};
     return rhw_check(
         context, end <= part->first || part->end <= first || first == end || part->first == part->end,
-        "%s: it %s bytes %zu to %zu of %s; %s bytes %zu to %zu, and they must lie apart until it ends", where,
-        verbs[part->use], part->first, part->end, rhw_name_of(&context->buffers, part->id.index).text,
+        "%s: it %s bytes %zu to %zu of %s; %s bytes %zu to %zu; they must lie apart until the pass ends",
+        where, verbs[part->use], part->first, part->end, rhw_name_of(&context->buffers, part->id.index).text,
         others[use], first, end);
 }
 

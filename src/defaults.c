@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What zero stands for in the definition structs, written out, and one colour target. Fields that are not named are
 // zero. tests/unit/test_zero.c draws with both.
-#include "rhw/types.h"
+#include "rhw/pass_def.h"
 
 struct rhw_context_def rhw_context_def_default(void)
 {

@@ -13,6 +13,7 @@
 #include "draw_plan.h"
 #include "hidden_surface.h"
 #include "line_stipple.h"
+#include "rhw/pass_def.h"
 #include "rhw/shader.h"
 #include "triangle.h"
 

@@ -263,7 +263,7 @@ static void attach_stencil(struct rhw_pass_state *pass, const struct rhw_depth_a
     stencil->resolve = rhw_stencil_plane_of(pass->depth.resolve, &pass->stencil_resolve);
     stencil->resolve_mode = depth->stencil_resolve_mode == RHW_RESOLVE_DEFAULT ? depth->resolve_mode
                                                                                : depth->stencil_resolve_mode;
-    stencil->resolves = is_resolved(stencil);
+    stencil->resolves = pass->has_stencil && is_resolved(stencil);
     set_clear(stencil, &depth->stencil_clear);
 }
 
@@ -278,7 +278,7 @@ static void set_depth(struct rhw_pass_state *pass, const struct rhw_depth_attach
     if (depth->read_only) {
         set_read_only(&pass->depth);
     }
-    pass->depth.resolves = is_resolved(&pass->depth);
+    pass->depth.resolves = pass->has_depth && is_resolved(&pass->depth);
     pass->depth_by_default =
         pass->depth.load == RHW_LOAD_CLEAR && depth->load == RHW_LOAD_DEFAULT && depth->clear == 0;
     const float clear[4] = {pass->depth_by_default ? 1 : depth->clear};

@@ -3,7 +3,7 @@
 #ifndef RHW_PASS_ATTACH_H
 #define RHW_PASS_ATTACH_H
 
-#include "rhw/types.h"
+#include "rhw/pass_def.h"
 
 struct rhw_pass_state;
 

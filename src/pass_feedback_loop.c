@@ -71,11 +71,13 @@ static struct rhw_texel_range range_of_level(const struct rhw_texture_data *text
 bool rhw_pass_draws_into(const struct rhw_pass_state *pass, const struct rhw_texture_data *texture,
                          uint32_t levels)
 {
-    bool draws = false;
-    for (; rhw_texture_is_attached(pass->context, texture) && levels != 0 && !draws; levels &= levels - 1) {
-        draws = draws_into(pass, range_of_level(texture, __builtin_ctz(levels)));
+    levels = rhw_texture_is_attached(pass->context, texture) ? levels : 0;
+    for (; levels != 0; levels &= levels - 1) {
+        if (draws_into(pass, range_of_level(texture, __builtin_ctz(levels)))) {
+            return true;
+        }
     }
-    return draws;
+    return false;
 }
 
 // Whether one of a texture's levels has some of the texels.
@@ -122,7 +124,8 @@ bool rhw_pass_note_read(struct rhw_pass_state *pass, struct rhw_texture_data *co
     if ((levels & ~texture->read_levels) == 0) {
         return true;
     }
-    struct rhw_read_texture *const read = rhw_arena_alloc(&pass->arena, sizeof *read, sizeof(void *));
+    struct rhw_read_texture *const read =
+        rhw_arena_alloc(&pass->arena, sizeof *read, _Alignof(struct rhw_read_texture));
     if (read) {
         *read = (struct rhw_read_texture){pass->read, item, levels};
         pass->read = read;
@@ -136,7 +139,8 @@ bool rhw_pass_note_stored(struct rhw_pass_state *pass, struct rhw_texture_data *
 {
     const uint32_t generation = pass->context->recording.generation;
     texture->stored_levels = texture->stored_pass == generation ? texture->stored_levels : 0;
-    struct rhw_stored_level *const stored = rhw_arena_alloc(&pass->arena, sizeof *stored, sizeof(void *));
+    struct rhw_stored_level *const stored =
+        rhw_arena_alloc(&pass->arena, sizeof *stored, _Alignof(struct rhw_stored_level));
     if (stored) {
         *stored = (struct rhw_stored_level){pass->stored, range_of_level(texture, level)};
         pass->stored = stored;

@@ -5,6 +5,7 @@
 
 #include "limits.h"
 #include "explain.h"
+#include "pass_def.h"
 #include "tiles.h"
 #include "transfer.h"
 #include "transform_feedback.h"

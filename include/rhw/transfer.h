@@ -6,7 +6,7 @@
 #ifndef RHW_TRANSFER_H
 #define RHW_TRANSFER_H
 
-#include "types.h"
+#include "pass_def.h"
 
 /// What of a format's texels is meant.
 enum rhw_aspect {

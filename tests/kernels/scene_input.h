@@ -4,7 +4,7 @@
 #define SCENE_INPUT_H
 
 #include "clean_tiles.h"
-#include "rhw/types.h"
+#include "rhw/pass_def.h"
 
 #include "kernel_check.h"
 

@@ -170,6 +170,12 @@ void rig_begin(struct rig *rig)
     rig->misused = false;
 }
 
+void rig_expect_refused_pass(struct rig *rig, const char *part)
+{
+    assert_int_equal(rhw_pass_begin(rig->context, &rig->pass, &rig->recording), RHW_ERROR_MISUSE);
+    rig_expect_misuse(rig, part);
+}
+
 void rig_use_pipeline(struct rig *rig)
 {
     struct rig_objects *objects = &rig->objects;

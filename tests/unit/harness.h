@@ -57,6 +57,8 @@ void rig_set_depth(struct rig *rig);
 void rig_set_program(struct rig *rig, rhw_vertex_function *vertex, rhw_fragment_function *fragment);
 
 void rig_begin(struct rig *rig);
+/// Wants rig->pass to be refused by a message with this part.
+void rig_expect_refused_pass(struct rig *rig, const char *part);
 void rig_use_pipeline(struct rig *rig);
 void rig_use_vertices(struct rig *rig, int slot, const void *data, size_t size);
 void rig_use_indices(struct rig *rig, enum rhw_index_type type, const void *data, size_t size);

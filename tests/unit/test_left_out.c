@@ -185,10 +185,36 @@ static void test_pipelines_match(void **state)
     rig_close(&rig);
 }
 
+// In waves too what is left out takes no memory.
+static void test_memory(void **state)
+{
+    (void)state;
+    enum { WIDE = 512, TRIANGLES = 4000 };
+    static struct rig_vertex vertices[3 * TRIANGLES];
+    size_t peaks[2];
+    for (int leaves_out = 0; leaves_out < 2; leaves_out++) {
+        struct rig rig;
+        rig_open_with(&rig, WIDE, WIDE, &(struct rhw_context_def){.threads = 1, .bin_memory = 1});
+        rig.pass.color_count = rig.pipeline.target_count = leaves_out ? RHW_MAX_COLOR_ATTACHMENTS : 1;
+        memset(rig.pipeline.targets + 1, 0, sizeof rig.pipeline.targets - sizeof rig.pipeline.targets[0]);
+        for (int i = 0; i < 3 * TRIANGLES; i++) {
+            const int t = i / 3, x = t % 64 * 8, y = t / 64 * 8;
+            rig_place(&rig, (float)(x + i % 3 % 2 * 8), (float)(y + i % 3 / 2 * 8), 0.5f, 1,
+                      vertices[i].position);
+        }
+        rig_draw_once(&rig, vertices, 3 * TRIANGLES);
+        assert_true(rig.stats.flushes > 0);
+        peaks[leaves_out] = rig.stats.memory_peak;
+        rig_close(&rig);
+    }
+    assert_true(peaks[1] < peaks[0] + (size_t)WIDE * WIDE * 4);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_outputs), cmocka_unit_test(test_inputs_and_clears),
-        cmocka_unit_test(test_first_attachment), cmocka_unit_test(test_pipelines_match)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_outputs),
+                                       cmocka_unit_test(test_inputs_and_clears),
+                                       cmocka_unit_test(test_first_attachment), cmocka_unit_test(test_memory),
+                                       cmocka_unit_test(test_pipelines_match)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

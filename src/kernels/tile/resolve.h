@@ -206,10 +206,10 @@ static void store_samples(const struct tile_work *work)
     for (int s = 0; s < work->samples; s++) {
         store_depth_stencil(work, s);
     }
-    if (pass->has_depth && pass->depth.resolves && pass->last_wave) {
+    if (pass->depth.resolves && pass->last_wave) {
         resolve_depth(work);
     }
-    if (pass->has_stencil && pass->stencil.resolves && pass->last_wave) {
+    if (pass->stencil.resolves && pass->last_wave) {
         resolve_stencil(work);
     }
 }
