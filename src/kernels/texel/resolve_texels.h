@@ -5,6 +5,8 @@
 
 #include "mip_codec.h"
 
+#include "rhw/pass_def.h"
+
 // What to resolve: 8 pixels of each plane.
 struct sample_row {
     const unsigned char *plane[RHW_MAX_SAMPLES];
