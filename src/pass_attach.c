@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "attached_texture.h"
 #include "blend_state.h"
 #include "clear_texel.h"
 #include "context.h"
@@ -12,7 +13,6 @@
 #include "format.h"
 #include "lookup.h"
 #include "misuse.h"
-#include "pass_attachment.h"
 #include "pass_state.h"
 
 static const char *const where = "rhw_pass_begin";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One attachment of a pass: the part of a texture that it is, checked against the pass and the attachments before it,
-// and taken.
-#ifndef RHW_PASS_ATTACHMENT_H
-#define RHW_PASS_ATTACHMENT_H
+// A texture as an attachment of a pass: the part of it that is attached, checked against the pass and the attachments
+// before it, and taken.
+#ifndef RHW_ATTACHED_TEXTURE_H
+#define RHW_ATTACHED_TEXTURE_H
 
 #include "rhw/types.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See pass_attachment.h.
-#include "pass_attachment.h"
+// See attached_texture.h.
+#include "attached_texture.h"
 
 #include <stdio.h>
 
