@@ -23,7 +23,9 @@ bool rhw_buffer_check_unmapped(const struct rhw_context *context, const struct r
     const struct rhw_buffer_data *const data = part->data;
     const bool is_read = part->use == RHW_BUFFER_READ;
     const bool is_asked = is_read ? data->is_map_written : data->is_mapped;
-    return rhw_check(context, !is_asked || part->end <= data->map_first || data->map_end <= part->first,
+    const bool is_apart =
+        part->first == part->end || part->end <= data->map_first || data->map_end <= part->first;
+    return rhw_check(context, !is_asked || is_apart,
                      "%s: bytes %zu to %zu of %s are mapped%s; call rhw_buffer_unmap first", where,
                      data->map_first, data->map_end, rhw_name_of(&context->buffers, part->id.index).text,
                      is_read ? " for writing" : "");

@@ -11,7 +11,7 @@
 bool rhw_buffer_check_readable(const struct rhw_context *context, const struct rhw_buffer_part *part,
                                const char *where);
 
-// Reports bytes that are mapped; for reading alone where the part is read, too, they are not.
+// Reports bytes that are mapped. A part that is read may be mapped for reading.
 bool rhw_buffer_check_unmapped(const struct rhw_context *context, const struct rhw_buffer_part *part,
                                const char *where);
 

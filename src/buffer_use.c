@@ -62,7 +62,9 @@ bool rhw_buffer_is_read(const struct rhw_context *context, const struct rhw_buff
 
 bool rhw_buffer_is_written(const struct rhw_context *context, const struct rhw_buffer_data *data)
 {
-    return ranges_of(context, data, RHW_BUFFER_STORED) || ranges_of(context, data, RHW_BUFFER_CAPTURED);
+    const struct rhw_range_set *const stored = ranges_of(context, data, RHW_BUFFER_STORED),
+                                      *const captured = ranges_of(context, data, RHW_BUFFER_CAPTURED);
+    return (stored && stored->root) || (captured && captured->root);
 }
 
 bool rhw_buffer_check_use(const struct rhw_context *context, const struct rhw_buffer_part *part,

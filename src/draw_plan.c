@@ -156,11 +156,13 @@ static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
                         compare != RHW_COMPARE_NEVER;
 }
 
-// Integers have no part of themselves. Without a target there is a colour where alpha decides about coverage.
+// Integers have no part of themselves. Without a target there is a colour where alpha decides about coverage; what
+// targets[0] says then is nothing.
 static bool weighs_alpha(const struct rhw_pipeline_data *pipeline)
 {
     return pipeline->is_smooth && pipeline->output_count != 0 &&
-           !rhw_format_is_integer(rhw_format_info(pipeline->def.targets[0].format));
+           (pipeline->def.target_count == 0 ||
+            !rhw_format_is_integer(rhw_format_info(pipeline->def.targets[0].format)));
 }
 
 static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,

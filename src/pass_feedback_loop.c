@@ -121,16 +121,17 @@ bool rhw_pass_note_read(struct rhw_pass_state *pass, struct rhw_texture_data *co
     struct rhw_texture_data *const texture = *item;
     const uint32_t generation = pass->context->recording.generation;
     texture->read_levels = texture->read_pass == generation ? texture->read_levels : 0;
-    if ((levels & ~texture->read_levels) == 0) {
+    const uint32_t added = levels & ~texture->read_levels;
+    if (added == 0) {
         return true;
     }
     struct rhw_read_texture *const read =
         rhw_arena_alloc(&pass->arena, sizeof *read, _Alignof(struct rhw_read_texture));
     if (read) {
-        *read = (struct rhw_read_texture){pass->read, item, levels};
+        *read = (struct rhw_read_texture){pass->read, item, added};
         pass->read = read;
         texture->read_pass = generation;
-        texture->read_levels |= levels;
+        texture->read_levels |= added;
     }
     return read != NULL;
 }

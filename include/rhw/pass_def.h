@@ -33,7 +33,7 @@ struct rhw_color_attachment {
     float clear[4];           ///< linear values; of integers: 0, see clear_integer
     int layer;                ///< of an array; 6 × cube + face; slice of a 3D texture. 0
     int32_t clear_integer[4]; ///< of UINT and SINT formats, which take the low bits
-    int level; ///< of mip levels, its texture's and that of `resolve`; the pass has its size. 0
+    int level; ///< of mip levels, its texture's and that of `resolve`; it gives a pass its size that names none. 0
     /// Layers, or slices of a 3D texture, from `layer` on that the pass draws into, each where the vertex function's
     /// `layer` says so (Vulkan 1.3 §8.3, layers of a framebuffer); every attachment has as many. 0: 1
     int layer_count;

@@ -164,7 +164,7 @@ RHW_API void rhw_pipeline_destroy(rhw_context *context, rhw_pipeline pipeline);
 // Draws are recorded between begin and end; end runs them. One pass at a time per context. A draw sees what its buffers
 // and textures hold when it is recorded: they may be written, and anything may be created or destroyed, before the pass
 // has ended.
-// What is destroyed while it is set stays set. Uniforms are copied. Viewport and scissor start as the whole target.
+// What is destroyed while it is set stays set. Uniforms are copied. Viewport and scissor start as the whole pass.
 
 /// Begins a pass; its attachments stay as they are until it ends. On failure `*pass` is null. Where a pass is being
 /// recorded, or another call is under way, `*pass` is left alone: it may be what the first pass is ended by.
@@ -179,7 +179,8 @@ RHW_API void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass pass, int
 /// `offset`: bytes to index 0.
 RHW_API void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass pass, rhw_buffer buffer,
                                        enum rhw_index_type type, size_t offset);
-/// The same of `size` bytes, 0: to the end of the buffer. What lies behind them is outside to draws.
+/// The same of `size` bytes, 0: to the end of the buffer; offset + size is within it. What lies behind them is outside
+/// to draws. Bytes that this pass may write, or that are mapped for writing, are refused.
 RHW_API void rhw_pass_set_vertex_buffer_range(rhw_context *context, rhw_pass pass, int slot,
                                               rhw_buffer buffer, size_t offset, size_t size);
 RHW_API void rhw_pass_set_index_buffer_range(rhw_context *context, rhw_pass pass, rhw_buffer buffer,
@@ -224,7 +225,7 @@ RHW_API void rhw_pass_set_read_only_texel_buffer(rhw_context *context, rhw_pass 
 RHW_API void rhw_pass_set_viewport(rhw_context *context, rhw_pass pass, const struct rhw_viewport *viewport);
 RHW_API void rhw_pass_set_scissor(rhw_context *context, rhw_pass pass, const struct rhw_rect *scissor);
 /// Viewports and scissors `first` .. `first` + count − 1 of RHW_MAX_VIEWPORTS, for programs that write viewport_index;
-/// the first of all is that of rhw_pass_set_viewport and rhw_pass_set_scissor. Each is the whole target until it is set.
+/// the first of all is that of rhw_pass_set_viewport and rhw_pass_set_scissor. Each is the whole pass until it is set.
 RHW_API void rhw_pass_set_viewports(rhw_context *context, rhw_pass pass, int first, int count,
                                     const struct rhw_viewport *viewports);
 RHW_API void rhw_pass_set_scissors(rhw_context *context, rhw_pass pass, int first, int count,
@@ -245,8 +246,8 @@ RHW_API void rhw_pass_set_line_width(rhw_context *context, rhw_pass pass, float 
 /// For pipelines with depth_bounds_test: 0 <= least <= most <= 1. 0 and 1 at the start.
 RHW_API void rhw_pass_set_depth_bounds(rhw_context *context, rhw_pass pass, float least, float most);
 /// Clears rectangles of attachments, all samples of them, after what was drawn before and below what is drawn after
-/// (vkCmdClearAttachments). What the pass has set stays and has no say: pipeline, scissor, masks, depth bias, queries. Every rectangle is
-/// a draw in the numbers of draws.
+/// (vkCmdClearAttachments). What the pass has set stays and has no say: pipeline, scissor, masks, depth bias, queries.
+/// Every rectangle is a draw in the numbers of draws.
 RHW_API void rhw_pass_clear_attachments(rhw_context *context, rhw_pass pass, const struct rhw_clear *clear);
 /// Vertices `first`.. of the vertex buffers. Outside of its buffer a vertex reads zeros (robustBufferAccess2).
 RHW_API void rhw_pass_draw(rhw_context *context, rhw_pass pass, uint32_t first, uint32_t count,
@@ -256,7 +257,7 @@ RHW_API void rhw_pass_draw(rhw_context *context, rhw_pass pass, uint32_t first, 
 RHW_API void rhw_pass_draw_indexed(rhw_context *context, rhw_pass pass, uint32_t first, uint32_t count,
                                    int32_t base_vertex, uint32_t first_instance, uint32_t instances);
 /// A draw for each command, which is read from the buffer now: what is written there later is not seen. Commands and
-/// count must lie within their buffers, which this pass does not write.
+/// count must lie within their buffers, in bytes that this pass does not write.
 RHW_API void rhw_pass_draw_indirect(rhw_context *context, rhw_pass pass,
                                     const struct rhw_draw_commands *commands);
 RHW_API void rhw_pass_draw_indexed_indirect(rhw_context *context, rhw_pass pass,

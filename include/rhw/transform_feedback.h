@@ -16,8 +16,8 @@ struct rhw_feedback_target {
 
 /// From here on draws write to the targets 0..count − 1, one behind the other; the pipeline that is set has outputs, and
 /// stays. A primitive that does not fit whole into each of the targets is not written, nor are those behind it. What a
-/// pass writes it does not read: the buffers are not set as vertices, indices or storage of this pass, and no two targets of it
-/// share bytes. Buffers have their new bytes when the pass has ended.
+/// pass writes it does not read: the bytes are not set as vertices, indices or storage of this pass, and no two targets
+/// share any. Buffers have their new bytes when the pass has ended.
 RHW_API void rhw_pass_begin_transform_feedback(rhw_context *context, rhw_pass pass,
                                                const struct rhw_feedback_target *targets, int count);
 /// `written`: [RHW_MAX_FEEDBACK_TARGETS], the bytes that the draws since the beginning write to each target, where

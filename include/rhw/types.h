@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Ids, enums and definition structs. Zero is safe: a member of a `*_def` that is left zero has its default, or the call
 // that takes the struct says what is missing. What zero would say elsewhere, a level 0 or no channel at all, is asked
-// for by name. `*_def_default` gives the same values written out, with one colour target in passes and pipelines.
+// for by name. `*_def_default` gives the same values written out, with one colour target in pipelines. Of passes see
+// pass_def.h.
 #ifndef RHW_TYPES_H
 #define RHW_TYPES_H
 
@@ -257,7 +258,8 @@ struct rhw_sampler_def {
     /// Coordinates are in texels, of level 0 alone: filters are equal, addresses CLAMP or BORDER, no level but 0, no
     /// comparison, no anisotropy; the texture is 1D or 2D and no array (VkSamplerCreateInfo, unnormalizedCoordinates).
     bool unnormalized;
-    int32_t border_integer[4]; ///< the same of UINT and SINT formats, bit for bit
+    /// What `border` is of UINT and SINT formats, bit for bit. 0, 0, 0, 0
+    int32_t border_integer[4];
 };
 
 /// How attributes stand in buffers. FLOAT, HALF, UNORM and SNORM are what texel formats of these names are; USCALED and
@@ -419,7 +421,7 @@ enum rhw_logic {
 /// UNORM and sRGB targets clamp the source to 0..1 before blending, SNORM to −1..1; sRGB targets blend in linear
 /// light (the destination is decoded, the result encoded).
 struct rhw_color_target {
-    enum rhw_format format;                  ///< the attachment's; NONE where the pass leaves that out: the output goes nowhere
+    enum rhw_format format; ///< the attachment's; NONE where the pass leaves that out: the output goes nowhere
     bool blend;                              ///< false: the source replaces
     /// src × srcFactor op dst × dstFactor. Each has its own defaults: with `color` alone set, alpha replaces.
     struct rhw_blend_component color, alpha;
@@ -566,7 +568,8 @@ struct rhw_pipeline_def {
                             ///< unfinished is not drawn
     enum rhw_provoking provoking;    ///< FIRST
     enum rhw_polygon_mode polygon_mode; ///< FILL
-    float line_width; ///< pixels, 1..RHW_MAX_LINE_WIDTH, of rectangles around the lines; 0: 1; see rhw_pass_set_line_width
+    /// Pixels, 1..RHW_MAX_LINE_WIDTH, of rectangles around the lines; 0: 1. See rhw_pass_set_line_width.
+    float line_width;
     enum rhw_cull cull;              ///< NONE
     enum rhw_winding front;          ///< COUNTER_CLOCKWISE
     enum rhw_depth_range depth_range; ///< ZERO_TO_ONE

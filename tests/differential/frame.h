@@ -71,6 +71,7 @@ enum frame_extra {
 struct frame {
     int width, height, samples;
     int target_count;
+    unsigned left_out; // a bit for each target that is cleared before, and no attachment while the draws run
     enum rhw_format formats[FRAME_TARGETS];
     float clear[FRAME_TARGETS][4];
     int32_t clear_integer[FRAME_TARGETS][4];

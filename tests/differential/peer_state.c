@@ -195,6 +195,7 @@ GLenum peer_state_topology(enum rhw_topology topology)
     case RHW_POINT_LIST: return GL_POINTS;
     case RHW_LINE_LIST: return GL_LINES;
     case RHW_LINE_STRIP: return GL_LINE_STRIP;
+    case RHW_LINE_LOOP: return GL_LINE_LOOP;
     default: return GL_TRIANGLES;
     }
 }

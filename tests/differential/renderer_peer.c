@@ -218,6 +218,16 @@ static void draw_one(struct peer *p, const struct frame *f, int index)
     }
 }
 
+// What draws do not reach.
+static void leave_out(const struct peer *p, const struct frame *f)
+{
+    GLenum attachments[FRAME_TARGETS];
+    for (int i = 0; i < f->target_count; i++) {
+        attachments[i] = f->left_out >> i & 1 ? GL_NONE : GL_COLOR_ATTACHMENT0 + (GLenum)i;
+    }
+    p->gl.draw_buffers(f->target_count, attachments);
+}
+
 // Samples become texels, and regions others.
 static void finish(const struct peer *p, const struct frame *f)
 {
@@ -389,6 +399,7 @@ bool draw_there(struct peer *p, const struct frame *f, struct drawn *drawn)
     const GLenum status = p->gl.check_framebuffer_status(GL_FRAMEBUFFER);
     if (status == GL_FRAMEBUFFER_COMPLETE) {
         clear(p, f);
+        leave_out(p, f);
         for (int i = 0; i < f->draw_count; i++) {
             draw_one(p, f, i);
         }

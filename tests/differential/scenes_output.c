@@ -113,6 +113,15 @@ static void targets(struct frame *f)
     frame_add_draw(f, draw);
 }
 
+static void targets_left_out(struct frame *f)
+{
+    targets(f);
+    struct frame_draw *const draw = &f->draws[0];
+    draw->state.targets[1] = draw->state.targets[2] = (struct rhw_color_target){0};
+    f->left_out = 1 << 1 | 1 << 2;
+    f->clear[1][1] = f->clear[2][2] = 0.5f;
+}
+
 static void add_format(struct frame *f, enum rhw_format format)
 {
     frame_begin(f, 256, 256);
@@ -251,6 +260,7 @@ struct scene_list output_scenes(void)
         {"100 layers blended", blend_layers, "as above, and every layer adds to it", 1300, 4},
         {"colour masks", masks, NULL, 0, 0},
         {"four targets", targets, NULL, 0, 0},
+        {"four targets, two left out", targets_left_out, NULL, 0, 0},
         {"sRGB target", srgb, NULL, 0, 0},
         {"RGB10A2 target", packed, NULL, 0, 0},
         {"RG11B10F target", small_floats, NULL, 0, 0},

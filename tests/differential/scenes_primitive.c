@@ -123,6 +123,11 @@ static void line_strip(struct frame *f)
     add_lines(f, 30, &smooth_color, RHW_LINE_STRIP, RHW_LINE_BRESENHAM, 1);
 }
 
+static void line_loop(struct frame *f)
+{
+    add_lines(f, 30, &flat_color, RHW_LINE_LOOP, RHW_LINE_BRESENHAM, 1);
+}
+
 static void rectangles(struct frame *f)
 {
     add_lines(f, 80, &flat_color, RHW_LINE_LIST, RHW_LINE_RECTANGULAR, 1);
@@ -286,6 +291,7 @@ struct scene_list primitive_scenes(void)
          "and Vulkan), and where it passes "
          "the middle of the column or row there",
          2, 2},
+        {"line loop", line_loop, NULL, 0, 0},
         {"lines as rectangles", rectangles,
          "here a line is a rectangle one pixel across (Vulkan, rectangular lines), there one pixel of each "
          "column or row that "

@@ -118,6 +118,8 @@ c/build/ripples c.ppm >c.txt || check "the program of c ends with 0" false
 check "c draws the known bytes: $(cat c.txt)" test "$(awk '{print $NF}' c.txt | sort -u)" = $known
 check "c has no test of rhw" sh -c 'ctest --test-dir c/build -N | grep -q "Total Tests: 0"'
 check "the library is optimized where nothing is chosen" grep -q -e ' -O3 ' c/build/rhw/src/CMakeFiles/rhw_baseline.dir/flags.make
+check "c configures for debuggers" cmake -S c -B c/debug -DCMAKE_BUILD_TYPE=RelWithDebInfo
+check "kernels are as fast there" grep -q -e ' -O2 .* -O3 ' c/debug/rhw/src/CMakeFiles/rhw_baseline.dir/flags.make
 
 check "c installs" cmake --install c/build --prefix "$folder/own"
 check "c installs its own alone" test "$(cd own && find . -type f | sort | tr '\n' ' ')" = "./bin/ripples "

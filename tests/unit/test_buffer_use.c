@@ -465,6 +465,8 @@ static void program_between_draws(void **state)
     rig_expect_misuse(&rig, "are mapped for writing; call rhw_buffer_unmap first");
     rhw_pass_set_vertex_buffer_range(context, rig.recording, 0, buffer, 0, middle);
     rhw_pass_set_storage_buffer(context, rig.recording, 1, buffer, middle + 16, 4);
+    rhw_pass_draw_indirect(context, rig.recording,
+                           &(struct rhw_draw_commands){.buffer = buffer, .offset = middle + 12}); // none
     assert_int_equal(rig.misuses, 0);
     rhw_pass_draw(context, rig.recording, 0, 6, 0, 1);
     uint32_t words[4];
@@ -481,6 +483,30 @@ static void program_between_draws(void **state)
     rig_close(&rig);
 }
 
+// A part without bytes is not written: what draws read beside it the program replaces.
+static void program_beside_nothing(void **state)
+{
+    (void)state;
+    struct rig_vertex vertices[2][6];
+    struct rig rig;
+    rig_open(&rig, 16, 16);
+    rhw_context *const context = rig.context;
+    rig_cover(&rig, 0.5f, (const float[4]){3, 0, 0, 1}, vertices[0]);
+    rig_cover(&rig, 0.5f, (const float[4]){5, 0, 0, 1}, vertices[1]);
+    const rhw_buffer buffer =
+        make_buffer(&rig, sizeof vertices[0] / 4, (const uint32_t *)(const void *)vertices[0]);
+    rig_begin(&rig);
+    rig_use_pipeline(&rig);
+    rhw_pass_set_vertex_buffer(context, rig.recording, 0, buffer, 0);
+    rhw_pass_set_storage_buffer(context, rig.recording, 1, buffer, sizeof vertices[0], 0);
+    rhw_pass_draw(context, rig.recording, 0, 6, 0, 1);
+    assert_int_equal(rhw_buffer_write(context, buffer, 0, vertices[1], sizeof vertices[1]), RHW_OK);
+    rig_end(&rig);
+    assert_true(rig_read_float4(&rig)[77][0] == 3);
+    rhw_buffer_destroy(context, buffer);
+    rig_close(&rig);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(read_only_goes_with_all),
@@ -489,6 +515,7 @@ int main(void)
                                        cmocka_unit_test(ranges),
                                        cmocka_unit_test(halves),
                                        cmocka_unit_test(program_beside_passes),
-                                       cmocka_unit_test(program_between_draws)};
+                                       cmocka_unit_test(program_between_draws),
+                                       cmocka_unit_test(program_beside_nothing)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -156,7 +156,6 @@ static void sample_middle(struct rhw_fragment *groups, int count)
     }
 }
 
-// Every pass sees what the program has written since the last one, also in the linear copy of an sRGB texture.
 // Two textures whose rows take turns, as halves of one picture, are told apart.
 static void test_side_by_side(void **state)
 {
@@ -186,6 +185,7 @@ static void test_side_by_side(void **state)
     free(memory);
 }
 
+// Every pass sees what the program has written since the last one, also in the linear copy of an sRGB texture.
 static void test_sampled(void **state)
 {
     (void)state;

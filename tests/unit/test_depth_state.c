@@ -156,8 +156,8 @@ static void test_bias(void **state)
     }
 }
 
-// The step of a float is that of the triangle's largest depth in the view: of vertices however far aside, of those
-// before the eye where others lie behind it, of the far plane where it is crossed.
+// The step of a float is that of the triangle's largest depth between near and far: of vertices however far aside, of
+// those before the eye where others lie behind it, of the far plane where it is crossed.
 static void test_bias_of_cut_triangles(void **state)
 {
     (void)state;

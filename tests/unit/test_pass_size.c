@@ -39,7 +39,7 @@ static void check_texels(const struct rig *rig, rhw_texture texture, size_t size
     }
 }
 
-// Both halves of the pass are tiles that are drawn, or one of them is only cleared.
+// Both halves of the pass are tiles that are drawn, or one of them is only cleared. As often as several waves need.
 static void draw(int samples, enum rhw_format depth_format, size_t bin_memory)
 {
     const struct rhw_context_def def = {.threads = 2, .bin_memory = bin_memory};
@@ -63,8 +63,11 @@ static void draw(int samples, enum rhw_format depth_format, size_t bin_memory)
     rig.pipeline.depth_test = true;
     rig_rectangle(&rig, -20, -20, 40, HEIGHT, 0, one, vertices);
     rig_begin(&rig);
-    rig_draw(&rig, vertices, 6);
+    for (int i = 0; i < 8; i++) {
+        rig_draw(&rig, vertices, 6);
+    }
     rig_end(&rig);
+    assert_true((rig.stats.flushes > 0) == (bin_memory != 0));
     const unsigned char red[4] = {255, 0, 0, 255}, blue[4] = {0, 0, 255, 255};
     check_texels(&rig, rig.pass.colors[0].texture, 4, red, blue);
     unsigned char pattern[16];

@@ -48,11 +48,11 @@ static void attach(struct rig *rig, const struct targets *targets, const struct 
         .samples = setup->samples};
 }
 
-// A few triangles anywhere, with blending, depth and stencil.
+// Triangles anywhere, none at times, with blending, depth and stencil.
 static void draw(struct rig *rig, uint64_t random)
 {
-    struct rig_vertex vertices[30];
-    const int count = 3 * rig_random_int(&random, 11);
+    struct rig_vertex vertices[150];
+    const int count = 3 * rig_random_int(&random, 51);
     for (int i = 0; i < count; i++) {
         const float depth = rig_random_float(&random, 0, 1);
         rig_place(rig, rig_random_float(&random, -20, WIDTH + 20),
@@ -159,6 +159,7 @@ static void compare(const struct setup *setup)
     static struct contents before, whole, drawn;
     struct rig rig;
     uint64_t random = 5;
+    bool has_waves = false;
     rig_open_with(&rig, WIDTH, HEIGHT,
                   &(struct rhw_context_def){.threads = 2, .bin_memory = setup->bin_memory});
     rhw_texture_destroy(rig.context, rig.pass.colors[0].texture);
@@ -180,9 +181,11 @@ static void compare(const struct setup *setup)
         run(&rig, setup, &a, seed, RHW_LOAD_LOAD, NULL);
         read_targets(&rig, &a, setup, &whole);
         run(&rig, setup, &b, seed, RHW_LOAD_LOAD, &area);
+        has_waves |= rig.stats.flushes > 0;
         read_targets(&rig, &b, setup, &drawn);
         check(&drawn, &before, &whole, setup, &area);
     }
+    assert_true(has_waves == (setup->bin_memory != 0));
     rig_close(&rig);
 }
 

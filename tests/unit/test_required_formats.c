@@ -18,11 +18,11 @@ enum {
     T = RHW_FEATURE_STENCIL_ATTACHMENT,
     I = RHW_FEATURE_STORAGE_IMAGE,
     A = RHW_FEATURE_STORAGE_IMAGE | RHW_FEATURE_STORAGE_ATOMIC,
-    U = RHW_FEATURE_TEXEL_BUFFER,        // uniform
-    BLIT_SOURCE = 512,                   // of all that are sampled
-    BLIT_DESTINATION = 1024,             // of all that are drawn into as colour
-    W = RHW_FEATURE_TEXEL_BUFFER | 2048, // storage texel buffers
-    M = W | 4096,                        // with atomics
+    U = RHW_FEATURE_TEXEL_BUFFER, // uniform
+    BLIT_SOURCE = 512,            // of all that are sampled
+    BLIT_DESTINATION = 1024,      // of all that are drawn into as colour
+    W = 2048,                     // storage texel buffers
+    M = 4096,                     // with atomics
     FEATURES = 13,
     NO_VERTEX = -1
 };
@@ -73,8 +73,8 @@ static const struct {
     {"R16G16B16A16_UINT", RHW_FORMAT_RGBA16_UINT, RHW_VERTEX_UINT16X4, S | C | I | U | W},
     {"R16G16B16A16_SINT", RHW_FORMAT_RGBA16_SINT, RHW_VERTEX_SINT16X4, S | C | I | U | W},
     {"R16G16B16A16_SFLOAT", RHW_FORMAT_RGBA16_FLOAT, RHW_VERTEX_HALF4, S | F | C | B | I | U | W},
-    {"R32_UINT", RHW_FORMAT_R32_UINT, RHW_VERTEX_UINT32X1, S | C | A | U | M},
-    {"R32_SINT", RHW_FORMAT_R32_SINT, RHW_VERTEX_SINT32X1, S | C | A | U | M},
+    {"R32_UINT", RHW_FORMAT_R32_UINT, RHW_VERTEX_UINT32X1, S | C | A | U | W | M},
+    {"R32_SINT", RHW_FORMAT_R32_SINT, RHW_VERTEX_SINT32X1, S | C | A | U | W | M},
     {"R32_SFLOAT", RHW_FORMAT_R32_FLOAT, RHW_VERTEX_FLOAT1, S | C | I | U | W},
     {"R32G32_UINT", RHW_FORMAT_RG32_UINT, RHW_VERTEX_UINT32X2, S | C | I | U | W},
     {"R32G32_SINT", RHW_FORMAT_RG32_SINT, RHW_VERTEX_SINT32X2, S | C | I | U | W},
@@ -159,7 +159,8 @@ static rhw_texture make_ones(const struct rig *rig, enum rhw_format format, int 
     return texture;
 }
 
-// Whether a blit gives what a clear gives of the same value.
+// Whether a blit gives what a clear gives of the same value; of compressed formats, whose texels test_block_decoders
+// checks, whether it is done.
 static bool blits(struct rig *rig, enum rhw_format from, enum rhw_format to, enum rhw_filter filter)
 {
     static unsigned char read[2][16 * TEXELS];
