@@ -235,7 +235,7 @@ static int weight_at(const uint8_t *plane, int grid_width, int x, int y)
 // Texels -------------------------------------------------------------------------------------------------
 
 // Endpoints are widened to 16 bits, by repetition or, of sRGB, to the middle of a code, so that the upper byte of what
-// lies between them is the result.
+// lies between them is the result. Alpha too (Khronos Data Format 1.4; 1.3 had repeated it).
 static unsigned char mix(int first, int second, int weight, bool srgb)
 {
     const int wide_first = first << 8 | (srgb ? 0x80 : first);

@@ -411,8 +411,8 @@ static void multisampled(void **state)
     }
 }
 
-// In lanes of one group no pixel is twice, also where fragments of several triangles share pixels by their samples: counting
-// without atomics counts as much.
+// In lanes of one group no pixel is twice, also where fragments of several triangles wait for others to fill it, or share
+// pixels by their samples: counting without atomics counts as much.
 static void count_plainly(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -430,30 +430,34 @@ static void distinct_lanes(void **state)
     (void)state;
     enum { TRIANGLES = 400 };
     static uint32_t counts[2][PIXELS];
-    for (int early = 0; early < 2; early++) {
+    for (int i = 0; i < 4 * 2 * 2; i++) {
+        static const int samples[] = {1, 2, 4, 16};
+        static const float reaches[] = {0.75f, 4};
+        const float reach = reaches[i / 4 % 2];
         struct rig rig;
         struct rig_vertex vertices[3 * TRIANGLES];
         uint64_t random = 7;
         rig_open(&rig, WIDTH, HEIGHT);
-        rig.pass.samples = 4;
+        rig.pass.samples = samples[i % 4];
         memset(counts, 0, sizeof counts);
         const rhw_buffer buffers[2] = {make_buffer(&rig, PIXELS, counts[0]),
                                        make_buffer(&rig, PIXELS, counts[1])};
         rig_set_program(&rig, rig_vertex_pass, count_plainly);
         rig.pipeline.program.uses = RHW_USE_EFFECTS;
-        rig.pipeline.program.early_fragment_tests = early;
+        rig.pipeline.program.early_fragment_tests = i / 8;
         // Varyings are pixel coordinates, moved inside where a centre is not covered.
-        for (int i = 0; i < 3 * TRIANGLES; i++) {
+        for (int v = 0; v < 3 * TRIANGLES; v++) {
             static float x, y;
-            if (i % 3 == 0) {
-                x = rig_random_float(&random, 4, WIDTH - 4);
-                y = rig_random_float(&random, 4, HEIGHT - 4);
+            if (v % 3 == 0) {
+                x = rig_random_float(&random, 4, 4 + 3 * reach);
+                y = rig_random_float(&random, 4, 4 + 3 * reach);
             }
-            const float px = x + rig_random_float(&random, -4, 4), py = y + rig_random_float(&random, -4, 4);
-            rig_place(&rig, px, py, 0.5f, 1, vertices[i].position);
-            vertices[i].value[0] = px;
-            vertices[i].value[1] = py;
-            vertices[i].value[2] = vertices[i].value[3] = 0;
+            const float px = x + rig_random_float(&random, -reach, reach),
+                        py = y + rig_random_float(&random, -reach, reach);
+            rig_place(&rig, px, py, 0.5f, 1, vertices[v].position);
+            vertices[v].value[0] = px;
+            vertices[v].value[1] = py;
+            vertices[v].value[2] = vertices[v].value[3] = 0;
         }
         rig_begin(&rig);
         rhw_pass_set_storage_buffer(rig.context, rig.recording, 0, buffers[0], 0, 0);

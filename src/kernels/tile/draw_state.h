@@ -56,7 +56,9 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
         plane->state = &state->depth_stencil;
         plane->passed = 0;
     }
-    work->orders_lanes = work->plan.depth_mode < RHW_DEPTH_LATE;
+    // Effects of a pixel would meet in a group: the later lane would not see what the earlier one has stored.
+    work->orders_lanes =
+        work->plan.depth_mode < RHW_DEPTH_LATE && !(pipeline->def.program.uses & RHW_USE_EFFECTS);
     for (int t = 0; t < work->pass->color_count; t++) {
         const struct rhw_blend_state *const blend = &state->blend[t];
         work->orders_lanes = work->orders_lanes && !blend->blend && blend->logic == RHW_LOGIC_OFF;
