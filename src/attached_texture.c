@@ -26,9 +26,7 @@ const struct rhw_mip *rhw_stencil_plane_of(const struct rhw_mip *mip, struct rhw
         return NULL;
     }
     *plane = *mip;
-    plane->texels = mip->stencil;
-    plane->row_pitch = mip->stencil_pitch;
-    plane->slice_pitch = mip->stencil_pitch * (size_t)mip->height;
+    rhw_mip_take_stencil(plane);
     return plane;
 }
 

@@ -206,6 +206,9 @@ void rhw_sample_gather(const struct rhw_bindings *textures, int slot,
                        const struct rhw_sample_request *request, int channel, rhw_float texel[4])
 {
     const struct rhw_binding *const binding = bound_slot(textures, slot);
+    if (binding && textures->site.findings) {
+        rhw_watch_reference(textures, slot, request);
+    }
     if (binding && channel >= 0 && channel < 4 && is_constant(binding->texture->swizzle[channel])) {
         texel[0] = constant_channel(binding->texture, binding->texture->swizzle[channel]);
         texel[1] = texel[2] = texel[3] = texel[0];

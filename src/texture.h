@@ -36,6 +36,14 @@ struct rhw_mip {
     size_t stencil_pitch;
 };
 
+// Makes a level with a plane of stencil one of that plane alone.
+static inline void rhw_mip_take_stencil(struct rhw_mip *mip)
+{
+    mip->texels = mip->stencil;
+    mip->row_pitch = mip->stencil_pitch;
+    mip->slice_pitch = mip->stencil_pitch * (size_t)mip->height;
+}
+
 // What lanes that read different levels look up, in texels; `first` counts from the texture's memory.
 struct rhw_level_table {
     int32_t width[RHW_MAX_MIP_LEVELS + 1], height[RHW_MAX_MIP_LEVELS + 1], slices[RHW_MAX_MIP_LEVELS + 1];

@@ -104,9 +104,7 @@ struct rhw_mip rhw_region_plane(const struct rhw_region *region, int sample)
 {
     struct rhw_mip plane = region->texture->mip[region->level];
     if (region->is_stencil) {
-        plane.texels = plane.stencil;
-        plane.row_pitch = plane.stencil_pitch;
-        plane.slice_pitch = plane.stencil_pitch * (size_t)plane.height;
+        rhw_mip_take_stencil(&plane);
     }
     plane.texels += (size_t)sample * region->texture->sample_stride;
     return plane;

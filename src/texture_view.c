@@ -193,9 +193,7 @@ static bool make_plan(const struct rhw_context *context, const struct rhw_textur
 static void set_level(const struct plan *plan, const struct rhw_texture_view_def *def, struct rhw_mip *mip)
 {
     if (plan->is_stencil) {
-        mip->texels = mip->stencil;
-        mip->row_pitch = mip->stencil_pitch;
-        mip->slice_pitch = mip->stencil_pitch * (size_t)mip->height;
+        rhw_mip_take_stencil(mip);
     }
     mip->linear = NULL;
     mip->texels += (size_t)def->layer * mip->slice_pitch;

@@ -54,6 +54,9 @@ void rhw_watched_fragment(struct rhw_fragment *groups, int count);
 // nobody has written.
 bool rhw_watch_slot(const struct rhw_bindings *textures, int slot);    // false: nothing is there
 void rhw_watch_samples(const struct rhw_bindings *textures, int slot); // of a multisampled texture
+// Whether what texels are compared with is there exactly where the sampler compares; the slot has a texture.
+void rhw_watch_reference(const struct rhw_bindings *textures, int slot,
+                         const struct rhw_sample_request *request);
 // The same of storage, and effects that are not declared.
 void rhw_watch_storage(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation);
 void rhw_watch_image(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation);

@@ -97,12 +97,33 @@ bool rhw_watch_slot(const struct rhw_bindings *textures, int slot)
     return true;
 }
 
+void rhw_watch_reference(const struct rhw_bindings *textures, int slot,
+                         const struct rhw_sample_request *request)
+{
+    const struct rhw_sample_site *const site = &textures->site;
+    const bool compares = textures->slot[slot].sampler->def.compares;
+    if (compares && !request->reference) {
+        rhw_findings_add(
+            site->findings, RHW_FINDING_MISUSE, site->draw,
+            "a shader function of %s samples slot %d without a reference, and the sampler there compares; "
+            "rhw_sample_compare_lod and its like take one",
+            site->pipeline, slot);
+    } else if (!compares && request->reference) {
+        rhw_findings_add(
+            site->findings, RHW_FINDING_MISUSE, site->draw,
+            "a shader function of %s gives a reference for slot %d, and the sampler there does not compare; "
+            "its definition must have compares set",
+            site->pipeline, slot);
+    }
+}
+
 void rhw_watch_sample(const struct rhw_bindings *textures, int slot, const struct rhw_sample_request *request)
 {
     const struct rhw_sample_site *const site = &textures->site;
     if (!rhw_watch_slot(textures, slot)) {
         return;
     }
+    rhw_watch_reference(textures, slot, request);
     const int level = unwritten_level(&textures->slot[slot], request, site->mask);
     if (level != 0) {
         rhw_findings_add(

@@ -722,6 +722,7 @@ static void validation(void **state)
     expect_finding(RHW_USE_EFFECTS, write_slot1, "uses storage slot 1, in which nothing is set");
     expect_finding(0, read_slot16, "uses storage slot 16; slots are 0..15");
 }
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(operations),    cmocka_unit_test(outside),

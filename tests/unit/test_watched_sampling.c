@@ -238,6 +238,58 @@ static void test_levels_written_one_by_one(void **state)
     rig_close(&rig);
 }
 
+// References ----------------------------------------------------------------------------------------------
+
+static int way; // of the test under way: by level, by gradient, gathered, in a window
+static bool has_reference;
+
+static void sample_anyway(struct rhw_fragment *groups, int count)
+{
+    static const rhw_float none[4], half = {0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f};
+    for (int g = 0; g < count; g++) {
+        const struct rhw_sample_request request = {.coordinates = groups[g].varying,
+                                                   .gradient = way == 1 ? none : NULL,
+                                                   .reference = has_reference ? &half : NULL};
+        if (way < 2) {
+            rhw_sample(groups[g].textures, 3, &request, groups[g].color[0]);
+        } else if (way == 2) {
+            rhw_sample_gather(groups[g].textures, 3, &request, 0, groups[g].color[0]);
+        } else {
+            rhw_sample_compare_window(groups[g].textures, 3, &request, 2, 2, groups[g].color[0]);
+        }
+    }
+}
+
+// A reference belongs to a sampler that compares: one without the other is a slip.
+static void test_references(void **state)
+{
+    (void)state;
+    static const char *const messages[] = {
+        "\"sky\" gives a reference for slot 3, and the sampler there does not compare",
+        "\"sky\" samples slot 3 without a reference, and the sampler there compares"};
+    for (int i = 0; i < 4 * 4; i++) {
+        struct rig rig;
+        rhw_sampler sampler;
+        rhw_texture texture;
+        const bool compares = i & 1;
+        way = i / 4;
+        has_reference = i & 2;
+        open_validated(&rig, NULL);
+        rig_set_program(&rig, rig_vertex_pass, sample_anyway);
+        const struct rhw_texture_def def = {.format = RHW_FORMAT_D32_FLOAT, .width = 4, .height = 4};
+        assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_OK);
+        assert_int_equal(
+            rhw_sampler_create(rig.context, &(struct rhw_sampler_def){.compares = compares}, &sampler),
+            RHW_OK);
+        const bool is_slip = compares != has_reference;
+        assert_int_equal(draw(&rig, texture, sampler), is_slip ? RHW_ERROR_MISUSE : RHW_OK);
+        if (is_slip) {
+            rig_expect_misuse(&rig, messages[compares]);
+        }
+        rig_close(&rig);
+    }
+}
+
 // Groups --------------------------------------------------------------------------------------------------
 
 static void paint_first(struct rhw_fragment *groups, int count)
@@ -333,6 +385,7 @@ int main(void)
         cmocka_unit_test(test_an_empty_slot),
         cmocka_unit_test(test_a_stride_without_room),
         cmocka_unit_test(test_levels_that_nobody_wrote),
+        cmocka_unit_test(test_references),
         cmocka_unit_test(test_levels_written_one_by_one),
         cmocka_unit_test(test_dead_lanes_do_not_count),
         cmocka_unit_test(test_functions_that_forget_their_count),

@@ -4,7 +4,6 @@
 #define RHW_RESOLVE_TEXELS_H
 
 #include "mip_codec.h"
-
 #include "rhw/pass_def.h"
 
 // What to resolve: 8 pixels of each plane.
