@@ -162,9 +162,8 @@ static void begin(struct rhw_pass_state *pass, rhw_query id)
         !rhw_check(context, data->kind != RHW_QUERY_TIMESTAMP,
                    "%s: %s is of kind TIMESTAMP; it is for rhw_pass_write_timestamp", where,
                    rhw_name_of(&context->queries, id.index).text) ||
-        !rhw_check(context, !active(pass, data->kind),
-                   "%s: %s is of kind %s; another one of that kind is under way", where,
-                   rhw_name_of(&context->queries, id.index).text, kind_names[data->kind])) {
+        !rhw_check(context, !active(pass, data->kind), "%s: %s is of kind %s; one of that kind is under way",
+                   where, rhw_name_of(&context->queries, id.index).text, kind_names[data->kind])) {
         return;
     }
     struct rhw_used_query *const query = use(pass, id, data, where);

@@ -223,6 +223,7 @@ RHW_API void rhw_pass_set_read_only_texel_buffer(rhw_context *context, rhw_pass 
                                                  rhw_buffer buffer, enum rhw_format format, size_t offset,
                                                  size_t size);
 RHW_API void rhw_pass_set_viewport(rhw_context *context, rhw_pass pass, const struct rhw_viewport *viewport);
+/// What draws reach, in pixels of the pass; it may reach beyond that, to any side.
 RHW_API void rhw_pass_set_scissor(rhw_context *context, rhw_pass pass, const struct rhw_rect *scissor);
 /// Viewports and scissors `first` .. `first` + count − 1 of RHW_MAX_VIEWPORTS, for programs that write viewport_index;
 /// the first of all is that of rhw_pass_set_viewport and rhw_pass_set_scissor. Each is the whole pass until it is set.

@@ -258,7 +258,7 @@ static void test_misuse_of_layers(void **state)
     rig.pass.colors[0].texture = cube;
     rig.pass.colors[0].layer = 6;
     assert_int_equal(rhw_pass_begin(rig.context, &rig.pass, &pass), RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig, "rhw_pass_begin: layer is 6; level 0 of");
+    rig_expect_misuse(&rig, "rhw_pass_begin: colors[0].layer is 6; level 0 of");
     rig.pass.color_count = 2;
     rig.pass.colors[1] = rig.pass.colors[0];
     rig.pass.colors[0].layer = rig.pass.colors[1].layer = 3;

@@ -87,7 +87,7 @@ static const struct cli_option options[] = {
     {"wireframe", CLI_LOOK_WIREFRAME, "[KIND]",
      "edges over the shaded surface (over) or over a plain one (plain)"},
     {"background", CLI_LOOK_BACKGROUND, "COLOR",
-     "rrggbb in hexadecimal, black, grey, white, transparent, environment or\ndefault"},
+     "rrggbb or rgb in hexadecimal, a name as white or skyblue, transparent,\nenvironment or default"},
     {"variant", OPTION_VARIANT, "NAME",
      "the materials of this name, of a glTF that offers a choice; see rhw info"},
     {"animation", OPTION_ANIMATION, "NAME",
