@@ -67,10 +67,11 @@ enum rhw_paths {
 /// Validation finds what is no misuse to the library and rarely meant: shader functions that read what their program
 /// does not declare, discard or write depth without saying so, leave colours, positions or varyings unwritten, or
 /// sample slots that do not exist or have no texture, or levels above 0 that nobody has written, or with a reference
-/// where the sampler does not compare, or without one where it does, or work on the first of their groups alone; draws that reach outside their buffers; odd index offsets; NaN to clear with. It is told
-/// as misuse: what a shader function did when the pass ends, for its earliest draw, with the draw and a pixel. NaN in
-/// colours, writing targets that a pipeline lacks, blend factors without blend, depth_read_only without depth_test and
-/// a depth texture that is not enabled are warnings in the log. Pictures are the same, and take several times as long.
+/// where the sampler does not compare, or without one where it does, or work on the first of their groups alone; draws
+/// that reach outside their buffers; odd index offsets; NaN to clear with. It is told as misuse: what a shader function
+/// did when the pass ends, for its earliest draw, with the draw and a pixel. NaN in colours, writing targets that a
+/// pipeline lacks, blend factors without blend, depth_read_only without depth_test and a depth texture that is not
+/// enabled are warnings in the log. Pictures are the same, and take several times as long.
 enum rhw_validation {
     RHW_VALIDATE_DEFAULT, ///< on where the context is created by a file compiled without optimization and NDEBUG
     RHW_VALIDATE_ON,

@@ -118,9 +118,6 @@ static rhw_pipeline make_pipeline(struct here *h, const struct frame_draw *draw)
     };
     memcpy(def.attributes, attributes, sizeof attributes);
     def.attribute_count = 3;
-    for (int i = 0; i < h->frame->target_count; i++) {
-        def.targets[i].format = h->frame->left_out >> i & 1 ? RHW_FORMAT_NONE : def.targets[i].format;
-    }
     def.buffers[1] =
         (struct rhw_vertex_layout){.per_instance = true, .instance_step = (uint32_t)draw->instance_step};
     def.buffer_count = 2;
@@ -171,7 +168,7 @@ static void begin(struct here *h)
     for (int i = 0; i < f->target_count; i++) {
         struct rhw_color_attachment *const color = &def.colors[i];
         if (f->left_out >> i & 1) {
-            struct rhw_clear_value value = {.depth = 1};
+            struct rhw_clear_value value = {.depth = 0};
             memcpy(value.color, f->clear[i], sizeof value.color);
             keep(h, rhw_texture_clear(h->context, h->targets[i], NULL, &value));
             continue;
