@@ -3,21 +3,21 @@
 // from context.h: the parts include that, and this includes the parts.
 #include <assert.h>
 
-#include "buffer.h"
-#include "context.h"
-#include "cpu.h"
-#include "entry.h"
-#include "findings.h"
+#include "resource/buffer.h"
+#include "context/context.h"
+#include "base/cpu.h"
+#include "context/entry.h"
+#include "binding/validation/findings.h"
 #include "kernels/kernels.h"
-#include "misuse.h"
-#include "pass.h"
-#include "pipeline.h"
-#include "query.h"
+#include "context/misuse.h"
+#include "pass/pass.h"
+#include "pipeline/pipeline.h"
+#include "pass/query.h"
 #include "rhw/rhw.h"
-#include "sampler.h"
-#include "scheduler.h"
-#include "texture.h"
-#include "thread.h"
+#include "resource/sampler.h"
+#include "base/scheduler.h"
+#include "resource/texture.h"
+#include "base/thread.h"
 
 static void destroy_resources(struct rhw_context *context)
 {

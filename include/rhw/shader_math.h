@@ -6,7 +6,7 @@
 // gives the same bits. Polynomials are minimax fits (Remez) for the interval the reduction leaves.
 // Errors stated are bounds on what was measured against correctly rounded results: every float of the range
 // where the function bends and every 19th elsewhere; for two arguments 2 · 10^8 pairs, half of them random bits.
-// tests/unit/test_shader_math.c measures them again on samples. Denormal arguments and results are cases
+// tests/unit/shader/test_shader_math.c measures them again on samples. Denormal arguments and results are cases
 // like any other. The sign and payload of a NaN result are unspecified.
 #ifndef RHW_SHADER_MATH_H
 #define RHW_SHADER_MATH_H

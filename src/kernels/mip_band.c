@@ -4,10 +4,10 @@
 // three lines make a row, which is stored and goes on to the next level. mip.c has the formula's source and the jobs.
 #include "kernel_entries.h"
 
-#include "../texture.h"
+#include "resource/texture.h"
 #include "integer.h"
 #include "mip_work.h"
-#include "texel/mip_codec.h"
+#include "kernels/texel/mip_codec.h"
 
 enum { TAPS = 3 };
 

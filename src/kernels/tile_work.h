@@ -4,12 +4,12 @@
 #ifndef RHW_TILE_WORK_H
 #define RHW_TILE_WORK_H
 
-#include "../draw_plan.h"
-#include "../pass_state.h"
-#include "../pipeline.h"
-#include "../simd_layout.h"
-#include "raster/plane.h"
-#include "raster/tile_depth.h"
+#include "draw/draw_plan.h"
+#include "pass/pass_state.h"
+#include "pipeline/pipeline.h"
+#include "base/simd_layout.h"
+#include "kernels/raster/plane.h"
+#include "kernels/depth/tile_depth.h"
 
 enum {
     // Groups of 8 fragments per call of the fragment function: two whole blocks; enough to hide the call, few enough

@@ -4,8 +4,8 @@
 #include "transfer_work.h"
 
 #include "kernel_entries.h"
-#include "sample/texel_fetch.h"
-#include "texel/resolve_texels.h"
+#include "kernels/texture/texel_fetch.h"
+#include "kernels/texel/resolve_texels.h"
 
 // A task's rows, of all slices one after the other.
 struct band {

@@ -3,8 +3,8 @@
 #ifndef RHW_TRIANGLE_WORK_H
 #define RHW_TRIANGLE_WORK_H
 
-#include "../draw_list.h"
-#include "raster/plane.h"
+#include "draw/draw_list.h"
+#include "kernels/raster/plane.h"
 
 struct clipped_planes;
 struct triangle_setup8;

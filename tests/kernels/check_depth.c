@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Kernel checks of src/kernels/raster: the depth test, open pixels and hierarchical depth; compiled with
 // RHW_ISA_SUFFIX = baseline, avx2, ...
-#include "kernels/raster/depth_test.h"
-#include "kernels/raster/hiz.h"
-#include "kernels/raster/open_pixels.h"
+#include "kernels/depth/depth_test.h"
+#include "kernels/depth/hiz.h"
+#include "kernels/depth/open_pixels.h"
 
 #include "kernel_folders.h"
 

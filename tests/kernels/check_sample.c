@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Kernel checks of src/kernels/sample: a sample of a small texture of any format, by any sampler and on each path, through
 // the table of kernels; compiled with RHW_ISA_SUFFIX = baseline, avx2, ...
-#include "binding.h"
-#include "format.h"
+#include "binding/binding.h"
+#include "format/format.h"
 #include "kernels/kernels.h"
-#include "sampler.h"
-#include "simd.h"
-#include "srgb_texture.h"
-#include "texture.h"
+#include "resource/sampler.h"
+#include "base/simd.h"
+#include "resource/srgb_texture.h"
+#include "resource/texture.h"
 
 #include "kernel_folders.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The wrappers of simd.h that are written anew for an instruction set; compiled with RHW_ISA_SUFFIX = baseline, ...
-#include "simd.h"
+#include "base/simd.h"
 
 #include "kernel_folders.h"
 

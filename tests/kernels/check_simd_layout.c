@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The wrappers of simd_layout.h; compiled with RHW_ISA_SUFFIX = baseline, avx2, ...
-#include "simd_layout.h"
+#include "base/simd_layout.h"
 
 #include "kernel_folders.h"
 

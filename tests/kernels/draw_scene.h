@@ -4,15 +4,15 @@
 #ifndef DRAW_SCENE_H
 #define DRAW_SCENE_H
 
-#include "assembly.h"
-#include "constants.h"
+#include "draw/assembly.h"
+#include "base/constants.h"
 #include "kernels/geometry/geometry_scratch.h"
 #include "kernels/kernels.h"
 #include "kernels/tile_work.h"
-#include "memory.h"
-#include "pass_state.h"
-#include "pipeline.h"
-#include "simd.h"
+#include "base/memory.h"
+#include "pass/pass_state.h"
+#include "pipeline/pipeline.h"
+#include "base/simd.h"
 
 #include "scene_input.h"
 

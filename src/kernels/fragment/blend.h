@@ -7,8 +7,8 @@
 #ifndef RHW_BLEND_H
 #define RHW_BLEND_H
 
-#include "../../blend_state.h"
-#include "../texel/texel_codec.h"
+#include "pipeline/blend_state.h"
+#include "kernels/texel/texel_codec.h"
 
 // Gives the byte at `shift` of each lane as a float; exact.
 RHW_INLINE f8 byte_to_float(i8 texel, int shift)

@@ -3,9 +3,9 @@
 #ifndef RHW_BUILTIN_H
 #define RHW_BUILTIN_H
 
-#include "../raster/sample_position.h"
-#include "../tile_work.h"
-#include "../triangle_work.h"
+#include "kernels/raster/sample_position.h"
+#include "kernels/tile_work.h"
+#include "kernels/triangle_work.h"
 
 struct identity {
     int32_t front_facing, primitive, instance, draw; // as struct rhw_fragment has them

@@ -8,9 +8,9 @@
 #ifndef RHW_DERIVATIVE_H
 #define RHW_DERIVATIVE_H
 
-#include "../raster/sample_position.h"
-#include "../tile_work.h"
-#include "../triangle_work.h"
+#include "kernels/raster/sample_position.h"
+#include "kernels/tile_work.h"
+#include "kernels/triangle_work.h"
 
 enum derivatives { NO_DERIVATIVES, DERIVATIVES }; // a constant where a call names it
 

@@ -5,7 +5,7 @@
 #ifndef RHW_EXPAND_H
 #define RHW_EXPAND_H
 
-#include "../tile_work.h"
+#include "kernels/tile_work.h"
 
 // The block of a texel of the tile.
 RHW_INLINE int block_of_texel(int texel)

@@ -4,8 +4,8 @@
 #ifndef RHW_EXPLAINED_FRAGMENT_H
 #define RHW_EXPLAINED_FRAGMENT_H
 
-#include "../../explained.h"
-#include "../tile_work.h"
+#include "draw/explained.h"
+#include "kernels/tile_work.h"
 
 // Whether the pixel lies in the block at (x, y) of the tile, and which bit it has there.
 RHW_INLINE bool explained_bit(const struct tile_work *work, int x, int y, int *bit)

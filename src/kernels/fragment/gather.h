@@ -8,7 +8,7 @@
 #ifndef RHW_GATHER_H
 #define RHW_GATHER_H
 
-#include "../integer.h"
+#include "kernels/integer.h"
 #include "pack.h"
 #include "row_groups.h"
 

@@ -4,8 +4,8 @@
 #ifndef RHW_INTERPOLATE_H
 #define RHW_INTERPOLATE_H
 
-#include "../tile_work.h"
-#include "../triangle_work.h"
+#include "kernels/tile_work.h"
+#include "kernels/triangle_work.h"
 
 // This is the one formula. d1 and d2 are I_0 − I_1 and I_0 − I_2.
 RHW_INLINE f8 interpolate(f8 i0, f8 d1, f8 d2, f8 b, f8 c)

@@ -5,9 +5,9 @@
 #ifndef RHW_QUEUE_H
 #define RHW_QUEUE_H
 
-#include "../../shader_adapter.h"
-#include "../raster/full_test.h"
-#include "../tile_work.h"
+#include "binding/shader_adapter.h"
+#include "kernels/depth/full_test.h"
+#include "kernels/tile_work.h"
 #include "blend.h"
 #include "explained_fragment.h"
 #include "sample_queue.h"

@@ -5,7 +5,7 @@
 #ifndef RHW_ROW_GROUPS_H
 #define RHW_ROW_GROUPS_H
 
-#include "../raster/plane_clipped.h"
+#include "kernels/raster/plane_clipped.h"
 #include "builtin.h"
 #include "derivative.h"
 #include "interpolate.h"

@@ -5,8 +5,8 @@
 #ifndef RHW_TARGET_INPUT_H
 #define RHW_TARGET_INPUT_H
 
-#include "../texel/texel_codec.h"
-#include "../tile_work.h"
+#include "kernels/texel/texel_codec.h"
+#include "kernels/tile_work.h"
 #include "expand.h"
 #include "woven.h"
 

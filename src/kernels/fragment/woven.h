@@ -5,8 +5,8 @@
 #ifndef RHW_WOVEN_H
 #define RHW_WOVEN_H
 
-#include "../../simd_layout.h"
-#include "../tile_work.h"
+#include "base/simd_layout.h"
+#include "kernels/tile_work.h"
 
 // The texels of 8 pixels, a vector for each sample.
 RHW_INLINE void load_woven(struct rhw_tile_scratch *scratch, int target, const int32_t texel[8],

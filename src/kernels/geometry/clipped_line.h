@@ -5,7 +5,7 @@
 #ifndef RHW_CLIPPED_LINE_H
 #define RHW_CLIPPED_LINE_H
 
-#include "../../clip.h"
+#include "draw/clip.h"
 #include "lines8.h"
 #include "made_vertices.h"
 #include "projection.h"

@@ -9,8 +9,8 @@
 #ifndef RHW_CULL_UNCOVERED_H
 #define RHW_CULL_UNCOVERED_H
 
-#include "../../sample_pattern.h"
-#include "../raster/coverage.h"
+#include "pipeline/sample_pattern.h"
+#include "kernels/raster/coverage.h"
 #include "triangle8.h"
 
 enum { MOST_CULLED_SAMPLES = 4 }; // of a pixel, in passes that take this path

@@ -4,9 +4,9 @@
 #ifndef RHW_GEOMETRY_SCRATCH_H
 #define RHW_GEOMETRY_SCRATCH_H
 
-#include "../../constants.h"
-#include "../../draw_list.h"
-#include "../../simd.h"
+#include "base/constants.h"
+#include "draw/draw_list.h"
+#include "base/simd.h"
 #include "tile_range.h"
 
 enum {

@@ -9,7 +9,7 @@
 #ifndef RHW_LINE_BRESENHAM_H
 #define RHW_LINE_BRESENHAM_H
 
-#include "../../pipeline.h"
+#include "pipeline/pipeline.h"
 #include "line_columns.h"
 #include "lines8.h"
 #include "triangle_words.h"

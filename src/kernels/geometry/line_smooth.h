@@ -5,7 +5,7 @@
 #ifndef RHW_LINE_SMOOTH_H
 #define RHW_LINE_SMOOTH_H
 
-#include "../../pipeline.h"
+#include "pipeline/pipeline.h"
 #include "lines8.h"
 #include "triangle_words.h"
 

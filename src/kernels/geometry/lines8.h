@@ -3,8 +3,8 @@
 #ifndef RHW_LINES8_H
 #define RHW_LINES8_H
 
-#include "../../constants.h"
-#include "../../simd.h"
+#include "base/constants.h"
+#include "base/simd.h"
 
 struct lines8 {
     i8 x[2], y[2]; // 24.8

@@ -10,8 +10,8 @@
 #ifndef RHW_POINT_SETUP_H
 #define RHW_POINT_SETUP_H
 
-#include "../../pipeline.h"
-#include "../raster/vertex_record.h"
+#include "pipeline/pipeline.h"
+#include "kernels/raster/vertex_record.h"
 #include "triangle_words.h"
 
 // 8 points.

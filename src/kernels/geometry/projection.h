@@ -3,9 +3,9 @@
 #ifndef RHW_PROJECTION_H
 #define RHW_PROJECTION_H
 
-#include "../../draw_list.h"
-#include "../../pipeline.h"
-#include "../raster/snap.h"
+#include "draw/draw_list.h"
+#include "pipeline/pipeline.h"
+#include "kernels/raster/snap.h"
 
 // Gives the flags of 8 vertices; `snapped` tells which can be snapped.
 RHW_INLINE i8 vertex_flags(const f8 position[4], f8 near, i8 snapped)

@@ -8,9 +8,9 @@
 #ifndef RHW_ROUTING_H
 #define RHW_ROUTING_H
 
-#include "../../arena.h"
-#include "../../simd_layout.h"
-#include "../raster/vertex_record.h"
+#include "base/arena.h"
+#include "base/simd_layout.h"
+#include "kernels/raster/vertex_record.h"
 #include "geometry_scratch.h"
 #include "projection.h"
 #include "vertex_reuse.h"

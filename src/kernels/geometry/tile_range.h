@@ -5,8 +5,8 @@
 
 #include <string.h>
 
-#include "../../constants.h"
-#include "../../simd.h"
+#include "base/constants.h"
+#include "base/simd.h"
 
 // The first and the last tile each way, both inclusive. A target has at most 256 tiles each way.
 struct rhw_tile_range {

@@ -3,9 +3,9 @@
 #ifndef RHW_TRIANGLE8_H
 #define RHW_TRIANGLE8_H
 
-#include "../../draw_list.h"
-#include "../../simd_layout.h"
-#include "../raster/sample_position.h"
+#include "draw/draw_list.h"
+#include "base/simd_layout.h"
+#include "kernels/raster/sample_position.h"
 
 struct triangle8 {
     i8 x[3], y[3]; // 24.8

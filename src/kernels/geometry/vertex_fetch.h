@@ -7,10 +7,10 @@
 #ifndef RHW_VERTEX_FETCH_H
 #define RHW_VERTEX_FETCH_H
 
-#include "../../draw_list.h"
-#include "../../format.h"
-#include "../../pipeline.h"
-#include "../../simd_layout.h"
+#include "draw/draw_list.h"
+#include "format/format.h"
+#include "pipeline/pipeline.h"
+#include "base/simd_layout.h"
 
 // What numbers of 8 or 16 bits are in the lanes: `bits` has the number, and above it rubbish.
 static f8 narrow_to_lane(enum rhw_vertex_type type, i8 bits)

@@ -4,7 +4,7 @@
 #ifndef RHW_VERTEX_SHADING_H
 #define RHW_VERTEX_SHADING_H
 
-#include "../../shader_adapter.h"
+#include "binding/shader_adapter.h"
 #include "geometry_scratch.h"
 #include "projection.h"
 #include "vertex_fetch.h"

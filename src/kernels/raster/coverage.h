@@ -13,9 +13,9 @@
 #ifndef RHW_COVERAGE_H
 #define RHW_COVERAGE_H
 
-#include "../../draw_list.h"
-#include "../../simd.h"
-#include "../integer.h"
+#include "draw/draw_list.h"
+#include "base/simd.h"
+#include "kernels/integer.h"
 #include "sample_position.h"
 
 _Static_assert((RHW_TILE - 1) % (RHW_BLOCK - 1) == 0, "coverage_add scales a block's extremes to the tile's");

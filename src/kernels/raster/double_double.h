@@ -8,7 +8,7 @@
 #ifndef RHW_DOUBLE_DOUBLE_H
 #define RHW_DOUBLE_DOUBLE_H
 
-#include "../../simd.h"
+#include "base/simd.h"
 
 struct dd {
     double hi, lo; // the sum; |lo| is at most half an ULP of hi

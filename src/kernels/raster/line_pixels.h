@@ -4,9 +4,9 @@
 #ifndef RHW_LINE_PIXELS_H
 #define RHW_LINE_PIXELS_H
 
-#include "../../constants.h"
-#include "../../simd.h"
-#include "../../triangle.h"
+#include "base/constants.h"
+#include "base/simd.h"
+#include "draw/triangle.h"
 
 // The pixel across in column c, counted from the target's edge, is ⌊(n + step·c) / scale⌋: where the line passes c's
 // centre, in whole pixels. All numbers are integers, or halves of them, below 2^50.

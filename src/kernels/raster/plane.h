@@ -17,8 +17,8 @@
 #ifndef RHW_PLANE_H
 #define RHW_PLANE_H
 
-#include "../../constants.h"
-#include "../../simd.h"
+#include "base/constants.h"
+#include "base/simd.h"
 
 struct plane {
     double at, dx, dy; // value at the anchor's centre; change per pixel

@@ -12,7 +12,7 @@
 #ifndef RHW_PLANE_CLIPPED_H
 #define RHW_PLANE_CLIPPED_H
 
-#include "../../draw_list.h"
+#include "draw/draw_list.h"
 #include "double_double.h"
 #include "plane.h"
 #include "sample_position.h"

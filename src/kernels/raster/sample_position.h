@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Where a pixel is sampled: at its centre, or where src/sample_pattern.h says. Every stage that needs the position of a
+// Where a pixel is sampled: at its centre, or where src/pipeline/sample_pattern.h says. Every stage that needs the position of a
 // sample, or the pixels whose samples lie between two positions, asks here. Positions are snapped: 24.8 fixed point,
 // 1/256 pixel, from the target's origin.
 #ifndef RHW_SAMPLE_POSITION_H
 #define RHW_SAMPLE_POSITION_H
 
-#include "../../constants.h"
-#include "../../simd.h"
+#include "base/constants.h"
+#include "base/simd.h"
 
 enum { SAMPLE_OFFSET_0_8 = RHW_SUBPIXEL / 2 }; // of the sample in its pixel, each way
 

@@ -10,9 +10,9 @@
 #ifndef RHW_SMOOTH_COVERAGE_H
 #define RHW_SMOOTH_COVERAGE_H
 
-#include "../../constants.h"
-#include "../../simd.h"
-#include "../../triangle.h"
+#include "base/constants.h"
+#include "base/simd.h"
+#include "draw/triangle.h"
 
 // A side, in pixels of the tile.
 struct smooth_side {

@@ -5,8 +5,8 @@
 #ifndef RHW_SNAP_H
 #define RHW_SNAP_H
 
-#include "../../constants.h"
-#include "../../simd.h"
+#include "base/constants.h"
+#include "base/simd.h"
 
 // Of 8 positions in pixels. A position that is no number is snapped to the band's end.
 RHW_INLINE i8 snap8(d8 pixels)

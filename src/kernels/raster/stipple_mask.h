@@ -7,9 +7,9 @@
 #ifndef RHW_STIPPLE_MASK_H
 #define RHW_STIPPLE_MASK_H
 
-#include "../../constants.h"
-#include "../../simd.h"
-#include "../../triangle.h"
+#include "base/constants.h"
+#include "base/simd.h"
+#include "draw/triangle.h"
 
 // Bits of the places that are drawn. Half a place behind each none is a multiple of `unit`, so that no quotient lies where
 // rounding decides.

@@ -4,9 +4,9 @@
 #ifndef RHW_TEXEL_CODEC_H
 #define RHW_TEXEL_CODEC_H
 
-#include "../../format.h"
-#include "../../simd_layout.h"
-#include "../../srgb.h"
+#include "format/format.h"
+#include "base/simd_layout.h"
+#include "format/srgb.h"
 #include "texel_fields.h"
 
 // 8 texels as they stand in memory, in words of 4 bytes; a smaller texel in the low bytes of the first, zero above.

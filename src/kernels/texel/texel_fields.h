@@ -4,8 +4,8 @@
 #ifndef RHW_TEXEL_FIELDS_H
 #define RHW_TEXEL_FIELDS_H
 
-#include "../../format.h"
-#include "../../simd_layout.h"
+#include "format/format.h"
+#include "base/simd_layout.h"
 
 // Numbers -------------------------------------------------------------------------------------------
 

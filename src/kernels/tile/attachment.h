@@ -4,8 +4,8 @@
 #ifndef RHW_ATTACHMENT_H
 #define RHW_ATTACHMENT_H
 
-#include "../texel/texel_codec.h"
-#include "../tile_work.h"
+#include "kernels/texel/texel_codec.h"
+#include "kernels/tile_work.h"
 
 static enum rhw_load load_of(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment)
 {

@@ -3,9 +3,9 @@
 #ifndef RHW_DRAW_STATE_H
 #define RHW_DRAW_STATE_H
 
-#include "../../query.h"
-#include "../fragment/pack.h"
-#include "../raster/hiz.h"
+#include "pass/query.h"
+#include "kernels/fragment/pack.h"
+#include "kernels/depth/hiz.h"
 
 // Gives queries what was counted since the state was set.
 static __attribute__((noinline)) void give_counts(const struct tile_work *work)

@@ -4,9 +4,9 @@
 #ifndef RHW_EXPLAINED_TRIANGLE_H
 #define RHW_EXPLAINED_TRIANGLE_H
 
-#include "../fragment/explained_fragment.h"
-#include "../fragment/pack.h"
-#include "../raster/coverage.h"
+#include "kernels/fragment/explained_fragment.h"
+#include "kernels/fragment/pack.h"
+#include "kernels/raster/coverage.h"
 #include "triangle_planes.h"
 
 // What the sample holds.

@@ -4,11 +4,11 @@
 #ifndef RHW_RESOLVE_H
 #define RHW_RESOLVE_H
 
-#include "../fragment/blend.h"
-#include "../fragment/expand.h"
-#include "../fragment/woven.h"
-#include "../texel/resolve_texels.h"
-#include "../integer.h"
+#include "kernels/fragment/blend.h"
+#include "kernels/fragment/expand.h"
+#include "kernels/fragment/woven.h"
+#include "kernels/texel/resolve_texels.h"
+#include "kernels/integer.h"
 #include "attachment.h"
 
 static enum rhw_resolve color_mode(const struct rhw_attachment *attachment,

@@ -12,8 +12,8 @@
 
 #include <math.h>
 
-#include "../../constants.h"
-#include "../../simd.h"
+#include "base/constants.h"
+#include "base/simd.h"
 
 // The edges of a triangle.
 struct span_edges {

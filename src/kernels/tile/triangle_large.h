@@ -6,11 +6,11 @@
 #ifndef RHW_TRIANGLE_LARGE_H
 #define RHW_TRIANGLE_LARGE_H
 
-#include "../fragment/constant_color.h"
-#include "../fragment/explained_fragment.h"
-#include "../fragment/gather.h"
-#include "../raster/block_test.h"
-#include "../raster/depth_range.h"
+#include "kernels/fragment/constant_color.h"
+#include "kernels/fragment/explained_fragment.h"
+#include "kernels/fragment/gather.h"
+#include "kernels/depth/block_test.h"
+#include "kernels/depth/depth_range.h"
 #include "span_blocks.h"
 #include "triangle_planes.h"
 

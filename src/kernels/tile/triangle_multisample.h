@@ -5,10 +5,10 @@
 #ifndef RHW_TRIANGLE_MULTISAMPLE_H
 #define RHW_TRIANGLE_MULTISAMPLE_H
 
-#include "../fragment/constant_color.h"
-#include "../fragment/explained_fragment.h"
-#include "../fragment/gather.h"
-#include "../raster/block_test.h"
+#include "kernels/fragment/constant_color.h"
+#include "kernels/fragment/explained_fragment.h"
+#include "kernels/fragment/gather.h"
+#include "kernels/depth/block_test.h"
 #include "triangle_planes.h"
 
 // A block of 8×8 pixels by sample.

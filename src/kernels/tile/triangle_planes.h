@@ -4,9 +4,9 @@
 #ifndef RHW_TRIANGLE_PLANES_H
 #define RHW_TRIANGLE_PLANES_H
 
-#include "../fragment/row_groups.h"
-#include "../integer.h"
-#include "../raster/hiz.h"
+#include "kernels/fragment/row_groups.h"
+#include "kernels/integer.h"
+#include "kernels/depth/hiz.h"
 #include "depth_bias.h"
 
 // Gives what a triangle may cover of the tile.

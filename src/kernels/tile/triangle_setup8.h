@@ -4,10 +4,10 @@
 #ifndef RHW_TRIANGLE_SETUP8_H
 #define RHW_TRIANGLE_SETUP8_H
 
-#include "../raster/coverage.h"
-#include "../raster/plane_setup.h"
-#include "../raster/sample_position.h"
-#include "../triangle_work.h"
+#include "kernels/raster/coverage.h"
+#include "kernels/raster/plane_setup.h"
+#include "kernels/raster/sample_position.h"
+#include "kernels/triangle_work.h"
 #include "bin_reader.h"
 
 enum {

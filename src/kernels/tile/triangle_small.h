@@ -7,8 +7,8 @@
 #ifndef RHW_TRIANGLE_SMALL_H
 #define RHW_TRIANGLE_SMALL_H
 
-#include "../fragment/gather.h"
-#include "../integer.h"
+#include "kernels/fragment/gather.h"
+#include "kernels/integer.h"
 #include "span_blocks.h"
 #include "triangle_planes.h"
 

@@ -5,7 +5,7 @@
 #ifndef RHW_TRIANGLE_SMALL_SAMPLES_H
 #define RHW_TRIANGLE_SMALL_SAMPLES_H
 
-#include "../fragment/gather.h"
+#include "kernels/fragment/gather.h"
 #include "triangle_planes.h"
 
 // A part of a triangle's rectangle: rows y .. y1 − 1, and the columns of the 8 from x on whose lanes are not negative in

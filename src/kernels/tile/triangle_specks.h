@@ -9,7 +9,7 @@
 #ifndef RHW_TRIANGLE_SPECKS_H
 #define RHW_TRIANGLE_SPECKS_H
 
-#include "../fragment/gather.h"
+#include "kernels/fragment/gather.h"
 #include "draw_state.h"
 #include "triangle_planes.h"
 

@@ -6,7 +6,7 @@
 #define RHW_TRIANGLE_TINY_SAMPLES_H
 
 #include "draw_state.h"
-#include "../fragment/gather.h"
+#include "kernels/fragment/gather.h"
 #include "sample_cells.h"
 #include "triangle_planes.h"
 
