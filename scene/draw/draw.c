@@ -2,7 +2,7 @@
 // A scene, and the order of a draw.
 //
 // Depth is reversed (1 near, 0 far): floats are densest where perspective leaves least, at the far end.
-#include "draw_state.h"
+#include "drawing.h"
 
 #include "draw/shading/color.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The colour passes. Colour is tone-mapped in the fragment function and blended as displayed light, as viewers on the web
 // do: the background then keeps the colour it was given, unlit surfaces keep theirs, and a sample is four bytes.
-#include "draw_state.h"
+#include "drawing.h"
 
 #include "explain.h"
 #include "screen.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What light needs to know of the whole picture before any of it is drawn.
-#include "draw_state.h"
+#include "drawing.h"
 
 #include "draw/camera/subject.h"
 

@@ -2,7 +2,7 @@
 // See explain_light.h. The shader takes 8 fragments at once: all of them are this one.
 #include "explain_light.h"
 
-#include "draw/shading/shaders_fragment.h"
+#include "draw/shading/fragment.h"
 
 struct lanes {
     struct rhw_fragment fragment;

@@ -3,7 +3,7 @@
 
 #include "draw/camera/camera_math.h"
 #include "screen.h"
-#include "draw/shading/shaders_shadow.h"
+#include "draw/shading/shade_shadow.h"
 
 #include <string.h>
 

@@ -111,7 +111,7 @@ bool scene_import_join_channels(struct scene_import *import, struct scene_image 
 void scene_import_lay_image(struct scene_import *import, struct scene_image *image,
                             const struct scene_import_layer *layer);
 
-/// Reads import->model.path by the reader it is for (import_kind.c).
+/// Reads import->model.path by the reader it is for (import/kind.c).
 void scene_import_read(struct scene_import *import);
 /// Runs a reader in a child process (import_process.c), as scene_model_load does.
 struct scene_model *scene_import_start(const struct scene_import *import,
@@ -146,7 +146,7 @@ bool scene_import_within(const struct scene_import *import, const char *path);
 /// Decodes all images; what cannot be decoded becomes the stand-in, with a warning.
 void scene_import_decode_images(struct scene_import *import);
 
-// Meshes (import_mesh.c, import_normals.c).
+// Meshes (import_mesh.c, import/normals.c).
 
 /// What a file without normals means.
 enum scene_import_normals {

@@ -15,7 +15,7 @@
 #include "child.h"
 #include "file.h"
 #include "import.h"
-#include "import_blob.h"
+#include "blob.h"
 #include "machine.h"
 
 enum {

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "import/image/image_read.h"
+#include "import/image/read.h"
 #include "import.h"
 #include "machine.h"
 

@@ -6,7 +6,7 @@
 #include "format/format.h"
 #include "resource/sampler.h"
 #include "resource/texture.h"
-#include "binding/validation/watch.h"
+#include "binding/validation/validation.h"
 
 #include <string.h>
 

@@ -5,7 +5,7 @@
 #include "format/format.h"
 #include "rhw/shader.h"
 #include "resource/texture.h"
-#include "binding/validation/watch.h"
+#include "binding/validation/validation.h"
 
 // The image of a slot; none where it has none or does not exist, and none to change where it is set for reading, or
 // where validation finds that the program did not declare the effect.

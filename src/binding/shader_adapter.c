@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A lane becomes a struct of plain floats and back. Nothing else differs from the 8-lane form, so both give
-// the same bytes. Under validation (watch.h) all there is room for goes through, with the rubbish that undeclared inputs
+// the same bytes. Under validation (validation/validation.h) all there is room for goes through, with the rubbish that undeclared inputs
 // and unwritten outputs hold.
 #include "shader_adapter.h"
 
-#include "binding/validation/watch.h"
+#include "binding/validation/validation.h"
 
 // Distances and the point size: those that the program has, and `all` of them under validation.
 static void store_extras(const struct rhw_program *program, bool all, const struct rhw_vertex1 *one,

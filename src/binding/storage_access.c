@@ -5,7 +5,7 @@
 #include "binding.h"
 
 #include "rhw/shader.h"
-#include "binding/validation/watch.h"
+#include "binding/validation/validation.h"
 
 const struct rhw_storage rhw_no_storage;
 

@@ -10,7 +10,7 @@
 #include <stdatomic.h>
 
 #include "base/memory.h"
-#include "resource.h"
+#include "pool.h"
 #include "rhw/types.h"
 
 struct rhw_findings;

@@ -3,7 +3,7 @@
 #ifndef RHW_LOOKUP_H
 #define RHW_LOOKUP_H
 
-#include "resource.h"
+#include "pool.h"
 #include "rhw/types.h"
 
 struct rhw_buffer_data;

@@ -75,7 +75,7 @@ struct rhw_draw_plan {
     bool reads_targets;         // before the fragment function (kernels/fragment/target_input.h)
     bool weighs_alpha;          // after the fragment function: by the area that a smooth line covers
     bool masks_samples;         // after the fragment function: by alpha, or the function itself
-    bool is_full;               // tests are full ones (kernels/depth/full_test.h)
+    bool is_full;               // tests are full ones (kernels/depth/stencil_test.h)
     bool tests_masks;           // full, but of stencil and depth alone, in order (kernels/depth/block_test.h)
     bool tests_stencil_first;   // and stencil before anything is asked about depth
     bool settles_blocks; // full, but depth stays and stencil follows the depth test alone (kernels/depth/depth_range.h)

@@ -8,7 +8,7 @@
 #include "format/format.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
-#include "pass_feedback_loop.h"
+#include "feedback_loop.h"
 #include "pass_state.h"
 #include "resource/shared_texels.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Recording: draws. What they use is set by the pass_ files beside this one; pass_begin.c begins a pass, pass_run.c runs
+// Recording: draws. What they use is set by the pass_ files beside this one; pass/begin.c begins a pass, run/run.c runs
 // it.
 #include "pass.h"
 
@@ -15,8 +15,8 @@
 #include "context/lookup.h"
 #include "context/misuse.h"
 #include "pass_draw_state.h"
-#include "pass_enter.h"
-#include "run/pass_run.h"
+#include "enter.h"
+#include "run/run.h"
 #include "pass_state.h"
 #include "pipeline/pipeline.h"
 #include "query.h"
@@ -24,7 +24,7 @@
 #include "run/shared_vertices.h"
 #include "run/strip_stipple.h"
 #include "transform_feedback.h"
-#include "binding/validation/watch.h"
+#include "binding/validation/validation.h"
 
 enum rhw_result rhw_pass_state_create(struct rhw_context *context, struct rhw_pass_state **out)
 {

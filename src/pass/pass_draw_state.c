@@ -9,10 +9,10 @@
 #include "context/context.h"
 #include "base/cpu.h"
 #include "draw/hidden_surface.h"
-#include "pass_line.h"
+#include "line.h"
 #include "pass_state.h"
 #include "pass_texture.h"
-#include "pass_viewport.h"
+#include "viewport.h"
 #include "pipeline/pipeline.h"
 
 static struct rhw_vertex_stream stream_of(struct rhw_bound_buffer bound)

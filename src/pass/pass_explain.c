@@ -3,7 +3,7 @@
 #include "context/context.h"
 #include "context/entry.h"
 #include "context/misuse.h"
-#include "pass_enter.h"
+#include "enter.h"
 #include "pass_state.h"
 #include "rhw/explain.h"
 

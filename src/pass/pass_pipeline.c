@@ -5,7 +5,7 @@
 #include "format/format.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
-#include "pass_enter.h"
+#include "enter.h"
 #include "pass_state.h"
 #include "pipeline/pipeline.h"
 #include "rhw/rhw.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The pass under way: its attachments, the state that recording changes, its draws, and the workers that run it. All of
-// it is data; the other pass_ files record into it, pass_run.c and the kernels draw from it.
+// it is data; the other pass_ files record into it, run/run.c and the kernels draw from it.
 #ifndef RHW_PASS_STATE_H
 #define RHW_PASS_STATE_H
 
@@ -139,7 +139,7 @@ struct rhw_pass_state {
     const struct rhw_draw_state *routed[RHW_MAX_VIEWPORTS]; // `current` by viewport; NULL: not made yet
 
     struct rhw_used_query *queries;      // a list, the last one first
-    const struct rhw_read_texture *read; // lists of what was set (pass_feedback_loop.h)
+    const struct rhw_read_texture *read; // lists of what was set (pass/feedback_loop.h)
     const struct rhw_stored_level *stored;
     struct rhw_feedback_state feedback;
     bool has_feedback; // of some draw

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Recording: whether a pass tells what the work on its tiles was. pass_run.c and kernels/tile.c fill the reports in.
+// Recording: whether a pass tells what the work on its tiles was. run/run.c and kernels/tile.c fill the reports in.
 #include "context/context.h"
 #include "context/entry.h"
 #include "context/misuse.h"
-#include "pass_enter.h"
+#include "enter.h"
 #include "pass_state.h"
 #include "rhw/tiles.h"
 

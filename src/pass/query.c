@@ -10,7 +10,7 @@
 #include "context/entry.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
-#include "pass_enter.h"
+#include "enter.h"
 #include "pass_state.h"
 #include "rhw/rhw.h"
 #include "base/thread.h"

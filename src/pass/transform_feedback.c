@@ -9,7 +9,7 @@
 #include "context/entry.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
-#include "pass_enter.h"
+#include "enter.h"
 #include "pass_state.h"
 #include "pipeline/pipeline.h"
 #include "query.h"

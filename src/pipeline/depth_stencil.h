@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a draw does with depth and stencil beyond a comparison of depth as a float: the tests are a kernel
-// (kernels/depth/full_test.h); what holds for a whole draw is decided here, once.
+// (kernels/depth/stencil_test.h); what holds for a whole draw is decided here, once.
 #ifndef RHW_DEPTH_STENCIL_H
 #define RHW_DEPTH_STENCIL_H
 

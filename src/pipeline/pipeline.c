@@ -15,7 +15,7 @@
 #include "context/lookup.h"
 #include "context/misuse.h"
 #include "rhw/rhw.h"
-#include "binding/validation/watch.h"
+#include "binding/validation/validation.h"
 
 static const char *const create_name = "rhw_pipeline_create";
 

@@ -9,7 +9,7 @@
 #include <cmocka.h>
 
 #include "import/import.h"
-#include "import/import_blob.h"
+#include "import/blob.h"
 
 static atomic_int compared; // strings, when the reader has come to its end
 static atomic_int changed;

@@ -6,7 +6,7 @@
 #ifndef RHW_BLOCK_TEST_H
 #define RHW_BLOCK_TEST_H
 
-#include "full_test.h"
+#include "stencil_test.h"
 
 // Stencil ----------------------------------------------------------------------------------------------
 

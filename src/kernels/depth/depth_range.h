@@ -9,7 +9,7 @@
 #include <math.h>
 
 #include "base/simd_layout.h"
-#include "full_test.h"
+#include "stencil_test.h"
 #include "kernels/raster/plane.h"
 
 // Looks at the tile's depth. A block with a NaN, which passes no ordering test, has every depth.

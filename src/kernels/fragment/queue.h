@@ -6,7 +6,7 @@
 #define RHW_QUEUE_H
 
 #include "binding/shader_adapter.h"
-#include "kernels/depth/full_test.h"
+#include "kernels/depth/stencil_test.h"
 #include "kernels/tile_work.h"
 #include "blend.h"
 #include "explained_fragment.h"

@@ -5,7 +5,7 @@
 #ifndef RHW_SAMPLE_QUEUE_H
 #define RHW_SAMPLE_QUEUE_H
 
-#include "kernels/depth/full_test.h"
+#include "kernels/depth/stencil_test.h"
 #include "blend.h"
 #include "expand.h"
 #include "explained_fragment.h"

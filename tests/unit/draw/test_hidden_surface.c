@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Half the draws are 128 triangles, a chunk (pass_run.c): runs of draws end where chunks do.
+// Half the draws are 128 triangles, a chunk (run/run.c): runs of draws end where chunks do.
 enum { SIZE = 128, DRAWS = 64, TRIANGLES = 4 };
 
 // What a draw does besides covering its triangles.

@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "harness.h"
-#include "import/image/image_read.h"
-#include "import/image/image_reduce.h"
+#include "import/image/read.h"
+#include "import/image/reduce.h"
 
 static struct scene_image image_of(enum scene_image_type type, uint32_t width, uint32_t height,
                                    const void *texels, size_t texel)

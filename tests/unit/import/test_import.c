@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The OBJ and PLY readers, and the parts they rest on: numbers, polygons, normals, the way to the parent.
 #include "import/import.h"
-#include "import/import_blob.h"
+#include "import/blob.h"
 #include "import/import_text.h"
 #include "model_files.h"
 

@@ -2,7 +2,7 @@
 // KTX2 files: Basis Universal's two formats, whose hashes are of what its own transcoder makes of the same files,
 // Vulkan's formats, and files that are damaged.
 #include "decoded_block.h"
-#include "import/image/image_read.h"
+#include "import/image/read.h"
 #include "ktx2_samples.h"
 #include "model_files.h"
 #include "random_block.h"

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "draw/shading/shaders_layers.h"
+#include "draw/shading/shade_layers.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "draw/light.h"
-#include "draw/shading/shaders_pbr.h"
-#include "draw/shading/shaders_tone.h"
+#include "draw/shading/pbr.h"
+#include "draw/shading/tone.h"
 
 static const double pi = 3.14159265358979323846;
 

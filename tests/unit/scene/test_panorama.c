@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "draw/panorama.h"
-#include "draw/shading/shaders_pbr.h"
+#include "draw/shading/pbr.h"
 
 enum { WIDTH = 256, HEIGHT = 128 };
 

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "draw/shading/shaders_shadow.h"
+#include "draw/shading/shade_shadow.h"
 #include "draw/shadow.h"
 
 enum { SIZE = 128 };
