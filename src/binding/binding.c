@@ -125,8 +125,8 @@ static void no_texel(rhw_float texel[4])
 void rhw_sample(const struct rhw_bindings *textures, int slot, const struct rhw_sample_request *request,
                 rhw_float texel[4])
 {
-    if (textures->site.findings) {
-        rhw_watch_sample(textures, slot, request);
+    if (textures->site.validation) {
+        rhw_validate_sample(textures, slot, request);
     }
     if ((unsigned)slot >= RHW_MAX_TEXTURES) { // as a slot that nothing is bound to
         no_texel(texel);
@@ -176,8 +176,8 @@ void rhw_sample_compare_window(const struct rhw_bindings *textures, int slot,
                                const struct rhw_sample_request *request, int columns, int rows,
                                rhw_float *parts)
 {
-    if (textures->site.findings) {
-        rhw_watch_sample(textures, slot, request);
+    if (textures->site.validation) {
+        rhw_validate_sample(textures, slot, request);
     }
     const bool is_bound = (unsigned)slot < RHW_MAX_TEXTURES && textures->slot[slot].texture;
     const struct rhw_binding *const binding = is_bound ? &textures->slot[slot] : NULL;
@@ -196,8 +196,8 @@ void rhw_sample_compare_window(const struct rhw_bindings *textures, int slot,
 // The slot, or NULL where it has no texture or does not exist.
 static const struct rhw_binding *bound_slot(const struct rhw_bindings *textures, int slot)
 {
-    if (textures->site.findings) {
-        rhw_watch_slot(textures, slot);
+    if (textures->site.validation) {
+        rhw_validate_slot(textures, slot);
     }
     return (unsigned)slot < RHW_MAX_TEXTURES && textures->slot[slot].texture ? &textures->slot[slot] : NULL;
 }
@@ -206,8 +206,8 @@ void rhw_sample_gather(const struct rhw_bindings *textures, int slot,
                        const struct rhw_sample_request *request, int channel, rhw_float texel[4])
 {
     const struct rhw_binding *const binding = bound_slot(textures, slot);
-    if (binding && textures->site.findings) {
-        rhw_watch_reference(textures, slot, request);
+    if (binding && textures->site.validation) {
+        rhw_validate_reference(textures, slot, request);
     }
     if (binding && channel >= 0 && channel < 4 && is_constant(binding->texture->swizzle[channel])) {
         texel[0] = constant_channel(binding->texture, binding->texture->swizzle[channel]);
@@ -234,8 +234,8 @@ void rhw_sample_fetch(const struct rhw_bindings *textures, int slot, const rhw_i
 void rhw_sample_fetch_sample(const struct rhw_bindings *textures, int slot, const rhw_int *at,
                              const rhw_int *sample, rhw_float texel[4])
 {
-    if (textures->site.findings) {
-        rhw_watch_samples(textures, slot);
+    if (textures->site.validation) {
+        rhw_validate_samples(textures, slot);
     }
     if ((unsigned)slot < RHW_MAX_TEXTURES && textures->slot[slot].multisampled) {
         textures->kernels->fetch_sample(textures->slot[slot].multisampled, at, sample, texel);
@@ -291,7 +291,7 @@ _Static_assert(RHW_MAX_TEXTURES == 32, "a bit of `slots` for each");
 void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                        rhw_float (*texels)[4], int stride)
 {
-    if (groups->textures->site.findings && !rhw_watch_sample_groups(groups, count, slots, at, stride)) {
+    if (groups->textures->site.validation && !rhw_validate_sample_groups(groups, count, slots, at, stride)) {
         return;
     }
     if (slots != 0) {

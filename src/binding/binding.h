@@ -27,11 +27,11 @@ struct rhw_binding {
     const struct rhw_texture_data *multisampled; // in the place of `texture`; NULL: none
 };
 
-struct rhw_findings;
+struct rhw_validation_messages;
 
 // Where a shader function under validation stands: what is wrong with its sampling is told there. NULL: none.
 struct rhw_sample_site {
-    struct rhw_findings *findings;
+    struct rhw_validation_messages *validation;
     uint32_t draw;
     const char *pipeline;
     const rhw_int *mask; // lanes that count; NULL: all

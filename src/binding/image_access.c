@@ -13,8 +13,8 @@ static struct rhw_storage_image image_of(const struct rhw_bindings *textures, in
                                          enum rhw_storage_operation operation)
 {
     static const struct rhw_storage_image none;
-    if (textures->site.findings) {
-        rhw_watch_image(textures, slot, operation);
+    if (textures->site.validation) {
+        rhw_validate_image(textures, slot, operation);
     }
     const struct rhw_storage_image *const image =
         (unsigned)slot < RHW_MAX_STORAGE_IMAGES ? &textures->storage->images[slot] : &none;

@@ -67,8 +67,8 @@ static struct rhw_storage_words words_of(const struct rhw_bindings *textures, in
                                          enum rhw_storage_operation operation)
 {
     static const struct rhw_storage_words none;
-    if (textures->site.findings) {
-        rhw_watch_storage(textures, slot, operation);
+    if (textures->site.validation) {
+        rhw_validate_storage(textures, slot, operation);
     }
     const struct rhw_storage_words *const words =
         (unsigned)slot < RHW_MAX_STORAGE_BUFFERS ? &textures->storage->buffers[slot] : &none;

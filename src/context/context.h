@@ -13,7 +13,7 @@
 #include "pool.h"
 #include "rhw/types.h"
 
-struct rhw_findings;
+struct rhw_validation_messages;
 struct rhw_kernels;
 struct rhw_pass_state;
 struct rhw_scheduler;
@@ -66,7 +66,7 @@ struct rhw_context {
 
     struct rhw_pass_state *pass; // created with the context, reused by every pass
     struct rhw_recording recording;
-    struct rhw_findings *findings; // what validation found in the pass; NULL: nothing is validated
+    struct rhw_validation_messages *validation; // what validation found in the pass; NULL: nothing is validated
 
     bool (*goes_on)(void *user); // asked while a pass runs; NULL: nobody is
     void *goes_on_user;

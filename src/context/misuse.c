@@ -53,7 +53,7 @@ static void name_definition(struct message *message, const char *label)
 // Without a hook nothing is said, but what validation was asked for.
 static bool is_heard(const struct rhw_context *context, enum rhw_log_level level)
 {
-    return context->log != NULL || (level == RHW_LOG_WARNING && context->findings != NULL);
+    return context->log != NULL || (level == RHW_LOG_WARNING && context->validation != NULL);
 }
 
 static void say(const struct rhw_context *context, enum rhw_log_level level, const char *text)

@@ -89,7 +89,7 @@ static uint64_t line_shape_mask(const struct tile_work *work, const struct rhw_t
 
 // The same of any shape; of a smooth line it gives how much of them is covered, too.
 static uint64_t shape_mask(const struct tile_work *work, const struct rhw_triangle *t,
-                           const struct pixel_shape *shape, int x, int y, f8 coverage[RHW_BLOCK])
+                           const struct pixel_shape *shape, int x, int y, f32x8 coverage[RHW_BLOCK])
 {
     if (shape->is_line) {
         return line_shape_mask(work, t, &shape->line, x, y);
@@ -145,7 +145,7 @@ static __attribute__((noinline)) void draw_shape(struct tile_work *work, struct 
     unmark_samples(work);
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
         for (int x = rect.x0 & -RHW_BLOCK; x < rect.x1; x += RHW_BLOCK) {
-            f8 coverage[RHW_BLOCK];
+            f32x8 coverage[RHW_BLOCK];
             const uint64_t mask = shape_mask(work, triangle->t, &shape, x, y, coverage) &
                                   rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
             if (mask != 0) {

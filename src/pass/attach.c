@@ -78,7 +78,7 @@ static bool check_clear(const rhw_context *context, const struct rhw_color_attac
     const bool is_integer = rhw_format_is_integer(info);
     for (int c = 0; c < 4; c++) {
         const float value = color->clear[c];
-        if (!rhw_check(context, value == value || !context->findings, "%s: colors[%d].clear[%d] is NaN",
+        if (!rhw_check(context, value == value || !context->validation, "%s: colors[%d].clear[%d] is NaN",
                        where, i, c) ||
             !rhw_check(context, !is_integer || value == 0,
                        "%s: colors[%d].clear[%d] is set and %s holds integers; set clear_integer", where, i,

@@ -135,7 +135,7 @@ static enum rhw_result begin(rhw_context *context, const struct rhw_pass_def *de
     pass->pending.scissor = pass->scissors[0];
     pass->pending.depth_setting.bounds_most = 1;
     begin_recording(context, def);
-    if (context->findings && def->depth.texture.index != 0 && !def->depth.enabled) {
+    if (context->validation && def->depth.texture.index != 0 && !def->depth.enabled) {
         rhw_context_log(context, RHW_LOG_WARNING, "%s: depth.texture is set and depth.enabled is false",
                         where);
     }

@@ -3,7 +3,7 @@
 #include "resource/buffer.h"
 #include "context/context.h"
 #include "context/entry.h"
-#include "binding/validation/findings.h"
+#include "binding/validation/validation_messages.h"
 #include "context/misuse.h"
 #include "enter.h"
 #include "run/run.h"
@@ -43,11 +43,11 @@ static struct rhw_recording place_of(const struct rhw_pass_state *pass, uint32_t
 }
 
 // What validation found while the pass ran.
-static void report_findings(struct rhw_pass_state *pass)
+static void report_validation(struct rhw_pass_state *pass)
 {
     rhw_context *const context = pass->context;
-    const struct rhw_finding *const warning = &context->findings->kinds[RHW_FINDING_WARNING];
-    const struct rhw_finding *const misuse = &context->findings->kinds[RHW_FINDING_MISUSE];
+    const struct rhw_validation_message *const warning = &context->validation->kinds[RHW_VALIDATION_WARNING];
+    const struct rhw_validation_message *const misuse = &context->validation->kinds[RHW_VALIDATION_MISUSE];
     if (warning->found) {
         const struct rhw_recording place = place_of(pass, warning->draw);
         rhw_context_warn_at(context, &place, warning->text);
@@ -73,8 +73,8 @@ static enum rhw_result end(struct rhw_pass_state *pass, struct rhw_stats *stats)
     if (!context->recording.active || context->recording.generation != generation) {
         return RHW_ERROR_MISUSE; // the hook ended the pass itself
     }
-    if (context->findings) {
-        rhw_findings_clear(context->findings);
+    if (context->validation) {
+        rhw_validation_messages_clear(context->validation);
     }
     context->recording.active = false;
     bool misused = context->recording.misused;
@@ -84,9 +84,9 @@ static enum rhw_result end(struct rhw_pass_state *pass, struct rhw_stats *stats)
     }
     release_retired(context);
     misused |= atomic_load_explicit(&context->refused, memory_order_relaxed);
-    if (context->findings && result == RHW_OK) {
-        misused |= context->findings->kinds[RHW_FINDING_MISUSE].found;
-        report_findings(pass);
+    if (context->validation && result == RHW_OK) {
+        misused |= context->validation->kinds[RHW_VALIDATION_MISUSE].found;
+        report_validation(pass);
     }
     return result == RHW_OK && misused ? RHW_ERROR_MISUSE : result;
 }

@@ -101,17 +101,17 @@ static bool check_draw(const struct rhw_pass_state *pass, bool indexed, const ch
     return true;
 }
 
-// The uniforms of the next draw, as its pipeline's functions or their watch want them.
+// The uniforms of the next draw, as its pipeline's functions or their validator want them.
 static const void *uniforms_of(struct rhw_pass_state *pass)
 {
     const struct rhw_pipeline_data *const pipeline = pass->pending.pipeline;
-    if (!pipeline->watch) {
+    if (!pipeline->validator) {
         return pass->uniforms;
     }
-    const void *const watched = rhw_watched_uniforms(&pass->arena, pass->uniforms,
-                                                     pipeline->def.program.uniform_size, pass->draws.count);
-    pass->out_of_memory |= !watched;
-    return watched;
+    const void *const validated = rhw_validated_uniforms(
+        &pass->arena, pass->uniforms, pipeline->def.program.uniform_size, pass->draws.count);
+    pass->out_of_memory |= !validated;
+    return validated;
 }
 
 static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw, uint32_t count)
@@ -156,7 +156,7 @@ void rhw_pass_record(struct rhw_pass_state *pass, const struct rhw_draw *draw, u
                      const char *where)
 {
     if (!pass->out_of_memory && check_draw(pass, draw->indexed, where) &&
-        (!pass->context->findings || rhw_draw_range_check(pass, draw, count, where))) {
+        (!pass->context->validation || rhw_draw_range_check(pass, draw, count, where))) {
         append_draw(pass, draw, count);
     }
 }

@@ -615,16 +615,16 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
 
 void rhw_pipeline_data_release(struct rhw_memory *memory, struct rhw_pipeline_data *data)
 {
-    rhw_memory_release(memory, data->watch, sizeof *data->watch);
+    rhw_memory_release(memory, data->validator, sizeof *data->validator);
 }
 
-// Puts a watch on the pipeline's functions. False when out of memory.
-static bool watch(struct rhw_context *context, uint32_t index, struct rhw_pipeline_data *data)
+// Puts a validator before the pipeline's functions. False when out of memory.
+static bool validator(struct rhw_context *context, uint32_t index, struct rhw_pipeline_data *data)
 {
-    struct rhw_watch *const made =
-        rhw_memory_allocate(&context->memory, sizeof *made, _Alignof(struct rhw_watch));
+    struct rhw_validator *const made =
+        rhw_memory_allocate(&context->memory, sizeof *made, _Alignof(struct rhw_validator));
     if (made != NULL) {
-        rhw_watch_init(made, context->findings, data, rhw_name_of(&context->pipelines, index).text);
+        rhw_validator_init(made, context->validation, data, rhw_name_of(&context->pipelines, index).text);
     }
     return made != NULL;
 }
@@ -635,7 +635,7 @@ static enum rhw_result create(struct rhw_context *context, const struct rhw_pipe
     if (!check_create(context, def, flaws, pipeline)) {
         return RHW_ERROR_MISUSE;
     }
-    if (context->findings) {
+    if (context->validation) {
         warn_of_contradictions(context, def);
     }
     rhw_pipeline id = {.context = context->number};
@@ -645,7 +645,7 @@ static enum rhw_result create(struct rhw_context *context, const struct rhw_pipe
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     rhw_pipeline_data_init(data, def, context->isa);
-    if (context->findings && !watch(context, id.index, data)) {
+    if (context->validation && !validator(context, id.index, data)) {
         rhw_pool_remove(&context->memory, &context->pipelines, id.index);
         return RHW_ERROR_OUT_OF_MEMORY;
     }

@@ -7,11 +7,11 @@
 void rhw_clear_texel(const struct rhw_format_info *format, const float value[4], unsigned char *texel)
 {
     struct raw_texels raw = {{{0}, {0}, {0}, {0}}};
-    f8 lanes[4];
+    f32x8 lanes[4];
     for (int c = 0; c < 4; c++) {
         int32_t bits; // a float that passes through registers of its kind may change
         memcpy(&bits, &value[c], sizeof bits);
-        lanes[c] = (f8)i8_splat(bits);
+        lanes[c] = (f32x8)i32x8_splat(bits);
         if (!rhw_format_is_integer(format)) {
             lanes[c] = canonical_nan(lanes[c]);
         }

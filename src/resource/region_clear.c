@@ -25,7 +25,7 @@ static bool check_color(const struct rhw_context *context, const struct rhw_form
             !rhw_check(context, is_integer || value->color_integer[c] == 0,
                        "%s: color_integer[%d] is set and %s holds no integers; set color", where, c,
                        info->name) ||
-            !rhw_check(context, !context->findings || value->color[c] == value->color[c],
+            !rhw_check(context, !context->validation || value->color[c] == value->color[c],
                        "%s: color[%d] is NaN", where, c)) {
             return false;
         }

@@ -3,18 +3,19 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "findings.h"
+#include "validation_messages.h"
 #include "format/format.h"
 #include "binding/shader_adapter.h"
 #include "validation.h"
 
 // One run of the function over a pair of groups.
 struct fragment_run {
-    struct rhw_bindings textures[RHW_WATCH_GROUPS];
-    struct rhw_fragment group[RHW_WATCH_GROUPS];
-    rhw_float varying[RHW_WATCH_GROUPS][RHW_WATCH_COMPONENTS];
-    rhw_float ddx[RHW_WATCH_GROUPS][RHW_WATCH_COMPONENTS], ddy[RHW_WATCH_GROUPS][RHW_WATCH_COMPONENTS];
-    rhw_float color[RHW_WATCH_GROUPS][RHW_MAX_COLOR_ATTACHMENTS][4];
+    struct rhw_bindings textures[RHW_VALIDATED_GROUPS];
+    struct rhw_fragment group[RHW_VALIDATED_GROUPS];
+    rhw_float varying[RHW_VALIDATED_GROUPS][RHW_VALIDATED_COMPONENTS];
+    rhw_float ddx[RHW_VALIDATED_GROUPS][RHW_VALIDATED_COMPONENTS],
+        ddy[RHW_VALIDATED_GROUPS][RHW_VALIDATED_COMPONENTS];
+    rhw_float color[RHW_VALIDATED_GROUPS][RHW_MAX_COLOR_ATTACHMENTS][4];
 };
 
 // What may hold other rubbish than in the first run, a bit each: what the program can leave undeclared.
@@ -52,7 +53,7 @@ static const struct {
 static void spoil(rhw_float *values, int count, bool other)
 {
     for (int i = 0; i < count; i++) {
-        values[i] = rhw_watch_rubbish(rhw_watch_input[other]);
+        values[i] = rhw_validator_rubbish(rhw_validator_input[other]);
     }
 }
 
@@ -103,19 +104,19 @@ static void spoil_builtins(struct rhw_fragment *group, uint32_t uses, int32_t ch
     }
 }
 
-static bool has_effects(const struct rhw_watch *watch)
+static bool has_effects(const struct rhw_validator *validator)
 {
-    return watch->uses & RHW_USE_EFFECTS;
+    return validator->uses & RHW_USE_EFFECTS;
 }
 
 // Gives group g of a run what the pipeline has for it, and rubbish where that is nothing.
-static void prepare(const struct rhw_watch *watch, const struct rhw_fragment *group, int32_t changed,
+static void prepare(const struct rhw_validator *validator, const struct rhw_fragment *group, int32_t changed,
                     bool second, int g, struct fragment_run *out)
 {
-    const struct rhw_pipeline_data *const pipeline = watch->pipeline;
-    spoil(out->varying[g], RHW_WATCH_COMPONENTS, changed & VARYINGS);
-    spoil(out->ddx[g], RHW_WATCH_COMPONENTS, changed & DERIVATIVES);
-    spoil(out->ddy[g], RHW_WATCH_COMPONENTS, changed & DERIVATIVES);
+    const struct rhw_pipeline_data *const pipeline = validator->pipeline;
+    spoil(out->varying[g], RHW_VALIDATED_COMPONENTS, changed & VARYINGS);
+    spoil(out->ddx[g], RHW_VALIDATED_COMPONENTS, changed & DERIVATIVES);
+    spoil(out->ddy[g], RHW_VALIDATED_COMPONENTS, changed & DERIVATIVES);
     for (int i = 0; i < pipeline->varying_components; i++) {
         out->varying[g][i] = group->varying[i];
         if (pipeline->component_derivatives[i]) {
@@ -125,16 +126,16 @@ static void prepare(const struct rhw_watch *watch, const struct rhw_fragment *gr
     }
     for (int t = 0; t < RHW_MAX_COLOR_ATTACHMENTS; t++) {
         for (int c = 0; c < 4; c++) {
-            out->color[g][t][c] = rhw_watch_rubbish(rhw_watch_output[second]);
+            out->color[g][t][c] = rhw_validator_rubbish(rhw_validator_output[second]);
         }
     }
-    if (watch->uses & RHW_USE_COLOR_INPUT) {
+    if (validator->uses & RHW_USE_COLOR_INPUT) {
         memcpy(out->color[g], group->color, (size_t)pipeline->def.target_count * sizeof group->color[0]);
     }
     out->textures[g] = *group->textures;
-    out->textures[g].drops_effects = !has_effects(watch);
+    out->textures[g].drops_effects = !has_effects(validator);
     if (changed == 0) { // else coordinates may come from another rubbish
-        out->textures[g].site = rhw_watch_site(watch, group->uniforms, &group->mask);
+        out->textures[g].site = rhw_validator_site(validator, group->uniforms, &group->mask);
     }
     struct rhw_fragment *const copy = &out->group[g];
     *copy = *group;
@@ -143,28 +144,30 @@ static void prepare(const struct rhw_watch *watch, const struct rhw_fragment *gr
     copy->ddy = out->ddy[g];
     copy->color = out->color[g];
     copy->textures = &out->textures[g];
-    copy->uniforms = rhw_watch_uniforms(group->uniforms, changed & UNIFORMS);
-    copy->user = watch->user;
-    spoil_builtins(copy, watch->uses, changed);
+    copy->uniforms = rhw_validator_uniforms(group->uniforms, changed & UNIFORMS);
+    copy->user = validator->user;
+    spoil_builtins(copy, validator->uses, changed);
 }
 
-static void run_groups(const struct rhw_watch *watch, const struct rhw_fragment *const pair[RHW_WATCH_GROUPS],
-                       int32_t changed, bool second, int count, struct fragment_run *out)
+static void run_groups(const struct rhw_validator *validator,
+                       const struct rhw_fragment *const pair[RHW_VALIDATED_GROUPS], int32_t changed,
+                       bool second, int count, struct fragment_run *out)
 {
     for (int g = 0; g < count; g++) {
-        prepare(watch, pair[g], changed, second, g, out);
+        prepare(validator, pair[g], changed, second, g, out);
     }
-    if (watch->fragment) {
-        watch->fragment(out->group, count);
+    if (validator->fragment) {
+        validator->fragment(out->group, count);
     } else {
-        rhw_fragment1_run(watch->pipeline, out->group, count);
+        rhw_fragment1_run(validator->pipeline, out->group, count);
     }
 }
 
-static void run(const struct rhw_watch *watch, const struct rhw_fragment *const pair[RHW_WATCH_GROUPS],
-                int32_t changed, bool second, struct fragment_run *out)
+static void run(const struct rhw_validator *validator,
+                const struct rhw_fragment *const pair[RHW_VALIDATED_GROUPS], int32_t changed, bool second,
+                struct fragment_run *out)
 {
-    run_groups(watch, pair, changed, second, RHW_WATCH_GROUPS, out);
+    run_groups(validator, pair, changed, second, RHW_VALIDATED_GROUPS, out);
 }
 
 static bool is_source_alpha(enum rhw_blend_factor factor)
@@ -197,10 +200,10 @@ static unsigned second_channels(const struct rhw_color_target *target, unsigned 
 }
 
 // Channels of target t that a pass needs, a bit each: those it keeps, and the alpha that colours are blended by.
-static unsigned needed_channels(const struct rhw_watch *watch, int t)
+static unsigned needed_channels(const struct rhw_validator *validator, int t)
 {
-    const struct rhw_pipeline_def *const def = &watch->pipeline->def;
-    if (t >= watch->pipeline->output_count) {
+    const struct rhw_pipeline_def *const def = &validator->pipeline->def;
+    if (t >= validator->pipeline->output_count) {
         return 0;
     }
     if (def->target_count == 0) {
@@ -218,25 +221,25 @@ static unsigned needed_channels(const struct rhw_watch *watch, int t)
 }
 
 // Lanes of `mask` in which two runs have different results for a group.
-static rhw_int differing(const struct rhw_watch *watch, const struct rhw_fragment *a,
+static rhw_int differing(const struct rhw_validator *validator, const struct rhw_fragment *a,
                          const struct rhw_fragment *b, rhw_int mask)
 {
     rhw_int lanes = rhw_splat_int(0);
-    for (int t = 0; t < watch->pipeline->output_count; t++) {
+    for (int t = 0; t < validator->pipeline->output_count; t++) {
         for (int c = 0; c < 4; c++) {
-            if (needed_channels(watch, t) & 1u << c) {
-                lanes |= rhw_watch_differs(a->color[t][c], b->color[t][c], mask);
+            if (needed_channels(validator, t) & 1u << c) {
+                lanes |= rhw_validator_differs(a->color[t][c], b->color[t][c], mask);
             }
         }
     }
-    if (watch->uses & RHW_USE_DISCARD) {
+    if (validator->uses & RHW_USE_DISCARD) {
         lanes |= (a->mask != b->mask) & mask;
     }
-    if (watch->uses & RHW_USE_SAMPLE_MASK) {
+    if (validator->uses & RHW_USE_SAMPLE_MASK) {
         lanes |= (a->sample_mask != b->sample_mask) & mask;
     }
-    if (watch->uses & RHW_USE_DEPTH) {
-        lanes |= rhw_watch_differs(a->depth, b->depth, mask);
+    if (validator->uses & RHW_USE_DEPTH) {
+        lanes |= rhw_validator_differs(a->depth, b->depth, mask);
     }
     return lanes;
 }
@@ -251,38 +254,38 @@ static int first_lane(rhw_int lanes)
 }
 
 // Tells what is wrong with a fragment, and which pixel it is.
-static void report(const struct rhw_watch *watch, const struct rhw_fragment *group, rhw_int lanes,
-                   enum rhw_finding_kind kind, const char *what)
+static void report(const struct rhw_validator *validator, const struct rhw_fragment *group, rhw_int lanes,
+                   enum rhw_validation_kind kind, const char *what)
 {
     const int lane = first_lane(lanes);
-    rhw_findings_add(watch->findings, kind, rhw_watch_draw(group->uniforms)->draw,
-                     "the fragment function of %s %s; at pixel %d, %d", watch->name, what,
-                     (int)group->coord[0][lane], (int)group->coord[1][lane]);
+    rhw_validation_messages_add(validator->validation, kind, rhw_validator_draw(group->uniforms)->draw,
+                                "the fragment function of %s %s; at pixel %d, %d", validator->name, what,
+                                (int)group->coord[0][lane], (int)group->coord[1][lane]);
 }
 
-static void report_channel(const struct rhw_watch *watch, const struct rhw_fragment *group, rhw_int lanes,
-                           enum rhw_finding_kind kind, const char *verb, int t, int c)
+static void report_channel(const struct rhw_validator *validator, const struct rhw_fragment *group,
+                           rhw_int lanes, enum rhw_validation_kind kind, const char *verb, int t, int c)
 {
     char what[96];
     snprintf(what, sizeof what, "%s color[%d][%d]", verb, t, c);
-    report(watch, group, lanes, kind, what);
+    report(validator, group, lanes, kind, what);
 }
 
 // Looks for channels that were not written, and those written that no target has. False when there is none.
-static bool check_channels(const struct rhw_watch *watch, const struct rhw_fragment *group,
+static bool check_channels(const struct rhw_validator *validator, const struct rhw_fragment *group,
                            const struct rhw_fragment *first, const struct rhw_fragment *second, rhw_int mask)
 {
     for (int t = 0; t < RHW_MAX_COLOR_ATTACHMENTS; t++) {
         for (int c = 0; c < 4; c++) {
-            const bool needed = needed_channels(watch, t) & 1u << c;
-            if (needed && rhw_watch_unwritten(first->color[t][c], second->color[t][c], mask)) {
-                report_channel(watch, group, mask, RHW_FINDING_MISUSE, "does not write", t, c);
+            const bool needed = needed_channels(validator, t) & 1u << c;
+            if (needed && rhw_validator_unwritten(first->color[t][c], second->color[t][c], mask)) {
+                report_channel(validator, group, mask, RHW_VALIDATION_MISUSE, "does not write", t, c);
                 return true;
             }
-            if (t >= watch->pipeline->output_count &&
-                rhw_any(((rhw_int)first->color[t][c] != (int32_t)rhw_watch_output[0]) & mask)) {
+            if (t >= validator->pipeline->output_count &&
+                rhw_any(((rhw_int)first->color[t][c] != (int32_t)rhw_validator_output[0]) & mask)) {
                 // One program may serve pipelines of more targets, and of depth alone.
-                report_channel(watch, group, mask, RHW_FINDING_WARNING,
+                report_channel(validator, group, mask, RHW_VALIDATION_WARNING,
                                "has no such target in its pipeline and writes", t, c);
             }
         }
@@ -291,24 +294,24 @@ static bool check_channels(const struct rhw_watch *watch, const struct rhw_fragm
 }
 
 // The same for what is no colour.
-static bool check_side_results(const struct rhw_watch *watch, const struct rhw_fragment *group,
+static bool check_side_results(const struct rhw_validator *validator, const struct rhw_fragment *group,
                                const struct rhw_fragment *first, rhw_int mask)
 {
     const rhw_int gone = (first->mask == 0) & mask;
-    if (!(watch->uses & RHW_USE_DISCARD) && rhw_any(gone)) {
-        report(watch, group, gone, RHW_FINDING_MISUSE,
+    if (!(validator->uses & RHW_USE_DISCARD) && rhw_any(gone)) {
+        report(validator, group, gone, RHW_VALIDATION_MISUSE,
                "discards fragments; RHW_USE_DISCARD is missing in its program's uses");
         return true;
     }
-    const rhw_int moved = ((rhw_int)first->depth != (int32_t)rhw_watch_input[0]) & mask;
-    if (!(watch->uses & RHW_USE_DEPTH) && rhw_any(moved)) {
-        report(watch, group, moved, RHW_FINDING_MISUSE,
+    const rhw_int moved = ((rhw_int)first->depth != (int32_t)rhw_validator_input[0]) & mask;
+    if (!(validator->uses & RHW_USE_DEPTH) && rhw_any(moved)) {
+        report(validator, group, moved, RHW_VALIDATION_MISUSE,
                "writes depth; RHW_USE_DEPTH is missing in its program's uses");
         return true;
     }
     const rhw_int dropped = (first->sample_mask != -1) & mask;
-    if (!(watch->uses & RHW_USE_SAMPLE_MASK) && rhw_any(dropped)) {
-        report(watch, group, dropped, RHW_FINDING_MISUSE,
+    if (!(validator->uses & RHW_USE_SAMPLE_MASK) && rhw_any(dropped)) {
+        report(validator, group, dropped, RHW_VALIDATION_MISUSE,
                "writes sample_mask; RHW_USE_SAMPLE_MASK is missing in its program's uses");
         return true;
     }
@@ -316,37 +319,37 @@ static bool check_side_results(const struct rhw_watch *watch, const struct rhw_f
 }
 
 // Changes one thing after the other, to find the one that the result depends on.
-static __attribute__((cold)) void name_input(const struct rhw_watch *watch,
-                                             const struct rhw_fragment *const pair[RHW_WATCH_GROUPS], int g,
-                                             const struct rhw_fragment *first, rhw_int lanes)
+static __attribute__((cold)) void name_input(const struct rhw_validator *validator,
+                                             const struct rhw_fragment *const pair[RHW_VALIDATED_GROUPS],
+                                             int g, const struct rhw_fragment *first, rhw_int lanes)
 {
     const struct rhw_fragment *const group = pair[g];
     for (size_t i = 0; i < sizeof undeclared / sizeof undeclared[0]; i++) {
         struct fragment_run other;
-        run(watch, pair, undeclared[i].bit, false, &other);
-        if (rhw_any(differing(watch, first, &other.group[g], lanes))) {
-            report(watch, group, lanes, RHW_FINDING_MISUSE, undeclared[i].message);
+        run(validator, pair, undeclared[i].bit, false, &other);
+        if (rhw_any(differing(validator, first, &other.group[g], lanes))) {
+            report(validator, group, lanes, RHW_VALIDATION_MISUSE, undeclared[i].message);
             return;
         }
     }
-    report(watch, group, lanes, RHW_FINDING_MISUSE, "gives two results for the same inputs");
+    report(validator, group, lanes, RHW_VALIDATION_MISUSE, "gives two results for the same inputs");
 }
 
-static bool is_integer(const struct rhw_watch *watch, int t)
+static bool is_integer(const struct rhw_validator *validator, int t)
 {
-    const struct rhw_pipeline_def *const def = &watch->pipeline->def;
+    const struct rhw_pipeline_def *const def = &validator->pipeline->def;
     return t < def->target_count && rhw_format_is_integer(rhw_format_info(def->targets[t].format));
 }
 
-static void warn_of_nan(const struct rhw_watch *watch, const struct rhw_fragment *group,
+static void warn_of_nan(const struct rhw_validator *validator, const struct rhw_fragment *group,
                         const struct rhw_fragment *first, rhw_int mask)
 {
-    for (int t = 0; t < watch->pipeline->output_count; t++) {
-        for (int c = 0; c < 4 && !is_integer(watch, t); c++) {
+    for (int t = 0; t < validator->pipeline->output_count; t++) {
+        for (int c = 0; c < 4 && !is_integer(validator, t); c++) {
             const rhw_float value = first->color[t][c];
             const rhw_int nan = (value != value) & mask;
-            if (needed_channels(watch, t) & 1u << c && rhw_any(nan)) {
-                report_channel(watch, group, nan, RHW_FINDING_WARNING, "gives NaN in", t, c);
+            if (needed_channels(validator, t) & 1u << c && rhw_any(nan)) {
+                report_channel(validator, group, nan, RHW_VALIDATION_WARNING, "gives NaN in", t, c);
                 return;
             }
         }
@@ -354,22 +357,22 @@ static void warn_of_nan(const struct rhw_watch *watch, const struct rhw_fragment
 }
 
 // Lanes whose results are kept.
-static rhw_int live_lanes(const struct rhw_watch *watch, const struct rhw_fragment *group,
+static rhw_int live_lanes(const struct rhw_validator *validator, const struct rhw_fragment *group,
                           const struct rhw_fragment *first)
 {
-    return watch->uses & RHW_USE_DISCARD ? first->mask & group->mask : group->mask;
+    return validator->uses & RHW_USE_DISCARD ? first->mask & group->mask : group->mask;
 }
 
 // Lanes in which the function wrote a channel that is needed.
-static rhw_int written_lanes(const struct rhw_watch *watch, const struct rhw_fragment *first,
+static rhw_int written_lanes(const struct rhw_validator *validator, const struct rhw_fragment *first,
                              const struct rhw_fragment *second)
 {
     rhw_int lanes = rhw_splat_int(0);
-    for (int t = 0; t < watch->pipeline->output_count; t++) {
+    for (int t = 0; t < validator->pipeline->output_count; t++) {
         for (int c = 0; c < 4; c++) {
-            if (needed_channels(watch, t) & 1u << c) {
-                lanes |= ((rhw_int)first->color[t][c] != (int32_t)rhw_watch_output[0]) |
-                         ((rhw_int)second->color[t][c] != (int32_t)rhw_watch_output[1]);
+            if (needed_channels(validator, t) & 1u << c) {
+                lanes |= ((rhw_int)first->color[t][c] != (int32_t)rhw_validator_output[0]) |
+                         ((rhw_int)second->color[t][c] != (int32_t)rhw_validator_output[1]);
             }
         }
     }
@@ -377,84 +380,85 @@ static rhw_int written_lanes(const struct rhw_watch *watch, const struct rhw_fra
 }
 
 // Whether the function wrote to the first group of a pair, and nothing to the second, which has fragments to keep.
-static bool forgets_second(const struct rhw_watch *watch,
-                           const struct rhw_fragment *const pair[RHW_WATCH_GROUPS],
+static bool forgets_second(const struct rhw_validator *validator,
+                           const struct rhw_fragment *const pair[RHW_VALIDATED_GROUPS],
                            const struct fragment_run *first, const struct fragment_run *second)
 {
-    const rhw_int live = live_lanes(watch, pair[1], &first->group[1]);
-    return rhw_any(live) && !rhw_any(written_lanes(watch, &first->group[1], &second->group[1]) & live) &&
-           rhw_any(written_lanes(watch, &first->group[0], &second->group[0]));
+    const rhw_int live = live_lanes(validator, pair[1], &first->group[1]);
+    return rhw_any(live) && !rhw_any(written_lanes(validator, &first->group[1], &second->group[1]) & live) &&
+           rhw_any(written_lanes(validator, &first->group[0], &second->group[0]));
 }
 
 // Looks at group g of both runs.
-static void check_group(const struct rhw_watch *watch,
-                        const struct rhw_fragment *const pair[RHW_WATCH_GROUPS], int g,
+static void check_group(const struct rhw_validator *validator,
+                        const struct rhw_fragment *const pair[RHW_VALIDATED_GROUPS], int g,
                         const struct fragment_run *first_run, const struct fragment_run *second_run)
 {
     const struct rhw_fragment *const group = pair[g];
     const struct rhw_fragment *const first = &first_run->group[g], *const second = &second_run->group[g];
-    const rhw_int live = live_lanes(watch, group, first);
-    const rhw_int lanes = differing(watch, first, second, live);
-    if (watch->fragment && g > 0 && forgets_second(watch, pair, first_run, second_run)) {
-        report(watch, group, live, RHW_FINDING_MISUSE,
+    const rhw_int live = live_lanes(validator, group, first);
+    const rhw_int lanes = differing(validator, first, second, live);
+    if (validator->fragment && g > 0 && forgets_second(validator, pair, first_run, second_run)) {
+        report(validator, group, live, RHW_VALIDATION_MISUSE,
                "works on the first of its groups alone; it must work on `count` of them");
-    } else if (!check_channels(watch, group, first, second, live) &&
-               !check_side_results(watch, group, first, group->mask)) {
+    } else if (!check_channels(validator, group, first, second, live) &&
+               !check_side_results(validator, group, first, group->mask)) {
         if (rhw_any(lanes)) {
-            name_input(watch, pair, g, first, lanes);
+            name_input(validator, pair, g, first, lanes);
         } else {
-            warn_of_nan(watch, group, first, live);
+            warn_of_nan(validator, group, first, live);
         }
     }
 }
 
-static void take_results(const struct rhw_watch *watch, const struct rhw_fragment *first,
+static void take_results(const struct rhw_validator *validator, const struct rhw_fragment *first,
                          struct rhw_fragment *group)
 {
-    memcpy(group->color, first->color, (size_t)watch->pipeline->output_count * sizeof first->color[0]);
-    if (watch->uses & RHW_USE_DISCARD) {
+    memcpy(group->color, first->color, (size_t)validator->pipeline->output_count * sizeof first->color[0]);
+    if (validator->uses & RHW_USE_DISCARD) {
         group->mask = first->mask;
     }
-    if (watch->uses & RHW_USE_DEPTH) {
+    if (validator->uses & RHW_USE_DEPTH) {
         group->depth = first->depth;
     }
-    if (watch->uses & RHW_USE_SAMPLE_MASK) {
+    if (validator->uses & RHW_USE_SAMPLE_MASK) {
         group->sample_mask = first->sample_mask;
     }
 }
 
 // Calls a function with effects, once for each group.
-static void run_once(const struct rhw_watch *watch, struct rhw_fragment *groups, int count)
+static void run_once(const struct rhw_validator *validator, struct rhw_fragment *groups, int count)
 {
-    for (int g = 0; g < count; g += RHW_WATCH_GROUPS) {
-        const int left = count - g < RHW_WATCH_GROUPS ? count - g : RHW_WATCH_GROUPS;
-        const struct rhw_fragment *const pair[RHW_WATCH_GROUPS] = {&groups[g], &groups[g + left - 1]};
+    for (int g = 0; g < count; g += RHW_VALIDATED_GROUPS) {
+        const int left = count - g < RHW_VALIDATED_GROUPS ? count - g : RHW_VALIDATED_GROUPS;
+        const struct rhw_fragment *const pair[RHW_VALIDATED_GROUPS] = {&groups[g], &groups[g + left - 1]};
         struct fragment_run first;
-        run_groups(watch, pair, 0, false, left, &first);
+        run_groups(validator, pair, 0, false, left, &first);
         for (int i = 0; i < left; i++) {
-            take_results(watch, &first.group[i], &groups[g + i]);
+            take_results(validator, &first.group[i], &groups[g + i]);
         }
     }
 }
 
-void rhw_watched_fragment(struct rhw_fragment *groups, int count)
+void rhw_validated_fragment(struct rhw_fragment *groups, int count)
 {
-    const struct rhw_watch *const watch = groups->user;
-    if (has_effects(watch)) {
-        run_once(watch, groups, count);
+    const struct rhw_validator *const validator = groups->user;
+    if (has_effects(validator)) {
+        run_once(validator, groups, count);
         return;
     }
-    for (int g = 0; g < count; g += RHW_WATCH_GROUPS) {
+    for (int g = 0; g < count; g += RHW_VALIDATED_GROUPS) {
         const bool is_pair = g + 1 < count;
-        const struct rhw_fragment *const pair[RHW_WATCH_GROUPS] = {&groups[g], &groups[is_pair ? g + 1 : g]};
+        const struct rhw_fragment *const pair[RHW_VALIDATED_GROUPS] = {&groups[g],
+                                                                       &groups[is_pair ? g + 1 : g]};
         struct fragment_run first, second;
-        run(watch, pair, 0, false, &first);
-        run(watch, pair, EVERYTHING, true, &second);
-        check_group(watch, pair, 0, &first, &second);
-        check_group(watch, pair, 1, &first, &second);
-        take_results(watch, &first.group[0], &groups[g]);
+        run(validator, pair, 0, false, &first);
+        run(validator, pair, EVERYTHING, true, &second);
+        check_group(validator, pair, 0, &first, &second);
+        check_group(validator, pair, 1, &first, &second);
+        take_results(validator, &first.group[0], &groups[g]);
         if (is_pair) {
-            take_results(watch, &first.group[1], &groups[g + 1]);
+            take_results(validator, &first.group[1], &groups[g + 1]);
         }
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sampling under validation. Levels of detail are worked out anew, apart from the kernels, which gives them up to
 // rounding: a level counts as read where it makes more than 1/256 of the result.
-#include "findings.h"
+#include "validation_messages.h"
 #include "resource/sampler.h"
 #include "resource/texture.h"
 #include "validation.h"
@@ -68,26 +68,26 @@ static void tell_missing(const struct rhw_bindings *textures, int slot)
                                  ? "whose texture is multisampled; rhw_sample_fetch_sample reads it"
                              : binding->texture ? "whose texture is not multisampled"
                                                 : "in which no texture is set";
-    rhw_findings_add(site->findings, RHW_FINDING_MISUSE, site->draw,
-                     "a shader function of %s samples slot %d, %s", site->pipeline, slot, what);
+    rhw_validation_messages_add(site->validation, RHW_VALIDATION_MISUSE, site->draw,
+                                "a shader function of %s samples slot %d, %s", site->pipeline, slot, what);
 }
 
-void rhw_watch_samples(const struct rhw_bindings *textures, int slot)
+void rhw_validate_samples(const struct rhw_bindings *textures, int slot)
 {
     if ((unsigned)slot >= RHW_MAX_TEXTURES) {
-        (void)rhw_watch_slot(textures, slot);
+        (void)rhw_validate_slot(textures, slot);
     } else if (!textures->slot[slot].multisampled) {
         tell_missing(textures, slot);
     }
 }
 
-bool rhw_watch_slot(const struct rhw_bindings *textures, int slot)
+bool rhw_validate_slot(const struct rhw_bindings *textures, int slot)
 {
     const struct rhw_sample_site *const site = &textures->site;
     if ((unsigned)slot >= RHW_MAX_TEXTURES) {
-        rhw_findings_add(site->findings, RHW_FINDING_MISUSE, site->draw,
-                         "a shader function of %s samples slot %d; slots are 0..%d", site->pipeline, slot,
-                         RHW_MAX_TEXTURES - 1);
+        rhw_validation_messages_add(site->validation, RHW_VALIDATION_MISUSE, site->draw,
+                                    "a shader function of %s samples slot %d; slots are 0..%d",
+                                    site->pipeline, slot, RHW_MAX_TEXTURES - 1);
         return false;
     }
     if (!textures->slot[slot].texture) {
@@ -97,50 +97,52 @@ bool rhw_watch_slot(const struct rhw_bindings *textures, int slot)
     return true;
 }
 
-void rhw_watch_reference(const struct rhw_bindings *textures, int slot,
-                         const struct rhw_sample_request *request)
+void rhw_validate_reference(const struct rhw_bindings *textures, int slot,
+                            const struct rhw_sample_request *request)
 {
     const struct rhw_sample_site *const site = &textures->site;
     const bool compares = textures->slot[slot].sampler->def.compares;
     if (compares && !request->reference) {
-        rhw_findings_add(
-            site->findings, RHW_FINDING_MISUSE, site->draw,
+        rhw_validation_messages_add(
+            site->validation, RHW_VALIDATION_MISUSE, site->draw,
             "a shader function of %s samples slot %d without a reference, and the sampler there compares; "
             "rhw_sample_compare_lod and its like take one",
             site->pipeline, slot);
     } else if (!compares && request->reference) {
-        rhw_findings_add(
-            site->findings, RHW_FINDING_MISUSE, site->draw,
+        rhw_validation_messages_add(
+            site->validation, RHW_VALIDATION_MISUSE, site->draw,
             "a shader function of %s gives a reference for slot %d, and the sampler there does not compare; "
             "its definition must have compares set",
             site->pipeline, slot);
     }
 }
 
-void rhw_watch_sample(const struct rhw_bindings *textures, int slot, const struct rhw_sample_request *request)
+void rhw_validate_sample(const struct rhw_bindings *textures, int slot,
+                         const struct rhw_sample_request *request)
 {
     const struct rhw_sample_site *const site = &textures->site;
-    if (!rhw_watch_slot(textures, slot)) {
+    if (!rhw_validate_slot(textures, slot)) {
         return;
     }
-    rhw_watch_reference(textures, slot, request);
+    rhw_validate_reference(textures, slot, request);
     const int level = unwritten_level(&textures->slot[slot], request, site->mask);
     if (level != 0) {
-        rhw_findings_add(
-            site->findings, RHW_FINDING_MISUSE, site->draw,
+        rhw_validation_messages_add(
+            site->validation, RHW_VALIDATION_MISUSE, site->draw,
             "a shader function of %s samples level %d of the texture in slot %d, which was never "
             "written; rhw_texture_generate_mips fills all levels from level 0",
             site->pipeline, level, slot);
     }
 }
 
-bool rhw_watch_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at, int stride)
+bool rhw_validate_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
+                                int stride)
 {
     const struct rhw_sample_site *const site = &groups->textures->site;
     const int highest = slots ? 31 - __builtin_clz(slots) : 0;
     if (stride <= highest) {
-        rhw_findings_add(
-            site->findings, RHW_FINDING_MISUSE, site->draw,
+        rhw_validation_messages_add(
+            site->validation, RHW_VALIDATION_MISUSE, site->draw,
             "a shader function of %s calls rhw_sample_groups with stride %d; it must be above the highest "
             "slot, which is %d",
             site->pipeline, stride, highest);
@@ -152,7 +154,7 @@ bool rhw_watch_sample_groups(const struct rhw_fragment *groups, int count, uint3
                                        group->ddy[at + 1]};
         const struct rhw_sample_request request = {.coordinates = &group->varying[at], .gradient = gradient};
         for (uint32_t left = slots; left != 0; left &= left - 1) {
-            rhw_watch_sample(group->textures, __builtin_ctz(left), &request);
+            rhw_validate_sample(group->textures, __builtin_ctz(left), &request);
         }
     }
     return true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shader functions under validation. A watch stands behind the seam in their place and calls each twice for every
+// Shader functions under validation. A validator stands behind the seam in their place and calls each twice for every
 // pair of groups: all that the program did not declare, and all that is still to be written, holds one rubbish the first
 // time and another the second. What differs then was read without being declared, or not written at all. The pipeline
 // goes on with the first result, in which undeclared floats are NaN. A group without another beside it is called as a
@@ -14,17 +14,17 @@
 #include "pipeline/pipeline.h"
 #include "context/pool.h"
 
-struct rhw_findings;
+struct rhw_validation_messages;
 
 enum {
-    RHW_WATCH_COMPONENTS = 64, // room for varyings; those behind the declared ones are watched
-    RHW_WATCH_PADDING = 256,   // bytes of rubbish behind the uniforms
-    RHW_WATCH_GROUPS = 2       // of a call
+    RHW_VALIDATED_COMPONENTS = 64, // room for varyings; those behind the declared ones are validated
+    RHW_VALIDATED_PADDING = 256,   // bytes of rubbish behind the uniforms
+    RHW_VALIDATED_GROUPS = 2       // of a call
 };
 
 // Takes the place of program.user.
-struct rhw_watch {
-    struct rhw_findings *findings;
+struct rhw_validator {
+    struct rhw_validation_messages *validation;
     const struct rhw_pipeline_data *pipeline;
     rhw_vertex_function *vertex;     // NULL: the one-at-a-time form
     rhw_fragment_function *fragment; // likewise
@@ -34,43 +34,45 @@ struct rhw_watch {
 };
 
 // What stands before the uniforms of a draw under validation: two copies, each with its own rubbish behind it.
-struct rhw_watched_uniforms {
+struct rhw_validated_uniforms {
     _Alignas(64) uint32_t draw;
     size_t second; // bytes from the first copy to the second
 };
 
-// Puts the watch, which the caller allocated, in the place of the pipeline's functions.
-void rhw_watch_init(struct rhw_watch *watch, struct rhw_findings *findings,
-                    struct rhw_pipeline_data *pipeline, const char *name);
+// Puts the validator, which the caller allocated, in the place of the pipeline's functions.
+void rhw_validator_init(struct rhw_validator *validator, struct rhw_validation_messages *validation,
+                        struct rhw_pipeline_data *pipeline, const char *name);
 
-// A draw's uniforms as its watch wants them, from `size` bytes at `uniforms`; NULL when out of memory.
+// A draw's uniforms as its validator wants them, from `size` bytes at `uniforms`; NULL when out of memory.
 struct rhw_arena;
-const void *rhw_watched_uniforms(struct rhw_arena *arena, const void *uniforms, uint32_t size, uint32_t draw);
+const void *rhw_validated_uniforms(struct rhw_arena *arena, const void *uniforms, uint32_t size,
+                                   uint32_t draw);
 
-void rhw_watched_vertex(struct rhw_vertex *groups, int count);
-void rhw_watched_fragment(struct rhw_fragment *groups, int count);
+void rhw_validated_vertex(struct rhw_vertex *groups, int count);
+void rhw_validated_fragment(struct rhw_fragment *groups, int count);
 
 // Looks at what a shader function asks of its textures: slots that do not exist or have no texture, and levels that
 // nobody has written.
-bool rhw_watch_slot(const struct rhw_bindings *textures, int slot);    // false: nothing is there
-void rhw_watch_samples(const struct rhw_bindings *textures, int slot); // of a multisampled texture
+bool rhw_validate_slot(const struct rhw_bindings *textures, int slot);    // false: nothing is there
+void rhw_validate_samples(const struct rhw_bindings *textures, int slot); // of a multisampled texture
 // Whether what texels are compared with is there exactly where the sampler compares; the slot has a texture.
-void rhw_watch_reference(const struct rhw_bindings *textures, int slot,
-                         const struct rhw_sample_request *request);
+void rhw_validate_reference(const struct rhw_bindings *textures, int slot,
+                            const struct rhw_sample_request *request);
 // The same of storage, and effects that are not declared.
-void rhw_watch_storage(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation);
-void rhw_watch_image(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation);
-void rhw_watch_sample(const struct rhw_bindings *textures, int slot,
-                      const struct rhw_sample_request *request);
+void rhw_validate_storage(const struct rhw_bindings *textures, int slot,
+                          enum rhw_storage_operation operation);
+void rhw_validate_image(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation);
+void rhw_validate_sample(const struct rhw_bindings *textures, int slot,
+                         const struct rhw_sample_request *request);
 // False where the call must not be made: its stride leaves no room.
-bool rhw_watch_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
-                             int stride);
+bool rhw_validate_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
+                                int stride);
 
 // The rubbish: [0] is NaN, [1] a number that nobody means. Outputs have their own, so that an input that is copied to
 // an output does not pass for one that was not written.
-extern const uint32_t rhw_watch_input[2], rhw_watch_output[2];
+extern const uint32_t rhw_validator_input[2], rhw_validator_output[2];
 
-static inline rhw_float rhw_watch_rubbish(uint32_t bits)
+static inline rhw_float rhw_validator_rubbish(uint32_t bits)
 {
     float value;
     memcpy(&value, &bits, sizeof value);
@@ -78,34 +80,36 @@ static inline rhw_float rhw_watch_rubbish(uint32_t bits)
 }
 
 // Lanes of `mask` where a and b have different bits.
-static inline rhw_int rhw_watch_differs(rhw_float a, rhw_float b, rhw_int mask)
+static inline rhw_int rhw_validator_differs(rhw_float a, rhw_float b, rhw_int mask)
 {
     return ((rhw_int)a != (rhw_int)b) & mask;
 }
 
 // Whether both results still hold the rubbish of outputs in some lane of `mask`.
-static inline bool rhw_watch_unwritten(rhw_float first, rhw_float second, rhw_int mask)
+static inline bool rhw_validator_unwritten(rhw_float first, rhw_float second, rhw_int mask)
 {
-    const rhw_int left = ((rhw_int)first == (int32_t)rhw_watch_output[0]) &
-                         ((rhw_int)second == (int32_t)rhw_watch_output[1]) & mask;
+    const rhw_int left = ((rhw_int)first == (int32_t)rhw_validator_output[0]) &
+                         ((rhw_int)second == (int32_t)rhw_validator_output[1]) & mask;
     return rhw_any(left);
 }
 
-static inline struct rhw_watched_uniforms *rhw_watch_draw(const void *uniforms)
+static inline struct rhw_validated_uniforms *rhw_validator_draw(const void *uniforms)
 {
-    return (struct rhw_watched_uniforms *)((unsigned char *)uniforms - sizeof(struct rhw_watched_uniforms));
+    return (struct rhw_validated_uniforms *)((unsigned char *)uniforms -
+                                             sizeof(struct rhw_validated_uniforms));
 }
 
-static inline const void *rhw_watch_uniforms(const void *uniforms, bool second)
+static inline const void *rhw_validator_uniforms(const void *uniforms, bool second)
 {
-    return (const unsigned char *)uniforms + (second ? rhw_watch_draw(uniforms)->second : 0);
+    return (const unsigned char *)uniforms + (second ? rhw_validator_draw(uniforms)->second : 0);
 }
 
-// Where sampling by a watched function is told; `mask` as in struct rhw_sample_site.
-static inline struct rhw_sample_site rhw_watch_site(const struct rhw_watch *watch, const void *uniforms,
-                                                    const rhw_int *mask)
+// Where sampling by a validated function is told; `mask` as in struct rhw_sample_site.
+static inline struct rhw_sample_site rhw_validator_site(const struct rhw_validator *validator,
+                                                        const void *uniforms, const rhw_int *mask)
 {
-    return (struct rhw_sample_site){watch->findings, rhw_watch_draw(uniforms)->draw, watch->name, mask};
+    return (struct rhw_sample_site){validator->validation, rhw_validator_draw(uniforms)->draw,
+                                    validator->name, mask};
 }
 
 #endif

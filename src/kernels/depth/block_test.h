@@ -27,9 +27,9 @@ static __attribute__((noinline)) void change_stencil_block(struct tile_depth *de
         const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
         uint8_t *const stencil = &depth->stencil[(y + row) * RHW_TILE + x];
         if (bits != 0) {
-            struct tested_pixels pixels = {.stencil = i8_load_bytes(stencil)};
-            change_stencil(&pixels, face, operation, i8_from_bits(bits));
-            const uint64_t bytes = i8_to_bytes(pixels.stencil);
+            struct tested_pixels pixels = {.stencil = i32x8_load_bytes(stencil)};
+            change_stencil(&pixels, face, operation, i32x8_from_bits(bits));
+            const uint64_t bytes = i32x8_to_bytes(pixels.stencil);
             memcpy(stencil, &bytes, sizeof bytes);
         }
     }
@@ -38,11 +38,11 @@ static __attribute__((noinline)) void change_stencil_block(struct tile_depth *de
 RHW_INLINE uint64_t compare_stencil_rows(const uint8_t *stencil, const struct rhw_stencil_rule *face,
                                          enum rhw_compare compare)
 {
-    i8 pass[RHW_BLOCK];
+    i32x8 pass[RHW_BLOCK];
     for (int row = 0; row < RHW_BLOCK; row++) {
-        pass[row] = stencil_passes(face, compare, i8_load_bytes(stencil + row * RHW_TILE));
+        pass[row] = stencil_passes(face, compare, i32x8_load_bytes(stencil + row * RHW_TILE));
     }
-    return i8_sign_bits_of_rows(pass);
+    return i32x8_sign_bits_of_rows(pass);
 }
 
 // The pixels of the block at (x, y) whose stencil passes, whatever is drawn there.
@@ -57,22 +57,23 @@ static __attribute__((noinline)) uint64_t compare_stencil_block(const struct til
 // All --------------------------------------------------------------------------------------------------
 
 // Whether rounding leaves all depths of a block as they are.
-RHW_INLINE bool keeps_depths(const struct rhw_depth_stencil_state *state, const f8 z[RHW_BLOCK])
+RHW_INLINE bool keeps_depths(const struct rhw_depth_stencil_state *state, const f32x8 z[RHW_BLOCK])
 {
-    i8 kept = i8_splat(-1);
+    i32x8 kept = i32x8_splat(-1);
     for (int row = 0; row < RHW_BLOCK; row++) {
-        kept &= rhw_less(f8_splat(state->kept_above), z[row]);
+        kept &= rhw_less(f32x8_splat(state->kept_above), z[row]);
     }
-    return i8_sign_bits(kept) == 0xff;
+    return i32x8_sign_bits(kept) == 0xff;
 }
 
-RHW_INLINE uint64_t compare_depth_rows(const float *texels, const f8 z[RHW_BLOCK], enum rhw_compare compare)
+RHW_INLINE uint64_t compare_depth_rows(const float *texels, const f32x8 z[RHW_BLOCK],
+                                       enum rhw_compare compare)
 {
-    i8 pass[RHW_BLOCK];
+    i32x8 pass[RHW_BLOCK];
     for (int row = 0; row < RHW_BLOCK; row++) {
-        pass[row] = compare_lanes(compare, z[row], f8_load(texels + row * RHW_TILE));
+        pass[row] = compare_lanes(compare, z[row], f32x8_load(texels + row * RHW_TILE));
     }
-    return i8_sign_bits_of_rows(pass);
+    return i32x8_sign_bits_of_rows(pass);
 }
 
 // The pixels that pass the depth test, whose depth is changed to that of the fragments where it is written. The usual rules

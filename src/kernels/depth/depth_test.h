@@ -12,9 +12,9 @@
 #include "tile_depth.h"
 
 // Keeps depth within the viewport's range.
-RHW_INLINE f8 viewport_clamp(const struct tile_depth *depth, f8 z)
+RHW_INLINE f32x8 viewport_clamp(const struct tile_depth *depth, f32x8 z)
 {
-    return f8_min(f8_max(z, f8_splat(depth->least)), f8_splat(depth->most));
+    return f32x8_min(f32x8_max(z, f32x8_splat(depth->least)), f32x8_splat(depth->most));
 }
 
 RHW_INLINE float *depth_texels(struct tile_depth *depth, int x, int y)
@@ -23,11 +23,11 @@ RHW_INLINE float *depth_texels(struct tile_depth *depth, int x, int y)
 }
 
 // Gives the lanes that pass. Bit i of `open` says that the pixel of lane i is open.
-RHW_INLINE i8 rule_passes(const struct rhw_depth_rule rule, f8 z, f8 stored, unsigned open)
+RHW_INLINE i32x8 rule_passes(const struct rhw_depth_rule rule, f32x8 z, f32x8 stored, unsigned open)
 {
-    i8 pass = compare_lanes(rule.compare, z, stored);
+    i32x8 pass = compare_lanes(rule.compare, z, stored);
     if (rule.open >= RHW_OPEN_TRY) {
-        pass |= compare_lanes(RHW_COMPARE_EQUAL, z, stored) & i8_from_bits(open & 0xff);
+        pass |= compare_lanes(RHW_COMPARE_EQUAL, z, stored) & i32x8_from_bits(open & 0xff);
     }
     return pass;
 }
@@ -40,12 +40,13 @@ RHW_INLINE unsigned open_row(const struct tile_depth *depth, int x, int y, const
 
 // Tests the fragments of 8 texels in a row in the lanes of `live`, and writes their depth; returns the lanes that pass.
 // `open`: as open_row gives it. Before shading, settle_block has to follow.
-RHW_INLINE i8 test_lanes(float *texels, f8 z, i8 live, unsigned open, const struct rhw_depth_rule rule)
+RHW_INLINE i32x8 test_lanes(float *texels, f32x8 z, i32x8 live, unsigned open,
+                            const struct rhw_depth_rule rule)
 {
-    const f8 stored = f8_load(texels);
-    const i8 pass = live & rule_passes(rule, z, stored, open);
+    const f32x8 stored = f32x8_load(texels);
+    const i32x8 pass = live & rule_passes(rule, z, stored, open);
     if (rule.write) {
-        f8_store(texels, f8_select(pass, z, stored));
+        f32x8_store(texels, f32x8_select(pass, z, stored));
     }
     return pass;
 }
@@ -93,7 +94,7 @@ enum block_mask { MASK_PART, MASK_WHOLE }; // whole: every pixel is set
 // Pixels of the block at (x, y): those that are set in `mask`, whose depths are `z`.
 struct block_pixels {
     struct tile_depth *depth;
-    const f8 *z; // of its rows
+    const f32x8 *z; // of its rows
     int x, y;
     uint64_t mask;
 };
@@ -105,11 +106,11 @@ RHW_INLINE uint64_t test_rows(const struct block_pixels *block, const struct rhw
     float *texels = depth_texels(block->depth, block->x, block->y);
     uint64_t passed = 0;
     for (int row = 0; row < RHW_BLOCK; row++) {
-        const i8 live =
-            which == MASK_WHOLE ? i8_splat(-1) : i8_from_bits((unsigned)(block->mask >> (8 * row)) & 0xff);
+        const i32x8 live = which == MASK_WHOLE ? i32x8_splat(-1)
+                                               : i32x8_from_bits((unsigned)(block->mask >> (8 * row)) & 0xff);
         const unsigned open = open_row(block->depth, block->x, block->y + row, rule);
-        const i8 pass = test_lanes(texels, block->z[row], live, open, rule);
-        passed |= (uint64_t)i8_sign_bits(pass) << (8 * row);
+        const i32x8 pass = test_lanes(texels, block->z[row], live, open, rule);
+        passed |= (uint64_t)i32x8_sign_bits(pass) << (8 * row);
         texels += RHW_TILE;
     }
     return settle_block(block->depth, block->x, block->y, passed, rule);
@@ -140,19 +141,19 @@ RHW_INLINE uint64_t test_early(const struct rhw_draw_plan *plan, early_test_func
 }
 
 // Tests the pixels of the block at (x, y) that are set in `mask`, whose depths are `z`, before shading.
-static uint64_t test_block_early(struct tile_depth *depth, const f8 z[RHW_BLOCK], int x, int y, uint64_t mask,
-                                 const struct rhw_draw_plan *plan)
+static uint64_t test_block_early(struct tile_depth *depth, const f32x8 z[RHW_BLOCK], int x, int y,
+                                 uint64_t mask, const struct rhw_draw_plan *plan)
 {
     const struct block_pixels block = {depth, z, x, y, mask};
     return test_early(plan, test_block, &block);
 }
 
 // Tests the fragments of a row that are set in `bits` after shading.
-static unsigned test_row_late(struct tile_depth *depth, int x, int y, f8 z, unsigned bits,
+static unsigned test_row_late(struct tile_depth *depth, int x, int y, f32x8 z, unsigned bits,
                               const struct rhw_depth_rule rule)
 {
-    const unsigned passed = i8_sign_bits(
-        test_lanes(depth_texels(depth, x, y), z, i8_from_bits(bits), open_row(depth, x, y, rule), rule));
+    const unsigned passed = i32x8_sign_bits(
+        test_lanes(depth_texels(depth, x, y), z, i32x8_from_bits(bits), open_row(depth, x, y, rule), rule));
     if (rule.open == RHW_OPEN_CLOSE) {
         depth->open[y] &= ~((uint64_t)passed << x);
     }
@@ -160,17 +161,18 @@ static unsigned test_row_late(struct tile_depth *depth, int x, int y, f8 z, unsi
 }
 
 // Tests fragments of 8 texels that lie anywhere in the tile after shading.
-static unsigned test_texels_late(struct tile_depth *depth, const int32_t texel[8], f8 z, unsigned bits,
+static unsigned test_texels_late(struct tile_depth *depth, const int32_t texel[8], f32x8 z, unsigned bits,
                                  const struct rhw_depth_rule rule)
 {
     unsigned open = 0;
     for (int i = 0; i < 8 && rule.open >= RHW_OPEN_TRY; i++) {
         open |= (unsigned)(depth->open[texel[i] / RHW_TILE] >> texel[i] % RHW_TILE & 1) << i;
     }
-    const f8 stored = (f8)i8_gather(depth->texels, i8_load(texel)); // not from memory: see gather_texels
-    const unsigned passed = i8_sign_bits(i8_from_bits(bits) & rule_passes(rule, z, stored, open));
+    const f32x8 stored =
+        (f32x8)i32x8_gather(depth->texels, i32x8_load(texel)); // not from memory: see gather_texels
+    const unsigned passed = i32x8_sign_bits(i32x8_from_bits(bits) & rule_passes(rule, z, stored, open));
     float lanes[8];
-    f8_store(lanes, z);
+    f32x8_store(lanes, z);
     for (unsigned left = passed; left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
         if (rule.write) {

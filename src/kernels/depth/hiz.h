@@ -40,20 +40,20 @@ static bool hiz_follow(struct tile_depth *depth, const struct rhw_draw_plan *pla
 
 // The farthest depth, times `direction`, in each of the 8 blocks side by side at row y of a plane. What lies outside of the
 // target may make a bound worse, but not wrong; NaN passes no ordering test and bounds nothing.
-RHW_INLINE f8 hiz_farthest(struct tile_depth *plane, f8 direction, int y)
+RHW_INLINE f32x8 hiz_farthest(struct tile_depth *plane, f32x8 direction, int y)
 {
-    f8 most[HIZ_BLOCKS];
+    f32x8 most[HIZ_BLOCKS];
     for (int x = 0; x < HIZ_BLOCKS; x++) {
         const float *texels = depth_texels(plane, x * RHW_BLOCK, y);
-        most[x] = f8_splat(-INFINITY);
+        most[x] = f32x8_splat(-INFINITY);
         for (int row = 0; row < RHW_BLOCK; row++) {
-            most[x] = f8_max(f8_load(texels) * direction, most[x]); // the second where one is NaN
+            most[x] = f32x8_max(f32x8_load(texels) * direction, most[x]); // the second where one is NaN
             texels += RHW_TILE;
         }
     }
-    f8_transpose(most);
+    f32x8_transpose(most);
     for (int column = 1; column < RHW_BLOCK; column++) {
-        most[0] = f8_max(most[column], most[0]);
+        most[0] = f32x8_max(most[column], most[0]);
     }
     return most[0];
 }
@@ -62,13 +62,13 @@ RHW_INLINE f8 hiz_farthest(struct tile_depth *plane, f8 direction, int y)
 static void hiz_refresh(struct tile_depth *const *plane, int count)
 {
     struct tile_depth *const first = plane[0];
-    const f8 direction = f8_splat((float)first->direction);
+    const f32x8 direction = f32x8_splat((float)first->direction);
     for (int y = 0; y < RHW_TILE; y += RHW_BLOCK) {
-        f8 most = hiz_farthest(first, direction, y);
+        f32x8 most = hiz_farthest(first, direction, y);
         for (int s = 1; s < count; s++) {
-            most = f8_max(hiz_farthest(plane[s], direction, y), most);
+            most = f32x8_max(hiz_farthest(plane[s], direction, y), most);
         }
-        f8_store(&first->bounds[y / RHW_BLOCK * HIZ_BLOCKS], most);
+        f32x8_store(&first->bounds[y / RHW_BLOCK * HIZ_BLOCKS], most);
     }
 }
 
@@ -90,8 +90,8 @@ RHW_INLINE double hiz_farthest_place(const struct tile_depth *depth, double chan
 // Whether some block at row y of the tile has a bound.
 RHW_INLINE bool hiz_has_bounds(const struct tile_depth *depth, int y)
 {
-    const f8 bounds = f8_load(&depth->bounds[y / RHW_BLOCK * HIZ_BLOCKS]);
-    return i8_sign_bits(rhw_less(bounds, f8_splat(INFINITY))) != 0;
+    const f32x8 bounds = f32x8_load(&depth->bounds[y / RHW_BLOCK * HIZ_BLOCKS]);
+    return i32x8_sign_bits(rhw_less(bounds, f32x8_splat(INFINITY))) != 0;
 }
 
 // Which of the blocks side by side at row y of the tile a plane of depth lies behind, as a bit for each: the nearest
@@ -101,10 +101,11 @@ RHW_INLINE unsigned hiz_hidden(const struct tile_depth *depth, struct plane z, i
 {
     const double dy = hiz_nearest(depth, z.dy, y, y + RHW_BLOCK - 1, reach) - anchor_y;
     const double first = hiz_nearest(depth, z.dx, 0, RHW_BLOCK - 1, reach) - anchor_x;
-    const d8 dx = d8_add(d8_from_i8(rhw_lane_index * RHW_BLOCK), d8_splat(first));
-    const d8 value = plane_value8(z, dx, d8_splat(dy));
-    const f8 nearest = viewport_clamp(depth, f8_from_d8(value)) * f8_splat((float)depth->direction);
-    return i8_sign_bits(rhw_less(f8_load(&depth->bounds[y / RHW_BLOCK * HIZ_BLOCKS]), nearest));
+    const f64x8 dx = f64x8_add(f64x8_from_i32x8(rhw_lane_index * RHW_BLOCK), f64x8_splat(first));
+    const f64x8 value = plane_value8(z, dx, f64x8_splat(dy));
+    const f32x8 nearest =
+        viewport_clamp(depth, f32x8_from_f64x8(value)) * f32x8_splat((float)depth->direction);
+    return i32x8_sign_bits(rhw_less(f32x8_load(&depth->bounds[y / RHW_BLOCK * HIZ_BLOCKS]), nearest));
 }
 
 // Whether a plane lies in the same way behind a rectangle, x1 and y1 exclusive, of at most two columns of blocks.
@@ -130,7 +131,7 @@ RHW_INLINE void hiz_cover(struct tile_depth *depth, struct plane z, int anchor_x
 {
     const double dx = hiz_farthest_place(depth, z.dx, x, x + RHW_BLOCK - 1, reach) - anchor_x;
     const double dy = hiz_farthest_place(depth, z.dy, y, y + RHW_BLOCK - 1, reach) - anchor_y;
-    const f8 value = viewport_clamp(depth, f8_splat((float)plane_value(z, dx, dy)));
+    const f32x8 value = viewport_clamp(depth, f32x8_splat((float)plane_value(z, dx, dy)));
     const float farthest = value[0] * (float)depth->direction;
     float *const bound = &depth->bounds[y / RHW_BLOCK * HIZ_BLOCKS + x / RHW_BLOCK];
     if (farthest < *bound) {

@@ -21,8 +21,8 @@
 // Of a bit per pixel by row, those of the block at x in 8 rows: bit 8·row + column.
 RHW_INLINE uint64_t block_bits(const uint64_t rows[RHW_BLOCK], int x)
 {
-    const ul4 byte = {0xff, 0xff, 0xff, 0xff}, upper = {0, 8, 16, 24}, lower = {32, 40, 48, 56};
-    const ul4 bits = (ul4_load(rows) >> x & byte) << upper | (ul4_load(rows + 4) >> x & byte) << lower;
+    const u64x4 byte = {0xff, 0xff, 0xff, 0xff}, upper = {0, 8, 16, 24}, lower = {32, 40, 48, 56};
+    const u64x4 bits = (u64x4_load(rows) >> x & byte) << upper | (u64x4_load(rows + 4) >> x & byte) << lower;
     return bits[0] | bits[1] | bits[2] | bits[3];
 }
 
@@ -31,12 +31,12 @@ enum bit_change { BITS_SET, BITS_CLEARED };
 // The other way round: sets or clears those bits of the rows.
 RHW_INLINE void change_block(uint64_t rows[RHW_BLOCK], int x, uint64_t bits, enum bit_change change)
 {
-    const ul4 byte = {0xff, 0xff, 0xff, 0xff}, upper = {0, 8, 16, 24}, lower = {32, 40, 48, 56};
-    const ul4 all = {bits, bits, bits, bits};
-    const ul4 first = (all >> upper & byte) << x, second = (all >> lower & byte) << x;
-    const ul4 old_first = ul4_load(rows), old_second = ul4_load(rows + 4);
-    ul4_store(rows, change == BITS_SET ? old_first | first : old_first & ~first);
-    ul4_store(rows + 4, change == BITS_SET ? old_second | second : old_second & ~second);
+    const u64x4 byte = {0xff, 0xff, 0xff, 0xff}, upper = {0, 8, 16, 24}, lower = {32, 40, 48, 56};
+    const u64x4 all = {bits, bits, bits, bits};
+    const u64x4 first = (all >> upper & byte) << x, second = (all >> lower & byte) << x;
+    const u64x4 old_first = u64x4_load(rows), old_second = u64x4_load(rows + 4);
+    u64x4_store(rows, change == BITS_SET ? old_first | first : old_first & ~first);
+    u64x4_store(rows + 4, change == BITS_SET ? old_second | second : old_second & ~second);
 }
 
 // Of the pixels of a block that are set in `mask`, those that are open; they are not open any more.

@@ -8,15 +8,15 @@
 #include "kernels/texel/texel_codec.h"
 #include "depth_test.h"
 
-RHW_INLINE i8 stencil_result(enum rhw_stencil_operation operation, i8 stencil, int32_t reference)
+RHW_INLINE i32x8 stencil_result(enum rhw_stencil_operation operation, i32x8 stencil, int32_t reference)
 {
-    const i8 one = i8_splat(1), byte = i8_splat(0xff);
+    const i32x8 one = i32x8_splat(1), byte = i32x8_splat(0xff);
     switch (operation) {
     case RHW_STENCIL_KEEP: return stencil;
-    case RHW_STENCIL_ZERO: return i8_splat(0);
-    case RHW_STENCIL_REPLACE: return i8_splat(reference);
-    case RHW_STENCIL_INCREMENT_CLAMP: return i8_min(stencil + one, byte);
-    case RHW_STENCIL_DECREMENT_CLAMP: return i8_max(stencil - one, i8_splat(0));
+    case RHW_STENCIL_ZERO: return i32x8_splat(0);
+    case RHW_STENCIL_REPLACE: return i32x8_splat(reference);
+    case RHW_STENCIL_INCREMENT_CLAMP: return i32x8_min(stencil + one, byte);
+    case RHW_STENCIL_DECREMENT_CLAMP: return i32x8_max(stencil - one, i32x8_splat(0));
     case RHW_STENCIL_INVERT: return ~stencil & byte;
     case RHW_STENCIL_INCREMENT_WRAP: return (stencil + one) & byte;
     case RHW_STENCIL_DECREMENT_WRAP: return (stencil - one) & byte;
@@ -25,32 +25,32 @@ RHW_INLINE i8 stencil_result(enum rhw_stencil_operation operation, i8 stencil, i
 }
 
 // `compare`: that of the face, which may be a constant.
-RHW_INLINE i8 stencil_passes(const struct rhw_stencil_rule *face, enum rhw_compare compare, i8 stencil)
+RHW_INLINE i32x8 stencil_passes(const struct rhw_stencil_rule *face, enum rhw_compare compare, i32x8 stencil)
 {
-    const i8 read = i8_splat(face->read_mask);
-    return compare_lanes(compare, rhw_float_from_int(i8_splat(face->reference) & read),
+    const i32x8 read = i32x8_splat(face->read_mask);
+    return compare_lanes(compare, rhw_float_from_int(i32x8_splat(face->reference) & read),
                          rhw_float_from_int(stencil & read));
 }
 
 // Stencil and depth of 8 pixels, and the fragments over them.
 struct tested_pixels {
-    f8 depth;
-    i8 stencil;
+    f32x8 depth;
+    i32x8 stencil;
     bool changes_stencil;
 };
 
 RHW_INLINE void change_stencil(struct tested_pixels *pixels, const struct rhw_stencil_rule *face,
-                               enum rhw_stencil_operation operation, i8 lanes)
+                               enum rhw_stencil_operation operation, i32x8 lanes)
 {
     if (operation != RHW_STENCIL_KEEP && rhw_any(lanes)) {
-        const i8 written = lanes & i8_splat(face->write_mask);
-        const i8 result = stencil_result(operation, pixels->stencil, face->reference);
+        const i32x8 written = lanes & i32x8_splat(face->write_mask);
+        const i32x8 result = stencil_result(operation, pixels->stencil, face->reference);
         pixels->stencil = (pixels->stencil & ~written) | (result & written);
         pixels->changes_stencil = true;
     }
 }
 
-RHW_INLINE f8 round_depth(f8 z, double steps)
+RHW_INLINE f32x8 round_depth(f32x8 z, double steps)
 {
     return depth_from_steps(steps_of_depth(z, steps), steps);
 }
@@ -58,35 +58,36 @@ RHW_INLINE f8 round_depth(f8 z, double steps)
 // Tests the fragments of depth z in the lanes of `live` and changes what they change; gives the lanes that pass. Depth is
 // rounded to its steps, by a division in double, only where that decides: where it is near what the pixel has, or is
 // written. What is further away than the margin lies on the same side without.
-RHW_INLINE i8 test_pixels(struct tested_pixels *pixels, const struct rhw_depth_stencil_state *state,
-                          const struct rhw_stencil_rule *face, const struct rhw_depth_rule rule, f8 z,
-                          i8 live, unsigned open)
+RHW_INLINE i32x8 test_pixels(struct tested_pixels *pixels, const struct rhw_depth_stencil_state *state,
+                             const struct rhw_stencil_rule *face, const struct rhw_depth_rule rule, f32x8 z,
+                             i32x8 live, unsigned open)
 {
     bool is_rounded = state->depth_steps == 0;
     if (!is_rounded) {
         z = rhw_saturate(z);
-        const i8 near = rhw_less_equal(rhw_abs(z - pixels->depth), f8_splat(state->depth_margin));
+        const i32x8 near = rhw_less_equal(rhw_abs(z - pixels->depth), f32x8_splat(state->depth_margin));
         if (rhw_any(live & near)) {
             z = round_depth(z, state->depth_steps);
             is_rounded = true;
         }
     }
     if (state->tests_bounds) {
-        live &= rhw_less_equal(f8_splat(state->bounds_least), pixels->depth) &
-                rhw_less_equal(pixels->depth, f8_splat(state->bounds_most));
+        live &= rhw_less_equal(f32x8_splat(state->bounds_least), pixels->depth) &
+                rhw_less_equal(pixels->depth, f32x8_splat(state->bounds_most));
     }
-    i8 unfailed = live;
+    i32x8 unfailed = live;
     if (face->compare != RHW_COMPARE_ALWAYS) {
         unfailed &= stencil_passes(face, face->compare, pixels->stencil);
     }
-    const i8 pass = unfailed & rule_passes(rule, z, pixels->depth, open);
+    const i32x8 pass = unfailed & rule_passes(rule, z, pixels->depth, open);
     if (state->tests_stencil) { // the lanes of each are others
         change_stencil(pixels, face, face->fail, live & ~unfailed);
         change_stencil(pixels, face, face->depth_fail, unfailed & ~pass);
         change_stencil(pixels, face, face->pass, pass);
     }
     if (rule.write && rhw_any(pass)) {
-        pixels->depth = f8_select(pass, is_rounded ? z : round_depth(z, state->depth_steps), pixels->depth);
+        pixels->depth =
+            f32x8_select(pass, is_rounded ? z : round_depth(z, state->depth_steps), pixels->depth);
     }
     return pass;
 }
@@ -100,19 +101,20 @@ RHW_INLINE void count_passed(struct tile_depth *depth, uint64_t passed)
 }
 
 // Tests the fragments of a row from (x, y) on; gives the lanes that pass.
-RHW_INLINE i8 test_row_full(struct tile_depth *depth, int x, int y,
-                            const struct rhw_depth_stencil_state *state, const struct rhw_stencil_rule *face,
-                            const struct rhw_depth_rule rule, f8 z, i8 live)
+RHW_INLINE i32x8 test_row_full(struct tile_depth *depth, int x, int y,
+                               const struct rhw_depth_stencil_state *state,
+                               const struct rhw_stencil_rule *face, const struct rhw_depth_rule rule, f32x8 z,
+                               i32x8 live)
 {
     float *const texels = depth_texels(depth, x, y);
     uint8_t *const stencil = &depth->stencil[y * RHW_TILE + x];
-    struct tested_pixels pixels = {f8_load(texels), i8_load_bytes(stencil), false};
-    const i8 pass = test_pixels(&pixels, state, face, rule, z, live, open_row(depth, x, y, rule));
+    struct tested_pixels pixels = {f32x8_load(texels), i32x8_load_bytes(stencil), false};
+    const i32x8 pass = test_pixels(&pixels, state, face, rule, z, live, open_row(depth, x, y, rule));
     if (rule.write) {
-        f8_store(texels, pixels.depth);
+        f32x8_store(texels, pixels.depth);
     }
     if (pixels.changes_stencil) {
-        const uint64_t bytes = i8_to_bytes(pixels.stencil);
+        const uint64_t bytes = i32x8_to_bytes(pixels.stencil);
         memcpy(stencil, &bytes, sizeof bytes);
     }
     return pass;
@@ -130,9 +132,9 @@ RHW_INLINE uint64_t test_rows_full(const struct block_pixels *block, const struc
     for (int row = 0; row < RHW_BLOCK; row++) {
         const unsigned bits = (unsigned)(block->mask >> (8 * row)) & 0xff;
         if (bits != 0) {
-            const i8 pass = test_row_full(depth, block->x, block->y + row, &state, &rules, rule,
-                                          block->z[row], i8_from_bits(bits));
-            passed |= (uint64_t)i8_sign_bits(pass) << (8 * row);
+            const i32x8 pass = test_row_full(depth, block->x, block->y + row, &state, &rules, rule,
+                                             block->z[row], i32x8_from_bits(bits));
+            passed |= (uint64_t)i32x8_sign_bits(pass) << (8 * row);
         }
     }
     count_passed(depth, passed);
@@ -155,19 +157,19 @@ static __attribute__((noinline)) uint64_t test_block_full(const struct block_pix
 }
 
 // Tests the fragments of a row that are set in `bits` after shading; those of `back` face away.
-static __attribute__((noinline)) unsigned test_row_late_full(struct tile_depth *depth, int x, int y, f8 z,
+static __attribute__((noinline)) unsigned test_row_late_full(struct tile_depth *depth, int x, int y, f32x8 z,
                                                              unsigned bits, unsigned back,
                                                              const struct rhw_depth_rule rule)
 {
-    i8 pass = i8_splat(0);
+    i32x8 pass = i32x8_splat(0);
     for (int face = 0; face < 2; face++) {
         const unsigned facing = bits & (face == 0 ? ~back : back);
         if (facing != 0) {
             pass |= test_row_full(depth, x, y, depth->state, &depth->state->face[face], rule, z,
-                                  i8_from_bits(facing));
+                                  i32x8_from_bits(facing));
         }
     }
-    const unsigned passed = i8_sign_bits(pass);
+    const unsigned passed = i32x8_sign_bits(pass);
     count_passed(depth, passed);
     if (rule.open == RHW_OPEN_CLOSE) {
         depth->open[y] &= ~((uint64_t)passed << x);
@@ -177,8 +179,8 @@ static __attribute__((noinline)) unsigned test_row_late_full(struct tile_depth *
 
 // The same for fragments of 8 texels that lie anywhere in the tile, no two of them on the same.
 static __attribute__((noinline)) unsigned test_texels_late_full(struct tile_depth *depth,
-                                                                const int32_t texel[8], f8 z, unsigned bits,
-                                                                unsigned back,
+                                                                const int32_t texel[8], f32x8 z,
+                                                                unsigned bits, unsigned back,
                                                                 const struct rhw_depth_rule rule)
 {
     float depths[8];
@@ -189,15 +191,15 @@ static __attribute__((noinline)) unsigned test_texels_late_full(struct tile_dept
         stencils[i] = depth->stencil[texel[i]];
         open |= (unsigned)(depth->open[texel[i] / RHW_TILE] >> texel[i] % RHW_TILE & 1) << i;
     }
-    struct tested_pixels pixels = {f8_load(depths), i8_load(stencils), false};
-    const i8 front =
-        test_pixels(&pixels, depth->state, &depth->state->face[0], rule, z, i8_from_bits(bits & ~back), open);
-    const i8 other =
-        test_pixels(&pixels, depth->state, &depth->state->face[1], rule, z, i8_from_bits(bits & back), open);
-    const unsigned passed = i8_sign_bits(front | other);
+    struct tested_pixels pixels = {f32x8_load(depths), i32x8_load(stencils), false};
+    const i32x8 front = test_pixels(&pixels, depth->state, &depth->state->face[0], rule, z,
+                                    i32x8_from_bits(bits & ~back), open);
+    const i32x8 other = test_pixels(&pixels, depth->state, &depth->state->face[1], rule, z,
+                                    i32x8_from_bits(bits & back), open);
+    const unsigned passed = i32x8_sign_bits(front | other);
     count_passed(depth, passed);
-    f8_store(depths, pixels.depth);
-    i8_store(stencils, pixels.stencil);
+    f32x8_store(depths, pixels.depth);
+    i32x8_store(stencils, pixels.stencil);
     for (unsigned left = bits; left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
         depth->texels[texel[lane]] = depths[lane];

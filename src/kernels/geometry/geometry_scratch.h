@@ -54,9 +54,9 @@ struct rhw_triangle_list {
 
 struct rhw_geometry_scratch {
     _Alignas(64) struct rhw_vertex groups[RHW_VERTEX_GROUPS];
-    f8 attributes[RHW_VERTEX_GROUPS][RHW_MAX_ATTRIBUTES][4];
-    f8 varyings[RHW_VERTEX_GROUPS * RHW_MAX_VARYING_COMPONENTS];
-    f8 distances[RHW_VERTEX_GROUPS][RHW_MAX_CLIP_DISTANCES + RHW_MAX_CULL_DISTANCES];
+    f32x8 attributes[RHW_VERTEX_GROUPS][RHW_MAX_ATTRIBUTES][4];
+    f32x8 varyings[RHW_VERTEX_GROUPS * RHW_MAX_VARYING_COMPONENTS];
+    f32x8 distances[RHW_VERTEX_GROUPS][RHW_MAX_CLIP_DISTANCES + RHW_MAX_CULL_DISTANCES];
     uint32_t unique[3 * RHW_CHUNK_TRIANGLES + 8]; // vertex index by slot, of the run under way
     struct rhw_cache_entry cache[RHW_VERTEX_CACHE];
     uint32_t stamp;

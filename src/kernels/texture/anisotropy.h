@@ -11,9 +11,9 @@
 enum { MOST_COMPONENTS = 4 };
 
 struct long_axis {
-    f8 count;                   // N, of each lane
-    f8 level;                   // of detail, before the sampler's bias and limits
-    f8 change[MOST_COMPONENTS]; // of coordinates along the axis, per pixel; of the layer 0
+    f32x8 count;                   // N, of each lane
+    f32x8 level;                   // of detail, before the sampler's bias and limits
+    f32x8 change[MOST_COMPONENTS]; // of coordinates along the axis, per pixel; of the layer 0
 };
 
 static inline void find_long_axis(const struct rhw_binding *binding, const struct rhw_sample_request *request,
@@ -21,14 +21,14 @@ static inline void find_long_axis(const struct rhw_binding *binding, const struc
 {
     const struct rhw_texture_data *const texture = binding->texture;
     const int components = spatial_components(texture);
-    const f8 *const by_x = request->gradient, *const by_y = by_x + components;
-    const f8 x = squared_length(texture, request->coordinates, by_x);
-    const f8 y = squared_length(texture, request->coordinates, by_y);
-    const i8 along_y = rhw_less(x, y);
-    const f8 longer = rhw_select(along_y, y, x), shorter = rhw_select(along_y, x, y);
+    const f32x8 *const by_x = request->gradient, *const by_y = by_x + components;
+    const f32x8 x = squared_length(texture, request->coordinates, by_x);
+    const f32x8 y = squared_length(texture, request->coordinates, by_y);
+    const i32x8 along_y = rhw_less(x, y);
+    const f32x8 longer = rhw_select(along_y, y, x), shorter = rhw_select(along_y, x, y);
     // Not where both are 0, equal or NaN.
-    const f8 ratio = rhw_select(rhw_less(shorter, longer), rhw_sqrt(longer / shorter), rhw_splat(1.0f));
-    const f8 eta = rhw_min(ratio, rhw_splat(binding->sampler->def.max_anisotropy));
+    const f32x8 ratio = rhw_select(rhw_less(shorter, longer), rhw_sqrt(longer / shorter), rhw_splat(1.0f));
+    const f32x8 eta = rhw_min(ratio, rhw_splat(binding->sampler->def.max_anisotropy));
     axis->count = rhw_ceil(eta);
     axis->level = half_log2(longer / (eta * eta)) + requested_bias(request);
     for (int i = 0; i < MOST_COMPONENTS; i++) {
@@ -37,9 +37,9 @@ static inline void find_long_axis(const struct rhw_binding *binding, const struc
 }
 
 // The largest of small whole numbers.
-static inline int largest(f8 count)
+static inline int largest(f32x8 count)
 {
-    const i8 whole = rhw_int_from_float_unchecked(count);
+    const i32x8 whole = rhw_int_from_float_unchecked(count);
     int most = 1;
     for (int i = 0; i < RHW_LANES; i++) {
         most = whole[i] > most ? whole[i] : most;
@@ -48,20 +48,20 @@ static inline int largest(f8 count)
 }
 
 // What n samples have come to and one more make of them: an average that leaves equal ones as they are.
-static inline void add_sample(const struct rhw_sampler_def *def, int n, i8 counts, const f8 sample[4],
-                              f8 texel[4])
+static inline void add_sample(const struct rhw_sampler_def *def, int n, i32x8 counts, const f32x8 sample[4],
+                              f32x8 texel[4])
 {
     const float part = 1.0f / (float)(n + 1);
     for (int c = 0; c < 4; c++) {
-        const f8 both = def->reduction == RHW_REDUCTION_AVERAGE
-                            ? texel[c] + (sample[c] - texel[c]) * part
-                            : reduced(def->reduction, texel[c], sample[c]);
+        const f32x8 both = def->reduction == RHW_REDUCTION_AVERAGE
+                               ? texel[c] + (sample[c] - texel[c]) * part
+                               : reduced(def->reduction, texel[c], sample[c]);
         texel[c] = rhw_select(counts, both, texel[c]);
     }
 }
 
 static void sample_anisotropic(const struct rhw_binding *binding, const struct rhw_sample_request *request,
-                               f8 texel[4])
+                               f32x8 texel[4])
 {
     rhw_sample_function *const sample = request->offset ? binding->general : binding->isotropic;
     if (!request->gradient) {
@@ -74,8 +74,8 @@ static void sample_anisotropic(const struct rhw_binding *binding, const struct r
     find_long_axis(binding, request, &axis);
     const int most = largest(axis.count);
     for (int n = 0; n < most; n++) {
-        const f8 along = rhw_splat((float)(n + 1)) / (axis.count + 1.0f) - 0.5f;
-        f8 at[MOST_COMPONENTS], next[4];
+        const f32x8 along = rhw_splat((float)(n + 1)) / (axis.count + 1.0f) - 0.5f;
+        f32x8 at[MOST_COMPONENTS], next[4];
         for (int i = 0; i < components; i++) {
             at[i] = request->coordinates[i] + axis.change[i] * along;
         }
@@ -93,14 +93,14 @@ static void sample_anisotropic(const struct rhw_binding *binding, const struct r
 
 // A request with a bias: at its level of detail, given as such.
 static void sample_biased(const struct rhw_binding *binding, const struct rhw_sample_request *request,
-                          f8 texel[4])
+                          f32x8 texel[4])
 {
     rhw_sample_function *const sample = request->offset ? binding->sample_offset : binding->sample;
     if (request->gradient && binding->sampler->def.max_anisotropy > 1) {
         sample(binding, request, texel); // which finds the level for its long axis
         return;
     }
-    const f8 level = requested_level(binding->texture, request);
+    const f32x8 level = requested_level(binding->texture, request);
     struct rhw_sample_request given = *request;
     given.gradient = given.bias = NULL;
     given.lod = &level;

@@ -15,53 +15,53 @@
 #include "wrap.h"
 
 // The four texels of 8 lanes: left and right above, then below.
-RHW_INLINE void load_footprint(const struct rhw_sampler_def *def, const struct rhw_mip *mip, i8 x, i8 y,
-                               f8 texel[4])
+RHW_INLINE void load_footprint(const struct rhw_sampler_def *def, const struct rhw_mip *mip, i32x8 x, i32x8 y,
+                               f32x8 texel[4])
 {
-    const i8 beyond =
+    const i32x8 beyond =
         x | y | (mip->width - 2 - x) | (mip->height - 2 - y); // negative: it lies partly outside
     if (__builtin_expect(!rhw_any(beyond >> 31), 1)) {
         uint32_t at[RHW_LANES];
-        i8 words[4];
+        i32x8 words[4];
         spill_lanes(texel_number((x << 16) | y, mip), at);
-        i8_load_pairs(mip->texels, at, &words[0], &words[1]);
-        i8_load_pairs(mip->texels + mip->row_pitch, at, &words[2], &words[3]);
+        i32x8_load_pairs(mip->texels, at, &words[0], &words[1]);
+        i32x8_load_pairs(mip->texels + mip->row_pitch, at, &words[2], &words[3]);
         for (int i = 0; i < 4; i++) {
-            texel[i] = (f8)words[i];
+            texel[i] = (f32x8)words[i];
         }
         return;
     }
     for (int i = 0; i < 4; i++) {
-        const i8 column = wrap_coordinate(def->address_u, x + (i & 1), mip->width),
-                 row = wrap_coordinate(def->address_v, y + (i >> 1), mip->height);
-        texel[i] = (f8)i8_gather(mip->texels, texel_number((column << 16) | row, mip));
+        const i32x8 column = wrap_coordinate(def->address_u, x + (i & 1), mip->width),
+                    row = wrap_coordinate(def->address_v, y + (i >> 1), mip->height);
+        texel[i] = (f32x8)i32x8_gather(mip->texels, texel_number((column << 16) | row, mip));
     }
 }
 
-RHW_INLINE void compare_footprint(enum rhw_compare compare, f8 reference, f8 texel[4])
+RHW_INLINE void compare_footprint(enum rhw_compare compare, f32x8 reference, f32x8 texel[4])
 {
     for (int i = 0; i < 4; i++) {
-        texel[i] = (f8)(compare_lanes(compare, reference, texel[i]) & (i8)rhw_splat(1.0f));
+        texel[i] = (f32x8)(compare_lanes(compare, reference, texel[i]) & (i32x8)rhw_splat(1.0f));
     }
 }
 
 static inline void sample_compared(const struct rhw_binding *binding,
-                                   const struct rhw_sample_request *request, f8 texel[4])
+                                   const struct rhw_sample_request *request, f32x8 texel[4])
 {
     const struct rhw_sampler_def *const def = &binding->sampler->def;
     const struct rhw_mip *const mip = &binding->texture->mip[0];
-    const f8 reference = reference_of(binding->texture->info, request);
-    const f8 x = fold_coordinate(def->address_u, request->coordinates[0]) * (float)mip->width - 0.5f,
-             y = fold_coordinate(def->address_v, request->coordinates[1]) * (float)mip->height - 0.5f;
-    const f8 left = rhw_floor(x), top = rhw_floor(y);
-    f8 held[4];
+    const f32x8 reference = reference_of(binding->texture->info, request);
+    const f32x8 x = fold_coordinate(def->address_u, request->coordinates[0]) * (float)mip->width - 0.5f,
+                y = fold_coordinate(def->address_v, request->coordinates[1]) * (float)mip->height - 0.5f;
+    const f32x8 left = rhw_floor(x), top = rhw_floor(y);
+    f32x8 held[4];
     load_footprint(def, mip, rhw_int_from_float_unchecked(left), rhw_int_from_float_unchecked(top), held);
     if (__builtin_expect(def->compare == RHW_COMPARE_LESS_EQUAL, 1)) { // named, so that no texel asks again
         compare_footprint(RHW_COMPARE_LESS_EQUAL, reference, held);
     } else {
         compare_footprint(def->compare, reference, held);
     }
-    const f8 above = rhw_mix(held[0], held[1], x - left), below = rhw_mix(held[2], held[3], x - left);
+    const f32x8 above = rhw_mix(held[0], held[1], x - left), below = rhw_mix(held[2], held[3], x - left);
     texel[0] = rhw_mix(above, below, y - top);
     texel[1] = texel[2] = rhw_splat(0.0f);
     texel[3] = rhw_splat(1.0f);
@@ -78,14 +78,14 @@ struct compared_window {
 // Where a window's first texel lies in each lane, and the weights of right and lower texels, by the formulas of
 // filter_general.h, which offsets ask for.
 struct window_place {
-    i8 x, y;
-    f8 weight_x, weight_y;
+    i32x8 x, y;
+    f32x8 weight_x, weight_y;
 };
 
-RHW_INLINE void place_along(enum rhw_address address, f8 coordinate, int size, i8 *low, f8 *weight)
+RHW_INLINE void place_along(enum rhw_address address, f32x8 coordinate, int size, i32x8 *low, f32x8 *weight)
 {
-    const f8 at = unfolded_texels(fold_period(address, coordinate), rhw_splat((float)size)) - 0.5f;
-    const f8 floor = rhw_floor(at);
+    const f32x8 at = unfolded_texels(fold_period(address, coordinate), rhw_splat((float)size)) - 0.5f;
+    const f32x8 floor = rhw_floor(at);
     *low = rhw_int_from_float_unchecked(floor);
     *weight = at - floor;
 }
@@ -102,52 +102,52 @@ RHW_INLINE bool find_window(const struct rhw_binding *binding, const struct rhw_
     if (!request->offset) {
         return true;
     }
-    const i8 right = request->offset[0], down = request->offset[1];
+    const i32x8 right = request->offset[0], down = request->offset[1];
     place->x = place->x + right;
     place->y = place->y + down;
-    const i8 beyond = (right + 0x8000) | (0x7000 - right) | (down + 0x8000) | (0x7000 - down);
+    const i32x8 beyond = (right + 0x8000) | (0x7000 - right) | (down + 0x8000) | (0x7000 - down);
     return !rhw_any(beyond >> 31);
 }
 
 RHW_INLINE bool is_inside(const struct rhw_mip *mip, const struct compared_window *window,
                           const struct window_place *place)
 {
-    const i8 beyond = place->x | (mip->width - 1 - RHW_WINDOW_COLUMNS - place->x) | place->y |
-                      (mip->height - 1 - window->rows - place->y); // negative: some texel lies outside
+    const i32x8 beyond = place->x | (mip->width - 1 - RHW_WINDOW_COLUMNS - place->x) | place->y |
+                         (mip->height - 1 - window->rows - place->y); // negative: some texel lies outside
     return !rhw_any(beyond >> 31);
 }
 
 // A row of a window's texels, from the words that lie `at` of its first row on.
-RHW_INLINE void load_inner_row(const unsigned char *texels, const uint32_t at[RHW_LANES], f8 held[4])
+RHW_INLINE void load_inner_row(const unsigned char *texels, const uint32_t at[RHW_LANES], f32x8 held[4])
 {
     const void *place[RHW_LANES];
     for (int i = 0; i < RHW_LANES; i++) {
         place[i] = texels + at[i] * sizeof(float);
     }
-    f8_load_columns(place, held);
+    f32x8_load_columns(place, held);
 }
 
 RHW_INLINE void load_wrapped_row(const struct rhw_sampler_def *def, const struct rhw_mip *mip,
-                                 const struct window_place *place, int row, f8 held[4])
+                                 const struct window_place *place, int row, f32x8 held[4])
 {
-    const i8 y = wrap_texel(def->address_v, place->y + row, i8_splat(mip->height));
+    const i32x8 y = wrap_texel(def->address_v, place->y + row, i32x8_splat(mip->height));
     for (int i = 0; i < 4; i++) {
-        const i8 x = wrap_texel(def->address_u, place->x + i, i8_splat(mip->width));
-        held[i] = (f8)i8_gather(mip->texels, texel_number((x << 16) | y, mip));
+        const i32x8 x = wrap_texel(def->address_u, place->x + i, i32x8_splat(mip->width));
+        held[i] = (f32x8)i32x8_gather(mip->texels, texel_number((x << 16) | y, mip));
     }
 }
 
 RHW_INLINE void compare_rows(const struct rhw_sampler_def *def, const struct rhw_mip *mip,
                              const struct compared_window *window, const struct window_place *place,
-                             bool inside, enum rhw_compare compare, f8 reference, f8 *parts)
+                             bool inside, enum rhw_compare compare, f32x8 reference, f32x8 *parts)
 {
     uint32_t at[RHW_LANES];
-    f8 above[RHW_WINDOW_COLUMNS] = {reference, reference, reference};
+    f32x8 above[RHW_WINDOW_COLUMNS] = {reference, reference, reference};
     if (inside) {
         spill_lanes(texel_number((place->x << 16) | place->y, mip), at);
     }
     for (int row = 0; row <= window->rows; row++) {
-        f8 held[4], below[RHW_WINDOW_COLUMNS];
+        f32x8 held[4], below[RHW_WINDOW_COLUMNS];
         if (inside) {
             load_inner_row(mip->texels + (size_t)row * mip->row_pitch, at, held);
         } else {
@@ -165,11 +165,11 @@ RHW_INLINE void compare_rows(const struct rhw_sampler_def *def, const struct rhw
 }
 
 static inline bool compare_window(const struct rhw_binding *binding, const struct rhw_sample_request *request,
-                                  const struct compared_window *window, f8 *parts)
+                                  const struct compared_window *window, f32x8 *parts)
 {
     const struct rhw_sampler_def *const def = &binding->sampler->def;
     const struct rhw_mip *const mip = &binding->texture->mip[0];
-    const f8 reference = reference_of(binding->texture->info, request);
+    const f32x8 reference = reference_of(binding->texture->info, request);
     struct window_place place;
     if (!find_window(binding, request, window, &place)) {
         return false;

@@ -28,30 +28,31 @@ RHW_INLINE int last_level(const struct rhw_texture_data *texture, const struct r
 // log2(a) / 2 within 2^-17, exact at powers of four: the level of detail needs no more. The bits of a float,
 // read as a number, are its logarithm but for the curve between powers of two. 0 gives −63.5, infinity and
 // NaN 64: the bits of a NaN differ between processors.
-RHW_INLINE f8 half_log2(f8 a)
+RHW_INLINE f32x8 half_log2(f32x8 a)
 {
     const struct sample_constants *const k = sample_constants();
-    const i8 bits = (i8)rhw_min(a, k->largest);
-    const f8 straight = rhw_float_from_int(bits) * k->log_scale + k->log_offset;
-    const f8 t = (f8)((bits & k->fraction_bits) | k->one_bits) - k->one;
-    const f8 square = t * t;
-    const f8 curve = (k->curve1 * t + k->curve0) + square * (k->curve3 * t + k->curve2);
+    const i32x8 bits = (i32x8)rhw_min(a, k->largest);
+    const f32x8 straight = rhw_float_from_int(bits) * k->log_scale + k->log_offset;
+    const f32x8 t = (f32x8)((bits & k->fraction_bits) | k->one_bits) - k->one;
+    const f32x8 square = t * t;
+    const f32x8 curve = (k->curve1 * t + k->curve0) + square * (k->curve3 * t + k->curve2);
     return straight + (square - t) * curve;
 }
 
 // Level of detail after OpenGL ES 3.0 §3.8.10, biased but not yet limited. Half the logarithm of the squared
 // length spares the square root.
-RHW_INLINE f8 level_of_detail(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler,
-                              const f8 *gradient, const f8 *lod)
+RHW_INLINE f32x8 level_of_detail(const struct rhw_texture_data *texture,
+                                 const struct rhw_sampler_data *sampler, const f32x8 *gradient,
+                                 const f32x8 *lod)
 {
     if (!gradient) {
         return (lod ? *lod : rhw_splat(0.0f)) + sampler->def.lod_bias;
     }
     const struct rhw_mip *const mip = &texture->mip[0];
-    const f8 scale_x = f8_load(mip->scale_x), scale_y = f8_load(mip->scale_y);
-    const f8 ux = gradient[0] * scale_x, vx = gradient[1] * scale_y;
-    const f8 uy = gradient[2] * scale_x, vy = gradient[3] * scale_y;
-    return half_log2(rhw_max(ux * ux + vx * vx, uy * uy + vy * vy)) + f8_load(sampler->gradient_bias);
+    const f32x8 scale_x = f32x8_load(mip->scale_x), scale_y = f32x8_load(mip->scale_y);
+    const f32x8 ux = gradient[0] * scale_x, vx = gradient[1] * scale_y;
+    const f32x8 uy = gradient[2] * scale_x, vy = gradient[3] * scale_y;
+    return half_log2(rhw_max(ux * ux + vx * vx, uy * uy + vy * vy)) + f32x8_load(sampler->gradient_bias);
 }
 
 #endif

@@ -18,7 +18,7 @@
 struct footprint_pair {
     int level;                  // the finer one
     struct footprint near, far; // in it, in the next
-    i8 weight;                  // of the next
+    i32x8 weight;               // of the next
 };
 
 RHW_INLINE enum rhw_texel_codec codec_of(const struct rhw_binding *binding)
@@ -27,14 +27,14 @@ RHW_INLINE enum rhw_texel_codec codec_of(const struct rhw_binding *binding)
 }
 
 // False where lanes need more than the fast path of sample_fixed.
-RHW_INLINE bool find_footprints(const struct rhw_binding *binding, const f8 uv[2], const f8 gradient[4],
+RHW_INLINE bool find_footprints(const struct rhw_binding *binding, const f32x8 uv[2], const f32x8 gradient[4],
                                 struct footprint_pair *pair)
 {
     const struct rhw_sampler_def *const def = &binding->sampler->def;
-    const f8 s = fold_coordinate(def->address_u, uv[0]);
-    const f8 t = fold_coordinate(def->address_v, uv[1]);
-    const i8 lod = fixed_level_of_detail(binding, gradient, NULL);
-    pair->weight = i8_halve_lower(lod);
+    const f32x8 s = fold_coordinate(def->address_u, uv[0]);
+    const f32x8 t = fold_coordinate(def->address_v, uv[1]);
+    const i32x8 lod = fixed_level_of_detail(binding, gradient, NULL);
+    pair->weight = i32x8_halve_lower(lod);
     pair->level = lod[0] >> 16;
     return same_two_levels(lod, pair->weight) &&
            interior_footprints(mip_at(binding->texture, pair->level), s, t, &pair->near, &pair->far);
@@ -77,7 +77,7 @@ RHW_INLINE void prefetch_footprint(const struct rhw_binding *binding, const stru
 }
 
 RHW_INLINE void filter_footprints(const struct rhw_texture_data *texture, const struct footprint_pair *pair,
-                                  enum rhw_texel_codec codec, f8 texel[4])
+                                  enum rhw_texel_codec codec, f32x8 texel[4])
 {
     const struct rhw_mip *const fine = mip_at(texture, pair->level);
     const struct fixed_texels a = filter_interior(fine, &pair->near, codec);
@@ -86,7 +86,7 @@ RHW_INLINE void filter_footprints(const struct rhw_texture_data *texture, const 
 }
 
 // Gives the gradient of coordinates that are the varyings from `at` on.
-RHW_INLINE void group_gradient(const struct rhw_fragment *group, int at, f8 gradient[4])
+RHW_INLINE void group_gradient(const struct rhw_fragment *group, int at, f32x8 gradient[4])
 {
     gradient[0] = group->ddx[at];
     gradient[1] = group->ddx[at + 1];
@@ -96,9 +96,9 @@ RHW_INLINE void group_gradient(const struct rhw_fragment *group, int at, f8 grad
 
 // Samples one group by itself, as rhw_sample does.
 RHW_INLINE void sample_group(const struct rhw_binding *binding, const struct rhw_fragment *group, int at,
-                             f8 texel[4])
+                             f32x8 texel[4])
 {
-    f8 gradient[6];
+    f32x8 gradient[6];
     const struct rhw_texture_data *const texture = binding->texture;
     const int components = texture ? rhw_texture_components(texture->shape.kind) : 0;
     for (int i = 0; i < components; i++) {
@@ -115,7 +115,7 @@ enum { SHARING_GROUPS = 8 };
 // One texture at the footprints of the groups whose bits are set in `found`. Meanwhile asks for texels of the next one.
 RHW_INLINE void filter_found_groups(const struct rhw_texture_data *texture, const struct rhw_binding *next,
                                     const struct footprint_pair pair[SHARING_GROUPS], unsigned found,
-                                    enum rhw_texel_codec codec, f8 (*texels)[4], int stride)
+                                    enum rhw_texel_codec codec, f32x8 (*texels)[4], int stride)
 {
     for (; found != 0; found &= found - 1) {
         const int g = __builtin_ctz(found);
@@ -128,12 +128,12 @@ RHW_INLINE void filter_found_groups(const struct rhw_texture_data *texture, cons
 
 // At most SHARING_GROUPS groups of slots that share what is found for the first, two at least.
 static void sample_sharing_slots(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
-                                 f8 (*texels)[4], int stride)
+                                 f32x8 (*texels)[4], int stride)
 {
     const struct rhw_binding *const bindings = groups->textures->slot;
     const struct rhw_binding *const first = &bindings[__builtin_ctz(slots)];
     struct footprint_pair pair[SHARING_GROUPS];
-    f8 gradient[4];
+    f32x8 gradient[4];
     unsigned found = 0;
     for (int g = 0; g < count; g++) {
         group_gradient(&groups[g], at, gradient);
@@ -162,11 +162,11 @@ static void sample_sharing_slots(const struct rhw_fragment *groups, int count, u
 // One texture on the fixed-point path by itself. What its level of detail is takes a chain of operations, of which each
 // waits for the one before: those of all groups come first, so that they wait together.
 RHW_INLINE void sample_fixed_groups(const struct rhw_binding *binding, const struct rhw_fragment *groups,
-                                    int count, int at, enum rhw_texel_codec codec, f8 (*texels)[4],
+                                    int count, int at, enum rhw_texel_codec codec, f32x8 (*texels)[4],
                                     int stride)
 {
-    i8 lod[RHW_MAX_GROUPS];
-    f8 gradient[4];
+    i32x8 lod[RHW_MAX_GROUPS];
+    f32x8 gradient[4];
     for (int g = 0; g < count; g++) {
         group_gradient(&groups[g], at, gradient);
         lod[g] = fixed_level_of_detail(binding, gradient, NULL);
@@ -178,7 +178,7 @@ RHW_INLINE void sample_fixed_groups(const struct rhw_binding *binding, const str
 
 // Samples one slot by itself, with a texture or without.
 static void sample_slot(const struct rhw_binding *binding, const struct rhw_fragment *groups, int count,
-                        int at, f8 (*texels)[4], int stride)
+                        int at, f32x8 (*texels)[4], int stride)
 {
     if (binding->shares_footprints && codec_of(binding) == RHW_CODEC_UNORM8) {
         sample_fixed_groups(binding, groups, count, at, RHW_CODEC_UNORM8, texels, stride);

@@ -8,9 +8,10 @@
 #include "rhw/shader.h"
 
 // Channels that hold 0..1, or −1..1, are compared with a number that does (Vulkan 1.3 §16.3.4).
-static inline f8 reference_of(const struct rhw_format_info *format, const struct rhw_sample_request *request)
+static inline f32x8 reference_of(const struct rhw_format_info *format,
+                                 const struct rhw_sample_request *request)
 {
-    const f8 reference = request->reference ? *request->reference : rhw_splat(0.0f);
+    const f32x8 reference = request->reference ? *request->reference : rhw_splat(0.0f);
     return rhw_format_is_normalized(format)
                ? rhw_clamp(reference, rhw_splat(rhw_format_least(format)), rhw_splat(1.0f))
                : reference;

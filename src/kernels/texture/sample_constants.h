@@ -7,15 +7,15 @@
 #include "base/simd.h"
 
 struct sample_constants {
-    f8 largest;                        // finite float
-    i8 fraction_bits, one_bits;        // of a float; of 1.0f
-    f8 one, one_16;                    // 1; 1 in 16.16
-    f8 curve0, curve1, curve2, curve3; // see half_log2
-    f8 log_scale, log_offset;
-    f8 half_texel;              // 16.16
-    f8 fixed_scale, fixed_rest; // see fixed_to_float
-    i8 lower_half, upper_half;  // of a lane
-    i8 not_in_row;              // see filter_interior
+    f32x8 largest;                        // finite float
+    i32x8 fraction_bits, one_bits;        // of a float; of 1.0f
+    f32x8 one, one_16;                    // 1; 1 in 16.16
+    f32x8 curve0, curve1, curve2, curve3; // see half_log2
+    f32x8 log_scale, log_offset;
+    f32x8 half_texel;              // 16.16
+    f32x8 fixed_scale, fixed_rest; // see fixed_to_float
+    i32x8 lower_half, upper_half;  // of a lane
+    i32x8 not_in_row;              // see filter_interior
 };
 
 // A macro, as the result of a function is no constant.

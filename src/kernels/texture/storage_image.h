@@ -21,22 +21,23 @@ static inline void store_texel(unsigned char *place, const uint32_t *word, size_
 }
 
 // Writes the texels of lanes of `mask` that lie inside.
-static inline void image_store(const struct rhw_storage_image *image, const i8 *at, i8 mask,
-                               const f8 texel[4])
+static inline void image_store(const struct rhw_storage_image *image, const i32x8 *at, i32x8 mask,
+                               const f32x8 texel[4])
 {
     const struct rhw_texture_data *const texture = image->texture;
     const struct rhw_mip *const mip = &texture->mip[image->level];
     const enum rhw_texture_kind kind = texture->shape.kind;
     const bool has_y = kind != RHW_TEXTURE_1D;
     const bool has_slice = kind == RHW_TEXTURE_3D || kind == RHW_TEXTURE_CUBE || texture->shape.is_array;
-    i8 inside = mask;
-    const i8 x = keep_inside(at[0], i8_splat(mip->width), &inside);
-    const i8 y = has_y ? keep_inside(at[1], i8_splat(mip->height), &inside) : i8_splat(0);
-    const i8 slice = has_slice ? keep_inside(at[1 + has_y], i8_splat(mip->slices), &inside) : i8_splat(0);
+    i32x8 inside = mask;
+    const i32x8 x = keep_inside(at[0], i32x8_splat(mip->width), &inside);
+    const i32x8 y = has_y ? keep_inside(at[1], i32x8_splat(mip->height), &inside) : i32x8_splat(0);
+    const i32x8 slice =
+        has_slice ? keep_inside(at[1 + has_y], i32x8_splat(mip->slices), &inside) : i32x8_splat(0);
     struct raw_texels raw = {{{0}}};
     encode_texels(texture->info, texel, &raw);
     const size_t size = texture->info->size;
-    for (unsigned left = i8_sign_bits(inside); left != 0; left &= left - 1) {
+    for (unsigned left = i32x8_sign_bits(inside); left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
         uint32_t word[4];
         for (int w = 0; w < 4; w++) {

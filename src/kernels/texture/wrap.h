@@ -8,7 +8,7 @@
 #include "rhw/types.h"
 
 // Coordinates that repeat, in one period: 0..1 or 0..2, the upper bound where they are not finite; others as they are.
-static inline f8 fold_period(enum rhw_address address, f8 u)
+static inline f32x8 fold_period(enum rhw_address address, f32x8 u)
 {
     switch (address) {
     case RHW_ADDRESS_REPEAT: return rhw_min(u - rhw_floor(u), rhw_splat(1.0f));
@@ -18,21 +18,21 @@ static inline f8 fold_period(enum rhw_address address, f8 u)
 }
 
 // The same in texels, within ±2^20, where every whole number and its halves are floats.
-static inline f8 unfolded_texels(f8 folded, f8 size)
+static inline f32x8 unfolded_texels(f32x8 folded, f32x8 size)
 {
     return rhw_clamp(folded * size, rhw_splat(-0x1p20f), rhw_splat(0x1p20f));
 }
 
 // i modulo n, never negative; |i| is below 2^22, where the quotient is a whole number only if it is exactly one.
-static inline i8 modulo(i8 i, i8 n)
+static inline i32x8 modulo(i32x8 i, i32x8 n)
 {
     return i - n * rhw_int_from_float_unchecked(rhw_floor(rhw_float_from_int(i) / rhw_float_from_int(n)));
 }
 
 // Moves texel coordinates into 0 .. size − 1. What a border replaces is clamped as well.
-static inline i8 wrap_texel(enum rhw_address address, i8 i, i8 size)
+static inline i32x8 wrap_texel(enum rhw_address address, i32x8 i, i32x8 size)
 {
-    const i8 outside = (i >> 31) | ~rhw_less_int(i, size);
+    const i32x8 outside = (i >> 31) | ~rhw_less_int(i, size);
     if (!rhw_any(outside)) {
         return i;
     }
@@ -40,11 +40,11 @@ static inline i8 wrap_texel(enum rhw_address address, i8 i, i8 size)
         return modulo(i, size);
     }
     if (address == RHW_ADDRESS_MIRROR) {
-        const i8 period = modulo(i, size + size);
+        const i32x8 period = modulo(i, size + size);
         return rhw_min_int(period, size + size - 1 - period);
     }
-    const i8 mirrored = address == RHW_ADDRESS_MIRROR_ONCE ? i ^ (i >> 31) : i; // −1 − i below 0
-    return rhw_max_int(rhw_min_int(mirrored, size - 1), i8_splat(0));
+    const i32x8 mirrored = address == RHW_ADDRESS_MIRROR_ONCE ? i ^ (i >> 31) : i; // −1 − i below 0
+    return rhw_max_int(rhw_min_int(mirrored, size - 1), i32x8_splat(0));
 }
 
 #endif

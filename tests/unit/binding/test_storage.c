@@ -667,7 +667,7 @@ static void misuse(void **state)
 }
 
 // What validation tells of a fragment function that writes to `slot` of a pass with a buffer in slot 0.
-static void expect_finding(uint32_t uses, rhw_fragment_function *function, const char *part)
+static void expect_message(uint32_t uses, rhw_fragment_function *function, const char *part)
 {
     struct rig rig;
     struct rig_vertex vertices[6];
@@ -716,11 +716,11 @@ static void read_slot16(struct rhw_fragment *groups, int count)
 static void validation(void **state)
 {
     (void)state;
-    expect_finding(0, write_slot0,
+    expect_message(0, write_slot0,
                    "writes to storage slot 0; its program declares no such effects, by RHW_USE_EFFECTS or "
                    "vertex_effects");
-    expect_finding(RHW_USE_EFFECTS, write_slot1, "uses storage slot 1, in which nothing is set");
-    expect_finding(0, read_slot16, "uses storage slot 16; slots are 0..15");
+    expect_message(RHW_USE_EFFECTS, write_slot1, "uses storage slot 1, in which nothing is set");
+    expect_message(0, read_slot16, "uses storage slot 16; slots are 0..15");
 }
 
 int main(void)
