@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Textures: their creation. Levels are linear rows in one allocation; texture_copy.c reads and writes them.
+// Textures are created and destroyed here. Levels are linear rows in one allocation; texture_copy.c reads and writes
+// them.
 #include "texture.h"
 
 #include <string.h>
@@ -21,7 +22,7 @@ static int level_size(int size, int level)
     return size >> level > 1 ? size >> level : 1;
 }
 
-// `first`: bytes from the texture's memory to the level.
+// Set the table of a level. `first` is the number of bytes from the texture's memory to the level.
 static void set_table(struct rhw_texture_data *texture, int level, uint64_t first)
 {
     const struct rhw_mip *const mip = &texture->mip[level];
@@ -40,7 +41,7 @@ static size_t aligned_pitch(size_t row)
     return (row + RHW_ROW_ALIGNMENT - 1) & ~(size_t)(RHW_ROW_ALIGNMENT - 1);
 }
 
-// Bytes of a level's plane of stencil, all slices, where it lies behind another one.
+// Return the bytes of a level's plane of stencil, all slices, where it lies behind another plane.
 static uint64_t stencil_size(const struct rhw_format_info *info, const struct rhw_mip *mip)
 {
     const bool apart = rhw_format_has_role(info, RHW_ROLE_STENCIL_TARGET) &&
@@ -105,7 +106,7 @@ static void place_levels(struct rhw_texture_data *texture, void *memory)
     }
 }
 
-// Zeroed memory of all levels. False when out of memory.
+// Allocate zeroed memory for all levels. Return false when out of memory.
 static bool allocate_levels(struct rhw_memory *memory, struct rhw_texture_data *texture)
 {
     void *const bytes = texture->memory_size != SIZE_MAX
@@ -231,7 +232,7 @@ void rhw_texture_destroy(rhw_context *context, rhw_texture texture)
     rhw_context_leave(context);
 }
 
-// What rhw_context_texture gives to a function that only looks.
+// Return what rhw_context_texture gives, for a function that only looks.
 static const struct rhw_texture_data *look_at(const struct rhw_context *context, rhw_texture texture,
                                               const char *where)
 {

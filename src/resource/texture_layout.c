@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where texels lie: what rhw_texture_data_init decides, told to the program.
+// Where texels lie: what rhw_texture_data_init decided, told to the program.
 #include "context/context.h"
 #include "context/entry.h"
 #include "format/format.h"
