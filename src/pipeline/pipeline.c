@@ -14,7 +14,7 @@ void rhw_pipeline_data_release(struct rhw_memory *memory, struct rhw_pipeline_da
     rhw_memory_release(memory, data->validator, sizeof *data->validator);
 }
 
-// Puts a validator before the pipeline's functions. False when out of memory.
+// Put a validator before the pipeline's functions. Return false when out of memory.
 static bool validator(struct rhw_context *context, uint32_t index, struct rhw_pipeline_data *data)
 {
     struct rhw_validator *const made =

@@ -26,7 +26,7 @@ static bool check_range(const struct rhw_context *context, const char *field, lo
                      create_name, field, value, low, high);
 }
 
-// `type` is the enum that the value is of, without the word.
+// Check a value of an enum. `type` is the name of the enum without the word "enum".
 static bool check_enum(const struct rhw_context *context, const char *field, const char *type, int value,
                        int last)
 {
@@ -62,7 +62,7 @@ static bool check_functions(const struct rhw_context *context, const struct rhw_
                      create_name);
 }
 
-// Varyings that a struct names are all of its members, in order.
+// Check that varyings which a struct names are all of its members, in order.
 static bool check_member(const struct rhw_context *context, const struct rhw_program *program, int index,
                          int components)
 {
@@ -137,7 +137,7 @@ static bool check_program(const struct rhw_context *context, const struct rhw_pr
 
 // Vertex input -----------------------------------------------------------------------------------------
 
-// As WebGPU has it, an attribute ends within its element, so that a wrong offset or stride is found here.
+// An attribute ends within its element, as WebGPU requires, so that a wrong offset or stride is found here.
 static bool check_attribute(const struct rhw_context *context, const struct rhw_pipeline_def *def, int index)
 {
     const struct rhw_attribute *const attribute = &def->attributes[index];
@@ -150,7 +150,8 @@ static bool check_attribute(const struct rhw_context *context, const struct rhw_
     }
     const uint32_t stride = def->buffers[attribute->buffer].stride;
     const size_t size = rhw_vertex_format_size(attribute->format);
-    const size_t most = stride == 0 ? UINT32_MAX : stride; // which is as much as a computed one can be
+    // A stride that is computed can be as large as this.
+    const size_t most = stride == 0 ? UINT32_MAX : stride;
     return rhw_check(
         context, attribute->offset <= most && size <= most - attribute->offset,
         "%s: attributes[%d].offset is %u and its format takes %zu bytes; together they must stay "
@@ -171,7 +172,7 @@ static bool check_layout(const struct rhw_context *context, int index, const str
                      index, (unsigned)layout->stride);
 }
 
-// Arrays that were filled and not counted.
+// Report arrays that were filled and not counted.
 static bool check_counts(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
     const struct rhw_attribute *const first = &def->attributes[0];
@@ -301,7 +302,7 @@ static bool has_fragment(const struct rhw_program *program)
     return program->fragment[RHW_ISA_BASELINE] != NULL || program->fragment1 != NULL;
 }
 
-// Targets that were counted and not filled; some may be left out.
+// Report targets that were counted and not filled. Some targets may be left out.
 static bool check_any_format(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
     bool any = def->target_count == 0;
@@ -343,7 +344,7 @@ static bool check_targets(const struct rhw_context *context, const struct rhw_pi
     return true;
 }
 
-// Flags of the program that its shaders would draw other bytes with.
+// Report compiler flags of the program with which its shaders would draw other bytes.
 static bool check_flaws(const struct rhw_context *context, uint32_t flaws)
 {
     return rhw_check(context, (flaws & RHW_ARITHMETIC_FUSED) == 0,
@@ -360,7 +361,7 @@ static bool check_flaws(const struct rhw_context *context, uint32_t flaws)
                      create_name, (unsigned)flaws);
 }
 
-// Whether it does without blending what it does with it.
+// Return true if blending with these factors gives what no blending gives.
 static bool replaces(const struct rhw_blend_component *blend)
 {
     return (blend->src == RHW_BLEND_DEFAULT || blend->src == RHW_BLEND_ONE) &&

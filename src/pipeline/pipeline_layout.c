@@ -11,8 +11,8 @@ static void resolve_blend(struct rhw_blend_component *blend)
     blend->dst = blend->dst == RHW_BLEND_DEFAULT ? RHW_BLEND_ZERO : blend->dst;
 }
 
-// What zero stands for in a definition, so that what reads it later knows no defaults: a mask of 0 then writes nothing,
-// and a stride of 0 is that of a constant buffer.
+// Write out what zero stands for in a definition, so that what reads it later knows no defaults. After this a mask of 0
+// writes nothing, and a stride of 0 is that of a constant buffer.
 static void resolve_defaults(struct rhw_pipeline_def *def)
 {
     const uint8_t all = RHW_WRITE_RED | RHW_WRITE_GREEN | RHW_WRITE_BLUE | RHW_WRITE_ALPHA;
@@ -40,7 +40,7 @@ static void resolve_defaults(struct rhw_pipeline_def *def)
     }
 }
 
-// What alpha decides is left out where target 0 has integers (Vulkan 1.3 §28.9).
+// Leave out what alpha decides where target 0 has integers (Vulkan 1.3 §28.9).
 static void resolve_alpha(struct rhw_pipeline_def *def)
 {
     if (def->target_count > 0 && rhw_format_is_integer(rhw_format_info(def->targets[0].format))) {
@@ -48,7 +48,8 @@ static void resolve_alpha(struct rhw_pipeline_def *def)
     }
 }
 
-// Of the fragment function: alpha may decide about coverage where no target has it.
+// Return the number of colours that the fragment function writes. Alpha may decide about coverage where no target has
+// it.
 static int count_outputs(const struct rhw_pipeline_def *def)
 {
     if (def->target_count == 0) {
@@ -57,7 +58,8 @@ static int count_outputs(const struct rhw_pipeline_def *def)
     return def->target_count + (def->target_count == 1 && rhw_blend_reads_second(&def->targets[0]));
 }
 
-// With two-sided stencil after the fragment function, groups say which way their fragments face.
+// Ask for facing where the two-sided stencil test follows the fragment function, so that groups say which way their
+// fragments face.
 static void resolve_uses(struct rhw_pipeline_def *def)
 {
     const uint32_t late =
@@ -120,7 +122,7 @@ static void lay_out_varyings(struct rhw_pipeline_data *data)
     data->varying_components = next;
 }
 
-// Tells how packing treats components by eights (pipeline.h).
+// Tell how packing treats components by eights (pipeline.h).
 static void qualify_vectors(struct rhw_pipeline_data *data)
 {
     for (int first = 0; first < data->varying_components; first += 8) {
@@ -135,7 +137,7 @@ static void qualify_vectors(struct rhw_pipeline_data *data)
     }
 }
 
-// Lists the smooth components with derivatives by twos (pipeline.h).
+// List the smooth components with derivatives by twos (pipeline.h).
 static void pair_derivatives(struct rhw_pipeline_data *data)
 {
     int count = 0;
@@ -149,7 +151,7 @@ static void pair_derivatives(struct rhw_pipeline_data *data)
     data->derivative_pairs = (count + 1) / 2;
 }
 
-// Tells what is drawn, and what of a vertex the front end needs for it beside its varyings.
+// Tell what is drawn, and what of a vertex the front end needs for it beside its varyings.
 static void lay_out_primitives(struct rhw_pipeline_data *data)
 {
     const struct rhw_pipeline_def *const def = &data->def;
@@ -189,7 +191,7 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
 {
     memset(data, 0, sizeof *data);
     data->def = *def;
-    data->def.label = NULL; // which is the caller's
+    data->def.label = NULL; // the label is the caller's memory
     for (int i = 0; i < def->target_count; i++) {
         data->left_out |= def->targets[i].format == RHW_FORMAT_NONE ? 1u << i : 0;
     }

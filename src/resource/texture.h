@@ -30,7 +30,7 @@ struct rhw_mip {
     unsigned char *linear;
     int width, height;
     int slices;         // slices of a 3D texture; layers of others
-    size_t row_pitch;   // bytes; the linear copy has a multiple of them
+    size_t row_pitch;   // bytes, a multiple of RHW_ROW_ALIGNMENT
     size_t slice_pitch; // bytes; slices stand one after the other, in the linear copy too
     // The plane of stencil, with a byte per texel, of formats that have one. It is the texels themselves where there is
     // no depth.
