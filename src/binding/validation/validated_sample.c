@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sampling under validation. Levels of detail are worked out anew, apart from the kernels, which gives them up to
-// rounding: a level counts as read where it makes more than 1/256 of the result.
+// Sampling and storage under validation. Levels of detail are worked out anew, apart from the kernels, which give them
+// up to rounding: a level counts as read where it makes more than 1/256 of the result.
 #include "validation_messages.h"
 #include "resource/sampler.h"
 #include "resource/texture.h"
@@ -8,7 +8,7 @@
 
 static const float rounding = 1.0f / 256;
 
-// Biased, not yet limited.
+// Return the level of detail, biased and not yet limited.
 static rhw_float level_of_detail(const struct rhw_texture_data *texture, const struct rhw_sampler_def *def,
                                  const struct rhw_sample_request *request)
 {
@@ -23,7 +23,7 @@ static rhw_float level_of_detail(const struct rhw_texture_data *texture, const s
     return rhw_log2(rhw_max(ux * ux + vx * vx, uy * uy + vy * vy)) * 0.5f + bias;
 }
 
-// The two levels that each lane reads, which may be one.
+// Set the two levels that each lane reads, which may be one.
 static void levels_of(const struct rhw_texture_data *texture, const struct rhw_sampler_def *def,
                       rhw_float lod, rhw_float *fine, rhw_float *coarse)
 {
@@ -35,9 +35,9 @@ static void levels_of(const struct rhw_texture_data *texture, const struct rhw_s
     *fine = blended ? rhw_floor(within + rounding) : *coarse;
 }
 
-// A level that is read and was never written; 0 where there is none, or the texture is not a plain 2D one, whose
-// gradients say other things. Lanes whose level of detail is NaN do not count:
-// what their gradients come from is at fault.
+// Return a level that is read and was never written. Return 0 where there is none, or where the texture is not a plain
+// 2D one, whose gradients say other things. Lanes whose level of detail is NaN do not count: what their gradients come
+// from is at fault.
 static int unwritten_level(const struct rhw_binding *binding, const struct rhw_sample_request *request,
                            const rhw_int *mask)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What validation finds while a pass runs, on any thread, kept until the pass ends and told then. One of each kind: that
-// of the earliest draw.
+// What validation finds while a pass runs, on any thread. It is kept until the pass ends and told then. One message of
+// each kind is kept: that of the earliest draw.
 #ifndef RHW_VALIDATION_MESSAGES_H
 #define RHW_VALIDATION_MESSAGES_H
 
@@ -20,12 +20,12 @@ struct rhw_validation_messages {
     struct rhw_validation_message kinds[RHW_VALIDATION_KINDS];
 };
 
-// False when the system has no mutex.
+// Set up the messages. Return false when the system has no mutex.
 bool rhw_validation_messages_init(struct rhw_validation_messages *validation);
 void rhw_validation_messages_destroy(struct rhw_validation_messages *validation);
 void rhw_validation_messages_clear(struct rhw_validation_messages *validation);
 
-// Called on any thread.
+// Add a message. Every thread may call this.
 __attribute__((format(printf, 4, 5), cold)) void rhw_validation_messages_add(
     struct rhw_validation_messages *validation, enum rhw_validation_kind kind, uint32_t draw,
     const char *format, ...);
