@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "validation_messages.h"
 #include "format/format.h"
 #include "binding/shader_adapter.h"
 #include "validation.h"

@@ -2,7 +2,6 @@
 // Vertex functions under validation.
 #include <string.h>
 
-#include "validation_messages.h"
 #include "binding/shader_adapter.h"
 #include "validation.h"
 

@@ -10,11 +10,35 @@
 
 #include <string.h>
 
+#include "base/thread.h"
 #include "binding/binding.h"
 #include "pipeline/pipeline.h"
 #include "context/pool.h"
 
-struct rhw_validation_messages;
+// What validation finds while a pass runs, on any thread. It is kept until the pass ends and told then. One message of
+// each kind is kept: that of the earliest draw.
+enum rhw_validation_kind { RHW_VALIDATION_MISUSE, RHW_VALIDATION_WARNING, RHW_VALIDATION_KINDS };
+
+struct rhw_validation_message {
+    bool found;
+    uint32_t draw;
+    char text[512];
+};
+
+struct rhw_validation_messages {
+    struct rhw_mutex mutex; // guards `kinds` while workers run
+    struct rhw_validation_message kinds[RHW_VALIDATION_KINDS];
+};
+
+// Set up the messages. Return false when the system has no mutex.
+bool rhw_validation_messages_init(struct rhw_validation_messages *validation);
+void rhw_validation_messages_destroy(struct rhw_validation_messages *validation);
+void rhw_validation_messages_clear(struct rhw_validation_messages *validation);
+
+// Add a message. Every thread may call this.
+__attribute__((format(printf, 4, 5), cold)) void rhw_validation_messages_add(
+    struct rhw_validation_messages *validation, enum rhw_validation_kind kind, uint32_t draw,
+    const char *format, ...);
 
 enum {
     // Room for varyings; those behind the declared ones are validated.
