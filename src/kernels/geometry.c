@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The front end, compiled once per instruction set, with RHW_ISA_SUFFIX naming it.
+// The front end, compiled once per instruction set, which RHW_ISA_SUFFIX names.
 #include "kernel_entries.h"
 
 #include "kernels/geometry/chunk.h"
