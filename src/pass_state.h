@@ -11,7 +11,7 @@
 #include "draw_list.h"
 #include "explained.h"
 #include "rhw/shader.h"
-#include "rhw/tiles.h"
+#include "rhw/stats.h"
 #include "sample_pattern.h"
 #include "texture.h"
 #include "transform_feedback.h"

@@ -123,6 +123,22 @@ struct rhw_draw_commands {
     size_t count_offset;     ///< bytes to it; a multiple of 4
 };
 
+/// Where a pass writes what pipelines list as feedback_outputs. Of memory that is not written the bytes stay.
+struct rhw_feedback_target {
+    rhw_buffer buffer; ///< null where no output names this target
+    size_t offset;     ///< bytes to the first vertex, a multiple of 4
+    size_t size;       ///< bytes that may be written; 0: up to the end of the buffer
+};
+
+/// Where rhw_pass_draw_indirect_byte_count finds its number of vertices, and the rest of what it draws.
+struct rhw_draw_byte_count {
+    rhw_buffer buffer;       ///< where a uint32_t, the counter, says how many bytes there are
+    size_t offset;           ///< bytes to it; a multiple of 4
+    uint32_t counter_offset; ///< bytes of these that are no vertices
+    uint32_t stride;         ///< bytes of a vertex, at least 1
+    uint32_t first_instance, instances;
+};
+
 /// Where −1..1 in x and y goes. Triangles and lines are cut off at its edges; a point is kept or left out by its centre, and
 /// one near an edge reaches beyond (Vulkan 1.3 §27.4): rhw_pass_set_scissor cuts that too. Positions are rounded to 1/256
 /// pixel after x and y were added, so that a viewport moved by whole pixels need not draw the same bytes to the last bit.

@@ -6,9 +6,8 @@
 #include "limits.h"
 #include "explain.h"
 #include "pass_def.h"
-#include "tiles.h"
+#include "stats.h"
 #include "transfer.h"
-#include "transform_feedback.h"
 #include "types.h"
 #include "view.h"
 
@@ -263,6 +262,23 @@ RHW_API void rhw_pass_draw_indirect(rhw_context *context, rhw_pass pass,
                                     const struct rhw_draw_commands *commands);
 RHW_API void rhw_pass_draw_indexed_indirect(rhw_context *context, rhw_pass pass,
                                             const struct rhw_draw_commands *commands);
+// Transform feedback (VK_EXT)
+
+/// From here on draws write to the targets 0..count − 1, one behind the other; the pipeline that is set has outputs, and
+/// stays. A primitive that does not fit whole into each of the targets is not written, nor are those behind it. What a
+/// pass writes it does not read: the bytes are not set as vertices, indices or storage of this pass, and no two targets
+/// share any. Buffers have their new bytes when the pass has ended.
+RHW_API void rhw_pass_begin_transform_feedback(rhw_context *context, rhw_pass pass,
+                                               const struct rhw_feedback_target *targets, int count);
+/// `written`: [RHW_MAX_FEEDBACK_TARGETS], the bytes that the draws since the beginning write to each target, where
+/// another range may go on; may be NULL. Divided by a stride it is how many vertices a draw of the next pass finds
+/// there.
+RHW_API void rhw_pass_end_transform_feedback(rhw_context *context, rhw_pass pass, size_t *written);
+/// Draws from vertex 0 on as many as whole ones fit into the bytes: (counter − counter_offset) / stride, none where the
+/// counter is less (vkCmdDrawIndirectByteCountEXT; DrawAuto of Direct3D 11). It is read now, as by
+/// rhw_pass_draw_indirect, whose rules hold for the buffer.
+RHW_API void rhw_pass_draw_indirect_byte_count(rhw_context *context, rhw_pass pass,
+                                               const struct rhw_draw_byte_count *draw);
 /// Draws recorded until the matching pop belong to a group, which messages name: "[draw 7 in shadows / trees ...]".
 /// Groups may stand in groups; each is popped before the pass ends.
 RHW_API void rhw_pass_push_debug_group(rhw_context *context, rhw_pass pass, const char *label);

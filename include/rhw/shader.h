@@ -103,7 +103,6 @@ struct rhw_fragment1 {
     bool fully_covered;
 };
 
-#include "shader_interpolate.h"
 #include "shader_one.h"
 #include "shader_scalar.h"
 #include "shader_varying.h"

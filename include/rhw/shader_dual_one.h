@@ -4,7 +4,7 @@
 #ifndef RHW_SHADER_DUAL_ONE_H
 #define RHW_SHADER_DUAL_ONE_H
 
-#include "shader_dual_lanes.h"
+#include "shader_dual.h"
 
 #if RHW_HAS_LANES
 
@@ -360,5 +360,7 @@ static inline void rhw_sample_dual1(const struct rhw_bindings *textures, int slo
 RHW_QUIET_END
 
 #endif
+
+#include "shader_dual_scalar.h"
 
 #endif

@@ -3,10 +3,27 @@
 #ifndef RHW_SHADER_LANES_H
 #define RHW_SHADER_LANES_H
 
-#include "arithmetic.h"
-#include "compiler.h"
+#include "base.h"
 
-#include <stdint.h>
+// Flags of the compiler
+
+#if defined(__FAST_MATH__)
+#error "rhw: shaders would draw other bytes under -ffast-math (part of -Ofast); compile this file without it"
+#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "rhw: shaders meet NaN and infinity; compile this file without -ffinite-math-only"
+#elif defined(_M_FP_FAST) || defined(_M_FP_CONTRACT)
+#error \
+    "rhw: shaders would draw other bytes under /fp:fast and /fp:contract; compile this file with /fp:precise"
+#elif defined(__GCC_IEC_559) && __GCC_IEC_559 == 0
+#error \
+    "rhw: shaders need IEEE 754 arithmetic; compile this file without flags such as -funsafe-math-optimizations"
+#endif
+
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
+#error "rhw: this target computes floats in a wider type; on 32-bit x86 compile with -msse2 -mfpmath=sse"
+#endif
+
+// Lanes
 
 enum { RHW_LANES = 8 };
 

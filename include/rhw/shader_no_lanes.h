@@ -4,8 +4,7 @@
 #ifndef RHW_SHADER_NO_LANES_H
 #define RHW_SHADER_NO_LANES_H
 
-#include "arithmetic.h"
-#include "base.h"
+#include "shader_lanes.h"
 
 struct rhw_bindings;
 struct rhw_fragment1;

@@ -10,7 +10,6 @@
 #include "shader_math.h"
 #include "shader_memory.h"
 #include "shader_no_lanes.h"
-#include "shader_image.h"
 #include "shader_sample.h"
 #include "shader_storage.h"
 
