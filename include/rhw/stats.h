@@ -1,100 +1,118 @@
 // SPDX-License-Identifier: MIT
-// What a pass tells about its work in numbers: its stats, the answers of queries, and a report for each tile.
+// A pass tells about its work in numbers: stats of the whole pass, answers of queries, and a report of each tile.
 #ifndef RHW_STATS_H
 #define RHW_STATS_H
 
 #include "types.h"
 
-/// What a pass did. "Triangles" are primitives: points and lines count as one each. Times of stages are wall
-/// milliseconds. Busy times are milliseconds of threads, added up over all of them: front_busy_ms / (threads × front_ms)
-/// is the part of its threads that the front end used. A thread that waits for a core counts as busy.
+// Stats ---------------------------------------------------------------------------------------------
+
+/// rhw_pass_end fills these stats of a pass. A "triangle" here is a primitive: a point counts as one, and so does a
+/// line. Times of stages are milliseconds of wall time. Busy times are milliseconds of threads, added up over all
+/// threads of the context, so front_busy_ms / (threads × front_ms) is the part of its threads that the front end used.
+/// A thread that waits for a core counts as busy. The numbers vertices_shaded, fragments_shaded, fragment_groups,
+/// flushes and memory_peak may vary with the number of threads.
 struct rhw_stats {
-    double record_ms; ///< from rhw_pass_begin to rhw_pass_end, whatever the program did meanwhile
-    double front_ms;  ///< vertex fetch and shading, clip, cull, setup, binning
-    double back_ms;   ///< tiles: load, raster, shading, blending, store
+    double record_ms; ///< time from rhw_pass_begin to rhw_pass_end, with all that the program did in between
+    double front_ms;  ///< time of vertex fetch and shading, clipping, culling, setup and binning
+    double back_ms;   ///< time of the tiles: load, rasterization, shading, blending and store
     double front_busy_ms, back_busy_ms;
-    double vertex_busy_ms; ///< of front_busy_ms: assembly, fetch, the vertex function, projection
-    double setup_busy_ms;  ///< of front_busy_ms: clip, cull, setup
-    double bin_busy_ms;    ///< of front_busy_ms: binning
+    double vertex_busy_ms; ///< part of front_busy_ms: assembly, fetch, vertex function and projection
+    double setup_busy_ms;  ///< part of front_busy_ms: clipping, culling and setup
+    double bin_busy_ms;    ///< part of front_busy_ms: binning
     uint64_t draws;
-    /// Calls of the vertex function, in lanes: a vertex counts again where chunks or waves of a pass shade it again.
-    /// This, fragments_shaded, fragment_groups and flushes may vary with the threads.
+    /// Calls of the vertex function, counted in lanes. A vertex counts again for every chunk or wave of the pass that
+    /// shades it again.
     uint64_t vertices_shaded;
-    uint64_t triangles_in, triangles_dropped; ///< dropped: a position was not finite
-    uint64_t triangles_clipped;               ///< cut by a plane
-    uint64_t triangles_culled; ///< outside the view, facing away, of no area, or covering no sample
+    uint64_t triangles_in;
+    uint64_t triangles_dropped; ///< triangles with a position that was not finite
+    uint64_t triangles_clipped; ///< triangles that a plane cut
+    uint64_t triangles_culled; ///< triangles outside the view, facing away, without area, or covering no sample
     uint64_t triangles_rasterized;
-    uint64_t bin_entries;      ///< tiles that triangles were drawn in, added up over the triangles
-    uint64_t fragments_shaded; ///< samples that got a result of the fragment function; one call may serve many
-    uint64_t fragment_groups;  ///< groups of 8 lanes that it was called with
-    uint64_t flushes;          ///< times the bins were full before the pass ended
-    uint64_t memory_peak;      ///< bytes allocated by the context, highest so far; varies with the threads
-    uint64_t geometry_peak;    ///< of these, vertices, triangles and bins of this pass: the most at one time
+    uint64_t bin_entries; ///< numbers of tiles that each triangle was drawn in, added up over the triangles
+    uint64_t
+        fragments_shaded; ///< samples that got a result of the fragment function; one call may serve many samples
+    uint64_t fragment_groups; ///< groups of 8 lanes that the fragment function was called with
+    uint64_t flushes;         ///< times that the bins were full before the pass ended
+    uint64_t memory_peak; ///< the most bytes that the context has had allocated at one time since its creation
+    uint64_t geometry_peak; ///< the most bytes that vertices, triangles and bins of this pass took at one time
     int threads, tiles;
     enum rhw_isa isa;
 };
 
-/// What a query asks of the draws between its beginning and its end (Vulkan 1.3 §18, "Queries"). The answers are the same
-/// for any threads, paths and instruction set.
+// Queries -------------------------------------------------------------------------------------------
+
+/// A query asks about the draws between its beginning and its end (Vulkan 1.3 §18, "Queries"). The answer does not
+/// depend on the threads, the paths or the instruction set; the answer of a TIMESTAMP is a time.
 enum rhw_query_kind {
-    RHW_QUERY_OCCLUSION, ///< how many samples passed all tests, in their draws' turn: also those hidden later
-    RHW_QUERY_ANY_PASSED,         ///< whether any did
-    RHW_QUERY_STATISTICS,         ///< struct rhw_pipeline_statistics
-    RHW_QUERY_TIMESTAMP,          ///< when everything recorded before rhw_pass_write_timestamp was drawn
-    RHW_QUERY_TRANSFORM_FEEDBACK, ///< primitives that it wrote, and that it would have with more room
+    /// Count the samples that passed all tests when their draw came in turn. Samples that a later draw hides count too.
+    RHW_QUERY_OCCLUSION,
+    RHW_QUERY_ANY_PASSED, ///< tell whether any sample passed all tests
+    RHW_QUERY_STATISTICS, ///< fill struct rhw_pipeline_statistics
+    RHW_QUERY_TIMESTAMP,  ///< tell when all that was recorded before rhw_pass_write_timestamp had been drawn
+    RHW_QUERY_TRANSFORM_FEEDBACK, ///< count primitives that were written, and those that unlimited room would have held
     RHW_QUERY_KIND_COUNT
 };
 
 struct rhw_query_def {
-    enum rhw_query_kind kind; ///< OCCLUSION
-    const char *label;        ///< for messages
+    enum rhw_query_kind kind; ///< default OCCLUSION
+    const char *label;        ///< name in messages, or NULL
 };
 
-/// VkQueryPipelineStatisticFlagBits. What is counted is what the draws ask for, whatever the library saves or repeats:
-/// how often functions are called is in struct rhw_stats.
+/// The members count what VkQueryPipelineStatisticFlagBits of the same names count. They count what the draws ask for,
+/// not what the library saves or repeats; struct rhw_stats tells how often functions were really called.
 struct rhw_pipeline_statistics {
-    uint64_t input_assembly_vertices;   ///< for every instance; restart indices are none
-    uint64_t input_assembly_primitives; ///< complete ones
-    uint64_t vertex_shader_invocations; ///< one for each of the vertices
-    uint64_t clipping_invocations;      ///< one for each of the primitives
-    /// Of them, those that have finite positions and do not lie outside one side of the view volume, clip or cull
-    /// distance as a whole.
+    uint64_t input_assembly_vertices;   ///< vertices of every instance; a restart index is no vertex
+    uint64_t input_assembly_primitives; ///< complete primitives
+    uint64_t vertex_shader_invocations; ///< one for each of input_assembly_vertices
+    uint64_t clipping_invocations;      ///< one for each of input_assembly_primitives
+    /// Primitives whose positions are finite and which do not lie as a whole outside one side of the view volume, one
+    /// clip distance or one cull distance.
     uint64_t clipping_primitives;
-    /// Fragments that passed the tests before the fragment function or, where it or alpha_to_coverage decides about
-    /// their samples or depth, were covered; one for each sample where it runs per sample.
+    /// Fragments that passed the tests before the fragment function. If the fragment function or alpha_to_coverage
+    /// decides about samples or depth, all covered fragments count. If the function runs for every sample, each sample
+    /// counts.
     uint64_t fragment_shader_invocations;
 };
 
-/// What a query's kind asks for is set, the rest 0.
+/// rhw_query_read sets the members that the query's kind asks for, and sets the others to 0.
 struct rhw_query_counts {
-    uint64_t samples_passed; ///< OCCLUSION
-    bool any_passed;         ///< ANY_PASSED
+    uint64_t samples_passed; ///< answer of OCCLUSION
+    bool any_passed;         ///< answer of ANY_PASSED
     struct rhw_pipeline_statistics statistics;
-    uint64_t timestamp_ns;                          ///< TIMESTAMP: of a clock that only counts up
-    uint64_t primitives_written, primitives_needed; ///< TRANSFORM_FEEDBACK
+    uint64_t timestamp_ns;       ///< answer of TIMESTAMP, in nanoseconds of a clock that only counts up
+    uint64_t primitives_written; ///< answer of TRANSFORM_FEEDBACK: primitives that were written
+    uint64_t primitives_needed; ///< answer of TRANSFORM_FEEDBACK: primitives that enough room would have held
 };
 
-/// How triangles of a tile were drawn, a bit each. All ways draw the same bytes.
+// Tiles ---------------------------------------------------------------------------------------------
+
+/// A tile draws its triangles in one of these ways. All ways give the same bytes.
 enum rhw_tile_plan {
-    RHW_TILE_IN_ORDER = 1,    ///< as they were submitted
-    RHW_TILE_DEPTH_FIRST = 2, ///< their depth, then what of them is seen
-    RHW_TILE_BACKWARDS = 4    ///< from the last one on, until no pixel is open
+    RHW_TILE_IN_ORDER = 1,    ///< draw the triangles as they were submitted
+    RHW_TILE_DEPTH_FIRST = 2, ///< draw the depth of all triangles, then shade what is seen
+    RHW_TILE_BACKWARDS = 4    ///< draw from the last triangle to the first, until no pixel is open
 };
 
-/// A tile is a square of pixels that one thread draws from load to store. Tiles are cut off at the target's end.
+/// A tile is a square of pixels that one thread draws from load to store. The target's right and bottom ends cut tiles
+/// off. The report tells where a pass is dense, and how the tile avoided shading hidden surfaces.
 struct rhw_tile_report {
     int x, y, width, height; ///< pixels of the target, from its top left
     int layer;
-    uint32_t plans; ///< or-ed rhw_tile_plan; 0: nothing was drawn. Where a pass has flushes, of all of them
-    uint64_t triangles; ///< that were to be drawn here; a clipped one may count as two and more
-    uint64_t fragments_shaded, fragment_groups; ///< as in struct rhw_stats, of which these are parts
-    double busy_ms;                             ///< of its threads
+    uint32_t plans;            ///< or-ed rhw_tile_plan of all flushes of the pass; 0 if the tile drew nothing
+    uint64_t triangles;        ///< triangles in the tile's bins; a clipped triangle may count as two or more
+    uint64_t fragments_shaded; ///< this tile's part of rhw_stats.fragments_shaded
+    uint64_t fragment_groups;  ///< this tile's part of rhw_stats.fragment_groups
+    double busy_ms;            ///< milliseconds that threads worked on the tile
 };
 
-/// How many tiles the pass has, those of layers after each other.
+/// Return how many tiles the pass has. If the pass has layers, the tiles of all layers count, one layer after the
+/// other.
 RHW_API int rhw_pass_tile_count(rhw_context *context, rhw_pass pass);
-/// Asks for the reports of all tiles, row by row: `count` is rhw_pass_tile_count. They are filled in when the pass ends with
-/// success, and must live until it has ended. Once a pass. What is drawn, and how, does not depend on it.
+
+/// Ask for the reports of all tiles, row by row. `count` must be rhw_pass_tile_count. The caller owns `reports`, which
+/// must live until the pass has ended. rhw_pass_end fills the reports if it succeeds. A pass accepts this call once.
+/// The call changes neither what is drawn nor how.
 RHW_API void rhw_pass_report_tiles(rhw_context *context, rhw_pass pass, struct rhw_tile_report *reports,
                                    int count);
 
