@@ -51,7 +51,7 @@ struct rhw_texture_view_def {
 /// reads outside of the pass count the whole texture: while the pass being recorded draws into one view, no view may be
 /// read or written; while the pass samples one view, no view may be written.
 ///
-/// Return RHW_OK or RHW_ERROR_OUT_OF_MEMORY. On failure `*view` is the null id.
+/// Return RHW_OK, RHW_ERROR_OUT_OF_MEMORY or RHW_ERROR_MISUSE. On failure `*view` is the null id.
 RHW_API enum rhw_result rhw_texture_view_create(rhw_context *context, const struct rhw_texture_view_def *def,
                                                 rhw_texture *view);
 
