@@ -179,12 +179,15 @@ enum {
 
 struct rhw_buffer_def {
     size_t size;      ///< bytes, at least 1
-    const void *data; ///< copied; NULL: zeroed, or what `memory` holds
-    const char *label; ///< for messages; see rhw_context_def
-    /// Memory of the program's that the bytes stand on, at a multiple of RHW_MEMORY_ALIGNMENT; it may read and write them
-    /// while no pass is recorded. It lives as long as the buffer. NULL: the library's own
+    const void *data; ///< bytes that are copied; NULL: zeros, or what `memory` holds
+    /// Memory of the program that the bytes stand on, aligned to RHW_MEMORY_ALIGNMENT; or NULL for memory of the
+    /// library. The program owns the memory, keeps it as long as the buffer, and may read and write it while no pass is
+    /// recorded.
     void *memory;
-    size_t memory_size; ///< at least size + RHW_MEMORY_PADDING; what lies behind the bytes is the library's, which zeroes it
+    /// Bytes of `memory`, at least size + RHW_MEMORY_PADDING. The library zeroes and owns what lies behind the buffer's
+    /// bytes.
+    size_t memory_size;
+    const char *label; ///< name in messages, or NULL
 };
 
 enum { RHW_MIP_LEVELS_ALL = -1 };
@@ -203,22 +206,26 @@ enum rhw_texture_kind { RHW_TEXTURE_2D, RHW_TEXTURE_1D, RHW_TEXTURE_3D, RHW_TEXT
 /// of RGBA8_SRGB texels that a pass samples takes 8 bytes a texel more from then on. A texture that is no plain 2D one
 /// has fewer than 2^31 texels, all levels and rounded rows together.
 struct rhw_texture_def {
-    enum rhw_format format; ///< to be set
-    int width, height; ///< 1..RHW_MAX_TARGET_SIZE; equal for CUBE; height of 1D is 0 or 1
-    int mip_levels;    ///< 0 or 1: one; RHW_MIP_LEVELS_ALL: the chain down to a single texel
-    int samples;       ///< of a texel: 0 or 1: one; 2, 4, 8, 16: a 2D target that has one level; shaders read it by
-                       ///< rhw_sample_fetch_sample alone
-    const char *label; ///< for messages
-    enum rhw_texture_kind kind; ///< 2D
-    int depth;         ///< 3D: 1..RHW_MAX_TEXTURE_DEPTH slices; else 0 or 1
-    int layers;        ///< 0: no array; an array's layers, 1.., of CUBE its cubes. Not of 3D
-    /// Memory of the program's that the texels stand on, as rhw_texture_query_layout says; they are what it holds, and the
-    /// program may read and write it while no pass is recorded. It lives as long as the texture and its views. NULL: the
-    /// library's own
+    enum rhw_texture_kind kind; ///< default 2D
+    enum rhw_format format;     ///< required
+    int width, height; ///< texels, 1..RHW_MAX_TARGET_SIZE; equal for CUBE; the height of a 1D texture is 0 or 1
+    int depth;         ///< slices of a 3D texture, 1..RHW_MAX_TEXTURE_DEPTH; 0 or 1 for other kinds
+    /// The layers of an array, or the cubes of an array of cubes, from 1 on. 0 means that the texture is no array. A 3D
+    /// texture has no layers.
+    int layers;
+    int mip_levels;    ///< number of levels; 0 means 1; RHW_MIP_LEVELS_ALL means all down to a single texel
+    /// Samples of each texel; 0 means 1. A texture with 2, 4, 8 or 16 samples is a 2D target with one level, which
+    /// shaders read by rhw_sample_fetch_sample alone.
+    int samples;
+    /// Memory of the program that the texels stand on, laid out as rhw_texture_query_layout says; or NULL for memory of
+    /// the library. The texels are what the memory holds. The program owns the memory, keeps it as long as the texture
+    /// and its views, and may read and write it while no pass is recorded.
     void *memory;
-    size_t memory_size; ///< bytes, at least those of the layout
-    size_t row_pitch;   ///< bytes between rows, a multiple of RHW_MEMORY_ALIGNMENT, of textures with one level; 0: the
-                        ///< texels of a row, rounded up to that
+    size_t memory_size; ///< bytes of `memory`, at least the bytes of the layout
+    /// Bytes between rows, a multiple of RHW_MEMORY_ALIGNMENT, of a texture with one level. 0 means the bytes of a row,
+    /// rounded up to RHW_MEMORY_ALIGNMENT.
+    size_t row_pitch;
+    const char *label;  ///< name in messages, or NULL
 };
 
 enum rhw_filter { RHW_FILTER_LINEAR, RHW_FILTER_NEAREST };
@@ -238,29 +245,33 @@ enum rhw_compare {
 enum rhw_reduction { RHW_REDUCTION_AVERAGE, RHW_REDUCTION_MIN, RHW_REDUCTION_MAX };
 
 struct rhw_sampler_def {
-    enum rhw_filter min_filter, mag_filter; ///< LINEAR
-    enum rhw_mip_filter mip_filter;         ///< LINEAR: trilinear where the texture has levels
-    enum rhw_address address_u, address_v;  ///< REPEAT
-    float border[4];                        ///< for RHW_ADDRESS_BORDER, linear values; 0, 0, 0, 0. Of integers see
-                                            ///< border_integer. Channels that a format lacks stay 0, 0, 0, 1
-    float lod_bias, lod_min;                ///< 0, 0
-    float lod_max; ///< 0: no limit. There is nothing above level 0, so any negative one is a limit of 0
-    /// Texels become 1 where `reference compare texel` holds for their first channel, else 0, before they are filtered
-    /// (Vulkan 1.3 §16.3.4): a linear filter then gives the part of the footprint that passes, as shadow maps want it.
-    /// See rhw_sample_compare_grad.
-    bool compares;
-    enum rhw_compare compare; ///< LESS
-    const char *label; ///< for messages
-    enum rhw_address address_w; ///< of 3D textures; REPEAT. Cubes have no edges: addresses do not matter there
-    /// 0 or 1: off; up to 16: as many samples at most, spread along the longer axis of a gradient's footprint, at the
-    /// level of detail of the shorter one (Vulkan 1.3, "Scale Factor Operation" and "Texel Anisotropic Filtering").
+    enum rhw_filter min_filter, mag_filter; ///< default LINEAR
+    enum rhw_mip_filter mip_filter;         ///< default LINEAR, which is trilinear where the texture has levels
+    enum rhw_address address_u, address_v;  ///< default REPEAT
+    enum rhw_address address_w;             ///< default REPEAT; for 3D textures. A cube has no edges and no addresses
+    /// The colour of RHW_ADDRESS_BORDER in linear values; default 0, 0, 0, 0. Channels that a format lacks stay 0, 0,
+    /// 0, 1.
+    float border[4];
+    int32_t border_integer[4]; ///< border of UINT and SINT formats, bit for bit; default 0, 0, 0, 0
+    float lod_bias, lod_min;   ///< levels; default 0
+    /// The highest level of detail; 0 means no limit. There is nothing above level 0, so any negative number limits to
+    /// 0.
+    float lod_max;
+    /// The greatest number of samples along the longer axis of a gradient's footprint, at the level of detail of the
+    /// shorter axis (Vulkan 1.3, "Scale Factor Operation" and "Texel Anisotropic Filtering"). 0 and 1 switch it off; 16
+    /// is the most.
     float max_anisotropy;
-    enum rhw_reduction reduction; ///< AVERAGE
-    /// Coordinates are in texels, of level 0 alone: filters are equal, addresses CLAMP or BORDER, no level but 0, no
-    /// comparison, no anisotropy; the texture is 1D or 2D and no array (VkSamplerCreateInfo, unnormalizedCoordinates).
+    enum rhw_reduction reduction; ///< default AVERAGE
+    /// If true, a texel becomes 1 if `reference compare texel` holds for its first channel, and 0 if not, before texels
+    /// are filtered (Vulkan 1.3 §16.3.4). A linear filter then gives the part of the footprint that passes, which
+    /// shadow maps want. See rhw_sample_compare_grad.
+    bool compares;
+    enum rhw_compare compare; ///< default LESS
+    /// If true, coordinates are in texels of level 0. The filters must be equal, the addresses CLAMP or BORDER; there
+    /// is no level but 0, no comparison and no anisotropy. The texture must be 1D or 2D and no array
+    /// (VkSamplerCreateInfo, unnormalizedCoordinates).
     bool unnormalized;
-    /// What `border` is of UINT and SINT formats, bit for bit. 0, 0, 0, 0
-    int32_t border_integer[4];
+    const char *label; ///< name in messages, or NULL
 };
 
 /// How attributes stand in buffers. FLOAT, HALF, UNORM and SNORM are what texel formats of these names are; USCALED and
@@ -468,25 +479,34 @@ enum rhw_provoking { RHW_PROVOKING_FIRST, RHW_PROVOKING_LAST };
 
 /// Builtins a fragment function reads or writes beyond its varyings; only those asked for are filled.
 enum rhw_fragment_use {
-    RHW_USE_COORD = 1,       ///< coord: x, y, z, 1/w
-    RHW_USE_FACING = 2,      ///< front_facing
-    RHW_USE_IDS = 4,         ///< primitive, instance, draw
-    RHW_USE_BARYCENTRIC = 8, ///< barycentric (perspective) and barycentric_noperspective
-    RHW_USE_DISCARD = 16,    ///< may clear lanes of `mask`
-    RHW_USE_DEPTH = 32,      ///< writes depth
-    RHW_USE_BARYCENTRIC_DERIVATIVES = 64, ///< barycentric_ddx, barycentric_ddy
-    RHW_USE_SAMPLE = 128,     ///< sample_id and sample_position; the function is called for every sample
-    RHW_USE_SAMPLE_MASK = 256, ///< sample_mask, in and out
-    RHW_USE_POINT_COORD = 512, ///< point_coord
-    RHW_USE_FULLY_COVERED = 1024, ///< fully_covered
-    RHW_USE_LAYER = 2048,     ///< layer and viewport_index
-    RHW_USE_EFFECTS = 65536,   ///< writes to storage, or changes it by atomics: see early_fragment_tests
-    /// `color` holds on entry what the targets hold at the fragment's pixel, decoded: what came before it, in the order of
-    /// primitives (Vulkan 1.3, "Input Attachment Interface"; VK_EXT_rasterization_order_attachment_access). In
-    /// multisampled passes the function is called for every sample.
-    RHW_USE_COLOR_INPUT = 131072,
-    RHW_USE_DEPTH_INPUT = 262144,  ///< the same of depth, in depth_input
-    RHW_USE_STENCIL_INPUT = 524288 ///< of stencil, in stencil_input. With either, both are tested after the function
+    // These bits say what the fragment function receives.
+    RHW_USE_COORD = 1 << 0,                   ///< coord: x, y, z and 1/w
+    RHW_USE_FACING = 1 << 1,                  ///< front_facing
+    RHW_USE_IDS = 1 << 2,                     ///< primitive, instance and draw
+    RHW_USE_LAYER = 1 << 3,                   ///< layer and viewport_index
+    RHW_USE_POINT_COORD = 1 << 4,             ///< point_coord
+    RHW_USE_BARYCENTRIC = 1 << 5,             ///< barycentric (with perspective) and barycentric_noperspective
+    RHW_USE_BARYCENTRIC_DERIVATIVES = 1 << 6, ///< barycentric_ddx and barycentric_ddy
+    RHW_USE_FULLY_COVERED = 1 << 7,           ///< fully_covered
+    RHW_USE_SAMPLE = 1 << 8,                  ///< sample_id and sample_position; the function is called per sample
+    /// The function finds in `color` what the targets hold at the fragment's pixel, decoded: the result of all
+    /// primitives that came before it, in their order (Vulkan 1.3, "Input Attachment Interface";
+    /// VK_EXT_rasterization_order_attachment_access). In a multisampled pass the function is called for every sample.
+    RHW_USE_COLOR_INPUT = 1 << 9,
+    /// The function finds in `depth_input` what the depth attachment holds. Depth and stencil are tested after the
+    /// function.
+    RHW_USE_DEPTH_INPUT = 1 << 10,
+    /// The function finds in `stencil_input` what the stencil attachment holds. Depth and stencil are tested after the
+    /// function.
+    RHW_USE_STENCIL_INPUT = 1 << 11,
+
+    // This bit says what the fragment function both receives and changes.
+    RHW_USE_SAMPLE_MASK = 1 << 12,            ///< sample_mask
+
+    // These bits say what the fragment function does.
+    RHW_USE_DISCARD = 1 << 13,                ///< it may clear lanes of `mask`
+    RHW_USE_DEPTH = 1 << 14,                  ///< it writes `depth`
+    RHW_USE_EFFECTS = 1 << 15                 ///< it writes storage or changes it by atomics; see early_fragment_tests
 };
 
 struct rhw_vertex;
@@ -510,37 +530,47 @@ typedef void rhw_fragment1_function(struct rhw_fragment1 *fragment);
 /// entry at or below its own. The fragment function may be NULL, for depth only: every target then has the write mask
 /// RHW_WRITE_NONE.
 struct rhw_program {
+    /// The functions on 8 lanes, by instruction set. Entry 0 (baseline) is enough. The same source compiled for other
+    /// instruction sets may stand beside it; the context takes the best entry at or below its own instruction set. The
+    /// fragment function may be NULL, which draws depth only. Every target must have the write mask RHW_WRITE_NONE
+    /// then.
     rhw_vertex_function *vertex[RHW_ISA_COUNT];
     rhw_fragment_function *fragment[RHW_ISA_COUNT];
-    rhw_vertex1_function *vertex1;     ///< used when every entry of `vertex` is NULL
-    rhw_fragment1_function *fragment1; ///< used when every entry of `fragment` is NULL
+    rhw_vertex1_function *vertex1;     ///< used if every entry of `vertex` is NULL
+    rhw_fragment1_function *fragment1; ///< used if every entry of `fragment` is NULL
+
     struct rhw_varying varyings[RHW_MAX_VARYINGS];
     int varying_count;
-    uint32_t uses;         ///< or-ed rhw_fragment_use
-    /// The vertex function writes `point_size`: the side of the square that a point covers, in pixels. Sizes are taken
-    /// within 1..RHW_MAX_POINT_SIZE and rounded to 1/256 pixel. false: 1
-    bool writes_point_size;
-    /// Distances that the vertex function writes, 0..8 of each. Where clip distance i, interpolated over a primitive, is
-    /// below 0, the primitive is cut off; one whose vertices all have a cull distance i below 0 is not drawn (Vulkan
-    /// 1.3 §27.4). A point is drawn where none is below 0.
-    int clip_distance_count, cull_distance_count;
-    uint32_t uniform_size; ///< bytes the functions read at `uniforms`; 0..RHW_MAX_UNIFORM_SIZE
-    /// Arrives in all four functions as `user`: what a closure or generated code needs beyond its uniforms. Not copied:
-    /// it must live, and stay as it is, from rhw_pipeline_create to rhw_pipeline_destroy. The library does not look at
-    /// it; the functions read it on any thread. NULL
+    uint32_t uniform_size; ///< bytes that the functions read at `uniforms`, 0..RHW_MAX_UNIFORM_SIZE
+    /// All functions receive this pointer as `user`. It serves closures and generated code that need more than
+    /// uniforms. The library neither copies nor reads what it points to. That must live, unchanged, from
+    /// rhw_pipeline_create to rhw_pipeline_destroy; the functions read it on any thread. The default is NULL.
     const void *user;
-    /// The vertex function writes to storage, or changes it by atomics. It is then called once for each vertex of each
-    /// instance that a primitive names.
-    bool vertex_effects;
-    /// Depth bounds, stencil and depth are tested, and written, before the fragment function, which is called for what
-    /// passes; then what it discards or writes as depth does not change that (Vulkan 1.3 §28.1.2, EarlyFragmentTests).
-    /// false: with RHW_USE_EFFECTS, RHW_USE_DEPTH_INPUT and RHW_USE_STENCIL_INPUT they are tested after it, for every
-    /// fragment.
-    bool early_fragment_tests;
-    /// The vertex function writes `viewport_index`, or `layer`: which viewport and scissor a primitive takes, and which
-    /// layer of the pass's attachments it is drawn into, as its provoking vertex says (VK_EXT_shader_viewport_index_layer).
-    /// One whose viewport is not in 0..RHW_MAX_VIEWPORTS − 1, or whose layer the pass has not, is not drawn. false: 0
+
+    // What the vertex function does
+    /// The vertex function writes `point_size`, the side of the square that a point covers, in pixels. Sizes are
+    /// clamped to 1..RHW_MAX_POINT_SIZE and rounded to 1/256 pixel. If it is false, the size is 1.
+    bool writes_point_size;
+    /// The vertex function writes `viewport_index`, or `layer`: the viewport and scissor that a primitive takes, and
+    /// the layer of the attachments that it is drawn into. The provoking vertex decides
+    /// (VK_EXT_shader_viewport_index_layer). A primitive is not drawn if its viewport is not in 0..RHW_MAX_VIEWPORTS −
+    /// 1 or its layer is none of the pass. If it is false, the number is 0.
     bool writes_viewport_index, writes_layer;
+    /// The number of distances that the vertex function writes, 0..8 of each. A primitive is cut off where a clip
+    /// distance, interpolated over the primitive, is below 0. A primitive is not drawn if all its vertices have the
+    /// same cull distance below 0 (Vulkan 1.3 §27.4). A point is drawn if none of its distances is below 0.
+    int clip_distance_count, cull_distance_count;
+    /// The vertex function writes to storage, or changes it by atomics. The library then calls it once for each vertex
+    /// of each instance that a primitive names.
+    bool vertex_effects;
+
+    // What the fragment function does
+    uint32_t uses; ///< or-ed rhw_fragment_use
+    /// If true, depth bounds, stencil and depth are tested and written before the fragment function, which is called
+    /// for the fragments that pass. What the function discards, or writes as depth, does not change that (Vulkan 1.3
+    /// §28.1.2, EarlyFragmentTests). If false, a function with RHW_USE_EFFECTS, RHW_USE_DEPTH_INPUT or
+    /// RHW_USE_STENCIL_INPUT is called for every fragment, and the tests come after it.
+    bool early_fragment_tests;
 };
 
 /// What transform feedback can keep of a vertex.
@@ -560,49 +590,71 @@ struct rhw_feedback_output {
 
 struct rhw_pipeline_def {
     struct rhw_program program;
+
+    // Vertex input
     struct rhw_attribute attributes[RHW_MAX_ATTRIBUTES];
     int attribute_count;
     struct rhw_vertex_layout buffers[RHW_MAX_VERTEX_BUFFERS];
     int buffer_count;
-    enum rhw_topology topology;      ///< TRIANGLE_LIST
-    bool primitive_restart; ///< the largest index of its type starts a new strip, fan or list: what it cuts off
-                            ///< unfinished is not drawn
-    enum rhw_provoking provoking;    ///< FIRST
-    enum rhw_polygon_mode polygon_mode; ///< FILL
-    /// Pixels, 1..RHW_MAX_LINE_WIDTH, of rectangles around the lines; 0: 1. See rhw_pass_set_line_width.
-    float line_width;
-    enum rhw_cull cull;              ///< NONE
-    enum rhw_winding front;          ///< COUNTER_CLOCKWISE
-    enum rhw_depth_range depth_range; ///< ZERO_TO_ONE
-    bool depth_test;                 ///< false: no test and no write, no depth attachment needed
-    enum rhw_compare depth_compare;  ///< LESS
-    bool depth_read_only;            ///< false: a fragment that passes the test writes its depth
-    struct rhw_depth_bias depth_bias; ///< none; see rhw_pass_set_depth_bias
-    /// Triangles are not cut where they leave the view volume in front and behind (Vulkan: depthClipEnable false);
-    /// their depth is held to 0..1, or with depth_clamp to the viewport's range.
+
+    // Primitive assembly
+    enum rhw_topology topology;   ///< default TRIANGLE_LIST
+    /// The largest index of the index type starts a new strip, fan or list. An unfinished primitive before it is not
+    /// drawn.
+    bool primitive_restart;
+    enum rhw_provoking provoking; ///< default FIRST
+
+    // Transform feedback (rhw_pass_begin_transform_feedback)
+    struct rhw_feedback_output feedback_outputs[RHW_MAX_FEEDBACK_OUTPUTS];
+    int feedback_output_count;
+    /// Bytes from one vertex to the next in each target, a multiple of 4. 0 means up to the end of the last output.
+    uint32_t feedback_strides[RHW_MAX_FEEDBACK_TARGETS];
+
+    // Viewport and rasterization
+    enum rhw_depth_range depth_range; ///< default ZERO_TO_ONE
+    /// If true, triangles are not cut where they leave the view volume in front and behind (Vulkan, depthClipEnable
+    /// false). Their depth is clamped to 0..1, or with depth_clamp to the viewport's range.
     bool depth_clip_disabled;
-    bool depth_clamp;        ///< depth is held to the viewport's range, bias included, instead of to 0..1
-    bool depth_bounds_test;  ///< fragments pass where the attachment's depth lies in rhw_pass_set_depth_bounds
-    bool stencil_test;       ///< the pass must have a stencil attachment then
-    struct rhw_stencil_face stencil_front, stencil_back; ///< by facing
-    /// Samples that may be covered, a bit each (Vulkan 1.3 §27.1, §28.9), of which a pass of one has bit 0; 0: all.
+    bool depth_clamp;                   ///< clamp depth, bias included, to the viewport's range instead of to 0..1
+    bool rasterizer_discard;            ///< end primitives before they are rasterized, so that nothing is drawn
+    enum rhw_polygon_mode polygon_mode; ///< default FILL
+    enum rhw_cull cull;                 ///< default NONE
+    enum rhw_winding front;             ///< default COUNTER_CLOCKWISE
+    enum rhw_conservative conservative; ///< default OFF
+    enum rhw_line_mode line_mode;       ///< mode of lines, and of triangles drawn as lines; default RECTANGULAR
+    float line_width; ///< pixels, 1..RHW_MAX_LINE_WIDTH; 0 means 1; see rhw_pass_set_line_width
+    /// The stipple of lines, and of triangles drawn as lines; default none. See rhw_pass_set_line_stipple.
+    struct rhw_line_stipple line_stipple;
+    struct rhw_depth_bias depth_bias;   ///< default none; see rhw_pass_set_depth_bias
+
+    // Multisampling
+    /// The samples that may be covered, one bit for each sample (Vulkan 1.3 §27.1, §28.9). A pass with one sample has
+    /// bit 0. 0 means all samples.
     uint32_t sample_mask;
-    /// The alpha of color[0] says how many samples of a fragment are kept: the first round(alpha · samples) of the
-    /// pass. Nothing where target 0 is of integers (Vulkan 1.3 §28.9); so of alpha_to_one.
+    /// If true, the alpha of color[0] says how many samples of a fragment are kept: the first round(alpha · samples)
+    /// samples of the pass. It does nothing if target 0 has an integer format (Vulkan 1.3 §28.9).
     bool alpha_to_coverage;
-    bool alpha_to_one; ///< alpha of target 0 is 1 then, after alpha_to_coverage
+    /// If true, the alpha of target 0 becomes 1 after alpha_to_coverage. It does nothing if target 0 has an integer
+    /// format.
+    bool alpha_to_one;
+
+    // Depth
+    bool depth_test;                ///< false: depth is neither tested nor written and needs no attachment
+    enum rhw_compare depth_compare; ///< default LESS
+    bool depth_read_only;           ///< false: a fragment that passes the test writes its depth
+    /// If true, a fragment passes if the attachment's depth lies within the bounds of rhw_pass_set_depth_bounds.
+    bool depth_bounds_test;
+
+    // Stencil
+    bool stencil_test;              ///< if true, the pass must have a stencil attachment
+    struct rhw_stencil_face stencil_front, stencil_back; ///< tests of front and back faces
+
+    // Targets
     struct rhw_color_target targets[RHW_MAX_COLOR_ATTACHMENTS];
     int target_count;
-    const char *label; ///< for messages
-    enum rhw_logic logic; ///< OFF; otherwise no target is blended
-    struct rhw_feedback_output feedback_outputs[RHW_MAX_FEEDBACK_OUTPUTS]; ///< see rhw/transform_feedback.h
-    int feedback_output_count;
-    /// Bytes from one vertex to the next, a multiple of 4; 0: up to the end of the last output.
-    uint32_t feedback_strides[RHW_MAX_FEEDBACK_TARGETS];
-    bool rasterizer_discard; ///< primitives end before they are rasterized: nothing is drawn
-    enum rhw_line_mode line_mode; ///< of lines, and of triangles drawn as lines. RECTANGULAR
-    enum rhw_conservative conservative; ///< OFF
-    struct rhw_line_stipple line_stipple; ///< of lines, and of triangles drawn as lines. None; see rhw_pass_set_line_stipple
+    enum rhw_logic logic; ///< default OFF; with another operation no target may blend
+
+    const char *label; ///< name in messages, or NULL
 };
 
 RHW_API struct rhw_context_def rhw_context_def_default(void);
