@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The 8-lane types every shader header rests on. Included by shader.h.
+// Every shader header needs the 8-lane types of this header. Equal bytes also need IEEE 754 arithmetic wherever shaders
+// are compiled, with each operation rounded to its own type. So this header refuses compiler flags that change the
+// arithmetic, as far as the preprocessor can see them. rhw_pipeline_create computes values that show the others.
+// shader.h includes this header.
 #ifndef RHW_SHADER_LANES_H
 #define RHW_SHADER_LANES_H
 
 #include "base.h"
-
-// Flags of the compiler
 
 #if defined(__FAST_MATH__)
 #error "rhw: shaders would draw other bytes under -ffast-math (part of -Ofast); compile this file without it"
@@ -23,19 +24,20 @@
 #error "rhw: this target computes floats in a wider type; on 32-bit x86 compile with -msse2 -mfpmath=sse"
 #endif
 
-// Lanes
-
 enum { RHW_LANES = 8 };
 
 #if RHW_HAS_LANES
 
-/// 8 lanes. `+ - * / < <= == & |` work lane by lane; a comparison gives an rhw_int of −1 (true) and 0.
+/// 8 floats. The operators + - * / < <= == work lane by lane. A comparison gives an rhw_int with −1 for true and 0 for
+/// false.
 typedef float rhw_float __attribute__((vector_size(32)));
+/// 8 signed integers. The operators + - * / & | < <= == work lane by lane.
 typedef int32_t rhw_int __attribute__((vector_size(32)));
-/// Half of them: what an instruction works on where registers have 16 bytes.
+/// 4 of the 8 floats: what one instruction works on where registers have 16 bytes.
 typedef float rhw_float4 __attribute__((vector_size(16)));
+/// 4 of the 8 signed integers: what one instruction works on where registers have 16 bytes.
 typedef int32_t rhw_int4 __attribute__((vector_size(16)));
-/// For sums of bit patterns, which may wrap.
+/// 8 unsigned integers, for sums of bit patterns, which may wrap.
 typedef uint32_t rhw_uint __attribute__((vector_size(32)));
 
 #endif
