@@ -3,8 +3,8 @@
 // codes and the hooks of a context. The other headers do not ask about the compiler themselves.
 //
 // Lanes are vector types of gcc and clang, and of clang-cl. Another compiler, for example Microsoft's, reads the same
-// headers without the 8-lane form of shaders and without duals. It has everything else, and calls the one-at-a-time
-// functions of shader_no_lanes.h.
+// headers without the 8-lane form of shaders and without duals. That compiler has everything else, and calls the
+// one-at-a-time functions of shader_no_lanes.h.
 #ifndef RHW_BASE_H
 #define RHW_BASE_H
 

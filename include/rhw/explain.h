@@ -68,7 +68,7 @@ struct rhw_explained_fragment {
 };
 
 /// A thread of the context calls the function while the pass ends, with one call at a time. The function must not call
-/// the library with the context of the pass; such a call is misuse. rhw_sample of fragment->textures is allowed.
+/// the library with the context of the pass, which is misuse. rhw_sample of fragment->textures is allowed.
 typedef void rhw_explain_function(void *user, const struct rhw_explained_fragment *fragment);
 
 struct rhw_explain {

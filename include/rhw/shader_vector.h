@@ -3,8 +3,8 @@
 // conversion. All of it is IEEE 754 arithmetic without contraction, so it gives the same bits on every instruction set.
 // With shader_scalar.h a plain number may stand in place of lanes. shader.h includes this header.
 //
-// Intrinsics, and halves of 4 lanes, stand where compilers turn the plain form into scalar code. gcc 12 does so for
-// most of these functions unless it has AVX.
+// Intrinsics, and halves of 4 lanes, stand where compilers turn the plain form into scalar code. gcc 12 makes scalar
+// code of most of these functions unless it has AVX.
 #ifndef RHW_SHADER_VECTOR_H
 #define RHW_SHADER_VECTOR_H
 

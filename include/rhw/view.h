@@ -62,7 +62,7 @@ enum {
 /// The place of one level of a texture, in bytes. Slices of a 3D texture, or layers, stand slice_pitch apart.
 struct rhw_level_layout {
     size_t offset, row_pitch, slice_pitch;
-    /// The place of the plane of stencil that stands beside depth. All three are 0 without such a plane.
+    /// The place of the plane of stencil that stands beside depth. All three are 0 if there is no plane of stencil.
     size_t stencil_offset, stencil_row_pitch, stencil_slice_pitch;
 };
 
