@@ -7,7 +7,7 @@
 #ifndef BENCH_SCENE_H
 #define BENCH_SCENE_H
 
-#include "camera.h"
+#include "draw/camera/camera.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -6,7 +6,7 @@
 #include "process.h"
 #include "renderer_rhw.h"
 #include "scene_pbr.h"
-#include "shadow.h"
+#include "draw/shadow.h"
 #include "shaders_bench.h"
 
 #include <stdio.h>

@@ -6,8 +6,8 @@
 
 #include "bench_scene.h"
 #include "rhw/rhw.h"
-#include "surface.h"
-#include "target.h"
+#include "draw/surface.h"
+#include "draw/target.h"
 
 enum { BENCH_FILTERS = BENCH_COMPARE + 1 };
 

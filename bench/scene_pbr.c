@@ -7,8 +7,8 @@
 #include "elementary.h"
 #include "scene_model.h"
 #include "scene_pbr_made.h"
-#include "shadow.h"
-#include "surface.h"
+#include "draw/shadow.h"
+#include "draw/surface.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -8,7 +8,7 @@
 #define BENCH_SCENE_PBR_H
 
 #include "bench_scene.h"
-#include "light.h"
+#include "draw/light.h"
 #include "model.h"
 
 enum bench_pbr_variant {

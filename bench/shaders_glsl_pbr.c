@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The built-in physically based shader in GLSL ES 3.00: scene/shaders_surface.c and scene/shaders_pbr.h, formula by
+// The built-in physically based shader in GLSL ES 3.00: scene/draw/shading/shade_surface.c and scene/draw/shading/pbr.h, formula by
 // formula and name by name, for the textures that the scenes have, one directional light and nothing mirrored. What a
 // variant does not need is left out when it is compiled, as it is there.
 #include "scene_pbr.h"
 #include "shaders_glsl.h"
-#include "shaders_shadow.h"
+#include "draw/shading/shade_shadow.h"
 
 #include <stdio.h>
 
@@ -179,7 +179,7 @@ static const char *const heads[BENCH_SHADERS] = {
 _Static_assert(sizeof(struct bench_surface_uniforms) == 15 * 16, "`u` of the shaders");
 _Static_assert(sizeof(struct bench_frame_uniforms) == 22 * 16, "`f` of the shaders");
 
-// scene/shaders_layered.c and scene/shaders_layers.h, for a volume that lets all light through and has no texture.
+// scene/draw/shading/layered.c and scene/draw/shading/shade_layers.h, for a volume that lets all light through and has no texture.
 static const char fragment_glass[] =
     "#ifdef GLASS\n"
     "vec3 look_through(reflector r, float rough) {\n"
@@ -219,7 +219,7 @@ static const char fragment_glass[] =
     "}\n"
     "#endif\n";
 
-// scene/shaders_shadow.h, for one parallel map. Where nothing casts a shadow, all of the light arrives.
+// scene/draw/shading/shade_shadow.h, for one parallel map. Where nothing casts a shadow, all of the light arrives.
 static const char fragment_shadow[] =
     "#ifndef SHADOWED\n"
     "float open_to_light(vec3 normal) { return 1.0; }\n"

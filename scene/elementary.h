@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sine, logarithm and the like in double, the same bits on every machine: a C library may answer differently on the next
 // one. Additions, multiplications and divisions in a fixed order. Errors stated were measured by
-// tests/unit/test_elementary.c.
+// tests/unit/scene/test_elementary.c.
 #ifndef SCENE_ELEMENTARY_H
 #define SCENE_ELEMENTARY_H
 

@@ -3,21 +3,21 @@
 // from context.h: the parts include that, and this includes the parts.
 #include <assert.h>
 
-#include "buffer.h"
-#include "context.h"
-#include "cpu.h"
-#include "entry.h"
-#include "findings.h"
+#include "resource/buffer.h"
+#include "context/context.h"
+#include "base/cpu.h"
+#include "context/entry.h"
+#include "binding/validation/validation_messages.h"
 #include "kernels/kernels.h"
-#include "misuse.h"
-#include "pass.h"
-#include "pipeline.h"
-#include "query.h"
+#include "context/misuse.h"
+#include "pass/pass.h"
+#include "pipeline/pipeline.h"
+#include "pass/query.h"
 #include "rhw/rhw.h"
-#include "sampler.h"
-#include "scheduler.h"
-#include "texture.h"
-#include "thread.h"
+#include "resource/sampler.h"
+#include "base/scheduler.h"
+#include "resource/texture.h"
+#include "base/thread.h"
 
 static void destroy_resources(struct rhw_context *context)
 {
@@ -113,26 +113,26 @@ static bool check_def(const struct rhw_context_def *def, rhw_context **context)
                      where);
 }
 
-static enum rhw_result create_findings(struct rhw_context *context)
+static enum rhw_result create_validation(struct rhw_context *context)
 {
-    struct rhw_findings *const findings =
-        rhw_memory_allocate(&context->memory, sizeof *findings, _Alignof(struct rhw_findings));
-    if (findings == NULL) {
+    struct rhw_validation_messages *const validation =
+        rhw_memory_allocate(&context->memory, sizeof *validation, _Alignof(struct rhw_validation_messages));
+    if (validation == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    if (!rhw_findings_init(findings)) {
-        rhw_memory_release(&context->memory, findings, sizeof *findings);
+    if (!rhw_validation_messages_init(validation)) {
+        rhw_memory_release(&context->memory, validation, sizeof *validation);
         return RHW_ERROR_THREAD;
     }
-    context->findings = findings;
+    context->validation = validation;
     return RHW_OK;
 }
 
-static void destroy_findings(struct rhw_context *context)
+static void destroy_validation(struct rhw_context *context)
 {
-    if (context->findings != NULL) {
-        rhw_findings_destroy(context->findings);
-        rhw_memory_release(&context->memory, context->findings, sizeof *context->findings);
+    if (context->validation != NULL) {
+        rhw_validation_messages_destroy(context->validation);
+        rhw_memory_release(&context->memory, context->validation, sizeof *context->validation);
     }
 }
 
@@ -144,7 +144,7 @@ static enum rhw_result create_parts(struct rhw_context *context, bool validates)
     if (result == RHW_OK) {
         result = rhw_pass_state_create(context, &context->pass);
     }
-    return result == RHW_OK && validates ? create_findings(context) : result;
+    return result == RHW_OK && validates ? create_validation(context) : result;
 }
 
 enum rhw_result rhw_context_create_probed(const struct rhw_context_def *def, bool debug,
@@ -214,7 +214,7 @@ void rhw_context_destroy(rhw_context *context)
         rhw_pass_state_destroy(context, context->pass);
     }
     destroy_resources(context);
-    destroy_findings(context);
+    destroy_validation(context);
     rhw_scheduler_destroy(&context->memory, context->scheduler);
     struct rhw_memory memory = context->memory;
     rhw_memory_release(&memory, context, sizeof *context);

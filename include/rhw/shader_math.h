@@ -7,8 +7,8 @@
 //
 // A stated error is a bound on what was measured against correctly rounded results: every float of the range where the
 // function bends, and every 19th float elsewhere. Functions of two arguments were measured on 2 · 10^8 pairs, half of
-// them random bits. tests/unit/test_shader_math.c measures the errors again on samples. Denormal arguments and results
-// are cases like any other. The sign and payload of a NaN result are unspecified.
+// them random bits. tests/unit/shader/test_shader_math.c measures the errors again on samples. Denormal arguments and
+// results are cases like any other. The sign and payload of a NaN result are unspecified.
 #ifndef RHW_SHADER_MATH_H
 #define RHW_SHADER_MATH_H
 

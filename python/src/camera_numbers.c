@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "camera_numbers.h"
 
-#include "camera_frame.h"
+#include "draw/camera/camera_frame.h"
 #include "elementary.h"
 #include "memory_object.h"
 #include "model_object.h"

@@ -13,7 +13,7 @@
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
-#include "draw.h"
+#include "draw/draw.h"
 
 extern PyObject *python_error; ///< rhw.Error
 

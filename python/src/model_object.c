@@ -5,7 +5,7 @@
 #include "model_make.h"
 #include "model_object.h"
 
-#include "color.h"
+#include "draw/shading/color.h"
 
 #include <stdlib.h>
 

@@ -5,7 +5,7 @@
 
 #include "extension.h"
 
-#include "panorama.h"
+#include "draw/panorama.h"
 
 /// NULL with an exception where the object is none. Never changes, and lives as long as the object.
 const struct scene_panorama *python_panorama_get(PyObject *object);

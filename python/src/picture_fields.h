@@ -3,7 +3,7 @@
 #ifndef PYTHON_PICTURE_FIELDS_H
 #define PYTHON_PICTURE_FIELDS_H
 
-#include "draw.h"
+#include "draw/draw.h"
 
 enum { PYTHON_PICTURES = 11 };
 

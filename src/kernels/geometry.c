@@ -2,7 +2,7 @@
 // The front end, compiled once per instruction set, with RHW_ISA_SUFFIX naming it.
 #include "kernel_entries.h"
 
-#include "geometry/chunk.h"
+#include "kernels/geometry/chunk.h"
 
 bool RHW_ISA_NAME(rhw_make_chunk)(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker)
 {

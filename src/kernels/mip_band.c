@@ -4,10 +4,10 @@
 // three lines make a row, which is stored and goes on to the next level. mip.c has the formula's source and the jobs.
 #include "kernel_entries.h"
 
-#include "../texture.h"
+#include "resource/texture.h"
 #include "integer.h"
 #include "mip_work.h"
-#include "texel/mip_codec.h"
+#include "kernels/texel/mip_codec.h"
 
 enum { TAPS = 3 };
 
@@ -48,9 +48,9 @@ static struct row_taps row_taps_of(int larger, int smaller, int y)
 }
 
 // Every second of 16 floats, from the first or the second one.
-RHW_INLINE void load_pairs(const float *from, f8 *even, f8 *odd)
+RHW_INLINE void load_pairs(const float *from, f32x8 *even, f32x8 *odd)
 {
-    const f8 a = f8_load(from), b = f8_load(from + RHW_LANES);
+    const f32x8 a = f32x8_load(from), b = f32x8_load(from + RHW_LANES);
     *even = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
     *odd = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
 }
@@ -62,15 +62,15 @@ static void reduce_columns(const struct made_level *level, int channels, const f
     const int larger = level->above_width, smaller = level->mip->width;
     const float width = (float)larger;
     for (int x = 0; x < smaller; x += RHW_LANES) {
-        const i8 i = i8_splat(x) + rhw_lane_index;
-        const f8 left = rhw_float_from_int(i8_splat(smaller) - i) / width,
-                 right = rhw_float_from_int(i + 1) / width;
+        const i32x8 i = i32x8_splat(x) + rhw_lane_index;
+        const f32x8 left = rhw_float_from_int(i32x8_splat(smaller) - i) / width,
+                    right = rhw_float_from_int(i + 1) / width;
         const float middle = (float)smaller / width;
         for (int c = 0; c < channels; c++) {
             const float *const from = row + (size_t)c * stride + 2 * (size_t)x;
-            f8 even, odd, next, unused, sum;
+            f32x8 even, odd, next, unused, sum;
             if (larger == 1) {
-                sum = f8_load(from);
+                sum = f32x8_load(from);
             } else if (larger % 2 == 0) {
                 load_pairs(from, &even, &odd);
                 sum = even * 0.5f + odd * 0.5f;
@@ -80,7 +80,7 @@ static void reduce_columns(const struct made_level *level, int channels, const f
                 sum = even * left + odd * middle;
                 sum += next * right;
             }
-            f8_store(line + (size_t)c * level->stride + x, sum);
+            f32x8_store(line + (size_t)c * level->stride + x, sum);
         }
     }
 }
@@ -92,11 +92,11 @@ static void reduce_rows(const struct made_level *level, int channels, const stru
     for (int c = 0; c < channels; c++) {
         for (int x = 0; x < level->mip->width; x += RHW_LANES) {
             const size_t at = (size_t)c * level->stride + (size_t)x;
-            f8 sum = f8_splat(0.0f) + f8_load(first + at) * taps->weight[0]; // −0 becomes 0
+            f32x8 sum = f32x8_splat(0.0f) + f32x8_load(first + at) * taps->weight[0]; // −0 becomes 0
             for (int j = 1; j < taps->count; j++) {
-                sum += f8_load(level->line[(taps->first + j) % TAPS] + at) * taps->weight[j];
+                sum += f32x8_load(level->line[(taps->first + j) % TAPS] + at) * taps->weight[j];
             }
-            f8_store(row + at, sum);
+            f32x8_store(row + at, sum);
         }
     }
 }
@@ -202,7 +202,8 @@ static void add_slice(const struct rhw_mip_volume_job *job, int slice, float wei
                       rhw_mip_stride(mip->width));
         }
         for (size_t i = 0; i < floats; i += RHW_LANES) {
-            f8_store(sum + y * floats + i, f8_load(sum + y * floats + i) + f8_load(from + i) * weight);
+            f32x8_store(sum + y * floats + i,
+                        f32x8_load(sum + y * floats + i) + f32x8_load(from + i) * weight);
         }
     }
 }

@@ -3,10 +3,10 @@
 // samples a texture, binding.c says.
 #include "kernel_entries.h"
 
-#include "sample/filter_compare.h"
-#include "sample/filter_fixed.h"
-#include "sample/filter_float.h"
-#include "sample/multi_texture.h"
+#include "kernels/texture/filter_compare.h"
+#include "kernels/texture/filter_fixed.h"
+#include "kernels/texture/filter_float.h"
+#include "kernels/texture/multi_texture.h"
 
 void RHW_ISA_NAME(rhw_sample_float)(const struct rhw_binding *binding,
                                     const struct rhw_sample_request *request, rhw_float texel[4])

@@ -3,10 +3,10 @@
 // and what shaders ask beside samples. Which function samples a texture, binding.c says.
 #include "kernel_entries.h"
 
-#include "sample/anisotropy.h"
-#include "sample/filter_general.h"
-#include "sample/storage_image.h"
-#include "sample/texel_query.h"
+#include "kernels/texture/anisotropy.h"
+#include "kernels/texture/filter_general.h"
+#include "kernels/texture/storage_image.h"
+#include "kernels/texture/texel_query.h"
 
 void RHW_ISA_NAME(rhw_sample_general)(const struct rhw_binding *binding,
                                       const struct rhw_sample_request *request, rhw_float texel[4])

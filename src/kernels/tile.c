@@ -5,19 +5,19 @@
 #include "kernel_entries.h"
 
 #include "integer.h"
-#include "raster/conservative.h"
-#include "raster/line_pixels.h"
-#include "raster/smooth_coverage.h"
-#include "tile/draw_state.h"
-#include "tile/explained_triangle.h"
-#include "tile/resolve.h"
-#include "tile/stippled_line.h"
-#include "tile/triangle_large.h"
-#include "tile/triangle_multisample.h"
-#include "tile/triangle_small_samples.h"
-#include "tile/triangle_small.h"
-#include "tile/triangle_specks.h"
-#include "tile/triangle_tiny_samples.h"
+#include "kernels/raster/conservative.h"
+#include "kernels/raster/line_pixels.h"
+#include "kernels/raster/smooth_coverage.h"
+#include "kernels/tile/draw_state.h"
+#include "kernels/tile/explained_triangle.h"
+#include "kernels/tile/resolve.h"
+#include "kernels/tile/stippled_line.h"
+#include "kernels/tile/triangle_large.h"
+#include "kernels/tile/triangle_multisample.h"
+#include "kernels/tile/triangle_small_samples.h"
+#include "kernels/tile/triangle_small.h"
+#include "kernels/tile/triangle_specks.h"
+#include "kernels/tile/triangle_tiny_samples.h"
 
 // Lists the bins of the tile that are not empty, in the order of their chunks; returns how many there are.
 static int list_bins(const struct tile_work *work)
@@ -89,7 +89,7 @@ static uint64_t line_shape_mask(const struct tile_work *work, const struct rhw_t
 
 // The same of any shape; of a smooth line it gives how much of them is covered, too.
 static uint64_t shape_mask(const struct tile_work *work, const struct rhw_triangle *t,
-                           const struct pixel_shape *shape, int x, int y, f8 coverage[RHW_BLOCK])
+                           const struct pixel_shape *shape, int x, int y, f32x8 coverage[RHW_BLOCK])
 {
     if (shape->is_line) {
         return line_shape_mask(work, t, &shape->line, x, y);
@@ -145,7 +145,7 @@ static __attribute__((noinline)) void draw_shape(struct tile_work *work, struct 
     unmark_samples(work);
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
         for (int x = rect.x0 & -RHW_BLOCK; x < rect.x1; x += RHW_BLOCK) {
-            f8 coverage[RHW_BLOCK];
+            f32x8 coverage[RHW_BLOCK];
             const uint64_t mask = shape_mask(work, triangle->t, &shape, x, y, coverage) &
                                   rect_mask(x, y, rect.x0, rect.y0, rect.x1, rect.y1);
             if (mask != 0) {

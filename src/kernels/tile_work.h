@@ -4,12 +4,12 @@
 #ifndef RHW_TILE_WORK_H
 #define RHW_TILE_WORK_H
 
-#include "../draw_plan.h"
-#include "../pass_state.h"
-#include "../pipeline.h"
-#include "../simd_layout.h"
-#include "raster/plane.h"
-#include "raster/tile_depth.h"
+#include "draw/draw_plan.h"
+#include "pass/pass_state.h"
+#include "pipeline/pipeline.h"
+#include "base/simd_layout.h"
+#include "kernels/raster/plane.h"
+#include "kernels/depth/tile_depth.h"
 
 enum {
     // Groups of 8 fragments per call of the fragment function: two whole blocks; enough to hide the call, few enough
@@ -35,14 +35,14 @@ struct fragment_queue {
     int32_t texels[RHW_FRAGMENT_GROUPS][8];
     int count;           // groups
     bool only_full_rows; // every group is 8 live pixels in a row
-    f8 varyings[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
-    f8 ddx[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
-    f8 ddy[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
-    f8 colors[RHW_FRAGMENT_GROUPS][RHW_MAX_COLOR_ATTACHMENTS][4];
+    f32x8 varyings[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
+    f32x8 ddx[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
+    f32x8 ddy[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
+    f32x8 colors[RHW_FRAGMENT_GROUPS][RHW_MAX_COLOR_ATTACHMENTS][4];
     // Of multisampled passes: the samples of each fragment, a bit each, and their depths where they are tested late.
-    i8 samples[RHW_FRAGMENT_GROUPS];
-    f8 sample_depth[RHW_FRAGMENT_GROUPS][RHW_MAX_SAMPLES];
-    f8 coverage[RHW_FRAGMENT_GROUPS]; // of smooth lines: how much of each pixel is covered
+    i32x8 samples[RHW_FRAGMENT_GROUPS];
+    f32x8 sample_depth[RHW_FRAGMENT_GROUPS][RHW_MAX_SAMPLES];
+    f32x8 coverage[RHW_FRAGMENT_GROUPS]; // of smooth lines: how much of each pixel is covered
 };
 
 // Texels of the fragments of the triangle under way that are in no group yet (fragment/gather.h).
@@ -74,9 +74,9 @@ struct partial_group {
     unsigned triangle_count; // packed so far; the last RHW_PACKED_TRIANGLES of them stand in `triangles`
     int32_t texel[8];
     const struct packed_triangle *triangle[8];
-    d4 quantities[8];
-    d4 screen[8]; // weights on the screen of vertices 1 and 2, where they are wanted
-    d4 distance
+    f64x4 quantities[8];
+    f64x4 screen[8]; // weights on the screen of vertices 1 and 2, where they are wanted
+    f64x4 distance
         [8]; // pixels from the anchor, as struct derivative_pair has them: down, to the right, down, to the right
     uint64_t pixels[RHW_TILE]; // by row, a bit per pixel: those that wait
     struct packed_triangle triangles[RHW_PACKED_TRIANGLES];
@@ -96,7 +96,7 @@ struct rhw_tile_scratch {
     struct fragment_queue queue;
     struct gathered_fragments gathered;
     struct partial_group partial;
-    i8 constant[RHW_MAX_COLOR_ATTACHMENTS]; // see constant_color.h: 8 texels of RGBA8 targets that are replaced
+    i32x8 constant[RHW_MAX_COLOR_ATTACHMENTS]; // see constant_color.h: 8 texels of RGBA8 targets that are replaced
     // Of multisampled passes, a bit for each block of 8×8 pixels: its samples have colours of their own. Those of other
     // blocks have all that of the first.
     uint64_t expanded;
@@ -131,7 +131,7 @@ static inline struct tile_depth *depth_plane(struct rhw_tile_scratch *scratch, i
 // The samples of a pixel of a cell (tile/sample_cells.h): pixels from the centre of the cell's first, in whole 256ths, so
 // that sums with whole pixels are exact.
 struct cell_pixel {
-    d4 dx, dy;
+    f64x4 dx, dy;
 };
 
 // These are pixels of the tile; x1 and y1 are exclusive.
@@ -185,8 +185,9 @@ RHW_INLINE int texel_row(int texel)
 RHW_INLINE struct anchor_offset block_offset(const struct tile_work *work, const struct planes *planes, int x,
                                              int y)
 {
-    return (struct anchor_offset){d8_from_i8(i8_splat(work->x + x - planes->anchor_x) + rhw_lane_index),
-                                  d8_from_i8(i8_splat(work->y + y - planes->anchor_y) + rhw_lane_index)};
+    return (
+        struct anchor_offset){f64x8_from_i32x8(i32x8_splat(work->x + x - planes->anchor_x) + rhw_lane_index),
+                              f64x8_from_i32x8(i32x8_splat(work->y + y - planes->anchor_y) + rhw_lane_index)};
 }
 
 #endif

@@ -4,8 +4,8 @@
 #include "transfer_work.h"
 
 #include "kernel_entries.h"
-#include "sample/texel_fetch.h"
-#include "texel/resolve_texels.h"
+#include "kernels/texture/texel_fetch.h"
+#include "kernels/texel/resolve_texels.h"
 
 // A task's rows, of all slices one after the other.
 struct band {
@@ -22,11 +22,11 @@ static struct band band_of(int index, int rows, int height, int depth)
 RHW_INLINE void store_group(size_t size, const struct raw_texels *raw, int count, unsigned char *to)
 {
     if (count >= RHW_LANES) {
-        store_texel_row(size, raw, i8_splat(-1), to);
+        store_texel_row(size, raw, i32x8_splat(-1), to);
         return;
     }
     unsigned char group[RHW_LANES * RHW_TEXEL_BYTES] = {0};
-    store_texel_row(size, raw, i8_splat(-1), group);
+    store_texel_row(size, raw, i32x8_splat(-1), group);
     memcpy(to, group, (size_t)count * size);
 }
 
@@ -38,18 +38,18 @@ static const unsigned char *source_row(const struct rhw_blit_job *job, int y, in
 }
 
 // Texels of a row at both neighbours along x, mixed.
-RHW_INLINE void filter_row(const struct rhw_blit_job *job, const unsigned char *row, int x, f8 value[4])
+RHW_INLINE void filter_row(const struct rhw_blit_job *job, const unsigned char *row, int x, f32x8 value[4])
 {
     const struct rhw_blit_axis *const axis = &job->axis[0];
     const size_t size = job->from_info->size;
     struct raw_texels raw;
-    fetch_numbered_texels(size, row, i8_load(axis->low + x), &raw);
+    fetch_numbered_texels(size, row, i32x8_load(axis->low + x), &raw);
     decode_texels(job->from_info, &raw, value);
     if (job->is_linear) {
-        f8 next[4];
-        fetch_numbered_texels(size, row, i8_load(axis->high + x), &raw);
+        f32x8 next[4];
+        fetch_numbered_texels(size, row, i32x8_load(axis->high + x), &raw);
         decode_texels(job->from_info, &raw, next);
-        const f8 weight = f8_load(axis->weight + x);
+        const f32x8 weight = f32x8_load(axis->weight + x);
         for (int c = 0; c < 4; c++) {
             value[c] = rhw_mix(value[c], next[c], weight);
         }
@@ -57,12 +57,12 @@ RHW_INLINE void filter_row(const struct rhw_blit_job *job, const unsigned char *
 }
 
 // The same of two rows.
-RHW_INLINE void filter_slice(const struct rhw_blit_job *job, int x, int y, int z, f8 value[4])
+RHW_INLINE void filter_slice(const struct rhw_blit_job *job, int x, int y, int z, f32x8 value[4])
 {
     const struct rhw_blit_axis *const axis = &job->axis[1];
     filter_row(job, source_row(job, axis->low[y], z), x, value);
     if (job->is_linear) {
-        f8 next[4];
+        f32x8 next[4];
         filter_row(job, source_row(job, axis->high[y], z), x, next);
         for (int c = 0; c < 4; c++) {
             value[c] = rhw_mix(value[c], next[c], rhw_splat(axis->weight[y]));
@@ -75,13 +75,13 @@ static void blit_group(const struct rhw_blit_job *job, int x, int y, int z, stru
     const struct rhw_blit_axis *const axis = &job->axis[2];
     if (job->is_copied) {
         fetch_numbered_texels(job->from_info->size, source_row(job, job->axis[1].low[y], axis->low[z]),
-                              i8_load(job->axis[0].low + x), raw);
+                              i32x8_load(job->axis[0].low + x), raw);
         return;
     }
-    f8 value[4];
+    f32x8 value[4];
     filter_slice(job, x, y, axis->low[z], value);
     if (job->has_slice_filter) {
-        f8 next[4];
+        f32x8 next[4];
         filter_slice(job, x, y, axis->high[z], next);
         for (int c = 0; c < 4; c++) {
             value[c] = rhw_mix(value[c], next[c], rhw_splat(axis->weight[z]));
@@ -118,10 +118,10 @@ static void resolve_stencil(enum rhw_resolve mode, const struct sample_row *row,
     load_texel_row(1, row->plane[0], &raw);
     for (int s = 1; s < row->count && mode >= RHW_RESOLVE_MIN && mode <= RHW_RESOLVE_MAX; s++) {
         load_texel_row(1, row->plane[s], &other);
-        raw.word[0] =
-            mode == RHW_RESOLVE_MIN ? i8_min(raw.word[0], other.word[0]) : i8_max(raw.word[0], other.word[0]);
+        raw.word[0] = mode == RHW_RESOLVE_MIN ? i32x8_min(raw.word[0], other.word[0])
+                                              : i32x8_max(raw.word[0], other.word[0]);
     }
-    store_texel_row(1, &raw, i8_splat(-1), to);
+    store_texel_row(1, &raw, i32x8_splat(-1), to);
 }
 
 static void resolve_group(const struct rhw_resolve_job *job, const struct sample_row *row, unsigned char *to)

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "../texture.h"
+#include "resource/texture.h"
 #include "rhw/pass_def.h"
 
 // For each texel along an axis of the target, where it lies in the source: between two texels, inside. Of nearest filters

@@ -3,8 +3,8 @@
 #ifndef RHW_TRIANGLE_WORK_H
 #define RHW_TRIANGLE_WORK_H
 
-#include "../draw_list.h"
-#include "raster/plane.h"
+#include "draw/draw_list.h"
+#include "kernels/raster/plane.h"
 
 struct clipped_planes;
 struct triangle_setup8;
@@ -21,7 +21,7 @@ struct triangle_work {
         *clipped; // room for them, on the path of large triangles; NULL where it is not clipped
     // Of a triangle drawn conservatively: pixels of the block under way whose squares it contains, where they are wanted.
     uint64_t contained;
-    const f8 *coverage; // of a smooth line: how much of the pixels of that block it covers, by row
+    const f32x8 *coverage; // of a smooth line: how much of the pixels of that block it covers, by row
     struct planes planes;
     const struct rhw_vertex_record *const *v; // its three
     const float *provoking;

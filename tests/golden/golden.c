@@ -10,7 +10,7 @@
 //   golden --show NAME FILE writes one scene as PPM, to look at it: its images in a row
 #include "golden.h"
 #include "golden_scenes.h"
-#include "half.h"
+#include "base/half.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,8 +5,8 @@
 #include "golden_model_file.h"
 #include "golden_scenes.h"
 
-#include "draw.h"
-#include "panorama.h"
+#include "draw/draw.h"
+#include "draw/panorama.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 // read a file otherwise: then the table needs --update, after a look at the pictures.
 #include "golden.h"
 
-#include "draw.h"
+#include "draw/draw.h"
 #include "model.h"
 
 #include <stdio.h>

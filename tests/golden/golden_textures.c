@@ -3,7 +3,7 @@
 #include "golden_cells.h"
 #include "golden_scenes.h"
 
-#include "half.h"
+#include "base/half.h"
 
 #include <stdlib.h>
 #include <string.h>

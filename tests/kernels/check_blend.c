@@ -74,11 +74,11 @@ static void run_blend(const void *input, void *result)
 {
     const struct blend_input *const in = input;
     struct rhw_blend_state state;
-    f8 color[4];
+    f32x8 color[4];
     rhw_blend_state_init(&state, &in->target, RHW_LOGIC_OFF, in->constant);
     memcpy(color, in->color, sizeof color);
     memcpy(result, in->texels, sizeof in->texels);
-    blend_group(&state, color, i8_load(in->mask), result);
+    blend_group(&state, color, i32x8_load(in->mask), result);
 }
 
 struct decode_input {
@@ -98,7 +98,7 @@ static void run_decode(const void *input, void *result)
     const struct decode_input *const in = input;
     const struct rhw_format_info *const format = rhw_format_info((enum rhw_format)in->format);
     struct raw_texels raw;
-    f8 value[4];
+    f32x8 value[4];
     load_texel_row(format->size, in->texels, &raw);
     decode_texels(format, &raw, value);
     memcpy(result, value, sizeof value);
@@ -106,7 +106,7 @@ static void run_decode(const void *input, void *result)
 
 static const struct kernel_check checks[] = {
     {"blend_group", sizeof(struct blend_input), ROW_BYTES, KERNEL_BITS, make_blend, run_blend},
-    {"decode_texels", sizeof(struct decode_input), 4 * sizeof(f8), KERNEL_BITS, make_decode, run_decode},
+    {"decode_texels", sizeof(struct decode_input), 4 * sizeof(f32x8), KERNEL_BITS, make_decode, run_decode},
 };
 
 const struct kernel_folder RHW_ISA_NAME(check_blend) = {"fragment", checks, sizeof checks / sizeof *checks};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Kernel checks of src/kernels/raster: the depth test, open pixels and hierarchical depth; compiled with
 // RHW_ISA_SUFFIX = baseline, avx2, ...
-#include "kernels/raster/depth_test.h"
-#include "kernels/raster/hiz.h"
-#include "kernels/raster/open_pixels.h"
+#include "kernels/depth/depth_test.h"
+#include "kernels/depth/hiz.h"
+#include "kernels/depth/open_pixels.h"
 
 #include "kernel_folders.h"
 
@@ -75,7 +75,7 @@ static void run_test_early(const void *input, void *result)
         .early_name = (enum rhw_rule_name)in->name,
         .early = {(enum rhw_compare)in->compare, in->write != 0, (enum rhw_open_rule)in->open_rule}};
     struct tile_depth depth;
-    f8 z[RHW_BLOCK];
+    f32x8 z[RHW_BLOCK];
     memcpy(z, in->z, sizeof z);
     set_block(&depth, in);
     store_block(result, &depth, in, test_block_early(&depth, z, in->x, in->y, in->mask, &plan));
@@ -88,7 +88,7 @@ static void run_test_row_late(const void *input, void *result)
                                         (enum rhw_open_rule)in->open_rule};
     struct tile_depth depth;
     set_block(&depth, in);
-    const unsigned passed = test_row_late(&depth, in->x, in->y, f8_load(in->z), in->mask & 0xff, rule);
+    const unsigned passed = test_row_late(&depth, in->x, in->y, f32x8_load(in->z), in->mask & 0xff, rule);
     store_block(result, &depth, in, passed);
 }
 
@@ -103,7 +103,8 @@ static void run_test_texels_late(const void *input, void *result)
         texels[i] = (in->y + i) * RHW_TILE + in->x + in->column[i];
     }
     set_block(&depth, in);
-    store_block(result, &depth, in, test_texels_late(&depth, texels, f8_load(in->z), in->mask & 0xff, rule));
+    store_block(result, &depth, in,
+                test_texels_late(&depth, texels, f32x8_load(in->z), in->mask & 0xff, rule));
 }
 
 static void run_claim(const void *input, void *result)

@@ -91,7 +91,7 @@ static void run_interpolate_any(const void *input, void *result)
     }
     set_values(&triangle.work, &triangle.pipeline);
     triangle.work.planes.is_homogeneous = in->is_homogeneous;
-    struct weights weights = {.b = f8_load(in->b), .c = f8_load(in->c)};
+    struct weights weights = {.b = f32x8_load(in->b), .c = f32x8_load(in->c)};
     struct screen_weights screen;
     memcpy(&screen.s, in->screen[0], sizeof screen.s);
     memcpy(&screen.t, in->screen[1], sizeof screen.t);
@@ -106,7 +106,7 @@ static void run_pack_components(const void *input, void *result)
     const struct packed_weights weights = {in->b[0], in->c[0], in->c[0], in->b[0]};
     struct packed_triangle orders[3];
     const struct packed_triangle *lanes[8];
-    f8 out[16];
+    f32x8 out[16];
     for (int order = 0; order < 3; order++) {
         for (int v = 0; v < 3; v++) {
             orders[order].varyings[v] = in->varyings[(v + order) % 3];
@@ -177,26 +177,26 @@ static void run_derivatives(const void *input, void *result)
     struct derivative_pair pair;
     component_derivatives(&pair, &triangle.work, &triangle.pipeline);
     struct anchor_offset at;
-    d8 inverse_s;
+    f64x8 inverse_s;
     memcpy(&at.dx, in->dx, sizeof at.dx);
     memcpy(&at.dy, in->dy, sizeof at.dy);
     memcpy(&inverse_s, in->inverse_s, sizeof inverse_s);
-    f8 out[4];
+    f32x8 out[4];
     for (int which = 0; which < 2; which++) {
-        pair_derivatives(&pair, which, &at, d8_mul(inverse_s, inverse_s), &out[2 * which],
+        pair_derivatives(&pair, which, &at, f64x8_mul(inverse_s, inverse_s), &out[2 * which],
                          &out[2 * which + 1]);
     }
     memcpy(result, out, sizeof out);
 }
 
 static const struct kernel_check checks[] = {
-    {"interpolate_groups", sizeof(struct varyings_input), RHW_BLOCK *COMPONENTS * sizeof(f8), KERNEL_FLOATS,
-     make_varyings, run_interpolate_groups},
-    {"interpolate_any", sizeof(struct varyings_input), COMPONENTS * sizeof(f8), KERNEL_FLOATS, make_varyings,
-     run_interpolate_any},
-    {"pack_components", sizeof(struct varyings_input), 16 * sizeof(f8), KERNEL_FLOATS, make_varyings,
+    {"interpolate_groups", sizeof(struct varyings_input), RHW_BLOCK *COMPONENTS * sizeof(f32x8),
+     KERNEL_FLOATS, make_varyings, run_interpolate_groups},
+    {"interpolate_any", sizeof(struct varyings_input), COMPONENTS * sizeof(f32x8), KERNEL_FLOATS,
+     make_varyings, run_interpolate_any},
+    {"pack_components", sizeof(struct varyings_input), 16 * sizeof(f32x8), KERNEL_FLOATS, make_varyings,
      run_pack_components},
-    {"derivatives", sizeof(struct derivative_input), 4 * sizeof(f8), KERNEL_FLOATS, make_derivative,
+    {"derivatives", sizeof(struct derivative_input), 4 * sizeof(f32x8), KERNEL_FLOATS, make_derivative,
      run_derivatives},
 };
 

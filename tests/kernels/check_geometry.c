@@ -46,7 +46,7 @@ static void run_fetch(const void *input, void *result)
     const struct fetch_input *const in = input;
     const struct rhw_vertex_stream stream = {in->bytes, in->size};
     const struct rhw_fetch fetch = rhw_fetch_of((enum rhw_vertex_format)in->format, in->offset);
-    f8 out[2][4];
+    f32x8 out[2][4];
     fetch_checked(&stream, &fetch, in->stride, in->element, out[0]);
     if (lies_inside(&stream, &fetch, in->stride, in->element)) {
         fetch_inside(&stream, &fetch, in->stride, in->element, out[1]);
@@ -89,7 +89,7 @@ static void run_project(const void *input, void *result)
     const struct project_input *const in = input;
     struct rhw_pipeline_data pipeline;
     struct rhw_draw_state state;
-    f8 position[4], header[8];
+    f32x8 position[4], header[8];
     pipeline.def.depth_clip_disabled = false;
     pipeline.def.depth_range = in->symmetric ? RHW_DEPTH_MINUS_ONE_TO_ONE : RHW_DEPTH_ZERO_TO_ONE;
     state.pipeline = &pipeline;
@@ -155,7 +155,7 @@ static void make_cull(struct kernel_random *random, void *input)
 
 struct cull_result {
     uint32_t drawn, clipped, culled, zero[5]; // up to a whole vector
-    i8 flags;
+    i32x8 flags;
     struct triangle_words words;
 };
 
@@ -187,7 +187,7 @@ static void run_cull(const void *input, void *result)
     }
     const struct run_slice slice = {.indices = in->indices, .live = in->live};
     struct triangle_words words;
-    out->flags = triangle_flags8(&t, &cull, &state) & i8_from_bits(cull.drawn);
+    out->flags = triangle_flags8(&t, &cull, &state) & i32x8_from_bits(cull.drawn);
     const struct triangle_names8 names = names_of_slice(&slice, 0);
     fill_words(&words, &t, &cull.pixels, out->flags, &names);
     for (unsigned left = cull.drawn; left != 0; left &= left - 1) {
@@ -198,8 +198,8 @@ static void run_cull(const void *input, void *result)
 }
 
 static const struct kernel_check checks[] = {
-    {"fetch", sizeof(struct fetch_input), 8 * sizeof(f8), KERNEL_FLOATS, make_fetch, run_fetch},
-    {"project", sizeof(struct project_input), 8 * sizeof(f8), KERNEL_BITS, make_project, run_project},
+    {"fetch", sizeof(struct fetch_input), 8 * sizeof(f32x8), KERNEL_FLOATS, make_fetch, run_fetch},
+    {"project", sizeof(struct project_input), 8 * sizeof(f32x8), KERNEL_BITS, make_project, run_project},
     {"cull8", sizeof(struct cull_input), sizeof(struct cull_result), KERNEL_BITS, make_cull, run_cull},
 };
 

@@ -106,7 +106,7 @@ static void make_clipped(struct kernel_random *random, void *input)
     make_offsets(random, in);
 }
 
-static void set_lane(d4 *v, int lane, double value)
+static void set_lane(f64x4 *v, int lane, double value)
 {
     memcpy((double *)(void *)v + lane, &value, sizeof value);
 }
@@ -172,14 +172,14 @@ static struct anchor_offset offsets_of(const struct triangle_input *in)
 
 // What a row has, as doubles.
 struct row_result {
-    d8 depth, b, c, s, inverse_s, screen_s, screen_t;
+    f64x8 depth, b, c, s, inverse_s, screen_s, screen_t;
 };
 
 static void store_weights(struct row_result *out, const struct weights *weights,
                           const struct screen_weights *screen)
 {
-    out->b = d8_from_f8(weights->b);
-    out->c = d8_from_f8(weights->c);
+    out->b = f64x8_from_f32x8(weights->b);
+    out->c = f64x8_from_f32x8(weights->c);
     out->s = weights->s;
     out->inverse_s = weights->inverse_s;
     out->screen_s = screen->s;
@@ -200,7 +200,7 @@ static void run_block(const void *input, void *result)
     for (int row = 0; row < RHW_BLOCK; row++) {
         const struct weights weights = weights_of_row(&planes, &block, row, path);
         const struct screen_weights screen = screen_weights_of_row(&planes, &block, row);
-        out[row].depth = d8_from_f8(depth_of_row(&planes, &block, row));
+        out[row].depth = f64x8_from_f32x8(depth_of_row(&planes, &block, row));
         store_weights(&out[row], &weights, &screen);
     }
 }
@@ -208,7 +208,7 @@ static void run_block(const void *input, void *result)
 // Pixels anywhere, and the four quantities at each of them.
 struct pixels_result {
     struct row_result row;
-    d4 quantities[8];
+    f64x4 quantities[8];
 };
 
 static void run_pixels(const void *input, void *result)
@@ -242,8 +242,8 @@ static void store_clipped(struct clipped_result *out, const struct planes *plane
     for (int row = 0; row < RHW_BLOCK; row++) {
         struct clipped_row values;
         clipped_row_set(&values, planes, clipped, at, row);
-        out->lanes[row] = i8_sign_bits(values.lanes);
-        out->rows[row].depth = d8_from_f8(values.z);
+        out->lanes[row] = i32x8_sign_bits(values.lanes);
+        out->rows[row].depth = f64x8_from_f32x8(values.z);
         store_weights(&out->rows[row], &values.weights, &values.screen);
     }
 }

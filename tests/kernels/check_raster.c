@@ -28,9 +28,10 @@ static void make_positions(struct kernel_random *random, void *input)
 static void run_positions(const void *input, void *result)
 {
     const struct position_input *const in = input;
-    const i8 positions = i8_load(in->positions_24_8);
-    const i8 out[4] = {sample_of_pixel8(i8_load(in->pixels)), sample_from_position8(positions),
-                       pixel_of_step8(positions, i8_splat(127)), pixel_of_step8(positions, i8_splat(128))};
+    const i32x8 positions = i32x8_load(in->positions_24_8);
+    const i32x8 out[4] = {sample_of_pixel8(i32x8_load(in->pixels)), sample_from_position8(positions),
+                          pixel_of_step8(positions, i32x8_splat(127)),
+                          pixel_of_step8(positions, i32x8_splat(128))};
     memcpy(result, out, sizeof out);
 }
 
@@ -112,12 +113,12 @@ static void make_edges(struct kernel_random *random, void *input)
 static void run_edges(const void *input, void *result)
 {
     const struct edges_input *const in = input;
-    i8 x[3], y[3];
+    i32x8 x[3], y[3];
     memcpy(x, in->x_24_8, sizeof x);
     memcpy(y, in->y_24_8, sizeof y);
     const struct edge_lanes edges =
-        edge_lanes(x, y, in->edge, i8_load(in->turn), i8_load(in->sample_x), i8_load(in->sample_y));
-    const i8 out[3] = {edges.a, edges.b, edges.e};
+        edge_lanes(x, y, in->edge, i32x8_load(in->turn), i32x8_load(in->sample_x), i32x8_load(in->sample_y));
+    const i32x8 out[3] = {edges.a, edges.b, edges.e};
     memcpy(result, out, sizeof out);
 }
 
@@ -183,7 +184,7 @@ static void make_clipped(struct kernel_random *random, void *input)
 static void run_dd_edge(const void *input, void *result)
 {
     const struct clipped_input *const in = input;
-    d8 dx, rows[3];
+    f64x8 dx, rows[3];
     memcpy(&dx, in->dx, sizeof dx);
     for (int i = 0; i < 3; i++) {
         const struct dd_plane plane = dd_edge(in->vertices[(i + 1) % 3], in->vertices[(i + 2) % 3],
@@ -201,13 +202,13 @@ static void run_dd_determinant(const void *input, void *result)
 }
 
 static const struct kernel_check checks[] = {
-    {"sample_position", sizeof(struct position_input), 4 * sizeof(i8), KERNEL_BITS, make_positions,
+    {"sample_position", sizeof(struct position_input), 4 * sizeof(i32x8), KERNEL_BITS, make_positions,
      run_positions},
     {"coverage_mask", sizeof(struct coverage_input), sizeof(struct coverage_result), KERNEL_BITS,
      make_coverage, run_coverage},
-    {"edge_lanes", sizeof(struct edges_input), 3 * sizeof(i8), KERNEL_BITS, make_edges, run_edges},
+    {"edge_lanes", sizeof(struct edges_input), 3 * sizeof(i32x8), KERNEL_BITS, make_edges, run_edges},
     {"rect_mask", sizeof(struct rect_input), sizeof(uint64_t), KERNEL_BITS, make_rect, run_rect},
-    {"dd_edge", sizeof(struct clipped_input), 3 * sizeof(d8), KERNEL_DOUBLES, make_clipped, run_dd_edge},
+    {"dd_edge", sizeof(struct clipped_input), 3 * sizeof(f64x8), KERNEL_DOUBLES, make_clipped, run_dd_edge},
     {"dd_determinant", sizeof(struct clipped_input), sizeof(struct dd), KERNEL_DOUBLES, make_clipped,
      run_dd_determinant},
 };

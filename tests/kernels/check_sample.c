@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Kernel checks of src/kernels/sample: a sample of a small texture of any format, by any sampler and on each path, through
 // the table of kernels; compiled with RHW_ISA_SUFFIX = baseline, avx2, ...
-#include "binding.h"
-#include "format.h"
+#include "binding/binding.h"
+#include "format/format.h"
 #include "kernels/kernels.h"
-#include "sampler.h"
-#include "simd.h"
-#include "srgb_texture.h"
-#include "texture.h"
+#include "resource/sampler.h"
+#include "base/simd.h"
+#include "resource/srgb_texture.h"
+#include "resource/texture.h"
 
 #include "kernel_folders.h"
 
@@ -120,7 +120,7 @@ static void run_sample(const void *input, void *result)
     struct rhw_texture_data texture;
     struct rhw_sampler_data sampler;
     rhw_float uv[2], gradient[4], texel[4];
-    const rhw_float lod = f8_load(in->lod);
+    const rhw_float lod = f32x8_load(in->lod);
     set_texture(&texture, in, texels, linear);
     rhw_sampler_data_init(&sampler, &in->sampler);
     const struct rhw_binding binding =
@@ -182,7 +182,7 @@ static void make_groups(struct kernel_random *random, void *input)
 
 // By group and slot.
 struct groups_result {
-    f8 together[GROUPS][SLOTS][4], alone[GROUPS][SLOTS][4];
+    f32x8 together[GROUPS][SLOTS][4], alone[GROUPS][SLOTS][4];
 };
 
 struct bound_slot {
@@ -206,8 +206,8 @@ static void sample_alone(const struct rhw_bindings *bindings, const struct rhw_f
                          const struct groups_input *in, struct groups_result *out)
 {
     for (int g = 0; g < in->count; g++) {
-        const f8 gradient[4] = {groups[g].ddx[AT], groups[g].ddx[AT + 1], groups[g].ddy[AT],
-                                groups[g].ddy[AT + 1]};
+        const f32x8 gradient[4] = {groups[g].ddx[AT], groups[g].ddx[AT + 1], groups[g].ddy[AT],
+                                   groups[g].ddy[AT + 1]};
         const struct rhw_sample_request request = {.coordinates = &groups[g].varying[AT],
                                                    .gradient = gradient};
         for (int i = 0; i < SLOTS; i++) {
@@ -233,9 +233,9 @@ static void run_groups(const void *input, void *result)
     bind_slots(bound, RHW_PATHS_ALL, &together);
     bind_slots(bound, RHW_PATHS_GENERAL, &alone);
     for (int g = 0; g < in->count; g++) {
-        groups[g].varying = (const f8 *)(const void *)in->varyings[g];
-        groups[g].ddx = (const f8 *)(const void *)in->ddx[g];
-        groups[g].ddy = (const f8 *)(const void *)in->ddy[g];
+        groups[g].varying = (const f32x8 *)(const void *)in->varyings[g];
+        groups[g].ddx = (const f32x8 *)(const void *)in->ddx[g];
+        groups[g].ddy = (const f32x8 *)(const void *)in->ddy[g];
         groups[g].textures = &together;
     }
     together.kernels->sample_groups(groups, in->count, in->chosen, AT, out->together[0], SLOTS);
@@ -244,7 +244,7 @@ static void run_groups(const void *input, void *result)
 }
 
 static const struct kernel_check checks[] = {
-    {"sample", sizeof(struct sample_input), 4 * sizeof(f8), KERNEL_FLOATS, make_sample, run_sample},
+    {"sample", sizeof(struct sample_input), 4 * sizeof(f32x8), KERNEL_FLOATS, make_sample, run_sample},
     {"sample_groups", sizeof(struct groups_input), sizeof(struct groups_result), KERNEL_HALVES, make_groups,
      run_groups},
 };

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Kernel checks of src/kernels/texel: the mip levels of a small texture of any format, band by band, through the table of
 // kernels; compiled with RHW_ISA_SUFFIX = baseline, avx2, ...
-#include "format.h"
+#include "format/format.h"
 #include "kernels/kernels.h"
 #include "kernels/mip_work.h"
-#include "simd.h"
-#include "texture.h"
+#include "base/simd.h"
+#include "resource/texture.h"
 
 #include "kernel_folders.h"
 

@@ -4,15 +4,15 @@
 #ifndef DRAW_SCENE_H
 #define DRAW_SCENE_H
 
-#include "assembly.h"
-#include "constants.h"
+#include "draw/assembly.h"
+#include "base/constants.h"
 #include "kernels/geometry/geometry_scratch.h"
 #include "kernels/kernels.h"
 #include "kernels/tile_work.h"
-#include "memory.h"
-#include "pass_state.h"
-#include "pipeline.h"
-#include "simd.h"
+#include "base/memory.h"
+#include "pass/pass_state.h"
+#include "pipeline/pipeline.h"
+#include "base/simd.h"
 
 #include "scene_input.h"
 
@@ -33,20 +33,20 @@ static void scene_vertex(struct rhw_vertex *groups, int count)
 }
 
 // Everything that the draw asked for takes part in the colour.
-static void add_builtins(const struct rhw_fragment *group, uint32_t uses, f8 sum[4])
+static void add_builtins(const struct rhw_fragment *group, uint32_t uses, f32x8 sum[4])
 {
     for (int i = 0; i < 4 && uses & RHW_USE_COORD; i++) {
-        sum[i] += group->coord[i] * f8_splat(0x1p-7f);
+        sum[i] += group->coord[i] * f32x8_splat(0x1p-7f);
     }
     if (uses & RHW_USE_FACING) {
-        sum[1] += rhw_float_from_int(group->front_facing) * f8_splat(0.25f);
+        sum[1] += rhw_float_from_int(group->front_facing) * f32x8_splat(0.25f);
     }
     if (uses & RHW_USE_IDS) {
-        sum[0] += rhw_float_from_int(group->primitive) * f8_splat(0.0625f);
-        sum[2] += rhw_float_from_int(group->instance) * f8_splat(0.5f) + rhw_float_from_int(group->draw);
+        sum[0] += rhw_float_from_int(group->primitive) * f32x8_splat(0.0625f);
+        sum[2] += rhw_float_from_int(group->instance) * f32x8_splat(0.5f) + rhw_float_from_int(group->draw);
     }
     for (int i = 0; i < 3 && uses & RHW_USE_BARYCENTRIC; i++) {
-        sum[i] += group->barycentric[i] - group->barycentric_noperspective[i] * f8_splat(0.5f);
+        sum[i] += group->barycentric[i] - group->barycentric_noperspective[i] * f32x8_splat(0.5f);
     }
     for (int i = 0; i < 3 && uses & RHW_USE_BARYCENTRIC_DERIVATIVES; i++) {
         sum[i] += group->barycentric_ddx[i] - group->barycentric_ddy[i];
@@ -54,9 +54,9 @@ static void add_builtins(const struct rhw_fragment *group, uint32_t uses, f8 sum
 }
 
 // Within bounds, and a number.
-static f8 bounded(f8 value)
+static f32x8 bounded(f32x8 value)
 {
-    return f8_min(f8_max(value, f8_splat(-1024)), f8_splat(1024)); // the second where one is NaN
+    return f32x8_min(f32x8_max(value, f32x8_splat(-1024)), f32x8_splat(1024)); // the second where one is NaN
 }
 
 static void shade_group(struct rhw_fragment *group)
@@ -64,14 +64,14 @@ static void shade_group(struct rhw_fragment *group)
     const struct rhw_pipeline_data *const pipeline = group->user;
     const float *const uniforms = group->uniforms;
     const uint32_t uses = pipeline->def.program.uses;
-    f8 sum[4];
+    f32x8 sum[4];
     for (int i = 0; i < 4; i++) {
-        sum[i] = f8_splat(uniforms[i]);
+        sum[i] = f32x8_splat(uniforms[i]);
     }
     for (int i = 0; i < pipeline->varying_components; i++) {
-        sum[i % 4] += group->varying[i] * f8_splat(0.5f);
+        sum[i % 4] += group->varying[i] * f32x8_splat(0.5f);
         if (pipeline->component_derivatives[i]) {
-            sum[(i + 1) % 4] += group->ddx[i] - group->ddy[i] * f8_splat(0.75f);
+            sum[(i + 1) % 4] += group->ddx[i] - group->ddy[i] * f32x8_splat(0.75f);
         }
     }
     add_builtins(group, uses, sum);
@@ -81,10 +81,10 @@ static void shade_group(struct rhw_fragment *group)
         }
     }
     if (uses & RHW_USE_DISCARD) {
-        group->mask &= rhw_less(sum[0], f8_splat(0.75f));
+        group->mask &= rhw_less(sum[0], f32x8_splat(0.75f));
     }
     if (uses & RHW_USE_DEPTH) {
-        group->depth = bounded(group->depth * f8_splat(0.75f) + sum[1] * f8_splat(0.125f));
+        group->depth = bounded(group->depth * f32x8_splat(0.75f) + sum[1] * f32x8_splat(0.125f));
     }
 }
 

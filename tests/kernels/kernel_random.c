@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "constants.h"
+#include "base/constants.h"
 
 // Steele, Lea, Flood 2014, Fast Splittable Pseudorandom Number Generators: SplitMix64.
 uint64_t random_bits(struct kernel_random *random)

@@ -4,9 +4,9 @@
 
 #include <math.h>
 
-#include "blend_state.h"
-#include "clear_texel.h"
-#include "constants.h"
+#include "pipeline/blend_state.h"
+#include "resource/clear_texel.h"
+#include "base/constants.h"
 
 // What the vertices of a scene are drawn around, and how.
 struct style {

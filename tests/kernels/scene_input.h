@@ -3,7 +3,7 @@
 #ifndef SCENE_INPUT_H
 #define SCENE_INPUT_H
 
-#include "clean_tiles.h"
+#include "resource/clean_tiles.h"
 #include "rhw/pass_def.h"
 
 #include "kernel_check.h"

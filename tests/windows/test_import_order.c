@@ -8,8 +8,8 @@
 
 #include <cmocka.h>
 
-#include "import.h"
-#include "import_blob.h"
+#include "import/import.h"
+#include "import/blob.h"
 
 static atomic_int compared; // strings, when the reader has come to its end
 static atomic_int changed;

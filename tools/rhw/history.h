@@ -3,7 +3,7 @@
 #ifndef CLI_HISTORY_H
 #define CLI_HISTORY_H
 
-#include "explain_light.h"
+#include "draw/explain_light.h"
 #include "model.h"
 
 struct cli_past_fragment {

@@ -5,7 +5,7 @@
 #include "elementary.h"
 #include "message.h"
 #include "render_camera.h"
-#include "subject.h"
+#include "draw/camera/subject.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #ifndef CLI_OUTPUTS_H
 #define CLI_OUTPUTS_H
 
-#include "draw.h"
+#include "draw/draw.h"
 #include "image_write.h"
 
 enum cli_output_kind {

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "image_load.h"
-#include "image_read.h"
+#include "import/image/read.h"
 #include "message.h"
 
 static const float most_light = 60000.0f;

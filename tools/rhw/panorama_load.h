@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "panorama.h"
+#include "draw/panorama.h"
 
 /// What no light can be (negative, infinite, not a number) becomes black or the most that half floats hold; alpha 1.
 void cli_panorama_clean(struct scene_panorama *panorama);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render_camera.h"
 
-#include "camera_frame.h"
+#include "draw/camera/camera_frame.h"
 #include "message.h"
 
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #ifndef CLI_VIEWS_H
 #define CLI_VIEWS_H
 
-#include "draw.h"
+#include "draw/draw.h"
 
 enum { CLI_VIEWS = 7 };
 

@@ -4,7 +4,7 @@
 #ifndef VIEW_EYE_H
 #define VIEW_EYE_H
 
-#include "camera.h"
+#include "draw/camera/camera.h"
 
 struct view_eye {
     double eye[3], target[3], up[3];

@@ -3,7 +3,7 @@
 #include "command_line.h"
 #include "keys.h"
 #include "session.h"
-#include "subject.h"
+#include "draw/camera/subject.h"
 
 #include <math.h>
 #include <stdarg.h>

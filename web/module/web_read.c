@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reading a model file in an instance of the module that does nothing else; the part of import_process.c's child.
-#include "import.h"
-#include "import_blob.h"
+#include "import/import.h"
+#include "import/blob.h"
 #include "message.h"
 #include "message_line.h"
 #include "web_module.h"

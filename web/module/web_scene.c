@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A model that JavaScript holds, and the pictures of it: rhw render, explain and info without files.
 #include "explain_draw.h"
-#include "import_blob.h"
+#include "import/blob.h"
 #include "info_print.h"
 #include "message.h"
 #include "web_module.h"

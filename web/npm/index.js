@@ -73,7 +73,7 @@ export async function render(model, options = {}) {
 
 // Scenes ---------------------------------------------------------------------------------------------------------
 
-// By the bits of enum scene_output (scene/view.h): the type of the elements, and how many a pixel has.
+// By the bits of enum scene_output (scene/draw/view.h): the type of the elements, and how many a pixel has.
 const outputs = {
     color: { bit: 1, Type: Uint8ClampedArray, count: 4 },
     linear: { bit: 2, Type: Float32Array, count: 4 },

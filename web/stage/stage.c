@@ -2,7 +2,7 @@
 // See stage.h. What is to be drawn is kept, so that a pixel can be asked about later.
 #include "stage.h"
 
-#include "camera.h"
+#include "draw/camera/camera.h"
 #include "rhw/rhw.h"
 #include "stage_explain.h"
 #include "stage_matrix.h"

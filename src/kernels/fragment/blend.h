@@ -7,64 +7,65 @@
 #ifndef RHW_BLEND_H
 #define RHW_BLEND_H
 
-#include "../../blend_state.h"
-#include "../texel/texel_codec.h"
+#include "pipeline/blend_state.h"
+#include "kernels/texel/texel_codec.h"
 
 // Gives the byte at `shift` of each lane as a float; exact.
-RHW_INLINE f8 byte_to_float(i8 texel, int shift)
+RHW_INLINE f32x8 byte_to_float(i32x8 texel, int shift)
 {
-    return rhw_float_from_int((i8)((texel >> shift) & 0xff));
+    return rhw_float_from_int((i32x8)((texel >> shift) & 0xff));
 }
 
 // RGBA8 blending with factors (SRC_ALPHA or ONE, ONE_MINUS_SRC_ALPHA), on the scale 0..255, which saves
 // the destination a division: result = source · 255 · factor + destination · (1 − source alpha).
-static inline void blend_rgba8_over(const struct rhw_blend_state *state, const f8 color[4], i8 mask,
+static inline void blend_rgba8_over(const struct rhw_blend_state *state, const f32x8 color[4], i32x8 mask,
                                     unsigned char *texels)
 {
-    const i8 old = i8_load(texels);
-    const f8 alpha = rhw_saturate(color[3]);
-    const f8 keep = 1.0f - alpha;
-    const f8 color_scale = state->color_one ? rhw_splat(255.0f) : alpha * 255.0f;
-    const f8 alpha_scale = state->alpha_one ? rhw_splat(255.0f) : alpha * 255.0f;
-    f8 result[4];
+    const i32x8 old = i32x8_load(texels);
+    const f32x8 alpha = rhw_saturate(color[3]);
+    const f32x8 keep = 1.0f - alpha;
+    const f32x8 color_scale = state->color_one ? rhw_splat(255.0f) : alpha * 255.0f;
+    const f32x8 alpha_scale = state->alpha_one ? rhw_splat(255.0f) : alpha * 255.0f;
+    f32x8 result[4];
     for (int i = 0; i < 3; i++) {
         result[i] = rhw_saturate(color[i]) * color_scale + byte_to_float(old, 8 * i) * keep;
     }
-    result[3] = alpha * alpha_scale + rhw_float_from_int((i8)((u8)old >> 24)) * keep;
-    const i8 packed = i8_bytes_from_small_f8(result); // ONE may carry the sum beyond 255
-    const i8 written = mask & (i8)i8_splat((int32_t)state->texel_mask[0]);
-    i8_store(texels, old ^ ((old ^ packed) & written));
+    result[3] = alpha * alpha_scale + rhw_float_from_int((i32x8)((u32x8)old >> 24)) * keep;
+    const i32x8 packed = i32x8_bytes_from_small_f32x8(result); // ONE may carry the sum beyond 255
+    const i32x8 written = mask & (i32x8)i32x8_splat((int32_t)state->texel_mask[0]);
+    i32x8_store(texels, old ^ ((old ^ packed) & written));
 }
 
 // The same for RGBA8_SRGB in linear light, with the bytes of the general path.
-static __attribute__((noinline)) void blend_srgb8_over(const struct rhw_blend_state *state, const f8 *color,
-                                                       const i8 *mask, unsigned char *texels)
+static __attribute__((noinline)) void blend_srgb8_over(const struct rhw_blend_state *state,
+                                                       const f32x8 *color, const i32x8 *mask,
+                                                       unsigned char *texels)
 {
-    const i8 old = i8_load(texels);
-    const f8 alpha = rhw_saturate(color[3]);
-    const f8 keep = 1.0f - alpha;
-    f8 result[4];
+    const i32x8 old = i32x8_load(texels);
+    const f32x8 alpha = rhw_saturate(color[3]);
+    const f32x8 keep = 1.0f - alpha;
+    f32x8 result[4];
     for (int i = 0; i < 3; i++) {
-        const f8 src = rhw_saturate(color[i]);
+        const f32x8 src = rhw_saturate(color[i]);
         result[i] = (state->color_one ? src : src * alpha) + srgb8_to_float(channel_byte(old, i)) * keep;
     }
     result[3] = (state->alpha_one ? alpha : alpha * alpha) + unorm8_to_float(channel_byte(old, 3)) * keep;
-    store_word_bits(texels, srgb8_texels(result), *mask & (i8)i8_splat((int32_t)state->texel_mask[0]));
+    store_word_bits(texels, srgb8_texels(result), *mask & (i32x8)i32x8_splat((int32_t)state->texel_mask[0]));
 }
 
 // RGBA8 blending with factors ONE and ONE, with the bytes of the general path: 8 % of shadow_volumes' instructions.
-static __attribute__((noinline)) void blend_rgba8_sum(const struct rhw_blend_state *state, const f8 *color,
-                                                      const i8 *mask, unsigned char *texels)
+static __attribute__((noinline)) void blend_rgba8_sum(const struct rhw_blend_state *state, const f32x8 *color,
+                                                      const i32x8 *mask, unsigned char *texels)
 {
-    const i8 old = i8_load(texels);
-    f8 result[4];
+    const i32x8 old = i32x8_load(texels);
+    f32x8 result[4];
     for (int i = 0; i < 4; i++) {
         result[i] = rhw_saturate(color[i]) + unorm8_to_float(channel_byte(old, i));
     }
-    store_word_bits(texels, unorm8_texels(result), *mask & (i8)i8_splat((int32_t)state->texel_mask[0]));
+    store_word_bits(texels, unorm8_texels(result), *mask & (i32x8)i32x8_splat((int32_t)state->texel_mask[0]));
 }
 
-RHW_INLINE void store_target(const struct rhw_blend_state *state, const f8 value[4], i8 mask,
+RHW_INLINE void store_target(const struct rhw_blend_state *state, const f32x8 value[4], i32x8 mask,
                              unsigned char *texels)
 {
     struct raw_texels raw;
@@ -73,8 +74,8 @@ RHW_INLINE void store_target(const struct rhw_blend_state *state, const f8 value
 }
 
 // Gives the factor of channel `i` (3: alpha). src[4..7] is the second source.
-static inline f8 any_blend_factor(const struct rhw_blend_state *state, enum rhw_blend_factor factor,
-                                  const f8 *src, const f8 dst[4], int i)
+static inline f32x8 any_blend_factor(const struct rhw_blend_state *state, enum rhw_blend_factor factor,
+                                     const f32x8 *src, const f32x8 dst[4], int i)
 {
     switch (factor) {
     case RHW_BLEND_DEFAULT: break; // pipeline.c has put what it stands for in its place
@@ -102,14 +103,15 @@ static inline f8 any_blend_factor(const struct rhw_blend_state *state, enum rhw_
 }
 
 // The same as a target holds it: 1 less a negative value of an SNORM format is above 1 (Vulkan 1.3 §29.1).
-static inline f8 blend_factor(const struct rhw_blend_state *state, enum rhw_blend_factor factor,
-                              const f8 *src, const f8 dst[4], int i)
+static inline f32x8 blend_factor(const struct rhw_blend_state *state, enum rhw_blend_factor factor,
+                                 const f32x8 *src, const f32x8 dst[4], int i)
 {
-    const f8 value = any_blend_factor(state, factor, src, dst, i);
+    const f32x8 value = any_blend_factor(state, factor, src, dst, i);
     return state->least < 0 ? rhw_min(value, rhw_splat(1.0f)) : value;
 }
 
-static inline f8 blend_channel(const struct rhw_blend_state *state, const f8 *src, const f8 dst[4], int i)
+static inline f32x8 blend_channel(const struct rhw_blend_state *state, const f32x8 *src, const f32x8 dst[4],
+                                  int i)
 {
     const struct rhw_blend_component *const component = i == 3 ? &state->alpha : &state->color;
     if (component->operation == RHW_BLEND_MIN) { // MIN and MAX ignore the factors
@@ -118,8 +120,8 @@ static inline f8 blend_channel(const struct rhw_blend_state *state, const f8 *sr
     if (component->operation == RHW_BLEND_MAX) {
         return rhw_max(src[i], dst[i]);
     }
-    const f8 a = src[i] * blend_factor(state, component->src, src, dst, i);
-    const f8 b = dst[i] * blend_factor(state, component->dst, src, dst, i);
+    const f32x8 a = src[i] * blend_factor(state, component->src, src, dst, i);
+    const f32x8 b = dst[i] * blend_factor(state, component->dst, src, dst, i);
     switch (component->operation) {
     case RHW_BLEND_SUBTRACT: return a - b;
     case RHW_BLEND_REVERSE_SUBTRACT: return b - a;
@@ -128,10 +130,10 @@ static inline f8 blend_channel(const struct rhw_blend_state *state, const f8 *sr
 }
 
 // Vulkan 1.3 §29.2, "Logical Operations".
-RHW_INLINE i8 combine_bits(enum rhw_logic logic, i8 src, i8 dst)
+RHW_INLINE i32x8 combine_bits(enum rhw_logic logic, i32x8 src, i32x8 dst)
 {
     switch (logic) {
-    case RHW_LOGIC_CLEAR: return i8_splat(0);
+    case RHW_LOGIC_CLEAR: return i32x8_splat(0);
     case RHW_LOGIC_AND: return src & dst;
     case RHW_LOGIC_AND_REVERSE: return src & ~dst;
     case RHW_LOGIC_AND_INVERTED: return ~src & dst;
@@ -145,16 +147,16 @@ RHW_INLINE i8 combine_bits(enum rhw_logic logic, i8 src, i8 dst)
     case RHW_LOGIC_COPY_INVERTED: return ~src;
     case RHW_LOGIC_OR_INVERTED: return ~src | dst;
     case RHW_LOGIC_NAND: return ~(src & dst);
-    case RHW_LOGIC_SET: return i8_splat(-1);
+    case RHW_LOGIC_SET: return i32x8_splat(-1);
     default: return src;
     }
 }
 
 // Gives the blended values of the channels.
-RHW_INLINE void blend_values(const struct rhw_blend_state *state, const struct raw_texels *old, const f8 *src,
-                             f8 result[4])
+RHW_INLINE void blend_values(const struct rhw_blend_state *state, const struct raw_texels *old,
+                             const f32x8 *src, f32x8 result[4])
 {
-    f8 dst[4];
+    f32x8 dst[4];
     decode_texels(state->format, old, dst);
     for (int i = 0; i < 4; i++) {
         result[i] = blend_channel(state, src, dst, i);
@@ -162,7 +164,7 @@ RHW_INLINE void blend_values(const struct rhw_blend_state *state, const struct r
 }
 
 // Four values as a normalized format holds them; NaN becomes 0.
-RHW_INLINE void clamp_values(const struct rhw_blend_state *state, const f8 *value, f8 *clamped)
+RHW_INLINE void clamp_values(const struct rhw_blend_state *state, const f32x8 *value, f32x8 *clamped)
 {
     for (int i = 0; i < 4; i++) {
         clamped[i] = rhw_clamp(value[i], rhw_splat(state->least), rhw_splat(1.0f));
@@ -177,20 +179,20 @@ static __attribute__((noinline)) void merge_bits(const struct rhw_blend_state *s
                                                  const struct raw_texels *old, struct raw_texels *raw)
 {
     for (int w = 0; w < (state->format->size + 3) / 4; w++) {
-        const i8 word = combine_bits(state->logic, raw->word[w], old->word[w]);
+        const i32x8 word = combine_bits(state->logic, raw->word[w], old->word[w]);
         raw->word[w] = old->word[w] ^ ((old->word[w] ^ word) & (int32_t)state->texel_mask[w]);
     }
 }
 
 // Serves any format and any blending; the write mask counts bits, so that what is kept stays as it was. It is not inline,
 // being large and seldom hot.
-static __attribute__((noinline)) void blend_general(const struct rhw_blend_state *state, const f8 *color,
-                                                    const i8 *mask, unsigned char *texels)
+static __attribute__((noinline)) void blend_general(const struct rhw_blend_state *state, const f32x8 *color,
+                                                    const i32x8 *mask, unsigned char *texels)
 {
     const struct rhw_format_info *const format = state->format;
     const bool normalized = rhw_format_is_normalized(format);
     struct raw_texels old, raw;
-    f8 src[8], result[4];
+    f32x8 src[8], result[4];
     load_texel_row(format->size, texels, &old);
     for (int first = 0; first <= (state->reads_second ? 4 : 0); first += 4) {
         if (normalized) {
@@ -218,31 +220,31 @@ static __attribute__((noinline)) void blend_general(const struct rhw_blend_state
 
 // Blends 8 fragments into the 8 texels at `texels`, in the target's format; lanes whose mask is 0 keep
 // theirs. `color` has 4 channels, and behind them those of the second source where the state reads it.
-RHW_INLINE void blend_group(const struct rhw_blend_state *state, const f8 *color, i8 mask,
+RHW_INLINE void blend_group(const struct rhw_blend_state *state, const f32x8 *color, i32x8 mask,
                             unsigned char *texels)
 {
     switch (state->path) {
     case BLEND_NOTHING: break;
     case BLEND_RGBA8_REPLACE:
     case BLEND_RGBA8_MASKED: {
-        const i8 packed = unorm8_texels(color);
+        const i32x8 packed = unorm8_texels(color);
         if (state->path == BLEND_RGBA8_REPLACE) {
             store_words(texels, packed, mask);
         } else {
-            store_word_bits(texels, packed, mask & i8_splat((int32_t)state->texel_mask[0]));
+            store_word_bits(texels, packed, mask & i32x8_splat((int32_t)state->texel_mask[0]));
         }
         break;
     }
     case BLEND_RGBA8_OVER: blend_rgba8_over(state, color, mask, texels); break;
     case BLEND_SRGB8_REPLACE: {
-        store_word_bits(texels, srgb8_texels(color), mask & i8_splat((int32_t)state->texel_mask[0]));
+        store_word_bits(texels, srgb8_texels(color), mask & i32x8_splat((int32_t)state->texel_mask[0]));
         break;
     }
     case BLEND_SRGB8_OVER: blend_srgb8_over(state, color, &mask, texels); break;
     case BLEND_RGBA8_SUM: blend_rgba8_sum(state, color, &mask, texels); break;
-    case BLEND_BITS_REPLACE: store_words(texels, (i8)color[0], mask); break;
+    case BLEND_BITS_REPLACE: store_words(texels, (i32x8)color[0], mask); break;
     case BLEND_FLOAT_REPLACE: {
-        f8 value[4];
+        f32x8 value[4];
         for (int i = 0; i < 4; i++) {
             value[i] = canonical_nan(color[i]);
         }
@@ -267,13 +269,13 @@ RHW_INLINE bool replaces_words(const struct rhw_blend_state *state)
 }
 
 // Gives those words.
-RHW_INLINE i8 replacing_words(const struct rhw_blend_state *state, const f8 *color)
+RHW_INLINE i32x8 replacing_words(const struct rhw_blend_state *state, const f32x8 *color)
 {
     switch (state->path) {
     case BLEND_RGBA8_REPLACE: return unorm8_texels(color);
     case BLEND_SRGB8_REPLACE: return srgb8_texels(color);
-    case BLEND_FLOAT_REPLACE: return (i8)canonical_nan(color[0]);
-    default: return (i8)color[0];
+    case BLEND_FLOAT_REPLACE: return (i32x8)canonical_nan(color[0]);
+    default: return (i32x8)color[0];
     }
 }
 
@@ -309,7 +311,7 @@ RHW_INLINE void gather_texels(const int32_t at[8], const unsigned char *texels, 
                               unsigned char *out)
 {
     switch (size) {
-    case 4: i8_store(out, i8_gather(texels, i8_load(at))); break;
+    case 4: i32x8_store(out, i32x8_gather(texels, i32x8_load(at))); break;
     case 8: gather_sized(at, texels, 8, out); break;
     case 16: gather_sized(at, texels, 16, out); break;
     default: gather_sized(at, texels, size, out); break;

@@ -3,9 +3,9 @@
 #ifndef RHW_BUILTIN_H
 #define RHW_BUILTIN_H
 
-#include "../raster/sample_position.h"
-#include "../tile_work.h"
-#include "../triangle_work.h"
+#include "kernels/raster/sample_position.h"
+#include "kernels/tile_work.h"
+#include "kernels/triangle_work.h"
 
 struct identity {
     int32_t front_facing, primitive, instance, draw; // as struct rhw_fragment has them
@@ -26,29 +26,29 @@ RHW_INLINE void fill_identity(struct rhw_fragment *group, uint32_t uses, const s
 {
     const struct identity identity = identity_of(triangle);
     if (uses & RHW_USE_FACING) {
-        group->front_facing = i8_splat(identity.front_facing);
+        group->front_facing = i32x8_splat(identity.front_facing);
     }
     if (uses & RHW_USE_IDS) {
-        group->primitive = i8_splat(identity.primitive);
-        group->instance = i8_splat(identity.instance);
-        group->draw = i8_splat(identity.draw);
+        group->primitive = i32x8_splat(identity.primitive);
+        group->instance = i32x8_splat(identity.instance);
+        group->draw = i32x8_splat(identity.draw);
     }
 }
 
 // Sets the coordinates of 8 texels of the tile, at a position in their pixels, whose depth the group has.
-static void fill_coordinates(const struct tile_work *work, struct rhw_fragment *group, i8 texels,
-                             const float position[2], d8 inverse_w)
+static void fill_coordinates(const struct tile_work *work, struct rhw_fragment *group, i32x8 texels,
+                             const float position[2], f64x8 inverse_w)
 {
-    const i8 x = texels & i8_splat(RHW_TILE - 1), y = texels >> RHW_TILE_LOG2;
-    group->coord[0] = rhw_float_from_int(x + i8_splat(work->x)) + f8_splat(position[0]);
-    group->coord[1] = rhw_float_from_int(y + i8_splat(work->y)) + f8_splat(position[1]);
+    const i32x8 x = texels & i32x8_splat(RHW_TILE - 1), y = texels >> RHW_TILE_LOG2;
+    group->coord[0] = rhw_float_from_int(x + i32x8_splat(work->x)) + f32x8_splat(position[0]);
+    group->coord[1] = rhw_float_from_int(y + i32x8_splat(work->y)) + f32x8_splat(position[1]);
     group->coord[2] = group->depth;
-    group->coord[3] = f8_from_d8(inverse_w);
+    group->coord[3] = f32x8_from_f64x8(inverse_w);
 }
 
 // A point is half of the triangle that stands for it, each way (geometry/point_setup.h): its coordinates are twice the
 // weights on the screen of vertices 1 and 2.
-static void fill_point_coord(struct rhw_fragment *group, f8 s, f8 t)
+static void fill_point_coord(struct rhw_fragment *group, f32x8 s, f32x8 t)
 {
     group->point_coord[0] = s + s;
     group->point_coord[1] = t + t;
@@ -57,15 +57,15 @@ static void fill_point_coord(struct rhw_fragment *group, f8 s, f8 t)
 // Sets what tells of samples where a pixel has one.
 static void fill_one_sample(struct rhw_fragment *group)
 {
-    group->sample_mask = i8_splat(1);
-    group->sample_id = i8_splat(0);
-    group->sample_position[0] = group->sample_position[1] = f8_splat((float)sample_offset());
+    group->sample_mask = i32x8_splat(1);
+    group->sample_id = i32x8_splat(0);
+    group->sample_position[0] = group->sample_position[1] = f32x8_splat((float)sample_offset());
 }
 
 // Sets the weights of three vertices, of which two are known; `sum` is 1, and 0 for their derivatives.
-static void fill_barycentrics(f8 out[3], float sum, f8 b, f8 c)
+static void fill_barycentrics(f32x8 out[3], float sum, f32x8 b, f32x8 c)
 {
-    out[0] = (f8_splat(sum) - b) - c;
+    out[0] = (f32x8_splat(sum) - b) - c;
     out[1] = b;
     out[2] = c;
 }

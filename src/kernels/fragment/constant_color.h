@@ -8,7 +8,7 @@
 
 // Blends a group out of line: the code is large, and few groups come here.
 static __attribute__((noinline)) void blend_group_apart(const struct rhw_blend_state *state,
-                                                        const f8 color[4], const i8 *mask,
+                                                        const f32x8 color[4], const i32x8 *mask,
                                                         unsigned char *texels)
 {
     blend_group(state, color, *mask, texels);
@@ -17,15 +17,15 @@ static __attribute__((noinline)) void blend_group_apart(const struct rhw_blend_s
 static void prepare_constant(struct tile_work *work)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
-    queue->groups[0].mask = i8_splat(-1);
+    queue->groups[0].mask = i32x8_splat(-1);
     run_fragment_function(work, 1);
     if (work->pipeline->def.alpha_to_one) {
-        queue->colors[0][0][3] = f8_splat(1);
+        queue->colors[0][0][3] = f32x8_splat(1);
     }
     work->counters->groups++;
     for (int t = 0; t < work->pass->color_count; t++) {
         if (work->state->blend[t].path == BLEND_RGBA8_REPLACE) {
-            const i8 all = i8_splat(-1);
+            const i32x8 all = i32x8_splat(-1);
             blend_group_apart(&work->state->blend[t], queue->colors[0][t], &all,
                               (unsigned char *)&work->scratch->constant[t]);
         }
@@ -34,17 +34,18 @@ static void prepare_constant(struct tile_work *work)
 }
 
 // Puts a texel of 4 bytes into the pixels of a block that are set in `mask`.
-RHW_INLINE void replace_block(unsigned char *texels, i8 texel, uint64_t mask)
+RHW_INLINE void replace_block(unsigned char *texels, i32x8 texel, uint64_t mask)
 {
     const size_t stride = RHW_TILE * sizeof(int32_t);
     if (mask == ~(uint64_t)0) { // most are, where a draw is large
         for (int row = 0; row < RHW_BLOCK; row++) {
-            i8_store(texels + (size_t)row * stride, texel);
+            i32x8_store(texels + (size_t)row * stride, texel);
         }
         return;
     }
     for (int row = 0; row < RHW_BLOCK; row++) {
-        store_words(texels + (size_t)row * stride, texel, i8_from_bits((unsigned)(mask >> (8 * row)) & 0xff));
+        store_words(texels + (size_t)row * stride, texel,
+                    i32x8_from_bits((unsigned)(mask >> (8 * row)) & 0xff));
     }
 }
 
@@ -64,7 +65,7 @@ RHW_INLINE void blend_constant_plane(struct tile_work *work, int sample, int x, 
             continue;
         }
         for (int row = 0; row < RHW_BLOCK; row++) {
-            const i8 live = i8_from_bits((unsigned)(mask >> (8 * row)) & 0xff);
+            const i32x8 live = i32x8_from_bits((unsigned)(mask >> (8 * row)) & 0xff);
             blend_group_apart(state, scratch->queue.colors[0][t], &live,
                               texels + (size_t)(row * RHW_TILE) * size);
         }
@@ -85,10 +86,10 @@ static void blend_constant_woven(struct tile_work *work, int x, int y, const uin
     }
     for (int row = 0; row < RHW_BLOCK; row++) {
         int32_t texel[RHW_LANES];
-        i8 samples = i8_splat(0);
-        i8_store(texel, i8_splat((y + row) * RHW_TILE + x) + rhw_lane_index);
+        i32x8 samples = i32x8_splat(0);
+        i32x8_store(texel, i32x8_splat((y + row) * RHW_TILE + x) + rhw_lane_index);
         for (int s = 0; s < WOVEN_SAMPLES; s++) {
-            samples |= i8_from_bits((unsigned)(mask[s] >> (8 * row)) & 0xff) & i8_splat(1 << s);
+            samples |= i32x8_from_bits((unsigned)(mask[s] >> (8 * row)) & 0xff) & i32x8_splat(1 << s);
         }
         for (int t = 0; t < work->pass->color_count; t++) {
             blend_woven(work, t, texel, work->scratch->queue.colors[0][t], &samples);

@@ -8,26 +8,26 @@
 #ifndef RHW_DERIVATIVE_H
 #define RHW_DERIVATIVE_H
 
-#include "../raster/sample_position.h"
-#include "../tile_work.h"
-#include "../triangle_work.h"
+#include "kernels/raster/sample_position.h"
+#include "kernels/tile_work.h"
+#include "kernels/triangle_work.h"
 
 enum derivatives { NO_DERIVATIVES, DERIVATIVES }; // a constant where a call names it
 
 // This is the formula, for 8 pixels and for a pair at one.
-RHW_INLINE d8 numerator8(double at, double step, d8 distance)
+RHW_INLINE f64x8 numerator8(double at, double step, f64x8 distance)
 {
-    return d8_add(d8_splat(at), d8_mul(d8_splat(step), distance));
+    return f64x8_add(f64x8_splat(at), f64x8_mul(f64x8_splat(step), distance));
 }
 
-RHW_INLINE d4 numerators(const struct derivative_pair *pair, d4 distance)
+RHW_INLINE f64x4 numerators(const struct derivative_pair *pair, f64x4 distance)
 {
     return pair->at + pair->step * distance;
 }
 
-RHW_INLINE f8 derivative_of(d8 numerator, d8 squared)
+RHW_INLINE f32x8 derivative_of(f64x8 numerator, f64x8 squared)
 {
-    return f8_from_d8(d8_mul(numerator, squared));
+    return f32x8_from_f64x8(f64x8_mul(numerator, squared));
 }
 
 // Those of b and c, which planes_homogeneous sets itself. With T = e_0·w_0 + e_1·w_1 + e_2·w_2, d(e_1·w_1/T)/dx =
@@ -39,25 +39,25 @@ static void weight_derivatives(struct planes *p, const struct rhw_triangle *t,
     if (p->is_homogeneous || p->kind == PLANES_DOUBLE_DOUBLE) {
         return;
     }
-    const d4 w = d4_splat(1) /
-                 (d4){(double)v[0]->position[3], (double)v[1]->position[3], (double)v[2]->position[3], 1};
-    const i4 x = i4_load(t->x_24_8), y = i4_load(t->y_24_8); // the fourth of each is another member
+    const f64x4 w = f64x4_splat(1) / (f64x4){(double)v[0]->position[3], (double)v[1]->position[3],
+                                             (double)v[2]->position[3], 1};
+    const i32x4 x = i32x4_load(t->x_24_8), y = i32x4_load(t->y_24_8); // the fourth of each is another member
     const int32_t anchor_x = (int32_t)sample_of_pixel(p->anchor_x),
                   anchor_y = (int32_t)sample_of_pixel(p->anchor_y);
-    const i4 anchor = {anchor_y, anchor_x, anchor_y, anchor_x};
+    const i32x4 anchor = {anchor_y, anchor_x, anchor_y, anchor_x};
     // Heights over one of the other two vertices, and over the other.
-    const d4 one = d4_from_i4(anchor - __builtin_shufflevector(x, y, 4, 2, 5, 0));
-    const d4 other = d4_from_i4(anchor - __builtin_shufflevector(x, y, 6, 0, 4, 1));
-    const d4 side =
-        d4_from_i4(__builtin_shufflevector(x, y, 1, 2, 5, 6) - __builtin_shufflevector(x, y, 0, 0, 4, 4));
+    const f64x4 one = f64x4_from_i32x4(anchor - __builtin_shufflevector(x, y, 4, 2, 5, 0));
+    const f64x4 other = f64x4_from_i32x4(anchor - __builtin_shufflevector(x, y, 6, 0, 4, 1));
+    const f64x4 side = f64x4_from_i32x4(__builtin_shufflevector(x, y, 1, 2, 5, 6) -
+                                        __builtin_shufflevector(x, y, 0, 0, 4, 4));
     const double factor = side[0] * side[3] < side[1] * side[2] ? -p->inverse_area
                                                                 : p->inverse_area; // one over the signed area
-    const d4 self = __builtin_shufflevector(w, w, 1, 1, 2, 2),
-             first = __builtin_shufflevector(w, w, 2, 0, 0, 1),
-             second = __builtin_shufflevector(w, w, 0, 2, 1, 0);
-    const d4 f = d4_splat(factor) * self * d4_splat(RHW_SUBPIXEL);
+    const f64x4 self = __builtin_shufflevector(w, w, 1, 1, 2, 2),
+                first = __builtin_shufflevector(w, w, 2, 0, 0, 1),
+                second = __builtin_shufflevector(w, w, 0, 2, 1, 0);
+    const f64x4 f = f64x4_splat(factor) * self * f64x4_splat(RHW_SUBPIXEL);
     p->weights.at = f * (first * one - second * other);
-    p->weights.step = f * (first - second) * d4_splat(RHW_SUBPIXEL);
+    p->weights.step = f * (first - second) * f64x4_splat(RHW_SUBPIXEL);
 }
 
 // Those of smooth components, by the pairs of the pipeline, from those of b and c: a component is
@@ -67,19 +67,19 @@ static void component_derivatives(struct derivative_pair *out, struct triangle_w
 {
     const struct rhw_vertex_record *const *const v = triangle->v;
     weight_derivatives(&triangle->planes, triangle->t, v);
-    const d4 at = triangle->planes.weights.at, step = triangle->planes.weights.step;
-    const d4 b_at = __builtin_shufflevector(at, at, 0, 1, 0, 1),
-             c_at = __builtin_shufflevector(at, at, 2, 3, 2, 3),
-             b_step = __builtin_shufflevector(step, step, 0, 1, 0, 1),
-             c_step = __builtin_shufflevector(step, step, 2, 3, 2, 3);
+    const f64x4 at = triangle->planes.weights.at, step = triangle->planes.weights.step;
+    const f64x4 b_at = __builtin_shufflevector(at, at, 0, 1, 0, 1),
+                c_at = __builtin_shufflevector(at, at, 2, 3, 2, 3),
+                b_step = __builtin_shufflevector(step, step, 0, 1, 0, 1),
+                c_step = __builtin_shufflevector(step, step, 2, 3, 2, 3);
     for (int pair = 0; pair < pipeline->derivative_pairs; pair++) {
         const int i = pipeline->derivative_component[pair][0], k = pipeline->derivative_component[pair][1];
-        d4 value[3];
+        f64x4 value[3];
         for (int n = 0; n < 3; n++) {
             const double first = (double)v[n]->varyings[i], second = (double)v[n]->varyings[k];
-            value[n] = (d4){first, first, second, second};
+            value[n] = (f64x4){first, first, second, second};
         }
-        const d4 d1 = value[1] - value[0], d2 = value[2] - value[0];
+        const f64x4 d1 = value[1] - value[0], d2 = value[2] - value[0];
         out[pair].at = b_at * d1 + c_at * d2;
         out[pair].step = b_step * d1 + c_step * d2;
     }
@@ -87,7 +87,7 @@ static void component_derivatives(struct derivative_pair *out, struct triangle_w
 
 // Sets those of the first (`which` 0) or the second quantity, at 8 pixels that are (dx, dy) from the anchor.
 RHW_INLINE void pair_derivatives(const struct derivative_pair *pair, int which,
-                                 const struct anchor_offset *at, d8 squared, f8 *by_x, f8 *by_y)
+                                 const struct anchor_offset *at, f64x8 squared, f32x8 *by_x, f32x8 *by_y)
 {
     const int x = 2 * which, y = x + 1;
     *by_x = derivative_of(numerator8(pair->at[x], pair->step[x], at->dy), squared);
@@ -98,10 +98,10 @@ RHW_INLINE void pair_derivatives(const struct derivative_pair *pair, int which,
 RHW_INLINE void smooth_derivatives(struct fragment_queue *queue, int g,
                                    const struct rhw_pipeline_data *pipeline,
                                    const struct derivative_pair *pairs, const struct anchor_offset *at,
-                                   d8 squared)
+                                   f64x8 squared)
 {
-    f8 *const ddx = queue->ddx + g * pipeline->varying_components;
-    f8 *const ddy = queue->ddy + g * pipeline->varying_components;
+    f32x8 *const ddx = queue->ddx + g * pipeline->varying_components;
+    f32x8 *const ddy = queue->ddy + g * pipeline->varying_components;
     for (int pair = 0; pair < pipeline->derivative_pairs; pair++) {
         for (int which = 0; which < 2; which++) {
             const int i = pipeline->derivative_component[pair][which];
@@ -130,18 +130,18 @@ static void constant_derivatives(struct fragment_queue *queue, int g,
 {
     const float *const varyings[3] = {triangle->v[0]->varyings, triangle->v[1]->varyings,
                                       triangle->v[2]->varyings};
-    f8 *const ddx = queue->ddx + g * pipeline->varying_components;
-    f8 *const ddy = queue->ddy + g * pipeline->varying_components;
+    f32x8 *const ddx = queue->ddx + g * pipeline->varying_components;
+    f32x8 *const ddy = queue->ddy + g * pipeline->varying_components;
     for (int i = 0; i < pipeline->varying_components; i++) {
         if (!pipeline->component_derivatives[i] || pipeline->component_qualifier[i] == RHW_SMOOTH) {
             continue;
         }
-        ddx[i] = ddy[i] = f8_splat(0);
+        ddx[i] = ddy[i] = f32x8_splat(0);
         if (pipeline->component_qualifier[i] == RHW_NOPERSPECTIVE) {
             const struct screen_derivative d =
                 screen_derivative(&triangle->planes.n1, &triangle->planes.n2, varyings, i);
-            ddx[i] = f8_splat(d.by_x);
-            ddy[i] = f8_splat(d.by_y);
+            ddx[i] = f32x8_splat(d.by_x);
+            ddy[i] = f32x8_splat(d.by_y);
         }
     }
 }

@@ -5,7 +5,7 @@
 #ifndef RHW_EXPAND_H
 #define RHW_EXPAND_H
 
-#include "../tile_work.h"
+#include "kernels/tile_work.h"
 
 // The block of a texel of the tile.
 RHW_INLINE int block_of_texel(int texel)
@@ -17,13 +17,13 @@ RHW_INLINE int block_of_texel(int texel)
 // The lanes whose texels lie in blocks that are expanded.
 RHW_INLINE unsigned expanded_texels(uint64_t expanded, const int32_t texel[8])
 {
-    const i8 at = i8_load(texel);
-    const i8 block = (at >> (RHW_TILE_LOG2 + RHW_BLOCK_LOG2) << RHW_BLOCK_LOG2) +
-                     ((at >> RHW_BLOCK_LOG2) & i8_splat(HIZ_BLOCKS - 1));
-    const i8 in_low = rhw_less_int(block, i8_splat(32));
-    const i8 word =
-        rhw_select_int(in_low, i8_splat((int32_t)(uint32_t)expanded), i8_splat((int32_t)(expanded >> 32)));
-    return i8_sign_bits((i8)((u8)word << (u8)(i8_splat(31) - (block & i8_splat(31)))));
+    const i32x8 at = i32x8_load(texel);
+    const i32x8 block = (at >> (RHW_TILE_LOG2 + RHW_BLOCK_LOG2) << RHW_BLOCK_LOG2) +
+                        ((at >> RHW_BLOCK_LOG2) & i32x8_splat(HIZ_BLOCKS - 1));
+    const i32x8 in_low = rhw_less_int(block, i32x8_splat(32));
+    const i32x8 word = rhw_select_int(in_low, i32x8_splat((int32_t)(uint32_t)expanded),
+                                      i32x8_splat((int32_t)(expanded >> 32)));
+    return i32x8_sign_bits((i32x8)((u32x8)word << (u32x8)(i32x8_splat(31) - (block & i32x8_splat(31)))));
 }
 
 // Rows of a block are short, and most of them whole vectors.
@@ -34,7 +34,7 @@ RHW_INLINE void copy_texels(unsigned char *to, const unsigned char *from, size_t
         return;
     }
     for (size_t i = 0; i < bytes; i += 32) {
-        i8_store(to + i, i8_load(from + i));
+        i32x8_store(to + i, i32x8_load(from + i));
     }
 }
 
@@ -43,7 +43,7 @@ RHW_INLINE void weave_pixel(struct rhw_tile_scratch *scratch, int target, int te
 {
     int32_t word;
     memcpy(&word, scratch->color[target] + (size_t)texel * WOVEN_SIZE, sizeof word);
-    const i4 samples = {word, word, word, word};
+    const i32x4 samples = {word, word, word, word};
     memcpy(woven_pixel(scratch, target, texel), &samples, sizeof samples);
 }
 

@@ -4,8 +4,8 @@
 #ifndef RHW_EXPLAINED_FRAGMENT_H
 #define RHW_EXPLAINED_FRAGMENT_H
 
-#include "../../explained.h"
-#include "../tile_work.h"
+#include "draw/explained.h"
+#include "kernels/tile_work.h"
 
 // Whether the pixel lies in the block at (x, y) of the tile, and which bit it has there.
 RHW_INLINE bool explained_bit(const struct tile_work *work, int x, int y, int *bit)
@@ -17,7 +17,7 @@ RHW_INLINE bool explained_bit(const struct tile_work *work, int x, int y, int *b
 
 // Before the tests of a block: of sample `sample` those in `mask` are covered, at the depths `z`.
 static __attribute__((noinline)) void explain_covered(const struct tile_work *work, int x, int y, int sample,
-                                                      uint64_t mask, const f8 z[RHW_BLOCK])
+                                                      uint64_t mask, const f32x8 z[RHW_BLOCK])
 {
     struct rhw_explained *const e = work->explained;
     int bit;
@@ -61,7 +61,7 @@ static __attribute__((noinline)) void explain_weights(const struct tile_work *wo
         return;
     }
     struct rhw_explained_fragment *const f = &e->fragment;
-    const d8 inverse[3] = {screen->s, screen->t, weights->s};
+    const f64x8 inverse[3] = {screen->s, screen->t, weights->s};
     double lanes[3][8];
     memcpy(lanes, inverse, sizeof lanes);
     f->is_shaded = true;

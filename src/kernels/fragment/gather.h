@@ -8,7 +8,7 @@
 #ifndef RHW_GATHER_H
 #define RHW_GATHER_H
 
-#include "../integer.h"
+#include "kernels/integer.h"
 #include "pack.h"
 #include "row_groups.h"
 
@@ -18,17 +18,18 @@ enum { ROW_PIXELS = 4 };
 RHW_INLINE struct anchor_offset texel_offsets(const struct tile_work *work, const struct planes *planes,
                                               const int32_t texel[8])
 {
-    const i8 at = i8_load(texel);
-    const i8 x = at & i8_splat(RHW_TILE - 1), y = at >> RHW_TILE_LOG2;
-    return (struct anchor_offset){d8_from_i8(x - i8_splat(planes->anchor_x - work->x)),
-                                  d8_from_i8(y - i8_splat(planes->anchor_y - work->y))};
+    const i32x8 at = i32x8_load(texel);
+    const i32x8 x = at & i32x8_splat(RHW_TILE - 1), y = at >> RHW_TILE_LOG2;
+    return (struct anchor_offset){f64x8_from_i32x8(x - i32x8_splat(planes->anchor_x - work->x)),
+                                  f64x8_from_i32x8(y - i32x8_splat(planes->anchor_y - work->y))};
 }
 
 // A pixel's centre may lie beyond its triangle where samples do not; the plane is followed there, as rows do.
-RHW_INLINE f8 scattered_depth(const struct tile_work *work, const struct triangle_work *triangle,
-                              const struct anchor_offset *at)
+RHW_INLINE f32x8 scattered_depth(const struct tile_work *work, const struct triangle_work *triangle,
+                                 const struct anchor_offset *at)
 {
-    const f8 z = f8_from_d8(plane_value8(plane_of(&triangle->planes.quantities, QUANTITY_Z), at->dx, at->dy));
+    const f32x8 z =
+        f32x8_from_f64x8(plane_value8(plane_of(&triangle->planes.quantities, QUANTITY_Z), at->dx, at->dy));
     return work->samples == 1 || triangle->clamps_depth ? viewport_clamp(&work->scratch->depth, z) : z;
 }
 
@@ -47,14 +48,14 @@ RHW_INLINE void fill_scattered(const struct tile_work *work, const struct triang
         weights.b[n] = w.b;
         weights.c[n] = w.c;
         if (derivatives == DERIVATIVES) {
-            const d8 squared = d8_mul(w.inverse_s, w.inverse_s);
+            const f64x8 squared = f64x8_mul(w.inverse_s, w.inverse_s);
             smooth_derivatives(queue, first + n, pipeline, triangle->derivatives, &at, squared);
         }
         if (work->plan.keeps_depth) {
             queue->groups[first + n].depth = scattered_depth(work, triangle, &at);
         }
     }
-    f8 *const varyings = queue->varyings + first * pipeline->varying_components;
+    f32x8 *const varyings = queue->varyings + first * pipeline->varying_components;
     for (int run = 0; run < pipeline->smooth_runs; run++) {
         interpolate_groups(varyings, pipeline->varying_components, pipeline->smooth_run[run], triangle,
                            &weights, count);
@@ -75,7 +76,7 @@ static __attribute__((noinline)) void fill_any_scattered(const struct tile_work 
         const int g = queue->count + n;
         const struct anchor_offset at = texel_offsets(work, planes, &texel[8 * n]);
         const float center = (float)sample_offset();
-        struct group_place place = {.texels = i8_load(&texel[8 * n]),
+        struct group_place place = {.texels = i32x8_load(&texel[8 * n]),
                                     .position = {center, center},
                                     .at = at,
                                     .weights = weights_of_pixels(&planes->quantities, &at)};
@@ -84,8 +85,8 @@ static __attribute__((noinline)) void fill_any_scattered(const struct tile_work 
         if (work->plan.needs_screen) {
             place.screen.s = plane_value8(planes->n1, at.dx, at.dy);
             place.screen.t = plane_value8(planes->n2, at.dx, at.dy);
-            screen.b[n] = f8_from_d8(place.screen.s);
-            screen.c[n] = f8_from_d8(place.screen.t);
+            screen.b[n] = f32x8_from_f64x8(place.screen.s);
+            screen.c[n] = f32x8_from_f64x8(place.screen.t);
         }
         if (work->plan.keeps_depth) {
             queue->groups[g].depth = scattered_depth(work, triangle, &at);
@@ -103,10 +104,10 @@ static void keep_sample_depths(const struct tile_work *work, const struct planes
     struct fragment_queue *const queue = &work->scratch->queue;
     const struct anchor_offset at = texel_offsets(work, planes, queue->texels[g]);
     for (int s = 0; s < work->samples; s++) {
-        const d8 z = plane_value8(plane_of(&planes->quantities, QUANTITY_Z),
-                                  d8_add(at.dx, d8_splat(from_center(pattern->x_0_8[s]))),
-                                  d8_add(at.dy, d8_splat(from_center(pattern->y_0_8[s]))));
-        queue->sample_depth[g][s] = viewport_clamp(&work->scratch->depth, f8_from_d8(z));
+        const f64x8 z = plane_value8(plane_of(&planes->quantities, QUANTITY_Z),
+                                     f64x8_add(at.dx, f64x8_splat(from_center(pattern->x_0_8[s]))),
+                                     f64x8_add(at.dy, f64x8_splat(from_center(pattern->y_0_8[s]))));
+        queue->sample_depth[g][s] = viewport_clamp(&work->scratch->depth, f32x8_from_f64x8(z));
     }
 }
 
@@ -115,9 +116,9 @@ static __attribute__((noinline)) void mask_group(const struct tile_work *work, i
 {
     struct fragment_queue *const queue = &work->scratch->queue;
     queue->live[g] = (uint8_t)live;
-    queue->groups[g].mask = i8_from_bits(live);
+    queue->groups[g].mask = i32x8_from_bits(live);
     if (work->samples > 1) {
-        queue->samples[g] &= i8_from_bits(live);
+        queue->samples[g] &= i32x8_from_bits(live);
     }
 }
 
@@ -135,10 +136,10 @@ static void queue_scattered(struct tile_work *work, struct triangle_work *triang
             queue->live[g] = 0xff;
             queue->is_scattered[g] = true;
             memcpy(queue->texels[g], &texel[8 * (g - first)], sizeof queue->texels[g]);
-            queue->groups[g].mask = i8_splat(-1);
+            queue->groups[g].mask = i32x8_splat(-1);
             if (work->samples > 1) {
                 const ptrdiff_t at = texel - work->scratch->gathered.texel + 8 * (g - first);
-                queue->samples[g] = i8_load(&work->scratch->gathered.samples[at]);
+                queue->samples[g] = i32x8_load(&work->scratch->gathered.samples[at]);
             }
             if (work->samples > 1 && work->plan.depth_mode >= RHW_DEPTH_LATE) {
                 keep_sample_depths(work, &triangle->planes, g);
@@ -168,7 +169,7 @@ static void queue_scattered(struct tile_work *work, struct triangle_work *triang
 // Puts the first of 8 texels where there is none. What there is of their samples is masked.
 RHW_INLINE void repeat_first(int32_t texel[RHW_LANES], unsigned live)
 {
-    i8_store(texel, rhw_select_int(i8_from_bits(live), i8_load(texel), i8_splat(texel[0])));
+    i32x8_store(texel, rhw_select_int(i32x8_from_bits(live), i32x8_load(texel), i32x8_splat(texel[0])));
 }
 
 // Makes groups of the gathered fragments, the last of no fewer than `least` of them; the others stay.
@@ -269,12 +270,12 @@ RHW_INLINE void gather_fragments(struct tile_work *work, struct triangle_work *t
         make_room(work, triangle);
     }
     int count = gathered->count;
-    i8 first = i8_splat(y * RHW_TILE + x); // of the row
+    i32x8 first = i32x8_splat(y * RHW_TILE + x); // of the row
     // Empty rows too: which are, a processor cannot predict, and a wrong guess costs more than a row.
     for (int row = 0; row < rows; row++) {
         const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
-        i8_store(&gathered->texel[count], first + i8_load_bytes(gathered->set_lanes[bits]));
-        first += i8_splat(RHW_TILE);
+        i32x8_store(&gathered->texel[count], first + i32x8_load_bytes(gathered->set_lanes[bits]));
+        first += i32x8_splat(RHW_TILE);
         count += __builtin_popcount(bits);
     }
     gathered->count = count;
@@ -297,13 +298,13 @@ static void gather_samples(struct tile_work *work, struct triangle_work *triangl
         if (bits == 0) {
             continue;
         }
-        i8 samples = i8_splat(0);
+        i32x8 samples = i32x8_splat(0);
         for (int s = 0; s < work->samples; s++) {
-            samples |= i8_from_bits((unsigned)(mask[s] >> (8 * row)) & 0xff) & i8_splat(1 << s);
+            samples |= i32x8_from_bits((unsigned)(mask[s] >> (8 * row)) & 0xff) & i32x8_splat(1 << s);
         }
-        const i8 lanes = i8_load_bytes(gathered->set_lanes[bits]);
-        i8_store(&gathered->texel[count], lanes + i8_splat((y + row) * RHW_TILE + x));
-        i8_store(&gathered->samples[count], i8_permute(samples, lanes));
+        const i32x8 lanes = i32x8_load_bytes(gathered->set_lanes[bits]);
+        i32x8_store(&gathered->texel[count], lanes + i32x8_splat((y + row) * RHW_TILE + x));
+        i32x8_store(&gathered->samples[count], i32x8_permute(samples, lanes));
         count += __builtin_popcount(bits);
     }
     gathered->count = count;

@@ -4,11 +4,11 @@
 #ifndef RHW_INTERPOLATE_H
 #define RHW_INTERPOLATE_H
 
-#include "../tile_work.h"
-#include "../triangle_work.h"
+#include "kernels/tile_work.h"
+#include "kernels/triangle_work.h"
 
 // This is the one formula. d1 and d2 are I_0 − I_1 and I_0 − I_2.
-RHW_INLINE f8 interpolate(f8 i0, f8 d1, f8 d2, f8 b, f8 c)
+RHW_INLINE f32x8 interpolate(f32x8 i0, f32x8 d1, f32x8 d2, f32x8 b, f32x8 c)
 {
     return i0 - (b * d1 + c * d2);
 }
@@ -25,45 +25,46 @@ static void set_values(struct triangle_work *triangle, const struct rhw_pipeline
                        *const c = triangle->v[2]->varyings;
     triangle->provoking = triangle->v[provoking_vertex(pipeline)]->varyings;
     for (int i = 0; i < pipeline->varying_components; i += 8) { // vertex records are padded to whole vectors
-        const f8 i0 = f8_load(a + i);
-        f8_store(&triangle->i0[i], i0);
-        f8_store(&triangle->d1[i], i0 - f8_load(b + i));
-        f8_store(&triangle->d2[i], i0 - f8_load(c + i));
+        const f32x8 i0 = f32x8_load(a + i);
+        f32x8_store(&triangle->i0[i], i0);
+        f32x8_store(&triangle->d1[i], i0 - f32x8_load(b + i));
+        f32x8_store(&triangle->d2[i], i0 - f32x8_load(c + i));
     }
 }
 
-RHW_INLINE f8 interpolate_component(const struct triangle_work *triangle, int i, f8 b, f8 c)
+RHW_INLINE f32x8 interpolate_component(const struct triangle_work *triangle, int i, f32x8 b, f32x8 c)
 {
-    return interpolate(f8_splat(triangle->i0[i]), f8_splat(triangle->d1[i]), f8_splat(triangle->d2[i]), b, c);
+    return interpolate(f32x8_splat(triangle->i0[i]), f32x8_splat(triangle->d1[i]),
+                       f32x8_splat(triangle->d2[i]), b, c);
 }
 
 // The perspective weights of some groups.
 struct group_weights {
-    f8 b[RHW_BLOCK], c[RHW_BLOCK];
+    f32x8 b[RHW_BLOCK], c[RHW_BLOCK];
 };
 
 // Sets the flat varyings of `count` groups, those of the first at `varyings`.
-RHW_INLINE void set_flat_groups(f8 *varyings, const struct rhw_pipeline_data *pipeline,
+RHW_INLINE void set_flat_groups(f32x8 *varyings, const struct rhw_pipeline_data *pipeline,
                                 const struct triangle_work *triangle, int count)
 {
     for (int i = 0; i < pipeline->flat_count; i++) {
         const int component = pipeline->flat_component[i];
-        f8 *to = varyings + component;
+        f32x8 *to = varyings + component;
         for (int n = 0; n < count; n++, to += pipeline->varying_components) {
-            *to = f8_splat(triangle->provoking[component]);
+            *to = f32x8_splat(triangle->provoking[component]);
         }
     }
 }
 
 // Sets a run of components as smooth ones; what in it is flat is set afterwards.
-RHW_INLINE void interpolate_groups(f8 *varyings, ptrdiff_t components, struct rhw_component_run run,
+RHW_INLINE void interpolate_groups(f32x8 *varyings, ptrdiff_t components, struct rhw_component_run run,
                                    const struct triangle_work *triangle, const struct group_weights *weights,
                                    int count)
 {
     for (int i = run.first; i < run.end; i++) {
-        const f8 i0 = f8_splat(triangle->i0[i]), d1 = f8_splat(triangle->d1[i]),
-                 d2 = f8_splat(triangle->d2[i]);
-        f8 *to = varyings + i;
+        const f32x8 i0 = f32x8_splat(triangle->i0[i]), d1 = f32x8_splat(triangle->d1[i]),
+                    d2 = f32x8_splat(triangle->d2[i]);
+        f32x8 *to = varyings + i;
         for (int n = 0; n < count; n++, to += components) {
             *to = interpolate(i0, d1, d2, weights->b[n], weights->c[n]);
         }
@@ -71,7 +72,7 @@ RHW_INLINE void interpolate_groups(f8 *varyings, ptrdiff_t components, struct rh
 }
 
 // Sets varyings of any qualifier; `screen` has the weights on the screen, where they are wanted.
-RHW_INLINE void interpolate_any_groups(f8 *varyings, const struct rhw_pipeline_data *pipeline,
+RHW_INLINE void interpolate_any_groups(f32x8 *varyings, const struct rhw_pipeline_data *pipeline,
                                        const struct triangle_work *triangle,
                                        const struct group_weights *weights,
                                        const struct group_weights *screen, int count)
@@ -80,9 +81,9 @@ RHW_INLINE void interpolate_any_groups(f8 *varyings, const struct rhw_pipeline_d
     for (int i = 0; i < components; i++) {
         const bool on_screen = pipeline->component_qualifier[i] == RHW_NOPERSPECTIVE;
         const struct group_weights *const w = on_screen ? screen : weights;
-        const f8 i0 = f8_splat(triangle->i0[i]), d1 = f8_splat(triangle->d1[i]),
-                 d2 = f8_splat(triangle->d2[i]);
-        f8 *to = varyings + i;
+        const f32x8 i0 = f32x8_splat(triangle->i0[i]), d1 = f32x8_splat(triangle->d1[i]),
+                    d2 = f32x8_splat(triangle->d2[i]);
+        f32x8 *to = varyings + i;
         for (int n = 0; n < count; n++, to += components) {
             *to = interpolate(i0, d1, d2, w->b[n], w->c[n]);
         }
@@ -93,7 +94,7 @@ RHW_INLINE void interpolate_any_groups(f8 *varyings, const struct rhw_pipeline_d
 // Noperspective varyings of a triangle with a vertex that is not snapped. Weights on the screen may have any size and
 // either sign there, and what float loses while they cancel would pass the bound: in double, rounded once. The added 0
 // keeps a constant −0, whose differences times negative weights are −0.
-static __attribute__((noinline)) void interpolate_homogeneous(f8 *varyings,
+static __attribute__((noinline)) void interpolate_homogeneous(f32x8 *varyings,
                                                               const struct rhw_pipeline_data *pipeline,
                                                               const struct triangle_work *triangle,
                                                               const struct screen_weights *w)
@@ -103,23 +104,24 @@ static __attribute__((noinline)) void interpolate_homogeneous(f8 *varyings,
             const double i0 = (double)triangle->v[0]->varyings[i],
                          d1 = i0 - (double)triangle->v[1]->varyings[i],
                          d2 = i0 - (double)triangle->v[2]->varyings[i];
-            const d8 change = d8_add(d8_mul(w->s, d8_splat(d1)), d8_mul(w->t, d8_splat(d2)));
-            varyings[i] = f8_from_d8(d8_sub(d8_splat(i0), d8_add(change, d8_splat(0))));
+            const f64x8 change =
+                f64x8_add(f64x8_mul(w->s, f64x8_splat(d1)), f64x8_mul(w->t, f64x8_splat(d2)));
+            varyings[i] = f32x8_from_f64x8(f64x8_sub(f64x8_splat(i0), f64x8_add(change, f64x8_splat(0))));
         }
     }
 }
 
 // Sets varyings of any qualifier.
-static void interpolate_any(f8 *varyings, const struct rhw_pipeline_data *pipeline,
+static void interpolate_any(f32x8 *varyings, const struct rhw_pipeline_data *pipeline,
                             const struct triangle_work *triangle, const struct weights *weights,
                             const struct screen_weights *screen)
 {
-    const f8 s = f8_from_d8(screen->s), t = f8_from_d8(screen->t);
+    const f32x8 s = f32x8_from_f64x8(screen->s), t = f32x8_from_f64x8(screen->t);
     for (int i = 0; i < pipeline->varying_components; i++) {
         switch (pipeline->component_qualifier[i]) {
         case RHW_SMOOTH: varyings[i] = interpolate_component(triangle, i, weights->b, weights->c); break;
         case RHW_NOPERSPECTIVE: varyings[i] = interpolate_component(triangle, i, s, t); break;
-        default: varyings[i] = f8_splat(triangle->provoking[i]); break;
+        default: varyings[i] = f32x8_splat(triangle->provoking[i]); break;
         }
     }
     if (triangle->planes.is_homogeneous && pipeline->any_noperspective) {

@@ -13,13 +13,14 @@
 #include "queue.h"
 
 // Turns 8 vectors over four quantities into four over the lanes.
-RHW_INLINE void quantity_lanes(const d4 value[8], d8 out[4])
+RHW_INLINE void quantity_lanes(const f64x4 value[8], f64x8 out[4])
 {
-    d4 low[4] = {value[0], value[1], value[2], value[3]}, high[4] = {value[4], value[5], value[6], value[7]};
-    d4_transpose(low);
-    d4_transpose(high);
+    f64x4 low[4] = {value[0], value[1], value[2], value[3]},
+          high[4] = {value[4], value[5], value[6], value[7]};
+    f64x4_transpose(low);
+    f64x4_transpose(high);
     for (int q = 0; q < 4; q++) {
-        out[q] = (d8){low[q], high[q]};
+        out[q] = (f64x8){low[q], high[q]};
     }
 }
 
@@ -43,38 +44,40 @@ struct packed_weights {
 
 // Gives components i .. i + 7 of the 8 fragments, a vector for each. A vertex record is padded to whole vectors.
 RHW_INLINE void pack_smooth(const struct packed_triangle *const triangle[8], int i,
-                            const struct packed_weights *w, f8 out[8])
+                            const struct packed_weights *w, f32x8 out[8])
 {
     for (int lane = 0; lane < 8; lane++) {
         const float *const *const v = triangle[lane]->varyings;
-        const f8 i0 = f8_load(v[0] + i), d1 = i0 - f8_load(v[1] + i), d2 = i0 - f8_load(v[2] + i);
-        out[lane] = interpolate(i0, d1, d2, f8_splat(w->b[lane]), f8_splat(w->c[lane]));
+        const f32x8 i0 = f32x8_load(v[0] + i), d1 = i0 - f32x8_load(v[1] + i), d2 = i0 - f32x8_load(v[2] + i);
+        out[lane] = interpolate(i0, d1, d2, f32x8_splat(w->b[lane]), f32x8_splat(w->c[lane]));
     }
-    f8_transpose(out);
+    f32x8_transpose(out);
 }
 
 // Does so with any qualifiers.
 RHW_INLINE void pack_qualified(const struct packed_triangle *const triangle[8], int i,
                                const struct packed_weights *w, const struct rhw_pipeline_data *pipeline,
-                               f8 out[8])
+                               f32x8 out[8])
 {
-    const i8 flat = i8_load(pipeline->flat_mask + i), screen = i8_load(pipeline->noperspective_mask + i);
+    const i32x8 flat = i32x8_load(pipeline->flat_mask + i),
+                screen = i32x8_load(pipeline->noperspective_mask + i);
     for (int lane = 0; lane < 8; lane++) {
         const float *const *const v = triangle[lane]->varyings;
-        const f8 i0 = f8_load(v[0] + i), d1 = i0 - f8_load(v[1] + i), d2 = i0 - f8_load(v[2] + i);
-        const f8 b = f8_select(screen, f8_splat(w->s[lane]), f8_splat(w->b[lane]));
-        const f8 c = f8_select(screen, f8_splat(w->t[lane]), f8_splat(w->c[lane]));
-        out[lane] = f8_select(flat, f8_load(triangle[lane]->provoking + i), interpolate(i0, d1, d2, b, c));
+        const f32x8 i0 = f32x8_load(v[0] + i), d1 = i0 - f32x8_load(v[1] + i), d2 = i0 - f32x8_load(v[2] + i);
+        const f32x8 b = f32x8_select(screen, f32x8_splat(w->s[lane]), f32x8_splat(w->b[lane]));
+        const f32x8 c = f32x8_select(screen, f32x8_splat(w->t[lane]), f32x8_splat(w->c[lane]));
+        out[lane] =
+            f32x8_select(flat, f32x8_load(triangle[lane]->provoking + i), interpolate(i0, d1, d2, b, c));
     }
-    f8_transpose(out);
+    f32x8_transpose(out);
 }
 
-RHW_INLINE void pack_flat(const struct packed_triangle *const triangle[8], int i, f8 out[8])
+RHW_INLINE void pack_flat(const struct packed_triangle *const triangle[8], int i, f32x8 out[8])
 {
     for (int lane = 0; lane < 8; lane++) {
-        out[lane] = f8_load(triangle[lane]->provoking + i);
+        out[lane] = f32x8_load(triangle[lane]->provoking + i);
     }
-    f8_transpose(out);
+    f32x8_transpose(out);
 }
 
 // Sets all components of group g.
@@ -84,7 +87,7 @@ static void pack_varyings(struct tile_work *work, int g, const struct packed_wei
     const struct packed_triangle *const *const triangle = work->scratch->partial.triangle;
     const int components = pipeline->varying_components;
     for (int i = 0; i < components; i += 8) {
-        f8 lanes[8];
+        f32x8 lanes[8];
         if (pipeline->vector_qualifier[i / 8] == RHW_VECTOR_SMOOTH) {
             pack_smooth(triangle, i, weights, lanes);
         } else if (pipeline->vector_qualifier[i / 8] == RHW_VECTOR_FLAT) {
@@ -92,7 +95,7 @@ static void pack_varyings(struct tile_work *work, int g, const struct packed_wei
         } else {
             pack_qualified(triangle, i, weights, pipeline, lanes);
         }
-        f8 *const out = work->scratch->queue.varyings + g * components + i;
+        f32x8 *const out = work->scratch->queue.varyings + g * components + i;
         if (i + 8 <= components) {
             memcpy(out, lanes, sizeof lanes);
         } else {
@@ -103,20 +106,20 @@ static void pack_varyings(struct tile_work *work, int g, const struct packed_wei
     }
 }
 
-static void pack_derivatives(struct tile_work *work, int g, d8 inverse_s)
+static void pack_derivatives(struct tile_work *work, int g, f64x8 inverse_s)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     const struct partial_group *const partial = &work->scratch->partial;
-    f8 *const ddx = work->scratch->queue.ddx + g * pipeline->varying_components;
-    f8 *const ddy = work->scratch->queue.ddy + g * pipeline->varying_components;
-    const d8 squared = d8_mul(inverse_s, inverse_s);
+    f32x8 *const ddx = work->scratch->queue.ddx + g * pipeline->varying_components;
+    f32x8 *const ddy = work->scratch->queue.ddy + g * pipeline->varying_components;
+    const f64x8 squared = f64x8_mul(inverse_s, inverse_s);
     for (int pair = 0; pair < pipeline->derivative_pairs; pair++) {
         const uint8_t *const component = pipeline->derivative_component[pair];
-        d4 value[8];
+        f64x4 value[8];
         for (int lane = 0; lane < 8; lane++) {
             value[lane] = numerators(&partial->triangle[lane]->derivatives[pair], partial->distance[lane]);
         }
-        d8 lanes[4];
+        f64x8 lanes[4];
         quantity_lanes(value, lanes);
         for (int which = 0; which < 2; which++) {
             ddx[component[which]] = derivative_of(lanes[2 * which], squared);
@@ -130,13 +133,13 @@ static void pack_constant_derivatives(struct tile_work *work, int g)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     const struct packed_triangle *const *const triangle = work->scratch->partial.triangle;
-    f8 *const ddx = work->scratch->queue.ddx + g * pipeline->varying_components;
-    f8 *const ddy = work->scratch->queue.ddy + g * pipeline->varying_components;
+    f32x8 *const ddx = work->scratch->queue.ddx + g * pipeline->varying_components;
+    f32x8 *const ddy = work->scratch->queue.ddy + g * pipeline->varying_components;
     for (int i = 0; i < pipeline->varying_components; i++) {
         if (!pipeline->component_derivatives[i] || pipeline->component_qualifier[i] == RHW_SMOOTH) {
             continue;
         }
-        ddx[i] = ddy[i] = f8_splat(0);
+        ddx[i] = ddy[i] = f32x8_splat(0);
         for (int lane = 0; lane < 8 && pipeline->component_qualifier[i] == RHW_NOPERSPECTIVE; lane++) {
             const struct packed_triangle *const t = triangle[lane];
             const struct screen_derivative d = screen_derivative(&t->n1, &t->n2, t->varyings, i);
@@ -146,14 +149,14 @@ static void pack_constant_derivatives(struct tile_work *work, int g)
     }
 }
 
-static void pack_barycentric_derivatives(struct tile_work *work, struct rhw_fragment *group, d8 squared)
+static void pack_barycentric_derivatives(struct tile_work *work, struct rhw_fragment *group, f64x8 squared)
 {
     const struct partial_group *const partial = &work->scratch->partial;
-    d4 value[8];
+    f64x4 value[8];
     for (int lane = 0; lane < 8; lane++) {
         value[lane] = numerators(&partial->triangle[lane]->weights, partial->distance[lane]);
     }
-    d8 lanes[4]; // of b by x and by y, of c by x and by y
+    f64x8 lanes[4]; // of b by x and by y, of c by x and by y
     quantity_lanes(value, lanes);
     fill_barycentrics(group->barycentric_ddx, 0, derivative_of(lanes[0], squared),
                       derivative_of(lanes[2], squared));
@@ -167,29 +170,29 @@ static __attribute__((noinline)) void pack_any(struct tile_work *work, int g, co
 {
     const uint32_t uses = work->pipeline->def.program.uses;
     struct rhw_fragment *const group = &work->scratch->queue.groups[g];
-    d8 screen[4] = {{{0}, {0}}}; // s and t
+    f64x8 screen[4] = {{{0}, {0}}}; // s and t
     if (work->plan.needs_screen) {
         quantity_lanes(work->scratch->partial.screen, screen);
     }
-    const f8 s = f8_from_d8(screen[0]), t = f8_from_d8(screen[1]);
+    const f32x8 s = f32x8_from_f64x8(screen[0]), t = f32x8_from_f64x8(screen[1]);
     float s_lanes[8], t_lanes[8];
-    f8_store(s_lanes, s);
-    f8_store(t_lanes, t);
+    f32x8_store(s_lanes, s);
+    f32x8_store(t_lanes, t);
     const struct packed_weights lanes = {in_space->b, in_space->c, s_lanes, t_lanes};
     pack_varyings(work, g, &lanes);
     if (work->pipeline->any_derivatives) {
         pack_constant_derivatives(work, g);
     }
     if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
-        pack_barycentric_derivatives(work, group, d8_mul(weights->inverse_s, weights->inverse_s));
+        pack_barycentric_derivatives(work, group, f64x8_mul(weights->inverse_s, weights->inverse_s));
     }
     if (uses & (RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK)) { // with several samples groups are rows
         fill_one_sample(group);
     }
     if (uses & RHW_USE_COORD) {
         const float center = (float)sample_offset();
-        fill_coordinates(work, group, i8_load(work->scratch->partial.texel), (const float[]){center, center},
-                         weights->s);
+        fill_coordinates(work, group, i32x8_load(work->scratch->partial.texel),
+                         (const float[]){center, center}, weights->s);
     }
     if (uses & RHW_USE_BARYCENTRIC) {
         fill_barycentrics(group->barycentric, 1, weights->b, weights->c);
@@ -210,9 +213,9 @@ static int place_partial(struct tile_work *work, unsigned bits)
     queue->live[g] = (uint8_t)bits;
     queue->is_scattered[g] = true;
     queue->only_full_rows = false;
-    queue->groups[g].mask = i8_from_bits(bits);
+    queue->groups[g].mask = i32x8_from_bits(bits);
     if (work->samples > 1) {
-        queue->samples[g] = i8_load(partial->samples) & i8_from_bits(bits);
+        queue->samples[g] = i32x8_load(partial->samples) & i32x8_from_bits(bits);
     }
     for (int i = 0; i < 8; i++) {
         partial->pixels[texel_row(partial->texel[i])] = 0;
@@ -227,17 +230,18 @@ static void pack_group(struct tile_work *work, unsigned bits)
     const struct partial_group *const partial = &work->scratch->partial;
     const int g = place_partial(work, bits);
     struct rhw_fragment *const group = &work->scratch->queue.groups[g];
-    d8 quantity[4];
+    f64x8 quantity[4];
     quantity_lanes(partial->quantities, quantity);
-    const struct weights weights = weights_of(quantity[QUANTITY_S], d8_div(d8_splat(1), quantity[QUANTITY_S]),
-                                              quantity[QUANTITY_B], quantity[QUANTITY_C]);
+    const struct weights weights =
+        weights_of(quantity[QUANTITY_S], f64x8_div(f64x8_splat(1), quantity[QUANTITY_S]),
+                   quantity[QUANTITY_B], quantity[QUANTITY_C]);
     float b[8], c[8];
-    f8_store(b, weights.b);
-    f8_store(c, weights.c);
+    f32x8_store(b, weights.b);
+    f32x8_store(c, weights.c);
     const struct packed_weights lanes = {b, c, b,
                                          c}; // nothing asks for those on the screen where they are not wanted
     if (work->plan.keeps_depth) {
-        group->depth = f8_from_d8(quantity[QUANTITY_Z]);
+        group->depth = f32x8_from_f64x8(quantity[QUANTITY_Z]);
         if (work->samples == 1) {
             group->depth = viewport_clamp(&work->scratch->depth, group->depth);
         }
@@ -245,7 +249,7 @@ static void pack_group(struct tile_work *work, unsigned bits)
     if (work->samples > 1 && work->plan.depth_mode >= RHW_DEPTH_LATE) {
         for (int s = 0; s < work->samples; s++) {
             work->scratch->queue.sample_depth[g][s] =
-                viewport_clamp(&work->scratch->depth, f8_load(partial->sample_depth[s]));
+                viewport_clamp(&work->scratch->depth, f32x8_load(partial->sample_depth[s]));
         }
     }
     if (work->plan.shading == RHW_SHADING_ANY) {
@@ -306,13 +310,13 @@ static bool samples_meet(const struct tile_work *work)
 {
     const struct partial_group *const partial = &work->scratch->partial;
     const struct gathered_fragments *const gathered = &work->scratch->gathered;
-    const i8 texels = i8_load(partial->texel), samples = i8_load(partial->samples);
-    i8 meet = i8_splat(0);
+    const i32x8 texels = i32x8_load(partial->texel), samples = i32x8_load(partial->samples);
+    i32x8 meet = i32x8_splat(0);
     for (int i = gathered->first; i < gathered->count; i++) {
-        meet |=
-            rhw_equal_int(texels, i8_splat(gathered->texel[i])) & samples & i8_splat(gathered->samples[i]);
+        meet |= rhw_equal_int(texels, i32x8_splat(gathered->texel[i])) & samples &
+                i32x8_splat(gathered->samples[i]);
     }
-    const unsigned free = i8_sign_bits(rhw_equal_int(meet, i8_splat(0)));
+    const unsigned free = i32x8_sign_bits(rhw_equal_int(meet, i32x8_splat(0)));
     return (~free & ((1u << partial->count) - 1)) != 0;
 }
 
@@ -390,7 +394,7 @@ static double clamp_depth(const struct tile_depth *depth, double z)
 
 // Adds the fragment at a texel, whose quantities have these values; gives its place in the group.
 RHW_INLINE int pack_values(struct partial_group *partial, const struct packed_triangle *packed, int texel,
-                           d4 quantities)
+                           f64x4 quantities)
 {
     const int n = partial->count;
     partial->texel[n] = texel;
@@ -411,7 +415,7 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
     const double dx = x - packed->anchor_x, dy = y - packed->anchor_y;
     const int n = pack_values(partial, packed, texel, quantity_values(planes, dx, dy));
     if (parts >= PACKED_DISTANCE) {
-        partial->distance[n] = (d4){dy, dx, dy, dx};
+        partial->distance[n] = (f64x4){dy, dx, dy, dx};
     }
     if (parts == PACKED_PLAIN_SAMPLES || parts >= PACKED_SAMPLES) {
         partial->samples[n] = work->scratch->gathered.samples[i];
@@ -424,7 +428,7 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
         pack_sample_depths(work, plane_of(planes, QUANTITY_Z), n, dx, dy);
     }
     if (parts == PACKED_ANY && work->plan.needs_screen) {
-        partial->screen[n] = (d4){plane_value(packed->n1, dx, dy), plane_value(packed->n2, dx, dy), 0, 0};
+        partial->screen[n] = (f64x4){plane_value(packed->n1, dx, dy), plane_value(packed->n2, dx, dy), 0, 0};
     }
     if (n + 1 == 8) {
         pack_group(work, 0xff);

@@ -5,9 +5,9 @@
 #ifndef RHW_QUEUE_H
 #define RHW_QUEUE_H
 
-#include "../../shader_adapter.h"
-#include "../raster/full_test.h"
-#include "../tile_work.h"
+#include "binding/shader_adapter.h"
+#include "kernels/depth/stencil_test.h"
+#include "kernels/tile_work.h"
 #include "blend.h"
 #include "explained_fragment.h"
 #include "sample_queue.h"
@@ -29,17 +29,17 @@ static unsigned finish_depth(struct tile_work *work, int g)
     const struct rhw_fragment *const group = &queue->groups[g];
     const struct rhw_draw_plan *const plan = &work->plan;
     const uint32_t uses = work->pipeline->def.program.uses;
-    const unsigned bits = lanes_of_sample(masked_samples(work, g, i8_from_bits(queue->live[g])), 0);
+    const unsigned bits = lanes_of_sample(masked_samples(work, g, i32x8_from_bits(queue->live[g])), 0);
     if (work->explained) {
         explain_masked(work, g, queue->live[g], bits);
     }
     if (plan->depth_mode < RHW_DEPTH_LATE) {
         return bits;
     }
-    const f8 z = uses & RHW_USE_DEPTH ? viewport_clamp(depth, group->depth) : group->depth;
+    const f32x8 z = uses & RHW_USE_DEPTH ? viewport_clamp(depth, group->depth) : group->depth;
     const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // of a row
     if (plan->is_full) {
-        const unsigned back = uses & RHW_USE_FACING ? i8_sign_bits(~group->front_facing) : 0;
+        const unsigned back = uses & RHW_USE_FACING ? i32x8_sign_bits(~group->front_facing) : 0;
         return queue->is_scattered[g]
                    ? test_texels_late_full(depth, queue->texels[g], z, bits, back, plan->late)
                    : test_row_late_full(depth, x, y, z, bits, back, plan->late);
@@ -62,26 +62,27 @@ RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend
     if (is_common && queue->only_full_rows && state.texel_mask[0] == UINT32_MAX) {
         state.texel_mask[0] = UINT32_MAX; // known from here on
         for (int g = 0; g < count; g++) {
-            blend_group(&state, queue->colors[g][t], i8_splat(-1), texels + (size_t)queue->row_at[g] * size);
+            blend_group(&state, queue->colors[g][t], i32x8_splat(-1),
+                        texels + (size_t)queue->row_at[g] * size);
         }
         return;
     }
     for (int g = 0; g < count; g++) {
-        const f8 *const color = queue->colors[g][t];
+        const f32x8 *const color = queue->colors[g][t];
         if (!queue->is_scattered[g]) {
-            blend_group(&state, color, i8_from_bits(queue->live[g]),
+            blend_group(&state, color, i32x8_from_bits(queue->live[g]),
                         texels + (size_t)queue->row_at[g] * size);
             continue;
         }
         _Alignas(32) unsigned char lanes[8 * 16];
         const int32_t *const at = queue->texels[g];
         if (replaces) {
-            i8_store(lanes, replacing_words(&state, color));
+            i32x8_store(lanes, replacing_words(&state, color));
             scatter_sized(at, queue->live[g], texels, 4, lanes);
             continue;
         }
         gather_texels(at, texels, size, lanes);
-        blend_group(&state, color, i8_splat(-1), lanes);
+        blend_group(&state, color, i32x8_splat(-1), lanes);
         scatter_texels(at, queue->live[g], texels, size, lanes);
     }
 }
@@ -99,7 +100,7 @@ RHW_INLINE void finish_queue(struct tile_work *work)
         }
     }
     for (int g = 0; g < queue->count && def->alpha_to_one; g++) {
-        queue->colors[g][0][3] = f8_splat(1);
+        queue->colors[g][0][3] = f32x8_splat(1);
     }
     for (int g = 0; g < queue->count && work->explained; g++) {
         explain_written(work, g, queue->live[g]);

@@ -5,7 +5,7 @@
 #ifndef RHW_ROW_GROUPS_H
 #define RHW_ROW_GROUPS_H
 
-#include "../raster/plane_clipped.h"
+#include "kernels/raster/plane_clipped.h"
 #include "builtin.h"
 #include "derivative.h"
 #include "interpolate.h"
@@ -14,17 +14,17 @@
 
 // The samples of a block that a triangle covers, and where in its pixels their fragments take their values.
 struct block_samples {
-    const uint64_t *mask;         // by sample
-    const f8 (*depth)[RHW_BLOCK]; // of its rows, by sample, where depth is tested late
-    int only;                     // the one sample that the fragments stand for; −1: all in `mask`
-    float position[2];            // of `only` in its pixel
+    const uint64_t *mask;            // by sample
+    const f32x8 (*depth)[RHW_BLOCK]; // of its rows, by sample, where depth is tested late
+    int only;                        // the one sample that the fragments stand for; −1: all in `mask`
+    float position[2];               // of `only` in its pixel
 };
 
 // A block of the tile, and the fragments of a triangle in it.
 struct block {
     int x, y; // pixels of the tile
     struct anchor_offset at;
-    const f8 *z;                         // of its rows, where depth is kept
+    const f32x8 *z;                      // of its rows, where depth is kept
     bool leaves_triangle;                // some weights may be below 0: see plane_clipped.h
     const struct block_samples *samples; // of multisampled passes; else NULL
 };
@@ -65,9 +65,9 @@ static void set_inputs(const struct tile_work *work, struct triangle_work *trian
 // The general path -------------------------------------------------------------------------------------
 
 static void fill_barycentric_derivatives(struct rhw_fragment *group, const struct derivative_pair *weights,
-                                         const struct anchor_offset *at, d8 squared)
+                                         const struct anchor_offset *at, f64x8 squared)
 {
-    f8 b_dx, b_dy, c_dx, c_dy;
+    f32x8 b_dx, b_dy, c_dx, c_dy;
     pair_derivatives(weights, 0, at, squared, &b_dx, &b_dy);
     pair_derivatives(weights, 1, at, squared, &c_dx, &c_dy);
     fill_barycentrics(group->barycentric_ddx, 0, b_dx, c_dx);
@@ -76,7 +76,7 @@ static void fill_barycentric_derivatives(struct rhw_fragment *group, const struc
 
 // Where the 8 fragments of a group are, and the weights of their triangle there.
 struct group_place {
-    i8 texels;         // of the tile
+    i32x8 texels;      // of the tile
     float position[2]; // in their pixels
     struct anchor_offset at;
     struct weights weights;
@@ -93,7 +93,7 @@ static void fill_builtins(const struct tile_work *work, int g, const struct tria
     struct rhw_fragment *const group = &queue->groups[g];
     const struct weights *const w = &place->weights;
     if (work->plan.needs_distance) {
-        const d8 squared = d8_mul(w->inverse_s, w->inverse_s);
+        const f64x8 squared = f64x8_mul(w->inverse_s, w->inverse_s);
         smooth_derivatives(queue, g, pipeline, triangle->derivatives, &place->at, squared);
         constant_derivatives(queue, g, pipeline, triangle);
         if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
@@ -107,22 +107,22 @@ static void fill_builtins(const struct tile_work *work, int g, const struct tria
         fill_coordinates(work, group, place->texels, place->position, w->s);
     }
     if (uses & RHW_USE_BARYCENTRIC) {
-        const f8 s = f8_from_d8(place->screen.s), t = f8_from_d8(place->screen.t);
+        const f32x8 s = f32x8_from_f64x8(place->screen.s), t = f32x8_from_f64x8(place->screen.t);
         fill_barycentrics(group->barycentric, 1, w->b, w->c);
         fill_barycentrics(group->barycentric_noperspective, 1, s, t);
     }
     if (uses & RHW_USE_POINT_COORD) {
-        fill_point_coord(group, f8_from_d8(place->screen.s), f8_from_d8(place->screen.t));
+        fill_point_coord(group, f32x8_from_f64x8(place->screen.s), f32x8_from_f64x8(place->screen.t));
     }
     fill_identity(group, uses, triangle);
 }
 
 // Which pixels of a row a triangle contains; none where it is not drawn conservatively.
-static i8 contained_in_row(const struct triangle_work *triangle, int row)
+static i32x8 contained_in_row(const struct triangle_work *triangle, int row)
 {
     return triangle->t->flags & RHW_TRIANGLE_CONSERVATIVE
-               ? i8_from_bits((unsigned)(triangle->contained >> (8 * row)) & 0xff)
-               : i8_splat(0);
+               ? i32x8_from_bits((unsigned)(triangle->contained >> (8 * row)) & 0xff)
+               : i32x8_splat(0);
 }
 
 // Fills the groups from `first` on with the rows of a block.
@@ -152,8 +152,8 @@ static __attribute__((noinline)) void fill_any_rows(const struct tile_work *work
     }
     for (int n = 0; n < rows->count; n++) {
         const int row = rows->row[n];
-        place.texels = i8_splat((block->y + row) * RHW_TILE + block->x) + rhw_lane_index;
-        place.at.dy = d8_splat(dy[row]);
+        place.texels = i32x8_splat((block->y + row) * RHW_TILE + block->x) + rhw_lane_index;
+        place.at.dy = f64x8_splat(dy[row]);
         place.weights = weights_of_row(planes, &over, row, path);
         if (work->plan.needs_screen) {
             place.screen = screen_weights_of_row(planes, &over, row);
@@ -183,22 +183,22 @@ static __attribute__((noinline)) void fill_any_rows(const struct tile_work *work
 // share worked out once. `squared`: by row.
 RHW_INLINE void fill_row_derivatives(const struct tile_work *work, const struct triangle_work *triangle,
                                      const struct anchor_offset *at, const struct block_rows *rows, int first,
-                                     const d8 squared[RHW_BLOCK])
+                                     const f64x8 squared[RHW_BLOCK])
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
     const ptrdiff_t components = pipeline->varying_components;
     for (int n = 0; n < 2 * pipeline->derivative_pairs; n++) {
         const struct derivative_pair *const pair = &triangle->derivatives[n / 2];
         const int x = n % 2 * 2, y = x + 1, i = pipeline->derivative_component[n / 2][n % 2];
-        const d8 along_x = numerator8(pair->at[x], pair->step[x], at->dy);
-        const d8 along_y = numerator8(pair->at[y], pair->step[y], at->dx);
+        const f64x8 along_x = numerator8(pair->at[x], pair->step[x], at->dy);
+        const f64x8 along_y = numerator8(pair->at[y], pair->step[y], at->dx);
         double by_row[RHW_BLOCK];
         memcpy(by_row, &along_x, sizeof by_row);
-        f8 *ddx = work->scratch->queue.ddx + first * components + i,
-           *ddy = work->scratch->queue.ddy + first * components + i;
+        f32x8 *ddx = work->scratch->queue.ddx + first * components + i,
+              *ddy = work->scratch->queue.ddy + first * components + i;
         for (int k = 0; k < rows->count; k++, ddx += components, ddy += components) {
             const int row = rows == &all_rows ? k : rows->row[k];
-            *ddx = derivative_of(d8_splat(by_row[row]), squared[k]);
+            *ddx = derivative_of(f64x8_splat(by_row[row]), squared[k]);
             *ddy = derivative_of(along_y, squared[k]);
         }
     }
@@ -214,7 +214,7 @@ RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_w
     const int first = work->scratch->queue.count;
     const ptrdiff_t components = work->pipeline->varying_components;
     const struct rhw_component_run all = {0, work->pipeline->varying_components};
-    d8 squared[RHW_BLOCK];
+    f64x8 squared[RHW_BLOCK];
     for (int n = 0; n < rows->count; n += STEP) {
         const int left = rows->count - n, count = rows == &all_rows || left > STEP ? STEP : left;
         struct group_weights weights;
@@ -224,7 +224,7 @@ RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_w
             weights.b[k] = w.b;
             weights.c[k] = w.c;
             if (derivatives == DERIVATIVES) {
-                squared[n + k] = d8_mul(w.inverse_s, w.inverse_s);
+                squared[n + k] = f64x8_mul(w.inverse_s, w.inverse_s);
             }
         }
         interpolate_groups(work->scratch->queue.varyings + (first + n) * components, components, all,
@@ -268,9 +268,10 @@ RHW_INLINE void place_rows(struct fragment_queue *queue, const struct block_rows
     struct rhw_fragment *const groups = &queue->groups[first];
     memcpy(&queue->live[first], rows->bits, sizeof rows->bits);
     memset(&queue->is_scattered[first], 0, sizeof rows->bits);
-    i8_store(&queue->row_at[first], (i8_load_bytes(rows->row) << RHW_TILE_LOG2) + i8_splat(y * RHW_TILE + x));
+    i32x8_store(&queue->row_at[first],
+                (i32x8_load_bytes(rows->row) << RHW_TILE_LOG2) + i32x8_splat(y * RHW_TILE + x));
     for (int n = 0; n < rows->count; n++) {
-        groups[n].mask = rows == &all_rows ? i8_splat(-1) : i8_from_bits(rows->bits[n]);
+        groups[n].mask = rows == &all_rows ? i32x8_splat(-1) : i32x8_from_bits(rows->bits[n]);
     }
     for (int n = 0; n < rows->count && rows != &all_rows; n++) {
         queue->only_full_rows = queue->only_full_rows && rows->bits[n] == 0xff;
@@ -285,20 +286,21 @@ static __attribute__((noinline)) void place_samples(const struct tile_work *work
     struct fragment_queue *const queue = &work->scratch->queue;
     for (int n = 0; n < rows->count; n++) {
         const int g = queue->count + n, row = rows->row[n];
-        i8 samples = i8_splat(0);
+        i32x8 samples = i32x8_splat(0);
         for (int s = 0; s < work->samples; s++) {
             if (from->only < 0 || from->only == s) {
-                samples |= i8_from_bits((unsigned)(from->mask[s] >> (8 * row)) & 0xff) & i8_splat(1 << s);
+                samples |=
+                    i32x8_from_bits((unsigned)(from->mask[s] >> (8 * row)) & 0xff) & i32x8_splat(1 << s);
             }
             if (from->depth) {
                 queue->sample_depth[g][s] = from->depth[s][row];
             }
         }
-        samples &= i8_from_bits(rows->bits[n]);
+        samples &= i32x8_from_bits(rows->bits[n]);
         queue->samples[g] = queue->groups[g].sample_mask = samples;
-        queue->groups[g].sample_id = i8_splat(from->only);
-        queue->groups[g].sample_position[0] = f8_splat(from->position[0]);
-        queue->groups[g].sample_position[1] = f8_splat(from->position[1]);
+        queue->groups[g].sample_id = i32x8_splat(from->only);
+        queue->groups[g].sample_position[0] = f32x8_splat(from->position[0]);
+        queue->groups[g].sample_position[1] = f32x8_splat(from->position[1]);
     }
 }
 

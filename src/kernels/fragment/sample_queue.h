@@ -5,27 +5,27 @@
 #ifndef RHW_SAMPLE_QUEUE_H
 #define RHW_SAMPLE_QUEUE_H
 
-#include "../raster/full_test.h"
+#include "kernels/depth/stencil_test.h"
 #include "blend.h"
 #include "expand.h"
 #include "explained_fragment.h"
 #include "woven.h"
 
 // Lanes whose fragment covers sample s.
-RHW_INLINE unsigned lanes_of_sample(i8 samples, int s)
+RHW_INLINE unsigned lanes_of_sample(i32x8 samples, int s)
 {
-    return i8_sign_bits((i8)((u8)samples << (31 - s)));
+    return i32x8_sign_bits((i32x8)((u32x8)samples << (31 - s)));
 }
 
 // The first round(alpha · count) samples.
-RHW_INLINE i8 samples_of_alpha(f8 alpha, int count)
+RHW_INLINE i32x8 samples_of_alpha(f32x8 alpha, int count)
 {
-    const f8 kept = rhw_saturate(alpha) * f8_splat((float)count) + f8_splat(0.5f);
-    return i8_power2(rhw_int_from_float_unchecked(kept)) - i8_splat(1);
+    const f32x8 kept = rhw_saturate(alpha) * f32x8_splat((float)count) + f32x8_splat(0.5f);
+    return i32x8_power2(rhw_int_from_float_unchecked(kept)) - i32x8_splat(1);
 }
 
 // Tests the lanes of group g in `bits` after the fragment function, whose sample in the plane `depth` is at z.
-static unsigned test_plane_late(struct tile_depth *depth, const struct tile_work *work, int g, f8 z,
+static unsigned test_plane_late(struct tile_depth *depth, const struct tile_work *work, int g, f32x8 z,
                                 unsigned bits, unsigned back)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
@@ -40,32 +40,33 @@ static unsigned test_plane_late(struct tile_depth *depth, const struct tile_work
 }
 
 // Tests the samples of group g after the fragment function.
-static i8 test_samples_late(struct tile_work *work, int g, i8 samples)
+static i32x8 test_samples_late(struct tile_work *work, int g, i32x8 samples)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_fragment *const group = &queue->groups[g];
     const uint32_t uses = work->pipeline->def.program.uses;
-    const unsigned back = uses & RHW_USE_FACING ? i8_sign_bits(~group->front_facing) : 0;
-    i8 passed = i8_splat(0);
+    const unsigned back = uses & RHW_USE_FACING ? i32x8_sign_bits(~group->front_facing) : 0;
+    i32x8 passed = i32x8_splat(0);
     for (int s = 0; s < work->samples; s++) {
         struct tile_depth *const depth = depth_plane(work->scratch, s);
         const unsigned bits = lanes_of_sample(samples, s);
-        const f8 z = uses & RHW_USE_DEPTH ? viewport_clamp(depth, group->depth) : queue->sample_depth[g][s];
+        const f32x8 z =
+            uses & RHW_USE_DEPTH ? viewport_clamp(depth, group->depth) : queue->sample_depth[g][s];
         const unsigned kept = bits == 0 ? 0 : test_plane_late(depth, work, g, z, bits, back);
-        passed |= i8_from_bits(kept) & i8_splat(1 << s);
+        passed |= i32x8_from_bits(kept) & i32x8_splat(1 << s);
     }
     return passed;
 }
 
 // Those of a group's samples that the fragment function and its alpha leave. A pixel of one has bit 0 (Vulkan 1.3 §28.9
 // makes no exception of it).
-static i8 masked_samples(const struct tile_work *work, int g, i8 samples)
+static i32x8 masked_samples(const struct tile_work *work, int g, i32x8 samples)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_fragment *const group = &queue->groups[g];
     const struct rhw_pipeline_def *const def = &work->pipeline->def;
     if (def->program.uses & RHW_USE_DISCARD) {
-        samples &= rhw_less_int(group->mask, i8_splat(0));
+        samples &= rhw_less_int(group->mask, i32x8_splat(0));
     }
     if (def->program.uses & RHW_USE_SAMPLE_MASK) {
         samples &= group->sample_mask;
@@ -77,9 +78,9 @@ static i8 masked_samples(const struct tile_work *work, int g, i8 samples)
 }
 
 // The samples of group g that are still to be blended.
-static i8 finish_samples(struct tile_work *work, int g)
+static i32x8 finish_samples(struct tile_work *work, int g)
 {
-    const i8 covered = work->scratch->queue.samples[g], samples = masked_samples(work, g, covered);
+    const i32x8 covered = work->scratch->queue.samples[g], samples = masked_samples(work, g, covered);
     if (work->explained) {
         const int sample = work->explained->ask.sample;
         explain_masked(work, g, lanes_of_sample(covered, sample), lanes_of_sample(samples, sample));
@@ -108,7 +109,8 @@ RHW_INLINE unsigned expanded_lanes(const struct tile_work *work, int g, unsigned
 }
 
 // Blends the lanes of group g, of which some are expanded, into target t. `samples`: what is to be drawn, not none.
-RHW_INLINE void blend_row_samples(const struct tile_work *work, int t, int g, i8 samples, unsigned expanded)
+RHW_INLINE void blend_row_samples(const struct tile_work *work, int t, int g, i32x8 samples,
+                                  unsigned expanded)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_blend_state *const state = &work->state->blend[t];
@@ -116,13 +118,13 @@ RHW_INLINE void blend_row_samples(const struct tile_work *work, int t, int g, i8
     for (int s = 0; s < (expanded == 0 ? 1 : work->samples); s++) {
         const unsigned bits = lanes_of_sample(samples, s);
         if (bits != 0) {
-            blend_group(state, queue->colors[g][t], i8_from_bits(bits),
+            blend_group(state, queue->colors[g][t], i32x8_from_bits(bits),
                         color_plane(work->scratch, t, s) + at);
         }
     }
 }
 
-RHW_INLINE void blend_scattered_samples(const struct tile_work *work, int t, int g, i8 samples,
+RHW_INLINE void blend_scattered_samples(const struct tile_work *work, int t, int g, i32x8 samples,
                                         unsigned expanded)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
@@ -131,7 +133,7 @@ RHW_INLINE void blend_scattered_samples(const struct tile_work *work, int t, int
     const bool replaces = replaces_words(state);
     _Alignas(32) unsigned char lanes[8 * 16];
     if (replaces) {
-        i8_store(lanes, replacing_words(state, queue->colors[g][t]));
+        i32x8_store(lanes, replacing_words(state, queue->colors[g][t]));
     }
     for (int s = 0; s < (expanded == 0 ? 1 : work->samples); s++) {
         const unsigned bits = lanes_of_sample(samples, s) & (s == 0 ? 0xff : expanded);
@@ -144,40 +146,42 @@ RHW_INLINE void blend_scattered_samples(const struct tile_work *work, int t, int
             continue;
         }
         gather_texels(queue->texels[g], texels, size, lanes);
-        blend_group(state, queue->colors[g][t], i8_splat(-1), lanes);
+        blend_group(state, queue->colors[g][t], i32x8_splat(-1), lanes);
         scatter_texels(queue->texels[g], bits, texels, size, lanes);
     }
 }
 
 // Blends 8 fragments into those of their samples that are set. Of no sample are there two fragments.
 static __attribute__((noinline)) void blend_woven(const struct tile_work *work, int target,
-                                                  const int32_t texel[8], const f8 *color, const i8 *samples)
+                                                  const int32_t texel[8], const f32x8 *color,
+                                                  const i32x8 *samples)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
     const struct rhw_blend_state *const state = &work->state->blend[target];
-    f8 sample[WOVEN_SAMPLES];
-    f4 pixel[RHW_LANES];
+    f32x8 sample[WOVEN_SAMPLES];
+    f32x4 pixel[RHW_LANES];
     load_woven(scratch, target, texel, sample);
     for (int s = 0; s < WOVEN_SAMPLES; s++) {
         _Alignas(32) unsigned char texels[RHW_LANES * 16];
-        f8_store(texels, sample[s]);
-        blend_group(state, color, i8_splat(-1), texels);
-        sample[s] = f8_load(texels);
+        f32x8_store(texels, sample[s]);
+        blend_group(state, color, i32x8_splat(-1), texels);
+        sample[s] = f32x8_load(texels);
     }
-    f4_rows(sample, pixel);
+    f32x4_rows(sample, pixel);
     store_woven(scratch, target, texel, pixel, *samples);
 }
 
 // Does so where samples are woven.
-RHW_INLINE void blend_woven_samples(const struct tile_work *work, int t, int g, i8 samples, unsigned expanded)
+RHW_INLINE void blend_woven_samples(const struct tile_work *work, int t, int g, i32x8 samples,
+                                    unsigned expanded)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
     struct fragment_queue *const queue = &scratch->queue;
     const struct rhw_blend_state *const state = &work->state->blend[t];
-    i8 woven = samples;
+    i32x8 woven = samples;
     if (expanded != 0xff && queue->is_scattered[g]) {
-        blend_scattered_samples(work, t, g, samples & i8_from_bits(~expanded), 0);
-        woven = samples & i8_from_bits(expanded);
+        blend_scattered_samples(work, t, g, samples & i32x8_from_bits(~expanded), 0);
+        woven = samples & i32x8_from_bits(expanded);
     } else if (expanded == 0) {
         blend_row_samples(work, t, g, samples, 0);
     }
@@ -185,7 +189,7 @@ RHW_INLINE void blend_woven_samples(const struct tile_work *work, int t, int g, 
         return;
     }
     if (!queue->is_scattered[g]) { // all of it is expanded
-        i8_store(queue->texels[g], i8_splat(queue->row_at[g]) + rhw_lane_index);
+        i32x8_store(queue->texels[g], i32x8_splat(queue->row_at[g]) + rhw_lane_index);
     }
     if (replaces_words(state)) {
         replace_woven(scratch, t, queue->texels[g], replacing_words(state, queue->colors[g][t]), woven);
@@ -194,11 +198,11 @@ RHW_INLINE void blend_woven_samples(const struct tile_work *work, int t, int g, 
     }
 }
 
-RHW_INLINE void blend_samples(const struct tile_work *work, int g, i8 samples)
+RHW_INLINE void blend_samples(const struct tile_work *work, int g, i32x8 samples)
 {
-    const i8 all = i8_splat((int32_t)(((int64_t)1 << work->samples) - 1));
-    const unsigned live = ~i8_sign_bits(rhw_equal_int(samples, i8_splat(0))) & 0xff;
-    const unsigned partial = live & ~i8_sign_bits(rhw_equal_int(samples, all));
+    const i32x8 all = i32x8_splat((int32_t)(((int64_t)1 << work->samples) - 1));
+    const unsigned live = ~i32x8_sign_bits(rhw_equal_int(samples, i32x8_splat(0))) & 0xff;
+    const unsigned partial = live & ~i32x8_sign_bits(rhw_equal_int(samples, all));
     if (live == 0) {
         return;
     }
@@ -222,9 +226,9 @@ static __attribute__((noinline)) void finish_sample_queue(struct tile_work *work
     const bool drops = work->plan.masks_samples || work->plan.depth_mode >= RHW_DEPTH_LATE ||
                        def->program.uses & RHW_USE_DISCARD;
     for (int g = 0; g < queue->count; g++) {
-        const i8 samples = drops ? finish_samples(work, g) : queue->samples[g];
+        const i32x8 samples = drops ? finish_samples(work, g) : queue->samples[g];
         if (def->alpha_to_one) {
-            queue->colors[g][0][3] = f8_splat(1);
+            queue->colors[g][0][3] = f32x8_splat(1);
         }
         if (work->explained) {
             explain_written(work, g, lanes_of_sample(samples, work->explained->ask.sample));

@@ -5,8 +5,8 @@
 #ifndef RHW_TARGET_INPUT_H
 #define RHW_TARGET_INPUT_H
 
-#include "../texel/texel_codec.h"
-#include "../tile_work.h"
+#include "kernels/texel/texel_codec.h"
+#include "kernels/tile_work.h"
 #include "expand.h"
 #include "woven.h"
 
@@ -36,9 +36,9 @@ static __attribute__((noinline)) void read_targets(const struct tile_work *work,
             const struct rhw_format_info *const format = work->state->blend[t].format;
             struct raw_texels raw = {{{0}}};
             if (work->samples > 1 && is_expanded && scratch->is_woven) {
-                f8 texels[WOVEN_SAMPLES];
+                f32x8 texels[WOVEN_SAMPLES];
                 load_woven_row(scratch, t, at, texels);
-                raw.word[0] = (i8)texels[sample];
+                raw.word[0] = (i32x8)texels[sample];
             } else {
                 load_texel_row(format->size,
                                color_plane(scratch, t, is_expanded ? sample : 0) + (size_t)at * format->size,
@@ -47,10 +47,10 @@ static __attribute__((noinline)) void read_targets(const struct tile_work *work,
             decode_texels(format, &raw, queue->colors[g][t]);
         }
         if (uses & RHW_USE_DEPTH_INPUT) {
-            queue->groups[g].depth_input = f8_load(depth_plane(scratch, sample)->texels + at);
+            queue->groups[g].depth_input = f32x8_load(depth_plane(scratch, sample)->texels + at);
         }
         if (uses & RHW_USE_STENCIL_INPUT) {
-            queue->groups[g].stencil_input = i8_load_bytes(depth_plane(scratch, sample)->stencil + at);
+            queue->groups[g].stencil_input = i32x8_load_bytes(depth_plane(scratch, sample)->stencil + at);
         }
     }
 }

@@ -5,58 +5,58 @@
 #ifndef RHW_WOVEN_H
 #define RHW_WOVEN_H
 
-#include "../../simd_layout.h"
-#include "../tile_work.h"
+#include "base/simd_layout.h"
+#include "kernels/tile_work.h"
 
 // The texels of 8 pixels, a vector for each sample.
 RHW_INLINE void load_woven(struct rhw_tile_scratch *scratch, int target, const int32_t texel[8],
-                           f8 sample[WOVEN_SAMPLES])
+                           f32x8 sample[WOVEN_SAMPLES])
 {
     const void *place[RHW_LANES];
     for (int i = 0; i < RHW_LANES; i++) {
         place[i] = woven_pixel(scratch, target, texel[i]);
     }
-    f8_load_columns(place, sample);
+    f32x8_load_columns(place, sample);
 }
 
 // The same of 8 pixels in a row.
 RHW_INLINE void load_woven_row(struct rhw_tile_scratch *scratch, int target, int texel,
-                               f8 sample[WOVEN_SAMPLES])
+                               f32x8 sample[WOVEN_SAMPLES])
 {
     int32_t texels[RHW_LANES];
-    i8_store(texels, i8_splat(texel) + rhw_lane_index);
+    i32x8_store(texels, i32x8_splat(texel) + rhw_lane_index);
     load_woven(scratch, target, texels, sample);
 }
 
 // Stores the samples of 8 pixels, one after the other, that are set in `samples`.
 RHW_INLINE void store_woven(struct rhw_tile_scratch *scratch, int target, const int32_t texel[8],
-                            const f4 pixel[8], i8 samples)
+                            const f32x4 pixel[8], i32x8 samples)
 {
     unsigned char *const pixels = woven_pixel(scratch, target, 0);
-    f8 by_sample[WOVEN_SAMPLES];
-    f4 is_stored[RHW_LANES];
+    f32x8 by_sample[WOVEN_SAMPLES];
+    f32x4 is_stored[RHW_LANES];
     for (int s = 0; s < WOVEN_SAMPLES; s++) {
-        by_sample[s] = (f8)((i8)((u8)samples << (31 - s)) >> 31);
+        by_sample[s] = (f32x8)((i32x8)((u32x8)samples << (31 - s)) >> 31);
     }
-    f4_rows(by_sample, is_stored);
+    f32x4_rows(by_sample, is_stored);
     for (int i = 0; i < RHW_LANES; i++) {
         unsigned char *const to = pixels + (size_t)texel[i] * (WOVEN_SAMPLES * WOVEN_SIZE);
-        f4 old;
+        f32x4 old;
         memcpy(&old, to, sizeof old);
-        const f4 stored = f4_select((i4)is_stored[i], pixel[i], old);
+        const f32x4 stored = f32x4_select((i32x4)is_stored[i], pixel[i], old);
         memcpy(to, &stored, sizeof stored);
     }
 }
 
 // Puts words in the place of those samples of 8 texels. Of several fragments of a sample the last is seen.
-RHW_INLINE void replace_woven(struct rhw_tile_scratch *scratch, int target, const int32_t texel[8], i8 words,
-                              i8 samples)
+RHW_INLINE void replace_woven(struct rhw_tile_scratch *scratch, int target, const int32_t texel[8],
+                              i32x8 words, i32x8 samples)
 {
     float lanes[RHW_LANES];
-    f4 pixel[RHW_LANES];
-    f8_store(lanes, (f8)words);
+    f32x4 pixel[RHW_LANES];
+    f32x8_store(lanes, (f32x8)words);
     for (int i = 0; i < RHW_LANES; i++) {
-        pixel[i] = (f4){lanes[i], lanes[i], lanes[i], lanes[i]};
+        pixel[i] = (f32x4){lanes[i], lanes[i], lanes[i], lanes[i]};
     }
     store_woven(scratch, target, texel, pixel, samples);
 }

@@ -3,7 +3,7 @@
 #ifndef RHW_BINNING_H
 #define RHW_BINNING_H
 
-#include "../../arena.h"
+#include "base/arena.h"
 #include "geometry_scratch.h"
 #include "tile_spans.h"
 

@@ -4,10 +4,10 @@
 #ifndef RHW_CHUNK_H
 #define RHW_CHUNK_H
 
-#include "../../assembly.h"
-#include "../../pass_state.h"
-#include "../../shared_vertices.h"
-#include "../../thread.h"
+#include "draw/assembly.h"
+#include "pass/pass_state.h"
+#include "run/shared_vertices.h"
+#include "base/thread.h"
 #include "binning.h"
 #include "clipping_count.h"
 #include "feedback.h"

@@ -5,7 +5,7 @@
 #ifndef RHW_CLIPPED_LINE_H
 #define RHW_CLIPPED_LINE_H
 
-#include "../../clip.h"
+#include "draw/clip.h"
 #include "lines8.h"
 #include "made_vertices.h"
 #include "projection.h"
@@ -45,10 +45,10 @@ static __attribute__((noinline)) bool clip_line_lane(struct rhw_geometry_scratch
     if (!made) {
         return false;
     }
-    f8 position[4], header[8];
+    f32x8 position[4], header[8];
     for (int c = 0; c < 4; c++) {
         const double a = (double)v[0]->position[c], b = (double)v[1]->position[c];
-        position[c] = f8_splat((float)(a + t[0] * (b - a)));
+        position[c] = f32x8_splat((float)(a + t[0] * (b - a)));
         position[c][1] = t[1] == 1 ? v[1]->position[c] : (float)(a + t[1] * (b - a));
     }
     if (!(position[3][0] > 0 && position[3][1] > 0)) {
@@ -58,8 +58,8 @@ static __attribute__((noinline)) bool clip_line_lane(struct rhw_geometry_scratch
     for (int i = 0; i < 2; i++) {
         struct rhw_vertex_record *const out =
             (struct rhw_vertex_record *)(void *)((float *)(void *)made + i * segment->vertex_stride);
-        out->x_24_8 = l->x[i][lane] = ((i8)header[0])[i];
-        out->y_24_8 = l->y[i][lane] = ((i8)header[1])[i];
+        out->x_24_8 = l->x[i][lane] = ((i32x8)header[0])[i];
+        out->y_24_8 = l->y[i][lane] = ((i32x8)header[1])[i];
         out->depth = header[2][i];
         out->flags = 0;
         for (int c = 0; c < 4; c++) {

@@ -4,10 +4,10 @@
 #ifndef RHW_CLIPPED_SETUP_H
 #define RHW_CLIPPED_SETUP_H
 
-#include "../../clip.h"
-#include "../integer.h"
-#include "../raster/sample_position.h"
-#include "../raster/vertex_record.h"
+#include "draw/clip.h"
+#include "kernels/integer.h"
+#include "kernels/raster/sample_position.h"
+#include "kernels/raster/vertex_record.h"
 #include "facing.h"
 #include "geometry_scratch.h"
 

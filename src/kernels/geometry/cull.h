@@ -21,12 +21,13 @@ struct cull8 {
 // 2^48: exact in double.
 RHW_INLINE void area_signs8(const struct triangle8 *t, unsigned *negative, unsigned *nonzero)
 {
-    const i8 ax = t->x[1] - t->x[0], ay = t->y[1] - t->y[0];
-    const i8 bx = t->x[2] - t->x[0], by = t->y[2] - t->y[0];
-    const f8 area = f8_from_d8(d8_sub(d8_mul(d8_from_i8(ax), d8_from_i8(by)),   //
-                                      d8_mul(d8_from_i8(bx), d8_from_i8(ay)))); // not 0 stays not 0
-    *negative = i8_sign_bits(rhw_less(area, f8_splat(0)));
-    *nonzero = ~i8_sign_bits(rhw_equal(area, f8_splat(0)));
+    const i32x8 ax = t->x[1] - t->x[0], ay = t->y[1] - t->y[0];
+    const i32x8 bx = t->x[2] - t->x[0], by = t->y[2] - t->y[0];
+    const f32x8 area = f32x8_from_f64x8(
+        f64x8_sub(f64x8_mul(f64x8_from_i32x8(ax), f64x8_from_i32x8(by)),   //
+                  f64x8_mul(f64x8_from_i32x8(bx), f64x8_from_i32x8(ay)))); // not 0 stays not 0
+    *negative = i32x8_sign_bits(rhw_less(area, f32x8_splat(0)));
+    *nonzero = ~i32x8_sign_bits(rhw_equal(area, f32x8_splat(0)));
 }
 
 // `live`: bits of the lanes that are triangles. `pattern`: NULL where cull_uncovered.h has nothing to do.
@@ -44,7 +45,7 @@ RHW_INLINE struct cull8 cull8(const struct triangle8 *t, const struct rhw_draw_s
     if ((c.drawn | c.clipped) != 0) {
         c.pixels = pixel_rect8_of(t, state);
         c.drawn &=
-            i8_sign_bits(rhw_less_int(c.pixels.x0, c.pixels.x1) & rhw_less_int(c.pixels.y0, c.pixels.y1));
+            i32x8_sign_bits(rhw_less_int(c.pixels.x0, c.pixels.x1) & rhw_less_int(c.pixels.y0, c.pixels.y1));
         if (c.drawn != 0 && pattern) {
             c.drawn &= ~uncovered8(t, &c.pixels, c.negative, pattern);
         }

@@ -9,26 +9,26 @@
 #ifndef RHW_CULL_UNCOVERED_H
 #define RHW_CULL_UNCOVERED_H
 
-#include "../../sample_pattern.h"
-#include "../raster/coverage.h"
+#include "pipeline/sample_pattern.h"
+#include "kernels/raster/coverage.h"
 #include "triangle8.h"
 
 enum { MOST_CULLED_SAMPLES = 4 }; // of a pixel, in passes that take this path
 
 // Of 8 triangles the edges at the first pixels of their rectangles, and what they change by to the next pixels.
 struct corner_edges8 {
-    u8 e[3], right[3], down[3];
+    u32x8 e[3], right[3], down[3];
 };
 
 // Which are negative where all of `most` × `most` pixels from there on are outside, at samples of a kind.
-RHW_INLINE i8 outside8(const struct corner_edges8 *at, int most)
+RHW_INLINE i32x8 outside8(const struct corner_edges8 *at, int most)
 {
-    u8 row[3] = {at->e[0], at->e[1], at->e[2]};
-    i8 outside = i8_splat(-1);
+    u32x8 row[3] = {at->e[0], at->e[1], at->e[2]};
+    i32x8 outside = i32x8_splat(-1);
     for (int dy = 0; dy < most; dy++) {
-        u8 e[3] = {row[0], row[1], row[2]};
+        u32x8 e[3] = {row[0], row[1], row[2]};
         for (int dx = 0; dx < most; dx++) {
-            outside &= (i8)(e[0] | e[1] | e[2]);
+            outside &= (i32x8)(e[0] | e[1] | e[2]);
             for (int i = 0; i < 3; i++) {
                 e[i] += at->right[i];
             }
@@ -47,36 +47,36 @@ RHW_INLINE unsigned uncovered8(const struct triangle8 *t, const struct pixel_rec
                                const struct rhw_sample_pattern *pattern)
 {
     enum { MOST = 3, MOST_OF_SEVERAL = 2 };
-    const i8 most = i8_splat(pattern->count == 1 ? MOST : MOST_OF_SEVERAL);
-    const i8 width = pixels->x1 - pixels->x0, height = pixels->y1 - pixels->y0;
+    const i32x8 most = i32x8_splat(pattern->count == 1 ? MOST : MOST_OF_SEVERAL);
+    const i32x8 width = pixels->x1 - pixels->x0, height = pixels->y1 - pixels->y0;
     const unsigned few =
-        ~i8_sign_bits(rhw_less_int(most, width) | rhw_less_int(most, height) | ~small_triangles8(t));
+        ~i32x8_sign_bits(rhw_less_int(most, width) | rhw_less_int(most, height) | ~small_triangles8(t));
     if ((few & 0xff) == 0) {
         return 0;
     }
-    const i8 turn = i8_from_bits(negative);
-    const i8 x = sample_of_pixel8(pixels->x0), y = sample_of_pixel8(pixels->y0);
+    const i32x8 turn = i32x8_from_bits(negative);
+    const i32x8 x = sample_of_pixel8(pixels->x0), y = sample_of_pixel8(pixels->y0);
     struct edge_lanes edge[3];
     struct corner_edges8 at;
     for (int i = 0; i < 3; i++) {
         edge[i] = edge_lanes(t->x, t->y, i, turn, x, y);
-        at.e[i] = (u8)edge[i].e;
-        at.right[i] = (u8)edge[i].a << RHW_SUBPIXEL_BITS;
-        at.down[i] = (u8)edge[i].b << RHW_SUBPIXEL_BITS;
+        at.e[i] = (u32x8)edge[i].e;
+        at.right[i] = (u32x8)edge[i].a << RHW_SUBPIXEL_BITS;
+        at.down[i] = (u32x8)edge[i].b << RHW_SUBPIXEL_BITS;
     }
     if (pattern->count == 1) {
-        return few & i8_sign_bits(outside8(&at, MOST));
+        return few & i32x8_sign_bits(outside8(&at, MOST));
     }
-    i8 outside = i8_splat(-1);
+    i32x8 outside = i32x8_splat(-1);
     for (int s = 0; s < pattern->count; s++) {
-        const u8 dx = (u8)i8_splat(pattern->x_0_8[s] - SAMPLE_OFFSET_0_8),
-                 dy = (u8)i8_splat(pattern->y_0_8[s] - SAMPLE_OFFSET_0_8);
+        const u32x8 dx = (u32x8)i32x8_splat(pattern->x_0_8[s] - SAMPLE_OFFSET_0_8),
+                    dy = (u32x8)i32x8_splat(pattern->y_0_8[s] - SAMPLE_OFFSET_0_8);
         for (int i = 0; i < 3; i++) {
-            at.e[i] = (u8)edge[i].e + (u8)edge[i].a * dx + (u8)edge[i].b * dy;
+            at.e[i] = (u32x8)edge[i].e + (u32x8)edge[i].a * dx + (u32x8)edge[i].b * dy;
         }
         outside &= outside8(&at, MOST_OF_SEVERAL);
     }
-    return few & i8_sign_bits(outside);
+    return few & i32x8_sign_bits(outside);
 }
 
 #endif

@@ -3,7 +3,7 @@
 #ifndef RHW_FACING_H
 #define RHW_FACING_H
 
-#include "../../pipeline.h"
+#include "pipeline/pipeline.h"
 
 // Gives the bits of the triangles that face away, from those that turn the negative way. On the screen y points down,
 // so a triangle that is counter-clockwise with y up has a negative area.

@@ -3,8 +3,8 @@
 #ifndef RHW_GEOMETRY_FEEDBACK_H
 #define RHW_GEOMETRY_FEEDBACK_H
 
-#include "../../pipeline.h"
-#include "../../transform_feedback.h"
+#include "pipeline/pipeline.h"
+#include "pass/transform_feedback.h"
 #include "geometry_scratch.h"
 
 // Copies what a pipeline captures of a vertex; `number`: of the vertex among those of the draw.

@@ -4,9 +4,9 @@
 #ifndef RHW_GEOMETRY_SCRATCH_H
 #define RHW_GEOMETRY_SCRATCH_H
 
-#include "../../constants.h"
-#include "../../draw_list.h"
-#include "../../simd.h"
+#include "base/constants.h"
+#include "draw/draw_list.h"
+#include "base/simd.h"
 #include "tile_range.h"
 
 enum {
@@ -54,9 +54,9 @@ struct rhw_triangle_list {
 
 struct rhw_geometry_scratch {
     _Alignas(64) struct rhw_vertex groups[RHW_VERTEX_GROUPS];
-    f8 attributes[RHW_VERTEX_GROUPS][RHW_MAX_ATTRIBUTES][4];
-    f8 varyings[RHW_VERTEX_GROUPS * RHW_MAX_VARYING_COMPONENTS];
-    f8 distances[RHW_VERTEX_GROUPS][RHW_MAX_CLIP_DISTANCES + RHW_MAX_CULL_DISTANCES];
+    f32x8 attributes[RHW_VERTEX_GROUPS][RHW_MAX_ATTRIBUTES][4];
+    f32x8 varyings[RHW_VERTEX_GROUPS * RHW_MAX_VARYING_COMPONENTS];
+    f32x8 distances[RHW_VERTEX_GROUPS][RHW_MAX_CLIP_DISTANCES + RHW_MAX_CULL_DISTANCES];
     uint32_t unique[3 * RHW_CHUNK_TRIANGLES + 8]; // vertex index by slot, of the run under way
     struct rhw_cache_entry cache[RHW_VERTEX_CACHE];
     uint32_t stamp;

@@ -9,7 +9,7 @@
 #ifndef RHW_LINE_BRESENHAM_H
 #define RHW_LINE_BRESENHAM_H
 
-#include "../../pipeline.h"
+#include "pipeline/pipeline.h"
 #include "line_columns.h"
 #include "lines8.h"
 #include "triangle_words.h"
@@ -32,7 +32,7 @@ static struct line_ends ends_of(const struct lines8 *l, int lane, int width)
 static __attribute__((noinline)) void set_column_phases(struct triangle_words *words, const struct lines8 *l,
                                                         unsigned drawn, int width)
 {
-    i8 phase = i8_splat(0);
+    i32x8 phase = i32x8_splat(0);
     for (unsigned left = drawn; left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
         const struct line_ends line = ends_of(l, lane, width);
@@ -62,13 +62,13 @@ static unsigned add_bresenham8(const struct rhw_draw_state *state, const struct 
 {
     enum { BESIDE = 16 * RHW_SUBPIXEL }; // so far that rounding turns it by less than 2^−13
     const struct line_sides8 n = line_sides8(l, BESIDE);
-    const i8 *const x = l->x, *const y = l->y;
+    const i32x8 *const x = l->x, *const y = l->y;
     const struct triangle8 t = {.x = {x[0], x[0] - n.x, x[1]}, .y = {y[0], y[0] - n.y, y[1]}};
     const struct triangle_names8 names = {.vertex = {l->vertex[0], l->vertex[0], l->vertex[1]},
                                           .primitive = l->primitive,
                                           .segment = l->segment};
     const int width = state->line_pixels;
-    struct pixel_rect8 pixels = {i8_splat(0), i8_splat(0), i8_splat(0), i8_splat(0)};
+    struct pixel_rect8 pixels = {i32x8_splat(0), i32x8_splat(0), i32x8_splat(0), i32x8_splat(0)};
     for (unsigned left = live & n.nonzero; left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
         const struct line_ends line = ends_of(l, lane, width);
@@ -76,12 +76,12 @@ static unsigned add_bresenham8(const struct rhw_draw_state *state, const struct 
     }
     const unsigned drawn =
         live & n.nonzero &
-        i8_sign_bits(rhw_less_int(pixels.x0, pixels.x1) & rhw_less_int(pixels.y0, pixels.y1));
+        i32x8_sign_bits(rhw_less_int(pixels.x0, pixels.x1) & rhw_less_int(pixels.y0, pixels.y1));
     if (drawn == 0) {
         return 0;
     }
     // Beyond an end by half a pixel depth may leave the viewport's range.
-    const i8 flags = l->flags | i8_splat(RHW_TRIANGLE_LINE | RHW_TRIANGLE_CLAMP);
+    const i32x8 flags = l->flags | i32x8_splat(RHW_TRIANGLE_LINE | RHW_TRIANGLE_CLAMP);
     struct triangle_words words;
     struct rhw_tile_range ranges[8];
     fill_words(&words, &t, &pixels, flags, &names);

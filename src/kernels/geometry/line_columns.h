@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "../../constants.h"
+#include "base/constants.h"
 
 // A line by its major and its minor axis, 24.8.
 struct line_ends {

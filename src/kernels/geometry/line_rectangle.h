@@ -24,17 +24,17 @@ struct line_half8 {
 };
 
 static void set_half8(struct line_half8 *half, const struct rhw_draw_state *state, const struct lines8 *l,
-                      const struct triangle8 *t, i8 middle, unsigned live,
+                      const struct triangle8 *t, i32x8 middle, unsigned live,
                       const struct rhw_sample_pattern *pattern)
 {
     const struct pixel_rect8 pixels = pixel_rect8_of(t, state);
-    const i8 plain =
-        rhw_equal_int(l->flags & i8_splat(RHW_TRIANGLE_CLAMP | RHW_TRIANGLE_STIPPLE), i8_splat(0));
-    const i8 flags = l->flags | (small_triangles8(t) & plain & i8_splat(RHW_TRIANGLE_SMALL));
+    const i32x8 plain =
+        rhw_equal_int(l->flags & i32x8_splat(RHW_TRIANGLE_CLAMP | RHW_TRIANGLE_STIPPLE), i32x8_splat(0));
+    const i32x8 flags = l->flags | (small_triangles8(t) & plain & i32x8_splat(RHW_TRIANGLE_SMALL));
     const struct triangle_names8 names = {
         .vertex = {l->vertex[0], middle, l->vertex[1]}, .primitive = l->primitive, .segment = l->segment};
     half->drawn =
-        live & i8_sign_bits(rhw_less_int(pixels.x0, pixels.x1) & rhw_less_int(pixels.y0, pixels.y1));
+        live & i32x8_sign_bits(rhw_less_int(pixels.x0, pixels.x1) & rhw_less_int(pixels.y0, pixels.y1));
     if (half->drawn != 0 && pattern) {
         half->drawn &= ~uncovered8(t, &pixels, 0, pattern);
     }
@@ -52,7 +52,7 @@ static unsigned add_rectangles8(struct rhw_geometry_scratch *scratch, const stru
                                 const struct lines8 *l, unsigned live, struct rhw_triangle_list *list)
 {
     const struct line_sides8 n = line_sides8(l, state->half_width_24_8);
-    const i8 *const x = l->x, *const y = l->y;
+    const i32x8 *const x = l->x, *const y = l->y;
     const struct triangle8 first = {.x = {x[0] + n.x, x[0] - n.x, x[1] + n.x},
                                     .y = {y[0] + n.y, y[0] - n.y, y[1] + n.y}};
     const struct triangle8 second = {.x = {x[0] - n.x, x[1] - n.x, x[1] + n.x},

@@ -4,13 +4,13 @@
 #ifndef RHW_LINE_SETUP_H
 #define RHW_LINE_SETUP_H
 
-#include "../../strip_stipple.h"
+#include "run/strip_stipple.h"
 #include "clipped_line.h"
 #include "line_rectangle.h"
 
 // Bits of those of 8 lines that may be seen, counting the others. Those that a plane cuts become what is left of them.
 static unsigned seen_lines8(struct rhw_geometry_scratch *scratch, uint32_t run, struct lines8 *l,
-                            i8 flags_any, i8 flags_all, unsigned live)
+                            i32x8 flags_any, i32x8 flags_all, unsigned live)
 {
     const unsigned lost = live & flagged8(flags_any, RHW_VERTEX_NOT_FINITE);
     const unsigned outside = live & ~lost & flagged8(flags_all, RHW_VERTEX_OUTSIDE);
@@ -30,11 +30,11 @@ static unsigned seen_lines8(struct rhw_geometry_scratch *scratch, uint32_t run, 
 }
 
 // Where in their pattern the lines begin.
-static __attribute__((noinline)) i8 phases_of_slice(const struct rhw_segment *segment,
-                                                    const struct run_slice *slice)
+static __attribute__((noinline)) i32x8 phases_of_slice(const struct rhw_segment *segment,
+                                                       const struct run_slice *slice)
 {
     const struct rhw_draw *const draw = segment->draw;
-    i8 phase = i8_splat(0);
+    i32x8 phase = i32x8_splat(0);
     for (unsigned left = draw->strip_stipple ? slice->live : 0; left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
         const size_t first = (size_t)segment->instance * draw->triangles_per_instance;
@@ -59,7 +59,7 @@ static __attribute__((noinline)) void setup_lines8(struct rhw_geometry_scratch *
                            .primitive = names.primitive,
                            .segment = names.segment};
     if (state->stipple.factor != 0) {
-        lines.flags |= i8_splat(RHW_TRIANGLE_STIPPLE);
+        lines.flags |= i32x8_splat(RHW_TRIANGLE_STIPPLE);
         lines.phase = phases_of_slice(&scratch->segments[slice->run], slice);
     }
     const unsigned seen = seen_lines8(scratch, slice->run, &lines, t.flags_any, t.flags_all, slice->live);

@@ -5,17 +5,18 @@
 #ifndef RHW_LINE_SMOOTH_H
 #define RHW_LINE_SMOOTH_H
 
-#include "../../pipeline.h"
+#include "pipeline/pipeline.h"
 #include "lines8.h"
 #include "triangle_words.h"
 
 // The pixels from one end to the other, `beside` to each side, that are within the scissor.
-static void set_touched8(const i8 ends[2], i8 side, int scissor, int size, i8 *first, i8 *past)
+static void set_touched8(const i32x8 ends[2], i32x8 side, int scissor, int size, i32x8 *first, i32x8 *past)
 {
-    const i8 beside = i8_max(side, -side);
-    const i8 least = i8_min(ends[0], ends[1]) - beside, most = i8_max(ends[0], ends[1]) + beside;
-    *first = i8_max(least >> RHW_SUBPIXEL_BITS, i8_splat(scissor));
-    *past = i8_min((most + i8_splat(RHW_SUBPIXEL - 1)) >> RHW_SUBPIXEL_BITS, i8_splat(scissor + size));
+    const i32x8 beside = i32x8_max(side, -side);
+    const i32x8 least = i32x8_min(ends[0], ends[1]) - beside, most = i32x8_max(ends[0], ends[1]) + beside;
+    *first = i32x8_max(least >> RHW_SUBPIXEL_BITS, i32x8_splat(scissor));
+    *past =
+        i32x8_min((most + i32x8_splat(RHW_SUBPIXEL - 1)) >> RHW_SUBPIXEL_BITS, i32x8_splat(scissor + size));
 }
 
 // Adds those of 8 lines that are `live` and touch a pixel; returns their bits.
@@ -25,7 +26,7 @@ static __attribute__((noinline)) unsigned add_smooth8(const struct rhw_draw_stat
 {
     const struct rhw_rect *const scissor = &state->scissor;
     const struct line_sides8 n = line_sides8(l, state->half_width_24_8);
-    const i8 *const x = l->x, *const y = l->y;
+    const i32x8 *const x = l->x, *const y = l->y;
     const struct triangle8 t = {.x = {x[0] + n.x, x[0] - n.x, x[1] + n.x},
                                 .y = {y[0] + n.y, y[0] - n.y, y[1] + n.y}};
     const struct triangle_names8 names = {.vertex = {l->vertex[0], l->vertex[0], l->vertex[1]},
@@ -36,12 +37,12 @@ static __attribute__((noinline)) unsigned add_smooth8(const struct rhw_draw_stat
     set_touched8(y, n.y, scissor->y, scissor->height, &pixels.y0, &pixels.y1);
     const unsigned drawn =
         live & n.nonzero &
-        i8_sign_bits(rhw_less_int(pixels.x0, pixels.x1) & rhw_less_int(pixels.y0, pixels.y1));
+        i32x8_sign_bits(rhw_less_int(pixels.x0, pixels.x1) & rhw_less_int(pixels.y0, pixels.y1));
     if (drawn == 0) {
         return 0;
     }
     // Centres of pixels may lie beyond its ends, where depth may leave the viewport's range.
-    const i8 flags = l->flags | i8_splat(RHW_TRIANGLE_SMOOTH | RHW_TRIANGLE_CLAMP);
+    const i32x8 flags = l->flags | i32x8_splat(RHW_TRIANGLE_SMOOTH | RHW_TRIANGLE_CLAMP);
     struct triangle_words words;
     struct rhw_tile_range ranges[8];
     fill_words(&words, &t, &pixels, flags, &names);

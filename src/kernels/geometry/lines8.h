@@ -3,32 +3,32 @@
 #ifndef RHW_LINES8_H
 #define RHW_LINES8_H
 
-#include "../../constants.h"
-#include "../../simd.h"
+#include "base/constants.h"
+#include "base/simd.h"
 
 struct lines8 {
-    i8 x[2], y[2]; // 24.8
-    i8 flags;      // of their triangles
-    i8 vertex[2], primitive, segment;
-    i8 phase; // of lines with a stipple: its place where they begin (raster/stipple_mask.h)
+    i32x8 x[2], y[2]; // 24.8
+    i32x8 flags;      // of their triangles
+    i32x8 vertex[2], primitive, segment;
+    i32x8 phase; // of lines with a stipple: its place where they begin (raster/stipple_mask.h)
 };
 
 // The corners beside the ends, 24.8; half_width_24_8 away from them.
 struct line_sides8 {
-    i8 x, y;          // of n
+    i32x8 x, y;       // of n
     unsigned nonzero; // bits of lines that are not points
 };
 
 static struct line_sides8 line_sides8(const struct lines8 *l, double half_width_24_8)
 {
-    const d8 dx = d8_from_i8(l->x[1] - l->x[0]), dy = d8_from_i8(l->y[1] - l->y[0]);
-    const d8 squared = d8_add(d8_mul(dx, dx), d8_mul(dy, dy)); // below 2^49: exact
-    const d8 scale = d8_div(d8_splat(half_width_24_8), d8_sqrt(squared));
+    const f64x8 dx = f64x8_from_i32x8(l->x[1] - l->x[0]), dy = f64x8_from_i32x8(l->y[1] - l->y[0]);
+    const f64x8 squared = f64x8_add(f64x8_mul(dx, dx), f64x8_mul(dy, dy)); // below 2^49: exact
+    const f64x8 scale = f64x8_div(f64x8_splat(half_width_24_8), f64x8_sqrt(squared));
     const double most = RHW_MAX_LINE_WIDTH * RHW_SUBPIXEL;
-    const i8 x = i8_round_d8(d8_clamp(d8_mul(dy, scale), -most, most));
-    const i8 y = i8_round_d8(d8_clamp(d8_mul(dx, scale), -most, most));
-    const i8 zero = rhw_equal_int(l->x[0], l->x[1]) & rhw_equal_int(l->y[0], l->y[1]);
-    return (struct line_sides8){-x, y, ~i8_sign_bits(zero)};
+    const i32x8 x = i32x8_round_f64x8(f64x8_clamp(f64x8_mul(dy, scale), -most, most));
+    const i32x8 y = i32x8_round_f64x8(f64x8_clamp(f64x8_mul(dx, scale), -most, most));
+    const i32x8 zero = rhw_equal_int(l->x[0], l->x[1]) & rhw_equal_int(l->y[0], l->y[1]);
+    return (struct line_sides8){-x, y, ~i32x8_sign_bits(zero)};
 }
 
 #endif

@@ -4,8 +4,8 @@
 #ifndef RHW_MADE_VERTICES_H
 #define RHW_MADE_VERTICES_H
 
-#include "../../arena.h"
-#include "../raster/vertex_record.h"
+#include "base/arena.h"
+#include "kernels/raster/vertex_record.h"
 #include "geometry_scratch.h"
 
 // Room for `count` more vertices in one segment of the run's draw and instance: gives the slot of the first, and the

@@ -10,59 +10,61 @@
 #ifndef RHW_POINT_SETUP_H
 #define RHW_POINT_SETUP_H
 
-#include "../../pipeline.h"
-#include "../raster/vertex_record.h"
+#include "pipeline/pipeline.h"
+#include "kernels/raster/vertex_record.h"
 #include "triangle_words.h"
 
 // 8 points.
 struct points8 {
-    i8 x, y;  // 24.8
-    i8 flags; // of their triangles
-    i8 vertex, primitive, segment;
+    i32x8 x, y;  // 24.8
+    i32x8 flags; // of their triangles
+    i32x8 vertex, primitive, segment;
 };
 
 // Gives sizes in 1/256 pixel.
-static i8 point_sizes8(const struct rhw_geometry_scratch *scratch, const struct rhw_pipeline_data *pipeline,
-                       const struct points8 *p, unsigned live)
+static i32x8 point_sizes8(const struct rhw_geometry_scratch *scratch,
+                          const struct rhw_pipeline_data *pipeline, const struct points8 *p, unsigned live)
 {
     if (!pipeline->def.program.writes_point_size) {
-        return i8_splat(RHW_SUBPIXEL);
+        return i32x8_splat(RHW_SUBPIXEL);
     }
-    f8 size = f8_splat(1);
+    f32x8 size = f32x8_splat(1);
     for (unsigned left = live; left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
         const struct rhw_segment *const segment = &scratch->segments[p->segment[lane]];
         size[lane] = record_at(segment, (uint32_t)p->vertex[lane])->varyings[pipeline->point_size_component];
     }
-    size = f8_min(f8_max(size, f8_splat(1)), f8_splat(RHW_MAX_POINT_SIZE)); // 1 where it is no number
-    return i8_round_d8(d8_mul(d8_from_f8(size), d8_splat(RHW_SUBPIXEL)));
+    size = f32x8_min(f32x8_max(size, f32x8_splat(1)),
+                     f32x8_splat(RHW_MAX_POINT_SIZE)); // 1 where it is no number
+    return i32x8_round_f64x8(f64x8_mul(f64x8_from_f32x8(size), f64x8_splat(RHW_SUBPIXEL)));
 }
 
 // Adds those of 8 points that are `live` and not outside the scissor; returns their bits.
 static unsigned add_points8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
                             const struct points8 *p, unsigned live, struct rhw_triangle_list *list)
 {
-    const i8 size = point_sizes8(scratch, state->pipeline, p, live), legs = size + size;
-    const i8 x = p->x - (size >> 1), y = p->y - (size >> 1);
+    const i32x8 size = point_sizes8(scratch, state->pipeline, p, live), legs = size + size;
+    const i32x8 x = p->x - (size >> 1), y = p->y - (size >> 1);
     const struct rhw_rect *const scissor = &state->scissor;
     const struct triangle8 t = {.x = {x, x + legs, x}, .y = {y, y, y + legs}};
-    const i8 end_x = x + size - i8_splat(1), end_y = y + size - i8_splat(1); // the last positions inside
-    const i8 first = i8_splat(state->first_step), past = i8_splat(state->past_step);
+    const i32x8 end_x = x + size - i32x8_splat(1),
+                end_y = y + size - i32x8_splat(1); // the last positions inside
+    const i32x8 first = i32x8_splat(state->first_step), past = i32x8_splat(state->past_step);
     const struct pixel_rect8 pixels = {
-        i8_max(pixel_of_step8(x, first), i8_splat(scissor->x)),
-        i8_max(pixel_of_step8(y, first), i8_splat(scissor->y)),
-        i8_min(pixel_of_step8(end_x, past), i8_splat(scissor->x + scissor->width)),
-        i8_min(pixel_of_step8(end_y, past), i8_splat(scissor->y + scissor->height))};
-    const i8 small = rhw_less_int(legs, i8_splat(RHW_TILE * RHW_SUBPIXEL));
-    const i8 unclamped = rhw_equal_int(p->flags & i8_splat(RHW_TRIANGLE_CLAMP), i8_splat(0));
-    const i8 flags =
-        p->flags | i8_splat(RHW_TRIANGLE_RECTANGLE) | (small & unclamped & i8_splat(RHW_TRIANGLE_SMALL));
+        i32x8_max(pixel_of_step8(x, first), i32x8_splat(scissor->x)),
+        i32x8_max(pixel_of_step8(y, first), i32x8_splat(scissor->y)),
+        i32x8_min(pixel_of_step8(end_x, past), i32x8_splat(scissor->x + scissor->width)),
+        i32x8_min(pixel_of_step8(end_y, past), i32x8_splat(scissor->y + scissor->height))};
+    const i32x8 small = rhw_less_int(legs, i32x8_splat(RHW_TILE * RHW_SUBPIXEL));
+    const i32x8 unclamped = rhw_equal_int(p->flags & i32x8_splat(RHW_TRIANGLE_CLAMP), i32x8_splat(0));
+    const i32x8 flags = p->flags | i32x8_splat(RHW_TRIANGLE_RECTANGLE) |
+                        (small & unclamped & i32x8_splat(RHW_TRIANGLE_SMALL));
     const struct triangle_names8 names = {
         .vertex = {p->vertex, p->vertex, p->vertex}, .primitive = p->primitive, .segment = p->segment};
     struct rhw_tile_range ranges[8];
     struct triangle_words words;
     const unsigned drawn =
-        live & i8_sign_bits(rhw_less_int(pixels.x0, pixels.x1) & rhw_less_int(pixels.y0, pixels.y1));
+        live & i32x8_sign_bits(rhw_less_int(pixels.x0, pixels.x1) & rhw_less_int(pixels.y0, pixels.y1));
     fill_words(&words, &t, &pixels, flags, &names);
     tile_ranges8(ranges, pixels.x0, pixels.y0, pixels.x1, pixels.y1);
     for (unsigned left = drawn; left != 0; left &= left - 1) {
@@ -72,7 +74,7 @@ static unsigned add_points8(struct rhw_geometry_scratch *scratch, const struct r
 }
 
 // Bits of those that may be seen, counting the others. `flags`: of the vertices.
-static unsigned seen_points8(struct rhw_geometry_scratch *scratch, i8 flags, unsigned live)
+static unsigned seen_points8(struct rhw_geometry_scratch *scratch, i32x8 flags, unsigned live)
 {
     const unsigned lost = live & flagged8(flags, RHW_VERTEX_NOT_FINITE);
     const unsigned outside = live & ~lost & flagged8(flags, RHW_VERTEX_OUTSIDE | RHW_VERTEX_UNSNAPPED);

@@ -19,7 +19,7 @@
 // Lines and points on their way, in order; 8 are set up together. Points have one end alone.
 struct part_batch {
     struct lines8 lines;
-    f8 depth[2];
+    f32x8 depth[2];
     int count;
 };
 
@@ -40,10 +40,10 @@ static void flush_parts(struct rhw_geometry_scratch *scratch, const struct rhw_d
         return;
     }
     batch->count = 0;
-    l->flags |= clamp_flags8(state, f8_min(batch->depth[0], batch->depth[1]),
-                             f8_max(batch->depth[0], batch->depth[1]));
+    l->flags |= clamp_flags8(state, f32x8_min(batch->depth[0], batch->depth[1]),
+                             f32x8_max(batch->depth[0], batch->depth[1]));
     if (state->pipeline->primitive == RHW_PRIMITIVE_POLYGON_LINES) {
-        l->flags |= i8_splat(state->stipple.factor != 0 ? RHW_TRIANGLE_STIPPLE : 0);
+        l->flags |= i32x8_splat(state->stipple.factor != 0 ? RHW_TRIANGLE_STIPPLE : 0);
         add_lines8(scratch, state, l, live, list);
         return;
     }

@@ -8,9 +8,9 @@
 #ifndef RHW_ROUTING_H
 #define RHW_ROUTING_H
 
-#include "../../arena.h"
-#include "../../simd_layout.h"
-#include "../raster/vertex_record.h"
+#include "base/arena.h"
+#include "base/simd_layout.h"
+#include "kernels/raster/vertex_record.h"
 #include "geometry_scratch.h"
 #include "projection.h"
 #include "vertex_reuse.h"
@@ -54,18 +54,18 @@ static bool is_drawn(const struct rhw_geometry_scratch *scratch, struct route ro
 static void project_again(const struct rhw_draw_state *state, int stride, float *records,
                           struct rhw_snapped_vertex *vertices)
 {
-    f8 header[8];
+    f32x8 header[8];
     for (int lane = 0; lane < 8; lane++) {
-        header[lane] = f8_load(records + lane * stride);
+        header[lane] = f32x8_load(records + lane * stride);
     }
-    f8_transpose(header);
-    const i8 kept = (i8)header[3] & i8_splat(RHW_VERTEX_CUT | 0xff0000);
-    const f8 position[4] = {header[4], header[5], header[6], header[7]};
+    f32x8_transpose(header);
+    const i32x8 kept = (i32x8)header[3] & i32x8_splat(RHW_VERTEX_CUT | 0xff0000);
+    const f32x8 position[4] = {header[4], header[5], header[6], header[7]};
     project(state, position, header);
-    header[3] = (f8)((i8)header[3] | kept);
-    f8_transpose(header);
+    header[3] = (f32x8)((i32x8)header[3] | kept);
+    f32x8_transpose(header);
     for (int lane = 0; lane < 8; lane++) {
-        f8_store(records + lane * stride, header[lane]);
+        f32x8_store(records + lane * stride, header[lane]);
         memcpy(&vertices[lane], &header[lane], sizeof *vertices);
     }
 }

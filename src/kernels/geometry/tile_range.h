@@ -5,8 +5,8 @@
 
 #include <string.h>
 
-#include "../../constants.h"
-#include "../../simd.h"
+#include "base/constants.h"
+#include "base/simd.h"
 
 // The first and the last tile each way, both inclusive. A target has at most 256 tiles each way.
 struct rhw_tile_range {
@@ -24,11 +24,12 @@ static inline struct rhw_tile_range tile_range(int x0, int y0, int x1, int y1)
 }
 
 // Does so for 8 triangles. Those without a pixel get rubbish.
-RHW_INLINE void tile_ranges8(struct rhw_tile_range ranges[8], i8 x0, i8 y0, i8 x1, i8 y1)
+RHW_INLINE void tile_ranges8(struct rhw_tile_range ranges[8], i32x8 x0, i32x8 y0, i32x8 x1, i32x8 y1)
 {
-    const i8 one = i8_splat(1);
-    i8_store(ranges, (x0 >> RHW_TILE_LOG2) | (y0 >> RHW_TILE_LOG2) << 8 | // little-endian, as fill_words says
-                         ((x1 - one) >> RHW_TILE_LOG2) << 16 | ((y1 - one) >> RHW_TILE_LOG2) << 24);
+    const i32x8 one = i32x8_splat(1);
+    i32x8_store(ranges, (x0 >> RHW_TILE_LOG2) |
+                            (y0 >> RHW_TILE_LOG2) << 8 | // little-endian, as fill_words says
+                            ((x1 - one) >> RHW_TILE_LOG2) << 16 | ((y1 - one) >> RHW_TILE_LOG2) << 24);
 }
 
 static inline bool is_one_tile(const struct rhw_tile_range *range)

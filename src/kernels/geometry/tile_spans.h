@@ -9,8 +9,8 @@
 #ifndef RHW_TILE_SPANS_H
 #define RHW_TILE_SPANS_H
 
-#include "../integer.h"
-#include "../raster/sample_position.h"
+#include "kernels/integer.h"
+#include "kernels/raster/sample_position.h"
 #include "geometry_scratch.h"
 
 enum {

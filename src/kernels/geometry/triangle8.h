@@ -3,19 +3,19 @@
 #ifndef RHW_TRIANGLE8_H
 #define RHW_TRIANGLE8_H
 
-#include "../../draw_list.h"
-#include "../../simd_layout.h"
-#include "../raster/sample_position.h"
+#include "draw/draw_list.h"
+#include "base/simd_layout.h"
+#include "kernels/raster/sample_position.h"
 
 struct triangle8 {
-    i8 x[3], y[3]; // 24.8
-    i8 flags_any, flags_all;
-    f8 depth_min, depth_max;
+    i32x8 x[3], y[3]; // 24.8
+    i32x8 flags_any, flags_all;
+    f32x8 depth_min, depth_max;
 };
 
 // The pixels lie within the scissor; x1 and y1 are exclusive.
 struct pixel_rect8 {
-    i8 x0, y0, x1, y1;
+    i32x8 x0, y0, x1, y1;
 };
 
 // `indices`: those of 8 triangles and of one more, which may be read. `first_slot`: the index of vertices[0].
@@ -25,54 +25,54 @@ RHW_INLINE struct triangle8 load_triangle8(const struct rhw_snapped_vertex *vert
     struct triangle8 t;
     for (int i = 0; i < 3; i++) {
         const void *places[8];
-        f8 column[4];
+        f32x8 column[4];
         for (int lane = 0; lane < 8; lane++) {
             places[lane] = &vertices[indices[lane][i] - first_slot];
         }
-        f8_load_columns(places, column);
-        t.x[i] = (i8)column[0];
-        t.y[i] = (i8)column[1];
-        const i8 flags = (i8)column[3];
+        f32x8_load_columns(places, column);
+        t.x[i] = (i32x8)column[0];
+        t.y[i] = (i32x8)column[1];
+        const i32x8 flags = (i32x8)column[3];
         t.flags_any = i == 0 ? flags : t.flags_any | flags;
         t.flags_all = i == 0 ? flags : t.flags_all & flags;
-        t.depth_min = i == 0 ? column[2] : f8_min(t.depth_min, column[2]);
-        t.depth_max = i == 0 ? column[2] : f8_max(t.depth_max, column[2]);
+        t.depth_min = i == 0 ? column[2] : f32x8_min(t.depth_min, column[2]);
+        t.depth_max = i == 0 ? column[2] : f32x8_max(t.depth_max, column[2]);
     }
     return t;
 }
 
 // Gives the bits of the lanes that have one of the flags.
-RHW_INLINE unsigned flagged8(i8 flags, int32_t which)
+RHW_INLINE unsigned flagged8(i32x8 flags, int32_t which)
 {
-    return ~i8_sign_bits(rhw_equal_int(flags & i8_splat(which), i8_splat(0)));
+    return ~i32x8_sign_bits(rhw_equal_int(flags & i32x8_splat(which), i32x8_splat(0)));
 }
 
-RHW_INLINE i8 i8_min3(const i8 v[3])
+RHW_INLINE i32x8 i32x8_min3(const i32x8 v[3])
 {
-    return i8_min(i8_min(v[0], v[1]), v[2]);
+    return i32x8_min(i32x8_min(v[0], v[1]), v[2]);
 }
 
-RHW_INLINE i8 i8_max3(const i8 v[3])
+RHW_INLINE i32x8 i32x8_max3(const i32x8 v[3])
 {
-    return i8_max(i8_max(v[0], v[1]), v[2]);
+    return i32x8_max(i32x8_max(v[0], v[1]), v[2]);
 }
 
 // Tells those that are RHW_TRIANGLE_SMALL by their size.
-RHW_INLINE i8 small_triangles8(const struct triangle8 *t)
+RHW_INLINE i32x8 small_triangles8(const struct triangle8 *t)
 {
-    const i8 size = i8_splat(RHW_TILE * RHW_SUBPIXEL);
-    return (i8_max3(t->x) - i8_min3(t->x) < size) & (i8_max3(t->y) - i8_min3(t->y) < size);
+    const i32x8 size = i32x8_splat(RHW_TILE * RHW_SUBPIXEL);
+    return (i32x8_max3(t->x) - i32x8_min3(t->x) < size) & (i32x8_max3(t->y) - i32x8_min3(t->y) < size);
 }
 
 RHW_INLINE struct pixel_rect8 pixel_rect8_of(const struct triangle8 *t, const struct rhw_draw_state *state)
 {
     const struct rhw_rect *const scissor = &state->scissor;
-    const i8 first = i8_splat(state->first_step), past = i8_splat(state->past_step);
+    const i32x8 first = i32x8_splat(state->first_step), past = i32x8_splat(state->past_step);
     return (struct pixel_rect8){
-        i8_max(pixel_of_step8(i8_min3(t->x), first), i8_splat(scissor->x)),
-        i8_max(pixel_of_step8(i8_min3(t->y), first), i8_splat(scissor->y)),
-        i8_min(pixel_of_step8(i8_max3(t->x), past), i8_splat(scissor->x + scissor->width)),
-        i8_min(pixel_of_step8(i8_max3(t->y), past), i8_splat(scissor->y + scissor->height))};
+        i32x8_max(pixel_of_step8(i32x8_min3(t->x), first), i32x8_splat(scissor->x)),
+        i32x8_max(pixel_of_step8(i32x8_min3(t->y), first), i32x8_splat(scissor->y)),
+        i32x8_min(pixel_of_step8(i32x8_max3(t->x), past), i32x8_splat(scissor->x + scissor->width)),
+        i32x8_min(pixel_of_step8(i32x8_max3(t->y), past), i32x8_splat(scissor->y + scissor->height))};
 }
 
 #endif

@@ -10,20 +10,20 @@
 #include "triangle_words.h"
 
 // Gives the flags of unclipped triangles.
-RHW_INLINE i8 triangle_flags8(const struct triangle8 *t, const struct cull8 *cull,
-                              const struct rhw_draw_state *state)
+RHW_INLINE i32x8 triangle_flags8(const struct triangle8 *t, const struct cull8 *cull,
+                                 const struct rhw_draw_state *state)
 {
     // A rounding may carry interpolated depth past the viewport's range, where a vertex is next to its ends.
     const float margin = 0x1p-20f;
-    const i8 clamp = rhw_less(t->depth_min, f8_splat(state->depth_least + margin)) |
-                     rhw_less(f8_splat(state->depth_most - margin), t->depth_max);
-    const i8 sides = (i8_from_bits(cull->back) & i8_splat(RHW_TRIANGLE_BACK)) |
-                     (i8_from_bits(cull->negative) & i8_splat(RHW_TRIANGLE_NEGATIVE));
+    const i32x8 clamp = rhw_less(t->depth_min, f32x8_splat(state->depth_least + margin)) |
+                        rhw_less(f32x8_splat(state->depth_most - margin), t->depth_max);
+    const i32x8 sides = (i32x8_from_bits(cull->back) & i32x8_splat(RHW_TRIANGLE_BACK)) |
+                        (i32x8_from_bits(cull->negative) & i32x8_splat(RHW_TRIANGLE_NEGATIVE));
     if (state->pipeline->is_conservative) { // drawn beyond its corners, too
-        return sides | i8_splat(RHW_TRIANGLE_CONSERVATIVE | RHW_TRIANGLE_CLAMP);
+        return sides | i32x8_splat(RHW_TRIANGLE_CONSERVATIVE | RHW_TRIANGLE_CLAMP);
     }
-    return sides | (clamp & i8_splat(RHW_TRIANGLE_CLAMP)) |
-           (small_triangles8(t) & ~clamp & i8_splat(RHW_TRIANGLE_SMALL));
+    return sides | (clamp & i32x8_splat(RHW_TRIANGLE_CLAMP)) |
+           (small_triangles8(t) & ~clamp & i32x8_splat(RHW_TRIANGLE_SMALL));
 }
 
 // Adds what culling leaves of 8 triangles to the list, in submission order.
@@ -40,7 +40,7 @@ static void setup8(struct rhw_geometry_scratch *scratch, const struct run_slice 
     if ((cull.drawn | cull.clipped) == 0) {
         return;
     }
-    const i8 flags = triangle_flags8(&t, &cull, state);
+    const i32x8 flags = triangle_flags8(&t, &cull, state);
     const struct triangle_names8 names = names_of_slice(slice, run->first_slot);
     struct triangle_words words;
     fill_words(&words, &t, &cull.pixels, flags, &names);

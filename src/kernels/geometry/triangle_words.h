@@ -18,8 +18,8 @@ struct run_slice {
 
 // What 8 triangles are made of and belong to.
 struct triangle_names8 {
-    i8 vertex[3]; // slots
-    i8 primitive, segment;
+    i32x8 vertex[3]; // slots
+    i32x8 primitive, segment;
 };
 
 RHW_INLINE struct triangle_names8 names_of_slice(const struct run_slice *slice, uint32_t first_slot)
@@ -28,20 +28,20 @@ RHW_INLINE struct triangle_names8 names_of_slice(const struct run_slice *slice, 
     for (int lane = 0; lane < 8; lane++) {
         places[lane] = slice->indices[lane];
     }
-    f8 column[4];
-    f8_load_columns(places, column);
+    f32x8 column[4];
+    f32x8_load_columns(places, column);
     struct triangle_names8 names;
     for (int i = 0; i < 3; i++) {
-        names.vertex[i] = (i8)column[i] - i8_splat((int32_t)first_slot);
+        names.vertex[i] = (i32x8)column[i] - i32x8_splat((int32_t)first_slot);
     }
-    names.primitive = i8_splat((int32_t)slice->first_primitive) + rhw_lane_index;
-    names.segment = i8_splat((int32_t)slice->run);
+    names.primitive = i32x8_splat((int32_t)slice->first_primitive) + rhw_lane_index;
+    names.segment = i32x8_splat((int32_t)slice->run);
     return names;
 }
 
 // 8 triangles in two halves: first word by word, then triangle by triangle.
 struct triangle_words {
-    f8 low[8], high[8];
+    f32x8 low[8], high[8];
 };
 
 _Static_assert(offsetof(struct rhw_triangle, y_24_8) == 12 && offsetof(struct rhw_triangle, vertex) == 24 &&
@@ -55,33 +55,33 @@ _Static_assert(offsetof(struct rhw_triangle, y_24_8) == 12 && offsetof(struct rh
 
 // `flags` are those of the triangles.
 RHW_INLINE void fill_words(struct triangle_words *words, const struct triangle8 *t,
-                           const struct pixel_rect8 *pixels, i8 flags, const struct triangle_names8 *names)
+                           const struct pixel_rect8 *pixels, i32x8 flags, const struct triangle_names8 *names)
 {
-    f8 *const low = words->low, *const high = words->high;
+    f32x8 *const low = words->low, *const high = words->high;
     for (int i = 0; i < 3; i++) {
-        low[i] = (f8)t->x[i];
-        low[3 + i] = (f8)t->y[i];
+        low[i] = (f32x8)t->x[i];
+        low[3 + i] = (f32x8)t->y[i];
     }
-    low[6] = (f8)names->vertex[0];
-    low[7] = (f8)names->vertex[1];
-    high[0] = (f8)names->vertex[2];
-    high[1] = (f8)names->primitive;
-    high[2] = (f8)names->segment;
-    high[3] = high[7] = f8_splat(0);
-    high[4] = (f8)(flags | pixels->x0 << 16); // little-endian, as every machine with these lanes is
-    high[5] = (f8)(pixels->y0 | pixels->x1 << 16);
-    high[6] = (f8)pixels->y1;
-    f8_transpose(low);
-    f8_transpose(high);
+    low[6] = (f32x8)names->vertex[0];
+    low[7] = (f32x8)names->vertex[1];
+    high[0] = (f32x8)names->vertex[2];
+    high[1] = (f32x8)names->primitive;
+    high[2] = (f32x8)names->segment;
+    high[3] = high[7] = f32x8_splat(0);
+    high[4] = (f32x8)(flags | pixels->x0 << 16); // little-endian, as every machine with these lanes is
+    high[5] = (f32x8)(pixels->y0 | pixels->x1 << 16);
+    high[6] = (f32x8)pixels->y1;
+    f32x8_transpose(low);
+    f32x8_transpose(high);
 }
 
 // Gives 8 triangles their phases, in the place of the polygon's number.
-RHW_INLINE void set_phases(struct triangle_words *words, i8 phase)
+RHW_INLINE void set_phases(struct triangle_words *words, i32x8 phase)
 {
     for (int lane = 0; lane < 8; lane++) {
-        i8 high = (i8)words->high[lane];
+        i32x8 high = (i32x8)words->high[lane];
         high[3] = phase[lane];
-        words->high[lane] = (f8)high;
+        words->high[lane] = (f32x8)high;
     }
 }
 
@@ -97,13 +97,14 @@ RHW_INLINE void add_words(struct rhw_triangle_list *list, const struct triangle_
 
 // Gives the flags by which depth is clamped that lies between two values: a rounding may carry it past the viewport's
 // range where it changes next to its ends.
-RHW_INLINE i8 clamp_flags8(const struct rhw_draw_state *state, f8 least, f8 most)
+RHW_INLINE i32x8 clamp_flags8(const struct rhw_draw_state *state, f32x8 least, f32x8 most)
 {
     const float margin = 0x1p-20f;
-    const f8 low = f8_splat(state->depth_least), high = f8_splat(state->depth_most);
-    const i8 inside = rhw_equal(least, most) & rhw_less_equal(low, least) & rhw_less_equal(most, high);
-    const i8 clamp = rhw_less(least, low + f8_splat(margin)) | rhw_less(high - f8_splat(margin), most);
-    return clamp & ~inside & i8_splat(RHW_TRIANGLE_CLAMP);
+    const f32x8 low = f32x8_splat(state->depth_least), high = f32x8_splat(state->depth_most);
+    const i32x8 inside = rhw_equal(least, most) & rhw_less_equal(low, least) & rhw_less_equal(most, high);
+    const i32x8 clamp =
+        rhw_less(least, low + f32x8_splat(margin)) | rhw_less(high - f32x8_splat(margin), most);
+    return clamp & ~inside & i32x8_splat(RHW_TRIANGLE_CLAMP);
 }
 
 #endif

@@ -7,33 +7,33 @@
 #ifndef RHW_VERTEX_FETCH_H
 #define RHW_VERTEX_FETCH_H
 
-#include "../../draw_list.h"
-#include "../../format.h"
-#include "../../pipeline.h"
-#include "../../simd_layout.h"
+#include "draw/draw_list.h"
+#include "format/format.h"
+#include "pipeline/pipeline.h"
+#include "base/simd_layout.h"
 
 // What numbers of 8 or 16 bits are in the lanes: `bits` has the number, and above it rubbish.
-static f8 narrow_to_lane(enum rhw_vertex_type type, i8 bits)
+static f32x8 narrow_to_lane(enum rhw_vertex_type type, i32x8 bits)
 {
     switch (type) {
-    case RHW_TYPE_HALF: return f8_from_half(bits & 0xffff);
+    case RHW_TYPE_HALF: return f32x8_from_half(bits & 0xffff);
     case RHW_TYPE_UNORM8: return rhw_float_from_int(bits & 0xff) / 255.0f;
-    case RHW_TYPE_SNORM8: return f8_max(rhw_float_from_int(bits << 24 >> 24) / 127.0f, f8_splat(-1));
+    case RHW_TYPE_SNORM8: return f32x8_max(rhw_float_from_int(bits << 24 >> 24) / 127.0f, f32x8_splat(-1));
     case RHW_TYPE_USCALED8: return rhw_float_from_int(bits & 0xff);
     case RHW_TYPE_SSCALED8: return rhw_float_from_int(bits << 24 >> 24);
-    case RHW_TYPE_UINT8: return (f8)(bits & 0xff);
-    case RHW_TYPE_SINT8: return (f8)(bits << 24 >> 24);
+    case RHW_TYPE_UINT8: return (f32x8)(bits & 0xff);
+    case RHW_TYPE_SINT8: return (f32x8)(bits << 24 >> 24);
     case RHW_TYPE_UNORM16: return rhw_float_from_int(bits & 0xffff) / 65535.0f;
-    case RHW_TYPE_SNORM16: return f8_max(rhw_float_from_int(bits << 16 >> 16) / 32767.0f, f8_splat(-1));
+    case RHW_TYPE_SNORM16: return f32x8_max(rhw_float_from_int(bits << 16 >> 16) / 32767.0f, f32x8_splat(-1));
     case RHW_TYPE_USCALED16: return rhw_float_from_int(bits & 0xffff);
     case RHW_TYPE_SSCALED16: return rhw_float_from_int(bits << 16 >> 16);
-    case RHW_TYPE_UINT16: return (f8)(bits & 0xffff);
-    default: return (f8)(bits << 16 >> 16);
+    case RHW_TYPE_UINT16: return (f32x8)(bits & 0xffff);
+    default: return (f32x8)(bits << 16 >> 16);
     }
 }
 
 // Fetches four numbers of 8 or 16 bits at each of 8 places.
-static void fetch_narrow(const void *const place[8], enum rhw_vertex_type type, f8 out[4])
+static void fetch_narrow(const void *const place[8], enum rhw_vertex_type type, f32x8 out[4])
 {
     const bool has_16_bits = rhw_vertex_type_size(type) == 2;
     int32_t word[2][8];
@@ -42,34 +42,34 @@ static void fetch_narrow(const void *const place[8], enum rhw_vertex_type type, 
         memcpy(&word[1][lane], (const char *)place[lane] + (has_16_bits ? 4 : 0), sizeof word[1][lane]);
     }
     for (int c = 0; c < 4; c++) {
-        const i8 bits = i8_load(word[has_16_bits ? c / 2 : 0]);
+        const i32x8 bits = i32x8_load(word[has_16_bits ? c / 2 : 0]);
         out[c] = narrow_to_lane(type, bits >> (has_16_bits ? 16 * (c % 2) : 8 * c));
     }
 }
 
 // What a field of `bits` bits is in the lanes, given at the top of a word.
-static f8 field_to_lane(enum rhw_vertex_type type, i8 top, int bits)
+static f32x8 field_to_lane(enum rhw_vertex_type type, i32x8 top, int bits)
 {
-    const i8 code = (i8)((u8)top >> (32 - bits)), number = top >> (32 - bits);
+    const i32x8 code = (i32x8)((u32x8)top >> (32 - bits)), number = top >> (32 - bits);
     switch (type) {
     case RHW_TYPE_UNORM10: return rhw_float_from_int(code) / (float)((1 << bits) - 1);
     case RHW_TYPE_SNORM10:
-        return f8_max(rhw_float_from_int(number) / (float)((1 << (bits - 1)) - 1), f8_splat(-1));
+        return f32x8_max(rhw_float_from_int(number) / (float)((1 << (bits - 1)) - 1), f32x8_splat(-1));
     case RHW_TYPE_USCALED10: return rhw_float_from_int(code);
     case RHW_TYPE_SSCALED10: return rhw_float_from_int(number);
-    case RHW_TYPE_UINT10: return (f8)code;
-    default: return (f8)number;
+    case RHW_TYPE_UINT10: return (f32x8)code;
+    default: return (f32x8)number;
     }
 }
 
 // Fetches four components that share a word at each of 8 places.
-static void fetch_packed(const void *const place[8], enum rhw_vertex_type type, f8 out[4])
+static void fetch_packed(const void *const place[8], enum rhw_vertex_type type, f32x8 out[4])
 {
     int32_t words[8];
     for (int lane = 0; lane < 8; lane++) {
         memcpy(&words[lane], place[lane], sizeof words[lane]);
     }
-    const i8 word = i8_load(words);
+    const i32x8 word = i32x8_load(words);
     for (int c = 0; c < 4; c++) {
         out[c] = type == RHW_TYPE_BGRA8
                      ? narrow_to_lane(RHW_TYPE_UNORM8, word >> (c < 3 ? 16 - 8 * c : 24))
@@ -79,20 +79,20 @@ static void fetch_packed(const void *const place[8], enum rhw_vertex_type type, 
 
 // One attribute of 8 vertices. Four components are loaded at each place, however many there are, and what is not theirs
 // is replaced: what lies behind a buffer may be read too (buffer.h).
-RHW_INLINE void fetch_places(const void *const place[8], const struct rhw_fetch *fetch, f8 out[4])
+RHW_INLINE void fetch_places(const void *const place[8], const struct rhw_fetch *fetch, f32x8 out[4])
 {
     const enum rhw_vertex_type type = (enum rhw_vertex_type)fetch->type;
     if (type == RHW_TYPE_FLOAT || type == RHW_TYPE_UINT32 || type == RHW_TYPE_SINT32) {
-        f8_load_columns(place, out);
+        f32x8_load_columns(place, out);
     } else if (type < RHW_TYPE_UNORM10) {
         fetch_narrow(place, type, out);
     } else {
         fetch_packed(place, type, out);
     }
     switch (fetch->components) {
-    case 1: out[1] = f8_splat(0);                                       // fall through
-    case 2: out[2] = f8_splat(0);                                       // fall through
-    case 3: out[3] = fetch->is_integer ? (f8)i8_splat(1) : f8_splat(1); // fall through
+    case 1: out[1] = f32x8_splat(0);                                             // fall through
+    case 2: out[2] = f32x8_splat(0);                                             // fall through
+    case 3: out[3] = fetch->is_integer ? (f32x8)i32x8_splat(1) : f32x8_splat(1); // fall through
     default: break;
     }
 }
@@ -101,7 +101,7 @@ RHW_INLINE void fetch_places(const void *const place[8], const struct rhw_fetch 
 // is not wholly inside the buffer reads bytes of 0 (robustBufferAccess2): channels that the format lacks are as ever.
 static __attribute__((noinline)) void fetch_checked(const struct rhw_vertex_stream *stream,
                                                     const struct rhw_fetch *fetch, uint32_t stride,
-                                                    const uint32_t element[8], f8 out[4])
+                                                    const uint32_t element[8], f32x8 out[4])
 {
     unsigned char bytes[8][16] = {{0}};
     const void *places[8];
@@ -128,7 +128,7 @@ static bool lies_inside(const struct rhw_vertex_stream *stream, const struct rhw
 
 // Those of a buffer that has all 8.
 static void fetch_inside(const struct rhw_vertex_stream *stream, const struct rhw_fetch *fetch,
-                         uint32_t stride, const uint32_t element[8], f8 out[4])
+                         uint32_t stride, const uint32_t element[8], f32x8 out[4])
 {
     const unsigned char *const bytes = stream->bytes + fetch->offset;
     const void *places[8];

@@ -4,33 +4,34 @@
 #ifndef RHW_VERTEX_SHADING_H
 #define RHW_VERTEX_SHADING_H
 
-#include "../../shader_adapter.h"
+#include "binding/shader_adapter.h"
 #include "geometry_scratch.h"
 #include "projection.h"
 #include "vertex_fetch.h"
 
 // Writes 8 vectors of 8 vertices as 8 floats of each vertex.
-static void scatter(f8 vectors[8], float *records, int stride)
+static void scatter(f32x8 vectors[8], float *records, int stride)
 {
-    f8_transpose(vectors);
+    f32x8_transpose(vectors);
     for (int lane = 0; lane < 8; lane++) {
-        f8_store(records + lane * stride, vectors[lane]);
+        f32x8_store(records + lane * stride, vectors[lane]);
     }
 }
 
 // A distance that is no number is below 0 for clipping, and not for culling: what is unknown is not drawn, but is no
 // reason to leave out what is known.
-static __attribute__((noinline)) i8 distance_flags(const struct rhw_program *program,
-                                                   const struct rhw_vertex *group)
+static __attribute__((noinline)) i32x8 distance_flags(const struct rhw_program *program,
+                                                      const struct rhw_vertex *group)
 {
-    const f8 zero = f8_splat(0);
-    i8 flags = i8_splat(0);
+    const f32x8 zero = f32x8_splat(0);
+    i32x8 flags = i32x8_splat(0);
     for (int i = 0; i < program->clip_distance_count; i++) {
-        flags |=
-            ~rhw_less_equal(zero, group->clip_distance[i]) & i8_splat((int32_t)RHW_VERTEX_CLIP_DISTANCE << i);
+        flags |= ~rhw_less_equal(zero, group->clip_distance[i]) &
+                 i32x8_splat((int32_t)RHW_VERTEX_CLIP_DISTANCE << i);
     }
     for (int i = 0; i < program->cull_distance_count; i++) {
-        flags |= rhw_less(group->cull_distance[i], zero) & i8_splat((int32_t)RHW_VERTEX_CULL_DISTANCE << i);
+        flags |=
+            rhw_less(group->cull_distance[i], zero) & i32x8_splat((int32_t)RHW_VERTEX_CULL_DISTANCE << i);
     }
     return flags;
 }
@@ -65,10 +66,10 @@ static void store_records(const struct rhw_draw_state *state, const struct rhw_v
 {
     const struct rhw_pipeline_data *const pipeline = state->pipeline;
     const int components = pipeline->varying_components;
-    f8 vectors[8];
+    f32x8 vectors[8];
     project(state, group->position, vectors);
     if (pipeline->extra_components != 0) {
-        vectors[3] = (f8)((i8)vectors[3] | distance_flags(&pipeline->def.program, group));
+        vectors[3] = (f32x8)((i32x8)vectors[3] | distance_flags(&pipeline->def.program, group));
     }
     scatter(vectors, records, stride);
     for (int lane = 0; lane < 8; lane++) {
@@ -77,7 +78,7 @@ static void store_records(const struct rhw_draw_state *state, const struct rhw_v
     for (int c = 0; c < components; c += 8) {
         const int n = components - c < 8 ? components - c : 8;
         for (int i = 0; i < 8; i++) {
-            vectors[i] = i < n ? group->varying[c + i] : f8_splat(0);
+            vectors[i] = i < n ? group->varying[c + i] : f32x8_splat(0);
         }
         scatter(vectors, records + 8 + c, stride);
     }
@@ -121,7 +122,7 @@ static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_s
     const struct rhw_pipeline_def *const def = &state->pipeline->def;
     struct rhw_vertex *const group = &scratch->groups[g];
     uint32_t instances[8], element[8];
-    i8_store(instances, i8_splat((int32_t)segment->instance));
+    i32x8_store(instances, i32x8_splat((int32_t)segment->instance));
     if (slot + 8 > each) {
         several_instances(segment, slot, each, instances);
     }
@@ -134,16 +135,16 @@ static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_s
         uint32_t stepped[8];
         const uint32_t *const elements =
             layout->per_instance ? instance_elements(segment->draw, layout, instances, stepped) : element;
-        f8 *const out = scratch->attributes[g][a];
+        f32x8 *const out = scratch->attributes[g][a];
         if (scratch->special_paths && lies_inside(stream, fetch, layout->stride, elements)) {
             fetch_inside(stream, fetch, layout->stride, elements, out);
         } else {
             fetch_checked(stream, fetch, layout->stride, elements, out);
         }
     }
-    group->attribute = (const f8(*)[4])scratch->attributes[g];
-    group->vertex_index = i8_load(element);
-    group->instance_index = i8_load(instances) + i8_splat((int32_t)segment->draw->first_instance);
+    group->attribute = (const f32x8(*)[4])scratch->attributes[g];
+    group->vertex_index = i32x8_load(element);
+    group->instance_index = i32x8_load(instances) + i32x8_splat((int32_t)segment->draw->first_instance);
     group->uniforms = segment->draw->uniforms;
     group->user = def->program.user;
     group->textures = state->textures;
@@ -156,7 +157,7 @@ static __attribute__((noinline)) void mask_vertices(struct rhw_geometry_scratch 
 {
     for (int g = 0; g < groups; g++) {
         const int32_t left = (int32_t)vertices - 8 * g;
-        scratch->groups[g].mask = rhw_less_int(rhw_lane_numbers(), i8_splat(left));
+        scratch->groups[g].mask = rhw_less_int(rhw_lane_numbers(), i32x8_splat(left));
     }
 }
 

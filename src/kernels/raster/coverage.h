@@ -13,9 +13,9 @@
 #ifndef RHW_COVERAGE_H
 #define RHW_COVERAGE_H
 
-#include "../../draw_list.h"
-#include "../../simd.h"
-#include "../integer.h"
+#include "draw/draw_list.h"
+#include "base/simd.h"
+#include "kernels/integer.h"
 #include "sample_position.h"
 
 _Static_assert((RHW_TILE - 1) % (RHW_BLOCK - 1) == 0, "coverage_add scales a block's extremes to the tile's");
@@ -59,20 +59,22 @@ static inline struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t 
 // each other and within 72 of the pixels looked at, |a|, |b| < 2^14 and |e| < 2·2^14·72·256 < 2^30; in lanes of larger
 // triangles, and of those far away, it is rubbish that may wrap: go on with it unsigned.
 struct edge_lanes {
-    i8 a, b; // change of e per 1/256 pixel to the right, and down
-    i8 e;    // less 1 where the edge is neither top nor left: inside is where e >= 0
+    i32x8 a, b; // change of e per 1/256 pixel to the right, and down
+    i32x8 e;    // less 1 where the edge is neither top nor left: inside is where e >= 0
 };
 
 // `turn`: -1 for triangles whose vertices turn the negative way, else 0.
-RHW_INLINE struct edge_lanes edge_lanes(const i8 vertex_x[3], const i8 vertex_y[3], int i, i8 turn, i8 x,
-                                        i8 y)
+RHW_INLINE struct edge_lanes edge_lanes(const i32x8 vertex_x[3], const i32x8 vertex_y[3], int i, i32x8 turn,
+                                        i32x8 x, i32x8 y)
 {
     const int j = i == 2 ? 0 : i + 1;
-    const i8 a = ((vertex_y[i] - vertex_y[j]) ^ turn) - turn, b = ((vertex_x[j] - vertex_x[i]) ^ turn) - turn;
-    const i8 zero = i8_splat(0);
-    const i8 top_left = rhw_less_int(zero, a) | (rhw_equal_int(a, zero) & rhw_less_int(zero, b));
-    const u8 e = (u8)a * (u8)(x - vertex_x[i]) + (u8)b * (u8)(y - vertex_y[i]) + (u8)~top_left;
-    return (struct edge_lanes){a, b, (i8)e};
+    const i32x8 a = ((vertex_y[i] - vertex_y[j]) ^ turn) - turn,
+                b = ((vertex_x[j] - vertex_x[i]) ^ turn) - turn;
+    const i32x8 zero = i32x8_splat(0);
+    const i32x8 top_left = rhw_less_int(zero, a) | (rhw_equal_int(a, zero) & rhw_less_int(zero, b));
+    const u32x8 e =
+        (u32x8)a * (u32x8)(x - vertex_x[i]) + (u32x8)b * (u32x8)(y - vertex_y[i]) + (u32x8)~top_left;
+    return (struct edge_lanes){a, b, (i32x8)e};
 }
 
 // The edges of a triangle that cross the tile: where none does, all of it is covered.
@@ -83,9 +85,9 @@ struct triangle_edges {
 
 // The pixels of a block on the inner side of `count` edges: q of its first row, and what it changes by from row to row. All
 // rows, as a loop whose end cannot be foreseen costs more than those that nobody asks for.
-RHW_INLINE uint64_t mask_of_edges(i8 q[3], const i8 step[3], int count)
+RHW_INLINE uint64_t mask_of_edges(i32x8 q[3], const i32x8 step[3], int count)
 {
-    i8 outside[RHW_BLOCK];
+    i32x8 outside[RHW_BLOCK];
     for (int row = 0; row < RHW_BLOCK; row++) {
         outside[row] = q[0];
         q[0] += step[0];
@@ -94,13 +96,13 @@ RHW_INLINE uint64_t mask_of_edges(i8 q[3], const i8 step[3], int count)
             q[i] += step[i];
         }
     }
-    return ~i8_sign_bits_of_rows(outside);
+    return ~i32x8_sign_bits_of_rows(outside);
 }
 
 // Bit 8·row + column of the block whose first pixel is (x, y) in the tile.
 static inline uint64_t triangle_mask(const struct triangle_edges *triangle, int x, int y)
 {
-    i8 q[3], step[3];
+    i32x8 q[3], step[3];
     int crossing = 0;
     for (int i = 0; i < triangle->count; i++) {
         const struct edge *const edge = &triangle->edges[i];
@@ -112,8 +114,8 @@ static inline uint64_t triangle_mask(const struct triangle_edges *triangle, int 
             continue;
         }
         // An edge that crosses the block: `first` is within its extremes, so int32 holds it.
-        q[crossing] = i8_splat((int32_t)first) + i8_splat(edge->a) * rhw_lane_index;
-        step[crossing++] = i8_splat(edge->b);
+        q[crossing] = i32x8_splat((int32_t)first) + i32x8_splat(edge->a) * rhw_lane_index;
+        step[crossing++] = i32x8_splat(edge->b);
     }
     switch (crossing) {
     case 0: return ~(uint64_t)0;
@@ -131,15 +133,15 @@ struct block_row {
 // Those at row y of the tile. An edge that crosses the tile is within 63·(|a| + |b|) < 2^31 in all of it.
 static inline struct block_row block_row_of(const struct triangle_edges *triangle, int y)
 {
-    i8 outside = i8_splat(0), crossed = i8_splat(0);
+    i32x8 outside = i32x8_splat(0), crossed = i32x8_splat(0);
     for (int i = 0; i < triangle->count; i++) {
         const struct edge *const edge = &triangle->edges[i];
-        const i8 first = i8_splat((int32_t)(edge->q + (int64_t)edge->b * y)) +
-                         i8_splat(RHW_BLOCK * edge->a) * rhw_lane_index;
-        outside |= first + i8_splat((int32_t)edge->high);
-        crossed |= first + i8_splat((int32_t)edge->low);
+        const i32x8 first = i32x8_splat((int32_t)(edge->q + (int64_t)edge->b * y)) +
+                            i32x8_splat(RHW_BLOCK * edge->a) * rhw_lane_index;
+        outside |= first + i32x8_splat((int32_t)edge->high);
+        crossed |= first + i32x8_splat((int32_t)edge->low);
     }
-    return (struct block_row){i8_sign_bits(outside), i8_sign_bits(crossed)};
+    return (struct block_row){i32x8_sign_bits(outside), i32x8_sign_bits(crossed)};
 }
 
 // The same of all blocks of the tile, row by row: those of which the triangle may cover something, and those that an edge
@@ -150,29 +152,30 @@ struct block_bits {
 
 static inline struct block_bits blocks_of(const struct triangle_edges *triangle)
 {
-    i8 outside[RHW_BLOCK] = {{0}}, crossed[RHW_BLOCK] = {{0}};
+    i32x8 outside[RHW_BLOCK] = {{0}}, crossed[RHW_BLOCK] = {{0}};
     for (int i = 0; i < triangle->count; i++) {
         const struct edge *const edge = &triangle->edges[i];
-        const i8 columns = i8_splat(RHW_BLOCK * edge->a) * rhw_lane_index;
-        const i8 high = columns + i8_splat((int32_t)edge->high), low = columns + i8_splat((int32_t)edge->low);
+        const i32x8 columns = i32x8_splat(RHW_BLOCK * edge->a) * rhw_lane_index;
+        const i32x8 high = columns + i32x8_splat((int32_t)edge->high),
+                    low = columns + i32x8_splat((int32_t)edge->low);
         for (int row = 0; row < RHW_BLOCK; row++) {
-            const i8 first = i8_splat((int32_t)(edge->q + (int64_t)edge->b * (RHW_BLOCK * row)));
+            const i32x8 first = i32x8_splat((int32_t)(edge->q + (int64_t)edge->b * (RHW_BLOCK * row)));
             outside[row] |= first + high;
             crossed[row] |= first + low;
         }
     }
-    return (struct block_bits){~i8_sign_bits_of_rows(outside), i8_sign_bits_of_rows(crossed)};
+    return (struct block_bits){~i32x8_sign_bits_of_rows(outside), i32x8_sign_bits_of_rows(crossed)};
 }
 
 // triangle_mask of a block that an edge crosses, by all edges: which of them cross it, a processor cannot predict.
 static inline uint64_t crossed_mask(const struct triangle_edges *triangle, int x, int y)
 {
-    i8 q[3], step[3];
+    i32x8 q[3], step[3];
     for (int i = 0; i < triangle->count; i++) {
         const struct edge *const edge = &triangle->edges[i];
-        q[i] = i8_splat((int32_t)(edge->q + (int64_t)edge->a * x + (int64_t)edge->b * y)) +
-               i8_splat(edge->a) * rhw_lane_index;
-        step[i] = i8_splat(edge->b);
+        q[i] = i32x8_splat((int32_t)(edge->q + (int64_t)edge->a * x + (int64_t)edge->b * y)) +
+               i32x8_splat(edge->a) * rhw_lane_index;
+        step[i] = i32x8_splat(edge->b);
     }
     switch (triangle->count) {
     case 1: return mask_of_edges(q, step, 1);

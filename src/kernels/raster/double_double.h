@@ -8,7 +8,7 @@
 #ifndef RHW_DOUBLE_DOUBLE_H
 #define RHW_DOUBLE_DOUBLE_H
 
-#include "../../simd.h"
+#include "base/simd.h"
 
 struct dd {
     double hi, lo; // the sum; |lo| is at most half an ULP of hi
@@ -93,20 +93,21 @@ static struct dd dd_determinant(double v[3][3])
 }
 
 // One row of 8 pixels: `dx` are integers below 2^16, pixels from the anchor.
-static d4 dd_row_half(const struct dd_plane *e, d4 dx, struct dd row)
+static f64x4 dd_row_half(const struct dd_plane *e, f64x4 dx, struct dd row)
 {
     const double upper = dd_upper(e->dx.hi);
-    const d4 p = dx * d4_splat(e->dx.hi);
-    const d4 p_lo = (dx * d4_splat(upper) - p) + dx * d4_splat(e->dx.hi - upper) + dx * d4_splat(e->dx.lo);
-    const d4 hi = d4_splat(row.hi), s = hi + p, t = s - hi;
-    const d4 s_lo = (hi - (s - t)) + (p - t);
-    return s + (s_lo + (p_lo + d4_splat(row.lo)));
+    const f64x4 p = dx * f64x4_splat(e->dx.hi);
+    const f64x4 p_lo =
+        (dx * f64x4_splat(upper) - p) + dx * f64x4_splat(e->dx.hi - upper) + dx * f64x4_splat(e->dx.lo);
+    const f64x4 hi = f64x4_splat(row.hi), s = hi + p, t = s - hi;
+    const f64x4 s_lo = (hi - (s - t)) + (p - t);
+    return s + (s_lo + (p_lo + f64x4_splat(row.lo)));
 }
 
-static d8 dd_row(const struct dd_plane *e, d8 dx, double dy)
+static f64x8 dd_row(const struct dd_plane *e, f64x8 dx, double dy)
 {
     const struct dd row = dd_add(e->at, dd_scale(e->dy, dy));
-    return (d8){dd_row_half(e, dx.lo, row), dd_row_half(e, dx.hi, row)};
+    return (f64x8){dd_row_half(e, dx.lo, row), dd_row_half(e, dx.hi, row)};
 }
 
 #endif

@@ -4,9 +4,9 @@
 #ifndef RHW_LINE_PIXELS_H
 #define RHW_LINE_PIXELS_H
 
-#include "../../constants.h"
-#include "../../simd.h"
-#include "../../triangle.h"
+#include "base/constants.h"
+#include "base/simd.h"
+#include "draw/triangle.h"
 
 // The pixel across in column c, counted from the target's edge, is ⌊(n + step·c) / scale⌋: where the line passes c's
 // centre, in whole pixels. All numbers are integers, or halves of them, below 2^50.
@@ -32,24 +32,25 @@ static struct line_pixels line_pixels_of(const struct rhw_triangle *t, int width
 
 // Where the line is in the 8 columns, or rows, from `first` on. The dividend is never a multiple of `scale`, nor nearer to
 // one than the quotient's rounding.
-RHW_INLINE i8 line_places(const struct line_pixels *line, int first)
+RHW_INLINE i32x8 line_places(const struct line_pixels *line, int first)
 {
-    const d8 columns = d8_from_i8(i8_splat(first) + rhw_lane_index);
-    const d8 at =
-        d8_div(d8_add(d8_splat(line->n), d8_mul(d8_splat(line->step), columns)), d8_splat(line->scale));
-    return i8_round_d8(d8_sub(at, d8_splat(0.5)));
+    const f64x8 columns = f64x8_from_i32x8(i32x8_splat(first) + rhw_lane_index);
+    const f64x8 at = f64x8_div(f64x8_add(f64x8_splat(line->n), f64x8_mul(f64x8_splat(line->step), columns)),
+                               f64x8_splat(line->scale));
+    return i32x8_round_f64x8(f64x8_sub(at, f64x8_splat(0.5)));
 }
 
 // Its pixels in the block at (x, y) of the target, a byte for each row.
 static uint64_t line_mask(const struct line_pixels *line, int x, int y)
 {
-    const i8 at = line_places(line, line->is_y_major ? y : x) - i8_splat(line->is_y_major ? x : y);
+    const i32x8 at = line_places(line, line->is_y_major ? y : x) - i32x8_splat(line->is_y_major ? x : y);
     uint64_t mask = 0;
     for (int row = 0; row < RHW_BLOCK; row++) {
-        const i8 from = line->is_y_major ? i8_splat(at[row]) : at;
-        const i8 place = line->is_y_major ? rhw_lane_index : i8_splat(row);
-        const i8 is_drawn = ~rhw_less_int(place, from) & rhw_less_int(place, from + i8_splat(line->width));
-        mask |= (uint64_t)i8_sign_bits(is_drawn) << (8 * row);
+        const i32x8 from = line->is_y_major ? i32x8_splat(at[row]) : at;
+        const i32x8 place = line->is_y_major ? rhw_lane_index : i32x8_splat(row);
+        const i32x8 is_drawn =
+            ~rhw_less_int(place, from) & rhw_less_int(place, from + i32x8_splat(line->width));
+        mask |= (uint64_t)i32x8_sign_bits(is_drawn) << (8 * row);
     }
     return mask;
 }

@@ -17,8 +17,8 @@
 #ifndef RHW_PLANE_H
 #define RHW_PLANE_H
 
-#include "../../constants.h"
-#include "../../simd.h"
+#include "base/constants.h"
+#include "base/simd.h"
 
 struct plane {
     double at, dx, dy; // value at the anchor's centre; change per pixel
@@ -28,7 +28,7 @@ struct plane {
 enum quantity { QUANTITY_S, QUANTITY_B, QUANTITY_C, QUANTITY_Z }; // 1/W; b·(1/W); c·(1/W); depth
 
 struct quantity_planes {
-    d4 at, dx, dy; // by quantity, as struct plane
+    f64x4 at, dx, dy; // by quantity, as struct plane
 };
 
 RHW_INLINE struct plane plane_of(const struct quantity_planes *planes, enum quantity q)
@@ -43,20 +43,20 @@ static inline struct plane plane_scale(double f, struct plane p)
 
 // Values: the formula ----------------------------------------------------------------------------------
 
-RHW_INLINE d8 plane_column(struct plane p, d8 dx)
+RHW_INLINE f64x8 plane_column(struct plane p, f64x8 dx)
 {
-    return d8_mul(d8_splat(p.dx), dx);
+    return f64x8_mul(f64x8_splat(p.dx), dx);
 }
 
-RHW_INLINE d8 plane_row(struct plane p, d8 dy)
+RHW_INLINE f64x8 plane_row(struct plane p, f64x8 dy)
 {
-    return d8_add(d8_splat(p.at), d8_mul(d8_splat(p.dy), dy));
+    return f64x8_add(f64x8_splat(p.at), f64x8_mul(f64x8_splat(p.dy), dy));
 }
 
 // Gives the value at 8 pixels.
-RHW_INLINE d8 plane_value8(struct plane p, d8 dx, d8 dy)
+RHW_INLINE f64x8 plane_value8(struct plane p, f64x8 dx, f64x8 dy)
 {
-    return d8_add(plane_column(p, dx), plane_row(p, dy));
+    return f64x8_add(plane_column(p, dx), plane_row(p, dy));
 }
 
 // Gives the value at one.
@@ -66,15 +66,15 @@ RHW_INLINE double plane_value(struct plane p, double dx, double dy)
 }
 
 // Gives the value at 4 places.
-RHW_INLINE d4 plane_value4(struct plane p, d4 dx, d4 dy)
+RHW_INLINE f64x4 plane_value4(struct plane p, f64x4 dx, f64x4 dy)
 {
-    return d4_splat(p.dx) * dx + (d4_splat(p.at) + d4_splat(p.dy) * dy);
+    return f64x4_splat(p.dx) * dx + (f64x4_splat(p.at) + f64x4_splat(p.dy) * dy);
 }
 
 // Gives those of the four quantities at one.
-RHW_INLINE d4 quantity_values(const struct quantity_planes *p, double dx, double dy)
+RHW_INLINE f64x4 quantity_values(const struct quantity_planes *p, double dx, double dy)
 {
-    return p->dx * d4_splat(dx) + (p->at + p->dy * d4_splat(dy));
+    return p->dx * f64x4_splat(dx) + (p->at + p->dy * f64x4_splat(dy));
 }
 
 // Blocks -----------------------------------------------------------------------------------------------
@@ -82,23 +82,23 @@ RHW_INLINE d4 quantity_values(const struct quantity_planes *p, double dx, double
 // Which block of 8×8 pixels, relative to the anchor: dx of the columns, dy of the rows. Or which 8 pixels: dx and dy of
 // each.
 struct anchor_offset {
-    d8 dx, dy;
+    f64x8 dx, dy;
 };
 
 // A plane over a block, made once for it, so that a row of 8 pixels costs one addition.
 struct block_plane {
-    d8 column;
+    f64x8 column;
     double row[RHW_BLOCK];
 };
 
-RHW_INLINE void block_plane_column(struct block_plane *out, struct plane plane, d8 dx)
+RHW_INLINE void block_plane_column(struct block_plane *out, struct plane plane, f64x8 dx)
 {
     out->column = plane_column(plane, dx);
 }
 
-RHW_INLINE void block_plane_rows(struct block_plane *out, struct plane plane, d8 dy)
+RHW_INLINE void block_plane_rows(struct block_plane *out, struct plane plane, f64x8 dy)
 {
-    const d8 row = plane_row(plane, dy);
+    const f64x8 row = plane_row(plane, dy);
     memcpy(out->row, &row, sizeof out->row);
 }
 
@@ -108,9 +108,9 @@ RHW_INLINE void block_plane_set(struct block_plane *out, struct plane plane, con
     block_plane_rows(out, plane, at->dy);
 }
 
-RHW_INLINE d8 block_plane_value(const struct block_plane *plane, int row)
+RHW_INLINE f64x8 block_plane_value(const struct block_plane *plane, int row)
 {
-    return d8_add(plane->column, d8_splat(plane->row[row]));
+    return f64x8_add(plane->column, f64x8_splat(plane->row[row]));
 }
 
 // Triangles --------------------------------------------------------------------------------------------
@@ -124,13 +124,13 @@ enum plane_kind {
 // Of a snapped triangle: the four quantities are base + f1·e_1 + f2·e_2.
 struct edge_factors {
     struct plane e1, e2; // exact integers
-    d4 base, f1, f2;
+    f64x4 base, f1, f2;
     double area, inverse_area; // the doubled, positive area
 };
 
 // Numerators of the derivatives of two quantities: of one by x and by y, of the other by x and by y. See derivative.h.
 struct derivative_pair {
-    d4 at, step; // at the anchor's centre; change per pixel down, to the right, down, to the right
+    f64x4 at, step; // at the anchor's centre; change per pixel down, to the right, down, to the right
 };
 
 struct planes {
@@ -145,10 +145,10 @@ struct planes {
 };
 
 // Makes a quantity from exact edge values.
-RHW_INLINE d8 combine_edges(const struct edge_factors *f, enum quantity q, d8 e1, d8 e2)
+RHW_INLINE f64x8 combine_edges(const struct edge_factors *f, enum quantity q, f64x8 e1, f64x8 e2)
 {
-    return d8_add(d8_splat(f->base[q]),
-                  d8_add(d8_mul(d8_splat(f->f1[q]), e1), d8_mul(d8_splat(f->f2[q]), e2)));
+    return f64x8_add(f64x8_splat(f->base[q]),
+                     f64x8_add(f64x8_mul(f64x8_splat(f->f1[q]), e1), f64x8_mul(f64x8_splat(f->f2[q]), e2)));
 }
 
 // What a block needs of a triangle's planes. Which members are set: z by block_depth; s, b, c by block_weights, or by
@@ -177,13 +177,13 @@ RHW_INLINE void block_depth(struct block_planes *block, const struct planes *p,
     }
 }
 
-RHW_INLINE f8 depth_of_row(const struct planes *p, const struct block_planes *block, int row)
+RHW_INLINE f32x8 depth_of_row(const struct planes *p, const struct block_planes *block, int row)
 {
     if (__builtin_expect(p->kind == PLANES_EXACT, 0)) {
-        return f8_from_d8(combine_edges(&p->factors, QUANTITY_Z, block_plane_value(&block->e1, row),
-                                        block_plane_value(&block->e2, row)));
+        return f32x8_from_f64x8(combine_edges(&p->factors, QUANTITY_Z, block_plane_value(&block->e1, row),
+                                              block_plane_value(&block->e2, row)));
     }
-    return f8_from_d8(block_plane_value(&block->z, row));
+    return f32x8_from_f64x8(block_plane_value(&block->z, row));
 }
 
 // Weights in space -------------------------------------------------------------------------------------
@@ -206,21 +206,21 @@ RHW_INLINE enum weight_path weight_path_of(const struct planes *p)
 }
 
 // The parts of the three planes for the weights that depend on the row and on the column; not of exact ones.
-RHW_INLINE void block_weight_rows(struct block_planes *block, const struct planes *p, d8 dy,
+RHW_INLINE void block_weight_rows(struct block_planes *block, const struct planes *p, f64x8 dy,
                                   enum weight_path path)
 {
     block_plane_rows(&block->s, plane_of(&p->quantities, QUANTITY_S), dy);
     block_plane_rows(&block->b, plane_of(&p->quantities, QUANTITY_B), dy);
     block_plane_rows(&block->c, plane_of(&p->quantities, QUANTITY_C), dy);
     if (path == WEIGHTS_PER_ROW) {
-        d8 row;
+        f64x8 row;
         memcpy(&row, block->s.row, sizeof row);
-        row = d8_div(d8_splat(1), row);
+        row = f64x8_div(f64x8_splat(1), row);
         memcpy(block->inverse_s, &row, sizeof row);
     }
 }
 
-RHW_INLINE void block_weight_columns(struct block_planes *block, const struct planes *p, d8 dx)
+RHW_INLINE void block_weight_columns(struct block_planes *block, const struct planes *p, f64x8 dx)
 {
     block_plane_column(&block->s, plane_of(&p->quantities, QUANTITY_S), dx);
     block_plane_column(&block->b, plane_of(&p->quantities, QUANTITY_B), dx);
@@ -240,38 +240,40 @@ RHW_INLINE void block_weights(struct block_planes *block, const struct planes *p
 
 // 1/W and the perspective weights of vertices 1 and 2.
 struct weights {
-    f8 b, c;
-    d8 s, inverse_s;
+    f32x8 b, c;
+    f64x8 s, inverse_s;
 };
 
-RHW_INLINE struct weights weights_of(d8 s, d8 inverse_s, d8 b, d8 c)
+RHW_INLINE struct weights weights_of(f64x8 s, f64x8 inverse_s, f64x8 b, f64x8 c)
 {
-    return (struct weights){f8_from_d8(d8_mul(b, inverse_s)), f8_from_d8(d8_mul(c, inverse_s)), s, inverse_s};
+    return (struct weights){f32x8_from_f64x8(f64x8_mul(b, inverse_s)),
+                            f32x8_from_f64x8(f64x8_mul(c, inverse_s)), s, inverse_s};
 }
 
 RHW_INLINE struct weights weights_of_row(const struct planes *p, const struct block_planes *block, int row,
                                          enum weight_path path)
 {
-    d8 s, b, c;
+    f64x8 s, b, c;
     if (path == WEIGHTS_EXACT) {
-        const d8 e1 = block_plane_value(&block->e1, row), e2 = block_plane_value(&block->e2, row);
+        const f64x8 e1 = block_plane_value(&block->e1, row), e2 = block_plane_value(&block->e2, row);
         s = combine_edges(&p->factors, QUANTITY_S, e1, e2);
-        b = d8_mul(d8_splat(p->factors.f1[QUANTITY_B]), e1);
-        c = d8_mul(d8_splat(p->factors.f2[QUANTITY_C]), e2);
+        b = f64x8_mul(f64x8_splat(p->factors.f1[QUANTITY_B]), e1);
+        c = f64x8_mul(f64x8_splat(p->factors.f2[QUANTITY_C]), e2);
     } else {
         s = block_plane_value(&block->s, row);
         b = block_plane_value(&block->b, row);
         c = block_plane_value(&block->c, row);
     }
-    const d8 inverse_s = path == WEIGHTS_PER_ROW ? d8_splat(block->inverse_s[row]) : d8_div(d8_splat(1), s);
+    const f64x8 inverse_s =
+        path == WEIGHTS_PER_ROW ? f64x8_splat(block->inverse_s[row]) : f64x8_div(f64x8_splat(1), s);
     return weights_of(s, inverse_s, b, c);
 }
 
 // Does the same for 8 pixels anywhere, with planes that are not exact.
 RHW_INLINE struct weights weights_of_pixels(const struct quantity_planes *p, const struct anchor_offset *at)
 {
-    const d8 s = plane_value8(plane_of(p, QUANTITY_S), at->dx, at->dy);
-    return weights_of(s, d8_div(d8_splat(1), s), plane_value8(plane_of(p, QUANTITY_B), at->dx, at->dy),
+    const f64x8 s = plane_value8(plane_of(p, QUANTITY_S), at->dx, at->dy);
+    return weights_of(s, f64x8_div(f64x8_splat(1), s), plane_value8(plane_of(p, QUANTITY_B), at->dx, at->dy),
                       plane_value8(plane_of(p, QUANTITY_C), at->dx, at->dy));
 }
 
@@ -290,16 +292,16 @@ RHW_INLINE void block_screen_weights(struct block_planes *block, const struct pl
 
 // Of vertices 1 and 2.
 struct screen_weights {
-    d8 s, t;
+    f64x8 s, t;
 };
 
 RHW_INLINE struct screen_weights screen_weights_of_row(const struct planes *p,
                                                        const struct block_planes *block, int row)
 {
     if (p->kind == PLANES_EXACT) {
-        const d8 inverse_area = d8_splat(p->factors.inverse_area);
-        return (struct screen_weights){d8_mul(inverse_area, block_plane_value(&block->e1, row)),
-                                       d8_mul(inverse_area, block_plane_value(&block->e2, row))};
+        const f64x8 inverse_area = f64x8_splat(p->factors.inverse_area);
+        return (struct screen_weights){f64x8_mul(inverse_area, block_plane_value(&block->e1, row)),
+                                       f64x8_mul(inverse_area, block_plane_value(&block->e2, row))};
     }
     return (struct screen_weights){block_plane_value(&block->n1, row), block_plane_value(&block->n2, row)};
 }

@@ -12,7 +12,7 @@
 #ifndef RHW_PLANE_CLIPPED_H
 #define RHW_PLANE_CLIPPED_H
 
-#include "../../draw_list.h"
+#include "draw/draw_list.h"
 #include "double_double.h"
 #include "plane.h"
 #include "sample_position.h"
@@ -43,7 +43,7 @@ static void planes_without_area(struct planes *p, struct clipped_planes *c)
 {
     const int nearest = nearest_vertex(c);
     p->kind = PLANES_DOUBLE_DOUBLE;
-    p->weights = (struct derivative_pair){d4_splat(0), d4_splat(0)};
+    p->weights = (struct derivative_pair){f64x4_splat(0), f64x4_splat(0)};
     c->edge_scale = 1 / c->w[nearest];
     memset(c->edge, 0, sizeof c->edge);
     c->edge[nearest].at.hi = 1;
@@ -66,9 +66,9 @@ static void planes_clipped_snapped(struct planes *p, struct clipped_planes *c,
 }
 
 // Makes the four quantities from the weights over W.
-static d4 quantities_of(const struct clipped_planes *v, double a, double b, double c)
+static f64x4 quantities_of(const struct clipped_planes *v, double a, double b, double c)
 {
-    return (d4){a + b + c, b, c, a * v->zw[0] + b * v->zw[1] + c * v->zw[2]};
+    return (f64x4){a + b + c, b, c, a * v->zw[0] + b * v->zw[1] + c * v->zw[2]};
 }
 
 static double magnitude(double v)
@@ -124,9 +124,11 @@ static void planes_homogeneous(struct planes *p, struct clipped_planes *c, const
     p->n1 = plane_scale(c->w[1], row[1]);
     p->n2 = plane_scale(c->w[2], row[2]);
     // q_x·S − q·S_x with q = b, S = a + b + c, where (b_x·a − b·a_x) and the like are vertices over the determinant.
-    const d4 over = d4_splat(inverse);
-    p->weights.at = over * (d4){m[2][1] - m[0][1], m[0][0] - m[2][0], m[0][1] - m[1][1], m[1][0] - m[0][0]};
-    p->weights.step = over * (d4){m[0][2] - m[2][2], m[2][2] - m[0][2], m[1][2] - m[0][2], m[0][2] - m[1][2]};
+    const f64x4 over = f64x4_splat(inverse);
+    p->weights.at =
+        over * (f64x4){m[2][1] - m[0][1], m[0][0] - m[2][0], m[0][1] - m[1][1], m[1][0] - m[0][0]};
+    p->weights.step =
+        over * (f64x4){m[0][2] - m[2][2], m[2][2] - m[0][2], m[1][2] - m[0][2], m[0][2] - m[1][2]};
 }
 
 // Whether some pixel of a block may have a weight below 0. A plane is least in a corner, and its values, rounded as
@@ -147,48 +149,49 @@ static bool block_leaves_triangle(const struct planes *p, const struct clipped_p
 
 // The values of a row in the lanes where a weight is below 0, and of PLANES_DOUBLE_DOUBLE in all.
 struct clipped_row {
-    i8 lanes;
-    f8 z;
+    i32x8 lanes;
+    f32x8 z;
     struct screen_weights screen;
     struct weights weights;
 };
 
 // Weights below 0 become 0; `below` collects where they were. −0 becomes 0 as well: two of them would turn a constant
 // −0 into 0.
-static d8 at_least_zero(d8 v, l4 below[2])
+static f64x8 at_least_zero(f64x8 v, i64x4 below[2])
 {
-    const d4 zero = d4_splat(0);
-    below[0] |= d4_less(v.lo, zero);
-    below[1] |= d4_less(v.hi, zero);
-    return (d8){d4_keep(v.lo, d4_less(zero, v.lo)), d4_keep(v.hi, d4_less(zero, v.hi))};
+    const f64x4 zero = f64x4_splat(0);
+    below[0] |= f64x4_less(v.lo, zero);
+    below[1] |= f64x4_less(v.hi, zero);
+    return (f64x8){f64x4_keep(v.lo, f64x4_less(zero, v.lo)), f64x4_keep(v.hi, f64x4_less(zero, v.hi))};
 }
 
-static d8 weigh(const double f[3], const d8 over_w[3])
+static f64x8 weigh(const double f[3], const f64x8 over_w[3])
 {
-    return d8_add(d8_add(d8_mul(d8_splat(f[0]), over_w[0]), d8_mul(d8_splat(f[1]), over_w[1])),
-                  d8_mul(d8_splat(f[2]), over_w[2]));
+    return f64x8_add(
+        f64x8_add(f64x8_mul(f64x8_splat(f[0]), over_w[0]), f64x8_mul(f64x8_splat(f[1]), over_w[1])),
+        f64x8_mul(f64x8_splat(f[2]), over_w[2]));
 }
 
-static d8 d8_where(const l4 mask[2], d8 a, d8 b)
+static f64x8 f64x8_where(const i64x4 mask[2], f64x8 a, f64x8 b)
 {
-    return (d8){d4_select(mask[0], a.lo, b.lo), d4_select(mask[1], a.hi, b.hi)};
+    return (f64x8){f64x4_select(mask[0], a.lo, b.lo), f64x4_select(mask[1], a.hi, b.hi)};
 }
 
 // Gives the weights over W of a row, also those below 0.
-static void weights_over_w(const struct planes *p, const struct clipped_planes *c, d8 dx, double dy,
-                           d8 over_w[3])
+static void weights_over_w(const struct planes *p, const struct clipped_planes *c, f64x8 dx, double dy,
+                           f64x8 over_w[3])
 {
-    const d8 row = d8_splat(dy);
+    const f64x8 row = f64x8_splat(dy);
     if (p->kind == PLANES_DOUBLE_DOUBLE) {
         for (int i = 0; i < 3; i++) {
-            over_w[i] = d8_mul(dd_row(&c->edge[i], dx, dy), d8_splat(c->edge_scale));
+            over_w[i] = f64x8_mul(dd_row(&c->edge[i], dx, dy), f64x8_splat(c->edge_scale));
         }
     } else if (p->kind == PLANES_EXACT) { // integers: e_0 is what e_1 and e_2 leave of the area
         const struct edge_factors *const f = &p->factors;
-        const d8 e1 = plane_value8(f->e1, dx, row), e2 = plane_value8(f->e2, dx, row);
-        over_w[0] = d8_mul(d8_splat(c->a_e0), d8_sub(d8_sub(d8_splat(f->area), e1), e2));
-        over_w[1] = d8_mul(d8_splat(f->f1[QUANTITY_B]), e1);
-        over_w[2] = d8_mul(d8_splat(f->f2[QUANTITY_C]), e2);
+        const f64x8 e1 = plane_value8(f->e1, dx, row), e2 = plane_value8(f->e2, dx, row);
+        over_w[0] = f64x8_mul(f64x8_splat(c->a_e0), f64x8_sub(f64x8_sub(f64x8_splat(f->area), e1), e2));
+        over_w[1] = f64x8_mul(f64x8_splat(f->f1[QUANTITY_B]), e1);
+        over_w[2] = f64x8_mul(f64x8_splat(f->f2[QUANTITY_C]), e2);
     } else {
         over_w[0] = plane_value8(c->a, dx, row);
         over_w[1] = plane_value8(plane_of(&p->quantities, QUANTITY_B), dx, row);
@@ -201,14 +204,15 @@ static bool row_leaves_triangle(const struct planes *p, const struct clipped_pla
                                 const struct anchor_offset *block, int row, unsigned bits)
 {
     double rows[RHW_BLOCK];
-    d8 over_w[3];
+    f64x8 over_w[3];
     if (p->kind == PLANES_DOUBLE_DOUBLE) {
         return bits != 0;
     }
     memcpy(rows, &block->dy, sizeof rows);
     weights_over_w(p, c, block->dx, rows[row], over_w);
-    const i8 signs = (i8)f8_from_d8(over_w[0]) | (i8)f8_from_d8(over_w[1]) | (i8)f8_from_d8(over_w[2]);
-    return (i8_sign_bits(signs) & bits) != 0;
+    const i32x8 signs = (i32x8)f32x8_from_f64x8(over_w[0]) | (i32x8)f32x8_from_f64x8(over_w[1]) |
+                        (i32x8)f32x8_from_f64x8(over_w[2]);
+    return (i32x8_sign_bits(signs) & bits) != 0;
 }
 
 static __attribute__((noinline)) void clipped_row_set(struct clipped_row *out, const struct planes *p,
@@ -217,34 +221,38 @@ static __attribute__((noinline)) void clipped_row_set(struct clipped_row *out, c
 {
     double rows[RHW_BLOCK];
     memcpy(rows, &block->dy, sizeof rows);
-    const d8 dx = block->dx, dy = d8_splat(rows[row]);
-    l4 below[2] = {{0}, {0}};
-    d8 over_w[3];
+    const f64x8 dx = block->dx, dy = f64x8_splat(rows[row]);
+    i64x4 below[2] = {{0}, {0}};
+    f64x8 over_w[3];
     weights_over_w(p, c, dx, rows[row], over_w);
     if (p->kind == PLANES_DOUBLE_DOUBLE) {
-        below[0] = below[1] = (l4){-1, -1, -1, -1};
+        below[0] = below[1] = (i64x4){-1, -1, -1, -1};
     }
     for (int i = 0; i < 3; i++) {
         over_w[i] = at_least_zero(over_w[i], below);
     }
-    const d8 sum = d8_add(d8_add(over_w[0], over_w[1]), over_w[2]), inverse = d8_div(d8_splat(1), sum);
-    const d8 w = weigh(c->w, over_w), screen = d8_div(d8_splat(1), w);
+    const f64x8 sum = f64x8_add(f64x8_add(over_w[0], over_w[1]), over_w[2]),
+                inverse = f64x8_div(f64x8_splat(1), sum);
+    const f64x8 w = weigh(c->w, over_w), screen = f64x8_div(f64x8_splat(1), w);
     // The triangle's border may be at or behind the eye here (w <= 0; then the planes are homogeneous and not
     // exact): what is linear on the screen goes on linearly, 1/W down to the least that the triangle has.
-    const l4 seen[2] = {d4_less(d4_splat(0), w.lo), d4_less(d4_splat(0), w.hi)};
-    const d8 least = d8_clamp(plane_value8(plane_of(&p->quantities, QUANTITY_S), dx, dy),
-                              1 / c->w[nearest_vertex(c)], 0x1p1000);
-    const d8 b = d8_mul(d8_splat(c->w[1]), over_w[1]), t = d8_mul(d8_splat(c->w[2]), over_w[2]);
-    out->lanes = (i8){(int32_t)below[0][0], (int32_t)below[0][1], (int32_t)below[0][2], (int32_t)below[0][3],
-                      (int32_t)below[1][0], (int32_t)below[1][1], (int32_t)below[1][2], (int32_t)below[1][3]};
-    out->z = f8_from_d8(d8_where(seen, d8_mul(weigh(c->zw, over_w), screen),
-                                 plane_value8(plane_of(&p->quantities, QUANTITY_Z), dx, dy)));
-    out->screen.s = d8_where(seen, d8_mul(b, screen), plane_value8(p->n1, dx, dy));
-    out->screen.t = d8_where(seen, d8_mul(t, screen), plane_value8(p->n2, dx, dy));
-    out->weights = weights_of(d8_where(seen, d8_mul(sum, screen), least), inverse, over_w[1], over_w[2]);
+    const i64x4 seen[2] = {f64x4_less(f64x4_splat(0), w.lo), f64x4_less(f64x4_splat(0), w.hi)};
+    const f64x8 least = f64x8_clamp(plane_value8(plane_of(&p->quantities, QUANTITY_S), dx, dy),
+                                    1 / c->w[nearest_vertex(c)], 0x1p1000);
+    const f64x8 b = f64x8_mul(f64x8_splat(c->w[1]), over_w[1]),
+                t = f64x8_mul(f64x8_splat(c->w[2]), over_w[2]);
+    out->lanes =
+        (i32x8){(int32_t)below[0][0], (int32_t)below[0][1], (int32_t)below[0][2], (int32_t)below[0][3],
+                (int32_t)below[1][0], (int32_t)below[1][1], (int32_t)below[1][2], (int32_t)below[1][3]};
+    out->z = f32x8_from_f64x8(f64x8_where(seen, f64x8_mul(weigh(c->zw, over_w), screen),
+                                          plane_value8(plane_of(&p->quantities, QUANTITY_Z), dx, dy)));
+    out->screen.s = f64x8_where(seen, f64x8_mul(b, screen), plane_value8(p->n1, dx, dy));
+    out->screen.t = f64x8_where(seen, f64x8_mul(t, screen), plane_value8(p->n2, dx, dy));
+    out->weights =
+        weights_of(f64x8_where(seen, f64x8_mul(sum, screen), least), inverse, over_w[1], over_w[2]);
 }
 
-static d8 d8_select(i8 mask, d8 a, d8 b)
+static f64x8 f64x8_select(i32x8 mask, f64x8 a, f64x8 b)
 {
     for (int i = 0; i < 4; i++) {
         b.lo[i] = mask[i] ? a.lo[i] : b.lo[i];
@@ -257,12 +265,12 @@ static d8 d8_select(i8 mask, d8 a, d8 b)
 static void clipped_row_replace(const struct clipped_row *row, struct weights *weights,
                                 struct screen_weights *screen)
 {
-    weights->b = f8_select(row->lanes, row->weights.b, weights->b);
-    weights->c = f8_select(row->lanes, row->weights.c, weights->c);
-    weights->s = d8_select(row->lanes, row->weights.s, weights->s);
-    weights->inverse_s = d8_select(row->lanes, row->weights.inverse_s, weights->inverse_s);
-    screen->s = d8_select(row->lanes, row->screen.s, screen->s);
-    screen->t = d8_select(row->lanes, row->screen.t, screen->t);
+    weights->b = f32x8_select(row->lanes, row->weights.b, weights->b);
+    weights->c = f32x8_select(row->lanes, row->weights.c, weights->c);
+    weights->s = f64x8_select(row->lanes, row->weights.s, weights->s);
+    weights->inverse_s = f64x8_select(row->lanes, row->weights.inverse_s, weights->inverse_s);
+    screen->s = f64x8_select(row->lanes, row->screen.s, screen->s);
+    screen->t = f64x8_select(row->lanes, row->screen.t, screen->t);
 }
 
 #endif

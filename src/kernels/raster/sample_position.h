@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Where a pixel is sampled: at its centre, or where src/sample_pattern.h says. Every stage that needs the position of a
+// Where a pixel is sampled: at its centre, or where src/pipeline/sample_pattern.h says. Every stage that needs the position of a
 // sample, or the pixels whose samples lie between two positions, asks here. Positions are snapped: 24.8 fixed point,
 // 1/256 pixel, from the target's origin.
 #ifndef RHW_SAMPLE_POSITION_H
 #define RHW_SAMPLE_POSITION_H
 
-#include "../../constants.h"
-#include "../../simd.h"
+#include "base/constants.h"
+#include "base/simd.h"
 
 enum { SAMPLE_OFFSET_0_8 = RHW_SUBPIXEL / 2 }; // of the sample in its pixel, each way
 
@@ -23,13 +23,13 @@ static inline int64_t sample_of_pixel(int pixel)
 }
 
 // The same for 8 pixels. Those of lanes that hold rubbish may wrap, hence unsigned.
-RHW_INLINE i8 sample_of_pixel8(i8 pixel)
+RHW_INLINE i32x8 sample_of_pixel8(i32x8 pixel)
 {
-    return (i8)(((u8)pixel << RHW_SUBPIXEL_BITS) + (uint32_t)SAMPLE_OFFSET_0_8);
+    return (i32x8)(((u32x8)pixel << RHW_SUBPIXEL_BITS) + (uint32_t)SAMPLE_OFFSET_0_8);
 }
 
 // The pixels that 8 positions lie in.
-RHW_INLINE i8 pixel_of_position8(i8 position_24_8)
+RHW_INLINE i32x8 pixel_of_position8(i32x8 position_24_8)
 {
     return position_24_8 >> RHW_SUBPIXEL_BITS;
 }
@@ -40,9 +40,9 @@ static inline int sample_from_position(int32_t position_24_8)
     return SAMPLE_OFFSET_0_8 - (position_24_8 & (RHW_SUBPIXEL - 1));
 }
 
-RHW_INLINE i8 sample_from_position8(i8 position_24_8)
+RHW_INLINE i32x8 sample_from_position8(i32x8 position_24_8)
 {
-    return i8_splat(SAMPLE_OFFSET_0_8) - (position_24_8 & i8_splat(RHW_SUBPIXEL - 1));
+    return i32x8_splat(SAMPLE_OFFSET_0_8) - (position_24_8 & i32x8_splat(RHW_SUBPIXEL - 1));
 }
 
 // Pixels from the centre of a pixel to a sample.
@@ -58,7 +58,7 @@ static inline int pixel_of_step(int32_t position_24_8, int32_t step)
     return (position_24_8 + step) >> RHW_SUBPIXEL_BITS;
 }
 
-RHW_INLINE i8 pixel_of_step8(i8 position_24_8, i8 step)
+RHW_INLINE i32x8 pixel_of_step8(i32x8 position_24_8, i32x8 step)
 {
     return (position_24_8 + step) >> RHW_SUBPIXEL_BITS;
 }

@@ -10,9 +10,9 @@
 #ifndef RHW_SMOOTH_COVERAGE_H
 #define RHW_SMOOTH_COVERAGE_H
 
-#include "../../constants.h"
-#include "../../simd.h"
-#include "../../triangle.h"
+#include "base/constants.h"
+#include "base/simd.h"
+#include "draw/triangle.h"
 
 // A side, in pixels of the tile.
 struct smooth_side {
@@ -48,43 +48,44 @@ static void smooth_line_set(struct smooth_line *line, const struct rhw_triangle 
 }
 
 // G of the comment above.
-RHW_INLINE d8 area_below(d8 h)
+RHW_INLINE f64x8 area_below(f64x8 h)
 {
-    const d8 inside = d8_clamp(h, 0, 1), above = d8_clamp(d8_sub(h, d8_splat(1)), 0, 0x1p40);
-    return d8_add(d8_mul(d8_mul(inside, inside), d8_splat(0.5)), above);
+    const f64x8 inside = f64x8_clamp(h, 0, 1), above = f64x8_clamp(f64x8_sub(h, f64x8_splat(1)), 0, 0x1p40);
+    return f64x8_add(f64x8_mul(f64x8_mul(inside, inside), f64x8_splat(0.5)), above);
 }
 
 // Of 8 columns from x on, in row y.
-RHW_INLINE d8 side_area(const struct smooth_side *side, d8 x, double y)
+RHW_INLINE f64x8 side_area(const struct smooth_side *side, f64x8 x, double y)
 {
     const double least_slope = 0x1p-14;
-    const d8 from = d8_clamp(x, side->left, side->right);
-    const d8 to = d8_clamp(d8_add(x, d8_splat(1)), side->left, side->right);
-    const d8 slope = d8_splat(side->slope), start = d8_splat(side->x), height = d8_splat(side->y - y);
-    const d8 h0 = d8_add(height, d8_mul(slope, d8_sub(from, start)));
-    const d8 h1 = d8_add(height, d8_mul(slope, d8_sub(to, start)));
+    const f64x8 from = f64x8_clamp(x, side->left, side->right);
+    const f64x8 to = f64x8_clamp(f64x8_add(x, f64x8_splat(1)), side->left, side->right);
+    const f64x8 slope = f64x8_splat(side->slope), start = f64x8_splat(side->x),
+                height = f64x8_splat(side->y - y);
+    const f64x8 h0 = f64x8_add(height, f64x8_mul(slope, f64x8_sub(from, start)));
+    const f64x8 h1 = f64x8_add(height, f64x8_mul(slope, f64x8_sub(to, start)));
     if (side->slope < least_slope && side->slope > -least_slope) {
-        const d8 middle = d8_clamp(d8_mul(d8_add(h0, h1), d8_splat(0.5)), 0, 1);
-        return d8_mul(d8_sub(to, from), middle);
+        const f64x8 middle = f64x8_clamp(f64x8_mul(f64x8_add(h0, h1), f64x8_splat(0.5)), 0, 1);
+        return f64x8_mul(f64x8_sub(to, from), middle);
     }
-    return d8_div(d8_sub(area_below(h1), area_below(h0)), slope);
+    return f64x8_div(f64x8_sub(area_below(h1), area_below(h0)), slope);
 }
 
 // The pixels of the block at (x, y) of the tile that the line covers 2^−16 of at least, and how much, by row.
-static uint64_t smooth_mask(const struct smooth_line *line, int x, int y, f8 coverage[RHW_BLOCK])
+static uint64_t smooth_mask(const struct smooth_line *line, int x, int y, f32x8 coverage[RHW_BLOCK])
 {
-    const d8 columns = d8_from_i8(i8_splat(x) + rhw_lane_index);
+    const f64x8 columns = f64x8_from_i32x8(i32x8_splat(x) + rhw_lane_index);
     uint64_t mask = 0;
     for (int row = 0; row < RHW_BLOCK; row++) {
-        d8 area = d8_splat(0);
+        f64x8 area = f64x8_splat(0);
         for (int i = 0; i < 4; i++) {
             const struct smooth_side *const side = &line->sides[i];
             if (side->sign != 0) {
-                area = d8_add(area, d8_mul(d8_splat(side->sign), side_area(side, columns, y + row)));
+                area = f64x8_add(area, f64x8_mul(f64x8_splat(side->sign), side_area(side, columns, y + row)));
             }
         }
-        coverage[row] = f8_from_d8(d8_clamp(area, 0, 1));
-        const unsigned drawn = i8_sign_bits(rhw_less_equal(f8_splat(0x1p-16f), coverage[row]));
+        coverage[row] = f32x8_from_f64x8(f64x8_clamp(area, 0, 1));
+        const unsigned drawn = i32x8_sign_bits(rhw_less_equal(f32x8_splat(0x1p-16f), coverage[row]));
         mask |= (uint64_t)drawn << (8 * row);
     }
     return mask;

@@ -5,18 +5,18 @@
 #ifndef RHW_SNAP_H
 #define RHW_SNAP_H
 
-#include "../../constants.h"
-#include "../../simd.h"
+#include "base/constants.h"
+#include "base/simd.h"
 
 // Of 8 positions in pixels. A position that is no number is snapped to the band's end.
-RHW_INLINE i8 snap8(d8 pixels)
+RHW_INLINE i32x8 snap8(f64x8 pixels)
 {
     const double limit = RHW_GUARD_BAND;
-    return i8_round_d8(d8_mul(d8_clamp(pixels, -limit, limit), d8_splat(RHW_SUBPIXEL)));
+    return i32x8_round_f64x8(f64x8_mul(f64x8_clamp(pixels, -limit, limit), f64x8_splat(RHW_SUBPIXEL)));
 }
 
 // The same of one. Adding 1.5·2^52, where a double's last bit is worth 1, rounds as IEEE addition does, which is how
-// i8_round_d8 does it; nearbyint would go through libm.
+// i32x8_round_f64x8 does it; nearbyint would go through libm.
 static inline int32_t snap(double pixels)
 {
     const double limit = RHW_GUARD_BAND;

@@ -7,18 +7,18 @@
 #ifndef RHW_STIPPLE_MASK_H
 #define RHW_STIPPLE_MASK_H
 
-#include "../../constants.h"
-#include "../../simd.h"
-#include "../../triangle.h"
+#include "base/constants.h"
+#include "base/simd.h"
+#include "draw/triangle.h"
 
 // Bits of the places that are drawn. Half a place behind each none is a multiple of `unit`, so that no quotient lies where
 // rounding decides.
-static unsigned stippled8(i8 place, int unit, int pattern)
+static unsigned stippled8(i32x8 place, int unit, int pattern)
 {
-    const d8 units = d8_div(d8_add(d8_from_i8(place), d8_splat(0.5)), d8_splat(unit));
-    const i8 number = i8_round_d8(d8_sub(units, d8_splat(0.5))) & i8_splat(15);
-    const i8 bit = i8_power2(number) & i8_splat(pattern);
-    return ~i8_sign_bits(rhw_equal_int(bit, i8_splat(0))) & 0xff;
+    const f64x8 units = f64x8_div(f64x8_add(f64x8_from_i32x8(place), f64x8_splat(0.5)), f64x8_splat(unit));
+    const i32x8 number = i32x8_round_f64x8(f64x8_sub(units, f64x8_splat(0.5))) & i32x8_splat(15);
+    const i32x8 bit = i32x8_power2(number) & i32x8_splat(pattern);
+    return ~i32x8_sign_bits(rhw_equal_int(bit, i32x8_splat(0))) & 0xff;
 }
 
 // Those of the block at (x, y) of the target that the stipple of a Bresenham line draws.
@@ -26,8 +26,8 @@ static uint64_t stippled_columns(const struct rhw_triangle *t, const struct rhw_
                                  bool is_y_major, int x, int y)
 {
     const int32_t along = is_y_major ? t->y_24_8[2] - t->y_24_8[0] : t->x_24_8[2] - t->x_24_8[0];
-    const i8 column = i8_splat(is_y_major ? y : x) + rhw_lane_index;
-    const i8 place = i8_splat(t->phase) + (along < 0 ? -column : column);
+    const i32x8 column = i32x8_splat(is_y_major ? y : x) + rhw_lane_index;
+    const i32x8 place = i32x8_splat(t->phase) + (along < 0 ? -column : column);
     const unsigned bits = stippled8(place, stipple->factor, stipple->pattern);
     uint64_t mask = 0;
     for (int row = 0; row < RHW_BLOCK; row++) {
@@ -56,7 +56,7 @@ static struct stippled_rectangle stippled_rectangle_of(const struct rhw_triangle
     const double twice_a[2] = {
         is_first ? (double)t->x_24_8[0] + t->x_24_8[1] : 2.0 * t->x_24_8[0] + t->x_24_8[2] - t->x_24_8[1],
         is_first ? (double)t->y_24_8[0] + t->y_24_8[1] : 2.0 * t->y_24_8[0] + t->y_24_8[2] - t->y_24_8[1]};
-    const d8 length = d8_sqrt(d8_splat(dx * dx + dy * dy));
+    const f64x8 length = f64x8_sqrt(f64x8_splat(dx * dx + dy * dy));
     return (struct stippled_rectangle){.dx = dx,
                                        .dy = dy,
                                        .begin = (dx * twice_a[0] + dy * twice_a[1]) / 2,
@@ -70,14 +70,14 @@ static struct stippled_rectangle stippled_rectangle_of(const struct rhw_triangle
 // before the beginning by the rounding of the rectangle's corners counts as the beginning.
 static uint64_t stippled_samples(const struct stippled_rectangle *line, int64_t x, int64_t y)
 {
-    const d8 columns = d8_mul(d8_from_i8(rhw_lane_index), d8_splat(RHW_SUBPIXEL));
-    const d8 at_x = d8_mul(d8_add(columns, d8_splat((double)x)), d8_splat(line->dx));
+    const f64x8 columns = f64x8_mul(f64x8_from_i32x8(rhw_lane_index), f64x8_splat(RHW_SUBPIXEL));
+    const f64x8 at_x = f64x8_mul(f64x8_add(columns, f64x8_splat((double)x)), f64x8_splat(line->dx));
     const double farthest = 1 << 29;
     uint64_t mask = 0;
     for (int row = 0; row < RHW_BLOCK; row++) {
         const double at_y = line->dy * (double)(y + row * RHW_SUBPIXEL) - line->begin;
-        const d8 along = d8_div(d8_add(at_x, d8_splat(at_y)), d8_splat(line->length));
-        const i8 place = i8_round_d8(d8_clamp(along, 0, farthest)) + i8_splat(line->phase);
+        const f64x8 along = f64x8_div(f64x8_add(at_x, f64x8_splat(at_y)), f64x8_splat(line->length));
+        const i32x8 place = i32x8_round_f64x8(f64x8_clamp(along, 0, farthest)) + i32x8_splat(line->phase);
         mask |= (uint64_t)stippled8(place, line->unit, line->pattern) << (8 * row);
     }
     return mask;

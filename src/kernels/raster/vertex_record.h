@@ -3,7 +3,7 @@
 #ifndef RHW_VERTEX_RECORD_H
 #define RHW_VERTEX_RECORD_H
 
-#include "../../draw_list.h"
+#include "draw/draw_list.h"
 
 static inline const struct rhw_vertex_record *record_at(const struct rhw_segment *segment, uint32_t slot)
 {

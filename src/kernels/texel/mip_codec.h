@@ -7,9 +7,10 @@
 #include "texel_codec.h"
 
 // Of which the channels that the format has count.
-RHW_INLINE void widen_texels(const struct rhw_format_info *format, const struct raw_texels *raw, f8 value[4])
+RHW_INLINE void widen_texels(const struct rhw_format_info *format, const struct raw_texels *raw,
+                             f32x8 value[4])
 {
-    const i8 word = in_order(format->order, raw->word[0]);
+    const i32x8 word = in_order(format->order, raw->word[0]);
     switch (format->codec) {
     case RHW_CODEC_UNORM8:
         for (int c = 0; c < 4; c++) {
@@ -26,17 +27,18 @@ RHW_INLINE void widen_texels(const struct rhw_format_info *format, const struct 
     }
 }
 
-RHW_INLINE void narrow_texels(const struct rhw_format_info *format, const f8 value[4], struct raw_texels *raw)
+RHW_INLINE void narrow_texels(const struct rhw_format_info *format, const f32x8 value[4],
+                              struct raw_texels *raw)
 {
     switch (format->codec) {
-    case RHW_CODEC_UNORM8: raw->word[0] = in_order(format->order, i8_bytes_from_small_f8(value)); break;
+    case RHW_CODEC_UNORM8: raw->word[0] = in_order(format->order, i32x8_bytes_from_small_f32x8(value)); break;
     case RHW_CODEC_SRGB8:
         raw->word[0] = in_order(format->order,
                                 srgb8_from_float(value[0]) | (srgb8_from_float(value[1]) << 8) |
-                                    (srgb8_from_float(value[2]) << 16) | ((i8)(value[3] + 0x1p23f) << 24));
+                                    (srgb8_from_float(value[2]) << 16) | ((i32x8)(value[3] + 0x1p23f) << 24));
         break;
     default: {
-        f8 number[4];
+        f32x8 number[4];
         for (int c = 0; c < 4; c++) {
             number[c] = canonical_nan(value[c]);
         }
@@ -60,11 +62,11 @@ RHW_INLINE void widen_row(const struct rhw_format_info *format, const unsigned c
             group = last;
         }
         struct raw_texels raw;
-        f8 value[4];
+        f32x8 value[4];
         load_texel_row(size, group, &raw);
         widen_texels(format, &raw, value);
         for (int c = 0; c < format->channels; c++) {
-            f8_store(planes + (size_t)c * stride + x, value[c]);
+            f32x8_store(planes + (size_t)c * stride + x, value[c]);
         }
     }
 }
@@ -75,17 +77,17 @@ RHW_INLINE void narrow_row(const struct rhw_format_info *format, const float *pl
     const size_t size = format->size;
     for (int x = 0; x < width; x += RHW_LANES) {
         struct raw_texels raw;
-        f8 value[4] = {{0}, {0}, {0}, {0}};
+        f32x8 value[4] = {{0}, {0}, {0}, {0}};
         for (int c = 0; c < format->channels; c++) {
-            value[c] = f8_load(planes + (size_t)c * stride + x);
+            value[c] = f32x8_load(planes + (size_t)c * stride + x);
         }
         narrow_texels(format, value, &raw);
         unsigned char *const group = texels + (size_t)x * size;
         if (width - x >= RHW_LANES) {
-            store_texel_row(size, &raw, i8_splat(-1), group);
+            store_texel_row(size, &raw, i32x8_splat(-1), group);
         } else {
             unsigned char last[RHW_LANES * RHW_TEXEL_BYTES] = {0};
-            store_texel_row(size, &raw, i8_splat(-1), last);
+            store_texel_row(size, &raw, i32x8_splat(-1), last);
             memcpy(group, last, (size_t)(width - x) * size);
         }
     }

@@ -12,9 +12,9 @@ struct sample_row {
     int count;
 };
 
-RHW_INLINE f8 resolved_value(enum rhw_resolve mode, const f8 *value, int count)
+RHW_INLINE f32x8 resolved_value(enum rhw_resolve mode, const f32x8 *value, int count)
 {
-    f8 result = value[0];
+    f32x8 result = value[0];
     for (int s = 1; s < count; s++) {
         result = mode == RHW_RESOLVE_MIN   ? rhw_min(value[s], result)
                  : mode == RHW_RESOLVE_MAX ? rhw_max(value[s], result)
@@ -26,12 +26,12 @@ RHW_INLINE f8 resolved_value(enum rhw_resolve mode, const f8 *value, int count)
 // Stores the mean of 4 samples of RGBA8_UNORM, or of its channels in another order, in the pixels of `lanes`: resolve_row
 // with all that it has to ask known. Equal bytes have themselves as mean, as only means halfway between two depend on
 // how sums are rounded.
-RHW_INLINE void resolve_unorm8(const i8 sample[4], unsigned lanes, unsigned char *to)
+RHW_INLINE void resolve_unorm8(const i32x8 sample[4], unsigned lanes, unsigned char *to)
 {
-    const i8 differ = (sample[1] ^ sample[0]) | (sample[2] ^ sample[0]) | (sample[3] ^ sample[0]);
-    f8 mean[4];
-    if ((i8_sign_bits(rhw_equal_int(differ, i8_splat(0))) & lanes) == lanes) {
-        store_words(to, sample[0], i8_from_bits(lanes));
+    const i32x8 differ = (sample[1] ^ sample[0]) | (sample[2] ^ sample[0]) | (sample[3] ^ sample[0]);
+    f32x8 mean[4];
+    if ((i32x8_sign_bits(rhw_equal_int(differ, i32x8_splat(0))) & lanes) == lanes) {
+        store_words(to, sample[0], i32x8_from_bits(lanes));
         return;
     }
     for (int c = 0; c < 4; c++) {
@@ -41,7 +41,7 @@ RHW_INLINE void resolve_unorm8(const i8 sample[4], unsigned lanes, unsigned char
         }
         mean[c] = mean[c] * (1.0f / 4);
     }
-    store_words(to, unorm8_texels(mean), i8_from_bits(lanes));
+    store_words(to, unorm8_texels(mean), i32x8_from_bits(lanes));
 }
 
 // Resolves the pixels of `lanes`.
@@ -49,10 +49,10 @@ RHW_INLINE void resolve_row(const struct rhw_format_info *info, enum rhw_resolve
                             const struct sample_row *row, unsigned lanes, unsigned char *to)
 {
     struct raw_texels sample[RHW_MAX_SAMPLES], raw;
-    f8 value[4][RHW_MAX_SAMPLES], result[4];
+    f32x8 value[4][RHW_MAX_SAMPLES], result[4];
     const int count = mode == RHW_RESOLVE_SAMPLE_ZERO ? 1 : row->count;
     const struct raw_texels *const first = &sample[0];
-    i8 agree = i8_splat(-1);
+    i32x8 agree = i32x8_splat(-1);
     const int words = (int)(info->size + 3) / 4;
     for (int s = 0; s < count; s++) {
         load_texel_row(info->size, row->plane[s], &sample[s]);
@@ -60,12 +60,12 @@ RHW_INLINE void resolve_row(const struct rhw_format_info *info, enum rhw_resolve
             agree &= rhw_equal_int(sample[s].word[w], first->word[w]);
         }
     }
-    if ((i8_sign_bits(agree) & lanes) == lanes) {
-        store_texel_row(info->size, first, i8_from_bits(lanes), to);
+    if ((i32x8_sign_bits(agree) & lanes) == lanes) {
+        store_texel_row(info->size, first, i32x8_from_bits(lanes), to);
         return;
     }
     for (int s = 0; s < count; s++) {
-        f8 channels[4];
+        f32x8 channels[4];
         decode_texels(info, &sample[s], channels);
         for (int c = 0; c < 4; c++) {
             value[c][s] = channels[c];
@@ -79,7 +79,7 @@ RHW_INLINE void resolve_row(const struct rhw_format_info *info, enum rhw_resolve
     for (int w = 0; w < words; w++) {
         raw.word[w] = rhw_select_int(agree, first->word[w], raw.word[w]);
     }
-    store_texel_row(info->size, &raw, i8_from_bits(lanes), to);
+    store_texel_row(info->size, &raw, i32x8_from_bits(lanes), to);
 }
 
 #endif

@@ -4,84 +4,84 @@
 #ifndef RHW_TEXEL_CODEC_H
 #define RHW_TEXEL_CODEC_H
 
-#include "../../format.h"
-#include "../../simd_layout.h"
-#include "../../srgb.h"
+#include "format/format.h"
+#include "base/simd_layout.h"
+#include "format/srgb.h"
 #include "texel_fields.h"
 
 // 8 texels as they stand in memory, in words of 4 bytes; a smaller texel in the low bytes of the first, zero above.
 struct raw_texels {
-    i8 word[4];
+    i32x8 word[4];
 };
 
 // Codes of 8 bits ------------------------------------------------------------------------------------
 
 // c / 255 correctly rounded for whole c of 0..255: 1/255 = 1/256 + 1/65280.
-RHW_INLINE f8 unorm8_to_float(i8 code)
+RHW_INLINE f32x8 unorm8_to_float(i32x8 code)
 {
-    const f8 c = rhw_float_from_int(code);
+    const f32x8 c = rhw_float_from_int(code);
     return c * 0x1p-8f + c * 1.53186284e-05f;
 }
 
 // Values in any range as codes in the lowest byte of each lane, rubbish above. From 2^23 on floats have no fraction, so
 // adding it rounds to nearest, ties to even, and leaves the integer in the low bits: the same on every instruction set,
 // and without a conversion.
-RHW_INLINE i8 unorm8_from_float(f8 value)
+RHW_INLINE i32x8 unorm8_from_float(f32x8 value)
 {
-    return (i8)(rhw_saturate(value) * 255.0f + 0x1p23f);
+    return (i32x8)(rhw_saturate(value) * 255.0f + 0x1p23f);
 }
 
 // Linear values of sRGB codes. A gather costs 12 cycles on a Zen 3; a polynomial as exact as the table costs more.
-RHW_INLINE f8 srgb8_to_float(i8 code)
+RHW_INLINE f32x8 srgb8_to_float(i32x8 code)
 {
-    return (f8)i8_gather(rhw_srgb_decode_table, code);
+    return (f32x8)i32x8_gather(rhw_srgb_decode_table, code);
 }
 
 // Codes of values in any range, in the lowest byte of each lane, zero above. See srgb.h.
-RHW_INLINE i8 srgb8_from_float(f8 linear)
+RHW_INLINE i32x8 srgb8_from_float(f32x8 linear)
 {
-    const i8 bits = (i8)rhw_clamp(linear, rhw_splat(0x1p-13f), rhw_splat(1.0f));
-    const i8 bucket = (bits >> 16) - RHW_SRGB_ENCODE_FIRST;
-    const i8 entry = i8_gather(rhw_srgb_encode_table, bucket);
+    const i32x8 bits = (i32x8)rhw_clamp(linear, rhw_splat(0x1p-13f), rhw_splat(1.0f));
+    const i32x8 bucket = (bits >> 16) - RHW_SRGB_ENCODE_FIRST;
+    const i32x8 entry = i32x8_gather(rhw_srgb_encode_table, bucket);
     return (entry + (bits & 0xffff)) >> 16;
 }
 
 // Gives the byte of a channel, zero above.
-RHW_INLINE i8 channel_byte(i8 word, int channel)
+RHW_INLINE i32x8 channel_byte(i32x8 word, int channel)
 {
     return (word >> (8 * channel)) & 0xff;
 }
 
 // Texels of four bytes as red, green, blue, alpha from the lowest byte on, and back.
-RHW_INLINE i8 in_order(enum rhw_channel_order order, i8 word)
+RHW_INLINE i32x8 in_order(enum rhw_channel_order order, i32x8 word)
 {
-    const i8 swapped = ((word & 0xff) << 16) | ((i8)((u8)word >> 16) & 0xff);
+    const i32x8 swapped = ((word & 0xff) << 16) | ((i32x8)((u32x8)word >> 16) & 0xff);
     switch (order) {
     case RHW_ORDER_RGBA: break;
     case RHW_ORDER_BGRA: return (word & (int32_t)0xff00ff00) | swapped;
     case RHW_ORDER_ABGR: {
-        const i8 pairs = (word << 16) | (i8)((u8)word >> 16);
-        return ((pairs & 0x00ff00ff) << 8) | ((i8)((u8)pairs >> 8) & 0x00ff00ff);
+        const i32x8 pairs = (word << 16) | (i32x8)((u32x8)word >> 16);
+        return ((pairs & 0x00ff00ff) << 8) | ((i32x8)((u32x8)pairs >> 8) & 0x00ff00ff);
     }
     }
     return word;
 }
 
 // Makes RGBA8_SRGB texels of four values.
-RHW_INLINE i8 srgb8_texels(const f8 value[4])
+RHW_INLINE i32x8 srgb8_texels(const f32x8 value[4])
 {
     return srgb8_from_float(value[0]) | (srgb8_from_float(value[1]) << 8) |
            (srgb8_from_float(value[2]) << 16) | (unorm8_from_float(value[3]) << 24);
 }
 
 // Makes RGBA8_UNORM texels of four values.
-RHW_INLINE i8 unorm8_texels(const f8 value[4])
+RHW_INLINE i32x8 unorm8_texels(const f32x8 value[4])
 {
-    f8 scaled[4];
+    f32x8 scaled[4];
     for (int c = 0; c < 4; c++) {
         scaled[c] = value[c] * 255.0f;
     }
-    return i8_bytes_from_f8(scaled);
+    return i32x8_bytes_from_f32x8(scaled);
 }
 
 // Depth ----------------------------------------------------------------------------------------------
@@ -89,46 +89,47 @@ RHW_INLINE i8 unorm8_texels(const f8 value[4])
 // Whole steps of 0..1, of which there are `steps`, as floats, and back: to nearest, ties to even, since adding 2^52
 // leaves a double no room for a fraction. Of 65535 and of 2^24 − 1 steps every one times the reciprocal rounds to the
 // float that division gives, in a quarter of the time: test_format has them all.
-RHW_INLINE f8 depth_from_steps(d8 count, double steps)
+RHW_INLINE f32x8 depth_from_steps(f64x8 count, double steps)
 {
-    return f8_from_d8(d8_mul(count, d8_splat(1 / steps)));
+    return f32x8_from_f64x8(f64x8_mul(count, f64x8_splat(1 / steps)));
 }
 
-RHW_INLINE d8 steps_of_depth(f8 depth, double steps)
+RHW_INLINE f64x8 steps_of_depth(f32x8 depth, double steps)
 {
-    const d8 scaled = d8_mul(d8_from_f8(depth), d8_splat(steps));
-    return d8_sub(d8_add(scaled, d8_splat(0x1p52)), d8_splat(0x1p52));
+    const f64x8 scaled = f64x8_mul(f64x8_from_f32x8(depth), f64x8_splat(steps));
+    return f64x8_sub(f64x8_add(scaled, f64x8_splat(0x1p52)), f64x8_splat(0x1p52));
 }
 
 // Codecs ---------------------------------------------------------------------------------------------
 
 // One NaN for all: which one arithmetic makes differs between processors.
-RHW_INLINE f8 canonical_nan(f8 value)
+RHW_INLINE f32x8 canonical_nan(f32x8 value)
 {
-    return rhw_select(rhw_equal(value, value), value, (f8)i8_splat(0x7fc00000));
+    return rhw_select(rhw_equal(value, value), value, (f32x8)i32x8_splat(0x7fc00000));
 }
 
 // Gives what a channel reads that the format lacks.
-RHW_INLINE f8 absent_channel(const struct rhw_format_info *format, int c)
+RHW_INLINE f32x8 absent_channel(const struct rhw_format_info *format, int c)
 {
-    return rhw_format_is_integer(format) ? (f8)i8_splat(c == 3) : rhw_splat(c == 3 ? 1.0f : 0.0f);
+    return rhw_format_is_integer(format) ? (f32x8)i32x8_splat(c == 3) : rhw_splat(c == 3 ? 1.0f : 0.0f);
 }
 
 // Decodes texels to floats, colour linear. Channels that the format lacks read 0, 0, 0, 1. Of integer formats these are
 // the bits of integers, here and everywhere.
-RHW_INLINE void decode_texels(const struct rhw_format_info *format, const struct raw_texels *raw, f8 value[4])
+RHW_INLINE void decode_texels(const struct rhw_format_info *format, const struct raw_texels *raw,
+                              f32x8 value[4])
 {
     const int channels = format->channels;
     switch (format->codec) {
     case RHW_CODEC_UNORM8: {
-        const i8 word = in_order(format->order, raw->word[0]);
+        const i32x8 word = in_order(format->order, raw->word[0]);
         for (int c = 0; c < 4; c++) {
             value[c] = unorm8_to_float(channel_byte(word, c));
         }
         break;
     }
     case RHW_CODEC_SRGB8: {
-        const i8 word = in_order(format->order, raw->word[0]);
+        const i32x8 word = in_order(format->order, raw->word[0]);
         for (int c = 0; c < 3; c++) {
             value[c] = srgb8_to_float(channel_byte(word, c));
         }
@@ -137,13 +138,13 @@ RHW_INLINE void decode_texels(const struct rhw_format_info *format, const struct
     }
     case RHW_CODEC_FLOAT16:
         for (int c = 0; c < channels; c++) {
-            value[c] = f8_from_half((i8)((u8)raw->word[c / 2] >> (16 * (c % 2))) & 0xffff);
+            value[c] = f32x8_from_half((i32x8)((u32x8)raw->word[c / 2] >> (16 * (c % 2))) & 0xffff);
         }
         break;
     case RHW_CODEC_DEPTH16:
     case RHW_CODEC_DEPTH24: {
         const double steps = rhw_codec_depth_steps(format->codec);
-        value[0] = depth_from_steps(d8_from_i8(raw->word[0] & i8_splat((int32_t)steps)), steps);
+        value[0] = depth_from_steps(f64x8_from_i32x8(raw->word[0] & i32x8_splat((int32_t)steps)), steps);
         break;
     }
     case RHW_CODEC_FIELDS: decode_fields(format, raw->word, value); break;
@@ -151,7 +152,7 @@ RHW_INLINE void decode_texels(const struct rhw_format_info *format, const struct
     case RHW_CODEC_BITS32:
     case RHW_CODEC_NONE:
         for (int c = 0; c < channels; c++) {
-            value[c] = (f8)raw->word[c];
+            value[c] = (f32x8)raw->word[c];
         }
         break;
     }
@@ -161,26 +162,28 @@ RHW_INLINE void decode_texels(const struct rhw_format_info *format, const struct
 }
 
 // Encodes values as texels, rounded to nearest, ties to even; normalized formats clamp them first.
-RHW_INLINE void encode_texels(const struct rhw_format_info *format, const f8 value[4], struct raw_texels *raw)
+RHW_INLINE void encode_texels(const struct rhw_format_info *format, const f32x8 value[4],
+                              struct raw_texels *raw)
 {
     switch (format->codec) {
     case RHW_CODEC_UNORM8: raw->word[0] = in_order(format->order, unorm8_texels(value)); break;
     case RHW_CODEC_SRGB8: raw->word[0] = in_order(format->order, srgb8_texels(value)); break;
     case RHW_CODEC_FLOAT16:
         for (int w = 0; w < 2; w++) {
-            raw->word[w] = i8_half_from_f8(value[2 * w]) | (i8_half_from_f8(value[2 * w + 1]) << 16);
+            raw->word[w] =
+                i32x8_half_from_f32x8(value[2 * w]) | (i32x8_half_from_f32x8(value[2 * w + 1]) << 16);
         }
         break;
     case RHW_CODEC_FLOAT32:
     case RHW_CODEC_BITS32:
         for (int c = 0; c < 4; c++) {
-            raw->word[c] = (i8)value[c];
+            raw->word[c] = (i32x8)value[c];
         }
         break;
     case RHW_CODEC_DEPTH16:
     case RHW_CODEC_DEPTH24: {
-        const d8 count = steps_of_depth(rhw_saturate(value[0]), rhw_codec_depth_steps(format->codec));
-        raw->word[0] = rhw_int_from_float_unchecked(f8_from_d8(count)); // below 2^24: exact
+        const f64x8 count = steps_of_depth(rhw_saturate(value[0]), rhw_codec_depth_steps(format->codec));
+        raw->word[0] = rhw_int_from_float_unchecked(f32x8_from_f64x8(count)); // below 2^24: exact
         break;
     }
     case RHW_CODEC_FIELDS: encode_fields(format, value, raw->word); break;
@@ -193,10 +196,10 @@ RHW_INLINE void encode_texels(const struct rhw_format_info *format, const f8 val
 // Loads 8 texels of 16 bytes that begin at these places.
 RHW_INLINE void load_texels16(const void *const place[RHW_LANES], struct raw_texels *raw)
 {
-    f8 column[4];
-    f8_load_columns(place, column);
+    f32x8 column[4];
+    f32x8_load_columns(place, column);
     for (int w = 0; w < 4; w++) {
-        raw->word[w] = (i8)column[w];
+        raw->word[w] = (i32x8)column[w];
     }
 }
 
@@ -208,18 +211,18 @@ RHW_INLINE void load_small_texels(const void *const place[RHW_LANES], size_t siz
         const unsigned char *const byte = place[i];
         word[i] = byte[0] | (size == 2 ? byte[1] << 8 : 0);
     }
-    raw->word[0] = i8_load(word);
+    raw->word[0] = i32x8_load(word);
 }
 
 // Loads 8 texels in a row.
 RHW_INLINE void load_texel_row(size_t size, const unsigned char *texels, struct raw_texels *raw)
 {
     if (size == 4) {
-        raw->word[0] = i8_load(texels);
+        raw->word[0] = i32x8_load(texels);
         return;
     }
     if (size == 8) {
-        const i8 a = i8_load(texels), b = i8_load(texels + 32);
+        const i32x8 a = i32x8_load(texels), b = i32x8_load(texels + 32);
         raw->word[0] = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
         raw->word[1] = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
         return;
@@ -236,20 +239,20 @@ RHW_INLINE void load_texel_row(size_t size, const unsigned char *texels, struct 
 }
 
 // Stores words of 8 texels in a row, of lanes that are set in `mask`.
-RHW_INLINE void store_words(unsigned char *texels, i8 value, i8 mask)
+RHW_INLINE void store_words(unsigned char *texels, i32x8 value, i32x8 mask)
 {
-    i8_store(texels, rhw_select_int(mask, value, i8_load(texels)));
+    i32x8_store(texels, rhw_select_int(mask, value, i32x8_load(texels)));
 }
 
 // Does so where the mask is not all or nothing per lane.
-RHW_INLINE void store_word_bits(unsigned char *texels, i8 value, i8 mask)
+RHW_INLINE void store_word_bits(unsigned char *texels, i32x8 value, i32x8 mask)
 {
-    const i8 old = i8_load(texels);
-    i8_store(texels, old ^ ((old ^ value) & mask));
+    const i32x8 old = i32x8_load(texels);
+    i32x8_store(texels, old ^ ((old ^ value) & mask));
 }
 
 // Stores the first `size` bytes, a constant, of each row of which `live` has a bit, texels side by side.
-RHW_INLINE void store_rows(const f4 row[RHW_LANES], unsigned live, size_t size, unsigned char *texels)
+RHW_INLINE void store_rows(const f32x4 row[RHW_LANES], unsigned live, size_t size, unsigned char *texels)
 {
     for (int i = 0; i < RHW_LANES; i++) {
         if (live >> i & 1) {
@@ -259,9 +262,9 @@ RHW_INLINE void store_rows(const f4 row[RHW_LANES], unsigned live, size_t size, 
 }
 
 // Stores 8 texels in a row, of lanes that are set in `mask`.
-RHW_INLINE void store_texel_row(size_t size, const struct raw_texels *raw, i8 mask, unsigned char *texels)
+RHW_INLINE void store_texel_row(size_t size, const struct raw_texels *raw, i32x8 mask, unsigned char *texels)
 {
-    const i8 *const word = raw->word;
+    const i32x8 *const word = raw->word;
     if (size == 4) {
         store_words(texels, word[0], mask);
         return;
@@ -273,16 +276,16 @@ RHW_INLINE void store_texel_row(size_t size, const struct raw_texels *raw, i8 ma
                     __builtin_shufflevector(mask, mask, 4, 4, 5, 5, 6, 6, 7, 7));
         return;
     }
-    f4 row[RHW_LANES];
+    f32x4 row[RHW_LANES];
     const unsigned live = (unsigned)rhw_mask_bits(mask);
     if (size == 16) {
-        const f8 column[4] = {(f8)word[0], (f8)word[1], (f8)word[2], (f8)word[3]};
-        f4_rows(column, row);
+        const f32x8 column[4] = {(f32x8)word[0], (f32x8)word[1], (f32x8)word[2], (f32x8)word[3]};
+        f32x4_rows(column, row);
         store_rows(row, live, 16, texels);
         return;
     }
-    const f8 zero = rhw_splat(0.0f), column[4] = {(f8)word[0], zero, zero, zero};
-    f4_rows(column, row);
+    const f32x8 zero = rhw_splat(0.0f), column[4] = {(f32x8)word[0], zero, zero, zero};
+    f32x4_rows(column, row);
     if (size == 2) {
         store_rows(row, live, 2, texels);
     } else {

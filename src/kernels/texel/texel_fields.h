@@ -4,43 +4,43 @@
 #ifndef RHW_TEXEL_FIELDS_H
 #define RHW_TEXEL_FIELDS_H
 
-#include "../../format.h"
-#include "../../simd_layout.h"
+#include "format/format.h"
+#include "base/simd_layout.h"
 
 // Numbers -------------------------------------------------------------------------------------------
 
 // Rounds to whole numbers, to nearest, ties to even: adding this leaves a double no room for a fraction, of either sign.
-RHW_INLINE i8 whole_from_scaled(f8 value, double scale)
+RHW_INLINE i32x8 whole_from_scaled(f32x8 value, double scale)
 {
-    const d8 shift = d8_splat(0x1.8p52);
-    const d8 scaled = d8_mul(d8_from_f8(value), d8_splat(scale)); // exact: 24 bits by 16
-    return rhw_int_from_float_unchecked(f8_from_d8(d8_sub(d8_add(scaled, shift), shift)));
+    const f64x8 shift = f64x8_splat(0x1.8p52);
+    const f64x8 scaled = f64x8_mul(f64x8_from_f32x8(value), f64x8_splat(scale)); // exact: 24 bits by 16
+    return rhw_int_from_float_unchecked(f32x8_from_f64x8(f64x8_sub(f64x8_add(scaled, shift), shift)));
 }
 
 // Vulkan 1.3 §3.9.2, "Conversion From Floating-Point to Normalized Fixed-Point"; NaN becomes 0.
-RHW_INLINE i8 normalized_from_float(f8 value, float least, int32_t most)
+RHW_INLINE i32x8 normalized_from_float(f32x8 value, float least, int32_t most)
 {
-    const f8 number = rhw_select(rhw_equal(value, value), value, rhw_splat(0.0f));
+    const f32x8 number = rhw_select(rhw_equal(value, value), value, rhw_splat(0.0f));
     return whole_from_scaled(rhw_clamp(number, rhw_splat(least), rhw_splat(1.0f)), most);
 }
 
 // Floats without a sign, of 5 bits of exponent and `places` of fraction (OpenGL 4.6 §2.3.4.3): to nearest, ties to even;
 // what is finite stays so, what is below 0 becomes 0.
-RHW_INLINE i8 ufloat_from_float(f8 value, int places)
+RHW_INLINE i32x8 ufloat_from_float(f32x8 value, int places)
 {
     const int dropped = 23 - places;
-    const i8 bits = (i8)value, infinity = i8_splat(31 << places);
+    const i32x8 bits = (i32x8)value, infinity = i32x8_splat(31 << places);
     // Half of the last kept place less one, plus that place's own bit: ties go to even.
-    const i8 rounded = (bits + i8_splat((1 << (dropped - 1)) - 1) + ((bits >> dropped) & 1)) >> dropped;
-    const i8 normal = rounded - ((127 - 15) << places);
+    const i32x8 rounded = (bits + i32x8_splat((1 << (dropped - 1)) - 1) + ((bits >> dropped) & 1)) >> dropped;
+    const i32x8 normal = rounded - ((127 - 15) << places);
     // Below 2^-14 the last place stands for 2^-14 / 2^places; from 2^23 on floats have no fraction.
     const float units = places == 6 ? 0x1p20f : 0x1p19f;
-    const i8 denormal = (i8)(value * units + 0x1p23f) & 0x7fffff;
-    i8 code = rhw_select_int(rhw_less(value, rhw_splat(0x1p-14f)), denormal, normal);
+    const i32x8 denormal = (i32x8)(value * units + 0x1p23f) & 0x7fffff;
+    i32x8 code = rhw_select_int(rhw_less(value, rhw_splat(0x1p-14f)), denormal, normal);
     code = rhw_min_int(code, infinity - 1);
-    code = rhw_select_int(rhw_equal_int(bits, i8_splat(0x7f800000)), infinity, code);
-    code = rhw_select_int(rhw_less_equal(value, rhw_splat(0.0f)), i8_splat(0), code);
-    return rhw_select_int(rhw_equal(value, value), code, infinity | i8_splat(1 << (places - 1)));
+    code = rhw_select_int(rhw_equal_int(bits, i32x8_splat(0x7f800000)), infinity, code);
+    code = rhw_select_int(rhw_less_equal(value, rhw_splat(0.0f)), i32x8_splat(0), code);
+    return rhw_select_int(rhw_equal(value, value), code, infinity | i32x8_splat(1 << (places - 1)));
 }
 
 // Nine bits each, and one exponent --------------------------------------------------------------------
@@ -48,32 +48,32 @@ RHW_INLINE i8 ufloat_from_float(f8 value, int places)
 enum { SHARED_BIAS = 24 }; // a channel is its 9 bits · 2^(exponent − 24)
 
 // 2^n of whole n in −126..127.
-RHW_INLINE f8 power_of_two(i8 n)
+RHW_INLINE f32x8 power_of_two(i32x8 n)
 {
-    return (f8)((n + 127) << 23);
+    return (f32x8)((n + 127) << 23);
 }
 
-RHW_INLINE i8 round_half_up(f8 value)
+RHW_INLINE i32x8 round_half_up(f32x8 value)
 {
-    const f8 floor = rhw_floor(value);
-    const i8 up = rhw_less_equal(rhw_splat(0.5f), value - floor);
+    const f32x8 floor = rhw_floor(value);
+    const i32x8 up = rhw_less_equal(rhw_splat(0.5f), value - floor);
     return rhw_int_from_float_unchecked(floor) - up;
 }
 
 // Vulkan 1.3 §3.9.3, "RGB to Shared Exponent Conversion".
-RHW_INLINE i8 shared_from_float(const f8 value[4])
+RHW_INLINE i32x8 shared_from_float(const f32x8 value[4])
 {
-    const f8 zero = rhw_splat(0.0f);
-    f8 color[3], most = zero;
+    const f32x8 zero = rhw_splat(0.0f);
+    f32x8 color[3], most = zero;
     for (int c = 0; c < 3; c++) {
         color[c] = rhw_min(rhw_max(value[c], zero), rhw_splat(65408.0f)); // NaN becomes 0
         most = rhw_max(color[c], most);
     }
-    const i8 log = (((i8)most >> 23) & 0xff) - 127;
-    i8 exponent = rhw_max_int(log, i8_splat(-16)) + 16;
-    const i8 top = round_half_up(most * power_of_two(SHARED_BIAS - exponent));
-    exponent = exponent - rhw_equal_int(top, i8_splat(512));
-    i8 word = exponent << 27;
+    const i32x8 log = (((i32x8)most >> 23) & 0xff) - 127;
+    i32x8 exponent = rhw_max_int(log, i32x8_splat(-16)) + 16;
+    const i32x8 top = round_half_up(most * power_of_two(SHARED_BIAS - exponent));
+    exponent = exponent - rhw_equal_int(top, i32x8_splat(512));
+    i32x8 word = exponent << 27;
     for (int c = 0; c < 3; c++) {
         word = word | (round_half_up(color[c] * power_of_two(SHARED_BIAS - exponent)) << (9 * c));
     }
@@ -82,35 +82,35 @@ RHW_INLINE i8 shared_from_float(const f8 value[4])
 
 // Texels --------------------------------------------------------------------------------------------
 
-RHW_INLINE f8 field_value(enum rhw_channel_type type, i8 word, int first, int bits)
+RHW_INLINE f32x8 field_value(enum rhw_channel_type type, i32x8 word, int first, int bits)
 {
-    const i8 raised = word << (32 - bits - first), code = (i8)((u8)raised >> (32 - bits));
+    const i32x8 raised = word << (32 - bits - first), code = (i32x8)((u32x8)raised >> (32 - bits));
     switch (type) {
     case RHW_CHANNEL_UNORM: return rhw_float_from_int(code) / (float)((1 << bits) - 1);
     case RHW_CHANNEL_SNORM:
         return rhw_max(rhw_float_from_int(raised >> (32 - bits)) / (float)((1 << (bits - 1)) - 1),
                        rhw_splat(-1.0f));
-    case RHW_CHANNEL_SINT: return (f8)(raised >> (32 - bits));
-    case RHW_CHANNEL_UFLOAT: return f8_from_half(code << (15 - bits));
+    case RHW_CHANNEL_SINT: return (f32x8)(raised >> (32 - bits));
+    case RHW_CHANNEL_UFLOAT: return f32x8_from_half(code << (15 - bits));
     case RHW_CHANNEL_SHARED:
-        return rhw_float_from_int(code) * power_of_two((i8)((u8)word >> 27) - SHARED_BIAS);
-    default: return (f8)code;
+        return rhw_float_from_int(code) * power_of_two((i32x8)((u32x8)word >> 27) - SHARED_BIAS);
+    default: return (f32x8)code;
     }
 }
 
-RHW_INLINE i8 field_code(enum rhw_channel_type type, f8 value, int bits)
+RHW_INLINE i32x8 field_code(enum rhw_channel_type type, f32x8 value, int bits)
 {
     switch (type) {
     case RHW_CHANNEL_UNORM: return normalized_from_float(value, 0.0f, (1 << bits) - 1);
     case RHW_CHANNEL_SNORM: return normalized_from_float(value, -1.0f, (1 << (bits - 1)) - 1);
     case RHW_CHANNEL_UFLOAT: return ufloat_from_float(value, bits - 5);
-    default: return (i8)value;
+    default: return (i32x8)value;
     }
 }
 
 // Of the channels that the format has. Words are those of raw_texels (texel_codec.h).
-static __attribute__((noinline)) void decode_fields(const struct rhw_format_info *format, const i8 word[4],
-                                                    f8 *value)
+static __attribute__((noinline)) void decode_fields(const struct rhw_format_info *format, const i32x8 word[4],
+                                                    f32x8 *value)
 {
     for (int c = 0; c < format->channels; c++) {
         const int first = format->first[c];
@@ -118,17 +118,17 @@ static __attribute__((noinline)) void decode_fields(const struct rhw_format_info
     }
 }
 
-static __attribute__((noinline)) void encode_fields(const struct rhw_format_info *format, const f8 *value,
-                                                    i8 word[4])
+static __attribute__((noinline)) void encode_fields(const struct rhw_format_info *format, const f32x8 *value,
+                                                    i32x8 word[4])
 {
-    word[0] = word[1] = i8_splat(0);
+    word[0] = word[1] = i32x8_splat(0);
     if (format->type == RHW_CHANNEL_SHARED) {
         word[0] = shared_from_float(value);
         return;
     }
     for (int c = 0; c < format->channels; c++) {
         const int first = format->first[c], bits = format->bits[c];
-        const i8 code = field_code(format->type, value[c], bits) & i8_splat((1 << bits) - 1);
+        const i32x8 code = field_code(format->type, value[c], bits) & i32x8_splat((1 << bits) - 1);
         word[first / 32] = word[first / 32] | (code << (first % 32));
     }
 }

@@ -4,8 +4,8 @@
 #ifndef RHW_ATTACHMENT_H
 #define RHW_ATTACHMENT_H
 
-#include "../texel/texel_codec.h"
-#include "../tile_work.h"
+#include "kernels/texel/texel_codec.h"
+#include "kernels/tile_work.h"
 
 static enum rhw_load load_of(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment)
 {
@@ -20,10 +20,10 @@ static bool is_stored(const struct rhw_pass_state *pass, const struct rhw_attach
 
 static void fill_bytes(unsigned char *to, const unsigned char pattern[RHW_CLEAR_BYTES], size_t bytes)
 {
-    const i8 vector = i8_load(pattern);
+    const i32x8 vector = i32x8_load(pattern);
     size_t i = 0;
     for (; i + sizeof vector <= bytes; i += sizeof vector) {
-        i8_store(to + i, vector);
+        i32x8_store(to + i, vector);
     }
     for (; i < bytes; i++) {
         to[i] = pattern[i % RHW_CLEAR_BYTES];
@@ -35,7 +35,7 @@ static void copy_row(unsigned char *to, const unsigned char *from, size_t bytes)
 {
     size_t i = 0;
     for (; i + 32 <= bytes; i += 32) {
-        i8_store(to + i, i8_load(from + i));
+        i32x8_store(to + i, i32x8_load(from + i));
     }
     for (; i < bytes; i++) {
         to[i] = from[i];
@@ -145,12 +145,12 @@ static void load_depth_steps(const struct tile_work *work, int sample, float *ti
     const struct rhw_attachment *const depth = &work->pass->depth;
     const struct rhw_format_info *const info = rhw_format_info(depth->format);
     if (load_of(work->pass, depth) != RHW_LOAD_LOAD) {
-        struct raw_texels raw = {{i8_splat(0)}};
+        struct raw_texels raw = {{i32x8_splat(0)}};
         load_texel_row(info->size, depth->clear, &raw);
-        f8 value[4];
+        f32x8 value[4];
         decode_texels(info, &raw, value);
         for (int i = 0; i < RHW_TILE * RHW_TILE; i += 8) {
-            f8_store(tile + i, value[0]);
+            f32x8_store(tile + i, value[0]);
         }
         return;
     }
@@ -158,10 +158,10 @@ static void load_depth_steps(const struct tile_work *work, int sample, float *ti
     for (int y = work->area.y0; y < work->area.y1; y++) {
         for (int x = work->area.x0 & -8; x < work->area.x1; x += 8) { // rows are padded
             struct raw_texels raw;
-            f8 value[4];
+            f32x8 value[4];
             load_texel_row(info->size, rows.first + (size_t)y * rows.pitch + (size_t)x * info->size, &raw);
             decode_texels(info, &raw, value);
-            f8_store(tile + y * RHW_TILE + x, value[0]);
+            f32x8_store(tile + y * RHW_TILE + x, value[0]);
         }
     }
 }
@@ -172,8 +172,8 @@ static void write_depth_steps(const struct tile_work *work, struct memory_rows r
     const struct rhw_format_info *const info = rhw_format_info(work->pass->depth.format);
     for (int y = work->area.y0; y < work->area.y1; y++) {
         for (int x = work->area.x0 & -8; x < work->area.x1; x += 8) {
-            const i8 mask = i8_from_bits(area_lanes(&work->area, x));
-            const f8 value[4] = {f8_load(tile + y * RHW_TILE + x)};
+            const i32x8 mask = i32x8_from_bits(area_lanes(&work->area, x));
+            const f32x8 value[4] = {f32x8_load(tile + y * RHW_TILE + x)};
             struct raw_texels raw;
             encode_texels(info, value, &raw);
             store_texel_row(info->size, &raw, mask,

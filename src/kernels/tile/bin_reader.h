@@ -4,8 +4,8 @@
 #ifndef RHW_BIN_READER_H
 #define RHW_BIN_READER_H
 
-#include "../raster/vertex_record.h"
-#include "../tile_work.h"
+#include "kernels/raster/vertex_record.h"
+#include "kernels/tile_work.h"
 
 enum {
     BATCH = 8,

@@ -4,9 +4,9 @@
 #ifndef RHW_DEPTH_BIAS_H
 #define RHW_DEPTH_BIAS_H
 
-#include "../raster/plane_clipped.h"
-#include "../tile_work.h"
-#include "../triangle_work.h"
+#include "kernels/raster/plane_clipped.h"
+#include "kernels/tile_work.h"
+#include "kernels/triangle_work.h"
 #include "triangle_setup8.h"
 
 // The step of a depth of 0..1: that of the format, or of floats as large.

@@ -3,9 +3,9 @@
 #ifndef RHW_DRAW_STATE_H
 #define RHW_DRAW_STATE_H
 
-#include "../../query.h"
-#include "../fragment/pack.h"
-#include "../raster/hiz.h"
+#include "pass/query.h"
+#include "kernels/fragment/pack.h"
+#include "kernels/depth/hiz.h"
 
 // Gives queries what was counted since the state was set.
 static __attribute__((noinline)) void give_counts(const struct tile_work *work)
@@ -83,8 +83,8 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
         group->textures = state->textures;
         group->color = queue->colors[g];
         if (pipeline->def.program.uses & RHW_USE_LAYER) {
-            group->layer = i8_splat(work->layer);
-            group->viewport_index = i8_splat(state->viewport_index);
+            group->layer = i32x8_splat(work->layer);
+            group->viewport_index = i32x8_splat(state->viewport_index);
         }
     }
 }

@@ -4,9 +4,9 @@
 #ifndef RHW_EXPLAINED_TRIANGLE_H
 #define RHW_EXPLAINED_TRIANGLE_H
 
-#include "../fragment/explained_fragment.h"
-#include "../fragment/pack.h"
-#include "../raster/coverage.h"
+#include "kernels/fragment/explained_fragment.h"
+#include "kernels/fragment/pack.h"
+#include "kernels/raster/coverage.h"
 #include "triangle_planes.h"
 
 // What the sample holds.
@@ -28,7 +28,7 @@ static void read_sample(const struct tile_work *work, struct sample_content *con
     for (int t = 0; t < work->pass->color_count; t++) {
         const struct rhw_format_info *const format = rhw_format_info(work->pass->colors[t].format);
         struct raw_texels raw = {{{0}}};
-        f8 lanes[4];
+        f32x8 lanes[4];
         load_texel_row(format->size,
                        color_plane(scratch, t, has_own ? sample : 0) + (size_t)row * format->size, &raw);
         decode_texels(format, &raw, lanes);

@@ -4,11 +4,11 @@
 #ifndef RHW_RESOLVE_H
 #define RHW_RESOLVE_H
 
-#include "../fragment/blend.h"
-#include "../fragment/expand.h"
-#include "../fragment/woven.h"
-#include "../texel/resolve_texels.h"
-#include "../integer.h"
+#include "kernels/fragment/blend.h"
+#include "kernels/fragment/expand.h"
+#include "kernels/fragment/woven.h"
+#include "kernels/texel/resolve_texels.h"
+#include "kernels/integer.h"
 #include "attachment.h"
 
 static enum rhw_resolve color_mode(const struct rhw_attachment *attachment,
@@ -32,9 +32,9 @@ static inline void resolve_expanded(const struct tile_work *work, int t, const s
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
     struct sample_row row;
-    i8 sample[WOVEN_SAMPLES];
+    i32x8 sample[WOVEN_SAMPLES];
     if (scratch->is_woven) {
-        f8 woven[WOVEN_SAMPLES];
+        f32x8 woven[WOVEN_SAMPLES];
         load_woven_row(scratch, t, texel, woven);
         memcpy(sample, woven, sizeof sample);
     }
@@ -43,7 +43,7 @@ static inline void resolve_expanded(const struct tile_work *work, int t, const s
         row.plane[s] = scratch->is_woven ? (const unsigned char *)&sample[s]
                                          : color_plane(scratch, t, s) + (size_t)texel * how->info->size;
         if (how->is_common) {
-            sample[s] = i8_load(row.plane[s]);
+            sample[s] = i32x8_load(row.plane[s]);
         }
     }
     if (how->is_common) {
@@ -88,15 +88,16 @@ static void resolve_depth_planes(const struct tile_work *work, enum rhw_resolve 
 {
     struct tile_depth *const first = depth_plane(work->scratch, 0);
     for (int i = 0; i < RHW_TILE * RHW_TILE; i += 8) {
-        f8 value[RHW_MAX_SAMPLES];
+        f32x8 value[RHW_MAX_SAMPLES];
         for (int s = 0; s < work->samples; s++) {
-            value[s] = f8_load(&depth_plane(work->scratch, s)->texels[i]);
+            value[s] = f32x8_load(&depth_plane(work->scratch, s)->texels[i]);
         }
-        i8 agree = i8_splat(-1); // a mean of equal floats may round to another one
+        i32x8 agree = i32x8_splat(-1); // a mean of equal floats may round to another one
         for (int s = 1; s < work->samples; s++) {
             agree &= rhw_equal(value[s], value[0]);
         }
-        f8_store(&first->texels[i], f8_select(agree, value[0], resolved_value(mode, value, work->samples)));
+        f32x8_store(&first->texels[i],
+                    f32x8_select(agree, value[0], resolved_value(mode, value, work->samples)));
     }
 }
 
@@ -105,12 +106,12 @@ static void resolve_stencil_planes(const struct tile_work *work, enum rhw_resolv
 {
     struct tile_depth *const first = depth_plane(work->scratch, 0);
     for (int i = 0; i < RHW_TILE * RHW_TILE; i += 8) {
-        i8 stencil = i8_load_bytes(&first->stencil[i]);
+        i32x8 stencil = i32x8_load_bytes(&first->stencil[i]);
         for (int s = 1; s < work->samples; s++) {
-            const i8 other = i8_load_bytes(&depth_plane(work->scratch, s)->stencil[i]);
-            stencil = mode == RHW_RESOLVE_MIN ? i8_min(stencil, other) : i8_max(stencil, other);
+            const i32x8 other = i32x8_load_bytes(&depth_plane(work->scratch, s)->stencil[i]);
+            stencil = mode == RHW_RESOLVE_MIN ? i32x8_min(stencil, other) : i32x8_max(stencil, other);
         }
-        const uint64_t bytes = i8_to_bytes(stencil);
+        const uint64_t bytes = i32x8_to_bytes(stencil);
         memcpy(&first->stencil[i], &bytes, sizeof bytes);
     }
 }

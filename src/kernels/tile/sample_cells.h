@@ -5,7 +5,7 @@
 #ifndef RHW_SAMPLE_CELLS_H
 #define RHW_SAMPLE_CELLS_H
 
-#include "../../sample_pattern.h"
+#include "pipeline/sample_pattern.h"
 #include "triangle_setup8.h"
 
 // A cell's mask has 4 bits for each pixel, row by row: its samples.
@@ -17,12 +17,12 @@ struct sample_cell {
 // What the edges are at the first pixel of 8 cells, top left, and what they change by to its samples, and to the pixels
 // beside and below it. Unsigned: see edge_lanes.
 struct cell_edges8 {
-    u8 e[3], to_sample[3][CELL_SAMPLES], right[3], down[3];
+    u32x8 e[3], to_sample[3][CELL_SAMPLES], right[3], down[3];
 };
 
 // Which pixels of 8 cells their triangles may cover: columns first .. end − 1 and the first `rows` rows.
 struct cell_parts8 {
-    i8 first, end, rows;
+    i32x8 first, end, rows;
 };
 
 _Static_assert(CELLS_X == 2, "list_cells lists one or two side by side");
@@ -34,12 +34,12 @@ struct cell_fits {
 
 RHW_INLINE struct cell_fits fit_cells(const struct triangle_setup8 *setup)
 {
-    const i8 width = i8_load(setup->x1) - i8_load(setup->x0),
-             height = i8_load(setup->y1) - i8_load(setup->y0);
-    const i8 beyond =
-        rhw_less_int(i8_splat(CELLS_X * CELL), width) | rhw_less_int(i8_splat(CELLS_Y * CELL), height);
-    const i8 beyond_one = rhw_less_int(i8_splat(CELL), i8_max(width, height));
-    return (struct cell_fits){~i8_sign_bits(beyond) & 0xff, ~i8_sign_bits(beyond_one) & 0xff};
+    const i32x8 width = i32x8_load(setup->x1) - i32x8_load(setup->x0),
+                height = i32x8_load(setup->y1) - i32x8_load(setup->y0);
+    const i32x8 beyond =
+        rhw_less_int(i32x8_splat(CELLS_X * CELL), width) | rhw_less_int(i32x8_splat(CELLS_Y * CELL), height);
+    const i32x8 beyond_one = rhw_less_int(i32x8_splat(CELL), i32x8_max(width, height));
+    return (struct cell_fits){~i32x8_sign_bits(beyond) & 0xff, ~i32x8_sign_bits(beyond_one) & 0xff};
 }
 
 // Lists the cells of the batch; gives how many there are. An entry: the triangle, and 8 and 16 bits above it how far to
@@ -50,8 +50,8 @@ static inline int list_cells(struct sample_cells *cells, const struct triangle_s
     int count = 0;
     cells->fits = fits.cells;
     if (fits.one_cell == 0xff) {
-        i8_store(cells->entry, rhw_lane_index);
-        i8_store(cells->first, rhw_lane_index);
+        i32x8_store(cells->entry, rhw_lane_index);
+        i32x8_store(cells->first, rhw_lane_index);
         cells->first[BATCH] = BATCH;
         return BATCH;
     }
@@ -66,42 +66,42 @@ static inline int list_cells(struct sample_cells *cells, const struct triangle_s
         }
         cells->first[i + 1] = count;
     }
-    i8_store(&cells->entry[count], i8_splat(0)); // of the last vector's other lanes
+    i32x8_store(&cells->entry[count], i32x8_splat(0)); // of the last vector's other lanes
     return count;
 }
 
 // Of a number of each triangle, those of the triangles of 8 cells.
-RHW_INLINE i8 of_cells(const int32_t number[BATCH], i8 triangle)
+RHW_INLINE i32x8 of_cells(const int32_t number[BATCH], i32x8 triangle)
 {
-    return i8_permute(i8_load(number), triangle);
+    return i32x8_permute(i32x8_load(number), triangle);
 }
 
 // The samples of two pixels side by side in 8 cells, as a byte of their masks. `e`: the edges at the first.
-RHW_INLINE u8 cover_pair8(const struct cell_edges8 *edges, const u8 e[3])
+RHW_INLINE u32x8 cover_pair8(const struct cell_edges8 *edges, const u32x8 e[3])
 {
-    const u8 beside[3] = {e[0] + edges->right[0], e[1] + edges->right[1], e[2] + edges->right[2]};
-    u8 first = (u8)i8_splat(0), second = (u8)i8_splat(0);
+    const u32x8 beside[3] = {e[0] + edges->right[0], e[1] + edges->right[1], e[2] + edges->right[2]};
+    u32x8 first = (u32x8)i32x8_splat(0), second = (u32x8)i32x8_splat(0);
     for (int s = CELL_SAMPLES - 1; s >= 0; s--) {
-        const u8 a = edges->to_sample[0][s], b = edges->to_sample[1][s], c = edges->to_sample[2][s];
+        const u32x8 a = edges->to_sample[0][s], b = edges->to_sample[1][s], c = edges->to_sample[2][s];
         first = first << 1 | ((e[0] + a) | (e[1] + b) | (e[2] + c)) >> 31;
         second = second << 1 | ((beside[0] + a) | (beside[1] + b) | (beside[2] + c)) >> 31;
     }
-    return (first | second << CELL_SAMPLES) ^ (u8)i8_splat(0xff);
+    return (first | second << CELL_SAMPLES) ^ (u32x8)i32x8_splat(0xff);
 }
 
 // Rows `row` and `row` + 1 of the masks of 8 cells, as far as `parts` reach.
-RHW_INLINE i8 cover_rows8(const struct cell_edges8 *edges, const struct cell_parts8 *parts, int row)
+RHW_INLINE i32x8 cover_rows8(const struct cell_edges8 *edges, const struct cell_parts8 *parts, int row)
 {
-    u8 e[3], covered = (u8)i8_splat(0);
+    u32x8 e[3], covered = (u32x8)i32x8_splat(0);
     for (int i = 0; i < 3; i++) {
-        e[i] = edges->e[i] + edges->down[i] * (u8)i8_splat(row);
+        e[i] = edges->e[i] + edges->down[i] * (u32x8)i32x8_splat(row);
     }
-    const bool is_wide = rhw_any(rhw_less_int(i8_splat(2), parts->end));
-    for (int k = 0; k < 2 && rhw_any(rhw_less_int(i8_splat(row + k), parts->rows)); k++) {
-        u8 pixels = cover_pair8(edges, e);
+    const bool is_wide = rhw_any(rhw_less_int(i32x8_splat(2), parts->end));
+    for (int k = 0; k < 2 && rhw_any(rhw_less_int(i32x8_splat(row + k), parts->rows)); k++) {
+        u32x8 pixels = cover_pair8(edges, e);
         if (is_wide) {
-            const u8 next[3] = {e[0] + edges->right[0] * 2, e[1] + edges->right[1] * 2,
-                                e[2] + edges->right[2] * 2};
+            const u32x8 next[3] = {e[0] + edges->right[0] * 2, e[1] + edges->right[1] * 2,
+                                   e[2] + edges->right[2] * 2};
             pixels |= cover_pair8(edges, next) << 8;
         }
         covered |= k == 0 ? pixels : pixels << 16;
@@ -109,39 +109,41 @@ RHW_INLINE i8 cover_rows8(const struct cell_edges8 *edges, const struct cell_par
             e[i] += edges->down[i];
         }
     }
-    return (i8)covered;
+    return (i32x8)covered;
 }
 
 // Sets the masks of cells n .. n + 7.
 static inline void cover_cells8(struct sample_cells *cells, const struct triangle_setup8 *setup,
                                 const struct rhw_sample_pattern *pattern, int n)
 {
-    const i8 entry = i8_load(&cells->entry[n]), triangle = entry & i8_splat(BATCH - 1);
-    const i8 begin = of_cells(setup->x0, triangle) + (entry >> 8 & i8_splat(0xff)), below = entry >> 16,
-             y = of_cells(setup->y0, triangle) + below,
-             x = i8_min(begin, i8_splat(RHW_TILE - CELL)); // so that all of it lies in the tile
-    const u8 dx = (u8)(x - of_cells(setup->x, triangle)) << RHW_SUBPIXEL_BITS,
-             dy = (u8)below << RHW_SUBPIXEL_BITS;
+    const i32x8 entry = i32x8_load(&cells->entry[n]), triangle = entry & i32x8_splat(BATCH - 1);
+    const i32x8 begin = of_cells(setup->x0, triangle) + (entry >> 8 & i32x8_splat(0xff)), below = entry >> 16,
+                y = of_cells(setup->y0, triangle) + below,
+                x = i32x8_min(begin, i32x8_splat(RHW_TILE - CELL)); // so that all of it lies in the tile
+    const u32x8 dx = (u32x8)(x - of_cells(setup->x, triangle)) << RHW_SUBPIXEL_BITS,
+                dy = (u32x8)below << RHW_SUBPIXEL_BITS;
     struct cell_edges8 edges;
     for (int i = 0; i < 3; i++) {
-        const u8 a = (u8)of_cells(setup->a[i], triangle), b = (u8)of_cells(setup->b[i], triangle);
-        edges.e[i] = (u8)of_cells(setup->q[i], triangle) + a * dx + b * dy;
+        const u32x8 a = (u32x8)of_cells(setup->a[i], triangle), b = (u32x8)of_cells(setup->b[i], triangle);
+        edges.e[i] = (u32x8)of_cells(setup->q[i], triangle) + a * dx + b * dy;
         edges.right[i] = a << RHW_SUBPIXEL_BITS;
         edges.down[i] = b << RHW_SUBPIXEL_BITS;
         for (int s = 0; s < CELL_SAMPLES; s++) {
-            edges.to_sample[i][s] = a * (u8)i8_splat(pattern->x_0_8[s]) + b * (u8)i8_splat(pattern->y_0_8[s]);
+            edges.to_sample[i][s] =
+                a * (u32x8)i32x8_splat(pattern->x_0_8[s]) + b * (u32x8)i32x8_splat(pattern->y_0_8[s]);
         }
     }
-    const struct cell_parts8 parts = {begin - x, i8_min(of_cells(setup->x1, triangle) - x, i8_splat(CELL)),
-                                      i8_min(of_cells(setup->y1, triangle) - y, i8_splat(CELL))};
+    const struct cell_parts8 parts = {begin - x,
+                                      i32x8_min(of_cells(setup->x1, triangle) - x, i32x8_splat(CELL)),
+                                      i32x8_min(of_cells(setup->y1, triangle) - y, i32x8_splat(CELL))};
     // Masks of two rows: the columns before one, and the upper or lower rows of so many.
-    const i8 before = {0, 0x000f000f, 0x00ff00ff, 0x0fff0fff, -1};
-    const i8 upper = {0, 0xffff, -1, -1, -1}, lower = {0, 0, 0, 0xffff, -1};
-    const i8 columns = i8_permute(before, parts.end) & ~i8_permute(before, parts.first);
-    i8_store(&cells->low[n], cover_rows8(&edges, &parts, 0) & columns & i8_permute(upper, parts.rows));
-    i8_store(&cells->high[n], cover_rows8(&edges, &parts, 2) & columns & i8_permute(lower, parts.rows));
-    i8_store(&cells->x[n], x);
-    i8_store(&cells->y[n], y);
+    const i32x8 before = {0, 0x000f000f, 0x00ff00ff, 0x0fff0fff, -1};
+    const i32x8 upper = {0, 0xffff, -1, -1, -1}, lower = {0, 0, 0, 0xffff, -1};
+    const i32x8 columns = i32x8_permute(before, parts.end) & ~i32x8_permute(before, parts.first);
+    i32x8_store(&cells->low[n], cover_rows8(&edges, &parts, 0) & columns & i32x8_permute(upper, parts.rows));
+    i32x8_store(&cells->high[n], cover_rows8(&edges, &parts, 2) & columns & i32x8_permute(lower, parts.rows));
+    i32x8_store(&cells->x[n], x);
+    i32x8_store(&cells->y[n], y);
 }
 
 // Covers those triangles of a batch that fit.

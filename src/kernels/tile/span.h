@@ -12,8 +12,8 @@
 
 #include <math.h>
 
-#include "../../constants.h"
-#include "../../simd.h"
+#include "base/constants.h"
+#include "base/simd.h"
 
 // The edges of a triangle.
 struct span_edges {
@@ -37,38 +37,39 @@ struct span_rows {
 
 // Columns of the tile; `end` is exclusive, and not above `begin` where nothing is covered.
 struct row_spans {
-    i8 begin, end;
+    i32x8 begin, end;
 };
 
 // Of a triangle whose edges start at column `x` and row `top` of the tile, and that has `width` columns.
 RHW_INLINE struct row_spans spans_of_rows(const struct span_edges *edges, int x, int top, int width,
                                           struct span_rows which)
 {
-    const i8 rows = i8_splat(which.y) + rhw_lane_index;
-    const f8 from_top = rhw_float_from_int(rows - i8_splat(top));
-    f8 begin = f8_splat(0);                // span_mask starts where the triangle does
-    f8 end = f8_splat((float)(width - 1)); // the last one
+    const i32x8 rows = i32x8_splat(which.y) + rhw_lane_index;
+    const f32x8 from_top = rhw_float_from_int(rows - i32x8_splat(top));
+    f32x8 begin = f32x8_splat(0);                // span_mask starts where the triangle does
+    f32x8 end = f32x8_splat((float)(width - 1)); // the last one
     for (int e = 0; e < 3; e++) {
-        const f8 side = f8_splat(edges->side[e]);
-        const f8 q = f8_splat(edges->q[e]) + f8_splat(edges->step[e]) * from_top;
-        const f8 v = q * f8_splat(edges->scale[e]);
-        begin = f8_max(begin, f8_min(v, side));
-        end = f8_min(end, f8_max(v, side));
+        const f32x8 side = f32x8_splat(edges->side[e]);
+        const f32x8 q = f32x8_splat(edges->q[e]) + f32x8_splat(edges->step[e]) * from_top;
+        const f32x8 v = q * f32x8_splat(edges->scale[e]);
+        begin = f32x8_max(begin, f32x8_min(v, side));
+        end = f32x8_min(end, f32x8_max(v, side));
     }
     begin = rhw_ceil(begin);
-    end = f8_max(end, f8_splat(-1)) + f8_splat(1); // −1 is before the first column
-    const i8 drawn = ~rhw_less_int(rows, i8_splat(which.y0)) & rhw_less_int(rows, i8_splat(which.y1));
-    return (struct row_spans){rhw_int_from_float_unchecked(begin) + i8_splat(x),
-                              (rhw_int_from_float_unchecked(end) + i8_splat(x)) & drawn};
+    end = f32x8_max(end, f32x8_splat(-1)) + f32x8_splat(1); // −1 is before the first column
+    const i32x8 drawn =
+        ~rhw_less_int(rows, i32x8_splat(which.y0)) & rhw_less_int(rows, i32x8_splat(which.y1));
+    return (struct row_spans){rhw_int_from_float_unchecked(begin) + i32x8_splat(x),
+                              (rhw_int_from_float_unchecked(end) + i32x8_splat(x)) & drawn};
 }
 
 // The pixels of the block at x, in the rows of the spans, that they cover from column x0 on; bit 8·row + column.
 RHW_INLINE uint64_t span_mask(const struct row_spans *spans, int x, int x0)
 {
-    const i8 zero = i8_splat(0), width = i8_splat(RHW_BLOCK), first = i8_splat(x);
-    const i8 end = i8_max(i8_min(spans->end - first, width), zero);
-    const i8 begin = i8_min(i8_max(spans->begin, i8_splat(x0)) - first, end);
-    return i8_to_bytes(i8_power2(end) - i8_power2(begin));
+    const i32x8 zero = i32x8_splat(0), width = i32x8_splat(RHW_BLOCK), first = i32x8_splat(x);
+    const i32x8 end = i32x8_max(i32x8_min(spans->end - first, width), zero);
+    const i32x8 begin = i32x8_min(i32x8_max(spans->begin, i32x8_splat(x0)) - first, end);
+    return i32x8_to_bytes(i32x8_power2(end) - i32x8_power2(begin));
 }
 
 #endif

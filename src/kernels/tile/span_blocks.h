@@ -4,8 +4,8 @@
 #ifndef RHW_SPAN_BLOCKS_H
 #define RHW_SPAN_BLOCKS_H
 
-#include "../integer.h"
-#include "../triangle_work.h"
+#include "kernels/integer.h"
+#include "kernels/triangle_work.h"
 #include "span.h"
 #include "triangle_setup8.h"
 

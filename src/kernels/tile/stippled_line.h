@@ -3,9 +3,9 @@
 #ifndef RHW_STIPPLED_LINE_H
 #define RHW_STIPPLED_LINE_H
 
-#include "../raster/coverage.h"
-#include "../raster/stipple_mask.h"
-#include "../tile_work.h"
+#include "kernels/raster/coverage.h"
+#include "kernels/raster/stipple_mask.h"
+#include "kernels/tile_work.h"
 
 struct stippled_line {
     struct stippled_rectangle rectangle;

@@ -6,11 +6,11 @@
 #ifndef RHW_TRIANGLE_LARGE_H
 #define RHW_TRIANGLE_LARGE_H
 
-#include "../fragment/constant_color.h"
-#include "../fragment/explained_fragment.h"
-#include "../fragment/gather.h"
-#include "../raster/block_test.h"
-#include "../raster/depth_range.h"
+#include "kernels/fragment/constant_color.h"
+#include "kernels/fragment/explained_fragment.h"
+#include "kernels/fragment/gather.h"
+#include "kernels/depth/block_test.h"
+#include "kernels/depth/depth_range.h"
 #include "span_blocks.h"
 #include "triangle_planes.h"
 
@@ -73,7 +73,7 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
     if (!triangle->has_planes) {
         set_planes(work, triangle);
     }
-    f8 z[RHW_BLOCK];
+    f32x8 z[RHW_BLOCK];
     // Set member by member: before an initializer gcc clears all of it, by a slow `rep stos`.
     struct block block;
     block.x = x;
@@ -124,7 +124,7 @@ RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_wo
     struct fragment_queue *const queue = &work->scratch->queue;
     for (int y = 0; y < RHW_TILE; y += RHW_BLOCK) {
         struct block_planes over;
-        const d8 dy = block_offset(work, planes, 0, y).dy;
+        const f64x8 dy = block_offset(work, planes, 0, y).dy;
         block_weight_rows(&over, planes, dy, path);
         for (int x = 0; x < RHW_TILE; x += RHW_BLOCK) {
             const struct anchor_offset at = {block_offset(work, planes, x, y).dx, dy};

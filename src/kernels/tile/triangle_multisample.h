@@ -5,10 +5,10 @@
 #ifndef RHW_TRIANGLE_MULTISAMPLE_H
 #define RHW_TRIANGLE_MULTISAMPLE_H
 
-#include "../fragment/constant_color.h"
-#include "../fragment/explained_fragment.h"
-#include "../fragment/gather.h"
-#include "../raster/block_test.h"
+#include "kernels/fragment/constant_color.h"
+#include "kernels/fragment/explained_fragment.h"
+#include "kernels/fragment/gather.h"
+#include "kernels/depth/block_test.h"
 #include "triangle_planes.h"
 
 // A block of 8×8 pixels by sample.
@@ -16,7 +16,7 @@ struct sampled_block {
     int x, y;
     uint64_t mask[RHW_MAX_SAMPLES];
     uint64_t covered[RHW_MAX_SAMPLES]; // the same before any test, for centroids alone
-    f8 z[RHW_MAX_SAMPLES][RHW_BLOCK];
+    f32x8 z[RHW_MAX_SAMPLES][RHW_BLOCK];
 };
 
 // Sets all but depths and samples of the block as its pixels are at sample s; −1: at their centres. In place: a copy
@@ -29,8 +29,8 @@ RHW_INLINE void block_set(struct block *block, const struct tile_work *work,
     block->y = from->y;
     block->at = block_offset(work, &triangle->planes, from->x, from->y);
     if (s >= 0) {
-        block->at.dx = d8_add(block->at.dx, d8_splat(from_center(pattern->x_0_8[s])));
-        block->at.dy = d8_add(block->at.dy, d8_splat(from_center(pattern->y_0_8[s])));
+        block->at.dx = f64x8_add(block->at.dx, f64x8_splat(from_center(pattern->x_0_8[s])));
+        block->at.dy = f64x8_add(block->at.dy, f64x8_splat(from_center(pattern->y_0_8[s])));
     }
     block->leaves_triangle = leaves_triangle(triangle, &block->at);
 }
@@ -108,7 +108,7 @@ static void queue_samples(struct tile_work *work, struct triangle_work *triangle
 {
     const struct rhw_sample_pattern *const pattern = work->pass->pattern;
     const bool per_sample = work->plan.sampling == RHW_SAMPLING_SAMPLE;
-    f8 z[RHW_BLOCK];
+    f32x8 z[RHW_BLOCK];
     struct block block;
     block_set(&block, work, triangle, from, at);
     struct block_samples samples = {.mask = from->mask, .only = per_sample ? at : -1};

@@ -4,9 +4,9 @@
 #ifndef RHW_TRIANGLE_PLANES_H
 #define RHW_TRIANGLE_PLANES_H
 
-#include "../fragment/row_groups.h"
-#include "../integer.h"
-#include "../raster/hiz.h"
+#include "kernels/fragment/row_groups.h"
+#include "kernels/integer.h"
+#include "kernels/depth/hiz.h"
 #include "depth_bias.h"
 
 // Gives what a triangle may cover of the tile.
@@ -125,7 +125,7 @@ RHW_INLINE bool is_plain_small(const struct triangle_setup8 *setup, int i, uint1
 
 // Gives the depths of a block; those of pixels outside `mask` are rubbish.
 RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_work *triangle,
-                           const struct block *block, uint64_t mask, f8 z[RHW_BLOCK])
+                           const struct block *block, uint64_t mask, f32x8 z[RHW_BLOCK])
 {
     struct block_planes over;
     block_depth(&over, &triangle->planes, &block->at);
@@ -137,7 +137,7 @@ RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_w
         const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
         if (bits != 0 && row_leaves_triangle(&triangle->planes, triangle->clipped, &block->at, row, bits)) {
             clipped_row_set(&clipped, &triangle->planes, triangle->clipped, &block->at, row);
-            z[row] = f8_select(clipped.lanes, clipped.z, z[row]);
+            z[row] = f32x8_select(clipped.lanes, clipped.z, z[row]);
         }
     }
     for (int row = 0; row < RHW_BLOCK && triangle->clamps_depth; row++) {

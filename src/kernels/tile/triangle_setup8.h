@@ -4,10 +4,10 @@
 #ifndef RHW_TRIANGLE_SETUP8_H
 #define RHW_TRIANGLE_SETUP8_H
 
-#include "../raster/coverage.h"
-#include "../raster/plane_setup.h"
-#include "../raster/sample_position.h"
-#include "../triangle_work.h"
+#include "kernels/raster/coverage.h"
+#include "kernels/raster/plane_setup.h"
+#include "kernels/raster/sample_position.h"
+#include "kernels/triangle_work.h"
 #include "bin_reader.h"
 
 enum {
@@ -50,55 +50,57 @@ struct triangle_setup8 {
 
 // The words of 8 triangles.
 struct triangle_words8 {
-    i8 x[3], y[3], segment, flags, x0, y0, x1, y1;
+    i32x8 x[3], y[3], segment, flags, x0, y0, x1, y1;
 };
 
 RHW_INLINE struct triangle_words8 load_words8(const struct bin_batch *read, const struct tile_work *work)
 {
     struct triangle_words8 words;
-    f8 low[8], high[8];
+    f32x8 low[8], high[8];
     for (int i = 0; i < BATCH; i++) {
-        low[i] = f8_load(read->triangle[i]);
-        high[i] = f8_load((const unsigned char *)read->triangle[i] + sizeof low[i]);
+        low[i] = f32x8_load(read->triangle[i]);
+        high[i] = f32x8_load((const unsigned char *)read->triangle[i] + sizeof low[i]);
     }
-    f8_transpose(low);
-    f8_transpose(high);
+    f32x8_transpose(low);
+    f32x8_transpose(high);
     for (int k = 0; k < 3; k++) {
-        words.x[k] = (i8)low[k];
-        words.y[k] = (i8)low[3 + k];
+        words.x[k] = (i32x8)low[k];
+        words.y[k] = (i32x8)low[3 + k];
     }
-    const i8 zero = i8_splat(0), end = i8_splat(RHW_TILE), x = i8_splat(work->x), y = i8_splat(work->y);
-    words.segment = (i8)high[2];
-    words.flags = (i8)high[4]; // and above them x0; then y0 and x1, and y1: see struct rhw_triangle
-    words.x0 = i8_max(((i8)high[4] >> 16) - x, zero);
-    words.y0 = i8_max(((i8)high[5] << 16 >> 16) - y, zero);
-    words.x1 = i8_min(((i8)high[5] >> 16) - x, end);
-    words.y1 = i8_min(((i8)high[6] << 16 >> 16) - y, end);
+    const i32x8 zero = i32x8_splat(0), end = i32x8_splat(RHW_TILE), x = i32x8_splat(work->x),
+                y = i32x8_splat(work->y);
+    words.segment = (i32x8)high[2];
+    words.flags = (i32x8)high[4]; // and above them x0; then y0 and x1, and y1: see struct rhw_triangle
+    words.x0 = i32x8_max(((i32x8)high[4] >> 16) - x, zero);
+    words.y0 = i32x8_max(((i32x8)high[5] << 16 >> 16) - y, zero);
+    words.x1 = i32x8_min(((i32x8)high[5] >> 16) - x, end);
+    words.y1 = i32x8_min(((i32x8)high[6] << 16 >> 16) - y, end);
     return words;
 }
 
 RHW_INLINE void setup_edges8(struct triangle_setup8 *setup, const struct triangle_words8 *words,
                              const struct tile_work *work)
 {
-    const i8 x = i8_min(words->x0, i8_splat(RHW_TILE - RHW_BLOCK)); // so that 8 lanes stay in the tile
+    const i32x8 x =
+        i32x8_min(words->x0, i32x8_splat(RHW_TILE - RHW_BLOCK)); // so that 8 lanes stay in the tile
     const bool several = work->samples > 1;
-    const i8 center = i8_splat(several ? SAMPLE_OFFSET_0_8 : 0);
-    const i8 px = sample_of_pixel8(x + i8_splat(work->x)) - center,
-             py = sample_of_pixel8(words->y0 + i8_splat(work->y)) - center;
+    const i32x8 center = i32x8_splat(several ? SAMPLE_OFFSET_0_8 : 0);
+    const i32x8 px = sample_of_pixel8(x + i32x8_splat(work->x)) - center,
+                py = sample_of_pixel8(words->y0 + i32x8_splat(work->y)) - center;
     const int shift = several ? 0 : RHW_SUBPIXEL_BITS;
-    const i8 negative = i8_splat(RHW_TRIANGLE_NEGATIVE);
-    const i8 turn = rhw_equal_int(words->flags & negative, negative);
+    const i32x8 negative = i32x8_splat(RHW_TRIANGLE_NEGATIVE);
+    const i32x8 turn = rhw_equal_int(words->flags & negative, negative);
     for (int i = 0; i < 3; i++) {
         const struct edge_lanes edge = edge_lanes(words->x, words->y, i, turn, px, py);
-        i8_store(setup->q[i], edge.e >> shift);
-        i8_store(setup->a[i], edge.a);
-        i8_store(setup->b[i], edge.b);
+        i32x8_store(setup->q[i], edge.e >> shift);
+        i32x8_store(setup->a[i], edge.a);
+        i32x8_store(setup->b[i], edge.b);
     }
-    i8_store(setup->x, x);
-    i8_store(setup->x0, words->x0);
-    i8_store(setup->y0, words->y0);
-    i8_store(setup->x1, words->x1);
-    i8_store(setup->y1, words->y1);
+    i32x8_store(setup->x, x);
+    i32x8_store(setup->x0, words->x0);
+    i32x8_store(setup->y0, words->y0);
+    i32x8_store(setup->x1, words->x1);
+    i32x8_store(setup->y1, words->y1);
 }
 
 // Planes of triangles i .. i + 3, from plane by plane to one vector over the quantities for each triangle.
@@ -106,15 +108,15 @@ RHW_INLINE void setup_planes_at(struct triangle_setup8 *setup, int i, const stru
 {
     struct setup_output4 out;
     setup_planes4(&out, input);
-    d4 at[4], dx[4], dy[4];
+    f64x4 at[4], dx[4], dy[4];
     for (int q = 0; q < 4; q++) {
         at[q] = out.quantity[q].at;
         dx[q] = out.quantity[q].dx;
         dy[q] = out.quantity[q].dy;
     }
-    d4_transpose(at);
-    d4_transpose(dx);
-    d4_transpose(dy);
+    f64x4_transpose(at);
+    f64x4_transpose(dx);
+    f64x4_transpose(dy);
     for (int lane = 0; lane < 4; lane++) {
         setup->quantities[i + lane] = (struct quantity_planes){at[lane], dx[lane], dy[lane]};
         setup->exact |= (unsigned)(out.is_exact[lane] & 1) << (i + lane);
@@ -123,14 +125,14 @@ RHW_INLINE void setup_planes_at(struct triangle_setup8 *setup, int i, const stru
 }
 
 // Loads the depth ranges of the triangles' draws.
-RHW_INLINE void depth_ranges8(const struct bin_batch *read, i8 segment, const struct rhw_chunk *chunk,
-                              d8 *low, d8 *span)
+RHW_INLINE void depth_ranges8(const struct bin_batch *read, i32x8 segment, const struct rhw_chunk *chunk,
+                              f64x8 *low, f64x8 *span)
 {
     const uint32_t first = read->triangle[0]->segment;
-    if (i8_sign_bits(rhw_equal_int(segment, i8_splat((int32_t)first))) == 0xff) {
+    if (i32x8_sign_bits(rhw_equal_int(segment, i32x8_splat((int32_t)first))) == 0xff) {
         const struct rhw_draw_state *const state = chunk->segments[first].draw->state;
-        *low = d8_splat(state->depth_low);
-        *span = d8_splat(state->depth_span);
+        *low = f64x8_splat(state->depth_low);
+        *span = f64x8_splat(state->depth_span);
         return;
     }
     double lows[BATCH], spans[BATCH];
@@ -147,27 +149,29 @@ RHW_INLINE void setup_planes8(struct triangle_setup8 *setup, const struct triang
                               const struct rhw_chunk *chunk)
 {
     const struct bin_batch *const read = setup->read;
-    f8 position[3][4];
+    f32x8 position[3][4];
     for (int v = 0; v < 3; v++) {
         const void *place[BATCH];
         for (int i = 0; i < BATCH; i++) {
             place[i] = read->vertex[i][v]->position;
         }
-        f8_load_columns(place, position[v]);
+        f32x8_load_columns(place, position[v]);
     }
-    i8_store(setup->anchor_x, pixel_of_position8(words->x[0]));
-    i8_store(setup->anchor_y, pixel_of_position8(words->y[0]));
-    d8 low, span;
+    i32x8_store(setup->anchor_x, pixel_of_position8(words->x[0]));
+    i32x8_store(setup->anchor_y, pixel_of_position8(words->y[0]));
+    f64x8 low, span;
     depth_ranges8(read, words->segment, chunk, &low, &span);
-    const d8 x1 = d8_from_i8(words->x[1] - words->x[0]), y1 = d8_from_i8(words->y[1] - words->y[0]),
-             x2 = d8_from_i8(words->x[2] - words->x[0]), y2 = d8_from_i8(words->y[2] - words->y[0]),
-             px = d8_from_i8(sample_from_position8(words->x[0])),
-             py = d8_from_i8(sample_from_position8(words->y[0]));
+    const f64x8 x1 = f64x8_from_i32x8(words->x[1] - words->x[0]),
+                y1 = f64x8_from_i32x8(words->y[1] - words->y[0]),
+                x2 = f64x8_from_i32x8(words->x[2] - words->x[0]),
+                y2 = f64x8_from_i32x8(words->y[2] - words->y[0]),
+                px = f64x8_from_i32x8(sample_from_position8(words->x[0])),
+                py = f64x8_from_i32x8(sample_from_position8(words->y[0]));
     struct setup_input4
         first = {x1.lo, y1.lo, x2.lo, y2.lo, px.lo, py.lo, .depth_low = low.lo, .depth_span = span.lo},
         second = {x1.hi, y1.hi, x2.hi, y2.hi, px.hi, py.hi, .depth_low = low.hi, .depth_span = span.hi};
     for (int v = 0; v < 3; v++) {
-        const d8 z = d8_from_f8(position[v][2]), w = d8_from_f8(position[v][3]);
+        const f64x8 z = f64x8_from_f32x8(position[v][2]), w = f64x8_from_f32x8(position[v][3]);
         first.z[v] = z.lo;
         first.w[v] = w.lo;
         second.z[v] = z.hi;
@@ -183,23 +187,23 @@ RHW_INLINE void setup_planes8(struct triangle_setup8 *setup, const struct triang
 // In all lanes, without W and depth.
 static inline struct setup_input4 setup_positions(const struct rhw_triangle *t)
 {
-    return (struct setup_input4){.x1 = d4_splat(t->x_24_8[1] - t->x_24_8[0]),
-                                 .y1 = d4_splat(t->y_24_8[1] - t->y_24_8[0]),
-                                 .x2 = d4_splat(t->x_24_8[2] - t->x_24_8[0]),
-                                 .y2 = d4_splat(t->y_24_8[2] - t->y_24_8[0]),
-                                 .px = d4_splat(sample_from_position(t->x_24_8[0])),
-                                 .py = d4_splat(sample_from_position(t->y_24_8[0]))};
+    return (struct setup_input4){.x1 = f64x4_splat(t->x_24_8[1] - t->x_24_8[0]),
+                                 .y1 = f64x4_splat(t->y_24_8[1] - t->y_24_8[0]),
+                                 .x2 = f64x4_splat(t->x_24_8[2] - t->x_24_8[0]),
+                                 .y2 = f64x4_splat(t->y_24_8[2] - t->y_24_8[0]),
+                                 .px = f64x4_splat(sample_from_position(t->x_24_8[0])),
+                                 .py = f64x4_splat(sample_from_position(t->y_24_8[0]))};
 }
 
 static inline struct setup_input4 setup_input(const struct triangle_work *triangle,
                                               const struct rhw_draw_state *state)
 {
     struct setup_input4 input = setup_positions(triangle->t);
-    input.depth_low = d4_splat(state->depth_low);
-    input.depth_span = d4_splat(state->depth_span);
+    input.depth_low = f64x4_splat(state->depth_low);
+    input.depth_span = f64x4_splat(state->depth_span);
     for (int i = 0; i < 3; i++) {
-        input.z[i] = d4_splat((double)triangle->v[i]->position[2]);
-        input.w[i] = d4_splat((double)triangle->v[i]->position[3]);
+        input.z[i] = f64x4_splat((double)triangle->v[i]->position[2]);
+        input.w[i] = f64x4_splat((double)triangle->v[i]->position[3]);
     }
     return input;
 }

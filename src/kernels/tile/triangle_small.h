@@ -7,8 +7,8 @@
 #ifndef RHW_TRIANGLE_SMALL_H
 #define RHW_TRIANGLE_SMALL_H
 
-#include "../fragment/gather.h"
-#include "../integer.h"
+#include "kernels/fragment/gather.h"
+#include "kernels/integer.h"
 #include "span_blocks.h"
 #include "triangle_planes.h"
 
@@ -37,7 +37,7 @@ RHW_INLINE void small_depth_columns(struct block_plane *depth, const struct tile
     const struct triangle_setup8 *const setup = triangle->setup;
     const int i = triangle->lane;
     block_plane_column(depth, plane_of(&setup->quantities[i], QUANTITY_Z),
-                       d8_from_i8(i8_splat(work->x + x - setup->anchor_x[i]) + rhw_lane_index));
+                       f64x8_from_i32x8(i32x8_splat(work->x + x - setup->anchor_x[i]) + rhw_lane_index));
 }
 
 RHW_INLINE void small_depth_rows(struct block_plane *depth, const struct tile_work *work,
@@ -46,7 +46,7 @@ RHW_INLINE void small_depth_rows(struct block_plane *depth, const struct tile_wo
     const struct triangle_setup8 *const setup = triangle->setup;
     const int i = triangle->lane;
     block_plane_rows(depth, plane_of(&setup->quantities[i], QUANTITY_Z),
-                     d8_from_i8(i8_splat(work->y + y - setup->anchor_y[i]) + rhw_lane_index));
+                     f64x8_from_i32x8(i32x8_splat(work->y + y - setup->anchor_y[i]) + rhw_lane_index));
 }
 
 // Strips -----------------------------------------------------------------------------------------------
@@ -55,7 +55,7 @@ RHW_INLINE void small_depth_rows(struct block_plane *depth, const struct tile_wo
 // (negative where not), and the part of depth that depends on the column.
 struct strip {
     int x; // column of the tile
-    i8 q[3], step[3], sides;
+    i32x8 q[3], step[3], sides;
     struct block_plane depth;
 };
 
@@ -67,11 +67,11 @@ RHW_INLINE void strip_set(struct strip *strip, const struct tile_work *work,
     const int i = triangle->lane;
     strip->x = setup->x[i];
     for (int e = 0; e < 3; e++) {
-        strip->q[e] = i8_splat(setup->q[e][i]) + i8_splat(setup->a[e][i]) * rhw_lane_index;
-        strip->step[e] = i8_splat(setup->b[e][i]);
+        strip->q[e] = i32x8_splat(setup->q[e][i]) + i32x8_splat(setup->a[e][i]) * rhw_lane_index;
+        strip->step[e] = i32x8_splat(setup->b[e][i]);
     }
-    strip->sides = (rhw_lane_index - i8_splat(setup->x0[i] - strip->x)) |
-                   (i8_splat(setup->x1[i] - strip->x - 1) - rhw_lane_index);
+    strip->sides = (rhw_lane_index - i32x8_splat(setup->x0[i] - strip->x)) |
+                   (i32x8_splat(setup->x1[i] - strip->x - 1) - rhw_lane_index);
     if (work->plan.tests_early) {
         small_depth_columns(&strip->depth, work, triangle, strip->x);
     }
@@ -87,8 +87,8 @@ RHW_INLINE uint64_t cover_strip(struct strip *strip, struct strip_rows rows)
 {
     uint64_t covered = 0;
     for (int row = 0; row < rows.y1 - rows.y; row++) {
-        const i8 outside = strip->q[0] | strip->q[1] | strip->q[2] | strip->sides;
-        covered |= (uint64_t)(i8_sign_bits(outside) ^ 0xff) << (8 * row);
+        const i32x8 outside = strip->q[0] | strip->q[1] | strip->q[2] | strip->sides;
+        covered |= (uint64_t)(i32x8_sign_bits(outside) ^ 0xff) << (8 * row);
         for (int e = 0; e < 3; e++) {
             strip->q[e] += strip->step[e];
         }
@@ -115,10 +115,10 @@ RHW_INLINE uint64_t test_strip(const void *pixels, const struct rhw_depth_rule r
     uint64_t passed = 0;
     small_depth_rows(&strip->depth, test->work, test->triangle, rows.y);
     for (int row = 0; row < rows.y1 - rows.y; row++) {
-        const i8 inside = ~((strip->q[0] | strip->q[1] | strip->q[2] | strip->sides) >> 31);
-        const f8 z = f8_from_d8(block_plane_value(&strip->depth, row));
-        const i8 pass = test_lanes(texels, z, inside, open_row(depth, strip->x, rows.y + row, rule), rule);
-        passed |= (uint64_t)i8_sign_bits(pass) << (8 * row);
+        const i32x8 inside = ~((strip->q[0] | strip->q[1] | strip->q[2] | strip->sides) >> 31);
+        const f32x8 z = f32x8_from_f64x8(block_plane_value(&strip->depth, row));
+        const i32x8 pass = test_lanes(texels, z, inside, open_row(depth, strip->x, rows.y + row, rule), rule);
+        passed |= (uint64_t)i32x8_sign_bits(pass) << (8 * row);
         texels += RHW_TILE;
         for (int e = 0; e < 3; e++) {
             strip->q[e] += strip->step[e];
@@ -191,10 +191,10 @@ RHW_INLINE uint64_t test_spans(const void *pixels, const struct rhw_depth_rule r
     float *texels = depth_texels(depth, x, y + first);
     uint64_t passed = 0;
     for (int row = first; row <= last; row++) {
-        const i8 live = i8_from_bits((unsigned)(mask >> (8 * row)) & 0xff);
-        const f8 z = f8_from_d8(block_plane_value(&over, row));
-        const i8 pass = test_lanes(texels, z, live, open_row(depth, x, y + row, rule), rule);
-        passed |= (uint64_t)i8_sign_bits(pass) << (8 * row);
+        const i32x8 live = i32x8_from_bits((unsigned)(mask >> (8 * row)) & 0xff);
+        const f32x8 z = f32x8_from_f64x8(block_plane_value(&over, row));
+        const i32x8 pass = test_lanes(texels, z, live, open_row(depth, x, y + row, rule), rule);
+        passed |= (uint64_t)i32x8_sign_bits(pass) << (8 * row);
         texels += RHW_TILE;
     }
     return settle_block(depth, x, y, passed, rule);
@@ -215,7 +215,7 @@ static inline void draw_small_block(struct tile_work *work, struct triangle_work
     if (mask == 0) {
         return;
     }
-    f8 z[RHW_BLOCK];
+    f32x8 z[RHW_BLOCK];
     const struct block block = {x, y, block_offset(work, &triangle->planes, x, y), z, false, NULL};
     if (work->plan.keeps_depth) {
         struct block_planes over;

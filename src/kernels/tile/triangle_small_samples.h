@@ -5,20 +5,20 @@
 #ifndef RHW_TRIANGLE_SMALL_SAMPLES_H
 #define RHW_TRIANGLE_SMALL_SAMPLES_H
 
-#include "../fragment/gather.h"
+#include "kernels/fragment/gather.h"
 #include "triangle_planes.h"
 
 // A part of a triangle's rectangle: rows y .. y1 − 1, and the columns of the 8 from x on whose lanes are not negative in
 // `sides`. Masks of it are those of the block whose first row is `top`; all of that lies in the tile.
 struct small_part {
     int x, y, y1, top;
-    i8 sides;
+    i32x8 sides;
     int32_t q[3][RHW_MAX_SAMPLES]; // the edges at each sample of the pixel (x, y): as q in coverage.h
 };
 
 // What is the same for all parts of a triangle.
 struct small_edges {
-    i8 along[3], step[3]; // what the edges change by to the lanes of a row, and to the next row
+    i32x8 along[3], step[3]; // what the edges change by to the lanes of a row, and to the next row
 };
 
 // Leaves out rows of a part, at its ends, that have no sample within. Gives whether one is left.
@@ -26,15 +26,15 @@ static inline bool trim_rows(struct small_part *part, const struct triangle_work
 {
     const struct triangle_setup8 *const setup = triangle->setup;
     const int i = triangle->lane, right = part->x - setup->x[i], down = part->y - setup->y0[i];
-    i8 outside = i8_splat(0);
+    i32x8 outside = i32x8_splat(0);
     for (int e = 0; e < 3;
          e++) { // at the end of the row where the edge is largest, beyond all of its samples
         const int32_t a = setup->a[e][i], b = setup->b[e][i];
         const int32_t first = (setup->q[e][i] >> RHW_SUBPIXEL_BITS) + a * right + b * down;
         const int32_t most = first + RHW_BLOCK * max_int(a, 0) + max_int(b, 0) + 1;
-        outside |= i8_splat(most) + i8_splat(b) * rhw_lane_index;
+        outside |= i32x8_splat(most) + i32x8_splat(b) * rhw_lane_index;
     }
-    const unsigned rows = ~i8_sign_bits(outside) & ((1u << (part->y1 - part->y)) - 1);
+    const unsigned rows = ~i32x8_sign_bits(outside) & ((1u << (part->y1 - part->y)) - 1);
     if (rows == 0) {
         return false;
     }
@@ -54,9 +54,9 @@ static inline void part_edges_set(struct small_part *part, const struct tile_wor
         const int32_t a = setup->a[e][i], b = setup->b[e][i];
         const int32_t first = setup->q[e][i] + (a * right + b * down) * RHW_SUBPIXEL;
         for (int s = 0; s < work->samples; s += RHW_LANES) {
-            const i8 at = i8_splat(first) + i8_splat(a) * i8_load(&pattern->x_0_8[s]) +
-                          i8_splat(b) * i8_load(&pattern->y_0_8[s]);
-            i8_store(&part->q[e][s], at >> RHW_SUBPIXEL_BITS);
+            const i32x8 at = i32x8_splat(first) + i32x8_splat(a) * i32x8_load(&pattern->x_0_8[s]) +
+                             i32x8_splat(b) * i32x8_load(&pattern->y_0_8[s]);
+            i32x8_store(&part->q[e][s], at >> RHW_SUBPIXEL_BITS);
         }
     }
 }
@@ -81,25 +81,25 @@ RHW_INLINE uint64_t test_part_sample(const struct part_test *test, int s, const 
     struct tile_depth *const depth = depth_plane(work->scratch, s);
     const int i = test->triangle->lane;
     const struct plane z = plane_of(&setup->quantities[i], QUANTITY_Z);
-    const d8 dx = d8_from_i8(i8_splat(work->x + part->x - setup->anchor_x[i]) + rhw_lane_index);
-    const d8 column = plane_column(z, d8_add(dx, d8_splat(from_center(pattern->x_0_8[s]))));
+    const f64x8 dx = f64x8_from_i32x8(i32x8_splat(work->x + part->x - setup->anchor_x[i]) + rhw_lane_index);
+    const f64x8 column = plane_column(z, f64x8_add(dx, f64x8_splat(from_center(pattern->x_0_8[s]))));
     const double dy = work->y - setup->anchor_y[i] + from_center(pattern->y_0_8[s]);
     const bool tests = work->plan.tests_early;
-    i8 q[3];
+    i32x8 q[3];
     for (int e = 0; e < 3; e++) {
-        q[e] = i8_splat(part->q[e][s]) + edges->along[e];
+        q[e] = i32x8_splat(part->q[e][s]) + edges->along[e];
     }
     uint64_t passed = 0;
     for (int y = part->y; y < part->y1; y++) {
-        const i8 inside = ~((q[0] | q[1] | q[2] | part->sides) >> 31);
-        unsigned bits = i8_sign_bits(inside);
+        const i32x8 inside = ~((q[0] | q[1] | q[2] | part->sides) >> 31);
+        unsigned bits = i32x8_sign_bits(inside);
         for (int e = 0; e < 3; e++) {
             q[e] += edges->step[e];
         }
         if (bits != 0 && tests) {
-            const f8 value = f8_from_d8(d8_add(column, d8_splat(z.at + z.dy * (dy + y))));
+            const f32x8 value = f32x8_from_f64x8(f64x8_add(column, f64x8_splat(z.at + z.dy * (dy + y))));
             const unsigned open = open_row(depth, part->x, y, rule);
-            bits = i8_sign_bits(test_lanes(depth_texels(depth, part->x, y), value, inside, open, rule));
+            bits = i32x8_sign_bits(test_lanes(depth_texels(depth, part->x, y), value, inside, open, rule));
         }
         passed |= (uint64_t)bits << (8 * (y - part->top));
     }
@@ -162,8 +162,8 @@ static __attribute__((noinline)) void draw_small_samples(struct tile_work *work,
     const int x0 = setup->x0[i], y0 = setup->y0[i], x1 = setup->x1[i], y1 = setup->y1[i];
     struct small_edges edges;
     for (int e = 0; e < 3; e++) {
-        edges.along[e] = i8_splat(setup->a[e][i]) * rhw_lane_index;
-        edges.step[e] = i8_splat(setup->b[e][i]);
+        edges.along[e] = i32x8_splat(setup->a[e][i]) * rhw_lane_index;
+        edges.step[e] = i32x8_splat(setup->b[e][i]);
     }
     for (int s = 0; s < work->samples; s++) {
         depth_plane(work->scratch, s)->marked = false;
@@ -175,8 +175,8 @@ static __attribute__((noinline)) void draw_small_samples(struct tile_work *work,
             part.y = y;
             part.y1 = min_int(y + RHW_BLOCK, y1);
             part.top = min_int(y, RHW_TILE - RHW_BLOCK);
-            const i8 column = i8_splat(part.x) + rhw_lane_index;
-            part.sides = (column - i8_splat(x)) | (i8_splat(x1 - 1) - column);
+            const i32x8 column = i32x8_splat(part.x) + rhw_lane_index;
+            part.sides = (column - i32x8_splat(x)) | (i32x8_splat(x1 - 1) - column);
             if (trim_rows(&part, triangle) && !hides_part(work, triangle, &part)) {
                 part_edges_set(&part, work, triangle);
                 draw_small_part(work, triangle, &edges, &part);

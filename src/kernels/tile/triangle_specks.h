@@ -9,7 +9,7 @@
 #ifndef RHW_TRIANGLE_SPECKS_H
 #define RHW_TRIANGLE_SPECKS_H
 
-#include "../fragment/gather.h"
+#include "kernels/fragment/gather.h"
 #include "draw_state.h"
 #include "triangle_planes.h"
 
@@ -23,11 +23,11 @@ _Static_assert(SPECK_COLUMNS *SPECK_ROWS == 32, "masks are words");
 RHW_INLINE unsigned find_specks(const struct triangle_setup8 *setup)
 {
     enum { FEW = 2 };
-    const i8 width = i8_load(setup->x1) - i8_load(setup->x0),
-             height = i8_load(setup->y1) - i8_load(setup->y0);
-    const i8 beyond =
-        rhw_less_int(i8_splat(SPECK_COLUMNS), width) | rhw_less_int(i8_splat(SPECK_ROWS), height);
-    const unsigned specks = ~(i8_sign_bits(beyond) | setup->exact) & 0xff;
+    const i32x8 width = i32x8_load(setup->x1) - i32x8_load(setup->x0),
+                height = i32x8_load(setup->y1) - i32x8_load(setup->y0);
+    const i32x8 beyond =
+        rhw_less_int(i32x8_splat(SPECK_COLUMNS), width) | rhw_less_int(i32x8_splat(SPECK_ROWS), height);
+    const unsigned specks = ~(i32x8_sign_bits(beyond) | setup->exact) & 0xff;
     return __builtin_popcount(specks) > FEW ? specks : 0;
 }
 
@@ -35,34 +35,34 @@ RHW_INLINE unsigned find_specks(const struct triangle_setup8 *setup)
 // that all others have a column and a row at least.
 static __attribute__((noinline)) void cover_specks(struct triangle_setup8 *setup)
 {
-    const i8 x0 = i8_load(setup->x0), y0 = i8_load(setup->y0);
-    const i8 columns = i8_min(i8_load(setup->x1) - x0, i8_splat(SPECK_COLUMNS)),
-             rows = i8_min(i8_load(setup->y1) - y0, i8_splat(SPECK_ROWS));
-    const u8 dx = (u8)(x0 - i8_load(setup->x));
-    u8 q[3], right[3], down[3]; // unsigned: see edge_lanes
+    const i32x8 x0 = i32x8_load(setup->x0), y0 = i32x8_load(setup->y0);
+    const i32x8 columns = i32x8_min(i32x8_load(setup->x1) - x0, i32x8_splat(SPECK_COLUMNS)),
+                rows = i32x8_min(i32x8_load(setup->y1) - y0, i32x8_splat(SPECK_ROWS));
+    const u32x8 dx = (u32x8)(x0 - i32x8_load(setup->x));
+    u32x8 q[3], right[3], down[3]; // unsigned: see edge_lanes
     for (int e = 0; e < 3; e++) {
-        right[e] = (u8)i8_load(setup->a[e]);
-        down[e] = (u8)i8_load(setup->b[e]);
-        q[e] = (u8)i8_load(setup->q[e]) + right[e] * dx;
+        right[e] = (u32x8)i32x8_load(setup->a[e]);
+        down[e] = (u32x8)i32x8_load(setup->b[e]);
+        q[e] = (u32x8)i32x8_load(setup->q[e]) + right[e] * dx;
     }
-    u8 covered = (u8)i8_splat(0);
-    for (int row = 0; row < SPECK_ROWS && rhw_any(rhw_less_int(i8_splat(row), rows)); row++) {
-        u8 at[3] = {q[0], q[1], q[2]}, outside = (u8)i8_splat(0);
+    u32x8 covered = (u32x8)i32x8_splat(0);
+    for (int row = 0; row < SPECK_ROWS && rhw_any(rhw_less_int(i32x8_splat(row), rows)); row++) {
+        u32x8 at[3] = {q[0], q[1], q[2]}, outside = (u32x8)i32x8_splat(0);
         for (int column = 0; column < SPECK_COLUMNS; column++) {
             outside |= (at[0] | at[1] | at[2]) >> 31 << column;
             for (int e = 0; e < 3; e++) {
                 at[e] += right[e];
             }
         }
-        covered |= (outside ^ (u8)i8_splat(0xf)) << (SPECK_COLUMNS * row);
+        covered |= (outside ^ (u32x8)i32x8_splat(0xf)) << (SPECK_COLUMNS * row);
         for (int e = 0; e < 3; e++) {
             q[e] += down[e];
         }
     }
-    const i8 within_columns = {0, 0x11111111, 0x33333333, 0x77777777, -1};
-    const i8 within_rows = {0xf, 0xff, 0xfff, 0xffff, 0xfffff, 0xffffff, 0xfffffff, -1}; // but one
-    i8_store(setup->speck,
-             (i8)covered & i8_permute(within_columns, columns) & i8_permute(within_rows, rows - i8_splat(1)));
+    const i32x8 within_columns = {0, 0x11111111, 0x33333333, 0x77777777, -1};
+    const i32x8 within_rows = {0xf, 0xff, 0xfff, 0xffff, 0xfffff, 0xffffff, 0xfffffff, -1}; // but one
+    i32x8_store(setup->speck, (i32x8)covered & i32x8_permute(within_columns, columns) &
+                                  i32x8_permute(within_rows, rows - i32x8_splat(1)));
 }
 
 // Begins the draw of a batch's first triangle, and sets the specks of a batch where that draw wants them.
@@ -106,7 +106,7 @@ RHW_INLINE void pack_speck(const struct tiny_run *run, int i, const struct rhw_d
     for (uint32_t left = setup->speck[i]; left != 0; left &= left - 1) {
         const int pixel = __builtin_ctz(left), column = pixel % SPECK_COLUMNS, row = pixel / SPECK_COLUMNS;
         const int texel = place.texel + row * RHW_TILE + column;
-        const d4 quantities = quantity_values(planes, place.right + column, place.down + row);
+        const f64x4 quantities = quantity_values(planes, place.right + column, place.down + row);
         if (work->plan.tests_early &&
             !test_texel_early(&work->scratch->depth, texel, (float)quantities[QUANTITY_Z], rule)) {
             continue;

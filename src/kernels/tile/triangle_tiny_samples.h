@@ -6,7 +6,7 @@
 #define RHW_TRIANGLE_TINY_SAMPLES_H
 
 #include "draw_state.h"
-#include "../fragment/gather.h"
+#include "kernels/fragment/gather.h"
 #include "sample_cells.h"
 #include "triangle_planes.h"
 
@@ -37,13 +37,13 @@ RHW_INLINE uint64_t covered_pixels(uint64_t covered)
 }
 
 // The depth of the samples of a pixel.
-RHW_INLINE f4 depth_of_pixel(struct rhw_tile_scratch *scratch, int texel)
+RHW_INLINE f32x4 depth_of_pixel(struct rhw_tile_scratch *scratch, int texel)
 {
-    return (f4){depth_plane(scratch, 0)->texels[texel], depth_plane(scratch, 1)->texels[texel],
-                depth_plane(scratch, 2)->texels[texel], depth_plane(scratch, 3)->texels[texel]};
+    return (f32x4){depth_plane(scratch, 0)->texels[texel], depth_plane(scratch, 1)->texels[texel],
+                   depth_plane(scratch, 2)->texels[texel], depth_plane(scratch, 3)->texels[texel]};
 }
 
-RHW_INLINE void store_depth_of_pixel(struct rhw_tile_scratch *scratch, int texel, f4 depth)
+RHW_INLINE void store_depth_of_pixel(struct rhw_tile_scratch *scratch, int texel, f32x4 depth)
 {
     for (int s = 0; s < CELL_SAMPLES; s++) {
         depth_plane(scratch, s)->texels[texel] = depth[s];
@@ -89,8 +89,8 @@ RHW_INLINE void draw_cell(const struct tile_work *work, const struct triangle_se
     struct rhw_tile_scratch *const scratch = work->scratch;
     struct gathered_fragments *const gathered = &scratch->gathered;
     const struct plane z = plane_of(&setup->quantities[i], QUANTITY_Z);
-    const d4 right = d4_splat(work->x + cell->x - setup->anchor_x[i]),
-             down = d4_splat(work->y + cell->y - setup->anchor_y[i]);
+    const f64x4 right = f64x4_splat(work->x + cell->x - setup->anchor_x[i]),
+                down = f64x4_splat(work->y + cell->y - setup->anchor_y[i]);
     const bool tests = work->plan.tests_early, lists = work->plan.shading != RHW_SHADING_NONE;
     const int first = cell->y * RHW_TILE + cell->x;
     int count = gathered->count;
@@ -101,18 +101,18 @@ RHW_INLINE void draw_cell(const struct tile_work *work, const struct triangle_se
         unsigned samples = covered;
         if (tests) {
             const struct cell_pixel *const pixel = &work->cell_pixels[n];
-            const f4 stored = depth_of_pixel(scratch, texel);
-            const f4 depth = f4_from_d4(plane_value4(z, pixel->dx + right, pixel->dy + down));
-            samples &= i4_sign_bits(compare_lanes4(rule.compare, depth, stored));
+            const f32x4 stored = depth_of_pixel(scratch, texel);
+            const f32x4 depth = f32x4_from_f64x4(plane_value4(z, pixel->dx + right, pixel->dy + down));
+            samples &= i32x4_sign_bits(compare_lanes4(rule.compare, depth, stored));
             if (rule.open >= RHW_OPEN_TRY) {
                 samples |= covered & open_of_pixel(scratch, texel) &
-                           i4_sign_bits(compare_lanes4(RHW_COMPARE_EQUAL, depth, stored));
+                           i32x4_sign_bits(compare_lanes4(RHW_COMPARE_EQUAL, depth, stored));
             }
             if (samples == 0) {
                 continue;
             }
             if (rule.write) {
-                store_depth_of_pixel(scratch, texel, f4_select(i4_from_bits(samples), depth, stored));
+                store_depth_of_pixel(scratch, texel, f32x4_select(i32x4_from_bits(samples), depth, stored));
             }
             samples = settle_pixel(scratch, texel, samples, rule);
         }

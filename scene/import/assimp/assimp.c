@@ -1,0 +1,559 @@
+// SPDX-License-Identifier: MIT
+// Every format that has no reader of its own here, through assimp's C API: meshes, nodes, cameras and lights.
+//
+// Of assimp's post-processing only what nothing else can do is used: polygons are cut into triangles and
+// primitive kinds separated. Normals, tangents and joined vertices are made by import_mesh.c: its passes are
+// a few times faster on large scans and keep creases.
+#include "assimp.h"
+
+#include <assimp/cimport.h>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <math.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+
+#include "elementary.h"
+#include "memory_limit.h"
+
+_Static_assert(sizeof(ai_real) == sizeof(float), "assimp is built with single precision");
+
+struct reader {
+    struct scene_import *import;
+    const struct aiScene *scene;
+    uint32_t *meshes; // model mesh by assimp mesh
+    int32_t (
+        *materials)[2]; // model material by assimp material, without and with vertex colours; −1: not made
+    uint32_t objects;
+    uint32_t depth;
+};
+
+static const double pi = 3.14159265358979324;
+
+// Meshes --------------------------------------------------------------------------------------------
+
+static uint32_t material_of(struct reader *reader, const struct aiMesh *mesh)
+{
+    const bool colored = mesh->mColors[0] != NULL;
+    if (mesh->mMaterialIndex >= reader->scene->mNumMaterials) {
+        scene_import_fail(reader->import, "a mesh refers to a material that does not exist");
+    }
+    int32_t *made = &reader->materials[mesh->mMaterialIndex][colored];
+    if (*made < 0) {
+        *made = (int32_t)scene_assimp_material(reader->import, reader->scene,
+                                               reader->scene->mMaterials[mesh->mMaterialIndex], colored);
+    }
+    return (uint32_t)*made;
+}
+
+static void *copy_vectors(struct scene_import *import, const struct aiVector3D *vectors, uint32_t count)
+{
+    if (vectors == NULL) {
+        return NULL;
+    }
+    float(*copy)[3] = scene_import_allocate(import, count, sizeof *copy);
+    memcpy(copy, vectors, count * sizeof *copy);
+    return copy;
+}
+
+// v turned from assimp's upward to our downward direction.
+static void *copy_uvs(struct scene_import *import, const struct aiVector3D *vectors, uint32_t count)
+{
+    if (vectors == NULL) {
+        return NULL;
+    }
+    float(*copy)[2] = scene_import_allocate(import, count, sizeof *copy);
+    for (uint32_t i = 0; i < count; i++) {
+        copy[i][0] = vectors[i].x;
+        copy[i][1] = 1 - vectors[i].y;
+    }
+    return copy;
+}
+
+// These formats store colours as they look, encoded with the sRGB transfer function. Most come from bytes,
+// for which a table is exact.
+static void *copy_colors(struct scene_import *import, const struct aiColor4D *colors, uint32_t count)
+{
+    if (colors == NULL) {
+        return NULL;
+    }
+    float table[256];
+    for (int i = 0; i < 256; i++) {
+        table[i] = scene_import_from_srgb((float)i / 255);
+    }
+    float(*copy)[4] = scene_import_allocate(import, count, sizeof *copy);
+    for (uint32_t i = 0; i < count; i++) {
+        const float encoded[3] = {colors[i].r, colors[i].g, colors[i].b};
+        for (int c = 0; c < 3; c++) {
+            const bool in_range = encoded[c] >= 0 && encoded[c] <= 1;
+            const int byte = in_range ? (int)(encoded[c] * 255 + 0.5f) : 0;
+            const float error = encoded[c] - (float)byte / 255;
+            const bool from_byte = in_range && error < 1e-6f && error > -1e-6f;
+            copy[i][c] = from_byte ? table[byte] : scene_import_from_srgb(encoded[c]);
+        }
+        copy[i][3] = colors[i].a;
+    }
+    return copy;
+}
+
+static void copy_indices(struct reader *reader, const struct aiMesh *source, struct scene_mesh *mesh)
+{
+    const uint32_t corners = mesh->primitive == SCENE_PRIMITIVE_TRIANGLES ? 3
+                             : mesh->primitive == SCENE_PRIMITIVE_LINES   ? 2
+                                                                          : 1;
+    if (source->mNumFaces > UINT32_MAX / 3) {
+        scene_import_fail(reader->import, "has too many faces");
+    }
+    mesh->indices =
+        scene_import_allocate(reader->import, (size_t)source->mNumFaces * corners, sizeof *mesh->indices);
+    for (uint32_t i = 0; i < source->mNumFaces; i++) {
+        const struct aiFace *face = &source->mFaces[i];
+        if (face->mNumIndices != corners) {
+            continue; // an empty face
+        }
+        for (uint32_t k = 0; k < corners; k++) {
+            if (face->mIndices[k] >= source->mNumVertices) {
+                scene_import_fail(reader->import, "a face refers to vertex %u of %u", face->mIndices[k],
+                                  source->mNumVertices);
+            }
+            mesh->indices[mesh->index_count++] = face->mIndices[k];
+        }
+    }
+}
+
+// Vertices without faces are a cloud of points.
+static void make_points(struct reader *reader, struct scene_mesh *mesh)
+{
+    mesh->primitive = SCENE_PRIMITIVE_POINTS;
+    mesh->index_count = mesh->vertex_count;
+    mesh->indices = scene_import_allocate(reader->import, mesh->vertex_count, sizeof *mesh->indices);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        mesh->indices[i] = i;
+    }
+}
+
+// An alpha that is 0 everywhere means a format without alpha, not an invisible mesh.
+static void fix_alpha(struct scene_mesh *mesh)
+{
+    bool visible = false;
+    for (uint32_t i = 0; mesh->colors != NULL && i < mesh->vertex_count; i++) {
+        visible = visible || mesh->colors[i][3] > 0;
+    }
+    for (uint32_t i = 0; mesh->colors != NULL && i < mesh->vertex_count && !visible; i++) {
+        mesh->colors[i][3] = 1;
+    }
+}
+
+static void add_mesh(struct reader *reader, uint32_t index)
+{
+    const struct aiMesh *source = reader->scene->mMeshes[index];
+    struct scene_import *import = reader->import;
+    const uint32_t count = source->mNumVertices;
+    struct scene_mesh mesh = {.name = scene_assimp_string(import, &source->mName), .vertex_count = count};
+    const unsigned kinds = source->mPrimitiveTypes;
+    mesh.primitive = kinds & (aiPrimitiveType_TRIANGLE | aiPrimitiveType_POLYGON) ? SCENE_PRIMITIVE_TRIANGLES
+                     : kinds & aiPrimitiveType_LINE                               ? SCENE_PRIMITIVE_LINES
+                                                                                  : SCENE_PRIMITIVE_POINTS;
+    mesh.material = material_of(reader, source);
+    if (source->mVertices == NULL) {
+        mesh.vertex_count = 0;
+    }
+    mesh.positions = copy_vectors(import, source->mVertices, count);
+    mesh.normals = copy_vectors(import, source->mNormals, count);
+    mesh.uvs[0] = copy_uvs(import, source->mTextureCoords[0], count);
+    mesh.uvs[1] = copy_uvs(import, source->mTextureCoords[1], count);
+    mesh.colors = copy_colors(import, source->mColors[0], count);
+    fix_alpha(&mesh);
+    copy_indices(reader, source, &mesh);
+    if (mesh.index_count == 0) {
+        make_points(reader, &mesh);
+    }
+    if (scene_assimp_is_skinned(import, source)) {
+        scene_assimp_skin(import, reader->scene, index, &mesh);
+    } else if (source->mNumBones > 0) {
+        scene_import_unsupported(import, "skins: drawn in the pose the meshes are stored in");
+    }
+    if (source->mNumAnimMeshes > 0) {
+        scene_import_unsupported(import, "morph targets: drawn at rest");
+    }
+    *scene_import_add_mesh(import) = mesh;
+    reader->meshes[index] = import->model.mesh_count - 1;
+    // Formats that list every corner of every face hold each vertex several times.
+    const bool repeated = mesh.index_count == count && count > 3;
+    scene_import_complete_mesh(import, reader->meshes[index], SCENE_IMPORT_SMOOTH, repeated);
+}
+
+// Nodes ---------------------------------------------------------------------------------------------
+
+void scene_assimp_matrix(const struct aiMatrix4x4 *m, float matrix[16])
+{
+    const float columns[16] = {m->a1, m->b1, m->c1, m->d1, m->a2, m->b2, m->c2, m->d2,
+                               m->a3, m->b3, m->c3, m->d3, m->a4, m->b4, m->c4, m->d4};
+    memcpy(matrix, columns, sizeof columns);
+}
+
+static void add_node(struct reader *reader, const struct aiNode *node, const float parent[16])
+{
+    enum { DEEPEST = 4096 };
+    struct scene_import *import = reader->import;
+    float world[16];
+    scene_assimp_matrix(&node->mTransformation, world);
+    scene_import_multiply(parent, world, world);
+    if (++reader->depth > DEEPEST) {
+        scene_import_fail(import, "its nodes are nested too deeply");
+    }
+    if (node->mNumMeshes > 0) {
+        reader->objects++;
+    }
+    for (uint32_t i = 0; i < node->mNumMeshes; i++) {
+        if (node->mMeshes[i] >= reader->scene->mNumMeshes) {
+            scene_import_fail(import, "a node refers to a mesh that does not exist");
+        }
+        struct scene_instance *instance = scene_import_add_instance(import);
+        instance->name = scene_assimp_string(import, &node->mName);
+        instance->mesh = reader->meshes[node->mMeshes[i]];
+        instance->object = reader->objects;
+        memcpy(instance->world, world, sizeof world);
+        if (scene_assimp_is_skinned(import, reader->scene->mMeshes[node->mMeshes[i]])) {
+            scene_import_identity(instance->world);
+        }
+    }
+    for (uint32_t i = 0; i < node->mNumChildren; i++) {
+        if (node->mChildren[i] != NULL) { // the reader of RAW files leaves gaps
+            add_node(reader, node->mChildren[i], world);
+        }
+    }
+    reader->depth--;
+}
+
+// World matrix of the node with this name; the identity where there is none.
+static bool find_node(const struct aiNode *node, const struct aiString *name, const float parent[16],
+                      float world[16])
+{
+    float here[16];
+    scene_assimp_matrix(&node->mTransformation, here);
+    scene_import_multiply(parent, here, here);
+    if (strcmp(node->mName.data, name->data) == 0) {
+        memcpy(world, here, sizeof here);
+        return true;
+    }
+    for (uint32_t i = 0; i < node->mNumChildren; i++) {
+        if (node->mChildren[i] != NULL && find_node(node->mChildren[i], name, here, world)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void place(const struct reader *reader, const struct aiString *name, float world[16])
+{
+    float identity[16];
+    scene_import_identity(identity);
+    if (!find_node(reader->scene->mRootNode, name, identity, world)) {
+        memcpy(world, identity, sizeof identity);
+    }
+}
+
+// Cameras and lights --------------------------------------------------------------------------------
+
+static void cross(const float a[3], const float b[3], float product[3])
+{
+    product[0] = a[1] * b[2] - a[2] * b[1];
+    product[1] = a[2] * b[0] - a[0] * b[2];
+    product[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static bool unit(float vector[3])
+{
+    const float length =
+        __builtin_sqrtf(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
+    if (!(length > 1e-20f && length < 1e20f)) {
+        return false;
+    }
+    for (int c = 0; c < 3; c++) {
+        vector[c] /= length;
+    }
+    return true;
+}
+
+static void add_camera(struct reader *reader, const struct aiCamera *source)
+{
+    struct scene_import *import = reader->import;
+    struct scene_model_camera camera = {.name = scene_assimp_string(import, &source->mName)};
+    float back[3] = {-source->mLookAt.x, -source->mLookAt.y, -source->mLookAt.z};
+    float up[3] = {source->mUp.x, source->mUp.y, source->mUp.z}, right[3], local[16];
+    const bool seen = unit(back);
+    cross(up, back, right);
+    const bool upright = unit(right);
+    cross(back, right, up);
+    scene_import_identity(local);
+    memcpy(local, right, sizeof right);
+    memcpy(local + 4, up, sizeof up);
+    memcpy(local + 8, back, sizeof back);
+    memcpy(local + 12, &source->mPosition, sizeof(float[3]));
+    place(reader, &source->mName, camera.world);
+    scene_import_multiply(camera.world, local, camera.world);
+    // assimp's importers store the whole horizontal angle, whatever its header says.
+    const double aspect = source->mAspect > 0 ? (double)source->mAspect : 4.0 / 3.0;
+    camera.aspect = source->mAspect > 0 ? source->mAspect : 0;
+    camera.yfov = (float)(2 * scene_atan(scene_tan((double)source->mHorizontalFOV / 2) / aspect));
+    camera.orthographic = source->mOrthographicWidth > 0;
+    camera.xmag = source->mOrthographicWidth;
+    camera.ymag = (float)((double)source->mOrthographicWidth / aspect);
+    camera.znear = source->mClipPlaneNear > 0 ? source->mClipPlaneNear : 0.01f;
+    camera.zfar = source->mClipPlaneFar > camera.znear ? source->mClipPlaneFar : 0;
+    const bool lens = camera.orthographic ? camera.zfar > 0 : camera.yfov > 0 && camera.yfov < 3.14159f;
+    if (seen && upright && lens && scene_import_finite(camera.world, 16) &&
+        scene_import_determinant(camera.world) != 0) {
+        *scene_import_add_camera(import) = camera;
+    } else {
+        scene_import_warn(import, "camera \"%s\" is not valid: left out", camera.name);
+    }
+}
+
+// Middle of what is drawn, in the world.
+static void find_middle(const struct scene_model *model, float middle[3])
+{
+    float least[3] = {0, 0, 0}, most[3] = {0, 0, 0};
+    bool any = false;
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        const struct scene_mesh *mesh = &model->meshes[model->instances[i].mesh];
+        for (uint32_t v = 0; v < mesh->vertex_count; v++, any = true) {
+            float point[3];
+            scene_import_transform(model->instances[i].world, mesh->positions[v], point);
+            for (int c = 0; c < 3; c++) {
+                least[c] = !any || point[c] < least[c] ? point[c] : least[c];
+                most[c] = !any || point[c] > most[c] ? point[c] : most[c];
+            }
+        }
+    }
+    for (int c = 0; c < 3; c++) {
+        middle[c] = least[c] / 2 + most[c] / 2;
+    }
+}
+
+// The lights of these formats have no physical unit and their own laws of attenuation. What is kept is how
+// strongly they light the middle of the model: albedo times colour, no brighter than 1.
+static void set_strength(struct scene_model_light *light, const struct aiLight *source, const float middle[3])
+{
+    float strongest = 0;
+    for (int c = 0; c < 3; c++) {
+        strongest = light->color[c] > strongest ? light->color[c] : strongest;
+    }
+    for (int c = 0; c < 3 && strongest > 1; c++) {
+        light->color[c] /= strongest;
+    }
+    light->intensity = (float)pi; // a white surface that faces it reflects 1
+    if (light->type == SCENE_LIGHT_DIRECTIONAL) {
+        return;
+    }
+    double square = 0;
+    for (int c = 0; c < 3; c++) {
+        const double difference = (double)light->position[c] - (double)middle[c];
+        square += difference * difference;
+    }
+    const double attenuation = (double)source->mAttenuationConstant +
+                               (double)source->mAttenuationLinear * sqrt(square) +
+                               (double)source->mAttenuationQuadratic * square;
+    light->intensity = (float)(pi * square / (attenuation > 1 ? attenuation : 1));
+}
+
+static void add_light(struct reader *reader, const struct aiLight *source, const float middle[3])
+{
+    struct scene_import *import = reader->import;
+    struct scene_model_light light = {.name = scene_assimp_string(import, &source->mName)};
+    if (source->mType != aiLightSource_DIRECTIONAL && source->mType != aiLightSource_POINT &&
+        source->mType != aiLightSource_SPOT) {
+        scene_import_unsupported(import, "ambient and area lights: left out");
+        return;
+    }
+    light.type = source->mType == aiLightSource_DIRECTIONAL ? SCENE_LIGHT_DIRECTIONAL
+                 : source->mType == aiLightSource_POINT     ? SCENE_LIGHT_POINT
+                                                            : SCENE_LIGHT_SPOT;
+    float world[16];
+    const float position[3] = {source->mPosition.x, source->mPosition.y, source->mPosition.z};
+    const float direction[3] = {source->mDirection.x, source->mDirection.y, source->mDirection.z};
+    place(reader, &source->mName, world);
+    scene_import_transform(world, position, light.position);
+    for (int row = 0; row < 3; row++) {
+        light.direction[row] =
+            world[row] * direction[0] + world[4 + row] * direction[1] + world[8 + row] * direction[2];
+    }
+    const bool directed = unit(light.direction);
+    if (!directed) {
+        memcpy(light.direction, (const float[3]){0, 0, -1}, sizeof light.direction);
+    }
+    light.color[0] = source->mColorDiffuse.r;
+    light.color[1] = source->mColorDiffuse.g;
+    light.color[2] = source->mColorDiffuse.b;
+    // Here the angles are those of the whole cone.
+    light.inner_cos = (float)scene_cos((double)source->mAngleInnerCone / 2);
+    light.outer_cos = (float)scene_cos((double)source->mAngleOuterCone / 2);
+    if (!(light.inner_cos > light.outer_cos)) {
+        light.inner_cos = light.outer_cos + 1e-4f;
+    }
+    set_strength(&light, source, middle);
+    const bool good = (directed || light.type == SCENE_LIGHT_POINT) &&
+                      scene_import_finite(light.position, 3) && scene_import_finite(light.color, 3) &&
+                      scene_import_finite(&light.intensity, 1) &&
+                      light.color[0] + light.color[1] + light.color[2] > 0 && light.intensity > 0;
+    if (good) {
+        *scene_import_add_light(import) = light;
+    } else {
+        scene_import_warn(import, "light \"%s\" gives no light: left out", light.name);
+    }
+}
+
+// Entry ---------------------------------------------------------------------------------------------
+
+// Limits the memory of assimp by the size of the file, and sets back what was before. A few hundred bytes that
+// ask for gigabytes would otherwise be given them all.
+static uint64_t limit_memory(struct scene_import *import)
+{
+    const uint64_t base = (uint64_t)1 << 30, per_byte = 64;
+    struct stat status;
+    return stat(import->model.path, &status) == 0
+               ? system_memory_limit_lower(base + per_byte * (uint64_t)status.st_size)
+               : 0;
+}
+
+static const struct aiScene *read_scene(struct scene_import *import)
+{
+    struct aiPropertyStore *properties = aiCreatePropertyStore();
+    aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
+    // The matrices that a node of an FBX is made of, each in a node of its own: where assimp 5.2.5 multiplies them, it turns
+    // what exporters aim cameras and lights with the wrong way.
+    aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 1);
+    const uint64_t before = limit_memory(import);
+    struct aiFileIO files = scene_assimp_files(import);
+    const struct aiScene *scene = aiImportFileExWithProperties(
+        import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords,
+        import->confine != NULL ? &files : NULL, properties);
+    system_memory_limit_restore(before);
+    if (scene != NULL) {
+        return scene;
+    }
+    const char *error = aiGetErrorString();
+    if (strncmp(error, "No suitable reader", 18) == 0) {
+        scene_import_fail(import, "is not a model in a format that can be read");
+    }
+    if (strstr(error, "bad_alloc") != NULL) {
+        scene_import_fail(import, "needs more memory than there is");
+    }
+    scene_import_fail(import, "cannot be read: %s", error[0] != 0 ? error : "the importer gives no reason");
+}
+
+// What the importer calls itself.
+static const char *format_of(struct scene_import *import, const struct aiScene *scene)
+{
+    static const char ending[] = " Importer";
+    const struct aiMetadata *data = scene->mMetaData;
+    for (unsigned i = 0; data != NULL && i < data->mNumProperties; i++) {
+        if (strcmp(data->mKeys[i].data, "SourceAsset_Format") == 0 && data->mValues[i].mType == AI_AISTRING) {
+            const struct aiString *name = data->mValues[i].mData;
+            const size_t length = name->length, tail = strlen(ending);
+            const bool importer = length > tail && strcmp(name->data + length - tail, ending) == 0;
+            return scene_import_string(import, name->data, importer ? length - tail : length);
+        }
+    }
+    return "unknown";
+}
+
+// What an FBX says of its axes; 1 (y) where it says nothing.
+static int fbx_up_axis(const struct aiScene *scene)
+{
+    const struct aiMetadata *data = scene->mMetaData;
+    for (unsigned i = 0; data != NULL && i < data->mNumProperties; i++) {
+        if (strcmp(data->mKeys[i].data, "UpAxis") == 0 && data->mValues[i].mType == AI_INT32) {
+            int32_t axis;
+            memcpy(&axis, data->mValues[i].mData, sizeof axis);
+            return axis;
+        }
+    }
+    return 1;
+}
+
+// What an FBX says of its unit: so many centimetres; 0 where it says nothing.
+static double fbx_unit(const struct aiScene *scene)
+{
+    const struct aiMetadata *data = scene->mMetaData;
+    for (unsigned i = 0; data != NULL && i < data->mNumProperties; i++) {
+        const struct aiMetadataEntry *const entry = &data->mValues[i];
+        float narrow;
+        double wide;
+        if (strcmp(data->mKeys[i].data, "UnitScaleFactor") != 0) {
+            continue;
+        }
+        if (entry->mType == AI_DOUBLE) {
+            memcpy(&wide, entry->mData, sizeof wide);
+            return wide;
+        }
+        if (entry->mType == AI_FLOAT) {
+            memcpy(&narrow, entry->mData, sizeof narrow);
+            return (double)narrow;
+        }
+    }
+    return 0;
+}
+
+static void set_unit(struct scene_import *import, const struct aiScene *scene)
+{
+    const double centimetres = strcasecmp(import->ending, "fbx") == 0 ? fbx_unit(scene) : 0;
+    char text[32];
+    snprintf(text, sizeof text, "%.6g mm", centimetres * 10);
+    if (centimetres > 0 && centimetres < 1e6) {
+        import->model.unit = centimetres == 100 ? "metre" : scene_import_string(import, text, sizeof text);
+    }
+}
+
+// Assimp turns most formats so that y is up; these it leaves as they are.
+static void set_up(struct scene_import *import, const struct aiScene *scene)
+{
+    static const char *const upright[] = {"amf", "blend", "cob", "hmp", "smd"}; // along z
+    for (size_t i = 0; i < sizeof upright / sizeof *upright; i++) {
+        if (strcasecmp(import->ending, upright[i]) == 0) {
+            import->model.up = SCENE_AXIS_Z;
+        }
+    }
+    if (strcasecmp(import->ending, "fbx") == 0) {
+        const int axis = fbx_up_axis(scene);
+        import->model.up = axis == 2 ? SCENE_AXIS_Z : axis == 0 ? SCENE_AXIS_X : SCENE_AXIS_Y;
+    }
+    import->up_is_open = strcasecmp(import->ending, "off") == 0 || strcasecmp(import->ending, "xgl") == 0 ||
+                         strcasecmp(import->ending, "zgl") == 0;
+}
+
+void scene_import_assimp(struct scene_import *import)
+{
+    const struct aiScene *scene = read_scene(import);
+    struct reader reader = {.import = import, .scene = scene};
+    import->model.format = format_of(import, scene);
+    import->model.doubts_cameras = true;
+    set_up(import, scene);
+    set_unit(import, scene);
+    if (scene->mRootNode == NULL) {
+        scene_import_fail(import, "has no nodes");
+    }
+    scene_assimp_pose(import, scene);
+    reader.meshes = scene_import_allocate(import, scene->mNumMeshes, sizeof *reader.meshes);
+    reader.materials = scene_import_allocate(import, scene->mNumMaterials, sizeof *reader.materials);
+    for (uint32_t i = 0; i < scene->mNumMaterials; i++) {
+        reader.materials[i][0] = reader.materials[i][1] = -1;
+    }
+    for (uint32_t i = 0; i < scene->mNumMeshes; i++) {
+        add_mesh(&reader, i);
+    }
+    float identity[16], middle[3];
+    scene_import_identity(identity);
+    add_node(&reader, scene->mRootNode, identity);
+    for (uint32_t i = 0; i < scene->mNumCameras; i++) {
+        add_camera(&reader, scene->mCameras[i]);
+    }
+    if (scene->mNumLights > 0) {
+        find_middle(&import->model, middle);
+    }
+    for (uint32_t i = 0; i < scene->mNumLights; i++) {
+        add_light(&reader, scene->mLights[i], middle);
+    }
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The parts of the assimp reader.
+#ifndef SCENE_IMPORT_ASSIMP_H
+#define SCENE_IMPORT_ASSIMP_H
+
+#include <assimp/cfileio.h>
+#include <assimp/scene.h>
+
+#include "import/import.h"
+
+/// Adds a material of the scene, converted to metallic-roughness. `colored`: its mesh has vertex colours.
+uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene *scene,
+                               const struct aiMaterial *material, bool colored);
+/// A name as the model keeps it.
+const char *scene_assimp_string(struct scene_import *import, const struct aiString *string);
+/// Column major.
+void scene_assimp_matrix(const struct aiMatrix4x4 *m, float matrix[16]);
+/// Lists the animations in the model, and moves the scene's nodes as the one that is wanted says.
+void scene_assimp_pose(struct scene_import *import, const struct aiScene *scene);
+/// Whether the mesh follows bones in the pose that is wanted: it then stands in the world, not at its node.
+bool scene_assimp_is_skinned(const struct scene_import *import, const struct aiMesh *mesh);
+/// Brings the vertices of a skinned mesh there.
+void scene_assimp_skin(struct scene_import *import, const struct aiScene *scene, unsigned index,
+                       struct scene_mesh *mesh);
+/// What opens files within import->confine and the model itself; it lives as long as `import`.
+struct aiFileIO scene_assimp_files(struct scene_import *import);
+
+#endif

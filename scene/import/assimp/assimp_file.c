@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// The files that assimp opens while it reads a model, where import->confine sets bounds.
+#include <assimp/cfileio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "assimp.h"
+
+static FILE *stream_of(struct aiFile *file)
+{
+    return (FILE *)(void *)file->UserData;
+}
+
+static size_t read_file(struct aiFile *file, char *buffer, size_t size, size_t count)
+{
+    return fread(buffer, size, count, stream_of(file));
+}
+
+static size_t write_nothing(struct aiFile *file, const char *buffer, size_t size, size_t count)
+{
+    (void)file, (void)buffer, (void)size, (void)count;
+    return 0;
+}
+
+static size_t tell(struct aiFile *file)
+{
+    const long place = ftell(stream_of(file));
+    return place < 0 ? 0 : (size_t)place;
+}
+
+static enum aiReturn seek(struct aiFile *file, size_t offset, enum aiOrigin origin)
+{
+    const int whence = origin == aiOrigin_SET ? SEEK_SET : origin == aiOrigin_CUR ? SEEK_CUR : SEEK_END;
+    return fseek(stream_of(file), (long)offset, whence) == 0 ? aiReturn_SUCCESS : aiReturn_FAILURE;
+}
+
+static size_t size_of(struct aiFile *file)
+{
+    FILE *const stream = stream_of(file);
+    const long place = ftell(stream);
+    fseek(stream, 0, SEEK_END);
+    const long size = ftell(stream);
+    fseek(stream, place, SEEK_SET);
+    return size < 0 ? 0 : (size_t)size;
+}
+
+static void flush(struct aiFile *file)
+{
+    (void)file;
+}
+
+static struct aiFile *open_file(struct aiFileIO *files, const char *path, const char *mode)
+{
+    const struct scene_import *const import = (const struct scene_import *)(void *)files->UserData;
+    const bool is_model = strcmp(path, import->model.path) == 0;
+    FILE *const stream =
+        mode[0] == 'r' && (is_model || scene_import_within(import, path)) ? fopen(path, "rb") : NULL;
+    struct aiFile *const file = stream != NULL ? malloc(sizeof *file) : NULL;
+    if (file == NULL) {
+        if (stream != NULL) {
+            fclose(stream);
+        }
+        return NULL;
+    }
+    *file = (struct aiFile){.ReadProc = read_file,
+                            .WriteProc = write_nothing,
+                            .TellProc = tell,
+                            .FileSizeProc = size_of,
+                            .SeekProc = seek,
+                            .FlushProc = flush,
+                            .UserData = (aiUserData)(void *)stream};
+    return file;
+}
+
+static void close_file(struct aiFileIO *files, struct aiFile *file)
+{
+    (void)files;
+    fclose(stream_of(file));
+    free(file);
+}
+
+struct aiFileIO scene_assimp_files(struct scene_import *import)
+{
+    return (struct aiFileIO){
+        .OpenProc = open_file, .CloseProc = close_file, .UserData = (aiUserData)(void *)import};
+}

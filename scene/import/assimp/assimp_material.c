@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// What assimp says about a material, as struct scene_phong.
+#include <assimp/material.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "elementary.h"
+#include "assimp.h"
+#include "import/phong.h"
+
+const char *scene_assimp_string(struct scene_import *import, const struct aiString *string)
+{
+    const size_t most = sizeof string->data - 1;
+    return scene_import_string(import, string->data, string->length < most ? string->length : most);
+}
+
+struct reader {
+    struct scene_import *import;
+    const struct aiScene *scene;
+    const struct aiMaterial *source;
+};
+
+// Values --------------------------------------------------------------------------------------------
+
+static void get_float(const struct reader *reader, const char *key, float *value)
+{
+    float read = 0;
+    if (aiGetMaterialFloatArray(reader->source, key, 0, 0, &read, NULL) == aiReturn_SUCCESS &&
+        scene_import_finite(&read, 1)) {
+        *value = read;
+    }
+}
+
+static int get_integer(const struct reader *reader, const char *key, int fallback)
+{
+    int value = 0;
+    return aiGetMaterialIntegerArray(reader->source, key, 0, 0, &value, NULL) == aiReturn_SUCCESS ? value
+                                                                                                  : fallback;
+}
+
+static bool get_color(const struct reader *reader, const char *key, float color[3])
+{
+    struct aiColor4D read;
+    if (aiGetMaterialColor(reader->source, key, 0, 0, &read) != aiReturn_SUCCESS) {
+        return false;
+    }
+    const float encoded[3] = {read.r, read.g, read.b};
+    if (!scene_import_finite(encoded, 3)) {
+        return false;
+    }
+    memcpy(color, encoded, sizeof encoded);
+    return true;
+}
+
+// Textures ------------------------------------------------------------------------------------------
+
+// assimp keeps uncompressed textures as BGRA.
+static void raw_texels(struct scene_import *import, const struct aiTexture *texture,
+                       struct scene_import_source *source)
+{
+    const size_t count = (size_t)texture->mWidth * texture->mHeight;
+    if (texture->mWidth == 0 || texture->mWidth > RHW_MAX_TARGET_SIZE ||
+        texture->mHeight > RHW_MAX_TARGET_SIZE) {
+        source->problem = "width and height must be 1 to 16384";
+        return;
+    }
+    uint8_t(*texels)[4] = scene_import_allocate(import, count, sizeof *texels);
+    for (size_t i = 0; i < count; i++) {
+        const struct aiTexel *texel = &texture->pcData[i];
+        const uint8_t turned[4] = {texel->r, texel->g, texel->b, texel->a};
+        memcpy(texels[i], turned, sizeof turned);
+    }
+    source->bytes = texels;
+    source->size = count * sizeof *texels;
+    source->raw_width = texture->mWidth;
+    source->raw_height = texture->mHeight;
+}
+
+static const struct aiTexture *embedded(const struct reader *reader, const char *path)
+{
+    const struct aiScene *scene = reader->scene;
+    const unsigned long number = path[0] == '*' ? strtoul(path + 1, NULL, 10) : 0;
+    if (path[0] == '*') {
+        return number < scene->mNumTextures ? scene->mTextures[number] : NULL;
+    }
+    for (uint32_t i = 0; i < scene->mNumTextures; i++) {
+        if (strcmp(scene->mTextures[i]->mFilename.data, path) == 0) {
+            return scene->mTextures[i];
+        }
+    }
+    return NULL;
+}
+
+static enum rhw_address address(enum aiTextureMapMode mode)
+{
+    return mode == aiTextureMapMode_Clamp    ? RHW_ADDRESS_CLAMP
+           : mode == aiTextureMapMode_Mirror ? RHW_ADDRESS_MIRROR
+           : mode == aiTextureMapMode_Decal  ? RHW_ADDRESS_BORDER
+                                             : RHW_ADDRESS_REPEAT;
+}
+
+// assimp scales, then turns about the middle of the image, then moves, with v upward; ours is downward.
+static void read_transform(const struct reader *reader, enum aiTextureType type,
+                           struct scene_texture_slot *slot)
+{
+    struct aiUVTransform t;
+    if (aiGetMaterialUVTransform(reader->source, _AI_MATKEY_UVTRANSFORM_BASE, (unsigned)type, 0, &t) !=
+        aiReturn_SUCCESS) {
+        return;
+    }
+    const float c = (float)scene_cos((double)t.mRotation), s = (float)scene_sin((double)t.mRotation);
+    const float x = t.mScaling.x, y = t.mScaling.y;
+    // Upward: u' = c·x·u − s·y·v + e, v' = s·x·u + c·y·v + f; then v → 1 − v on both sides.
+    const float e = 0.5f * (1 - c + s) + t.mTranslation.x, f = 0.5f * (1 - s - c) + t.mTranslation.y;
+    const float transform[6] = {c * x, s * y, e - s * y, -s * x, c * y, 1 - f - c * y};
+    if (scene_import_finite(transform, 6)) {
+        memcpy(slot->transform, transform, sizeof transform);
+    }
+}
+
+// What some of assimp's importers give a material that has no texture.
+static bool is_dummy(const char *name)
+{
+    return strncmp(name, "$texture_dummy", 14) == 0;
+}
+
+// The first texture of a type, if there is one and `texture` is not taken yet.
+static void read_texture(const struct reader *reader, enum aiTextureType type,
+                         struct scene_phong_texture *texture)
+{
+    struct aiString path;
+    enum aiTextureMapping mapping = aiTextureMapping_UV;
+    enum aiTextureMapMode modes[3] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
+    unsigned set = 0;
+    if (texture->name != NULL ||
+        aiGetMaterialTexture(reader->source, type, 0, &path, &mapping, &set, NULL, NULL, modes, NULL) !=
+            aiReturn_SUCCESS ||
+        path.length == 0 || is_dummy(path.data)) {
+        return;
+    }
+    const struct aiTexture *inside = embedded(reader, path.data);
+    texture->name = scene_assimp_string(reader->import, &path);
+    if (inside != NULL && inside->mHeight == 0) {
+        texture->source.bytes = inside->pcData;
+        texture->source.size = inside->mWidth;
+    } else if (inside != NULL) {
+        raw_texels(reader->import, inside, &texture->source);
+    } else {
+        texture->source.file = scene_import_find_file(reader->import, path.data);
+        texture->source.problem = reader->import->missing;
+    }
+    texture->slot.uv_set = set < SCENE_UV_SETS ? set : 0;
+    texture->slot.address_u = address(modes[0]);
+    texture->slot.address_v = address(modes[1]);
+    read_transform(reader, type, &texture->slot);
+}
+
+static void read_textures(const struct reader *reader, struct scene_phong *phong)
+{
+    read_texture(reader, aiTextureType_BASE_COLOR, &phong->color);
+    read_texture(reader, aiTextureType_DIFFUSE, &phong->color);
+    read_texture(reader, aiTextureType_OPACITY, &phong->opacity_map);
+    read_texture(reader, aiTextureType_NORMALS, &phong->normal);
+    read_texture(reader, aiTextureType_NORMAL_CAMERA, &phong->normal);
+    read_texture(reader, aiTextureType_HEIGHT, &phong->height);
+    read_texture(reader, aiTextureType_AMBIENT_OCCLUSION, &phong->occlusion);
+    read_texture(reader, aiTextureType_EMISSIVE, &phong->emissive_map);
+    read_texture(reader, aiTextureType_EMISSION_COLOR, &phong->emissive_map);
+    read_texture(reader, aiTextureType_METALNESS, &phong->metallic_map);
+    read_texture(reader, aiTextureType_DIFFUSE_ROUGHNESS, &phong->roughness_map);
+    static const struct {
+        enum aiTextureType type;
+        const char *name;
+    } unused[] = {
+        {aiTextureType_SPECULAR, "specular"},
+        {aiTextureType_SHININESS, "shininess"},
+        {aiTextureType_REFLECTION, "reflection"},
+        {aiTextureType_DISPLACEMENT, "displacement"},
+    };
+    for (size_t i = 0; i < sizeof unused / sizeof unused[0]; i++) {
+        if (aiGetMaterialTextureCount(reader->source, unused[i].type) > 0) {
+            scene_import_unsupported(reader->import, "%s textures: not used", unused[i].name);
+        }
+    }
+}
+
+uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene *scene,
+                               const struct aiMaterial *source, bool colored)
+{
+    const struct reader reader = {import, scene, source};
+    struct scene_phong phong = scene_phong_default();
+    struct aiString name;
+    if (aiGetMaterialString(source, "?mat.name", 0, 0, &name) == aiReturn_SUCCESS) {
+        phong.name = scene_assimp_string(import, &name);
+    }
+    phong.colored = colored;
+    phong.described =
+        get_color(&reader, "$clr.base", phong.diffuse) || get_color(&reader, "$clr.diffuse", phong.diffuse);
+    if (strcmp(phong.name, AI_DEFAULT_MATERIAL_NAME) == 0) {
+        phong.described = false;
+    }
+    get_color(&reader, "$clr.specular", phong.specular);
+    get_color(&reader, "$clr.emissive", phong.emissive);
+    get_float(&reader, "$mat.opacity", &phong.opacity);
+    get_float(&reader, "$mat.shininess", &phong.shininess);
+    get_float(&reader, "$mat.metallicFactor", &phong.metallic);
+    get_float(&reader, "$mat.roughnessFactor", &phong.roughness);
+    const int shading = get_integer(&reader, "$mat.shadingm", aiShadingMode_Phong);
+    phong.unlit = shading == aiShadingMode_NoShading;
+    phong.dull = shading == aiShadingMode_Gouraud;
+    read_textures(&reader, &phong);
+    return scene_phong_add(import, &phong);
+}

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+// Animations as assimp gives them: nodes get the matrices of a moment, and meshes with bones follow. Keys are joined by
+// straight lines and arcs, whatever curves the file had.
+#include <stdlib.h>
+#include <string.h>
+
+#include "assimp.h"
+
+static const double usual_rate = 25.0; // ticks a second where a file does not say
+
+static double rate_of(const struct aiAnimation *animation)
+{
+    return animation->mTicksPerSecond > 0.0 ? animation->mTicksPerSecond : usual_rate;
+}
+
+static void list_animations(struct scene_import *import, const struct aiScene *scene)
+{
+    struct scene_model *const model = &import->model;
+    model->animations = scene_import_allocate(import, scene->mNumAnimations, sizeof *model->animations);
+    model->animation_count = scene->mNumAnimations;
+    for (unsigned i = 0; i < scene->mNumAnimations; i++) {
+        const struct aiAnimation *const animation = scene->mAnimations[i];
+        const double seconds = animation->mDuration / rate_of(animation);
+        model->animations[i] =
+            (struct scene_model_animation){.name = scene_assimp_string(import, &animation->mName),
+                                           .seconds = seconds > 0.0 && seconds < 1e9 ? (float)seconds : 0.0f,
+                                           .channel_count = animation->mNumChannels};
+    }
+}
+
+// The key at or before a time, and how far the next one is away: 0 at the key, and before the first and after the last.
+static unsigned find_key(const void *keys, size_t size, unsigned count, double time, double *part)
+{
+    const char *const bytes = keys;
+    double now, next;
+    unsigned key = 0;
+    *part = 0.0;
+    while (key + 1 < count && (memcpy(&next, bytes + (key + 1) * size, sizeof next), next <= time)) {
+        key++;
+    }
+    memcpy(&now, bytes + key * size, sizeof now); // a key begins with its time
+    if (key + 1 < count && time > now) {
+        memcpy(&next, bytes + (key + 1) * size, sizeof next);
+        *part = (time - now) / (next - now);
+    }
+    return key;
+}
+
+static void sample_vectors(const struct aiVectorKey *keys, unsigned count, double time, float value[3])
+{
+    if (count == 0) {
+        return;
+    }
+    double part;
+    const unsigned key = find_key(keys, sizeof *keys, count, time, &part);
+    const struct aiVector3D *const a = &keys[key].mValue, *const b = part > 0.0 ? &keys[key + 1].mValue : a;
+    const float from[3] = {a->x, a->y, a->z}, to[3] = {b->x, b->y, b->z};
+    for (int c = 0; c < 3; c++) {
+        value[c] = (float)((double)from[c] + ((double)to[c] - (double)from[c]) * part);
+    }
+}
+
+static void sample_turns(const struct aiQuatKey *keys, unsigned count, double time, float value[4])
+{
+    if (count == 0) {
+        return;
+    }
+    double part;
+    const unsigned key = find_key(keys, sizeof *keys, count, time, &part);
+    const struct aiQuaternion *const a = &keys[key].mValue, *const b = part > 0.0 ? &keys[key + 1].mValue : a;
+    const float from[4] = {a->x, a->y, a->z, a->w}, to[4] = {b->x, b->y, b->z, b->w};
+    scene_import_slerp(from, to, part, value);
+}
+
+static struct aiNode *find_node(struct aiNode *node, const char *name)
+{
+    struct aiNode *found = strcmp(node->mName.data, name) == 0 ? node : NULL;
+    for (unsigned i = 0; i < node->mNumChildren && found == NULL; i++) {
+        found = node->mChildren[i] != NULL ? find_node(node->mChildren[i], name) : NULL;
+    }
+    return found;
+}
+
+static void set_matrix(struct aiMatrix4x4 *to, const float m[16])
+{
+    const struct aiMatrix4x4 matrix = {m[0], m[4], m[8],  m[12], m[1], m[5], m[9],  m[13],
+                                       m[2], m[6], m[10], m[14], m[3], m[7], m[11], m[15]};
+    *to = matrix;
+}
+
+static void move_nodes(struct scene_import *import, const struct aiScene *scene,
+                       const struct aiAnimation *animation)
+{
+    const double time = import->time * rate_of(animation);
+    for (unsigned i = 0; i < animation->mNumChannels; i++) {
+        const struct aiNodeAnim *const channel = animation->mChannels[i];
+        struct aiNode *const node = find_node(scene->mRootNode, channel->mNodeName.data);
+        if (node == NULL) {
+            continue;
+        }
+        float place[3] = {0, 0, 0}, turn[4] = {0, 0, 0, 1}, size[3] = {1, 1, 1}, matrix[16];
+        sample_vectors(channel->mPositionKeys, channel->mNumPositionKeys, time, place);
+        sample_turns(channel->mRotationKeys, channel->mNumRotationKeys, time, turn);
+        sample_vectors(channel->mScalingKeys, channel->mNumScalingKeys, time, size);
+        scene_import_compose(place, turn, size, matrix);
+        set_matrix(&node->mTransformation, matrix);
+    }
+    if (animation->mNumMeshChannels > 0 || animation->mNumMorphMeshChannels > 0) {
+        scene_import_unsupported(import, "animations of meshes and morph targets: left as at rest");
+    }
+}
+
+void scene_assimp_pose(struct scene_import *import, const struct aiScene *scene)
+{
+    list_animations(import, scene);
+    if (scene->mNumAnimations == 0) {
+        return;
+    }
+    if (!import->is_posed) {
+        scene_import_unsupported(import, "%u animation%s: drawn at rest; --time shows another moment",
+                                 scene->mNumAnimations, scene->mNumAnimations == 1 ? "" : "s");
+        return;
+    }
+    const int64_t index = scene_import_find_animation(import);
+    if (index < 0) {
+        scene_import_fail(import, "has no animation '%s'; rhw info lists those that it has",
+                          import->animation);
+    }
+    move_nodes(import, scene, scene->mAnimations[index]);
+}
+
+// Skins ---------------------------------------------------------------------------------------------
+
+static void node_world(const struct aiNode *node, float world[16])
+{
+    scene_import_identity(world);
+    for (; node != NULL; node = node->mParent) {
+        float local[16];
+        scene_assimp_matrix(&node->mTransformation, local);
+        scene_import_multiply(local, world, world);
+    }
+}
+
+// The first node that holds the mesh.
+static const struct aiNode *find_holder(const struct aiNode *node, unsigned mesh)
+{
+    const struct aiNode *found = NULL;
+    for (unsigned i = 0; i < node->mNumMeshes && found == NULL; i++) {
+        found = node->mMeshes[i] == mesh ? node : NULL;
+    }
+    for (unsigned i = 0; i < node->mNumChildren && found == NULL; i++) {
+        found = node->mChildren[i] != NULL ? find_holder(node->mChildren[i], mesh) : NULL;
+    }
+    return found;
+}
+
+bool scene_assimp_is_skinned(const struct scene_import *import, const struct aiMesh *mesh)
+{
+    return import->is_posed && mesh->mNumBones > 0;
+}
+
+// Adds a bone's share to the matrices of the vertices that it moves.
+static void add_bone(struct scene_import *import, const struct aiScene *scene, const struct aiBone *bone,
+                     uint32_t vertex_count, float (*blended)[16], float *weights)
+{
+    const struct aiNode *const node = find_node(scene->mRootNode, bone->mName.data);
+    float joint[16], bind[16];
+    node_world(node, joint);
+    scene_assimp_matrix(&bone->mOffsetMatrix, bind);
+    scene_import_multiply(joint, bind, joint);
+    for (unsigned i = 0; i < bone->mNumWeights; i++) {
+        const struct aiVertexWeight *const weight = &bone->mWeights[i];
+        if (weight->mVertexId >= vertex_count) {
+            scene_import_fail(import, "a bone moves vertex %u of %u", weight->mVertexId, vertex_count);
+        }
+        weights[weight->mVertexId] += weight->mWeight;
+        for (int m = 0; m < 16; m++) {
+            blended[weight->mVertexId][m] += weight->mWeight * joint[m];
+        }
+    }
+}
+
+static void rotate(const float matrix[16], float vector[3])
+{
+    float turned[3];
+    for (int row = 0; row < 3; row++) {
+        turned[row] = matrix[row] * vector[0] + matrix[4 + row] * vector[1] + matrix[8 + row] * vector[2];
+    }
+    memcpy(vector, turned, sizeof turned);
+}
+
+void scene_assimp_skin(struct scene_import *import, const struct aiScene *scene, unsigned index,
+                       struct scene_mesh *mesh)
+{
+    const struct aiMesh *const source = scene->mMeshes[index];
+    float(*const blended)[16] = scene_import_allocate(import, mesh->vertex_count, sizeof *blended);
+    float *const weights = scene_import_allocate(import, mesh->vertex_count, sizeof *weights);
+    float holder[16];
+    node_world(find_holder(scene->mRootNode, index), holder);
+    for (unsigned i = 0; i < source->mNumBones; i++) {
+        add_bone(import, scene, source->mBones[i], mesh->vertex_count, blended, weights);
+    }
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        const float *const matrix = weights[v] > 0 ? blended[v] : holder;
+        const float share = weights[v] > 0 ? 1 / weights[v] : 1; // exporters round
+        float point[3];
+        scene_import_transform(matrix, mesh->positions[v], point);
+        for (int c = 0; c < 3; c++) {
+            mesh->positions[v][c] = point[c] * share;
+        }
+        if (mesh->normals != NULL) {
+            rotate(matrix, mesh->normals[v]);
+        }
+    }
+    free(blended);
+    free(weights);
+}

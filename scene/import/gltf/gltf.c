@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: MIT
+// glTF 2.0: the container (JSON or GLB), the version, the extensions and typed access to the JSON.
+#include "gltf.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+enum { GLB_MAGIC = 0x46546c67, GLB_JSON = 0x4e4f534a, GLB_BIN = 0x004e4942, GLB_HEADER = 12, GLB_CHUNK = 8 };
+
+// Extensions that are drawn as they are meant.
+static const char *const known_extensions[] = {
+    "EXT_mesh_gpu_instancing",    "EXT_meshopt_compression",   "EXT_texture_webp",
+    "KHR_draco_mesh_compression", "KHR_lights_punctual",       "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",    "KHR_materials_dispersion",  "KHR_materials_emissive_strength",
+    "KHR_materials_ior",          "KHR_materials_iridescence", "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_sheen",        "KHR_materials_specular",    "KHR_materials_transmission",
+    "KHR_materials_unlit",        "KHR_materials_variants",    "KHR_materials_volume",
+    "KHR_mesh_quantization",      "KHR_meshopt_compression",   "KHR_node_visibility",
+    "KHR_texture_basisu",         "KHR_texture_transform",
+};
+
+// Extensions that say nothing about the picture.
+static const char *const silent_extensions[] = {
+    "EXT_instance_features",
+    "EXT_mesh_features",
+    "EXT_structural_metadata",
+    "FB_geometry_metadata",
+    "KHR_audio_emitter",
+    "KHR_physics_rigid_bodies",
+    "KHR_xmp",
+    "KHR_xmp_json_ld",
+    "MSFT_audio_emitter",
+};
+
+// Typed access --------------------------------------------------------------------------------------
+
+static json_t *typed(struct scene_gltf *gltf, const json_t *object, const char *key,
+                     bool (*is)(const json_t *), const char *type)
+{
+    json_t *value = json_object_get(object, key);
+    if (value != NULL && !is(value)) {
+        scene_import_fail(gltf->import, "\"%s\" must be %s", key, type);
+    }
+    return value;
+}
+
+static bool is_object(const json_t *value)
+{
+    return json_is_object(value);
+}
+
+static bool is_array(const json_t *value)
+{
+    return json_is_array(value);
+}
+
+static bool is_text(const json_t *value)
+{
+    return json_is_string(value);
+}
+
+static bool is_flag(const json_t *value)
+{
+    return json_is_boolean(value);
+}
+
+static bool is_number(const json_t *value)
+{
+    return json_is_number(value);
+}
+
+json_t *scene_gltf_object(struct scene_gltf *gltf, const json_t *object, const char *key)
+{
+    return typed(gltf, object, key, is_object, "an object");
+}
+
+json_t *scene_gltf_array(struct scene_gltf *gltf, const json_t *object, const char *key)
+{
+    return typed(gltf, object, key, is_array, "an array");
+}
+
+const char *scene_gltf_text(struct scene_gltf *gltf, const json_t *object, const char *key)
+{
+    return json_string_value(typed(gltf, object, key, is_text, "a string"));
+}
+
+bool scene_gltf_flag(struct scene_gltf *gltf, const json_t *object, const char *key, bool fallback)
+{
+    const json_t *value = typed(gltf, object, key, is_flag, "true or false");
+    return value == NULL ? fallback : json_is_true(value);
+}
+
+double scene_gltf_number(struct scene_gltf *gltf, const json_t *object, const char *key, double fallback)
+{
+    const json_t *value = typed(gltf, object, key, is_number, "a number");
+    return value == NULL ? fallback : json_number_value(value);
+}
+
+int64_t scene_gltf_integer(struct scene_gltf *gltf, const json_t *object, const char *key, int64_t fallback)
+{
+    const json_t *value = typed(gltf, object, key, is_number, "a whole number");
+    if (value == NULL) {
+        return fallback;
+    }
+    const double number = json_number_value(value); // some exporters write 3.0
+    if (!(number >= 0 && number <= 9007199254740992.0) || number != floor(number)) {
+        scene_import_fail(gltf->import, "\"%s\" must be a whole number, 0 to 9007199254740992", key);
+    }
+    return (int64_t)number;
+}
+
+bool scene_gltf_floats(struct scene_gltf *gltf, const json_t *object, const char *key, float *values,
+                       size_t count)
+{
+    const json_t *array = scene_gltf_array(gltf, object, key);
+    if (array == NULL) {
+        return false;
+    }
+    if (json_array_size(array) != count) {
+        scene_import_fail(gltf->import, "\"%s\" must have %zu numbers", key, count);
+    }
+    for (size_t i = 0; i < count; i++) {
+        const json_t *value = json_array_get(array, i);
+        if (!json_is_number(value)) {
+            scene_import_fail(gltf->import, "\"%s\" must hold numbers", key);
+        }
+        values[i] = (float)json_number_value(value);
+    }
+    return true;
+}
+
+json_t *scene_gltf_extension(struct scene_gltf *gltf, const json_t *object, const char *name)
+{
+    return scene_gltf_object(gltf, scene_gltf_object(gltf, object, "extensions"), name);
+}
+
+const char *scene_gltf_name(struct scene_gltf *gltf, const json_t *object)
+{
+    const char *name =
+        json_string_value(json_object_get(object, "name")); // of no consequence: never an error
+    return scene_import_string(gltf->import, name, name == NULL ? 0 : strlen(name));
+}
+
+size_t scene_gltf_count(struct scene_gltf *gltf, const char *list)
+{
+    return json_array_size(scene_gltf_array(gltf, gltf->root, list));
+}
+
+json_t *scene_gltf_item(struct scene_gltf *gltf, const char *list, int64_t index)
+{
+    const size_t count = scene_gltf_count(gltf, list);
+    if (index < 0 || (uint64_t)index >= count) {
+        scene_import_fail(gltf->import, "refers to %s[%lld], but there are %zu", list, (long long)index,
+                          count);
+    }
+    json_t *item = json_array_get(scene_gltf_array(gltf, gltf->root, list), (size_t)index);
+    if (!json_is_object(item)) {
+        scene_import_fail(gltf->import, "%s[%lld] must be an object", list, (long long)index);
+    }
+    return item;
+}
+
+// Container -----------------------------------------------------------------------------------------
+
+bool scene_import_is_gltf(const char *path, const unsigned char *start, size_t size)
+{
+    if (size >= 4 && memcmp(start, "glTF", 4) == 0) {
+        return true;
+    }
+    const char *dot = strrchr(path, '.');
+    return dot != NULL &&
+           (strcasecmp(dot, ".gltf") == 0 || strcasecmp(dot, ".glb") == 0 || strcasecmp(dot, ".vrm") == 0);
+}
+
+static uint32_t little_endian(const unsigned char *bytes)
+{
+    return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
+}
+
+static void parse_json(struct scene_gltf *gltf, const unsigned char *text, size_t size)
+{
+    json_error_t error;
+    if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) {
+        text += 3;
+        size -= 3;
+    }
+    while (size > 0 && text[size - 1] == 0) { // padding that should have been spaces
+        size--;
+    }
+    gltf->root = json_loadb((const char *)text, size, JSON_ALLOW_NUL, &error);
+    if (gltf->root == NULL) {
+        scene_import_fail(gltf->import, "is not valid JSON: line %d: %s", error.line, error.text);
+    }
+    if (!json_is_object(gltf->root)) {
+        scene_import_fail(gltf->import, "is no glTF: its JSON is not an object");
+    }
+}
+
+// §4.4: a header of 12 bytes, a JSON chunk, an optional BIN chunk.
+static void parse_binary(struct scene_gltf *gltf, const unsigned char *bytes, size_t size)
+{
+    if (size < GLB_HEADER + GLB_CHUNK) {
+        scene_import_fail(gltf->import, "is truncated: a GLB of %zu bytes", size);
+    }
+    const uint32_t version = little_endian(bytes + 4), length = little_endian(bytes + 8);
+    if (version != 2) {
+        scene_import_fail(gltf->import, "is glTF %u.0, which is not supported; only 2.0 is", version);
+    }
+    if (length > size) {
+        scene_import_fail(gltf->import, "is truncated: its header says %u bytes, it has %zu", length, size);
+    }
+    const size_t json_size = little_endian(bytes + GLB_HEADER);
+    const size_t json_start = GLB_HEADER + GLB_CHUNK;
+    if (little_endian(bytes + GLB_HEADER + 4) != GLB_JSON) {
+        scene_import_fail(gltf->import, "the first chunk of the GLB is not JSON");
+    }
+    if (json_size > size - json_start) {
+        scene_import_fail(gltf->import, "the JSON chunk of the GLB is longer than the file");
+    }
+    parse_json(gltf, bytes + json_start, json_size);
+    const size_t next = json_start + (json_size + 3) / 4 * 4;
+    if (next > size || size - next < GLB_CHUNK || little_endian(bytes + next + 4) != GLB_BIN) {
+        return;
+    }
+    const size_t binary_size = little_endian(bytes + next);
+    if (binary_size > size - next - GLB_CHUNK) {
+        scene_import_fail(gltf->import, "the binary chunk of the GLB is longer than the file");
+    }
+    gltf->binary = bytes + next + GLB_CHUNK;
+    gltf->binary_size = binary_size;
+}
+
+static void check_version(struct scene_gltf *gltf)
+{
+    const json_t *asset = scene_gltf_object(gltf, gltf->root, "asset");
+    const json_t *number = json_object_get(asset, "version"); // glTF 1.0 allowed a number
+    if (json_is_number(number) && json_number_value(number) == 2) {
+        scene_import_warn(
+            gltf->import,
+            "asset.version is the number 2; it must be the string \"2.0\", as which it is read");
+        return;
+    }
+    if (json_is_number(number)) {
+        scene_import_fail(gltf->import, "is glTF %.1f, which is not supported; only 2.0 is",
+                          json_number_value(number));
+    }
+    const char *version = asset == NULL ? NULL : scene_gltf_text(gltf, asset, "version");
+    const char *least = asset == NULL ? NULL : scene_gltf_text(gltf, asset, "minVersion");
+    if (version == NULL || version[0] == 0) {
+        scene_import_fail(gltf->import, "is no glTF 2.0: it has no asset version");
+    }
+    if (strncmp(version, "2.", 2) != 0) {
+        scene_import_fail(gltf->import, "is glTF %s, which is not supported; only 2.0 is", version);
+    }
+    if (least != NULL && strcmp(least, "2.0") != 0) {
+        scene_import_fail(gltf->import, "asks for at least glTF %s; 2.0 is supported", least);
+    }
+}
+
+static bool is_among(const char *const *list, size_t count, const char *extension)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(list[i], extension) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_known(const char *extension)
+{
+    return is_among(known_extensions, sizeof known_extensions / sizeof *known_extensions, extension) ||
+           is_among(silent_extensions, sizeof silent_extensions / sizeof *silent_extensions, extension);
+}
+
+static void note_extension(struct scene_gltf *gltf, const char *name)
+{
+    if (!is_known(name)) {
+        scene_import_unsupported(gltf->import, "glTF extension %s: ignored", name);
+    }
+}
+
+void scene_gltf_note_extensions(struct scene_gltf *gltf, const json_t *object)
+{
+    const char *name;
+    json_t *value;
+    json_object_foreach(json_object_get(object, "extensions"), name, value)
+    {
+        note_extension(gltf, name);
+    }
+}
+
+static bool lists(struct scene_gltf *gltf, const char *list, const char *name)
+{
+    bool found = false;
+    size_t i;
+    json_t *value;
+    json_array_foreach(scene_gltf_array(gltf, gltf->root, list), i, value)
+    {
+        found = found || (json_is_string(value) && strcmp(json_string_value(value), name) == 0);
+    }
+    return found;
+}
+
+static void list_extensions(struct scene_gltf *gltf)
+{
+    struct scene_model *const model = &gltf->import->model;
+    const json_t *const used = scene_gltf_array(gltf, gltf->root, "extensionsUsed");
+    const size_t most = json_array_size(used);
+    model->extensions = scene_import_allocate(gltf->import, most, sizeof *model->extensions);
+    for (size_t i = 0; i < most; i++) {
+        const char *const name = json_string_value(json_array_get(used, i));
+        if (name != NULL) {
+            model->extensions[model->extension_count++] =
+                (struct scene_model_extension){.name = scene_import_string(gltf->import, name, strlen(name)),
+                                               .is_required = lists(gltf, "extensionsRequired", name),
+                                               .is_drawn = is_known(name)};
+        }
+    }
+}
+
+static void check_extensions(struct scene_gltf *gltf)
+{
+    list_extensions(gltf);
+    size_t i;
+    json_t *value;
+    json_array_foreach(scene_gltf_array(gltf, gltf->root, "extensionsRequired"), i, value)
+    {
+        if (!json_is_string(value)) {
+            scene_import_fail(gltf->import, "\"extensionsRequired\" must hold strings");
+        }
+        if (!is_known(json_string_value(value))) {
+            scene_import_fail(gltf->import, "requires the glTF extension %s, which is not supported",
+                              json_string_value(value));
+        }
+    }
+    json_array_foreach(scene_gltf_array(gltf, gltf->root, "extensionsUsed"), i, value)
+    {
+        if (json_is_string(value)) {
+            note_extension(gltf, json_string_value(value));
+        }
+    }
+}
+
+// KHR_materials_variants: the names, for the model, and the number of the one that is wanted.
+static void read_variants(struct scene_gltf *gltf)
+{
+    struct scene_import *import = gltf->import;
+    const json_t *extension = scene_gltf_extension(gltf, gltf->root, "KHR_materials_variants");
+    const json_t *list = scene_gltf_array(gltf, extension, "variants");
+    const size_t count = json_array_size(list);
+    char names[256] = "";
+    size_t i;
+    json_t *variant;
+    import->model.variants = scene_import_allocate(import, count, sizeof *import->model.variants);
+    import->model.variant_count = (uint32_t)count;
+    gltf->variant = -1;
+    json_array_foreach(list, i, variant)
+    {
+        const char *name = scene_gltf_name(gltf, variant);
+        import->model.variants[i] = name;
+        if (import->variant != NULL && gltf->variant < 0 && strcmp(name, import->variant) == 0) {
+            gltf->variant = (int64_t)i;
+        }
+        const size_t length = strlen(names);
+        snprintf(names + length, sizeof names - length, "%s'%s'", i > 0 ? ", " : "", name);
+    }
+    if (import->variant != NULL && gltf->variant < 0 && count > 0) {
+        scene_import_fail(import, "has no variant '%s'; it has %s", import->variant, names);
+    }
+}
+
+static int32_t *none_made(struct scene_gltf *gltf, const char *list)
+{
+    const size_t count = scene_gltf_count(gltf, list);
+    int32_t *indices = scene_import_allocate(gltf->import, count, sizeof *indices);
+    for (size_t i = 0; i < count; i++) {
+        indices[i] = -1;
+    }
+    return indices;
+}
+
+void scene_import_gltf(struct scene_import *import)
+{
+    struct scene_gltf gltf = {.import = import, .default_material = -1};
+    const char *problem = NULL;
+    size_t size = 0;
+    const unsigned char *bytes = scene_import_read_file(import, import->model.path, &size, &problem);
+    if (bytes == NULL) {
+        scene_import_fail(import, "cannot be read: %s", problem);
+    }
+    if (size >= 4 && little_endian(bytes) == GLB_MAGIC) {
+        parse_binary(&gltf, bytes, size);
+    } else {
+        parse_json(&gltf, bytes, size);
+    }
+    check_version(&gltf);
+    check_extensions(&gltf);
+    import->model.format = "glTF 2.0";
+    import->model.unit = "metre"; // §3.4
+    gltf.buffers = scene_import_allocate(import, scene_gltf_count(&gltf, "buffers"), sizeof *gltf.buffers);
+    gltf.views = scene_import_allocate(import, scene_gltf_count(&gltf, "bufferViews"), sizeof *gltf.views);
+    gltf.accessors =
+        scene_import_allocate(import, scene_gltf_count(&gltf, "accessors"), sizeof *gltf.accessors);
+    gltf.nodes = scene_import_allocate(import, scene_gltf_count(&gltf, "nodes"), sizeof *gltf.nodes);
+    gltf.meshes = scene_import_allocate(import, scene_gltf_count(&gltf, "meshes"), sizeof *gltf.meshes);
+    gltf.materials = none_made(&gltf, "materials");
+    gltf.images = none_made(&gltf, "images");
+    read_variants(&gltf);
+    scene_gltf_animate(&gltf);
+    scene_gltf_scene(&gltf);
+}

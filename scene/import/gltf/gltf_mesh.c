@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: MIT
+// Meshes (§3.7): every primitive becomes one mesh of lists, with morph targets at their weights and skins in
+// the pose that the nodes give applied, so that who draws it need not know of either.
+#include <stdlib.h>
+#include <string.h>
+
+#include "gltf.h"
+
+enum { MODE_POINTS, MODE_LINES, MODE_LINE_LOOP, MODE_LINE_STRIP, MODE_TRIANGLES, MODE_STRIP, MODE_FAN };
+
+struct primitive {
+    struct scene_gltf *gltf;
+    const json_t *object, *attributes;
+    int mesh_number, number;
+    bool is_draco; // its indices are of triangles, whatever its mode was before
+    struct scene_mesh mesh;
+};
+
+_Noreturn static void refuse(const struct primitive *primitive, const char *problem)
+{
+    scene_import_fail(primitive->gltf->import, "meshes[%d].primitives[%d]: %s", primitive->mesh_number,
+                      primitive->number, problem);
+}
+
+// Attributes ----------------------------------------------------------------------------------------
+
+// An attribute with one element per vertex, or NULL when there is none.
+static void *attribute(const struct primitive *primitive, const json_t *attributes, const char *name,
+                       int least, int width)
+{
+    const int64_t accessor = scene_gltf_integer(primitive->gltf, attributes, name, -1);
+    if (accessor < 0) {
+        return NULL;
+    }
+    uint32_t count = 0;
+    float *values = scene_gltf_read_floats(primitive->gltf, accessor, least, width, &count);
+    if (count != primitive->mesh.vertex_count) {
+        char problem[96];
+        snprintf(problem, sizeof problem, "%s has %u elements, POSITION %u", name, count,
+                 primitive->mesh.vertex_count);
+        refuse(primitive, problem);
+    }
+    return values;
+}
+
+static void read_attributes(struct primitive *primitive)
+{
+    struct scene_mesh *mesh = &primitive->mesh;
+    const json_t *attributes = primitive->attributes;
+    const int64_t positions = scene_gltf_integer(primitive->gltf, attributes, "POSITION", -1);
+    mesh->positions = (void *)scene_gltf_read_floats(primitive->gltf, positions, 3, 3, &mesh->vertex_count);
+    mesh->normals = attribute(primitive, attributes, "NORMAL", 3, 3);
+    // §3.7.2.1: tangents without normals are to be ignored.
+    mesh->tangents = mesh->normals != NULL ? attribute(primitive, attributes, "TANGENT", 4, 4) : NULL;
+    mesh->uvs[0] = attribute(primitive, attributes, "TEXCOORD_0", 2, 2);
+    mesh->uvs[1] = attribute(primitive, attributes, "TEXCOORD_1", 2, 2);
+    mesh->colors = attribute(primitive, attributes, "COLOR_0", 3, 4);
+    if (json_object_get(attributes, "COLOR_1") != NULL) {
+        scene_import_unsupported(primitive->gltf->import,
+                                 "a second set of vertex colours (COLOR_1): ignored");
+    }
+}
+
+// Indices -------------------------------------------------------------------------------------------
+
+// The file's indices, or 0, 1, 2, ... where it has none.
+static uint32_t *read_indices(struct primitive *primitive, uint32_t *count)
+{
+    const int64_t accessor = scene_gltf_integer(primitive->gltf, primitive->object, "indices", -1);
+    const uint32_t vertices = primitive->mesh.vertex_count;
+    if (accessor < 0) {
+        uint32_t *indices = scene_import_allocate(primitive->gltf->import, vertices, sizeof *indices);
+        for (uint32_t i = 0; i < vertices; i++) {
+            indices[i] = i;
+        }
+        *count = vertices;
+        return indices;
+    }
+    uint32_t *indices = scene_gltf_read_integers(primitive->gltf, accessor, 1, count);
+    for (uint32_t i = 0; i < *count; i++) {
+        if (indices[i] >= vertices) {
+            char problem[96];
+            snprintf(problem, sizeof problem, "index %u is outside its %u vertices", indices[i], vertices);
+            refuse(primitive, problem);
+        }
+    }
+    return indices;
+}
+
+// §3.7.2.1 gives the order of every topology.
+static void make_list(struct primitive *primitive, int mode, const uint32_t *in, uint32_t count)
+{
+    struct scene_mesh *mesh = &primitive->mesh;
+    const bool lines = mode == MODE_LINE_LOOP || mode == MODE_LINE_STRIP;
+    const uint32_t elements = lines ? (mode == MODE_LINE_LOOP ? count : count - 1) : count - 2;
+    const uint32_t corners = lines ? 2 : 3;
+    if (count < corners) {
+        return;
+    }
+    if (elements > UINT32_MAX / 4) {
+        refuse(primitive, "has too many indices");
+    }
+    mesh->indices =
+        scene_import_allocate(primitive->gltf->import, (size_t)elements * corners, sizeof *mesh->indices);
+    mesh->index_count = elements * corners;
+    for (uint32_t i = 0; i < elements; i++) {
+        uint32_t *out = mesh->indices + (size_t)i * corners;
+        if (lines) {
+            out[0] = in[i];
+            out[1] = in[(i + 1) % count];
+        } else if (mode == MODE_STRIP) {
+            out[0] = in[i];
+            out[1] = in[i + 1 + i % 2];
+            out[2] = in[i + 2 - i % 2];
+        } else {
+            out[0] = in[i + 1];
+            out[1] = in[i + 2];
+            out[2] = in[0];
+        }
+    }
+}
+
+static void read_topology(struct primitive *primitive)
+{
+    struct scene_mesh *mesh = &primitive->mesh;
+    const int64_t mode = primitive->is_draco
+                             ? MODE_TRIANGLES
+                             : scene_gltf_integer(primitive->gltf, primitive->object, "mode", MODE_TRIANGLES);
+    if (mode > MODE_FAN) {
+        refuse(primitive, "has a mode that does not exist");
+    }
+    mesh->primitive = mode == MODE_POINTS       ? SCENE_PRIMITIVE_POINTS
+                      : mode <= MODE_LINE_STRIP ? SCENE_PRIMITIVE_LINES
+                                                : SCENE_PRIMITIVE_TRIANGLES;
+    uint32_t count = 0;
+    uint32_t *indices = read_indices(primitive, &count);
+    if (mode == MODE_POINTS || mode == MODE_LINES || mode == MODE_TRIANGLES) {
+        mesh->indices = indices;
+        mesh->index_count = count;
+        return;
+    }
+    make_list(primitive, (int)mode, indices, count);
+    free(indices);
+}
+
+// Morph targets and skins ---------------------------------------------------------------------------
+
+static void add_scaled(float *values, int width, const float *deltas, uint32_t count, float weight)
+{
+    if (values == NULL || deltas == NULL) {
+        return;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        for (int c = 0; c < 3; c++) {
+            values[(size_t)i * (size_t)width + (size_t)c] += weight * deltas[(size_t)i * 3 + (size_t)c];
+        }
+    }
+}
+
+struct weights {
+    const float *values;
+    size_t count;
+};
+
+static void apply_morphs(struct primitive *primitive, struct weights weights)
+{
+    struct scene_mesh *mesh = &primitive->mesh;
+    size_t i;
+    json_t *target;
+    json_array_foreach(scene_gltf_array(primitive->gltf, primitive->object, "targets"), i, target)
+    {
+        const float weight = i < weights.count ? weights.values[i] : 0;
+        if (weight == 0) {
+            continue;
+        }
+        float *positions = attribute(primitive, target, "POSITION", 3, 3);
+        float *normals = attribute(primitive, target, "NORMAL", 3, 3);
+        float *tangents = attribute(primitive, target, "TANGENT", 3, 3);
+        add_scaled((float *)mesh->positions, 3, positions, mesh->vertex_count, weight);
+        add_scaled((float *)mesh->normals, 3, normals, mesh->vertex_count, weight);
+        add_scaled((float *)mesh->tangents, 4, tangents, mesh->vertex_count, weight);
+        free(positions);
+        free(normals);
+        free(tangents);
+    }
+}
+
+static void rotate(const float matrix[16], float vector[3])
+{
+    float turned[3];
+    for (int row = 0; row < 3; row++) {
+        turned[row] = matrix[row] * vector[0] + matrix[4 + row] * vector[1] + matrix[8 + row] * vector[2];
+    }
+    memcpy(vector, turned, sizeof turned);
+}
+
+// The joint matrices of a skin: world matrix of the joint × inverse bind matrix (§3.7.3.1).
+static float (*joint_matrices(struct scene_gltf *gltf, int64_t skin_index, size_t *count))[16]
+{
+    const json_t *skin = scene_gltf_item(gltf, "skins", skin_index);
+    const json_t *joints = scene_gltf_array(gltf, skin, "joints");
+    const int64_t accessor = scene_gltf_integer(gltf, skin, "inverseBindMatrices", -1);
+    *count = json_array_size(joints);
+    float(*matrices)[16] = scene_import_allocate(gltf->import, *count, sizeof *matrices);
+    float *binds = NULL;
+    uint32_t bind_count = 0;
+    if (accessor >= 0) {
+        binds = scene_gltf_read_floats(gltf, accessor, 16, 16, &bind_count);
+    }
+    for (size_t i = 0; i < *count; i++) {
+        const json_t *joint = json_array_get(joints, i);
+        const double node = json_is_number(joint) ? json_number_value(joint) : -1;
+        if (!(node >= 0 && node < (double)scene_gltf_count(gltf, "nodes"))) {
+            scene_import_fail(gltf->import, "skins[%lld] has a joint that does not exist",
+                              (long long)skin_index);
+        }
+        if (i < bind_count) {
+            scene_import_multiply(gltf->nodes[(size_t)node].world, binds + 16 * i, matrices[i]);
+        } else {
+            memcpy(matrices[i], gltf->nodes[(size_t)node].world, sizeof matrices[i]);
+        }
+    }
+    free(binds);
+    return matrices;
+}
+
+// Adds what joint and weight set `set` gives to the blended matrix of each vertex. False: there is no such set.
+static bool blend_joints(struct primitive *primitive, int set, const float (*joints)[16], size_t joint_count,
+                         float (*blended)[16])
+{
+    char joint_name[32], weight_name[32];
+    snprintf(joint_name, sizeof joint_name, "JOINTS_%d", set);
+    snprintf(weight_name, sizeof weight_name, "WEIGHTS_%d", set);
+    const int64_t accessor = scene_gltf_integer(primitive->gltf, primitive->attributes, joint_name, -1);
+    float(*weights)[4] = attribute(primitive, primitive->attributes, weight_name, 4, 4);
+    if (accessor < 0 || weights == NULL) {
+        return false;
+    }
+    uint32_t count = 0;
+    uint32_t *indices = scene_gltf_read_integers(primitive->gltf, accessor, 4, &count);
+    if (count != primitive->mesh.vertex_count) {
+        refuse(primitive, "JOINTS and POSITION have different counts");
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        for (int k = 0; k < 4; k++) {
+            const uint32_t joint = indices[4 * (size_t)i + (size_t)k];
+            if (weights[i][k] == 0) {
+                continue;
+            }
+            if (joint >= joint_count) {
+                refuse(primitive, "refers to a joint that its skin does not have");
+            }
+            for (int m = 0; m < 16; m++) {
+                blended[i][m] += weights[i][k] * joints[joint][m];
+            }
+        }
+    }
+    free(weights);
+    free(indices);
+    return true;
+}
+
+// Brings a primitive of a skinned node into the world; one without joints by the node's own matrix.
+static void apply_skin(struct primitive *primitive, int64_t skin, const float world[16])
+{
+    struct scene_mesh *mesh = &primitive->mesh;
+    size_t joint_count = 0;
+    float(*joints)[16] = joint_matrices(primitive->gltf, skin, &joint_count);
+    float(*blended)[16] = scene_import_allocate(primitive->gltf->import, mesh->vertex_count, sizeof *blended);
+    int sets = 0;
+    while (blend_joints(primitive, sets, (const float(*)[16])joints, joint_count, blended)) {
+        sets++;
+    }
+    for (uint32_t i = 0; i < mesh->vertex_count && sets == 0; i++) {
+        memcpy(blended[i], world, sizeof blended[i]);
+    }
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        float point[3];
+        scene_import_transform(blended[i], mesh->positions[i], point);
+        memcpy(mesh->positions[i], point, sizeof point);
+        if (mesh->normals != NULL) {
+            rotate(blended[i], mesh->normals[i]); // joints turn; where they also stretch, this is near enough
+        }
+        if (mesh->tangents != NULL) {
+            rotate(blended[i], mesh->tangents[i]);
+        }
+    }
+    free(joints);
+    free(blended);
+}
+
+// The material of the variant that is wanted, else the primitive's own (KHR_materials_variants).
+static int64_t find_material(const struct primitive *primitive)
+{
+    struct scene_gltf *gltf = primitive->gltf;
+    const json_t *extension = scene_gltf_extension(gltf, primitive->object, "KHR_materials_variants");
+    size_t i, k;
+    json_t *mapping, *number;
+    json_array_foreach(scene_gltf_array(gltf, extension, "mappings"), i, mapping)
+    {
+        json_array_foreach(scene_gltf_array(gltf, mapping, "variants"), k, number)
+        {
+            if (gltf->variant >= 0 && json_is_number(number) &&
+                json_number_value(number) == (double)gltf->variant) {
+                return scene_gltf_integer(gltf, mapping, "material", -1);
+            }
+        }
+    }
+    return scene_gltf_integer(gltf, primitive->object, "material", -1);
+}
+
+// Entry ---------------------------------------------------------------------------------------------
+
+static bool make_primitive(struct primitive *primitive, const char *name, struct weights weights,
+                           int64_t skin, const float world[16])
+{
+    struct scene_gltf *gltf = primitive->gltf;
+    if (!json_is_object(primitive->object)) {
+        refuse(primitive, "must be an object");
+    }
+    primitive->attributes = scene_gltf_object(gltf, primitive->object, "attributes");
+    if (json_object_get(primitive->attributes, "POSITION") == NULL) {
+        scene_import_warn(gltf->import, "meshes[%d].primitives[%d] has no positions: not drawn",
+                          primitive->mesh_number, primitive->number);
+        return false;
+    }
+    const json_t *draco = scene_gltf_extension(gltf, primitive->object, "KHR_draco_mesh_compression");
+    primitive->is_draco = draco != NULL;
+    if (draco != NULL) {
+        char what[64];
+        snprintf(what, sizeof what, "meshes[%d].primitives[%d]", primitive->mesh_number, primitive->number);
+        scene_gltf_draco(gltf, primitive->object, draco, what);
+    }
+    read_attributes(primitive);
+    read_topology(primitive);
+    apply_morphs(primitive, weights);
+    if (skin >= 0) {
+        apply_skin(primitive, skin, world);
+    }
+    primitive->mesh.name = name;
+    primitive->mesh.material = scene_gltf_material(gltf, find_material(primitive));
+    *scene_import_add_mesh(gltf->import) = primitive->mesh;
+    scene_import_complete_mesh(gltf->import, gltf->import->model.mesh_count - 1, SCENE_IMPORT_FLAT, false);
+    return true;
+}
+
+// Of an animation, the node, or its mesh.
+static struct weights find_weights(struct scene_gltf *gltf, const json_t *node, const json_t *mesh,
+                                   const struct scene_gltf_node *place)
+{
+    if (place->weights != NULL) {
+        return (struct weights){place->weights, place->weight_count};
+    }
+    const json_t *const own = scene_gltf_array(gltf, node, "weights");
+    const json_t *const list = own != NULL ? own : scene_gltf_array(gltf, mesh, "weights");
+    const size_t count = json_array_size(list);
+    float *const values = scene_import_allocate(gltf->import, count, sizeof *values);
+    for (size_t i = 0; i < count; i++) {
+        values[i] = (float)json_number_value(json_array_get(list, i));
+    }
+    return (struct weights){values, count};
+}
+
+struct scene_gltf_meshes scene_gltf_mesh(struct scene_gltf *gltf, const json_t *node,
+                                         const struct scene_gltf_node *place)
+{
+    const int64_t index = scene_gltf_integer(gltf, node, "mesh", -1);
+    const json_t *object = scene_gltf_item(gltf, "meshes", index);
+    const int64_t skin = scene_gltf_integer(gltf, node, "skin", -1);
+    // The same for every node that uses the mesh?
+    const bool shared = skin < 0 && place->weights == NULL && scene_gltf_array(gltf, node, "weights") == NULL;
+    if (shared && gltf->meshes[index].made) {
+        return gltf->meshes[index];
+    }
+    const struct weights weights = find_weights(gltf, node, object, place);
+    struct scene_gltf_meshes meshes = {gltf->import->model.mesh_count, 0, true, skin >= 0};
+    const char *name = scene_gltf_name(gltf, object);
+    size_t i;
+    json_t *part;
+    json_array_foreach(scene_gltf_array(gltf, object, "primitives"), i, part)
+    {
+        struct primitive primitive = {
+            .gltf = gltf, .object = part, .mesh_number = (int)index, .number = (int)i};
+        meshes.count += make_primitive(&primitive, name, weights, skin, place->world);
+    }
+    if (shared) {
+        gltf->meshes[index] = meshes;
+    }
+    return meshes;
+}

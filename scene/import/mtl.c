@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// MTL as it is written in the field: the 1995 specification, the PBR extension (Pr, Pm, norm, their maps) and file
+// names with blanks.
+#include "mtl.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "import_text.h"
+
+static bool key_is(struct scene_word word, const char *key)
+{
+    return strlen(key) == word.length && strncasecmp(word.start, key, word.length) == 0;
+}
+
+size_t scene_mtl_find(struct scene_import *import, struct scene_mtl *mtl, const char *name)
+{
+    for (size_t i = 0; i < mtl->count; i++) {
+        if (strcmp(mtl->materials[i].phong.name, name) == 0) {
+            return i;
+        }
+    }
+    scene_import_reserve(import, &mtl->materials, &mtl->capacity, mtl->count + 1, sizeof *mtl->materials);
+    mtl->materials[mtl->count] = (struct scene_mtl_material){scene_phong_default(), {-1, -1}};
+    mtl->materials[mtl->count].phong.name = name;
+    return mtl->count++;
+}
+
+uint32_t scene_mtl_use(struct scene_import *import, struct scene_mtl *mtl, size_t index, bool colored)
+{
+    struct scene_mtl_material *material = &mtl->materials[index];
+    material->phong.colored = colored;
+    if (material->made[colored] < 0) {
+        material->made[colored] = (int32_t)scene_phong_add(import, &material->phong);
+    }
+    return (uint32_t)material->made[colored];
+}
+
+// Textures ------------------------------------------------------------------------------------------
+
+// What an option takes after its name: words, or numbers of which some may be left out.
+struct option {
+    const char *name;
+    int words, numbers;
+};
+
+static const struct option *find_option(struct scene_word word)
+{
+    static const struct option options[] = {
+        {"-o", 0, 3},       {"-s", 0, 3},      {"-t", 0, 3},     {"-mm", 0, 2},         {"-bm", 0, 1},
+        {"-boost", 0, 1},   {"-texres", 1, 0}, {"-clamp", 1, 0}, {"-blendu", 1, 0},     {"-blendv", 1, 0},
+        {"-imfchan", 1, 0}, {"-cc", 1, 0},     {"-type", 1, 0},  {"-colorspace", 1, 0},
+    };
+    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
+        if (key_is(word, options[i].name)) {
+            return &options[i];
+        }
+    }
+    return NULL;
+}
+
+static int channel_of(struct scene_word word)
+{
+    return key_is(word, "g") ? 1 : key_is(word, "b") ? 2 : key_is(word, "m") ? 3 : 0;
+}
+
+static void note_unused_option(struct scene_import *import, struct scene_word word)
+{
+    if (key_is(word, "-mm") || key_is(word, "-t") || key_is(word, "-type")) {
+        scene_import_unsupported(import, "%s of textures (MTL): not used", scene_word_string(import, word));
+    }
+}
+
+// Reads the options in front of a file name; the rest of the line is the name.
+static void read_texture(struct scene_import *import, struct scene_line line,
+                         struct scene_phong_texture *texture, float *multiplier)
+{
+    float offset[3] = {0, 0, 0}, scale[3] = {1, 1, 1}, ignored[3];
+    struct scene_word word, setting = {"", 0};
+    struct scene_line before = line;
+    int channel = 0;
+    bool clamp = false;
+    *multiplier = 1;
+    while (scene_text_word(&line, &word) && find_option(word) != NULL) {
+        const struct option *option = find_option(word);
+        float *values = key_is(word, "-o")    ? offset
+                        : key_is(word, "-s")  ? scale
+                        : key_is(word, "-bm") ? multiplier
+                                              : ignored;
+        if (option->words > 0) {
+            scene_text_word(&line, &setting);
+        }
+        scene_text_numbers(&line, values, option->numbers);
+        channel = key_is(word, "-imfchan") ? channel_of(setting) : channel;
+        note_unused_option(import, word);
+        clamp = clamp || (key_is(word, "-clamp") && key_is(setting, "on"));
+        before = line;
+    }
+    const struct scene_word name = scene_text_rest(before);
+    if (name.length == 0) {
+        return;
+    }
+    *texture = scene_phong_texture_default();
+    texture->name = scene_word_string(import, name);
+    texture->channel = channel;
+    texture->source.file = scene_import_find_file(import, texture->name);
+    texture->source.problem = import->missing;
+    if (clamp) {
+        texture->slot.address_u = texture->slot.address_v = RHW_ADDRESS_CLAMP;
+    }
+    // With v upward v' = s·v + o; ours points down on both sides.
+    const float transform[6] = {scale[0], 0, offset[0], 0, scale[1], 1 - scale[1] - offset[1]};
+    if (scene_import_finite(transform, 6)) {
+        memcpy(texture->slot.transform, transform, sizeof transform);
+    }
+}
+
+static bool read_map(struct scene_import *import, struct scene_word key, struct scene_line line,
+                     struct scene_phong *phong)
+{
+    const struct {
+        const char *key;
+        struct scene_phong_texture *texture;
+    } maps[] = {
+        {"map_Kd", &phong->color},
+        {"map_d", &phong->opacity_map},
+        {"map_opacity", &phong->opacity_map},
+        {"map_bump", &phong->height},
+        {"bump", &phong->height},
+        {"norm", &phong->normal},
+        {"map_Ke", &phong->emissive_map},
+        {"map_emissive", &phong->emissive_map},
+        {"map_Pr", &phong->roughness_map},
+        {"map_Pm", &phong->metallic_map},
+        {"map_Pc", &phong->clearcoat_map},
+        {"map_Pcr", &phong->clearcoat_roughness_map},
+    };
+    for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
+        if (key_is(key, maps[i].key)) {
+            float multiplier;
+            read_texture(import, line, maps[i].texture, &multiplier);
+            const bool relief = maps[i].texture == &phong->height || maps[i].texture == &phong->normal;
+            phong->normal_scale =
+                relief && scene_import_finite(&multiplier, 1) ? multiplier : phong->normal_scale;
+            return true;
+        }
+    }
+    return false;
+}
+
+static void note_unused_map(struct scene_import *import, struct scene_word key)
+{
+    static const struct {
+        const char *key, *name;
+    } maps[] = {
+        {"map_Ks", "specular"},     {"map_Ns", "shininess"},  {"refl", "reflection"},
+        {"map_refl", "reflection"}, {"disp", "displacement"}, {"map_disp", "displacement"},
+        {"map_Ps", "sheen"},        {"decal", "decal"},
+    };
+    for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
+        if (key_is(key, maps[i].key)) {
+            scene_import_unsupported(import, "%s textures: not used", maps[i].name);
+        }
+    }
+}
+
+// Values --------------------------------------------------------------------------------------------
+
+// Numbers of the PBR extension. False: the key is none of them.
+static bool read_surface(struct scene_word key, float value, struct scene_phong *phong)
+{
+    const struct {
+        const char *key;
+        float *value;
+    } values[] = {
+        {"Pr", &phong->roughness},
+        {"Pm", &phong->metallic},
+        {"Pc", &phong->clearcoat},
+        {"Pcr", &phong->clearcoat_roughness},
+        {"Ps", &phong->sheen},
+        {"aniso", &phong->anisotropy},
+        {"anisor", &phong->anisotropy_turns},
+    };
+    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
+        if (key_is(key, values[i].key)) {
+            *values[i].value = value;
+            return true;
+        }
+    }
+    return false;
+}
+
+// One number is a grey. What is no number, as in "Kd spectral …", leaves the colour alone.
+static bool read_color(struct scene_line line, float color[3])
+{
+    float values[3];
+    const int count = scene_text_numbers(&line, values, 3);
+    if (count == 0 || !scene_import_finite(values, (size_t)count)) {
+        return false;
+    }
+    for (int c = 0; c < 3; c++) {
+        color[c] = values[count == 3 ? c : 0];
+    }
+    return true;
+}
+
+static void read_value(struct scene_word key, struct scene_line line, struct scene_phong *phong,
+                       bool *dissolve)
+{
+    struct scene_line rest = line;
+    float value = 0;
+    const bool number = scene_text_numbers(&rest, &value, 1) == 1 && scene_import_finite(&value, 1);
+    if (key_is(key, "Kd")) {
+        phong->described = read_color(line, phong->diffuse) || phong->described;
+    } else if (key_is(key, "Ks")) {
+        read_color(line, phong->specular);
+    } else if (key_is(key, "Ke")) {
+        read_color(line, phong->emissive);
+    } else if (!number) {
+        return;
+    } else if (key_is(key, "Ns")) {
+        phong->shininess = value;
+    } else if (key_is(key, "d")) {
+        phong->opacity = value;
+        *dissolve = true;
+    } else if (key_is(key, "Tr") && !*dissolve) { // both are written, sometimes; they may contradict
+        phong->opacity = 1 - value;
+    } else if (!read_surface(key, value, phong) && key_is(key, "illum")) {
+        phong->unlit = value == 0;
+        phong->dull = value == 1;
+    }
+}
+
+bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const char *name)
+{
+    const char *path = scene_import_find_file(import, name), *problem = import->missing;
+    size_t size = 0;
+    char *bytes = path == NULL ? NULL : scene_import_read_file(import, path, &size, &problem);
+    if (bytes == NULL) {
+        scene_import_warn(import, "material library \"%s\": %s", name, problem);
+        return false;
+    }
+    struct scene_text text = scene_text_open(import, bytes, size);
+    struct scene_line line;
+    struct scene_word key;
+    size_t current = SIZE_MAX;
+    bool dissolve = false;
+    while (scene_text_line(&text, false, &line)) {
+        if (!scene_text_word(&line, &key) || key.start[0] == '#') {
+            continue;
+        }
+        if (key_is(key, "newmtl")) {
+            current = scene_mtl_find(import, mtl, scene_word_string(import, scene_text_rest(line)));
+            dissolve = false;
+            continue;
+        }
+        if (current == SIZE_MAX) {
+            continue;
+        }
+        struct scene_phong *phong = &mtl->materials[current].phong;
+        if (!read_map(import, key, line, phong)) {
+            note_unused_map(import, key);
+            read_value(key, line, phong, &dissolve);
+        }
+    }
+    free(bytes);
+    return true;
+}

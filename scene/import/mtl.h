@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Wavefront material libraries.
+#ifndef SCENE_IMPORT_MTL_H
+#define SCENE_IMPORT_MTL_H
+
+#include "phong.h"
+
+struct scene_mtl_material {
+    struct scene_phong phong;
+    int32_t made[2]; ///< index in the model, without and with vertex colours; −1: not used yet
+};
+
+struct scene_mtl {
+    struct scene_mtl_material *materials;
+    size_t count, capacity;
+};
+
+/// Adds the materials of a library. False, with a warning, when it cannot be read.
+bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const char *name);
+/// The material with this name; a plain one is added if there is none. Returns its place.
+size_t scene_mtl_find(struct scene_import *import, struct scene_mtl *mtl, const char *name);
+/// Its index in the model.
+uint32_t scene_mtl_use(struct scene_import *import, struct scene_mtl *mtl, size_t material, bool colored);
+
+#endif

@@ -1,0 +1,538 @@
+// SPDX-License-Identifier: MIT
+// Wavefront OBJ. assimp 5.2.5 refuses valid files (numbers such as ".5", UTF-16, extensions in the material
+// library), so this format, the most common of all, is read here.
+//
+// Faces collect in parts: one per object or group, material, smoothing group and kind of corner. A part becomes a
+// mesh; those of one object share an object id.
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "mtl.h"
+#include "import_text.h"
+
+static const uint32_t none = UINT32_MAX;
+enum { SMOOTHING_NOT_SAID = -1, SMOOTHING_OFF = 0 };
+
+struct corner {
+    uint32_t position, uv, normal; // uv, normal: `none` where the file gives none
+};
+
+struct part_key {
+    uint32_t object;
+    size_t material;
+    int smoothing;
+    enum scene_primitive primitive;
+    bool has_uv, has_normal;
+};
+
+struct part {
+    struct part_key key;
+    struct corner *corners;
+    size_t corner_count, corner_capacity;
+    uint32_t *sizes; // corners of each polygon, line or point
+    size_t size_count, size_capacity;
+};
+
+struct obj {
+    struct scene_import *import;
+    struct scene_text text;
+    float (*positions)[3], (*colors)[3], (*uvs)[2], (*normals)[3];
+    size_t position_count, position_capacity, color_capacity, uv_count, uv_capacity, normal_count,
+        normal_capacity;
+    bool colored;
+    const char **objects; // names
+    size_t object_count, object_capacity;
+    size_t first_part; // of the current object
+    struct part *parts;
+    size_t part_count, part_capacity;
+    struct scene_mtl mtl;
+    bool libraries_complete; // all that were named are there
+    size_t material;
+    int smoothing;
+    struct corner *polygon; // being read
+    size_t polygon_capacity;
+    uint32_t small_faces; // of fewer than three corners
+};
+
+static bool ends_within_line(const struct obj *obj)
+{
+    return obj->text.end[-1] != '\n' && obj->text.end[-1] != '\r';
+}
+
+_Noreturn static void refuse(struct obj *obj, const char *problem)
+{
+    const bool last = obj->text.cursor == obj->text.end && ends_within_line(obj);
+    scene_import_fail(obj->import, "line %u%s: %s", obj->text.line,
+                      last ? ", where the file ends or is cut" : "", problem);
+}
+
+// Vertices ------------------------------------------------------------------------------------------
+
+// v x y z [w] or v x y z [w] r g b; w weights free-form curves and says nothing about polygons.
+static void read_position(struct obj *obj, struct scene_line line)
+{
+    float values[7];
+    const int count = scene_text_numbers(&line, values, 7);
+    if (count < 3) {
+        refuse(obj, "a vertex needs three numbers");
+    }
+    if (obj->position_count >= INT_MAX) {
+        refuse(obj, "has too many vertices");
+    }
+    const size_t index = obj->position_count++;
+    scene_import_reserve(obj->import, &obj->positions, &obj->position_capacity, index + 1,
+                         sizeof *obj->positions);
+    memcpy(obj->positions[index], values, sizeof obj->positions[index]);
+    if (count < 6 && !obj->colored) {
+        return;
+    }
+    scene_import_reserve(obj->import, &obj->colors, &obj->color_capacity, obj->position_capacity,
+                         sizeof *obj->colors);
+    for (size_t i = obj->colored ? index : 0; i <= index; i++) { // those before had none: white
+        obj->colors[i][0] = obj->colors[i][1] = obj->colors[i][2] = 1;
+    }
+    obj->colored = true;
+    for (int c = 0; c < 3 && count >= 6; c++) {
+        obj->colors[index][c] = values[count - 3 + c];
+    }
+}
+
+static void read_uv(struct obj *obj, struct scene_line line)
+{
+    float values[2] = {0, 0};
+    if (scene_text_numbers(&line, values, 2) < 1) {
+        refuse(obj, "a texture coordinate needs a number");
+    }
+    scene_import_reserve(obj->import, &obj->uvs, &obj->uv_capacity, obj->uv_count + 1, sizeof *obj->uvs);
+    obj->uvs[obj->uv_count][0] = values[0];
+    obj->uvs[obj->uv_count++][1] = 1 - values[1]; // the format's v points up
+}
+
+static void read_normal(struct obj *obj, struct scene_line line)
+{
+    float values[3];
+    if (scene_text_numbers(&line, values, 3) < 3) {
+        refuse(obj, "a normal needs three numbers");
+    }
+    scene_import_reserve(obj->import, &obj->normals, &obj->normal_capacity, obj->normal_count + 1,
+                         sizeof *obj->normals);
+    memcpy(obj->normals[obj->normal_count++], values, sizeof values);
+}
+
+// Elements ------------------------------------------------------------------------------------------
+
+// A one-based or, if negative, backward index at `*c`. False where there is none. Whether it lies beyond the end
+// is known when the whole file is read.
+static bool read_index(struct obj *obj, const char **c, const char *end, size_t count, uint32_t *index)
+{
+    const bool negative = *c < end && **c == '-';
+    const char *digit = *c + negative;
+    int64_t value = 0;
+    if (digit == end || *digit < '0' || *digit > '9') {
+        return false;
+    }
+    for (; digit < end && *digit >= '0' && *digit <= '9'; digit++) {
+        value = value < INT_MAX ? value * 10 + (*digit - '0') : value;
+    }
+    *c = digit;
+    if (value == 0) {
+        refuse(obj, "indices start at 1");
+    }
+    if (negative && (uint64_t)value > count) {
+        refuse(obj, "an index reaches back before the first vertex");
+    }
+    *index = (uint32_t)(negative ? (int64_t)count - value : value - 1 < INT_MAX ? value - 1 : INT_MAX);
+    return true;
+}
+
+// p, p/t, p//n or p/t/n
+static struct corner read_corner(struct obj *obj, struct scene_word word)
+{
+    struct corner corner = {none, none, none};
+    const char *c = word.start, *end = word.start + word.length;
+    bool good = read_index(obj, &c, end, obj->position_count, &corner.position);
+    if (good && c < end && *c == '/') {
+        c++;
+        read_index(obj, &c, end, obj->uv_count, &corner.uv);
+        if (c < end && *c == '/') {
+            c++;
+            read_index(obj, &c, end, obj->normal_count, &corner.normal);
+        }
+    }
+    if (!good || c != end) {
+        refuse(obj, "a corner must be p, p/t, p//n or p/t/n");
+    }
+    return corner;
+}
+
+static struct part *find_part(struct obj *obj, const struct part_key *key)
+{
+    for (size_t i = obj->part_count; i > obj->first_part; i--) {
+        const struct part_key *other = &obj->parts[i - 1].key;
+        if (other->material == key->material && other->smoothing == key->smoothing &&
+            other->primitive == key->primitive && other->has_uv == key->has_uv &&
+            other->has_normal == key->has_normal) {
+            return &obj->parts[i - 1];
+        }
+    }
+    scene_import_reserve(obj->import, &obj->parts, &obj->part_capacity, obj->part_count + 1,
+                         sizeof *obj->parts);
+    obj->parts[obj->part_count] = (struct part){.key = *key};
+    return &obj->parts[obj->part_count++];
+}
+
+static void add_element(struct obj *obj, enum scene_primitive primitive, const struct corner *corners,
+                        uint32_t count)
+{
+    struct part_key key = {
+        (uint32_t)obj->object_count - 1, obj->material, SMOOTHING_NOT_SAID, primitive, true, true};
+    for (uint32_t i = 0; i < count; i++) {
+        key.has_uv = key.has_uv && corners[i].uv != none;
+        key.has_normal = key.has_normal && corners[i].normal != none;
+    }
+    if (primitive == SCENE_PRIMITIVE_TRIANGLES && !key.has_normal) {
+        key.smoothing = obj->smoothing;
+    }
+    struct part *part = find_part(obj, &key);
+    if (part->corner_count + count > UINT32_MAX) {
+        refuse(obj, "has too many faces");
+    }
+    const size_t total = part->corner_count + count;
+    scene_import_reserve(obj->import, &part->corners, &part->corner_capacity, total, sizeof *part->corners);
+    scene_import_reserve(obj->import, &part->sizes, &part->size_capacity, part->size_count + 1,
+                         sizeof *part->sizes);
+    memcpy(part->corners + part->corner_count, corners, count * sizeof *corners);
+    part->corner_count = total;
+    part->sizes[part->size_count++] = count;
+}
+
+static void read_element(struct obj *obj, enum scene_primitive primitive, struct scene_line line)
+{
+    struct scene_word word;
+    uint32_t count = 0;
+    while (scene_text_word(&line, &word) && word.start[0] != '#') {
+        scene_import_reserve(obj->import, &obj->polygon, &obj->polygon_capacity, count + (size_t)1,
+                             sizeof *obj->polygon);
+        obj->polygon[count++] = read_corner(obj, word);
+    }
+    if (primitive == SCENE_PRIMITIVE_TRIANGLES && count >= 3) {
+        add_element(obj, primitive, obj->polygon, count);
+    } else if (primitive == SCENE_PRIMITIVE_TRIANGLES) {
+        obj->small_faces++;
+    }
+    for (uint32_t i = 1; primitive == SCENE_PRIMITIVE_LINES && i < count; i++) {
+        add_element(obj, primitive, obj->polygon + i - 1, 2);
+    }
+    for (uint32_t i = 0; primitive == SCENE_PRIMITIVE_POINTS && i < count; i++) {
+        add_element(obj, primitive, obj->polygon + i, 1);
+    }
+}
+
+// State ---------------------------------------------------------------------------------------------
+
+static void start_object(struct obj *obj, const char *name)
+{
+    const bool empty = obj->object_count > 0 && obj->part_count == obj->first_part;
+    if (obj->object_count > 0 && strcmp(obj->objects[obj->object_count - 1], name) == 0) {
+        return;
+    }
+    if (!empty) {
+        if (obj->object_count >= INT_MAX) {
+            refuse(obj, "has too many objects");
+        }
+        obj->object_count++;
+        scene_import_reserve(obj->import, &obj->objects, &obj->object_capacity, obj->object_count,
+                             sizeof *obj->objects);
+    }
+    obj->objects[obj->object_count - 1] = name;
+    obj->first_part = obj->part_count;
+}
+
+// Moves a backslash in front of a blank out of the way, so that the blank is part of the name.
+static const char *library_name(struct obj *obj, struct scene_word word)
+{
+    char *name = scene_import_allocate(obj->import, word.length + 1, 1), *out = name;
+    for (size_t i = 0; i < word.length; i++) {
+        if (word.start[i] != '\\' || i + 1 == word.length || word.start[i + 1] != ' ') {
+            *out++ = word.start[i];
+        }
+    }
+    return scene_import_string(obj->import, name, word.length);
+}
+
+// A library, or where it is not there, the one that is called as the model is: who renames one renames both.
+static bool read_library(struct obj *obj, const char *name)
+{
+    const char *slash = strrchr(obj->import->name, '/'),
+               *file = slash == NULL ? obj->import->name : slash + 1;
+    const char *dot = strrchr(file, '.');
+    char own[256];
+    snprintf(own, sizeof own, "%.*s.mtl", (int)(dot == NULL ? strlen(file) : (size_t)(dot - file)), file);
+    if (scene_import_find_file(obj->import, name) != NULL ||
+        scene_import_find_file(obj->import, own) == NULL) {
+        return scene_mtl_read(obj->import, &obj->mtl, name);
+    }
+    scene_import_warn(obj->import, "material library \"%s\" is not there; \"%s\" is read", name,
+                      scene_import_string(obj->import, own, sizeof own));
+    return scene_mtl_read(obj->import, &obj->mtl, own);
+}
+
+// One name, maybe with blanks in it, or several names.
+static void read_libraries(struct obj *obj, struct scene_line line)
+{
+    const char *whole = library_name(obj, scene_text_rest(line));
+    struct scene_word name, more;
+    if (scene_import_find_file(obj->import, whole) != NULL) {
+        obj->libraries_complete = scene_mtl_read(obj->import, &obj->mtl, whole) && obj->libraries_complete;
+        return;
+    }
+    while (scene_text_word(&line, &name)) {
+        while (name.start[name.length - 1] == '\\' && scene_text_word(&line, &more)) {
+            name.length = (size_t)(more.start + more.length - name.start);
+        }
+        const bool found = read_library(obj, library_name(obj, name));
+        obj->libraries_complete = obj->libraries_complete && found;
+    }
+}
+
+static void read_material(struct obj *obj, struct scene_line line)
+{
+    const char *name = scene_word_string(obj->import, scene_text_rest(line));
+    const size_t known = obj->mtl.count;
+    obj->material = scene_mtl_find(obj->import, &obj->mtl, name);
+    if (obj->mtl.count > known && obj->libraries_complete) {
+        scene_import_warn(obj->import, "material \"%s\" is in no library", name);
+    }
+}
+
+static void read_smoothing(struct obj *obj, struct scene_line line)
+{
+    float group = 0;
+    const bool number = scene_text_numbers(&line, &group, 1) == 1;
+    obj->smoothing = number && group >= 0 && group < 1e9f ? (int)group : SMOOTHING_OFF;
+}
+
+static void read_line(struct obj *obj, struct scene_word key, struct scene_line line)
+{
+    static const char *const free_form[] = {"curv", "curv2", "surf", "cstype"};
+    if (scene_word_is(key, "v")) {
+        read_position(obj, line);
+    } else if (scene_word_is(key, "vt")) {
+        read_uv(obj, line);
+    } else if (scene_word_is(key, "vn")) {
+        read_normal(obj, line);
+    } else if (scene_word_is(key, "f") || scene_word_is(key, "fo")) {
+        read_element(obj, SCENE_PRIMITIVE_TRIANGLES, line);
+    } else if (scene_word_is(key, "l")) {
+        read_element(obj, SCENE_PRIMITIVE_LINES, line);
+    } else if (scene_word_is(key, "p")) {
+        read_element(obj, SCENE_PRIMITIVE_POINTS, line);
+    } else if (scene_word_is(key, "o") || scene_word_is(key, "g")) {
+        start_object(obj, scene_word_string(obj->import, scene_text_rest(line)));
+    } else if (scene_word_is(key, "usemtl")) {
+        read_material(obj, line);
+    } else if (scene_word_is(key, "mtllib")) {
+        read_libraries(obj, line);
+    } else if (scene_word_is(key, "s")) {
+        read_smoothing(obj, line);
+    }
+    for (size_t i = 0; i < sizeof free_form / sizeof free_form[0]; i++) {
+        if (scene_word_is(key, free_form[i])) {
+            scene_import_unsupported(obj->import, "free-form curves and surfaces: not drawn");
+        }
+    }
+}
+
+// Meshes --------------------------------------------------------------------------------------------
+
+// Faces may name texture coordinates or normals that never came; only positions are indispensable.
+static void check_corners(struct obj *obj, struct part *part)
+{
+    bool has_uv = part->key.has_uv, has_normal = part->key.has_normal;
+    for (size_t i = 0; i < part->corner_count; i++) {
+        const struct corner *corner = &part->corners[i];
+        if (corner->position >= obj->position_count) {
+            scene_import_fail(obj->import, "a face refers to vertex %u of %zu", corner->position + 1,
+                              obj->position_count);
+        }
+        has_uv = has_uv && corner->uv < obj->uv_count;
+        has_normal = has_normal && corner->normal < obj->normal_count;
+    }
+    if (has_uv != part->key.has_uv || has_normal != part->key.has_normal) {
+        scene_import_warn(obj->import, "faces refer to %s that are not there",
+                          has_normal != part->key.has_normal ? "normals" : "texture coordinates");
+    }
+    part->key.has_uv = has_uv;
+    part->key.has_normal = has_normal;
+}
+
+static void copy_corners(struct obj *obj, const struct part *part, struct scene_mesh *mesh)
+{
+    struct scene_import *import = obj->import;
+    const size_t count = part->corner_count;
+    mesh->vertex_count = (uint32_t)count;
+    mesh->positions = scene_import_allocate(import, count, sizeof *mesh->positions);
+    if (part->key.has_uv) {
+        mesh->uvs[0] = scene_import_allocate(import, count, sizeof *mesh->uvs[0]);
+    }
+    if (part->key.has_normal) {
+        mesh->normals = scene_import_allocate(import, count, sizeof *mesh->normals);
+    }
+    if (obj->colored) {
+        mesh->colors = scene_import_allocate(import, count, sizeof *mesh->colors);
+    }
+    for (size_t i = 0; i < count; i++) {
+        const struct corner *corner = &part->corners[i];
+        memcpy(mesh->positions[i], obj->positions[corner->position], sizeof mesh->positions[i]);
+        if (mesh->uvs[0] != NULL) {
+            memcpy(mesh->uvs[0][i], obj->uvs[corner->uv], sizeof mesh->uvs[0][i]);
+        }
+        if (mesh->normals != NULL) {
+            memcpy(mesh->normals[i], obj->normals[corner->normal], sizeof mesh->normals[i]);
+        }
+        for (int c = 0; c < 3 && mesh->colors != NULL; c++) {
+            mesh->colors[i][c] = obj->colors[corner->position][c];
+        }
+        if (mesh->colors != NULL) {
+            mesh->colors[i][3] = 1;
+        }
+    }
+}
+
+static void make_indices(struct obj *obj, const struct part *part, struct scene_mesh *mesh)
+{
+    const bool triangles = part->key.primitive == SCENE_PRIMITIVE_TRIANGLES;
+    size_t count = 0;
+    for (size_t i = 0; i < part->size_count; i++) {
+        count += triangles ? 3 * ((size_t)part->sizes[i] - 2) : part->sizes[i];
+    }
+    if (count > UINT32_MAX) {
+        scene_import_fail(obj->import, "has too many faces");
+    }
+    mesh->index_count = (uint32_t)count;
+    mesh->indices = scene_import_allocate(obj->import, count, sizeof *mesh->indices);
+    uint32_t *next = mesh->indices, first = 0;
+    uint32_t *polygon = NULL;
+    size_t polygon_capacity = 0;
+    for (size_t i = 0; i < part->size_count; first += part->sizes[i++]) {
+        const uint32_t size = part->sizes[i];
+        scene_import_reserve(obj->import, &polygon, &polygon_capacity, size, sizeof *polygon);
+        for (uint32_t k = 0; k < size; k++) {
+            polygon[k] = first + k;
+        }
+        if (!triangles) {
+            memcpy(next, polygon, size * sizeof *next);
+            next += size;
+            continue;
+        }
+        scene_import_triangulate((const float(*)[3])mesh->positions, polygon, size, next);
+        for (uint32_t k = 0; k < 3 * (size - 2); k++) {
+            *next++ += first;
+        }
+    }
+    free(polygon);
+}
+
+static void add_part(struct obj *obj, struct part *part)
+{
+    struct scene_import *import = obj->import;
+    const char *name = obj->objects[part->key.object];
+    struct scene_mesh mesh = {.name = name, .primitive = part->key.primitive};
+    check_corners(obj, part);
+    copy_corners(obj, part, &mesh);
+    make_indices(obj, part, &mesh);
+    free(part->corners);
+    free(part->sizes);
+    mesh.material = scene_mtl_use(import, &obj->mtl, part->key.material, obj->colored);
+    *scene_import_add_mesh(import) = mesh;
+    struct scene_instance *instance = scene_import_add_instance(import);
+    instance->name = name;
+    instance->mesh = import->model.mesh_count - 1;
+    instance->object = part->key.object + 1;
+    scene_import_identity(instance->world);
+    const bool flat = part->key.smoothing == SMOOTHING_OFF;
+    scene_import_complete_mesh(import, instance->mesh, flat ? SCENE_IMPORT_FLAT : SCENE_IMPORT_SMOOTH, true);
+}
+
+// A file of vertices alone is a cloud of points.
+static void add_all_points(struct obj *obj)
+{
+    for (size_t i = 0; i < obj->position_count; i++) {
+        add_element(obj, SCENE_PRIMITIVE_POINTS, &(struct corner){(uint32_t)i, none, none}, 1);
+    }
+}
+
+// The format has no end mark. What is cut ends within a line, as few whole files do, and has vertices that no face has
+// come to.
+static void warn_of_cut(struct obj *obj)
+{
+    if (!ends_within_line(obj)) {
+        return;
+    }
+    bool *used = scene_import_allocate(obj->import, obj->position_count, sizeof *used);
+    size_t left = obj->position_count;
+    for (size_t i = 0; i < obj->part_count; i++) {
+        for (size_t k = 0; k < obj->parts[i].corner_count; k++) {
+            const uint32_t position = obj->parts[i].corners[k].position;
+            if (position < obj->position_count && !used[position]) {
+                used[position] = true;
+                left--;
+            }
+        }
+    }
+    free(used);
+    if (left > 0) {
+        scene_import_warn(obj->import,
+                          "may be cut: it ends within line %u, and %zu of its %zu vertices are in no face",
+                          obj->text.line, left, obj->position_count);
+    }
+}
+
+static void decode_colors(struct obj *obj)
+{
+    for (size_t i = 0; i < obj->position_count && obj->colored; i++) {
+        for (int c = 0; c < 3; c++) {
+            obj->colors[i][c] = scene_import_from_srgb(obj->colors[i][c]);
+        }
+    }
+}
+
+void scene_import_obj(struct scene_import *import)
+{
+    struct obj obj = {.import = import, .smoothing = SMOOTHING_NOT_SAID, .libraries_complete = true};
+    const char *problem = NULL;
+    size_t size = 0;
+    char *bytes = scene_import_read_file(import, import->model.path, &size, &problem);
+    if (bytes == NULL) {
+        scene_import_fail(import, "cannot be read: %s", problem);
+    }
+    import->model.format = "Wavefront OBJ";
+    import->up_is_open = true;
+    obj.text = scene_text_open(import, bytes, size);
+    obj.material = scene_mtl_find(import, &obj.mtl, "");
+    start_object(&obj, "");
+    struct scene_line line;
+    struct scene_word key;
+    while (scene_text_line(&obj.text, true, &line)) {
+        if (scene_text_word(&line, &key) && key.start[0] != '#') {
+            read_line(&obj, key, line);
+        }
+    }
+    if (obj.position_count == 0) {
+        scene_import_fail(import, "is no OBJ model: it has no vertices");
+    }
+    if (obj.small_faces > 0) {
+        scene_import_warn(import, "%u faces of fewer than three corners are left out", obj.small_faces);
+    }
+    warn_of_cut(&obj);
+    free(bytes);
+    if (obj.part_count == 0) {
+        add_all_points(&obj);
+    }
+    decode_colors(&obj);
+    for (size_t i = 0; i < obj.part_count; i++) {
+        add_part(&obj, &obj.parts[i]);
+    }
+}

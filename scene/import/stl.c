@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: MIT
+// Stereolithography, text and binary. assimp draws a file that is cut as if it were whole, and knows one of the two
+// conventions for colours in the 16 bits that follow each facet of a binary file.
+//
+// Facets are flat where the file gives their normals. Many write zeros: then normals are made from the corners, and
+// curved surfaces look smooth.
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "phong.h"
+#include "import_text.h"
+
+enum { HEADER = 84, FACET = 50 }; // bytes of a binary file's head with its count, and of a facet
+
+// Facets of one solid.
+struct solid {
+    const char *name;
+    float (*positions)[3], (*normals)[3], (*colors)[4]; // of corners; colors NULL: none
+    size_t corners, position_capacity, normal_capacity;
+    bool has_normals; // some facet does
+};
+
+static void add_solid(struct scene_import *import, struct solid *solid)
+{
+    if (solid->corners > UINT32_MAX) {
+        scene_import_fail(import, "has too many facets");
+    }
+    struct scene_phong phong = scene_phong_default();
+    phong.colored = solid->colors != NULL;
+    struct scene_mesh *mesh = scene_import_add_mesh(import);
+    mesh->name = solid->name;
+    mesh->vertex_count = mesh->index_count = (uint32_t)solid->corners;
+    mesh->positions = solid->positions;
+    mesh->normals = solid->has_normals ? solid->normals : NULL;
+    mesh->colors = solid->colors;
+    mesh->indices = scene_import_allocate(import, solid->corners, sizeof *mesh->indices);
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        mesh->indices[i] = i;
+    }
+    mesh->material = scene_phong_add(import, &phong);
+    struct scene_instance *instance = scene_import_add_instance(import);
+    instance->name = solid->name;
+    instance->mesh = import->model.mesh_count - 1;
+    instance->object = import->model.instance_count;
+    scene_import_identity(instance->world);
+    scene_import_complete_mesh(import, instance->mesh, SCENE_IMPORT_SMOOTH, solid->corners > 3);
+}
+
+static bool is_normal(const float v[3])
+{
+    const float square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    return square > 1e-12f && square < 1e12f; // neither is NaN
+}
+
+// That of a triangle; (0, 0, 1) where it has no area.
+static void find_normal(const float (*corners)[3], float normal[3])
+{
+    double along[2][3], cross[3], square = 0.0;
+    for (int c = 0; c < 3; c++) {
+        along[0][c] = (double)corners[1][c] - (double)corners[0][c];
+        along[1][c] = (double)corners[2][c] - (double)corners[0][c];
+    }
+    for (int c = 0; c < 3; c++) {
+        const int d = (c + 1) % 3, e = (c + 2) % 3;
+        cross[c] = along[0][d] * along[1][e] - along[0][e] * along[1][d];
+        square += cross[c] * cross[c];
+    }
+    const bool has_area = square > 0.0 && square < 1e300;
+    for (int c = 0; c < 3; c++) {
+        normal[c] = has_area ? (float)(cross[c] / __builtin_sqrt(square)) : c == 2 ? 1.0f : 0.0f;
+    }
+}
+
+// The normal of a facet, for its three corners, which are there. Where the file gives zeros, as programs write for facets
+// without an area, it is that of the corners.
+static void set_normal(struct solid *solid, size_t first, const float given[3])
+{
+    float normal[3] = {given[0], given[1], given[2]};
+    if (is_normal(given)) {
+        solid->has_normals = true;
+    } else {
+        find_normal((const float(*)[3])solid->positions + first, normal);
+    }
+    for (size_t k = 0; k < 3; k++) {
+        memcpy(solid->normals[first + k], normal, sizeof solid->normals[first + k]);
+    }
+}
+
+// Binary --------------------------------------------------------------------------------------------
+
+static uint32_t read_32(const unsigned char *bytes)
+{
+    return (uint32_t)bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
+}
+
+static float read_float(const unsigned char *bytes)
+{
+    const uint32_t word = read_32(bytes);
+    float value;
+    memcpy(&value, &word, sizeof value);
+    return value;
+}
+
+// What the 16 bits after a facet mean: nothing, unless a facet says that its colour is valid (VisCAM, SolidView), or
+// the head names the colour of the others (Materialise Magics).
+struct palette {
+    bool colored, magics;
+    float common[4];
+};
+
+static struct palette find_palette(const unsigned char *bytes, size_t facets)
+{
+    struct palette palette = {.common = {1, 1, 1, 1}};
+    const char key[] = "COLOR=";
+    for (int i = 0; i + 10 <= 80 && !palette.magics; i++) {
+        palette.magics = memcmp(bytes + i, key, strlen(key)) == 0;
+        for (int c = 0; c < 3 && palette.magics; c++) {
+            palette.common[c] = scene_import_from_srgb((float)bytes[i + 6 + c] / 255);
+        }
+    }
+    palette.colored = palette.magics;
+    for (size_t i = 0; i < facets && !palette.colored; i++) {
+        palette.colored = (bytes[HEADER + i * FACET + 49] & 0x80) != 0;
+    }
+    if (!palette.magics) { // of facets without a colour: that of a model that has none
+        palette.common[0] = palette.common[1] = palette.common[2] = 0.6f;
+    }
+    return palette;
+}
+
+// Five bits for each of red, green and blue; Magics begins with red, the others end with it, and the highest bit has
+// opposite meanings.
+static void read_color(const struct palette *palette, unsigned word, float color[4])
+{
+    const bool own = ((word & 0x8000) == 0) == palette->magics;
+    memcpy(color, palette->common, sizeof palette->common);
+    for (int c = 0; c < 3 && own; c++) {
+        const unsigned bits = word >> (palette->magics ? 5 * c : 10 - 5 * c) & 31;
+        color[c] = scene_import_from_srgb((float)bits / 31);
+    }
+}
+
+// How many facets there are: as many as the file says, which a writer that cannot go back leaves at nothing or at −1.
+static size_t count_facets(struct scene_import *import, const unsigned char *bytes, size_t size)
+{
+    const uint32_t said = read_32(bytes + 80);
+    const size_t whole = (size - HEADER) / FACET, rest = (size - HEADER) % FACET;
+    if ((said == 0 || said == UINT32_MAX) && whole > 0 && rest == 0) {
+        scene_import_warn(import, "says that it has %u facets; the %zu that it has are drawn", said, whole);
+        return whole;
+    }
+    if (said > whole) {
+        scene_import_fail(import, "is cut: it ends after %zu of %u facets", whole, said);
+    }
+    if (size > HEADER + (size_t)said * FACET) {
+        scene_import_warn(import, "%zu bytes after its last facet are ignored",
+                          size - HEADER - (size_t)said * FACET);
+    }
+    return said;
+}
+
+static void read_binary(struct scene_import *import, const unsigned char *bytes, size_t size)
+{
+    if (size < HEADER) {
+        scene_import_fail(import, "is cut: it has %zu bytes, and the head of a binary STL has %d", size,
+                          HEADER);
+    }
+    const size_t count = count_facets(import, bytes, size);
+    const struct palette palette = find_palette(bytes, count);
+    struct solid solid = {.name = "", .corners = 3 * count};
+    solid.positions = scene_import_allocate(import, solid.corners, sizeof *solid.positions);
+    solid.normals = scene_import_allocate(import, solid.corners, sizeof *solid.normals);
+    if (palette.colored) {
+        solid.colors = scene_import_allocate(import, solid.corners, sizeof *solid.colors);
+    }
+    for (size_t i = 0; i < count; i++) {
+        const unsigned char *facet = bytes + HEADER + i * FACET;
+        float normal[3];
+        for (int c = 0; c < 3; c++) {
+            normal[c] = read_float(facet + 4 * c);
+            for (int k = 0; k < 3; k++) {
+                solid.positions[3 * i + (size_t)k][c] = read_float(facet + 12 + 12 * k + 4 * c);
+            }
+        }
+        set_normal(&solid, 3 * i, normal);
+        for (size_t k = 0; k < 3 && palette.colored; k++) {
+            read_color(&palette, facet[48] | (unsigned)facet[49] << 8, solid.colors[3 * i + k]);
+        }
+    }
+    add_solid(import, &solid);
+}
+
+// Text ----------------------------------------------------------------------------------------------
+
+struct reader {
+    struct scene_import *import;
+    struct scene_text text;
+    struct solid solid;
+    float normal[3], corners[3][3];
+    int corner_count; // of the facet that is open: 3 and more
+    bool in_solid, in_facet;
+    size_t facets;
+};
+
+static bool key_is(struct scene_word word, const char *key)
+{
+    return strlen(key) == word.length && strncasecmp(word.start, key, word.length) == 0;
+}
+
+_Noreturn static void refuse(const struct reader *reader, const char *problem)
+{
+    scene_import_fail(reader->import, "line %u: %s", reader->text.line, problem);
+}
+
+static void add_facet(struct reader *reader)
+{
+    struct solid *solid = &reader->solid;
+    const size_t first = solid->corners;
+    scene_import_reserve(reader->import, &solid->positions, &solid->position_capacity, first + 3,
+                         sizeof *solid->positions);
+    scene_import_reserve(reader->import, &solid->normals, &solid->normal_capacity, first + 3,
+                         sizeof *solid->normals);
+    memcpy(solid->positions + first, reader->corners, sizeof reader->corners);
+    set_normal(solid, first, reader->normal);
+    solid->corners += 3;
+}
+
+// The fourth corner and each after it make a triangle with the first and the one before.
+static void read_vertex(struct reader *reader, struct scene_line line)
+{
+    float position[3];
+    if (scene_text_numbers(&line, position, 3) < 3) {
+        refuse(reader, "a vertex needs three numbers");
+    }
+    if (reader->corner_count >= 3) {
+        memcpy(reader->corners[1], reader->corners[2], sizeof position);
+    }
+    const int place = reader->corner_count < 3 ? reader->corner_count : 2;
+    memcpy(reader->corners[place], position, sizeof position);
+    if (++reader->corner_count >= 3) {
+        add_facet(reader);
+    }
+}
+
+static void end_solid(struct reader *reader)
+{
+    if (reader->solid.corners > 0) {
+        add_solid(reader->import, &reader->solid);
+    }
+    reader->solid = (struct solid){.name = ""};
+    reader->in_solid = false;
+}
+
+static void read_line(struct reader *reader, struct scene_word key, struct scene_line line)
+{
+    struct scene_word word;
+    if (key_is(key, "vertex")) {
+        if (!reader->in_facet) {
+            refuse(reader, "a vertex stands outside of a facet");
+        }
+        read_vertex(reader, line);
+    } else if (key_is(key, "facet")) {
+        reader->in_facet = true;
+        reader->corner_count = 0;
+        memset(reader->normal, 0, sizeof reader->normal);
+        if (scene_text_word(&line, &word) && key_is(word, "normal")) {
+            scene_text_numbers(&line, reader->normal, 3);
+        }
+    } else if (key_is(key, "endfacet")) {
+        if (reader->corner_count < 3) {
+            refuse(reader, "a facet needs three vertices");
+        }
+        reader->in_facet = false;
+        reader->facets++;
+    } else if (key_is(key, "solid")) {
+        end_solid(reader);
+        reader->solid.name = scene_word_string(reader->import, scene_text_rest(line));
+        reader->in_solid = true;
+    } else if (key_is(key, "endsolid")) {
+        end_solid(reader);
+    }
+}
+
+static void read_text(struct scene_import *import, char *bytes, size_t size)
+{
+    struct reader reader = {
+        .import = import, .text = scene_text_open(import, bytes, size), .solid = {.name = ""}};
+    struct scene_line line;
+    struct scene_word key;
+    while (scene_text_line(&reader.text, false, &line)) {
+        if (scene_text_word(&line, &key)) {
+            read_line(&reader, key, line);
+        }
+    }
+    if (reader.in_facet) {
+        scene_import_fail(import, "is cut: it ends in facet %zu", reader.facets + 1);
+    }
+    if (reader.in_solid) {
+        scene_import_warn(import, "has no \"endsolid\" after facet %zu: it may be cut", reader.facets);
+    }
+    end_solid(&reader);
+    if (reader.facets == 0) {
+        scene_import_fail(import, "is no STL model: it has no facets");
+    }
+}
+
+// Past blanks and comments.
+static const char *first_word(const char *text)
+{
+    text += strspn(text, " \t\r\n");
+    while (*text == '#') {
+        text += strcspn(text, "\r\n");
+        text += strspn(text, " \t\r\n");
+    }
+    return text;
+}
+
+// Text begins with "solid"; so do heads of binary files, which have the length that they say or bytes that are no text.
+static bool is_text(const char *bytes, size_t size)
+{
+    enum { LOOKED_AT = 512 };
+    const size_t end = size < LOOKED_AT ? size : LOOKED_AT;
+    if (strncasecmp(first_word(bytes), "solid", 5) != 0) {
+        return false;
+    }
+    if (size >= HEADER && size == HEADER + (uint64_t)FACET * read_32((const unsigned char *)bytes + 80)) {
+        return false;
+    }
+    for (size_t i = 0; i < end; i++) {
+        if (bytes[i] == 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void scene_import_stl(struct scene_import *import)
+{
+    const char *problem = NULL;
+    size_t size = 0;
+    char *bytes = scene_import_read_file(import, import->model.path, &size, &problem);
+    if (bytes == NULL) {
+        scene_import_fail(import, "cannot be read: %s", problem);
+    }
+    import->model.format = "Stereolithography (STL)";
+    import->model.up = SCENE_AXIS_Z; // the format says nothing, but is what is printed
+    import->up_is_open = true;
+    if (is_text(bytes, size)) {
+        read_text(import, bytes, size);
+    } else {
+        read_binary(import, (const unsigned char *)bytes, size);
+    }
+    free(bytes);
+}

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// 3MF, what printers are given. assimp 5.2.5 keeps its shapes alone: colours, textures, components of components and
+// objects in other parts of the package are lost, so it is read here: minizip opens the package, expat reads its XML.
+#include "threemf.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+uint32_t scene_3mf_part(struct scene_3mf *file, const char *name)
+{
+    enum { MOST = 1 << 16 };
+    name += *name == '/';
+    for (size_t i = file->part_count; i > 0; i--) {
+        if (strcasecmp(file->parts[i - 1], name) == 0) {
+            return (uint32_t)i - 1;
+        }
+    }
+    if (file->part_count == MOST) {
+        scene_import_fail(file->import, "has more than %d parts", MOST);
+    }
+    scene_import_reserve(file->import, &file->parts, &file->part_capacity, file->part_count + 1,
+                         sizeof *file->parts);
+    file->parts[file->part_count] = scene_import_string(file->import, name, strlen(name));
+    return (uint32_t)file->part_count++;
+}
+
+// The value of an attribute in the element that ends at `end`: NULL where it has none.
+static const char *find_value(struct scene_import *import, const char *element, const char *end,
+                              const char *name)
+{
+    const size_t length = strlen(name);
+    for (const char *c = element; c + length + 2 < end; c++) {
+        if (strncmp(c, name, length) == 0 && c[length] == '=' &&
+            (c[length + 1] == '"' || c[length + 1] == '\'')) {
+            const char *value = c + length + 2, *close = memchr(value, c[length + 1], (size_t)(end - value));
+            return close == NULL ? NULL : scene_import_string(import, value, (size_t)(close - value));
+        }
+    }
+    return NULL;
+}
+
+// The part that the package's relationships name as its model.
+static const char *find_root(struct scene_3mf *file)
+{
+    size_t size;
+    const char *text = scene_zip_read_all(file->zip, "_rels/.rels", &size);
+    const char *const first = text == NULL ? NULL : strstr(text, "<Relationship ");
+    for (const char *element = first; element != NULL; element = strstr(element + 1, "<Relationship ")) {
+        const char *end = strchr(element, '>');
+        const char *type = end == NULL ? NULL : find_value(file->import, element, end, "Type");
+        if (type != NULL && strstr(type, "/3dmodel") != NULL) {
+            return find_value(file->import, element, end, "Target");
+        }
+    }
+    return NULL;
+}
+
+static int compare_groups(const void *left, const void *right)
+{
+    const struct scene_3mf_group *a = left, *b = right;
+    return a->part != b->part ? (a->part > b->part) - (a->part < b->part) : (a->id > b->id) - (a->id < b->id);
+}
+
+static int compare_objects(const void *left, const void *right)
+{
+    const struct scene_3mf_object *a = left, *b = right;
+    return a->part != b->part ? (a->part > b->part) - (a->part < b->part) : (a->id > b->id) - (a->id < b->id);
+}
+
+// After sorting: ids of a part are those of one thing each (Core, 3.4), else which one is meant is left to chance.
+static void check_ids(const struct scene_3mf *file)
+{
+    for (uint32_t i = 1; i < file->group_count; i++) {
+        if (compare_groups(&file->groups[i - 1], &file->groups[i]) == 0) {
+            scene_import_fail(file->import, "has two groups of properties with id %u", file->groups[i].id);
+        }
+    }
+    for (uint32_t i = 1; i < file->object_count; i++) {
+        if (compare_objects(&file->objects[i - 1], &file->objects[i]) == 0) {
+            scene_import_fail(file->import, "has two objects with id %u", file->objects[i].id);
+        }
+    }
+}
+
+void scene_import_3mf(struct scene_import *import)
+{
+    struct scene_3mf file = {.import = import, .zip = scene_zip_open(import)};
+    import->model.format = "3D Manufacturing Format (3MF)";
+    import->model.up = SCENE_AXIS_Z;
+    const char *root = find_root(&file);
+    if (root == NULL) {
+        root = scene_zip_find_ending(file.zip, ".model");
+    }
+    if (root == NULL) {
+        scene_import_fail(import, "is a ZIP archive without a 3MF model in it");
+    }
+    scene_3mf_part(&file, root);
+    for (uint32_t part = 0; part < file.part_count; part++) {
+        scene_3mf_read_part(&file, part);
+    }
+    if (file.group_count > 0) {
+        qsort(file.groups, file.group_count, sizeof *file.groups, compare_groups);
+    }
+    if (file.object_count > 0) {
+        qsort(file.objects, file.object_count, sizeof *file.objects, compare_objects);
+    }
+    check_ids(&file);
+    scene_3mf_build(&file);
+}

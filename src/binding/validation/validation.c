@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "validation.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/arena.h"
+#include "base/constants.h"
+
+const uint32_t rhw_validator_input[2] = {0x7fc01234, 0x3ecf1bbd};
+const uint32_t rhw_validator_output[2] = {0x7fc05678, 0x3f2d74e1};
+
+void rhw_validator_init(struct rhw_validator *validator, struct rhw_validation_messages *validation,
+                        struct rhw_pipeline_data *pipeline, const char *name)
+{
+    struct rhw_program *const program = &pipeline->def.program;
+    *validator = (struct rhw_validator){.validation = validation,
+                                        .pipeline = pipeline,
+                                        .vertex = pipeline->vertex,
+                                        .fragment = pipeline->fragment,
+                                        .user = program->user,
+                                        .uses = program->uses};
+    snprintf(validator->name, sizeof validator->name, "%s", name);
+    pipeline->validator = validator;
+    pipeline->vertex = rhw_validated_vertex;
+    if (pipeline->fragment || program->fragment1) {
+        pipeline->fragment = rhw_validated_fragment;
+        program->uses |= RHW_USE_COORD;
+    }
+    program->user = validator;
+}
+
+static void put_copy(unsigned char *to, const void *uniforms, uint32_t size, uint32_t rubbish)
+{
+    if (size != 0) {
+        memcpy(to, uniforms, size);
+    }
+    for (size_t i = 0; i < RHW_VALIDATED_PADDING; i += sizeof rubbish) {
+        memcpy(to + size + i, &rubbish, sizeof rubbish);
+    }
+}
+
+const void *rhw_validated_uniforms(struct rhw_arena *arena, const void *uniforms, uint32_t size,
+                                   uint32_t draw)
+{
+    const size_t second =
+        ((size_t)size + RHW_VALIDATED_PADDING + RHW_CACHE_LINE - 1) & ~(size_t)(RHW_CACHE_LINE - 1);
+    struct rhw_validated_uniforms *const header =
+        rhw_arena_alloc(arena, sizeof *header + 2 * second, RHW_CACHE_LINE);
+    if (!header) {
+        return NULL;
+    }
+    *header = (struct rhw_validated_uniforms){draw, second};
+    unsigned char *const first = (unsigned char *)(header + 1);
+    put_copy(first, uniforms, size, rhw_validator_input[0]);
+    put_copy(first + second, uniforms, size, rhw_validator_input[1]);
+    return first;
+}

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// What a pass draws, as data: draws with their states, and the chunks that the front end makes of them.
+//
+// The triangles of all draws stand in one line, in submission order, cut into chunks of at most
+// RHW_CHUNK_TRIANGLES. Chunks go through the front end in any order on any thread; a tile then reads the
+// chunks in line order, so the picture does not depend on who did what. A chunk may span many small draws
+// (10,000 draws of 12 triangles are 15 chunks) and a large draw many chunks.
+#ifndef RHW_DRAW_LIST_H
+#define RHW_DRAW_LIST_H
+
+#include "pipeline/blend_state.h"
+#include "pipeline/depth_stencil.h"
+#include "draw_plan.h"
+#include "hidden_surface.h"
+#include "pipeline/line_stipple.h"
+#include "rhw/pass_def.h"
+#include "rhw/shader.h"
+#include "triangle.h"
+
+struct rhw_memory;
+struct rhw_pipeline_data;
+struct rhw_active_queries;
+struct rhw_draw_feedback;
+struct rhw_shared_vertices;
+struct rhw_strip_stipple;
+
+struct rhw_vertex_stream {
+    const unsigned char *bytes; // buffer start plus binding offset
+    size_t size;                // bytes from there to the buffer's end
+};
+
+// Everything a draw needs that a set_ function changes, but for uniforms. Draws point at an immutable copy, one and the
+// same as long as nothing of it changes: that keeps ten thousand draws with uniforms of their own in the cache.
+struct rhw_draw_state {
+    const struct rhw_pipeline_data *pipeline;
+    struct rhw_vertex_stream streams[RHW_MAX_VERTEX_BUFFERS];
+    const unsigned char *indices;
+    size_t index_bytes;
+    enum rhw_index_type index_type;
+    const struct rhw_bindings *textures;
+    struct rhw_viewport viewport;
+    struct rhw_rect scissor; // already within target and viewport
+    float blend_constant[4];
+    struct rhw_blend_state blend[RHW_MAX_COLOR_ATTACHMENTS];
+    struct rhw_hidden_rule hidden;               // how it may be drawn together with others
+    struct rhw_draw_plan plans[RHW_PHASE_COUNT]; // what tiles do for its fragments
+    // Depth after the viewport's range: depth_low + depth_span·Z/W, whatever range of Z the pipeline has.
+    double depth_low, depth_span;
+    float depth_least, depth_most; // what depth is held to: the viewport's range in order, or 0 and 1
+    struct rhw_depth_stencil_setting depth_setting;
+    struct rhw_depth_stencil_state depth_stencil;
+    // Screen position of clip coordinates: x = X/W·half_width + center_x, y = center_y − Y/W·half_height. The height is
+    // negative where the viewport's is: then y points down in clip coordinates too.
+    double half_width, half_height, center_x, center_y;
+    // Added to a position, 1/256 pixel, they lead to the first pixel with a sample behind it, and past the last with one
+    // before it (kernels/raster/sample_position.h).
+    int32_t first_step, past_step;
+    const struct rhw_active_queries *queries; // NULL: none
+    int viewport_index;                       // of `viewport`
+    struct rhw_line_stipple_setting stipple_setting;
+    struct rhw_line_stipple stipple; // of the lines; factor 0: none
+    float line_width_setting;        // of the pass; 0: the pipeline's
+    int line_pixels;                 // the width of Bresenham lines
+    double half_width_24_8;          // of other lines
+};
+
+struct rhw_draw {
+    const struct rhw_draw_state *state;
+    const void *uniforms;
+    const uint32_t (*expanded)[3];            // vertex indices of strips and fans with restart, slots of
+                                              // effect_vertices.h; else NULL
+    const struct rhw_shared_vertices *shared; // by instance, of the wave under way, or of the
+                                              // pass (effect_vertices.h); mostly NULL
+    uint32_t first, base_vertex, first_instance, instances;
+    uint32_t index;                           // of the draw in its pass
+    const struct rhw_draw_feedback *feedback; // what it writes to buffers; NULL: nothing
+    const struct rhw_debug_group *group;      // the innermost one it was recorded in, or NULL
+    uint32_t triangles_per_instance;
+    uint64_t first_triangle; // in the line of all triangles of the pass
+    bool indexed;
+    bool is_shaded_first;                          // see effect_vertices.h
+    const struct rhw_strip_stipple *strip_stipple; // NULL: each line begins its pattern anew
+    const struct rhw_draw
+        *viewports; // RHW_MAX_VIEWPORTS, the same for each viewport; NULL: the first alone is used
+};
+
+// Where the draw ends in the line of all triangles of its pass.
+static inline uint64_t rhw_draw_end(const struct rhw_draw *draw)
+{
+    return draw->first_triangle + (uint64_t)draw->triangles_per_instance * draw->instances;
+}
+
+// The part of a chunk that belongs to one instance of one draw, or to several that are in the chunk as a whole.
+struct rhw_segment {
+    const struct rhw_draw *draw;
+    uint32_t instance; // the first
+    int vertex_stride; // floats
+    float *vertices;   // rhw_vertex_record by slot
+};
+
+struct rhw_primitive_id {
+    uint32_t instance, primitive;
+};
+
+// Tells an instance of the draw, first_instance not included, and the number in it of a triangle of the segment.
+static inline struct rhw_primitive_id rhw_primitive_id_of(const struct rhw_segment *segment,
+                                                          uint32_t primitive)
+{
+    const uint32_t each = segment->draw->triangles_per_instance;
+    if (primitive < each) { // mostly
+        return (struct rhw_primitive_id){segment->instance, primitive};
+    }
+    return (struct rhw_primitive_id){segment->instance + primitive / each, primitive % each};
+}
+
+// What the front end counts in a chunk: a chunk that is not drawn in its wave is run again in the next.
+struct rhw_front_counters {
+    uint64_t vertices_shaded, dropped, clipped, culled, rasterized, entries;
+};
+
+// What a query counts of a segment.
+struct rhw_counted_run {
+    const struct rhw_active_queries *queries;
+    uint64_t clipping_primitives;
+};
+
+struct rhw_chunk {
+    // In the line of all triangles; the front end lowers a count whose bins are too large.
+    uint64_t first, count;
+    uint32_t first_draw; // the draw that triangle `first` belongs to
+    // Written by the front end:
+    struct rhw_hidden_rule hidden; // of all its draws; in order where they differ
+    struct rhw_segment *segments;
+    struct rhw_triangle *triangles;
+    struct rhw_polygon *polygons;
+    // Bins: tile (x, y) of the rectangle lists entries[offsets[i]] .. entries[offsets[i + 1] − 1], where
+    // i = (y − tile_y0)·(tile_x1 − tile_x0) + x − tile_x0; entries are numbers of triangles, rising.
+    // Bins of layer l begin behind those of l − layer0 such rectangles.
+    int tile_x0, tile_y0, tile_x1, tile_y1;
+    int layer0, layer_count;
+    uint32_t *offsets;
+    uint16_t *entries;
+    struct rhw_front_counters counters;
+    const struct rhw_counted_run *counted; // runs of which queries ask something
+    int counted_count;
+};
+
+// The draws of a pass. They stand in blocks, so that a draw never moves and growth copies none.
+struct rhw_draw_list {
+    struct rhw_draw **blocks; // of RHW_DRAW_BLOCK draws each
+    uint32_t block_count, block_capacity;
+    uint32_t count; // draws
+};
+
+enum { RHW_DRAW_BLOCK = 256 };
+
+static inline struct rhw_draw *rhw_draw_list_at(const struct rhw_draw_list *list, uint32_t i)
+{
+    return &list->blocks[i / RHW_DRAW_BLOCK][i % RHW_DRAW_BLOCK];
+}
+
+// The slow path of rhw_draw_list_next: takes one more block.
+struct rhw_draw *rhw_draw_list_grow(struct rhw_memory *memory, struct rhw_draw_list *list);
+
+// Room for one more draw, behind the last; `count` does not change yet. NULL when out of memory.
+static inline struct rhw_draw *rhw_draw_list_next(struct rhw_memory *memory, struct rhw_draw_list *list)
+{
+    const bool has_room = list->count < list->block_count * RHW_DRAW_BLOCK;
+    return has_room ? rhw_draw_list_at(list, list->count) : rhw_draw_list_grow(memory, list);
+}
+
+void rhw_draw_list_destroy(struct rhw_memory *memory, struct rhw_draw_list *list);
+
+#endif

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// The beginning of a pass: its definition is checked, and everything is reset. pass/attach.c takes its attachments, pass.c
+// and the files beside it record into it.
+#include <string.h>
+
+#include "context/context.h"
+#include "context/entry.h"
+#include "context/misuse.h"
+#include "attach.h"
+#include "pass_state.h"
+#include "rhw/rhw.h"
+#include "base/thread.h"
+
+static const char *const where = "rhw_pass_begin";
+
+static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
+{
+    rhw_arena_reset(&pass->arena);
+    pass->begun_ns = rhw_time_ns();
+    pass->width = def->width;
+    pass->height = def->height;
+    pass->names_size = def->width != 0;
+    pass->area = def->render_area;
+    pass->draws.count = 0;
+    pass->triangle_count = 0;
+    pass->queries = NULL;
+    pass->read = NULL;
+    pass->stored = NULL;
+    pass->feedback = (struct rhw_feedback_state){0};
+    pass->has_feedback = false;
+    pass->triangles_most = 1;
+    pass->has_large_draws = false;
+    pass->shades_first = false;
+    pass->current = NULL;
+    pass->out_of_memory = false;
+    pass->paths = pass->context->paths;
+    pass->explained.ask.fragment = NULL;
+    pass->tile_reports = NULL;
+    pass->refused_pipeline = false;
+    pass->color_count = def->color_count;
+    memset(&pass->pending, 0, sizeof pass->pending);
+    memset(&pass->bound, 0, sizeof pass->bound);
+    pass->pending_changed = true;
+    pass->uniforms = NULL;
+    pass->uniform_size = 0;
+    pass->textures_changed = true;
+}
+
+static bool check_def(rhw_context *context, const struct rhw_pass_def *def, const rhw_pass *id)
+{
+    return rhw_check(context, def != NULL && id != NULL, "%s: def and pass must not be NULL", where) &&
+           rhw_check(context, !context->recording.active, "%s: a pass is being recorded; end it first",
+                     where) &&
+           rhw_check(context, def->color_count >= 0 && def->color_count <= RHW_MAX_COLOR_ATTACHMENTS,
+                     "%s: color_count is %d; it is in 0..%d", where, def->color_count,
+                     RHW_MAX_COLOR_ATTACHMENTS) &&
+           rhw_check(context, def->color_count > 0 || def->colors[0].texture.index == 0,
+                     "%s: colors[0].texture is set and color_count is 0; it must be 1 or more, or the "
+                     "texture null",
+                     where) &&
+           rhw_check(
+               context, def->color_count == 0 || rhw_pass_def_has_color(def),
+               "%s: colors[0].texture is null, and so are all others; give one of them a texture, or set "
+               "color_count = 0",
+               where) &&
+           rhw_check(context,
+                     def->color_count > 0 || def->depth.enabled || (def->width > 0 && def->height > 0),
+                     "%s: the pass has no attachment, so width and height must be set", where) &&
+           rhw_check(context, (def->width == 0) == (def->height == 0),
+                     "%s: width is %d and height is %d; both are set, or both are 0", where, def->width,
+                     def->height) &&
+           rhw_check(
+               context, def->layers == 0 || (def->color_count == 0 && !def->depth.enabled),
+               "%s: layers is %d and the pass has an attachment; its layer_count says how many there are",
+               where, def->layers);
+}
+
+// Finds the pixels of the pass, whose size is known.
+static bool set_area(struct rhw_pass_state *pass)
+{
+    struct rhw_rect *const area = &pass->area;
+    if (area->x == 0 && area->y == 0 && area->width == 0 && area->height == 0) {
+        area->width = pass->width;
+        area->height = pass->height;
+    }
+    return rhw_check(pass->context,
+                     area->x >= 0 && area->y >= 0 && area->width > 0 && area->height > 0 &&
+                         area->width <= pass->width - area->x && area->height <= pass->height - area->y,
+                     "%s: render_area is %d,%d %dx%d; it lies within the pass, which is %dx%d, or is all 0",
+                     where, area->x, area->y, area->width, area->height, pass->width, pass->height);
+}
+
+static void begin_recording(struct rhw_context *context, const struct rhw_pass_def *def)
+{
+    struct rhw_recording *const recording = &context->recording;
+    atomic_store_explicit(&context->refused, false, memory_order_relaxed);
+    recording->active = true;
+    recording->misused = false;
+    recording->draw = 0;
+    recording->group = NULL;
+    rhw_label_copy(recording->label, def->label);
+}
+
+static enum rhw_result begin(rhw_context *context, const struct rhw_pass_def *def, rhw_pass *id)
+{
+    struct rhw_pass_state *const pass = context->pass;
+    if (!check_def(context, def, id)) {
+        return RHW_ERROR_MISUSE;
+    }
+    reset(pass, def);
+    if (++context->recording.generation == 0) {
+        context->recording.generation = 1; // 0 is that of nothing yet
+    }
+    const enum rhw_result result = rhw_pass_attach(pass, def);
+    if (result != RHW_OK) {
+        return result;
+    }
+    if (!rhw_check(context,
+                   pass->width >= 1 && pass->width <= RHW_MAX_TARGET_SIZE && pass->height >= 1 &&
+                       pass->height <= RHW_MAX_TARGET_SIZE,
+                   "%s: the size is %dx%d; each is in 1..%d", where, pass->width, pass->height,
+                   RHW_MAX_TARGET_SIZE)) {
+        return RHW_ERROR_MISUSE;
+    }
+    if (!set_area(pass)) {
+        return RHW_ERROR_MISUSE;
+    }
+    pass->tiles_x = (pass->width + RHW_TILE - 1) / RHW_TILE;
+    pass->tiles_y = (pass->height + RHW_TILE - 1) / RHW_TILE;
+    for (int i = 0; i < RHW_MAX_VIEWPORTS; i++) {
+        pass->viewports[i] = (struct rhw_viewport){0, 0, (float)pass->width, (float)pass->height, 0, 1};
+        pass->scissors[i] = (struct rhw_rect){0, 0, pass->width, pass->height};
+    }
+    pass->pending.viewport = pass->viewports[0];
+    pass->pending.scissor = pass->scissors[0];
+    pass->pending.depth_setting.bounds_most = 1;
+    begin_recording(context, def);
+    if (context->validation && def->depth.texture.index != 0 && !def->depth.enabled) {
+        rhw_context_log(context, RHW_LOG_WARNING, "%s: depth.texture is set and depth.enabled is false",
+                        where);
+    }
+    *id = (rhw_pass){1, context->recording.generation, context->number};
+    return RHW_OK;
+}
+
+enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *def, rhw_pass *id)
+{
+    if (!rhw_context_enter(context, where)) {
+        return RHW_ERROR_MISUSE;
+    }
+    if (id != NULL &&
+        !context->recording.active) { // else it may be the only name of the pass that has to end
+        *id = (rhw_pass){0};
+    }
+    context->definition = def != NULL ? def->label : NULL;
+    const enum rhw_result result = begin(context, def, id);
+    context->definition = NULL;
+    rhw_context_leave(context);
+    return result;
+}

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "draw_range.h"
+
+#include <string.h>
+
+#include "resource/buffer.h"
+#include "context/context.h"
+#include "format/format.h"
+#include "context/lookup.h"
+#include "context/misuse.h"
+#include "pipeline/pipeline.h"
+
+static const uint32_t index_sizes[] = {[RHW_INDEX_UINT8] = 1, [RHW_INDEX_UINT16] = 2, [RHW_INDEX_UINT32] = 4};
+
+static struct rhw_name name_of(const struct rhw_pass_state *pass, int slot)
+{
+    return rhw_name_of(&pass->context->buffers, pass->bound.vertices[slot].index);
+}
+
+// Elements that attribute i finds in its buffer; of a constant one there is one.
+static uint64_t elements_of(const struct rhw_pass_state *pass, int i)
+{
+    const struct rhw_pipeline_def *const def = &pass->pending.pipeline->def;
+    const struct rhw_attribute *const attribute = &def->attributes[i];
+    const struct rhw_bound_buffer *const bound = &pass->bound.vertices[attribute->buffer];
+    const uint64_t size = bound->size;
+    const uint64_t end = (uint64_t)attribute->offset + rhw_vertex_format_size(attribute->format);
+    const struct rhw_vertex_layout *const layout = &def->buffers[attribute->buffer];
+    return size < end ? 0 : layout->constant ? 1 : (size - end) / layout->stride + 1;
+}
+
+// Whether what draws count, vertices or instances, ends within the buffers that are read by it. `last` is the highest.
+static bool check_elements(const struct rhw_pass_state *pass, bool per_instance, int64_t first, int64_t last,
+                           const char *where)
+{
+    const struct rhw_pipeline_def *const def = &pass->pending.pipeline->def;
+    for (int i = 0; i < def->attribute_count; i++) {
+        const int slot = def->attributes[i].buffer;
+        const struct rhw_vertex_layout *const layout = &def->buffers[slot];
+        if (layout->constant || layout->per_instance != per_instance) {
+            continue;
+        }
+        const int64_t count = (int64_t)elements_of(pass, i);
+        const int64_t end = per_instance ? first + (last - first) / layout->instance_step : last;
+        if (!rhw_check(pass->context, first >= 0 && end < count,
+                       "%s: it reads %s %lld to %lld; attribute %d has %lld in %s, slot %d", where,
+                       per_instance ? "instances" : "vertices", (long long)first, (long long)end, i,
+                       (long long)count, name_of(pass, slot).text, slot)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// The same for what all vertices read.
+static bool check_constants(const struct rhw_pass_state *pass, const char *where)
+{
+    const struct rhw_pipeline_def *const def = &pass->pending.pipeline->def;
+    for (int i = 0; i < def->attribute_count; i++) {
+        const int slot = def->attributes[i].buffer;
+        if (!rhw_check(pass->context, !def->buffers[slot].constant || elements_of(pass, i) != 0,
+                       "%s: attribute %d, which is constant, ends behind %s, slot %d", where, i,
+                       name_of(pass, slot).text, slot)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static uint32_t index_at(const struct rhw_pass_state *pass, uint64_t i)
+{
+    const uint32_t size = index_sizes[pass->pending.index_type];
+    uint32_t value = 0;
+    memcpy(&value, pass->bound.indices.data->bytes + pass->bound.indices.offset + i * size,
+           size); // little endian
+    return value;
+}
+
+// The least and the greatest index, restarts left out; false when there is none.
+static bool find_indices(const struct rhw_pass_state *pass, const struct rhw_draw *draw, uint32_t count,
+                         uint32_t *least, uint32_t *most)
+{
+    const uint32_t restart = UINT32_MAX >> (32 - 8 * index_sizes[pass->pending.index_type]);
+    const bool restarts = pass->pending.pipeline->def.primitive_restart;
+    bool any = false;
+    for (uint64_t i = draw->first; i < (uint64_t)draw->first + count; i++) {
+        const uint32_t index = index_at(pass, i);
+        if (restarts && index == restart) {
+            continue;
+        }
+        *least = !any || index < *least ? index : *least;
+        *most = !any || index > *most ? index : *most;
+        any = true;
+    }
+    return any;
+}
+
+static bool check_indices(const struct rhw_pass_state *pass, const struct rhw_draw *draw, uint32_t count,
+                          const char *where)
+{
+    const uint32_t size = index_sizes[pass->pending.index_type];
+    const size_t offset = pass->bound.indices.offset;
+    const uint64_t there = pass->bound.indices.size / size;
+    uint32_t least = 0, most = 0;
+    if (!rhw_check(
+            pass->context, offset % size == 0,
+            "%s: the index buffer was set with offset %zu; it must be a multiple of the %u bytes of an index",
+            where, offset, (unsigned)size) ||
+        !rhw_check(pass->context, (uint64_t)draw->first + count <= there,
+                   "%s: first is %u and count is %u; the index buffer has %llu indices", where,
+                   (unsigned)draw->first, (unsigned)count, (unsigned long long)there)) {
+        return false;
+    }
+    if (!find_indices(pass, draw, count, &least, &most)) {
+        return true;
+    }
+    const int64_t base = (int32_t)draw->base_vertex;
+    return check_elements(pass, false, base + least, base + most, where);
+}
+
+bool rhw_draw_range_check(const struct rhw_pass_state *pass, const struct rhw_draw *draw, uint32_t count,
+                          const char *where)
+{
+    if (count == 0 || draw->instances == 0) {
+        return true;
+    }
+    const bool vertices =
+        draw->indexed ? check_indices(pass, draw, count, where)
+                      : check_elements(pass, false, draw->first, (int64_t)draw->first + count - 1, where);
+    return vertices && check_constants(pass, where) &&
+           check_elements(pass, true, draw->first_instance,
+                          (int64_t)draw->first_instance + draw->instances - 1, where);
+}

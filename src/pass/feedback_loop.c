@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// See pass/feedback_loop.h. What is set is in two lists, each level once, so that setting it again costs nothing.
+#include "feedback_loop.h"
+
+#include "context/context.h"
+#include "pass_state.h"
+#include "resource/texture_access.h"
+
+struct rhw_read_texture {
+    const struct rhw_read_texture *next;
+    struct rhw_texture_data *const *item;
+    uint32_t levels; // a bit each
+};
+
+struct rhw_stored_level {
+    const struct rhw_stored_level *next;
+    struct rhw_texel_range texels;
+};
+
+static bool is_in(struct rhw_texel_range texels, const struct rhw_mip *mip, int layer, int layers)
+{
+    return mip && rhw_texel_ranges_overlap(texels, rhw_texel_range_of(mip, layer, layers));
+}
+
+static bool is_in_attachment(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment,
+                             struct rhw_texel_range texels)
+{
+    return is_in(texels, attachment->target, attachment->layer, pass->layers) ||
+           is_in(texels, attachment->resolve, attachment->layer, pass->layers);
+}
+
+static bool is_in_color(const struct rhw_pass_state *pass, struct rhw_texel_range texels)
+{
+    for (int i = 0; i < pass->color_count; i++) {
+        if (is_in_attachment(pass, &pass->colors[i], texels)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool rhw_pass_attaches(const struct rhw_pass_state *pass, struct rhw_texel_range texels)
+{
+    return is_in_color(pass, texels) || is_in_attachment(pass, &pass->depth, texels) ||
+           is_in_attachment(pass, &pass->stencil, texels);
+}
+
+// Whether depth, or stencil, writes some of the texels: what is read-only only where it is resolved.
+static bool writes(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment,
+                   struct rhw_texel_range texels)
+{
+    return attachment->is_read_only
+               ? attachment->resolves && is_in(texels, attachment->resolve, attachment->layer, pass->layers)
+               : is_in_attachment(pass, attachment, texels);
+}
+
+// Stencil alone is in both, depth and stencil.
+static bool draws_into(const struct rhw_pass_state *pass, struct rhw_texel_range texels)
+{
+    return is_in_color(pass, texels) || (pass->has_depth && writes(pass, &pass->depth, texels)) ||
+           (pass->has_stencil && writes(pass, &pass->stencil, texels));
+}
+
+static struct rhw_texel_range range_of_level(const struct rhw_texture_data *texture, int level)
+{
+    const struct rhw_mip *const mip = &texture->mip[level];
+    return rhw_texel_range_of(mip, 0, mip->slices);
+}
+
+// Most textures that are set are nobody's attachment, by any name.
+bool rhw_pass_draws_into(const struct rhw_pass_state *pass, const struct rhw_texture_data *texture,
+                         uint32_t levels)
+{
+    levels = rhw_texture_is_attached(pass->context, texture) ? levels : 0;
+    for (; levels != 0; levels &= levels - 1) {
+        if (draws_into(pass, range_of_level(texture, __builtin_ctz(levels)))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Whether one of a texture's levels has some of the texels.
+static bool levels_have(const struct rhw_texture_data *texture, uint32_t levels,
+                        struct rhw_texel_range texels)
+{
+    for (; levels != 0; levels &= levels - 1) {
+        if (rhw_texel_ranges_overlap(texels, range_of_level(texture, __builtin_ctz(levels)))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool rhw_pass_stores_texture(const struct rhw_pass_state *pass, const struct rhw_texture_data *texture,
+                             uint32_t levels)
+{
+    if (!rhw_texture_is_attached(pass->context, texture)) {
+        return false;
+    }
+    for (const struct rhw_stored_level *stored = pass->stored; stored; stored = stored->next) {
+        if (levels_have(texture, levels, stored->texels)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool rhw_pass_reads(const struct rhw_pass_state *pass, struct rhw_texel_range texels)
+{
+    for (const struct rhw_read_texture *read = pass->read; read; read = read->next) {
+        if (levels_have(*read->item, read->levels, texels)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool rhw_pass_note_read(struct rhw_pass_state *pass, struct rhw_texture_data *const *item, uint32_t levels)
+{
+    struct rhw_texture_data *const texture = *item;
+    const uint32_t generation = pass->context->recording.generation;
+    texture->read_levels = texture->read_pass == generation ? texture->read_levels : 0;
+    const uint32_t added = levels & ~texture->read_levels;
+    if (added == 0) {
+        return true;
+    }
+    struct rhw_read_texture *const read =
+        rhw_arena_alloc(&pass->arena, sizeof *read, _Alignof(struct rhw_read_texture));
+    if (read) {
+        *read = (struct rhw_read_texture){pass->read, item, added};
+        pass->read = read;
+        texture->read_pass = generation;
+        texture->read_levels |= added;
+    }
+    return read != NULL;
+}
+
+bool rhw_pass_note_stored(struct rhw_pass_state *pass, struct rhw_texture_data *texture, int level)
+{
+    const uint32_t generation = pass->context->recording.generation;
+    texture->stored_levels = texture->stored_pass == generation ? texture->stored_levels : 0;
+    struct rhw_stored_level *const stored =
+        rhw_arena_alloc(&pass->arena, sizeof *stored, _Alignof(struct rhw_stored_level));
+    if (stored) {
+        *stored = (struct rhw_stored_level){pass->stored, range_of_level(texture, level)};
+        pass->stored = stored;
+        texture->stored_pass = generation;
+        texture->stored_levels |= 1u << level;
+    }
+    return stored != NULL;
+}

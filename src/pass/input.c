@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Recording: what vertices are made from, which is buffers of vertices and indices, and uniforms.
+#include <string.h>
+
+#include "resource/buffer.h"
+#include "resource/buffer_access.h"
+#include "context/context.h"
+#include "context/entry.h"
+#include "context/lookup.h"
+#include "context/misuse.h"
+#include "enter.h"
+#include "pass_state.h"
+#include "rhw/rhw.h"
+
+// Notes that draws read bytes of a buffer. False when that is misuse.
+static __attribute__((noinline)) bool note_read(struct rhw_pass_state *pass,
+                                                const struct rhw_buffer_part *part, const char *where)
+{
+    if (!rhw_buffer_check_use(pass->context, part, where)) {
+        return false;
+    }
+    pass->out_of_memory |= !rhw_buffer_note_use(pass->context, &pass->arena, part);
+    return true;
+}
+
+// Bytes `offset` to offset + size of a buffer, 0: to its end, that draws will read; the data is NULL when the call was
+// misuse.
+static inline struct rhw_bound_buffer bind_buffer(struct rhw_pass_state *pass, rhw_buffer id, size_t offset,
+                                                  size_t size, const char *where)
+{
+    rhw_context *const context = pass->context;
+    struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
+    if (!buffer ||
+        !rhw_check(context, offset <= buffer->size, "%s: offset is %zu; %s has %zu bytes", where, offset,
+                   rhw_name_of(&context->buffers, id.index).text, buffer->size) ||
+        !rhw_check(context, size <= buffer->size - offset,
+                   "%s: offset is %zu and size is %zu; together they must stay within the %zu bytes of %s",
+                   where, offset, size, buffer->size, rhw_name_of(&context->buffers, id.index).text)) {
+        return (struct rhw_bound_buffer){.data = NULL};
+    }
+    const uint32_t generation = context->recording.generation;
+    const size_t length = size == 0 ? buffer->size - offset : size, end = offset + length;
+    const struct rhw_used_bytes *const used = &buffer->used[RHW_BUFFER_READ];
+    const bool is_noted = used->pass == generation && used->ranges.last &&
+                          used->ranges.last->first <= offset && end <= used->ranges.last->end;
+    const struct rhw_buffer_part part = {id, buffer, RHW_BUFFER_READ, offset, end};
+    if ((buffer->is_map_written && !rhw_buffer_check_unmapped(context, &part, where)) ||
+        (!is_noted && !note_read(pass, &part, where))) {
+        return (struct rhw_bound_buffer){.data = NULL};
+    }
+    rhw_pool_use(&context->buffers, id.index, generation);
+    return (struct rhw_bound_buffer){buffer, offset, length, id.index};
+}
+
+static bool same_buffer(struct rhw_bound_buffer a, struct rhw_bound_buffer b)
+{
+    return a.data == b.data && a.offset == b.offset && a.size == b.size;
+}
+
+static inline void set_vertex_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer,
+                                     size_t offset, size_t size, const char *where)
+{
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
+    if (!pass) {
+        return;
+    }
+    if (rhw_check(context, slot >= 0 && slot < RHW_MAX_VERTEX_BUFFERS, "%s: slot is %d; it is in 0..%d",
+                  where, slot, RHW_MAX_VERTEX_BUFFERS - 1)) {
+        const struct rhw_bound_buffer bound = bind_buffer(pass, buffer, offset, size, where);
+        if (bound.data) {
+            pass->pending_changed |= !same_buffer(pass->bound.vertices[slot], bound);
+            pass->bound.vertices[slot] = bound;
+        }
+    }
+    rhw_context_leave(context);
+}
+
+void rhw_pass_set_vertex_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer, size_t offset)
+{
+    set_vertex_buffer(context, id, slot, buffer, offset, 0, "rhw_pass_set_vertex_buffer");
+}
+
+void rhw_pass_set_vertex_buffer_range(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer,
+                                      size_t offset, size_t size)
+{
+    set_vertex_buffer(context, id, slot, buffer, offset, size, "rhw_pass_set_vertex_buffer_range");
+}
+
+static inline void set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buffer,
+                                    enum rhw_index_type type, size_t offset, size_t size, const char *where)
+{
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
+    if (!pass) {
+        return;
+    }
+    if (rhw_check(context, (unsigned)type <= RHW_INDEX_UINT32, "%s: type is %d; not an index type", where,
+                  (int)type)) {
+        const struct rhw_bound_buffer bound = bind_buffer(pass, buffer, offset, size, where);
+        if (bound.data) {
+            pass->pending_changed |=
+                !same_buffer(pass->bound.indices, bound) || pass->pending.index_type != type;
+            pass->bound.indices = bound;
+            pass->pending.index_type = type;
+        }
+    }
+    rhw_context_leave(context);
+}
+
+void rhw_pass_set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buffer, enum rhw_index_type type,
+                               size_t offset)
+{
+    set_index_buffer(context, id, buffer, type, offset, 0, "rhw_pass_set_index_buffer");
+}
+
+void rhw_pass_set_index_buffer_range(rhw_context *context, rhw_pass id, rhw_buffer buffer,
+                                     enum rhw_index_type type, size_t offset, size_t size)
+{
+    set_index_buffer(context, id, buffer, type, offset, size, "rhw_pass_set_index_buffer_range");
+}
+
+static void set_uniforms(struct rhw_pass_state *pass, const void *data, size_t size)
+{
+    static const char *const where = "rhw_pass_set_uniforms";
+    rhw_context *const context = pass->context;
+    if (!rhw_check(context, data || size == 0, "%s: data is NULL and size is %zu", where, size) ||
+        !rhw_check(context, size <= RHW_MAX_UNIFORM_SIZE, "%s: size is %zu; at most %d", where, size,
+                   RHW_MAX_UNIFORM_SIZE)) {
+        return;
+    }
+    void *const copy = rhw_arena_alloc(&pass->arena, size, RHW_CACHE_LINE);
+    if (!copy) {
+        pass->out_of_memory = true;
+        return;
+    }
+    if (size != 0) {
+        memcpy(copy, data, size);
+    }
+    pass->uniforms = copy;
+    pass->uniform_size = (uint32_t)size;
+}
+
+void rhw_pass_set_uniforms(rhw_context *context, rhw_pass id, const void *data, size_t size)
+{
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_uniforms");
+    if (pass) {
+        set_uniforms(pass, data, size);
+        rhw_context_leave(context);
+    }
+}

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// What draws use of all that was set: set_ functions change `bound` and `pending`, a draw copies what it needs of them
+// when they changed.
+#include "pass_draw_state.h"
+
+#include <string.h>
+
+#include "resource/buffer.h"
+#include "context/context.h"
+#include "base/cpu.h"
+#include "draw/hidden_surface.h"
+#include "line.h"
+#include "pass_state.h"
+#include "pass_texture.h"
+#include "viewport.h"
+#include "pipeline/pipeline.h"
+
+static struct rhw_vertex_stream stream_of(struct rhw_bound_buffer bound)
+{
+    return bound.data ? (struct rhw_vertex_stream){bound.data->bytes + bound.offset, bound.size}
+                      : (struct rhw_vertex_stream){NULL, 0};
+}
+
+// The bytes that buffers have now: one that is written after a draw of this pass gets new ones.
+static void resolve_buffers(struct rhw_pass_state *pass)
+{
+    struct rhw_draw_state *const pending = &pass->pending;
+    for (int i = 0; i < RHW_MAX_VERTEX_BUFFERS; i++) {
+        pending->streams[i] = stream_of(pass->bound.vertices[i]);
+    }
+    const struct rhw_vertex_stream indices = stream_of(pass->bound.indices);
+    pending->indices = indices.bytes;
+    pending->index_bytes = indices.size;
+}
+
+// Brings `pending` up to date with what is bound. False when out of memory.
+static bool resolve(struct rhw_pass_state *pass)
+{
+    const uint32_t rewrites = pass->context->recording.rewrites;
+    const bool rewritten = rewrites != pass->rewrites_seen;
+    if (!rewritten && !pass->textures_changed && !pass->pending_changed) {
+        return true;
+    }
+    if (pass->textures_changed || rewritten) {
+        if (!rhw_pass_resolve_textures(pass)) {
+            return false;
+        }
+        pass->textures_changed = false;
+        pass->pending_changed = true;
+    }
+    resolve_buffers(pass);
+    pass->rewrites_seen = rewrites;
+    return true;
+}
+
+const struct rhw_draw_state *rhw_pass_draw_state(struct rhw_pass_state *pass)
+{
+    if (!resolve(pass)) {
+        return NULL;
+    }
+    if (pass->current && !pass->pending_changed) {
+        return pass->current;
+    }
+    struct rhw_draw_state *const state = rhw_arena_alloc(&pass->arena, sizeof *state, RHW_CACHE_LINE);
+    if (!state) {
+        return NULL;
+    }
+    *state = pass->pending;
+    rhw_pass_clip_scissor(pass, state);
+    for (int i = 0; i < pass->color_count; i++) {
+        rhw_blend_state_init(&state->blend[i], &state->pipeline->def.targets[i], state->pipeline->def.logic,
+                             state->blend_constant);
+        if (pass->paths == RHW_PATHS_GENERAL) {
+            rhw_blend_state_generalize(&state->blend[i]);
+        }
+    }
+    rhw_depth_stencil_init(&state->depth_stencil, &state->pipeline->def, &state->depth_setting,
+                           pass->depth_steps);
+    rhw_draw_state_map_viewport(state);
+    rhw_draw_state_set_lines(state);
+    state->first_step = RHW_SUBPIXEL - pass->pattern->most_0_8 - 1;
+    state->past_step = RHW_SUBPIXEL - pass->pattern->least_0_8;
+    if (state->pipeline->is_conservative) { // borders of pixels instead
+        state->first_step = -1;
+        state->past_step = RHW_SUBPIXEL;
+    }
+    rhw_draw_plans_make(state->plans, state->pipeline, &state->depth_stencil, pass->pattern->count,
+                        pass->paths);
+    if (pass->paths == RHW_PATHS_ALL) {
+        state->hidden = rhw_hidden_rule_of(state, pass->color_count);
+    }
+    pass->current = state;
+    memset(pass->routed, 0, sizeof pass->routed);
+    pass->pending_changed = false;
+    return state;
+}
+
+// The state of the draw in viewport `i`. NULL when out of memory.
+static const struct rhw_draw_state *routed_state(struct rhw_pass_state *pass, int i)
+{
+    if (i == 0 || pass->routed[i]) {
+        return i == 0 ? pass->current : pass->routed[i];
+    }
+    struct rhw_draw_state *const state = rhw_arena_alloc(&pass->arena, sizeof *state, RHW_CACHE_LINE);
+    if (!state) {
+        return NULL;
+    }
+    *state = *pass->current;
+    state->viewport = pass->viewports[i];
+    state->scissor = pass->scissors[i];
+    state->viewport_index = i;
+    rhw_pass_clip_scissor(pass, state);
+    rhw_draw_state_map_viewport(state);
+    pass->routed[i] = state;
+    return state;
+}
+
+bool rhw_pass_route_draw(struct rhw_pass_state *pass, struct rhw_draw *draw)
+{
+    if (!draw->state->pipeline->def.program.writes_viewport_index) {
+        return true;
+    }
+    struct rhw_draw *const draws =
+        rhw_arena_alloc(&pass->arena, RHW_MAX_VIEWPORTS * sizeof *draws, RHW_CACHE_LINE);
+    if (!draws) {
+        return false;
+    }
+    const uint64_t environment = rhw_cpu_float_enter();
+    bool made = true;
+    for (int i = 0; i < RHW_MAX_VIEWPORTS && made; i++) {
+        draws[i] = *draw;
+        draws[i].state = routed_state(pass, i);
+        made = draws[i].state != NULL;
+    }
+    rhw_cpu_float_leave(environment);
+    draw->viewports = draws;
+    return made;
+}

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// See transform_feedback.h.
+#include "transform_feedback.h"
+
+#include "resource/buffer.h"
+#include "resource/buffer_access.h"
+#include "context/context.h"
+#include "draw/draw_list.h"
+#include "context/entry.h"
+#include "context/lookup.h"
+#include "context/misuse.h"
+#include "enter.h"
+#include "pass_state.h"
+#include "pipeline/pipeline.h"
+#include "query.h"
+#include "rhw/rhw.h"
+
+static const char *const begin_name = "rhw_pass_begin_transform_feedback";
+
+// Gives what a target is to write. False where that is misuse.
+static bool find_part(const struct rhw_pass_state *pass, const struct rhw_feedback_target *target, int i,
+                      struct rhw_buffer_part *part)
+{
+    const struct rhw_context *const context = pass->context;
+    struct rhw_buffer_data *const buffer = rhw_context_buffer(context, target->buffer, begin_name);
+    if (!buffer ||
+        !rhw_check(context,
+                   target->offset % 4 == 0 && target->offset <= buffer->size &&
+                       target->size <= buffer->size - target->offset,
+                   "%s: targets[%d] has offset %zu and size %zu; the offset must be a multiple of 4, and "
+                   "together they must stay within the %zu bytes of %s",
+                   begin_name, i, target->offset, target->size, buffer->size,
+                   rhw_name_of(&context->buffers, target->buffer.index).text)) {
+        return false;
+    }
+    const size_t end = target->size == 0 ? buffer->size : target->offset + target->size;
+    *part = (struct rhw_buffer_part){target->buffer, buffer, RHW_BUFFER_CAPTURED, target->offset, end};
+    return rhw_buffer_check_unmapped(context, part, begin_name) &&
+           rhw_buffer_check_use(context, part, begin_name);
+}
+
+// Whether the last of some parts shares no bytes with those before it, where they are of targets.
+static bool check_apart(const struct rhw_pass_state *pass, const struct rhw_buffer_part *parts, int last)
+{
+    for (int i = 0; i < last; i++) {
+        if (parts[i].data == parts[last].data &&
+            !rhw_buffer_check_apart(pass->context, &parts[last], RHW_BUFFER_CAPTURED, parts[i].first,
+                                    parts[i].end, begin_name)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void begin_target(struct rhw_pass_state *pass, const struct rhw_buffer_part *part, int i)
+{
+    struct rhw_feedback_state *const feedback = &pass->feedback;
+    feedback->range[i] = rhw_buffer_note_use(pass->context, &pass->arena, part);
+    feedback->data[i] = part->data;
+    feedback->bytes[i] = part->data->bytes;
+    feedback->at[i] = part->first;
+    pass->out_of_memory |= !feedback->range[i];
+}
+
+static int vertices_of(const struct rhw_pipeline_def *def)
+{
+    switch (def->topology) {
+    case RHW_POINT_LIST: return 1;
+    case RHW_LINE_LIST:
+    case RHW_LINE_STRIP:
+    case RHW_LINE_LIST_ADJACENCY:
+    case RHW_LINE_STRIP_ADJACENCY:
+    case RHW_LINE_LOOP: return 2;
+    default: return 3;
+    }
+}
+
+static bool check_begin(const struct rhw_pass_state *pass, const struct rhw_feedback_target *targets,
+                        int count)
+{
+    const struct rhw_context *const context = pass->context;
+    const struct rhw_pipeline_data *const pipeline = pass->pending.pipeline;
+    if (!rhw_check(context, !pass->feedback.is_active, "%s: it is under way; end it first", begin_name) ||
+        !rhw_check(context, pipeline && pipeline->feedback_targets != 0,
+                   "%s: %s; one with feedback_outputs must be", begin_name,
+                   pipeline ? "the pipeline that is set has no outputs" : "no pipeline is set") ||
+        !rhw_check(context, targets != NULL && count >= 1 && count <= RHW_MAX_FEEDBACK_TARGETS,
+                   "%s: count is %d and targets is %s; 1..%d are asked for", begin_name, count,
+                   targets ? "set" : "NULL", RHW_MAX_FEEDBACK_TARGETS)) {
+        return false;
+    }
+    for (int i = 0; i < RHW_MAX_FEEDBACK_TARGETS; i++) {
+        const bool is_written = pipeline->feedback_targets >> i & 1;
+        if (!rhw_check(context, !is_written || i < count,
+                       "%s: count is %d; the pipeline that is set writes target %d", begin_name, count, i)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void begin(struct rhw_pass_state *pass, const struct rhw_feedback_target *targets, int count)
+{
+    struct rhw_feedback_state *const feedback = &pass->feedback;
+    if (pass->out_of_memory || !check_begin(pass, targets, count)) {
+        return;
+    }
+    struct rhw_buffer_part parts[RHW_MAX_FEEDBACK_TARGETS] = {{.data = NULL}};
+    const unsigned written = pass->pending.pipeline->feedback_targets;
+    for (int i = 0; i < RHW_MAX_FEEDBACK_TARGETS; i++) {
+        feedback->range[i] = NULL;
+        if (written >> i & 1 &&
+            (!find_part(pass, &targets[i], i, &parts[i]) || !check_apart(pass, parts, i))) {
+            return;
+        }
+    }
+    for (int i = 0; i < RHW_MAX_FEEDBACK_TARGETS; i++) {
+        if (written >> i & 1) {
+            begin_target(pass, &parts[i], i);
+        }
+    }
+    if (pass->out_of_memory) {
+        return;
+    }
+    feedback->vertices = vertices_of(&pass->pending.pipeline->def);
+    feedback->is_active = true;
+}
+
+void rhw_pass_begin_transform_feedback(rhw_context *context, rhw_pass id,
+                                       const struct rhw_feedback_target *targets, int count)
+{
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, begin_name);
+    if (pass) {
+        begin(pass, targets, count);
+        rhw_context_leave(context);
+    }
+}
+
+void rhw_pass_end_transform_feedback(rhw_context *context, rhw_pass id, size_t *written)
+{
+    static const char *const where = "rhw_pass_end_transform_feedback";
+    for (int i = 0; written && i < RHW_MAX_FEEDBACK_TARGETS; i++) {
+        written[i] = 0;
+    }
+    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
+    if (!pass) {
+        return;
+    }
+    struct rhw_feedback_state *const feedback = &pass->feedback;
+    if (pass->out_of_memory ||
+        rhw_check(context, feedback->is_active, "%s: it is not under way; begin it first", where)) {
+        for (int i = 0; feedback->is_active && i < RHW_MAX_FEEDBACK_TARGETS; i++) {
+            if (feedback->range[i]) {
+                rhw_range_set_shorten(&feedback->data[i]->used[RHW_BUFFER_CAPTURED].ranges,
+                                      feedback->range[i], feedback->at[i]);
+                if (written) {
+                    written[i] = feedback->at[i] - feedback->range[i]->first;
+                }
+            }
+        }
+        feedback->is_active = false;
+    }
+    rhw_context_leave(context);
+}
+
+// Primitives that fit whole into what is left of every target.
+static uint64_t room_of(const struct rhw_feedback_state *feedback, const struct rhw_pipeline_data *pipeline)
+{
+    uint64_t most = UINT64_MAX;
+    for (int i = 0; i < RHW_MAX_FEEDBACK_TARGETS; i++) {
+        if (feedback->range[i]) {
+            const uint64_t size = (uint64_t)pipeline->def.feedback_strides[i] * (uint64_t)feedback->vertices;
+            const uint64_t room = (feedback->range[i]->end - feedback->at[i]) / size;
+            most = room < most ? room : most;
+        }
+    }
+    return most;
+}
+
+bool rhw_feedback_add_draw(struct rhw_pass_state *pass, struct rhw_draw *draw)
+{
+    struct rhw_feedback_state *const feedback = &pass->feedback;
+    const struct rhw_pipeline_data *const pipeline = draw->state->pipeline;
+    struct rhw_draw_feedback *const made =
+        rhw_arena_alloc(&pass->arena, sizeof *made, _Alignof(struct rhw_draw_feedback));
+    if (!made) {
+        return false;
+    }
+    const uint64_t needed = (uint64_t)draw->triangles_per_instance * draw->instances;
+    const uint64_t room = room_of(feedback, pipeline);
+    *made = (struct rhw_draw_feedback){.primitives = needed < room ? needed : room,
+                                       .vertices = feedback->vertices};
+    for (int i = 0; i < RHW_MAX_FEEDBACK_TARGETS; i++) {
+        if (feedback->range[i]) {
+            const uint64_t size = (uint64_t)pipeline->def.feedback_strides[i] * (uint64_t)feedback->vertices;
+            made->to[i] = feedback->bytes[i] + feedback->at[i];
+            feedback->at[i] += (size_t)(made->primitives * size);
+        }
+    }
+    draw->feedback = made;
+    pass->has_feedback = true;
+    rhw_queries_count_feedback(draw, made->primitives, needed);
+    return true;
+}
+
+void rhw_feedback_check_ended(const struct rhw_pass_state *pass)
+{
+    (void)rhw_check(pass->context, pass->out_of_memory || !pass->feedback.is_active,
+                    "rhw_pass_end: transform feedback was begun and not ended");
+}

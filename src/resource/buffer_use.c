@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// See buffer_use.h. A buffer has a set of ranges for each use, in which a thousand draws with the same bytes, or with
+// one piece after the other, are one.
+#include "buffer_use.h"
+
+#include "base/arena.h"
+#include "context/context.h"
+#include "context/lookup.h"
+#include "context/misuse.h"
+
+// The ranges of a use in the pass being recorded; NULL: none.
+static const struct rhw_range_set *ranges_of(const struct rhw_context *context,
+                                             const struct rhw_buffer_data *data, enum rhw_buffer_use use)
+{
+    const struct rhw_used_bytes *const used = &data->used[use];
+    return context->recording.active && used->pass == context->recording.generation ? &used->ranges : NULL;
+}
+
+// One of them that has some of the part's bytes; NULL: none has.
+static const struct rhw_range *find(const struct rhw_context *context, const struct rhw_buffer_part *part,
+                                    enum rhw_buffer_use use)
+{
+    const struct rhw_range_set *const ranges = ranges_of(context, part->data, use);
+    return ranges ? rhw_range_set_find(ranges, part->first, part->end) : NULL;
+}
+
+bool rhw_buffer_check_apart(const struct rhw_context *context, const struct rhw_buffer_part *part,
+                            enum rhw_buffer_use use, size_t first, size_t end, const char *where)
+{
+    static const char *const verbs[] = {[RHW_BUFFER_READ] = "reads",
+                                        [RHW_BUFFER_STORED] = "may write",
+                                        [RHW_BUFFER_CAPTURED] = "writes",
+                                        [RHW_BUFFER_WRITTEN] = "writes"};
+    static const char *const others[] = {
+        [RHW_BUFFER_READ] = "a vertex, index or read-only buffer of this pass reads",
+        [RHW_BUFFER_STORED] = "storage of this pass may write",
+        [RHW_BUFFER_CAPTURED] = "the transform feedback of this pass writes"};
+    return rhw_check(
+        context, end <= part->first || part->end <= first || first == end || part->first == part->end,
+        "%s: it %s bytes %zu to %zu of %s; %s bytes %zu to %zu; they must lie apart until the pass ends",
+        where, verbs[part->use], part->first, part->end, rhw_name_of(&context->buffers, part->id.index).text,
+        others[use], first, end);
+}
+
+// Readings go together, and so do writings of shader functions.
+static bool goes_with_itself(enum rhw_buffer_use use)
+{
+    return use != RHW_BUFFER_CAPTURED;
+}
+
+bool rhw_buffer_check_unused(const struct rhw_context *context, const struct rhw_buffer_part *part,
+                             enum rhw_buffer_use use, const char *where)
+{
+    const struct rhw_range *const range = find(context, part, use);
+    return !range || rhw_buffer_check_apart(context, part, use, range->first, range->end, where);
+}
+
+bool rhw_buffer_is_read(const struct rhw_context *context, const struct rhw_buffer_part *part)
+{
+    return find(context, part, RHW_BUFFER_READ);
+}
+
+bool rhw_buffer_is_written(const struct rhw_context *context, const struct rhw_buffer_data *data)
+{
+    const struct rhw_range_set *const stored = ranges_of(context, data, RHW_BUFFER_STORED),
+                                      *const captured = ranges_of(context, data, RHW_BUFFER_CAPTURED);
+    return (stored && stored->root) || (captured && captured->root);
+}
+
+bool rhw_buffer_check_use(const struct rhw_context *context, const struct rhw_buffer_part *part,
+                          const char *where)
+{
+    for (int i = 0; i < RHW_BUFFER_USES; i++) {
+        const enum rhw_buffer_use use = (enum rhw_buffer_use)i;
+        const bool is_asked = use != part->use || !goes_with_itself(use);
+        if (is_asked && !rhw_buffer_check_unused(context, part, use, where)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+struct rhw_range *rhw_buffer_note_use(struct rhw_context *context, struct rhw_arena *arena,
+                                      const struct rhw_buffer_part *part)
+{
+    struct rhw_used_bytes *const used = &part->data->used[part->use];
+    const uint32_t generation = context->recording.generation;
+    if (used->pass != generation) {
+        *used = (struct rhw_used_bytes){.pass = generation};
+    }
+    rhw_pool_use(&context->buffers, part->id.index, generation);
+    return goes_with_itself(part->use) ? rhw_range_set_unite(&used->ranges, arena, part->first, part->end)
+                                       : rhw_range_set_add(&used->ranges, arena, part->first, part->end);
+}

@@ -1,0 +1,548 @@
+// SPDX-License-Identifier: MIT
+// The order of drawing, and small models whose pixels are known.
+#include "tiny_model.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "draw/surface.h"
+#include "draw/upload_image.h"
+
+static struct scene_pictures draw_model(const struct scene_model *model, const struct scene_view *view)
+{
+    struct rhw_context_def def = rhw_context_def_default();
+    def.threads = 1;
+    rhw_context *context;
+    struct scene *scene;
+    struct scene_pictures pictures;
+    char error[200];
+    assert_true(scene_view_check(view, error, sizeof error));
+    assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
+    assert_int_equal(scene_create(context, model, &scene), RHW_OK);
+    assert_int_equal(scene_draw(scene, view, &pictures, NULL), RHW_OK);
+    scene_destroy(scene);
+    rhw_context_destroy(context);
+    return pictures;
+}
+
+static void assert_pixel(const uint8_t *pixel, int r, int g, int b, int a)
+{
+    const int expected[4] = {r, g, b, a};
+    for (int c = 0; c < 4; c++) {
+        if (pixel[c] != expected[c]) {
+            fail_msg("pixel %d %d %d %d instead of %d %d %d %d", pixel[0], pixel[1], pixel[2], pixel[3], r, g,
+                     b, a);
+        }
+    }
+}
+
+// Order ---------------------------------------------------------------------------------------------
+
+static void test_order_of_drawing(void **state)
+{
+    (void)state;
+    struct scene_surface_item items[] = {{0, true, 1.0}, {1, false, 9.0}, {2, true, 5.0},  {3, false, 2.0},
+                                         {4, true, 5.0}, {5, false, 2.0}, {6, false, -1.0}};
+    const uint32_t expected[] = {6, 3, 5, 1, 2, 4, 0};
+    scene_surface_items_sort(items, 7);
+    for (int i = 0; i < 7; i++) {
+        assert_int_equal(items[i].instance, expected[i]);
+    }
+}
+
+// Pictures ------------------------------------------------------------------------------------------
+
+static void test_unlit_square(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    t.material.base_color[0] = 1.0f;
+    t.material.base_color[1] = 0.5f; // 188 in sRGB
+    t.material.base_color[2] = 0.0f;
+    const struct scene_view view = tiny_view(&t, 8);
+    struct scene_pictures pictures = draw_model(&t.model, &view);
+    for (int y = 0; y < 8; y++) {
+        for (int x = 0; x < 8; x++) {
+            const bool inside = x >= 2 && x < 6 && y >= 2 && y < 6;
+            const uint8_t *pixel = &pictures.color[4 * (8 * y + x)];
+            inside ? assert_pixel(pixel, 255, 188, 0, 255) : assert_pixel(pixel, 10, 200, 30, 255);
+        }
+    }
+    scene_pictures_free(&pictures);
+}
+
+// An edge through the middle of pixels is half square, half background, in linear light.
+static void test_supersampling_averages_light(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    for (int side = 1; side <= 4; side++) {
+        struct scene_view view = tiny_view(&t, 8);
+        memset(view.background_color, 0, 3);
+        view.supersample = side * side;
+        view.camera.eye[0] = view.camera.target[0] = 0.25; // half a pixel to the left
+        struct scene_pictures pictures = draw_model(&t.model, &view);
+        // Samples within the square of 4.5 − 4 = half a pixel: 1 of 1 or 0 (edges on a centre go by the rule).
+        const double share = side == 1 ? 1.0 : side == 2 ? 0.5 : side == 3 ? 2.0 / 3.0 : 0.5;
+        const double s = 1.055 * pow(share, 1.0 / 2.4) - 0.055;
+        const uint8_t *row = &pictures.color[4 * 8 * 4];
+        tiny_assert_close(row[4 * 1], 255.0 * s, 0.6);
+        tiny_assert_close(row[4 * 3], 255.0, 0.0);
+        const double other = side == 1 ? 0.0 : side == 3 ? 1.0 / 3.0 : 0.5;
+        tiny_assert_close(row[4 * 5], other == 0.0 ? 0.0 : 255.0 * (1.055 * pow(other, 1.0 / 2.4) - 0.055),
+                          0.6);
+        scene_pictures_free(&pictures);
+    }
+}
+
+// Two glass panes: what is behind shows through what is before, whatever the order in the file.
+static void test_blending_is_sorted(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    t.model.instance_count = 2;
+    t.material.alpha_mode = SCENE_ALPHA_BLEND;
+    t.material.base_color[3] = 0.5f;
+    // One mesh, so colour comes from the vertices of two meshes that share the rest.
+    struct scene_mesh meshes[2] = {t.mesh, t.mesh};
+    float red[4][4], blue[4][4];
+    for (int v = 0; v < 4; v++) {
+        const float r[4] = {1, 0, 0, 1}, b[4] = {0, 0, 1, 1};
+        memcpy(red[v], r, sizeof r);
+        memcpy(blue[v], b, sizeof b);
+    }
+    meshes[0].colors = red;
+    meshes[1].colors = blue;
+    t.model.meshes = meshes;
+    t.model.mesh_count = 2;
+    t.instances[1].mesh = 1;
+    struct scene_view view = tiny_view(&t, 8);
+    view.outputs |= SCENE_OUTPUT_LINEAR;
+    for (int nearer = 0; nearer < 2; nearer++) {
+        t.instances[nearer].world[14] = 1.0f;
+        t.instances[1 - nearer].world[14] = -1.0f;
+        struct scene_pictures pictures = draw_model(&t.model, &view);
+        const uint8_t *pixel = &pictures.color[4 * (8 * 4 + 4)];
+        const float *linear = &pictures.linear[4 * (8 * 4 + 4)];
+        const double front = nearer == 0 ? 0.5 : 0.25;
+        tiny_assert_close((double)linear[0], front, 1e-6);
+        tiny_assert_close((double)linear[2], 0.75 - front, 1e-6);
+        tiny_assert_close((double)linear[3], 0.75, 1e-6);
+        assert_true(nearer == 0 ? pixel[0] > pixel[2] : pixel[2] > pixel[0]);
+        scene_pictures_free(&pictures);
+    }
+}
+
+static void test_transparent_background_keeps_color_straight(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    t.material.alpha_mode = SCENE_ALPHA_BLEND;
+    t.material.base_color[1] = 0.5f;
+    t.material.base_color[3] = 0.125f;
+    struct scene_view view = tiny_view(&t, 8);
+    view.background = SCENE_BACKGROUND_TRANSPARENT;
+    for (int samples = 1; samples <= 4; samples += 3) {
+        view.supersample = samples;
+        struct scene_pictures pictures = draw_model(&t.model, &view);
+        assert_pixel(&pictures.color[4 * (8 * 4 + 4)], 255, 188, 255, 32);
+        assert_pixel(&pictures.color[0], 0, 0, 0, 0);
+        scene_pictures_free(&pictures);
+    }
+}
+
+// A 2×2 image on the square: its texels in place, also under a transform, masked by alpha.
+static void test_texture_transform_and_mask(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    static const uint8_t texels[4][4] = {
+        {255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {9, 9, 9, 100}};
+    memcpy(t.texels, texels, sizeof texels);
+    struct scene_texture_slot *slot = &t.material.slots[SCENE_SLOT_BASE_COLOR];
+    slot->image = 0;
+    slot->mip_filter = RHW_MIP_FILTER_NONE;
+    slot->min_filter = slot->mag_filter = RHW_FILTER_NEAREST;
+    t.material.alpha_mode = SCENE_ALPHA_MASK;
+    const struct scene_view view = tiny_view(&t, 8);
+    struct scene_pictures pictures = draw_model(&t.model, &view);
+    assert_pixel(&pictures.color[4 * (8 * 2 + 2)], 255, 0, 0, 255);
+    assert_pixel(&pictures.color[4 * (8 * 2 + 5)], 0, 255, 0, 255);
+    assert_pixel(&pictures.color[4 * (8 * 5 + 2)], 0, 0, 255, 255);
+    assert_pixel(&pictures.color[4 * (8 * 5 + 5)], 10, 200, 30, 255); // alpha 100 is below the cutoff
+    scene_pictures_free(&pictures);
+    const float turned[6] = {0, 1, 0, 1, 0, 0}; // u and v change places
+    memcpy(slot->transform, turned, sizeof turned);
+    pictures = draw_model(&t.model, &view);
+    assert_pixel(&pictures.color[4 * (8 * 2 + 5)], 0, 0, 255, 255);
+    assert_pixel(&pictures.color[4 * (8 * 5 + 2)], 0, 255, 0, 255);
+    scene_pictures_free(&pictures);
+}
+
+enum { SIDE = 8 };
+
+// Occlusion and roughness in two images of one size at one place become one texture; what must not be combined, because
+// it is read differently, gives the same picture where the difference does not matter.
+static void test_occlusion_and_roughness_are_combined(void **state)
+{
+    (void)state;
+    static uint8_t texels[2][SIDE * SIDE][4];
+    struct tiny t;
+    tiny_make(&t);
+    for (uint32_t i = 0, random = 5; i < sizeof texels; i++) {
+        random = random * 1664525u + 1013904223u;
+        texels[i / sizeof *texels][i / 4 % (SIDE * SIDE)][i % 4] = (uint8_t)(random >> 24);
+    }
+    struct scene_image images[2];
+    for (int i = 0; i < 2; i++) {
+        images[i] = t.image;
+        images[i].width = images[i].height = SIDE;
+        images[i].size = sizeof texels[i];
+        images[i].texels = texels[i];
+    }
+    t.model.images = images;
+    t.model.image_count = 2;
+    t.material.unlit = false;
+    // The middle of the images alone, where no address mode shows, from near and far.
+    const float transform[6] = {0.5f, 0, 0.25f, 0, 0.5f, 0.25f};
+    for (int s = SCENE_SLOT_METALLIC_ROUGHNESS; s <= SCENE_SLOT_OCCLUSION; s += 2) {
+        struct scene_texture_slot *const slot = &t.material.slots[s];
+        slot->image = s == SCENE_SLOT_OCCLUSION;
+        slot->mip_filter = RHW_MIP_FILTER_LINEAR;
+        slot->min_filter = slot->mag_filter = RHW_FILTER_LINEAR;
+        memcpy(slot->transform, transform, sizeof transform);
+    }
+    const struct scene_view view = tiny_view(&t, 32), far = tiny_view(&t, 5);
+    assert_int_equal(scene_occlusion_of(&t.model, &t.material), SCENE_OCCLUSION_COMBINED);
+    struct scene_pictures combined = draw_model(&t.model, &view), far_combined = draw_model(&t.model, &far);
+    t.material.slots[SCENE_SLOT_OCCLUSION].address_u = RHW_ADDRESS_MIRROR;
+    assert_int_equal(scene_occlusion_of(&t.model, &t.material), SCENE_OCCLUSION_APART);
+    struct scene_pictures far_apart = draw_model(&t.model, &far);
+    assert_memory_equal(far_combined.color, far_apart.color, 4 * 5 * 5);
+    scene_pictures_free(&far_combined);
+    scene_pictures_free(&far_apart);
+    struct scene_pictures apart = draw_model(&t.model, &view);
+    assert_memory_equal(combined.color, apart.color, 4 * 32 * 32);
+    t.material.slots[SCENE_SLOT_OCCLUSION].image = -1;
+    struct scene_pictures without = draw_model(&t.model, &view);
+    assert_memory_not_equal(combined.color, without.color, 4 * 32 * 32);
+    scene_pictures_free(&combined);
+    scene_pictures_free(&apart);
+    scene_pictures_free(&without);
+    t.material.slots[SCENE_SLOT_OCCLUSION] = t.material.slots[SCENE_SLOT_METALLIC_ROUGHNESS];
+    assert_int_equal(scene_occlusion_of(&t.model, &t.material), SCENE_OCCLUSION_SHARED);
+    t.material.slots[SCENE_SLOT_OCCLUSION].image = 1;
+    images[1].width = SIDE / 2;
+    assert_int_equal(scene_occlusion_of(&t.model, &t.material), SCENE_OCCLUSION_APART);
+}
+
+// One-sided surfaces vanish from behind, also when a mirroring matrix turns their winding.
+static void test_culling_and_mirroring(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    for (int flags = 0; flags < 8; flags++) {
+        const bool behind = flags & 1, mirrored = flags & 2;
+        t.material.double_sided = flags & 4;
+        t.instances[0].world[0] = mirrored ? -1.0f : 1.0f;
+        t.instances[0].mirrored = mirrored;
+        struct scene_view view = tiny_view(&t, 8);
+        view.camera.eye[2] = behind ? -5.0 : 5.0;
+        struct scene_pictures pictures = draw_model(&t.model, &view);
+        const bool visible = !behind || t.material.double_sided;
+        const uint8_t *pixel = &pictures.color[4 * (8 * 4 + 4)];
+        visible ? assert_pixel(pixel, 255, 255, 255, 255) : assert_pixel(pixel, 10, 200, 30, 255);
+        scene_pictures_free(&pictures);
+    }
+}
+
+// Every data output at a pixel whose answer follows from the geometry alone.
+static void test_data_outputs(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    t.material.double_sided = true;
+    t.model.instance_count = 2;
+    t.instances[1].world[12] = 40.0f; // out of view, but it counts triangles before nothing
+    for (int orthographic = 0; orthographic < 2; orthographic++) {
+        struct scene_view view = tiny_view(&t, 8);
+        view.outputs = SCENE_OUTPUT_ALL & ~(SCENE_OUTPUT_COLOR | SCENE_OUTPUT_LINEAR);
+        view.supersample = 4;      // has no say in data
+        view.camera.eye[2] = -5.0; // from behind
+        if (!orthographic) {
+            view.camera.orthographic = false;
+            view.camera.yfov = 2.0 * atan(2.0 / 5.0);
+        }
+        struct scene_pictures p = draw_model(&t.model, &view);
+        assert_null(p.color);
+        const int i = 8 * 3 + 2; // the camera's right is −x: pixel centre (1.5/2, 0.25)
+        tiny_assert_close((double)p.position[4 * i], 0.75, 1e-6);
+        tiny_assert_close((double)p.position[4 * i + 1], 0.25, 1e-6);
+        tiny_assert_close((double)p.position[4 * i + 2], 0.0, 1e-6);
+        tiny_assert_close((double)p.uv[4 * i], 0.875, 1e-6);
+        tiny_assert_close((double)p.uv[4 * i + 1], 0.375, 1e-6);
+        tiny_assert_close((double)p.distance[i], 5.0, 1e-5);
+        // d = f (z − n) / (z (f − n)) with n 1, f 9, z 5; orthographic (z − n) / (f − n).
+        tiny_assert_close((double)p.depth[i], orthographic ? 0.5 : 0.9, 1e-6);
+        tiny_assert_close((double)p.normal[4 * i + 2], -1.0, 1e-6); // turned to the viewer
+        assert_int_equal(p.object[i], 1);
+        assert_int_equal(p.triangle[i], 1); // x > y: below the diagonal
+        assert_int_equal(p.triangle[8 * 2 + 4], 2);
+        // Weights of (−1,−1), (1,−1), (1,1) at (0.75, 0.25).
+        tiny_assert_close((double)p.barycentric[4 * i], 0.125, 1e-6);
+        tiny_assert_close((double)p.barycentric[4 * i + 1], 0.25, 1e-6);
+        tiny_assert_close((double)p.barycentric[4 * i + 2], 0.625, 1e-6);
+        tiny_assert_close((double)p.barycentric[4 * i + 3], 1.0, 0.0);
+        assert_true(isinf(p.distance[0]) && p.depth[0] == 1.0f && p.object[0] == 0 && p.triangle[0] == 0);
+        assert_true(p.normal[2] == 0.0f && p.position[3] == 0.0f && p.uv[3] == 0.0f);
+        scene_pictures_free(&p);
+    }
+}
+
+// A flat normal map with its tangents changes nothing; a leaning one leans the normal towards the tangent,
+// in a mirrored instance towards the mirrored one.
+static void test_normal_map(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    t.material.unlit = false;
+    t.material.slots[SCENE_SLOT_NORMAL].image = 0;
+    t.mesh.tangents = t.tangents;
+    for (int k = 0; k < 4; k++) {
+        const uint8_t lean[4] = {218, 182, 218, 255}; // 2 c / 255 − 1: 0.7098, 0.4275, 0.7098
+        memcpy(t.texels[k], lean, sizeof lean);
+    }
+    struct scene_view view = tiny_view(&t, 8);
+    view.outputs = SCENE_OUTPUT_NORMAL;
+    const double length = sqrt(2.0 * 0.70980392 * 0.70980392 + 0.42745098 * 0.42745098);
+    for (int mirrored = 0; mirrored < 2; mirrored++) {
+        t.instances[0].world[0] = mirrored ? -1.0f : 1.0f;
+        t.instances[0].mirrored = mirrored;
+        struct scene_pictures p = draw_model(&t.model, &view);
+        const float *n = &p.normal[4 * (8 * 4 + 4)];
+        tiny_assert_close((double)n[0], (mirrored ? -1.0 : 1.0) * 0.70980392 / length, 1e-5);
+        tiny_assert_close((double)n[1], 0.42745098 / length, 1e-5); // the bitangent is not mirrored in x
+        tiny_assert_close((double)n[2], 0.70980392 / length, 1e-5);
+        scene_pictures_free(&p);
+    }
+}
+
+// Lines are 1.5 pixels wide, points discs of 4.5, wherever they are.
+static void test_lines_and_points(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    uint32_t ends[2] = {0, 1};
+    t.mesh.normals = NULL;
+    t.mesh.indices = ends;
+    t.positions[0][0] = -1.0f;
+    t.positions[0][1] = 0.0f;
+    t.positions[1][0] = 1.0f;
+    t.positions[1][1] = 0.0f;
+    tiny_set_bounds(&t);
+    t.mesh.index_count = 2;
+    t.mesh.primitive = SCENE_PRIMITIVE_LINES;
+    const struct scene_view view = tiny_view(&t, 64);
+    for (int points = 0; points < 2; points++) {
+        t.mesh.primitive = points ? SCENE_PRIMITIVE_POINTS : SCENE_PRIMITIVE_LINES;
+        struct scene_pictures p = draw_model(&t.model, &view);
+        int lit = 0, middle = 0;
+        for (int i = 0; i < 64 * 64; i++) {
+            const bool white = p.color[4 * i] == 255;
+            lit += white;
+            middle += white && i % 64 == 32;
+        }
+        if (points) {
+            assert_int_equal(lit, 2 * 16); // centres within 2.25 of a pixel corner
+            assert_int_equal(middle, 0);
+        } else {
+            assert_int_equal(middle, 2); // rows at ±0.5 from the line
+            assert_int_equal(lit, 2 * (32 + 2));
+        }
+        scene_pictures_free(&p);
+    }
+}
+
+// Points of a cloud are discs of a size in the world: here 16 pixels are a unit, and the model is drawn half as large.
+static void test_point_radius(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    uint32_t ends[2] = {0, 1};
+    t.mesh.normals = NULL;
+    t.mesh.indices = ends;
+    t.mesh.index_count = 2;
+    t.mesh.primitive = SCENE_PRIMITIVE_POINTS;
+    t.positions[0][0] = -1.0f;
+    t.positions[0][1] = 0.0f;
+    t.positions[1][0] = 1.0f;
+    t.positions[1][1] = 0.0f;
+    tiny_set_bounds(&t);
+    for (int i = 0; i < 3; i++) {
+        t.instances[0].world[5 * i] = 0.5f;
+    }
+    const struct scene_view view = tiny_view(&t, 64);
+    static const struct {
+        float radius;
+        int pixels;
+    } cases[] = {{0.5f, 52}, {0.01f, 4}, {0.0f, 16}}; // centres within 4 of a pixel corner; 1; 2.25
+    for (int i = 0; i < 3; i++) {
+        t.mesh.point_radius = cases[i].radius;
+        struct scene_pictures p = draw_model(&t.model, &view);
+        int lit = 0;
+        for (int k = 0; k < 64 * 64; k++) {
+            lit += p.color[4 * k] == 255;
+        }
+        assert_int_equal(lit, 2 * cases[i].pixels);
+        scene_pictures_free(&p);
+    }
+}
+
+// A line that begins before the camera and ends behind it leaves the picture on the side it heads for.
+static void test_line_through_the_near_plane(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    uint32_t ends[2] = {0, 1};
+    t.mesh.normals = NULL;
+    t.mesh.primitive = SCENE_PRIMITIVE_LINES;
+    t.mesh.indices = ends;
+    t.mesh.index_count = 2;
+    memset(t.positions[0], 0, sizeof t.positions[0]);
+    t.positions[1][0] = 2.0f;
+    t.positions[1][1] = 0.0f;
+    t.positions[1][2] = 20.0f;
+    tiny_set_bounds(&t);
+    struct scene_view view = tiny_view(&t, 64);
+    view.camera =
+        (struct scene_camera){.eye = {0, 0, 5}, .up = {0, 1, 0}, .yfov = 1.0, .znear = 0.1, .zfar = 50.0};
+    for (int swapped = 0; swapped < 2; swapped++) {
+        ends[0] = (uint32_t)swapped;
+        ends[1] = (uint32_t)(1 - swapped);
+        struct scene_pictures p = draw_model(&t.model, &view);
+        for (int x = 0; x < 64; x++) {
+            const bool white = p.color[4 * (64 * 32 + x)] == 255;
+            assert_true(white == (x >= 31)); // the end's cap reaches 0.75 to the left of the middle
+            assert_true(p.color[4 * (64 * 20 + x)] != 255);
+        }
+        scene_pictures_free(&p);
+    }
+}
+
+static void test_wireframe_marks_edges(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    struct scene_view view = tiny_view(&t, 64);
+    view.wireframe = SCENE_WIREFRAME_PLAIN;
+    struct scene_pictures p = draw_model(&t.model, &view);
+    const uint8_t *edge = &p.color[4 * (64 * 40 + 16)], *inside = &p.color[4 * (64 * 26 + 22)];
+    const uint8_t *diagonal = &p.color[4 * (64 * 31 + 32)];
+    assert_pixel(inside, 226, 226, 226, 255);
+    assert_true(edge[0] < 170);
+    assert_true(diagonal[0] < 60);
+    scene_pictures_free(&p);
+}
+
+// The same bytes for one thread and baseline as for many and the best.
+static void test_pictures_do_not_depend_on_the_machine(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    t.material.unlit = false;
+    t.material.metallic = 0.4f;
+    t.material.roughness = 0.3f;
+    struct scene_view view = tiny_view(&t, 200);
+    view.camera = scene_camera_fit(&t.model, (struct scene_orbit){.azimuth = 35, .elevation = 15}, 0.6, 1.0);
+    view.background = SCENE_BACKGROUND_DEFAULT;
+    view.supersample = 4;
+    struct scene_pictures first = draw_model(&t.model, &view);
+    for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
+        if (!rhw_isa_supported((enum rhw_isa)isa)) {
+            continue;
+        }
+        struct rhw_context_def def = rhw_context_def_default();
+        def.threads = isa + 1;
+        def.isa_limit = rhw_isa_up_to((enum rhw_isa)isa);
+        rhw_context *context;
+        struct scene *scene;
+        struct scene_pictures again;
+        assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
+        assert_int_equal(scene_create(context, &t.model, &scene), RHW_OK);
+        for (int repeat = 0; repeat < 2; repeat++) {
+            assert_int_equal(scene_draw(scene, &view, &again, NULL), RHW_OK);
+            assert_memory_equal(first.color, again.color, 200 * 200 * 4);
+            scene_pictures_free(&again);
+        }
+        scene_destroy(scene);
+        rhw_context_destroy(context);
+    }
+    scene_pictures_free(&first);
+}
+
+static void test_view_rules(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    char error[200];
+    const struct scene_view good = tiny_view(&t, 64);
+    assert_true(scene_view_check(&good, error, sizeof error));
+    struct scene_view view = good;
+    view.supersample = 8;
+    assert_false(scene_view_check(&view, error, sizeof error));
+    assert_non_null(strstr(error, "1, 4, 9 or 16"));
+    view.supersample = 16;
+    view.width = 4097;
+    assert_false(scene_view_check(&view, error, sizeof error));
+    assert_non_null(strstr(error, "16384"));
+    view.width = 4096;
+    assert_true(scene_view_check(&view, error, sizeof error));
+    view.width = 0;
+    assert_false(scene_view_check(&view, error, sizeof error));
+    view = good;
+    view.outputs = 0;
+    assert_false(scene_view_check(&view, error, sizeof error));
+    view = good;
+    view.exposure = NAN;
+    assert_false(scene_view_check(&view, error, sizeof error));
+    view = good;
+    view.camera.zfar = view.camera.znear;
+    assert_false(scene_view_check(&view, error, sizeof error));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_order_of_drawing),
+        cmocka_unit_test(test_unlit_square),
+        cmocka_unit_test(test_supersampling_averages_light),
+        cmocka_unit_test(test_blending_is_sorted),
+        cmocka_unit_test(test_transparent_background_keeps_color_straight),
+        cmocka_unit_test(test_texture_transform_and_mask),
+        cmocka_unit_test(test_occlusion_and_roughness_are_combined),
+        cmocka_unit_test(test_culling_and_mirroring),
+        cmocka_unit_test(test_data_outputs),
+        cmocka_unit_test(test_normal_map),
+        cmocka_unit_test(test_lines_and_points),
+        cmocka_unit_test(test_point_radius),
+        cmocka_unit_test(test_line_through_the_near_plane),
+        cmocka_unit_test(test_wireframe_marks_edges),
+        cmocka_unit_test(test_pictures_do_not_depend_on_the_machine),
+        cmocka_unit_test(test_view_rules),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
