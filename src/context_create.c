@@ -219,7 +219,7 @@ void rhw_context_destroy(rhw_context *context)
     rhw_scheduler_destroy(&context->memory, context->scheduler);
     struct rhw_memory memory = context->memory;
     rhw_memory_release(&memory, context, sizeof *context);
-    assert(memory.used == 0); // else one of our parts leaks
+    assert(memory.used == 0); // if not, one of our parts leaks
 }
 
 int rhw_context_threads(const rhw_context *context)
