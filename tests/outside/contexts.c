@@ -6,6 +6,9 @@
 #include <pthread.h>
 #include <semaphore.h>
 #include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "outside.h"
 
@@ -247,7 +250,7 @@ static bool looks_like(const struct scene *scene, const void *expected)
 }
 
 // The middle: three stars over the backdrop, each 3/4 of what is seen there, with the light of texel (0, 0).
-static void check_middle(struct outside *outside, const struct scene *scene, uint8_t (*pixels)[4])
+static void check_middle(const struct scene *scene, uint8_t (*pixels)[4])
 {
     const uint8_t *const pixel = pixels[scene->height / 2 * scene->width + scene->width / 2];
     for (int c = 0; c < 3; c++) {
@@ -258,71 +261,69 @@ static void check_middle(struct outside *outside, const struct scene *scene, uin
         if (scene->format == RHW_FORMAT_RGBA8_SRGB) {
             value = 1.055f * rhw_pow1(value, 1 / 2.4f) - 0.055f;
         }
-        check(outside, rhw_abs1((float)pixel[c] - 255 * value) < 2, "three stars are blended in the middle");
+        check(rhw_abs1((float)pixel[c] - 255 * value) < 2, "three stars are blended in the middle");
     }
 }
 
 // Whether the hook was called once since the last time, by `function` and because of `why`.
-static void told(struct outside *outside, struct scene *scene, const char *function, const char *why)
+static void told(struct scene *scene, const char *function, const char *why)
 {
     const struct complaints *const complaints = &scene->complaints;
-    check(outside,
-          complaints->count == 1 && strstr(complaints->last, function) && strstr(complaints->last, why),
+    check(complaints->count == 1 && strstr(complaints->last, function) && strstr(complaints->last, why),
           function);
     scene->complaints = (struct complaints){0};
 }
 
 // Everything of `theirs` in calls of `mine`, the last of them within a pass that is drawn all the same.
-static void check_foreign_ids(struct outside *outside, struct scene *mine, const struct scene *theirs)
+static void check_foreign_ids(struct scene *mine, const struct scene *theirs)
 {
     static const char why[] = "belongs to another context";
     rhw_context *const context = mine->context;
     uint8_t bytes[TILES * TILES * 4] = {0};
     const struct rhw_pass_def def = {.colors = {{.texture = theirs->picture}}, .color_count = 1};
     rhw_pass pass;
-    check(outside, rhw_texture_width(context, theirs->picture, 0) == 0, "no width");
-    told(outside, mine, "rhw_texture_width", why);
-    check(outside, rhw_buffer_write(context, theirs->corners, 0, bytes, 8) == RHW_ERROR_MISUSE, "no write");
-    told(outside, mine, "rhw_buffer_write", why);
-    check(outside, rhw_texture_write(context, theirs->tiles, 0, bytes, 0) == RHW_ERROR_MISUSE, "no write");
-    told(outside, mine, "rhw_texture_write", why);
-    check(outside, rhw_texture_read(context, theirs->tiles, 0, bytes, 0) == RHW_ERROR_MISUSE, "no read");
-    told(outside, mine, "rhw_texture_read", why);
-    check(outside, rhw_pass_begin(context, &def, &pass) == RHW_ERROR_MISUSE, "no pass");
-    told(outside, mine, "rhw_pass_begin", why);
+    check(rhw_texture_width(context, theirs->picture, 0) == 0, "no width");
+    told(mine, "rhw_texture_width", why);
+    check(rhw_buffer_write(context, theirs->corners, 0, bytes, 8) == RHW_ERROR_MISUSE, "no write");
+    told(mine, "rhw_buffer_write", why);
+    check(rhw_texture_write(context, theirs->tiles, 0, bytes, 0) == RHW_ERROR_MISUSE, "no write");
+    told(mine, "rhw_texture_write", why);
+    check(rhw_texture_read(context, theirs->tiles, 0, bytes, 0) == RHW_ERROR_MISUSE, "no read");
+    told(mine, "rhw_texture_read", why);
+    check(rhw_pass_begin(context, &def, &pass) == RHW_ERROR_MISUSE, "no pass");
+    told(mine, "rhw_pass_begin", why);
     rhw_buffer_destroy(context, theirs->corners);
-    told(outside, mine, "rhw_buffer_destroy", why);
+    told(mine, "rhw_buffer_destroy", why);
     rhw_texture_destroy(context, theirs->tiles);
-    told(outside, mine, "rhw_texture_destroy", why);
+    told(mine, "rhw_texture_destroy", why);
     rhw_sampler_destroy(context, theirs->sampler);
-    told(outside, mine, "rhw_sampler_destroy", why);
+    told(mine, "rhw_sampler_destroy", why);
     rhw_pipeline_destroy(context, theirs->pipeline);
-    told(outside, mine, "rhw_pipeline_destroy", why);
+    told(mine, "rhw_pipeline_destroy", why);
 
     // Both record now. What is misuse leaves the state of the pass.
     const rhw_pass my_pass = begin(mine, mine->pipeline), their_pass = begin(theirs, theirs->pipeline);
     rhw_pass_set_pipeline(context, my_pass, theirs->pipeline);
-    told(outside, mine, "rhw_pass_set_pipeline", why);
+    told(mine, "rhw_pass_set_pipeline", why);
     rhw_pass_set_vertex_buffer(context, my_pass, 0, theirs->corners, 0);
-    told(outside, mine, "rhw_pass_set_vertex_buffer", why);
+    told(mine, "rhw_pass_set_vertex_buffer", why);
     rhw_pass_set_index_buffer(context, my_pass, theirs->indices, RHW_INDEX_UINT8, 0);
-    told(outside, mine, "rhw_pass_set_index_buffer", why);
+    told(mine, "rhw_pass_set_index_buffer", why);
     rhw_pass_set_texture(context, my_pass, 0, mine->tiles, theirs->sampler);
-    told(outside, mine, "rhw_pass_set_texture", why);
+    told(mine, "rhw_pass_set_texture", why);
     rhw_pass_draw(context, their_pass, 0, 3, 0, 1);
-    told(outside, mine, "rhw_pass_draw", why);
-    check(outside, rhw_pass_end(context, their_pass, NULL) == RHW_ERROR_MISUSE, "no end");
-    told(outside, mine, "rhw_pass_end", why);
+    told(mine, "rhw_pass_draw", why);
+    check(rhw_pass_end(context, their_pass, NULL) == RHW_ERROR_MISUSE, "no end");
+    told(mine, "rhw_pass_end", why);
     draw_stars(mine, my_pass, FRAMES - 1);
     draw_stars(theirs, their_pass, FRAMES - 1);
-    check(outside, rhw_pass_end(context, my_pass, NULL) == RHW_ERROR_MISUSE,
-          "the end tells of the misuse again");
-    check(outside, rhw_pass_end(theirs->context, their_pass, NULL) == RHW_OK, "the others' pass is well");
-    check(outside, mine->complaints.count == 0 && theirs->complaints.count == 0, "nothing else was told");
+    check(rhw_pass_end(context, my_pass, NULL) == RHW_ERROR_MISUSE, "the end tells of the misuse again");
+    check(rhw_pass_end(theirs->context, their_pass, NULL) == RHW_OK, "the others' pass is well");
+    check(mine->complaints.count == 0 && theirs->complaints.count == 0, "nothing else was told");
 }
 
 // A second thread calls the context while this one draws.
-static void check_intruder(struct outside *outside, struct scene *scene)
+static void check_intruder(struct scene *scene)
 {
     struct meeting meeting = {.scene = scene, .held = ATOMIC_FLAG_INIT}, *const user = &meeting;
     sem_init(&meeting.drawing, 0, 0);
@@ -332,54 +333,53 @@ static void check_intruder(struct outside *outside, struct scene *scene)
     draw_stars(scene, pass, FRAMES - 1);
     pthread_t thread;
     start_thread(&thread, intrude, &meeting);
-    check(outside, rhw_pass_end(scene->context, pass, NULL) == RHW_ERROR_MISUSE, "the pass was disturbed");
+    check(rhw_pass_end(scene->context, pass, NULL) == RHW_ERROR_MISUSE, "the pass was disturbed");
     pthread_join(thread, NULL);
     rhw_pipeline_destroy(scene->context, held);
     sem_destroy(&meeting.drawing);
     sem_destroy(&meeting.called);
-    check(outside, meeting.read == RHW_ERROR_MISUSE, "the intruder reads nothing");
-    told(outside, scene, "rhw_texture_read", "called while rhw_pass_end is under way");
+    check(meeting.read == RHW_ERROR_MISUSE, "the intruder reads nothing");
+    told(scene, "rhw_texture_read", "called while rhw_pass_end is under way");
 }
 
-int main(int argc, char **argv)
+int main(void)
 {
-    struct outside outside = outside_options(argc, argv);
+    const struct rhw_context_def def = outside_context_def();
     static struct painter together[SCENES];
     static struct scene alone[SCENES];
     void *pictures[SCENES];
     pthread_t threads[SCENES];
     pthread_barrier_init(&all_are_here, NULL, SCENES);
     for (int i = 0; i < SCENES; i++) {
-        together[i] = (struct painter){{.number = i}, outside.context_def};
+        together[i] = (struct painter){{.number = i}, def};
         start_thread(&threads[i], run, &together[i]);
     }
     for (int i = 0; i < SCENES; i++) {
         pthread_join(threads[i], NULL);
         const struct scene *const scene = &together[i].scene;
-        pictures[i] = outside_show(&outside, scene->context, names[i], scene->picture);
-        check_middle(&outside, scene, pictures[i]);
-        check(&outside, scene->complaints.count == 0, "no misuse while four contexts draw");
+        pictures[i] = outside_show(scene->context, names[i], scene->picture);
+        check_middle(scene, pictures[i]);
+        check(scene->complaints.count == 0, "no misuse while four contexts draw");
         rhw_context_destroy(scene->context);
     }
     for (int i = 0; i < SCENES; i++) {
         alone[i].number = i;
-        make_scene(&alone[i], outside.context_def);
+        make_scene(&alone[i], def);
         draw_frames(&alone[i]);
-        check(&outside, looks_like(&alone[i], pictures[i]),
-              "a scene is the same, drawn alone or beside three others");
+        check(looks_like(&alone[i], pictures[i]), "a scene is the same, drawn alone or beside three others");
     }
     for (int i = 0; i < SCENES; i++) {
         const int other = (i + 1) % SCENES;
-        check_foreign_ids(&outside, &alone[i], &alone[other]);
-        check(&outside, looks_like(&alone[i], pictures[i]), "foreign ids change nothing");
-        check(&outside, looks_like(&alone[other], pictures[other]), "nor in the context they come from");
-        check_intruder(&outside, &alone[i]);
-        check(&outside, looks_like(&alone[i], pictures[i]), "an intruder changes nothing");
+        check_foreign_ids(&alone[i], &alone[other]);
+        check(looks_like(&alone[i], pictures[i]), "foreign ids change nothing");
+        check(looks_like(&alone[other], pictures[other]), "nor in the context they come from");
+        check_intruder(&alone[i]);
+        check(looks_like(&alone[i], pictures[i]), "an intruder changes nothing");
     }
     for (int i = 0; i < SCENES; i++) {
         rhw_context_destroy(alone[i].context);
         free(pictures[i]);
     }
     pthread_barrier_destroy(&all_are_here);
-    return outside.failures != 0;
+    return outside_status();
 }
