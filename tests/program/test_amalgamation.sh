@@ -70,10 +70,9 @@ mkdir rhw
 for header in "$root"/include/rhw/*.h; do
     echo '#include "../rhw.h"' >"rhw/$(basename "$header")"
 done
-for program in tests/outside/contexts examples/12_mirror examples/13_reflection; do
-    name=$(basename $program)
+for name in 12_mirror 13_reflection; do
     check "$name is compiled" "$compiler" -O2 -pthread -Wno-psabi -ffp-contract=off -I. -I"$root/examples" \
-        -I"$root/tests/outside" "$root/$program.c" "$root/tests/outside/outside.c" "$root/examples/solid.c" rhw.o -lm -o $name
+        -I"$root/tests/outside" "$root/examples/$name.c" "$root/tests/outside/outside.c" "$root/examples/solid.c" rhw.o -lm -o $name
     grep "^$name[._ ]" "$root/tests/outside/expected.txt" >expected
     OUTSIDE_THREADS=2 ./$name 2>errors | grep "^$name[._ ]" >said
     check "$name draws what it should: $(head -5 errors)" cmp expected said
