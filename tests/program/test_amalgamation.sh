@@ -72,7 +72,8 @@ for header in "$root"/include/rhw/*.h; do
 done
 for name in 12_mirror 13_reflection; do
     check "$name is compiled" "$compiler" -O2 -pthread -Wno-psabi -ffp-contract=off -I. -I"$root/examples" \
-        -I"$root/tests/outside" "$root/examples/$name.c" "$root/tests/outside/outside.c" "$root/examples/solid.c" rhw.o -lm -o $name
+        "$root/examples/$name.c" "$root/examples/picture.c" "$root/examples/solid.c" "$root/tests/outside/picture_hash.c" \
+        rhw.o -lm -o $name
     grep "^$name[._ ]" "$root/tests/outside/expected.txt" >expected
     OUTSIDE_THREADS=2 ./$name 2>errors | grep "^$name[._ ]" >said
     check "$name draws what it should: $(head -5 errors)" cmp expected said
