@@ -48,7 +48,7 @@ rm -r again
 
 check "a bare compile says nothing" quiet "$compiler" -O2 -pthread -c rhw.c
 ar rc librhw.a rhw.o
-check "it shows no other symbols, and has no state" "$root/tests/unit/symbols.sh" librhw.a
+check "it shows no other symbols, and has no state" "$root/tests/structure/symbols.sh" librhw.a
 for other in gcc clang; do
     command -v $other >/dev/null || continue
     check "$other has nothing to warn of" quiet $other -Wall -Wextra -fsyntax-only rhw.c
