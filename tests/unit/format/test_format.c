@@ -258,9 +258,7 @@ static void test_depths_are_quotients(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_row_says_the_truth),
-                                       cmocka_unit_test(test_depths_are_quotients)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_row_says_the_truth),
+                                          cmocka_unit_test(test_depths_are_quotients)};
+
+const struct unit_tests test_format = UNIT_TESTS(tests, NULL, NULL);

@@ -145,12 +145,10 @@ static void test_clipped(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lists),
-        cmocka_unit_test(test_indices),
-        cmocka_unit_test(test_clipped),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_lists),
+    cmocka_unit_test(test_indices),
+    cmocka_unit_test(test_clipped),
+};
+
+const struct unit_tests test_small_instances = UNIT_TESTS(tests, NULL, NULL);

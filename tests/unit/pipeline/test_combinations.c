@@ -603,8 +603,6 @@ static void test_every_way_draws_the_same(void **state)
     assert_true(only >= 0 || draws > 2 * passes);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_way_draws_the_same)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_way_draws_the_same)};
+
+const struct unit_tests test_combinations = UNIT_TESTS(tests, NULL, NULL);

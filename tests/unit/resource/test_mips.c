@@ -253,12 +253,10 @@ static void test_a_chain_needs_little_memory(void **state)
     rhw_context_destroy(context);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_small_chains),
-        cmocka_unit_test(test_chains_in_bands),
-        cmocka_unit_test(test_a_chain_needs_little_memory),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_small_chains),
+    cmocka_unit_test(test_chains_in_bands),
+    cmocka_unit_test(test_a_chain_needs_little_memory),
+};
+
+const struct unit_tests test_mips = UNIT_TESTS(tests, NULL, NULL);

@@ -699,21 +699,19 @@ static void test_an_unbound_slot_samples_opaque_black(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_samples_follow_the_model),
-        cmocka_unit_test(test_derivatives_choose_the_level),
-        cmocka_unit_test(test_texel_centres_are_exact),
-        cmocka_unit_test(test_every_half_is_converted_exactly),
-        cmocka_unit_test(test_one_colour_stays_one_colour),
-        cmocka_unit_test(test_slots_sampled_at_once),
-        cmocka_unit_test(test_the_linear_copy_follows_the_texels),
-        cmocka_unit_test(test_lanes_are_independent),
-        cmocka_unit_test(test_hostile_coordinates),
-        cmocka_unit_test(test_a_nan_slope_means_the_last_level),
-        cmocka_unit_test(test_a_border_has_the_channels_of_the_format),
-        cmocka_unit_test(test_an_unbound_slot_samples_opaque_black),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_samples_follow_the_model),
+    cmocka_unit_test(test_derivatives_choose_the_level),
+    cmocka_unit_test(test_texel_centres_are_exact),
+    cmocka_unit_test(test_every_half_is_converted_exactly),
+    cmocka_unit_test(test_one_colour_stays_one_colour),
+    cmocka_unit_test(test_slots_sampled_at_once),
+    cmocka_unit_test(test_the_linear_copy_follows_the_texels),
+    cmocka_unit_test(test_lanes_are_independent),
+    cmocka_unit_test(test_hostile_coordinates),
+    cmocka_unit_test(test_a_nan_slope_means_the_last_level),
+    cmocka_unit_test(test_a_border_has_the_channels_of_the_format),
+    cmocka_unit_test(test_an_unbound_slot_samples_opaque_black),
+};
+
+const struct unit_tests test_sample = UNIT_TESTS(tests, NULL, NULL);
