@@ -7,7 +7,7 @@
 #include "context/context.h"
 #include "base/cpu.h"
 #include "context/entry.h"
-#include "binding/validation/validation_messages.h"
+#include "binding/validation/validation.h"
 #include "kernels/kernels.h"
 #include "context/misuse.h"
 #include "pass/pass.h"

@@ -11,9 +11,9 @@
 #include "draw/draw_list.h"
 #include "draw/explained.h"
 #include "rhw/shader.h"
-#include "rhw/tiles.h"
 #include "pipeline/sample_pattern.h"
 #include "resource/texture.h"
+#include "rhw/stats.h"
 #include "transform_feedback.h"
 
 struct rhw_attachment {

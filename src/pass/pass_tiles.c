@@ -5,7 +5,7 @@
 #include "context/misuse.h"
 #include "enter.h"
 #include "pass_state.h"
-#include "rhw/tiles.h"
+#include "rhw/stats.h"
 
 static int tile_count(const struct rhw_pass_state *pass)
 {

@@ -7,7 +7,7 @@
 #include <stdatomic.h>
 
 #include "base/constants.h"
-#include "rhw/types.h"
+#include "rhw/stats.h"
 
 struct rhw_draw;
 struct rhw_front_counters;

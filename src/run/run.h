@@ -3,7 +3,7 @@
 #ifndef RHW_PASS_RUN_H
 #define RHW_PASS_RUN_H
 
-#include "rhw/types.h"
+#include "rhw/stats.h"
 
 struct rhw_pass_state;
 
