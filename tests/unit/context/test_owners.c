@@ -614,25 +614,23 @@ static void test_attachments_are_the_pass(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ids_carry_their_context),
-        cmocka_unit_test(test_shader_functions_call_nothing),
-        cmocka_unit_test(test_a_second_thread_is_told),
-        cmocka_unit_test(test_threads_that_race_do_no_harm),
-        cmocka_unit_test(test_a_hook_may_leave),
-        cmocka_unit_test(test_a_hook_may_give_the_pass_up),
-        cmocka_unit_test(test_a_context_stays_while_it_records),
-        cmocka_unit_test(test_what_a_draw_used_may_go),
-        cmocka_unit_test(test_memory_comes_back_at_the_end),
-        cmocka_unit_test(test_writes_between_draws_share_a_copy),
-        cmocka_unit_test(test_a_second_pass_leaves_the_first),
-        cmocka_unit_test(test_a_pass_may_be_given_up),
-        cmocka_unit_test(test_null_ids_are_destroyed),
-        cmocka_unit_test(test_draws_keep_what_a_buffer_held),
-        cmocka_unit_test(test_draws_keep_what_a_texture_held),
-        cmocka_unit_test(test_attachments_are_the_pass),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_ids_carry_their_context),
+    cmocka_unit_test(test_shader_functions_call_nothing),
+    cmocka_unit_test(test_a_second_thread_is_told),
+    cmocka_unit_test(test_threads_that_race_do_no_harm),
+    cmocka_unit_test(test_a_hook_may_leave),
+    cmocka_unit_test(test_a_hook_may_give_the_pass_up),
+    cmocka_unit_test(test_a_context_stays_while_it_records),
+    cmocka_unit_test(test_what_a_draw_used_may_go),
+    cmocka_unit_test(test_memory_comes_back_at_the_end),
+    cmocka_unit_test(test_writes_between_draws_share_a_copy),
+    cmocka_unit_test(test_a_second_pass_leaves_the_first),
+    cmocka_unit_test(test_a_pass_may_be_given_up),
+    cmocka_unit_test(test_null_ids_are_destroyed),
+    cmocka_unit_test(test_draws_keep_what_a_buffer_held),
+    cmocka_unit_test(test_draws_keep_what_a_texture_held),
+    cmocka_unit_test(test_attachments_are_the_pass),
+};
+
+const struct unit_tests test_owners = UNIT_TESTS(tests, NULL, NULL);

@@ -262,13 +262,11 @@ static void test_layers(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lists),
-        cmocka_unit_test(test_indices),
-        cmocka_unit_test(test_clipped),
-        cmocka_unit_test(test_layers),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_lists),
+    cmocka_unit_test(test_indices),
+    cmocka_unit_test(test_clipped),
+    cmocka_unit_test(test_layers),
+};
+
+const struct unit_tests test_small_instances = UNIT_TESTS(tests, NULL, NULL);

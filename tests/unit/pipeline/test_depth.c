@@ -463,24 +463,22 @@ static void test_equal_after_a_prepass(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_compare_function),
-        cmocka_unit_test(test_compare_against_drawn_depth),
-        cmocka_unit_test(test_without_depth_test_nothing_is_tested_or_written),
-        cmocka_unit_test(test_depth_is_kept_between_passes),
-        cmocka_unit_test(test_depth_without_memory),
-        cmocka_unit_test(test_depth_of_slanted_triangles),
-        cmocka_unit_test(test_fragments_see_the_depth_that_is_kept),
-        cmocka_unit_test(test_depth_from_the_fragment_function),
-        cmocka_unit_test(test_a_written_depth_stays_in_range),
-        cmocka_unit_test(test_discarded_lanes_leave_no_depth),
-        cmocka_unit_test(test_discard_behind_what_is_there),
-        cmocka_unit_test(test_hidden_fragments_are_not_shaded),
-        cmocka_unit_test(test_what_is_behind_shows_beside_a_small_triangle),
-        cmocka_unit_test(test_depth_only_program),
-        cmocka_unit_test(test_equal_after_a_prepass),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_every_compare_function),
+    cmocka_unit_test(test_compare_against_drawn_depth),
+    cmocka_unit_test(test_without_depth_test_nothing_is_tested_or_written),
+    cmocka_unit_test(test_depth_is_kept_between_passes),
+    cmocka_unit_test(test_depth_without_memory),
+    cmocka_unit_test(test_depth_of_slanted_triangles),
+    cmocka_unit_test(test_fragments_see_the_depth_that_is_kept),
+    cmocka_unit_test(test_depth_from_the_fragment_function),
+    cmocka_unit_test(test_a_written_depth_stays_in_range),
+    cmocka_unit_test(test_discarded_lanes_leave_no_depth),
+    cmocka_unit_test(test_discard_behind_what_is_there),
+    cmocka_unit_test(test_hidden_fragments_are_not_shaded),
+    cmocka_unit_test(test_what_is_behind_shows_beside_a_small_triangle),
+    cmocka_unit_test(test_depth_only_program),
+    cmocka_unit_test(test_equal_after_a_prepass),
+};
+
+const struct unit_tests test_depth = UNIT_TESTS(tests, NULL, NULL);
