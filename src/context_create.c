@@ -7,6 +7,7 @@
 #include "context/context.h"
 #include "base/cpu.h"
 #include "context/entry.h"
+#include "binding/validation/validation.h"
 #include "binding/validation/validation_messages.h"
 #include "kernels/kernels.h"
 #include "context/misuse.h"
@@ -125,6 +126,7 @@ static enum rhw_result create_validation(struct rhw_context *context)
         return RHW_ERROR_THREAD;
     }
     context->validation = validation;
+    context->validate_pipeline = rhw_validate_pipeline;
     return RHW_OK;
 }
 

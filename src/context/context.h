@@ -16,6 +16,7 @@
 struct rhw_validation_messages;
 struct rhw_kernels;
 struct rhw_pass_state;
+struct rhw_pipeline_data;
 struct rhw_scheduler;
 
 // A debug group of the pass being recorded.
@@ -67,6 +68,8 @@ struct rhw_context {
     struct rhw_pass_state *pass; // created with the context, reused by every pass
     struct rhw_recording recording;
     struct rhw_validation_messages *validation; // what validation found in the pass; NULL: nothing is validated
+    // Puts a validator before the functions of a new pipeline; NULL: nothing is validated. False when out of memory.
+    bool (*validate_pipeline)(struct rhw_context *context, struct rhw_pipeline_data *pipeline, const char *name);
 
     bool (*goes_on)(void *user); // asked while a pass runs; NULL: nobody is
     void *goes_on_user;

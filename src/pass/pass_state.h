@@ -12,7 +12,7 @@
 #include "draw/explained.h"
 #include "rhw/shader.h"
 #include "rhw/tiles.h"
-#include "pipeline/sample_pattern.h"
+#include "resource/sample_pattern.h"
 #include "resource/texture.h"
 #include "transform_feedback.h"
 

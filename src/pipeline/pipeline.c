@@ -15,7 +15,6 @@
 #include "context/lookup.h"
 #include "context/misuse.h"
 #include "rhw/rhw.h"
-#include "binding/validation/validation.h"
 
 static const char *const create_name = "rhw_pipeline_create";
 
@@ -615,18 +614,7 @@ void rhw_pipeline_data_init(struct rhw_pipeline_data *data, const struct rhw_pip
 
 void rhw_pipeline_data_release(struct rhw_memory *memory, struct rhw_pipeline_data *data)
 {
-    rhw_memory_release(memory, data->validator, sizeof *data->validator);
-}
-
-// Puts a validator before the pipeline's functions. False when out of memory.
-static bool validator(struct rhw_context *context, uint32_t index, struct rhw_pipeline_data *data)
-{
-    struct rhw_validator *const made =
-        rhw_memory_allocate(&context->memory, sizeof *made, _Alignof(struct rhw_validator));
-    if (made != NULL) {
-        rhw_validator_init(made, context->validation, data, rhw_name_of(&context->pipelines, index).text);
-    }
-    return made != NULL;
+    rhw_memory_release(memory, data->validator, data->validator_size);
 }
 
 static enum rhw_result create(struct rhw_context *context, const struct rhw_pipeline_def *def, uint32_t flaws,
@@ -645,7 +633,8 @@ static enum rhw_result create(struct rhw_context *context, const struct rhw_pipe
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     rhw_pipeline_data_init(data, def, context->isa);
-    if (context->validation && !validator(context, id.index, data)) {
+    if (context->validate_pipeline &&
+        !context->validate_pipeline(context, data, rhw_name_of(&context->pipelines, id.index).text)) {
         rhw_pool_remove(&context->memory, &context->pipelines, id.index);
         return RHW_ERROR_OUT_OF_MEMORY;
     }

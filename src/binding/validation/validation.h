@@ -14,6 +14,7 @@
 #include "pipeline/pipeline.h"
 #include "context/pool.h"
 
+struct rhw_context;
 struct rhw_validation_messages;
 
 enum {
@@ -39,9 +40,9 @@ struct rhw_validated_uniforms {
     size_t second; // bytes from the first copy to the second
 };
 
-// Puts the validator, which the caller allocated, in the place of the pipeline's functions.
-void rhw_validator_init(struct rhw_validator *validator, struct rhw_validation_messages *validation,
-                        struct rhw_pipeline_data *pipeline, const char *name);
+// Puts a validator, which the pipeline owns from then on, in the place of the pipeline's functions. Return false when out
+// of memory. A context under validation calls this for every pipeline (context.h: validate_pipeline).
+bool rhw_validate_pipeline(struct rhw_context *context, struct rhw_pipeline_data *pipeline, const char *name);
 
 // A draw's uniforms as its validator wants them, from `size` bytes at `uniforms`; NULL when out of memory.
 struct rhw_arena;
