@@ -21,7 +21,7 @@
 #include "pipeline/pipeline.h"
 #include "query.h"
 #include "rhw/rhw.h"
-#include "run/shared_vertices.h"
+#include "draw/shared_vertices.h"
 #include "run/strip_stipple.h"
 #include "transform_feedback.h"
 #include "binding/validation/validation.h"

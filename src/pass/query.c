@@ -7,6 +7,7 @@
 #include "draw/assembly.h"
 #include "context/context.h"
 #include "draw/draw_list.h"
+#include "draw/used_query.h"
 #include "context/entry.h"
 #include "context/lookup.h"
 #include "context/misuse.h"

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Queries: what they are between passes, and what the pass under way counts for them. Draws carry those that are under
-// way in their state; a draw that a query counts the samples of is drawn in its turn (depth_stencil.h: `counts`).
+// Queries: what they are between passes, and recording them. Draws carry those that are under way in their state
+// (draw/used_query.h); a draw that a query counts the samples of is drawn in its turn (depth_stencil.h: `counts`).
 #ifndef RHW_QUERY_H
 #define RHW_QUERY_H
 
-#include <stdatomic.h>
-
-#include "base/constants.h"
 #include "rhw/types.h"
 
 struct rhw_draw;
@@ -18,22 +15,6 @@ struct rhw_query_data {
     uint32_t pass;    // generation of the last pass that used it; 0: none yet
     bool is_answered; // `counts` are those of that pass
     struct rhw_query_counts counts;
-};
-
-// A query in the pass that uses it, on a list.
-struct rhw_used_query {
-    struct rhw_used_query *next;
-    rhw_query id;
-    enum rhw_query_kind kind;
-    uint64_t place; // of a timestamp: the triangles before it
-    struct rhw_query_counts counts;
-    // Written by the workers, once for each tile and change of state:
-    _Alignas(RHW_CACHE_LINE) _Atomic uint64_t samples, fragments;
-};
-
-// Those that are under way, by kind; NULL: none. It does not change: draws point at it.
-struct rhw_active_queries {
-    struct rhw_used_query *of[RHW_QUERY_KIND_COUNT];
 };
 
 // Adds what queries ask of a draw of `count` vertices or indices that was recorded.

@@ -9,7 +9,7 @@
 #include "base/constants.h"
 #include "pass/pass_state.h"
 #include "pipeline/pipeline.h"
-#include "shared_vertices.h"
+#include "vertex_sharing.h"
 
 // From vertex indices to slots, by open addressing: an entry holds a slot plus 1.
 struct slot_table {

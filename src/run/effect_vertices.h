@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Vertices whose function has effects, or of strips with a stipple (strip_stipple.h): each is shaded once in its pass,
 // before its first wave, whatever chunks and waves there are. They are
-// shared (shared_vertices.h) for the whole pass, those alone that the draw's primitives name, in the order in which
+// shared (draw/shared_vertices.h) for the whole pass, those alone that the draw's primitives name, in the order in which
 // these name them.
 #ifndef RHW_EFFECT_VERTICES_H
 #define RHW_EFFECT_VERTICES_H

@@ -12,10 +12,11 @@
 #include "kernels/geometry/geometry_scratch.h"
 #include "kernels/kernels.h"
 #include "kernels/tile_work.h"
+#include "draw/used_query.h"
 #include "pass/pass_state.h"
 #include "pass/query.h"
 #include "base/scheduler.h"
-#include "shared_vertices.h"
+#include "vertex_sharing.h"
 #include "strip_stipple.h"
 #include "base/thread.h"
 

@@ -9,7 +9,7 @@
 #include "kernels/geometry/line_columns.h"
 #include "pass/pass_state.h"
 #include "pipeline/pipeline.h"
-#include "shared_vertices.h"
+#include "vertex_sharing.h"
 
 bool rhw_strip_stipple_needed(const struct rhw_draw *draw)
 {

@@ -12,12 +12,6 @@ struct rhw_arena;
 struct rhw_draw;
 struct rhw_pass_state;
 
-// Of a draw of line strips.
-struct rhw_strip_stipple {
-    uint8_t *begins; // whether a line is the first of its strip
-    int32_t *phases; // by line, of each instance: its place where it begins (kernels/raster/stipple_mask.h)
-};
-
 // Whether a draw needs this.
 bool rhw_strip_stipple_needed(const struct rhw_draw *draw);
 

@@ -6,7 +6,7 @@
 
 #include "draw/assembly.h"
 #include "pass/pass_state.h"
-#include "run/shared_vertices.h"
+#include "draw/shared_vertices.h"
 #include "base/thread.h"
 #include "binning.h"
 #include "clipping_count.h"

@@ -3,7 +3,7 @@
 #ifndef RHW_DRAW_STATE_H
 #define RHW_DRAW_STATE_H
 
-#include "pass/query.h"
+#include "draw/used_query.h"
 #include "kernels/fragment/pack.h"
 #include "kernels/depth/hiz.h"
 

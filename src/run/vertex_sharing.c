@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which draws share their vertices, and room for these.
-#include "shared_vertices.h"
+// See vertex_sharing.h.
+#include "vertex_sharing.h"
 
 #include <limits.h>
 
