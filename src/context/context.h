@@ -14,9 +14,11 @@
 #include "rhw/types.h"
 
 struct rhw_validation_messages;
+struct rhw_encoder;
+struct rhw_executor;
 struct rhw_kernels;
-struct rhw_pass_state;
 struct rhw_pipeline_data;
+struct rhw_recorded_pass;
 struct rhw_scheduler;
 
 // A debug group of the pass being recorded.
@@ -65,11 +67,15 @@ struct rhw_context {
     struct rhw_pool pipelines; // struct rhw_pipeline_data
     struct rhw_pool queries;   // struct rhw_query_data
 
-    struct rhw_pass_state *pass; // created with the context, reused by every pass
+    // Created with the context, and used by every pass: what records it, what it is then, and what runs it.
+    struct rhw_encoder *encoder;
+    struct rhw_recorded_pass *pass;
+    struct rhw_executor *executor;
     struct rhw_recording recording;
     struct rhw_validation_messages *validation; // what validation found in the pass; NULL: nothing is validated
     // Puts a validator before the functions of a new pipeline; NULL: nothing is validated. False when out of memory.
-    bool (*validate_pipeline)(struct rhw_context *context, struct rhw_pipeline_data *pipeline, const char *name);
+    bool (*validate_pipeline)(struct rhw_context *context, struct rhw_pipeline_data *pipeline,
+                              const char *name);
 
     bool (*goes_on)(void *user); // asked while a pass runs; NULL: nobody is
     void *goes_on_user;

@@ -8,7 +8,7 @@
 
 struct rhw_draw;
 struct rhw_front_counters;
-struct rhw_pass_state;
+struct rhw_encoder;
 
 struct rhw_query_data {
     enum rhw_query_kind kind;
@@ -21,11 +21,9 @@ struct rhw_query_data {
 void rhw_queries_count_draw(const struct rhw_draw *draw, uint32_t count);
 // Adds what transform feedback does for a draw, in primitives.
 void rhw_queries_count_feedback(const struct rhw_draw *draw, uint64_t written, uint64_t needed);
-// Tells timestamps that `triangles` of the pass are drawn now.
-void rhw_queries_stamp(const struct rhw_pass_state *pass, uint64_t triangles);
 // Reports those that were begun and not ended.
-void rhw_queries_check_ended(const struct rhw_pass_state *pass);
-// Gives queries their answers.
-void rhw_queries_answer(const struct rhw_pass_state *pass);
+void rhw_queries_check_ended(const struct rhw_encoder *encoder);
+// Gives queries the answers of the pass that has run.
+void rhw_queries_answer(const struct rhw_encoder *encoder);
 
 #endif

@@ -8,7 +8,7 @@
 
 struct rhw_buffer_data;
 struct rhw_draw;
-struct rhw_pass_state;
+struct rhw_encoder;
 struct rhw_range;
 
 // Of a pass, between the calls.
@@ -22,8 +22,8 @@ struct rhw_feedback_state {
 };
 
 // Gives a draw that was prepared its place; feedback is under way. False when out of memory.
-bool rhw_feedback_add_draw(struct rhw_pass_state *pass, struct rhw_draw *draw);
+bool rhw_feedback_add_draw(struct rhw_encoder *encoder, struct rhw_draw *draw);
 // Reports what was begun and not ended.
-void rhw_feedback_check_ended(const struct rhw_pass_state *pass);
+void rhw_feedback_check_ended(const struct rhw_encoder *encoder);
 
 #endif

@@ -19,7 +19,7 @@ struct rhw_pipeline_data {
     struct rhw_pipeline_def def;
     // Under validation, and then in the place of its functions; see binding/validation/validation.h.
     struct rhw_validator *validator;
-    size_t validator_size; // bytes
+    size_t validator_size;       // bytes
     rhw_vertex_function *vertex; // best entry for the context's instruction set; NULL: use program.vertex1
     rhw_fragment_function *fragment; // likewise; NULL: program.fragment1, and when that is NULL too, depth only
     // Targets that are left out, a bit each: their format is rhw_left_out_format, and none of their channels is

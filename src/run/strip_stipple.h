@@ -10,7 +10,7 @@
 
 struct rhw_arena;
 struct rhw_draw;
-struct rhw_pass_state;
+struct rhw_recorded_pass;
 
 // Whether a draw needs this.
 bool rhw_strip_stipple_needed(const struct rhw_draw *draw);
@@ -20,6 +20,6 @@ bool rhw_strip_stipple_needed(const struct rhw_draw *draw);
 bool rhw_strip_stipple_prepare(struct rhw_draw *draw, uint32_t count, struct rhw_arena *arena);
 
 // Measures the lines of all such draws of a pass, whose vertices are shaded.
-void rhw_strip_stipple_measure(const struct rhw_pass_state *pass);
+void rhw_strip_stipple_measure(const struct rhw_recorded_pass *pass);
 
 #endif

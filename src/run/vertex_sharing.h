@@ -5,7 +5,7 @@
 
 #include "draw/shared_vertices.h"
 
-struct rhw_pass_state;
+struct rhw_wave;
 
 // All that a wave shares.
 struct rhw_shared_parts {
@@ -22,7 +22,8 @@ struct rhw_shared_part *rhw_shared_parts_list(struct rhw_shared_part *part, cons
 
 // Finds the draws of the wave's chunks whose vertices are shared, which is where the vertices from base_vertex to the
 // end of the buffers are few beside the triangles, and these in no order; and gives them room, of `most` bytes
-// together. False when out of memory.
-bool rhw_shared_vertices_find(struct rhw_pass_state *pass, size_t most, struct rhw_shared_parts *wave);
+// together. `chunk_size`: triangles of a chunk, at most. False when out of memory.
+bool rhw_shared_vertices_find(const struct rhw_wave *wave, uint64_t chunk_size, size_t most,
+                              struct rhw_shared_parts *parts);
 
 #endif
