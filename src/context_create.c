@@ -8,7 +8,6 @@
 #include "base/cpu.h"
 #include "context/entry.h"
 #include "binding/validation/validation.h"
-#include "binding/validation/validation_messages.h"
 #include "kernels/kernels.h"
 #include "context/misuse.h"
 #include "draw/recorded_pass.h"

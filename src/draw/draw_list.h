@@ -15,7 +15,6 @@
 #include "pipeline/line_stipple.h"
 #include "rhw/pass_def.h"
 #include "rhw/shader.h"
-#include "rhw/transform_feedback.h"
 #include "triangle.h"
 
 struct rhw_memory;

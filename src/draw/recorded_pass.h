@@ -8,7 +8,7 @@
 #include "base/arena.h"
 #include "draw_list.h"
 #include "explained.h"
-#include "rhw/tiles.h"
+#include "rhw/stats.h"
 #include "target.h"
 
 struct rhw_used_query;

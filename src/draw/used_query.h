@@ -7,7 +7,7 @@
 #include <stdatomic.h>
 
 #include "base/constants.h"
-#include "rhw/types.h"
+#include "rhw/stats.h"
 
 // A query in the pass that uses it, on a list.
 struct rhw_used_query {

@@ -3,7 +3,7 @@
 #include "resource/buffer.h"
 #include "context/context.h"
 #include "context/entry.h"
-#include "binding/validation/validation_messages.h"
+#include "binding/validation/validation.h"
 #include "context/misuse.h"
 #include "enter.h"
 #include "run/run.h"

@@ -13,7 +13,6 @@
 #include "enter.h"
 #include "encoder.h"
 #include "rhw/rhw.h"
-#include "rhw/transform_feedback.h"
 
 // Commands that were found to be there.
 struct command_list {

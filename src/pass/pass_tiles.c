@@ -5,7 +5,7 @@
 #include "context/misuse.h"
 #include "enter.h"
 #include "encoder.h"
-#include "rhw/tiles.h"
+#include "rhw/stats.h"
 
 int rhw_pass_tile_count(rhw_context *context, rhw_pass id)
 {

@@ -4,7 +4,7 @@
 #ifndef RHW_QUERY_H
 #define RHW_QUERY_H
 
-#include "rhw/types.h"
+#include "rhw/stats.h"
 
 struct rhw_draw;
 struct rhw_front_counters;

@@ -13,6 +13,7 @@
 #include "encoder.h"
 #include "pipeline/pipeline.h"
 #include "query.h"
+#include "rhw/rhw.h"
 
 static const char *const begin_name = "rhw_pass_begin_transform_feedback";
 

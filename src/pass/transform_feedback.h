@@ -4,7 +4,7 @@
 #ifndef RHW_FEEDBACK_H
 #define RHW_FEEDBACK_H
 
-#include "rhw/transform_feedback.h"
+#include "rhw/pass_def.h"
 
 struct rhw_buffer_data;
 struct rhw_draw;

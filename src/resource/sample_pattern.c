@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See sample_pattern.h.
+// The tables of sample_pattern.h.
 #include "sample_pattern.h"
 
 #include "base/constants.h"
@@ -7,7 +7,7 @@
 
 #define AT(sixteenths) ((sixteenths)*RHW_SUBPIXEL / 16)
 
-// Vulkan 1.3 §27.5, table "Standard sample locations"; Direct3D 11.3 §19.2.4.1.
+// The patterns are those of Vulkan 1.3 §27.5, table "Standard sample locations", and Direct3D 11.3 §19.2.4.1.
 static const struct rhw_sample_pattern patterns[] = {
     {1, {AT(8)}, {AT(8)}, AT(8), AT(8)},
     {2, {AT(12), AT(4)}, {AT(12), AT(4)}, AT(4), AT(12)},

@@ -10,11 +10,11 @@
 
 struct rhw_sample_pattern {
     int count;
-    int32_t x_0_8[RHW_MAX_SAMPLES], y_0_8[RHW_MAX_SAMPLES]; // 1/256 pixel from its top left
-    int32_t least_0_8, most_0_8;                            // of all of them, each way
+    int32_t x_0_8[RHW_MAX_SAMPLES], y_0_8[RHW_MAX_SAMPLES]; // 1/256 pixel from the top left of the pixel
+    int32_t least_0_8, most_0_8;                            // least and most of all positions, each way
 };
 
-// `samples` is 1, 2, 4, 8 or 16.
+// Return the pattern of 1, 2, 4, 8 or 16 samples.
 const struct rhw_sample_pattern *rhw_sample_pattern_of(int samples);
 
 static inline bool rhw_sample_count_valid(int samples)

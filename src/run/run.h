@@ -3,7 +3,7 @@
 #ifndef RHW_RUN_H
 #define RHW_RUN_H
 
-#include "rhw/types.h"
+#include "rhw/stats.h"
 
 struct rhw_context;
 struct rhw_recorded_pass;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Sampling under validation. Levels of detail are worked out anew, apart from the kernels, which gives them up to
-// rounding: a level counts as read where it makes more than 1/256 of the result.
-#include "validation_messages.h"
+// Sampling and storage under validation. Levels of detail are worked out anew, apart from the kernels, which give them
+// up to rounding: a level counts as read where it makes more than 1/256 of the result.
 #include "resource/sampler.h"
 #include "resource/texture.h"
 #include "validation.h"
 
 static const float rounding = 1.0f / 256;
 
-// Biased, not yet limited.
+// Return the level of detail, biased and not yet limited.
 static rhw_float level_of_detail(const struct rhw_texture_data *texture, const struct rhw_sampler_def *def,
                                  const struct rhw_sample_request *request)
 {
@@ -23,7 +22,7 @@ static rhw_float level_of_detail(const struct rhw_texture_data *texture, const s
     return rhw_log2(rhw_max(ux * ux + vx * vx, uy * uy + vy * vy)) * 0.5f + bias;
 }
 
-// The two levels that each lane reads, which may be one.
+// Set the two levels that each lane reads, which may be one.
 static void levels_of(const struct rhw_texture_data *texture, const struct rhw_sampler_def *def,
                       rhw_float lod, rhw_float *fine, rhw_float *coarse)
 {
@@ -35,9 +34,9 @@ static void levels_of(const struct rhw_texture_data *texture, const struct rhw_s
     *fine = blended ? rhw_floor(within + rounding) : *coarse;
 }
 
-// A level that is read and was never written; 0 where there is none, or the texture is not a plain 2D one, whose
-// gradients say other things. Lanes whose level of detail is NaN do not count:
-// what their gradients come from is at fault.
+// Return a level that is read and was never written. Return 0 where there is none, or where the texture is not a plain
+// 2D one, whose gradients say other things. Lanes whose level of detail is NaN do not count: what their gradients come
+// from is at fault.
 static int unwritten_level(const struct rhw_binding *binding, const struct rhw_sample_request *request,
                            const rhw_int *mask)
 {
@@ -158,4 +157,46 @@ bool rhw_validate_sample_groups(const struct rhw_fragment *groups, int count, ui
         }
     }
     return true;
+}
+
+static void validate_effect(const struct rhw_bindings *textures, int slot, int count, bool is_set,
+                            bool is_read_only, const char *noun, enum rhw_storage_operation operation)
+{
+    const struct rhw_sample_site *const site = &textures->site;
+    if ((unsigned)slot >= (unsigned)count) {
+        rhw_validation_messages_add(site->validation, RHW_VALIDATION_MISUSE, site->draw,
+                                    "a shader function of %s uses %s slot %d; slots are 0..%d",
+                                    site->pipeline, noun, slot, count - 1);
+    } else if (!is_set) {
+        rhw_validation_messages_add(site->validation, RHW_VALIDATION_MISUSE, site->draw,
+                                    "a shader function of %s uses %s slot %d, in which nothing is set",
+                                    site->pipeline, noun, slot);
+    } else if (is_read_only && operation != RHW_STORAGE_LOAD) {
+        rhw_validation_messages_add(
+            site->validation, RHW_VALIDATION_MISUSE, site->draw,
+            "a shader function of %s writes to %s slot %d, which is set for reading alone", site->pipeline,
+            noun, slot);
+    } else if (textures->drops_effects && operation != RHW_STORAGE_LOAD) {
+        rhw_validation_messages_add(
+            site->validation, RHW_VALIDATION_MISUSE, site->draw,
+            "a shader function of %s writes to %s slot %d; its program declares no such "
+            "effects, by RHW_USE_EFFECTS or vertex_effects",
+            site->pipeline, noun, slot);
+    }
+}
+
+void rhw_validate_storage(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation)
+{
+    const int count = RHW_MAX_STORAGE_BUFFERS;
+    const struct rhw_storage_words *const words =
+        (unsigned)slot < (unsigned)count ? &textures->storage->buffers[slot] : &rhw_no_storage.buffers[0];
+    validate_effect(textures, slot, count, words->words, words->is_read_only, "storage", operation);
+}
+
+void rhw_validate_image(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation)
+{
+    const int count = RHW_MAX_STORAGE_IMAGES;
+    const struct rhw_storage_image *const image =
+        (unsigned)slot < (unsigned)count ? &textures->storage->images[slot] : &rhw_no_storage.images[0];
+    validate_effect(textures, slot, count, image->texture, image->is_read_only, "image", operation);
 }
