@@ -10,11 +10,13 @@
 #include "binding/validation/validation.h"
 #include "kernels/kernels.h"
 #include "context/misuse.h"
-#include "pass/pass.h"
+#include "draw/recorded_pass.h"
+#include "pass/encoder.h"
 #include "pipeline/pipeline.h"
 #include "pass/query.h"
 #include "rhw/rhw.h"
 #include "resource/sampler.h"
+#include "run/run.h"
 #include "base/scheduler.h"
 #include "resource/texture.h"
 #include "base/thread.h"
@@ -126,6 +128,7 @@ static enum rhw_result create_validation(struct rhw_context *context)
         return RHW_ERROR_THREAD;
     }
     context->validation = validation;
+    context->validate_pipeline = rhw_validate_pipeline;
     return RHW_OK;
 }
 
@@ -143,7 +146,11 @@ static enum rhw_result create_parts(struct rhw_context *context, bool validates)
     enum rhw_result result =
         rhw_scheduler_create(&context->memory, context->threads, context->cores, &context->scheduler);
     if (result == RHW_OK) {
-        result = rhw_pass_state_create(context, &context->pass);
+        context->pass = rhw_recorded_pass_create(&context->memory);
+        context->executor = rhw_executor_create(context);
+        context->encoder = rhw_encoder_create(context, context->pass);
+        const bool is_complete = context->pass && context->executor && context->encoder;
+        result = is_complete ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
     }
     return result == RHW_OK && validates ? create_validation(context) : result;
 }
@@ -211,9 +218,9 @@ void rhw_context_destroy(rhw_context *context)
         rhw_context_leave(context);
         return;
     }
-    if (context->pass != NULL) {
-        rhw_pass_state_destroy(context, context->pass);
-    }
+    rhw_encoder_destroy(context->encoder);
+    rhw_executor_destroy(context->executor);
+    rhw_recorded_pass_destroy(&context->memory, context->pass);
     destroy_resources(context);
     destroy_validation(context);
     rhw_scheduler_destroy(&context->memory, context->scheduler);

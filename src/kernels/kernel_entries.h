@@ -6,11 +6,11 @@
 #include "kernels.h"
 
 // geometry.c defines this function and the next.
-bool RHW_ISA_NAME(rhw_make_chunk)(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker);
-void RHW_ISA_NAME(rhw_shade_shared_part)(struct rhw_pass_state *pass, const struct rhw_shared_part *part,
+bool RHW_ISA_NAME(rhw_make_chunk)(const struct rhw_wave *wave, struct rhw_chunk *chunk, int worker);
+void RHW_ISA_NAME(rhw_shade_shared_part)(const struct rhw_wave *wave, const struct rhw_shared_part *part,
                                          int worker);
 // tile.c defines this function.
-void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int tile, int worker);
+void RHW_ISA_NAME(rhw_draw_tile)(const struct rhw_wave *wave, int tile, int worker);
 // sample.c defines these functions.
 rhw_sample_function RHW_ISA_NAME(rhw_sample_float);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_halves);

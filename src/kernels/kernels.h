@@ -7,7 +7,7 @@
 #include "rhw/isa.h"
 #include "rhw/shader.h"
 
-struct rhw_pass_state;
+struct rhw_wave;
 struct rhw_chunk;
 struct rhw_shared_part;
 struct rhw_mip_job;
@@ -53,11 +53,11 @@ typedef void rhw_image_store_function(const struct rhw_storage_image *image, con
 
 struct rhw_kernels {
     // Shade some of the vertices that chunks share.
-    void (*shared_part)(struct rhw_pass_state *pass, const struct rhw_shared_part *part, int worker);
+    void (*shared_part)(const struct rhw_wave *wave, const struct rhw_shared_part *part, int worker);
     // Run the front end over one chunk: fetch, vertex function, snap, cull, clip, bin. Return false when out of memory.
-    bool (*chunk)(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker);
+    bool (*chunk)(const struct rhw_wave *wave, struct rhw_chunk *chunk, int worker);
     // Draw one tile, from load to store: the back end.
-    void (*tile)(struct rhw_pass_state *pass, int tile, int worker);
+    void (*tile)(const struct rhw_wave *wave, int tile, int worker);
     // Sample plain 2D textures of every format with every sampler that asks for no more, in floats, and a slot without
     // a texture.
     rhw_sample_function *sample_float;

@@ -5,7 +5,7 @@
 #define RHW_TILE_WORK_H
 
 #include "draw/draw_plan.h"
-#include "pass/pass_state.h"
+#include "draw/wave.h"
 #include "pipeline/pipeline.h"
 #include "base/simd_layout.h"
 #include "kernels/raster/plane.h"
@@ -155,7 +155,8 @@ struct tile_rect {
 
 // This is one worker's work on one tile.
 struct tile_work {
-    struct rhw_pass_state *pass;
+    const struct rhw_wave *wave;
+    const struct rhw_target *target; // of the wave
     struct rhw_tile_scratch *scratch;
     struct rhw_counters *counters;
     int tile;          // number of the tile, row by row

@@ -5,8 +5,8 @@
 #define RHW_CHUNK_H
 
 #include "draw/assembly.h"
-#include "pass/pass_state.h"
-#include "run/shared_vertices.h"
+#include "draw/wave.h"
+#include "draw/shared_vertices.h"
 #include "base/thread.h"
 #include "binning.h"
 #include "clipping_count.h"
@@ -96,13 +96,12 @@ static struct run_extent next_extent(const struct rhw_draw *draw, uint64_t at, u
 }
 
 // Assemble and shade what the chunk has of each draw. Return false when out of memory.
-static bool start_runs(const struct rhw_pass_state *pass, const struct rhw_chunk *chunk,
-                       struct rhw_worker *worker)
+static bool start_runs(const struct rhw_wave *wave, const struct rhw_chunk *chunk, struct rhw_worker *worker)
 {
     uint64_t at = chunk->first;
     const uint64_t end = chunk->first + chunk->count;
     for (uint32_t d = chunk->first_draw; at < end; d++) {
-        const struct rhw_draw *const draw = rhw_pass_draw_at(pass, d);
+        const struct rhw_draw *const draw = rhw_draw_list_at(&wave->pass->draws, d);
         const uint64_t draw_end = rhw_draw_end(draw);
         while (at < end && at < draw_end) {
             const struct run_extent extent = next_extent(draw, at - draw->first_triangle, end - at);
@@ -182,27 +181,28 @@ static void setup_routed(struct rhw_geometry_scratch *scratch, uint32_t run_inde
 }
 
 // Make the vertices and triangles of a chunk. Return false when out of memory.
-static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_chunk *chunk,
+static bool make_triangles(const struct rhw_wave *wave, const struct rhw_chunk *chunk,
                            struct rhw_worker *worker, struct rhw_triangle_list *list)
 {
     struct rhw_geometry_scratch *const scratch = worker->geometry;
-    scratch->special_paths = rhw_pass_takes_special_paths(pass);
-    scratch->uncovered_pattern =
-        scratch->special_paths && pass->pattern->count <= MOST_CULLED_SAMPLES ? pass->pattern : NULL;
+    scratch->special_paths = rhw_pass_takes_special_paths(wave->pass);
+    scratch->uncovered_pattern = scratch->special_paths && wave->target.pattern->count <= MOST_CULLED_SAMPLES
+                                     ? wave->target.pattern
+                                     : NULL;
     scratch->run_count = scratch->polygon_count = 0;
     scratch->index_count = scratch->vertex_count = 0;
     scratch->arena = &worker->arena;
     scratch->made_run = UINT32_MAX;
     scratch->out_of_memory = false;
-    scratch->layers = pass->layers;
+    scratch->layers = wave->target.layers;
     scratch->counters = (struct rhw_front_counters){0};
     const uint64_t start = rhw_time_ns();
-    if (!start_runs(pass, chunk, worker)) {
+    if (!start_runs(wave, chunk, worker)) {
         return false;
     }
     const uint64_t shaded = rhw_time_ns();
     // There is room for all triangles; what culling leaves of it goes back.
-    const size_t room = (size_t)chunk->count * (size_t)pass->triangles_most * sizeof *list->triangles;
+    const size_t room = (size_t)chunk->count * (size_t)wave->pass->triangles_most * sizeof *list->triangles;
     *list = (struct rhw_triangle_list){.triangles = rhw_arena_alloc(&worker->arena, room, RHW_CACHE_LINE),
                                        .ranges = scratch->tile_ranges,
                                        .segments = scratch->segments,
@@ -258,25 +258,25 @@ static void *keep(struct rhw_arena *arena, const void *from, size_t size)
 }
 
 // Make a chunk: the entry make_chunk of rhw_kernels.
-static bool make_chunk(const struct rhw_pass_state *pass, struct rhw_chunk *chunk, struct rhw_worker *worker)
+static bool make_chunk(const struct rhw_wave *wave, struct rhw_chunk *chunk, struct rhw_worker *worker)
 {
     struct rhw_arena *const arena = &worker->arena;
     struct rhw_geometry_scratch *const scratch = worker->geometry;
     struct rhw_triangle_list list;
-    if (!make_triangles(pass, chunk, worker, &list)) {
+    if (!make_triangles(wave, chunk, worker, &list)) {
         return false;
     }
     // With large triangles on a large target, the chunk ends where its bins are full. Doing it again costs nothing
     // beside drawing that many entries, and its counters stay those of the triangles it has.
-    bound_bins(chunk, &list, pass->layers);
-    const int fit = triangles_that_fit(chunk, &list, pass->entries_most);
+    bound_bins(chunk, &list, wave->target.layers);
+    const int fit = triangles_that_fit(chunk, &list, wave->entries_most);
     if (fit < list.count) {
         const uint64_t place = place_in_line(scratch, &list.triangles[fit]) - chunk->first;
         chunk->count = place == 0 ? 1 : place; // a primitive that becomes several triangles is drawn whole
-        if (!make_triangles(pass, chunk, worker, &list)) {
+        if (!make_triangles(wave, chunk, worker, &list)) {
             return false;
         }
-        bound_bins(chunk, &list, pass->layers);
+        bound_bins(chunk, &list, wave->target.layers);
     }
     const uint64_t start = rhw_time_ns();
     chunk->counters = scratch->counters;
@@ -286,10 +286,10 @@ static bool make_chunk(const struct rhw_pass_state *pass, struct rhw_chunk *chun
         keep(arena, scratch->segments, (size_t)scratch->segment_count * sizeof *chunk->segments);
     chunk->polygons =
         keep(arena, scratch->polygons, (size_t)scratch->polygon_count * sizeof *chunk->polygons);
-    if (pass->has_feedback) {
+    if (wave->pass->has_feedback) {
         capture_runs(scratch);
     }
-    if (pass->queries && !count_runs(chunk, worker)) {
+    if (wave->pass->queries && !count_runs(chunk, worker)) {
         return false;
     }
     const bool binned = chunk->segments && chunk->polygons && bin(chunk, &list, arena);
@@ -301,14 +301,14 @@ _Static_assert(RHW_SHARED_PART % RHW_LANES == 0 && RHW_SHARED_PART <= 3 * RHW_CH
                "a part is whole groups, and fits the scratch");
 
 // Shade some of the vertices that chunks share.
-static void shade_shared_part(const struct rhw_pass_state *pass, const struct rhw_shared_part *part,
+static void shade_shared_part(const struct rhw_wave *wave, const struct rhw_shared_part *part,
                               struct rhw_worker *worker)
 {
     struct rhw_geometry_scratch *const scratch = worker->geometry;
     const uint64_t start = rhw_time_ns();
     struct rhw_segment segment = part->shared->segment;
     segment.vertices += (size_t)part->first * (size_t)segment.vertex_stride;
-    scratch->special_paths = rhw_pass_takes_special_paths(pass);
+    scratch->special_paths = rhw_pass_takes_special_paths(wave->pass);
     for (uint32_t i = 0; i < part->count; i++) {
         const uint32_t slot = part->first + i;
         scratch->unique[i] =

@@ -4,8 +4,8 @@
 #ifndef RHW_CLIPPING_COUNT_H
 #define RHW_CLIPPING_COUNT_H
 
-#include "pass/pass_state.h"
-#include "pass/query.h"
+#include "draw/wave.h"
+#include "draw/used_query.h"
 #include "geometry_scratch.h"
 #include "triangle8.h"
 

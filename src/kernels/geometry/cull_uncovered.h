@@ -10,7 +10,7 @@
 #ifndef RHW_CULL_UNCOVERED_H
 #define RHW_CULL_UNCOVERED_H
 
-#include "pipeline/sample_pattern.h"
+#include "resource/sample_pattern.h"
 #include "kernels/raster/coverage.h"
 #include "triangle8.h"
 

@@ -5,7 +5,7 @@
 #define RHW_GEOMETRY_FEEDBACK_H
 
 #include "pipeline/pipeline.h"
-#include "pass/transform_feedback.h"
+#include "draw/draw_list.h"
 #include "geometry_scratch.h"
 
 // Copy what a pipeline captures of a vertex. `number` is that of the vertex among those of the draw.

@@ -4,7 +4,7 @@
 #ifndef RHW_LINE_SETUP_H
 #define RHW_LINE_SETUP_H
 
-#include "run/strip_stipple.h"
+#include "draw/draw_list.h"
 #include "clipped_line.h"
 #include "line_rectangle.h"
 

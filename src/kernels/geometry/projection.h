@@ -6,7 +6,7 @@
 
 #include "draw/draw_list.h"
 #include "pipeline/pipeline.h"
-#include "kernels/raster/snap.h"
+#include "draw/snap.h"
 
 // Return the flags of 8 vertices. `snapped` tells which can be snapped.
 RHW_INLINE i32x8 vertex_flags(const f32x8 position[4], f32x8 near, i32x8 snapped)
