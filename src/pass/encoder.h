@@ -5,11 +5,12 @@
 #define RHW_ENCODER_H
 
 #include "binding/binding.h"
+#include "context/context.h"
+#include "context/entry.h"
 #include "draw/recorded_pass.h"
 #include "rhw/shader.h"
 #include "transform_feedback.h"
 
-struct rhw_context;
 struct rhw_read_texture;
 struct rhw_stored_level;
 
@@ -72,5 +73,24 @@ struct rhw_encoder {
 // Return an encoder that records into `pass`, or NULL when out of memory.
 struct rhw_encoder *rhw_encoder_create(struct rhw_context *context, struct rhw_recorded_pass *pass);
 void rhw_encoder_destroy(struct rhw_encoder *encoder); // which may be NULL
+
+// Reports that an id names no pass under way.
+__attribute__((cold)) void rhw_pass_report(const rhw_context *context, rhw_pass id, const char *where);
+
+// Enters the context and gives the pass that `id` names, until rhw_context_leave; or reports misuse, leaves again, and
+// gives NULL.
+static inline struct rhw_encoder *rhw_pass_enter(rhw_context *context, rhw_pass id, const char *where)
+{
+    if (!rhw_context_enter(context, where)) {
+        return NULL;
+    }
+    const struct rhw_recording *const recording = &context->recording;
+    if (recording->active && id.generation == recording->generation && id.context == context->number) {
+        return context->encoder;
+    }
+    rhw_pass_report(context, id, where);
+    rhw_context_leave(context);
+    return NULL;
+}
 
 #endif
