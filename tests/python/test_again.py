@@ -122,7 +122,7 @@ for _ in range(4):
 @pytest.mark.parametrize("keywords", [
     "(640, 480)",  # 2700
     # 3600, in two bands of which the latter has two rows
-    "(4096, 130), supersample=16, samples=1, shadows=False, ambient_occlusion=False",
+    pytest.param("(4096, 130), supersample=16, samples=1, shadows=False, ambient_occlusion=False", marks=pytest.mark.long),
 ])
 def test_pictures_stand_on_the_memory_of_the_last(box_obj, keywords):
     pytest.importorskip("resource")

@@ -84,6 +84,7 @@ def test_another_one_at_the_same_place(model):
     assert np.array_equal(model.render(24)["color"], model.render(24, context=rhw.Context(threads=1))["color"])
 
 
+@pytest.mark.long
 def test_light_is_kept_as_long_as_the_scene_shows_it(model):
     """While a draw makes other light the former is still there, also where the draw fails; then it is let go."""
     skies = [rhw.Environment(np.full((4, 8, 3), shade)) for shade in (0.2, 0.8)]
