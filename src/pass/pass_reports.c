@@ -8,7 +8,7 @@
 #include "rhw/stats.h"
 
 static bool check_explain(const struct rhw_context *context, const struct rhw_encoder *encoder,
-                  const struct rhw_explain *explain, const char *where)
+                          const struct rhw_explain *explain, const char *where)
 {
     const struct rhw_target *const target = &encoder->pass->target;
     const struct rhw_rect *const area = &target->area;
@@ -60,7 +60,7 @@ int rhw_pass_tile_count(rhw_context *context, rhw_pass id)
 }
 
 static bool check_reports(const struct rhw_context *context, const struct rhw_encoder *encoder,
-                  const struct rhw_tile_report *reports, int count, const char *where)
+                          const struct rhw_tile_report *reports, int count, const char *where)
 {
     const int tiles = rhw_target_tiles(&encoder->pass->target);
     return rhw_check(context, reports, "%s: reports is NULL", where) &&
