@@ -98,6 +98,7 @@ class Command:
         status = STATUS_NAMED.search(text)
         self.status = int(status.group(1)) if status else 0
         self.text = re.sub(r"(^|\s+)#.*$", "", text)
+        self.starts = False  # a block, or what is run of it
 
     def __str__(self):
         return f"{self.page}: {self.typed}"
@@ -110,10 +111,13 @@ def blocks_of(text):
 
 def commands_of(page, text):
     """Those of the blocks for a shell, a line each unless it ends in a backslash."""
-    blocks = [block for language, block in blocks_of(text) if language == "sh"]
-    lines = "".join(blocks).replace("\\\n", "").splitlines()
-    commands = [Command(page, line) for line in lines]
-    return [command for command in commands if command.text]
+    found = []
+    for language, block in blocks_of(text):
+        commands = [Command(page, line) for line in block.replace("\\\n", "").splitlines() if language == "sh"]
+        for command in commands:
+            command.starts = command is commands[0]
+        found += commands
+    return found
 
 
 def examples_of(page, manual):
@@ -124,12 +128,14 @@ def examples_of(page, manual):
 
 def to_run(commands, used):
     """The commands without those of NOT_RUN, with what GIVEN says; adds what was needed to `used`."""
-    kept = []
+    kept, starts = [], False
     for command in commands:
+        starts = starts or command.starts
         skipped = [rule for rule in NOT_RUN if re.fullmatch(rule, command.text)]
         used.update(skipped)
-        if skipped:
+        if skipped or not command.text:
             continue
+        command.starts, starts = starts, False
         for rule, given in GIVEN.items():
             command.text, count = re.subn(rule, given, command.text)
             used.update([rule] if count else [])
@@ -172,7 +178,8 @@ def run(commands, folder):
     unwanted = {"CMAKE_PREFIX_PATH", "PKG_CONFIG_PATH", "MAKEFLAGS", "MAKELEVEL", "CFLAGS", "CXXFLAGS", "LDFLAGS"}
     environment = {name: value for name, value in os.environ.items() if name not in unwanted}
     environment.update(HOME=str(folder / "home"), PATH=f"{folder}/bin:{os.environ['PATH']}")
-    script = "".join(f"{{ {command.text}\n}} >said.{i} 2>&1 </dev/null\necho $? >&3\n"
+    back = f"cd '{folder}'\n"  # where a block begins its reader is in the checkout again
+    script = "".join(f"{back * command.starts}{{ {command.text}\n}} >'{folder}/said.{i}' 2>&1 </dev/null\necho $? >&3\n"
                      for i, command in enumerate(commands))
     with open(folder / "statuses", "w", encoding="utf-8") as statuses:
         subprocess.run(["sh", "-c", f"exec 3>&{statuses.fileno()}\n{script}"], cwd=folder, env=environment,
