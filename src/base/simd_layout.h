@@ -211,7 +211,7 @@ RHW_INLINE i32x8 i32x8_bytes_from_f32x8(const f32x8 channel[4])
 #if defined(__AVX2__)
     const __m256 most = _mm256_set1_ps(255.0f);
     f32x8 small[4];
-    // Of NaN the minimum is the second operand, and the integer is INT32_MIN.
+    // The minimum of NaN is the second operand, and its integer is INT32_MIN.
     for (int i = 0; i < 4; i++) {
         small[i] = (f32x8)_mm256_min_ps(most, (__m256)channel[i]);
     }

@@ -14,8 +14,11 @@
 #include "rhw/types.h"
 
 struct rhw_validation_messages;
+struct rhw_encoder;
+struct rhw_executor;
 struct rhw_kernels;
-struct rhw_pass_state;
+struct rhw_pipeline_data;
+struct rhw_recorded_pass;
 struct rhw_scheduler;
 
 // A debug group of the pass being recorded.
@@ -66,10 +69,17 @@ struct rhw_context {
     struct rhw_pool pipelines; // struct rhw_pipeline_data
     struct rhw_pool queries;   // struct rhw_query_data
 
-    struct rhw_pass_state *pass; // made with the context, reused by every pass
+    // These are made with the context and serve every pass: what records it, what was recorded, and what runs it.
+    struct rhw_encoder *encoder;
+    struct rhw_recorded_pass *pass;
+    struct rhw_executor *executor;
     struct rhw_recording recording;
     // What validation found in the pass. NULL: nothing is validated.
     struct rhw_validation_messages *validation;
+    // Put a validator before the functions of a new pipeline. Return false when out of memory. NULL where nothing is
+    // validated.
+    bool (*validate_pipeline)(struct rhw_context *context, struct rhw_pipeline_data *pipeline,
+                              const char *name);
 
     // It is asked while a pass runs. NULL: nobody is asked.
     bool (*goes_on)(void *user);

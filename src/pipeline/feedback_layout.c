@@ -3,7 +3,7 @@
 #include "feedback_layout.h"
 
 #include "context/misuse.h"
-#include "draw/triangle.h"
+#include "shaded_vertex.h"
 
 // Return the floats that the vertex function writes of a source.
 static int components_of(const struct rhw_program *program, const struct rhw_feedback_output *output)

@@ -2,7 +2,6 @@
 // The life of a pipeline: it is created from a definition, and destroyed.
 #include "pipeline.h"
 
-#include "binding/validation/validation.h"
 #include "context/context.h"
 #include "context/entry.h"
 #include "context/lookup.h"
@@ -11,18 +10,7 @@
 
 void rhw_pipeline_data_release(struct rhw_memory *memory, struct rhw_pipeline_data *data)
 {
-    rhw_memory_release(memory, data->validator, sizeof *data->validator);
-}
-
-// Put a validator before the pipeline's functions. Return false when out of memory.
-static bool validator(struct rhw_context *context, uint32_t index, struct rhw_pipeline_data *data)
-{
-    struct rhw_validator *const made =
-        rhw_memory_allocate(&context->memory, sizeof *made, _Alignof(struct rhw_validator));
-    if (made != NULL) {
-        rhw_validator_init(made, context->validation, data, rhw_name_of(&context->pipelines, index).text);
-    }
-    return made != NULL;
+    rhw_memory_release(memory, data->validator, data->validator_size);
 }
 
 static enum rhw_result create(struct rhw_context *context, const struct rhw_pipeline_def *def, uint32_t flaws,
@@ -41,7 +29,8 @@ static enum rhw_result create(struct rhw_context *context, const struct rhw_pipe
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     rhw_pipeline_data_init(data, def, context->isa);
-    if (context->validation && !validator(context, id.index, data)) {
+    if (context->validate_pipeline &&
+        !context->validate_pipeline(context, data, rhw_name_of(&context->pipelines, id.index).text)) {
         rhw_pool_remove(&context->memory, &context->pipelines, id.index);
         return RHW_ERROR_OUT_OF_MEMORY;
     }

@@ -19,6 +19,7 @@ struct rhw_pipeline_data {
     struct rhw_pipeline_def def;
     // Under validation, the validator stands in the place of the pipeline's functions; see validation/validation.h.
     struct rhw_validator *validator;
+    size_t validator_size; // bytes
     // The best entry for the context's instruction set. NULL: program.vertex1 is used.
     rhw_vertex_function *vertex;
     // The best entry for the context's instruction set. NULL: program.fragment1 is used; when it is NULL too, the

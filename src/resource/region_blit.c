@@ -135,7 +135,7 @@ static void set_axis(int32_t *low, int32_t *high, float *weight, int room, const
     const int begin = swaps ? source->last : source->first, end = swaps ? source->first : source->last;
     const int size = swaps ? target->first - target->last : target->last - target->first;
     const int first = begin < end ? begin : end, count = begin < end ? end - begin : begin - end;
-    const int64_t unit = 2 * (int64_t)size; // of a texel's extent
+    const int64_t unit = 2 * (int64_t)size; // units in a texel
     for (int i = 0; i < room; i++) {
         const int j = i < size ? i : size - 1;
         const int64_t at = begin * unit + (2 * (int64_t)j + 1) * (end - begin) - (is_linear ? size : 0);

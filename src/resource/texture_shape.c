@@ -7,7 +7,7 @@
 #include "format/format.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
-#include "pipeline/sample_pattern.h"
+#include "sample_pattern.h"
 
 _Static_assert((int)RHW_ROW_ALIGNMENT == (int)RHW_MEMORY_ALIGNMENT &&
                    (int)RHW_TEXEL_PADDING == (int)RHW_MEMORY_PADDING,

@@ -65,9 +65,10 @@ struct rhw_validated_uniforms {
     size_t second; // bytes from the first copy to the second
 };
 
-// Put the validator, which the caller allocated, in the place of the pipeline's functions.
-void rhw_validator_init(struct rhw_validator *validator, struct rhw_validation_messages *validation,
-                        struct rhw_pipeline_data *pipeline, const char *name);
+// Put a validator, which the pipeline owns from then on, in the place of the pipeline's functions. Return false when
+// out of memory. A context under validation calls this for every pipeline (context.h: validate_pipeline).
+struct rhw_context;
+bool rhw_validate_pipeline(struct rhw_context *context, struct rhw_pipeline_data *pipeline, const char *name);
 
 // Return a draw's uniforms as its validator wants them, from `size` bytes at `uniforms`. Return NULL when out of
 // memory.

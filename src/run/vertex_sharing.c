@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which draws share their vertices, and room for these.
-#include "shared_vertices.h"
+// See vertex_sharing.h.
+#include "vertex_sharing.h"
 
 #include <limits.h>
 
@@ -8,7 +8,7 @@
 #include "draw/assembly.h"
 #include "base/constants.h"
 #include "format/format.h"
-#include "pass/pass_state.h"
+#include "draw/wave.h"
 #include "pipeline/pipeline.h"
 
 // Elements that lie wholly inside the buffers of a draw, at most UINT32_MAX.
@@ -86,23 +86,23 @@ static struct rhw_shared_vertices *make_room(struct rhw_arena *arena, const stru
 }
 
 // Makes the draw share its vertices, if it is one that should and there is room. False when out of memory.
-static bool share(struct rhw_pass_state *pass, struct rhw_draw *draw, size_t most,
-                  struct rhw_shared_parts *wave)
+static bool share(struct rhw_draw *draw, uint64_t chunk_size, size_t most, struct rhw_arena *arena,
+                  struct rhw_shared_parts *parts)
 {
-    const uint32_t count = shared_count(draw, pass->chunk_size);
+    const uint32_t count = shared_count(draw, chunk_size);
     const uint64_t room = ((uint64_t)count + 7) & ~(uint64_t)7;
     const struct rhw_pipeline_data *const pipeline = draw->state->pipeline;
     const int stride = rhw_vertex_stride(pipeline->varying_components + pipeline->extra_components);
     const uint64_t size = room * ((uint64_t)stride * sizeof(float) + sizeof(struct rhw_snapped_vertex));
     draw->shared = NULL;
-    if (count == 0 || draw->instances > (most - wave->bytes) / size ||
-        draw->instances > (uint32_t)(INT_MAX - wave->count) / rhw_shared_parts_of(count)) {
+    if (count == 0 || draw->instances > (most - parts->bytes) / size ||
+        draw->instances > (uint32_t)(INT_MAX - parts->count) / rhw_shared_parts_of(count)) {
         return true;
     }
-    draw->shared = make_room(&pass->workers[0].arena, draw, count, (size_t)room, stride);
-    wave->count += (int)(draw->instances * rhw_shared_parts_of(count));
-    wave->vertices += (uint64_t)draw->instances * count;
-    wave->bytes += (size_t)(draw->instances * size);
+    draw->shared = make_room(arena, draw, count, (size_t)room, stride);
+    parts->count += (int)(draw->instances * rhw_shared_parts_of(count));
+    parts->vertices += (uint64_t)draw->instances * count;
+    parts->bytes += (size_t)(draw->instances * size);
     return draw->shared;
 }
 
@@ -119,32 +119,34 @@ struct rhw_shared_part *rhw_shared_parts_list(struct rhw_shared_part *part, cons
     return part;
 }
 
-bool rhw_shared_vertices_find(struct rhw_pass_state *pass, size_t most, struct rhw_shared_parts *wave)
+bool rhw_shared_vertices_find(const struct rhw_wave *wave, uint64_t chunk_size, size_t most,
+                              struct rhw_shared_parts *parts)
 {
-    *wave = (struct rhw_shared_parts){0};
-    if (!pass->has_large_draws || pass->chunk_count == 0 || !rhw_pass_takes_special_paths(pass)) {
+    const struct rhw_recorded_pass *const pass = wave->pass;
+    struct rhw_arena *const arena = &wave->workers[0].arena;
+    *parts = (struct rhw_shared_parts){0};
+    if (!pass->has_large_draws || wave->chunk_count == 0 || !rhw_pass_takes_special_paths(pass)) {
         return true;
     }
-    const struct rhw_chunk *const last = &pass->chunks[pass->chunk_count - 1];
-    const uint32_t first = pass->chunks[0].first_draw;
+    const struct rhw_chunk *const last = &wave->chunks[wave->chunk_count - 1];
+    const uint32_t first = wave->chunks[0].first_draw;
     uint32_t end = first;
     for (; end < pass->draws.count; end++) {
-        struct rhw_draw *const draw = rhw_pass_draw_at(pass, end);
+        struct rhw_draw *const draw = rhw_draw_list_at(&pass->draws, end);
         if (draw->first_triangle >= last->first + last->count) {
             break;
         }
-        if (!draw->is_shaded_first && !share(pass, draw, most, wave)) {
+        if (!draw->is_shaded_first && !share(draw, chunk_size, most, arena, parts)) {
             return false;
         }
     }
-    if (wave->count == 0) {
+    if (parts->count == 0) {
         return true;
     }
-    wave->parts =
-        rhw_arena_alloc(&pass->workers[0].arena, (size_t)wave->count * sizeof *wave->parts, RHW_CACHE_LINE);
-    struct rhw_shared_part *part = wave->parts;
+    parts->parts = rhw_arena_alloc(arena, (size_t)parts->count * sizeof *parts->parts, RHW_CACHE_LINE);
+    struct rhw_shared_part *part = parts->parts;
     for (uint32_t d = first; part && d < end; d++) {
-        const struct rhw_draw *const draw = rhw_pass_draw_at(pass, d);
+        const struct rhw_draw *const draw = rhw_draw_list_at(&pass->draws, d);
         if (!draw->is_shaded_first) {
             part = rhw_shared_parts_list(part, draw);
         }
