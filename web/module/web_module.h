@@ -2,7 +2,7 @@
 // What the WebAssembly module gives to JavaScript, which web/npm/index.js makes an interface of.
 //
 // An instance of the module has one of two parts. One reads a model file, writes what it read to a file in memory and
-// is thrown away, as the process of import_process.c is natively: what a hostile file does to it ends with it. The
+// is thrown away, as the process of reader_process.c is natively: what a hostile file does to it ends with it. The
 // other takes those bytes and draws; it lives as long as anybody draws. So reading may leave memory behind and leave
 // by exit().
 //

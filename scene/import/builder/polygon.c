@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Polygons become triangles, concave ones too, by cutting ears off (Meisters, Polygons have ears, 1975).
-#include <string.h>
+#include "polygon.h"
 
-#include "import.h"
+#include <stdbool.h>
+#include <string.h>
 
 // Corners. Ears take time in the square of them; what has more is drawn as a fan.
 enum { MOST_CORNERS = 2048 };

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Roughness and metallic of formats that keep them in images of their own become one image, as glTF has it.
+#include "channels.h"
+
 #include <string.h>
 
 #include "import/image/read.h"
-#include "import.h"
+#include "rgba8.h"
 
 // One of the two images, or NULL where there is none that can be read.
 static struct scene_image *find_image(struct scene_import *import, int32_t index)

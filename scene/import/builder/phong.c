@@ -3,6 +3,8 @@
 // they are decoded from sRGB.
 #include "phong.h"
 
+#include "numbers.h"
+
 #include <string.h>
 
 #include "elementary.h"

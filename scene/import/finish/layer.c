@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Images over images: where a format says that a texture lies over another and a colour, and the renderer draws one.
+#include "layer.h"
+
 #include "import/image/read.h"
-#include "import.h"
+#include "import/builder/numbers.h"
+#include "rgba8.h"
 
 // The byte whose decoded value is next to `linear`.
 static uint8_t encode(const float decoded[256], float linear)

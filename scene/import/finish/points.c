@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Clouds of points become surfaces to the eye: discs as large as the points are apart, and where a cloud has no colours,
 // colours by height, without which nothing but its outline is seen.
+#include "points.h"
+
 #include <stdlib.h>
 #include <string.h>
 
-#include "import.h"
+#include "import/builder/numbers.h"
 
 // Fewer are single points, which are drawn as such. Discs of this many spacings overlap, also where points are
 // a little farther apart than elsewhere; none is larger than this part of the cloud.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See import_draco.h.
-#include "import_draco.h"
+// See draco_decoder.h.
+#include "draco_decoder.h"
 
 #include <cmath>
 #include <memory>
@@ -110,8 +110,8 @@ try {
     draco::DecoderBuffer buffer;
     buffer.Init(static_cast<const char *>(bytes), size);
     draco::Decoder decoder;
-    for (int type = draco::GeometryAttribute::POSITION; type < draco::GeometryAttribute::NAMED_ATTRIBUTES_COUNT;
-         type++) {
+    for (int type = draco::GeometryAttribute::POSITION;
+         type < draco::GeometryAttribute::NAMED_ATTRIBUTES_COUNT; type++) {
         decoder.SetSkipAttributeTransform(static_cast<draco::GeometryAttribute::Type>(type));
     }
     auto decoded = decoder.DecodeMeshFromBuffer(&buffer);

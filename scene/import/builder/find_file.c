@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The file that a model means by a name: as it is written, or as people move files about; and whether it may be read.
+#include "find_file.h"
+
 #include <dirent.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +10,6 @@
 #include <unistd.h>
 
 #include "file.h"
-#include "import.h"
 
 static bool is_file(const char *path)
 {

@@ -5,6 +5,8 @@
 // hang or ask for all memory. None of that can reach the caller: the child has options on time and memory,
 // and what comes back is bytes that are checked from end to end. They travel in an anonymous memory file,
 // which the parent maps and uses in place. Where the system copies no processes (child.h) the child is a thread.
+#include "reader_process.h"
+
 #include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -14,7 +16,8 @@
 
 #include "child.h"
 #include "file.h"
-#include "import.h"
+#include "import/finish/finish.h"
+#include "kind.h"
 #include "blob.h"
 #include "machine.h"
 
@@ -27,20 +30,12 @@ enum {
 
 // Child ---------------------------------------------------------------------------------------------
 
-_Noreturn void scene_import_fail(struct scene_import *import, const char *format, ...)
+static void leave(struct scene_import *import, const char *line)
 {
-    char line[512];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(line, sizeof line, format, arguments);
-    va_end(arguments);
     // A name from the file may hold anything; the line must stay one line.
-    for (char *c = line; *c != 0; c++) {
-        if ((unsigned char)*c < 32 || *c == 127) {
-            *c = '?';
-        }
+    for (const char *c = line; *c != 0; c++) {
+        fputc((unsigned char)*c < 32 || *c == 127 ? '?' : *c, import->child->reply);
     }
-    fputs(line, import->child->reply);
     system_child_leave(import->child, EXIT_MESSAGE);
 }
 
@@ -101,6 +96,7 @@ static int run_child(void *user, struct system_child *child)
     const struct order *const order = user;
     const struct scene_model_options *const options = &order->options;
     struct scene_import import = order->start;
+    import.leave = leave;
     import.model.unit = "";
     import.name = options->name != NULL ? options->name : import.model.path;
     import.variant = options->variant;

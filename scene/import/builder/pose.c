@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What the animations of all formats need: the one that is wanted, and turns between keys.
+#include "pose.h"
+
 #include <stdlib.h>
 #include <string.h>
 
 #include "elementary.h"
-#include "import.h"
+#include "numbers.h"
 
 int64_t scene_import_find_animation(const struct scene_import *import)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Large scans come as text, so numbers are read without strtod where plain arithmetic is exact, and nothing
 // depends on the locale.
-#include "import_text.h"
+#include "text_lines.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Textures of a model: decoding all images side by side, and the two conversions that other shading models than glTF's
 // need: opacity maps and height maps.
+#include "decode_images.h"
+
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "import/image/read.h"
-#include "import.h"
+#include "channels.h"
+#include "layer.h"
+#include "rgba8.h"
 #include "machine.h"
 
 // Decoding ------------------------------------------------------------------------------------------
@@ -103,24 +107,6 @@ static int helper_count(uint32_t images)
 }
 
 // Conversions ---------------------------------------------------------------------------------------
-
-bool scene_import_make_rgba8(struct scene_import *import, struct scene_image *image)
-{
-    if (image->type != SCENE_IMAGE_RGBA16) {
-        return image->type == SCENE_IMAGE_RGBA8;
-    }
-    const size_t values = (size_t)image->width * image->height * 4;
-    const uint16_t *from = image->texels;
-    uint8_t *to = scene_import_allocate(import, values, 1);
-    for (size_t i = 0; i < values; i++) {
-        to[i] = (uint8_t)((from[i] * 255u + 32767u) / 65535u);
-    }
-    free(image->texels);
-    image->texels = to;
-    image->size = values;
-    image->type = SCENE_IMAGE_RGBA8;
-    return true;
-}
 
 // Alpha := the opacity map at the nearest texel: its own alpha if it has one, else its brightness.
 static void apply_opacity(struct scene_import *import, struct scene_image *image, struct scene_image *opacity,

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Normals and tangents for meshes that lack them. Only + − × ÷ and square roots are used, so the result is
 // the same everywhere; sums are made in double.
+#include "normals.h"
+
 #include <stdlib.h>
 #include <string.h>
 
-#include "import.h"
+#include "vertices.h"
 
 // cos 60°: two faces that meet at a sharper angle have an edge between them that is meant to be seen.
 // Neighbours on anything modelled as round meet at less; the faces of boxes and the rims of pipes at more.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // See model_up.h.
+
 #include "model_up.h"
 
 #include "draw/camera/camera_math.h"

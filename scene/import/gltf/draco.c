@@ -3,7 +3,7 @@
 // read like any other.
 #include <string.h>
 
-#include "import/import_draco.h"
+#include "draco_decoder.h"
 #include "gltf.h"
 
 enum { TYPE_INT8 = 5120, TYPE_UINT32 = 5125, TYPE_FLOAT = 5126 };

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Matrices and colours of the import.
+#include "numbers.h"
+
 #include <string.h>
 
 #include "elementary.h"
-#include "import.h"
 
 void scene_import_identity(float matrix[16])
 {
