@@ -8,43 +8,6 @@
 
 #include <string.h>
 
-void scene_color_surfaces(const struct draw *draw, const enum rhw_format *formats, int format_count,
-                          struct scene_surface_pass *surfaces)
-{
-    const struct scene *const scene = draw->scene;
-    *surfaces = (struct scene_surface_pass){.frame = &draw->frame,
-                                            .order = &scene->order,
-                                            .interpolate = draw->view->interpolate,
-                                            .wireframe = draw->view->wireframe,
-                                            .format_count = format_count,
-                                            .environment = scene->surroundings.cube,
-                                            .environment_sampler = scene->surroundings.cube_sampler,
-                                            .backdrop = scene->backdrop.texture,
-                                            .backdrop_sampler = scene->backdrop_sampler};
-    memcpy(surfaces->formats, formats, (size_t)format_count * sizeof *formats);
-    memcpy(surfaces->view_projection, draw->view_projection, sizeof surfaces->view_projection);
-}
-
-enum rhw_result scene_color_record(const struct draw *draw, const struct scene_surface_pass *surfaces,
-                                   rhw_pass pass)
-{
-    struct scene *const scene = draw->scene;
-    enum rhw_result result = RHW_OK;
-    if (scene->ground.is_made) {
-        struct scene_surface_pass below = *surfaces;
-        below.part = SCENE_SURFACES_ALL;
-        below.order = NULL;
-        below.wireframe = SCENE_WIREFRAME_NONE;
-        result = scene_surfaces_record(&scene->ground.upload, &scene->pipelines, &below, pass);
-        for (uint32_t i = 0; below.log && i < below.log->count; i++) {
-            below.log->draws[i].instance =
-                below.log->draws[i].instance >= 0 ? SCENE_DRAWN_GROUND : below.log->draws[i].instance;
-        }
-    }
-    return result == RHW_OK ? scene_surfaces_record(&scene->upload, &scene->pipelines, surfaces, pass)
-                            : result;
-}
-
 // A history that is told while a pass ends.
 struct telling {
     const struct scene_explain *explain;
@@ -81,8 +44,10 @@ static bool begin_telling(struct telling *telling, const struct draw *draw, rhw_
            scene_draw_log_add(&telling->log, SCENE_DRAWN_BACKGROUND, NULL);
 }
 
-static enum rhw_result draw_samples(struct draw *draw, const enum rhw_format formats[2], int format_count)
+enum rhw_result scene_color_draw(struct draw *draw)
 {
+    const enum rhw_format *const formats = draw->color_formats;
+    const int format_count = draw->color_count;
     struct scene *scene = draw->scene;
     rhw_context *context = scene->upload.context;
     struct rhw_pass_def def = rhw_pass_def_default();
@@ -173,28 +138,30 @@ static enum rhw_result finish_band(struct draw *draw, int samples, int resolved,
     return result;
 }
 
-static enum rhw_result draw_color_band(struct draw *draw)
+enum rhw_result scene_color_begin(struct draw *draw)
 {
-    struct scene_pictures *pictures = draw->pictures;
+    const struct scene_pictures *pictures = draw->pictures;
     const bool transparent = draw->view->background == SCENE_BACKGROUND_TRANSPARENT;
-    // Premultiplied colours of a transparent picture are divided by alpha later: 8 bits would not do.
-    const enum rhw_format formats[2] = {pictures->display ? RHW_FORMAT_RGBA32_FLOAT
-                                        : transparent     ? RHW_FORMAT_RGBA16_FLOAT
-                                                          : RHW_FORMAT_RGBA8_SRGB,
-                                        RHW_FORMAT_RGBA32_FLOAT};
     const int width = draw->view->width * draw->side, height = draw->band_rows * draw->side;
-    const double start = scene_milliseconds();
-    enum rhw_result result = scene_draw_target(draw, TARGET_SAMPLES, formats[0], width, height);
+    // Premultiplied colours of a transparent picture are divided by alpha later: 8 bits would not do.
+    draw->color_formats[0] = pictures->display ? RHW_FORMAT_RGBA32_FLOAT
+                             : transparent     ? RHW_FORMAT_RGBA16_FLOAT
+                                               : RHW_FORMAT_RGBA8_SRGB;
+    draw->color_formats[1] = RHW_FORMAT_RGBA32_FLOAT;
+    draw->color_count = pictures->linear ? 2 : 1;
+    enum rhw_result result = scene_draw_target(draw, TARGET_SAMPLES, draw->color_formats[0], width, height);
     if (result == RHW_OK && pictures->linear) {
-        result = scene_draw_target(draw, TARGET_LINEAR_SAMPLES, formats[1], width, height);
+        result = scene_draw_target(draw, TARGET_LINEAR_SAMPLES, draw->color_formats[1], width, height);
     }
-    if (result == RHW_OK) {
-        const int count = pictures->linear ? 2 : 1;
-        result = scene_peel_wanted(draw) ? scene_peel_draw(draw, formats, count)
-                                         : draw_samples(draw, formats, count);
-    }
-    draw->stats.color_ms += scene_milliseconds() - start;
-    if (result == RHW_OK && pictures->color) {
+    return result;
+}
+
+enum rhw_result scene_color_end(struct draw *draw)
+{
+    const struct scene_pictures *pictures = draw->pictures;
+    const bool transparent = draw->view->background == SCENE_BACKGROUND_TRANSPARENT;
+    enum rhw_result result = RHW_OK;
+    if (pictures->color) {
         result = finish_band(draw, TARGET_SAMPLES, TARGET_COLOR, RHW_FORMAT_RGBA8_SRGB, transparent,
                              pictures->color);
     }
@@ -209,46 +176,13 @@ static enum rhw_result draw_color_band(struct draw *draw)
     return result;
 }
 
-enum rhw_result scene_draw_color(struct draw *draw)
+int scene_color_rows(const struct draw *draw)
 {
     const uint32_t outputs = draw->view->outputs;
-    if (!(outputs & (SCENE_OUTPUT_COLOR | SCENE_OUTPUT_LINEAR | SCENE_OUTPUT_DISPLAY | SCENE_OUTPUT_TILES |
-                     SCENE_OUTPUT_PLAN))) {
-        return RHW_OK;
-    }
     const size_t per_sample =
         (outputs & SCENE_OUTPUT_DISPLAY ? 16u : 8u) + (outputs & SCENE_OUTPUT_LINEAR ? 16u : 0u);
     const size_t samples = (size_t)draw->view->supersample;
     const size_t layers =
         scene_peel_wanted(draw) ? scene_peel_bytes(draw, outputs & SCENE_OUTPUT_LINEAR ? 2 : 1) : 0;
-    draw->band_rows =
-        scene_band_rows(draw->view->height, (size_t)draw->view->width * (per_sample + layers) * samples);
-    void *color = NULL, *linear = NULL, *display = NULL, *tiles = NULL, *plan = NULL;
-    const bool allocated =
-        (!(outputs & SCENE_OUTPUT_COLOR) || scene_band_allocate(draw, RHW_FORMAT_RGBA8_SRGB, &color)) &&
-        (!(outputs & SCENE_OUTPUT_LINEAR) || scene_band_allocate(draw, RHW_FORMAT_RGBA32_FLOAT, &linear)) &&
-        (!(outputs & SCENE_OUTPUT_DISPLAY) || scene_band_allocate(draw, RHW_FORMAT_RGBA32_FLOAT, &display)) &&
-        (!(outputs & SCENE_OUTPUT_TILES) || scene_band_allocate(draw, RHW_FORMAT_R32_UINT, &tiles)) &&
-        (!(outputs & SCENE_OUTPUT_PLAN) || scene_band_allocate(draw, RHW_FORMAT_R32_UINT, &plan));
-    draw->pictures->color = color;
-    draw->pictures->linear = linear;
-    draw->pictures->display = display;
-    draw->pictures->tiles = tiles;
-    draw->pictures->plan = plan;
-    if (!allocated) {
-        return RHW_ERROR_OUT_OF_MEMORY;
-    }
-    draw->frame.linear_slot = linear != NULL ? 1 : -1;
-    enum rhw_result result = scene_draw_light(draw);
-    if (result == RHW_OK) {
-        result = scene_triangle_order_make(&draw->scene->order, &draw->scene->upload, &draw->frame);
-    }
-    if (result == RHW_OK) {
-        result = scene_draw_backdrop(draw);
-    }
-    if (result != RHW_OK) {
-        return result;
-    }
-    scene_draw_set_samples(draw, draw->side);
-    return scene_draw_bands(draw, draw_color_band);
+    return scene_band_rows(draw->view->height, (size_t)draw->view->width * (per_sample + layers) * samples);
 }

@@ -36,7 +36,7 @@ static double subject_radius(const struct scene_model *model)
     return 0.5 * __builtin_sqrt(square);
 }
 
-static enum rhw_result prepare_ground(struct draw *draw)
+enum rhw_result scene_draw_ground(struct draw *draw)
 {
     struct scene *const scene = draw->scene;
     if (!draw->view->ground || draw->frame.plain) {
@@ -46,27 +46,40 @@ static enum rhw_result prepare_ground(struct draw *draw)
     return scene_ground_make(&scene->ground, scene->upload.context, scene->upload.model, draw->view->up);
 }
 
-enum rhw_result scene_draw_light(struct draw *draw)
+// Whether light asks what is nearest in the picture.
+static bool is_guided(const struct draw *draw)
 {
-    struct scene *scene = draw->scene;
-    const struct scene_view *view = draw->view;
-    const double start = scene_milliseconds();
-    enum rhw_result result = prepare_ground(draw);
-    if (result != RHW_OK || !(view->ambient_occlusion || view->shadows) || draw->frame.plain) {
-        return result;
+    return (draw->view->ambient_occlusion || draw->view->shadows) && !draw->frame.plain;
+}
+
+enum rhw_result scene_draw_guide(struct draw *draw)
+{
+    struct scene *const scene = draw->scene;
+    return is_guided(draw)
+               ? scene_guide_draw(&scene->guide, &scene->upload,
+                                  scene->ground.is_made ? &scene->ground.upload : NULL, &scene->pipelines,
+                                  draw->view, &draw->frame, draw->view_projection)
+               : RHW_OK;
+}
+
+enum rhw_result scene_draw_occlusion(struct draw *draw)
+{
+    struct scene *const scene = draw->scene;
+    if (!is_guided(draw) || !draw->view->ambient_occlusion) {
+        return RHW_OK;
     }
-    result =
-        scene_guide_draw(&scene->guide, &scene->upload, scene->ground.is_made ? &scene->ground.upload : NULL,
-                         &scene->pipelines, view, &draw->frame, draw->view_projection);
-    if (result == RHW_OK && view->ambient_occlusion) {
-        result = scene_guide_occlude(&scene->guide, scene->upload.context, scene->nearest, view,
-                                     occlusion_reach * subject_radius(scene->upload.model));
-        draw->frame.guide = scene_guide_lookup(&scene->guide, view);
-    }
-    if (result == RHW_OK && view->shadows) {
-        result = scene_shadows_draw(&scene->shadows, &scene->upload, &scene->pipelines, view, &scene->guide,
-                                    &draw->frame, &draw->lighting);
-    }
-    draw->stats.light_ms += scene_milliseconds() - start;
+    const enum rhw_result result =
+        scene_guide_occlude(&scene->guide, scene->upload.context, scene->nearest, draw->view,
+                            occlusion_reach * subject_radius(scene->upload.model));
+    draw->frame.guide = scene_guide_lookup(&scene->guide, draw->view);
     return result;
+}
+
+enum rhw_result scene_draw_shadows(struct draw *draw)
+{
+    struct scene *const scene = draw->scene;
+    return is_guided(draw) && draw->view->shadows
+               ? scene_shadows_draw(&scene->shadows, &scene->upload, &scene->pipelines, draw->view,
+                                    &scene->guide, &draw->frame, &draw->lighting)
+               : RHW_OK;
 }

@@ -3,7 +3,7 @@
 #ifndef SCENE_SURFACE_H
 #define SCENE_SURFACE_H
 
-#include "draw.h"
+#include "view.h"
 #include "explain.h"
 #include "triangle_order.h"
 #include "upload.h"
