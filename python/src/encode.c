@@ -170,13 +170,13 @@ static PyObject *encode_output(PyObject *module, PyObject *arguments)
     if (!PyArg_ParseTuple(arguments, "sO!(ii)iip(fff)(fff):encode_output", &name, &PyDict_Type, &dictionary,
                           &pictures.width, &pictures.height, &kind, &bits, &transparent, &low[0], &low[1],
                           &low[2], &high[0], &high[1], &high[2]) ||
-        !python_is_choice(kind, CLI_KIND_COLOR, CLI_KIND_BARY, "output") || !is_depth(bits, true) ||
-        !(kept = read_pictures(dictionary, &pictures))) {
+        !python_is_choice(kind, SCENE_KIND_COLOR, SCENE_KIND_BARYCENTRIC, "output") ||
+        !is_depth(bits, true) || !(kept = read_pictures(dictionary, &pictures))) {
         return NULL;
     }
     if (has_pictures(&pictures, cli_outputs_needed(1u << kind, CLI_PICTURE_PNG, bits))) {
         struct cli_output_raster output;
-        cli_output_rasterize(&output, &pictures, (enum cli_output_kind)kind, bits, transparent != 0, low,
+        cli_output_rasterize(&output, &pictures, (enum scene_output_kind)kind, bits, transparent != 0, low,
                              high);
         bytes = encode(&(struct encoding){write_png, &output.raster}, name);
     }
@@ -201,7 +201,7 @@ static bool write_exr(struct cli_output_file *file, const void *user)
 // Whether those are outputs of a model, one at least. False with an exception.
 static bool is_set(unsigned kinds)
 {
-    if (kinds == 0 || kinds >= 1u << (CLI_KIND_BARY + 1)) {
+    if (kinds == 0 || kinds >= 1u << (SCENE_KIND_BARYCENTRIC + 1)) {
         PyErr_SetString(PyExc_ValueError, "outputs: none, or unknown ones, asked for");
         return false;
     }
