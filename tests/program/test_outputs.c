@@ -256,6 +256,29 @@ static void test_names_and_needs(void **state)
     }
 }
 
+// A row of the table says of the picture what its memory is.
+static void test_table(void **state)
+{
+    (void)state;
+    struct scene_pictures pictures = {0};
+    uint32_t outputs = 0;
+    for (int i = 0; i < SCENE_KIND_COUNT; i++) {
+        const enum scene_output_kind kind = (enum scene_output_kind)i;
+        const size_t element = scene_output_element(kind) == SCENE_ELEMENT_UINT8 ? 1 : 4;
+        assert_int_equal((size_t)scene_output_channels(kind) * element,
+                         rhw_format_size(scene_outputs[kind].format));
+        assert_null(scene_picture_get(&pictures, kind)); // no two rows have one member
+        scene_picture_set(&pictures, kind, &pictures);
+        assert_ptr_equal(scene_picture_get(&pictures, kind), &pictures);
+        assert_false(outputs & scene_outputs[kind].output);
+        outputs |= scene_outputs[kind].output;
+        assert_int_equal(scene_outputs[kind].is_of_work,
+                         (scene_outputs[kind].output & SCENE_OUTPUT_WORK) != 0);
+        assert_int_equal(scene_outputs[kind].word != NULL, scene_outputs[kind].shown != NULL);
+    }
+    assert_int_equal(outputs, SCENE_OUTPUT_ALL | SCENE_OUTPUT_WORK);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -267,6 +290,7 @@ int main(void)
         cmocka_unit_test(test_uv),
         cmocka_unit_test(test_ids),
         cmocka_unit_test(test_overdraw),
+        cmocka_unit_test(test_table),
         cmocka_unit_test(test_tiles_and_plans),
         cmocka_unit_test(test_names_and_needs),
     };
