@@ -31,6 +31,9 @@ bool web_job_parse(struct cli_render_job *job, char *words, size_t size);
 #define WEB_REPLY "/reply"
 int web_read(char *words, size_t size);
 
+/// The rows of scene/draw/output_table.h: name, scene_output, enum scene_element and channels, each with a line feed.
+const char *web_outputs(void);
+
 // web_scene.c: a model and what is needed to draw it again and again.
 struct web_scene;
 
