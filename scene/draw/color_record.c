@@ -2,7 +2,7 @@
 // What every colour pass records of the surfaces, whoever begins it.
 #include "drawing.h"
 
-#include "explain.h"
+#include "explain_sample.h"
 
 #include <string.h>
 

@@ -9,7 +9,7 @@
 
 #include "rhw/rhw.h"
 #include "output_table.h"
-#include "view.h"
+#include "scene_view.h"
 
 struct scene_draw_stats {
     double upload_ms;                     ///< of scene_create: buffers, textures, mip chains

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the files of a draw share: draw.c has the order of things, draw_color.c the colour passes, data.c the data
+// What the files of a draw share: draw.c has the order of things, color_band.c the colour passes, data.c the data
 // passes, band.c how both go through the picture.
 #ifndef SCENE_DRAWING_H
 #define SCENE_DRAWING_H
@@ -74,7 +74,7 @@ void scene_band_viewport(const struct draw *draw, rhw_pass pass, int side);
 void scene_draw_set_samples(struct draw *draw, int side);
 void scene_draw_add_stats(struct draw *draw, const struct rhw_stats *pass);
 
-// draw_light.c: what light needs of the whole picture. A step that the view does not want does nothing.
+// prepare_light.c: what light needs of the whole picture. A step that the view does not want does nothing.
 enum rhw_result scene_draw_surround(struct draw *draw);  // a panorama takes the studio's place
 enum rhw_result scene_draw_ground(struct draw *draw);    // makes it, to be drawn with the surfaces
 enum rhw_result scene_draw_guide(struct draw *draw);     // distances and normals of what is nearest
@@ -124,7 +124,7 @@ void scene_color_surfaces(const struct draw *draw, const enum rhw_format *format
 enum rhw_result scene_color_record(const struct draw *draw, const struct scene_surface_pass *surfaces,
                                    rhw_pass pass);
 
-// draw_color.c: a band of the colour outputs.
+// color_band.c: a band of the colour outputs.
 int scene_color_rows(const struct draw *draw);
 enum rhw_result scene_color_begin(struct draw *draw);
 // Background, ground, opaque surfaces from front to back, blended ones from back to front; notes the work on the tiles.

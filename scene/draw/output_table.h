@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-#include "view.h"
+#include "scene_view.h"
 
 /// Images of one draw; NULL where not asked for. Owned by the caller, freed by scene_pictures_free.
 struct scene_pictures {

@@ -3,7 +3,7 @@
 // do: the background then keeps the colour it was given, unlit surfaces keep theirs, and a sample is four bytes.
 #include "drawing.h"
 
-#include "explain.h"
+#include "explain_sample.h"
 #include "screen.h"
 
 #include <string.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The view that a model shows best in, and what a view may not ask for.
-#include "view.h"
+#include "scene_view.h"
 
 #include <stdio.h>
 

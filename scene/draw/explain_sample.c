@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See explain.h.
-#include "explain.h"
+// See explain_sample.h.
+#include "explain_sample.h"
 
 #include "rhw/shader.h"
 
