@@ -6,7 +6,7 @@
 #include "context/entry.h"
 #include "context/misuse.h"
 #include "enter.h"
-#include "pass_state.h"
+#include "encoder.h"
 #include "pipeline/pipeline.h"
 #include "rhw/rhw.h"
 
@@ -26,15 +26,15 @@ void rhw_draw_state_set_lines(struct rhw_draw_state *state)
 void rhw_pass_set_line_width(rhw_context *context, rhw_pass id, float width)
 {
     static const char *const where = "rhw_pass_set_line_width";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (!pass) {
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
         return;
     }
     if (rhw_check(context, width == 0 || (width >= 1 && width <= RHW_MAX_LINE_WIDTH),
                   "%s: width is %g; it must be 1..%d, or 0 for the pipelines' own", where, (double)width,
                   RHW_MAX_LINE_WIDTH)) {
-        pass->pending.line_width_setting = width;
-        pass->pending_changed = true;
+        encoder->pending.line_width_setting = width;
+        encoder->pending_changed = true;
     }
     rhw_context_leave(context);
 }
@@ -42,14 +42,14 @@ void rhw_pass_set_line_width(rhw_context *context, rhw_pass id, float width)
 void rhw_pass_set_line_stipple(rhw_context *context, rhw_pass id, const struct rhw_line_stipple *stipple)
 {
     static const char *const where = "rhw_pass_set_line_stipple";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (!pass) {
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
         return;
     }
     if (!stipple || rhw_check_line_stipple(context, stipple, where)) {
-        pass->pending.stipple_setting.is_set = stipple != NULL;
-        pass->pending.stipple_setting.stipple = stipple ? *stipple : (struct rhw_line_stipple){0};
-        pass->pending_changed = true;
+        encoder->pending.stipple_setting.is_set = stipple != NULL;
+        encoder->pending.stipple_setting.stipple = stipple ? *stipple : (struct rhw_line_stipple){0};
+        encoder->pending_changed = true;
     }
     rhw_context_leave(context);
 }

@@ -4,27 +4,27 @@
 #include "context/entry.h"
 #include "context/misuse.h"
 #include "enter.h"
-#include "pass_state.h"
+#include "encoder.h"
 #include "rhw/rhw.h"
 
 void rhw_pass_set_stencil_reference(rhw_context *context, rhw_pass id, uint8_t front, uint8_t back)
 {
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_stencil_reference");
-    if (pass) {
-        pass->pending.depth_setting.reference[0] = front;
-        pass->pending.depth_setting.reference[1] = back;
-        pass->pending_changed = true;
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, "rhw_pass_set_stencil_reference");
+    if (encoder) {
+        encoder->pending.depth_setting.reference[0] = front;
+        encoder->pending.depth_setting.reference[1] = back;
+        encoder->pending_changed = true;
         rhw_context_leave(context);
     }
 }
 
 void rhw_pass_set_stencil_masks(rhw_context *context, rhw_pass id, const struct rhw_stencil_masks *masks)
 {
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_stencil_masks");
-    if (pass) {
-        pass->pending.depth_setting.has_masks = masks != NULL;
-        pass->pending.depth_setting.masks = masks ? *masks : (struct rhw_stencil_masks){0};
-        pass->pending_changed = true;
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, "rhw_pass_set_stencil_masks");
+    if (encoder) {
+        encoder->pending.depth_setting.has_masks = masks != NULL;
+        encoder->pending.depth_setting.masks = masks ? *masks : (struct rhw_stencil_masks){0};
+        encoder->pending_changed = true;
         rhw_context_leave(context);
     }
 }
@@ -32,14 +32,14 @@ void rhw_pass_set_stencil_masks(rhw_context *context, rhw_pass id, const struct 
 void rhw_pass_set_depth_bias(rhw_context *context, rhw_pass id, const struct rhw_depth_bias *bias)
 {
     static const char *const where = "rhw_pass_set_depth_bias";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (!pass) {
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
         return;
     }
     if (!bias || rhw_check_depth_bias(context, bias, where)) {
-        pass->pending.depth_setting.has_bias = bias != NULL;
-        pass->pending.depth_setting.bias = bias ? *bias : (struct rhw_depth_bias){0};
-        pass->pending_changed = true;
+        encoder->pending.depth_setting.has_bias = bias != NULL;
+        encoder->pending.depth_setting.bias = bias ? *bias : (struct rhw_depth_bias){0};
+        encoder->pending_changed = true;
     }
     rhw_context_leave(context);
 }
@@ -47,15 +47,15 @@ void rhw_pass_set_depth_bias(rhw_context *context, rhw_pass id, const struct rhw
 void rhw_pass_set_depth_bounds(rhw_context *context, rhw_pass id, float least, float most)
 {
     static const char *const where = "rhw_pass_set_depth_bounds";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (!pass) {
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
         return;
     }
     if (rhw_check(context, least >= 0 && least <= most && most <= 1,
                   "%s: the bounds are %g..%g; they rise within 0..1", where, (double)least, (double)most)) {
-        pass->pending.depth_setting.bounds_least = least;
-        pass->pending.depth_setting.bounds_most = most;
-        pass->pending_changed = true;
+        encoder->pending.depth_setting.bounds_least = least;
+        encoder->pending.depth_setting.bounds_most = most;
+        encoder->pending_changed = true;
     }
     rhw_context_leave(context);
 }

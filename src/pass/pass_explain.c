@@ -4,44 +4,46 @@
 #include "context/entry.h"
 #include "context/misuse.h"
 #include "enter.h"
-#include "pass_state.h"
+#include "encoder.h"
 #include "rhw/explain.h"
 
-static bool check(const struct rhw_context *context, const struct rhw_pass_state *pass,
+static bool check(const struct rhw_context *context, const struct rhw_encoder *encoder,
                   const struct rhw_explain *explain, const char *where)
 {
-    const struct rhw_rect *const area = &pass->area;
+    const struct rhw_target *const target = &encoder->pass->target;
+    const struct rhw_rect *const area = &target->area;
     return rhw_check(context, explain && explain->fragment, "%s: explain.fragment is NULL", where) &&
-           rhw_check(context, pass->draws.count == 0, "%s: the pass has drawn already; call it before",
-                     where) &&
-           rhw_check(context, !pass->explained.ask.fragment, "%s: the pass explains a sample already",
-                     where) &&
+           rhw_check(context, encoder->pass->draws.count == 0,
+                     "%s: the pass has drawn already; call it before", where) &&
+           rhw_check(context, !encoder->pass->explained.ask.fragment,
+                     "%s: the pass explains a sample already", where) &&
            rhw_check(context,
                      explain->x >= area->x && explain->x - area->x < area->width && explain->y >= area->y &&
                          explain->y - area->y < area->height,
                      "%s: (%d, %d) lies outside of what the pass draws, %d,%d %dx%d", where, explain->x,
                      explain->y, area->x, area->y, area->width, area->height) &&
-           rhw_check(context, explain->layer >= 0 && explain->layer < pass->layers,
-                     "%s: layer is %d; the pass has %d", where, explain->layer, pass->layers) &&
-           rhw_check(context, explain->sample >= 0 && explain->sample < pass->pattern->count,
-                     "%s: sample is %d; a pixel has %d", where, explain->sample, pass->pattern->count);
+           rhw_check(context, explain->layer >= 0 && explain->layer < target->layers,
+                     "%s: layer is %d; the pass has %d", where, explain->layer, target->layers) &&
+           rhw_check(context, explain->sample >= 0 && explain->sample < target->pattern->count,
+                     "%s: sample is %d; a pixel has %d", where, explain->sample, target->pattern->count);
 }
 
 void rhw_pass_explain(rhw_context *context, rhw_pass id, const struct rhw_explain *explain)
 {
     static const char *const where = "rhw_pass_explain";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (!pass) {
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
         return;
     }
-    if (check(context, pass, explain, where)) {
-        struct rhw_explained *const explained = &pass->explained;
+    if (check(context, encoder, explain, where)) {
+        const struct rhw_target *const target = &encoder->pass->target;
+        struct rhw_explained *const explained = &encoder->pass->explained;
         explained->ask = *explain;
-        explained->tile = explain->layer * pass->tiles_x * pass->tiles_y +
-                          explain->y / RHW_TILE * pass->tiles_x + explain->x / RHW_TILE;
+        explained->tile = explain->layer * target->tiles_x * target->tiles_y +
+                          explain->y / RHW_TILE * target->tiles_x + explain->x / RHW_TILE;
         explained->x = explain->x % RHW_TILE;
         explained->y = explain->y % RHW_TILE;
-        pass->paths = RHW_PATHS_GENERAL;
+        encoder->pass->paths = RHW_PATHS_GENERAL;
     }
     rhw_context_leave(context);
 }

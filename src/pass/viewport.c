@@ -6,7 +6,7 @@
 #include "context/entry.h"
 #include "context/misuse.h"
 #include "enter.h"
-#include "pass_state.h"
+#include "encoder.h"
 #include "pipeline/pipeline.h"
 #include "rhw/rhw.h"
 
@@ -15,10 +15,10 @@ static bool is_within(float v, float limit)
     return v >= -limit && v <= limit;
 }
 
-static void set_viewport(struct rhw_pass_state *pass, int index, const struct rhw_viewport *v,
+static void set_viewport(struct rhw_encoder *encoder, int index, const struct rhw_viewport *v,
                          const char *where)
 {
-    rhw_context *const context = pass->context;
+    rhw_context *const context = encoder->context;
     const float limit = RHW_MAX_TARGET_SIZE;
     if (!rhw_check(context, v != NULL, "%s: viewport is NULL", where) ||
         !rhw_check(context, v->width > 0 && v->width <= limit && v->height >= -limit && v->height <= limit,
@@ -37,19 +37,19 @@ static void set_viewport(struct rhw_pass_state *pass, int index, const struct rh
                    (double)v->depth_min, (double)v->depth_max)) {
         return;
     }
-    struct rhw_viewport *const viewport = &pass->viewports[index];
+    struct rhw_viewport *const viewport = &encoder->viewports[index];
     *viewport = *v;
     const bool unset = v->depth_min == 0 && v->depth_max == 0;
     viewport->depth_max = unset ? 1 : v->depth_max > 0 ? v->depth_max : 0;
-    pass->pending.viewport = pass->viewports[0];
-    pass->pending_changed = true;
+    encoder->pending.viewport = encoder->viewports[0];
+    encoder->pending_changed = true;
 }
 
 void rhw_pass_set_viewport(rhw_context *context, rhw_pass id, const struct rhw_viewport *viewport)
 {
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_viewport");
-    if (pass) {
-        set_viewport(pass, 0, viewport, "rhw_pass_set_viewport");
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, "rhw_pass_set_viewport");
+    if (encoder) {
+        set_viewport(encoder, 0, viewport, "rhw_pass_set_viewport");
         rhw_context_leave(context);
     }
 }
@@ -67,28 +67,28 @@ void rhw_pass_set_viewports(rhw_context *context, rhw_pass id, int first, int co
                             const struct rhw_viewport *viewports)
 {
     static const char *const where = "rhw_pass_set_viewports";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (!pass) {
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
         return;
     }
     if (check_viewports(context, first, count, viewports, "viewports", where)) {
         for (int i = 0; i < count; i++) {
-            set_viewport(pass, first + i, &viewports[i], where);
+            set_viewport(encoder, first + i, &viewports[i], where);
         }
     }
     rhw_context_leave(context);
 }
 
-static void set_scissor(struct rhw_pass_state *pass, int index, const struct rhw_rect *scissor,
+static void set_scissor(struct rhw_encoder *encoder, int index, const struct rhw_rect *scissor,
                         const char *where)
 {
-    rhw_context *const context = pass->context;
+    rhw_context *const context = encoder->context;
     if (rhw_check(context, scissor != NULL, "%s: scissor is NULL", where) &&
         rhw_check(context, scissor->width >= 0 && scissor->height >= 0,
                   "%s: the size is %dx%d; neither is negative", where, scissor->width, scissor->height)) {
-        pass->scissors[index] = *scissor;
-        pass->pending.scissor = pass->scissors[0];
-        pass->pending_changed = true;
+        encoder->scissors[index] = *scissor;
+        encoder->pending.scissor = encoder->scissors[0];
+        encoder->pending_changed = true;
     }
 }
 
@@ -96,13 +96,13 @@ void rhw_pass_set_scissors(rhw_context *context, rhw_pass id, int first, int cou
                            const struct rhw_rect *scissors)
 {
     static const char *const where = "rhw_pass_set_scissors";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (!pass) {
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
         return;
     }
     if (check_viewports(context, first, count, scissors, "scissors", where)) {
         for (int i = 0; i < count; i++) {
-            set_scissor(pass, first + i, &scissors[i], where);
+            set_scissor(encoder, first + i, &scissors[i], where);
         }
     }
     rhw_context_leave(context);
@@ -111,9 +111,9 @@ void rhw_pass_set_scissors(rhw_context *context, rhw_pass id, int first, int cou
 void rhw_pass_set_scissor(rhw_context *context, rhw_pass id, const struct rhw_rect *scissor)
 {
     static const char *const where = "rhw_pass_set_scissor";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (pass) {
-        set_scissor(pass, 0, scissor, where);
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (encoder) {
+        set_scissor(encoder, 0, scissor, where);
         rhw_context_leave(context);
     }
 }
@@ -133,13 +133,13 @@ static int first_pixel(double x)
 
 // The pixels whose centres are inside the viewport, the scissor and the render area. Points may reach over the
 // viewport.
-static struct rhw_rect clip_rect(const struct rhw_pass_state *pass, const struct rhw_viewport *v,
+static struct rhw_rect clip_rect(const struct rhw_encoder *encoder, const struct rhw_viewport *v,
                                  const struct rhw_rect *scissor, bool is_points)
 {
     const int vx0 = first_pixel(v->x), vx1 = first_pixel((double)v->x + (double)v->width);
     const double y = (double)v->y, end = y + (double)v->height; // which is above where the height is negative
     const int vy0 = first_pixel(y < end ? y : end), vy1 = first_pixel(y < end ? end : y);
-    const struct rhw_rect *const area = &pass->area;
+    const struct rhw_rect *const area = &encoder->pass->target.area;
     const int ax1 = area->x + area->width, ay1 = area->y + area->height;
     const int sx0 = clamp_to(scissor->x, area->x, ax1), sy0 = clamp_to(scissor->y, area->y, ay1);
     const int sx1 = clamp_to((int64_t)scissor->x + scissor->width, area->x, ax1);
@@ -152,10 +152,11 @@ static struct rhw_rect clip_rect(const struct rhw_pass_state *pass, const struct
     return (struct rhw_rect){x0, y0, x1 > x0 ? x1 - x0 : 0, y1 > y0 ? y1 - y0 : 0};
 }
 
-void rhw_pass_clip_scissor(const struct rhw_pass_state *pass, struct rhw_draw_state *state)
+void rhw_pass_clip_scissor(const struct rhw_encoder *encoder, struct rhw_draw_state *state)
 {
-    const bool any_sample = state->pipeline->def.sample_mask & ((1u << pass->pattern->count) - 1);
-    state->scissor = any_sample ? clip_rect(pass, &state->viewport, &state->scissor,
+    const bool any_sample =
+        state->pipeline->def.sample_mask & ((1u << encoder->pass->target.pattern->count) - 1);
+    state->scissor = any_sample ? clip_rect(encoder, &state->viewport, &state->scissor,
                                             state->pipeline->primitive == RHW_PRIMITIVE_POINTS ||
                                                 state->pipeline->primitive == RHW_PRIMITIVE_POLYGON_POINTS)
                                 : (struct rhw_rect){0};

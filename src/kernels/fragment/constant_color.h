@@ -23,7 +23,7 @@ static void prepare_constant(struct tile_work *work)
         queue->colors[0][0][3] = f32x8_splat(1);
     }
     work->counters->groups++;
-    for (int t = 0; t < work->pass->color_count; t++) {
+    for (int t = 0; t < work->target->color_count; t++) {
         if (work->state->blend[t].path == BLEND_RGBA8_REPLACE) {
             const i32x8 all = i32x8_splat(-1);
             blend_group_apart(&work->state->blend[t], queue->colors[0][t], &all,
@@ -56,9 +56,9 @@ RHW_INLINE void blend_constant_plane(struct tile_work *work, int sample, int x, 
     if (!work->constant_is_ready) {
         prepare_constant(work);
     }
-    for (int t = 0; t < work->pass->color_count; t++) {
+    for (int t = 0; t < work->target->color_count; t++) {
         const struct rhw_blend_state *const state = &work->state->blend[t];
-        const size_t size = work->pass->colors[t].texel_size;
+        const size_t size = work->target->colors[t].texel_size;
         unsigned char *const texels = color_plane(scratch, t, sample) + (size_t)(y * RHW_TILE + x) * size;
         if (state->path == BLEND_RGBA8_REPLACE) {
             replace_block(texels, scratch->constant[t], mask);
@@ -91,7 +91,7 @@ static void blend_constant_woven(struct tile_work *work, int x, int y, const uin
         for (int s = 0; s < WOVEN_SAMPLES; s++) {
             samples |= i32x8_from_bits((unsigned)(mask[s] >> (8 * row)) & 0xff) & i32x8_splat(1 << s);
         }
-        for (int t = 0; t < work->pass->color_count; t++) {
+        for (int t = 0; t < work->target->color_count; t++) {
             blend_woven(work, t, texel, work->scratch->queue.colors[0][t], &samples);
         }
     }

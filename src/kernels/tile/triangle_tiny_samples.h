@@ -211,7 +211,7 @@ static __attribute__((noinline)) int draw_tiny_run(struct tile_work *work, const
         return first;
     }
     if (!setup->cells.are_set) {
-        cover_cells(setup, work->pass->pattern);
+        cover_cells(setup, work->target->pattern);
     }
     return (int)test_early(&work->plan, draw_tiny_triangles, &run);
 }
