@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 # The extension, for type checkers. Context and Error are public; the rest is for the modules beside it, whose
 # docstrings say what shapes the arrays have. An object of `Memory` becomes an array by numpy.asarray, without a copy.
-from typing import Any, Dict, Optional, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 version: str
 max_target_size: int  # rows and columns
+outputs: List[Tuple[str, int, int, str, int, List[str], str]]  # rhw.pictures.Output
 
 class Error(RuntimeError): ...
 

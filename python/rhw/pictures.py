@@ -3,19 +3,36 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Iterable, Optional, Tuple
+from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 
 from . import _arrays, _files, _rhw
 from .camera import View
 
+
+class Output(NamedTuple):
+    """A row of the table of outputs, scene/draw/output_table.c."""
+
+    name: str
+    bit: int
+    kind: int  #: the place among the outputs of the program; -1: none
+    type: str  #: of the elements, as in `__array_interface__`
+    channels: int
+    layer: List[str]  #: its channels in an EXR
+    meaning: str
+
+
+_ROWS = [Output(*row) for row in _rhw.outputs]
+
+#: All that is known of each output, by its name.
+TABLE = {row.name: row for row in sorted(_ROWS, key=lambda row: row.bit)}
+
 #: Outputs and their bits in the extension.
-OUTPUTS = {"color": 1, "linear": 2, "depth": 4, "distance": 8, "normal": 16, "position": 32, "uv": 64,
-           "object": 128, "triangle": 256, "barycentric": 512, "display": 1024}
+OUTPUTS = {name: row.bit for name, row in TABLE.items()}
 
 #: Outputs in the order of the program's `--output`.
-_FILE_KINDS = ("color", "depth", "distance", "normal", "position", "uv", "object", "triangle", "barycentric")
+_FILE_KINDS = tuple(row.name for row in _ROWS if row.kind >= 0)
 
 
 class Pictures(Dict[str, np.ndarray]):

@@ -104,19 +104,20 @@ static PyObject *encode_png(PyObject *module, PyObject *arguments)
 
 // Pictures of a render ------------------------------------------------------------------------------
 
-static bool read_picture(PyObject *object, const struct python_picture_field *kind,
-                         const struct scene_pictures *p)
+static bool read_picture(PyObject *object, int kind, struct scene_pictures *p)
 {
     struct python_array array;
-    if (!python_array_read(object, kind->name, kind->type, &array)) {
+    const char *const name = scene_outputs[kind].name;
+    const int channels = scene_output_channels((enum scene_output_kind)kind);
+    if (!python_array_read(object, name, python_output_type(kind), &array)) {
         return false;
     }
-    if (array.count != (Py_ssize_t)p->width * p->height * kind->channels) {
-        PyErr_Format(PyExc_ValueError, "%s: must be of %d by %d pixels with %d channels", kind->name,
-                     p->width, p->height, kind->channels);
+    if (array.count != (Py_ssize_t)p->width * p->height * channels) {
+        PyErr_Format(PyExc_ValueError, "%s: must be of %d by %d pixels with %d channels", name, p->width,
+                     p->height, channels);
         return false;
     }
-    *kind->texels = array.data;
+    scene_picture_set(p, (enum scene_output_kind)kind, array.data);
     return true;
 }
 
@@ -124,17 +125,16 @@ static bool read_picture(PyObject *object, const struct python_picture_field *ki
 // size. NULL with an exception.
 static PyObject *read_pictures(PyObject *dictionary, struct scene_pictures *p)
 {
-    struct python_picture_field kinds[PYTHON_PICTURES];
-    python_picture_fields(p, kinds);
     if (p->width < 1 || p->height < 1 || p->width > RHW_MAX_TARGET_SIZE || p->height > RHW_MAX_TARGET_SIZE) {
         PyErr_Format(PyExc_ValueError, "size: width and height must lie between 1 and %d",
                      RHW_MAX_TARGET_SIZE);
         return NULL;
     }
     PyObject *const copy = PyDict_Copy(dictionary);
-    for (int i = 0; copy && i < PYTHON_PICTURES; i++) {
-        PyObject *object = PyDict_GetItemString(copy, kinds[i].name);
-        if (object && !read_picture(object, &kinds[i], p)) {
+    for (int kind = 0; copy && kind < SCENE_KIND_COUNT; kind++) {
+        PyObject *object =
+            python_has_output(kind) ? PyDict_GetItemString(copy, scene_outputs[kind].name) : NULL;
+        if (object && !read_picture(object, kind, p)) {
             Py_DECREF(copy);
             return NULL;
         }
@@ -145,12 +145,10 @@ static PyObject *read_pictures(PyObject *dictionary, struct scene_pictures *p)
 // Whether what those kinds are made of is there. False with an exception.
 static bool has_pictures(struct scene_pictures *p, uint32_t needed)
 {
-    struct python_picture_field kinds[PYTHON_PICTURES];
-    python_picture_fields(p, kinds);
-    for (int i = 0; i < PYTHON_PICTURES; i++) {
-        if ((needed & kinds[i].output) && !*kinds[i].texels) {
+    for (int kind = 0; kind < SCENE_KIND_COUNT; kind++) {
+        if ((needed & scene_outputs[kind].output) && !scene_picture_get(p, (enum scene_output_kind)kind)) {
             PyErr_Format(PyExc_ValueError, "outputs: '%s', which the file is made of, was not drawn",
-                         kinds[i].name);
+                         scene_outputs[kind].name);
             return false;
         }
     }
@@ -170,13 +168,13 @@ static PyObject *encode_output(PyObject *module, PyObject *arguments)
     if (!PyArg_ParseTuple(arguments, "sO!(ii)iip(fff)(fff):encode_output", &name, &PyDict_Type, &dictionary,
                           &pictures.width, &pictures.height, &kind, &bits, &transparent, &low[0], &low[1],
                           &low[2], &high[0], &high[1], &high[2]) ||
-        !python_is_choice(kind, CLI_KIND_COLOR, CLI_KIND_BARY, "output") || !is_depth(bits, true) ||
-        !(kept = read_pictures(dictionary, &pictures))) {
+        !python_is_choice(kind, SCENE_KIND_COLOR, SCENE_KIND_BARYCENTRIC, "output") ||
+        !is_depth(bits, true) || !(kept = read_pictures(dictionary, &pictures))) {
         return NULL;
     }
     if (has_pictures(&pictures, cli_outputs_needed(1u << kind, CLI_PICTURE_PNG, bits))) {
         struct cli_output_raster output;
-        cli_output_rasterize(&output, &pictures, (enum cli_output_kind)kind, bits, transparent != 0, low,
+        cli_output_rasterize(&output, &pictures, (enum scene_output_kind)kind, bits, transparent != 0, low,
                              high);
         bytes = encode(&(struct encoding){write_png, &output.raster}, name);
     }
@@ -201,7 +199,7 @@ static bool write_exr(struct cli_output_file *file, const void *user)
 // Whether those are outputs of a model, one at least. False with an exception.
 static bool is_set(unsigned kinds)
 {
-    if (kinds == 0 || kinds >= 1u << (CLI_KIND_BARY + 1)) {
+    if (kinds == 0 || kinds >= 1u << (SCENE_KIND_BARYCENTRIC + 1)) {
         PyErr_SetString(PyExc_ValueError, "outputs: none, or unknown ones, asked for");
         return false;
     }

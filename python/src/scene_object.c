@@ -75,28 +75,28 @@ static PyObject *scene_make(PyTypeObject *type, PyObject *arguments, PyObject *k
 }
 
 // Adds one picture to the dictionary, which owns it then.
-static bool add_picture(PyObject *dictionary, const struct python_picture_field *field, int width, int height)
+static bool add_picture(PyObject *dictionary, struct scene_pictures *pictures, enum scene_output_kind kind)
 {
-    if (!*field->texels) {
+    void *const picture = scene_picture_get(pictures, kind);
+    if (!picture) {
         return true;
     }
+    const int channels = scene_output_channels(kind);
     const struct python_shape shape = {
-        field->type, field->channels > 1 ? 3 : 2, {height, width, field->channels}};
-    PyObject *memory = python_memory_take_picture(*field->texels, shape);
-    *field->texels = NULL;
-    const bool added = memory && PyDict_SetItemString(dictionary, field->name, memory) == 0;
+        python_output_type(kind), channels > 1 ? 3 : 2, {pictures->height, pictures->width, channels}};
+    PyObject *memory = python_memory_take_picture(picture, shape);
+    scene_picture_set(pictures, kind, NULL);
+    const bool added = memory && PyDict_SetItemString(dictionary, scene_outputs[kind].name, memory) == 0;
     Py_XDECREF(memory);
     return added;
 }
 
 static PyObject *pictures_dictionary(struct scene_pictures *pictures)
 {
-    struct python_picture_field fields[PYTHON_PICTURES];
-    python_picture_fields(pictures, fields);
     PyObject *dictionary = PyDict_New();
     bool added = dictionary != NULL;
-    for (int i = 0; added && i < PYTHON_PICTURES; i++) {
-        added = add_picture(dictionary, &fields[i], pictures->width, pictures->height);
+    for (int kind = 0; added && kind < SCENE_KIND_COUNT; kind++) {
+        added = add_picture(dictionary, pictures, (enum scene_output_kind)kind);
     }
     scene_pictures_free(pictures);
     if (!added) {

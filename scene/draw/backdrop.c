@@ -83,7 +83,6 @@ enum rhw_result scene_draw_backdrop(struct draw *draw)
     if (draw->frame.plain || !any_transmits(scene->upload.model)) {
         return RHW_OK;
     }
-    const double start = scene_milliseconds();
     const int longer = view->width > view->height ? view->width : view->height;
     const double part = longer > LARGEST_SIDE ? (double)LARGEST_SIDE / longer : 1.0;
     const int width = (int)(view->width * part + 0.5), height = (int)(view->height * part + 0.5);
@@ -104,6 +103,5 @@ enum rhw_result scene_draw_backdrop(struct draw *draw)
         levels++;
     }
     draw->frame.backdrop_levels = (float)levels;
-    draw->stats.light_ms += scene_milliseconds() - start;
     return result;
 }

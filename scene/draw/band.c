@@ -115,14 +115,20 @@ enum rhw_result scene_draw_bands(struct draw *draw, enum rhw_result (*draw_band)
     return result;
 }
 
-bool scene_band_allocate(const struct draw *draw, enum rhw_format format, void **picture)
+bool scene_pictures_allocate(const struct draw *draw)
 {
     const uint64_t pixels = (uint64_t)draw->view->height * (uint64_t)draw->view->width;
-    const uint64_t size = pixels * rhw_format_size(format);
-    if (size >= SIZE_MAX) { // 4 GiB and more where addresses have 32 bits
-        *picture = NULL;
-        return false;
+    bool allocated = true;
+    for (int kind = 0; kind < SCENE_KIND_COUNT && allocated; kind++) {
+        const uint64_t size = pixels * rhw_format_size(scene_outputs[kind].format);
+        if (!(draw->view->outputs & scene_outputs[kind].output)) {
+            continue;
+        }
+        allocated = size < SIZE_MAX; // not 4 GiB and more where addresses have 32 bits
+        void *(*const allocate)(size_t) = draw->view->allocate ? draw->view->allocate : malloc;
+        void *const picture = allocated ? allocate((size_t)size) : NULL;
+        scene_picture_set(draw->pictures, (enum scene_output_kind)kind, picture);
+        allocated = picture != NULL;
     }
-    *picture = draw->view->allocate ? draw->view->allocate((size_t)size) : malloc((size_t)size);
-    return *picture != NULL;
+    return allocated;
 }

@@ -7,34 +7,17 @@
 
 #include <string.h>
 
-// The data outputs, by enum scene_data_output.
-static const struct {
-    uint32_t output;
-    enum rhw_format format;
-} data_outputs[SCENE_DATA_OUTPUTS] = {
-    [SCENE_DATA_DEPTH] = {SCENE_OUTPUT_DEPTH, RHW_FORMAT_R32_FLOAT},
-    [SCENE_DATA_DISTANCE] = {SCENE_OUTPUT_DISTANCE, RHW_FORMAT_R32_FLOAT},
-    [SCENE_DATA_NORMAL] = {SCENE_OUTPUT_NORMAL, RHW_FORMAT_RGBA32_FLOAT},
-    [SCENE_DATA_POSITION] = {SCENE_OUTPUT_POSITION, RHW_FORMAT_RGBA32_FLOAT},
-    [SCENE_DATA_UV] = {SCENE_OUTPUT_UV, RHW_FORMAT_RGBA32_FLOAT},
-    [SCENE_DATA_OBJECT] = {SCENE_OUTPUT_OBJECT, RHW_FORMAT_R32_UINT},
-    [SCENE_DATA_TRIANGLE] = {SCENE_OUTPUT_TRIANGLE, RHW_FORMAT_R32_UINT},
-    [SCENE_DATA_BARYCENTRIC] = {SCENE_OUTPUT_BARYCENTRIC, RHW_FORMAT_RGBA32_FLOAT},
-    [SCENE_DATA_OVERDRAW] = {SCENE_OUTPUT_OVERDRAW, RHW_FORMAT_R32_FLOAT},
-};
+_Static_assert(SCENE_KIND_OVERDRAW - SCENE_KIND_DEPTH == (int)SCENE_DATA_OVERDRAW,
+               "rows in the order of data");
+
+static const struct scene_output_row *row_of(int i)
+{
+    return &scene_outputs[SCENE_KIND_DEPTH + i];
+}
 
 static bool is_drawn(const struct draw *draw, int i)
 {
-    return draw->data[i] && draw->data_pass & data_outputs[i].output;
-}
-
-static bool is_any_drawn(const struct draw *draw)
-{
-    bool any = false;
-    for (int i = 0; i < SCENE_DATA_OUTPUTS; i++) {
-        any = any || is_drawn(draw, i);
-    }
-    return any;
+    return (draw->data_pass & row_of(i)->output) != 0;
 }
 
 static enum rhw_result draw_data_band(struct draw *draw)
@@ -54,17 +37,17 @@ static enum rhw_result draw_data_band(struct draw *draw)
         if (!is_drawn(draw, i)) {
             continue;
         }
-        const enum rhw_result result = scene_draw_target(draw, TARGET_DATA + i, data_outputs[i].format,
-                                                         draw->view->width, draw->band_rows);
+        const enum rhw_result result =
+            scene_draw_target(draw, TARGET_DATA + i, row_of(i)->format, draw->view->width, draw->band_rows);
         if (result != RHW_OK) {
             return result;
         }
         struct rhw_color_attachment *color = &def.colors[def.color_count];
         *color = (struct rhw_color_attachment){.texture = scene->targets[TARGET_DATA + i].texture};
-        color->clear[0] = i == SCENE_DATA_DEPTH ? 1.0f : i == SCENE_DATA_DISTANCE ? __builtin_inff() : 0.0f;
+        color->clear[0] = row_of(i)->empty;
         draw->frame.output_slot[i] = def.color_count;
-        surfaces.formats[def.color_count++] = data_outputs[i].format;
-        surfaces.data_outputs |= data_outputs[i].output;
+        surfaces.formats[def.color_count++] = row_of(i)->format;
+        surfaces.data_outputs |= row_of(i)->output;
     }
     surfaces.format_count = def.color_count;
     memcpy(surfaces.view_projection, draw->view_projection, sizeof surfaces.view_projection);
@@ -81,7 +64,7 @@ static enum rhw_result draw_data_band(struct draw *draw)
     const double drawn = scene_milliseconds();
     for (int i = 0; i < SCENE_DATA_OUTPUTS && result == RHW_OK; i++) {
         if (is_drawn(draw, i)) {
-            scene_band_read(draw, TARGET_DATA + i, draw->data[i]);
+            scene_band_read(draw, TARGET_DATA + i, scene_picture_get(draw->pictures, SCENE_KIND_DEPTH + i));
         }
     }
     draw->stats.data_ms += drawn - start;
@@ -89,43 +72,18 @@ static enum rhw_result draw_data_band(struct draw *draw)
     return result;
 }
 
-enum rhw_result scene_draw_data(struct draw *draw)
+enum rhw_result scene_draw_data(struct draw *draw, uint32_t outputs)
 {
     size_t pixel = 0;
+    draw->data_pass = outputs & draw->view->outputs;
     for (int i = 0; i < SCENE_DATA_OUTPUTS; i++) {
-        pixel += draw->view->outputs & data_outputs[i].output ? rhw_format_size(data_outputs[i].format) : 0;
+        pixel += is_drawn(draw, i) ? rhw_format_size(row_of(i)->format) : 0;
     }
     if (pixel == 0) {
         return RHW_OK;
     }
-    draw->band_rows = scene_band_rows(draw->view->height, (size_t)draw->view->width * pixel);
-    bool allocated = true;
-    for (int i = 0; i < SCENE_DATA_OUTPUTS; i++) {
-        if (draw->view->outputs & data_outputs[i].output) {
-            allocated = scene_band_allocate(draw, data_outputs[i].format, &draw->data[i]) && allocated;
-        }
-    }
-    struct scene_pictures *pictures = draw->pictures;
-    pictures->depth = draw->data[SCENE_DATA_DEPTH];
-    pictures->distance = draw->data[SCENE_DATA_DISTANCE];
-    pictures->normal = draw->data[SCENE_DATA_NORMAL];
-    pictures->position = draw->data[SCENE_DATA_POSITION];
-    pictures->uv = draw->data[SCENE_DATA_UV];
-    pictures->object = draw->data[SCENE_DATA_OBJECT];
-    pictures->triangle = draw->data[SCENE_DATA_TRIANGLE];
-    pictures->barycentric = draw->data[SCENE_DATA_BARYCENTRIC];
-    pictures->overdraw = draw->data[SCENE_DATA_OVERDRAW];
-    if (!allocated) {
-        return RHW_ERROR_OUT_OF_MEMORY;
-    }
     draw->frame.plain = 0;
+    draw->band_rows = scene_band_rows(draw->view->height, (size_t)draw->view->width * pixel);
     scene_draw_set_samples(draw, 1);
-    enum rhw_result result = RHW_OK;
-    const uint32_t passes[2] = {draw->view->outputs & ~(uint32_t)SCENE_OUTPUT_OVERDRAW,
-                                draw->view->outputs & SCENE_OUTPUT_OVERDRAW};
-    for (int i = 0; i < 2 && result == RHW_OK; i++) {
-        draw->data_pass = passes[i];
-        result = is_any_drawn(draw) ? scene_draw_bands(draw, draw_data_band) : RHW_OK;
-    }
-    return result;
+    return scene_draw_bands(draw, draw_data_band);
 }

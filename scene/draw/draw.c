@@ -8,27 +8,6 @@
 
 #include <stdlib.h>
 
-// Pictures ------------------------------------------------------------------------------------------
-
-void scene_pictures_free(struct scene_pictures *pictures)
-{
-    free(pictures->color);
-    free(pictures->linear);
-    free(pictures->display);
-    free(pictures->depth);
-    free(pictures->distance);
-    free(pictures->normal);
-    free(pictures->position);
-    free(pictures->uv);
-    free(pictures->barycentric);
-    free(pictures->object);
-    free(pictures->triangle);
-    free(pictures->overdraw);
-    free(pictures->tiles);
-    free(pictures->plan);
-    *pictures = (struct scene_pictures){0};
-}
-
 // Scene ---------------------------------------------------------------------------------------------
 
 enum rhw_result scene_create(rhw_context *context, const struct scene_model *model, struct scene **scene)
@@ -89,9 +68,9 @@ void scene_destroy(struct scene *scene)
     free(scene);
 }
 
-// Passes --------------------------------------------------------------------------------------------
+// The order of a picture ----------------------------------------------------------------------------
 
-static void set_frame(struct draw *draw)
+static enum rhw_result set_frame(struct draw *draw)
 {
     const struct scene_view *view = draw->view;
     struct scene_frame *frame = &draw->frame;
@@ -103,6 +82,91 @@ static void set_frame(struct draw *draw)
         frame->line_color[c] = scene_color_decode(28);
         frame->plain_color[c] = scene_color_decode(226);
     }
+    return RHW_OK;
+}
+
+static enum rhw_result sort_triangles(struct draw *draw)
+{
+    return scene_triangle_order_make(&draw->scene->order, &draw->scene->upload, &draw->frame);
+}
+
+// The light of the whole picture, before any of it is drawn.
+static enum rhw_result draw_light(struct draw *draw)
+{
+    static enum rhw_result (*const steps[])(struct draw *) = {
+        scene_draw_ground,    // the ground's surface and what lies on it
+        scene_draw_guide,     // distances and normals
+        scene_draw_occlusion, // how much of the surroundings each pixel's surface sees
+        scene_draw_shadows,   // shadow maps
+        sort_triangles,       // of blended surfaces, from back to front
+        scene_draw_backdrop,  // what is seen through surfaces
+    };
+    const double start = scene_milliseconds();
+    enum rhw_result result = RHW_OK;
+    for (size_t i = 0; i < sizeof steps / sizeof *steps && result == RHW_OK; i++) {
+        result = steps[i](draw);
+    }
+    draw->stats.light_ms += scene_milliseconds() - start;
+    return result;
+}
+
+// Colour is drawn into samples of a band and becomes rows of the pictures.
+static enum rhw_result draw_color_band(struct draw *draw)
+{
+    const double start = scene_milliseconds();
+    enum rhw_result result = scene_color_begin(draw);
+    if (result == RHW_OK && scene_peel_wanted(draw)) {
+        result = scene_peel_opaque(draw); // background, ground, opaque surfaces
+        if (result == RHW_OK) {
+            result = scene_peel_blended(draw);
+        }
+    } else if (result == RHW_OK) {
+        result =
+            scene_color_draw(draw); // background, ground, opaque surfaces, blended ones; work on the tiles
+    }
+    draw->stats.color_ms += scene_milliseconds() - start;
+    return result == RHW_OK ? scene_color_end(draw) : result;
+}
+
+static enum rhw_result draw_color(struct draw *draw)
+{
+    static const uint32_t colors = SCENE_OUTPUT_COLOR | SCENE_OUTPUT_LINEAR | SCENE_OUTPUT_DISPLAY |
+                                   SCENE_OUTPUT_TILES | SCENE_OUTPUT_PLAN;
+    if (!(draw->view->outputs & colors)) {
+        return RHW_OK;
+    }
+    draw->frame.linear_slot = draw->pictures->linear ? 1 : -1;
+    const enum rhw_result result = draw_light(draw);
+    if (result != RHW_OK) {
+        return result;
+    }
+    draw->band_rows = scene_color_rows(draw);
+    scene_draw_set_samples(draw, draw->side);
+    return scene_draw_bands(draw, draw_color_band);
+}
+
+// What is nearest at the centre of every pixel.
+static enum rhw_result draw_data(struct draw *draw)
+{
+    return scene_draw_data(draw, SCENE_OUTPUT_ALL);
+}
+
+// How many surfaces there are at all; what work the tiles took was noted with the colours.
+static enum rhw_result draw_work(struct draw *draw)
+{
+    return scene_draw_data(draw, SCENE_OUTPUT_OVERDRAW);
+}
+
+static enum rhw_result draw_picture(struct draw *draw)
+{
+    static enum rhw_result (*const steps[])(struct draw *) = {
+        scene_draw_surround, set_frame, draw_color, draw_data, draw_work,
+    };
+    enum rhw_result result = scene_pictures_allocate(draw) ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
+    for (size_t i = 0; i < sizeof steps / sizeof *steps && result == RHW_OK; i++) {
+        result = steps[i](draw);
+    }
+    return result;
 }
 
 enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
@@ -117,14 +181,7 @@ enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
     if (scene_lighting_create(&draw.lighting, scene->upload.model, &view->camera, view->up,
                               view->default_lights, view->exposure)) {
         draw.lighting.count = view->no_lights ? 0 : draw.lighting.count;
-        result = scene_draw_surround(&draw);
-    }
-    if (result == RHW_OK) {
-        set_frame(&draw);
-        result = scene_draw_color(&draw);
-    }
-    if (result == RHW_OK) {
-        result = scene_draw_data(&draw);
+        result = draw_picture(&draw);
     }
     scene_lighting_destroy(&draw.lighting);
     rhw_context_set_goes_on(scene->upload.context, NULL, NULL);

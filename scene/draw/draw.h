@@ -8,21 +8,8 @@
 #define SCENE_DRAW_H
 
 #include "rhw/rhw.h"
-#include "view.h"
-
-/// Images of one draw; NULL where not asked for. Owned by the caller, freed by scene_pictures_free.
-struct scene_pictures {
-    int width, height;
-    uint8_t *color;          ///< [4]
-    float *linear, *display; ///< [4]
-    float *depth, *distance;
-    float *normal, *position, *uv, *barycentric; ///< [4]
-    uint32_t *object, *triangle;
-    float *overdraw;
-    uint32_t *tiles, *plan;
-};
-
-void scene_pictures_free(struct scene_pictures *pictures);
+#include "output_table.h"
+#include "scene_view.h"
 
 struct scene_draw_stats {
     double upload_ms;                     ///< of scene_create: buffers, textures, mip chains

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the files of a draw share: draw.c has the order of things, draw_color.c the colour passes, draw/data.c the data
-// passes, draw/band.c how both go through the picture.
+// What the files of a draw share: draw.c has the order of things, color_band.c the colour passes, data.c the data
+// passes, band.c how both go through the picture.
 #ifndef SCENE_DRAWING_H
 #define SCENE_DRAWING_H
 
@@ -48,15 +48,16 @@ struct draw {
     struct scene_lighting lighting;
     struct scene_frame frame;
     double view_projection[16];
-    int side;                       // of the sample grid
-    int band_rows, first_row;       // of the picture
-    void *data[SCENE_DATA_OUTPUTS]; // the pictures of data outputs
-    uint32_t data_pass;             // the outputs of the data pass under way
+    int side;                         // of the sample grid
+    int band_rows, first_row;         // of the picture
+    enum rhw_format color_formats[2]; // of the targets of colour, as it is displayed and as light
+    int color_count;                  // of those that are drawn to
+    uint32_t data_pass;               // the outputs of the data pass under way
 };
 
 double scene_milliseconds(void);
 
-// draw/band.c
+// band.c
 enum rhw_result scene_draw_target(struct draw *draw, int which, enum rhw_format format, int width,
                                   int height);
 // Rows of a band when a row of the picture takes `row_bytes` of targets.
@@ -64,7 +65,8 @@ int scene_band_rows(int height, size_t row_bytes);
 enum rhw_result scene_draw_bands(struct draw *draw, enum rhw_result (*draw_band)(struct draw *));
 // Rows of the picture in this band: the last one may have fewer than its targets.
 int scene_band_height(const struct draw *draw);
-bool scene_band_allocate(const struct draw *draw, enum rhw_format format, void **picture);
+// Memory for all pictures that the view asks for. False without it.
+bool scene_pictures_allocate(const struct draw *draw);
 void scene_band_read(struct draw *draw, int target, void *picture);
 // The viewport of the whole picture, moved so that the band's first row is the target's.
 void scene_band_viewport(const struct draw *draw, rhw_pass pass, int side);
@@ -72,11 +74,14 @@ void scene_band_viewport(const struct draw *draw, rhw_pass pass, int side);
 void scene_draw_set_samples(struct draw *draw, int side);
 void scene_draw_add_stats(struct draw *draw, const struct rhw_stats *pass);
 
-// draw_light.c: a panorama takes the studio's place; shadow maps and ambient occlusion.
-enum rhw_result scene_draw_surround(struct draw *draw);
-enum rhw_result scene_draw_light(struct draw *draw);
+// prepare_light.c: what light needs of the whole picture. A step that the view does not want does nothing.
+enum rhw_result scene_draw_surround(struct draw *draw);  // a panorama takes the studio's place
+enum rhw_result scene_draw_ground(struct draw *draw);    // makes it, to be drawn with the surfaces
+enum rhw_result scene_draw_guide(struct draw *draw);     // distances and normals of what is nearest
+enum rhw_result scene_draw_occlusion(struct draw *draw); // of the surroundings' light, from the guide
+enum rhw_result scene_draw_shadows(struct draw *draw);   // maps of the lights, fitted to the guide
 
-// draw/background.c
+// background.c
 struct scene_background_pass {
     struct scene_backdrop gradient; // its top is what colour 0 is to be cleared to
     struct scene_panorama_pass panorama;
@@ -91,17 +96,18 @@ enum rhw_result scene_background_record(const struct draw *draw, rhw_pass pass, 
                                         const enum rhw_format *formats, int format_count,
                                         const struct scene_background_pass *background);
 
-// draw/backdrop.c: what is seen through surfaces that light passes through.
+// backdrop.c: what is seen through surfaces that light passes through.
 enum rhw_result scene_draw_backdrop(struct draw *draw);
 
-// draw/peel.c: samples of the band whose transparent surfaces lie as they do, whatever their order.
+// peel.c: samples of the band whose transparent surfaces lie as they do, whatever their order.
 bool scene_peel_wanted(const struct draw *draw);
 // That a pixel of the samples takes.
 size_t scene_peel_bytes(const struct draw *draw, int format_count);
-enum rhw_result scene_peel_draw(struct draw *draw, const enum rhw_format *formats, int format_count);
+enum rhw_result scene_peel_opaque(struct draw *draw);  // background, ground, opaque surfaces
+enum rhw_result scene_peel_blended(struct draw *draw); // above them, from the farthest layer to the nearest
 void scene_peel_destroy(rhw_context *context, struct scene_peel *peel);
 
-// draw/work.c: what the work on the tiles of a colour pass is.
+// work.c: what the work on the tiles of a colour pass is.
 struct scene_work {
     struct rhw_tile_report *reports; // NULL: the view does not want to know
     int count;
@@ -111,13 +117,22 @@ bool scene_work_begin(const struct draw *draw, rhw_pass pass, struct scene_work 
 // Into the pictures, of a band that is drawn.
 void scene_work_end(const struct draw *draw, struct scene_work *work);
 
-// draw_color.c: what a colour pass says of its surfaces.
+// color_record.c: what a colour pass says of its surfaces.
 void scene_color_surfaces(const struct draw *draw, const enum rhw_format *formats, int format_count,
                           struct scene_surface_pass *surfaces);
 // Records them, above the ground where there is one.
 enum rhw_result scene_color_record(const struct draw *draw, const struct scene_surface_pass *surfaces,
                                    rhw_pass pass);
-enum rhw_result scene_draw_color(struct draw *draw);
-enum rhw_result scene_draw_data(struct draw *draw);
+
+// color_band.c: a band of the colour outputs.
+int scene_color_rows(const struct draw *draw);
+enum rhw_result scene_color_begin(struct draw *draw);
+// Background, ground, opaque surfaces from front to back, blended ones from back to front; notes the work on the tiles.
+enum rhw_result scene_color_draw(struct draw *draw);
+// Makes the band of the pictures from what was drawn.
+enum rhw_result scene_color_end(struct draw *draw);
+
+// data.c: those of `outputs` that the view asks for, in one pass for all.
+enum rhw_result scene_draw_data(struct draw *draw, uint32_t outputs);
 
 #endif

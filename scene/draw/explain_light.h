@@ -4,7 +4,7 @@
 #ifndef SCENE_EXPLAIN_LIGHT_H
 #define SCENE_EXPLAIN_LIGHT_H
 
-#include "explain.h"
+#include "explain_sample.h"
 
 /// Each fragment of a history keeps so many, and so many can be read at a glance; few models have more. The sum has all.
 enum { SCENE_LIGHT_LOOKS = 8 };

@@ -7,7 +7,7 @@
 #include "draw/shading/shaders.h"
 #include "surface.h"
 #include "target.h"
-#include "view.h"
+#include "scene_view.h"
 
 /// Zeroed: none.
 struct scene_guide {

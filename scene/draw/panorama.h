@@ -7,7 +7,7 @@
 #include "model.h"
 #include "rhw/rhw.h"
 #include "draw/shading/shaders.h"
-#include "view.h"
+#include "scene_view.h"
 
 /// Linear light, rows from straight up to straight down; the middle column looks along +X, the one a quarter further
 /// along +Z, with the axes turned as `up` and a rotation say.

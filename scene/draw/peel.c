@@ -75,8 +75,10 @@ static struct rhw_pass_def pass_def(int format_count, const struct scene_target 
     return def;
 }
 
-static enum rhw_result draw_opaque(struct draw *draw, const enum rhw_format *formats, int format_count)
+static enum rhw_result draw_opaque(struct draw *draw)
 {
+    const enum rhw_format *const formats = draw->color_formats;
+    const int format_count = draw->color_count;
     struct scene *const scene = draw->scene;
     rhw_context *const context = scene->upload.context;
     struct rhw_pass_def def = pass_def(format_count, &scene->peel.depths[0], 0.0f);
@@ -187,20 +189,24 @@ static enum rhw_result gather_samples(struct draw *draw, int format_count)
     return result == RHW_OK ? scene_pass_end(context, pass, RHW_OK, NULL) : result;
 }
 
-enum rhw_result scene_peel_draw(struct draw *draw, const enum rhw_format *formats, int format_count)
+enum rhw_result scene_peel_opaque(struct draw *draw)
 {
-    enum rhw_result result = get_targets(draw, formats, format_count);
-    if (result == RHW_OK) {
-        result = draw_opaque(draw, formats, format_count);
-    }
+    const enum rhw_result result = get_targets(draw, draw->color_formats, draw->color_count);
+    return result == RHW_OK ? draw_opaque(draw) : result;
+}
+
+enum rhw_result scene_peel_blended(struct draw *draw)
+{
+    const int count = draw->color_count;
+    enum rhw_result result = RHW_OK;
     bool any = true;
     for (int layer = 0; layer < MOST_LAYERS && any && result == RHW_OK; layer++) {
-        result = draw_layer(draw, format_count, layer % 2, (layer + 1) % 2, &any);
+        result = draw_layer(draw, count, layer % 2, (layer + 1) % 2, &any);
         if (result == RHW_OK && any) {
-            result = lay_over(draw, formats, format_count);
+            result = lay_over(draw, draw->color_formats, count);
         }
     }
-    return result == RHW_OK && draw->view->samples > 1 ? gather_samples(draw, format_count) : result;
+    return result == RHW_OK && draw->view->samples > 1 ? gather_samples(draw, count) : result;
 }
 
 void scene_peel_destroy(rhw_context *context, struct scene_peel *peel)

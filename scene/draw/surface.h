@@ -3,8 +3,8 @@
 #ifndef SCENE_SURFACE_H
 #define SCENE_SURFACE_H
 
-#include "draw.h"
-#include "explain.h"
+#include "scene_view.h"
+#include "explain_sample.h"
 #include "triangle_order.h"
 #include "upload.h"
 

@@ -5,7 +5,9 @@
 
 #include <string.h>
 
-#include "import.h"
+#include "import/builder/complete_mesh.h"
+#include "import/builder/import.h"
+#include "reader_process.h"
 
 static void *copy(struct scene_import *import, const void *array, size_t count, size_t size)
 {

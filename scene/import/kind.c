@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Which reader a file is for: by what it begins with where formats have a mark, else by the ending of its name, and where
 // it has none, as on standard input, by what it looks like.
+#include "kind.h"
+
 #include <errno.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
 
-#include "import.h"
+#include "import/builder/readers.h"
 
 enum { LOOKED_AT = 512 };
 

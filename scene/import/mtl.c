@@ -3,11 +3,14 @@
 // names with blanks.
 #include "mtl.h"
 
+#include "import/builder/find_file.h"
+#include "import/builder/numbers.h"
+#include "import/builder/phong.h"
+#include "import/builder/text_lines.h"
+
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-
-#include "import_text.h"
 
 static bool key_is(struct scene_word word, const char *key)
 {

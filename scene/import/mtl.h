@@ -3,7 +3,8 @@
 #ifndef SCENE_IMPORT_MTL_H
 #define SCENE_IMPORT_MTL_H
 
-#include "phong.h"
+#include "import/builder/import.h"
+#include "import/builder/phong.h"
 
 struct scene_mtl_material {
     struct scene_phong phong;

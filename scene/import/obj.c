@@ -9,8 +9,14 @@
 #include <string.h>
 #include <strings.h>
 
+#include "import/builder/complete_mesh.h"
+#include "import/builder/find_file.h"
+#include "import/builder/import.h"
+#include "import/builder/numbers.h"
+#include "import/builder/polygon.h"
+#include "import/builder/readers.h"
+#include "import/builder/text_lines.h"
 #include "mtl.h"
-#include "import_text.h"
 
 static const uint32_t none = UINT32_MAX;
 enum { SMOOTHING_NOT_SAID = -1, SMOOTHING_OFF = 0 };

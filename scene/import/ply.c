@@ -6,8 +6,15 @@
 #include <string.h>
 #include <strings.h>
 
-#include "phong.h"
-#include "import_text.h"
+#include "import/builder/complete_mesh.h"
+#include "import/builder/find_file.h"
+#include "import/builder/import.h"
+#include "import/builder/numbers.h"
+#include "import/builder/phong.h"
+#include "import/builder/polygon.h"
+#include "import/builder/readers.h"
+#include "import/builder/text_lines.h"
+#include "import/builder/vertices.h"
 
 enum type {
     TYPE_NONE,

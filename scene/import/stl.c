@@ -8,8 +8,12 @@
 #include <string.h>
 #include <strings.h>
 
-#include "phong.h"
-#include "import_text.h"
+#include "import/builder/complete_mesh.h"
+#include "import/builder/import.h"
+#include "import/builder/numbers.h"
+#include "import/builder/phong.h"
+#include "import/builder/readers.h"
+#include "import/builder/text_lines.h"
 
 enum { HEADER = 84, FACET = 50 }; // bytes of a binary file's head with its count, and of a facet
 

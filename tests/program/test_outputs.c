@@ -16,7 +16,7 @@ enum { WIDTH = 3, HEIGHT = 2, PIXELS = WIDTH * HEIGHT };
 static const float bounds_min[3] = {-1.0f, 0.0f, 10.0f}, bounds_max[3] = {3.0f, 0.0f, 20.0f};
 
 // The samples of a whole picture as 16 bit numbers, whatever it has.
-static void rasterize(const struct scene_pictures *pictures, enum cli_output_kind kind, int bits,
+static void rasterize(const struct scene_pictures *pictures, enum scene_output_kind kind, int bits,
                       bool transparent, struct cli_output_raster *output, uint16_t *samples)
 {
     cli_output_rasterize(output, pictures, kind, bits, transparent, bounds_min, bounds_max);
@@ -42,14 +42,14 @@ static void test_color(void **state)
     struct scene_pictures pictures = {.width = WIDTH, .height = HEIGHT, .color = color[0]};
     struct cli_output_raster output;
     uint16_t samples[PIXELS * 4];
-    rasterize(&pictures, CLI_KIND_COLOR, 0, false, &output, samples);
+    rasterize(&pictures, SCENE_KIND_COLOR, 0, false, &output, samples);
     assert_int_equal(output.raster.channels, 3);
     assert_int_equal(output.raster.bits, 8);
     assert_true(output.raster.srgb);
     for (int i = 0; i < PIXELS * 3; i++) {
         assert_int_equal(samples[i], color[i / 3][i % 3]);
     }
-    rasterize(&pictures, CLI_KIND_COLOR, 8, true, &output, samples);
+    rasterize(&pictures, SCENE_KIND_COLOR, 8, true, &output, samples);
     assert_int_equal(output.raster.channels, 4);
     for (int i = 0; i < PIXELS * 4; i++) {
         assert_int_equal(samples[i], color[i / 4][i % 4]);
@@ -67,7 +67,7 @@ static void test_fine_color(void **state)
     const struct scene_pictures pictures = {.width = WIDTH, .height = HEIGHT, .display = display[0]};
     struct cli_output_raster output;
     uint16_t samples[PIXELS * 4];
-    rasterize(&pictures, CLI_KIND_COLOR, 16, true, &output, samples);
+    rasterize(&pictures, SCENE_KIND_COLOR, 16, true, &output, samples);
     assert_int_equal(output.raster.bits, 16);
     for (int i = 0; i < PIXELS * 4; i++) {
         const double linear = fmin((double)display[i / 4][i % 4], 1.0);
@@ -76,7 +76,7 @@ static void test_fine_color(void **state)
         assert_true(fabs(samples[i] - expected) <= 0.51);
     }
     uint16_t opaque[PIXELS * 3];
-    rasterize(&pictures, CLI_KIND_COLOR, 16, false, &output, opaque);
+    rasterize(&pictures, SCENE_KIND_COLOR, 16, false, &output, opaque);
     for (int i = 0; i < PIXELS * 3; i++) {
         assert_int_equal(opaque[i], samples[i / 3 * 4 + i % 3]);
     }
@@ -91,7 +91,7 @@ static void test_depth_and_distance(void **state)
         .width = WIDTH, .height = HEIGHT, .depth = depth, .distance = distance};
     // 1 at the nearest, 0.1 at the farthest, linear between; 0 where nothing is.
     const double expected[PIXELS] = {1.0, 0.55, 0.1, 0.0, 0.775, 1.0};
-    const enum cli_output_kind kinds[2] = {CLI_KIND_DEPTH, CLI_KIND_DISTANCE};
+    const enum scene_output_kind kinds[2] = {SCENE_KIND_DEPTH, SCENE_KIND_DISTANCE};
     for (int k = 0; k < 2; k++) {
         struct cli_output_raster output;
         uint16_t samples[PIXELS];
@@ -118,12 +118,12 @@ static void test_depth_of_nothing_and_of_one_plane(void **state)
     const struct scene_pictures pictures = {.width = WIDTH, .height = HEIGHT, .depth = depth};
     struct cli_output_raster output;
     uint16_t samples[PIXELS];
-    rasterize(&pictures, CLI_KIND_DEPTH, 0, false, &output, samples);
+    rasterize(&pictures, SCENE_KIND_DEPTH, 0, false, &output, samples);
     for (int i = 0; i < PIXELS; i++) {
         assert_int_equal(samples[i], 0);
     }
     depth[2] = depth[4] = 0.5f;
-    rasterize(&pictures, CLI_KIND_DEPTH, 0, false, &output, samples);
+    rasterize(&pictures, SCENE_KIND_DEPTH, 0, false, &output, samples);
     for (int i = 0; i < PIXELS; i++) {
         assert_int_equal(samples[i], i == 2 || i == 4 ? 65535 : 0);
     }
@@ -142,15 +142,15 @@ static void test_vectors(void **state)
                                             .barycentric = vectors[0]};
     struct cli_output_raster output;
     uint16_t samples[PIXELS][3];
-    rasterize(&pictures, CLI_KIND_NORMAL, 0, false, &output, samples[0]);
+    rasterize(&pictures, SCENE_KIND_NORMAL, 0, false, &output, samples[0]);
     assert_int_equal(output.raster.bits, 8);
     const uint16_t normals[3][3] = {{0, 128, 255}, {191, 64, 128}, {0, 0, 0}};
     assert_memory_equal(samples, normals, sizeof normals);
     // x −1..3, y without extent, z 10..20
-    rasterize(&pictures, CLI_KIND_POSITION, 0, false, &output, samples[0]);
+    rasterize(&pictures, SCENE_KIND_POSITION, 0, false, &output, samples[0]);
     const uint16_t positions[3][3] = {{255, 0, 255}, {128, 0, 128}, {0, 0, 0}};
     assert_memory_equal(samples[3], positions, sizeof positions);
-    rasterize(&pictures, CLI_KIND_BARY, 0, false, &output, samples[0]);
+    rasterize(&pictures, SCENE_KIND_BARYCENTRIC, 0, false, &output, samples[0]);
     const uint16_t weights[3][3] = {{0, 0, 255}, {128, 0, 0}, {0, 0, 0}};
     assert_memory_equal(samples, weights, sizeof weights);
 }
@@ -163,7 +163,7 @@ static void test_uv(void **state)
     const struct scene_pictures pictures = {.width = WIDTH, .height = HEIGHT, .uv = uv[0]};
     struct cli_output_raster output;
     uint16_t samples[PIXELS][3];
-    rasterize(&pictures, CLI_KIND_UV, 0, false, &output, samples[0]);
+    rasterize(&pictures, SCENE_KIND_UV, 0, false, &output, samples[0]);
     const uint16_t expected[PIXELS][3] = {{51, 102, 0}, {51, 102, 0}, {0, 0, 0},
                                           {0, 0, 0},    {0, 0, 0},    {255, 128, 0}};
     assert_memory_equal(samples, expected, sizeof expected);
@@ -177,8 +177,8 @@ static void test_ids(void **state)
     const struct scene_pictures pictures = {.width = WIDTH, .height = HEIGHT, .object = ids, .triangle = ids};
     struct cli_output_raster output;
     uint16_t objects[PIXELS][3], triangles[PIXELS][3];
-    rasterize(&pictures, CLI_KIND_OBJECT, 0, false, &output, objects[0]);
-    rasterize(&pictures, CLI_KIND_TRIANGLE, 0, false, &output, triangles[0]);
+    rasterize(&pictures, SCENE_KIND_OBJECT, 0, false, &output, objects[0]);
+    rasterize(&pictures, SCENE_KIND_TRIANGLE, 0, false, &output, triangles[0]);
     assert_memory_equal(objects, triangles, sizeof objects);
     const uint16_t expected[4][3] = {{0, 0, 0}, {205, 167, 162}, {156, 80, 69}, {228, 237, 244}};
     assert_memory_equal(objects, expected, sizeof expected);
@@ -196,7 +196,7 @@ static void test_overdraw(void **state)
     const struct scene_pictures pictures = {.width = WIDTH, .height = HEIGHT, .overdraw = overdraw};
     struct cli_output_raster output;
     uint16_t samples[PIXELS][3];
-    rasterize(&pictures, CLI_KIND_OVERDRAW, 0, false, &output, samples[0]);
+    rasterize(&pictures, SCENE_KIND_OVERDRAW, 0, false, &output, samples[0]);
     const uint16_t ends[2][3] = {{0, 0, 0}, {255, 255, 255}}, quarter[3] = {89, 26, 128};
     assert_memory_equal(samples[0], ends[0], sizeof ends[0]);
     assert_memory_equal(samples[4], ends[1], sizeof ends[1]);
@@ -219,12 +219,12 @@ static void test_tiles_and_plans(void **state)
         .width = WIDTH, .height = HEIGHT, .color = color[0], .tiles = tiles, .plan = plan};
     struct cli_output_raster output;
     uint16_t samples[PIXELS][3];
-    rasterize(&pictures, CLI_KIND_TILES, 0, false, &output, samples[0]);
+    rasterize(&pictures, SCENE_KIND_TILES, 0, false, &output, samples[0]);
     const uint16_t of_tiles[PIXELS][3] = {{0, 0, 0}, {58, 17, 83}, {141, 33, 41},
                                           {0, 0, 0}, {0, 0, 0},    {211, 211, 211}};
     assert_memory_equal(samples, of_tiles, sizeof of_tiles);
     assert_non_null(strstr(output.raster.comment, "white is 16"));
-    rasterize(&pictures, CLI_KIND_PLAN, 0, false, &output, samples[0]);
+    rasterize(&pictures, SCENE_KIND_PLAN, 0, false, &output, samples[0]);
     const uint16_t of_plans[PIXELS][3] = {{0, 0, 0},     {41, 83, 166}, {166, 91, 17},
                                           {33, 133, 50}, {104, 87, 91}, {46, 46, 46}};
     assert_memory_equal(samples, of_plans, sizeof of_plans);
@@ -236,24 +236,47 @@ static void test_names_and_needs(void **state)
     unsigned kinds = 99;
     const char *bad = NULL;
     assert_true(cli_outputs_parse("color,depth,depth", &kinds, &bad));
-    assert_int_equal(kinds, 1u << CLI_KIND_COLOR | 1u << CLI_KIND_DEPTH);
+    assert_int_equal(kinds, 1u << SCENE_KIND_COLOR | 1u << SCENE_KIND_DEPTH);
     assert_int_equal(cli_outputs_needed(kinds, CLI_PICTURE_PNG, 0), SCENE_OUTPUT_COLOR | SCENE_OUTPUT_DEPTH);
     assert_int_equal(cli_outputs_needed(kinds, CLI_PICTURE_PPM, 16),
                      SCENE_OUTPUT_DISPLAY | SCENE_OUTPUT_DEPTH);
     assert_int_equal(cli_outputs_needed(kinds, CLI_PICTURE_EXR, 0), SCENE_OUTPUT_LINEAR | SCENE_OUTPUT_DEPTH);
-    assert_int_equal(cli_outputs_needed(1u << CLI_KIND_PLAN, CLI_PICTURE_PNG, 0),
+    assert_int_equal(cli_outputs_needed(1u << SCENE_KIND_PLAN, CLI_PICTURE_PNG, 0),
                      SCENE_OUTPUT_PLAN | SCENE_OUTPUT_COLOR);
-    assert_int_equal(cli_outputs_needed(1u << CLI_KIND_PLAN, CLI_PICTURE_EXR, 0), SCENE_OUTPUT_PLAN);
+    assert_int_equal(cli_outputs_needed(1u << SCENE_KIND_PLAN, CLI_PICTURE_EXR, 0), SCENE_OUTPUT_PLAN);
     assert_false(cli_outputs_parse("color,dept", &kinds, &bad));
     assert_string_equal(bad, "dept");
     assert_false(cli_outputs_parse("color,", &kinds, &bad));
     assert_false(cli_outputs_parse("", &kinds, &bad));
     assert_true(cli_outputs_parse("all", &kinds, &bad));
-    assert_int_equal(kinds, (1u << CLI_KIND_OVERDRAW) - 1); // what is of the work is asked for by name
-    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
-        assert_true(cli_outputs_parse(cli_output_name((enum cli_output_kind)kind), &kinds, &bad));
+    assert_int_equal(kinds, (1u << SCENE_KIND_OVERDRAW) - 1); // what is of the work is asked for by name
+    for (int kind = 0; kind < CLI_OUTPUT_KINDS; kind++) {
+        assert_true(cli_outputs_parse(scene_outputs[kind].word, &kinds, &bad));
         assert_int_equal(kinds, 1u << kind);
     }
+}
+
+// A row of the table says of the picture what its memory is.
+static void test_table(void **state)
+{
+    (void)state;
+    struct scene_pictures pictures = {0};
+    uint32_t outputs = 0;
+    for (int i = 0; i < SCENE_KIND_COUNT; i++) {
+        const enum scene_output_kind kind = (enum scene_output_kind)i;
+        const size_t element = scene_output_element(kind) == SCENE_ELEMENT_UINT8 ? 1 : 4;
+        assert_int_equal((size_t)scene_output_channels(kind) * element,
+                         rhw_format_size(scene_outputs[kind].format));
+        assert_null(scene_picture_get(&pictures, kind)); // no two rows have one member
+        scene_picture_set(&pictures, kind, &pictures);
+        assert_ptr_equal(scene_picture_get(&pictures, kind), &pictures);
+        assert_false(outputs & scene_outputs[kind].output);
+        outputs |= scene_outputs[kind].output;
+        assert_int_equal(scene_outputs[kind].is_of_work,
+                         (scene_outputs[kind].output & SCENE_OUTPUT_WORK) != 0);
+        assert_int_equal(scene_outputs[kind].word != NULL, scene_outputs[kind].shown != NULL);
+    }
+    assert_int_equal(outputs, SCENE_OUTPUT_ALL | SCENE_OUTPUT_WORK);
 }
 
 int main(void)
@@ -267,6 +290,7 @@ int main(void)
         cmocka_unit_test(test_uv),
         cmocka_unit_test(test_ids),
         cmocka_unit_test(test_overdraw),
+        cmocka_unit_test(test_table),
         cmocka_unit_test(test_tiles_and_plans),
         cmocka_unit_test(test_names_and_needs),
     };

@@ -37,6 +37,14 @@ for name in $typed; do
     check "the code has $name" sh -c "echo ' $(echo $names) ' | grep -q ' $name '"
 done
 
+# The types of the outputs, of which the package gives all but `display`.
+rows=$(awk -F'"' '/\.name = /{ name = $2 }
+    /\.format = /{ sub(/.*RHW_FORMAT_/, ""); sub(/,.*/, ""); print name ":" \
+        ($0 ~ /_UINT/ ? "Uint32Array" : $0 ~ /FLOAT/ ? "Float32Array" : "Uint8ClampedArray") }' \
+    "$root/scene/draw/output_table.c" | grep -v '^display:' | sort)
+typed=$(sed -n '/^export interface Outputs/,/^}/s/^    \([a-z]*\): \([A-Za-z0-9]*\);/\1:\2/p' "$types" | sort)
+check "the types have the outputs of the table" test -n "$rows" -a "$rows" = "$typed"
+
 exported=$(sed -n 's/^export \(async function\|class\|{\) \([A-Za-z]*\).*/\2/p' "$root/web/npm/index.js" | sort)
 declared=$(sed -n 's/^export \(function\|class\) \([A-Za-z]*\).*/\2/p' "$types" | sort -u)
 check "exports: $(echo $exported), not $(echo $declared)" test "$exported" = "$declared"

@@ -13,6 +13,14 @@ from conftest import model_file
 ALL = ("linear", "depth", "distance", "normal", "position", "uv", "object", "triangle", "barycentric")
 
 
+@pytest.mark.parametrize("row", rhw.pictures.TABLE.values(), ids=lambda row: row.name)
+def test_documented_as_in_the_table(row):
+    shape = "(H, W, 4)" if row.channels == 4 else "(H, W)"
+    told = next(line.split() for line in rhw.Pictures.__doc__.splitlines() if line.split()[:1] == [row.name])
+    assert " ".join(told).startswith(f"{row.name} {shape} {np.dtype(row.type).name} ")
+    assert f"'{row.name}'" in rhw.Model.render.__doc__
+
+
 @pytest.mark.parametrize("options, keywords", [
     ((), {}),
     (("--samples", "1", "--tone-map", "agx", "--exposure", "0.5"), {"samples": 1, "tone": "agx", "exposure": 0.5}),

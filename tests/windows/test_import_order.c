@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "import/import.h"
+#include "import/reader_process.h"
 #include "import/blob.h"
 
 static atomic_int compared; // strings, when the reader has come to its end

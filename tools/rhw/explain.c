@@ -151,7 +151,7 @@ static bool parse(struct question *q, int argc, char **argv)
 // What rhw render would do and explain does not.
 static bool check(const struct question *q, const struct cli_render_job *job)
 {
-    if (job->kinds != 1u << CLI_KIND_COLOR) {
+    if (job->kinds != 1u << SCENE_KIND_COLOR) {
         cli_error("--output", "cannot be explained");
         return false;
     }

@@ -30,13 +30,13 @@ static void free_frame(struct render *frame)
     cli_render_files_forget(frame);
 }
 
-static enum cli_output_kind only_kind(const struct cli_render_job *job)
+static enum scene_output_kind only_kind(const struct cli_render_job *job)
 {
     int kind = 0;
     while (!(job->kinds >> kind & 1)) {
         kind++;
     }
-    return (enum cli_output_kind)kind;
+    return (enum scene_output_kind)kind;
 }
 
 // Only one thread has the turn.

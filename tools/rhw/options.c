@@ -190,7 +190,11 @@ void cli_print_help(const struct cli_verb *verb)
         }
     }
     print_option(&(struct cli_option){"help", HELP_ID, NULL, "print this and exit"});
-    if (verb->notes) {
+    if (verb->print_table) {
+        putchar('\n');
+        verb->print_table();
+        printf("%s\n", verb->notes);
+    } else if (verb->notes) {
         printf("\n%s\n", verb->notes);
     }
 }

@@ -34,7 +34,8 @@ struct cli_verb {
     const char *summary;  ///< one sentence
     const struct cli_option *options;
     int option_count;
-    const char *notes; ///< paragraphs after the options, or NULL
+    void (*print_table)(void); ///< prints what stands between the options and the notes; NULL: nothing does
+    const char *notes;         ///< paragraphs after the options, or NULL
 };
 
 enum { CLI_OPTIONS_MAX = 60 };

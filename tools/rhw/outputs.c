@@ -10,29 +10,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const names[CLI_KIND_COUNT] = {"color",    "depth",    "distance", "normal",
-                                                  "position", "uv",       "object",   "triangle",
-                                                  "bary",     "overdraw", "tiles",    "plan"};
-
-static const uint32_t drawn[CLI_KIND_COUNT] = {
-    SCENE_OUTPUT_COLOR,       SCENE_OUTPUT_DEPTH,    SCENE_OUTPUT_DISTANCE, SCENE_OUTPUT_NORMAL,
-    SCENE_OUTPUT_POSITION,    SCENE_OUTPUT_UV,       SCENE_OUTPUT_OBJECT,   SCENE_OUTPUT_TRIANGLE,
-    SCENE_OUTPUT_BARYCENTRIC, SCENE_OUTPUT_OVERDRAW, SCENE_OUTPUT_TILES,    SCENE_OUTPUT_PLAN};
-
-const char *cli_output_name(enum cli_output_kind kind)
+static bool is_word(const char *word, const char *text, size_t length)
 {
-    return names[kind];
+    return strlen(word) == length && memcmp(word, text, length) == 0;
 }
 
 static int find_name(const char *text, size_t length)
 {
-    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
-        if (strlen(names[kind]) == length && memcmp(names[kind], text, length) == 0) {
+    for (int kind = 0; kind < CLI_OUTPUT_KINDS; kind++) {
+        if (is_word(scene_outputs[kind].word, text, length) ||
+            is_word(scene_outputs[kind].name, text, length)) {
             return kind;
         }
     }
-    static const char whole[] = "barycentric"; // as the Python and the npm package call it
-    return length == sizeof whole - 1 && memcmp(whole, text, length) == 0 ? CLI_KIND_BARY : -1;
+    return -1;
 }
 
 bool cli_outputs_parse(const char *list, unsigned *kinds, const char **bad)
@@ -44,7 +35,7 @@ bool cli_outputs_parse(const char *list, unsigned *kinds, const char **bad)
         if (kind >= 0) {
             found |= 1u << kind;
         } else if (length == 3 && memcmp(name, "all", 3) == 0) {
-            found = (1u << CLI_KIND_OVERDRAW) - 1;
+            found = (1u << SCENE_KIND_OVERDRAW) - 1;
         } else {
             *bad = name;
             return false;
@@ -61,18 +52,18 @@ bool cli_outputs_parse(const char *list, unsigned *kinds, const char **bad)
 uint32_t cli_outputs_needed(unsigned kinds, enum cli_picture_format format, int bits)
 {
     uint32_t needed = 0;
-    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
+    for (int kind = 0; kind < CLI_OUTPUT_KINDS; kind++) {
         if (!(kinds >> kind & 1)) {
             continue;
         }
-        if (kind == CLI_KIND_COLOR && format == CLI_PICTURE_EXR) {
+        if (kind == SCENE_KIND_COLOR && format == CLI_PICTURE_EXR) {
             needed |= SCENE_OUTPUT_LINEAR;
-        } else if (kind == CLI_KIND_COLOR && bits == 16) {
+        } else if (kind == SCENE_KIND_COLOR && bits == 16) {
             needed |= SCENE_OUTPUT_DISPLAY;
         } else {
-            needed |= drawn[kind];
+            needed |= scene_outputs[kind].output;
         }
-        const bool over_picture = kind == CLI_KIND_TILES || kind == CLI_KIND_PLAN;
+        const bool over_picture = kind == SCENE_KIND_TILES || kind == SCENE_KIND_PLAN;
         needed |= over_picture && format != CLI_PICTURE_EXR ? SCENE_OUTPUT_COLOR : 0;
     }
     return needed;
@@ -358,13 +349,13 @@ static void set_plan(struct cli_output_raster *output)
 }
 
 void cli_output_rasterize(struct cli_output_raster *output, const struct scene_pictures *pictures,
-                          enum cli_output_kind kind, int bits, bool transparent, const float bounds_min[3],
+                          enum scene_output_kind kind, int bits, bool transparent, const float bounds_min[3],
                           const float bounds_max[3])
 {
     static const float minus_one[3] = {-1, -1, -1}, zero[3] = {0, 0, 0}, one[3] = {1, 1, 1};
     *output = (struct cli_output_raster){.pictures = pictures};
     const size_t pixels = (size_t)pictures->width * (size_t)pictures->height;
-    const bool grey = kind == CLI_KIND_DEPTH || kind == CLI_KIND_DISTANCE;
+    const bool grey = kind == SCENE_KIND_DEPTH || kind == SCENE_KIND_DISTANCE;
     output->raster = (struct cli_raster){.width = pictures->width,
                                          .height = pictures->height,
                                          .channels = 3,
@@ -373,74 +364,48 @@ void cli_output_rasterize(struct cli_output_raster *output, const struct scene_p
                                                         : 8,
                                          .user = output};
     switch (kind) {
-    case CLI_KIND_COLOR: set_color(output, transparent); break;
-    case CLI_KIND_DEPTH:
+    case SCENE_KIND_COLOR: set_color(output, transparent); break;
+    case SCENE_KIND_DEPTH:
         output->floats = pictures->depth;
         set_grey(output, "NDC depth");
         break;
-    case CLI_KIND_DISTANCE:
+    case SCENE_KIND_DISTANCE:
         output->floats = pictures->distance;
         set_grey(output, "distance along the view");
         break;
-    case CLI_KIND_NORMAL: set_vector(output, pictures->normal, minus_one, one); break;
-    case CLI_KIND_POSITION: set_vector(output, pictures->position, bounds_min, bounds_max); break;
-    case CLI_KIND_UV:
+    case SCENE_KIND_NORMAL: set_vector(output, pictures->normal, minus_one, one); break;
+    case SCENE_KIND_POSITION: set_vector(output, pictures->position, bounds_min, bounds_max); break;
+    case SCENE_KIND_UV:
         output->floats = pictures->uv;
         output->raster.row = uv_row;
         break;
-    case CLI_KIND_OBJECT: set_ids(output, pictures->object); break;
-    case CLI_KIND_TRIANGLE: set_ids(output, pictures->triangle); break;
-    case CLI_KIND_OVERDRAW: set_overdraw(output, pixels); break;
-    case CLI_KIND_TILES: set_tiles(output, pixels); break;
-    case CLI_KIND_PLAN: set_plan(output); break;
-    case CLI_KIND_BARY:
-    case CLI_KIND_COUNT: set_vector(output, pictures->barycentric, zero, one); break;
+    case SCENE_KIND_OBJECT: set_ids(output, pictures->object); break;
+    case SCENE_KIND_TRIANGLE: set_ids(output, pictures->triangle); break;
+    case SCENE_KIND_OVERDRAW: set_overdraw(output, pixels); break;
+    case SCENE_KIND_TILES: set_tiles(output, pixels); break;
+    case SCENE_KIND_PLAN: set_plan(output); break;
+    case SCENE_KIND_BARYCENTRIC: set_vector(output, pictures->barycentric, zero, one); break;
+    default: break; // has no word
     }
 }
 
 // EXR -----------------------------------------------------------------------------------------------
 
-static int add_channels(struct cli_exr_channel *channels, int count, const char *const *channel_names,
-                        int added, const void *pixels, bool integer, int pixel_stride)
-{
-    for (int i = 0; i < added; i++) {
-        channels[count + i] = (struct cli_exr_channel){.name = channel_names[i],
-                                                       .integer = integer,
-                                                       .first = (const uint8_t *)pixels + 4 * i,
-                                                       .pixel_stride = pixel_stride};
-    }
-    return count + added;
-}
-
 int cli_outputs_exr_channels(const struct scene_pictures *pictures, unsigned kinds,
                              struct cli_exr_channel channels[CLI_EXR_CHANNELS_MAX])
 {
-    const struct {
-        const char *names[4];
-        int count;
-        const void *pixels;
-        bool integer;
-        int pixel_stride;
-    } layers[CLI_KIND_COUNT] = {
-        [CLI_KIND_COLOR] = {{"R", "G", "B", "A"}, 4, pictures->linear, false, 16},
-        [CLI_KIND_DEPTH] = {{"depth.Z"}, 1, pictures->depth, false, 4},
-        [CLI_KIND_DISTANCE] = {{"distance.Z"}, 1, pictures->distance, false, 4},
-        [CLI_KIND_NORMAL] = {{"normal.X", "normal.Y", "normal.Z", "normal.A"}, 4, pictures->normal, false, 16},
-        [CLI_KIND_POSITION] =
-            {{"position.X", "position.Y", "position.Z", "position.A"}, 4, pictures->position, false, 16},
-        [CLI_KIND_UV] = {{"uv.U", "uv.V"}, 2, pictures->uv, false, 16},
-        [CLI_KIND_OBJECT] = {{"object.id"}, 1, pictures->object, true, 4},
-        [CLI_KIND_TRIANGLE] = {{"triangle.id"}, 1, pictures->triangle, true, 4},
-        [CLI_KIND_OVERDRAW] = {{"overdraw.count"}, 1, pictures->overdraw, false, 4},
-        [CLI_KIND_TILES] = {{"tiles.triangles"}, 1, pictures->tiles, true, 4},
-        [CLI_KIND_PLAN] = {{"plan.bits"}, 1, pictures->plan, true, 4},
-        [CLI_KIND_BARY] = {{"bary.a", "bary.b", "bary.c"}, 3, pictures->barycentric, false, 16},
-    };
     int count = 0;
-    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
-        if (kinds >> kind & 1) {
-            count = add_channels(channels, count, layers[kind].names, layers[kind].count, layers[kind].pixels,
-                                 layers[kind].integer, layers[kind].pixel_stride);
+    for (int i = 0; i < CLI_OUTPUT_KINDS; i++) {
+        // The colour of an EXR is light.
+        const enum scene_output_kind kind =
+            i == SCENE_KIND_COLOR ? SCENE_KIND_LINEAR : (enum scene_output_kind)i;
+        const char *const *const layer = scene_outputs[kind].layer;
+        for (int c = 0; c < 4 && layer[c] && kinds >> i & 1; c++) {
+            channels[count++] =
+                (struct cli_exr_channel){.name = layer[c],
+                                         .integer = scene_output_element(kind) == SCENE_ELEMENT_UINT32,
+                                         .first = (const uint8_t *)scene_picture_get(pictures, kind) + 4 * c,
+                                         .pixel_stride = 4 * scene_output_channels(kind)};
         }
     }
     return count;

@@ -7,24 +7,9 @@
 #include "draw/draw.h"
 #include "image_write.h"
 
-enum cli_output_kind {
-    CLI_KIND_COLOR,
-    CLI_KIND_DEPTH,
-    CLI_KIND_DISTANCE,
-    CLI_KIND_NORMAL,
-    CLI_KIND_POSITION,
-    CLI_KIND_UV,
-    CLI_KIND_OBJECT,
-    CLI_KIND_TRIANGLE,
-    CLI_KIND_BARY,
-    CLI_KIND_OVERDRAW, ///< from here on what is no part of `all`
-    CLI_KIND_TILES,
-    CLI_KIND_PLAN,
-    CLI_KIND_COUNT
-};
-
-/// "color", "depth", ...
-const char *cli_output_name(enum cli_output_kind kind);
+enum {
+    CLI_OUTPUT_KINDS = SCENE_KIND_LINEAR
+}; ///< those with a word of their own, the first of enum scene_output_kind
 
 /// "color,depth" or "all" to a set of 1 << kind. False when a name is unknown; `*bad` is that name's start.
 bool cli_outputs_parse(const char *list, unsigned *kinds, const char **bad);
@@ -44,7 +29,7 @@ struct cli_output_raster {
 
 /// `bits` 0: 16 for depth and distance, else 8. `bounds` are those of the model, for positions.
 void cli_output_rasterize(struct cli_output_raster *output, const struct scene_pictures *pictures,
-                          enum cli_output_kind kind, int bits, bool transparent, const float bounds_min[3],
+                          enum scene_output_kind kind, int bits, bool transparent, const float bounds_min[3],
                           const float bounds_max[3]);
 
 enum { CLI_EXR_CHANNELS_MAX = 32 };

@@ -13,7 +13,7 @@
 enum { JPEG_QUALITY = 92 };
 
 // OUT with the names of the model, the output, and of the view or the frame, which count from 0; −1: there is none.
-static bool expand_out(struct render *render, int number, enum cli_output_kind kind)
+static bool expand_out(struct render *render, int number, enum scene_output_kind kind)
 {
     const struct cli_render_job *const job = &render->job;
     const char *const slash = strrchr(job->model_path, '/'), *const base =
@@ -26,7 +26,7 @@ static bool expand_out(struct render *render, int number, enum cli_output_kind k
         if (job->is_literal) {
             render->out[at++] = *in++;
         } else if (strncmp(in, "{}", 2) == 0) {
-            at += (size_t)snprintf(render->out + at, room, "%s", cli_output_name(kind));
+            at += (size_t)snprintf(render->out + at, room, "%s", scene_outputs[kind].word);
             in += 2;
         } else if (strncmp(in, "{name}", 6) == 0) {
             at += (size_t)snprintf(render->out + at, room, "%.*s", stem, base);
@@ -50,16 +50,16 @@ static bool expand_out(struct render *render, int number, enum cli_output_kind k
 }
 
 // `out`, or with several outputs that with the output's name in it, where it has had no {} for that.
-static char *make_path(const struct cli_render_job *job, const char *out, enum cli_output_kind kind)
+static char *make_path(const struct cli_render_job *job, const char *out, enum scene_output_kind kind)
 {
-    const char *name = cli_output_name(kind);
+    const char *name = scene_outputs[kind].word;
     const size_t size = strlen(out) + strlen(name) + 2;
     char *path = malloc(size);
     if (!path) {
         return NULL;
     }
     const bool several = (job->kinds & (job->kinds - 1)) != 0;
-    if (job->format == CLI_PICTURE_EXR || !several || kind == CLI_KIND_COLOR || cli_out_has(job, "{}")) {
+    if (job->format == CLI_PICTURE_EXR || !several || kind == SCENE_KIND_COLOR || cli_out_has(job, "{}")) {
         snprintf(path, size, "%s", out);
     } else {
         const char *base = strrchr(out, '/') ? strrchr(out, '/') : out;
@@ -72,7 +72,7 @@ static char *make_path(const struct cli_render_job *job, const char *out, enum c
 
 void cli_render_files_forget(struct render *render)
 {
-    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
+    for (int kind = 0; kind < CLI_OUTPUT_KINDS; kind++) {
         free(render->paths[kind]);
         render->paths[kind] = NULL;
     }
@@ -82,14 +82,14 @@ void cli_render_files_forget(struct render *render)
 bool cli_render_files_plan(struct render *render, int number)
 {
     const struct cli_render_job *job = &render->job;
-    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
+    for (int kind = 0; kind < CLI_OUTPUT_KINDS; kind++) {
         if (!(job->kinds >> kind & 1)) {
             continue;
         }
-        if (!expand_out(render, number, (enum cli_output_kind)kind)) {
+        if (!expand_out(render, number, (enum scene_output_kind)kind)) {
             return false;
         }
-        render->paths[kind] = make_path(job, render->out, (enum cli_output_kind)kind);
+        render->paths[kind] = make_path(job, render->out, (enum scene_output_kind)kind);
         if (!render->paths[kind]) {
             cli_error(render->out, "out of memory");
             return false;
@@ -138,7 +138,7 @@ static bool encode_exr(struct render *render, struct cli_output_file *file)
     return written;
 }
 
-void cli_render_rasterize(const struct render *render, enum cli_output_kind kind,
+void cli_render_rasterize(const struct render *render, enum scene_output_kind kind,
                           struct cli_output_raster *output)
 {
     const struct cli_render_job *job = &render->job;
@@ -147,7 +147,7 @@ void cli_render_rasterize(const struct render *render, enum cli_output_kind kind
                          render->model->bounds_max);
 }
 
-static bool encode_raster(struct render *render, struct cli_output_file *file, enum cli_output_kind kind)
+static bool encode_raster(struct render *render, struct cli_output_file *file, enum scene_output_kind kind)
 {
     const struct cli_render_job *job = &render->job;
     struct cli_output_raster output;
@@ -169,7 +169,7 @@ bool cli_render_files_write(struct render *render)
 {
     const double start = cli_milliseconds();
     bool written = true;
-    for (int kind = 0; written && kind < CLI_KIND_COUNT; kind++) {
+    for (int kind = 0; written && kind < CLI_OUTPUT_KINDS; kind++) {
         if (!render->paths[kind]) {
             continue;
         }
@@ -182,7 +182,7 @@ bool cli_render_files_write(struct render *render)
         render->file_count++;
         written = (render->job.format == CLI_PICTURE_EXR
                        ? encode_exr(render, file)
-                       : encode_raster(render, file, (enum cli_output_kind)kind)) &&
+                       : encode_raster(render, file, (enum scene_output_kind)kind)) &&
                   cli_output_file_finish(file);
     }
     cli_stage_end();

@@ -57,7 +57,7 @@ struct cli_render_job {
     float environment_rotation;
     enum scene_tone tone;
     enum scene_transparency transparency;
-    unsigned kinds;         ///< set of 1 << enum cli_output_kind
+    unsigned kinds;         ///< set of 1 << enum scene_output_kind
     int bits;               ///< 0: as the output wants
     int quality;            ///< of JPEG and WebP; 0: the default
     const char *thumb_mark; ///< kept in a PNG, thumb_mark.h; NULL: none

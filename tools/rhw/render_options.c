@@ -146,22 +146,23 @@ static const struct cli_option options[] = {
     {"thumb-mark", OPTION_THUMB_MARK, "TEXT", NULL}, // of rhw thumbs, which starts this verb
 };
 
+static void print_kinds(int first, int end)
+{
+    for (int kind = first; kind < end; kind++) {
+        printf("  %-10s%s\n", scene_outputs[kind].word, scene_outputs[kind].shown);
+    }
+}
+
+static void print_outputs(void)
+{
+    puts("Outputs, and what they are in PNG and PPM (data is black where nothing is):");
+    print_kinds(0, SCENE_KIND_OVERDRAW);
+    puts("  all       all of these\n"
+         "and of the work (dark to light is none to the most, which the file's comment tells):");
+    print_kinds(SCENE_KIND_OVERDRAW, CLI_OUTPUT_KINDS);
+}
+
 static const char notes[] =
-    "Outputs, and what they are in PNG and PPM (data is black where nothing is):\n"
-    "  color     the picture, sRGB encoded; with alpha on a transparent background\n"
-    "  depth     0 near to 1 far, linear on the screen; nearest white, farthest dark grey, 16 bits\n"
-    "  distance  along the view, in the model's units; shown as depth is\n"
-    "  normal    in the world, 0.5 + 0.5 n\n"
-    "  position  in the world, 0..1 from one end of the model's bounding box to the other\n"
-    "  uv        first texture coordinates without their integer part, in red and green\n"
-    "  object    a colour for each node that draws\n"
-    "  triangle  a colour for each triangle\n"
-    "  bary      the weights a, b, c of the three vertices in red, green and blue; also barycentric\n"
-    "  all       all of these\n"
-    "and of the work (dark to light is none to the most, which the file's comment tells):\n"
-    "  overdraw  how many surfaces lie above each other, seen or not\n"
-    "  tiles     triangles of the pixel's tile of 64x64, over the picture in grey\n"
-    "  plan      how hidden surfaces are left out there: blue in order, orange depth first, green backwards\n"
     "The ranges behind depth, distance and position stand in the PNG file as a comment.\n\n"
     "With several outputs in PNG or PPM, color takes the name OUT and the others get theirs before the "
     "ending:\n"
@@ -190,6 +191,7 @@ static const struct cli_verb verb = {
     .summary = "Draws model files (glTF, OBJ, PLY, STL, FBX, 3DS, Collada and more) and writes the picture.",
     .options = options,
     .option_count = (int)(sizeof options / sizeof *options),
+    .print_table = print_outputs,
     .notes = notes,
 };
 
@@ -211,8 +213,8 @@ static bool choose_camera(struct cli_render_job *job, enum cli_camera_choice cho
 static void refuse_output(const char *bad)
 {
     char list[128] = "";
-    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
-        strcat(list, cli_output_name((enum cli_output_kind)kind));
+    for (int kind = 0; kind < CLI_OUTPUT_KINDS; kind++) {
+        strcat(list, scene_outputs[kind].word);
         strcat(list, ", ");
     }
     cli_error("--output", "'%.*s' is no output; there are %sall", (int)strcspn(bad, ","), bad, list);
@@ -487,7 +489,7 @@ bool cli_render_job_parse(struct cli_render_job *job, const struct cli_verb *ask
                                    .margin = -1.0,
                                    .supersample = 1,
                                    .interpolate = RHW_SMOOTH,
-                                   .kinds = 1u << CLI_KIND_COLOR,
+                                   .kinds = 1u << SCENE_KIND_COLOR,
                                    .isa = RHW_ISA_COUNT};
     struct cli_verb spoken = verb; // the options are ours, the messages speak of the verb that was typed
     if (asked) {

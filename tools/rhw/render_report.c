@@ -12,9 +12,9 @@
 static void print_outputs(FILE *stream, unsigned kinds)
 {
     const char *separator = "";
-    for (int kind = 0; kind < CLI_KIND_COUNT; kind++) {
+    for (int kind = 0; kind < CLI_OUTPUT_KINDS; kind++) {
         if (kinds >> kind & 1) {
-            fprintf(stream, "%s\"%s\"", separator, cli_output_name((enum cli_output_kind)kind));
+            fprintf(stream, "%s\"%s\"", separator, scene_outputs[kind].word);
             separator = ", ";
         }
     }

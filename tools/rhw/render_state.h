@@ -24,9 +24,9 @@ struct render {
     struct scene_pictures pictures;
     struct scene_draw_stats stats;
     struct cli_render_times times;
-    char out[4096];              // job.out with names in place
-    char *paths[CLI_KIND_COUNT]; // NULL: not written
-    struct cli_output_file files[CLI_KIND_COUNT];
+    char out[4096];                // job.out with names in place
+    char *paths[CLI_OUTPUT_KINDS]; // NULL: not written
+    struct cli_output_file files[CLI_OUTPUT_KINDS];
     int file_count;        // open ones
     bool distrusts_camera; // the file's first camera gave way to the fit
 };
@@ -75,7 +75,7 @@ bool cli_render_files_plan(struct render *render, int number);
 /// Sets the path of the picture of one output, as it stands there. Reports failure.
 bool cli_render_files_name(struct render *render, const char *path);
 /// One output of what is drawn as a raster.
-void cli_render_rasterize(const struct render *render, enum cli_output_kind kind,
+void cli_render_rasterize(const struct render *render, enum scene_output_kind kind,
                           struct cli_output_raster *output);
 /// Writes the pictures into all of them or none. Reports failure.
 bool cli_render_files_write(struct render *render);

@@ -86,72 +86,39 @@ void cli_sheet_grid(int count, int *columns, int *rows)
     }
 }
 
-// One picture of a draw, and what a pixel of it is where nothing is.
-struct plane {
-    unsigned char *pixels;
-    size_t pixel;
-    float empty;
-};
-
-enum { PLANES = 14 };
-
-static void list_planes(const struct scene_pictures *p, struct plane planes[PLANES])
+static size_t pixel_size(int kind)
 {
-    const struct plane list[PLANES] = {
-        {p->color, 4, 0.0f},
-        {(void *)p->linear, 16, 0.0f},
-        {(void *)p->display, 16, 0.0f},
-        {(void *)p->depth, 4, 1.0f},
-        {(void *)p->distance, 4, INFINITY},
-        {(void *)p->normal, 16, 0.0f},
-        {(void *)p->position, 16, 0.0f},
-        {(void *)p->uv, 16, 0.0f},
-        {(void *)p->barycentric, 16, 0.0f},
-        {(void *)p->object, 4, 0.0f},
-        {(void *)p->triangle, 4, 0.0f},
-        {(void *)p->overdraw, 4, 0.0f},
-        {(void *)p->tiles, 4, 0.0f},
-        {(void *)p->plan, 4, 0.0f},
-    };
-    memcpy(planes, list, sizeof list);
+    return rhw_format_size(scene_outputs[kind].format);
 }
 
-static void fill(struct plane *plane, size_t pixels)
+static void *get(const struct scene_pictures *pictures, int kind)
 {
-    for (size_t i = 0; i < pixels && !(plane->empty <= 0.0f); i++) {
-        memcpy(plane->pixels + i * sizeof plane->empty, &plane->empty, sizeof plane->empty);
+    return scene_picture_get(pictures, (enum scene_output_kind)kind);
+}
+
+// Memory of a sheet where nothing is yet.
+static void *make_empty(int kind, size_t pixels)
+{
+    char *const picture = calloc(pixels, pixel_size(kind));
+    const float empty = scene_outputs[kind].empty;
+    for (size_t i = 0; i < pixels && picture && empty > 0.0f; i++) {
+        memcpy(picture + i * sizeof empty, &empty, sizeof empty);
     }
+    return picture;
 }
 
 bool cli_sheet_create(struct scene_pictures *sheet, const struct scene_pictures *cell, int columns, int rows)
 {
     *sheet = (struct scene_pictures){.width = cell->width * columns, .height = cell->height * rows};
     const size_t pixels = (size_t)sheet->width * (size_t)sheet->height;
-    struct plane planes[PLANES];
-    list_planes(cell, planes);
     bool complete = true;
-    for (int i = 0; i < PLANES; i++) {
-        const bool wanted = planes[i].pixels != NULL;
-        planes[i].pixels = wanted ? calloc(pixels, planes[i].pixel) : NULL;
-        complete = complete && (!wanted || planes[i].pixels != NULL);
-        if (planes[i].pixels) {
-            fill(&planes[i], pixels);
+    for (int kind = 0; kind < SCENE_KIND_COUNT && complete; kind++) {
+        if (get(cell, kind)) {
+            void *const picture = make_empty(kind, pixels);
+            scene_picture_set(sheet, (enum scene_output_kind)kind, picture);
+            complete = picture != NULL;
         }
     }
-    sheet->color = planes[0].pixels;
-    sheet->linear = (void *)planes[1].pixels;
-    sheet->display = (void *)planes[2].pixels;
-    sheet->depth = (void *)planes[3].pixels;
-    sheet->distance = (void *)planes[4].pixels;
-    sheet->normal = (void *)planes[5].pixels;
-    sheet->position = (void *)planes[6].pixels;
-    sheet->uv = (void *)planes[7].pixels;
-    sheet->barycentric = (void *)planes[8].pixels;
-    sheet->object = (void *)planes[9].pixels;
-    sheet->triangle = (void *)planes[10].pixels;
-    sheet->overdraw = (void *)planes[11].pixels;
-    sheet->tiles = (void *)planes[12].pixels;
-    sheet->plan = (void *)planes[13].pixels;
     if (!complete) {
         scene_pictures_free(sheet);
     }
@@ -169,14 +136,12 @@ static size_t start_of(const struct scene_pictures *sheet, const struct scene_pi
 
 void cli_sheet_place(struct scene_pictures *sheet, const struct scene_pictures *cell, int place)
 {
-    struct plane to[PLANES], from[PLANES];
-    list_planes(sheet, to);
-    list_planes(cell, from);
-    for (int i = 0; i < PLANES; i++) {
-        const size_t row = (size_t)cell->width * from[i].pixel;
-        for (int y = 0; y < cell->height && from[i].pixels; y++) {
-            memcpy(to[i].pixels + start_of(sheet, cell, place, y) * to[i].pixel,
-                   from[i].pixels + (size_t)y * row, row);
+    for (int kind = 0; kind < SCENE_KIND_COUNT; kind++) {
+        const char *const from = get(cell, kind);
+        const size_t pixel = pixel_size(kind), row = (size_t)cell->width * pixel;
+        for (int y = 0; y < cell->height && from; y++) {
+            memcpy((char *)get(sheet, kind) + start_of(sheet, cell, place, y) * pixel, from + (size_t)y * row,
+                   row);
         }
     }
 }

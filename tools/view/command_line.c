@@ -119,7 +119,7 @@ char *view_command_line(const struct cli_render_job *job)
         return NULL;
     }
     FILE *const out = line.stream;
-    const enum cli_output_kind kind = (enum cli_output_kind)__builtin_ctz(job->kinds);
+    const enum scene_output_kind kind = (enum scene_output_kind)__builtin_ctz(job->kinds);
     fputs("rhw render ", out);
     put_model(out, job);
     fputs(job->orthographic ? " --ortho --camera " : " --camera ", out);
@@ -130,8 +130,8 @@ char *view_command_line(const struct cli_render_job *job)
     if (job->supersample > 1) {
         fprintf(out, " --supersample %d", job->supersample);
     }
-    if (kind != CLI_KIND_COLOR) {
-        fprintf(out, " --output %s", cli_output_name(kind));
+    if (kind != SCENE_KIND_COLOR) {
+        fprintf(out, " --output %s", scene_outputs[kind].word);
     }
     if (job->bits) {
         fprintf(out, " --bits %d", job->bits);

@@ -162,7 +162,7 @@ static void lay_over_fields(uint8_t *pixel, int x, int y)
 static uint8_t *make_pixels(const struct render *render)
 {
     struct cli_output_raster output;
-    const enum cli_output_kind kind = (enum cli_output_kind)__builtin_ctz(render->job.kinds);
+    const enum scene_output_kind kind = (enum scene_output_kind)__builtin_ctz(render->job.kinds);
     cli_render_rasterize(render, kind, &output);
     const int width = output.raster.width, height = output.raster.height, channels = output.raster.channels;
     uint8_t *pixels = malloc((size_t)width * (size_t)height * 4);
@@ -231,7 +231,7 @@ char *view_painting_explain(struct view_painting *p, const struct view_order *or
     struct cli_history history;
     struct cli_explanation explanation;
     struct cli_render_job job = order->job;
-    job.kinds = 1u << CLI_KIND_COLOR;
+    job.kinds = 1u << SCENE_KIND_COLOR;
     if (!p->base || !open_scene(p, &job) || !cli_render_set_view(&p->render)) {
         return NULL;
     }

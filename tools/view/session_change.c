@@ -30,23 +30,23 @@ void view_session_note(struct view_session *s, const char *format, ...)
     va_end(arguments);
 }
 
-static enum cli_output_kind kind_of(const struct view_session *s)
+static enum scene_output_kind kind_of(const struct view_session *s)
 {
-    return (enum cli_output_kind)__builtin_ctz(s->job.kinds);
+    return (enum scene_output_kind)__builtin_ctz(s->job.kinds);
 }
 
 struct view_order view_session_order(const struct view_session *s)
 {
     struct view_order order = {.job = s->job, .version = s->version};
     struct cli_render_job *const job = &order.job;
-    const enum cli_output_kind kind = kind_of(s);
+    const enum scene_output_kind kind = kind_of(s);
     job->width = s->window.width;
     job->height = s->window.height;
     job->camera = CLI_CAMERA_LOOK;
     job->orthographic = s->eye.orthographic;
     view_eye_numbers(&s->eye, job->look);
     job->quiet = true; // what there is to warn of was said when the file was read
-    job->bits = kind == CLI_KIND_DEPTH || kind == CLI_KIND_DISTANCE ? 8 : 0; // as a window has
+    job->bits = kind == SCENE_KIND_DEPTH || kind == SCENE_KIND_DISTANCE ? 8 : 0; // as a window has
     return order;
 }
 
@@ -208,7 +208,7 @@ static bool act_on_picture(struct view_session *s, const struct view_key *key, b
     struct cli_render_job *const job = &s->job;
     switch (key->action) {
     case VIEW_OUTPUT: choose_output(s, key->argument); break;
-    case VIEW_NEXT_OUTPUT: choose_output(s, turn((int)kind_of(s), CLI_KIND_COUNT, shift)); break;
+    case VIEW_NEXT_OUTPUT: choose_output(s, turn((int)kind_of(s), CLI_OUTPUT_KINDS, shift)); break;
     case VIEW_WIREFRAME: job->wireframe = (enum scene_wireframe)turn((int)job->wireframe, 3, shift); break;
     case VIEW_INTERPOLATE:
         job->interpolate = job->interpolate == RHW_SMOOTH ? RHW_NOPERSPECTIVE : RHW_SMOOTH;

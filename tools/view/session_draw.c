@@ -22,14 +22,14 @@ static void draw_info(const struct view_session *s)
 {
     static const char *const wires[] = {"", ", wireframe", ", plain wireframe"};
     const struct view_picture *const shown = &s->shown;
-    const enum cli_output_kind kind = (enum cli_output_kind)__builtin_ctz(s->job.kinds);
+    const enum scene_output_kind kind = (enum scene_output_kind)__builtin_ctz(s->job.kinds);
     char line[400], more[96];
     if (shown->width == 0) {
         return;
     }
     const double rate = shown->ms > 0.0 ? (double)shown->triangles / shown->ms * 1e-3 : 0.0;
     snprintf(line, sizeof line, "%s%s%s  %dx%d%s  %d sample%s\n%.1f ms  %.2f M triangles/s  %d thread%s  %s",
-             cli_output_name(kind), kind == CLI_KIND_COLOR ? wires[s->job.wireframe] : "",
+             scene_outputs[kind].word, kind == SCENE_KIND_COLOR ? wires[s->job.wireframe] : "",
              s->job.interpolate == RHW_NOPERSPECTIVE ? ", noperspective" : "", shown->width, shown->height,
              shown->is_coarse ? " coarse" : "", shown->is_coarse ? 1 : s->job.samples,
              shown->is_coarse || s->job.samples == 1 ? "" : "s", shown->ms, rate, shown->threads,

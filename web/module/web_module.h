@@ -2,7 +2,7 @@
 // What the WebAssembly module gives to JavaScript, which web/npm/index.js makes an interface of.
 //
 // An instance of the module has one of two parts. One reads a model file, writes what it read to a file in memory and
-// is thrown away, as the process of import_process.c is natively: what a hostile file does to it ends with it. The
+// is thrown away, as the process of reader_process.c is natively: what a hostile file does to it ends with it. The
 // other takes those bytes and draws; it lives as long as anybody draws. So reading may leave memory behind and leave
 // by exit().
 //
@@ -30,6 +30,9 @@ bool web_job_parse(struct cli_render_job *job, char *words, size_t size);
 /// 3 after a message.
 #define WEB_REPLY "/reply"
 int web_read(char *words, size_t size);
+
+/// The rows of scene/draw/output_table.h: name, scene_output, enum scene_element and channels, each with a line feed.
+const char *web_outputs(void);
 
 // web_scene.c: a model and what is needed to draw it again and again.
 struct web_scene;

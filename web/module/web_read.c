@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Reading a model file in an instance of the module that does nothing else; the part of import_process.c's child.
-#include "import/import.h"
+// Reading a model file in an instance of the module that does nothing else; the part of the child of reader_process.c.
 #include "import/blob.h"
+#include "import/finish/finish.h"
+#include "import/kind.h"
 #include "message.h"
 #include "message_line.h"
 #include "web_module.h"
 
 #include <emscripten.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 enum { EXIT_MODEL = 0, EXIT_MESSAGE = 3 };
 
 // The message does not go into the file, which may have part of a model, or no room.
-_Noreturn void scene_import_fail(struct scene_import *import, const char *format, ...)
+static void leave(struct scene_import *import, const char *line)
 {
-    char line[CLI_MESSAGE_LINE];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(line, sizeof line, format, arguments);
-    va_end(arguments);
     cli_error(import->name, "%s", line);
     exit(EXIT_MESSAGE);
 }
@@ -34,6 +29,7 @@ EMSCRIPTEN_KEEPALIVE int web_read(char *words, size_t size)
         return EXIT_MESSAGE;
     }
     struct scene_import import = {.read = scene_import_read,
+                                  .leave = leave,
                                   .model.path = job.model_path,
                                   .model.unit = "",
                                   .name = job.model_path,

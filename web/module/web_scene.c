@@ -111,22 +111,26 @@ EMSCRIPTEN_KEEPALIVE bool web_scene_render(struct web_scene *scene, char *words,
 EMSCRIPTEN_KEEPALIVE const void *web_scene_picture(const struct web_scene *scene, uint32_t output)
 {
     const struct scene_pictures *const pictures = &scene->render.pictures;
-    switch ((enum scene_output)output) {
-    case SCENE_OUTPUT_COLOR: return pictures->color;
-    case SCENE_OUTPUT_LINEAR: return pictures->linear;
-    case SCENE_OUTPUT_DEPTH: return pictures->depth;
-    case SCENE_OUTPUT_DISTANCE: return pictures->distance;
-    case SCENE_OUTPUT_NORMAL: return pictures->normal;
-    case SCENE_OUTPUT_POSITION: return pictures->position;
-    case SCENE_OUTPUT_UV: return pictures->uv;
-    case SCENE_OUTPUT_OBJECT: return pictures->object;
-    case SCENE_OUTPUT_TRIANGLE: return pictures->triangle;
-    case SCENE_OUTPUT_BARYCENTRIC: return pictures->barycentric;
-    case SCENE_OUTPUT_OVERDRAW: return pictures->overdraw;
-    case SCENE_OUTPUT_TILES: return pictures->tiles;
-    case SCENE_OUTPUT_PLAN: return pictures->plan;
-    default: return NULL;
+    const void *picture = NULL;
+    for (int kind = 0; kind < SCENE_KIND_COUNT; kind++) {
+        if (scene_outputs[kind].output == (enum scene_output)output) {
+            picture = scene_picture_get(pictures, (enum scene_output_kind)kind);
+        }
     }
+    return picture;
+}
+
+EMSCRIPTEN_KEEPALIVE const char *web_outputs(void)
+{
+    static char lines[1024];
+    size_t used = 0;
+    for (int i = 0; i < SCENE_KIND_DISPLAY; i++) { // which alone the package does not have
+        const enum scene_output_kind kind = (enum scene_output_kind)i;
+        used += (size_t)snprintf(lines + used, sizeof lines - used, "%s %d %d %d\n", scene_outputs[kind].name,
+                                 (int)scene_outputs[kind].output, (int)scene_output_element(kind),
+                                 scene_output_channels(kind));
+    }
+    return lines;
 }
 
 EMSCRIPTEN_KEEPALIVE const double *web_scene_view(struct web_scene *scene)

@@ -73,24 +73,7 @@ export async function render(model, options = {}) {
 
 // Scenes ---------------------------------------------------------------------------------------------------------
 
-// By the bits of enum scene_output (scene/draw/view.h): the type of the elements, and how many a pixel has.
-const outputs = {
-    color: { bit: 1, Type: Uint8ClampedArray, count: 4 },
-    linear: { bit: 2, Type: Float32Array, count: 4 },
-    depth: { bit: 4, Type: Float32Array, count: 1 },
-    distance: { bit: 8, Type: Float32Array, count: 1 },
-    normal: { bit: 16, Type: Float32Array, count: 4 },
-    position: { bit: 32, Type: Float32Array, count: 4 },
-    uv: { bit: 64, Type: Float32Array, count: 4 },
-    object: { bit: 128, Type: Uint32Array, count: 1 },
-    triangle: { bit: 256, Type: Uint32Array, count: 1 },
-    barycentric: { bit: 512, Type: Float32Array, count: 4 },
-    overdraw: { bit: 2048, Type: Float32Array, count: 1 },
-    tiles: { bit: 4096, Type: Uint32Array, count: 1 },
-    plan: { bit: 8192, Type: Uint32Array, count: 1 },
-};
-
-function checkOutputs(names) {
+function checkOutputs(outputs, names) {
     const unknown = names.find((name) => !Object.hasOwn(outputs, name));
     if (unknown !== undefined || names.length === 0) {
         throw new RhwError(`rhw: outputs: ${unknown === undefined ? 'none' : `'${unknown}'`} is no output; there are ` +
@@ -129,7 +112,8 @@ export class Scene {
 
     render(options = {}) {
         const names = [options.outputs ?? 'color'].flat();
-        checkOutputs(names);
+        const outputs = this.#instance.outputs();
+        checkOutputs(outputs, names);
         const bits = names.reduce((sum, name) => sum | outputs[name].bit, 0);
         this.#askWhile(options.goesOn, () => this.#ask('_web_scene_render', drawingWords(options), bits));
         const view = this.#view();

@@ -144,12 +144,26 @@ export class Instance {
         }
     }
 
+    /** The lines of a text in the module's memory. */
+    linesAt(address) {
+        const heap = this.module.HEAPU8;
+        const start = address >>> 0;
+        const text = new TextDecoder().decode(heap.slice(start, heap.indexOf(0, start)));
+        return text.split('\n').filter((line) => line !== '');
+    }
+
     /** What rhw has said since it was called, a line each, with options by their names here. */
     messages() {
-        const heap = this.module.HEAPU8;
-        const start = this.module._web_messages() >>> 0;
-        const text = new TextDecoder().decode(heap.slice(start, heap.indexOf(0, start)));
-        return text.split('\n').filter((line) => line !== '').map(inOptions);
+        return this.linesAt(this.module._web_messages()).map(inOptions);
+    }
+
+    /** All outputs by their names: bit, the type of the elements, and how many a pixel has. */
+    outputs() {
+        const types = [Uint8ClampedArray, Uint32Array, Float32Array]; // enum scene_element
+        const rows = this.linesAt(this.module._web_outputs()).map((line) => line.split(' '));
+        rows.sort((a, b) => a[1] - b[1]);
+        return Object.fromEntries(rows.map(([name, bit, element, count]) =>
+            [name, { bit: Number(bit), Type: types[element], count: Number(count) }]));
     }
 
     /** What it has printed since. */

@@ -23,7 +23,7 @@ const FATES = {
   written: { en: 'written', zh: '写入' },
 };
 
-// The words of the library's names (scene/draw/explain.c) in Chinese.
+// The words of the library's names (scene/draw/explain_sample.c) in Chinese.
 const WORDS = {
   position: '位置',
   normal: '法线',

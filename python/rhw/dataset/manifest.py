@@ -15,6 +15,7 @@ from dataclasses import asdict
 from typing import Any, BinaryIO, Dict, Iterator, List, Sequence
 
 from .. import _files, _rhw
+from ..pictures import TABLE
 from . import store
 from .cameras import Sphere
 from .errors import Failure
@@ -29,33 +30,24 @@ CONVENTIONS = {
     "objects": "names by the numbers of `object`, 0 where nothing is; a node's triangles count from first_triangle in `triangle`",
     "content": "SHA-256 of the meshes, images, nodes, lights and materials that were read, of all files of the model"}
 
-_MEANINGS = {
-    "color": "sRGB, straight alpha", "linear": "light before tone mapping, premultiplied, without background",
-    "display": "color before it is encoded and rounded", "depth": "of a depth buffer, 0 near to 1 far; 1 where nothing is",
-    "distance": "along the view (Z, not the ray) in the model's unit; infinity where nothing is",
-    "normal": "in the world, turned to the viewer; 0 where nothing is", "position": "in the world; 0 where nothing is",
-    "uv": "texture coordinates; 0 where nothing is", "object": "see conventions; 0 where nothing is",
-    "triangle": "1 + its number, nodes in their order; 0 where nothing is",
-    "barycentric": "weights of the triangle's vertices; 0 where nothing is"}
-
-_CHANNELS = {"linear": "R G B A", "depth": "depth.Z", "distance": "distance.Z", "normal": "normal.X Y Z A",
-             "position": "position.X Y Z A", "uv": "uv.U V", "object": "object.id", "triangle": "triangle.id",
-             "barycentric": "bary.a b c"}
-
-
 def _holds(output: str, form: str) -> str:
     """What a file has of an output."""
+    row = TABLE[output]
+    kind = {"|u1": "uint8", "<u4": "uint32", "<f4": "float32"}[row.type]
     if form == "npz":
-        kind = "uint8" if output == "color" else "uint32" if output in ("object", "triangle") else "float32"
-        plane = output in ("depth", "distance", "object", "triangle")
-        return f"{output}: {kind} ({'rows, columns' if plane else 'rows, columns, 4'})"
+        return f"{output}: {kind} ({'rows, columns' if row.channels == 1 else 'rows, columns, 4'})"
     if form == "exr":
-        return f"{_CHANNELS[output]}: {'uint' if output in ('object', 'triangle') else 'float'}"
+        channels = [row.layer[0], *(name.split(".")[-1] for name in row.layer[1:])]
+        return f"{' '.join(channels)}: {kind.rstrip('0123456789')}"
     return {"color": "8 bits", "normal": "16 bits, 0.5 + 0.5 n"}.get(output, "16 bits")
 
 
+def _meaning(output: str) -> str:
+    return "see conventions; 0 where nothing is" if output == "object" else TABLE[output].meaning
+
+
 def _header(plan: Plan) -> Dict[str, Any]:
-    outputs = {output: {"format": form, "holds": _holds(output, form), "meaning": _MEANINGS[output]}
+    outputs = {output: {"format": form, "holds": _holds(output, form), "meaning": _meaning(output)}
                for output, form in plan.outputs.items()}
     cameras = plan.cameras.to_json() if isinstance(plan.cameras, Sphere) else {"given": plan.views}
     return {"format": FORMAT, "rhw": plan.version, "size": list(plan.size), "outputs": outputs, "cameras": cameras,

@@ -11,6 +11,17 @@
 
 static const double pi = 3.14159265358979323846;
 
+void scene_axis_turn(enum scene_axis up, double v[3])
+{
+    const double x = v[0], y = v[1], z = v[2];
+    const double turned[6][3] = {[SCENE_AXIS_Y] = {x, y, z},        [SCENE_AXIS_Z] = {x, -z, y},
+                                 [SCENE_AXIS_X] = {y, -x, z},       [SCENE_AXIS_MINUS_Y] = {-x, -y, z},
+                                 [SCENE_AXIS_MINUS_Z] = {x, z, -y}, [SCENE_AXIS_MINUS_X] = {-y, x, z}};
+    for (int i = 0; i < 3; i++) {
+        v[i] = turned[up][i];
+    }
+}
+
 // False where there is no direction.
 static bool normalize(double a[3])
 {

@@ -17,17 +17,6 @@ double scene_camera_default_yfov(void)
     return 30.0 * (pi / 180.0);
 }
 
-void scene_axis_turn(enum scene_axis up, double v[3])
-{
-    const double x = v[0], y = v[1], z = v[2];
-    const double turned[6][3] = {[SCENE_AXIS_Y] = {x, y, z},        [SCENE_AXIS_Z] = {x, -z, y},
-                                 [SCENE_AXIS_X] = {y, -x, z},       [SCENE_AXIS_MINUS_Y] = {-x, -y, z},
-                                 [SCENE_AXIS_MINUS_Z] = {x, z, -y}, [SCENE_AXIS_MINUS_X] = {-y, x, z}};
-    for (int i = 0; i < 3; i++) {
-        v[i] = turned[up][i];
-    }
-}
-
 // The component along `axis` of the sum of all triangles' area vectors: which way a flat model faces.
 static double facing(const struct scene_model *model, int axis)
 {

@@ -2,7 +2,7 @@
 // Every format that has no reader of its own here, through assimp's C API: meshes, nodes, cameras and lights.
 //
 // Of assimp's post-processing only what nothing else can do is used: polygons are cut into triangles and
-// primitive kinds separated. Normals, tangents and joined vertices are made by import_mesh.c: its passes are
+// primitive kinds separated. Normals, tangents and joined vertices are made by complete_mesh.c: its passes are
 // a few times faster on large scans and keep creases.
 #include "assimp.h"
 
@@ -15,6 +15,10 @@
 #include <sys/stat.h>
 
 #include "elementary.h"
+#include "import/builder/complete_mesh.h"
+#include "import/builder/normals.h"
+#include "import/builder/numbers.h"
+#include "import/builder/readers.h"
 #include "memory_limit.h"
 
 _Static_assert(sizeof(ai_real) == sizeof(float), "assimp is built with single precision");
@@ -185,13 +189,6 @@ static void add_mesh(struct reader *reader, uint32_t index)
 }
 
 // Nodes ---------------------------------------------------------------------------------------------
-
-void scene_assimp_matrix(const struct aiMatrix4x4 *m, float matrix[16])
-{
-    const float columns[16] = {m->a1, m->b1, m->c1, m->d1, m->a2, m->b2, m->c2, m->d2,
-                               m->a3, m->b3, m->c3, m->d3, m->a4, m->b4, m->c4, m->d4};
-    memcpy(matrix, columns, sizeof columns);
-}
 
 static void add_node(struct reader *reader, const struct aiNode *node, const float parent[16])
 {

@@ -6,7 +6,7 @@
 #include <assimp/cfileio.h>
 #include <assimp/scene.h>
 
-#include "import/import.h"
+#include "import/builder/import.h"
 
 /// Adds a material of the scene, converted to metallic-roughness. `colored`: its mesh has vertex colours.
 uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene *scene,

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "assimp.h"
+#include "import/builder/find_file.h"
 
 static FILE *stream_of(struct aiFile *file)
 {

@@ -6,7 +6,9 @@
 
 #include "elementary.h"
 #include "assimp.h"
-#include "import/phong.h"
+#include "import/builder/find_file.h"
+#include "import/builder/numbers.h"
+#include "import/builder/phong.h"
 
 const char *scene_assimp_string(struct scene_import *import, const struct aiString *string)
 {

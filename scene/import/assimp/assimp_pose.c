@@ -5,6 +5,15 @@
 #include <string.h>
 
 #include "assimp.h"
+#include "import/builder/numbers.h"
+#include "import/builder/pose.h"
+
+void scene_assimp_matrix(const struct aiMatrix4x4 *m, float matrix[16])
+{
+    const float columns[16] = {m->a1, m->b1, m->c1, m->d1, m->a2, m->b2, m->c2, m->d2,
+                               m->a3, m->b3, m->c3, m->d3, m->a4, m->b4, m->c4, m->d4};
+    memcpy(matrix, columns, sizeof columns);
+}
 
 static const double usual_rate = 25.0; // ticks a second where a file does not say
 

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "import/import.h"
+#include "import/builder/readers.h"
 
 static const char magic[] = "Kaydara FBX Binary  "; // and its 0
 enum { VERSION_AT = 23, HEADER = 27, WIDE_SINCE = 7500, END_MARK = 16 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // In the place of the assimp reader where assimp is not built in: says what the others read.
-#include "import/import.h"
+#include "import/builder/readers.h"
 
 void scene_import_check_fbx(struct scene_import *import)
 {

@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "gltf.h"
+#include "import/builder/numbers.h"
+#include "import/builder/pose.h"
 
 enum interpolation { STEP, LINEAR, CUBIC };
 enum path { TRANSLATION, ROTATION, SCALE, WEIGHTS, PATHS };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// glTF 2.0: the container (JSON or GLB), the version, the extensions and typed access to the JSON.
+// glTF 2.0: the container (JSON or GLB), the version and the variants.
 #include "gltf.h"
+
+#include "import/builder/readers.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,159 +10,6 @@
 #include <strings.h>
 
 enum { GLB_MAGIC = 0x46546c67, GLB_JSON = 0x4e4f534a, GLB_BIN = 0x004e4942, GLB_HEADER = 12, GLB_CHUNK = 8 };
-
-// Extensions that are drawn as they are meant.
-static const char *const known_extensions[] = {
-    "EXT_mesh_gpu_instancing",    "EXT_meshopt_compression",   "EXT_texture_webp",
-    "KHR_draco_mesh_compression", "KHR_lights_punctual",       "KHR_materials_anisotropy",
-    "KHR_materials_clearcoat",    "KHR_materials_dispersion",  "KHR_materials_emissive_strength",
-    "KHR_materials_ior",          "KHR_materials_iridescence", "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_sheen",        "KHR_materials_specular",    "KHR_materials_transmission",
-    "KHR_materials_unlit",        "KHR_materials_variants",    "KHR_materials_volume",
-    "KHR_mesh_quantization",      "KHR_meshopt_compression",   "KHR_node_visibility",
-    "KHR_texture_basisu",         "KHR_texture_transform",
-};
-
-// Extensions that say nothing about the picture.
-static const char *const silent_extensions[] = {
-    "EXT_instance_features",
-    "EXT_mesh_features",
-    "EXT_structural_metadata",
-    "FB_geometry_metadata",
-    "KHR_audio_emitter",
-    "KHR_physics_rigid_bodies",
-    "KHR_xmp",
-    "KHR_xmp_json_ld",
-    "MSFT_audio_emitter",
-};
-
-// Typed access --------------------------------------------------------------------------------------
-
-static json_t *typed(struct scene_gltf *gltf, const json_t *object, const char *key,
-                     bool (*is)(const json_t *), const char *type)
-{
-    json_t *value = json_object_get(object, key);
-    if (value != NULL && !is(value)) {
-        scene_import_fail(gltf->import, "\"%s\" must be %s", key, type);
-    }
-    return value;
-}
-
-static bool is_object(const json_t *value)
-{
-    return json_is_object(value);
-}
-
-static bool is_array(const json_t *value)
-{
-    return json_is_array(value);
-}
-
-static bool is_text(const json_t *value)
-{
-    return json_is_string(value);
-}
-
-static bool is_flag(const json_t *value)
-{
-    return json_is_boolean(value);
-}
-
-static bool is_number(const json_t *value)
-{
-    return json_is_number(value);
-}
-
-json_t *scene_gltf_object(struct scene_gltf *gltf, const json_t *object, const char *key)
-{
-    return typed(gltf, object, key, is_object, "an object");
-}
-
-json_t *scene_gltf_array(struct scene_gltf *gltf, const json_t *object, const char *key)
-{
-    return typed(gltf, object, key, is_array, "an array");
-}
-
-const char *scene_gltf_text(struct scene_gltf *gltf, const json_t *object, const char *key)
-{
-    return json_string_value(typed(gltf, object, key, is_text, "a string"));
-}
-
-bool scene_gltf_flag(struct scene_gltf *gltf, const json_t *object, const char *key, bool fallback)
-{
-    const json_t *value = typed(gltf, object, key, is_flag, "true or false");
-    return value == NULL ? fallback : json_is_true(value);
-}
-
-double scene_gltf_number(struct scene_gltf *gltf, const json_t *object, const char *key, double fallback)
-{
-    const json_t *value = typed(gltf, object, key, is_number, "a number");
-    return value == NULL ? fallback : json_number_value(value);
-}
-
-int64_t scene_gltf_integer(struct scene_gltf *gltf, const json_t *object, const char *key, int64_t fallback)
-{
-    const json_t *value = typed(gltf, object, key, is_number, "a whole number");
-    if (value == NULL) {
-        return fallback;
-    }
-    const double number = json_number_value(value); // some exporters write 3.0
-    if (!(number >= 0 && number <= 9007199254740992.0) || number != floor(number)) {
-        scene_import_fail(gltf->import, "\"%s\" must be a whole number, 0 to 9007199254740992", key);
-    }
-    return (int64_t)number;
-}
-
-bool scene_gltf_floats(struct scene_gltf *gltf, const json_t *object, const char *key, float *values,
-                       size_t count)
-{
-    const json_t *array = scene_gltf_array(gltf, object, key);
-    if (array == NULL) {
-        return false;
-    }
-    if (json_array_size(array) != count) {
-        scene_import_fail(gltf->import, "\"%s\" must have %zu numbers", key, count);
-    }
-    for (size_t i = 0; i < count; i++) {
-        const json_t *value = json_array_get(array, i);
-        if (!json_is_number(value)) {
-            scene_import_fail(gltf->import, "\"%s\" must hold numbers", key);
-        }
-        values[i] = (float)json_number_value(value);
-    }
-    return true;
-}
-
-json_t *scene_gltf_extension(struct scene_gltf *gltf, const json_t *object, const char *name)
-{
-    return scene_gltf_object(gltf, scene_gltf_object(gltf, object, "extensions"), name);
-}
-
-const char *scene_gltf_name(struct scene_gltf *gltf, const json_t *object)
-{
-    const char *name =
-        json_string_value(json_object_get(object, "name")); // of no consequence: never an error
-    return scene_import_string(gltf->import, name, name == NULL ? 0 : strlen(name));
-}
-
-size_t scene_gltf_count(struct scene_gltf *gltf, const char *list)
-{
-    return json_array_size(scene_gltf_array(gltf, gltf->root, list));
-}
-
-json_t *scene_gltf_item(struct scene_gltf *gltf, const char *list, int64_t index)
-{
-    const size_t count = scene_gltf_count(gltf, list);
-    if (index < 0 || (uint64_t)index >= count) {
-        scene_import_fail(gltf->import, "refers to %s[%lld], but there are %zu", list, (long long)index,
-                          count);
-    }
-    json_t *item = json_array_get(scene_gltf_array(gltf, gltf->root, list), (size_t)index);
-    if (!json_is_object(item)) {
-        scene_import_fail(gltf->import, "%s[%lld] must be an object", list, (long long)index);
-    }
-    return item;
-}
 
 // Container -----------------------------------------------------------------------------------------
 
@@ -259,91 +108,6 @@ static void check_version(struct scene_gltf *gltf)
     }
 }
 
-static bool is_among(const char *const *list, size_t count, const char *extension)
-{
-    for (size_t i = 0; i < count; i++) {
-        if (strcmp(list[i], extension) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static bool is_known(const char *extension)
-{
-    return is_among(known_extensions, sizeof known_extensions / sizeof *known_extensions, extension) ||
-           is_among(silent_extensions, sizeof silent_extensions / sizeof *silent_extensions, extension);
-}
-
-static void note_extension(struct scene_gltf *gltf, const char *name)
-{
-    if (!is_known(name)) {
-        scene_import_unsupported(gltf->import, "glTF extension %s: ignored", name);
-    }
-}
-
-void scene_gltf_note_extensions(struct scene_gltf *gltf, const json_t *object)
-{
-    const char *name;
-    json_t *value;
-    json_object_foreach(json_object_get(object, "extensions"), name, value)
-    {
-        note_extension(gltf, name);
-    }
-}
-
-static bool lists(struct scene_gltf *gltf, const char *list, const char *name)
-{
-    bool found = false;
-    size_t i;
-    json_t *value;
-    json_array_foreach(scene_gltf_array(gltf, gltf->root, list), i, value)
-    {
-        found = found || (json_is_string(value) && strcmp(json_string_value(value), name) == 0);
-    }
-    return found;
-}
-
-static void list_extensions(struct scene_gltf *gltf)
-{
-    struct scene_model *const model = &gltf->import->model;
-    const json_t *const used = scene_gltf_array(gltf, gltf->root, "extensionsUsed");
-    const size_t most = json_array_size(used);
-    model->extensions = scene_import_allocate(gltf->import, most, sizeof *model->extensions);
-    for (size_t i = 0; i < most; i++) {
-        const char *const name = json_string_value(json_array_get(used, i));
-        if (name != NULL) {
-            model->extensions[model->extension_count++] =
-                (struct scene_model_extension){.name = scene_import_string(gltf->import, name, strlen(name)),
-                                               .is_required = lists(gltf, "extensionsRequired", name),
-                                               .is_drawn = is_known(name)};
-        }
-    }
-}
-
-static void check_extensions(struct scene_gltf *gltf)
-{
-    list_extensions(gltf);
-    size_t i;
-    json_t *value;
-    json_array_foreach(scene_gltf_array(gltf, gltf->root, "extensionsRequired"), i, value)
-    {
-        if (!json_is_string(value)) {
-            scene_import_fail(gltf->import, "\"extensionsRequired\" must hold strings");
-        }
-        if (!is_known(json_string_value(value))) {
-            scene_import_fail(gltf->import, "requires the glTF extension %s, which is not supported",
-                              json_string_value(value));
-        }
-    }
-    json_array_foreach(scene_gltf_array(gltf, gltf->root, "extensionsUsed"), i, value)
-    {
-        if (json_is_string(value)) {
-            note_extension(gltf, json_string_value(value));
-        }
-    }
-}
-
 // KHR_materials_variants: the names, for the model, and the number of the one that is wanted.
 static void read_variants(struct scene_gltf *gltf)
 {
@@ -397,7 +161,7 @@ void scene_import_gltf(struct scene_import *import)
         parse_json(&gltf, bytes, size);
     }
     check_version(&gltf);
-    check_extensions(&gltf);
+    scene_gltf_check_extensions(&gltf);
     import->model.format = "glTF 2.0";
     import->model.unit = "metre"; // §3.4
     gltf.buffers = scene_import_allocate(import, scene_gltf_count(&gltf, "buffers"), sizeof *gltf.buffers);

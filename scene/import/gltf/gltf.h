@@ -8,7 +8,7 @@
 
 #include <jansson.h>
 
-#include "import/import.h"
+#include "import/builder/import.h"
 
 struct scene_gltf_buffer {
     const unsigned char *bytes; // NULL: not loaded yet
@@ -69,6 +69,8 @@ bool scene_gltf_floats(struct scene_gltf *gltf, const json_t *object, const char
 json_t *scene_gltf_extension(struct scene_gltf *gltf, const json_t *object, const char *name); ///< or NULL
 /// Tells which extensions of an object are not drawn; files use some that they do not list.
 void scene_gltf_note_extensions(struct scene_gltf *gltf, const json_t *object);
+/// Fails the import where a file requires an extension that is not known, and tells of those it uses.
+void scene_gltf_check_extensions(struct scene_gltf *gltf);
 /// Name of an object as the model keeps it; "" where it has none.
 const char *scene_gltf_name(struct scene_gltf *gltf, const json_t *object);
 /// How many elements a top-level array has, and one of them. An index that does not exist fails the import.
@@ -95,15 +97,15 @@ struct scene_gltf_decoded scene_gltf_meshopt(struct scene_gltf *gltf, int64_t vi
 void scene_gltf_draco(struct scene_gltf *gltf, const json_t *primitive, const json_t *extension,
                       const char *what);
 
-/// Model index of a material; −1 gives the default material.
-// Where a textureInfo object says that an image is read; NULL: nowhere.
+/// Where a textureInfo object says that an image is read; NULL: nowhere.
 void scene_gltf_slot(struct scene_gltf *gltf, const json_t *info, struct scene_texture_slot *slot);
-// `value` within both; NaN: least.
+/// `value` within both; NaN: least.
 float scene_gltf_limited(double value, double least, double most);
-/// The same for a factor of colour and alpha: 0..10⁶, and 0..1.
+/// Limits a factor of colour and alpha to 0..10⁶ and 0..1.
 void scene_gltf_limit_color(float color[4]);
-// What the extensions of a material say, after its base has been read.
+/// What the extensions of a material say, after its base has been read.
 void scene_gltf_layers(struct scene_gltf *gltf, const json_t *object, struct scene_material *material);
+/// Model index of a material; −1 gives the default material.
 uint32_t scene_gltf_material(struct scene_gltf *gltf, int64_t index);
 /// The meshes of a node that stands there.
 struct scene_gltf_meshes scene_gltf_mesh(struct scene_gltf *gltf, const json_t *node,

@@ -5,6 +5,9 @@
 #include <string.h>
 
 #include "gltf.h"
+#include "import/builder/complete_mesh.h"
+#include "import/builder/normals.h"
+#include "import/builder/numbers.h"
 
 enum { MODE_POINTS, MODE_LINES, MODE_LINE_LOOP, MODE_LINE_STRIP, MODE_TRIANGLES, MODE_STRIP, MODE_FAN };
 

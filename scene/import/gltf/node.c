@@ -5,6 +5,8 @@
 
 #include "elementary.h"
 #include "gltf.h"
+#include "import/builder/numbers.h"
+#include "import/builder/pose.h"
 
 static const uint32_t no_parent = UINT32_MAX;
 

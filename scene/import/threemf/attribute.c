@@ -3,7 +3,8 @@
 #include <string.h>
 
 #include "xml.h"
-#include "import/import_text.h"
+#include "import/builder/numbers.h"
+#include "import/builder/text_lines.h"
 
 const char *scene_3mf_local_name(const char *name)
 {
@@ -124,4 +125,22 @@ void scene_3mf_transform(const struct scene_3mf_xml *xml, const char **attribute
         }
         matrix[i / 3 * 4 + i % 3] = (float)value;
     }
+}
+
+uint32_t scene_3mf_part(struct scene_3mf *file, const char *name)
+{
+    enum { MOST = 1 << 16 };
+    name += *name == '/';
+    for (size_t i = file->part_count; i > 0; i--) {
+        if (strcasecmp(file->parts[i - 1], name) == 0) {
+            return (uint32_t)i - 1;
+        }
+    }
+    if (file->part_count == MOST) {
+        scene_import_fail(file->import, "has more than %d parts", MOST);
+    }
+    scene_import_reserve(file->import, &file->parts, &file->part_capacity, file->part_count + 1,
+                         sizeof *file->parts);
+    file->parts[file->part_count] = scene_import_string(file->import, name, strlen(name));
+    return (uint32_t)file->part_count++;
 }

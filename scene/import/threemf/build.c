@@ -3,6 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "import/builder/complete_mesh.h"
+#include "import/builder/normals.h"
+#include "import/builder/numbers.h"
 #include "threemf.h"
 
 enum { DEEPEST = 64, MOST_INSTANCES = 1 << 20 };

@@ -4,7 +4,8 @@
 #include <string.h>
 
 #include "threemf.h"
-#include "import/phong.h"
+#include "import/builder/phong.h"
+#include "zip.h"
 
 struct scene_3mf_group *scene_3mf_find_group(const struct scene_3mf *file, uint32_t part, uint32_t id)
 {

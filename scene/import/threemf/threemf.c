@@ -5,25 +5,9 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
-uint32_t scene_3mf_part(struct scene_3mf *file, const char *name)
-{
-    enum { MOST = 1 << 16 };
-    name += *name == '/';
-    for (size_t i = file->part_count; i > 0; i--) {
-        if (strcasecmp(file->parts[i - 1], name) == 0) {
-            return (uint32_t)i - 1;
-        }
-    }
-    if (file->part_count == MOST) {
-        scene_import_fail(file->import, "has more than %d parts", MOST);
-    }
-    scene_import_reserve(file->import, &file->parts, &file->part_capacity, file->part_count + 1,
-                         sizeof *file->parts);
-    file->parts[file->part_count] = scene_import_string(file->import, name, strlen(name));
-    return (uint32_t)file->part_count++;
-}
+#include "import/builder/readers.h"
+#include "zip.h"
 
 // The value of an attribute in the element that ends at `end`: NULL where it has none.
 static const char *find_value(struct scene_import *import, const char *element, const char *end,

@@ -6,7 +6,7 @@
 #ifndef SCENE_IMPORT_3MF_H
 #define SCENE_IMPORT_3MF_H
 
-#include "import/zip.h"
+#include "import/builder/import.h"
 
 enum scene_3mf_kind {
     SCENE_3MF_BASES,      ///< basematerials

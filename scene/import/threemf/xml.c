@@ -5,6 +5,8 @@
 // standard's own consortium use some that they do not declare. What stands where nothing is known is passed over.
 #include "xml.h"
 
+#include "zip.h"
+
 #include <string.h>
 
 // Where the reader is.

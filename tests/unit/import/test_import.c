@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The OBJ and PLY readers, and the parts they rest on: numbers, polygons, normals, the way to the parent.
-#include "import/import.h"
+#include "import/builder/polygon.h"
 #include "import/blob.h"
-#include "import/import_text.h"
+#include "import/builder/text_lines.h"
 #include "model_files.h"
 
 #include <math.h>

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// What light needs to know of the whole picture before any of it is drawn.
+#include "drawing.h"
+
+#include "draw/camera/subject.h"
+
+// Of the subject's radius: how far things occlude each other.
+static const double occlusion_reach = 0.12;
+
+enum rhw_result scene_draw_surround(struct draw *draw)
+{
+    struct scene *scene = draw->scene;
+    const struct scene_view *view = draw->view;
+    if (!view->panorama) {
+        scene_surroundings_destroy(scene->upload.context, &scene->surroundings);
+        return RHW_OK;
+    }
+    const enum rhw_result result = scene_surroundings_make(&scene->surroundings, scene->upload.context,
+                                                           view->panorama, view->up, view->panorama_rotation);
+    if (result == RHW_OK) {
+        scene_lighting_surround(&draw->lighting, &scene->surroundings, view->exposure);
+    }
+    return result;
+}
+
+// Half the diagonal of the box around what the picture is about.
+static double subject_radius(const struct scene_model *model)
+{
+    const struct scene_subject subject = scene_subject_find(model);
+    double square = 0.0;
+    for (int c = 0; c < 3; c++) {
+        const double side = subject.is_all ? (double)model->bounds_max[c] - (double)model->bounds_min[c]
+                                           : subject.high[c] - subject.low[c];
+        square += side * side;
+    }
+    return 0.5 * __builtin_sqrt(square);
+}
+
+enum rhw_result scene_draw_ground(struct draw *draw)
+{
+    struct scene *const scene = draw->scene;
+    if (!draw->view->ground || draw->frame.plain) {
+        scene_ground_destroy(&scene->ground);
+        return RHW_OK;
+    }
+    return scene_ground_make(&scene->ground, scene->upload.context, scene->upload.model, draw->view->up);
+}
+
+// Whether light asks what is nearest in the picture.
+static bool is_guided(const struct draw *draw)
+{
+    return (draw->view->ambient_occlusion || draw->view->shadows) && !draw->frame.plain;
+}
+
+enum rhw_result scene_draw_guide(struct draw *draw)
+{
+    struct scene *const scene = draw->scene;
+    return is_guided(draw)
+               ? scene_guide_draw(&scene->guide, &scene->upload,
+                                  scene->ground.is_made ? &scene->ground.upload : NULL, &scene->pipelines,
+                                  draw->view, &draw->frame, draw->view_projection)
+               : RHW_OK;
+}
+
+enum rhw_result scene_draw_occlusion(struct draw *draw)
+{
+    struct scene *const scene = draw->scene;
+    if (!is_guided(draw) || !draw->view->ambient_occlusion) {
+        return RHW_OK;
+    }
+    const enum rhw_result result =
+        scene_guide_occlude(&scene->guide, scene->upload.context, scene->nearest, draw->view,
+                            occlusion_reach * subject_radius(scene->upload.model));
+    draw->frame.guide = scene_guide_lookup(&scene->guide, draw->view);
+    return result;
+}
+
+enum rhw_result scene_draw_shadows(struct draw *draw)
+{
+    struct scene *const scene = draw->scene;
+    return is_guided(draw) && draw->view->shadows
+               ? scene_shadows_draw(&scene->shadows, &scene->upload, &scene->pipelines, draw->view,
+                                    &scene->guide, &draw->frame, &draw->lighting)
+               : RHW_OK;
+}

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+// Phong's values become metallic-roughness. Colours in these formats are meant as they look on the screen, so
+// they are decoded from sRGB.
+#include "phong.h"
+
+#include "numbers.h"
+
+#include <string.h>
+
+#include "elementary.h"
+
+// What a surface of no described material looks like: a light grey, neither dull nor shiny.
+static const float default_grey = 0.6f, default_roughness = 0.55f;
+
+struct scene_phong_texture scene_phong_texture_default(void)
+{
+    return (struct scene_phong_texture){
+        .source = {.opacity_image = -1, .problem = "No such file or directory"},
+        .slot = scene_import_slot_default(),
+    };
+}
+
+struct scene_phong scene_phong_default(void)
+{
+    const struct scene_phong_texture none = scene_phong_texture_default();
+    return (struct scene_phong){
+        .name = "",
+        .opacity = 1,
+        .metallic = -1,
+        .roughness = -1,
+        .color = none,
+        .opacity_map = none,
+        .normal = none,
+        .height = none,
+        .occlusion = none,
+        .emissive_map = none,
+        .roughness_map = none,
+        .metallic_map = none,
+        .normal_scale = 1,
+        .clearcoat_map = none,
+        .clearcoat_roughness_map = none,
+    };
+}
+
+static float limited(float value, float least, float most)
+{
+    return value > most ? most : value >= least ? value : least; // NaN: least
+}
+
+static bool is_black(const float color[3])
+{
+    return !(color[0] > 0 || color[1] > 0 || color[2] > 0);
+}
+
+static bool is_grey(const float color[3])
+{
+    return is_black(color) || (color[0] == color[1] && color[1] == color[2]);
+}
+
+static void decode(const float encoded[3], float color[3])
+{
+    for (int c = 0; c < 3; c++) {
+        color[c] = scene_import_from_srgb(limited(encoded[c], 0, 1));
+    }
+}
+
+// Textures ------------------------------------------------------------------------------------------
+
+static bool same_text(const char *a, const char *b)
+{
+    return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
+}
+
+// The image with this source, new or shared with another slot.
+static int32_t find_or_add(struct scene_import *import, const char *name,
+                           const struct scene_import_source *source)
+{
+    for (uint32_t i = 0; i < import->source_count; i++) {
+        const struct scene_import_source *other = &import->sources[i];
+        if (same_text(other->file, source->file) && other->bytes == source->bytes &&
+            other->height == source->height && other->opacity_image == source->opacity_image &&
+            other->white == source->white && strcmp(import->model.images[i].name, name) == 0) {
+            return (int32_t)i;
+        }
+    }
+    return scene_import_add_image(import, name, source);
+}
+
+static bool set_slot(struct scene_import *import, const struct scene_phong_texture *texture,
+                     struct scene_texture_slot *slot)
+{
+    if (texture->name == NULL) {
+        return false;
+    }
+    *slot = texture->slot;
+    slot->image = find_or_add(import, texture->name, &texture->source);
+    return true;
+}
+
+// The base colour's image gets the opacity map as its alpha; without one, the map becomes a white image.
+static void set_opacity_map(struct scene_import *import, const struct scene_phong *phong,
+                            struct scene_material *material)
+{
+    const struct scene_phong_texture *map = &phong->opacity_map;
+    if (map->name == NULL) {
+        return;
+    }
+    struct scene_phong_texture base = phong->color.name != NULL ? phong->color : *map;
+    base.source.opacity_image = find_or_add(import, map->name, &map->source);
+    base.source.white = phong->color.name == NULL;
+    set_slot(import, &base, &material->slots[SCENE_SLOT_BASE_COLOR]);
+    material->alpha_mode = SCENE_ALPHA_BLEND; // MASK, if the decoded map turns out to be one
+}
+
+static bool is_there(const struct scene_phong_texture *texture)
+{
+    return texture->source.file != NULL || texture->source.bytes != NULL;
+}
+
+// Two maps of one number each; each takes the place of its number, as in Blender, unless it is missing.
+static void set_surface_maps(struct scene_import *import, const struct scene_phong *phong,
+                             struct scene_material *material)
+{
+    const struct scene_phong_texture *roughness = &phong->roughness_map, *metallic = &phong->metallic_map;
+    const struct scene_phong_texture *first = roughness->name != NULL ? roughness : metallic;
+    if (first->name == NULL) {
+        return;
+    }
+    struct scene_import_channels *channels = scene_import_allocate(import, 1, sizeof *channels);
+    *channels = (struct scene_import_channels){-1, -1, roughness->channel, metallic->channel};
+    if (roughness->name != NULL) {
+        channels->roughness = find_or_add(import, roughness->name, &roughness->source);
+        material->roughness = is_there(roughness) ? 1 : material->roughness;
+    }
+    if (metallic->name != NULL) {
+        channels->metallic = find_or_add(import, metallic->name, &metallic->source);
+        material->metallic = is_there(metallic) ? 1 : material->metallic;
+    }
+    const struct scene_import_source source = {.opacity_image = -1, .channels = channels};
+    struct scene_texture_slot *slot = &material->slots[SCENE_SLOT_METALLIC_ROUGHNESS];
+    *slot = first->slot;
+    slot->image = scene_import_add_image(import, first->name, &source);
+}
+
+// Values --------------------------------------------------------------------------------------------
+
+static void set_base_color(const struct scene_phong *phong, struct scene_material *material)
+{
+    const bool textured = phong->color.name != NULL;
+    // A black or grey factor under a texture is an exporter's habit, not a wish: 3ds Max writes 0.588, Maya 0, Blender
+    // 0.64 or 0.8, and their own readers let the texture take its place. A colour is meant to tint.
+    const bool white = phong->colored || (textured && (!phong->described || is_grey(phong->diffuse)));
+    decode(phong->diffuse, material->base_color);
+    for (int c = 0; c < 3; c++) {
+        material->base_color[c] = white ? 1 : phong->described ? material->base_color[c] : default_grey;
+    }
+}
+
+static void set_surface(const struct scene_phong *phong, struct scene_material *material)
+{
+    const bool shiny = phong->shininess > 0;
+    material->metallic = phong->metallic >= 0 ? limited(phong->metallic, 0, 1) : 0;
+    material->roughness = default_roughness;
+    // The exponent n of the highlight as roughness: α = √(2 / (n + 2)) (Walter and others, Microfacet models for
+    // refraction through rough surfaces, 2007) and α = roughness².
+    if (shiny) {
+        material->roughness = limited(__builtin_sqrtf(__builtin_sqrtf(2 / (phong->shininess + 2))), 0.1f, 1);
+    }
+    if (phong->dull || (shiny && is_black(phong->specular))) {
+        material->roughness = limited(material->roughness, 0.8f, 1);
+    }
+    if (phong->roughness >= 0) {
+        material->roughness = limited(phong->roughness, 0, 1);
+    }
+    material->unlit = phong->unlit;
+}
+
+// MTL's PBR extension, which is as far as such a material goes. Sheen is white and as rough as Blender has it.
+static void set_layers(struct scene_import *import, const struct scene_phong *phong,
+                       struct scene_material *material)
+{
+    const double turn = 2 * 3.14159265358979324;
+    const float sheen_roughness = 0.5f;
+    struct scene_layers *layers = &material->layers;
+    const bool coated = set_slot(import, &phong->clearcoat_map, &material->slots[SCENE_SLOT_CLEARCOAT]);
+    const bool rough =
+        set_slot(import, &phong->clearcoat_roughness_map, &material->slots[SCENE_SLOT_CLEARCOAT_ROUGHNESS]);
+    layers->clearcoat = coated ? 1 : limited(phong->clearcoat, 0, 1);
+    layers->clearcoat_roughness = rough ? 1 : limited(phong->clearcoat_roughness, 0, 1);
+    layers->anisotropy = limited(phong->anisotropy, 0, 1);
+    layers->anisotropy_direction[0] = (float)scene_cos((double)phong->anisotropy_turns * turn);
+    layers->anisotropy_direction[1] = (float)scene_sin((double)phong->anisotropy_turns * turn);
+    layers->sheen_roughness = sheen_roughness;
+    for (int c = 0; c < 3; c++) {
+        layers->sheen_color[c] = limited(phong->sheen, 0, 1);
+    }
+    layers->used = layers->clearcoat > 0 || layers->anisotropy > 0 || phong->sheen > 0;
+}
+
+static void set_opacity(struct scene_import *import, const struct scene_phong *phong,
+                        struct scene_material *material)
+{
+    float opacity = limited(phong->opacity, 0, 1);
+    if (opacity == 0) {
+        scene_import_warn(import, "material \"%s\" is wholly transparent: drawn opaque", material->name);
+        opacity = 1;
+    }
+    material->base_color[3] = opacity;
+    if (opacity < 1) {
+        material->alpha_mode = SCENE_ALPHA_BLEND;
+    }
+}
+
+uint32_t scene_phong_add(struct scene_import *import, const struct scene_phong *phong)
+{
+    struct scene_material *material = scene_import_add_material(import);
+    material->name = phong->name;
+    material->double_sided = true; // none of these formats can be trusted to know
+    import->sides_are_open = true; // for that reason
+    set_base_color(phong, material);
+    set_surface(phong, material);
+    set_slot(import, &phong->color, &material->slots[SCENE_SLOT_BASE_COLOR]);
+    set_opacity(import, phong, material);
+    set_opacity_map(import, phong, material);
+    if (!set_slot(import, &phong->normal, &material->slots[SCENE_SLOT_NORMAL]) &&
+        phong->height.name != NULL) {
+        struct scene_phong_texture height = phong->height;
+        height.source.height = true;
+        set_slot(import, &height, &material->slots[SCENE_SLOT_NORMAL]);
+    }
+    material->normal_scale = limited(phong->normal_scale, -10, 10);
+    set_surface_maps(import, phong, material);
+    set_layers(import, phong, material);
+    set_slot(import, &phong->occlusion, &material->slots[SCENE_SLOT_OCCLUSION]);
+    decode(phong->emissive, material->emissive);
+    const bool glows = set_slot(import, &phong->emissive_map, &material->slots[SCENE_SLOT_EMISSIVE]);
+    for (int c = 0; c < 3 && glows && is_black(phong->emissive); c++) {
+        material->emissive[c] = 1;
+    }
+    return import->model.material_count - 1;
+}

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// Polygons become triangles, concave ones too, by cutting ears off (Meisters, Polygons have ears, 1975).
+#include "polygon.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+// Corners. Ears take time in the square of them; what has more is drawn as a fan.
+enum { MOST_CORNERS = 2048 };
+
+struct polygon {
+    double points[MOST_CORNERS][2]; // in the plane that shows most of it, counter-clockwise
+    uint32_t ring[MOST_CORNERS];    // corners that are left
+    uint32_t count;
+};
+
+// Twice the signed area of a triangle.
+static double area(const double a[2], const double b[2], const double c[2])
+{
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+// Newell's normal: defined for polygons that are not quite flat, and for concave ones.
+static void newell(const float (*positions)[3], const uint32_t *corners, uint32_t count, double normal[3])
+{
+    memset(normal, 0, 3 * sizeof *normal);
+    for (uint32_t i = 0; i < count; i++) {
+        const float *a = positions[corners[i]], *b = positions[corners[(i + 1) % count]];
+        for (int c = 0; c < 3; c++) {
+            const int u = (c + 1) % 3, v = (c + 2) % 3;
+            normal[c] += ((double)a[u] - (double)b[u]) * ((double)a[v] + (double)b[v]);
+        }
+    }
+}
+
+static void flatten(struct polygon *polygon, const float (*positions)[3], const uint32_t *corners,
+                    uint32_t count)
+{
+    double normal[3];
+    newell(positions, corners, count, normal);
+    int axis = 0;
+    for (int c = 1; c < 3; c++) {
+        axis = normal[c] * normal[c] > normal[axis] * normal[axis] ? c : axis;
+    }
+    const bool down = normal[axis] < 0;
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (uint32_t i = 0; i < count; i++) {
+        const float *position = positions[corners[i]];
+        polygon->points[i][0] = (double)position[down ? v : u];
+        polygon->points[i][1] = (double)position[down ? u : v];
+        polygon->ring[i] = i;
+    }
+    polygon->count = count;
+}
+
+// Whether the corner at place `i` of the ring can be cut off: it is convex and no other corner lies in it.
+static bool is_ear(const struct polygon *polygon, uint32_t i)
+{
+    const uint32_t count = polygon->count, *ring = polygon->ring;
+    const uint32_t before = ring[(i + count - 1) % count], here = ring[i], after = ring[(i + 1) % count];
+    const double *a = polygon->points[before], *b = polygon->points[here], *c = polygon->points[after];
+    if (!(area(a, b, c) > 0)) {
+        return false;
+    }
+    for (uint32_t k = 0; k < count; k++) {
+        const double *p = polygon->points[ring[k]];
+        const bool corner = memcmp(p, a, sizeof polygon->points[0]) == 0 ||
+                            memcmp(p, b, sizeof polygon->points[0]) == 0 ||
+                            memcmp(p, c, sizeof polygon->points[0]) == 0;
+        if (!corner && area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void emit(uint32_t *out, uint32_t a, uint32_t b, uint32_t c)
+{
+    out[0] = a;
+    out[1] = b;
+    out[2] = c;
+}
+
+static void cut(struct polygon *polygon, uint32_t i, uint32_t *out)
+{
+    const uint32_t count = polygon->count;
+    emit(out, polygon->ring[(i + count - 1) % count], polygon->ring[i], polygon->ring[(i + 1) % count]);
+    memmove(polygon->ring + i, polygon->ring + i + 1, (count - i - 1) * sizeof *polygon->ring);
+    polygon->count--;
+}
+
+static bool is_convex(const struct polygon *polygon)
+{
+    const uint32_t count = polygon->count;
+    for (uint32_t i = 0; i < count; i++) {
+        if (area(polygon->points[i], polygon->points[(i + 1) % count], polygon->points[(i + 2) % count]) <
+            0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void fan(uint32_t count, uint32_t *triangles)
+{
+    for (uint32_t i = 2; i < count; i++) {
+        emit(triangles + 3 * (size_t)(i - 2), 0, i - 1, i);
+    }
+}
+
+void scene_import_triangulate(const float (*positions)[3], const uint32_t *corners, uint32_t count,
+                              uint32_t *triangles)
+{
+    struct polygon polygon;
+    if (count <= 3 || count > MOST_CORNERS) {
+        fan(count, triangles);
+        return;
+    }
+    flatten(&polygon, positions, corners, count);
+    if (is_convex(&polygon)) {
+        fan(count, triangles);
+        return;
+    }
+    uint32_t next = 0;
+    while (polygon.count > 3) {
+        uint32_t ear = 0;
+        while (ear < polygon.count && !is_ear(&polygon, ear)) {
+            ear++;
+        }
+        // Without an ear the polygon crosses itself or has no area: any corner will do.
+        cut(&polygon, ear < polygon.count ? ear : 0, triangles + next);
+        next += 3;
+    }
+    emit(triangles + next, polygon.ring[0], polygon.ring[1], polygon.ring[2]);
+}

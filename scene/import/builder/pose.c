@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// What the animations of all formats need: the one that is wanted, and turns between keys.
+#include "pose.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "elementary.h"
+#include "numbers.h"
+
+int64_t scene_import_find_animation(const struct scene_import *import)
+{
+    const struct scene_model *const model = &import->model;
+    const char *const wanted = import->animation;
+    if (wanted == NULL) {
+        return 0;
+    }
+    for (uint32_t i = 0; i < model->animation_count; i++) {
+        if (strcmp(model->animations[i].name, wanted) == 0) {
+            return i;
+        }
+    }
+    char *end;
+    const unsigned long number = strtoul(wanted, &end, 10);
+    return *wanted >= '0' && *wanted <= '9' && *end == 0 && number < model->animation_count ? (int64_t)number
+                                                                                            : -1;
+}
+
+void scene_import_slerp(const float from[4], const float to[4], double part, float result[4])
+{
+    double cosine = 0.0;
+    for (int c = 0; c < 4; c++) {
+        cosine += (double)from[c] * (double)to[c];
+    }
+    const double size = cosine < 0.0 ? -cosine : cosine;
+    double near = 1.0 - part, far = part;
+    if (size < 0.9995) { // else the arc is as good as straight
+        const double angle = 2.0 * scene_atan(__builtin_sqrt((1.0 - size) / (1.0 + size)));
+        const double sine = scene_sin(angle);
+        near = scene_sin(angle * near) / sine;
+        far = scene_sin(angle * far) / sine;
+    }
+    far = cosine < 0.0 ? -far : far;
+    for (int c = 0; c < 4; c++) {
+        result[c] = (float)((double)from[c] * near + (double)to[c] * far);
+    }
+}
+
+void scene_import_compose(const float t[3], const float q[4], const float s[3], float matrix[16])
+{
+    const float square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+    const float scale = square > 0 ? 1 / __builtin_sqrtf(square) : 0;
+    const float x = q[0] * scale, y = q[1] * scale, z = q[2] * scale, w = square > 0 ? q[3] * scale : 1;
+    const float rotation[9] = {
+        1 - 2 * (y * y + z * z), 2 * (x * y + z * w),     2 * (x * z - y * w),
+        2 * (x * y - z * w),     1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
+        2 * (x * z + y * w),     2 * (y * z - x * w),     1 - 2 * (x * x + y * y),
+    };
+    scene_import_identity(matrix);
+    for (int column = 0; column < 3; column++) {
+        for (int row = 0; row < 3; row++) {
+            matrix[4 * column + row] = rotation[3 * column + row] * s[column];
+        }
+    }
+    memcpy(matrix + 12, t, 3 * sizeof *t);
+}

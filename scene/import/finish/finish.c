@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// The end of an import: images are decoded, totals made, and what cannot be drawn is left out.
+#include "finish.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "decode_images.h"
+#include "import/builder/normals.h"
+#include "import/builder/numbers.h"
+#include "model_up.h"
+#include "points.h"
+
+static void extend(float least[3], float most[3], const float point[3])
+{
+    for (int c = 0; c < 3; c++) {
+        least[c] = point[c] < least[c] ? point[c] : least[c];
+        most[c] = point[c] > most[c] ? point[c] : most[c];
+    }
+}
+
+static void empty_bounds(float least[3], float most[3])
+{
+    for (int c = 0; c < 3; c++) {
+        least[c] = 3.4028234663852886e38f;
+        most[c] = -3.4028234663852886e38f;
+    }
+}
+
+static void bound_mesh(struct scene_mesh *mesh)
+{
+    empty_bounds(mesh->bounds_min, mesh->bounds_max);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        extend(mesh->bounds_min, mesh->bounds_max, mesh->positions[i]);
+    }
+}
+
+// Bounds of an instance in the world; false when some point leaves the range of floats.
+static bool bound_instance(const struct scene_mesh *mesh, const float world[16], float least[3],
+                           float most[3])
+{
+    empty_bounds(least, most);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        float point[3];
+        scene_import_transform(world, mesh->positions[i], point);
+        extend(least, most, point);
+    }
+    const float size[3] = {most[0] - least[0], most[1] - least[1], most[2] - least[2]};
+    return scene_import_finite(world, 16) && scene_import_finite(least, 3) && scene_import_finite(most, 3) &&
+           scene_import_finite(size, 3);
+}
+
+static void keep_drawable_instances(struct scene_import *import)
+{
+    struct scene_model *model = &import->model;
+    uint32_t kept = 0;
+    empty_bounds(model->bounds_min, model->bounds_max);
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        struct scene_instance *instance = &model->instances[i];
+        const struct scene_mesh *mesh = &model->meshes[instance->mesh];
+        float least[3], most[3];
+        if (mesh->index_count == 0) {
+            continue;
+        }
+        if (!bound_instance(mesh, instance->world, least, most)) {
+            scene_import_warn(import, "node \"%s\" is left out: its place in the world is not finite",
+                              instance->name);
+            continue;
+        }
+        extend(model->bounds_min, model->bounds_max, least);
+        extend(model->bounds_min, model->bounds_max, most);
+        instance->mirrored = scene_import_determinant(instance->world) < 0;
+        if (mesh->primitive == SCENE_PRIMITIVE_TRIANGLES) {
+            model->triangles_drawn += mesh->index_count / 3;
+        }
+        model->instances[kept++] = *instance;
+    }
+    model->instance_count = kept;
+}
+
+static void warn_of_missing_uvs(struct scene_import *import)
+{
+    for (uint32_t i = 0; i < import->model.mesh_count; i++) {
+        const struct scene_mesh *mesh = &import->model.meshes[i];
+        const struct scene_material *material = &import->model.materials[mesh->material];
+        for (int k = 0; k < SCENE_SLOT_COUNT; k++) {
+            if (material->slots[k].image >= 0 && mesh->uvs[material->slots[k].uv_set] == NULL) {
+                scene_import_warn(import,
+                                  "mesh \"%s\" lacks the texture coordinates its material \"%s\" reads",
+                                  mesh->name, material->name);
+            }
+        }
+    }
+}
+
+// A picture of such a model would be empty, and nothing would say why.
+static void warn_of_no_area(struct scene_import *import)
+{
+    struct scene_model *model = &import->model;
+    bool *is_asked = scene_import_allocate(import, model->mesh_count, sizeof *is_asked);
+    bool has_area = model->instance_count == 0;
+    for (uint32_t i = 0; i < model->instance_count && !has_area; i++) {
+        const uint32_t index = model->instances[i].mesh;
+        const struct scene_mesh *mesh = &model->meshes[index];
+        has_area =
+            !is_asked[index] && (mesh->primitive != SCENE_PRIMITIVE_TRIANGLES || scene_import_has_area(mesh));
+        is_asked[index] = true;
+    }
+    free(is_asked);
+    model->lacks_area = !has_area;
+    if (model->lacks_area) {
+        scene_import_warn(import, "none of its triangles has an area: there is nothing to see");
+    }
+}
+
+static void mark_image_uses(struct scene_model *model)
+{
+    for (uint32_t i = 0; i < model->image_count; i++) {
+        model->images[i].used_as_color = model->images[i].used_as_data = false;
+    }
+    for (uint32_t i = 0; i < model->material_count; i++) {
+        for (int k = 0; k < SCENE_SLOT_COUNT; k++) {
+            const int32_t image = model->materials[i].slots[k].image;
+            if (image >= 0 && scene_slot_is_color((enum scene_slot)k)) {
+                model->images[image].used_as_color = true;
+            } else if (image >= 0) {
+                model->images[image].used_as_data = true;
+            }
+        }
+    }
+}
+
+static void set_directory(struct scene_import *import)
+{
+    const char *slash = strrchr(import->name, '/');
+    const size_t length = slash == NULL ? 0 : (size_t)(slash - import->name) + 1;
+    char *directory = scene_import_allocate(import, length + 1, 1);
+    memcpy(directory, import->name, length);
+    import->directory = directory;
+}
+
+void scene_import_run(struct scene_import *import)
+{
+    struct scene_model *model = &import->model;
+    set_directory(import);
+    import->read(import);
+    if (import->variant != NULL && model->variant_count == 0) {
+        scene_import_fail(import, "has no variants of its materials");
+    }
+    if (import->is_posed && model->animation_count == 0) {
+        scene_import_fail(import, "has no animations that can be played");
+    }
+    mark_image_uses(model);
+    scene_import_decode_images(import);
+    mark_image_uses(model); // what is missing is not used
+    warn_of_missing_uvs(import);
+    for (uint32_t i = 0; i < model->mesh_count; i++) {
+        bound_mesh(&model->meshes[i]);
+        if (model->meshes[i].primitive == SCENE_PRIMITIVE_TRIANGLES) {
+            model->triangles_stored += model->meshes[i].index_count / 3;
+        }
+    }
+    keep_drawable_instances(import);
+    warn_of_no_area(import);
+    if (import->up_is_open) {
+        const enum scene_axis usual = model->up;
+        model->up = scene_model_guess_up(model, usual);
+        model->up_guessed = model->up != usual;
+    }
+    scene_import_dress_points(import);
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// See model_up.h.
+
+#include "model_up.h"
+
+#include "draw/camera/camera_math.h"
+
+static const double slab = 0.02; // of the extent
+static const double least_share = 0.1, ratio = 8, flat = 0.06;
+
+struct rectangle {
+    double low[2], high[2];
+};
+
+static void extend(struct rectangle *r, double u, double v)
+{
+    r->low[0] = u < r->low[0] ? u : r->low[0];
+    r->high[0] = u > r->high[0] ? u : r->high[0];
+    r->low[1] = v < r->low[1] ? v : r->low[1];
+    r->high[1] = v > r->high[1] ? v : r->high[1];
+}
+
+// How much of the model's rectangle across an axis its lowest vertices cover.
+static double standing_share(const struct scene_model *model, int axis)
+{
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const double low = (double)model->bounds_min[axis], high = (double)model->bounds_max[axis];
+    const double limit = low + slab * (high - low);
+    struct rectangle lowest = {{1e300, 1e300}, {-1e300, -1e300}};
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        const struct scene_instance *instance = &model->instances[i];
+        const struct scene_mesh *mesh = &model->meshes[instance->mesh];
+        for (uint32_t k = 0; k < mesh->vertex_count; k++) {
+            double p[3];
+            scene_place_point(instance->world, mesh->positions[k], p);
+            if (p[axis] <= limit) {
+                extend(&lowest, p[u], p[v]);
+            }
+        }
+    }
+    const double width = (double)model->bounds_max[u] - (double)model->bounds_min[u],
+                 height = (double)model->bounds_max[v] - (double)model->bounds_min[v];
+    const double covered = (lowest.high[0] - lowest.low[0]) * (lowest.high[1] - lowest.low[1]);
+    return width > 0 && height > 0 && covered > 0 ? covered / (width * height) : 0;
+}
+
+enum scene_axis scene_model_guess_up(const struct scene_model *model, enum scene_axis usual)
+{
+    double side[3];
+    for (int i = 0; i < 3; i++) {
+        side[i] = (double)model->bounds_max[i] - (double)model->bounds_min[i];
+    }
+    const enum scene_axis other = usual == SCENE_AXIS_Y ? SCENE_AXIS_Z : SCENE_AXIS_Y;
+    const int usual_axis = usual == SCENE_AXIS_Y ? 1 : 2, other_axis = 3 - usual_axis;
+    const double longest =
+        side[0] > side[1] ? (side[0] > side[2] ? side[0] : side[2]) : (side[1] > side[2] ? side[1] : side[2]);
+    if (!(side[other_axis] > flat * longest)) {
+        return usual;
+    }
+    const double as_usual = standing_share(model, usual_axis), as_other = standing_share(model, other_axis);
+    return as_other >= least_share && as_other > ratio * as_usual ? other : usual;
+}

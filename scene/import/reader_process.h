@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// An import in a process of its own.
+#ifndef SCENE_READER_PROCESS_H
+#define SCENE_READER_PROCESS_H
+
+#include "import/builder/import.h"
+
+/// Runs import->read in a child process, as scene_model_load does.
+struct scene_model *scene_import_start(const struct scene_import *import,
+                                       const struct scene_model_options *options, char *error,
+                                       size_t error_size);
+
+#endif
