@@ -42,7 +42,7 @@ ALWAYS_INLINE rhw_float lightness(const struct rhw_fragment *f)
     const rhw_int first[2] = {rhw_splat_int(-1), rhw_splat_int(-1)};
     const struct rhw_sample_request request = {.coordinates = at, .reference = &reference, .offset = first};
     rhw_float parts[9], sum = rhw_splat(0.0f);
-    rhw_sample_compare_window(f->textures, 0, &request, 3, 3, parts);
+    rhw_sample_compare_window(f->bindings, 0, &request, 3, 3, parts);
     for (int i = 0; i < 9; i++) {
         sum = sum + parts[i];
     }
@@ -78,7 +78,7 @@ static void reflect_fragment(struct rhw_fragment *groups, int count)
             incident[c] = v[3 + c] - u->eye[c];
         }
         rhw_reflect3(incident, normal, direction);
-        rhw_sample_lod(groups[g].textures, 0, direction, rhw_splat(0.0f), texel);
+        rhw_sample_lod(groups[g].bindings, 0, direction, rhw_splat(0.0f), texel);
         for (int c = 0; c < 3; c++) {
             groups[g].color[0][c] = u->color[c] * texel[c];
         }
@@ -131,10 +131,10 @@ ALWAYS_INLINE void fetch_surface(const struct rhw_fragment *f, const struct benc
                            rhw_int_from_float_unchecked(f->coord[1])};
     const rhw_float *const ray = f->varying; // to distance 1
     rhw_float normal[4], distance[4];
-    rhw_sample_fetch(f->textures, 0, at, NULL, s->albedo);
-    rhw_sample_fetch(f->textures, 1, at, NULL, normal);
-    rhw_sample_fetch(f->textures, 2, at, NULL, distance);
-    rhw_sample_fetch(f->textures, 3, at, NULL, s->material);
+    rhw_sample_fetch(f->bindings, 0, at, NULL, s->albedo);
+    rhw_sample_fetch(f->bindings, 1, at, NULL, normal);
+    rhw_sample_fetch(f->bindings, 2, at, NULL, distance);
+    rhw_sample_fetch(f->bindings, 3, at, NULL, s->material);
     rhw_normalize3(normal, s->normal);
     for (int c = 0; c < 3; c++) {
         s->position[c] = u->eye[c] + ray[c] * distance[0];

@@ -213,7 +213,7 @@ static void sample_texture(struct rhw_fragment *groups, int count)
                                         fragment->ddy[1]};
         rhw_float uv[2];
         find_uv(fragment, uv);
-        rhw_sample_grad(fragment->textures, 0, uv, footprint, fragment->color[0]);
+        rhw_sample_grad(fragment->bindings, 0, uv, footprint, fragment->color[0]);
     }
 }
 

@@ -135,7 +135,7 @@ static rhw_float lightness(const struct rhw_fragment *fragment)
         for (int x = -reach; x <= reach; x++) {
             const rhw_float uv[2] = {at[0] + (float)x / MAP, at[1] + (float)y / MAP};
             const rhw_float reference = rhw_min(depth + slope[0] * (float)x + slope[1] * (float)y, 1.0f);
-            sum += rhw_sample_compare_lod(fragment->textures, 0, uv, reference, rhw_splat(0));
+            sum += rhw_sample_compare_lod(fragment->bindings, 0, uv, reference, rhw_splat(0));
         }
     }
     return sum / (float)((2 * reach + 1) * (2 * reach + 1));

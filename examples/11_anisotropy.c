@@ -85,7 +85,7 @@ static void paint(struct rhw_fragment *groups, int count)
     for (int i = 0; i < count; i++) {
         const rhw_float gradient[4] = {groups[i].ddx[0], groups[i].ddx[1], groups[i].ddy[0],
                                        groups[i].ddy[1]};
-        rhw_sample_grad(groups[i].textures, 0, groups[i].varying, gradient, groups[i].color[0]);
+        rhw_sample_grad(groups[i].bindings, 0, groups[i].varying, gradient, groups[i].color[0]);
     }
 }
 

@@ -79,7 +79,7 @@ static void reflect(struct rhw_fragment *groups, int count)
             incident[k] = in->world[k] - u->eye[k];
         }
         rhw_reflect3(incident, normal, direction);
-        rhw_sample_lod(groups[i].textures, 0, direction, rhw_splat(0), groups[i].color[0]);
+        rhw_sample_lod(groups[i].bindings, 0, direction, rhw_splat(0), groups[i].color[0]);
         for (int k = 0; k < 3; k++) {
             groups[i].color[0][k] = groups[i].color[0][k] * u->color[k];
         }

@@ -116,7 +116,7 @@ static void add_lights(struct rhw_fragment *groups, int count)
                                rhw_int_from_float(groups[i].coord[1])};
         rhw_float kept[TARGETS][4], light[3];
         for (int t = 0; t < TARGETS; t++) {
-            rhw_sample_fetch(groups[i].textures, t, at, NULL, kept[t]);
+            rhw_sample_fetch(groups[i].bindings, t, at, NULL, kept[t]);
         }
         shade(kept[0], kept[1], kept[2], light);
         const rhw_int nothing = rhw_equal_int(rhw_bits_from_float(kept[3][0]), rhw_splat_int(0));

@@ -112,7 +112,7 @@ static rhw_float lightness(const struct rhw_fragment *fragment, const rhw_float 
         from[k] = from[k] + off * normal[k];
         longest = rhw_max(longest, rhw_abs(from[k]));
     }
-    return rhw_sample_compare_lod(fragment->textures, 0, from, 1.0f - near_plane / longest, rhw_splat(0));
+    return rhw_sample_compare_lod(fragment->bindings, 0, from, 1.0f - near_plane / longest, rhw_splat(0));
 }
 
 static void paint(struct rhw_fragment *groups, int count)

@@ -102,7 +102,7 @@ static void shade(struct rhw_fragment *f)
     }
     const rhw_float edge = julia->duals ? soften(z) : rhw_splat(1);
     rhw_float tile[4];
-    rhw_sample_dual(f->textures, 0, uv, tile);
+    rhw_sample_dual(f->bindings, 0, uv, tile);
     mix_palette(julia, steps, inside, rhw_saturate(uv[1].value), color);
     for (int c = 0; c < 3; c++) {
         color[c] = rhw_mix(color[c] * tile[c] * edge, julia->sky[c], haze);

@@ -62,7 +62,7 @@ static void mesh_vertex(struct rhw_vertex1 *v)
 static void mesh_fragment(struct rhw_fragment1 *f)
 {
     const float gradient[4] = {f->ddx[0], f->ddx[1], f->ddy[0], f->ddy[1]};
-    rhw_sample_grad1(f->textures, 0, f->varying, gradient, f->color[0]);
+    rhw_sample_grad1(f->bindings, 0, f->varying, gradient, f->color[0]);
 }
 
 static enum rhw_result make_texture(rhw_context *context, rhw_texture *texture)

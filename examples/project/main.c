@@ -37,7 +37,7 @@ static void paint1(struct rhw_fragment1 *f)
     const float light = 0.75f + 0.25f * wave;
     const float grad[4] = {f->ddx[0], f->ddx[1], f->ddy[0], f->ddy[1]};
     float texel[4];
-    rhw_sample_grad1(f->textures, 0, at, grad, texel);
+    rhw_sample_grad1(f->bindings, 0, at, grad, texel);
     for (int c = 0; c < 3; c++) {
         f->color[0][c] = texel[c] * light;
     }

@@ -29,7 +29,7 @@ void RHW_ISA_NAME(paint)(struct rhw_fragment *groups, int count)
         const rhw_float light = 0.75f + 0.25f * wave;
         const rhw_float grad[4] = {f->ddx[0], f->ddx[1], f->ddy[0], f->ddy[1]};
         rhw_float texel[4];
-        rhw_sample_grad(f->textures, 0, at, grad, texel);
+        rhw_sample_grad(f->bindings, 0, at, grad, texel);
         for (int c = 0; c < 3; c++) {
             f->color[0][c] = texel[c] * light;
         }

@@ -64,11 +64,11 @@ struct rhw_explained_fragment {
     const float *ddx, *ddy; ///< [component_count], change per pixel of components that have derivatives
     float output[RHW_MAX_COLOR_ATTACHMENTS][4]; ///< colours that the fragment function returned
     /// What the fragment function may sample. rhw_sample of these bindings gives what it gave in the function.
-    const struct rhw_bindings *textures;
+    const struct rhw_bindings *bindings;
 };
 
 /// A thread of the context calls the function while the pass ends, with one call at a time. The function must not call
-/// the library with the context of the pass, which is misuse. rhw_sample of fragment->textures is allowed.
+/// the library with the context of the pass, which is misuse. rhw_sample of fragment->bindings is allowed.
 typedef void rhw_explain_function(void *user, const struct rhw_explained_fragment *fragment);
 
 struct rhw_explain {

@@ -18,13 +18,13 @@ struct rhw_bindings;
 #if RHW_HAS_LANES
 
 /// 8 vertices. The library owns what the pointers point to, and the pointers are valid until the function returns. The
-/// function reads the members up to `textures` and `mask`, and writes the others.
+/// function reads the members up to `bindings` and `mask`, and writes the others.
 struct rhw_vertex {
     const rhw_float (*attribute)[4];      ///< [attribute][component]
     rhw_int vertex_index, instance_index; ///< numbers that include the draw's base vertex and first instance
     const void *uniforms;
     const void *user;                     ///< rhw_program.user
-    const struct rhw_bindings *textures;
+    const struct rhw_bindings *bindings;
     rhw_float position[4];                ///< output: homogeneous clip coordinates X, Y, Z, W
     rhw_float *varying;                   ///< output: [component] of all varyings
     rhw_float *clip_distance, *cull_distance; ///< outputs: [distance], as many as the program has
@@ -42,7 +42,7 @@ struct rhw_fragment {
     const rhw_float *ddx, *ddy;      ///< [component]: d/dx and d/dy per pixel of varyings that asked for them
     const void *uniforms;
     const void *user;                ///< rhw_program.user
-    const struct rhw_bindings *textures;
+    const struct rhw_bindings *bindings;
     /// Output: [target][channel]. It is not initialized, but with RHW_USE_COLOR_INPUT it holds the targets' values on
     /// entry. The colours of the groups of one call stand one after the other, with RHW_MAX_COLOR_ATTACHMENTS targets
     /// each.
@@ -86,7 +86,7 @@ struct rhw_vertex1 {
     int32_t vertex_index, instance_index;
     const void *uniforms;
     const void *user;
-    const struct rhw_bindings *textures;
+    const struct rhw_bindings *bindings;
     float position[4];
     float *varying;
     float *clip_distance, *cull_distance;
@@ -101,7 +101,7 @@ struct rhw_fragment1 {
     const float *ddx, *ddy;
     const void *uniforms;
     const void *user;
-    const struct rhw_bindings *textures;
+    const struct rhw_bindings *bindings;
     float (*color)[4];
     bool discard; ///< output: true drops the fragment
     float depth;

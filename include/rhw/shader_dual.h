@@ -7,7 +7,7 @@
 //
 //     struct rhw_dual uv[2] = {rhw_dual_varying(f, 0), rhw_dual_varying(f, 1)};
 //     uv[0] = rhw_dual_add(uv[0], rhw_dual_scale(rhw_dual_sin(uv[1]), 0.1f));
-//     rhw_sample_dual(f->textures, 0, uv, texel);
+//     rhw_sample_dual(f->bindings, 0, uv, texel);
 //
 // The value of rhw_dual_name is the value of rhw_name, bit for bit, with its errors and special cases. At a corner of a
 // function, the change is that of the side which the value comes from. Where the slope of a function is infinite, as
@@ -405,12 +405,12 @@ static inline void rhw_dual_reflect3(const struct rhw_dual incident[3], const st
 // Textures ------------------------------------------------------------------------------------------
 
 /// Sample as rhw_sample_grad does, at computed coordinates. The derivatives of the coordinates are the gradient.
-static inline void rhw_sample_dual(const struct rhw_bindings *textures, int slot, const struct rhw_dual uv[2],
+static inline void rhw_sample_dual(const struct rhw_bindings *bindings, int slot, const struct rhw_dual uv[2],
                                    rhw_float texel[4])
 {
     const rhw_float at[2] = {uv[0].value, uv[1].value};
     const rhw_float grad[4] = {uv[0].ddx, uv[1].ddx, uv[0].ddy, uv[1].ddy};
-    rhw_sample_grad(textures, slot, at, grad, texel);
+    rhw_sample_grad(bindings, slot, at, grad, texel);
 }
 
 RHW_QUIET_END

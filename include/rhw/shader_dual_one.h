@@ -349,12 +349,12 @@ static inline void rhw_dual_reflect3_1(const struct rhw_dual1 incident[3], const
 
 // Textures ------------------------------------------------------------------------------------------
 
-static inline void rhw_sample_dual1(const struct rhw_bindings *textures, int slot,
+static inline void rhw_sample_dual1(const struct rhw_bindings *bindings, int slot,
                                     const struct rhw_dual1 uv[2], float texel[4])
 {
     const float at[2] = {uv[0].value, uv[1].value};
     const float grad[4] = {uv[0].ddx, uv[1].ddx, uv[0].ddy, uv[1].ddy};
-    rhw_sample_grad1(textures, slot, at, grad, texel);
+    rhw_sample_grad1(bindings, slot, at, grad, texel);
 }
 
 RHW_QUIET_END

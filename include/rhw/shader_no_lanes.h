@@ -44,30 +44,30 @@ struct rhw_sample_request1 {
 };
 
 /// Sample one lane of rhw_sample.
-RHW_API void rhw_sample1(const struct rhw_bindings *textures, int slot,
+RHW_API void rhw_sample1(const struct rhw_bindings *bindings, int slot,
                          const struct rhw_sample_request1 *request, float texel[4]);
 
 /// Gather one lane of rhw_sample_gather.
-RHW_API void rhw_sample_gather1(const struct rhw_bindings *textures, int slot,
+RHW_API void rhw_sample_gather1(const struct rhw_bindings *bindings, int slot,
                                 const struct rhw_sample_request1 *request, int channel, float texel[4]);
 
 /// Fetch one lane of rhw_sample_fetch.
-RHW_API void rhw_sample_fetch1(const struct rhw_bindings *textures, int slot, const int32_t *at,
+RHW_API void rhw_sample_fetch1(const struct rhw_bindings *bindings, int slot, const int32_t *at,
                                int32_t level, float texel[4]);
 
 /// Fetch one lane of rhw_sample_fetch_sample.
-RHW_API void rhw_sample_fetch_sample1(const struct rhw_bindings *textures, int slot, const int32_t *at,
+RHW_API void rhw_sample_fetch_sample1(const struct rhw_bindings *bindings, int slot, const int32_t *at,
                                       int32_t sample, float texel[4]);
 
 /// Compute one lane of rhw_sample_query_lod.
-RHW_API void rhw_sample_query_lod1(const struct rhw_bindings *textures, int slot,
+RHW_API void rhw_sample_query_lod1(const struct rhw_bindings *bindings, int slot,
                                    const struct rhw_sample_request1 *request, float lod[2]);
 
 /// Compute one lane of rhw_sample_size.
-RHW_API void rhw_sample_size1(const struct rhw_bindings *textures, int slot, int32_t level, int32_t size[3]);
+RHW_API void rhw_sample_size1(const struct rhw_bindings *bindings, int slot, int32_t level, int32_t size[3]);
 
 /// Sample one lane of rhw_sample_compare_window, footprint by footprint.
-RHW_API void rhw_sample_compare_window1(const struct rhw_bindings *textures, int slot,
+RHW_API void rhw_sample_compare_window1(const struct rhw_bindings *bindings, int slot,
                                         const struct rhw_sample_request1 *request, int columns, int rows,
                                         float *parts);
 

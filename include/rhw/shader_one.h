@@ -410,47 +410,47 @@ static inline int32_t rhw_gather_int1(const int32_t *table, int32_t count, int32
     return index >= 0 && index < count ? table[index] : 0;
 }
 
-static inline void rhw_sample_grad1(const struct rhw_bindings *textures, int slot, const float *coordinates,
+static inline void rhw_sample_grad1(const struct rhw_bindings *bindings, int slot, const float *coordinates,
                                     const float *grad, float texel[4])
 {
     const struct rhw_sample_request1 request = {
         coordinates, grad, (const float *)0, (const float *)0, (const int32_t *)0, (const float *)0};
-    rhw_sample1(textures, slot, &request, texel);
+    rhw_sample1(bindings, slot, &request, texel);
 }
 
-static inline void rhw_sample_lod1(const struct rhw_bindings *textures, int slot, const float *coordinates,
+static inline void rhw_sample_lod1(const struct rhw_bindings *bindings, int slot, const float *coordinates,
                                    float lod, float texel[4])
 {
     const struct rhw_sample_request1 request = {coordinates,      (const float *)0,   &lod,
                                                 (const float *)0, (const int32_t *)0, (const float *)0};
-    rhw_sample1(textures, slot, &request, texel);
+    rhw_sample1(bindings, slot, &request, texel);
 }
 
-static inline void rhw_sample_bias1(const struct rhw_bindings *textures, int slot, const float *coordinates,
+static inline void rhw_sample_bias1(const struct rhw_bindings *bindings, int slot, const float *coordinates,
                                     const float *grad, float bias, float texel[4])
 {
     const struct rhw_sample_request1 request = {coordinates,        grad, (const float *)0, (const float *)0,
                                                 (const int32_t *)0, &bias};
-    rhw_sample1(textures, slot, &request, texel);
+    rhw_sample1(bindings, slot, &request, texel);
 }
 
-static inline float rhw_sample_compare_grad1(const struct rhw_bindings *textures, int slot,
+static inline float rhw_sample_compare_grad1(const struct rhw_bindings *bindings, int slot,
                                              const float *coordinates, float reference, const float *grad)
 {
     const struct rhw_sample_request1 request = {
         coordinates, grad, (const float *)0, &reference, (const int32_t *)0, (const float *)0};
     float texel[4];
-    rhw_sample1(textures, slot, &request, texel);
+    rhw_sample1(bindings, slot, &request, texel);
     return texel[0];
 }
 
-static inline float rhw_sample_compare_lod1(const struct rhw_bindings *textures, int slot,
+static inline float rhw_sample_compare_lod1(const struct rhw_bindings *bindings, int slot,
                                             const float *coordinates, float reference, float lod)
 {
     const struct rhw_sample_request1 request = {coordinates, (const float *)0,   &lod,
                                                 &reference,  (const int32_t *)0, (const float *)0};
     float texel[4];
-    rhw_sample1(textures, slot, &request, texel);
+    rhw_sample1(bindings, slot, &request, texel);
     return texel[0];
 }
 

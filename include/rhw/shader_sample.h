@@ -48,40 +48,40 @@ struct rhw_sample_request {
 /// sRGB texels are decoded before they are filtered. In a plain 2D texture the decoded values have 15 bits if both
 /// filters are LINEAR and no border is met: they are off by at most 1/20 of the distance between two codes, and 0 and
 /// 255 are exact.
-RHW_API void rhw_sample(const struct rhw_bindings *textures, int slot,
+RHW_API void rhw_sample(const struct rhw_bindings *bindings, int slot,
                         const struct rhw_sample_request *request, rhw_float texel[4]);
 
 /// Gather channel `channel`, 0..3, of the four texels that a linear filter would mix in level 0 of a 2D texture, a
 /// cube, or an array of these. Their order is below left, below right, above right, above left, where v grows downwards
 /// (Vulkan 1.3, "Texel Gathering"). A sampler that compares gives 1 or 0 for each texel, whatever the channel. The
 /// request's level and gradient do not matter. A texture of another kind gives zeros.
-RHW_API void rhw_sample_gather(const struct rhw_bindings *textures, int slot,
+RHW_API void rhw_sample_gather(const struct rhw_bindings *bindings, int slot,
                                const struct rhw_sample_request *request, int channel, rhw_float texel[4]);
 
 /// Fetch the texel at whole coordinates of a level, unfiltered. `level` is [1]; NULL means level 0. `at` has x, y and z
 /// as far as the kind of texture has them, and the layer of an array; for a cube it has x, y and 6 × cube + face.
 /// Outside of the level, and if there is no such level, the texel is 0 in the channels that the format has
 /// (robustImageAccess2). Channels that the format lacks are 0, 0, 0, 1.
-RHW_API void rhw_sample_fetch(const struct rhw_bindings *textures, int slot, const rhw_int *at,
+RHW_API void rhw_sample_fetch(const struct rhw_bindings *bindings, int slot, const rhw_int *at,
                               const rhw_int *level, rhw_float texel[4]);
 
 /// Fetch the texel of one sample of a multisampled texture, unfiltered, in the channels that rhw_sample_fetch gives.
 /// `at` has x and y, and the layer of an array. The texel is 0 if there is no such sample or layer. This function takes
 /// a slot with another texture for a slot without one. All other functions but rhw_sample_size, rhw_sample_levels and
 /// rhw_sample_samples take a slot with a multisampled texture for a slot without one.
-RHW_API void rhw_sample_fetch_sample(const struct rhw_bindings *textures, int slot, const rhw_int *at,
+RHW_API void rhw_sample_fetch_sample(const struct rhw_bindings *bindings, int slot, const rhw_int *at,
                                      const rhw_int *sample, rhw_float texel[4]);
 
 /// Set lod[0] to the level that rhw_sample would read for the request; a fraction lies between two levels. Set lod[1]
 /// to the level of detail with the sampler's bias, before any limit (Vulkan 1.3, OpImageQueryLod). Both are 0 in a slot
 /// without a texture.
-RHW_API void rhw_sample_query_lod(const struct rhw_bindings *textures, int slot,
+RHW_API void rhw_sample_query_lod(const struct rhw_bindings *bindings, int slot,
                                   const struct rhw_sample_request *request, rhw_float lod[2]);
 
 /// Set `size` to the width, the height and the number of slices or layers of a level; a cube has six layers. `level` is
 /// [1]; NULL means level 0. Dimensions that the kind of texture lacks are 1. All are 0 if there is no such level, and
 /// in a slot without a texture.
-RHW_API void rhw_sample_size(const struct rhw_bindings *textures, int slot, const rhw_int *level,
+RHW_API void rhw_sample_size(const struct rhw_bindings *bindings, int slot, const rhw_int *level,
                              rhw_int size[3]);
 
 /// Sample, by a sampler that compares, columns × rows footprints one texel apart, as percentage-closer filters do. Set
@@ -89,64 +89,64 @@ RHW_API void rhw_sample_size(const struct rhw_bindings *textures, int slot, cons
 /// a request without an offset has offset 0. The bits are those of single samples. A shadow map takes a fraction of the
 /// time of single samples, because its footprints share texels and comparisons: one level of a plain 2D texture of
 /// 32-bit floats with one channel, with linear filters and without a border. A slot without a texture gives zeros.
-RHW_API void rhw_sample_compare_window(const struct rhw_bindings *textures, int slot,
+RHW_API void rhw_sample_compare_window(const struct rhw_bindings *bindings, int slot,
                                        const struct rhw_sample_request *request, int columns, int rows,
                                        rhw_float *parts);
 
 /// Sample as rhw_sample does, with a gradient.
-static inline void rhw_sample_grad(const struct rhw_bindings *textures, int slot,
+static inline void rhw_sample_grad(const struct rhw_bindings *bindings, int slot,
                                    const rhw_float *coordinates, const rhw_float *grad, rhw_float texel[4])
 {
     const struct rhw_sample_request request = {coordinates,          grad,
                                                (const rhw_float *)0, (const rhw_float *)0,
                                                (const rhw_int *)0,   (const rhw_float *)0};
-    rhw_sample(textures, slot, &request, texel);
+    rhw_sample(bindings, slot, &request, texel);
 }
 
 /// Sample as rhw_sample does, at an explicit level of detail.
-static inline void rhw_sample_lod(const struct rhw_bindings *textures, int slot, const rhw_float *coordinates,
+static inline void rhw_sample_lod(const struct rhw_bindings *bindings, int slot, const rhw_float *coordinates,
                                   rhw_float lod, rhw_float texel[4])
 {
     const struct rhw_sample_request request = {
         coordinates,          (const rhw_float *)0, &lod,
         (const rhw_float *)0, (const rhw_int *)0,   (const rhw_float *)0};
-    rhw_sample(textures, slot, &request, texel);
+    rhw_sample(bindings, slot, &request, texel);
 }
 
 /// Sample as rhw_sample_grad does, `bias` levels coarser, or finer if `bias` is negative (OpenGL, texture() with a
 /// bias; Vulkan 1.3, "Level-of-Detail Operation").
-static inline void rhw_sample_bias(const struct rhw_bindings *textures, int slot,
+static inline void rhw_sample_bias(const struct rhw_bindings *bindings, int slot,
                                    const rhw_float *coordinates, const rhw_float *grad, rhw_float bias,
                                    rhw_float texel[4])
 {
     const struct rhw_sample_request request = {
         coordinates, grad, (const rhw_float *)0, (const rhw_float *)0, (const rhw_int *)0, &bias};
-    rhw_sample(textures, slot, &request, texel);
+    rhw_sample(bindings, slot, &request, texel);
 }
 
 /// Return the part of the footprint, 0..1, for which `reference compare texel` holds. The sampler must compare. The
 /// level of detail follows from `grad`, as in rhw_sample_grad. A slot without a texture gives 0.
-static inline rhw_float rhw_sample_compare_grad(const struct rhw_bindings *textures, int slot,
+static inline rhw_float rhw_sample_compare_grad(const struct rhw_bindings *bindings, int slot,
                                                 const rhw_float *coordinates, rhw_float reference,
                                                 const rhw_float *grad)
 {
     const struct rhw_sample_request request = {
         coordinates, grad, (const rhw_float *)0, &reference, (const rhw_int *)0, (const rhw_float *)0};
     rhw_float texel[4];
-    rhw_sample(textures, slot, &request, texel);
+    rhw_sample(bindings, slot, &request, texel);
     return texel[0];
 }
 
 /// Return the part of the footprint, 0..1, for which `reference compare texel` holds, at an explicit level of detail.
 /// The sampler must compare. A slot without a texture gives 0.
-static inline rhw_float rhw_sample_compare_lod(const struct rhw_bindings *textures, int slot,
+static inline rhw_float rhw_sample_compare_lod(const struct rhw_bindings *bindings, int slot,
                                                const rhw_float *coordinates, rhw_float reference,
                                                rhw_float lod)
 {
     const struct rhw_sample_request request = {coordinates, (const rhw_float *)0, &lod,
                                                &reference,  (const rhw_int *)0,   (const rhw_float *)0};
     rhw_float texel[4];
-    rhw_sample(textures, slot, &request, texel);
+    rhw_sample(bindings, slot, &request, texel);
     return texel[0];
 }
 
@@ -170,10 +170,10 @@ RHW_QUIET_END
 struct rhw_bindings;
 
 /// Return the number of mip levels of a slot's texture, or 0 in a slot without one.
-RHW_API int rhw_sample_levels(const struct rhw_bindings *textures, int slot);
+RHW_API int rhw_sample_levels(const struct rhw_bindings *bindings, int slot);
 
 /// Return the number of samples in a texel of a slot's texture: 1 if the texture is not multisampled, and 0 in a slot
 /// without one (GLSL 4.60, textureSamples; SPIR-V, OpImageQuerySamples).
-RHW_API int rhw_sample_samples(const struct rhw_bindings *textures, int slot);
+RHW_API int rhw_sample_samples(const struct rhw_bindings *bindings, int slot);
 
 #endif

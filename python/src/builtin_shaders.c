@@ -54,7 +54,7 @@ static void shade_color(const struct rhw_fragment *f, const struct python_layout
     if (layout->is_textured) {
         const rhw_float footprint[4] = {f->ddx[uv], f->ddx[uv + 1], f->ddy[uv], f->ddy[uv + 1]};
         rhw_float texel[4];
-        rhw_sample_grad(f->textures, 0, &f->varying[uv], footprint, texel);
+        rhw_sample_grad(f->bindings, 0, &f->varying[uv], footprint, texel);
         for (int c = 0; c < 4; c++) {
             color[c] *= texel[c];
         }

@@ -22,7 +22,7 @@ static void peel(struct rhw_fragment *f)
     const rhw_int at[2] = {rhw_int_from_float_unchecked(f->coord[0]),
                            rhw_int_from_float_unchecked(f->coord[1])};
     rhw_float before[4];
-    rhw_sample_fetch(f->textures, 0, at, NULL, before);
+    rhw_sample_fetch(f->bindings, 0, at, NULL, before);
     f->mask &= f->coord[2] > before[0];
 }
 

@@ -15,7 +15,7 @@ static void spread(const struct rhw_explained_fragment *told, struct lanes *lane
     *lanes = (struct lanes){.fragment = {.varying = lanes->varying,
                                          .ddx = lanes->ddx,
                                          .ddy = lanes->ddy,
-                                         .textures = told->textures,
+                                         .bindings = told->bindings,
                                          .mask = rhw_splat_int(-1),
                                          .front_facing = rhw_splat_int(told->front_facing ? -1 : 0)}};
     for (int i = 0; i < told->component_count; i++) {

@@ -48,7 +48,7 @@ static void look_around(const struct rhw_explained_fragment *fragment, int unit,
     const rhw_int number = rhw_splat_int(level);
     const rhw_float lod = rhw_splat((float)level);
     rhw_int size[3];
-    rhw_sample_size(fragment->textures, unit, &number, size);
+    rhw_sample_size(fragment->bindings, unit, &number, size);
     rhw_float at[2], texel[4];
     for (int i = 0; i < 2; i++) {
         const float side = (float)(size[i][0] > 0 ? size[i][0] : 1);
@@ -58,7 +58,7 @@ static void look_around(const struct rhw_explained_fragment *fragment, int unit,
         }
     }
     const struct rhw_sample_request request = {.coordinates = at, .lod = &lod};
-    rhw_sample(fragment->textures, unit, &request, texel);
+    rhw_sample(fragment->bindings, unit, &request, texel);
     for (int i = 0; i < 4; i++) {
         for (int c = 0; c < 4; c++) {
             texels[i][c] = texel[c][i];
@@ -76,16 +76,16 @@ static void look_at(const struct rhw_explained_fragment *fragment, int unit, int
     const struct rhw_sample_request request = {.coordinates = uv, .gradient = gradient};
     rhw_float lod[2], texel[4];
     rhw_int size[3];
-    rhw_sample(fragment->textures, unit, &request, texel);
-    rhw_sample_query_lod(fragment->textures, unit, &request, lod);
+    rhw_sample(fragment->bindings, unit, &request, texel);
+    rhw_sample_query_lod(fragment->bindings, unit, &request, lod);
     look->level = lod[0][0];
     look->lod = lod[1][0];
     look->is_enlarged = lod[1][0] <= 0.0f; // Vulkan 1.3, Texel Filtering
-    rhw_sample_size(fragment->textures, unit, NULL, size);
+    rhw_sample_size(fragment->bindings, unit, NULL, size);
     look->base_width = size[0][0];
     look->base_height = size[1][0];
     const rhw_int level = rhw_splat_int((int)look->level);
-    rhw_sample_size(fragment->textures, unit, &level, size);
+    rhw_sample_size(fragment->bindings, unit, &level, size);
     look->width = size[0][0];
     look->height = size[1][0];
     for (int i = 0; i < 2; i++) {
@@ -108,7 +108,7 @@ int scene_texture_looks(const struct rhw_explained_fragment *fragment, const str
     int count = 0;
     for (int slot = 0; slot < SCENE_SLOT_COUNT && fragment->is_shaded; slot++) {
         const int first = surface->slot_varying[slot];
-        if (first >= 0 && fragment->textures) {
+        if (first >= 0 && fragment->bindings) {
             looks[count].slot = (enum scene_slot)slot;
             look_at(fragment, surface->slot_unit[slot], first, &looks[count++]);
         }

@@ -122,22 +122,22 @@ static void no_texel(rhw_float texel[4])
     texel[3] = rhw_splat(1);
 }
 
-void rhw_sample(const struct rhw_bindings *textures, int slot, const struct rhw_sample_request *request,
+void rhw_sample(const struct rhw_bindings *bindings, int slot, const struct rhw_sample_request *request,
                 rhw_float texel[4])
 {
-    if (textures->site.validation) {
-        rhw_validate_sample(textures, slot, request);
+    if (bindings->site.validation) {
+        rhw_validate_sample(bindings, slot, request);
     }
     // No slot has this number: it reads as a slot that nothing is bound to.
     if ((unsigned)slot >= RHW_MAX_TEXTURES) {
         no_texel(texel);
         return;
     }
-    const struct rhw_binding *const binding = &textures->slot[slot];
+    const struct rhw_binding *const binding = &bindings->slot[slot];
     if (((uintptr_t)request->bias | (uintptr_t)request->offset) == 0) {
         binding->sample(binding, request, texel);
     } else if (request->bias && binding->texture) {
-        textures->kernels->sample_biased(binding, request, texel);
+        bindings->kernels->sample_biased(binding, request, texel);
     } else if (request->offset) {
         binding->sample_offset(binding, request, texel);
     } else {
@@ -146,7 +146,7 @@ void rhw_sample(const struct rhw_bindings *textures, int slot, const struct rhw_
 }
 
 // Compare the columns of a window's footprints one by one.
-static void compare_columns(const struct rhw_bindings *textures, const struct rhw_binding *binding,
+static void compare_columns(const struct rhw_bindings *bindings, const struct rhw_binding *binding,
                             const struct rhw_sample_request *request, int column, int columns, int rows,
                             int stride, rhw_float *parts)
 {
@@ -164,7 +164,7 @@ static void compare_columns(const struct rhw_bindings *textures, const struct rh
             rhw_float texel[4];
             offset[0] = first[0] + (column + i);
             if (request->bias) {
-                textures->kernels->sample_biased(binding, &shifted, texel);
+                bindings->kernels->sample_biased(binding, &shifted, texel);
             } else {
                 binding->sample_offset(binding, &shifted, texel);
             }
@@ -173,15 +173,15 @@ static void compare_columns(const struct rhw_bindings *textures, const struct rh
     }
 }
 
-void rhw_sample_compare_window(const struct rhw_bindings *textures, int slot,
+void rhw_sample_compare_window(const struct rhw_bindings *bindings, int slot,
                                const struct rhw_sample_request *request, int columns, int rows,
                                rhw_float *parts)
 {
-    if (textures->site.validation) {
-        rhw_validate_sample(textures, slot, request);
+    if (bindings->site.validation) {
+        rhw_validate_sample(bindings, slot, request);
     }
-    const bool is_bound = (unsigned)slot < RHW_MAX_TEXTURES && textures->slot[slot].texture;
-    const struct rhw_binding *const binding = is_bound ? &textures->slot[slot] : NULL;
+    const bool is_bound = (unsigned)slot < RHW_MAX_TEXTURES && bindings->slot[slot].texture;
+    const struct rhw_binding *const binding = is_bound ? &bindings->slot[slot] : NULL;
     for (int i = 0; !binding && i < columns * rows; i++) {
         parts[i] = rhw_splat(0);
     }
@@ -189,101 +189,101 @@ void rhw_sample_compare_window(const struct rhw_bindings *textures, int slot,
         const int count = columns - column < RHW_WINDOW_COLUMNS ? columns - column : RHW_WINDOW_COLUMNS;
         if (request->bias || !binding->compare_window ||
             !binding->compare_window(binding, request, column, count, rows, columns, parts + column)) {
-            compare_columns(textures, binding, request, column, count, rows, columns, parts + column);
+            compare_columns(bindings, binding, request, column, count, rows, columns, parts + column);
         }
     }
 }
 
 // Return the slot. Return NULL where it has no texture or does not exist.
-static const struct rhw_binding *bound_slot(const struct rhw_bindings *textures, int slot)
+static const struct rhw_binding *bound_slot(const struct rhw_bindings *bindings, int slot)
 {
-    if (textures->site.validation) {
-        rhw_validate_slot(textures, slot);
+    if (bindings->site.validation) {
+        rhw_validate_slot(bindings, slot);
     }
-    return (unsigned)slot < RHW_MAX_TEXTURES && textures->slot[slot].texture ? &textures->slot[slot] : NULL;
+    return (unsigned)slot < RHW_MAX_TEXTURES && bindings->slot[slot].texture ? &bindings->slot[slot] : NULL;
 }
 
-void rhw_sample_gather(const struct rhw_bindings *textures, int slot,
+void rhw_sample_gather(const struct rhw_bindings *bindings, int slot,
                        const struct rhw_sample_request *request, int channel, rhw_float texel[4])
 {
-    const struct rhw_binding *const binding = bound_slot(textures, slot);
-    if (binding && textures->site.validation) {
-        rhw_validate_reference(textures, slot, request);
+    const struct rhw_binding *const binding = bound_slot(bindings, slot);
+    if (binding && bindings->site.validation) {
+        rhw_validate_reference(bindings, slot, request);
     }
     if (binding && channel >= 0 && channel < 4 && is_constant(binding->texture->swizzle[channel])) {
         texel[0] = constant_channel(binding->texture, binding->texture->swizzle[channel]);
         texel[1] = texel[2] = texel[3] = texel[0];
     } else if (binding && channel >= 0 && channel < 4) {
-        textures->kernels->gather(binding, request, swizzled_channel(binding->texture, channel), texel);
+        bindings->kernels->gather(binding, request, swizzled_channel(binding->texture, channel), texel);
     } else {
         texel[0] = texel[1] = texel[2] = texel[3] = rhw_splat(channel == 3 ? 1.0f : 0.0f);
     }
 }
 
-void rhw_sample_fetch(const struct rhw_bindings *textures, int slot, const rhw_int *at, const rhw_int *level,
+void rhw_sample_fetch(const struct rhw_bindings *bindings, int slot, const rhw_int *at, const rhw_int *level,
                       rhw_float texel[4])
 {
-    const struct rhw_binding *const binding = bound_slot(textures, slot);
+    const struct rhw_binding *const binding = bound_slot(bindings, slot);
     if (binding) {
-        textures->kernels->fetch(binding, at, level, texel);
+        bindings->kernels->fetch(binding, at, level, texel);
         swizzle(binding->texture, texel);
     } else {
         no_texel(texel);
     }
 }
 
-void rhw_sample_fetch_sample(const struct rhw_bindings *textures, int slot, const rhw_int *at,
+void rhw_sample_fetch_sample(const struct rhw_bindings *bindings, int slot, const rhw_int *at,
                              const rhw_int *sample, rhw_float texel[4])
 {
-    if (textures->site.validation) {
-        rhw_validate_samples(textures, slot);
+    if (bindings->site.validation) {
+        rhw_validate_samples(bindings, slot);
     }
-    if ((unsigned)slot < RHW_MAX_TEXTURES && textures->slot[slot].multisampled) {
-        textures->kernels->fetch_sample(textures->slot[slot].multisampled, at, sample, texel);
-        swizzle(textures->slot[slot].multisampled, texel);
+    if ((unsigned)slot < RHW_MAX_TEXTURES && bindings->slot[slot].multisampled) {
+        bindings->kernels->fetch_sample(bindings->slot[slot].multisampled, at, sample, texel);
+        swizzle(bindings->slot[slot].multisampled, texel);
     } else {
         no_texel(texel);
     }
 }
 
-void rhw_sample_query_lod(const struct rhw_bindings *textures, int slot,
+void rhw_sample_query_lod(const struct rhw_bindings *bindings, int slot,
                           const struct rhw_sample_request *request, rhw_float lod[2])
 {
-    const struct rhw_binding *const binding = bound_slot(textures, slot);
+    const struct rhw_binding *const binding = bound_slot(bindings, slot);
     lod[0] = lod[1] = rhw_splat(0);
     if (binding) {
-        textures->kernels->query_level(binding, request, lod);
+        bindings->kernels->query_level(binding, request, lod);
     }
 }
 
 // Return the texture of a slot, of one sample or more. Return NULL where the slot has none or does not exist.
-static const struct rhw_texture_data *any_texture(const struct rhw_bindings *textures, int slot)
+static const struct rhw_texture_data *any_texture(const struct rhw_bindings *bindings, int slot)
 {
-    if ((unsigned)slot < RHW_MAX_TEXTURES && textures->slot[slot].multisampled) {
-        return textures->slot[slot].multisampled;
+    if ((unsigned)slot < RHW_MAX_TEXTURES && bindings->slot[slot].multisampled) {
+        return bindings->slot[slot].multisampled;
     }
-    const struct rhw_binding *const binding = bound_slot(textures, slot);
+    const struct rhw_binding *const binding = bound_slot(bindings, slot);
     return binding ? binding->texture : NULL;
 }
 
-void rhw_sample_size(const struct rhw_bindings *textures, int slot, const rhw_int *level, rhw_int size[3])
+void rhw_sample_size(const struct rhw_bindings *bindings, int slot, const rhw_int *level, rhw_int size[3])
 {
-    const struct rhw_binding any = {.texture = any_texture(textures, slot)};
+    const struct rhw_binding any = {.texture = any_texture(bindings, slot)};
     size[0] = size[1] = size[2] = rhw_splat_int(0);
     if (any.texture) {
-        textures->kernels->query_size(&any, level, size);
+        bindings->kernels->query_size(&any, level, size);
     }
 }
 
-int rhw_sample_levels(const struct rhw_bindings *textures, int slot)
+int rhw_sample_levels(const struct rhw_bindings *bindings, int slot)
 {
-    const struct rhw_texture_data *const texture = any_texture(textures, slot);
+    const struct rhw_texture_data *const texture = any_texture(bindings, slot);
     return texture ? texture->levels : 0;
 }
 
-int rhw_sample_samples(const struct rhw_bindings *textures, int slot)
+int rhw_sample_samples(const struct rhw_bindings *bindings, int slot)
 {
-    const struct rhw_texture_data *const texture = any_texture(textures, slot);
+    const struct rhw_texture_data *const texture = any_texture(bindings, slot);
     return texture ? texture->samples : 0;
 }
 
@@ -292,10 +292,10 @@ _Static_assert(RHW_MAX_TEXTURES == 32, "a bit of `slots` for each");
 void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                        rhw_float (*texels)[4], int stride)
 {
-    if (groups->textures->site.validation && !rhw_validate_sample_groups(groups, count, slots, at, stride)) {
+    if (groups->bindings->site.validation && !rhw_validate_sample_groups(groups, count, slots, at, stride)) {
         return;
     }
     if (slots != 0) {
-        groups->textures->kernels->sample_groups(groups, count, slots, at, texels, stride);
+        groups->bindings->kernels->sample_groups(groups, count, slots, at, texels, stride);
     }
 }

@@ -10,39 +10,39 @@
 // Return the image of a slot. Return no image where the slot has none or does not exist. Return no image to an
 // operation that changes it where the slot is set for reading, or where validation finds that the program did not
 // declare the effect.
-static struct rhw_storage_image image_of(const struct rhw_bindings *textures, int slot,
+static struct rhw_storage_image image_of(const struct rhw_bindings *bindings, int slot,
                                          enum rhw_storage_operation operation)
 {
     static const struct rhw_storage_image none;
-    if (textures->site.validation) {
-        rhw_validate_image(textures, slot, operation);
+    if (bindings->site.validation) {
+        rhw_validate_image(bindings, slot, operation);
     }
     const struct rhw_storage_image *const image =
-        (unsigned)slot < RHW_MAX_STORAGE_IMAGES ? &textures->storage->images[slot] : &none;
-    const bool is_dropped = operation != RHW_STORAGE_LOAD && (textures->drops_effects || image->is_read_only);
+        (unsigned)slot < RHW_MAX_STORAGE_IMAGES ? &bindings->storage->images[slot] : &none;
+    const bool is_dropped = operation != RHW_STORAGE_LOAD && (bindings->drops_effects || image->is_read_only);
     return is_dropped ? none : *image;
 }
 
-void rhw_image_load(const struct rhw_bindings *textures, int slot, const rhw_int *at, rhw_float texel[4])
+void rhw_image_load(const struct rhw_bindings *bindings, int slot, const rhw_int *at, rhw_float texel[4])
 {
-    const struct rhw_storage_image image = image_of(textures, slot, RHW_STORAGE_LOAD);
+    const struct rhw_storage_image image = image_of(bindings, slot, RHW_STORAGE_LOAD);
     if (image.texture) {
         const struct rhw_binding binding = {.texture = image.texture};
         const rhw_int level = rhw_splat_int(image.level);
-        textures->kernels->fetch(&binding, at, &level, texel);
+        bindings->kernels->fetch(&binding, at, &level, texel);
         return;
     }
     texel[0] = texel[1] = texel[2] = rhw_splat(0);
     texel[3] = rhw_splat(1);
 }
 
-void rhw_image_store(const struct rhw_bindings *textures, int slot, const rhw_int *at, const rhw_int *mask,
+void rhw_image_store(const struct rhw_bindings *bindings, int slot, const rhw_int *at, const rhw_int *mask,
                      const rhw_float texel[4])
 {
-    const struct rhw_storage_image image = image_of(textures, slot, RHW_STORAGE_STORE);
+    const struct rhw_storage_image image = image_of(bindings, slot, RHW_STORAGE_STORE);
     if (image.texture && rhw_format_has_role(image.texture->info, RHW_ROLE_COLOR_TARGET)) {
         const rhw_int all = rhw_splat_int(-1);
-        textures->kernels->image_store(&image, at, mask ? mask : &all, texel);
+        bindings->kernels->image_store(&image, at, mask ? mask : &all, texel);
     }
 }
 
@@ -73,10 +73,10 @@ static bool has_atomics(const struct rhw_storage_image *image)
            (image->texture->format == RHW_FORMAT_R32_UINT || image->texture->format == RHW_FORMAT_R32_SINT);
 }
 
-void rhw_image_atomic(const struct rhw_bindings *textures, int slot,
+void rhw_image_atomic(const struct rhw_bindings *bindings, int slot,
                       const struct rhw_storage_request *request, rhw_int *before)
 {
-    const struct rhw_storage_image image = image_of(textures, slot, request->operation);
+    const struct rhw_storage_image image = image_of(bindings, slot, request->operation);
     const rhw_int mask = request->mask ? *request->mask : rhw_splat_int(-1);
     unsigned left = has_atomics(&image) ? (unsigned)rhw_mask_bits(mask) : 0;
     rhw_int result = rhw_splat_int(0);
@@ -92,64 +92,64 @@ void rhw_image_atomic(const struct rhw_bindings *textures, int slot,
     }
 }
 
-void rhw_image_size(const struct rhw_bindings *textures, int slot, rhw_int size[3])
+void rhw_image_size(const struct rhw_bindings *bindings, int slot, rhw_int size[3])
 {
-    const struct rhw_storage_image image = image_of(textures, slot, RHW_STORAGE_LOAD);
+    const struct rhw_storage_image image = image_of(bindings, slot, RHW_STORAGE_LOAD);
     size[0] = size[1] = size[2] = rhw_splat_int(0);
     if (image.texture) {
         const struct rhw_binding binding = {.texture = image.texture};
         const rhw_int level = rhw_splat_int(image.level);
-        textures->kernels->query_size(&binding, &level, size);
+        bindings->kernels->query_size(&binding, &level, size);
     }
 }
 
 // One at a time ----------------------------------------------------------------------------------------
 
 // Put as many coordinates as the slot's image has into all lanes.
-static void widen(const struct rhw_bindings *textures, int slot, const int32_t *at, rhw_int lanes[3])
+static void widen(const struct rhw_bindings *bindings, int slot, const int32_t *at, rhw_int lanes[3])
 {
     const struct rhw_texture_data *const texture =
-        (unsigned)slot < RHW_MAX_STORAGE_IMAGES ? textures->storage->images[slot].texture : NULL;
+        (unsigned)slot < RHW_MAX_STORAGE_IMAGES ? bindings->storage->images[slot].texture : NULL;
     for (int i = 0; i < 3; i++) {
         lanes[i] = rhw_splat_int(texture && i < coordinates_of(texture) ? at[i] : 0);
     }
 }
 
-void rhw_image_load1(const struct rhw_bindings *textures, int slot, const int32_t *at, float texel[4])
+void rhw_image_load1(const struct rhw_bindings *bindings, int slot, const int32_t *at, float texel[4])
 {
     rhw_int lanes[3];
     rhw_float texels[4];
-    widen(textures, slot, at, lanes);
-    rhw_image_load(textures, slot, lanes, texels);
+    widen(bindings, slot, at, lanes);
+    rhw_image_load(bindings, slot, lanes, texels);
     for (int c = 0; c < 4; c++) {
         texel[c] = texels[c][0];
     }
 }
 
-void rhw_image_store1(const struct rhw_bindings *textures, int slot, const int32_t *at, const float texel[4])
+void rhw_image_store1(const struct rhw_bindings *bindings, int slot, const int32_t *at, const float texel[4])
 {
     const rhw_int first = rhw_equal_int(rhw_lane_numbers(), rhw_splat_int(0));
     rhw_int lanes[3];
     rhw_float texels[4];
-    widen(textures, slot, at, lanes);
+    widen(bindings, slot, at, lanes);
     for (int c = 0; c < 4; c++) {
         texels[c] = rhw_splat(texel[c]);
     }
-    rhw_image_store(textures, slot, lanes, &first, texels);
+    rhw_image_store(bindings, slot, lanes, &first, texels);
 }
 
-int32_t rhw_image_atomic1(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation,
+int32_t rhw_image_atomic1(const struct rhw_bindings *bindings, int slot, enum rhw_storage_operation operation,
                           const int32_t *at, int32_t value, int32_t comparand)
 {
-    const struct rhw_storage_image image = image_of(textures, slot, operation);
+    const struct rhw_storage_image image = image_of(bindings, slot, operation);
     uint32_t *const word = has_atomics(&image) ? word_at(&image, at, 1) : NULL;
     return word ? rhw_storage_word(word, operation, (uint32_t)value, (uint32_t)comparand) : 0;
 }
 
-void rhw_image_size1(const struct rhw_bindings *textures, int slot, int32_t size[3])
+void rhw_image_size1(const struct rhw_bindings *bindings, int slot, int32_t size[3])
 {
     rhw_int lanes[3];
-    rhw_image_size(textures, slot, lanes);
+    rhw_image_size(bindings, slot, lanes);
     for (int i = 0; i < 3; i++) {
         size[i] = lanes[i][0];
     }

@@ -14,9 +14,9 @@ struct widened {
 };
 
 // Return the texture of a slot. Return NULL where the slot has none or does not exist.
-static const struct rhw_texture_data *texture_of(const struct rhw_bindings *textures, int slot)
+static const struct rhw_texture_data *texture_of(const struct rhw_bindings *bindings, int slot)
 {
-    return (unsigned)slot < RHW_MAX_TEXTURES ? textures->slot[slot].texture : NULL;
+    return (unsigned)slot < RHW_MAX_TEXTURES ? bindings->slot[slot].texture : NULL;
 }
 
 // Return the number of components of a texture's coordinates, without the layer.
@@ -33,10 +33,10 @@ static rhw_float *widen_floats(const float *from, int count, rhw_float *to)
     return from ? to : NULL;
 }
 
-static void widen(const struct rhw_bindings *textures, int slot, const struct rhw_sample_request1 *one,
+static void widen(const struct rhw_bindings *bindings, int slot, const struct rhw_sample_request1 *one,
                   struct widened *lanes)
 {
-    const struct rhw_texture_data *const texture = texture_of(textures, slot);
+    const struct rhw_texture_data *const texture = texture_of(bindings, slot);
     const int components = components_of(texture);
     const int layer = texture ? texture->shape.is_array : 0;
     const bool shifts = one->offset && texture && texture->shape.kind != RHW_TEXTURE_CUBE;
@@ -59,22 +59,22 @@ static void first_lane(const rhw_float *lanes, int count, float *to)
     }
 }
 
-void rhw_sample1(const struct rhw_bindings *textures, int slot, const struct rhw_sample_request1 *request,
+void rhw_sample1(const struct rhw_bindings *bindings, int slot, const struct rhw_sample_request1 *request,
                  float texel[4])
 {
     struct widened lanes;
     rhw_float texels[4];
-    widen(textures, slot, request, &lanes);
-    rhw_sample(textures, slot, &lanes.request, texels);
+    widen(bindings, slot, request, &lanes);
+    rhw_sample(bindings, slot, &lanes.request, texels);
     first_lane(texels, 4, texel);
 }
 
-void rhw_sample_compare_window1(const struct rhw_bindings *textures, int slot,
+void rhw_sample_compare_window1(const struct rhw_bindings *bindings, int slot,
                                 const struct rhw_sample_request1 *request, int columns, int rows,
                                 float *parts)
 {
     struct rhw_sample_request1 shifted = *request;
-    const int axes = components_of(texture_of(textures, slot));
+    const int axes = components_of(texture_of(bindings, slot));
     int32_t first[3] = {0}, offset[3];
     for (int i = 0; request->offset && i < axes; i++) {
         first[i] = request->offset[i];
@@ -85,25 +85,25 @@ void rhw_sample_compare_window1(const struct rhw_bindings *textures, int slot,
         float texel[4];
         offset[0] = first[0] + i % columns;
         offset[1] = first[1] + i / columns;
-        rhw_sample1(textures, slot, &shifted, texel);
+        rhw_sample1(bindings, slot, &shifted, texel);
         parts[i] = texel[0];
     }
 }
 
-void rhw_sample_gather1(const struct rhw_bindings *textures, int slot,
+void rhw_sample_gather1(const struct rhw_bindings *bindings, int slot,
                         const struct rhw_sample_request1 *request, int channel, float texel[4])
 {
     struct widened lanes;
     rhw_float texels[4];
-    widen(textures, slot, request, &lanes);
-    rhw_sample_gather(textures, slot, &lanes.request, channel, texels);
+    widen(bindings, slot, request, &lanes);
+    rhw_sample_gather(bindings, slot, &lanes.request, channel, texels);
     first_lane(texels, 4, texel);
 }
 
-void rhw_sample_fetch1(const struct rhw_bindings *textures, int slot, const int32_t *at, int32_t level,
+void rhw_sample_fetch1(const struct rhw_bindings *bindings, int slot, const int32_t *at, int32_t level,
                        float texel[4])
 {
-    const struct rhw_texture_data *const texture = texture_of(textures, slot);
+    const struct rhw_texture_data *const texture = texture_of(bindings, slot);
     const bool has_layer = texture && texture->shape.is_array && texture->shape.kind != RHW_TEXTURE_CUBE;
     const int components = components_of(texture) + has_layer;
     rhw_int lanes[3];
@@ -112,38 +112,38 @@ void rhw_sample_fetch1(const struct rhw_bindings *textures, int slot, const int3
         lanes[i] = rhw_splat_int(at[i]);
     }
     const rhw_int levels = rhw_splat_int(level);
-    rhw_sample_fetch(textures, slot, lanes, &levels, texels);
+    rhw_sample_fetch(bindings, slot, lanes, &levels, texels);
     first_lane(texels, 4, texel);
 }
 
-void rhw_sample_fetch_sample1(const struct rhw_bindings *textures, int slot, const int32_t *at,
+void rhw_sample_fetch_sample1(const struct rhw_bindings *bindings, int slot, const int32_t *at,
                               int32_t sample, float texel[4])
 {
-    const bool has_layer = (unsigned)slot < RHW_MAX_TEXTURES && textures->slot[slot].multisampled &&
-                           textures->slot[slot].multisampled->shape.is_array;
+    const bool has_layer = (unsigned)slot < RHW_MAX_TEXTURES && bindings->slot[slot].multisampled &&
+                           bindings->slot[slot].multisampled->shape.is_array;
     const rhw_int lanes[3] = {rhw_splat_int(at[0]), rhw_splat_int(at[1]),
                               rhw_splat_int(has_layer ? at[2] : 0)};
     const rhw_int samples = rhw_splat_int(sample);
     rhw_float texels[4];
-    rhw_sample_fetch_sample(textures, slot, lanes, &samples, texels);
+    rhw_sample_fetch_sample(bindings, slot, lanes, &samples, texels);
     first_lane(texels, 4, texel);
 }
 
-void rhw_sample_query_lod1(const struct rhw_bindings *textures, int slot,
+void rhw_sample_query_lod1(const struct rhw_bindings *bindings, int slot,
                            const struct rhw_sample_request1 *request, float lod[2])
 {
     struct widened lanes;
     rhw_float lods[2];
-    widen(textures, slot, request, &lanes);
-    rhw_sample_query_lod(textures, slot, &lanes.request, lods);
+    widen(bindings, slot, request, &lanes);
+    rhw_sample_query_lod(bindings, slot, &lanes.request, lods);
     first_lane(lods, 2, lod);
 }
 
-void rhw_sample_size1(const struct rhw_bindings *textures, int slot, int32_t level, int32_t size[3])
+void rhw_sample_size1(const struct rhw_bindings *bindings, int slot, int32_t level, int32_t size[3])
 {
     rhw_int lanes[3];
     const rhw_int levels = rhw_splat_int(level);
-    rhw_sample_size(textures, slot, &levels, lanes);
+    rhw_sample_size(bindings, slot, &levels, lanes);
     for (int i = 0; i < 3; i++) {
         size[i] = lanes[i][0];
     }
@@ -153,7 +153,7 @@ void rhw_sample_groups1(const struct rhw_fragment1 *fragment, uint32_t slots, in
 {
     for (uint32_t todo = slots; todo != 0; todo &= todo - 1) {
         const int slot = __builtin_ctz(todo);
-        const int components = components_of(texture_of(fragment->textures, slot));
+        const int components = components_of(texture_of(fragment->bindings, slot));
         float gradient[6];
         for (int i = 0; i < components; i++) {
             gradient[i] = fragment->ddx[at + i];
@@ -161,6 +161,6 @@ void rhw_sample_groups1(const struct rhw_fragment1 *fragment, uint32_t slots, in
         }
         const struct rhw_sample_request1 request = {.coordinates = &fragment->varying[at],
                                                     .gradient = gradient};
-        rhw_sample1(fragment->textures, slot, &request, texels[slot]);
+        rhw_sample1(fragment->bindings, slot, &request, texels[slot]);
     }
 }

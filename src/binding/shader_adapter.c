@@ -50,7 +50,7 @@ void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex
                                   .instance_index = group->instance_index[lane],
                                   .uniforms = group->uniforms,
                                   .user = group->user,
-                                  .textures = group->textures,
+                                  .bindings = group->bindings,
                                   .varying = varying,
                                   .clip_distance = distance[0],
                                   .cull_distance = distance[1],
@@ -140,7 +140,7 @@ static void run_fragment(const struct rhw_pipeline_data *pipeline, struct rhw_fr
                                 .ddy = ddy,
                                 .uniforms = group->uniforms,
                                 .user = group->user,
-                                .textures = group->textures,
+                                .bindings = group->bindings,
                                 .color = color};
     load_builtins(group, lane, uses, &one);
     pipeline->def.program.fragment1(&one);

@@ -64,24 +64,24 @@ int32_t rhw_storage_word(uint32_t *word, enum rhw_storage_operation operation, u
 // Return the words of a slot. Return none where the slot has no buffer or does not exist. Return none to an operation
 // that changes them where the slot is set for reading, or where validation finds that the program did not declare the
 // effect.
-static struct rhw_storage_words words_of(const struct rhw_bindings *textures, int slot,
+static struct rhw_storage_words words_of(const struct rhw_bindings *bindings, int slot,
                                          enum rhw_storage_operation operation)
 {
     static const struct rhw_storage_words none;
-    if (textures->site.validation) {
-        rhw_validate_storage(textures, slot, operation);
+    if (bindings->site.validation) {
+        rhw_validate_storage(bindings, slot, operation);
     }
     const struct rhw_storage_words *const words =
-        (unsigned)slot < RHW_MAX_STORAGE_BUFFERS ? &textures->storage->buffers[slot] : &none;
-    const bool is_dropped = operation != RHW_STORAGE_LOAD && (textures->drops_effects || words->is_read_only);
+        (unsigned)slot < RHW_MAX_STORAGE_BUFFERS ? &bindings->storage->buffers[slot] : &none;
+    const bool is_dropped = operation != RHW_STORAGE_LOAD && (bindings->drops_effects || words->is_read_only);
     return is_dropped ? none : *words;
 }
 
-void rhw_storage_access(const struct rhw_bindings *textures, int slot,
+void rhw_storage_access(const struct rhw_bindings *bindings, int slot,
                         const struct rhw_storage_request *request, rhw_int *before)
 {
     const enum rhw_storage_operation operation = request->operation;
-    const struct rhw_storage_words range = words_of(textures, slot, operation);
+    const struct rhw_storage_words range = words_of(bindings, slot, operation);
     const rhw_int mask = request->mask ? *request->mask : rhw_splat_int(-1);
     const rhw_uint index = (rhw_uint)*request->index;
     const rhw_int inside = (rhw_int)(index < range.count) & mask;
@@ -97,17 +97,17 @@ void rhw_storage_access(const struct rhw_bindings *textures, int slot,
     }
 }
 
-int32_t rhw_storage_access1(const struct rhw_bindings *textures, int slot,
+int32_t rhw_storage_access1(const struct rhw_bindings *bindings, int slot,
                             enum rhw_storage_operation operation, uint32_t index, int32_t value,
                             int32_t comparand)
 {
-    const struct rhw_storage_words range = words_of(textures, slot, operation);
+    const struct rhw_storage_words range = words_of(bindings, slot, operation);
     return index < range.count
                ? rhw_storage_word(&range.words[index], operation, (uint32_t)value, (uint32_t)comparand)
                : 0;
 }
 
-uint32_t rhw_storage_count(const struct rhw_bindings *textures, int slot)
+uint32_t rhw_storage_count(const struct rhw_bindings *bindings, int slot)
 {
-    return words_of(textures, slot, RHW_STORAGE_LOAD).count;
+    return words_of(bindings, slot, RHW_STORAGE_LOAD).count;
 }

@@ -35,7 +35,7 @@ struct rhw_draw_state {
     const unsigned char *indices;
     size_t index_bytes;
     enum rhw_index_type index_type;
-    const struct rhw_bindings *textures;
+    const struct rhw_bindings *bindings;
     struct rhw_viewport viewport;
     struct rhw_rect scissor; // already within target and viewport
     float blend_constant[4];

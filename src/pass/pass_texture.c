@@ -128,6 +128,6 @@ bool rhw_pass_resolve_textures(struct rhw_encoder *encoder)
         }
     }
     bindings->storage = rhw_pass_storage_of(encoder);
-    encoder->pending.textures = bindings;
+    encoder->pending.bindings = bindings;
     return bindings->storage != NULL;
 }

@@ -7,7 +7,7 @@
 static void paint_implicit(struct rhw_fragment1 *f)
 {
     const float gradient[4] = {f->ddx[0], f->ddx[1], f->ddy[0], f->ddy[1]};
-    rhw_sample_grad1(f->textures, 0, f->varying, gradient, f->color[0]);
+    rhw_sample_grad1(f->bindings, 0, f->varying, gradient, f->color[0]);
 }
 
 static const struct shader_pair implicit = {
@@ -19,7 +19,7 @@ static const struct shader_pair implicit = {
 static void paint_bias(struct rhw_fragment1 *f)
 {
     const float gradient[4] = {f->ddx[0], f->ddx[1], f->ddy[0], f->ddy[1]};
-    rhw_sample_bias1(f->textures, 0, f->varying, gradient, 1.25f, f->color[0]);
+    rhw_sample_bias1(f->bindings, 0, f->varying, gradient, 1.25f, f->color[0]);
 }
 
 static const struct shader_pair bias = {.fragment = "uniform sampler2D texture0; out vec4 color; void main() "
@@ -29,7 +29,7 @@ static const struct shader_pair bias = {.fragment = "uniform sampler2D texture0;
 
 static void paint_lod(struct rhw_fragment1 *f)
 {
-    rhw_sample_lod1(f->textures, 0, f->varying, f->varying[2], f->color[0]);
+    rhw_sample_lod1(f->bindings, 0, f->varying, f->varying[2], f->color[0]);
 }
 
 static const struct shader_pair lod = {
@@ -41,7 +41,7 @@ static const struct shader_pair lod = {
 static void paint_gradient(struct rhw_fragment1 *f)
 {
     static const float gradient[4] = {1.0f / 32, 0, 0, 1.0f / 64};
-    rhw_sample_grad1(f->textures, 0, f->varying, gradient, f->color[0]);
+    rhw_sample_grad1(f->bindings, 0, f->varying, gradient, f->color[0]);
 }
 
 static const struct shader_pair gradient = {

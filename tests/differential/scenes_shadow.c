@@ -4,7 +4,7 @@
 
 static void paint(struct rhw_fragment1 *f, const float *at)
 {
-    const float lit = rhw_sample_compare_lod1(f->textures, 0, at, f->varying[2], 0);
+    const float lit = rhw_sample_compare_lod1(f->bindings, 0, at, f->varying[2], 0);
     f->color[0][0] = f->color[0][1] = lit;
     f->color[0][2] = f->varying[2];
     f->color[0][3] = 1;

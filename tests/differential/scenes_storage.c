@@ -42,10 +42,10 @@ static void count(struct rhw_fragment1 *f)
     const uint32_t cell =
         4 * ((uint32_t)((int32_t)f->coord[1] / 16) * 16 + (uint32_t)((int32_t)f->coord[0] / 16));
     const int32_t value = (int32_t)(f->varying[4] * 256);
-    rhw_storage_atomic1(f->textures, 0, RHW_STORAGE_ADD, cell, value);
-    rhw_storage_atomic1(f->textures, 0, RHW_STORAGE_MAX_UNSIGNED, cell + 1, value);
-    rhw_storage_atomic1(f->textures, 0, RHW_STORAGE_OR, cell + 2, value);
-    rhw_storage_atomic1(f->textures, 0, RHW_STORAGE_XOR, cell + 3, (int32_t)f->coord[0] * 31 + value);
+    rhw_storage_atomic1(f->bindings, 0, RHW_STORAGE_ADD, cell, value);
+    rhw_storage_atomic1(f->bindings, 0, RHW_STORAGE_MAX_UNSIGNED, cell + 1, value);
+    rhw_storage_atomic1(f->bindings, 0, RHW_STORAGE_OR, cell + 2, value);
+    rhw_storage_atomic1(f->bindings, 0, RHW_STORAGE_XOR, cell + 3, (int32_t)f->coord[0] * 31 + value);
     memcpy(f->color[0], f->varying + 4, sizeof f->color[0]);
 }
 
@@ -101,7 +101,7 @@ static void count_in_image(struct rhw_fragment1 *f)
                                                             RHW_STORAGE_OR, RHW_STORAGE_XOR};
     const int32_t at[2] = {(int32_t)f->coord[0] / 8, (int32_t)f->coord[1] / 8};
     const int32_t value = (int32_t)(f->varying[4] * 256) + (int32_t)f->coord[0] * 31;
-    rhw_image_atomic1(f->textures, 0, operations[at[1] / 16 * 2 + at[0] / 16], at, value, 0);
+    rhw_image_atomic1(f->bindings, 0, operations[at[1] / 16 * 2 + at[0] / 16], at, value, 0);
     memcpy(f->color[0], f->varying + 4, sizeof f->color[0]);
 }
 
@@ -132,7 +132,7 @@ static void store_in_image(struct rhw_fragment1 *f)
     const int32_t word = at[0] * 7 + at[1] * 3;
     float texel[4] = {0};
     memcpy(texel, &word, sizeof word);
-    rhw_image_store1(f->textures, 0, at, texel);
+    rhw_image_store1(f->bindings, 0, at, texel);
     memcpy(f->color[0], f->varying + 4, sizeof f->color[0]);
 }
 
@@ -147,7 +147,7 @@ static void load_from_image(struct rhw_fragment1 *f)
     const int32_t at[2] = {(int32_t)f->coord[0], (int32_t)f->coord[1]};
     float texel[4];
     int32_t word;
-    rhw_image_load1(f->textures, 0, at, texel);
+    rhw_image_load1(f->bindings, 0, at, texel);
     memcpy(&word, texel, sizeof word);
     f->color[0][0] = (float)(word & 255) / 255;
     f->color[0][1] = f->color[0][2] = 0;

@@ -29,7 +29,7 @@ static struct frame_texture *add_texture(struct frame *f, enum rhw_format format
 
 static void paint_plain(struct rhw_fragment1 *f)
 {
-    rhw_sample_lod1(f->textures, 0, f->varying, 0, f->color[0]);
+    rhw_sample_lod1(f->bindings, 0, f->varying, 0, f->color[0]);
 }
 
 static const struct shader_pair plain = {.fragment =
@@ -119,7 +119,7 @@ static void format_eac(struct frame *f)
 static void paint_volume(struct rhw_fragment1 *f)
 {
     const float at[3] = {f->varying[0], f->varying[1], f->varying[2]};
-    rhw_sample_lod1(f->textures, 0, at, 0, f->color[0]);
+    rhw_sample_lod1(f->bindings, 0, at, 0, f->color[0]);
 }
 
 static const struct shader_pair volume = {.fragment =
@@ -182,7 +182,7 @@ static void paint_cube(struct rhw_fragment1 *f)
 {
     float at[3];
     around(f->varying, at);
-    rhw_sample_lod1(f->textures, 0, at, 0, f->color[0]);
+    rhw_sample_lod1(f->bindings, 0, at, 0, f->color[0]);
 }
 
 static const struct shader_pair cube = {.fragment =
@@ -195,7 +195,7 @@ static void paint_cubes(struct rhw_fragment1 *f)
     float at[4];
     around(f->varying, at);
     at[3] = f->varying[2];
-    rhw_sample_lod1(f->textures, 0, at, 0, f->color[0]);
+    rhw_sample_lod1(f->bindings, 0, at, 0, f->color[0]);
 }
 
 static const struct shader_pair cubes = {
@@ -232,7 +232,7 @@ static void cube_array(struct frame *f)
 static void paint_fetch(struct rhw_fragment1 *f)
 {
     const int32_t at[2] = {(int32_t)(f->varying[0] * 32), (int32_t)(f->varying[1] * 32)};
-    rhw_sample_fetch1(f->textures, 0, at, (int32_t)(f->varying[2] * 3), f->color[0]);
+    rhw_sample_fetch1(f->bindings, 0, at, (int32_t)(f->varying[2] * 3), f->color[0]);
 }
 
 static const struct shader_pair fetch = {
@@ -264,7 +264,7 @@ static void fetches_unsigned(struct frame *f)
 static void paint_gather(struct rhw_fragment1 *f)
 {
     const struct rhw_sample_request1 request = {.coordinates = f->varying};
-    rhw_sample_gather1(f->textures, 0, &request, 2, f->color[0]);
+    rhw_sample_gather1(f->bindings, 0, &request, 2, f->color[0]);
 }
 
 static const struct shader_pair gather = {.fragment =
@@ -284,7 +284,7 @@ static void paint_offset(struct rhw_fragment1 *f)
 {
     static const int32_t offset[2] = {3, -5};
     const struct rhw_sample_request1 request = {.coordinates = f->varying, .offset = offset};
-    rhw_sample1(f->textures, 0, &request, f->color[0]);
+    rhw_sample1(f->bindings, 0, &request, f->color[0]);
 }
 
 static const struct shader_pair offset = {
@@ -301,7 +301,7 @@ static void offsets(struct frame *f)
 
 static void paint_shadow(struct rhw_fragment1 *f)
 {
-    const float lit = rhw_sample_compare_lod1(f->textures, 0, f->varying, f->varying[2], 0);
+    const float lit = rhw_sample_compare_lod1(f->bindings, 0, f->varying, f->varying[2], 0);
     f->color[0][0] = f->color[0][1] = lit;
     f->color[0][2] = f->varying[2];
     f->color[0][3] = 1;

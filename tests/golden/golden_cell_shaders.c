@@ -131,7 +131,7 @@ static void texture(struct rhw_fragment *groups, int count)
         struct rhw_fragment *f = &groups[g];
         const rhw_float uv[2] = {f->varying[0], f->varying[1]};
         const rhw_float grad[4] = {f->ddx[0], f->ddx[1], f->ddy[0], f->ddy[1]};
-        rhw_sample_grad(f->textures, 0, uv, grad, f->color[0]);
+        rhw_sample_grad(f->bindings, 0, uv, grad, f->color[0]);
     }
 }
 
@@ -140,7 +140,7 @@ static void level(struct rhw_fragment *groups, int count)
     for (int g = 0; g < count; g++) {
         struct rhw_fragment *f = &groups[g];
         const rhw_float uv[2] = {f->varying[0], f->varying[1]};
-        rhw_sample_lod(f->textures, 0, uv, f->varying[2], f->color[0]);
+        rhw_sample_lod(f->bindings, 0, uv, f->varying[2], f->color[0]);
     }
 }
 
@@ -176,16 +176,16 @@ static void ask(const struct golden_kind_uniforms *u, struct rhw_fragment *f)
     struct rhw_sample_request request = {.coordinates = f->varying, .gradient = gradient};
     rhw_float *const color = f->color[0];
     switch (u->question) {
-    case GOLDEN_ASK_GRADIENT: rhw_sample(f->textures, 0, &request, color); break;
+    case GOLDEN_ASK_GRADIENT: rhw_sample(f->bindings, 0, &request, color); break;
     case GOLDEN_ASK_OFFSET:
         request = (struct rhw_sample_request){.coordinates = f->varying, .lod = &lod, .offset = offset};
-        rhw_sample(f->textures, 0, &request, color);
+        rhw_sample(f->bindings, 0, &request, color);
         break;
-    case GOLDEN_ASK_FETCH: rhw_sample_fetch(f->textures, 0, at, &number, color); break;
-    case GOLDEN_ASK_GATHER: rhw_sample_gather(f->textures, 0, &request, 1, color); break;
+    case GOLDEN_ASK_FETCH: rhw_sample_fetch(f->bindings, 0, at, &number, color); break;
+    case GOLDEN_ASK_GATHER: rhw_sample_gather(f->bindings, 0, &request, 1, color); break;
     default:
-        rhw_sample_query_lod(f->textures, 0, &request, color);
-        rhw_sample_size(f->textures, 0, &number, size);
+        rhw_sample_query_lod(f->bindings, 0, &request, color);
+        rhw_sample_size(f->bindings, 0, &number, size);
         color[2] = rhw_float_from_int(size[0] + size[1]) * 0.01f;
         color[3] = rhw_float_from_int(size[2]) * 0.1f;
         break;

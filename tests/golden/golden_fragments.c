@@ -151,7 +151,7 @@ static void single_fragment(struct rhw_fragment1 *fragment)
     const float *const v = fragment->varying;
     const float grad[4] = {fragment->ddx[0], fragment->ddx[1], fragment->ddy[0], fragment->ddy[1]};
     float texel[4];
-    rhw_sample_grad1(fragment->textures, 0, v, grad, texel);
+    rhw_sample_grad1(fragment->bindings, 0, v, grad, texel);
     const float wave = rhw_pow1(0.5f + 0.5f * rhw_cos1(fragment->coord[0] * 0.3f), 2.2f);
     fragment->discard = fragment->front_facing && v[0] + v[1] < 0.1f;
     fragment->depth += 0.01f * wave;

@@ -58,7 +58,7 @@ static void texture(struct rhw_fragment *groups, int count)
         struct rhw_fragment *f = &groups[g];
         const rhw_float uv[2] = {f->varying[3], f->varying[4]};
         const rhw_float grad[4] = {f->ddx[3], f->ddx[4], f->ddy[3], f->ddy[4]};
-        rhw_sample_grad(f->textures, 0, uv, grad, f->color[0]);
+        rhw_sample_grad(f->bindings, 0, uv, grad, f->color[0]);
         f->color[0][2] *= rhw_smoothstep(rhw_splat(-30), rhw_splat(0), f->varying[2]);
     }
 }

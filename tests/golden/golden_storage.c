@@ -21,7 +21,7 @@ static void place(struct rhw_vertex *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         struct rhw_vertex *const v = &groups[g];
-        rhw_storage_atomic(v->textures, SLOT_VERTICES, RHW_STORAGE_ADD, v->vertex_index, rhw_splat_int(1),
+        rhw_storage_atomic(v->bindings, SLOT_VERTICES, RHW_STORAGE_ADD, v->vertex_index, rhw_splat_int(1),
                            v->mask);
         for (int c = 0; c < 4; c++) {
             v->position[c] = v->attribute[0][c];
@@ -39,7 +39,7 @@ static void list(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         const struct rhw_fragment *const f = &groups[g];
-        const struct rhw_bindings *const t = f->textures;
+        const struct rhw_bindings *const t = f->bindings;
         const rhw_int at[2] = {rhw_int_from_float(f->coord[0]), rhw_int_from_float(f->coord[1])};
         const rhw_int one = rhw_splat_int(1);
         const struct rhw_storage_request request = {
@@ -61,17 +61,17 @@ static void list(struct rhw_fragment *groups, int count)
 }
 
 // The farthest node that lies before `before`, of those of equal depth the first in the list; 0: none.
-static uint32_t farthest(const struct rhw_bindings *textures, uint32_t head, float before, float *depth)
+static uint32_t farthest(const struct rhw_bindings *bindings, uint32_t head, float before, float *depth)
 {
     uint32_t found = 0;
     *depth = -1;
     while (head != 0) {
-        const float z = rhw_float_from_bits1(rhw_storage_load1(textures, SLOT_NODES, head * NODE_WORDS + 1));
+        const float z = rhw_float_from_bits1(rhw_storage_load1(bindings, SLOT_NODES, head * NODE_WORDS + 1));
         if (z < before && z > *depth) {
             *depth = z;
             found = head;
         }
-        head = (uint32_t)rhw_storage_load1(textures, SLOT_NODES, head * NODE_WORDS);
+        head = (uint32_t)rhw_storage_load1(bindings, SLOT_NODES, head * NODE_WORDS);
     }
     return found;
 }
@@ -79,11 +79,11 @@ static uint32_t farthest(const struct rhw_bindings *textures, uint32_t head, flo
 static void blend1(struct rhw_fragment1 *f)
 {
     const uint32_t pixel = (uint32_t)f->coord[1] * SIDE + (uint32_t)f->coord[0];
-    const uint32_t head = (uint32_t)rhw_storage_load1(f->textures, SLOT_HEADS, pixel);
+    const uint32_t head = (uint32_t)rhw_storage_load1(f->bindings, SLOT_HEADS, pixel);
     float color[3] = {0.1f, 0.2f, 0.3f}, before = 2, depth;
     uint32_t node;
-    while ((node = farthest(f->textures, head, before, &depth)) != 0) {
-        const uint32_t glass = (uint32_t)rhw_storage_load1(f->textures, SLOT_NODES, node * NODE_WORDS + 2);
+    while ((node = farthest(f->bindings, head, before, &depth)) != 0) {
+        const uint32_t glass = (uint32_t)rhw_storage_load1(f->bindings, SLOT_NODES, node * NODE_WORDS + 2);
         const float alpha = (float)(glass >> 24) / 255;
         for (int c = 0; c < 3; c++) {
             color[c] += ((float)(glass >> 8 * c & 255) / 255 - color[c]) * alpha;
@@ -95,7 +95,7 @@ static void blend1(struct rhw_fragment1 *f)
     }
     f->color[0][3] = 1;
     const int32_t at[2] = {SIDE - 1 - (int32_t)f->coord[0], (int32_t)f->coord[1]};
-    rhw_image_store1(f->textures, IMAGE_MIRROR, at, f->color[0]);
+    rhw_image_store1(f->bindings, IMAGE_MIRROR, at, f->color[0]);
 }
 
 static void make_shards(float shards[3 * SHARDS][8])

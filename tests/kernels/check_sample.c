@@ -236,7 +236,7 @@ static void run_groups(const void *input, void *result)
         groups[g].varying = (const f32x8 *)(const void *)in->varyings[g];
         groups[g].ddx = (const f32x8 *)(const void *)in->ddx[g];
         groups[g].ddy = (const f32x8 *)(const void *)in->ddy[g];
-        groups[g].textures = &together;
+        groups[g].bindings = &together;
     }
     together.kernels->sample_groups(groups, in->count, in->chosen, AT, out->together[0], SLOTS);
     sample_alone(&alone, groups, in, out);

@@ -29,7 +29,7 @@ void RHW_ISA_NAME(game_mesh_paint)(struct rhw_fragment *groups, int count)
         const struct surface *ddy = RHW_VARYINGS(struct surface, f->ddy);
         const rhw_float grad[4] = {ddx->uv[0], ddx->uv[1], ddy->uv[0], ddy->uv[1]};
         rhw_float texel[4], normal[3];
-        rhw_sample_grad(f->textures, 0, in->uv, grad, texel);
+        rhw_sample_grad(f->bindings, 0, in->uv, grad, texel);
         rhw_normalize3(in->normal, normal);
         rhw_float facing = rhw_splat(0);
         for (int i = 0; i < 3; i++) {
@@ -117,7 +117,7 @@ void RHW_ISA_NAME(game_hud_paint)(struct rhw_fragment *groups, int count)
         struct rhw_fragment *f = &groups[g];
         const struct sprite *in = RHW_VARYINGS(struct sprite, f->varying);
         rhw_float texel[4];
-        rhw_sample_lod(f->textures, 0, in->uv, rhw_splat(0), texel);
+        rhw_sample_lod(f->bindings, 0, in->uv, rhw_splat(0), texel);
         for (int c = 0; c < 4; c++) {
             f->color[0][c] = in->color[c] * texel[c];
         }

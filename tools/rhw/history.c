@@ -32,7 +32,7 @@ static bool keep_values(struct cli_past_fragment *past, const struct rhw_explain
     memcpy(past->values + 3 * count, from->varyings, size);
     past->told.varyings = past->values + 3 * count;
     past->told.ddx = past->told.ddy = NULL;
-    past->told.textures = NULL;
+    past->told.bindings = NULL;
     return true;
 }
 

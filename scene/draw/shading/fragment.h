@@ -15,7 +15,7 @@ ALWAYS_INLINE void sample_slot(const struct rhw_fragment *f, int at, enum scene_
 {
     const rhw_float uv[2] = {f->varying[at], f->varying[at + 1]};
     const rhw_float gradient[4] = {f->ddx[at], f->ddx[at + 1], f->ddy[at], f->ddy[at + 1]};
-    rhw_sample_grad(f->textures, (int)slot, uv, gradient, texel);
+    rhw_sample_grad(f->bindings, (int)slot, uv, gradient, texel);
 }
 
 // Texels by slot; those of scene_surface.shared_slots, once they have been sampled, wait for their use.
@@ -45,9 +45,9 @@ ALWAYS_INLINE void fetch_here(const struct rhw_fragment *f, int slot, int sample
     const rhw_int at[2] = {rhw_int_from_float_unchecked(f->coord[0]),
                            rhw_int_from_float_unchecked(f->coord[1])};
     if (samples > 1) {
-        rhw_sample_fetch_sample(f->textures, slot, at, &f->sample_id, texel);
+        rhw_sample_fetch_sample(f->bindings, slot, at, &f->sample_id, texel);
     } else {
-        rhw_sample_fetch(f->textures, slot, at, NULL, texel);
+        rhw_sample_fetch(f->bindings, slot, at, NULL, texel);
     }
 }
 

@@ -13,7 +13,7 @@ ALWAYS_INLINE bool layer_texel(const struct rhw_fragment *f, const struct scene_
     }
     const rhw_float uv[2] = {f->varying[at], f->varying[at + 1]};
     const rhw_float gradient[4] = {f->ddx[at], f->ddx[at + 1], f->ddy[at], f->ddy[at + 1]};
-    rhw_sample_grad(f->textures, s->slot_unit[slot], uv, gradient, texel);
+    rhw_sample_grad(f->bindings, s->slot_unit[slot], uv, gradient, texel);
     return true;
 }
 
@@ -161,9 +161,9 @@ static void look_through(const struct rhw_fragment *f, const struct scene_surfac
     // A smooth surface of a low index blurs less than its roughness says.
     const float blur = ior > 1.5f ? 1.0f : 2.0f * ior - 2.0f;
     const rhw_float rough = rhw_max(m->roughness - 0.045f, 0.0f) * blur;
-    rhw_sample_lod(f->textures, SCENE_SLOT_BACKDROP, uv, rough * frame->backdrop_levels, light);
+    rhw_sample_lod(f->bindings, SCENE_SLOT_BACKDROP, uv, rough * frame->backdrop_levels, light);
     if (rhw_any(f->mask & rhw_less(light[3], 1.0f))) { // where the picture covers all, this adds nothing
-        scene_environment_reflection(&frame->environment, f->textures, direction, rough * rough, around);
+        scene_environment_reflection(&frame->environment, f->bindings, direction, rough * rough, around);
         for (int c = 0; c < 3; c++) {
             light[c] += (1.0f - light[3]) * around[c];
         }
@@ -235,7 +235,7 @@ ALWAYS_INLINE void shade(struct rhw_fragment *f, const struct scene_surface *s)
     for (int c = 0; c < 3; c++) { // from beneath the coat
         sum[c] = m.under_coat * (glows ? s->emissive[c] * texel[c] : rhw_splat(s->emissive[c]));
     }
-    scene_layers_environment(&m, &frame->environment, f->textures, occlusion, behind, sum);
+    scene_layers_environment(&m, &frame->environment, f->bindings, occlusion, behind, sum);
     for (int i = 0; i < frame->light_count; i++) {
         const struct scene_shader_light *light = &frame->lights[i];
         rhw_float to_light[3], irradiance[3];

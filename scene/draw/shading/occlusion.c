@@ -61,7 +61,7 @@ ALWAYS_INLINE void view_normal(const struct rhw_fragment *f, const struct scene_
     const rhw_int at[2] = {rhw_int_from_float_unchecked(f->coord[0]),
                            rhw_int_from_float_unchecked(f->coord[1])};
     rhw_float world[4];
-    rhw_sample_fetch(f->textures, 0, at, NULL, world);
+    rhw_sample_fetch(f->bindings, 0, at, NULL, world);
     for (int r = 0; r < 3; r++) {
         normal[r] = world[0] * o->axes[r][0] + world[1] * o->axes[r][1] + world[2] * o->axes[r][2];
     }

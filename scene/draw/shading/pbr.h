@@ -76,13 +76,13 @@ static inline void scene_reflect_light(const struct scene_reflector *r, const rh
 /// normal distribution is close to a Gaussian of sharpness 2 / α², its reflection to a fourth of that;
 /// Gaussians convolve into Gaussians: with k = 1 / (1 + 2 λ α²) sharpness and amplitude shrink by k.
 static inline void scene_environment_reflection(const struct scene_environment *e,
-                                                const struct rhw_bindings *textures,
+                                                const struct rhw_bindings *bindings,
                                                 const rhw_float direction[3], rhw_float alpha,
                                                 rhw_float radiance[3])
 {
     if (e->mapped) {
         rhw_float texel[4];
-        rhw_sample_lod(textures, SCENE_SLOT_ENVIRONMENT, direction, rhw_sqrt(alpha) * e->levels, texel);
+        rhw_sample_lod(bindings, SCENE_SLOT_ENVIRONMENT, direction, rhw_sqrt(alpha) * e->levels, texel);
         for (int c = 0; c < 3; c++) {
             radiance[c] = texel[c] * e->strength;
         }
@@ -177,7 +177,7 @@ static inline rhw_float scene_specular_occlusion(rhw_float occlusion, rhw_float 
 /// facets of a rough surface is given back (Turquin 2019), else rough metals come out too dark.
 static inline void scene_reflect_environment(const struct scene_reflector *r,
                                              const struct scene_environment *e,
-                                             const struct rhw_bindings *textures, rhw_float roughness,
+                                             const struct rhw_bindings *bindings, rhw_float roughness,
                                              rhw_float occlusion, rhw_float sum[3])
 {
     rhw_float mirrored[3], diffuse[3], incident[3], direction[3], scale, bias;
@@ -185,7 +185,7 @@ static inline void scene_reflect_environment(const struct scene_reflector *r,
         incident[c] = -r->view[c];
     }
     rhw_reflect3(incident, r->normal, direction);
-    scene_environment_reflection(e, textures, direction, r->alpha, mirrored);
+    scene_environment_reflection(e, bindings, direction, r->alpha, mirrored);
     scene_environment_diffuse(e, r->normal, diffuse);
     scene_environment_brdf(roughness, r->n_dot_v, &scale, &bias);
     const rhw_float lost = 1.0f / (scale + bias) - 1.0f;

@@ -32,7 +32,7 @@ ALWAYS_INLINE void sample_panorama(const struct rhw_fragment *f, const struct sc
     }
     const rhw_float uv[2] = {rhw_atan2(turned[2], turned[0]) * (0.5f * inverse_pi) + 0.5f,
                              rhw_acos(rhw_clamp(turned[1], -1.0f, 1.0f)) * inverse_pi};
-    rhw_sample_lod(f->textures, 0, uv, rhw_splat(p->level), texel);
+    rhw_sample_lod(f->bindings, 0, uv, rhw_splat(p->level), texel);
     for (int c = 0; c < 3; c++) {
         color[c] = texel[c] * p->strength;
     }
@@ -77,7 +77,7 @@ static void prefilter_fragment(struct rhw_fragment *groups, int count)
             for (int c = 0; c < 3; c++) {
                 direction[c] = x[c] * s[0] + y[c] * s[1] + n[c] * s[2];
             }
-            rhw_sample_lod(f->textures, 0, direction, rhw_splat(s[3]), texel);
+            rhw_sample_lod(f->bindings, 0, direction, rhw_splat(s[3]), texel);
             for (int c = 0; c < 3; c++) {
                 sum[c] += texel[c] * s[2];
             }

@@ -61,7 +61,7 @@ static void resolve_fragment(struct rhw_fragment *groups, int count)
                 const rhw_float uv[2] = {(left + (float)x) * r->inverse_size[0],
                                          (top + (float)y) * r->inverse_size[1]};
                 rhw_float texel[4];
-                rhw_sample_lod(groups[g].textures, 0, uv, level, texel);
+                rhw_sample_lod(groups[g].bindings, 0, uv, level, texel);
                 for (int c = 0; c < 4; c++) {
                     sum[c] += texel[c];
                 }
@@ -89,9 +89,9 @@ static void layer_fragment(struct rhw_fragment *groups, int count)
         for (int i = 0; i < layer->count; i++) {
             rhw_float texel[4];
             if (layer->samples > 1) {
-                rhw_sample_fetch_sample(f->textures, i, at, &f->sample_id, texel);
+                rhw_sample_fetch_sample(f->bindings, i, at, &f->sample_id, texel);
             } else {
-                rhw_sample_fetch(f->textures, i, at, NULL, texel);
+                rhw_sample_fetch(f->bindings, i, at, NULL, texel);
             }
             memcpy(groups[g].color[i], texel, sizeof texel);
         }

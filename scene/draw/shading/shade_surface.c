@@ -210,7 +210,7 @@ ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface 
     }
 
     rhw_float sum[3] = {emissive[0], emissive[1], emissive[2]};
-    scene_reflect_environment(&reflector, &frame->environment, f->textures, roughness, occlusion, sum);
+    scene_reflect_environment(&reflector, &frame->environment, f->bindings, roughness, occlusion, sum);
     for (int i = 0; i < frame->light_count; i++) {
         rhw_float to_light[3], irradiance[3];
         scene_light_at(&frame->lights[i], position, to_light, irradiance);
@@ -237,8 +237,8 @@ ALWAYS_INLINE void shade_ground(struct rhw_fragment *f, const struct scene_surfa
     scene_reflector_set(&reflector, white, zero, white[0]);
     rhw_float lit[3] = {zero, zero, zero}, open[3] = {zero, zero, zero};
     const rhw_float occlusion = frame->guide.occlusion ? ambient_open(f, frame, position) : white[0];
-    scene_reflect_environment(&reflector, &frame->environment, f->textures, white[0], occlusion, lit);
-    scene_reflect_environment(&reflector, &frame->environment, f->textures, white[0], white[0], open);
+    scene_reflect_environment(&reflector, &frame->environment, f->bindings, white[0], occlusion, lit);
+    scene_reflect_environment(&reflector, &frame->environment, f->bindings, white[0], white[0], open);
     for (int i = 0; i < frame->light_count; i++) {
         rhw_float to_light[3], irradiance[3];
         scene_light_at(&frame->lights[i], position, to_light, irradiance);

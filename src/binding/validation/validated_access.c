@@ -59,10 +59,10 @@ static int unwritten_level(const struct rhw_binding *binding, const struct rhw_s
     return 0;
 }
 
-static void tell_missing(const struct rhw_bindings *textures, int slot)
+static void tell_missing(const struct rhw_bindings *bindings, int slot)
 {
-    const struct rhw_sample_site *const site = &textures->site;
-    const struct rhw_binding *const binding = &textures->slot[slot];
+    const struct rhw_sample_site *const site = &bindings->site;
+    const struct rhw_binding *const binding = &bindings->slot[slot];
     const char *const what = binding->multisampled
                                  ? "whose texture is multisampled; rhw_sample_fetch_sample reads it"
                              : binding->texture ? "whose texture is not multisampled"
@@ -71,36 +71,36 @@ static void tell_missing(const struct rhw_bindings *textures, int slot)
                                 "a shader function of %s samples slot %d, %s", site->pipeline, slot, what);
 }
 
-void rhw_validate_samples(const struct rhw_bindings *textures, int slot)
+void rhw_validate_samples(const struct rhw_bindings *bindings, int slot)
 {
     if ((unsigned)slot >= RHW_MAX_TEXTURES) {
-        (void)rhw_validate_slot(textures, slot);
-    } else if (!textures->slot[slot].multisampled) {
-        tell_missing(textures, slot);
+        (void)rhw_validate_slot(bindings, slot);
+    } else if (!bindings->slot[slot].multisampled) {
+        tell_missing(bindings, slot);
     }
 }
 
-bool rhw_validate_slot(const struct rhw_bindings *textures, int slot)
+bool rhw_validate_slot(const struct rhw_bindings *bindings, int slot)
 {
-    const struct rhw_sample_site *const site = &textures->site;
+    const struct rhw_sample_site *const site = &bindings->site;
     if ((unsigned)slot >= RHW_MAX_TEXTURES) {
         rhw_validation_messages_add(site->validation, RHW_VALIDATION_MISUSE, site->draw,
                                     "a shader function of %s samples slot %d; slots are 0..%d",
                                     site->pipeline, slot, RHW_MAX_TEXTURES - 1);
         return false;
     }
-    if (!textures->slot[slot].texture) {
-        tell_missing(textures, slot);
+    if (!bindings->slot[slot].texture) {
+        tell_missing(bindings, slot);
         return false;
     }
     return true;
 }
 
-void rhw_validate_reference(const struct rhw_bindings *textures, int slot,
+void rhw_validate_reference(const struct rhw_bindings *bindings, int slot,
                             const struct rhw_sample_request *request)
 {
-    const struct rhw_sample_site *const site = &textures->site;
-    const bool compares = textures->slot[slot].sampler->def.compares;
+    const struct rhw_sample_site *const site = &bindings->site;
+    const bool compares = bindings->slot[slot].sampler->def.compares;
     if (compares && !request->reference) {
         rhw_validation_messages_add(
             site->validation, RHW_VALIDATION_MISUSE, site->draw,
@@ -116,15 +116,15 @@ void rhw_validate_reference(const struct rhw_bindings *textures, int slot,
     }
 }
 
-void rhw_validate_sample(const struct rhw_bindings *textures, int slot,
+void rhw_validate_sample(const struct rhw_bindings *bindings, int slot,
                          const struct rhw_sample_request *request)
 {
-    const struct rhw_sample_site *const site = &textures->site;
-    if (!rhw_validate_slot(textures, slot)) {
+    const struct rhw_sample_site *const site = &bindings->site;
+    if (!rhw_validate_slot(bindings, slot)) {
         return;
     }
-    rhw_validate_reference(textures, slot, request);
-    const int level = unwritten_level(&textures->slot[slot], request, site->mask);
+    rhw_validate_reference(bindings, slot, request);
+    const int level = unwritten_level(&bindings->slot[slot], request, site->mask);
     if (level != 0) {
         rhw_validation_messages_add(
             site->validation, RHW_VALIDATION_MISUSE, site->draw,
@@ -137,7 +137,7 @@ void rhw_validate_sample(const struct rhw_bindings *textures, int slot,
 bool rhw_validate_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                                 int stride)
 {
-    const struct rhw_sample_site *const site = &groups->textures->site;
+    const struct rhw_sample_site *const site = &groups->bindings->site;
     const int highest = slots ? 31 - __builtin_clz(slots) : 0;
     if (stride <= highest) {
         rhw_validation_messages_add(
@@ -153,16 +153,16 @@ bool rhw_validate_sample_groups(const struct rhw_fragment *groups, int count, ui
                                        group->ddy[at + 1]};
         const struct rhw_sample_request request = {.coordinates = &group->varying[at], .gradient = gradient};
         for (uint32_t left = slots; left != 0; left &= left - 1) {
-            rhw_validate_sample(group->textures, __builtin_ctz(left), &request);
+            rhw_validate_sample(group->bindings, __builtin_ctz(left), &request);
         }
     }
     return true;
 }
 
-static void validate_effect(const struct rhw_bindings *textures, int slot, int count, bool is_set,
+static void validate_effect(const struct rhw_bindings *bindings, int slot, int count, bool is_set,
                             bool is_read_only, const char *noun, enum rhw_storage_operation operation)
 {
-    const struct rhw_sample_site *const site = &textures->site;
+    const struct rhw_sample_site *const site = &bindings->site;
     if ((unsigned)slot >= (unsigned)count) {
         rhw_validation_messages_add(site->validation, RHW_VALIDATION_MISUSE, site->draw,
                                     "a shader function of %s uses %s slot %d; slots are 0..%d",
@@ -176,7 +176,7 @@ static void validate_effect(const struct rhw_bindings *textures, int slot, int c
             site->validation, RHW_VALIDATION_MISUSE, site->draw,
             "a shader function of %s writes to %s slot %d, which is set for reading alone", site->pipeline,
             noun, slot);
-    } else if (textures->drops_effects && operation != RHW_STORAGE_LOAD) {
+    } else if (bindings->drops_effects && operation != RHW_STORAGE_LOAD) {
         rhw_validation_messages_add(
             site->validation, RHW_VALIDATION_MISUSE, site->draw,
             "a shader function of %s writes to %s slot %d; its program declares no such "
@@ -185,18 +185,18 @@ static void validate_effect(const struct rhw_bindings *textures, int slot, int c
     }
 }
 
-void rhw_validate_storage(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation)
+void rhw_validate_storage(const struct rhw_bindings *bindings, int slot, enum rhw_storage_operation operation)
 {
     const int count = RHW_MAX_STORAGE_BUFFERS;
     const struct rhw_storage_words *const words =
-        (unsigned)slot < (unsigned)count ? &textures->storage->buffers[slot] : &rhw_no_storage.buffers[0];
-    validate_effect(textures, slot, count, words->words, words->is_read_only, "storage", operation);
+        (unsigned)slot < (unsigned)count ? &bindings->storage->buffers[slot] : &rhw_no_storage.buffers[0];
+    validate_effect(bindings, slot, count, words->words, words->is_read_only, "storage", operation);
 }
 
-void rhw_validate_image(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation)
+void rhw_validate_image(const struct rhw_bindings *bindings, int slot, enum rhw_storage_operation operation)
 {
     const int count = RHW_MAX_STORAGE_IMAGES;
     const struct rhw_storage_image *const image =
-        (unsigned)slot < (unsigned)count ? &textures->storage->images[slot] : &rhw_no_storage.images[0];
-    validate_effect(textures, slot, count, image->texture, image->is_read_only, "image", operation);
+        (unsigned)slot < (unsigned)count ? &bindings->storage->images[slot] : &rhw_no_storage.images[0];
+    validate_effect(bindings, slot, count, image->texture, image->is_read_only, "image", operation);
 }

@@ -131,7 +131,7 @@ static void prepare(const struct rhw_validator *validator, const struct rhw_frag
     if (validator->uses & RHW_USE_COLOR_INPUT) {
         memcpy(out->color[g], group->color, (size_t)pipeline->def.target_count * sizeof group->color[0]);
     }
-    out->textures[g] = *group->textures;
+    out->textures[g] = *group->bindings;
     out->textures[g].drops_effects = !has_effects(validator);
     if (changed == 0) { // in other runs coordinates may come from another rubbish
         out->textures[g].site = rhw_validator_site(validator, group->uniforms, &group->mask);
@@ -142,7 +142,7 @@ static void prepare(const struct rhw_validator *validator, const struct rhw_frag
     copy->ddx = out->ddx[g];
     copy->ddy = out->ddy[g];
     copy->color = out->color[g];
-    copy->textures = &out->textures[g];
+    copy->bindings = &out->textures[g];
     copy->uniforms = rhw_validator_uniforms(group->uniforms, changed & UNIFORMS);
     copy->user = validator->user;
     spoil_builtins(copy, validator->uses, changed);

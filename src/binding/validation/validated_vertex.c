@@ -40,14 +40,14 @@ static void prepare(const struct rhw_validator *validator, const struct rhw_vert
     for (int i = 0; i < RHW_MAX_CLIP_DISTANCES; i++) {
         out->distance[g][0][i] = out->distance[g][1][i] = output;
     }
-    out->textures[g] = *group->textures;
+    out->textures[g] = *group->bindings;
     out->textures[g].drops_effects = !has_effects(validator);
     if (changed == 0) {
         out->textures[g].site = rhw_validator_site(validator, group->uniforms, NULL);
     }
     struct rhw_vertex *const copy = &out->group[g];
     *copy = *group;
-    copy->textures = &out->textures[g];
+    copy->bindings = &out->textures[g];
     copy->attribute = (const rhw_float(*)[4])out->attribute[g];
     copy->uniforms = rhw_validator_uniforms(group->uniforms, (changed & UNIFORMS) != 0);
     copy->user = validator->user;

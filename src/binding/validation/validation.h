@@ -82,17 +82,17 @@ void rhw_validated_fragment(struct rhw_fragment *groups, int count);
 // These functions check what a shader function asks of its textures. They tell slots that do not exist or have no
 // texture, and levels that nobody has written. rhw_validate_slot returns false if nothing is in the slot.
 // rhw_validate_samples is for multisampled textures.
-bool rhw_validate_slot(const struct rhw_bindings *textures, int slot);
-void rhw_validate_samples(const struct rhw_bindings *textures, int slot);
+bool rhw_validate_slot(const struct rhw_bindings *bindings, int slot);
+void rhw_validate_samples(const struct rhw_bindings *bindings, int slot);
 // Tell a reference that is missing where the sampler compares, or is there where it does not. The slot has a texture.
-void rhw_validate_reference(const struct rhw_bindings *textures, int slot,
+void rhw_validate_reference(const struct rhw_bindings *bindings, int slot,
                             const struct rhw_sample_request *request);
 // Tell storage slots that do not exist or have nothing set, writes to slots that are set for reading, and effects that
 // are not declared.
-void rhw_validate_storage(const struct rhw_bindings *textures, int slot,
+void rhw_validate_storage(const struct rhw_bindings *bindings, int slot,
                           enum rhw_storage_operation operation);
-void rhw_validate_image(const struct rhw_bindings *textures, int slot, enum rhw_storage_operation operation);
-void rhw_validate_sample(const struct rhw_bindings *textures, int slot,
+void rhw_validate_image(const struct rhw_bindings *bindings, int slot, enum rhw_storage_operation operation);
+void rhw_validate_sample(const struct rhw_bindings *bindings, int slot,
                          const struct rhw_sample_request *request);
 // Return false where the call must not be made: its stride leaves no room.
 bool rhw_validate_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,

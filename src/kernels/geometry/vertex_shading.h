@@ -147,7 +147,7 @@ static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_s
     group->instance_index = i32x8_load(instances) + i32x8_splat((int32_t)segment->draw->first_instance);
     group->uniforms = segment->draw->uniforms;
     group->user = def->program.user;
-    group->textures = state->textures;
+    group->bindings = state->bindings;
     group->varying = scratch->varyings + g * state->pipeline->varying_components;
 }
 

@@ -132,7 +132,7 @@ RHW_INLINE void filter_found_groups(const struct rhw_texture_data *texture, cons
 static void sample_sharing_slots(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                                  f32x8 (*texels)[4], int stride)
 {
-    const struct rhw_binding *const bindings = groups->textures->slot;
+    const struct rhw_binding *const bindings = groups->bindings->slot;
     const struct rhw_binding *const first = &bindings[__builtin_ctz(slots)];
     struct footprint_pair pair[SHARING_GROUPS];
     f32x8 gradient[4];
@@ -199,7 +199,7 @@ static void sample_slot(const struct rhw_binding *binding, const struct rhw_frag
 static void sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                           rhw_float (*texels)[4], int stride)
 {
-    const struct rhw_binding *const bindings = groups->textures->slot;
+    const struct rhw_binding *const bindings = groups->bindings->slot;
     const struct rhw_binding *const first = &bindings[__builtin_ctz(slots)];
     uint32_t sharing = first->shares_footprints ? sharing_slots(bindings, slots, first) : 0;
     sharing = sharing & (sharing - 1) ? sharing : 0; // a slot does not share with itself alone

@@ -80,7 +80,7 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
         group->ddx = queue->ddx + offset;
         group->ddy = queue->ddy + offset;
         group->user = pipeline->def.program.user;
-        group->textures = state->textures;
+        group->bindings = state->bindings;
         group->color = queue->colors[g];
         if (pipeline->def.program.uses & RHW_USE_LAYER) {
             group->layer = i32x8_splat(work->layer);

@@ -78,7 +78,7 @@ static void sample_fragment(struct rhw_fragment *groups, int count)
     for (int g = 0; g < count; g++) {
         const struct texture_uniforms *u = groups[g].uniforms;
         const rhw_float uv[2] = {groups[g].varying[0], groups[g].varying[1]};
-        rhw_sample_lod(groups[g].textures, 0, uv, rhw_splat(0), groups[g].color[0]);
+        rhw_sample_lod(groups[g].bindings, 0, uv, rhw_splat(0), groups[g].color[0]);
         for (int c = 0; c < 4; c++) {
             groups[g].color[0][c] = groups[g].color[0][c] * u->gain + groups[g].varying[c];
         }

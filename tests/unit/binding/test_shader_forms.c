@@ -43,7 +43,7 @@ static void wide_fragment(struct rhw_fragment *groups, int count)
         const rhw_float uv[2] = {f->varying[0], f->varying[1]};
         const rhw_float grad[4] = {f->ddx[0], f->ddx[1], f->ddy[0], f->ddy[1]};
         rhw_float texel[4];
-        rhw_sample_grad(f->textures, 2, uv, grad, texel);
+        rhw_sample_grad(f->bindings, 2, uv, grad, texel);
         for (int c = 0; c < 4; c++) {
             f->color[0][c] = f->varying[c] + texel[c] * u->gain[c];
             f->color[2][c] = f->coord[c];
@@ -74,7 +74,7 @@ static void narrow_fragment(struct rhw_fragment1 *f)
     const rhw_float grad[4] = {rhw_splat(f->ddx[0]), rhw_splat(f->ddx[1]), rhw_splat(f->ddy[0]),
                                rhw_splat(f->ddy[1])};
     rhw_float texel[4];
-    rhw_sample_grad(f->textures, 2, uv, grad, texel);
+    rhw_sample_grad(f->bindings, 2, uv, grad, texel);
     for (int c = 0; c < 4; c++) {
         f->color[0][c] = f->varying[c] + texel[c][0] * u->gain[c];
         f->color[2][c] = f->coord[c];

@@ -28,7 +28,7 @@ static void operate(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         const struct rhw_fragment *const f = &groups[g];
-        const struct rhw_bindings *const t = f->textures;
+        const struct rhw_bindings *const t = f->bindings;
         const rhw_int x = rhw_int_from_float(f->coord[0]), y = rhw_int_from_float(f->coord[1]);
         const rhw_int id = y * 16 + x, one = rhw_splat_int(1);
         const rhw_int bit = rhw_select_int(rhw_equal_int(y, 3), one, rhw_splat_int(0)) << x;
@@ -55,7 +55,7 @@ static void operate(struct rhw_fragment *groups, int count)
 
 static void operate1(struct rhw_fragment1 *f)
 {
-    const struct rhw_bindings *const t = f->textures;
+    const struct rhw_bindings *const t = f->bindings;
     const int32_t x = (int32_t)f->coord[0], y = (int32_t)f->coord[1], id = y * 16 + x;
     const int32_t bit = y == 3 ? 1 << x : 0;
     for (int o = RHW_STORAGE_ADD; o < RHW_STORAGE_EXCHANGE; o++) {
@@ -134,7 +134,7 @@ static void reach_outside(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         const struct rhw_fragment *const f = &groups[g];
-        const struct rhw_bindings *const t = f->textures;
+        const struct rhw_bindings *const t = f->bindings;
         const rhw_int x = rhw_int_from_float(f->coord[0]); // 0..7
         const int32_t least = INT32_MIN;
         const rhw_int outside[4] = {x + 6, x - 8, x + least, ~x};
@@ -192,10 +192,10 @@ static void count_fragments(struct rhw_fragment *groups, int count)
     for (int g = 0; g < count; g++) {
         const struct rhw_fragment *const f = &groups[g];
         const rhw_int at = rhw_int_from_float(f->coord[1]) * WIDTH + rhw_int_from_float(f->coord[0]);
-        rhw_storage_atomic(f->textures, 0, RHW_STORAGE_ADD, at, rhw_splat_int(1), f->mask);
+        rhw_storage_atomic(f->bindings, 0, RHW_STORAGE_ADD, at, rhw_splat_int(1), f->mask);
         const rhw_int digit = rhw_int_from_float(f->varying[0]);
-        const rhw_int before = rhw_storage_load(f->textures, 1, at, f->mask);
-        rhw_storage_store(f->textures, 1, at, before * 5 + digit, f->mask);
+        const rhw_int before = rhw_storage_load(f->bindings, 1, at, f->mask);
+        rhw_storage_store(f->bindings, 1, at, before * 5 + digit, f->mask);
         for (int c = 0; c < 4; c++) {
             f->color[0][c] = f->varying[c];
         }
@@ -205,9 +205,9 @@ static void count_fragments(struct rhw_fragment *groups, int count)
 static void count_fragment1(struct rhw_fragment1 *f)
 {
     const uint32_t at = (uint32_t)f->coord[1] * WIDTH + (uint32_t)f->coord[0];
-    rhw_storage_atomic1(f->textures, 0, RHW_STORAGE_ADD, at, 1);
-    const int32_t before = rhw_storage_load1(f->textures, 1, at);
-    rhw_storage_store1(f->textures, 1, at, before * 5 + (int32_t)f->varying[0]);
+    rhw_storage_atomic1(f->bindings, 0, RHW_STORAGE_ADD, at, 1);
+    const int32_t before = rhw_storage_load1(f->bindings, 1, at);
+    rhw_storage_store1(f->bindings, 1, at, before * 5 + (int32_t)f->varying[0]);
     memcpy(f->color[0], f->varying, sizeof f->color[0]);
 }
 
@@ -215,7 +215,7 @@ static void count_fragment1(struct rhw_fragment1 *f)
 static void count_all(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
-        rhw_storage_atomic(groups[g].textures, 0, RHW_STORAGE_ADD, rhw_splat_int(0), rhw_splat_int(1),
+        rhw_storage_atomic(groups[g].bindings, 0, RHW_STORAGE_ADD, rhw_splat_int(0), rhw_splat_int(1),
                            groups[g].mask);
         for (int c = 0; c < 4; c++) {
             groups[g].color[0][c] = rhw_splat(1);
@@ -372,8 +372,8 @@ static void count_samples(struct rhw_fragment *groups, int count)
         for (int s = 0; s < 4; s++) {
             samples += f->sample_mask >> s & 1;
         }
-        rhw_storage_atomic(f->textures, 0, RHW_STORAGE_ADD, rhw_splat_int(0), samples, f->mask);
-        rhw_storage_atomic(f->textures, 0, RHW_STORAGE_ADD, rhw_splat_int(1), rhw_splat_int(1), f->mask);
+        rhw_storage_atomic(f->bindings, 0, RHW_STORAGE_ADD, rhw_splat_int(0), samples, f->mask);
+        rhw_storage_atomic(f->bindings, 0, RHW_STORAGE_ADD, rhw_splat_int(1), rhw_splat_int(1), f->mask);
         memcpy(f->color[0], f->varying, sizeof f->color[0]);
     }
 }
@@ -418,9 +418,9 @@ static void count_plainly(struct rhw_fragment *groups, int count)
     for (int g = 0; g < count; g++) {
         const struct rhw_fragment *const f = &groups[g];
         const rhw_int at = rhw_int_from_float(f->varying[1]) * WIDTH + rhw_int_from_float(f->varying[0]);
-        rhw_storage_atomic(f->textures, 0, RHW_STORAGE_ADD, at, rhw_splat_int(1), f->mask);
-        const rhw_int before = rhw_storage_load(f->textures, 1, at, f->mask);
-        rhw_storage_store(f->textures, 1, at, before + 1, f->mask);
+        rhw_storage_atomic(f->bindings, 0, RHW_STORAGE_ADD, at, rhw_splat_int(1), f->mask);
+        const rhw_int before = rhw_storage_load(f->bindings, 1, at, f->mask);
+        rhw_storage_store(f->bindings, 1, at, before + 1, f->mask);
         memcpy(f->color[0], f->varying, sizeof f->color[0]);
     }
 }
@@ -521,7 +521,7 @@ static void count_vertices(struct rhw_vertex *groups, int count)
         memcpy(v->position, v->attribute[0], sizeof v->position);
         const rhw_int at = v->instance_index * 4096 + v->vertex_index;
         const rhw_int before =
-            rhw_storage_atomic(v->textures, 0, RHW_STORAGE_ADD, at, rhw_splat_int(1), v->mask);
+            rhw_storage_atomic(v->bindings, 0, RHW_STORAGE_ADD, at, rhw_splat_int(1), v->mask);
         for (int c = 0; c < 4; c++) {
             v->varying[c] = rhw_float_from_int(before) + 1.0f;
         }
@@ -532,7 +532,7 @@ static void count_vertex1(struct rhw_vertex1 *v)
 {
     memcpy(v->position, v->attribute[0], sizeof v->position);
     const int32_t at = v->instance_index * 4096 + v->vertex_index;
-    const int32_t before = rhw_storage_atomic1(v->textures, 0, RHW_STORAGE_ADD, (uint32_t)at, 1);
+    const int32_t before = rhw_storage_atomic1(v->bindings, 0, RHW_STORAGE_ADD, (uint32_t)at, 1);
     for (int c = 0; c < 4; c++) {
         v->varying[c] = (float)before + 1.0f;
     }
@@ -693,7 +693,7 @@ static void write_slot0(struct rhw_fragment *groups, int count)
 {
     rig_fragment_pass(groups, count);
     for (int g = 0; g < count; g++) {
-        rhw_storage_store(groups[g].textures, 0, rhw_splat_int(0), rhw_splat_int(1), groups[g].mask);
+        rhw_storage_store(groups[g].bindings, 0, rhw_splat_int(0), rhw_splat_int(1), groups[g].mask);
     }
 }
 
@@ -701,7 +701,7 @@ static void write_slot1(struct rhw_fragment *groups, int count)
 {
     rig_fragment_pass(groups, count);
     for (int g = 0; g < count; g++) {
-        rhw_storage_store(groups[g].textures, 1, rhw_splat_int(0), rhw_splat_int(1), groups[g].mask);
+        rhw_storage_store(groups[g].bindings, 1, rhw_splat_int(0), rhw_splat_int(1), groups[g].mask);
     }
 }
 
@@ -709,7 +709,7 @@ static void read_slot16(struct rhw_fragment *groups, int count)
 {
     rig_fragment_pass(groups, count);
     for (int g = 0; g < count; g++) {
-        (void)rhw_storage_load(groups[g].textures, 16, rhw_splat_int(0), groups[g].mask);
+        (void)rhw_storage_load(groups[g].bindings, 16, rhw_splat_int(0), groups[g].mask);
     }
 }
 

@@ -60,7 +60,7 @@ static void write_values(struct rhw_fragment *groups, int count)
         rhw_int at[3];
         pixel_of(&groups[g], at);
         values_of(&groups[g], groups[g].color[0]);
-        rhw_image_store(groups[g].textures, 3, at, &groups[g].mask, groups[g].color[0]);
+        rhw_image_store(groups[g].bindings, 3, at, &groups[g].mask, groups[g].color[0]);
     }
 }
 
@@ -70,7 +70,7 @@ static void write_value1(struct rhw_fragment1 *f)
     for (int c = 0; c < 4; c++) {
         f->color[0][c] = f->coord[0] * (0.03f * (float)(c + 1)) + f->coord[1] * 0.11f - 0.3f;
     }
-    rhw_image_store1(f->textures, 3, at, f->color[0]);
+    rhw_image_store1(f->bindings, 3, at, f->color[0]);
 }
 
 static void read_values(struct rhw_fragment *groups, int count)
@@ -78,8 +78,8 @@ static void read_values(struct rhw_fragment *groups, int count)
     for (int g = 0; g < count; g++) {
         rhw_int at[3], size[3];
         pixel_of(&groups[g], at);
-        rhw_image_load(groups[g].textures, 3, at, groups[g].color[0]);
-        rhw_image_size(groups[g].textures, 3, size);
+        rhw_image_load(groups[g].bindings, 3, at, groups[g].color[0]);
+        rhw_image_size(groups[g].bindings, 3, size);
         const rhw_int right =
             rhw_equal_int(size[0], WIDTH) & rhw_equal_int(size[1], HEIGHT) & rhw_equal_int(size[2], 1);
         groups[g].color[0][0] = rhw_select(right, groups[g].color[0][0], rhw_splat(-99));
@@ -90,8 +90,8 @@ static void read_value1(struct rhw_fragment1 *f)
 {
     const int32_t at[2] = {(int32_t)f->coord[0], (int32_t)f->coord[1]};
     int32_t size[3];
-    rhw_image_load1(f->textures, 3, at, f->color[0]);
-    rhw_image_size1(f->textures, 3, size);
+    rhw_image_load1(f->bindings, 3, at, f->color[0]);
+    rhw_image_size1(f->bindings, 3, size);
     if (size[0] != WIDTH || size[1] != HEIGHT || size[2] != 1) {
         f->color[0][0] = -99;
     }
@@ -178,8 +178,8 @@ static void write_numbers(struct rhw_fragment *groups, int count)
         }
         at[0] -= 2; // some lie left of the level and some, in a larger target, right of it
         const rhw_float texel[4] = {number, number, number, number};
-        rhw_image_store(groups[g].textures, 0, at, &groups[g].mask, texel);
-        rhw_image_load(groups[g].textures, 0, at, groups[g].color[0]);
+        rhw_image_store(groups[g].bindings, 0, at, &groups[g].mask, texel);
+        rhw_image_load(groups[g].bindings, 0, at, groups[g].color[0]);
     }
 }
 
@@ -248,10 +248,10 @@ static void count_columns(struct rhw_fragment *groups, int count)
         const rhw_int one = rhw_splat_int(1);
         const struct rhw_storage_request request = {
             .operation = RHW_STORAGE_ADD, .mask = &groups[g].mask, .index = at, .value = &one};
-        rhw_image_atomic(groups[g].textures, 0, &request, &before);
+        rhw_image_atomic(groups[g].bindings, 0, &request, &before);
         at[1] = rhw_splat_int(HEIGHT);
-        rhw_image_atomic(groups[g].textures, 0, &request, &outside);
-        rhw_image_atomic(groups[g].textures, 1, &request, &before); // of another format
+        rhw_image_atomic(groups[g].bindings, 0, &request, &outside);
+        rhw_image_atomic(groups[g].bindings, 1, &request, &before); // of another format
         groups[g].color[0][0] = groups[g].color[0][1] = groups[g].color[0][2] = groups[g].color[0][3] =
             rhw_float_from_int(before | outside);
     }
@@ -260,10 +260,10 @@ static void count_columns(struct rhw_fragment *groups, int count)
 static void count_column1(struct rhw_fragment1 *f)
 {
     int32_t at[3] = {(int32_t)f->coord[0], 2, 1};
-    rhw_image_atomic1(f->textures, 0, RHW_STORAGE_ADD, at, 1, 0);
+    rhw_image_atomic1(f->bindings, 0, RHW_STORAGE_ADD, at, 1, 0);
     at[1] = HEIGHT;
-    const int32_t outside = rhw_image_atomic1(f->textures, 0, RHW_STORAGE_ADD, at, 1, 0);
-    const int32_t before = rhw_image_atomic1(f->textures, 1, RHW_STORAGE_ADD, at, 1, 0);
+    const int32_t outside = rhw_image_atomic1(f->bindings, 0, RHW_STORAGE_ADD, at, 1, 0);
+    const int32_t before = rhw_image_atomic1(f->bindings, 1, RHW_STORAGE_ADD, at, 1, 0);
     for (int c = 0; c < 4; c++) {
         f->color[0][c] = (float)(before | outside);
     }
@@ -315,9 +315,9 @@ static void write_in_vain(struct rhw_fragment *groups, int count)
             .operation = RHW_STORAGE_ADD, .mask = &f->mask, .index = at, .value = &one};
         rhw_int before;
         rhw_float found[4];
-        rhw_image_store(f->textures, 0, at, &f->mask, texel);
-        rhw_image_atomic(f->textures, 0, &request, &before);
-        rhw_image_load(f->textures, 0, at, found);
+        rhw_image_store(f->bindings, 0, at, &f->mask, texel);
+        rhw_image_atomic(f->bindings, 0, &request, &before);
+        rhw_image_load(f->bindings, 0, at, found);
         f->color[0][0] = rhw_float_from_int(before);
         f->color[0][1] = rhw_float_from_int(rhw_bits_from_float(found[0]));
         f->color[0][2] = f->color[0][3] = rhw_splat(1);
@@ -330,9 +330,9 @@ static void write_in_vain1(struct rhw_fragment1 *f)
     const float none[4] = {0};
     float found[4];
     int32_t bits;
-    rhw_image_store1(f->textures, 0, at, none);
-    f->color[0][0] = (float)rhw_image_atomic1(f->textures, 0, RHW_STORAGE_ADD, at, 1, 0);
-    rhw_image_load1(f->textures, 0, at, found);
+    rhw_image_store1(f->bindings, 0, at, none);
+    f->color[0][0] = (float)rhw_image_atomic1(f->bindings, 0, RHW_STORAGE_ADD, at, 1, 0);
+    rhw_image_load1(f->bindings, 0, at, found);
     memcpy(&bits, found, sizeof bits);
     f->color[0][1] = (float)bits;
     f->color[0][2] = f->color[0][3] = 1;
@@ -378,8 +378,8 @@ static void copy_texels(struct rhw_fragment *groups, int count)
         rhw_int at[3];
         pixel_of(&groups[g], at);
         const rhw_int from = at[0] - 1, to = at[0] * 2;
-        rhw_image_load(groups[g].textures, 0, &from, groups[g].color[0]);
-        rhw_image_store(groups[g].textures, 1, &to, &groups[g].mask, groups[g].color[0]);
+        rhw_image_load(groups[g].bindings, 0, &from, groups[g].color[0]);
+        rhw_image_store(groups[g].bindings, 1, &to, &groups[g].mask, groups[g].color[0]);
     }
 }
 

@@ -37,13 +37,13 @@ static float level_asked; // of the test under way
 static void sample(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
-        rhw_sample_lod(groups[g].textures, 3, groups[g].varying, rhw_splat(level_asked), groups[g].color[0]);
+        rhw_sample_lod(groups[g].bindings, 3, groups[g].varying, rhw_splat(level_asked), groups[g].color[0]);
     }
 }
 
 static void sample_one(struct rhw_fragment1 *f)
 {
-    rhw_sample_lod1(f->textures, 3, f->varying, level_asked, f->color[0]);
+    rhw_sample_lod1(f->bindings, 3, f->varying, level_asked, f->color[0]);
 }
 
 static void sample_groups(struct rhw_fragment *groups, int count)
@@ -76,7 +76,7 @@ static void place(struct rhw_vertex *groups, int count)
 {
     rig_vertex_pass(groups, count);
     for (int g = 0; g < count; g++) {
-        rhw_sample_lod(groups[g].textures, 3, groups[g].attribute[1], rhw_splat(level_asked),
+        rhw_sample_lod(groups[g].bindings, 3, groups[g].attribute[1], rhw_splat(level_asked),
                        groups[g].varying);
     }
 }
@@ -189,7 +189,7 @@ static void sample_by_mask(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         const rhw_float level = rhw_select(groups[g].mask, rhw_splat(0), rhw_splat(4));
-        rhw_sample_lod(groups[g].textures, 3, groups[g].varying, level, groups[g].color[0]);
+        rhw_sample_lod(groups[g].bindings, 3, groups[g].varying, level, groups[g].color[0]);
     }
 }
 
@@ -251,11 +251,11 @@ static void sample_anyway(struct rhw_fragment *groups, int count)
                                                    .gradient = way == 1 ? none : NULL,
                                                    .reference = has_reference ? &half : NULL};
         if (way < 2) {
-            rhw_sample(groups[g].textures, 3, &request, groups[g].color[0]);
+            rhw_sample(groups[g].bindings, 3, &request, groups[g].color[0]);
         } else if (way == 2) {
-            rhw_sample_gather(groups[g].textures, 3, &request, 0, groups[g].color[0]);
+            rhw_sample_gather(groups[g].bindings, 3, &request, 0, groups[g].color[0]);
         } else {
-            rhw_sample_compare_window(groups[g].textures, 3, &request, 2, 2, groups[g].color[0]);
+            rhw_sample_compare_window(groups[g].bindings, 3, &request, 2, 2, groups[g].color[0]);
         }
     }
 }

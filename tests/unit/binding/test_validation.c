@@ -67,7 +67,7 @@ static void paint(struct rhw_fragment *groups, int count)
         case WRITE_NO_TARGET: f->color[1][2] = rhw_splat(1); break;
         case SAMPLE_NO_SLOT: {
             const rhw_float uv[2] = {rhw_splat(0), rhw_splat(0)};
-            rhw_sample_lod(f->textures, 32, uv, rhw_splat(0), texel);
+            rhw_sample_lod(f->bindings, 32, uv, rhw_splat(0), texel);
             break;
         }
         case DIVIDE_BY_ZERO: extra = extra / extra; break;
@@ -102,7 +102,7 @@ static void paint1(struct rhw_fragment1 *f)
     case WRITE_NO_TARGET: f->color[1][2] = 1; break;
     case SAMPLE_NO_SLOT: {
         const float uv[2] = {0, 0};
-        rhw_sample_lod1(f->textures, 32, uv, 0, texel);
+        rhw_sample_lod1(f->bindings, 32, uv, 0, texel);
         break;
     }
     case DIVIDE_BY_ZERO: extra = extra / texel[0]; break;
@@ -283,7 +283,7 @@ static void place(struct rhw_vertex *groups, int count)
             extra = rhw_splat(((const float *)v->uniforms)[2]);
         } else if (vertex_deed == SAMPLE_FROM_VERTEX) {
             const rhw_float uv[2] = {rhw_splat(0), rhw_splat(0)};
-            rhw_sample_lod(v->textures, -1, uv, rhw_splat(0), texel);
+            rhw_sample_lod(v->bindings, -1, uv, rhw_splat(0), texel);
         } else if (vertex_deed == WRITE_FAR_VARYING) {
             v->varying[4] = extra;
         }
@@ -313,7 +313,7 @@ static void place1(struct rhw_vertex1 *v)
     } else if (vertex_deed == READ_FAR_UNIFORMS) {
         extra = ((const float *)v->uniforms)[2];
     } else if (vertex_deed == SAMPLE_FROM_VERTEX) {
-        rhw_sample_lod1(v->textures, -1, (const float[2]){0, 0}, 0, texel);
+        rhw_sample_lod1(v->bindings, -1, (const float[2]){0, 0}, 0, texel);
     } else if (vertex_deed == WRITE_FAR_VARYING) {
         v->varying[4] = extra;
     }

@@ -263,7 +263,7 @@ static void sum_slots(struct rhw_fragment *groups, int count)
         rhw_float fetched = rhw_splat(0), sampled = rhw_splat(0);
         for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
             rhw_float texel[4];
-            rhw_sample_fetch(groups[g].textures, i, zero, NULL, texel);
+            rhw_sample_fetch(groups[g].bindings, i, zero, NULL, texel);
             fetched += texel[0];
             sampled += texels[g][i][0];
         }
@@ -282,7 +282,7 @@ static void sum_slots1(struct rhw_fragment1 *f)
     f->color[0][0] = f->color[0][1] = 0;
     for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
         float texel[4];
-        rhw_sample_fetch1(f->textures, i, zero, 0, texel);
+        rhw_sample_fetch1(f->bindings, i, zero, 0, texel);
         f->color[0][0] += texel[0];
         f->color[0][1] += texels[i][0];
     }
@@ -339,10 +339,10 @@ static void read_sample(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         const rhw_int at[2] = {rhw_splat_int(3), rhw_splat_int(5)};
-        const int last = rhw_sample_samples(groups[g].textures, 0) - 1;
+        const int last = rhw_sample_samples(groups[g].bindings, 0) - 1;
         const rhw_int sample = rhw_splat_int(last);
         rhw_float texel[4];
-        rhw_sample_fetch_sample(groups[g].textures, 0, at, &sample, texel);
+        rhw_sample_fetch_sample(groups[g].bindings, 0, at, &sample, texel);
         groups[g].color[0][0] = texel[0];
         groups[g].color[0][1] = rhw_float_from_int(rhw_bits_from_float(texel[0]));
         groups[g].color[0][2] = rhw_splat((float)last);

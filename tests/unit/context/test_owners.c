@@ -297,7 +297,7 @@ static void sample_texture(struct rhw_fragment *groups, int count)
 {
     for (int i = 0; i < count; i++) {
         const rhw_float uv[2] = {rhw_splat(0.5f), rhw_splat(0.5f)};
-        rhw_sample_lod(groups[i].textures, 0, uv, rhw_splat(0), groups[i].color[0]);
+        rhw_sample_lod(groups[i].bindings, 0, uv, rhw_splat(0), groups[i].color[0]);
     }
 }
 

@@ -46,7 +46,7 @@ struct corner {
 static void fragment1(struct rhw_fragment1 *f)
 {
     const float grad[4] = {f->ddx[0], f->ddx[1], f->ddy[0], f->ddy[1]};
-    rhw_sample_grad1(f->textures, 0, f->varying, grad, f->color[0]);
+    rhw_sample_grad1(f->bindings, 0, f->varying, grad, f->color[0]);
     f->color[0][3] = 0.5f;
 }
 

@@ -194,7 +194,7 @@ static void expect_depth(const struct expectation *row)
 static void sample_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
-        rhw_sample_lod(groups[g].textures, 0, groups[g].varying, rhw_splat(0), groups[g].color[0]);
+        rhw_sample_lod(groups[g].bindings, 0, groups[g].varying, rhw_splat(0), groups[g].color[0]);
     }
 }
 

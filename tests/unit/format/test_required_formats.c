@@ -189,9 +189,9 @@ static void move_texel(struct rhw_fragment *groups, int count)
         const rhw_int one[1] = {rhw_splat_int(1)}, two[1] = {rhw_splat_int(2)};
         const struct rhw_storage_request add = {
             .operation = RHW_STORAGE_ADD, .mask = &f->mask, .index = two, .value = one};
-        rhw_image_load(f->textures, 0, one, f->color[0]);
-        rhw_image_store(f->textures, 1, one, &f->mask, f->color[0]);
-        rhw_image_atomic(f->textures, 1, &add, NULL);
+        rhw_image_load(f->bindings, 0, one, f->color[0]);
+        rhw_image_store(f->bindings, 1, one, &f->mask, f->color[0]);
+        rhw_image_atomic(f->bindings, 1, &add, NULL);
     }
 }
 

@@ -41,7 +41,7 @@ static void fragment_copy(struct rhw_fragment *groups, int count)
     for (int g = 0; g < count; g++) {
         struct rhw_fragment *const group = &groups[g];
         const rhw_int at[2] = {rhw_int_from_float(group->coord[0]), rhw_int_from_float(group->coord[1])};
-        rhw_sample_fetch(group->textures, 0, at, NULL, group->color[0]);
+        rhw_sample_fetch(group->bindings, 0, at, NULL, group->color[0]);
     }
 }
 
@@ -563,7 +563,7 @@ static void fragment_sampled(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         const rhw_float at[2] = {groups[g].coord[0] / (float)(WIDTH / 2), groups[g].coord[1] / (float)HEIGHT};
-        rhw_sample_lod(groups[g].textures, 0, at, rhw_splat(0), groups[g].color[0]);
+        rhw_sample_lod(groups[g].bindings, 0, at, rhw_splat(0), groups[g].color[0]);
     }
 }
 

@@ -60,9 +60,9 @@ static inline void one_fragment(struct rhw_fragment1 *f)
 {
     const float gradient[4] = {f->ddx[0], f->ddx[1], f->ddy[0], f->ddy[1]};
     if (f->varying[1] < 0.5f) {
-        rhw_sample_grad1(f->textures, 0, f->varying, gradient, f->color[0]);
+        rhw_sample_grad1(f->bindings, 0, f->varying, gradient, f->color[0]);
     } else {
-        rhw_sample_lod1(f->textures, 0, f->varying, 1.5f, f->color[0]);
+        rhw_sample_lod1(f->bindings, 0, f->varying, 1.5f, f->color[0]);
     }
     for (int i = 0; i < ONE_MATHS; i++) {
         f->color[0][3] += one_math(i, f->varying[0], f->varying[1]);

@@ -282,7 +282,7 @@ static void sample_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         const rhw_float uv[2] = {groups[g].varying[0], groups[g].varying[1]};
-        rhw_sample_lod(groups[g].textures, 0, uv, rhw_splat(0), groups[g].color[0]);
+        rhw_sample_lod(groups[g].bindings, 0, uv, rhw_splat(0), groups[g].color[0]);
     }
 }
 

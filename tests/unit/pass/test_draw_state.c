@@ -52,7 +52,7 @@ static void texture_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         const rhw_float uv[2] = {rhw_splat(0.5f), rhw_splat(0.5f)};
-        rhw_sample_lod(groups[g].textures, 3, uv, rhw_splat(0), groups[g].color[0]);
+        rhw_sample_lod(groups[g].bindings, 3, uv, rhw_splat(0), groups[g].color[0]);
     }
 }
 

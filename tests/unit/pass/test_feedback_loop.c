@@ -40,7 +40,7 @@ static void sum4(struct rhw_fragment *groups, int count)
         for (int i = 0; i < 4; i++) {
             const rhw_int at[2] = {x + i % 2, y + i / 2};
             rhw_float texel[4];
-            rhw_sample_fetch(f->textures, 0, at, NULL, texel);
+            rhw_sample_fetch(f->bindings, 0, at, NULL, texel);
             for (int c = 0; c < 4; c++) {
                 f->color[0][c] = i == 0 ? texel[c] : f->color[0][c] + texel[c];
             }
@@ -54,7 +54,7 @@ static void add_one(struct rhw_fragment *groups, int count)
     for (int g = 0; g < count; g++) {
         struct rhw_fragment *const f = &groups[g];
         const rhw_int at[2] = {rhw_int_from_float(f->coord[0]), rhw_int_from_float(f->coord[1])};
-        rhw_sample_fetch(f->textures, 0, at, NULL, f->color[0]);
+        rhw_sample_fetch(f->bindings, 0, at, NULL, f->color[0]);
         f->color[0][0] += 1;
     }
 }
@@ -66,8 +66,8 @@ static void copy_to_image(struct rhw_fragment *groups, int count)
         struct rhw_fragment *const f = &groups[g];
         const rhw_int at[2] = {rhw_int_from_float(f->coord[0]), rhw_int_from_float(f->coord[1])};
         rhw_float texel[4];
-        rhw_sample_fetch(f->textures, 0, at, NULL, texel);
-        rhw_image_store(f->textures, 0, at, &f->mask, texel);
+        rhw_sample_fetch(f->bindings, 0, at, NULL, texel);
+        rhw_image_store(f->bindings, 0, at, &f->mask, texel);
         for (int c = 0; c < 4; c++) {
             f->color[0][c] = rhw_splat(0);
         }
@@ -252,13 +252,13 @@ static void add_loaded(struct rhw_fragment *groups, int count)
         struct rhw_fragment *const f = &groups[g];
         const rhw_int at[2] = {rhw_int_from_float(f->coord[0]), rhw_int_from_float(f->coord[1])};
         rhw_float texel[3][4];
-        rhw_sample_fetch(f->textures, 0, at, NULL, texel[0]);
-        rhw_image_load(f->textures, 1, at, texel[1]);
-        rhw_image_load(f->textures, 2, at, texel[2]);
+        rhw_sample_fetch(f->bindings, 0, at, NULL, texel[0]);
+        rhw_image_load(f->bindings, 1, at, texel[1]);
+        rhw_image_load(f->bindings, 2, at, texel[2]);
         for (int c = 0; c < 4; c++) {
             f->color[0][c] = texel[0][c] * 100 + texel[1][c] * 10 + texel[2][c];
         }
-        rhw_image_store(f->textures, 0, at, &f->mask, f->color[0]);
+        rhw_image_store(f->bindings, 0, at, &f->mask, f->color[0]);
     }
 }
 
@@ -404,9 +404,9 @@ static void show_depth(struct rhw_fragment *groups, int count)
         rhw_float texel[2][4];
         for (int slot = 0; slot < 2; slot++) {
             if (sampled) {
-                rhw_sample_fetch_sample(f->textures, slot, at, &sample, texel[slot]);
+                rhw_sample_fetch_sample(f->bindings, slot, at, &sample, texel[slot]);
             } else {
-                rhw_sample_fetch(f->textures, slot, at, NULL, texel[slot]);
+                rhw_sample_fetch(f->bindings, slot, at, NULL, texel[slot]);
             }
         }
         f->color[0][0] = texel[0][0];

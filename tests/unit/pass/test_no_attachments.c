@@ -21,8 +21,8 @@ static void count_fragment(struct rhw_fragment *groups, int count)
     for (int g = 0; g < count; g++) {
         const struct rhw_fragment *const f = &groups[g];
         const rhw_int one = rhw_splat_int(1);
-        rhw_storage_atomic(f->textures, 0, RHW_STORAGE_ADD, rhw_splat_int(0), one, f->mask);
-        rhw_storage_atomic(f->textures, 0, RHW_STORAGE_ADD, f->layer + 1, one, f->mask);
+        rhw_storage_atomic(f->bindings, 0, RHW_STORAGE_ADD, rhw_splat_int(0), one, f->mask);
+        rhw_storage_atomic(f->bindings, 0, RHW_STORAGE_ADD, f->layer + 1, one, f->mask);
     }
 }
 

@@ -104,7 +104,7 @@ static void add_inputs(const struct rhw_fragment *f, uint32_t uses, bool is_poin
 static void count_fragments(const struct rhw_fragment *f)
 {
     const rhw_int at = rhw_int_from_float(f->coord[0]) & (COUNTERS - 1);
-    rhw_storage_atomic(f->textures, 0, RHW_STORAGE_ADD, at, rhw_splat_int(1), f->mask);
+    rhw_storage_atomic(f->bindings, 0, RHW_STORAGE_ADD, at, rhw_splat_int(1), f->mask);
 }
 
 static void decide(struct rhw_fragment *f, uint32_t uses, const rhw_float v[4])

@@ -31,11 +31,11 @@ static void read_everything(struct rhw_fragment *groups, int count)
         const struct rhw_fragment *const f = &groups[g];
         const rhw_int at[1] = {rhw_splat_int(1)};
         rhw_float texel[4];
-        rhw_image_load(f->textures, 5, at, texel);
+        rhw_image_load(f->bindings, 5, at, texel);
         f->color[0][0] = f->varying[0];
-        f->color[0][1] = rhw_float_from_int(rhw_storage_load(f->textures, 3, rhw_splat_int(2), f->mask));
+        f->color[0][1] = rhw_float_from_int(rhw_storage_load(f->bindings, 3, rhw_splat_int(2), f->mask));
         f->color[0][2] = texel[0];
-        f->color[0][3] = rhw_splat((float)rhw_storage_count(f->textures, 3));
+        f->color[0][3] = rhw_splat((float)rhw_storage_count(f->bindings, 3));
     }
 }
 
@@ -123,13 +123,13 @@ static rhw_int try_to_write(const struct rhw_fragment *f)
     const rhw_int zero[1] = {rhw_splat_int(0)}, one = rhw_splat_int(1);
     rhw_int before, sum = rhw_splat_int(0);
     rhw_float texel[4] = {rhw_splat(0), rhw_splat(0), rhw_splat(0), rhw_splat(0)};
-    rhw_storage_store(f->textures, 0, zero[0], one, f->mask);
-    sum += rhw_storage_atomic(f->textures, 0, RHW_STORAGE_ADD, zero[0], one, f->mask);
-    sum += rhw_storage_compare_exchange(f->textures, 0, zero[0], rhw_splat_int(41), one, f->mask);
-    rhw_image_store(f->textures, 0, zero, &f->mask, texel);
+    rhw_storage_store(f->bindings, 0, zero[0], one, f->mask);
+    sum += rhw_storage_atomic(f->bindings, 0, RHW_STORAGE_ADD, zero[0], one, f->mask);
+    sum += rhw_storage_compare_exchange(f->bindings, 0, zero[0], rhw_splat_int(41), one, f->mask);
+    rhw_image_store(f->bindings, 0, zero, &f->mask, texel);
     const struct rhw_storage_request request = {
         .operation = RHW_STORAGE_ADD, .mask = &f->mask, .index = zero, .value = &one};
-    rhw_image_atomic(f->textures, 0, &request, &before);
+    rhw_image_atomic(f->bindings, 0, &request, &before);
     return sum + before;
 }
 
@@ -139,9 +139,9 @@ static void write_in_vain(struct rhw_fragment *groups, int count)
         const struct rhw_fragment *const f = &groups[g];
         const rhw_int zero[1] = {rhw_splat_int(0)};
         f->color[0][0] = rhw_float_from_int(try_to_write(f));
-        f->color[0][1] = rhw_float_from_int(rhw_storage_load(f->textures, 0, zero[0], f->mask));
+        f->color[0][1] = rhw_float_from_int(rhw_storage_load(f->bindings, 0, zero[0], f->mask));
         rhw_float texel[4];
-        rhw_image_load(f->textures, 0, zero, texel);
+        rhw_image_load(f->bindings, 0, zero, texel);
         f->color[0][2] = rhw_float_from_int(rhw_bits_from_float(texel[0]));
         f->color[0][3] = rhw_splat(1);
     }
@@ -151,17 +151,17 @@ static void write_in_vain1(struct rhw_fragment1 *f)
 {
     const int32_t zero[1] = {0};
     const float none[4] = {0};
-    rhw_storage_store1(f->textures, 0, 0, 1);
-    int32_t sum = rhw_storage_atomic1(f->textures, 0, RHW_STORAGE_ADD, 0, 1);
-    sum += rhw_storage_compare_exchange1(f->textures, 0, 0, 41, 1);
-    rhw_image_store1(f->textures, 0, zero, none);
-    sum += rhw_image_atomic1(f->textures, 0, RHW_STORAGE_ADD, zero, 1, 0);
+    rhw_storage_store1(f->bindings, 0, 0, 1);
+    int32_t sum = rhw_storage_atomic1(f->bindings, 0, RHW_STORAGE_ADD, 0, 1);
+    sum += rhw_storage_compare_exchange1(f->bindings, 0, 0, 41, 1);
+    rhw_image_store1(f->bindings, 0, zero, none);
+    sum += rhw_image_atomic1(f->bindings, 0, RHW_STORAGE_ADD, zero, 1, 0);
     float texel[4];
-    rhw_image_load1(f->textures, 0, zero, texel);
+    rhw_image_load1(f->bindings, 0, zero, texel);
     int32_t bits;
     memcpy(&bits, texel, sizeof bits);
     f->color[0][0] = (float)sum;
-    f->color[0][1] = (float)rhw_storage_load1(f->textures, 0, 0);
+    f->color[0][1] = (float)rhw_storage_load1(f->bindings, 0, 0);
     f->color[0][2] = (float)bits;
     f->color[0][3] = 1;
 }
@@ -288,7 +288,7 @@ static void count_in_slot1(struct rhw_fragment *groups, int count)
 {
     rig_fragment_pass(groups, count);
     for (int g = 0; g < count; g++) {
-        rhw_storage_atomic(groups[g].textures, 1, RHW_STORAGE_ADD, rhw_splat_int(0), rhw_splat_int(1),
+        rhw_storage_atomic(groups[g].bindings, 1, RHW_STORAGE_ADD, rhw_splat_int(0), rhw_splat_int(1),
                            groups[g].mask);
     }
 }

@@ -152,7 +152,7 @@ static void sample_middle(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         const rhw_float at[2] = {rhw_splat(0.5f), rhw_splat(0.5f)};
-        rhw_sample_lod(groups[g].textures, 0, at, rhw_splat(0), groups[g].color[0]);
+        rhw_sample_lod(groups[g].bindings, 0, at, rhw_splat(0), groups[g].color[0]);
     }
 }
 

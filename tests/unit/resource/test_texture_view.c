@@ -312,7 +312,7 @@ static void sample_middle(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         const rhw_float at[2] = {rhw_splat(0.5f), rhw_splat(0.5f)};
-        rhw_sample_lod(groups[g].textures, 0, at, rhw_splat(0), groups[g].color[0]);
+        rhw_sample_lod(groups[g].bindings, 0, at, rhw_splat(0), groups[g].color[0]);
     }
 }
 
@@ -395,7 +395,7 @@ static void fetch_pixel(struct rhw_fragment *groups, int count)
                                rhw_splat_int(1)};
         const rhw_int level = rhw_splat_int(*(const int *)f->uniforms);
         rhw_float texel[4];
-        rhw_sample_fetch(f->textures, 0, at, &level, texel);
+        rhw_sample_fetch(f->bindings, 0, at, &level, texel);
         f->color[0][0] = rhw_float_from_int(rhw_bits_from_float(texel[0]));
         f->color[0][1] = f->color[0][2] = f->color[0][3] = rhw_splat(0);
     }
@@ -408,7 +408,7 @@ static void fetch_sample(struct rhw_fragment *groups, int count)
         const rhw_int at[2] = {rhw_int_from_float(f->coord[0]), rhw_int_from_float(f->coord[1])};
         const rhw_int sample = rhw_splat_int(*(const int *)f->uniforms);
         rhw_float texel[4];
-        rhw_sample_fetch_sample(f->textures, 0, at, &sample, texel);
+        rhw_sample_fetch_sample(f->bindings, 0, at, &sample, texel);
         f->color[0][0] = rhw_float_from_int(rhw_bits_from_float(texel[0]));
         f->color[0][1] = f->color[0][2] = f->color[0][3] = rhw_splat(0);
     }

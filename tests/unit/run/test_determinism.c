@@ -43,7 +43,7 @@ static void texture_fragment(struct rhw_fragment *groups, int count)
         struct rhw_fragment *f = &groups[g];
         const rhw_float uv[2] = {f->varying[0] * 3.0f, f->varying[1] * 5.0f};
         const rhw_float grad[4] = {f->ddx[0] * 3.0f, f->ddx[1] * 5.0f, f->ddy[0] * 3.0f, f->ddy[1] * 5.0f};
-        rhw_sample_grad(f->textures, 0, uv, grad, f->color[0]);
+        rhw_sample_grad(f->bindings, 0, uv, grad, f->color[0]);
         f->mask &= f->color[0][1] > 0.25f;
         f->color[0][3] = rhw_splat(0.75f);
     }

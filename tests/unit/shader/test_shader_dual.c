@@ -370,7 +370,7 @@ static void sample_by_hand(struct rhw_fragment *groups, int count)
         const rhw_float grad[4] = {
             (dx[0] * x + x * dx[0]) + dx[1], (dx[0] * y + x * dx[1] - v * dx[0]) / below,
             (dy[0] * x + x * dy[0]) + dy[1], (dy[0] * y + x * dy[1] - v * dy[0]) / below};
-        rhw_sample_grad(f->textures, 0, uv, grad, f->color[0]);
+        rhw_sample_grad(f->bindings, 0, uv, grad, f->color[0]);
     }
 }
 
@@ -381,7 +381,7 @@ static void sample_by_duals(struct rhw_fragment *groups, int count)
         const struct rhw_dual x = rhw_dual_varying(f, 0), y = rhw_dual_varying(f, 1);
         const struct rhw_dual uv[2] = {rhw_dual_add(rhw_dual_mul(x, x), y),
                                        rhw_dual_div(rhw_dual_mul(x, y), rhw_dual_offset(x, 2.0f))};
-        rhw_sample_dual(f->textures, 0, uv, f->color[0]);
+        rhw_sample_dual(f->bindings, 0, uv, f->color[0]);
     }
 }
 
@@ -390,7 +390,7 @@ static void sample_one_at_a_time(struct rhw_fragment1 *f)
     const struct rhw_dual1 x = rhw_dual_varying1(f, 0), y = rhw_dual_varying1(f, 1);
     const struct rhw_dual1 uv[2] = {rhw_dual_add1(rhw_dual_mul1(x, x), y),
                                     rhw_dual_div1(rhw_dual_mul1(x, y), rhw_dual_offset1(x, 2.0f))};
-    rhw_sample_dual1(f->textures, 0, uv, f->color[0]);
+    rhw_sample_dual1(f->bindings, 0, uv, f->color[0]);
 }
 
 static rhw_texture make_noise(struct rig *rig)

@@ -19,8 +19,8 @@ static void fetch(struct rhw_fragment *groups, int count)
         const struct rhw_fragment *const f = &groups[g];
         const rhw_int at[2] = {rhw_int_from_float(f->coord[0]), rhw_int_from_float(f->coord[1])};
         const rhw_int sample = sample_of(f);
-        rhw_sample_fetch_sample(f->textures, 2, at, &sample, f->color[0]);
-        rhw_sample_lod(f->textures, 2, f->coord, rhw_splat(0), f->color[1]);
+        rhw_sample_fetch_sample(f->bindings, 2, at, &sample, f->color[0]);
+        rhw_sample_lod(f->bindings, 2, f->coord, rhw_splat(0), f->color[1]);
     }
 }
 
@@ -29,8 +29,8 @@ static void fetch1(struct rhw_fragment1 *f)
     const int32_t *const offset = f->uniforms;
     const int32_t at[2] = {(int32_t)f->coord[0], (int32_t)f->coord[1]};
     const int32_t sample = (at[0] + *offset) % (SAMPLES + 2) - 1;
-    rhw_sample_fetch_sample1(f->textures, 2, at, sample, f->color[0]);
-    rhw_sample_lod1(f->textures, 2, f->coord, 0, f->color[1]);
+    rhw_sample_fetch_sample1(f->bindings, 2, at, sample, f->color[0]);
+    rhw_sample_lod1(f->bindings, 2, f->coord, 0, f->color[1]);
 }
 
 static void draw_samples(struct rig *rig, rhw_texture texture)
@@ -119,7 +119,7 @@ static void fetch_first(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
         const rhw_int zero[2] = {rhw_splat_int(0), rhw_splat_int(0)};
-        rhw_sample_fetch_sample(groups[g].textures, 2, zero, &zero[0], groups[g].color[0]);
+        rhw_sample_fetch_sample(groups[g].bindings, 2, zero, &zero[0], groups[g].color[0]);
     }
 }
 
@@ -162,14 +162,14 @@ static void fetch_layer(struct rhw_fragment *groups, int count)
         const rhw_int x = rhw_int_from_float(groups[g].coord[0]);
         const rhw_int at[3] = {x, rhw_int_from_float(groups[g].coord[1]), x / SAMPLES % 5 - 1};
         const rhw_int sample = x % SAMPLES;
-        rhw_sample_fetch_sample(groups[g].textures, 2, at, &sample, groups[g].color[0]);
+        rhw_sample_fetch_sample(groups[g].bindings, 2, at, &sample, groups[g].color[0]);
     }
 }
 
 static void fetch_layer1(struct rhw_fragment1 *f)
 {
     const int32_t x = (int32_t)f->coord[0], at[3] = {x, (int32_t)f->coord[1], x / SAMPLES % 5 - 1};
-    rhw_sample_fetch_sample1(f->textures, 2, at, x % SAMPLES, f->color[0]);
+    rhw_sample_fetch_sample1(f->bindings, 2, at, x % SAMPLES, f->color[0]);
 }
 
 static void expect_layers(struct rig *rig, rhw_texture texture, rhw_sampler sampler, int first, int layers)
@@ -248,7 +248,7 @@ static void formats(void **state)
 static void plain_sampling(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
-        rhw_sample_lod(groups[g].textures, 2, groups[g].varying, rhw_splat(0), groups[g].color[0]);
+        rhw_sample_lod(groups[g].bindings, 2, groups[g].varying, rhw_splat(0), groups[g].color[0]);
     }
 }
 
@@ -256,7 +256,7 @@ static void single_sampling(struct rhw_fragment *groups, int count)
 {
     const rhw_int at[2] = {rhw_splat_int(0), rhw_splat_int(0)};
     for (int g = 0; g < count; g++) {
-        rhw_sample_fetch_sample(groups[g].textures, 2, at, &at[0], groups[g].color[0]);
+        rhw_sample_fetch_sample(groups[g].bindings, 2, at, &at[0], groups[g].color[0]);
     }
 }
 

@@ -370,7 +370,7 @@ static void sample_one_at_a_time(const struct rhw_fragment *group, uint32_t slot
             ddy[i] = group->ddy[i][lane];
         }
         rhw_sample_groups1(
-            &(struct rhw_fragment1){.varying = varying, .ddx = ddx, .ddy = ddy, .textures = group->textures},
+            &(struct rhw_fragment1){.varying = varying, .ddx = ddx, .ddy = ddy, .bindings = group->bindings},
             slots, at, one);
         for (int i = 0; i < (SLOTS + 1) * 4; i++) {
             texels[i / 4][i % 4][lane] = one[i / 4][i % 4];
@@ -399,7 +399,7 @@ static void expect_groups_as_alone(const struct rhw_bindings *bindings, uint64_t
         groups[g].varying = varying[g];
         groups[g].ddx = ddx[g];
         groups[g].ddy = ddy[g];
-        groups[g].textures = bindings;
+        groups[g].bindings = bindings;
     }
     rhw_sample_groups(groups, count, slots, at, texels[0], SLOTS + 1);
     for (int g = 0; g < count; g++) {
@@ -464,7 +464,7 @@ static void test_slots_sampled_at_once(void **state)
 static void texture_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
-        rhw_sample_lod(groups[g].textures, 0, groups[g].varying, rhw_splat(0.0f), groups[g].color[0]);
+        rhw_sample_lod(groups[g].bindings, 0, groups[g].varying, rhw_splat(0.0f), groups[g].color[0]);
     }
 }
 

@@ -345,7 +345,7 @@ static void expect_one_at_a_time(const struct rhw_fragment *group, int component
             ddy[i] = group->ddy[i][lane];
         }
         const struct rhw_fragment1 one = {
-            .varying = varying, .ddx = ddx, .ddy = ddy, .textures = group->textures};
+            .varying = varying, .ddx = ddx, .ddy = ddy, .bindings = group->bindings};
         rhw_sample_groups1(&one, 1u << SLOT, at, texels);
         for (int c = 0; c < 4; c++) {
             assert_int_equal(rhw_bits_from_float1(texels[SLOT][c]), rhw_bits_from_float1(texel[c][lane]));
@@ -382,7 +382,7 @@ static void test_groups(void **state)
                 ddy[g][lane / RHW_LANES][lane % RHW_LANES] = rig_random_float(&random, -0.02f, 0.02f);
             }
             groups[g] = (struct rhw_fragment){
-                .varying = varyings[g], .ddx = ddx[g], .ddy = ddy[g], .textures = &bindings};
+                .varying = varyings[g], .ddx = ddx[g], .ddy = ddy[g], .bindings = &bindings};
         }
         rhw_sample_groups(groups, GROUPS, 1u << SLOT, 1, texels[0], 8);
         for (int g = 0; g < GROUPS; g++) {
