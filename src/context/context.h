@@ -76,7 +76,8 @@ struct rhw_context {
     struct rhw_recording recording;
     // What validation found in the pass. NULL: nothing is validated.
     struct rhw_validation_messages *validation;
-    // Put a validator before the functions of a new pipeline. Return false when out of memory. NULL: nothing is validated.
+    // Put a validator before the functions of a new pipeline. Return false when out of memory. NULL where nothing is
+    // validated.
     bool (*validate_pipeline)(struct rhw_context *context, struct rhw_pipeline_data *pipeline,
                               const char *name);
 

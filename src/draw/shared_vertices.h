@@ -8,16 +8,17 @@
 
 #include "draw_list.h"
 
-// Those of one instance, by index; room for a multiple of 8.
+// The vertices of one instance, by index. There is room for a multiple of 8.
 struct rhw_shared_vertices {
     struct rhw_segment segment;
     struct rhw_snapped_vertex *snapped;
-    uint32_t count;          // those of the draw's indices 0 .. count − 1
-    const uint32_t *indices; // or of these (run/effect_vertices.h); NULL: as said
+    uint32_t count;
+    const uint32_t
+        *indices; // index of each vertex (run/effect_vertices.h); NULL: the indices are 0 .. count − 1
 };
 
 enum {
-    RHW_SHARING_TRIANGLES = 2048, // of an instance whose vertices are shared, at least
+    RHW_SHARING_TRIANGLES = 2048, // triangles of an instance whose vertices are shared, at least
     // Vertices that are shaded as one task, at most. Whole groups: the lanes behind the last vertex are written too,
     // and must not be another task's.
     RHW_SHARED_PART = 2048

@@ -14,15 +14,15 @@ struct rhw_attachment {
     enum rhw_load load;
     enum rhw_store store;
     const struct rhw_mip *target;  // NULL: exists in the tile alone
-    int layer, level;              // of its texture that is drawn into; the first layer
-    struct rhw_clean_tiles *clean; // of a texture; NULL where there is none
+    int layer, level;              // what of its texture is drawn into; the first layer
+    struct rhw_clean_tiles *clean; // clean tiles of the texture; NULL where there is none
     size_t sample_stride;          // bytes from one sample of the target to the next; 0 where it has one
     // Where the samples of the tile are resolved into, if they are; NULL: nowhere.
     const struct rhw_mip *resolve;
     bool resolves;
     struct rhw_clean_tiles *resolve_clean;
     enum rhw_resolve resolve_mode;
-    bool is_left_out;    // of colour; tiles have texels for it that nobody writes or wants
+    bool is_left_out;    // a colour attachment; tiles have texels for it that nobody writes or wants
     bool is_read_only;   // loaded, and never stored: it is sampled meanwhile
     bool loads_resolved; // what is loaded are the texels of `resolve`, for all samples
     // What a tile starts from where nothing is loaded, texels side by side: the clear value, or 0, which is undefined
@@ -33,15 +33,15 @@ struct rhw_attachment {
 
 struct rhw_target {
     int width, height, tiles_x, tiles_y;
-    int layers;                               // of every attachment
-    struct rhw_rect area;                     // of rendering: pixels outside of it are not touched
+    int layers;                               // layers of every attachment
+    struct rhw_rect area;                     // the render area: pixels outside of it are not touched
     const struct rhw_sample_pattern *pattern; // samples of a pixel
     int color_count;
     struct rhw_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
     bool has_depth, has_stencil;
     struct rhw_attachment depth, stencil;
-    double
-        depth_steps; // of a UNORM format, which memory has and the tile has not: there depth is a float; else 0
+    // Steps of a UNORM format of depth, which memory has and the tile has not: there depth is a float. 0: none.
+    double depth_steps;
 };
 
 static inline int rhw_target_tiles(const struct rhw_target *target)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Queries in the pass that uses them: what they count, which draws carry in their state. pass/query.h has what queries are
+// Queries in the pass that uses them, and what they count. Draws point at them. pass/query.h has what queries are
 // between passes.
 #ifndef RHW_USED_QUERY_H
 #define RHW_USED_QUERY_H
@@ -14,13 +14,13 @@ struct rhw_used_query {
     struct rhw_used_query *next;
     rhw_query id;
     enum rhw_query_kind kind;
-    uint64_t place; // of a timestamp: the triangles before it
+    uint64_t place; // triangles of the pass before it, where it is a timestamp
     struct rhw_query_counts counts;
-    // Written by the workers, once for each tile and change of state:
+    // The workers write these, once for each tile and change of state.
     _Alignas(RHW_CACHE_LINE) _Atomic uint64_t samples, fragments;
 };
 
-// Those that are under way, by kind; NULL: none. It does not change: draws point at it.
+// The queries that are under way, by kind; NULL: none. It does not change, as draws point at it.
 struct rhw_active_queries {
     struct rhw_used_query *of[RHW_QUERY_KIND_COUNT];
 };

@@ -156,7 +156,7 @@ struct tile_rect {
 // This is one worker's work on one tile.
 struct tile_work {
     const struct rhw_wave *wave;
-    const struct rhw_target *target; // of the wave
+    const struct rhw_target *target; // the wave's target
     struct rhw_tile_scratch *scratch;
     struct rhw_counters *counters;
     int tile;          // number of the tile, row by row

@@ -7,7 +7,6 @@
 #include "context/entry.h"
 #include "format/format.h"
 #include "context/misuse.h"
-#include "enter.h"
 #include "encoder.h"
 #include "rhw/rhw.h"
 

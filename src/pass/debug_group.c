@@ -3,7 +3,6 @@
 #include "context/context.h"
 #include "context/entry.h"
 #include "context/misuse.h"
-#include "enter.h"
 #include "encoder.h"
 #include "rhw/rhw.h"
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The encoder of a context: what is set for the next draw, and what recording keeps until the pass ends. The other files
-// of this room change it, and write what they record into `pass`; running it needs nothing of this.
+// The encoder of a context: what is set for the next draw, and what recording keeps until the pass ends. The other
+// files of this room change it and write what they record into `pass`. Running that needs nothing of the encoder.
 #ifndef RHW_ENCODER_H
 #define RHW_ENCODER_H
 
 #include "binding/binding.h"
+#include "context/context.h"
+#include "context/entry.h"
 #include "draw/recorded_pass.h"
 #include "rhw/shader.h"
 #include "transform_feedback.h"
 
-struct rhw_context;
 struct rhw_read_texture;
 struct rhw_stored_level;
 
@@ -18,7 +19,7 @@ struct rhw_stored_level;
 struct rhw_bound_buffer {
     const struct rhw_buffer_data *data; // NULL: nothing is set
     size_t offset, size;                // bytes
-    uint32_t index;                     // of the buffer, for messages
+    uint32_t index;                     // number of the buffer, for messages
 };
 struct rhw_bound_texture {
     struct rhw_texture_data *const *texture; // in the context's pool; NULL: nothing is set
@@ -34,7 +35,7 @@ struct rhw_bound_image {
     struct rhw_texture_data *const *texture; // in the context's pool; NULL: none
     int level;
     struct rhw_bound_range range;
-    enum rhw_format format; // of the range
+    enum rhw_format format; // format of the range
     bool is_read_only;
 };
 struct rhw_bound {
@@ -55,12 +56,12 @@ struct rhw_encoder {
     struct rhw_bound bound;
     struct rhw_draw_state pending; // what the next draw would use
     bool pending_changed, textures_changed;
-    uint32_t rewrites_seen; // of the context's recording
-    const void *uniforms;   // of the next draw
+    uint32_t rewrites_seen; // what context->recording.rewrites was
+    const void *uniforms;   // uniforms of the next draw
     uint32_t uniform_size;
     const struct rhw_draw_state *current;             // last copy of `pending`
     bool refused_pipeline;                            // rhw_pass_set_pipeline was misuse
-    struct rhw_viewport viewports[RHW_MAX_VIEWPORTS]; // of the next draw; `pending` has the first as well
+    struct rhw_viewport viewports[RHW_MAX_VIEWPORTS]; // viewports of the next draw; `pending` has the first too
     struct rhw_rect scissors[RHW_MAX_VIEWPORTS];
     const struct rhw_draw_state *routed[RHW_MAX_VIEWPORTS]; // `current` by viewport; NULL: not made yet
 
@@ -71,6 +72,26 @@ struct rhw_encoder {
 
 // Return an encoder that records into `pass`, or NULL when out of memory.
 struct rhw_encoder *rhw_encoder_create(struct rhw_context *context, struct rhw_recorded_pass *pass);
-void rhw_encoder_destroy(struct rhw_encoder *encoder); // which may be NULL
+// Release an encoder. Do nothing where it is NULL.
+void rhw_encoder_destroy(struct rhw_encoder *encoder);
+
+// Reports that an id names no pass under way.
+__attribute__((cold)) void rhw_pass_report(const rhw_context *context, rhw_pass id, const char *where);
+
+// Enters the context and gives the pass that `id` names, until rhw_context_leave; or reports misuse, leaves again, and
+// gives NULL.
+static inline struct rhw_encoder *rhw_pass_enter(rhw_context *context, rhw_pass id, const char *where)
+{
+    if (!rhw_context_enter(context, where)) {
+        return NULL;
+    }
+    const struct rhw_recording *const recording = &context->recording;
+    if (recording->active && id.generation == recording->generation && id.context == context->number) {
+        return context->encoder;
+    }
+    rhw_pass_report(context, id, where);
+    rhw_context_leave(context);
+    return NULL;
+}
 
 #endif

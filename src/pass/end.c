@@ -5,7 +5,6 @@
 #include "context/entry.h"
 #include "binding/validation/validation.h"
 #include "context/misuse.h"
-#include "enter.h"
 #include "run/run.h"
 #include "encoder.h"
 #include "pipeline/pipeline.h"

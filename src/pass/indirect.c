@@ -10,7 +10,6 @@
 #include "context/lookup.h"
 #include "context/misuse.h"
 #include "pass.h"
-#include "enter.h"
 #include "encoder.h"
 #include "rhw/rhw.h"
 

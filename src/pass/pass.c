@@ -15,7 +15,6 @@
 #include "context/lookup.h"
 #include "context/misuse.h"
 #include "pass_draw_state.h"
-#include "enter.h"
 #include "encoder.h"
 #include "pipeline/pipeline.h"
 #include "query.h"

@@ -9,10 +9,9 @@
 #include "context/context.h"
 #include "base/cpu.h"
 #include "draw/hidden_surface.h"
-#include "line.h"
+#include "dynamic_state.h"
 #include "encoder.h"
 #include "pass_texture.h"
-#include "viewport.h"
 #include "pipeline/pipeline.h"
 
 static struct rhw_vertex_stream stream_of(struct rhw_bound_buffer bound)

@@ -5,7 +5,6 @@
 #include "format/format.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
-#include "enter.h"
 #include "encoder.h"
 #include "pipeline/pipeline.h"
 #include "rhw/rhw.h"

@@ -9,7 +9,6 @@
 #include "format/format.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
-#include "enter.h"
 #include "feedback_loop.h"
 #include "encoder.h"
 #include "rhw/rhw.h"

@@ -11,7 +11,6 @@
 #include "context/entry.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
-#include "enter.h"
 #include "encoder.h"
 #include "rhw/rhw.h"
 #include "base/thread.h"

@@ -9,7 +9,6 @@
 #include "context/entry.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
-#include "enter.h"
 #include "encoder.h"
 #include "pipeline/pipeline.h"
 #include "query.h"

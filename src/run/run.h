@@ -14,9 +14,10 @@ struct rhw_executor;
 
 // Return an executor on the threads of the context, or NULL when out of memory.
 struct rhw_executor *rhw_executor_create(struct rhw_context *context);
-void rhw_executor_destroy(struct rhw_executor *executor); // which may be NULL
+// Release an executor. Do nothing where it is NULL.
+void rhw_executor_destroy(struct rhw_executor *executor);
 
-// Runs a pass and, where `stats` is not NULL, tells what the work was.
+// Run a pass and, where `stats` is not NULL, tell what the work was.
 enum rhw_result rhw_executor_run(struct rhw_executor *executor, struct rhw_recorded_pass *pass,
                                  struct rhw_stats *stats);
 

@@ -4,7 +4,9 @@
 per page, and the EXAMPLES of rhw(1) and rhw(3). Each must end with status 0, or with the one that its comment names,
 and leave the files behind that it names. docs/gallery.md has a test of its own, program_gallery.
 
-usage: test_commands.py BUILD_FOLDER SOURCE_ROOT
+usage: test_commands.py BUILD_FOLDER SOURCE_ROOT [quick|slow]
+
+slow is the pages of SLOW, quick all others; without either it is all pages.
 
 A page's shell starts in something like a checkout after script/build: what may be written to is a copy, the rest are
 links, build and build-test/release are the build under test, and HOME is empty.
@@ -19,6 +21,9 @@ import time
 from pathlib import Path
 
 PAGES = ["*.md", "docs/*.md", "*/README.md"]
+
+# Pages whose commands take seconds: they compile, make an environment of Python, or draw what other tests draw.
+SLOW = {"CONTRIBUTING.md", "docs/embedding.md", "docs/python.md"}
 
 # Commands that are not run here, as regular expressions of a whole command, and why.
 BUILDS = "builds what is under test here"
@@ -42,8 +47,8 @@ NOT_RUN = {
     r"script/format": "writes into the sources; script/test has --check",
     r"script/completions build/rhw": "writes into the sources; program_documents compares",
     r"script/gallery": "writes into the sources; program_gallery compares",
-    r"script/losses": "writes into the sources; python_learning compares",
-    r"script/notebook": "writes into the sources; python_package compares",
+    r"script/losses": "writes into the sources; python_long compares",
+    r"script/notebook": "writes into the sources; python_long compares",
     r".*/golden tests/golden/scenes\.txt --update": "half a minute; the test golden draws the same scenes",
     r"build/rhw view .*": "opens a window; program_view looks at one",
     r"script/package": "program_package does it",
@@ -51,7 +56,7 @@ NOT_RUN = {
     r"python -m rhw\.dataset .*": "python_dataset runs them from the page",
     r"dask-(scheduler|worker) .*": "ends when it is told to; python_dataset starts some",
     r"script/bootstrap python && .* && env/bin/pip install .*": "the same; docs/python.md has it in pieces",
-    r"env/bin/python python/examples/\w+\.py .*": "python_learning runs the examples",
+    r"env/bin/python python/examples/\w+\.py .*": "python_long and python_learning run the examples",
     r"dpkg -i .*": "program_package installs into a root of its own",
     r"cc -O2 -pthread -c rhw\.c": ONE_FILE,
     r"cc -O2 -pthread -ffp-contract=off program\.c rhw\.o": ONE_FILE,
@@ -93,6 +98,7 @@ class Command:
         status = STATUS_NAMED.search(text)
         self.status = int(status.group(1)) if status else 0
         self.text = re.sub(r"(^|\s+)#.*$", "", text)
+        self.starts = False  # a block, or what is run of it
 
     def __str__(self):
         return f"{self.page}: {self.typed}"
@@ -105,10 +111,13 @@ def blocks_of(text):
 
 def commands_of(page, text):
     """Those of the blocks for a shell, a line each unless it ends in a backslash."""
-    blocks = [block for language, block in blocks_of(text) if language == "sh"]
-    lines = "".join(blocks).replace("\\\n", "").splitlines()
-    commands = [Command(page, line) for line in lines]
-    return [command for command in commands if command.text]
+    found = []
+    for language, block in blocks_of(text):
+        commands = [Command(page, line) for line in block.replace("\\\n", "").splitlines() if language == "sh"]
+        for command in commands:
+            command.starts = command is commands[0]
+        found += commands
+    return found
 
 
 def examples_of(page, manual):
@@ -119,12 +128,14 @@ def examples_of(page, manual):
 
 def to_run(commands, used):
     """The commands without those of NOT_RUN, with what GIVEN says; adds what was needed to `used`."""
-    kept = []
+    kept, starts = [], False
     for command in commands:
+        starts = starts or command.starts
         skipped = [rule for rule in NOT_RUN if re.fullmatch(rule, command.text)]
         used.update(skipped)
-        if skipped:
+        if skipped or not command.text:
             continue
+        command.starts, starts = starts, False
         for rule, given in GIVEN.items():
             command.text, count = re.subn(rule, given, command.text)
             used.update([rule] if count else [])
@@ -167,7 +178,8 @@ def run(commands, folder):
     unwanted = {"CMAKE_PREFIX_PATH", "PKG_CONFIG_PATH", "MAKEFLAGS", "MAKELEVEL", "CFLAGS", "CXXFLAGS", "LDFLAGS"}
     environment = {name: value for name, value in os.environ.items() if name not in unwanted}
     environment.update(HOME=str(folder / "home"), PATH=f"{folder}/bin:{os.environ['PATH']}")
-    script = "".join(f"{{ {command.text}\n}} >said.{i} 2>&1 </dev/null\necho $? >&3\n"
+    back = f"cd '{folder}'\n"  # where a block begins its reader is in the checkout again
+    script = "".join(f"{back * command.starts}{{ {command.text}\n}} >'{folder}/said.{i}' 2>&1 </dev/null\necho $? >&3\n"
                      for i, command in enumerate(commands))
     with open(folder / "statuses", "w", encoding="utf-8") as statuses:
         subprocess.run(["sh", "-c", f"exec 3>&{statuses.fileno()}\n{script}"], cwd=folder, env=environment,
@@ -207,7 +219,8 @@ def main():
         if not shutil.which(name) and not Path(name).is_dir():
             print(f"no {name} here")
             return 77
-    build, root = (Path(argument).resolve() for argument in sys.argv[1:])
+    build, root = (Path(argument).resolve() for argument in sys.argv[1:3])
+    part = sys.argv[3] if len(sys.argv) > 3 else None
     found = {str(page.relative_to(root)) for pattern in PAGES for page in root.glob(pattern)} - {"docs/gallery.md"}
     texts = {page: (root / page).read_text(encoding="utf-8") for page in sorted(found)}
     used, todo = set(), {}
@@ -219,9 +232,14 @@ def main():
         texts[manual] = (root / manual).read_text(encoding="utf-8")
         todo[manual] = to_run(examples_of(manual, texts[manual]), used)
     todo["docs/embedding.md"] += todo.pop("docs/rhw.3")  # where the library is installed
+    if part:
+        assert part in ("quick", "slow"), part
+        todo = {page: commands for page, commands in todo.items() if (page in SLOW) == (part == "slow")}
     for page, commands in todo.items():
         if commands:
             run_page(page, commands, texts[page], root, build)
+    for page in SLOW - set(texts):
+        fail(f"there is no page {page}")
     for rule in [*NOT_RUN, *GIVEN]:
         if rule not in used:
             fail(f"no command is meant by the rule {rule}")

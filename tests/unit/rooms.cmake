@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# A folder of tests/unit is a room and one program, unit_ROOM; each of its files is one ctest entry of the same name. The
-# tests for Windows are made by these functions, too.
+# A folder of tests/unit is a room and one program, unit_ROOM; each of its files is one ctest entry of the same name.
+# tests/windows calls these functions, too.
 
 set(RHW_UNIT_TESTS "" CACHE STRING "The unit tests to build, such as test_query;test_waves; empty: all of them")
 set(RHW_UNIT_FOLDER ${CMAKE_CURRENT_LIST_DIR})
@@ -33,7 +33,7 @@ function(rhw_unit_room room)
   add_dependencies(unit unit_${room})
 endfunction()
 
-# Adds the programs of all rooms, and the target `unit` that builds them. Rooms and files whose names follow are left out.
+# Adds the programs of all rooms, and the target `unit` that builds them. Leaves out rooms and files whose names follow.
 function(rhw_unit_rooms)
   add_custom_target(unit)
   file(GLOB rooms CONFIGURE_DEPENDS RELATIVE ${RHW_UNIT_FOLDER} ${RHW_UNIT_FOLDER}/*)

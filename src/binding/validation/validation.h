@@ -65,8 +65,8 @@ struct rhw_validated_uniforms {
     size_t second; // bytes from the first copy to the second
 };
 
-// Put a validator, which the pipeline owns from then on, in the place of the pipeline's functions. Return false when out
-// of memory. A context under validation calls this for every pipeline (context.h: validate_pipeline).
+// Put a validator, which the pipeline owns from then on, in the place of the pipeline's functions. Return false when
+// out of memory. A context under validation calls this for every pipeline (context.h: validate_pipeline).
 struct rhw_context;
 bool rhw_validate_pipeline(struct rhw_context *context, struct rhw_pipeline_data *pipeline, const char *name);
 

@@ -27,8 +27,8 @@ static bool is_file(const char *name)
     return file->name;
 }
 
-// The name of a file picks this file alone, so that test_depth leaves test_depth_state out. Any other pattern picks each test
-// that has it in its name or in the name of its file.
+// The name of a file picks this file alone, so that test_depth leaves test_depth_state out. Any other pattern picks each
+// test that has it in its name or in the name of its file.
 static bool is_picked(const struct unit_file *file, const char *test, const char *pattern)
 {
     if (is_file(pattern)) {

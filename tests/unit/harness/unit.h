@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a file of unit tests is found by the program of its room. A file ends with its tests and one line of its own name:
+// How the program of a room finds a file of unit tests. The file ends with its tests and one line of its own name:
 //     const struct unit_tests test_query = UNIT_TESTS(tests, NULL, NULL);
 // tests/unit/rooms.cmake lists the files of a room for unit.c, which has main.
 #ifndef TEST_UNIT_H

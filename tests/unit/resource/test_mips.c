@@ -202,8 +202,8 @@ static void test_small_chains(void **state)
     }
 }
 
-// So large that threads take bands of rows, which overlap where sizes are odd. How many bands there are has nothing to do
-// with what an instruction set makes of one: the baseline makes chains with any number of threads, the others with many.
+// So large that threads take bands of rows, which overlap where sizes are odd. The number of bands has nothing to do with
+// what an instruction set makes of one: the baseline takes three numbers of threads, the others take the largest.
 static void test_chains_in_bands(void **state)
 {
     (void)state;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Recording: viewports and scissors, and what they are to a draw.
-#include "viewport.h"
+// Recording: the dynamic state of a pass, which its functions set beside the pipeline: viewports, scissors, lines, depth,
+// stencil and the blend constant; and what follows from it for a draw.
+#include "dynamic_state.h"
+
+#include <string.h>
 
 #include "context/context.h"
 #include "context/entry.h"
 #include "context/misuse.h"
-#include "enter.h"
 #include "encoder.h"
 #include "pipeline/pipeline.h"
 #include "rhw/rhw.h"
@@ -118,6 +120,104 @@ void rhw_pass_set_scissor(rhw_context *context, rhw_pass id, const struct rhw_re
     }
 }
 
+void rhw_pass_set_line_width(rhw_context *context, rhw_pass id, float width)
+{
+    static const char *const where = "rhw_pass_set_line_width";
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
+        return;
+    }
+    if (rhw_check(context, width == 0 || (width >= 1 && width <= RHW_MAX_LINE_WIDTH),
+                  "%s: width is %g; it must be 1..%d, or 0 for the pipelines' own", where, (double)width,
+                  RHW_MAX_LINE_WIDTH)) {
+        encoder->pending.line_width_setting = width;
+        encoder->pending_changed = true;
+    }
+    rhw_context_leave(context);
+}
+
+void rhw_pass_set_line_stipple(rhw_context *context, rhw_pass id, const struct rhw_line_stipple *stipple)
+{
+    static const char *const where = "rhw_pass_set_line_stipple";
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
+        return;
+    }
+    if (!stipple || rhw_check_line_stipple(context, stipple, where)) {
+        encoder->pending.stipple_setting.is_set = stipple != NULL;
+        encoder->pending.stipple_setting.stipple = stipple ? *stipple : (struct rhw_line_stipple){0};
+        encoder->pending_changed = true;
+    }
+    rhw_context_leave(context);
+}
+
+void rhw_pass_set_stencil_reference(rhw_context *context, rhw_pass id, uint8_t front, uint8_t back)
+{
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, "rhw_pass_set_stencil_reference");
+    if (encoder) {
+        encoder->pending.depth_setting.reference[0] = front;
+        encoder->pending.depth_setting.reference[1] = back;
+        encoder->pending_changed = true;
+        rhw_context_leave(context);
+    }
+}
+
+void rhw_pass_set_stencil_masks(rhw_context *context, rhw_pass id, const struct rhw_stencil_masks *masks)
+{
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, "rhw_pass_set_stencil_masks");
+    if (encoder) {
+        encoder->pending.depth_setting.has_masks = masks != NULL;
+        encoder->pending.depth_setting.masks = masks ? *masks : (struct rhw_stencil_masks){0};
+        encoder->pending_changed = true;
+        rhw_context_leave(context);
+    }
+}
+
+void rhw_pass_set_depth_bias(rhw_context *context, rhw_pass id, const struct rhw_depth_bias *bias)
+{
+    static const char *const where = "rhw_pass_set_depth_bias";
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
+        return;
+    }
+    if (!bias || rhw_check_depth_bias(context, bias, where)) {
+        encoder->pending.depth_setting.has_bias = bias != NULL;
+        encoder->pending.depth_setting.bias = bias ? *bias : (struct rhw_depth_bias){0};
+        encoder->pending_changed = true;
+    }
+    rhw_context_leave(context);
+}
+
+void rhw_pass_set_depth_bounds(rhw_context *context, rhw_pass id, float least, float most)
+{
+    static const char *const where = "rhw_pass_set_depth_bounds";
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
+        return;
+    }
+    if (rhw_check(context, least >= 0 && least <= most && most <= 1,
+                  "%s: the bounds are %g..%g; they rise within 0..1", where, (double)least, (double)most)) {
+        encoder->pending.depth_setting.bounds_least = least;
+        encoder->pending.depth_setting.bounds_most = most;
+        encoder->pending_changed = true;
+    }
+    rhw_context_leave(context);
+}
+
+void rhw_pass_set_blend_constant(rhw_context *context, rhw_pass id, const float constant[4])
+{
+    static const char *const where = "rhw_pass_set_blend_constant";
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
+        return;
+    }
+    if (rhw_check(context, constant != NULL, "%s: constant is NULL", where)) {
+        memcpy(encoder->pending.blend_constant, constant, sizeof encoder->pending.blend_constant);
+        encoder->pending_changed = true;
+    }
+    rhw_context_leave(context);
+}
+
 static int clamp_to(int64_t v, int low, int high)
 {
     return v < low ? low : v > high ? high : (int)v;
@@ -182,4 +282,17 @@ void rhw_draw_state_map_viewport(struct rhw_draw_state *state)
     state->half_height = (double)v->height / 2;
     state->center_x = (double)v->x + state->half_width;
     state->center_y = (double)v->y + state->half_height;
+}
+
+void rhw_draw_state_set_lines(struct rhw_draw_state *state)
+{
+    const struct rhw_pipeline_data *const pipeline = state->pipeline;
+    const bool is_lines =
+        pipeline->primitive == RHW_PRIMITIVE_LINES || pipeline->primitive == RHW_PRIMITIVE_POLYGON_LINES;
+    state->stipple = !is_lines                       ? (struct rhw_line_stipple){0}
+                     : state->stipple_setting.is_set ? state->stipple_setting.stipple
+                                                     : pipeline->def.line_stipple;
+    const float width = state->line_width_setting != 0 ? state->line_width_setting : pipeline->def.line_width;
+    state->line_pixels = (int)(width + 0.5f);
+    state->half_width_24_8 = (double)width * (RHW_SUBPIXEL / 2);
 }
