@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pictures of a draw, and the table of outputs: what the program, the Python package and the web say of one, they read
-// there.
+// The pictures of a draw, and the table of outputs: the program, the Python package and the web read there what they say
+// of one.
 #ifndef SCENE_OUTPUT_TABLE_H
 #define SCENE_OUTPUT_TABLE_H
 

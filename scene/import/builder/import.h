@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An import under way: the model under construction, its memory, and the lines for the user. Every reader writes into it.
+// An import under way: the model under construction, its memory, and the lines for the user. Every reader writes into
+// it.
 //
 // All of it runs in the child process that reader_process.c starts. A reader therefore never cleans up: the
 // end of the process does. What cannot go on calls scene_import_fail, which sends its line to the parent and
@@ -70,8 +71,8 @@ struct scene_import {
     struct system_child *child;      // that reads; its reply is what the parent gets
 };
 
-/// Gives one line to import->leave, which ends the process. Only the thread that reads may call it, and only while no helper
-/// runs.
+/// Gives one line to import->leave, which ends the process. Only the thread that reads may call it, and only while no
+/// helper runs.
 _Noreturn void scene_import_fail(struct scene_import *import, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 /// Adds a line to the warnings / the unsupported things of the model, once.
