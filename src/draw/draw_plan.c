@@ -165,6 +165,25 @@ static bool weighs_alpha(const struct rhw_pipeline_data *pipeline)
             !rhw_format_is_integer(rhw_format_info(pipeline->def.targets[0].format)));
 }
 
+// Sets the special paths that the draw has. Where pixels have several samples, groups of small triangles are no rows, and
+// open pixels are not kept by sample. A triangle whose depth is biased, or that nothing shades, is not drawn as a tiny one
+// where pixels have one sample.
+static void plan_paths(struct rhw_draw_plan *plan, enum rhw_phase phase, int samples)
+{
+    const bool is_forward = phase != RHW_PHASE_BACKWARDS;
+    plan->draws_spans = samples == 1;
+    if (plan->is_full || plan->shading == RHW_SHADING_CONSTANT) {
+        return;
+    }
+    if (samples == 1) {
+        plan->draws_small = true;
+        plan->draws_tiny = is_forward && plan->shading != RHW_SHADING_NONE && !plan->is_biased;
+    } else {
+        plan->draws_small = is_forward && plan->shading != RHW_SHADING_ROWS;
+        plan->draws_tiny = plan->draws_small && !plan->is_biased;
+    }
+}
+
 static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
                                     const struct rhw_depth_stencil_state *depth_stencil, enum rhw_phase phase,
                                     int samples, enum rhw_paths paths)
@@ -189,18 +208,8 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
     const bool screen = pipeline->any_noperspective || uses & (RHW_USE_BARYCENTRIC | RHW_USE_POINT_COORD);
     plan.needs_screen = plan.shading == RHW_SHADING_ROWS || (plan.shading == RHW_SHADING_ANY && screen);
     plan.needs_distance = shades && (pipeline->any_derivatives || uses & RHW_USE_BARYCENTRIC_DERIVATIVES);
-    if (paths != RHW_PATHS_GENERAL && samples == 1 && !plan.is_skipped) {
-        const uint16_t small = plan.shading == RHW_SHADING_CONSTANT || plan.is_full ? 0 : RHW_TRIANGLE_SMALL;
-        plan.small_flag = plan.is_biased ? 0 : small;
-        plan.biased_small_flag = plan.is_biased ? small : 0;
-        plan.span_flag = RHW_TRIANGLE_SMALL;
-        plan.speck_flag = shades && phase != RHW_PHASE_BACKWARDS ? plan.small_flag : 0;
-    }
-    const bool any_group = plan.shading == RHW_SHADING_SMOOTH || plan.shading == RHW_SHADING_ANY ||
-                           plan.shading == RHW_SHADING_NONE;
-    if (paths != RHW_PATHS_GENERAL && samples > 1 && !plan.is_skipped && phase != RHW_PHASE_BACKWARDS &&
-        any_group && !plan.is_full) {
-        plan.sampled_small_flag = RHW_TRIANGLE_SMALL;
+    if (paths != RHW_PATHS_GENERAL && !plan.is_skipped) {
+        plan_paths(&plan, phase, samples);
     }
     return plan;
 }

@@ -87,11 +87,10 @@ struct rhw_draw_plan {
     bool needs_screen;   // weights on the screen are wanted
     bool needs_distance; // derivatives that change from pixel to pixel are wanted
     bool is_skipped;     // nothing is drawn in this phase
-    // RHW_TRIANGLE_SMALL where small triangles have a path of their own (kernels/tile/triangle_small.h), and where
-    // those that do not take it are covered by spans; else 0. What is biased is looked at one by one.
-    uint16_t small_flag, biased_small_flag, span_flag;
-    uint16_t speck_flag;         // the same for kernels/tile/triangle_specks.h
-    uint16_t sampled_small_flag; // the same for kernels/tile/triangle_small_samples.h, in multisampled passes
+    // Which special paths the draw has (kernels/tile/triangle_path.h chooses among them).
+    bool draws_tiny;  // the path of tiny triangles
+    bool draws_small; // the path of small triangles
+    bool draws_spans; // the path of the other small triangles, where a pixel has one sample
     // Which way the test lets depth move, for hierarchical depth: 1 where it only falls (LESS), −1 where it only rises,
     // 0 where neither is sure or hierarchical depth is not used.
     int depth_direction;

@@ -103,6 +103,14 @@ static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
     }
 }
 
+// Makes a draw the one under way.
+RHW_INLINE void begin_draw(struct tile_work *work, const struct rhw_draw *draw)
+{
+    if (draw != work->draw) {
+        set_draw(work, draw);
+    }
+}
+
 // Keeps for the second of two phases that a triangle of the run was seen in the first.
 RHW_INLINE void see_triangle(const struct tile_work *work, uint32_t number)
 {

@@ -42,13 +42,14 @@ RHW_INLINE struct cell_fits fit_cells(const struct triangle_setup8 *setup)
     return (struct cell_fits){~i32x8_sign_bits(beyond) & 0xff, ~i32x8_sign_bits(beyond_one) & 0xff};
 }
 
-// Lists the cells of the batch; gives how many there are. An entry: the triangle, and 8 and 16 bits above it how far to
+// Finds the tiny triangles of the batch and lists their cells; gives how many there are. An entry: the triangle, and 8 and 16 bits above it how far to
 // the right of its first pixel and below it the cell begins.
-static inline int list_cells(struct sample_cells *cells, const struct triangle_setup8 *setup)
+static inline int list_cells(struct triangle_setup8 *setup)
 {
+    struct sample_cells *const cells = &setup->cells;
     const struct cell_fits fits = fit_cells(setup);
     int count = 0;
-    cells->fits = fits.cells;
+    setup->tiny = setup->small & fits.cells;
     if (fits.one_cell == 0xff) {
         i32x8_store(cells->entry, rhw_lane_index);
         i32x8_store(cells->first, rhw_lane_index);
@@ -57,7 +58,7 @@ static inline int list_cells(struct sample_cells *cells, const struct triangle_s
     }
     for (int i = 0; i < setup->read->count; i++) {
         cells->first[i] = count;
-        const int height = fits.cells >> i & 1 ? setup->y1[i] - setup->y0[i] : 0;
+        const int height = setup->tiny >> i & 1 ? setup->y1[i] - setup->y0[i] : 0;
         const int second = setup->x1[i] - setup->x0[i] > CELL; // beside the first
         for (int y = 0; y < height; y += CELL) {
             cells->entry[count] = i | y << 16;
@@ -146,12 +147,12 @@ static inline void cover_cells8(struct sample_cells *cells, const struct triangl
     i32x8_store(&cells->y[n], y);
 }
 
-// Covers those triangles of a batch that fit.
-static __attribute__((noinline)) void cover_cells(struct triangle_setup8 *setup,
-                                                  const struct rhw_sample_pattern *pattern)
+// Finds the tiny triangles of a batch, those that fit into the list, and covers them.
+static __attribute__((noinline)) void set_cells(struct triangle_setup8 *setup,
+                                                const struct rhw_sample_pattern *pattern)
 {
     struct sample_cells *const cells = &setup->cells;
-    const int count = list_cells(cells, setup);
+    const int count = list_cells(setup);
     for (int n = 0; n < count; n += BATCH) {
         cover_cells8(cells, setup, pattern, n);
     }
@@ -160,7 +161,6 @@ static __attribute__((noinline)) void cover_cells(struct triangle_setup8 *setup,
         covers |= (unsigned)((cells->low[n] | cells->high[n]) != 0) << cells->entry[n] % BATCH;
     }
     cells->covers = covers;
-    cells->are_set = true;
 }
 
 RHW_INLINE struct sample_cell cell_at(const struct sample_cells *cells, int n)

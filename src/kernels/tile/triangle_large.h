@@ -296,22 +296,18 @@ static __attribute__((noinline)) void draw_settled(struct tile_work *work, struc
 }
 
 // A small triangle whose groups must be rows, or that is a sliver: 6 % fewer instructions for lines drawn as quads.
-static __attribute__((noinline)) void draw_spans(struct tile_work *work, struct triangle_work *triangle)
+static void draw_spans(struct tile_work *work, struct triangle_work *triangle)
 {
     draw_span_blocks(work, triangle, draw_block);
     finish_gathered(work, triangle);
 }
 
-// Out of line, so that small triangles, drawn beside it, keep their registers.
-static __attribute__((noinline)) void draw_large(struct tile_work *work, struct triangle_work *triangle,
-                                                 const struct rhw_chunk *chunk)
+static void draw_large(struct tile_work *work, struct triangle_work *triangle)
 {
     struct coverage coverage;
-    if (triangle->t->flags & work->plan.span_flag) {
-        draw_spans(work, triangle);
-        return;
-    }
-    coverage_setup(&coverage, chunk, triangle->t, center_of_pixel(work->x, work->y));
+    struct clipped_planes clipped;
+    set_clipped(triangle, &clipped);
+    coverage_setup(&coverage, triangle->chunk, triangle->t, center_of_pixel(work->x, work->y));
     if (coverage.count == 0) {
         return;
     }

@@ -309,10 +309,10 @@ static void draw_sampled_row(struct tile_work *work, struct triangle_work *trian
     }
 }
 
-static __attribute__((noinline)) void draw_multisampled(struct tile_work *work,
-                                                        struct triangle_work *triangle,
-                                                        const struct rhw_chunk *chunk)
+static void draw_large_samples(struct tile_work *work, struct triangle_work *triangle)
 {
+    struct clipped_planes clipped;
+    set_clipped(triangle, &clipped);
     const struct rhw_sample_pattern *const pattern = work->pass->pattern;
     const struct tile_rect rect = rect_of(work, triangle->t);
     // Of the others blocks are not all there is to look at.
@@ -326,7 +326,7 @@ static __attribute__((noinline)) void draw_multisampled(struct tile_work *work,
     for (int s = 0; s < work->samples; s++) {
         const struct sample_origin origin = {(int64_t)work->x * RHW_SUBPIXEL + pattern->x_0_8[s],
                                              (int64_t)work->y * RHW_SUBPIXEL + pattern->y_0_8[s]};
-        coverage_setup(&coverage[s], chunk, triangle->t, origin);
+        coverage_setup(&coverage[s], triangle->chunk, triangle->t, origin);
         reaches |= coverage[s].count != 0;
         depth_plane(work->scratch, s)->marked = false;
     }

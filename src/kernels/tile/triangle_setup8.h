@@ -18,11 +18,10 @@ enum {
     MOST_CELLS = BATCH * CELLS_X * CELLS_Y
 };
 
-// What small triangles cover where pixels have 4 samples (sample_cells.h): of triangle i in cells first[i] ..
+// What tiny triangles cover where pixels have 4 samples (sample_cells.h): of triangle i in cells first[i] ..
 // first[i + 1] − 1. Lists have room for a vector that begins behind the last.
 struct sample_cells {
-    bool are_set;          // else nothing else is
-    unsigned fits, covers; // bit i: all of triangle i is here; and it covers a sample
+    unsigned covers; // bit i: triangle i covers a sample
     int first[BATCH + 1];
     int32_t entry[MOST_CELLS + BATCH];
     int32_t x[MOST_CELLS + BATCH], y[MOST_CELLS + BATCH]; // of the tile
@@ -42,10 +41,16 @@ struct triangle_setup8 {
     struct quantity_planes quantities[BATCH];
     double inverse_area[BATCH];
     int32_t anchor_x[BATCH], anchor_y[BATCH]; // as in struct planes
-    unsigned exact;                           // bit i: the planes of triangle i are PLANES_EXACT: a sliver
+    bool is_one_segment;                      // all triangles are of one segment, and so of one draw
+    // Sets of triangles: bit i stands for triangle i.
+    unsigned exact;  // their planes are PLANES_EXACT: slivers
+    unsigned clamps; // they may leave the range that depth is held to
+    unsigned small;  // small triangles that are neither exact nor clamped, nor points with several samples
+    unsigned tiny;   // those of them that are tiny, where the draw of the first triangle has a path for them
+    double depth_bias[BATCH]; // of triangles whose draw is biased and whose vertices are snapped
+    // What tiny triangles cover: where a pixel has one sample (triangle_tiny.h), and where it has 4.
+    uint32_t tiny_mask[BATCH];
     struct sample_cells cells;
-    unsigned specks; // bits of the smallest triangles, where pixels have one sample (triangle_specks.h),
-    uint32_t speck[BATCH]; // and what these cover
 };
 
 // The words of 8 triangles.
@@ -221,15 +226,28 @@ static __attribute__((noinline)) void set_screen_planes(struct triangle_work *tr
 
 // Eight -------------------------------------------------------------------------------------------------
 
+// Sets what is known of the triangles without a look at their draws.
+RHW_INLINE void setup_sets8(struct triangle_setup8 *setup, const struct triangle_words8 *words,
+                            const struct tile_work *work)
+{
+    const i32x8 clamp = i32x8_splat(RHW_TRIANGLE_CLAMP), small = i32x8_splat(RHW_TRIANGLE_SMALL);
+    const i32x8 asked = small | i32x8_splat(work->samples > 1 ? RHW_TRIANGLE_RECTANGLE : 0);
+    const i32x8 first = i32x8_splat((int32_t)setup->read->triangle[0]->segment);
+    setup->is_one_segment = i32x8_sign_bits(rhw_equal_int(words->segment, first)) == 0xff;
+    setup->clamps = i32x8_sign_bits(rhw_equal_int(words->flags & clamp, clamp));
+    setup->small = i32x8_sign_bits(rhw_equal_int(words->flags & asked, small)) & ~setup->exact;
+    setup->tiny = 0;
+}
+
 // Sets up the triangles that were read.
 static void setup_triangles8(struct triangle_setup8 *setup, const struct tile_work *work,
                              const struct rhw_chunk *chunk, const struct bin_batch *read)
 {
     const struct triangle_words8 words = load_words8(read, work);
     setup->read = read;
-    setup->cells.are_set = false;
     setup_edges8(setup, &words, work);
     setup_planes8(setup, &words, chunk);
+    setup_sets8(setup, &words, work);
 }
 
 #endif

@@ -233,7 +233,7 @@ static __attribute__((noinline)) void draw_small_blocks(struct tile_work *work,
     draw_span_blocks(work, triangle, draw_small_block);
 }
 
-// Draws a triangle with RHW_TRIANGLE_SMALL whose planes are not exact ones, where the plan has a small_flag.
+// Draws a small triangle whose planes are not exact ones.
 static void draw_small(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;

@@ -135,14 +135,6 @@ static void draw_small_part(struct tile_work *work, struct triangle_work *triang
     gather_samples(work, triangle, part->x, part->top, mask, any);
 }
 
-// Whether a triangle takes this path: a small one that is no point, and whose planes are not exact ones.
-RHW_INLINE bool takes_small_samples(const struct tile_work *work, const struct triangle_work *triangle)
-{
-    return triangle->t->flags & work->plan.sampled_small_flag &&
-           !(triangle->t->flags & RHW_TRIANGLE_RECTANGLE) &&
-           !(triangle->setup->exact >> triangle->lane & 1) && !triangle->clamps_depth;
-}
-
 // Whether all of the triangle in a part lies behind what the tile shows there.
 static inline bool hides_part(const struct tile_work *work, const struct triangle_work *triangle,
                               const struct small_part *part)
@@ -154,8 +146,7 @@ static inline bool hides_part(const struct tile_work *work, const struct triangl
                                          min_int(part->x + RHW_BLOCK, setup->x1[i]), part->y1});
 }
 
-static __attribute__((noinline)) void draw_small_samples(struct tile_work *work,
-                                                         struct triangle_work *triangle)
+static void draw_small_samples(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
     const int i = triangle->lane;

@@ -5,9 +5,9 @@
 #ifndef RHW_TRIANGLE_TINY_SAMPLES_H
 #define RHW_TRIANGLE_TINY_SAMPLES_H
 
-#include "draw_state.h"
 #include "kernels/fragment/gather.h"
 #include "sample_cells.h"
+#include "triangle_path.h"
 #include "triangle_planes.h"
 
 _Static_assert(MOST_CELLS / BATCH * CELL * CELL <= RHW_GATHERED_FRAGMENTS,
@@ -124,12 +124,12 @@ RHW_INLINE void draw_cell(const struct tile_work *work, const struct triangle_se
 }
 
 // Makes groups of the fragments of triangle i, or packs them.
-static __attribute__((noinline)) void finish_tiny(const struct tiny_run *run, int i)
+static __attribute__((noinline)) void finish_cells(const struct triangle_run *run, int i)
 {
     struct tile_work *const work = run->work;
     struct gathered_fragments *const gathered = &work->scratch->gathered;
     struct triangle_work triangle;
-    begin_tiny(work, &triangle, run, i);
+    begin_tiny(&triangle, run, i);
     work->counters->fragments += (uint64_t)gathered->count;
     // Nobody asks where fragments may share a group and there are too few for one of their own.
     gathered->overtakes =
@@ -138,7 +138,7 @@ static __attribute__((noinline)) void finish_tiny(const struct tiny_run *run, in
 }
 
 // Packs them where they are few and the draw wants no more than smooth varyings of them.
-RHW_INLINE void pack_tiny(const struct tiny_run *run, int i)
+RHW_INLINE void pack_cells(const struct triangle_run *run, int i)
 {
     struct tile_work *const work = run->work;
     const struct triangle_setup8 *const setup = run->setup;
@@ -149,8 +149,8 @@ RHW_INLINE void pack_tiny(const struct tiny_run *run, int i)
     work->scratch->gathered.count = 0;
 }
 
-// Draws triangle i by a depth rule.
-RHW_INLINE void draw_tiny(const struct tiny_run *run, int i, const struct rhw_depth_rule rule)
+// Draws the cells of triangle i by a depth rule.
+RHW_INLINE void draw_cells(const struct triangle_run *run, int i, const struct rhw_depth_rule rule)
 {
     const struct tile_work *const work = run->work;
     const struct triangle_setup8 *const setup = run->setup;
@@ -165,9 +165,9 @@ RHW_INLINE void draw_tiny(const struct tiny_run *run, int i, const struct rhw_de
     const int count = work->scratch->gathered.count;
     // Plainly packed, 6 or 7 cost less than a group of their own: msaa4_sphere_1m 1 % of its instructions.
     if (count != 0 && count < RHW_LANES && work->packs_plainly) {
-        pack_tiny(run, i);
+        pack_cells(run, i);
     } else if (count != 0) {
-        finish_tiny(run, i);
+        finish_cells(run, i);
     }
     if (rule.open == RHW_OPEN_MARK && work->scratch->depth.marked) {
         work->scratch->depth.marked = false;
@@ -175,45 +175,31 @@ RHW_INLINE void draw_tiny(const struct tiny_run *run, int i, const struct rhw_de
     }
 }
 
-// Draws triangles as long as they take this path; gives the first that does not, or the end of the batch.
-RHW_INLINE uint64_t draw_tiny_triangles(const void *what, const struct rhw_depth_rule rule)
+// Draws a run by a depth rule.
+RHW_INLINE void draw_tiny_samples_by(const struct triangle_run *run, const struct rhw_depth_rule rule)
 {
-    const struct tiny_run *const run = what;
-    const struct tile_work *const work = run->work;
     const struct triangle_setup8 *const setup = run->setup;
-    const uint16_t plain = plain_flags(&work->plan);
-    const unsigned fits = setup->cells.fits, covers = setup->cells.covers;
-    int i = run->first;
-    for (; i < setup->read->count; i++) {
-        const struct rhw_triangle *const t = setup->read->triangle[i];
-        if (run->chunk->segments[t->segment].draw != work->draw || !(fits >> i & 1) ||
-            !is_plain_small(setup, i, plain)) {
-            break;
-        }
+    for (int i = run->first; i < run->end; i++) {
         const struct hiz_rect rect = {setup->x0[i], setup->y0[i], setup->x1[i], setup->y1[i]};
-        if (covers >> i & 1 && !hides_small(work, setup, i, rect)) {
-            draw_tiny(run, i, rule);
+        if (setup->cells.covers >> i & 1 && !hides_small(run->work, setup, i, rect)) {
+            draw_cells(run, i, rule);
         }
     }
-    return (uint64_t)i;
 }
 
-// Does so from triangle `first` of a batch on.
-static __attribute__((noinline)) int draw_tiny_run(struct tile_work *work, const struct rhw_chunk *chunk,
-                                                   struct triangle_setup8 *setup, int first)
+// Draws a run of tiny triangles. The loop is compiled for each rule that has a name.
+static __attribute__((noinline)) void draw_tiny_samples(const struct triangle_run *run)
 {
-    const struct tiny_run run = {work, chunk, setup, first};
-    const struct rhw_draw *const draw = chunk->segments[setup->read->triangle[first]->segment].draw;
-    if (draw != work->draw) {
-        set_draw(work, draw);
+    const struct rhw_draw_plan *const plan = &run->work->plan;
+    run->work->scratch->depth.marked = false;
+    switch (plan->early_name) {
+    case RHW_RULE_LESS: draw_tiny_samples_by(run, rhw_named_rules[RHW_RULE_LESS]); break;
+    case RHW_RULE_GREATER: draw_tiny_samples_by(run, rhw_named_rules[RHW_RULE_GREATER]); break;
+    case RHW_RULE_MARK_LESS: draw_tiny_samples_by(run, rhw_named_rules[RHW_RULE_MARK_LESS]); break;
+    case RHW_RULE_MARK_GREATER: draw_tiny_samples_by(run, rhw_named_rules[RHW_RULE_MARK_GREATER]); break;
+    case RHW_RULE_CLAIM: draw_tiny_samples_by(run, rhw_named_rules[RHW_RULE_CLAIM]); break;
+    case RHW_RULE_ANY: draw_tiny_samples_by(run, plan->early); break;
     }
-    if (!is_plain_small(setup, first, plain_flags(&work->plan))) {
-        return first;
-    }
-    if (!setup->cells.are_set) {
-        cover_cells(setup, work->pass->pattern);
-    }
-    return (int)test_early(&work->plan, draw_tiny_triangles, &run);
 }
 
 #endif
