@@ -77,7 +77,7 @@ static enum rhw_depth_mode choose_depth_mode(const struct rhw_pipeline_def *def,
                                              enum rhw_shading shading)
 {
     const uint32_t uses = def->program.uses;
-    if (!def->depth_test && !depth_stencil->is_full) {
+    if (!def->depth_test && !depth_stencil->needs_stencil_test) {
         return RHW_DEPTH_NONE;
     }
     if (shading == RHW_SHADING_NONE || !tests_late(def)) {
@@ -122,14 +122,32 @@ static void plan_rules(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
     }
 }
 
-// Whether a draw does no more than to change stencil by what the depth test says.
-static bool settles_blocks(const struct rhw_draw_plan *plan, const struct rhw_pipeline_def *def,
-                           const struct rhw_depth_stencil_state *depth_stencil)
+// Returns true if a draw does no more than to change stencil by what the depth test says.
+static bool tests_whole_blocks(const struct rhw_draw_plan *plan, const struct rhw_pipeline_def *def,
+                               const struct rhw_depth_stencil_state *depth_stencil)
 {
     return depth_stencil->tests_stencil && depth_stencil->face[0].compare == RHW_COMPARE_ALWAYS &&
            depth_stencil->face[1].compare == RHW_COMPARE_ALWAYS && !depth_stencil->tests_bounds &&
            !depth_stencil->counts_by_test && def->depth_test && direction_of(def->depth_compare) != 0 &&
            !plan->moves_depth && plan->shading == RHW_SHADING_NONE && plan->early.open == RHW_OPEN_IGNORED;
+}
+
+static enum rhw_fragment_test choose_test(const struct rhw_draw_plan *plan,
+                                          const struct rhw_pipeline_def *def,
+                                          const struct rhw_depth_stencil_state *depth_stencil, int samples,
+                                          enum rhw_paths paths)
+{
+    if (!depth_stencil->needs_stencil_test) {
+        return RHW_TEST_DEPTH;
+    }
+    if (paths == RHW_PATHS_GENERAL || !plan->tests_early || depth_stencil->tests_bounds ||
+        plan->early.open != RHW_OPEN_IGNORED) {
+        return RHW_TEST_STENCIL;
+    }
+    if (samples == 1 && tests_whole_blocks(plan, def, depth_stencil)) {
+        return RHW_TEST_WHOLE_BLOCKS;
+    }
+    return samples == 1 && depth_stencil->rejects_by_stencil ? RHW_TEST_STENCIL_FIRST : RHW_TEST_MASKS;
 }
 
 static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def *def,
@@ -138,17 +156,13 @@ static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
 {
     const enum rhw_compare compare = def->depth_compare;
     const bool general = paths == RHW_PATHS_GENERAL;
-    plan->is_full = depth_stencil->is_full;
     plan->is_biased = depth_stencil->is_biased;
     plan->moves_depth = def->depth_test && !def->depth_read_only;
     plan->depth_mode = choose_depth_mode(def, depth_stencil, plan->shading);
     plan_rules(plan, def, phase);
-    plan->early_name = general || plan->is_full ? RHW_RULE_ANY : name_of(plan->early);
     plan->tests_early = plan->depth_mode == RHW_DEPTH_EARLY || plan->depth_mode == RHW_DEPTH_EARLY_REJECT;
-    plan->tests_masks = !general && plan->is_full && plan->tests_early && !depth_stencil->tests_bounds &&
-                        plan->early.open == RHW_OPEN_IGNORED;
-    plan->tests_stencil_first = plan->tests_masks && samples == 1 && depth_stencil->rejects_by_stencil;
-    plan->settles_blocks = !general && samples == 1 && settles_blocks(plan, def, depth_stencil);
+    plan->test = choose_test(plan, def, depth_stencil, samples, paths);
+    plan->early_name = general || plan->test != RHW_TEST_DEPTH ? RHW_RULE_ANY : name_of(plan->early);
     // What lies behind a bound may still round to it, or change the stencil.
     const bool can_be_bounded = depth_stencil->rejects_early && depth_stencil->depth_steps == 0;
     plan->depth_direction = def->depth_test && !general && can_be_bounded ? direction_of(compare) : 0;
@@ -172,7 +186,7 @@ static void plan_paths(struct rhw_draw_plan *plan, enum rhw_phase phase, int sam
 {
     const bool is_forward = phase != RHW_PHASE_BACKWARDS;
     plan->draws_spans = samples == 1;
-    if (plan->is_full || plan->shading == RHW_SHADING_CONSTANT) {
+    if (plan->test != RHW_TEST_DEPTH || plan->shading == RHW_SHADING_CONSTANT) {
         return;
     }
     if (samples == 1) {

@@ -47,6 +47,15 @@ enum rhw_open_rule {
     RHW_OPEN_CLOSE  // as TRY; what passes closes its pixel
 };
 
+// How fragments are tested: each test is a special case of RHW_TEST_STENCIL, and from RHW_TEST_MASKS on of that one.
+enum rhw_fragment_test {
+    RHW_TEST_DEPTH, // depth alone, which is a float (kernels/depth/depth_test.h), or nothing
+    RHW_TEST_STENCIL, // the general stencil test: depth bounds, stencil and depth (kernels/depth/stencil_test.h)
+    RHW_TEST_MASKS, // stencil and depth by masks of a block, before shading (kernels/depth/block_test.h)
+    RHW_TEST_STENCIL_FIRST, // stencil before the triangle's depth is known, as most fragments fail there
+    RHW_TEST_WHOLE_BLOCKS // depth stays, and stencil follows the depth test alone (kernels/depth/depth_range.h)
+};
+
 struct rhw_depth_rule {
     enum rhw_compare compare;
     bool write;
@@ -75,10 +84,7 @@ struct rhw_draw_plan {
     bool reads_targets;         // before the fragment function (kernels/fragment/target_input.h)
     bool weighs_alpha;          // after the fragment function: by the area that a smooth line covers
     bool masks_samples;         // after the fragment function: by alpha, or the function itself
-    bool is_full;               // tests are full ones (kernels/depth/stencil_test.h)
-    bool tests_masks;           // full, but of stencil and depth alone, in order (kernels/depth/block_test.h)
-    bool tests_stencil_first;   // and stencil before anything is asked about depth
-    bool settles_blocks; // full, but depth stays and stencil follows the depth test alone (kernels/depth/depth_range.h)
+    enum rhw_fragment_test test;
     bool is_biased;      // depth is
     bool tests_early;    // with `early`
     bool needs_depth;    // depth is tested, or given to the fragment function

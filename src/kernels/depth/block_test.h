@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The full test of a block of 8×8 pixels by masks, a bit for each pixel: stencil and depth are compared row by row, and what
+// The stencil test of a block of 8×8 pixels by masks, a bit for each pixel: stencil and depth are compared row by row, and what
 // follows is done to all of the block at once. It serves where no depth has to be rounded to its steps: where depth is a
 // float, and of 24 bits depths above 1/2: the farther half, which perspective puts nearly everything into where depth is not
 // reversed. A fifth of the instructions of shadow_volumes.
@@ -121,12 +121,13 @@ static __attribute__((noinline)) uint64_t test_block_masks(const struct block_pi
 }
 
 // Tests the pixels of a block before shading on the way that is open to them.
-RHW_INLINE uint64_t test_full_early(const struct block_pixels *block, const struct rhw_draw_plan *plan,
-                                    int face, bool stencil_is_tested)
+RHW_INLINE uint64_t test_block_early_stencil(const struct block_pixels *block,
+                                             const struct rhw_draw_plan *plan, int face,
+                                             bool stencil_is_tested)
 {
-    return plan->tests_masks && keeps_depths(block->depth->state, block->z)
+    return plan->test >= RHW_TEST_MASKS && keeps_depths(block->depth->state, block->z)
                ? test_block_masks(block, plan->early, face, stencil_is_tested)
-               : test_block_full(block, plan->early, face);
+               : test_block_stencil(block, plan->early, face);
 }
 
 #endif

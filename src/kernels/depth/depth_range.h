@@ -44,13 +44,13 @@ static __attribute__((noinline)) void ranges_refresh(struct tile_depth *depth)
 }
 
 // Of the tile's blocks, row by row, a bit for each whose fragments all pass the depth test, and all fail it.
-struct settled_blocks {
+struct decided_blocks {
     uint64_t passed, failed;
 };
 
 // Those of a plane of depth, in rows of which a block is `wanted`; (anchor_x, anchor_y): the anchor in the tile. `clamps`:
 // depth is kept within the viewport's range.
-RHW_INLINE struct settled_blocks settle_blocks(const struct tile_depth *depth, enum rhw_compare compare,
+RHW_INLINE struct decided_blocks decide_blocks(const struct tile_depth *depth, enum rhw_compare compare,
                                                struct plane z, int anchor_x, int anchor_y, bool clamps,
                                                uint64_t wanted)
 {
@@ -86,7 +86,7 @@ RHW_INLINE struct settled_blocks settle_blocks(const struct tile_depth *depth, e
         below |= (uint64_t)i32x8_sign_bits(nearer) << (HIZ_BLOCKS * y);
         above |= (uint64_t)i32x8_sign_bits(farther) << (HIZ_BLOCKS * y);
     }
-    return is_less ? (struct settled_blocks){below, above} : (struct settled_blocks){above, below};
+    return is_less ? (struct decided_blocks){below, above} : (struct decided_blocks){above, below};
 }
 
 #endif

@@ -38,11 +38,11 @@ static unsigned finish_depth(struct tile_work *work, int g)
     }
     const f32x8 z = uses & RHW_USE_DEPTH ? viewport_clamp(depth, group->depth) : group->depth;
     const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // of a row
-    if (plan->is_full) {
+    if (plan->test != RHW_TEST_DEPTH) {
         const unsigned back = uses & RHW_USE_FACING ? i32x8_sign_bits(~group->front_facing) : 0;
         return queue->is_scattered[g]
-                   ? test_texels_late_full(depth, queue->texels[g], z, bits, back, plan->late)
-                   : test_row_late_full(depth, x, y, z, bits, back, plan->late);
+                   ? test_texels_late_stencil(depth, queue->texels[g], z, bits, back, plan->late)
+                   : test_row_late_stencil(depth, x, y, z, bits, back, plan->late);
     }
     return queue->is_scattered[g] ? test_texels_late(depth, queue->texels[g], z, bits, plan->late)
                                   : test_row_late(depth, x, y, z, bits, plan->late);

@@ -32,11 +32,12 @@ static unsigned test_plane_late(struct tile_depth *depth, const struct tile_work
     const struct rhw_depth_rule rule = work->plan.late;
     const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // of a row
     if (queue->is_scattered[g]) {
-        return work->plan.is_full ? test_texels_late_full(depth, queue->texels[g], z, bits, back, rule)
-                                  : test_texels_late(depth, queue->texels[g], z, bits, rule);
+        return work->plan.test != RHW_TEST_DEPTH
+                   ? test_texels_late_stencil(depth, queue->texels[g], z, bits, back, rule)
+                   : test_texels_late(depth, queue->texels[g], z, bits, rule);
     }
-    return work->plan.is_full ? test_row_late_full(depth, x, y, z, bits, back, rule)
-                              : test_row_late(depth, x, y, z, bits, rule);
+    return work->plan.test != RHW_TEST_DEPTH ? test_row_late_stencil(depth, x, y, z, bits, back, rule)
+                                             : test_row_late(depth, x, y, z, bits, rule);
 }
 
 // Tests the samples of group g after the fragment function.

@@ -25,7 +25,7 @@ RHW_INLINE int face_of(const struct triangle_work *triangle)
 // Whether stencil is tested before the triangle's planes are made; what is explained has numbers before any test.
 RHW_INLINE bool tests_stencil_first(const struct tile_work *work)
 {
-    return work->plan.tests_stencil_first && !work->explained;
+    return work->plan.test == RHW_TEST_STENCIL_FIRST && !work->explained;
 }
 
 // Tests a block's pixels set in `mask` before shading; returns those that pass.
@@ -35,9 +35,9 @@ RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_wor
     struct tile_depth *const depth = &work->scratch->depth;
     const struct planes *const planes = &triangle->planes;
     const bool is_whole = mask == ~(uint64_t)0;
-    if (work->plan.is_full) {
+    if (work->plan.test != RHW_TEST_DEPTH) {
         const struct block_pixels pixels = {depth, block->z, block->x, block->y, mask};
-        return test_full_early(&pixels, &work->plan, face_of(triangle), tests_stencil_first(work));
+        return test_block_early_stencil(&pixels, &work->plan, face_of(triangle), tests_stencil_first(work));
     }
     mask = test_block_early(depth, block->z, block->x, block->y, mask, &work->plan);
     // Blocks of spans start anywhere; only those at multiples of 8 have a bound.
@@ -212,13 +212,14 @@ static void draw_blocks(struct tile_work *work, struct triangle_work *triangle,
 // Settled blocks ----------------------------------------------------------------------------------------
 
 // Whether the tile knows enough of its depth to draw a triangle by the function below, where its draw may be.
-static bool settles_blocks(const struct tile_work *work)
+static bool knows_ranges(const struct tile_work *work)
 {
     enum {
         TRIANGLES_UNRANGED = 2
     }; // of a draw that are tested before a look at all of the tile's depth pays
     struct tile_depth *const depth = &work->scratch->depth;
-    if (!work->plan.settles_blocks || (!depth->has_ranges && depth->unranged++ < TRIANGLES_UNRANGED)) {
+    if (work->plan.test != RHW_TEST_WHOLE_BLOCKS ||
+        (!depth->has_ranges && depth->unranged++ < TRIANGLES_UNRANGED)) {
         return false;
     }
     if (!depth->has_ranges) {
@@ -228,7 +229,7 @@ static bool settles_blocks(const struct tile_work *work)
 }
 
 // Of the blocks that are `wanted` those that stencil can be changed in without a test.
-static struct settled_blocks settled_blocks(struct tile_work *work, struct triangle_work *triangle,
+static struct decided_blocks decided_blocks(struct tile_work *work, struct triangle_work *triangle,
                                             uint64_t wanted)
 {
     const struct planes *const planes = &triangle->planes;
@@ -236,7 +237,7 @@ static struct settled_blocks settled_blocks(struct tile_work *work, struct trian
         set_planes(work, triangle);
     }
     if (planes->kind != PLANES_LINEAR) {
-        return (struct settled_blocks){0, 0};
+        return (struct decided_blocks){0, 0};
     }
     if (triangle->clipped) {
         for (uint64_t left = wanted; left != 0; left &= left - 1) {
@@ -246,10 +247,10 @@ static struct settled_blocks settled_blocks(struct tile_work *work, struct trian
             wanted &= ~((uint64_t)leaves_triangle(triangle, &at) << n);
         }
     }
-    const struct settled_blocks settled = settle_blocks(
+    const struct decided_blocks decided = decide_blocks(
         &work->scratch->depth, work->plan.early.compare, plane_of(&planes->quantities, QUANTITY_Z),
         planes->anchor_x - work->x, planes->anchor_y - work->y, triangle->clamps_depth, wanted);
-    return (struct settled_blocks){settled.passed & wanted, settled.failed & wanted};
+    return (struct decided_blocks){decided.passed & wanted, decided.failed & wanted};
 }
 
 // What is covered of a block, which is among the triangle's.
@@ -268,8 +269,9 @@ static uint64_t mask_of_block(const struct tile_work *work, const struct triangl
 
 // A triangle that leaves depth as it is and changes stencil by whether it passes the depth test. Nothing shades it, so there
 // is nothing gathered to end with.
-static __attribute__((noinline)) void draw_settled(struct tile_work *work, struct triangle_work *triangle,
-                                                   const struct coverage *coverage)
+static __attribute__((noinline)) void draw_whole_blocks(struct tile_work *work,
+                                                        struct triangle_work *triangle,
+                                                        const struct coverage *coverage)
 {
     struct tile_depth *const depth = &work->scratch->depth;
     const struct rhw_stencil_rule *const face = &work->state->depth_stencil.face[face_of(triangle)];
@@ -279,16 +281,16 @@ static __attribute__((noinline)) void draw_settled(struct tile_work *work, struc
     }
     const struct tile_rect rect = rect_of(work, triangle->t);
     blocks.inside &= blocks_of_rect(rect.x0, rect.y0, rect.x1, rect.y1);
-    const struct settled_blocks settled = settled_blocks(work, triangle, blocks.inside);
-    const uint64_t kept = (face->pass == RHW_STENCIL_KEEP ? settled.passed : 0) |
-                          (face->depth_fail == RHW_STENCIL_KEEP ? settled.failed : 0);
+    const struct decided_blocks decided = decided_blocks(work, triangle, blocks.inside);
+    const uint64_t kept = (face->pass == RHW_STENCIL_KEEP ? decided.passed : 0) |
+                          (face->depth_fail == RHW_STENCIL_KEEP ? decided.failed : 0);
     for (uint64_t left = blocks.inside & ~kept; left != 0; left &= left - 1) {
         const int n = __builtin_ctzll(left);
         const int x = n % HIZ_BLOCKS * RHW_BLOCK, y = n / HIZ_BLOCKS * RHW_BLOCK;
         const uint64_t mask = mask_of_block(work, triangle, coverage, blocks.crossed >> n & 1, x, y);
-        if ((settled.passed | settled.failed) >> n & 1) {
+        if ((decided.passed | decided.failed) >> n & 1) {
             change_stencil_block(depth, x, y, mask, face,
-                                 settled.passed >> n & 1 ? face->pass : face->depth_fail);
+                                 decided.passed >> n & 1 ? face->pass : face->depth_fail);
         } else {
             draw_block(work, triangle, x, y, mask);
         }
@@ -315,8 +317,8 @@ static void draw_large(struct tile_work *work, struct triangle_work *triangle)
         draw_whole_tile(work, triangle)) {
         return;
     }
-    if (settles_blocks(work)) {
-        draw_settled(work, triangle, &coverage);
+    if (knows_ranges(work)) {
+        draw_whole_blocks(work, triangle, &coverage);
     } else {
         draw_blocks(work, triangle, &coverage);
     }

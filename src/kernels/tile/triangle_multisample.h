@@ -84,7 +84,7 @@ static void test_samples(struct tile_work *work, const struct triangle_work *tri
     const struct planes *const planes = &triangle->planes;
     const int face = triangle->t->flags & RHW_TRIANGLE_BACK ? 1 : 0;
     // Samples that fail other tests leave depth as it is.
-    const bool covers = work->tests_bounds && !work->plan.is_full && work->plan.early.write &&
+    const bool covers = work->tests_bounds && work->plan.test == RHW_TEST_DEPTH && work->plan.early.write &&
                         planes->kind == PLANES_LINEAR && all_samples(work, block->mask) == ~(uint64_t)0 &&
                         !samples_leave(work, triangle, block->x, block->y);
     for (int s = 0; s < work->samples; s++) {
@@ -93,8 +93,9 @@ static void test_samples(struct tile_work *work, const struct triangle_work *tri
         }
         struct tile_depth *const depth = depth_plane(work->scratch, s);
         const struct block_pixels pixels = {depth, block->z[s], block->x, block->y, block->mask[s]};
-        block->mask[s] = work->plan.is_full ? test_full_early(&pixels, &work->plan, face, false)
-                                            : test_early(&work->plan, test_block, &pixels);
+        block->mask[s] = work->plan.test != RHW_TEST_DEPTH
+                             ? test_block_early_stencil(&pixels, &work->plan, face, false)
+                             : test_early(&work->plan, test_block, &pixels);
     }
     if (covers) {
         hiz_cover(depth_plane(work->scratch, 0), plane_of(&planes->quantities, QUANTITY_Z),
