@@ -5,16 +5,23 @@
 #include "kernel_entries.h"
 
 #include "integer.h"
+#include "kernels/tile/depth_bias.h"
+#include "kernels/tile/draw_state.h"
 #include "kernels/tile/explained_triangle.h"
 #include "kernels/tile/resolve.h"
 #include "kernels/tile/tile_order.h"
-#include "kernels/tile/triangle_large.h"
-#include "kernels/tile/triangle_multisample.h"
-#include "kernels/tile/triangle_shape.h"
-#include "kernels/tile/triangle_small.h"
-#include "kernels/tile/triangle_small_samples.h"
-#include "kernels/tile/triangle_tiny.h"
-#include "kernels/tile/triangle_tiny_samples.h"
+#include "kernels/tile/triangle_path.h"
+
+// Sets where the samples of a cell's pixels lie, for all triangles of a tile.
+static void set_cell_pixels(struct cell_pixel pixels[CELL * CELL], const struct rhw_sample_pattern *pattern)
+{
+    for (int n = 0; n < CELL * CELL; n++) {
+        for (int s = 0; s < CELL_SAMPLES; s++) {
+            pixels[n].dx[s] = n % CELL + from_center(pattern->x_0_8[s]);
+            pixels[n].dy[s] = n / CELL + from_center(pattern->y_0_8[s]);
+        }
+    }
+}
 
 // Lists the bins of the tile that are not empty, in the order of their chunks; returns how many there are.
 static int list_bins(const struct tile_work *work)
@@ -39,48 +46,8 @@ static int list_bins(const struct tile_work *work)
     return count;
 }
 
-// Whether what is left of a run is hidden.
-static bool is_hidden(const struct tile_work *work)
-{
-    return work->phase == RHW_PHASE_BACKWARDS && work->scratch->depth.open_count == 0 &&
-           others_are_closed(work);
-}
-
-// Draws a triangle on one of the paths.
-typedef void draw_triangle_function(struct tile_work *work, struct triangle_work *triangle);
-
-// Draws a triangle by the general path, and tells of it where it covers the sample that is explained.
-static __attribute__((noinline)) void explain_triangle(struct tile_work *work, struct triangle_work *triangle,
-                                                       draw_triangle_function *draw)
-{
-    struct sample_content before;
-    explain_begin(work, &before);
-    draw(work, triangle);
-    explain_end(work, &before, triangle);
-}
-
-// Draws the triangles of a run, one after the other.
-static void draw_each(const struct triangle_run *run, draw_triangle_function *draw)
-{
-    struct tile_work *const work = run->work;
-    const bool backwards = work->phase == RHW_PHASE_BACKWARDS;
-    for (int i = run->first; i < run->end && !(backwards && is_hidden(work)); i++) {
-        struct triangle_work triangle;
-        begin_triangle(&triangle, run, i);
-        work->scratch->depth.marked = false;
-        if (work->explained) {
-            explain_triangle(work, &triangle, draw);
-        } else {
-            draw(work, &triangle);
-        }
-        if (work->phase == RHW_PHASE_DEPTH && work->scratch->depth.marked) {
-            see_triangle(work, run->setup->read->number[i]);
-        }
-    }
-}
-
 // Keeps for the second of two phases the triangles of a run that the first does not draw.
-static void skip_each(const struct triangle_run *run)
+static void skip_run(const struct triangle_run *run)
 {
     for (int i = run->first; i < run->end; i++) {
         see_triangle(run->work, run->setup->read->number[i]);
@@ -88,19 +55,19 @@ static void skip_each(const struct triangle_run *run)
 }
 
 // Draws a run on its path.
-static void draw_triangles(const struct triangle_run *run)
+static void draw_triangles(const struct triangle_run *run, enum triangle_path path)
 {
-    switch (run->path) {
-    case TRIANGLE_SKIPPED: skip_each(run); break;
-    case TRIANGLE_TINY: draw_tiny(run); break;
-    case TRIANGLE_SMALL: draw_each(run, draw_small); break;
-    case TRIANGLE_SPANS: draw_each(run, draw_spans); break;
-    case TRIANGLE_LARGE: draw_each(run, draw_large); break;
-    case TRIANGLE_TINY_SAMPLES: draw_tiny_samples(run); break;
-    case TRIANGLE_SMALL_SAMPLES: draw_each(run, draw_small_samples); break;
-    case TRIANGLE_LARGE_SAMPLES: draw_each(run, draw_large_samples); break;
-    case TRIANGLE_SHAPE: draw_each(run, draw_shape); break;
-    case TRIANGLE_STIPPLED_LINE: draw_each(run, draw_stippled_line); break;
+    switch (path) {
+    case TRIANGLE_SKIPPED: skip_run(run); break;
+    case TRIANGLE_TINY: RHW_ISA_NAME(rhw_draw_tiny)(run); break;
+    case TRIANGLE_SMALL: RHW_ISA_NAME(rhw_draw_small)(run); break;
+    case TRIANGLE_SPANS: RHW_ISA_NAME(rhw_draw_spans)(run); break;
+    case TRIANGLE_LARGE: RHW_ISA_NAME(rhw_draw_large)(run); break;
+    case TRIANGLE_TINY_SAMPLES: RHW_ISA_NAME(rhw_draw_tiny_samples)(run); break;
+    case TRIANGLE_SMALL_SAMPLES: RHW_ISA_NAME(rhw_draw_small_samples)(run); break;
+    case TRIANGLE_LARGE_SAMPLES: RHW_ISA_NAME(rhw_draw_large_samples)(run); break;
+    case TRIANGLE_SHAPE: RHW_ISA_NAME(rhw_draw_shape)(run); break;
+    case TRIANGLE_STIPPLED_LINE: RHW_ISA_NAME(rhw_draw_stippled_line)(run); break;
     }
 }
 
@@ -111,9 +78,9 @@ RHW_INLINE void find_tiny(const struct tile_work *work, struct triangle_setup8 *
         return;
     }
     if (work->samples == 1) {
-        set_tiny(setup);
+        RHW_ISA_NAME(rhw_find_tiny)(setup);
     } else if (work->samples == CELL_SAMPLES) {
-        set_cells(setup, work->pass->pattern);
+        RHW_ISA_NAME(rhw_find_tiny_samples)(setup, work->pass->pattern);
     }
 }
 
@@ -124,10 +91,13 @@ static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, co
     bias_setup8(&setup, chunk);
     begin_draw(work, draw_of(chunk, &setup, 0));
     find_tiny(work, &setup);
-    for (int i = 0; i < read->count && !is_hidden(work);) {
-        const struct triangle_run run = run_of(work, chunk, &setup, i);
-        draw_triangles(&run);
-        i = run.end;
+    struct triangle_run run = {work, chunk, &setup, 0, 0};
+    while (run.end < read->count && !is_hidden(work)) {
+        run.first = run.end;
+        begin_draw(work, draw_of(chunk, &setup, run.first));
+        const struct path_choice choice = path_of(work, &setup, run.first);
+        run.end = end_of_run(chunk, &setup, run.first, choice.alike);
+        draw_triangles(&run, choice.path);
     }
 }
 
@@ -191,7 +161,7 @@ static void draw_bins(struct tile_work *work, const struct bin *first, const str
         }
         first = run.end;
     }
-    flush(work);
+    RHW_ISA_NAME(rhw_flush)(work);
     end_counts(work);
 }
 

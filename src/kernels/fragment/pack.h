@@ -10,6 +10,7 @@
 #include "builtin.h"
 #include "derivative.h"
 #include "interpolate.h"
+#include "partial_group.h"
 #include "queue.h"
 
 // Turns 8 vectors over four quantities into four over the lanes.
@@ -279,21 +280,6 @@ static __attribute__((noinline)) void release_partial(struct tile_work *work)
     pack_group(work, 0xffu >> (8 - live));
 }
 
-// Whether fragments wait where those of the block at (x, y) are that are set in `mask`.
-RHW_INLINE bool fragments_wait(const struct tile_work *work, int x, int y, uint64_t mask)
-{
-    const struct partial_group *const partial = &work->scratch->partial;
-    return partial->count != 0 && block_bits(&partial->pixels[y], x) & mask;
-}
-
-// Fragments that wait would be overtaken by those of the block.
-RHW_INLINE void release_overtaken(struct tile_work *work, int x, int y, uint64_t mask)
-{
-    if (fragments_wait(work, x, y, mask)) {
-        release_partial(work);
-    }
-}
-
 // Shades all there is.
 static void flush(struct tile_work *work)
 {
@@ -318,23 +304,6 @@ static bool samples_meet(const struct tile_work *work)
     }
     const unsigned free = i32x8_sign_bits(rhw_equal_int(meet, i32x8_splat(0)));
     return (~free & ((1u << partial->count) - 1)) != 0;
-}
-
-// Begins a triangle whose anchor is a pixel of the target: all that smooth varyings need of it, beside its planes.
-RHW_INLINE struct packed_triangle *next_packed(struct tile_work *work,
-                                               const struct rhw_vertex_record *const vertex[3], int anchor_x,
-                                               int anchor_y)
-{
-    struct partial_group *const partial = &work->scratch->partial;
-    struct packed_triangle *const to = &partial->triangles[partial->triangle_count++ % RHW_PACKED_TRIANGLES];
-    to->anchor_x = anchor_x - work->x;
-    to->anchor_y = anchor_y - work->y;
-    to->clamps_depth = false;
-    for (int i = 0; i < 3; i++) {
-        to->varyings[i] = vertex[i]->varyings;
-    }
-    to->provoking = to->varyings[provoking_vertex(work->pipeline)];
-    return to;
 }
 
 // Copies what packing needs of a triangle.
@@ -367,11 +336,10 @@ static const struct packed_triangle *pack_triangle(struct tile_work *work, struc
 
 // What packing has to know of a fragment; a constant where a call names it.
 enum packed_parts {
-    PACKED_QUANTITIES,    // the four that every fragment needs
-    PACKED_PLAIN_SAMPLES, // and of multisampled passes its samples
-    PACKED_DISTANCE,      // or where it is, for derivatives
-    PACKED_SAMPLES,       // and of multisampled passes its samples, too
-    PACKED_ANY            // and whatever the plan wants
+    PACKED_QUANTITIES, // the four that every fragment needs
+    PACKED_DISTANCE,   // and where it is, for derivatives
+    PACKED_SAMPLES,    // and of multisampled passes its samples, too
+    PACKED_ANY         // and whatever the plan wants
 };
 
 // Keeps the depths of the samples of fragment n.
@@ -392,19 +360,6 @@ static double clamp_depth(const struct tile_depth *depth, double z)
     return (double)(above < depth->most ? above : depth->most);
 }
 
-// Adds the fragment at a texel, whose quantities have these values; gives its place in the group.
-RHW_INLINE int pack_values(struct partial_group *partial, const struct packed_triangle *packed, int texel,
-                           f64x4 quantities)
-{
-    const int n = partial->count;
-    partial->texel[n] = texel;
-    partial->pixels[texel_row(texel)] |= (uint64_t)1 << texel_column(texel);
-    partial->triangle[n] = packed;
-    partial->quantities[n] = quantities;
-    partial->count = n + 1;
-    return n;
-}
-
 // Adds gathered fragment i of a triangle whose planes are `planes`.
 RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_planes *planes,
                               const struct packed_triangle *packed, int i, enum packed_parts parts)
@@ -417,7 +372,7 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
     if (parts >= PACKED_DISTANCE) {
         partial->distance[n] = (f64x4){dy, dx, dy, dx};
     }
-    if (parts == PACKED_PLAIN_SAMPLES || parts >= PACKED_SAMPLES) {
+    if (parts >= PACKED_SAMPLES) {
         partial->samples[n] = work->scratch->gathered.samples[i];
     }
     if (parts == PACKED_ANY && packed->clamps_depth) {

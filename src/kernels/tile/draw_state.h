@@ -4,7 +4,7 @@
 #define RHW_DRAW_STATE_H
 
 #include "pass/query.h"
-#include "kernels/fragment/pack.h"
+#include "kernels/tile_units.h"
 #include "kernels/depth/hiz.h"
 
 // Gives queries what was counted since the state was set.
@@ -92,7 +92,7 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
 // Draws that differ in their uniforms alone have the same state.
 static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
 {
-    flush(work);
+    RHW_ISA_NAME(rhw_flush)(work);
     if (!work->draw || work->draw->state != draw->state) {
         set_state(work, draw->state);
     }
@@ -109,22 +109,6 @@ RHW_INLINE void begin_draw(struct tile_work *work, const struct rhw_draw *draw)
     if (draw != work->draw) {
         set_draw(work, draw);
     }
-}
-
-// Keeps for the second of two phases that a triangle of the run was seen in the first.
-RHW_INLINE void see_triangle(const struct tile_work *work, uint32_t number)
-{
-    work->scratch->seen[number / 8] |= (uint8_t)(1u << number % 8);
-}
-
-// Whether no sample of the tile but the first is open, drawn backwards.
-static __attribute__((noinline)) bool others_are_closed(const struct tile_work *work)
-{
-    int open = 0;
-    for (int s = 1; s < work->samples && open == 0; s++) {
-        open = depth_plane(work->scratch, s)->open_count;
-    }
-    return open == 0;
 }
 
 // Opens all pixels of the tile.
@@ -152,7 +136,7 @@ static void refresh_bounds(const struct tile_work *work)
 static void start_phase(struct tile_work *work, enum rhw_phase phase)
 {
     struct tile_depth *const depth = &work->scratch->depth;
-    flush(work);
+    RHW_ISA_NAME(rhw_flush)(work);
     for (int s = 0; s < work->samples; s++) {
         struct tile_depth *const plane = depth_plane(work->scratch, s);
         if (phase == RHW_PHASE_DEPTH) {

@@ -148,8 +148,8 @@ static inline void cover_cells8(struct sample_cells *cells, const struct triangl
 }
 
 // Finds the tiny triangles of a batch, those that fit into the list, and covers them.
-static __attribute__((noinline)) void set_cells(struct triangle_setup8 *setup,
-                                                const struct rhw_sample_pattern *pattern)
+void RHW_ISA_NAME(rhw_find_tiny_samples)(struct triangle_setup8 *setup,
+                                         const struct rhw_sample_pattern *pattern)
 {
     struct sample_cells *const cells = &setup->cells;
     const int count = list_cells(setup);

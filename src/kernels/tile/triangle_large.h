@@ -6,9 +6,8 @@
 #ifndef RHW_TRIANGLE_LARGE_H
 #define RHW_TRIANGLE_LARGE_H
 
-#include "kernels/fragment/constant_color.h"
 #include "kernels/fragment/explained_fragment.h"
-#include "kernels/fragment/gather.h"
+#include "kernels/fragment/collect.h"
 #include "kernels/depth/block_test.h"
 #include "kernels/depth/depth_range.h"
 #include "span_blocks.h"
@@ -67,7 +66,7 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
     }
     if (plan->shading == RHW_SHADING_CONSTANT && !plan->needs_depth) { // no number of the triangle is wanted
         work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
-        blend_constant(work, x, y, mask);
+        RHW_ISA_NAME(rhw_blend_constant)(work, x, y, mask);
         return;
     }
     if (!triangle->has_planes) {
@@ -99,7 +98,7 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
     }
     work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
     if (plan->shading == RHW_SHADING_CONSTANT) {
-        blend_constant(work, x, y, mask);
+        RHW_ISA_NAME(rhw_blend_constant)(work, x, y, mask);
     } else {
         collect_block(work, triangle, &block, mask);
     }
@@ -117,26 +116,6 @@ RHW_INLINE bool takes_whole_tile(const struct tile_work *work)
            !work->is_scissored && (work->phase == RHW_PHASE_ONLY || all_open);
 }
 
-RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_work *triangle,
-                                enum derivatives derivatives, enum weight_path path)
-{
-    const struct planes *const planes = &triangle->planes;
-    struct fragment_queue *const queue = &work->scratch->queue;
-    for (int y = 0; y < RHW_TILE; y += RHW_BLOCK) {
-        struct block_planes over;
-        const f64x8 dy = block_offset(work, planes, 0, y).dy;
-        block_weight_rows(&over, planes, dy, path);
-        for (int x = 0; x < RHW_TILE; x += RHW_BLOCK) {
-            const struct anchor_offset at = {block_offset(work, planes, x, y).dx, dy};
-            block_weight_columns(&over, planes, at.dx);
-            place_rows(queue, &all_rows, x, y);
-            fill_steps(work, triangle, &over, &at, &all_rows, derivatives, path);
-            queue->count += RHW_BLOCK;
-            shade_if_full(work);
-        }
-    }
-}
-
 // A triangle that covers the tile all over where no depth is tested, as in full-screen passes: what its blocks share is
 // done once. False where it takes the path of any other.
 static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, struct triangle_work *triangle)
@@ -145,19 +124,7 @@ static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, st
     if (triangle->planes.kind != PLANES_LINEAR || triangle->clipped) {
         return false;
     }
-    flush(work); // its own groups fill queues without a rest
-    set_inputs(work, triangle);
-    const bool derivatives = work->pipeline->any_derivatives;
-    const bool per_row = weight_path_of(&triangle->planes) == WEIGHTS_PER_ROW;
-    if (derivatives && per_row) {
-        fill_whole_tile(work, triangle, DERIVATIVES, WEIGHTS_PER_ROW);
-    } else if (derivatives) {
-        fill_whole_tile(work, triangle, DERIVATIVES, WEIGHTS_PER_PIXEL);
-    } else if (per_row) {
-        fill_whole_tile(work, triangle, NO_DERIVATIVES, WEIGHTS_PER_ROW);
-    } else {
-        fill_whole_tile(work, triangle, NO_DERIVATIVES, WEIGHTS_PER_PIXEL);
-    }
+    RHW_ISA_NAME(rhw_queue_tile)(work, triangle);
     work->counters->fragments += RHW_TILE * RHW_TILE;
     if (work->phase == RHW_PHASE_BACKWARDS) {
         memset(work->scratch->depth.open, 0, sizeof work->scratch->depth.open);
@@ -298,17 +265,18 @@ static __attribute__((noinline)) void draw_whole_blocks(struct tile_work *work,
 }
 
 // A small triangle whose groups must be rows, or that is a sliver: 6 % fewer instructions for lines drawn as quads.
-static void draw_spans(struct tile_work *work, struct triangle_work *triangle)
+static void draw_by_spans(struct tile_work *work, struct triangle_work *triangle)
 {
+    begin_any(work, triangle, NULL);
     draw_span_blocks(work, triangle, draw_block);
     finish_gathered(work, triangle);
 }
 
-static void draw_large(struct tile_work *work, struct triangle_work *triangle)
+static void draw_any(struct tile_work *work, struct triangle_work *triangle)
 {
     struct coverage coverage;
     struct clipped_planes clipped;
-    set_clipped(triangle, &clipped);
+    begin_any(work, triangle, &clipped);
     coverage_setup(&coverage, triangle->chunk, triangle->t, center_of_pixel(work->x, work->y));
     if (coverage.count == 0) {
         return;

@@ -5,19 +5,11 @@
 #ifndef RHW_TRIANGLE_MULTISAMPLE_H
 #define RHW_TRIANGLE_MULTISAMPLE_H
 
-#include "kernels/fragment/constant_color.h"
 #include "kernels/fragment/explained_fragment.h"
-#include "kernels/fragment/gather.h"
+#include "kernels/fragment/collect.h"
 #include "kernels/depth/block_test.h"
+#include "sampled_block.h"
 #include "triangle_planes.h"
-
-// A block of 8×8 pixels by sample.
-struct sampled_block {
-    int x, y;
-    uint64_t mask[RHW_MAX_SAMPLES];
-    uint64_t covered[RHW_MAX_SAMPLES]; // the same before any test, for centroids alone
-    f32x8 z[RHW_MAX_SAMPLES][RHW_BLOCK];
-};
 
 // Sets all but depths and samples of the block as its pixels are at sample s; −1: at their centres. In place: a copy
 // would wait for what was just written, which took msaa4_sponza 1 % of its time.
@@ -134,9 +126,9 @@ static void queue_samples(struct tile_work *work, struct triangle_work *triangle
     }
     release_overtaken(work, block.x, block.y, pixels);
     if (is_whole) {
-        queue_rows(work, triangle, &block, &all_rows);
+        RHW_ISA_NAME(rhw_queue_block)(work, triangle, &block);
     } else {
-        queue_some_rows(work, triangle, &block, pixels);
+        RHW_ISA_NAME(rhw_queue_some_rows)(work, triangle, &block, pixels);
     }
 }
 
@@ -162,8 +154,8 @@ static void collect_samples(struct tile_work *work, struct triangle_work *triang
     }
 }
 
-static void draw_sampled_block(struct tile_work *work, struct triangle_work *triangle,
-                               struct sampled_block *block)
+void RHW_ISA_NAME(rhw_draw_sampled_block)(struct tile_work *work, struct triangle_work *triangle,
+                                          struct sampled_block *block)
 {
     const struct rhw_draw_plan *const plan = &work->plan;
     for (int s = 0; s < work->samples && plan->sampling == RHW_SAMPLING_CENTROID; s++) {
@@ -206,7 +198,7 @@ static void draw_sampled_block(struct tile_work *work, struct triangle_work *tri
         work->counters->fragments += (uint64_t)__builtin_popcountll(any);
     }
     if (plan->shading == RHW_SHADING_CONSTANT) {
-        blend_constant_samples(work, block->x, block->y, block->mask);
+        RHW_ISA_NAME(rhw_blend_constant_samples)(work, block->x, block->y, block->mask);
     } else {
         collect_samples(work, triangle, block, any);
     }
@@ -306,14 +298,14 @@ static void draw_sampled_row(struct tile_work *work, struct triangle_work *trian
         } else {
             fill_samples(work, &block);
         }
-        draw_sampled_block(work, triangle, &block);
+        RHW_ISA_NAME(rhw_draw_sampled_block)(work, triangle, &block);
     }
 }
 
-static void draw_large_samples(struct tile_work *work, struct triangle_work *triangle)
+static void draw_any_samples(struct tile_work *work, struct triangle_work *triangle)
 {
     struct clipped_planes clipped;
-    set_clipped(triangle, &clipped);
+    begin_any(work, triangle, &clipped);
     const struct rhw_sample_pattern *const pattern = work->pass->pattern;
     const struct tile_rect rect = rect_of(work, triangle->t);
     // Of the others blocks are not all there is to look at.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // On which path a triangle is drawn in a tile: path_of decides it, of the plan of the draw and of what the setup of 8
-// triangles has found, and draw_run in tile.c takes it. All paths give the same bytes. Triangles of a batch that follow each
+// triangles has found, and draw_triangles in tile.c takes it. All paths give the same bytes. Triangles of a batch that follow each
 // other on the same path are a run.
 #ifndef RHW_TRIANGLE_PATH_H
 #define RHW_TRIANGLE_PATH_H
 
-#include "draw_state.h"
-#include "triangle_setup8.h"
+#include "kernels/integer.h"
+#include "triangle_run.h"
 
 enum triangle_path {
     TRIANGLE_SKIPPED, // nothing of it is drawn in this phase
@@ -24,42 +24,42 @@ enum triangle_path {
     TRIANGLE_STIPPLED_LINE // what it covers, without what a stipple leaves out
 };
 
-// The path of triangle i of a batch, which belongs to the draw under way.
-RHW_INLINE enum triangle_path path_of(const struct tile_work *work, const struct triangle_setup8 *setup,
+// The path of a triangle, and the triangles of its batch that have this path too, a bit each, as far as they are of its draw.
+struct path_choice {
+    enum triangle_path path;
+    unsigned alike;
+};
+
+// Chooses the path of triangle i of a batch, which belongs to the draw under way.
+RHW_INLINE struct path_choice path_of(const struct tile_work *work, const struct triangle_setup8 *setup,
                                       int i)
 {
     const struct rhw_draw_plan *const plan = &work->plan;
     const bool has_samples = work->samples > 1;
-    if (plan->draws_tiny && setup->tiny >> i & 1) {
-        return has_samples ? TRIANGLE_TINY_SAMPLES : TRIANGLE_TINY;
+    const unsigned tiny = plan->draws_tiny ? setup->tiny : 0, alone = 1u << i;
+    const unsigned small = plan->draws_small ? setup->small & ~tiny : 0;
+    if (tiny & alone) {
+        return (struct path_choice){has_samples ? TRIANGLE_TINY_SAMPLES : TRIANGLE_TINY, tiny};
     }
-    if (plan->draws_small && setup->small >> i & 1) {
-        return has_samples ? TRIANGLE_SMALL_SAMPLES : TRIANGLE_SMALL;
+    if (small & alone) {
+        return (struct path_choice){has_samples ? TRIANGLE_SMALL_SAMPLES : TRIANGLE_SMALL, small};
     }
     const uint16_t flags = setup->read->triangle[i]->flags;
     if (plan->is_skipped) {
-        return TRIANGLE_SKIPPED;
+        return (struct path_choice){TRIANGLE_SKIPPED, alone};
     }
     if (flags & (RHW_TRIANGLE_LINE | RHW_TRIANGLE_SMOOTH | RHW_TRIANGLE_CONSERVATIVE)) {
-        return TRIANGLE_SHAPE;
+        return (struct path_choice){TRIANGLE_SHAPE, alone};
     }
     if (flags & RHW_TRIANGLE_STIPPLE) {
-        return TRIANGLE_STIPPLED_LINE;
+        return (struct path_choice){TRIANGLE_STIPPLED_LINE, alone};
     }
     if (has_samples) {
-        return TRIANGLE_LARGE_SAMPLES;
+        return (struct path_choice){TRIANGLE_LARGE_SAMPLES, alone};
     }
-    return plan->draws_spans && flags & RHW_TRIANGLE_SMALL ? TRIANGLE_SPANS : TRIANGLE_LARGE;
+    return (struct path_choice){
+        plan->draws_spans && flags & RHW_TRIANGLE_SMALL ? TRIANGLE_SPANS : TRIANGLE_LARGE, alone};
 }
-
-// Triangles first .. end − 1 of a batch: they belong to the draw under way and have one path.
-struct triangle_run {
-    struct tile_work *work;
-    const struct rhw_chunk *chunk;
-    const struct triangle_setup8 *setup;
-    enum triangle_path path;
-    int first, end;
-};
 
 RHW_INLINE const struct rhw_draw *draw_of(const struct rhw_chunk *chunk, const struct triangle_setup8 *setup,
                                           int i)
@@ -67,34 +67,20 @@ RHW_INLINE const struct rhw_draw *draw_of(const struct rhw_chunk *chunk, const s
     return chunk->segments[setup->read->triangle[i]->segment].draw;
 }
 
-// The run that begins with triangle `first`, whose draw begins.
-RHW_INLINE struct triangle_run run_of(struct tile_work *work, const struct rhw_chunk *chunk,
-                                      const struct triangle_setup8 *setup, int first)
+// Returns the end of the run of triangles from `first` on that are `alike`, which has `first`, and of one draw.
+RHW_INLINE int end_of_run(const struct rhw_chunk *chunk, const struct triangle_setup8 *setup, int first,
+                          unsigned alike)
 {
+    const int most = min_int(first + __builtin_ctz(~(alike >> first)), setup->read->count);
+    if (setup->is_one_segment) {
+        return most;
+    }
     const struct rhw_draw *const draw = draw_of(chunk, setup, first);
-    begin_draw(work, draw);
-    const enum triangle_path path = path_of(work, setup, first);
     int end = first + 1;
-    while (end < setup->read->count && (setup->is_one_segment || draw_of(chunk, setup, end) == draw) &&
-           path_of(work, setup, end) == path) {
+    while (end < most && draw_of(chunk, setup, end) == draw) {
         end++;
     }
-    return (struct triangle_run){work, chunk, setup, path, first, end};
-}
-
-// Makes triangle i of a run ready for its path.
-RHW_INLINE void begin_triangle(struct triangle_work *triangle, const struct triangle_run *run, int i)
-{
-    const struct triangle_setup8 *const setup = run->setup;
-    triangle->chunk = run->chunk;
-    triangle->t = setup->read->triangle[i];
-    triangle->segment = &run->chunk->segments[triangle->t->segment];
-    triangle->setup = setup;
-    triangle->lane = i;
-    triangle->clamps_depth = setup->clamps >> i & 1;
-    triangle->depth_bias = run->work->plan.is_biased ? setup->depth_bias[i] : 0;
-    triangle->clipped = NULL;
-    triangle->has_planes = triangle->has_values = false;
+    return end;
 }
 
 #endif

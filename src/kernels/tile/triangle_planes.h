@@ -4,11 +4,12 @@
 #ifndef RHW_TRIANGLE_PLANES_H
 #define RHW_TRIANGLE_PLANES_H
 
-#include "kernels/fragment/row_groups.h"
+#include "kernels/fragment/block.h"
 #include "kernels/integer.h"
 #include "kernels/depth/hiz.h"
+#include "kernels/raster/plane_clipped.h"
 #include "depth_bias.h"
-#include "triangle_path.h"
+#include "triangle_run.h"
 
 // Gives what a triangle may cover of the tile.
 RHW_INLINE struct tile_rect rect_of(const struct tile_work *work, const struct rhw_triangle *t)
@@ -71,12 +72,6 @@ static void set_planes(const struct tile_work *work, struct triangle_work *trian
             bias_clipped(triangle);
         }
     }
-}
-
-// Gives a clipped triangle room for what clipping adds to its planes.
-RHW_INLINE void set_clipped(struct triangle_work *triangle, struct clipped_planes *clipped)
-{
-    triangle->clipped = triangle->t->flags & RHW_TRIANGLE_POLYGON ? clipped : NULL;
 }
 
 // Whether numbers in a block may differ from the triangle's planes.
@@ -143,6 +138,7 @@ RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_w
 RHW_INLINE void begin_tiny(struct triangle_work *triangle, const struct triangle_run *run, int i)
 {
     begin_triangle(triangle, run, i);
+    begin_plain(triangle);
     copy_planes(run->work, triangle);
 }
 

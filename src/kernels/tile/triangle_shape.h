@@ -9,7 +9,7 @@
 #include "kernels/raster/smooth_coverage.h"
 #include "stippled_line.h"
 #include "triangle_large.h"
-#include "triangle_multisample.h"
+#include "sampled_block.h"
 
 // What is no matter of samples: the pixels of a Bresenham line, of a smooth one, and conservative ones.
 struct pixel_shape {
@@ -85,7 +85,7 @@ static void draw_shape_block(struct tile_work *work, struct triangle_work *trian
     for (int s = 0; s < work->samples; s++) {
         block.mask[s] = work->pipeline->def.sample_mask >> s & 1 ? mask : 0;
     }
-    draw_sampled_block(work, triangle, &block);
+    RHW_ISA_NAME(rhw_draw_sampled_block)(work, triangle, &block);
 }
 
 // Whether a triangle was seen is kept by sample, and then told of all.
@@ -103,10 +103,10 @@ static void unite_marks(struct tile_work *work)
     }
 }
 
-static void draw_shape(struct tile_work *work, struct triangle_work *triangle)
+static void draw_pixel_shape(struct tile_work *work, struct triangle_work *triangle)
 {
     struct clipped_planes clipped;
-    set_clipped(triangle, &clipped);
+    begin_any(work, triangle, &clipped);
     const struct tile_rect rect = rect_of(work, triangle->t);
     struct pixel_shape shape;
     if (!set_shape(work, triangle->t, triangle->chunk, &shape)) {
@@ -129,10 +129,10 @@ static void draw_shape(struct tile_work *work, struct triangle_work *triangle)
     unite_marks(work);
 }
 
-static void draw_stippled_line(struct tile_work *work, struct triangle_work *triangle)
+static void draw_stippled(struct tile_work *work, struct triangle_work *triangle)
 {
     struct clipped_planes clipped;
-    set_clipped(triangle, &clipped);
+    begin_any(work, triangle, &clipped);
     const struct tile_rect rect = rect_of(work, triangle->t);
     struct stippled_line line;
     set_stippled_line(&line, work, triangle->chunk, triangle->t);
@@ -147,7 +147,7 @@ static void draw_stippled_line(struct tile_work *work, struct triangle_work *tri
             if (work->samples == 1) {
                 draw_block(work, triangle, x, y, block.mask[0]);
             } else {
-                draw_sampled_block(work, triangle, &block);
+                RHW_ISA_NAME(rhw_draw_sampled_block)(work, triangle, &block);
             }
         }
     }

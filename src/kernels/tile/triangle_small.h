@@ -7,7 +7,7 @@
 #ifndef RHW_TRIANGLE_SMALL_H
 #define RHW_TRIANGLE_SMALL_H
 
-#include "kernels/fragment/gather.h"
+#include "kernels/fragment/collect.h"
 #include "kernels/integer.h"
 #include "span_blocks.h"
 #include "triangle_planes.h"
@@ -234,7 +234,7 @@ static __attribute__((noinline)) void draw_small_blocks(struct tile_work *work,
 }
 
 // Draws a small triangle whose planes are not exact ones.
-static void draw_small(struct tile_work *work, struct triangle_work *triangle)
+RHW_INLINE void draw_small_triangle(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
     const int i = triangle->lane;

@@ -5,7 +5,7 @@
 #ifndef RHW_TRIANGLE_SMALL_SAMPLES_H
 #define RHW_TRIANGLE_SMALL_SAMPLES_H
 
-#include "kernels/fragment/gather.h"
+#include "kernels/fragment/collect.h"
 #include "triangle_planes.h"
 
 // A part of a triangle's rectangle: rows y .. y1 − 1, and the columns of the 8 from x on whose lanes are not negative in
@@ -146,7 +146,7 @@ static inline bool hides_part(const struct tile_work *work, const struct triangl
                                          min_int(part->x + RHW_BLOCK, setup->x1[i]), part->y1});
 }
 
-static void draw_small_samples(struct tile_work *work, struct triangle_work *triangle)
+static void draw_small_triangle_samples(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
     const int i = triangle->lane;
@@ -156,6 +156,7 @@ static void draw_small_samples(struct tile_work *work, struct triangle_work *tri
         edges.along[e] = i32x8_splat(setup->a[e][i]) * rhw_lane_index;
         edges.step[e] = i32x8_splat(setup->b[e][i]);
     }
+    begin_plain(triangle);
     for (int s = 0; s < work->samples; s++) {
         depth_plane(work->scratch, s)->marked = false;
     }

@@ -9,8 +9,7 @@
 #ifndef RHW_TRIANGLE_TINY_H
 #define RHW_TRIANGLE_TINY_H
 
-#include "kernels/fragment/gather.h"
-#include "triangle_path.h"
+#include "kernels/fragment/collect.h"
 #include "triangle_planes.h"
 
 // The mask of a tiny triangle has bit TINY_COLUMNS·row + column from its first pixel on.
@@ -33,7 +32,7 @@ RHW_INLINE unsigned tiny_of(const struct triangle_setup8 *setup)
 
 // Sets the masks of the batch; those of triangles that are not tiny are rubbish. Triangles of a bin reach into its tile, so
 // that all others have a column and a row at least.
-static __attribute__((noinline)) void cover_tiny(struct triangle_setup8 *setup)
+static void cover_tiny(struct triangle_setup8 *setup)
 {
     const i32x8 x0 = i32x8_load(setup->x0), y0 = i32x8_load(setup->y0);
     const i32x8 columns = i32x8_min(i32x8_load(setup->x1) - x0, i32x8_splat(TINY_COLUMNS)),
@@ -66,7 +65,7 @@ static __attribute__((noinline)) void cover_tiny(struct triangle_setup8 *setup)
 }
 
 // Finds the tiny triangles of a batch and covers them.
-RHW_INLINE void set_tiny(struct triangle_setup8 *setup)
+void RHW_ISA_NAME(rhw_find_tiny)(struct triangle_setup8 *setup)
 {
     setup->tiny = tiny_of(setup);
     if (setup->tiny != 0) {
@@ -110,7 +109,7 @@ RHW_INLINE void pack_tiny(const struct triangle_run *run, int i, const struct rh
         }
         fragments++;
         if (pack_values(&work->scratch->partial, packed, texel, quantities) + 1 == RHW_LANES) {
-            pack_group(work, 0xff);
+            RHW_ISA_NAME(rhw_pack_group)(work);
         }
     }
     work->counters->fragments += fragments;
@@ -126,7 +125,7 @@ static __attribute__((noinline)) void finish_tiny(const struct triangle_run *run
     if (gathered_wait(work)) {
         overtake(work);
     }
-    release_gathered(work, &triangle);
+    RHW_ISA_NAME(rhw_release_gathered)(work, &triangle);
 }
 
 // Tests triangle i by a depth rule, and gathers its fragments.
@@ -170,7 +169,7 @@ RHW_INLINE void draw_tiny_by(const struct triangle_run *run, const struct rhw_de
 }
 
 // Draws a run of tiny triangles. The loop is compiled for each rule that has a name.
-static __attribute__((noinline)) void draw_tiny(const struct triangle_run *run)
+void RHW_ISA_NAME(rhw_draw_tiny)(const struct triangle_run *run)
 {
     const struct rhw_draw_plan *const plan = &run->work->plan;
     run->work->scratch->depth.marked = false;

@@ -5,24 +5,12 @@
 #ifndef RHW_TRIANGLE_TINY_SAMPLES_H
 #define RHW_TRIANGLE_TINY_SAMPLES_H
 
-#include "kernels/fragment/gather.h"
+#include "kernels/fragment/collect.h"
 #include "sample_cells.h"
-#include "triangle_path.h"
 #include "triangle_planes.h"
 
 _Static_assert(MOST_CELLS / BATCH * CELL * CELL <= RHW_GATHERED_FRAGMENTS,
                "the fragments of a triangle are listed without a look at their number");
-
-// Sets where the samples of a cell's pixels lie, for all triangles of a tile.
-static void set_cell_pixels(struct cell_pixel pixels[CELL * CELL], const struct rhw_sample_pattern *pattern)
-{
-    for (int n = 0; n < CELL * CELL; n++) {
-        for (int s = 0; s < CELL_SAMPLES; s++) {
-            pixels[n].dx[s] = n % CELL + from_center(pattern->x_0_8[s]);
-            pixels[n].dy[s] = n / CELL + from_center(pattern->y_0_8[s]);
-        }
-    }
-}
 
 // Texels from the first of a cell to its others.
 #define CELL_ROW(y) (y) * RHW_TILE, (y)*RHW_TILE + 1, (y)*RHW_TILE + 2, (y)*RHW_TILE + 3
@@ -134,19 +122,7 @@ static __attribute__((noinline)) void finish_cells(const struct triangle_run *ru
     // Nobody asks where fragments may share a group and there are too few for one of their own.
     gathered->overtakes =
         (!work->orders_lanes || gathered->count >= least_of_group(work)) && gathered_wait(work);
-    release_gathered(work, &triangle);
-}
-
-// Packs them where they are few and the draw wants no more than smooth varyings of them.
-RHW_INLINE void pack_cells(const struct triangle_run *run, int i)
-{
-    struct tile_work *const work = run->work;
-    const struct triangle_setup8 *const setup = run->setup;
-    const struct packed_triangle *const packed =
-        next_packed(work, setup->read->vertex[i], setup->anchor_x[i], setup->anchor_y[i]);
-    work->counters->fragments += (uint64_t)work->scratch->gathered.count;
-    pack_fragments(work, &setup->quantities[i], packed, PACKED_PLAIN_SAMPLES);
-    work->scratch->gathered.count = 0;
+    RHW_ISA_NAME(rhw_release_gathered)(work, &triangle);
 }
 
 // Draws the cells of triangle i by a depth rule.
@@ -162,11 +138,7 @@ RHW_INLINE void draw_cells(const struct triangle_run *run, int i, const struct r
             draw_cell(work, setup, i, &cell, rule);
         }
     }
-    const int count = work->scratch->gathered.count;
-    // Plainly packed, 6 or 7 cost less than a group of their own: msaa4_sphere_1m 1 % of its instructions.
-    if (count != 0 && count < RHW_LANES && work->packs_plainly) {
-        pack_cells(run, i);
-    } else if (count != 0) {
+    if (work->scratch->gathered.count != 0) {
         finish_cells(run, i);
     }
     if (rule.open == RHW_OPEN_MARK && work->scratch->depth.marked) {
@@ -188,7 +160,7 @@ RHW_INLINE void draw_tiny_samples_by(const struct triangle_run *run, const struc
 }
 
 // Draws a run of tiny triangles. The loop is compiled for each rule that has a name.
-static __attribute__((noinline)) void draw_tiny_samples(const struct triangle_run *run)
+void RHW_ISA_NAME(rhw_draw_tiny_samples)(const struct triangle_run *run)
 {
     const struct rhw_draw_plan *const plan = &run->work->plan;
     run->work->scratch->depth.marked = false;

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What of a triangle is seen becomes groups. A block that is seen all over is 8 groups as it stands (row_groups.h). The
-// fragments of other blocks are gathered: they are listed, and once the triangle is done, or the list full, every 8 of
-// them make a group, wherever in the tile they lie. The last 6 or 7 are a group with lanes that are not live; fewer are
-// packed with those of other triangles (pack.h).
-// Where groups must be rows (RHW_SHADING_ROWS, slivers, blocks that leave their triangle), a block has one for every
-// row. Every number is made by the same operations on each path.
-#ifndef RHW_GATHER_H
-#define RHW_GATHER_H
+// Groups of collected fragments (collect.h): 8 of one triangle, wherever in the tile they lie. Every number is made by the
+// operations that make it for rows.
+#ifndef RHW_SCATTERED_GROUPS_H
+#define RHW_SCATTERED_GROUPS_H
 
 #include "kernels/integer.h"
+#include "collect.h"
 #include "pack.h"
 #include "row_groups.h"
-
-// Pixels of a row, at least and in the mean of a block, for which a group is a row rather than 8 gathered fragments.
-enum { ROW_PIXELS = 4 };
 
 RHW_INLINE struct anchor_offset texel_offsets(const struct tile_work *work, const struct planes *planes,
                                               const int32_t texel[8])
@@ -202,14 +196,6 @@ static __attribute__((noinline)) void make_room(struct tile_work *work, struct t
     gathered->first = 0;
 }
 
-// Fragments of a triangle, at least, that are a group rather than packed with those of others: packing one costs as much
-// as a third of a cheap group, and of a textured one less. With this, particles take 3 % fewer instructions.
-RHW_INLINE int least_of_group(const struct tile_work *work)
-{
-    enum { CHEAP = 6, TEXTURED = 7 };
-    return work->pipeline->any_derivatives ? TEXTURED : CHEAP;
-}
-
 static __attribute__((noinline)) void release_gathered(struct tile_work *work, struct triangle_work *triangle)
 {
     // Those that wait where some of these lie would have to go first, before their group is full.
@@ -226,127 +212,6 @@ static __attribute__((noinline)) void release_gathered(struct tile_work *work, s
     }
     gathered->first = gathered->count = 0;
     gathered->overtakes = false;
-}
-
-// Lets go of all gathered fragments of a triangle, which is done. Many have none: those are spared the call.
-RHW_INLINE void finish_gathered(struct tile_work *work, struct triangle_work *triangle)
-{
-    if (work->scratch->gathered.count != 0) {
-        release_gathered(work, triangle);
-    }
-}
-
-// Whether gathered fragments lie where others wait.
-static bool gathered_wait(const struct tile_work *work)
-{
-    const struct gathered_fragments *const gathered = &work->scratch->gathered;
-    uint64_t waiting = 0;
-    for (int i = 0; i < gathered->count; i++) {
-        const int texel = gathered->texel[i];
-        waiting |= work->scratch->partial.pixels[texel_row(texel)] >> texel_column(texel);
-    }
-    return waiting & 1;
-}
-
-// Fragments are gathered where others wait: those go first, unless all may share a group.
-RHW_INLINE void overtake(struct tile_work *work)
-{
-    if (work->orders_lanes) {
-        work->scratch->gathered.overtakes = true;
-    } else {
-        release_partial(work);
-    }
-}
-
-// Gathers the fragments of the first `rows` rows at (x, y) whose bits are set in `mask`.
-RHW_INLINE void gather_fragments(struct tile_work *work, struct triangle_work *triangle, int x, int y,
-                                 int rows, uint64_t mask)
-{
-    struct gathered_fragments *const gathered = &work->scratch->gathered;
-    if (fragments_wait(work, x, y, mask)) {
-        overtake(work);
-    }
-    if (gathered->count > RHW_GATHERED_FRAGMENTS - RHW_BLOCK * RHW_BLOCK) {
-        make_room(work, triangle);
-    }
-    int count = gathered->count;
-    i32x8 first = i32x8_splat(y * RHW_TILE + x); // of the row
-    // Empty rows too: which are, a processor cannot predict, and a wrong guess costs more than a row.
-    for (int row = 0; row < rows; row++) {
-        const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
-        i32x8_store(&gathered->texel[count], first + i32x8_load_bytes(gathered->set_lanes[bits]));
-        first += i32x8_splat(RHW_TILE);
-        count += __builtin_popcount(bits);
-    }
-    gathered->count = count;
-}
-
-// Gathers the fragments of the block at (x, y) that cover a sample; mask: by sample, `any` of all of them.
-static void gather_samples(struct tile_work *work, struct triangle_work *triangle, int x, int y,
-                           const uint64_t mask[RHW_MAX_SAMPLES], uint64_t any)
-{
-    struct gathered_fragments *const gathered = &work->scratch->gathered;
-    if (fragments_wait(work, x, y, any)) {
-        gathered->overtakes = true; // unless they wait there too
-    }
-    if (gathered->count > RHW_GATHERED_FRAGMENTS - RHW_BLOCK * RHW_BLOCK) {
-        make_room(work, triangle);
-    }
-    int count = gathered->count;
-    for (int row = 0; row < RHW_BLOCK; row++) {
-        const unsigned bits = (unsigned)(any >> (8 * row)) & 0xff;
-        if (bits == 0) {
-            continue;
-        }
-        i32x8 samples = i32x8_splat(0);
-        for (int s = 0; s < work->samples; s++) {
-            samples |= i32x8_from_bits((unsigned)(mask[s] >> (8 * row)) & 0xff) & i32x8_splat(1 << s);
-        }
-        const i32x8 lanes = i32x8_load_bytes(gathered->set_lanes[bits]);
-        i32x8_store(&gathered->texel[count], lanes + i32x8_splat((y + row) * RHW_TILE + x));
-        i32x8_store(&gathered->samples[count], i32x8_permute(samples, lanes));
-        count += __builtin_popcount(bits);
-    }
-    gathered->count = count;
-}
-
-// Whether the fragments of a block that are set in `mask`, with inputs of any kind, are gathered rather than shaded row by
-// row: such a group from anywhere costs as much as a row and a half, and more the more targets it is blended into.
-// Homogeneous noperspective values are made in double (interpolate.h), which packing does not.
-static inline bool scatters_any(const struct tile_work *work, const struct triangle_work *triangle,
-                                uint64_t mask)
-{
-    const bool is_double = triangle->planes.is_homogeneous && work->pipeline->any_noperspective;
-    uint64_t rows = mask | mask >> 4; // bit 8·row: some pixel of the row
-    rows |= rows >> 2;
-    rows = (rows | rows >> 1) & 0x0101010101010101u;
-    return work->plan.shading == RHW_SHADING_ANY && !is_double &&
-           __builtin_popcountll(mask) < ROW_PIXELS * __builtin_popcountll(rows);
-}
-
-// Whether those fragments are gathered at all.
-RHW_INLINE bool can_scatter(const struct tile_work *work, const struct triangle_work *triangle,
-                            const struct block *block, uint64_t mask)
-{
-    return !block->leaves_triangle && triangle->planes.kind != PLANES_EXACT &&
-           (work->plan.shading == RHW_SHADING_SMOOTH || scatters_any(work, triangle, mask));
-}
-
-// Sends the fragments of a block whose bits are set in `mask` on the path that is theirs.
-RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *triangle,
-                              const struct block *block, uint64_t mask)
-{
-    const bool is_whole = mask == ~(uint64_t)0;
-    if (!is_whole && can_scatter(work, triangle, block, mask)) {
-        gather_fragments(work, triangle, block->x, block->y, RHW_BLOCK, mask);
-        return;
-    }
-    release_overtaken(work, block->x, block->y, mask);
-    if (is_whole) {
-        queue_rows(work, triangle, block, &all_rows);
-    } else {
-        queue_some_rows(work, triangle, block, mask);
-    }
 }
 
 #endif
