@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What becomes of fragments: groups of them are made, shaded, tested late and blended. Compiled once per instruction set,
+// What becomes of fragments: groups of them are made. Compiled once per instruction set,
 // with RHW_ISA_SUFFIX naming it.
 #include "tile_units.h"
-#include "kernels/fragment/constant_color.h"
 #include "kernels/fragment/scattered_groups.h"
 #include "kernels/fragment/whole_tile.h"
-
-void RHW_ISA_NAME(rhw_shade_queue)(struct tile_work *work)
-{
-    shade_queue(work);
-}
 
 void RHW_ISA_NAME(rhw_flush)(struct tile_work *work)
 {
@@ -31,9 +25,9 @@ void RHW_ISA_NAME(rhw_make_room)(struct tile_work *work, struct triangle_work *t
     make_room(work, triangle);
 }
 
-void RHW_ISA_NAME(rhw_release_gathered)(struct tile_work *work, struct triangle_work *triangle)
+void RHW_ISA_NAME(rhw_release_collected)(struct tile_work *work, struct triangle_work *triangle)
 {
-    release_gathered(work, triangle);
+    release_collected(work, triangle);
 }
 
 void RHW_ISA_NAME(rhw_queue_block)(struct tile_work *work, struct triangle_work *triangle,
@@ -52,15 +46,4 @@ void RHW_ISA_NAME(rhw_queue_tile)(struct tile_work *work, struct triangle_work *
 {
     flush(work);
     queue_tile(work, triangle);
-}
-
-void RHW_ISA_NAME(rhw_blend_constant)(struct tile_work *work, int x, int y, uint64_t mask)
-{
-    blend_constant(work, x, y, mask);
-}
-
-void RHW_ISA_NAME(rhw_blend_constant_samples)(struct tile_work *work, int x, int y,
-                                              const uint64_t mask[RHW_MAX_SAMPLES])
-{
-    blend_constant_samples(work, x, y, mask);
 }

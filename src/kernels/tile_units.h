@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The back end is compiled as five files, which takes less time than one: tile.c has the tile's loop, tile_small.c,
-// tile_large.c and tile_samples.c the paths of triangles, and tile_fragments.c makes groups of fragments and shades them. The
-// functions that one of these files compiles for the others are declared here, by their names in this instruction set.
+// The back end is compiled as six files, which takes less time than one: tile.c has the tile's loop, tile_small.c,
+// tile_large.c and tile_samples.c the paths of triangles, tile_fragments.c makes groups of fragments, and tile_shading.c shades
+// and blends them. The functions that one of these files compiles for the others are declared here, by their names in this instruction set.
 #ifndef RHW_TILE_UNITS_H
 #define RHW_TILE_UNITS_H
 
@@ -49,9 +49,18 @@ void RHW_ISA_NAME(rhw_find_tiny_samples)(struct triangle_setup8 *setup,
 void RHW_ISA_NAME(rhw_draw_sampled_block)(struct tile_work *work, struct triangle_work *triangle,
                                           struct sampled_block *block);
 
-// tile_fragments.c
+// tile_shading.c
 // Shades the queue's groups.
 void RHW_ISA_NAME(rhw_shade_queue)(struct tile_work *work);
+// They shade the constant colour of a draw (fragment/constant_color.h), and blend the pixels of a block that are set in
+// `mask` by it: into texels of a target, and by samples where these are woven.
+void RHW_ISA_NAME(rhw_prepare_constant)(struct tile_work *work);
+void RHW_ISA_NAME(rhw_blend_constant_block)(const struct tile_work *work, int t, unsigned char *texels,
+                                            uint64_t mask);
+void RHW_ISA_NAME(rhw_blend_constant_woven)(struct tile_work *work, int x, int y,
+                                            const uint64_t mask[RHW_MAX_SAMPLES]);
+
+// tile_fragments.c
 // Shades all there is, also the partial group.
 void RHW_ISA_NAME(rhw_flush)(struct tile_work *work);
 // Queues the partial group, which is full.
@@ -61,7 +70,7 @@ void RHW_ISA_NAME(rhw_release_partial)(struct tile_work *work);
 // Makes room for the collected fragments of one more block.
 void RHW_ISA_NAME(rhw_make_room)(struct tile_work *work, struct triangle_work *triangle);
 // Makes groups of the collected fragments of a triangle, which is done, and packs the rest of them.
-void RHW_ISA_NAME(rhw_release_gathered)(struct tile_work *work, struct triangle_work *triangle);
+void RHW_ISA_NAME(rhw_release_collected)(struct tile_work *work, struct triangle_work *triangle);
 // Queues the rows of a block that is covered all over, or those of its pixels that are set in `mask`.
 void RHW_ISA_NAME(rhw_queue_block)(struct tile_work *work, struct triangle_work *triangle,
                                    const struct block *block);
@@ -69,9 +78,4 @@ void RHW_ISA_NAME(rhw_queue_some_rows)(struct tile_work *work, struct triangle_w
                                        const struct block *block, uint64_t mask);
 // Queues and shades all blocks of a tile that a triangle covers.
 void RHW_ISA_NAME(rhw_queue_tile)(struct tile_work *work, struct triangle_work *triangle);
-// Blend the pixels of a block whose bits are set in `mask` by the draw's constant colour: in one sample, and by samples.
-void RHW_ISA_NAME(rhw_blend_constant)(struct tile_work *work, int x, int y, uint64_t mask);
-void RHW_ISA_NAME(rhw_blend_constant_samples)(struct tile_work *work, int x, int y,
-                                              const uint64_t mask[RHW_MAX_SAMPLES]);
-
 #endif

@@ -20,8 +20,8 @@ enum {
     RHW_DEPTH_FIRST_TRIANGLES = 32768,
     // Triangles whose fragments may wait in the partial group at the same time: 7 that wait, and the one that adds.
     RHW_PACKED_TRIANGLES = 8,
-    // Fragments of one triangle that are gathered before groups are made of them: those of two blocks.
-    RHW_GATHERED_FRAGMENTS = 128
+    // Fragments of one triangle that are collected before groups are made of them: those of two blocks.
+    RHW_COLLECTED_FRAGMENTS = 128
 };
 
 // The fragment queue: groups of 8 fragments of one draw that wait to be shaded with one call (fragment/queue.h). A
@@ -45,11 +45,11 @@ struct fragment_queue {
     f32x8 coverage[RHW_FRAGMENT_GROUPS]; // of smooth lines: how much of each pixel is covered
 };
 
-// Texels of the fragments of the triangle under way that are in no group yet (fragment/gather.h).
-struct gathered_fragments {
+// Texels of the fragments of the triangle under way that are in no group yet (fragment/collect.h).
+struct collected_fragments {
     // With room for a vector that begins at the last; vectors of a group lie in one cache line each.
-    _Alignas(32) int32_t texel[RHW_GATHERED_FRAGMENTS + 8];
-    int32_t samples[RHW_GATHERED_FRAGMENTS + 8]; // of multisampled passes
+    _Alignas(32) int32_t texel[RHW_COLLECTED_FRAGMENTS + 8];
+    int32_t samples[RHW_COLLECTED_FRAGMENTS + 8]; // of multisampled passes
     uint8_t set_lanes[256][8]; // by bits: which are set, in order; behind them lanes of any number
     int first, count;          // those from `first` on, below `count`, are left
     bool overtakes; // some lie where fragments of other triangles wait in the partial group: groups must not go first
@@ -94,25 +94,25 @@ struct rhw_tile_scratch {
     uint8_t seen[RHW_DEPTH_FIRST_TRIANGLES / 8]; // bit i: triangle i of the run is drawn in the second phase
     struct bin bins[RHW_WAVE_CHUNKS];            // of the tile, those that are not empty
     struct fragment_queue queue;
-    struct gathered_fragments gathered;
+    struct collected_fragments collected;
     struct partial_group partial;
     i32x8 constant[RHW_MAX_COLOR_ATTACHMENTS]; // see constant_color.h: 8 texels of RGBA8 targets that are replaced
     // Of multisampled passes, a bit for each block of 8×8 pixels: its samples have colours of their own. Those of other
     // blocks have all that of the first.
     uint64_t expanded;
-    bool is_woven;                   // and those of a pixel stand side by side (fragment/woven.h)
-    struct rhw_sample_plane *planes; // of the samples but the first
+    bool is_woven;                        // and those of a pixel stand side by side (fragment/woven.h)
+    struct rhw_sample_tile *sample_tiles; // of the samples but the first
 };
 
 // The tile in one sample of each pixel.
-struct rhw_sample_plane {
+struct rhw_sample_tile {
     _Alignas(64) unsigned char color[RHW_MAX_COLOR_ATTACHMENTS][RHW_TILE * RHW_TILE * 16];
     struct tile_depth depth;
 };
 
-static inline unsigned char *color_plane(struct rhw_tile_scratch *scratch, int target, int sample)
+static inline unsigned char *color_of_sample(struct rhw_tile_scratch *scratch, int target, int sample)
 {
-    return sample == 0 ? scratch->color[target] : scratch->planes[sample - 1].color[target];
+    return sample == 0 ? scratch->color[target] : scratch->sample_tiles[sample - 1].color[target];
 }
 
 enum { WOVEN_SAMPLES = 4, WOVEN_SIZE = 4 }; // of a pixel, bytes of each
@@ -120,12 +120,12 @@ enum { WOVEN_SAMPLES = 4, WOVEN_SIZE = 4 }; // of a pixel, bytes of each
 // The samples of a texel where they are woven. They take the room of the second sample's plane.
 static inline unsigned char *woven_pixel(struct rhw_tile_scratch *scratch, int target, int texel)
 {
-    return scratch->planes->color[target] + (size_t)texel * (WOVEN_SAMPLES * WOVEN_SIZE);
+    return scratch->sample_tiles->color[target] + (size_t)texel * (WOVEN_SAMPLES * WOVEN_SIZE);
 }
 
-static inline struct tile_depth *depth_plane(struct rhw_tile_scratch *scratch, int sample)
+static inline struct tile_depth *depth_of_sample(struct rhw_tile_scratch *scratch, int sample)
 {
-    return sample == 0 ? &scratch->depth : &scratch->planes[sample - 1].depth;
+    return sample == 0 ? &scratch->depth : &scratch->sample_tiles[sample - 1].depth;
 }
 
 // The samples of a pixel of a cell (tile/sample_cells.h): pixels from the centre of the cell's first, in whole 256ths, so

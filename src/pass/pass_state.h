@@ -52,7 +52,7 @@ struct rhw_counters {
 struct rhw_context;
 struct rhw_geometry_scratch;
 struct rhw_tile_scratch;
-struct rhw_sample_plane;
+struct rhw_sample_tile;
 struct rhw_used_query;
 struct rhw_read_texture;
 struct rhw_stored_level;
@@ -63,8 +63,8 @@ struct rhw_worker {
     struct rhw_counters counters;
     struct rhw_geometry_scratch *geometry;
     struct rhw_tile_scratch *tile;
-    struct rhw_sample_plane *planes; // of the samples but the first, as many as passes had yet
-    int plane_count;
+    struct rhw_sample_tile *sample_tiles; // of the samples but the first, as many as passes had yet
+    int sample_tile_count;
     // The tiles this worker begins with. Written by it, and by others that have none left of their own.
     _Alignas(RHW_CACHE_LINE) _Atomic int next_tile;
     int end_tile; // exclusive

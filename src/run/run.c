@@ -36,7 +36,7 @@ static void init_tile_scratch(struct rhw_tile_scratch *scratch)
     for (int bits = 0; bits < 256; bits++) {
         int count = 0;
         for (int lane = 0; lane < 8; lane++) {
-            scratch->gathered.set_lanes[bits][count] = (uint8_t)lane;
+            scratch->collected.set_lanes[bits][count] = (uint8_t)lane;
             count += bits >> lane & 1;
         }
     }
@@ -47,16 +47,18 @@ static bool planes_ready(const struct rhw_pass_state *pass, struct rhw_worker *w
 {
     struct rhw_memory *const memory = &pass->context->memory;
     const int wanted = pass->pattern->count - 1;
-    if (worker->plane_count < wanted) {
-        rhw_memory_release(memory, worker->planes, (size_t)worker->plane_count * sizeof *worker->planes);
-        worker->plane_count = 0;
-        worker->planes = rhw_memory_allocate_zeroed(memory, (size_t)wanted * sizeof *worker->planes, 4096);
-        if (!worker->planes) {
+    if (worker->sample_tile_count < wanted) {
+        rhw_memory_release(memory, worker->sample_tiles,
+                           (size_t)worker->sample_tile_count * sizeof *worker->sample_tiles);
+        worker->sample_tile_count = 0;
+        worker->sample_tiles =
+            rhw_memory_allocate_zeroed(memory, (size_t)wanted * sizeof *worker->sample_tiles, 4096);
+        if (!worker->sample_tiles) {
             return false;
         }
-        worker->plane_count = wanted;
+        worker->sample_tile_count = wanted;
     }
-    worker->tile->planes = worker->planes;
+    worker->tile->sample_tiles = worker->sample_tiles;
     return true;
 }
 
@@ -117,8 +119,9 @@ void rhw_pass_run_release(struct rhw_pass_state *pass)
         rhw_arena_destroy(&pass->workers[i].arena);
         rhw_memory_release(&context->memory, pass->workers[i].geometry, sizeof *pass->workers[i].geometry);
         rhw_memory_release(&context->memory, pass->workers[i].tile, sizeof *pass->workers[i].tile);
-        rhw_memory_release(&context->memory, pass->workers[i].planes,
-                           (size_t)pass->workers[i].plane_count * sizeof *pass->workers[i].planes);
+        rhw_memory_release(&context->memory, pass->workers[i].sample_tiles,
+                           (size_t)pass->workers[i].sample_tile_count *
+                               sizeof *pass->workers[i].sample_tiles);
     }
     rhw_memory_release(&context->memory, pass->workers, (size_t)context->threads * sizeof *pass->workers);
     rhw_memory_release(&context->memory, pass->chunks, (size_t)pass->chunk_capacity * sizeof *pass->chunks);

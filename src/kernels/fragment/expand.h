@@ -72,7 +72,7 @@ static __attribute__((noinline)) void expand_block(const struct tile_work *work,
         for (int row = 0; row < RHW_BLOCK; row++) {
             const size_t at = (size_t)((y + row) * RHW_TILE + x) * size;
             for (int s = 1; s < work->samples; s++) {
-                copy_texels(color_plane(scratch, t, s) + at, scratch->color[t] + at, RHW_BLOCK * size);
+                copy_texels(color_of_sample(scratch, t, s) + at, scratch->color[t] + at, RHW_BLOCK * size);
             }
         }
     }

@@ -7,11 +7,11 @@
 #ifndef RHW_PACK_H
 #define RHW_PACK_H
 
+#include "kernels/depth/depth_test.h"
 #include "builtin.h"
 #include "derivative.h"
 #include "interpolate.h"
 #include "partial_group.h"
-#include "queue.h"
 
 // Turns 8 vectors over four quantities into four over the lanes.
 RHW_INLINE void quantity_lanes(const f64x4 value[8], f64x8 out[4])
@@ -287,20 +287,20 @@ static void flush(struct tile_work *work)
         release_partial(work);
     }
     if (work->scratch->queue.count != 0) {
-        shade_queue(work);
+        RHW_ISA_NAME(rhw_shade_queue)(work);
     }
 }
 
-// Whether a fragment that waits and a gathered one have a sample in common.
+// Whether a fragment that waits and a collected one have a sample in common.
 static bool samples_meet(const struct tile_work *work)
 {
     const struct partial_group *const partial = &work->scratch->partial;
-    const struct gathered_fragments *const gathered = &work->scratch->gathered;
+    const struct collected_fragments *const collected = &work->scratch->collected;
     const i32x8 texels = i32x8_load(partial->texel), samples = i32x8_load(partial->samples);
     i32x8 meet = i32x8_splat(0);
-    for (int i = gathered->first; i < gathered->count; i++) {
-        meet |= rhw_equal_int(texels, i32x8_splat(gathered->texel[i])) & samples &
-                i32x8_splat(gathered->samples[i]);
+    for (int i = collected->first; i < collected->count; i++) {
+        meet |= rhw_equal_int(texels, i32x8_splat(collected->texel[i])) & samples &
+                i32x8_splat(collected->samples[i]);
     }
     const unsigned free = i32x8_sign_bits(rhw_equal_int(meet, i32x8_splat(0)));
     return (~free & ((1u << partial->count) - 1)) != 0;
@@ -360,12 +360,12 @@ static double clamp_depth(const struct tile_depth *depth, double z)
     return (double)(above < depth->most ? above : depth->most);
 }
 
-// Adds gathered fragment i of a triangle whose planes are `planes`.
+// Adds collected fragment i of a triangle whose planes are `planes`.
 RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_planes *planes,
                               const struct packed_triangle *packed, int i, enum packed_parts parts)
 {
     struct partial_group *const partial = &work->scratch->partial;
-    const int texel = work->scratch->gathered.texel[i];
+    const int texel = work->scratch->collected.texel[i];
     const int x = texel_column(texel), y = texel_row(texel);
     const double dx = x - packed->anchor_x, dy = y - packed->anchor_y;
     const int n = pack_values(partial, packed, texel, quantity_values(planes, dx, dy));
@@ -373,7 +373,7 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
         partial->distance[n] = (f64x4){dy, dx, dy, dx};
     }
     if (parts >= PACKED_SAMPLES) {
-        partial->samples[n] = work->scratch->gathered.samples[i];
+        partial->samples[n] = work->scratch->collected.samples[i];
     }
     if (parts == PACKED_ANY && packed->clamps_depth) {
         partial->quantities[n][QUANTITY_Z] =
@@ -393,14 +393,14 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
 RHW_INLINE void pack_fragments(struct tile_work *work, const struct quantity_planes *planes,
                                const struct packed_triangle *packed, enum packed_parts parts)
 {
-    const struct gathered_fragments *const gathered = &work->scratch->gathered;
-    for (int i = gathered->first; i < gathered->count; i++) {
+    const struct collected_fragments *const collected = &work->scratch->collected;
+    for (int i = collected->first; i < collected->count; i++) {
         pack_fragment(work, planes, packed, i, parts);
     }
 }
 
-// Adds what is left of the gathered fragments of a triangle, fewer than 8.
-static void pack_gathered(struct tile_work *work, struct triangle_work *triangle)
+// Adds what is left of the collected fragments of a triangle, fewer than 8.
+static void pack_collected(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct packed_triangle *const packed = pack_triangle(work, triangle);
     const bool late = work->plan.depth_mode >= RHW_DEPTH_LATE;

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: MIT
-// What the paths of triangles do to the partial group (pack.h) themselves: they add single fragments, and ask for those that
-// wait in it.
+// What the makers of groups do to the queue and to the partial group (pack.h) in the midst of their loops: they shade a queue
+// that is full, add single fragments to the partial group, and ask for those that wait in it.
 #ifndef RHW_PARTIAL_GROUP_H
 #define RHW_PARTIAL_GROUP_H
 
 #include "kernels/depth/open_pixels.h"
 #include "kernels/tile_units.h"
 #include "interpolate.h"
+
+// Shades the queue where the groups that were added have filled it.
+RHW_INLINE void shade_if_full(struct tile_work *work)
+{
+    if (work->scratch->queue.count == RHW_FRAGMENT_GROUPS) {
+        RHW_ISA_NAME(rhw_shade_queue)(work);
+    }
+}
 
 // Whether fragments wait where those of the block at (x, y) are that are set in `mask`.
 RHW_INLINE bool fragments_wait(const struct tile_work *work, int x, int y, uint64_t mask)

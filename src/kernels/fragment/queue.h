@@ -7,7 +7,7 @@
 
 #include "binding/shader_adapter.h"
 #include "kernels/depth/stencil_test.h"
-#include "kernels/tile_work.h"
+#include "kernels/tile_units.h"
 #include "blend.h"
 #include "explained_fragment.h"
 #include "sample_queue.h"
@@ -118,7 +118,7 @@ RHW_INLINE void finish_queue(struct tile_work *work)
 }
 
 // Shades and blends all groups. Fragments without a group go on waiting.
-static void shade_queue(struct tile_work *work)
+void RHW_ISA_NAME(rhw_shade_queue)(struct tile_work *work)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
     run_fragment_function(work, queue->count);
@@ -136,14 +136,6 @@ static void shade_queue(struct tile_work *work)
     work->counters->groups += (uint64_t)queue->count;
     queue->count = 0;
     queue->only_full_rows = true;
-}
-
-// Is called when groups were added.
-RHW_INLINE void shade_if_full(struct tile_work *work)
-{
-    if (work->scratch->queue.count == RHW_FRAGMENT_GROUPS) {
-        shade_queue(work);
-    }
 }
 
 #endif

@@ -9,8 +9,9 @@
 #include "block.h"
 #include "builtin.h"
 #include "derivative.h"
+#include "explained_fragment.h"
 #include "interpolate.h"
-#include "queue.h"
+#include "partial_group.h"
 #include "target_input.h"
 
 // Rows of a block that become groups: their numbers, and their bits.
@@ -309,7 +310,7 @@ RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangl
 {
     struct fragment_queue *const queue = &work->scratch->queue;
     if (queue->count + rows->count > RHW_FRAGMENT_GROUPS || (work->plan.reads_targets && queue->count != 0)) {
-        shade_queue(work);
+        RHW_ISA_NAME(rhw_shade_queue)(work);
     }
     if (!triangle->has_values) {
         set_inputs(work, triangle);

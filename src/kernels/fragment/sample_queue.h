@@ -24,9 +24,9 @@ RHW_INLINE i32x8 samples_of_alpha(f32x8 alpha, int count)
     return i32x8_power2(rhw_int_from_float_unchecked(kept)) - i32x8_splat(1);
 }
 
-// Tests the lanes of group g in `bits` after the fragment function, whose sample in the plane `depth` is at z.
-static unsigned test_plane_late(struct tile_depth *depth, const struct tile_work *work, int g, f32x8 z,
-                                unsigned bits, unsigned back)
+// Tests the lanes of group g in `bits` after the fragment function, whose sample is at z: `depth` is the tile's of that sample.
+static unsigned test_sample_late(struct tile_depth *depth, const struct tile_work *work, int g, f32x8 z,
+                                 unsigned bits, unsigned back)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_depth_rule rule = work->plan.late;
@@ -49,11 +49,11 @@ static i32x8 test_samples_late(struct tile_work *work, int g, i32x8 samples)
     const unsigned back = uses & RHW_USE_FACING ? i32x8_sign_bits(~group->front_facing) : 0;
     i32x8 passed = i32x8_splat(0);
     for (int s = 0; s < work->samples; s++) {
-        struct tile_depth *const depth = depth_plane(work->scratch, s);
+        struct tile_depth *const depth = depth_of_sample(work->scratch, s);
         const unsigned bits = lanes_of_sample(samples, s);
         const f32x8 z =
             uses & RHW_USE_DEPTH ? viewport_clamp(depth, group->depth) : queue->sample_depth[g][s];
-        const unsigned kept = bits == 0 ? 0 : test_plane_late(depth, work, g, z, bits, back);
+        const unsigned kept = bits == 0 ? 0 : test_sample_late(depth, work, g, z, bits, back);
         passed |= i32x8_from_bits(kept) & i32x8_splat(1 << s);
     }
     return passed;
@@ -120,7 +120,7 @@ RHW_INLINE void blend_row_samples(const struct tile_work *work, int t, int g, i3
         const unsigned bits = lanes_of_sample(samples, s);
         if (bits != 0) {
             blend_group(state, queue->colors[g][t], i32x8_from_bits(bits),
-                        color_plane(work->scratch, t, s) + at);
+                        color_of_sample(work->scratch, t, s) + at);
         }
     }
 }
@@ -138,7 +138,7 @@ RHW_INLINE void blend_scattered_samples(const struct tile_work *work, int t, int
     }
     for (int s = 0; s < (expanded == 0 ? 1 : work->samples); s++) {
         const unsigned bits = lanes_of_sample(samples, s) & (s == 0 ? 0xff : expanded);
-        unsigned char *const texels = color_plane(work->scratch, t, s);
+        unsigned char *const texels = color_of_sample(work->scratch, t, s);
         if (bits == 0) {
             continue;
         }

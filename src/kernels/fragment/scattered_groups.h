@@ -132,8 +132,8 @@ static void queue_scattered(struct tile_work *work, struct triangle_work *triang
             memcpy(queue->texels[g], &texel[8 * (g - first)], sizeof queue->texels[g]);
             queue->groups[g].mask = i32x8_splat(-1);
             if (work->samples > 1) {
-                const ptrdiff_t at = texel - work->scratch->gathered.texel + 8 * (g - first);
-                queue->samples[g] = i32x8_load(&work->scratch->gathered.samples[at]);
+                const ptrdiff_t at = texel - work->scratch->collected.texel + 8 * (g - first);
+                queue->samples[g] = i32x8_load(&work->scratch->collected.samples[at]);
             }
             if (work->samples > 1 && work->plan.depth_mode >= RHW_DEPTH_LATE) {
                 keep_sample_depths(work, &triangle->planes, g);
@@ -166,52 +166,53 @@ RHW_INLINE void repeat_first(int32_t texel[RHW_LANES], unsigned live)
     i32x8_store(texel, rhw_select_int(i32x8_from_bits(live), i32x8_load(texel), i32x8_splat(texel[0])));
 }
 
-// Makes groups of the gathered fragments, the last of no fewer than `least` of them; the others stay.
-static __attribute__((noinline)) void queue_gathered(struct tile_work *work, struct triangle_work *triangle,
-                                                     int least)
+// Makes groups of the collected fragments, the last of no fewer than `least` of them; the others stay.
+static __attribute__((noinline)) void queue_collected(struct tile_work *work, struct triangle_work *triangle,
+                                                      int least)
 {
-    struct gathered_fragments *const gathered = &work->scratch->gathered;
-    const int groups = (gathered->count + RHW_LANES - least) / RHW_LANES, end = RHW_LANES * groups;
-    const int missing = max_int(end - gathered->count, 0);
-    if (gathered->overtakes && work->scratch->partial.count != 0) {
+    struct collected_fragments *const collected = &work->scratch->collected;
+    const int groups = (collected->count + RHW_LANES - least) / RHW_LANES, end = RHW_LANES * groups;
+    const int missing = max_int(end - collected->count, 0);
+    if (collected->overtakes && work->scratch->partial.count != 0) {
         release_partial(work);
     }
-    gathered->overtakes = false;
+    collected->overtakes = false;
     const unsigned live = 0xffu >> missing; // of the last group
     if (missing != 0) {
-        repeat_first(&gathered->texel[end - RHW_LANES], live);
+        repeat_first(&collected->texel[end - RHW_LANES], live);
     }
-    queue_scattered(work, triangle, gathered->texel, groups, live);
-    gathered->first = end;
+    queue_scattered(work, triangle, collected->texel, groups, live);
+    collected->first = end;
 }
 
 // Makes room for the fragments of one more block.
 static __attribute__((noinline)) void make_room(struct tile_work *work, struct triangle_work *triangle)
 {
-    struct gathered_fragments *const gathered = &work->scratch->gathered;
-    queue_gathered(work, triangle, RHW_LANES);
-    memcpy(gathered->texel, &gathered->texel[gathered->first], RHW_LANES * sizeof *gathered->texel);
-    memcpy(gathered->samples, &gathered->samples[gathered->first], RHW_LANES * sizeof *gathered->samples);
-    gathered->count -= gathered->first;
-    gathered->first = 0;
+    struct collected_fragments *const collected = &work->scratch->collected;
+    queue_collected(work, triangle, RHW_LANES);
+    memcpy(collected->texel, &collected->texel[collected->first], RHW_LANES * sizeof *collected->texel);
+    memcpy(collected->samples, &collected->samples[collected->first], RHW_LANES * sizeof *collected->samples);
+    collected->count -= collected->first;
+    collected->first = 0;
 }
 
-static __attribute__((noinline)) void release_gathered(struct tile_work *work, struct triangle_work *triangle)
+static __attribute__((noinline)) void release_collected(struct tile_work *work,
+                                                        struct triangle_work *triangle)
 {
     // Those that wait where some of these lie would have to go first, before their group is full.
-    struct gathered_fragments *const gathered = &work->scratch->gathered;
-    const int least = gathered->overtakes ? RHW_LANES : least_of_group(work);
-    if (gathered->count >= least) {
-        queue_gathered(work, triangle, least);
+    struct collected_fragments *const collected = &work->scratch->collected;
+    const int least = collected->overtakes ? RHW_LANES : least_of_group(work);
+    if (collected->count >= least) {
+        queue_collected(work, triangle, least);
     }
-    if (gathered->first < gathered->count) {
-        if (gathered->overtakes && !work->orders_lanes && samples_meet(work)) {
+    if (collected->first < collected->count) {
+        if (collected->overtakes && !work->orders_lanes && samples_meet(work)) {
             release_partial(work);
         }
-        pack_gathered(work, triangle);
+        pack_collected(work, triangle);
     }
-    gathered->first = gathered->count = 0;
-    gathered->overtakes = false;
+    collected->first = collected->count = 0;
+    collected->overtakes = false;
 }
 
 #endif

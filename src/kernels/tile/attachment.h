@@ -193,7 +193,7 @@ static void store_depth_steps(const struct tile_work *work, int sample, const fl
 
 static void load_depth_stencil(const struct tile_work *work, int sample)
 {
-    struct tile_depth *const tile = depth_plane(work->scratch, sample);
+    struct tile_depth *const tile = depth_of_sample(work->scratch, sample);
     if (work->pass->depth_steps != 0) {
         load_depth_steps(work, sample, tile->texels);
     } else if (work->pass->has_depth) {
@@ -206,7 +206,7 @@ static void load_depth_stencil(const struct tile_work *work, int sample)
 
 static void store_depth_stencil(const struct tile_work *work, int sample)
 {
-    const struct tile_depth *const tile = depth_plane(work->scratch, sample);
+    const struct tile_depth *const tile = depth_of_sample(work->scratch, sample);
     if (work->pass->depth_steps != 0) {
         store_depth_steps(work, sample, tile->texels);
     } else if (work->pass->has_depth) {

@@ -14,7 +14,7 @@ static void read_sample(const struct tile_work *work, struct sample_content *con
     const struct rhw_explained *const e = work->explained;
     struct rhw_tile_scratch *const scratch = work->scratch;
     const int at = e->y * RHW_TILE + e->x, row = at & -8, sample = e->ask.sample;
-    const struct tile_depth *const depth = depth_plane(scratch, sample);
+    const struct tile_depth *const depth = depth_of_sample(scratch, sample);
     const bool has_own = work->samples == 1 || scratch->expanded >> block_of_texel(at) & 1;
     memset(content, 0, sizeof *content);
     content->depth = work->pass->has_depth ? depth->texels[at] : 0.0f;
@@ -24,7 +24,7 @@ static void read_sample(const struct tile_work *work, struct sample_content *con
         struct raw_texels raw = {{{0}}};
         f32x8 lanes[4];
         load_texel_row(format->size,
-                       color_plane(scratch, t, has_own ? sample : 0) + (size_t)row * format->size, &raw);
+                       color_of_sample(scratch, t, has_own ? sample : 0) + (size_t)row * format->size, &raw);
         decode_texels(format, &raw, lanes);
         for (int c = 0; c < 4; c++) {
             content->color[t][c] = lanes[c][at - row];

@@ -8,6 +8,7 @@
 
 #include "kernels/fragment/explained_fragment.h"
 #include "kernels/fragment/collect.h"
+#include "kernels/fragment/constant_color.h"
 #include "kernels/depth/block_test.h"
 #include "kernels/depth/depth_range.h"
 #include "span_blocks.h"
@@ -66,7 +67,7 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
     }
     if (plan->shading == RHW_SHADING_CONSTANT && !plan->needs_depth) { // no number of the triangle is wanted
         work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
-        RHW_ISA_NAME(rhw_blend_constant)(work, x, y, mask);
+        blend_constant(work, x, y, mask);
         return;
     }
     if (!triangle->has_planes) {
@@ -98,7 +99,7 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
     }
     work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
     if (plan->shading == RHW_SHADING_CONSTANT) {
-        RHW_ISA_NAME(rhw_blend_constant)(work, x, y, mask);
+        blend_constant(work, x, y, mask);
     } else {
         collect_block(work, triangle, &block, mask);
     }
@@ -173,7 +174,7 @@ static void draw_blocks(struct tile_work *work, struct triangle_work *triangle,
             }
         }
     }
-    finish_gathered(work, triangle);
+    finish_collected(work, triangle);
 }
 
 // Settled blocks ----------------------------------------------------------------------------------------
@@ -235,7 +236,7 @@ static uint64_t mask_of_block(const struct tile_work *work, const struct triangl
 }
 
 // A triangle that leaves depth as it is and changes stencil by whether it passes the depth test. Nothing shades it, so there
-// is nothing gathered to end with.
+// is nothing collected to end with.
 static __attribute__((noinline)) void draw_whole_blocks(struct tile_work *work,
                                                         struct triangle_work *triangle,
                                                         const struct coverage *coverage)
@@ -269,7 +270,7 @@ static void draw_by_spans(struct tile_work *work, struct triangle_work *triangle
 {
     begin_any(work, triangle, NULL);
     draw_span_blocks(work, triangle, draw_block);
-    finish_gathered(work, triangle);
+    finish_collected(work, triangle);
 }
 
 static void draw_any(struct tile_work *work, struct triangle_work *triangle)

@@ -7,6 +7,7 @@
 
 #include "kernels/fragment/explained_fragment.h"
 #include "kernels/fragment/collect.h"
+#include "kernels/fragment/constant_color.h"
 #include "kernels/depth/block_test.h"
 #include "sampled_block.h"
 #include "triangle_planes.h"
@@ -49,7 +50,7 @@ static uint64_t all_samples(const struct tile_work *work, const uint64_t *mask)
 static void leave_open(struct tile_work *work, struct sampled_block *block)
 {
     for (int s = 0; s < work->samples; s++) {
-        struct tile_depth *const depth = depth_plane(work->scratch, s);
+        struct tile_depth *const depth = depth_of_sample(work->scratch, s);
         if (work->phase == RHW_PHASE_BACKWARDS) {
             block->mask[s] = claim_backwards(depth, block->x, block->y, block->mask[s]);
         } else if (work->plan.early_name == RHW_RULE_CLAIM) {
@@ -83,14 +84,14 @@ static void test_samples(struct tile_work *work, const struct triangle_work *tri
         if (block->mask[s] == 0) {
             continue;
         }
-        struct tile_depth *const depth = depth_plane(work->scratch, s);
+        struct tile_depth *const depth = depth_of_sample(work->scratch, s);
         const struct block_pixels pixels = {depth, block->z[s], block->x, block->y, block->mask[s]};
         block->mask[s] = work->plan.test != RHW_TEST_DEPTH
                              ? test_block_early_stencil(&pixels, &work->plan, face, false)
                              : test_early(&work->plan, test_block, &pixels);
     }
     if (covers) {
-        hiz_cover(depth_plane(work->scratch, 0), plane_of(&planes->quantities, QUANTITY_Z),
+        hiz_cover(depth_of_sample(work->scratch, 0), plane_of(&planes->quantities, QUANTITY_Z),
                   planes->anchor_x - work->x, planes->anchor_y - work->y, block->x, block->y, SAMPLE_REACH);
     }
 }
@@ -121,7 +122,7 @@ static void queue_samples(struct tile_work *work, struct triangle_work *triangle
     const bool is_whole = pixels == ~(uint64_t)0;
     if (at < 0 && (!is_whole || all_samples(work, from->mask) != pixels) &&
         can_scatter(work, triangle, &block, pixels)) {
-        gather_samples(work, triangle, block.x, block.y, from->mask, pixels);
+        collect_samples(work, triangle, block.x, block.y, from->mask, pixels);
         return;
     }
     release_overtaken(work, block.x, block.y, pixels);
@@ -132,8 +133,8 @@ static void queue_samples(struct tile_work *work, struct triangle_work *triangle
     }
 }
 
-static void collect_samples(struct tile_work *work, struct triangle_work *triangle,
-                            const struct sampled_block *block, uint64_t any)
+static void queue_sampled_block(struct tile_work *work, struct triangle_work *triangle,
+                                const struct sampled_block *block, uint64_t any)
 {
     uint64_t left = any;
     switch (work->plan.sampling) {
@@ -198,9 +199,9 @@ void RHW_ISA_NAME(rhw_draw_sampled_block)(struct tile_work *work, struct triangl
         work->counters->fragments += (uint64_t)__builtin_popcountll(any);
     }
     if (plan->shading == RHW_SHADING_CONSTANT) {
-        RHW_ISA_NAME(rhw_blend_constant_samples)(work, block->x, block->y, block->mask);
+        blend_constant_samples(work, block->x, block->y, block->mask);
     } else {
-        collect_samples(work, triangle, block, any);
+        queue_sampled_block(work, triangle, block, any);
     }
 }
 
@@ -321,7 +322,7 @@ static void draw_any_samples(struct tile_work *work, struct triangle_work *trian
                                              (int64_t)work->y * RHW_SUBPIXEL + pattern->y_0_8[s]};
         coverage_setup(&coverage[s], triangle->chunk, triangle->t, origin);
         reaches |= coverage[s].count != 0;
-        depth_plane(work->scratch, s)->marked = false;
+        depth_of_sample(work->scratch, s)->marked = false;
     }
     if (!reaches) {
         return;
@@ -329,9 +330,9 @@ static void draw_any_samples(struct tile_work *work, struct triangle_work *trian
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
         draw_sampled_row(work, triangle, coverage, &rect, is_whole ? &wide : NULL, y);
     }
-    finish_gathered(work, triangle);
+    finish_collected(work, triangle);
     for (int s = 1; s < work->samples; s++) {
-        work->scratch->depth.marked |= depth_plane(work->scratch, s)->marked;
+        work->scratch->depth.marked |= depth_of_sample(work->scratch, s)->marked;
     }
 }
 

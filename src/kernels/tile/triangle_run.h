@@ -56,7 +56,7 @@ static __attribute__((noinline)) bool others_are_closed(const struct tile_work *
 {
     int open = 0;
     for (int s = 1; s < work->samples && open == 0; s++) {
-        open = depth_plane(work->scratch, s)->open_count;
+        open = depth_of_sample(work->scratch, s)->open_count;
     }
     return open == 0;
 }

@@ -92,14 +92,14 @@ static void draw_shape_block(struct tile_work *work, struct triangle_work *trian
 static void unmark_samples(struct tile_work *work)
 {
     for (int s = 1; s < work->samples; s++) {
-        depth_plane(work->scratch, s)->marked = false;
+        depth_of_sample(work->scratch, s)->marked = false;
     }
 }
 
 static void unite_marks(struct tile_work *work)
 {
     for (int s = 1; s < work->samples; s++) {
-        work->scratch->depth.marked |= depth_plane(work->scratch, s)->marked;
+        work->scratch->depth.marked |= depth_of_sample(work->scratch, s)->marked;
     }
 }
 
@@ -125,7 +125,7 @@ static void draw_pixel_shape(struct tile_work *work, struct triangle_work *trian
             }
         }
     }
-    finish_gathered(work, triangle);
+    finish_collected(work, triangle);
     unite_marks(work);
 }
 
@@ -151,7 +151,7 @@ static void draw_stippled(struct tile_work *work, struct triangle_work *triangle
             }
         }
     }
-    finish_gathered(work, triangle);
+    finish_collected(work, triangle);
     unite_marks(work);
 }
 

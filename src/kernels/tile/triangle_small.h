@@ -142,7 +142,7 @@ RHW_INLINE void draw_strip_rows(struct tile_work *work, struct triangle_work *tr
     const uint64_t passed = strip_pixels(work, triangle, strip, rows);
     const uint64_t mask = ready_pixels(work, triangle, strip->x, rows.top, passed);
     if (mask != 0) {
-        gather_fragments(work, triangle, strip->x, rows.top, y1 - rows.top, mask);
+        collect_fragments(work, triangle, strip->x, rows.top, y1 - rows.top, mask);
     }
 }
 
@@ -245,7 +245,7 @@ RHW_INLINE void draw_small_triangle(struct tile_work *work, struct triangle_work
     } else {
         draw_short_strip(work, triangle);
     }
-    finish_gathered(work, triangle);
+    finish_collected(work, triangle);
 }
 
 #endif

@@ -78,7 +78,7 @@ RHW_INLINE uint64_t test_part_sample(const struct part_test *test, int s, const 
     const struct small_edges *const edges = test->edges;
     const struct small_part *const part = test->part;
     const struct rhw_sample_pattern *const pattern = work->pass->pattern;
-    struct tile_depth *const depth = depth_plane(work->scratch, s);
+    struct tile_depth *const depth = depth_of_sample(work->scratch, s);
     const int i = test->triangle->lane;
     const struct plane z = plane_of(&setup->quantities[i], QUANTITY_Z);
     const f64x8 dx = f64x8_from_i32x8(i32x8_splat(work->x + part->x - setup->anchor_x[i]) + rhw_lane_index);
@@ -132,7 +132,7 @@ static void draw_small_part(struct tile_work *work, struct triangle_work *triang
     if (!triangle->has_planes) {
         copy_planes(work, triangle);
     }
-    gather_samples(work, triangle, part->x, part->top, mask, any);
+    collect_samples(work, triangle, part->x, part->top, mask, any);
 }
 
 // Whether all of the triangle in a part lies behind what the tile shows there.
@@ -158,7 +158,7 @@ static void draw_small_triangle_samples(struct tile_work *work, struct triangle_
     }
     begin_plain(triangle);
     for (int s = 0; s < work->samples; s++) {
-        depth_plane(work->scratch, s)->marked = false;
+        depth_of_sample(work->scratch, s)->marked = false;
     }
     for (int y = y0; y < y1; y += RHW_BLOCK) {
         for (int x = x0; x < x1; x += RHW_BLOCK) {
@@ -175,9 +175,9 @@ static void draw_small_triangle_samples(struct tile_work *work, struct triangle_
             }
         }
     }
-    finish_gathered(work, triangle);
+    finish_collected(work, triangle);
     for (int s = 1; s < work->samples; s++) {
-        work->scratch->depth.marked |= depth_plane(work->scratch, s)->marked;
+        work->scratch->depth.marked |= depth_of_sample(work->scratch, s)->marked;
     }
 }
 

@@ -115,27 +115,27 @@ RHW_INLINE void pack_tiny(const struct triangle_run *run, int i, const struct rh
     work->counters->fragments += fragments;
 }
 
-// Packs the gathered fragments of triangle i, or makes groups of them.
+// Packs the collected fragments of triangle i, or makes groups of them.
 static __attribute__((noinline)) void finish_tiny(const struct triangle_run *run, int i)
 {
     struct tile_work *const work = run->work;
     struct triangle_work triangle;
     begin_tiny(&triangle, run, i);
-    work->counters->fragments += (uint64_t)work->scratch->gathered.count;
-    if (gathered_wait(work)) {
+    work->counters->fragments += (uint64_t)work->scratch->collected.count;
+    if (collected_wait(work)) {
         overtake(work);
     }
-    RHW_ISA_NAME(rhw_release_gathered)(work, &triangle);
+    RHW_ISA_NAME(rhw_release_collected)(work, &triangle);
 }
 
-// Tests triangle i by a depth rule, and gathers its fragments.
-RHW_INLINE void gather_tiny(const struct triangle_run *run, int i, const struct rhw_depth_rule rule)
+// Tests triangle i by a depth rule, and collects its fragments.
+RHW_INLINE void collect_tiny(const struct triangle_run *run, int i, const struct rhw_depth_rule rule)
 {
     struct tile_work *const work = run->work;
     const struct triangle_setup8 *const setup = run->setup;
     const struct plane z = plane_of(&setup->quantities[i], QUANTITY_Z);
     const struct tiny_place place = place_of_tiny(work, setup, i);
-    int32_t *const texels = work->scratch->gathered.texel;
+    int32_t *const texels = work->scratch->collected.texel;
     int count = 0;
     for (uint32_t left = setup->tiny_mask[i]; left != 0; left &= left - 1) {
         const int pixel = __builtin_ctz(left), column = pixel % TINY_COLUMNS, row = pixel / TINY_COLUMNS;
@@ -146,7 +146,7 @@ RHW_INLINE void gather_tiny(const struct triangle_run *run, int i, const struct 
                                   (float)plane_value(z, place.right + column, place.down + row), rule);
     }
     if (count != 0) {
-        work->scratch->gathered.count = count;
+        work->scratch->collected.count = count;
         finish_tiny(run, i);
     }
 }
@@ -159,7 +159,7 @@ RHW_INLINE void draw_tiny_by(const struct triangle_run *run, const struct rhw_de
         if (work->packs_plainly) {
             pack_tiny(run, i, rule);
         } else {
-            gather_tiny(run, i, rule);
+            collect_tiny(run, i, rule);
         }
         if (rule.open == RHW_OPEN_MARK && work->scratch->depth.marked) {
             work->scratch->depth.marked = false;
