@@ -9,7 +9,6 @@
 //     3 × 3 footprints  their mean: percentage-closer filtering
 //
 // (W. Reeves, D. Salesin, R. Cook, "Rendering antialiased shadows with depth maps", SIGGRAPH 1987.)
-#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -17,13 +16,9 @@
 #include <rhw/shader.h>
 
 #include "picture.h"
+#include "solid.h"
 
-enum { PANEL = 300, SCALE = 4, SCALE_LEVELS = 3, MAP = 128, RINGS = 48, SECTORS = 96, SPHERES = 4 };
-enum { SPHERE_VERTICES = RINGS * SECTORS * 6 };
-
-struct vertex {
-    float position[3], normal[3];
-};
+enum { PANEL = 300, SCALE = 4, SCALE_LEVELS = 3, MAP = 128, SPHERES = 4 };
 
 static const struct sphere {
     float center[3], radius, color[3];
@@ -179,13 +174,10 @@ static void show_light(struct rhw_fragment *groups, int count)
 static rhw_pipeline make_pipeline(rhw_context *context, const struct rhw_program *program,
                                   enum rhw_format format)
 {
-    struct rhw_pipeline_def def = {.program = *program, .label = "lesson 9"};
+    struct rhw_pipeline_def def = solid_pipeline_def();
+    def.label = "lesson 9";
+    def.program = *program;
     def.program.uniform_size = sizeof(struct uniforms);
-    def.attributes[0] = (struct rhw_attribute){RHW_VERTEX_FLOAT3, 0, offsetof(struct vertex, position)};
-    def.attributes[1] = (struct rhw_attribute){RHW_VERTEX_FLOAT3, 0, offsetof(struct vertex, normal)};
-    def.attribute_count = 2;
-    def.buffer_count = 1;
-    def.depth_test = true;
     def.target_count = format != RHW_FORMAT_NONE;
     def.targets[0].format = format;
     rhw_pipeline pipeline;
@@ -193,46 +185,22 @@ static rhw_pipeline make_pipeline(rhw_context *context, const struct rhw_program
     return pipeline;
 }
 
-// A sphere of radius 1, then two triangles of the ground.
-static rhw_buffer make_vertices(rhw_context *context)
-{
-    static struct vertex vertices[SPHERE_VERTICES + 6];
-    struct vertex *next = vertices;
-    for (int i = 0; i < RINGS * SECTORS; i++) {
-        for (int k = 0; k < 6; k++) {
-            static const int corners[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
-            const float polar = (float)(i / SECTORS + corners[k][0]) * 3.14159265f / RINGS;
-            const float turn = (float)(i % SECTORS + corners[k][1]) * 6.28318531f / SECTORS;
-            const float p[3] = {rhw_sin1(polar) * rhw_sin1(turn), rhw_cos1(polar),
-                                rhw_sin1(polar) * rhw_cos1(turn)};
-            memcpy(next->position, p, sizeof p);
-            memcpy(next->normal, p, sizeof p);
-            next++;
-        }
-    }
-    static const float ground[6][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}};
-    for (int k = 0; k < 6; k++) {
-        *next++ = (struct vertex){{20 * ground[k][0], 0, 20 * ground[k][1]}, {0, 1, 0}};
-    }
-    return picture_vertices(context, vertices, sizeof vertices);
-}
-
 // Everything, with the pipeline that is set.
 static void draw_world(rhw_context *context, rhw_pass pass, rhw_buffer vertices, float wide)
 {
-    struct uniforms uniforms = {.wide = wide, .radius = 1};
+    struct uniforms uniforms = {.wide = wide, .radius = 20};
     set_camera(uniforms.camera);
     set_light(uniforms.light);
     rhw_pass_set_vertex_buffer(context, pass, 0, vertices, 0);
     memcpy(uniforms.color, floor_color, sizeof floor_color);
     rhw_pass_set_uniforms(context, pass, &uniforms, sizeof uniforms);
-    rhw_pass_draw(context, pass, SPHERE_VERTICES, 6, 0, 1);
+    solid_draw(context, pass, SOLID_SQUARE, 1);
     for (int i = 0; i < SPHERES; i++) {
         memcpy(uniforms.center, spheres[i].center, sizeof uniforms.center);
         memcpy(uniforms.color, spheres[i].color, sizeof uniforms.color);
         uniforms.radius = spheres[i].radius;
         rhw_pass_set_uniforms(context, pass, &uniforms, sizeof uniforms);
-        rhw_pass_draw(context, pass, 0, SPHERE_VERTICES, 0, 1);
+        solid_draw(context, pass, SOLID_BALL, 1);
     }
 }
 
@@ -276,7 +244,7 @@ static void draw(rhw_context *context, rhw_fragment_function *fragment, rhw_text
                                         .varyings = {RHW_VARYING(struct surface, normal, RHW_SMOOTH, false),
                                                      RHW_VARYING(struct surface, light, RHW_SMOOTH, true)},
                                         .varying_count = 2};
-    const rhw_buffer vertices = make_vertices(context);
+    const rhw_buffer vertices = solid_buffer(context);
     const rhw_texture map = draw_map(context, vertices);
     const rhw_pipeline pipeline = make_pipeline(context, &program, rhw_texture_format(context, target));
     struct rhw_pass_def attachments = {.colors = {{.texture = target}},

@@ -177,15 +177,19 @@ int main(int argc, char **argv)
     free(picture);
 
     static float values[PANEL * PANEL][4];
+    static double meant[PANEL * PANEL / 2]; // above the disc
+    for (int p = 0; p < PANEL * PANEL / 2; p++) {
+        meant[p] = coverage(p % PANEL, p / PANEL);
+    }
     printf("the rays' part of pixels, and what is drawn:\n");
     for (int i = 0; i < PANELS; i++) {
         double squares = 0;
         int count = 0;
         draw_panel(context, i, RHW_FORMAT_RGBA32_FLOAT, values);
-        for (int p = 0; p < PANEL * PANEL / 2; p++) { // above the disc
+        for (int p = 0; p < PANEL * PANEL / 2; p++) {
             const double red = ((double)values[p][1] - (double)background[1]) /
                                ((double)ray_color[1] - (double)background[1]);
-            const double error = red - coverage(p % PANEL, p / PANEL);
+            const double error = red - meant[p];
             squares += error * error;
             count++;
         }

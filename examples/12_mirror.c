@@ -8,7 +8,6 @@
 //     2  the mirror's surface into the stencil alone: 1 where it is seen
 //     3  the world with y turned over, where the stencil is 1; it faces the other way on the screen
 //     4  the surface again, a thin layer of colour
-#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -100,22 +99,18 @@ static void make_pipelines(rhw_context *context, rhw_fragment_function *fragment
                            rhw_pipeline pipelines[STAGES])
 {
     for (int stage = 0; stage < STAGES; stage++) {
-        struct rhw_pipeline_def def = {
-            .program = {.vertex = {place},
-                        .fragment = {fragment},
-                        .varyings = {RHW_VARYING(struct surface, normal, RHW_SMOOTH, false),
-                                     RHW_VARYING(struct surface, world, RHW_SMOOTH, false)},
-                        .varying_count = 2,
-                        .uniform_size = sizeof(struct uniforms)},
-            .attributes = {{RHW_VERTEX_FLOAT3, 0, offsetof(struct solid_vertex, position)},
-                           {RHW_VERTEX_FLOAT3, 0, offsetof(struct solid_vertex, normal)}},
-            .attribute_count = 2,
-            .buffer_count = 1,
-            .depth_test = true,
-            .cull = RHW_CULL_BACK,
-            .targets = {{.format = format}},
-            .target_count = 1,
-            .label = "lesson 12"};
+        struct rhw_pipeline_def def = solid_pipeline_def();
+        def.program =
+            (struct rhw_program){.vertex = {place},
+                                 .fragment = {fragment},
+                                 .varyings = {RHW_VARYING(struct surface, normal, RHW_SMOOTH, false),
+                                              RHW_VARYING(struct surface, world, RHW_SMOOTH, false)},
+                                 .varying_count = 2,
+                                 .uniform_size = sizeof(struct uniforms)};
+        def.cull = RHW_CULL_BACK;
+        def.targets[0].format = format;
+        def.target_count = 1;
+        def.label = "lesson 12";
         const struct rhw_stencil_face where_marked = {.compares = true, .compare = RHW_COMPARE_EQUAL};
         struct rhw_color_target *const target = &def.targets[0];
         switch ((enum stage)stage) {
@@ -142,20 +137,6 @@ static void make_pipelines(rhw_context *context, rhw_fragment_function *fragment
     }
 }
 
-// Balls, boxes, then flat squares from −1 to 1.
-static rhw_buffer make_vertices(rhw_context *context)
-{
-    static struct solid_vertex vertices[BALL_VERTICES + BOX_VERTICES + 6];
-    static const float square[6][2] = {{-1, -1}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1}, {1, 1}};
-    solid_ball(vertices);
-    solid_box(vertices + BALL_VERTICES);
-    for (int i = 0; i < 6; i++) {
-        vertices[BALL_VERTICES + BOX_VERTICES + i] =
-            (struct solid_vertex){{square[i][0], 0, square[i][1]}, {0, 1, 0}};
-    }
-    return picture_vertices(context, vertices, sizeof vertices);
-}
-
 static void draw_quad(rhw_context *context, rhw_pass pass, struct uniforms *uniforms, const float quad[4])
 {
     for (int k = 0; k < 2; k++) {
@@ -165,7 +146,7 @@ static void draw_quad(rhw_context *context, rhw_pass pass, struct uniforms *unif
     uniforms->center[1] = 0;
     uniforms->size[1] = 1;
     rhw_pass_set_uniforms(context, pass, uniforms, sizeof *uniforms);
-    rhw_pass_draw(context, pass, BALL_VERTICES + BOX_VERTICES, 6, 0, 1);
+    solid_draw(context, pass, SOLID_SQUARE, 1);
 }
 
 static void draw_things(rhw_context *context, rhw_pass pass, struct uniforms *uniforms)
@@ -176,8 +157,7 @@ static void draw_things(rhw_context *context, rhw_pass pass, struct uniforms *un
         memcpy(uniforms->color, things[i].color, sizeof uniforms->color);
         uniforms->id = (float)(i + 1);
         rhw_pass_set_uniforms(context, pass, uniforms, sizeof *uniforms);
-        rhw_pass_draw(context, pass, things[i].is_ball ? 0 : BALL_VERTICES,
-                      things[i].is_ball ? BALL_VERTICES : BOX_VERTICES, 0, 1);
+        solid_draw(context, pass, things[i].is_ball ? SOLID_BALL : SOLID_BOX, 1);
     }
 }
 
@@ -186,7 +166,7 @@ static void draw(rhw_context *context, rhw_fragment_function *fragment, rhw_text
     static const float stone[3] = {0.50f, 0.47f, 0.42f}, glass[3] = {0.10f, 0.22f, 0.25f};
     rhw_pipeline pipelines[STAGES];
     make_pipelines(context, fragment, rhw_texture_format(context, target), pipelines);
-    const rhw_buffer vertices = make_vertices(context);
+    const rhw_buffer vertices = solid_buffer(context);
     struct rhw_pass_def attachments = {.colors = {{.texture = target}},
                                        .color_count = 1,
                                        .depth = {.enabled = true,

@@ -8,7 +8,6 @@
 //
 // Which face a direction belongs to, and where on it, is said by a table (Vulkan 1.3, "Cube Map Face Selection"): the
 // same one that says how the six views are turned. Filters cross from face to face without a seam.
-#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -103,44 +102,25 @@ static void find_ball(int i, float center[3], float color[3])
 static rhw_pipeline make_pipeline(rhw_context *context, rhw_fragment_function *fragment,
                                   enum rhw_format format)
 {
-    const struct rhw_pipeline_def def = {
-        .program = {.vertex = {place},
-                    .fragment = {fragment},
-                    .varyings = {RHW_VARYING(struct surface, normal, RHW_SMOOTH, false),
-                                 RHW_VARYING(struct surface, world, RHW_SMOOTH, false)},
-                    .varying_count = 2,
-                    .uniform_size = sizeof(struct uniforms)},
-        .attributes = {{RHW_VERTEX_FLOAT3, 0, offsetof(struct solid_vertex, position)},
-                       {RHW_VERTEX_FLOAT3, 0, offsetof(struct solid_vertex, normal)}},
-        .attribute_count = 2,
-        .buffer_count = 1,
-        .depth_test = true,
-        .targets = {{.format = format}},
-        .target_count = 1,
-        .label = "lesson 13"};
+    struct rhw_pipeline_def def = solid_pipeline_def();
+    def.program = (struct rhw_program){.vertex = {place},
+                                       .fragment = {fragment},
+                                       .varyings = {RHW_VARYING(struct surface, normal, RHW_SMOOTH, false),
+                                                    RHW_VARYING(struct surface, world, RHW_SMOOTH, false)},
+                                       .varying_count = 2,
+                                       .uniform_size = sizeof(struct uniforms)};
+    def.targets[0].format = format;
+    def.target_count = 1;
+    def.label = "lesson 13";
     rhw_pipeline pipeline;
     must(rhw_pipeline_create(context, &def, &pipeline), "pipeline");
     return pipeline;
 }
 
-// A ball, then the ground.
-static rhw_buffer make_vertices(rhw_context *context)
-{
-    static struct solid_vertex vertices[BALL_VERTICES + 6];
-    static const float square[6][2] = {{-1, -1}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1}, {1, 1}};
-    solid_ball(vertices);
-    for (int i = 0; i < 6; i++) {
-        vertices[BALL_VERTICES + i] =
-            (struct solid_vertex){{300 * square[i][0], 0, 300 * square[i][1]}, {0, 1, 0}};
-    }
-    return picture_vertices(context, vertices, sizeof vertices);
-}
-
-static void draw_part(rhw_context *context, rhw_pass pass, const struct uniforms *uniforms, int first,
-                      int count)
+static void draw_part(rhw_context *context, rhw_pass pass, const struct uniforms *uniforms, enum solid solid)
 {
     rhw_pass_set_uniforms(context, pass, uniforms, sizeof *uniforms);
-    rhw_pass_draw(context, pass, (uint32_t)first, (uint32_t)count, 0, 1);
+    solid_draw(context, pass, solid, 1);
 }
 
 // Everything but the ball in the middle, into a level and layer of a texture.
@@ -152,18 +132,18 @@ static rhw_pass begin_world(rhw_context *context, const struct rhw_color_attachm
                                        .depth = {.enabled = true, .store = RHW_STORE_DISCARD},
                                        .label = "world"};
     memcpy(attachments.colors[0].clear, (const float[]){sky[0], sky[1], sky[2], 1}, 4 * sizeof(float));
-    struct uniforms uniforms = {.radius = 1, .color = {0.75f, 0.72f, 0.66f}, .is_ground = 1};
+    struct uniforms uniforms = {.radius = 300, .color = {0.75f, 0.72f, 0.66f}, .is_ground = 1};
     memcpy(uniforms.camera, camera, sizeof uniforms.camera);
     rhw_pass pass;
     must(rhw_pass_begin(context, &attachments, &pass), "pass");
     rhw_pass_set_pipeline(context, pass, pipeline);
     rhw_pass_set_vertex_buffer(context, pass, 0, vertices, 0);
-    draw_part(context, pass, &uniforms, BALL_VERTICES, 6);
+    draw_part(context, pass, &uniforms, SOLID_SQUARE);
     uniforms.is_ground = 0;
     uniforms.radius = ball_radius;
     for (int i = 0; i < BALLS; i++) {
         find_ball(i, uniforms.center, uniforms.color);
-        draw_part(context, pass, &uniforms, 0, BALL_VERTICES);
+        draw_part(context, pass, &uniforms, SOLID_BALL);
     }
     return pass;
 }
@@ -188,7 +168,7 @@ static rhw_texture draw_cube(rhw_context *context, rhw_buffer vertices)
 static void draw(rhw_context *context, rhw_texture target)
 {
     const enum rhw_format format = rhw_texture_format(context, target);
-    const rhw_buffer vertices = make_vertices(context);
+    const rhw_buffer vertices = solid_buffer(context);
     const rhw_texture cube = draw_cube(context, vertices);
     const rhw_pipeline world = make_pipeline(context, paint, format),
                        mirror = make_pipeline(context, reflect, format);
@@ -202,7 +182,7 @@ static void draw(rhw_context *context, rhw_texture target)
                                       vertices, uniforms.camera);
     rhw_pass_set_pipeline(context, pass, mirror);
     rhw_pass_set_texture(context, pass, 0, cube, sampler);
-    draw_part(context, pass, &uniforms, 0, BALL_VERTICES);
+    draw_part(context, pass, &uniforms, SOLID_BALL);
     must(rhw_pass_end(context, pass, NULL), "pass");
     rhw_sampler_destroy(context, sampler);
     rhw_texture_destroy(context, cube);
@@ -222,7 +202,7 @@ int main(int argc, char **argv)
     picture_save(context, picture, SCALE_LEVELS - 1, directory, "13_reflection.png");
 
     // Neighbouring texels across an edge of the cube see the same world: +x's first column, +z's last.
-    const rhw_buffer vertices = make_vertices(context);
+    const rhw_buffer vertices = solid_buffer(context);
     const rhw_texture cube = draw_cube(context, vertices);
     static uint16_t faces[2][FACE][FACE][4];
     must(rhw_texture_read_layer(context, cube, 0, 0, faces[0], 0), "read");

@@ -6,7 +6,6 @@
 //     target 1   its normal                  RGBA16_FLOAT
 //     target 2   its place in the world      RGBA32_FLOAT
 //     target 3   what it belongs to          R32_UINT; 0 where there is nothing
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -148,21 +147,16 @@ static void shade_at_once(struct rhw_fragment *groups, int count)
 static rhw_pipeline make_world_pipeline(rhw_context *context, rhw_fragment_function *fragment,
                                         const enum rhw_format *target_formats, int count)
 {
-    struct rhw_pipeline_def def = {
-        .program = {.vertex = {place},
-                    .fragment = {fragment},
-                    .varyings = {RHW_VARYING(struct surface, normal, RHW_SMOOTH, false),
-                                 RHW_VARYING(struct surface, world, RHW_SMOOTH, false)},
-                    .varying_count = 2,
-                    .uniform_size = sizeof(struct uniforms)},
-        .attributes = {{RHW_VERTEX_FLOAT3, 0, offsetof(struct solid_vertex, position)},
-                       {RHW_VERTEX_FLOAT3, 0, offsetof(struct solid_vertex, normal)}},
-        .attribute_count = 2,
-        .buffer_count = 1,
-        .depth_test = true,
-        .cull = RHW_CULL_BACK,
-        .target_count = count,
-        .label = "world"};
+    struct rhw_pipeline_def def = solid_pipeline_def();
+    def.program = (struct rhw_program){.vertex = {place},
+                                       .fragment = {fragment},
+                                       .varyings = {RHW_VARYING(struct surface, normal, RHW_SMOOTH, false),
+                                                    RHW_VARYING(struct surface, world, RHW_SMOOTH, false)},
+                                       .varying_count = 2,
+                                       .uniform_size = sizeof(struct uniforms)};
+    def.cull = RHW_CULL_BACK;
+    def.target_count = count;
+    def.label = "world";
     for (int t = 0; t < count; t++) {
         def.targets[t].format = target_formats[t];
     }
@@ -175,10 +169,7 @@ static rhw_pipeline make_world_pipeline(rhw_context *context, rhw_fragment_funct
 static void draw_world(rhw_context *context, rhw_fragment_function *fragment, const rhw_texture *targets,
                        int count)
 {
-    static struct solid_vertex vertices[BALL_VERTICES + BOX_VERTICES];
-    solid_ball(vertices);
-    solid_box(vertices + BALL_VERTICES);
-    const rhw_buffer buffer = picture_vertices(context, vertices, sizeof vertices);
+    const rhw_buffer buffer = solid_buffer(context);
     enum rhw_format target_formats[TARGETS];
     struct rhw_pass_def attachments = {
         .color_count = count, .depth = {.enabled = true, .store = RHW_STORE_DISCARD}, .label = "world"};
@@ -195,7 +186,7 @@ static void draw_world(rhw_context *context, rhw_fragment_function *fragment, co
     rhw_pass_set_pipeline(context, pass, pipeline);
     rhw_pass_set_vertex_buffer(context, pass, 0, buffer, 0);
     rhw_pass_set_uniforms(context, pass, &uniforms, sizeof uniforms);
-    rhw_pass_draw(context, pass, BALL_VERTICES, BOX_VERTICES, 0, 1);
+    solid_draw(context, pass, SOLID_BOX, 1);
     for (int i = 0; i < ROWS * ROWS; i++) {
         const bool is_ball = i % 2 == 0;
         for (int k = 0; k < 3; k++) {
@@ -207,8 +198,7 @@ static void draw_world(rhw_context *context, rhw_fragment_function *fragment, co
         uniforms.center[2] = 1.35f * (float)(i / ROWS - ROWS / 2);
         uniforms.id = (uint32_t)i + 2;
         rhw_pass_set_uniforms(context, pass, &uniforms, sizeof uniforms);
-        rhw_pass_draw(context, pass, is_ball ? 0 : BALL_VERTICES, is_ball ? BALL_VERTICES : BOX_VERTICES, 0,
-                      1);
+        solid_draw(context, pass, is_ball ? SOLID_BALL : SOLID_BOX, 1);
     }
     must(rhw_pass_end(context, pass, NULL), "pass");
     rhw_buffer_destroy(context, buffer);

@@ -142,6 +142,10 @@ static double coverage(int column, int row)
         find_line(i, from, to);
         const double x = (double)(to[0] - from[0]), y = (double)(to[1] - from[1]),
                      length = sqrt(x * x + y * y);
+        const double middle_x = column + 0.5 - (double)from[0], middle_y = row + 0.5 - (double)from[1];
+        if (fabs(middle_x * y - middle_y * x) / length > 0.5 * (double)line_width + 1) {
+            continue; // no corner of the pixel is as near
+        }
         for (int p = 0; p < STEPS * STEPS; p++) {
             const double dx = column + (p % STEPS + 0.5) / STEPS - (double)from[0],
                          dy = row + (p / STEPS + 0.5) / STEPS - (double)from[1];
@@ -167,6 +171,10 @@ int main(int argc, char **argv)
     picture_write_png(directory, "16_lines.png", PANELS * PANEL * ENLARGED, PANEL * ENLARGED, picture[0][0]);
 
     static float values[PANEL * PANEL][4];
+    static double meant[PANEL * PANEL];
+    for (int p = 0; p < PANEL * PANEL; p++) {
+        meant[p] = coverage(p % PANEL, p / PANEL);
+    }
     printf("ink, and how far pixels are from the part that lines cover:\n");
     for (int i = 0; i < PANELS; i++) {
         double squares = 0, all = 0, exact = 0;
@@ -174,10 +182,9 @@ int main(int argc, char **argv)
         for (int p = 0; p < PANEL * PANEL; p++) {
             const double part =
                 ((double)paper[0] - (double)values[p][0]) / ((double)paper[0] - (double)ink[0]);
-            const double meant = coverage(p % PANEL, p / PANEL);
-            squares += (part - meant) * (part - meant);
+            squares += (part - meant[p]) * (part - meant[p]);
             all += part;
-            exact += meant;
+            exact += meant[p];
         }
         printf("  %-12s %6.1f pixels of %6.1f, %.4f apart (root mean square)\n", names[i], all, exact,
                sqrt(squares / (PANEL * PANEL)));

@@ -63,33 +63,30 @@ static void paint(struct rhw_fragment *groups, int count)
 
 static void draw(rhw_context *context, rhw_texture colors, rhw_texture numbers)
 {
-    static struct solid_vertex ball[BALL_VERTICES];
     struct place places[THINGS];
-    solid_ball(ball);
     for (int i = 0; i < THINGS; i++) {
         for (int k = 0; k < 3; k++) {
             places[i].center[k] = (float)(i >> (2 * k) & 3) - 1.5f;
         }
         places[i].number = first_number + (uint32_t)i;
     }
-    const struct rhw_pipeline_def def = {
-        .program = {.vertex = {place},
-                    .fragment = {paint},
-                    .varyings = {{.components = 3}, {.components = 1, .qualifier = RHW_FLAT}},
-                    .varying_count = 2,
-                    .uniform_size = sizeof(struct uniforms)},
-        .attributes = {{RHW_VERTEX_FLOAT3, 0, offsetof(struct solid_vertex, position)},
-                       {RHW_VERTEX_FLOAT3, 0, offsetof(struct solid_vertex, normal)},
-                       {RHW_VERTEX_FLOAT3, 1, offsetof(struct place, center)},
-                       {RHW_VERTEX_UINT32X1, 1, offsetof(struct place, number)}},
-        .attribute_count = 4,
-        .buffers = {{.per_instance = false}, {.per_instance = true}},
-        .buffer_count = 2,
-        .depth_test = true,
-        .cull = RHW_CULL_BACK,
-        .targets = {{.format = RHW_FORMAT_RGBA8_SRGB}, {.format = RHW_FORMAT_R32_UINT}},
-        .target_count = 2,
-        .label = "lesson 17"};
+    struct rhw_pipeline_def def = solid_pipeline_def();
+    def.program =
+        (struct rhw_program){.vertex = {place},
+                             .fragment = {paint},
+                             .varyings = {{.components = 3}, {.components = 1, .qualifier = RHW_FLAT}},
+                             .varying_count = 2,
+                             .uniform_size = sizeof(struct uniforms)};
+    def.attributes[2] = (struct rhw_attribute){RHW_VERTEX_FLOAT3, 1, offsetof(struct place, center)};
+    def.attributes[3] = (struct rhw_attribute){RHW_VERTEX_UINT32X1, 1, offsetof(struct place, number)};
+    def.attribute_count = 4;
+    def.buffers[1].per_instance = true;
+    def.buffer_count = 2;
+    def.cull = RHW_CULL_BACK;
+    def.targets[0].format = RHW_FORMAT_RGBA8_SRGB;
+    def.targets[1].format = RHW_FORMAT_R32_UINT;
+    def.target_count = 2;
+    def.label = "lesson 17";
     rhw_pipeline pipeline;
     must(rhw_pipeline_create(context, &def, &pipeline), "pipeline");
     struct rhw_pass_def attachments = {
@@ -100,7 +97,7 @@ static void draw(rhw_context *context, rhw_texture colors, rhw_texture numbers)
     memcpy(attachments.colors[0].clear, paper, sizeof paper);
     struct uniforms uniforms;
     solid_camera(eye, target_point, zoom, uniforms.camera);
-    const rhw_buffer vertices = picture_vertices(context, ball, sizeof ball),
+    const rhw_buffer vertices = solid_buffer(context),
                      instances = picture_vertices(context, places, sizeof places);
     rhw_pass pass;
     must(rhw_pass_begin(context, &attachments, &pass), "pass");
@@ -108,7 +105,7 @@ static void draw(rhw_context *context, rhw_texture colors, rhw_texture numbers)
     rhw_pass_set_vertex_buffer(context, pass, 0, vertices, 0);
     rhw_pass_set_vertex_buffer(context, pass, 1, instances, 0);
     rhw_pass_set_uniforms(context, pass, &uniforms, sizeof uniforms);
-    rhw_pass_draw(context, pass, 0, BALL_VERTICES, 0, THINGS);
+    solid_draw(context, pass, SOLID_BALL, THINGS);
     must(rhw_pass_end(context, pass, NULL), "pass");
     rhw_buffer_destroy(context, vertices);
     rhw_buffer_destroy(context, instances);

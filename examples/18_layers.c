@@ -5,7 +5,6 @@
 // are the layers of one pass: everything is drawn as six instances, and the vertex function gives each its face's camera
 // and `layer`. A face sees depth 1 − near/m, m being the longest component of what leads from the lamp to the point; so
 // that is also what a point is compared with, whatever face it falls on.
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -153,13 +152,10 @@ static void show_light(struct rhw_fragment *groups, int count)
 static rhw_pipeline make_pipeline(rhw_context *context, const struct rhw_program *program,
                                   enum rhw_format format)
 {
-    struct rhw_pipeline_def def = {.program = *program, .label = "lesson 18"};
+    struct rhw_pipeline_def def = solid_pipeline_def();
+    def.label = "lesson 18";
+    def.program = *program;
     def.program.uniform_size = sizeof(struct uniforms);
-    def.attributes[0] = (struct rhw_attribute){RHW_VERTEX_FLOAT3, 0, offsetof(struct solid_vertex, position)};
-    def.attributes[1] = (struct rhw_attribute){RHW_VERTEX_FLOAT3, 0, offsetof(struct solid_vertex, normal)};
-    def.attribute_count = 2;
-    def.buffer_count = 1;
-    def.depth_test = true;
     def.target_count = format != RHW_FORMAT_NONE;
     def.targets[0].format = format;
     rhw_pipeline pipeline;
@@ -167,23 +163,14 @@ static rhw_pipeline make_pipeline(rhw_context *context, const struct rhw_program
     return pipeline;
 }
 
-static rhw_buffer make_vertices(rhw_context *context)
-{
-    static struct solid_vertex vertices[BALL_VERTICES + BOX_VERTICES];
-    solid_ball(vertices);
-    solid_box(vertices + BALL_VERTICES);
-    return picture_vertices(context, vertices, sizeof vertices);
-}
-
 static void draw_thing(rhw_context *context, rhw_pass pass, struct uniforms *uniforms,
-                       const struct thing *thing, int first_face, int faces)
+                       const struct thing *thing, int faces)
 {
     memcpy(uniforms->center, thing->center, sizeof uniforms->center);
     memcpy(uniforms->size, thing->size, sizeof uniforms->size);
     memcpy(uniforms->color, thing->color, sizeof uniforms->color);
     rhw_pass_set_uniforms(context, pass, uniforms, sizeof *uniforms);
-    rhw_pass_draw(context, pass, thing->is_ball ? 0 : BALL_VERTICES,
-                  thing->is_ball ? BALL_VERTICES : BOX_VERTICES, (uint32_t)first_face, (uint32_t)faces);
+    solid_draw(context, pass, thing->is_ball ? SOLID_BALL : SOLID_BOX, faces);
 }
 
 // Faces from `first` on, all in one pass.
@@ -204,7 +191,7 @@ static void draw_faces(rhw_context *context, rhw_texture cube, rhw_buffer vertic
     rhw_pass_set_vertex_buffer(context, pass, 0, vertices, 0);
     for (int i = 0; i < THINGS; i++) {
         const struct thing thing = find_thing(i);
-        draw_thing(context, pass, &uniforms, &thing, 0, count);
+        draw_thing(context, pass, &uniforms, &thing, count);
     }
     must(rhw_pass_end(context, pass, NULL), "pass");
     rhw_pipeline_destroy(context, pipeline);
@@ -226,7 +213,7 @@ static void draw(rhw_context *context, rhw_fragment_function *fragment, rhw_text
                                         .varyings = {RHW_VARYING(struct surface, normal, RHW_SMOOTH, false),
                                                      RHW_VARYING(struct surface, world, RHW_SMOOTH, false)},
                                         .varying_count = 2};
-    const rhw_buffer vertices = make_vertices(context);
+    const rhw_buffer vertices = solid_buffer(context);
     const rhw_texture cube = make_cube(context);
     draw_faces(context, cube, vertices, 0, FACES);
     const rhw_pipeline pipeline = make_pipeline(context, &program, rhw_texture_format(context, target));
@@ -249,12 +236,12 @@ static void draw(rhw_context *context, rhw_fragment_function *fragment, rhw_text
     rhw_pass_set_texture(context, pass, 0, cube, sampler);
     for (int i = 0; i < THINGS; i++) {
         const struct thing thing = find_thing(i);
-        draw_thing(context, pass, &uniforms, &thing, 0, 1);
+        draw_thing(context, pass, &uniforms, &thing, 1);
     }
     struct thing bulb = {.is_ball = true, .size = {lamp_size, lamp_size, lamp_size}};
     memcpy(bulb.center, lamp, sizeof bulb.center);
     uniforms.is_lamp = 1;
-    draw_thing(context, pass, &uniforms, &bulb, 0, 1);
+    draw_thing(context, pass, &uniforms, &bulb, 1);
     must(rhw_pass_end(context, pass, NULL), "pass");
     rhw_sampler_destroy(context, sampler);
     rhw_texture_destroy(context, cube);
@@ -303,7 +290,7 @@ int main(int argc, char **argv)
     must(rhw_texture_generate_mips(context, picture), "mips");
     picture_save(context, picture, SCALE_LEVELS - 1, directory, "18_layers.png");
 
-    const rhw_buffer vertices = make_vertices(context);
+    const rhw_buffer vertices = solid_buffer(context);
     const rhw_texture together = make_cube(context), apart = make_cube(context);
     draw_faces(context, together, vertices, 0, FACES);
     for (int face = 0; face < FACES; face++) {

@@ -2,18 +2,33 @@
 // See solid.h.
 #include "solid.h"
 
+#include <stddef.h>
 #include <string.h>
 
 #include <rhw/shader.h>
 
+#include "picture.h"
+
+enum {
+    RINGS = 48,
+    SECTORS = 96,
+    BALL_VERTICES = RINGS * SECTORS * 6,
+    BOX_VERTICES = 36,
+    SQUARE_VERTICES = 6
+};
+
+struct solid_vertex {
+    float position[3], normal[3];
+};
+
 static const int corners[6][2] = {{0, 0}, {1, 1}, {1, 0}, {0, 0}, {0, 1}, {1, 1}};
 
-void solid_ball(struct solid_vertex vertices[BALL_VERTICES])
+static void make_ball(struct solid_vertex vertices[BALL_VERTICES])
 {
     for (int i = 0; i < BALL_VERTICES; i++) {
-        const int field = i / 6, ring = field / BALL_SECTORS, sector = field % BALL_SECTORS;
-        const float polar = (float)(ring + corners[i % 6][1]) * 3.14159265f / BALL_RINGS;
-        const float turn = (float)(sector + corners[i % 6][0]) * 6.28318531f / BALL_SECTORS;
+        const int field = i / 6, ring = field / SECTORS, sector = field % SECTORS;
+        const float polar = (float)(ring + corners[i % 6][1]) * 3.14159265f / RINGS;
+        const float turn = (float)(sector + corners[i % 6][0]) * 6.28318531f / SECTORS;
         const float p[3] = {rhw_sin1(polar) * rhw_sin1(turn), rhw_cos1(polar),
                             rhw_sin1(polar) * rhw_cos1(turn)};
         memcpy(vertices[i].position, p, sizeof p);
@@ -21,7 +36,7 @@ void solid_ball(struct solid_vertex vertices[BALL_VERTICES])
     }
 }
 
-void solid_box(struct solid_vertex vertices[BOX_VERTICES])
+static void make_box(struct solid_vertex vertices[BOX_VERTICES])
 {
     for (int i = 0; i < BOX_VERTICES; i++) {
         const int axis = i / 12, side = i / 6 % 2 == 0 ? 1 : -1, *corner = corners[i % 6];
@@ -31,6 +46,42 @@ void solid_box(struct solid_vertex vertices[BOX_VERTICES])
         v->position[(axis + 1) % 3] = (float)(2 * corner[1] - 1);
         v->position[(axis + 2) % 3] = (float)(side * (2 * corner[0] - 1));
     }
+}
+
+static void make_square(struct solid_vertex vertices[SQUARE_VERTICES])
+{
+    for (int i = 0; i < SQUARE_VERTICES; i++) {
+        const int *const corner = corners[i];
+        vertices[i] =
+            (struct solid_vertex){{(float)(2 * corner[0] - 1), 0, (float)(2 * corner[1] - 1)}, {0, 1, 0}};
+    }
+}
+
+rhw_buffer solid_buffer(rhw_context *context)
+{
+    static struct solid_vertex vertices[BALL_VERTICES + BOX_VERTICES + SQUARE_VERTICES];
+    make_ball(vertices);
+    make_box(vertices + BALL_VERTICES);
+    make_square(vertices + BALL_VERTICES + BOX_VERTICES);
+    return picture_vertices(context, vertices, sizeof vertices);
+}
+
+struct rhw_pipeline_def solid_pipeline_def(void)
+{
+    return (struct rhw_pipeline_def){
+        .attributes = {{RHW_VERTEX_FLOAT3, 0, offsetof(struct solid_vertex, position)},
+                       {RHW_VERTEX_FLOAT3, 0, offsetof(struct solid_vertex, normal)}},
+        .attribute_count = 2,
+        .buffer_count = 1,
+        .depth_test = true,
+    };
+}
+
+void solid_draw(rhw_context *context, rhw_pass pass, enum solid solid, int instances)
+{
+    static const uint32_t counts[] = {BALL_VERTICES, BOX_VERTICES, SQUARE_VERTICES},
+                          firsts[] = {0, BALL_VERTICES, BALL_VERTICES + BOX_VERTICES};
+    rhw_pass_draw(context, pass, firsts[solid], counts[solid], 0, (uint32_t)instances);
 }
 
 void solid_camera(const float eye[3], const float target[3], float zoom, float matrix[16])

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: MIT
-// What stands in the lessons' scenes: a ball and a box, and a camera to look at them.
+// What stands in the lessons' scenes: balls, boxes and squares, and a camera to look at them.
 #ifndef SOLID_H
 #define SOLID_H
 
-enum { BALL_RINGS = 48, BALL_SECTORS = 96, BALL_VERTICES = BALL_RINGS * BALL_SECTORS * 6, BOX_VERTICES = 36 };
+#include <rhw/rhw.h>
 
-struct solid_vertex {
-    float position[3], normal[3];
-};
+/// A ball of radius 1, a box from −1 to 1, and a square from −1 to 1 each way at y = 0 that looks up.
+enum solid { SOLID_BALL, SOLID_BOX, SOLID_SQUARE };
 
-/// Triangles of a ball of radius 1 and of a box from −1 to 1; counter-clockwise from outside.
-void solid_ball(struct solid_vertex vertices[BALL_VERTICES]);
-void solid_box(struct solid_vertex vertices[BOX_VERTICES]);
+/// A vertex buffer with all of them: triangles, counter-clockwise from outside; a position, then a normal.
+rhw_buffer solid_buffer(rhw_context *context);
+
+/// Pipelines for that buffer in slot 0: the position is attribute 0, the normal attribute 1; with a depth test. What is
+/// missing are a program and targets.
+struct rhw_pipeline_def solid_pipeline_def(void);
+
+/// Draws one of them, with the buffer in slot 0.
+void solid_draw(rhw_context *context, rhw_pass pass, enum solid solid, int instances);
 
 /// World to clip coordinates, column by column: from `eye` towards `target`, y up; `zoom` is the cotangent of half the
 /// angle of view, the same each way. W is the distance ahead and Z half a unit less.

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Creation and destruction of a context. This alone knows everything that hangs from one, which is why it stands apart
-// from context.h: the parts include that, and this includes the parts.
+// Creation and destruction of a context. This file alone knows everything that hangs from a context, which is why it
+// stands apart from context.h: the parts include context.h, and this file includes the parts.
 #include <assert.h>
 
 #include "resource/buffer.h"
 #include "context/context.h"
 #include "base/cpu.h"
 #include "context/entry.h"
-#include "binding/validation/validation_messages.h"
+#include "binding/validation/validation.h"
 #include "kernels/kernels.h"
 #include "context/misuse.h"
-#include "pass/pass.h"
+#include "draw/recorded_pass.h"
+#include "pass/encoder.h"
 #include "pipeline/pipeline.h"
 #include "pass/query.h"
 #include "rhw/rhw.h"
 #include "resource/sampler.h"
+#include "run/run.h"
 #include "base/scheduler.h"
 #include "resource/texture.h"
 #include "base/thread.h"
@@ -50,7 +52,7 @@ bool rhw_isa_supported(enum rhw_isa isa)
     return (unsigned)isa < RHW_ISA_COUNT && rhw_cpu_supports(isa) && rhw_kernels_for(isa) != NULL;
 }
 
-// What RHW_ISA_BEST stands for. AVX-512 draws the same bytes in 0.97 of the time on a Zen 5, some scenes slower, and in
+// What RHW_ISA_BEST stands for. AVX-512 draws equal bytes in 0.97 of the time on a Zen 5, some scenes slower, and in
 // 0.92 to 1.05 on a Zen 4; other processors lower their clock for it.
 static const enum rhw_isa_limit measured_best = RHW_ISA_UP_TO_AVX2;
 
@@ -69,8 +71,9 @@ static int thread_count(int wanted, int cores)
     return count > RHW_MAX_THREADS ? RHW_MAX_THREADS : count;
 }
 
-// What tells the ids of this context from those of others. A counter would be state that contexts share; of two contexts
-// the time or the place differs, and one in 2^32 pairs has the same number all the same. 0 is that of null ids.
+// Return a number that tells the ids of this context from those of others. A counter would be state that contexts
+// share. Of two contexts the time or the place differs, and one in 2^32 pairs has equal numbers all the same. 0 is the
+// number of null ids.
 static uint32_t number_of(const struct rhw_context *context)
 {
     uint64_t mixed = rhw_time_ns() ^ (uint64_t)(uintptr_t)context << 16;
@@ -79,7 +82,7 @@ static uint32_t number_of(const struct rhw_context *context)
     return number != 0 ? number : 1;
 }
 
-// Only its hooks matter: it reports misuse before there is a context.
+// Return a context of which only the hooks matter: it reports misuse before there is a context.
 static struct rhw_context reporter(const struct rhw_context_def *def)
 {
     return (struct rhw_context){.assert_ = def->assert_, .user = def->user, .definition = def->label};
@@ -125,6 +128,7 @@ static enum rhw_result create_validation(struct rhw_context *context)
         return RHW_ERROR_THREAD;
     }
     context->validation = validation;
+    context->validate_pipeline = rhw_validate_pipeline;
     return RHW_OK;
 }
 
@@ -136,13 +140,17 @@ static void destroy_validation(struct rhw_context *context)
     }
 }
 
-// Everything a context needs beyond itself. What a failure leaves behind is for rhw_context_destroy.
+// Create everything that a context needs beyond itself. rhw_context_destroy releases what a failure leaves behind.
 static enum rhw_result create_parts(struct rhw_context *context, bool validates)
 {
     enum rhw_result result =
         rhw_scheduler_create(&context->memory, context->threads, context->cores, &context->scheduler);
     if (result == RHW_OK) {
-        result = rhw_pass_state_create(context, &context->pass);
+        context->pass = rhw_recorded_pass_create(&context->memory);
+        context->executor = rhw_executor_create(context);
+        context->encoder = rhw_encoder_create(context, context->pass);
+        const bool is_complete = context->pass && context->executor && context->encoder;
+        result = is_complete ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
     }
     return result == RHW_OK && validates ? create_validation(context) : result;
 }
@@ -165,7 +173,7 @@ enum rhw_result rhw_context_create_probed(const struct rhw_context_def *def, boo
     }
 
     const enum rhw_isa isa = best_isa(def->isa_limit);
-    const int cores = def->threads == 1 ? 1 : rhw_cpu_cores(); // which reads files
+    const int cores = def->threads == 1 ? 1 : rhw_cpu_cores(); // rhw_cpu_cores reads files
     *created = (struct rhw_context){
         .memory = memory,
         .log = def->log,
@@ -210,15 +218,15 @@ void rhw_context_destroy(rhw_context *context)
         rhw_context_leave(context);
         return;
     }
-    if (context->pass != NULL) {
-        rhw_pass_state_destroy(context, context->pass);
-    }
+    rhw_encoder_destroy(context->encoder);
+    rhw_executor_destroy(context->executor);
+    rhw_recorded_pass_destroy(&context->memory, context->pass);
     destroy_resources(context);
     destroy_validation(context);
     rhw_scheduler_destroy(&context->memory, context->scheduler);
     struct rhw_memory memory = context->memory;
     rhw_memory_release(&memory, context, sizeof *context);
-    assert(memory.used == 0); // else one of our parts leaks
+    assert(memory.used == 0); // if not, one of our parts leaks
 }
 
 int rhw_context_threads(const rhw_context *context)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What zero stands for in the definition structs, written out, and one colour target. Fields that are not named are
-// zero. tests/unit/context/test_zero.c draws with both.
+// zero. tests/unit/context/test_zero.c draws with zeros and with these definitions.
 #include "rhw/pass_def.h"
 
 struct rhw_context_def rhw_context_def_default(void)

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Names for what is compiled once per instruction set, and tables of its copies: how shaders on 8 lanes get into
-// rhw_program. A header of yours declares, the shader file defines, the program makes a table:
+// These macros name functions and objects that a build compiles once per instruction set, and make tables of the
+// copies. A program uses them to put shaders on 8 lanes into struct rhw_program. A header of the program declares the
+// copies, the shader file defines them, and the program makes a table:
 //
 //     RHW_ISA_DECLARE(rhw_fragment_function, paint);
 //     void RHW_ISA_NAME(paint)(struct rhw_fragment *groups, int count) { ... }
 //     struct rhw_program program = {.fragment = RHW_ISA_TABLE(paint), ... };
 //
-// docs/shaders.md tells how the shader file is compiled. Which instruction sets there are follows from what the
-// program is compiled for, so a copy that the build forgot is an error of the linker.
+// docs/shaders.md tells how to compile the shader file. The target of the compiler decides which instruction sets there
+// are, so the linker reports a copy that the build forgot.
 #ifndef RHW_ISA_H
 #define RHW_ISA_H
 
@@ -16,21 +17,21 @@
 #define RHW_ISA_PASTE(name, suffix)  name##_##suffix
 #define RHW_ISA_EXPAND(name, suffix) RHW_ISA_PASTE(name, suffix)
 
-/// The name of this copy, `name_avx2` for instance, in a file that is compiled once per instruction set. The build
-/// defines RHW_ISA_SUFFIX as baseline, avx2, ...
+/// RHW_ISA_NAME(name) is the name of the copy that is being compiled, for example name_avx2. The build compiles the
+/// file once per instruction set and defines RHW_ISA_SUFFIX as baseline, avx2 or avx512.
 #define RHW_ISA_NAME(name) RHW_ISA_EXPAND(name, RHW_ISA_SUFFIX)
 
 #if defined(__x86_64__) && !defined(__ILP32__)
 
-/// Declares every copy of `name`, a function or an object. `type` is rhw_vertex_function, rhw_fragment_function or
-/// any other type that can stand before a name.
+/// RHW_ISA_DECLARE(type, name) declares every copy of the function or object `name`. `type` is rhw_vertex_function,
+/// rhw_fragment_function or any other type that can stand before a name.
 #define RHW_ISA_DECLARE(type, name)    \
     RHW_EXTERN_C type name##_baseline; \
     RHW_EXTERN_C type name##_avx2;     \
     RHW_EXTERN_C type name##_avx512
 
-/// The initializer of an array [RHW_ISA_COUNT] with the copies of `name`; of `&name` where they are objects. An entry
-/// is NULL where the architecture has no such instruction set.
+/// RHW_ISA_TABLE(name) is the initializer of an array [RHW_ISA_COUNT] that holds the copies of the function `name`. For
+/// an object, write RHW_ISA_TABLE(&name). The entry of an instruction set that the architecture does not have is NULL.
 #define RHW_ISA_TABLE(name)                          \
     {                                                \
         name##_baseline, name##_avx2, name##_avx512, \

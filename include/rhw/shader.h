@@ -1,72 +1,86 @@
 // SPDX-License-Identifier: MIT
-// What a shader is written with: 8-lane vectors, the groups a shader function receives, texture sampling
-// and maths. Plain C on the compiler's vector types, so one source serves every instruction set.
+// Shaders are written with this header: 8-lane vectors, the groups that a shader function receives, texture sampling
+// and maths. It is plain C on the compiler's vector types, so one source serves every instruction set.
 //
-// Compile shaders with -ffp-contract=off (the CMake and pkg-config packages add it): a fused multiply-add
-// would make their bytes depend on the machine. rhw_pipeline_create tells where it is missing; -ffast-math and the like
-// are errors here (arithmetic.h).
+// Compile shaders with -ffp-contract=off (the CMake and pkg-config packages add it). A fused multiply-add would make
+// their bytes depend on the machine. rhw_pipeline_create reports where the flag is missing. shader_lanes.h refuses
+// -ffast-math and flags like it.
 #ifndef RHW_SHADER_H
 #define RHW_SHADER_H
 
 #include "shader_lanes.h"
 #include "types.h"
 
-/// The bound textures and samplers; opaque to the shader, see rhw_sample.
+/// The textures, samplers and storage that are bound at a draw, by slot. The library owns them. They are valid until
+/// the shader function returns that received them. rhw_sample and functions like it read them.
 struct rhw_bindings;
 
 #if RHW_HAS_LANES
 
-/// 8 vertices. Pointers stay valid for the call only.
+/// 8 vertices. The library owns what the pointers point to, and the pointers are valid until the function returns. The
+/// function reads the members up to `textures` and `mask`, and writes the others.
 struct rhw_vertex {
-    const rhw_float (*attribute)[4]; ///< [attribute][component]
-    rhw_int vertex_index, instance_index; ///< as the draw counts them: base vertex / first instance included
+    const rhw_float (*attribute)[4];      ///< [attribute][component]
+    rhw_int vertex_index, instance_index; ///< numbers that include the draw's base vertex and first instance
     const void *uniforms;
-    const void *user; ///< of the program
-    const struct rhw_bindings *textures; ///< see rhw_sample
-    rhw_float position[4]; ///< out: homogeneous clip coordinates X, Y, Z, W
-    rhw_float *varying;    ///< out: [component]
-    rhw_float *clip_distance, *cull_distance; ///< out: [distance], as many as the program has
-    rhw_float point_size;  ///< out, where the program writes_point_size: pixels
-    rhw_int mask;          ///< −1; with vertex_effects 0 in lanes that are no vertex of their own: they have no effects
-    rhw_int viewport_index, layer; ///< out, where the program writes_viewport_index, writes_layer
+    const void *user;                     ///< rhw_program.user
+    const struct rhw_bindings *textures;
+    rhw_float position[4];                ///< output: homogeneous clip coordinates X, Y, Z, W
+    rhw_float *varying;                   ///< output: [component] of all varyings
+    rhw_float *clip_distance, *cull_distance; ///< outputs: [distance], as many as the program has
+    rhw_float point_size;                 ///< output if the program writes_point_size: pixels
+    /// Input: −1. In a program with vertex_effects it is 0 in lanes that are no vertex of their own; effects of such
+    /// lanes must not happen.
+    rhw_int mask;
+    rhw_int viewport_index, layer;        ///< outputs if the program writes_viewport_index, writes_layer
 };
 
-/// 8 fragments. Lanes outside `mask` carry finite or non-finite rubbish and their results are ignored.
+/// 8 fragments. Lanes outside of `mask` hold any values, finite or not, and the library ignores their results. The
+/// library owns what the pointers point to, and the pointers are valid until the function returns.
 struct rhw_fragment {
-    const rhw_float *varying;        ///< [component]
-    const rhw_float *ddx, *ddy;      ///< [component]: d/dx, d/dy per pixel, of varyings that asked for them
+    const rhw_float *varying;        ///< [component] of all varyings
+    const rhw_float *ddx, *ddy;      ///< [component]: d/dx and d/dy per pixel of varyings that asked for them
     const void *uniforms;
-    const void *user;                ///< of the program
-    const struct rhw_bindings *textures; ///< see rhw_sample
-    rhw_float (*color)[4];           ///< out: [target][channel]; not initialized but with RHW_USE_COLOR_INPUT. Groups of one call have theirs
-                                     ///< one after the other, RHW_MAX_COLOR_ATTACHMENTS targets each
-    rhw_int mask;                    ///< −1 live, 0 dead; clear lanes to discard them
-    rhw_float depth;                 ///< out, with RHW_USE_DEPTH; holds the interpolated depth on entry
-    /// x, y in pixels from the top left (centres at .5, also where values are a centroid's), z, 1/w. z is the depth that is
-    /// tested and, in D32_FLOAT, stored, bit for bit; equal positions give equal z in every pipeline.
+    const void *user;                ///< rhw_program.user
+    const struct rhw_bindings *textures;
+    /// Output: [target][channel]. It is not initialized, but with RHW_USE_COLOR_INPUT it holds the targets' values on
+    /// entry. The colours of the groups of one call stand one after the other, with RHW_MAX_COLOR_ATTACHMENTS targets
+    /// each.
+    rhw_float (*color)[4];
+    rhw_int mask;                    ///< −1 for a live lane, 0 for a dead lane; clear lanes to discard them
+    rhw_float depth;                 ///< output with RHW_USE_DEPTH; holds the interpolated depth on entry
+    /// x and y in pixels from the top left, z, and 1/w. Centres of pixels are at .5, also if values are taken at a
+    /// centroid. z is the depth that is tested, and that D32_FLOAT stores, bit for bit. Equal positions give equal z in
+    /// every pipeline.
     rhw_float coord[4];
-    rhw_int front_facing;            ///< −1 or 0
-    rhw_int primitive;               ///< triangle in its draw, of the instance
-    rhw_int instance, draw;          ///< instance, first_instance included; draw in its pass
-    rhw_float barycentric[3];        ///< a, b, c: weights in space
-    rhw_float barycentric_noperspective[3]; ///< r, s, t: weights on the screen
-    rhw_float barycentric_ddx[3], barycentric_ddy[3]; ///< of a, b, c per pixel
-    rhw_int sample_mask;             ///< samples that are covered, a bit each, of one sample bit 0; what is cleared is not
-                                     ///< drawn
+    rhw_int front_facing;            ///< −1 for a front face, 0 for a back face
+    rhw_int primitive;               ///< number of the primitive in its draw and instance
+    rhw_int instance;                ///< number of the instance, which includes first_instance
+    rhw_int draw;                    ///< number of the draw in its pass
+    rhw_float barycentric[3];        ///< a, b, c: weights of the vertices in space
+    rhw_float barycentric_noperspective[3]; ///< r, s, t: weights of the vertices on the screen
+    rhw_float barycentric_ddx[3], barycentric_ddy[3]; ///< change of a, b, c per pixel
+    /// Input and output: the samples that are covered, one bit for each sample; bit 0 in a pass with one sample.
+    /// Samples whose bits the function clears are not drawn.
+    rhw_int sample_mask;
     rhw_int sample_id;
-    rhw_float sample_position[2];    ///< in the pixel: 0..1 from its top left
-    rhw_float point_coord[2]; ///< on a point: 0, 0 at its top left corner, 1, 1 at the opposite; elsewhere rubbish
-    rhw_float depth_input;    ///< with RHW_USE_DEPTH_INPUT: the depth attachment's value
-    rhw_int stencil_input;    ///< with RHW_USE_STENCIL_INPUT: the stencil attachment's value, 0..255
-    rhw_int layer, viewport_index; ///< of the primitive
-    /// −1 where the triangle contains the square of the fragment's pixel, else 0; 0 without conservative rasterization, of
-    /// points and of lines (Vulkan, VK_EXT_conservative_rasterization: FullyCoveredEXT). Exact for the snapped triangle.
+    rhw_float sample_position[2];    ///< place of the sample in the pixel, 0..1 from its top left
+    /// Place in a point: 0, 0 at its top left corner and 1, 1 at the opposite corner. It is unspecified in lines and
+    /// triangles.
+    rhw_float point_coord[2];
+    rhw_float depth_input;           ///< value of the depth attachment, with RHW_USE_DEPTH_INPUT
+    rhw_int stencil_input;           ///< value of the stencil attachment, 0..255, with RHW_USE_STENCIL_INPUT
+    rhw_int layer, viewport_index;   ///< layer and viewport of the primitive
+    /// −1 if the triangle contains the square of the fragment's pixel, and 0 if not (Vulkan,
+    /// VK_EXT_conservative_rasterization: FullyCoveredEXT). It is 0 for points, for lines, and without conservative
+    /// rasterization. It is exact for the snapped triangle.
     rhw_int fully_covered;
 };
 
 #endif
 
-/// One vertex and one fragment, for the one-at-a-time form; fields as above.
+/// One vertex, for the one-at-a-time form. Each member means what the member of struct rhw_vertex with the same name
+/// means.
 struct rhw_vertex1 {
     const float (*attribute)[4];
     int32_t vertex_index, instance_index;
@@ -80,6 +94,8 @@ struct rhw_vertex1 {
     int32_t viewport_index, layer;
 };
 
+/// One fragment, for the one-at-a-time form. Each member means what the member of struct rhw_fragment with the same
+/// name means.
 struct rhw_fragment1 {
     const float *varying;
     const float *ddx, *ddy;
@@ -87,7 +103,7 @@ struct rhw_fragment1 {
     const void *user;
     const struct rhw_bindings *textures;
     float (*color)[4];
-    bool discard; ///< out
+    bool discard; ///< output: true drops the fragment
     float depth;
     float coord[4];
     bool front_facing;
@@ -103,7 +119,6 @@ struct rhw_fragment1 {
     bool fully_covered;
 };
 
-#include "shader_interpolate.h"
 #include "shader_one.h"
 #include "shader_scalar.h"
 #include "shader_varying.h"

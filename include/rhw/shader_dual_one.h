@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Duals of one fragment: every function of shader_dual_lanes.h under the same name with a 1 behind it (_1 after a digit),
-// with the bits of a lane. Included by shader_dual.h.
+// These are the duals of one fragment at a time. Every function of shader_dual.h is here under the same name with a 1
+// behind it, or _1 after a digit. The functions give the bits of a lane. shader_dual.h includes this header.
 #ifndef RHW_SHADER_DUAL_ONE_H
 #define RHW_SHADER_DUAL_ONE_H
 
-#include "shader_dual_lanes.h"
+#include "shader_dual.h"
 
 #if RHW_HAS_LANES
 
 RHW_QUIET_BEGIN
 
-/// One value, and its change per pixel to the right (x) and down (y).
+/// One value, with its change per pixel to the right (ddx) and down (ddy).
 struct rhw_dual1 {
     float value, ddx, ddy;
 };
@@ -33,7 +33,7 @@ static inline struct rhw_dual1 rhw_dual_varying1(const struct rhw_fragment1 *f, 
     return rhw_dual_make1(f->varying[component], f->ddx[component], f->ddy[component]);
 }
 
-// The step to 8 equal lanes, and back: so the bits are those of a lane.
+// These functions go to 8 equal lanes and back, so that results have the bits of a lane.
 
 static inline struct rhw_dual rhw_dual_splat(struct rhw_dual1 a)
 {
@@ -107,7 +107,7 @@ static inline struct rhw_dual1 rhw_dual_offset1(struct rhw_dual1 a, float offset
     return rhw_dual_lane(rhw_dual_offset(rhw_dual_splat(a), rhw_splat(offset)));
 }
 
-// Minimum, maximum and between ----------------------------------------------------------------------
+// Minimum, maximum and range ------------------------------------------------------------------------
 
 static inline struct rhw_dual1 rhw_dual_abs1(struct rhw_dual1 a)
 {
@@ -360,5 +360,7 @@ static inline void rhw_sample_dual1(const struct rhw_bindings *textures, int slo
 RHW_QUIET_END
 
 #endif
+
+#include "shader_dual_scalar.h"
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A plain number, or lanes without a change of their own, where a dual is asked for: rhw_dual_max(a, 0.0f),
-// rhw_dual_mul(v, a). It is a constant there; where a factor or summand is one, rhw_dual_scale and rhw_dual_offset do
-// less. As in shader_scalar.h, C has macros and C++ overloads, and the operators + − · / besides. Included by
-// shader_dual.h.
+// With this header a plain number, or lanes without a change of their own, may stand where a function takes a dual:
+// rhw_dual_max(a, 0.0f), rhw_dual_mul(v, a). They are constants there. rhw_dual_scale and rhw_dual_offset do less work
+// if a factor or summand is constant. As in shader_scalar.h, C has macros and C++ has overloads; C++ also has the
+// operators + − · /. shader_dual.h includes this header.
 #ifndef RHW_SHADER_DUAL_SCALAR_H
 #define RHW_SHADER_DUAL_SCALAR_H
 

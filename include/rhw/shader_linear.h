@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small vectors, one rhw_float for each component, and matrices, which are the same for all lanes. Included by shader.h.
-// Sums are formed from the first term to the last; NaN and infinity go the way of C's operators.
+// A small vector has one rhw_float for each component. A matrix is the same in all lanes. Sums are added from the first
+// term to the last. NaN and infinity behave as in C's operators. shader.h includes this header.
 #ifndef RHW_SHADER_LINEAR_H
 #define RHW_SHADER_LINEAR_H
 
@@ -12,44 +12,44 @@ RHW_QUIET_BEGIN
 
 // Lengths and products ------------------------------------------------------------------------------
 
-/// The scalar product. Either side may also be plain floats, a uniform `float[2]` for instance, the same for all lanes;
-/// so may those of rhw_dot3 and rhw_dot4.
+/// Return the scalar product of two vectors. Either vector may also be plain floats that are the same in all lanes, for
+/// example a uniform `float[2]`.
 static inline rhw_float rhw_dot2(const rhw_float a[2], const rhw_float b[2])
 {
     return a[0] * b[0] + a[1] * b[1];
 }
 
-/// As rhw_dot2.
+/// Return the scalar product of two vectors. Either vector may also be plain floats that are the same in all lanes.
 static inline rhw_float rhw_dot3(const rhw_float a[3], const rhw_float b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// As rhw_dot2.
+/// Return the scalar product of two vectors. Either vector may also be plain floats that are the same in all lanes.
 static inline rhw_float rhw_dot4(const rhw_float a[4], const rhw_float b[4])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
 }
 
-/// sqrt(a · a): infinity from 1.8e19 on, where the square is none any more.
+/// Return the length, sqrt(a · a). It is infinity from 1.8e19 on, because the square is too large for a float.
 static inline rhw_float rhw_length2(const rhw_float a[2])
 {
     return rhw_sqrt(rhw_dot2(a, a));
 }
 
-/// As rhw_length2.
+/// Return the length, sqrt(a · a). It is infinity from 1.8e19 on, because the square is too large for a float.
 static inline rhw_float rhw_length3(const rhw_float a[3])
 {
     return rhw_sqrt(rhw_dot3(a, a));
 }
 
-/// As rhw_length2.
+/// Return the length, sqrt(a · a). It is infinity from 1.8e19 on, because the square is too large for a float.
 static inline rhw_float rhw_length4(const rhw_float a[4])
 {
     return rhw_sqrt(rhw_dot4(a, a));
 }
 
-/// The vector product; `result` may not be `a` or `b`.
+/// Set `result` to the vector product of `a` and `b`. `result` must not be `a` or `b`.
 static inline void rhw_cross(const rhw_float a[3], const rhw_float b[3], rhw_float result[3])
 {
     result[0] = a[1] * b[2] - a[2] * b[1];
@@ -57,15 +57,15 @@ static inline void rhw_cross(const rhw_float a[3], const rhw_float b[3], rhw_flo
     result[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-// What a vector is multiplied with to have length 1. The smallest normal float under the root instead of 0 keeps
-// 0 · ∞ = NaN away.
+// Return the factor that gives a vector with this square the length 1. The root is taken of the smallest normal float
+// in place of 0, because 0 · ∞ would be NaN.
 static inline rhw_float rhw_normalizing(rhw_float square)
 {
     return rhw_rsqrt(rhw_max(square, rhw_splat(1.17549435e-38f)));
 }
 
-/// A vector of length 1 along `a`; `result` may be `a`. Lengths between 1.1e−19 and 1.8e19 come out within
-/// 3 ULP of 1; the zero vector stays zero.
+/// Set `result` to the vector of length 1 along `a`. `result` may be `a`. If the length of `a` lies between 1.1e−19 and
+/// 1.8e19, the length of the result is within 3 ULP of 1. The zero vector stays zero.
 static inline void rhw_normalize2(const rhw_float a[2], rhw_float result[2])
 {
     const rhw_float scale = rhw_normalizing(rhw_dot2(a, a));
@@ -73,7 +73,8 @@ static inline void rhw_normalize2(const rhw_float a[2], rhw_float result[2])
     result[1] = a[1] * scale;
 }
 
-/// As rhw_normalize2.
+/// Set `result` to the vector of length 1 along `a`. `result` may be `a`. If the length of `a` lies between 1.1e−19 and
+/// 1.8e19, the length of the result is within 3 ULP of 1. The zero vector stays zero.
 static inline void rhw_normalize3(const rhw_float a[3], rhw_float result[3])
 {
     const rhw_float scale = rhw_normalizing(rhw_dot3(a, a));
@@ -82,7 +83,8 @@ static inline void rhw_normalize3(const rhw_float a[3], rhw_float result[3])
     result[2] = a[2] * scale;
 }
 
-/// As rhw_normalize2.
+/// Set `result` to the vector of length 1 along `a`. `result` may be `a`. If the length of `a` lies between 1.1e−19 and
+/// 1.8e19, the length of the result is within 3 ULP of 1. The zero vector stays zero.
 static inline void rhw_normalize4(const rhw_float a[4], rhw_float result[4])
 {
     const rhw_float scale = rhw_normalizing(rhw_dot4(a, a));
@@ -92,7 +94,7 @@ static inline void rhw_normalize4(const rhw_float a[4], rhw_float result[4])
     result[3] = a[3] * scale;
 }
 
-/// The direction `incident` thrown back by a surface of unit normal `normal`: i − 2 (n·i) n. `result` may
+/// Set `result` to the direction `incident` reflected by a surface of unit normal `normal`: i − 2 (n·i) n. `result` may
 /// be `incident`.
 static inline void rhw_reflect2(const rhw_float incident[2], const rhw_float normal[2], rhw_float result[2])
 {
@@ -101,7 +103,8 @@ static inline void rhw_reflect2(const rhw_float incident[2], const rhw_float nor
     result[1] = incident[1] - twice * normal[1];
 }
 
-/// As rhw_reflect2.
+/// Set `result` to the direction `incident` reflected by a surface of unit normal `normal`: i − 2 (n·i) n. `result` may
+/// be `incident`.
 static inline void rhw_reflect3(const rhw_float incident[3], const rhw_float normal[3], rhw_float result[3])
 {
     const rhw_float twice = 2.0f * rhw_dot3(normal, incident);
@@ -111,12 +114,12 @@ static inline void rhw_reflect3(const rhw_float incident[3], const rhw_float nor
 }
 
 // Matrices ------------------------------------------------------------------------------------------
-// Column by column, as GLSL and the uniforms of most programs have them: element (row, column) of a 4×4 matrix is
-// m[4 * column + row]. They are plain floats, uniforms for instance. `result` may be `v`, and
-// may not overlap it otherwise, nor `m`. A product of two matrices is four of rhw_mat4_mul_vec4_1, column by column into a
-// third.
+// A matrix stands column by column, as in GLSL and in the uniforms of most programs: element (row, column) of a 4×4
+// matrix is m[4 * column + row]. A matrix has plain floats, for example uniforms. `result` may be `v`; it must not
+// overlap `v` in another way, and must not overlap `m`. For the product of two matrices, multiply the columns of the
+// second one by the first one: call rhw_mat4_mul_vec4_1 four times, with results in a third matrix.
 
-/// m · v.
+/// Set `result` to m · v.
 static inline void rhw_mat4_mul_vec4(const float m[16], const rhw_float v[4], rhw_float result[4])
 {
     const rhw_float x = v[0], y = v[1], z = v[2], w = v[3];
@@ -125,7 +128,7 @@ static inline void rhw_mat4_mul_vec4(const float m[16], const rhw_float v[4], rh
     }
 }
 
-/// m · (x, y, z, 1): a point, to clip coordinates for instance.
+/// Set `result` to m · (x, y, z, 1), where v is a point. This maps, for example, a point to clip coordinates.
 static inline void rhw_mat4_mul_point(const float m[16], const rhw_float v[3], rhw_float result[4])
 {
     const rhw_float x = v[0], y = v[1], z = v[2];
@@ -134,7 +137,8 @@ static inline void rhw_mat4_mul_point(const float m[16], const rhw_float v[3], r
     }
 }
 
-/// The first three components of m · (x, y, z, 0): a direction, which is not shifted.
+/// Set `result` to the first three components of m · (x, y, z, 0), where v is a direction, which the matrix does not
+/// shift.
 static inline void rhw_mat4_mul_direction(const float m[16], const rhw_float v[3], rhw_float result[3])
 {
     const rhw_float x = v[0], y = v[1], z = v[2];
@@ -143,7 +147,7 @@ static inline void rhw_mat4_mul_direction(const float m[16], const rhw_float v[3
     }
 }
 
-/// m · v of 3×3: normals by the inverse transpose.
+/// Set `result` to m · v for a 3×3 matrix. Normals are multiplied by the inverse transpose of a matrix.
 static inline void rhw_mat3_mul_vec3(const float m[9], const rhw_float v[3], rhw_float result[3])
 {
     const rhw_float x = v[0], y = v[1], z = v[2];
@@ -152,7 +156,7 @@ static inline void rhw_mat3_mul_vec3(const float m[9], const rhw_float v[3], rhw
     }
 }
 
-// Plain floats in the place of lanes -----------------------------------------------------------------
+// Plain floats in place of lanes --------------------------------------------------------------------
 
 static inline const rhw_float *rhw_vector_from_floats(const float *floats, rhw_float *room, int components)
 {

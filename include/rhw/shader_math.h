@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Elementary functions of 8 lanes. Included by shader.h; shader_one.h has them for one float.
+// These are the elementary functions of 8 lanes. shader_one.h has them for one float. shader.h includes this header.
 //
-// They are our own because a C library may answer differently on the next machine. Each uses IEEE
-// operations in a fixed order, no contraction and no table, so that every compiler and instruction set
-// gives the same bits. Polynomials are minimax fits (Remez) for the interval the reduction leaves.
-// Errors stated are bounds on what was measured against correctly rounded results: every float of the range
-// where the function bends and every 19th elsewhere; for two arguments 2 · 10^8 pairs, half of them random bits.
-// tests/unit/shader/test_shader_math.c measures them again on samples. Denormal arguments and results are cases
-// like any other. The sign and payload of a NaN result are unspecified.
+// rhw has its own functions because a C library may give other bits on the next machine. Each function uses IEEE
+// operations in a fixed order, without contraction and without tables, so that every compiler and instruction set gives
+// the same bits. The polynomials are minimax fits (Remez) for the interval that the reduction leaves.
+//
+// A stated error is a bound on what was measured against correctly rounded results: every float of the range where the
+// function bends, and every 19th float elsewhere. Functions of two arguments were measured on 2 · 10^8 pairs, half of
+// them random bits. tests/unit/shader/test_shader_math.c measures the errors again on samples. Denormal arguments and
+// results are cases like any other. The sign and payload of a NaN result are unspecified.
 #ifndef RHW_SHADER_MATH_H
 #define RHW_SHADER_MATH_H
 
@@ -19,7 +20,7 @@ RHW_QUIET_BEGIN
 
 // Helpers -------------------------------------------------------------------------------------------
 
-// 8 doubles for inner steps, as two halves: most instruction sets have no register for 8.
+// Inner steps use 8 doubles in two halves, because most instruction sets have no register for 8 doubles.
 typedef double rhw_double4 __attribute__((vector_size(32)));
 typedef double rhw_double2 __attribute__((vector_size(16)));
 typedef float rhw_float2 __attribute__((vector_size(8)));
@@ -90,26 +91,26 @@ static inline rhw_float rhw_from_double(struct rhw_double8 a)
 #endif
 }
 
-/// Infinity in all lanes.
+/// Return infinity in all lanes.
 static inline rhw_float rhw_infinity(void)
 {
     return (rhw_float)rhw_splat_int(0x7f800000);
 }
 
-/// A quiet NaN in all lanes.
+/// Return a quiet NaN in all lanes.
 static inline rhw_float rhw_nan(void)
 {
     return (rhw_float)rhw_splat_int(0x7fc00000);
 }
 
-// a · 2^n for −300 < n < 250, rounded once: the first factor keeps the product normal.
+// Return a · 2^n for −300 < n < 250, rounded once. The first factor keeps the product normal.
 static inline rhw_float rhw_scale_exp2(rhw_float a, rhw_int n)
 {
     const rhw_int first = n >> 1;
     return a * (rhw_float)((first + 127) << 23) * (rhw_float)((n - first + 127) << 23);
 }
 
-// 2^f for |f| ≤ 0.501.
+// Return 2^f for |f| ≤ 0.501.
 static inline rhw_float rhw_exp2_fraction(rhw_float f)
 {
     const rhw_float square = f * f;
@@ -121,22 +122,22 @@ static inline rhw_float rhw_exp2_fraction(rhw_float f)
 
 // Exponential and logarithm -------------------------------------------------------------------------
 
-/// 2^a. Largest error 1.25 ULP.
+/// Return 2^a. The largest error is 1.25 ULP.
 static inline rhw_float rhw_exp2(rhw_float a)
 {
-    // Beyond these bounds the result is infinity or 0 already.
+    // Beyond these bounds the result is infinity or 0.
     const rhw_float x = rhw_clamp(a, rhw_splat(-151.0f), rhw_splat(129.0f));
     const rhw_float n = rhw_round(x);
     const rhw_float result = rhw_scale_exp2(rhw_exp2_fraction(x - n), rhw_int_from_float_unchecked(n));
     return rhw_select(rhw_equal(a, a), result, a);
 }
 
-/// e^a. Largest error 1.05 ULP.
+/// Return e^a. The largest error is 1.05 ULP.
 static inline rhw_float rhw_exp(rhw_float a)
 {
     const rhw_float x = rhw_clamp(a, rhw_splat(-105.0f), rhw_splat(90.0f));
     const rhw_float n = rhw_round(x * 1.44269502f);
-    // ln 2 in two parts; the first has 11 significant bits, n has 8: their product is exact.
+    // ln 2 has two parts. The first part has 11 significant bits and n has 8, so their product is exact.
     const rhw_float r = (x - n * 0.693115234375f) - n * 3.19461849e-05f;
     rhw_float q = r * 0.00139505987f + 0.00836889632f;
     q = q * r + 0.0416662022f;
@@ -146,17 +147,17 @@ static inline rhw_float rhw_exp(rhw_float a)
     return rhw_select(rhw_equal(a, a), result, a);
 }
 
-// a = m · 2^e with sqrt(1/2) ≤ m < sqrt(2), for finite a > 0; returns m.
+// Split a finite a > 0 into m · 2^e with sqrt(1/2) ≤ m < sqrt(2). Return m.
 static inline rhw_float rhw_split_exponent(rhw_float a, rhw_float *e)
 {
-    const rhw_int tiny = rhw_less(a, rhw_splat(1.17549435e-38f)); // denormal
+    const rhw_int tiny = rhw_less(a, rhw_splat(1.17549435e-38f)); // a is denormal
     const rhw_uint pattern = (rhw_uint)rhw_select(tiny, a * 8388608.0f, a);
-    const rhw_int bits = (rhw_int)(pattern - 0x3f3504f3u); // of sqrt(1/2); a negative `a` wraps
+    const rhw_int bits = (rhw_int)(pattern - 0x3f3504f3u); // bits of sqrt(1/2); a negative `a` wraps
     *e = rhw_float_from_int((bits >> 23) + (tiny & -23));
     return (rhw_float)((bits & 0x7fffff) + 0x3f3504f3);
 }
 
-// `result` for 0 < a < infinity; what the logarithm is elsewhere.
+// Return `result` for 0 < a < infinity, and the special value of the logarithm for another a.
 static inline rhw_float rhw_log_special(rhw_float a, rhw_float result)
 {
     const rhw_int positive = rhw_less(rhw_splat(0.0f), a);
@@ -165,7 +166,7 @@ static inline rhw_float rhw_log_special(rhw_float a, rhw_float result)
     return rhw_select(positive, result, other);
 }
 
-/// Logarithm to base 2. 0 gives −infinity, less gives NaN. Largest error 1.25 ULP.
+/// Return the logarithm of a to base 2. 0 gives −infinity, and a negative a gives NaN. The largest error is 1.25 ULP.
 static inline rhw_float rhw_log2(rhw_float a)
 {
     rhw_float e;
@@ -178,13 +179,13 @@ static inline rhw_float rhw_log2(rhw_float a)
     q = q * f - 0.36069563f;
     q = q * f + 0.480897993f;
     q = q * f - 0.721347392f;
-    // f · log2(e), most of the result, as the exact product of two upper halves and the rest.
+    // f · log2(e) is most of the result. It is formed as the exact product of two upper halves, and the rest.
     const rhw_float upper = (rhw_float)((rhw_int)f & -4096);
     const rhw_float rest = (f - upper) * 1.4423828125f + f * 0.000312228389f;
     return rhw_log_special(a, e + (upper * 1.4423828125f + (rest + f * f * q)));
 }
 
-/// Natural logarithm. 0 gives −infinity, less gives NaN. Largest error 0.95 ULP.
+/// Return the natural logarithm of a. 0 gives −infinity, and a negative a gives NaN. The largest error is 0.95 ULP.
 static inline rhw_float rhw_log(rhw_float a)
 {
     rhw_float e;
@@ -201,10 +202,10 @@ static inline rhw_float rhw_log(rhw_float a)
     return rhw_log_special(a, e * 0.693115234375f + (f + small));
 }
 
-// log2 in double for one half of the lanes: m as rhw_split_exponent gives it.
+// Return log2(m · 2^e) in double for one half of the lanes. rhw_split_exponent gives m and e.
 static inline rhw_double4 rhw_log2_double(rhw_double4 m, rhw_double4 e)
 {
-    // log2(m) = 2/ln2 · atanh(s), s = (m − 1)/(m + 1)
+    // log2(m) is 2/ln2 · atanh(s) with s = (m − 1)/(m + 1).
     const rhw_double4 s = (m - 1.0) / (m + 1.0);
     const rhw_double4 z = s * s;
     const rhw_double4 square = z * z;
@@ -214,10 +215,10 @@ static inline rhw_double4 rhw_log2_double(rhw_double4 m, rhw_double4 e)
     return e + s * (2.8853900817779268 + z * q);
 }
 
-// a^b for finite a > 0 and finite b.
+// Return a^b for finite a > 0 and finite b.
 static inline rhw_float rhw_pow_positive(rhw_float a, rhw_float b)
 {
-    // b · log2(a) is formed in double: its fraction must keep 24 bits beside an integer part of 8.
+    // b · log2(a) is formed in double, because its fraction must keep 24 bits beside an integer part of 8 bits.
     rhw_float e;
     const struct rhw_double8 m = rhw_to_double(rhw_split_exponent(a, &e));
     const struct rhw_double8 exponent = rhw_to_double(e);
@@ -230,21 +231,21 @@ static inline rhw_float rhw_pow_positive(rhw_float a, rhw_float b)
     const struct rhw_double8 whole = rhw_to_double(n);
     product.low -= whole.low;
     product.high -= whole.high;
-    const rhw_float half = rhw_splat(0.501f); // the fraction of a product that was clamped is out of range
+    const rhw_float half = rhw_splat(0.501f); // clamps the fraction of a product that was clamped
     const rhw_float f = rhw_clamp(rhw_from_double(product), -half, half);
     return rhw_scale_exp2(rhw_exp2_fraction(f), rhw_int_from_float_unchecked(n));
 }
 
-// `result` is |a|^b where rhw_pow_positive gives it, rubbish elsewhere.
+// Return a^b. `result` is |a|^b where rhw_pow_positive is defined, and any value elsewhere.
 static inline rhw_float rhw_pow_special(rhw_float a, rhw_float b, rhw_float result)
 {
     const rhw_float zero = rhw_splat(0.0f), one = rhw_splat(1.0f), magnitude = rhw_abs(a);
-    // |a| of 0 and infinity: 0 or infinity as b's sign says.
+    // If |a| is 0 or infinity, the sign of b decides whether the result is 0 or infinity.
     const rhw_int large = rhw_less(one, magnitude), grows = rhw_equal_int(large, rhw_less(zero, b));
     const rhw_int extreme = rhw_equal(magnitude, zero) | rhw_equal(magnitude, rhw_infinity());
     const rhw_int edge = extreme | rhw_equal(rhw_abs(b), rhw_infinity());
     result = rhw_select(edge, rhw_select(grows, rhw_infinity(), zero), result);
-    // A negative base: the result takes its sign where b is odd.
+    // The result takes the sign of a negative base if b is odd.
     const rhw_int is_whole = rhw_equal(rhw_floor(b), b);
     const rhw_int odd = is_whole & ~rhw_equal(rhw_floor(0.5f * b), 0.5f * b);
     result = (rhw_float)((rhw_int)result ^ ((rhw_int)a & odd & INT32_MIN));
@@ -255,12 +256,12 @@ static inline rhw_float rhw_pow_special(rhw_float a, rhw_float b, rhw_float resu
     return rhw_select(rhw_equal(b, zero) | rhw_equal(a, one) | unity, one, result);
 }
 
-/// a^b with the special cases of C's pow: a negative `a` needs a whole `b` (else NaN); anything to the 0 is
-/// 1 and 1 to anything is 1, NaN included. Largest error found 1.4 ULP.
+/// Return a^b with the special cases of C's pow. A negative a with a b that is not whole gives NaN. Anything to the 0
+/// is 1, and 1 to anything is 1, NaN included. The largest error found is 1.4 ULP.
 static inline rhw_float rhw_pow(rhw_float a, rhw_float b)
 {
     const rhw_float result = rhw_pow_positive(rhw_abs(a), b);
-    // What shading asks for, 0 <= a and 0 < b, both finite, read off the bits: −0 is not among it.
+    // Shading mostly has 0 <= a and 0 < b, both finite. The bits tell; they exclude an a of −0.
     const rhw_int end = rhw_splat_int(0x7f800000), bits = (rhw_int)a;
     const rhw_int usual = ~(bits >> 31) & rhw_less_int(bits, end) &
                           rhw_less_int(rhw_splat_int(0), (rhw_int)b) & rhw_less_int((rhw_int)b, end);
@@ -272,11 +273,11 @@ static inline rhw_float rhw_pow(rhw_float a, rhw_float b)
 
 // Trigonometry --------------------------------------------------------------------------------------
 
-// Reduces one |a| ≥ 2^15 by multiples of π/2 after M. Payne and R. Hanek (1983): only the bits of 2/π that
-// matter modulo 4 are multiplied. Not finite: NaN.
+// Reduce one |a| ≥ 2^15 by multiples of π/2, after M. Payne and R. Hanek (1983). Only the bits of 2/π that matter
+// modulo 4 are multiplied. Return NaN if a is not finite.
 static inline float rhw_reduce_large(float a, int32_t *quadrant)
 {
-    // 2/π from the binary point on, after 32 zeros.
+    // The words have 2/π from the binary point on, after 32 zeros.
     static const uint32_t words[8] = {0,          0xa2f9836e, 0x4e441529, 0xfc2757d1,
                                       0xf534ddc0, 0xdb629599, 0x3c439041, 0xfe5163ab};
     uint32_t bits;
@@ -286,7 +287,7 @@ static inline float rhw_reduce_large(float a, int32_t *quadrant)
     if (exponent == 128) {
         return a - a;
     }
-    // |a| = m · 2^(exponent − 23). The window starts where a product bit is worth 2.
+    // |a| is m · 2^(exponent − 23). The window starts at the bit whose product is worth 2.
     const uint64_t m = (bits & 0x7fffff) | 0x800000;
     const int start = exponent - 25 + 32;
     const uint32_t *const word = words + start / 32;
@@ -295,22 +296,22 @@ static inline float rhw_reduce_large(float a, int32_t *quadrant)
     for (int i = 0; i < 3; i++) {
         window[i] = ((uint64_t)word[i] << 32 | word[i + 1]) >> (32 - shift) & 0xffffffffu;
     }
-    // A number of turns, modulo 1, in units of 2^-64; the quadrant is its nearest quarter.
+    // `turns` is a number of turns, modulo 1, in units of 2^-64. The quadrant is the nearest quarter turn.
     const uint64_t turns = (m * window[0] << 32) + m * window[1] + (m * window[2] >> 32);
     const uint64_t nearest = (turns + ((uint64_t)1 << 61)) >> 62;
     const int64_t rest = (int64_t)(turns - (nearest << 62));
-    const float r = (float)((double)rest * 3.4061215800304866e-19); // π/2 · 2^-62
+    const float r = (float)((double)rest * 3.4061215800304866e-19); // the factor is π/2 · 2^-62
     *quadrant = bits >> 31 ? -(int32_t)nearest : (int32_t)nearest;
     return bits >> 31 ? -r : r;
 }
 
-// a = quadrant · π/2 + r; returns r, |r| ≤ 0.787.
+// Split a into quadrant · π/2 + r with |r| ≤ 0.787. Return r.
 static inline rhw_float rhw_reduce(rhw_float a, rhw_int *quadrant)
 {
     const rhw_int large = ~rhw_less(rhw_abs(a), rhw_splat(32768.0f));
     const rhw_float x = (rhw_float)((rhw_int)a & ~large);
     const rhw_float n = rhw_round(x * 0.636619747f);
-    // In double: π/2 in two parts, the first of 33 bits, whose product with n of 15 is exact.
+    // π/2 has two parts in double. The first part has 33 bits, so its product with an n of 15 bits is exact.
     struct rhw_double8 r = rhw_to_double(x);
     const struct rhw_double8 count = rhw_to_double(n);
     r.low = (r.low - count.low * 1.5707963267341256) - count.low * 6.077100506506192e-11;
@@ -326,25 +327,27 @@ static inline rhw_float rhw_reduce(rhw_float a, rhw_int *quadrant)
             }
         }
     }
-    // The double subtraction turns −0 into 0; arguments this small are their own remainder.
+    // The subtraction in double would turn −0 into 0. A small argument is its own remainder.
     return rhw_select(rhw_less(rhw_abs(a), rhw_splat(0.7f)), a, rest);
 }
 
-// sine and cosine for |r| ≤ 0.787.
+// Return the sine of r for |r| ≤ 0.787.
 static inline rhw_float rhw_sin_core(rhw_float r)
 {
     const rhw_float z = r * r;
     const rhw_float result = r + r * z * (-0.166666552f + z * (0.008332178f + z * -0.000195173197f));
-    return rhw_copysign(result, r); // −0 + 0 is 0
+    return rhw_copysign(result, r); // keeps −0, because −0 + 0 is 0
 }
 
+// Return the cosine of r for |r| ≤ 0.787.
 static inline rhw_float rhw_cos_core(rhw_float r)
 {
     const rhw_float z = r * r;
     return 1.0f - (0.5f * z - z * z * (0.0416666456f + z * (-0.00138873688f + z * 2.44385556e-05f)));
 }
 
-/// Sine and cosine of `a` radians, both at the price of little more than one; radians.
+/// Set `*sine` and `*cosine` to the sine and cosine of a, which is in radians. Both together take little more time than
+/// one. Accuracy and special cases are those of rhw_sin and rhw_cos.
 static inline void rhw_sincos(rhw_float a, rhw_float *sine, rhw_float *cosine)
 {
     rhw_int quadrant;
@@ -355,7 +358,8 @@ static inline void rhw_sincos(rhw_float a, rhw_float *sine, rhw_float *cosine)
     *cosine = (rhw_float)((rhw_int)rhw_select(swap, s, c) ^ (((quadrant + 1) & 2) << 30));
 }
 
-/// Any finite argument is reduced exactly; infinity gives NaN. Largest error 1.6 ULP.
+/// Return the sine of a, which is in radians. A finite a is reduced exactly. Infinity gives NaN. The largest error is
+/// 1.6 ULP.
 static inline rhw_float rhw_sin(rhw_float a)
 {
     rhw_float sine, cosine;
@@ -363,7 +367,8 @@ static inline rhw_float rhw_sin(rhw_float a)
     return sine;
 }
 
-/// As rhw_sin.
+/// Return the cosine of a, which is in radians. A finite a is reduced exactly. Infinity gives NaN. The largest error is
+/// 1.6 ULP.
 static inline rhw_float rhw_cos(rhw_float a)
 {
     rhw_float sine, cosine;
@@ -371,7 +376,8 @@ static inline rhw_float rhw_cos(rhw_float a)
     return cosine;
 }
 
-/// As rhw_sin. Largest error 3.6 ULP.
+/// Return the tangent of a, which is in radians. A finite a is reduced exactly. Infinity gives NaN. The largest error
+/// is 3.6 ULP.
 static inline rhw_float rhw_tan(rhw_float a)
 {
     rhw_float sine, cosine;
@@ -379,22 +385,22 @@ static inline rhw_float rhw_tan(rhw_float a)
     return sine / cosine;
 }
 
-/// The angle of the point (x, y), −π..π, with the special cases of C's atan2 for zeros and infinities.
-/// Largest error found 2 ULP.
+/// Return the angle of the point (x, y) in radians, −π..π, with the special cases of C's atan2 for zeros and
+/// infinities. The largest error found is 2 ULP.
 static inline rhw_float rhw_atan2(rhw_float y, rhw_float x)
 {
     const rhw_float zero = rhw_splat(0.0f), one = rhw_splat(1.0f);
     const rhw_float ax = rhw_abs(x), ay = rhw_abs(y);
     const rhw_int steep = rhw_less(ax, ay);
     rhw_float small = rhw_select(steep, ax, ay), large = rhw_select(steep, ay, ax);
-    // A quarter of both, so that their sum stays finite; what small loses is far below an ULP of the angle.
+    // Take a quarter of both, so that their sum stays finite. What `small` loses is far below an ULP of the angle.
     const rhw_int huge = rhw_less(rhw_splat(8.5e37f), large);
     small = rhw_select(huge, 0.25f * small, small);
     large = rhw_select(huge, 0.25f * large, large);
     const rhw_int both_infinite = rhw_equal(small, rhw_infinity());
     small = rhw_select(both_infinite, one, small);
     large = rhw_select(both_infinite | rhw_equal(large, zero), one, large);
-    // Above tan(π/8): atan(t) = π/4 + atan((t − 1)/(t + 1)).
+    // Above tan(π/8), atan(t) is π/4 + atan((t − 1)/(t + 1)).
     const rhw_int middle = rhw_less(0.414213562f * large, small);
     const rhw_float t = rhw_select(middle, small - large, small) / rhw_select(middle, small + large, large);
     const rhw_float z = t * t;
@@ -403,22 +409,22 @@ static inline rhw_float rhw_atan2(rhw_float y, rhw_float x)
     q = q * z + 0.199984938f;
     q = q * z - 0.333333164f;
     const rhw_float bent = t * z * q;
-    // Each constant in two floats, the smaller added to the small term.
+    // Each constant is two floats. The smaller float is added to the small term.
     rhw_float angle = rhw_select(middle, 0.785398185f + (t + (bent - 2.1855695e-8f)), t + bent);
     angle = rhw_select(steep, 1.57079637f - (angle + 4.371139e-8f), angle);
-    const rhw_int left = (rhw_int)x >> 31; // −0 too
+    const rhw_int left = (rhw_int)x >> 31; // includes −0
     angle = rhw_select(left, 3.14159274f - (angle + 8.742278e-8f), angle);
     angle = (rhw_float)((rhw_int)angle ^ ((rhw_int)y & INT32_MIN));
     return rhw_select(rhw_equal(x, x) & rhw_equal(y, y), angle, rhw_nan());
 }
 
-/// Largest error 2 ULP.
+/// Return the arc tangent of a in radians. The largest error is 2 ULP.
 static inline rhw_float rhw_atan(rhw_float a)
 {
     return rhw_atan2(a, rhw_splat(1.0f));
 }
 
-// s and the rest of asin(s) for 0 ≤ s ≤ 1/2: asin(s) = s + rest; z = s².
+// Return asin(s) − s for 0 ≤ s ≤ 1/2, where z is s².
 static inline rhw_float rhw_asin_rest(rhw_float s, rhw_float z)
 {
     rhw_float q = z * 0.037569508f + 0.0144005837f;
@@ -429,12 +435,12 @@ static inline rhw_float rhw_asin_rest(rhw_float s, rhw_float z)
     return s * z * q;
 }
 
-/// NaN beyond −1..1. Largest error 1.7 ULP.
+/// Return the arc sine of a in radians. An a beyond −1..1 gives NaN. The largest error is 1.7 ULP.
 static inline rhw_float rhw_asin(rhw_float a)
 {
     const rhw_float magnitude = rhw_abs(a);
     const rhw_int outer = rhw_less(rhw_splat(0.5f), magnitude);
-    // asin(x) = π/2 − 2 asin(sqrt((1 − x)/2))
+    // asin(x) is π/2 − 2 asin(sqrt((1 − x)/2)).
     const rhw_float z = rhw_select(outer, 0.5f * (1.0f - magnitude), magnitude * magnitude);
     const rhw_float s = rhw_select(outer, rhw_sqrt(z), magnitude);
     const rhw_float rest = rhw_asin_rest(s, z);
@@ -442,7 +448,7 @@ static inline rhw_float rhw_asin(rhw_float a)
     return rhw_copysign(rhw_select(outer, far, s + rest), a);
 }
 
-/// NaN beyond −1..1. Largest error 1.1 ULP.
+/// Return the arc cosine of a in radians. An a beyond −1..1 gives NaN. The largest error is 1.1 ULP.
 static inline rhw_float rhw_acos(rhw_float a)
 {
     const rhw_float magnitude = rhw_abs(a);

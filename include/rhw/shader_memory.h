@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Memory that shader functions read and write: 8 values in a row, and 8 from anywhere in a table. Included by shader.h.
+// Shader functions read and write memory with these functions: 8 values in a row, and 8 values from anywhere in a
+// table. shader.h includes this header.
 #ifndef RHW_SHADER_MEMORY_H
 #define RHW_SHADER_MEMORY_H
 
@@ -11,7 +12,7 @@ RHW_QUIET_BEGIN
 
 // In a row ------------------------------------------------------------------------------------------
 
-/// 8 values that stand one after the other; no alignment is asked.
+/// Return 8 values that stand one after the other. No alignment is asked.
 static inline rhw_float rhw_load(const float *values)
 {
     rhw_float lanes;
@@ -19,7 +20,7 @@ static inline rhw_float rhw_load(const float *values)
     return lanes;
 }
 
-/// 8 integers that stand one after the other.
+/// Return 8 integers that stand one after the other. No alignment is asked.
 static inline rhw_int rhw_load_int(const int32_t *values)
 {
     rhw_int lanes;
@@ -27,24 +28,26 @@ static inline rhw_int rhw_load_int(const int32_t *values)
     return lanes;
 }
 
-/// Writes 8 values one after the other; dead lanes too, so mind what stands there.
+/// Write 8 values one after the other. Dead lanes are written too, so there must be room for all 8. No alignment is
+/// asked.
 static inline void rhw_store(float *values, rhw_float lanes)
 {
     memcpy(values, &lanes, sizeof lanes);
 }
 
-/// Writes 8 integers one after the other.
+/// Write 8 integers one after the other. Dead lanes are written too, so there must be room for all 8. No alignment is
+/// asked.
 static inline void rhw_store_int(int32_t *values, rhw_int lanes)
 {
     memcpy(values, &lanes, sizeof lanes);
 }
 
 // From anywhere -------------------------------------------------------------------------------------
-// Of a table of `count` values, in the uniforms or behind `user` for instance. What lies outside reads as 0, as with
-// robustBufferAccess2 of Vulkan, so dead lanes may hold any index, and −1 stands for no entry. `table` may be NULL
-// where count is 0. An array of structs is a table of its members: index * (size / 4) + member.
+// A table has `count` values, for example in the uniforms or behind `user`. An index outside of the table reads 0, as
+// with robustBufferAccess2 of Vulkan. So dead lanes may have any index, and −1 may stand for no entry. `table` may be
+// NULL if count is 0. An array of structs is a table of members: the index of a member is index * (size / 4) + member.
 
-/// table[index] lane by lane; 0 where index is below 0 or not below `count`.
+/// Return table[index] lane by lane, or 0 where index is below 0 or not below `count`.
 static inline rhw_float rhw_gather(const float *table, int32_t count, rhw_int index)
 {
     const rhw_int inside = ~rhw_less_int(index, rhw_splat_int(0)) & rhw_less_int(index, rhw_splat_int(count));
@@ -61,7 +64,7 @@ static inline rhw_float rhw_gather(const float *table, int32_t count, rhw_int in
 #endif
 }
 
-/// rhw_gather of integers.
+/// Return table[index] of integers lane by lane, or 0 where index is below 0 or not below `count`.
 static inline rhw_int rhw_gather_int(const int32_t *table, int32_t count, rhw_int index)
 {
     const rhw_int inside = ~rhw_less_int(index, rhw_splat_int(0)) & rhw_less_int(index, rhw_splat_int(count));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Maths and sampling of the one-at-a-time form as functions of the library, which any compiler can call. Where there
-// are lanes (compiler.h), the names that programs use are inline functions with the same bits. Included by shader_one.h.
+// These functions of the library do the maths and sampling of the one-at-a-time form, so that any compiler can call
+// them. If the compiler has lanes (RHW_HAS_LANES), the names of the maths functions that programs use are inline
+// functions of shader_one.h with the same bits. shader_one.h includes this header.
 #ifndef RHW_SHADER_NO_LANES_H
 #define RHW_SHADER_NO_LANES_H
 
-#include "arithmetic.h"
-#include "base.h"
+#include "shader_lanes.h"
 
 struct rhw_bindings;
 struct rhw_fragment1;
@@ -30,10 +30,12 @@ enum rhw_math1_function {
     RHW_MATH1_ROUND
 };
 
-/// A lane of the function that the name says; `b` is read by POW and ATAN2 alone. NaN for another number.
+/// Return one lane of the function that `function` names. POW and ATAN2 read `b`; the others ignore it. Return NaN if
+/// `function` is out of range.
 RHW_API float rhw_math1(enum rhw_math1_function function, float a, float b);
 
-/// What one lane asks of a texture; the members mean what those of struct rhw_sample_request do.
+/// A request says what one lane asks of a texture. Each member means what the member of struct rhw_sample_request with
+/// the same name means.
 struct rhw_sample_request1 {
     const float *coordinates, *gradient;
     const float *lod, *reference;
@@ -41,25 +43,36 @@ struct rhw_sample_request1 {
     const float *bias;
 };
 
-/// A lane of rhw_sample, rhw_sample_gather, rhw_sample_fetch, rhw_sample_fetch_sample, rhw_sample_query_lod and
-/// rhw_sample_size.
+/// Sample one lane of rhw_sample.
 RHW_API void rhw_sample1(const struct rhw_bindings *textures, int slot,
                          const struct rhw_sample_request1 *request, float texel[4]);
+
+/// Gather one lane of rhw_sample_gather.
 RHW_API void rhw_sample_gather1(const struct rhw_bindings *textures, int slot,
                                 const struct rhw_sample_request1 *request, int channel, float texel[4]);
+
+/// Fetch one lane of rhw_sample_fetch.
 RHW_API void rhw_sample_fetch1(const struct rhw_bindings *textures, int slot, const int32_t *at,
                                int32_t level, float texel[4]);
+
+/// Fetch one lane of rhw_sample_fetch_sample.
 RHW_API void rhw_sample_fetch_sample1(const struct rhw_bindings *textures, int slot, const int32_t *at,
                                       int32_t sample, float texel[4]);
+
+/// Compute one lane of rhw_sample_query_lod.
 RHW_API void rhw_sample_query_lod1(const struct rhw_bindings *textures, int slot,
                                    const struct rhw_sample_request1 *request, float lod[2]);
+
+/// Compute one lane of rhw_sample_size.
 RHW_API void rhw_sample_size1(const struct rhw_bindings *textures, int slot, int32_t level, int32_t size[3]);
-/// A lane of rhw_sample_compare_window, footprint by footprint.
+
+/// Sample one lane of rhw_sample_compare_window, footprint by footprint.
 RHW_API void rhw_sample_compare_window1(const struct rhw_bindings *textures, int slot,
                                         const struct rhw_sample_request1 *request, int columns, int rows,
                                         float *parts);
-/// A lane of rhw_sample_groups: bit n of `slots` samples slot n into texels[n], for this fragment alone, hence no count and
-/// no stride. fragment->color is allowed.
+
+/// Sample one lane of rhw_sample_groups. Bit n of `slots` samples slot n into texels[n], for one fragment, so there is
+/// neither a count nor a stride. `texels` may be fragment->color.
 RHW_API void rhw_sample_groups1(const struct rhw_fragment1 *fragment, uint32_t slots, int at,
                                 float (*texels)[4]);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The kit for one vertex or fragment at a time: every function of 8 lanes under the same name with a 1 behind it (_1
-// after a digit), on plain floats, with the bits of a lane. Ranges, special cases and errors are told there: in
-// shader_vector.h, shader_math.h, shader_linear.h, shader_memory.h, shader_sample.h. A mask is a bool here. Included
-// by shader.h. Compilers without lanes have it too: what goes through a lane here they call in the library.
+// This is the shader kit for one vertex or fragment at a time. It has every function of 8 lanes under the same name
+// with a 1 behind it, or _1 after a digit. These functions take plain floats and give the bits of a lane. A mask is a
+// bool. The docstrings of shader_vector.h, shader_math.h, shader_linear.h, shader_memory.h and shader_sample.h tell
+// ranges, special cases and errors. shader.h includes this header. A compiler without lanes has these functions too:
+// where the functions here go through a lane, it calls the library (shader_no_lanes.h).
 #ifndef RHW_SHADER_ONE_H
 #define RHW_SHADER_ONE_H
 
@@ -10,7 +11,6 @@
 #include "shader_math.h"
 #include "shader_memory.h"
 #include "shader_no_lanes.h"
-#include "shader_image.h"
 #include "shader_sample.h"
 #include "shader_storage.h"
 
@@ -321,7 +321,7 @@ static inline void rhw_cross1(const float a[3], const float b[3], float result[3
     result[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/// See rhw_normalizing.
+// Return the factor that gives a vector with this square the length 1, as rhw_normalizing does.
 static inline float rhw_normalizing1(float square)
 {
     return rhw_rsqrt1(rhw_max1(square, 1.17549435e-38f));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A plain number where a function takes 8 lanes: rhw_max(v, 0.0f), rhw_mix(v, w, 0.5f), rhw_less_int(i, 3). It stands for
-// 8 equal lanes, in any place beside the others; rhw_splat is left for what is stored. Lanes of the wrong kind, rhw_int
-// for rhw_float, are an error: what is wanted is a conversion or a cast of bits, and only you know which. Included by
-// shader.h.
+// With this header a plain number may stand where a function takes 8 lanes: rhw_max(v, 0.0f), rhw_mix(v, w, 0.5f),
+// rhw_less_int(i, 3). The number stands for 8 equal lanes. rhw_splat serves for lanes that are stored. Lanes of the
+// wrong kind, for example rhw_int in place of rhw_float, are an error, because only the author knows whether a
+// conversion or a cast of bits is meant. shader.h includes this header.
 //
-// C has these as macros of the functions' own names, so the functions can still be pointed at; a literal with commas,
-// (rhw_float){1, 2, ..}, needs another pair of brackets around it. C++ has overloads.
+// C has macros with the names of the functions, so a program can still take the address of a function. A literal with
+// commas, (rhw_float){1, 2, ..}, needs another pair of brackets around it. C++ has overloads.
 #ifndef RHW_SHADER_SCALAR_H
 #define RHW_SHADER_SCALAR_H
 
@@ -24,13 +24,13 @@ static inline rhw_float rhw_lanes_from(rhw_float lanes)
     return lanes;
 }
 
-// Any type of number.
+// This overload takes any type of number.
 template <class A> static inline rhw_float rhw_lanes_from(A value)
 {
     return rhw_splat(static_cast<float>(value));
 }
 
-// clang would take the bits of the one for the other.
+// This overload is deleted, because clang would take the bits of the integers for floats.
 rhw_float rhw_lanes_from(rhw_int lanes) = delete;
 
 static inline rhw_int rhw_int_lanes_from(rhw_int lanes)

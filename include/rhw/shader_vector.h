@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The arithmetic of 8 lanes that C's operators lack: comparison, selection, rounding, conversion. Included by shader.h;
-// shader_scalar.h lets plain numbers stand in the place of lanes. All of it is IEEE 754 arithmetic without contraction,
-// hence the same bits on every instruction set. Intrinsics, and halves of 4 lanes, appear where compilers turn the plain
-// form into scalar code: gcc 12 does for most of what stands here unless it has AVX.
+// These functions are the arithmetic of 8 lanes that C's operators lack: comparison, selection, rounding and
+// conversion. All of it is IEEE 754 arithmetic without contraction, so it gives the same bits on every instruction set.
+// With shader_scalar.h a plain number may stand in place of lanes. shader.h includes this header.
+//
+// Intrinsics, and halves of 4 lanes, stand where compilers turn the plain form into scalar code. gcc 12 makes scalar
+// code of most of these functions unless it has AVX.
 #ifndef RHW_SHADER_VECTOR_H
 #define RHW_SHADER_VECTOR_H
 
@@ -25,7 +27,7 @@
 
 RHW_QUIET_BEGIN
 
-/// 8 lanes seen as registers of 16 bytes. Local to the headers of rhw.
+/// 8 lanes seen as two registers of 16 bytes. Only the headers of rhw use it.
 union rhw_lanes {
     rhw_float f;
     rhw_int i;
@@ -35,14 +37,14 @@ union rhw_lanes {
 
 // Making lanes --------------------------------------------------------------------------------------
 
-/// All 8 lanes equal.
+/// Return 8 lanes that are equal to `value`.
 static inline rhw_float rhw_splat(float value)
 {
 #if defined(__AVX2__)
     const rhw_float lanes = {value, value, value, value, value, value, value, value};
     return lanes;
 #else
-    // gcc 12 stores the plain form lane by lane and loads what it stored, which stalls.
+    // gcc 12 would store the plain form lane by lane and load the lanes back, which stalls.
     const rhw_float4 half = {value, value, value, value};
     union rhw_lanes x;
     x.half[0] = x.half[1] = half;
@@ -50,7 +52,7 @@ static inline rhw_float rhw_splat(float value)
 #endif
 }
 
-/// All 8 lanes equal.
+/// Return 8 integer lanes that are equal to `value`.
 static inline rhw_int rhw_splat_int(int32_t value)
 {
 #if defined(__AVX2__)
@@ -64,7 +66,7 @@ static inline rhw_int rhw_splat_int(int32_t value)
 #endif
 }
 
-/// 0, 1, .. 7.
+/// Return 0, 1, 2, 3, 4, 5, 6, 7.
 static inline rhw_int rhw_lane_numbers(void)
 {
     const rhw_int lanes = {0, 1, 2, 3, 4, 5, 6, 7};
@@ -72,9 +74,10 @@ static inline rhw_int rhw_lane_numbers(void)
 }
 
 // Comparison and selection --------------------------------------------------------------------------
-// The operators `<`, `<=`, .. give the same masks; gcc 12 without AVX makes scalar code of them.
+// C's operators < and <= give the same masks as these functions, but gcc 12 without AVX makes scalar code of them. A
+// mask is −1 in lanes where the comparison holds and 0 in the others. NaN gives 0, but −1 in rhw_not_equal.
 
-/// a < b lane by lane: −1 or 0. Any comparison with NaN gives 0.
+/// Return the mask of a < b.
 static inline rhw_int rhw_less(rhw_float a, rhw_float b)
 {
 #if defined(__AVX2__)
@@ -89,7 +92,7 @@ static inline rhw_int rhw_less(rhw_float a, rhw_float b)
 #endif
 }
 
-/// a ≤ b.
+/// Return the mask of a ≤ b.
 static inline rhw_int rhw_less_equal(rhw_float a, rhw_float b)
 {
 #if defined(__AVX2__)
@@ -104,7 +107,7 @@ static inline rhw_int rhw_less_equal(rhw_float a, rhw_float b)
 #endif
 }
 
-/// a = b; 0 for NaN, so `rhw_equal(a, a)` tells numbers from NaN.
+/// Return the mask of a = b. rhw_equal(a, a) is 0 where a is NaN.
 static inline rhw_int rhw_equal(rhw_float a, rhw_float b)
 {
 #if defined(__AVX2__)
@@ -119,25 +122,25 @@ static inline rhw_int rhw_equal(rhw_float a, rhw_float b)
 #endif
 }
 
-/// a > b.
+/// Return the mask of a > b.
 static inline rhw_int rhw_greater(rhw_float a, rhw_float b)
 {
     return rhw_less(b, a);
 }
 
-/// a ≥ b.
+/// Return the mask of a ≥ b.
 static inline rhw_int rhw_greater_equal(rhw_float a, rhw_float b)
 {
     return rhw_less_equal(b, a);
 }
 
-/// The opposite of rhw_equal: −1 for NaN.
+/// Return the opposite of rhw_equal: −1 where a and b differ or one of them is NaN.
 static inline rhw_int rhw_not_equal(rhw_float a, rhw_float b)
 {
     return ~rhw_equal(a, b);
 }
 
-/// a < b of signed integers.
+/// Return the mask of a < b for signed integers.
 static inline rhw_int rhw_less_int(rhw_int a, rhw_int b)
 {
 #if defined(__AVX2__)
@@ -152,7 +155,7 @@ static inline rhw_int rhw_less_int(rhw_int a, rhw_int b)
 #endif
 }
 
-/// a = b of integers.
+/// Return the mask of a = b for integers.
 static inline rhw_int rhw_equal_int(rhw_int a, rhw_int b)
 {
 #if defined(__AVX2__)
@@ -167,7 +170,8 @@ static inline rhw_int rhw_equal_int(rhw_int a, rhw_int b)
 #endif
 }
 
-/// a where mask is −1, b where it is 0. What another mask gives depends on the instruction set: compare first.
+/// Return a where mask is −1 and b where mask is 0. The result of another mask depends on the instruction set, so make
+/// masks by comparison.
 static inline rhw_float rhw_select(rhw_int mask, rhw_float a, rhw_float b)
 {
 #if defined(__AVX2__)
@@ -177,7 +181,8 @@ static inline rhw_float rhw_select(rhw_int mask, rhw_float a, rhw_float b)
 #endif
 }
 
-/// rhw_select of integers.
+/// Return a where mask is −1 and b where mask is 0, for integers. The result of another mask depends on the instruction
+/// set, so make masks by comparison.
 static inline rhw_int rhw_select_int(rhw_int mask, rhw_int a, rhw_int b)
 {
 #if defined(__AVX2__)
@@ -187,7 +192,7 @@ static inline rhw_int rhw_select_int(rhw_int mask, rhw_int a, rhw_int b)
 #endif
 }
 
-/// Bit i is set where lane i of the mask is −1.
+/// Return an integer whose bit i is set if lane i of the mask is −1.
 static inline int rhw_mask_bits(rhw_int mask)
 {
 #if defined(__AVX2__)
@@ -213,19 +218,19 @@ static inline int rhw_mask_bits(rhw_int mask)
 #endif
 }
 
-/// Whether the mask is −1 in a lane.
+/// Return true if the mask is −1 in at least one lane.
 static inline bool rhw_any(rhw_int mask)
 {
     return rhw_mask_bits(mask) != 0;
 }
 
-/// Whether the mask is −1 in every lane.
+/// Return true if the mask is −1 in every lane.
 static inline bool rhw_all(rhw_int mask)
 {
     return rhw_mask_bits(mask) == 0xff;
 }
 
-/// a where a < b, else b: b when either is NaN, b when both are zeros.
+/// Return a where a < b, and b elsewhere. The result is b if one of them is NaN or both are zeros.
 static inline rhw_float rhw_min(rhw_float a, rhw_float b)
 {
 #if defined(__AVX2__)
@@ -249,7 +254,7 @@ static inline rhw_float rhw_min(rhw_float a, rhw_float b)
 #endif
 }
 
-/// a where a > b, else b: b when either is NaN, b when both are zeros.
+/// Return a where a > b, and b elsewhere. The result is b if one of them is NaN or both are zeros.
 static inline rhw_float rhw_max(rhw_float a, rhw_float b)
 {
 #if defined(__AVX2__)
@@ -273,7 +278,7 @@ static inline rhw_float rhw_max(rhw_float a, rhw_float b)
 #endif
 }
 
-/// The smaller of two signed integers.
+/// Return the smaller of two signed integers.
 static inline rhw_int rhw_min_int(rhw_int a, rhw_int b)
 {
 #if defined(__AVX2__)
@@ -283,7 +288,7 @@ static inline rhw_int rhw_min_int(rhw_int a, rhw_int b)
 #endif
 }
 
-/// The larger of two signed integers.
+/// Return the larger of two signed integers.
 static inline rhw_int rhw_max_int(rhw_int a, rhw_int b)
 {
 #if defined(__AVX2__)
@@ -293,34 +298,35 @@ static inline rhw_int rhw_max_int(rhw_int a, rhw_int b)
 #endif
 }
 
-/// Within low..high; NaN gives low.
+/// Return a clamped to low..high. NaN gives low.
 static inline rhw_float rhw_clamp(rhw_float a, rhw_float low, rhw_float high)
 {
     return rhw_min(rhw_max(a, low), high);
 }
 
-/// Within 0..1; NaN and −0 give 0.
+/// Return a clamped to 0..1. NaN and −0 give 0.
 static inline rhw_float rhw_saturate(rhw_float a)
 {
     return rhw_clamp(a, rhw_splat(0.0f), rhw_splat(1.0f));
 }
 
 // Conversion ----------------------------------------------------------------------------------------
-// A cast, (rhw_int)a, keeps the bits of 8 lanes where it converts the value of one number; these say which is meant.
+// C's cast (rhw_int)a keeps the bits of 8 lanes, though (int32_t)a converts the value of one number. The names of these
+// functions say which of the two they do.
 
-/// The bits of each lane, unchanged.
+/// Return the bits of each lane, unchanged.
 static inline rhw_int rhw_bits_from_float(rhw_float a)
 {
     return (rhw_int)a;
 }
 
-/// The floats that have these bits.
+/// Return the floats that have these bits.
 static inline rhw_float rhw_float_from_bits(rhw_int a)
 {
     return (rhw_float)a;
 }
 
-/// The nearest float of a signed integer, ties to even.
+/// Return the float nearest to a signed integer, ties to even.
 static inline rhw_float rhw_float_from_int(rhw_int a)
 {
 #if defined(__AVX2__)
@@ -334,8 +340,8 @@ static inline rhw_float rhw_float_from_int(rhw_int a)
 #endif
 }
 
-/// Truncates; the value must lie within −2^31 ≤ a < 2^31 in every lane whose result is used. One
-/// instruction where rhw_int_from_float takes five.
+/// Return a truncated towards zero. a must lie within −2^31 ≤ a < 2^31 in every lane whose result is used. This takes
+/// one instruction where rhw_int_from_float takes five.
 static inline rhw_int rhw_int_from_float_unchecked(rhw_float a)
 {
 #if defined(__AVX2__)
@@ -347,7 +353,7 @@ static inline rhw_int rhw_int_from_float_unchecked(rhw_float a)
     x.half_i[1] = (rhw_int4)_mm_cvttps_epi32((__m128)x.half[1]);
     return x.i;
 #else
-    // Rubbish lanes become 0 first: the conversion of what does not fit is undefined in C.
+    // Lanes that do not fit become 0 first, because C does not define their conversion.
     const rhw_int fits = rhw_less_equal(rhw_splat(-2147483648.0f), a) & rhw_less(a, rhw_splat(2147483648.0f));
     union rhw_lanes x;
     x.i = (rhw_int)a & fits;
@@ -357,7 +363,8 @@ static inline rhw_int rhw_int_from_float_unchecked(rhw_float a)
 #endif
 }
 
-/// Truncates towards zero. Below −2^31 gives −2^31, from 2^31 on gives 2^31 − 1, NaN gives 0.
+/// Return a truncated towards zero. Numbers below −2^31 give −2^31, numbers from 2^31 on give 2^31 − 1, and NaN gives
+/// 0.
 static inline rhw_int rhw_int_from_float(rhw_float a)
 {
     const rhw_int above = rhw_less_equal(rhw_splat(2147483648.0f), a);
@@ -369,19 +376,19 @@ static inline rhw_int rhw_int_from_float(rhw_float a)
 
 // Sign and rounding ---------------------------------------------------------------------------------
 
-/// The magnitude: the sign bit cleared, of NaN too.
+/// Return the magnitude of a: a with the sign bit cleared, also if it is NaN.
 static inline rhw_float rhw_abs(rhw_float a)
 {
     return (rhw_float)((rhw_int)a & 0x7fffffff);
 }
 
-/// The magnitude of `a` with the sign of `sign`.
+/// Return the magnitude of `a` with the sign of `sign`.
 static inline rhw_float rhw_copysign(rhw_float a, rhw_float sign)
 {
     return (rhw_float)(((rhw_int)a & 0x7fffffff) | ((rhw_int)sign & INT32_MIN));
 }
 
-/// −1, 0 or 1; NaN gives 0.
+/// Return −1, 0 or 1 as a is negative, zero or positive. NaN gives 0.
 static inline rhw_float rhw_sign(rhw_float a)
 {
     const rhw_int one = (rhw_int)rhw_splat(1.0f);
@@ -389,7 +396,7 @@ static inline rhw_float rhw_sign(rhw_float a)
     return (rhw_float)(other & (one | ((rhw_int)a & INT32_MIN)));
 }
 
-/// Towards zero.
+/// Return a rounded to a whole number towards zero.
 static inline rhw_float rhw_trunc(rhw_float a)
 {
 #if defined(__AVX2__)
@@ -407,14 +414,14 @@ static inline rhw_float rhw_trunc(rhw_float a)
     x.half[1] = (rhw_float4)wasm_f32x4_trunc((v128_t)x.half[1]);
     return x.f;
 #else
-    // From 2^23 on every float is whole; the comparison is false for NaN, which passes through.
+    // From 2^23 on every float is whole. The comparison is false for NaN, which passes through.
     const rhw_int small = rhw_less(rhw_abs(a), rhw_splat(8388608.0f));
     const rhw_float whole = rhw_float_from_int(rhw_int_from_float_unchecked((rhw_float)((rhw_int)a & small)));
     return rhw_select(small, rhw_copysign(whole, a), a);
 #endif
 }
 
-/// The largest whole number ≤ a.
+/// Return the largest whole number ≤ a.
 static inline rhw_float rhw_floor(rhw_float a)
 {
 #if defined(__AVX2__)
@@ -437,7 +444,7 @@ static inline rhw_float rhw_floor(rhw_float a)
 #endif
 }
 
-/// The smallest whole number ≥ a.
+/// Return the smallest whole number ≥ a.
 static inline rhw_float rhw_ceil(rhw_float a)
 {
 #if defined(__AVX2__)
@@ -447,7 +454,7 @@ static inline rhw_float rhw_ceil(rhw_float a)
 #endif
 }
 
-/// The nearest whole number, ties to even.
+/// Return the nearest whole number, ties to even.
 static inline rhw_float rhw_round(rhw_float a)
 {
 #if defined(__AVX2__)
@@ -465,33 +472,34 @@ static inline rhw_float rhw_round(rhw_float a)
     x.half[1] = (rhw_float4)wasm_f32x4_nearest((v128_t)x.half[1]);
     return x.f;
 #else
-    // Adding 2^23 leaves no room for a fraction, and the addition rounds as wanted.
+    // A sum with 2^23 has no room for a fraction, and the addition rounds to nearest, ties to even.
     const rhw_float magnitude = rhw_abs(a);
     const rhw_int small = rhw_less(magnitude, rhw_splat(8388608.0f));
     return rhw_select(small, rhw_copysign((magnitude + 8388608.0f) - 8388608.0f, a), a);
 #endif
 }
 
-/// a − floor(a): 0 ≤ result ≤ 1 (1 where a is negative and tiny).
+/// Return a − floor(a). It lies in 0 ≤ result ≤ 1; it is 1 if a is negative and tiny.
 static inline rhw_float rhw_fract(rhw_float a)
 {
     return a - rhw_floor(a);
 }
 
-/// a + (b − a) · t.
+/// Return a + (b − a) · t.
 static inline rhw_float rhw_mix(rhw_float a, rhw_float b, rhw_float t)
 {
     return a + (b - a) * t;
 }
 
-/// 0 up to edge0, 1 from edge1 on, 3t² − 2t³ between them; edge0 < edge1.
+/// Return 0 where a is at most edge0, 1 where a is at least edge1, and 3t² − 2t³ between them, with t growing from 0 to
+/// 1. edge0 must be below edge1.
 static inline rhw_float rhw_smoothstep(rhw_float edge0, rhw_float edge1, rhw_float a)
 {
     const rhw_float t = rhw_saturate((a - edge0) / (edge1 - edge0));
     return t * t * (3.0f - 2.0f * t);
 }
 
-/// Correctly rounded.
+/// Return the square root of a, correctly rounded.
 static inline rhw_float rhw_sqrt(rhw_float a)
 {
 #if defined(__AVX2__)
@@ -522,7 +530,7 @@ static inline rhw_float rhw_sqrt(rhw_float a)
 #endif
 }
 
-/// 1 / sqrt(a) by an IEEE square root and division: at most 1.5 ULP off.
+/// Return 1 / sqrt(a) by an IEEE square root and an IEEE division. The error is at most 1.5 ULP.
 static inline rhw_float rhw_rsqrt(rhw_float a)
 {
     return 1.0f / rhw_sqrt(a);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Views of textures, and where texels lie in memory.
+// A view names a part of a texture's texels as a texture of its own. A layout tells where the texels lie in memory.
 #ifndef RHW_VIEW_H
 #define RHW_VIEW_H
 
 #include "types.h"
 
-/// What a channel of a view reads.
+/// The source of one channel that a shader reads through a view.
 enum rhw_swizzle {
-    RHW_SWIZZLE_IDENTITY, ///< the channel of that place
+    RHW_SWIZZLE_IDENTITY, ///< the texture's channel with the same number
     RHW_SWIZZLE_ZERO,
     RHW_SWIZZLE_ONE,
     RHW_SWIZZLE_RED,
@@ -16,53 +16,67 @@ enum rhw_swizzle {
     RHW_SWIZZLE_ALPHA
 };
 
-/// Names a part of a texture's texels as a texture of its own (VkImageViewCreateInfo; Vulkan 1.3, "Image Views").
+/// The part of a texture that a view names (VkImageViewCreateInfo; Vulkan 1.3, "Image Views").
 struct rhw_texture_view_def {
-    rhw_texture texture; ///< or a view; to be set
-    /// NONE: the texture's own. Else one with texels of the same size, both of colour; of depth with stencil also the format
-    /// of one of both, as D32_FLOAT and S8_UINT; of stencil R8_UINT, as which shaders read it (VK_IMAGE_ASPECT_STENCIL_BIT).
-    /// Of a compressed format one whose blocks are decoded in the same way.
+    rhw_texture texture; ///< a texture or a view; required
+    /// The format that the view reads the texels in. RHW_FORMAT_NONE takes the format of the texture. Another format
+    /// must have texels of the same size. A view of colour takes a colour format. A view of depth with stencil takes
+    /// the format of depth alone or of stencil alone, as D32_FLOAT and S8_UINT. A view of stencil takes R8_UINT too, in
+    /// which shaders read stencil (VK_IMAGE_ASPECT_STENCIL_BIT). A view of a compressed format takes a format whose
+    /// blocks are decoded in the same way.
     enum rhw_format format;
-    /// 1D of 1D textures; 2D and CUBE of 2D textures and cubes, which are then square and have six layers for each; 3D of 3D
-    /// textures, and 2D of their slices, of one level
+    /// The kind of the view. A 1D texture has 1D views. A 2D texture and a cube have 2D and CUBE views; a CUBE view
+    /// must be square and takes six layers for each cube. A 3D texture has 3D views, and 2D views of its slices in one
+    /// level.
     enum rhw_texture_kind kind;
-    int level, levels; ///< the first, and how many; 0: all from there on; of slices: one
-    int layer;         ///< the first; 6 × cube + face; slice of a 3D texture
-    int layers;        ///< as in rhw_texture_def: 0: no array; an array's layers, 1.., of CUBE its cubes
-    /// What shaders read; attachments have none, and what is read, written and copied outside of shaders ignores it.
+    int level;  ///< first level
+    int levels; ///< number of levels; 0 takes all from `level` on, and one level for a view of slices
+    int layer;  ///< first layer, 6 × cube + face, or first slice of a 3D texture
+    /// The number of layers, as in struct rhw_texture_def. 0 makes a view that is no array. 1 or more makes an array
+    /// with so many layers, or so many cubes for CUBE.
+    int layers;
+    /// Shaders read the channels through the swizzle. An attachment must not have one. Reads, writes and copies outside
+    /// of shaders ignore it.
     enum rhw_swizzle swizzle[4];
-    const char *label; ///< for messages
+    const char *label; ///< name in messages, or NULL
 };
 
-/// Creates a view, which is used wherever a texture is: sampled, drawn into, written, read and copied. Texture and views
-/// share their texels. A pass may draw into some levels and layers of them, write others as storage images and read
-/// others again, each by a view that has those alone; a level and layer that it draws into or writes, other than
-/// read_only, it does not read, by any name (Vulkan 1.3 §8.9, WebGPU's usage scopes). Copies and reads ask about
-/// textures as a whole: none of them is read or written while the pass being recorded draws into one, and none written
-/// while it samples one. Either is destroyed before the other; the texels stay until all are.
+/// Create a view of a texture, or of another view. A program uses the view wherever it uses a texture: it samples it,
+/// draws into it, writes, reads and copies it. A texture and its views share their texels. The program may destroy the
+/// texture and the views in any order; the texels stay until all of them are destroyed.
+///
+/// A pass may draw into some levels and layers of a texture, write others as storage images, and read yet others, each
+/// through a view that has those levels and layers alone. A pass must not read a level and layer that it draws into or
+/// writes, through any view, unless the attachment is read_only (Vulkan 1.3 §8.9; WebGPU, usage scopes). Copies and
+/// reads outside of the pass count the whole texture: while the pass being recorded draws into one view, no view may be
+/// read or written; while the pass samples one view, no view may be written.
+///
+/// Return RHW_OK, RHW_ERROR_OUT_OF_MEMORY or RHW_ERROR_MISUSE. On failure `*view` is the null id.
 RHW_API enum rhw_result rhw_texture_view_create(rhw_context *context, const struct rhw_texture_view_def *def,
                                                 rhw_texture *view);
 
-enum { RHW_MAX_MIP_LEVELS = 15 }; ///< 16384 down to 1
+enum {
+    RHW_MAX_MIP_LEVELS = 15 ///< number of levels from 16384 texels down to 1
+};
 
-/// Where a level of a texture lies, in bytes. Layers and slices of a 3D texture stand slice_pitch apart.
+/// The place of one level of a texture, in bytes. Slices of a 3D texture, or layers, stand slice_pitch apart.
 struct rhw_level_layout {
     size_t offset, row_pitch, slice_pitch;
-    size_t stencil_offset, stencil_row_pitch,
-        stencil_slice_pitch; ///< of a plane of stencil beside depth; else 0
+    /// The place of the plane of stencil that stands beside depth. All three are 0 if there is no plane of stencil.
+    size_t stencil_offset, stencil_row_pitch, stencil_slice_pitch;
 };
 
-/// What a texture takes (vkGetImageMemoryRequirements, vkGetImageSubresourceLayout).
+/// The memory of a texture (vkGetImageMemoryRequirements, vkGetImageSubresourceLayout).
 struct rhw_texture_layout {
-    size_t size;      ///< bytes of memory, RHW_MEMORY_PADDING included; SIZE_MAX: more than addresses reach
-    size_t alignment; ///< RHW_MEMORY_ALIGNMENT
+    size_t size; ///< bytes of memory with RHW_MEMORY_PADDING; SIZE_MAX if addresses do not reach that far
+    size_t alignment; ///< bytes; RHW_MEMORY_ALIGNMENT
     int levels;
     struct rhw_level_layout level[RHW_MAX_MIP_LEVELS];
-    size_t sample_stride; ///< from the texels and stencil of one sample to those of the next
+    size_t sample_stride; ///< bytes from the texels and stencil of one sample to those of the next sample
 };
 
-/// Tells how the texels of a texture with this definition are laid out; `memory` and `memory_size` of it do not matter.
-/// Compressed formats: as they are decoded.
+/// Tell how the texels of a texture with this definition are laid out. The members `memory` and `memory_size` of the
+/// definition do not matter. The layout of a compressed format is the layout of its decoded texels.
 RHW_API enum rhw_result rhw_texture_query_layout(rhw_context *context, const struct rhw_texture_def *def,
                                                  struct rhw_texture_layout *layout);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Chunks of arenas. Each new one is twice as large as the last, up to a limit, so that a small frame costs
-// little and a large one few calls.
+// Arenas grow by chunks. Each new chunk is twice as large as the last, up to a limit, so that a small frame costs
+// little and a large frame makes few calls.
 #include "arena.h"
 
 #include "constants.h"
@@ -8,7 +8,8 @@
 
 enum {
     FIRST_CHUNK = 64 << 10, // bytes
-    LARGEST_CHUNK = 8 << 20 // bytes; also a whole number of huge pages. A larger request gets its own chunk.
+    // Bytes. The limit is a whole number of huge pages. A larger request gets a chunk of its own.
+    LARGEST_CHUNK = 8 << 20
 };
 
 // The header fills a cache line, so that the bytes behind it are aligned as the chunk is.
@@ -22,7 +23,7 @@ static unsigned char *chunk_bytes(struct rhw_arena_chunk *chunk)
     return (unsigned char *)(chunk + 1);
 }
 
-// No chunk: an empty range that is not NULL, so that 0 bytes can be handed out.
+// Leave the arena without a chunk: its range is empty and not NULL, so that 0 bytes can be handed out.
 static void use_nothing(struct rhw_arena *arena)
 {
     arena->current = NULL;
@@ -70,7 +71,7 @@ size_t rhw_arena_used(const struct rhw_arena *arena)
     return arena->used_before + (size_t)(arena->cursor - chunk_bytes(arena->current));
 }
 
-// A chunk that holds `need` bytes behind its header; NULL when out of memory.
+// Return a new chunk that holds `need` bytes behind its header. Return NULL when out of memory.
 static struct rhw_arena_chunk *create_chunk(struct rhw_arena *arena, size_t need)
 {
     if (need > SIZE_MAX - sizeof(struct rhw_arena_chunk)) {
@@ -96,12 +97,13 @@ void *rhw_arena_grow(struct rhw_arena *arena, size_t size, size_t align)
     if (size > SIZE_MAX - align) {
         return NULL;
     }
-    const size_t need = size + align; // where the chunk starts decides the gap; this always suffices
+    // The gap depends on where the chunk starts; this size always suffices.
+    const size_t need = size + align;
     struct rhw_arena_chunk *const old = arena->current;
     const size_t used = rhw_arena_used(arena);
 
-    // The next chunk of an earlier frame, when it is large enough; else a new one takes its place, so that requests
-    // which grow from frame to frame do not leave a chunk of every size behind.
+    // Take the next chunk of an earlier frame if it is large enough. If it is not, a new chunk takes its place, so that
+    // requests which grow from frame to frame do not leave a chunk of every size behind.
     struct rhw_arena_chunk *chunk = old != NULL ? old->next : arena->first;
     if (chunk == NULL || chunk->size - sizeof *chunk < need) {
         struct rhw_arena_chunk *const created = create_chunk(arena, need);

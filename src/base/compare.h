@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The comparisons of a depth test, which comparing samplers make too.
+// The comparisons of a depth test. Samplers that compare use them too.
 #ifndef RHW_COMPARE_H
 #define RHW_COMPARE_H
 
 #include "simd.h"
 
-// Gives the lanes for which `a compare b` holds.
+// Return the lanes for which `a compare b` holds.
 RHW_INLINE i32x8 compare_lanes(enum rhw_compare compare, f32x8 a, f32x8 b)
 {
     switch (compare) {
@@ -20,7 +20,7 @@ RHW_INLINE i32x8 compare_lanes(enum rhw_compare compare, f32x8 a, f32x8 b)
     }
 }
 
-// The same of four lanes.
+// Return the lanes of four for which `a compare b` holds.
 RHW_INLINE i32x4 compare_lanes4(enum rhw_compare compare, f32x4 a, f32x4 b)
 {
     const i32x4 none = {0, 0, 0, 0};
@@ -36,7 +36,7 @@ RHW_INLINE i32x4 compare_lanes4(enum rhw_compare compare, f32x4 a, f32x4 b)
     }
 }
 
-// The same of two numbers.
+// Return true if `a compare b` holds for two numbers.
 RHW_INLINE bool compare_numbers(enum rhw_compare compare, float a, float b)
 {
     switch (compare) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// CPU detection. The compiler's own __builtin_cpu_supports is not used: it keeps global state, and what it
-// knows differs between compilers.
+// CPU detection. The compiler's own __builtin_cpu_supports is not used: it keeps global state, and what it knows
+// differs between compilers.
 #include "cpu.h"
 
 #if defined(__SSE2__)
@@ -13,7 +13,7 @@ struct cpuid_registers {
     uint32_t eax, ebx, ecx, edx;
 };
 
-// All zero for a leaf the CPU does not have.
+// Return the registers of a CPUID leaf. All are zero for a leaf that the CPU does not have.
 static struct cpuid_registers read_cpuid(uint32_t leaf)
 {
     struct cpuid_registers r = {0, 0, 0, 0};
@@ -23,8 +23,9 @@ static struct cpuid_registers read_cpuid(uint32_t leaf)
     return r;
 }
 
-// XCR0: the register state that the operating system saves. Only where CPUID says that xgetbv exists.
-// Written as bytes: the intrinsic needs a compiler flag that the baseline does not have.
+// Return XCR0: the register state that the operating system saves. It may be called only where CPUID says that xgetbv
+// exists. The instruction is written as bytes, because the intrinsic needs a compiler flag that the baseline does not
+// have.
 static uint32_t read_xcr0(void)
 {
     uint32_t low;
@@ -33,7 +34,7 @@ static uint32_t read_xcr0(void)
     return low;
 }
 
-// Bits as Intel's manual, volume 2, table 3-8 and AMD's volume 3, appendix E number them.
+// Bits have the numbers that Intel's manual, volume 2, table 3-8 and AMD's volume 3, appendix E give them.
 enum {
     LEAF1_ECX_POPCNT = 1 << 23,
     LEAF1_ECX_OSXSAVE = 1 << 27,
@@ -122,7 +123,7 @@ void rhw_cpu_float_leave(uint64_t saved)
 
 #else
 
-// WebAssembly and the like have one floating-point environment.
+// WebAssembly and other targets without a case above have one floating-point environment.
 uint64_t rhw_cpu_float_enter(void)
 {
     return 0;

@@ -5,16 +5,17 @@
 
 #include "rhw/types.h"
 
-// Whether the CPU and the operating system run code that was compiled for `isa`.
+// Return true if the CPU and the operating system run code that was compiled for `isa`.
 bool rhw_cpu_supports(enum rhw_isa isa);
 
-// Whole cores whose time this process may use, by its affinity and the limits of its control groups; at least 1.
+// Return the number of whole cores whose time this process may use, by its affinity and the limits of its control
+// groups. It is at least 1.
 int rhw_cpu_cores(void);
 
-// A program that is linked with -ffast-math flushes denormals to zero in all its threads, and a thread may
-// have set another rounding mode; both would change our bytes. Work that computes texels or geometry
-// stands between these two calls (rhw_scheduler_run makes them around its tasks, on every thread): round
-// to nearest, denormals kept, no traps. The second restores what the first returned.
+// Set the floating-point environment that the library promises: round to nearest, denormals kept, no traps. A program
+// that is linked with -ffast-math flushes denormals to zero in all its threads, and a thread may have set another
+// rounding mode; both would change our bytes. Work that computes texels or geometry stands between these two calls;
+// rhw_scheduler_run makes them around its tasks, on every thread. The second call restores what the first one returned.
 uint64_t rhw_cpu_float_enter(void);
 void rhw_cpu_float_leave(uint64_t saved);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Cores on POSIX; on Linux what the process may use, not what the machine has.
+// Cores on POSIX. On Linux they are the cores that the process may use, not all that the machine has.
 #if defined(__linux__) && !defined(_GNU_SOURCE)
-#define _GNU_SOURCE // sched_getaffinity
+#define _GNU_SOURCE // for sched_getaffinity
 #endif
 #include "cpu.h"
 
@@ -18,7 +18,7 @@ int rhw_cpu_cores(void)
     return 1; // this build cannot make threads
 #else
 #if defined(__linux__)
-    // What this process may use, not what the machine has: containers and taskset narrow it.
+    // Count what this process may use, not what the machine has: containers and taskset narrow it.
     const int most = rhw_cpu_quota("/proc/self/cgroup", "/sys/fs/cgroup");
     cpu_set_t set;
     if (sched_getaffinity(0, sizeof set, &set) == 0) {

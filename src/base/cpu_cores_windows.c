@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cores on Windows: those of the process's affinity. A machine of more than 64 has them in groups, and a process that
-// starts may use all of them.
+// Cores on Windows are those of the process's affinity. A machine of more than 64 cores has them in groups, and a
+// process that starts may use all groups.
 #include "cpu.h"
 
 #define WIN32_LEAN_AND_MEAN

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Limits of control groups, in both versions: cpu.max (Linux Documentation/admin-guide/cgroup-v2.rst), and
+// Limits of control groups are read in both versions: cpu.max (Linux Documentation/admin-guide/cgroup-v2.rst), and
 // cpu.cfs_quota_us over cpu.cfs_period_us (Documentation/scheduler/sched-bwc.rst). A group's limit holds for the groups
-// below it, so all from the process's own up to the mount are asked; in a container only the latter may be there.
+// below it, so all groups from the process's own up to the mount are asked; a container may show the mount alone.
 #include "cpu_quota.h"
 
 #include <limits.h>
@@ -11,7 +11,7 @@
 
 enum { PATH_SIZE = 1024, LINE_SIZE = 512 };
 
-// The first line of a file, without its end. False when there is none.
+// Read the first line of a file, without its end. Return false when there is none.
 static bool read_line(const char *folder, const char *name, char line[LINE_SIZE])
 {
     char path[PATH_SIZE];
@@ -27,7 +27,7 @@ static bool read_line(const char *folder, const char *name, char line[LINE_SIZE]
     return read;
 }
 
-// Cores of one group.
+// Return the cores that one group allows.
 static int quota_of(const char *folder, bool unified)
 {
     char first[LINE_SIZE], second[LINE_SIZE];
@@ -40,15 +40,15 @@ static int quota_of(const char *folder, bool unified)
                !read_line(folder, "cpu.cfs_period_us", second) || sscanf(second, "%lld", &period) != 1) {
         return INT_MAX;
     }
-    if (quota <= 0 || period <= 0) { // −1: no limit
+    if (quota <= 0 || period <= 0) { // a quota of −1 is no limit
         return INT_MAX;
     }
     const long long cores = quota / period;
     return cores < 1 ? 1 : cores < INT_MAX ? (int)cores : INT_MAX;
 }
 
-// Of the group `path`, which begins with a slash, and of those above it up to the mount. A namespace may hide where the
-// group stands ("/../.."): then the mount is asked alone.
+// Return the cores that the group `path` allows, which begins with a slash, with the limits of the groups above it up
+// to the mount. A namespace may hide where the group stands ("/../.."): then the mount is asked alone.
 static int quota_up_to_mount(const char *mount, const char *path, bool unified)
 {
     char folder[PATH_SIZE];
@@ -65,7 +65,7 @@ static int quota_up_to_mount(const char *mount, const char *path, bool unified)
     return least;
 }
 
-// Whether a list such as "cpu,cpuacct" names the processor.
+// Return true if a list like "cpu,cpuacct" names the processor.
 static bool has_cpu(const char *controllers)
 {
     for (const char *at = controllers; at; at = strchr(at, ',')) {
@@ -82,7 +82,8 @@ int rhw_cpu_quota(const char *groups, const char *mount)
     int least = INT_MAX;
     char line[LINE_SIZE];
     FILE *const file = fopen(groups, "re");
-    while (file && fgets(line, sizeof line, file)) { // "4:cpu,cpuacct:/a/b", or "0::/a/b" of version 2
+    // Lines of version 1 read "4:cpu,cpuacct:/a/b", the line of version 2 reads "0::/a/b".
+    while (file && fgets(line, sizeof line, file)) {
         line[strcspn(line, "\n")] = '\0';
         char *const controllers = strchr(line, ':') ? strchr(line, ':') + 1 : NULL;
         char *const colon = controllers ? strchr(controllers, ':') : NULL;
@@ -94,7 +95,8 @@ int rhw_cpu_quota(const char *groups, const char *mount)
         if (!unified && !has_cpu(controllers)) {
             continue;
         }
-        char hierarchy[PATH_SIZE]; // of version 1: "cpu" is a link where the controllers have another order
+        // The folder of version 1 is named "cpu"; it is a link where the controllers have another order.
+        char hierarchy[PATH_SIZE];
         if (snprintf(hierarchy, sizeof hierarchy, unified ? "%s" : "%s/cpu", mount) < (int)sizeof hierarchy) {
             const int cores = quota_up_to_mount(hierarchy, colon + 1, unified);
             least = cores < least ? cores : least;

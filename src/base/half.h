@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// IEEE 754 binary16 to and from binary32, bit for bit what F16C instructions do: round to nearest, ties to
-// even; NaN keeps its sign and the upper bits of its payload and becomes quiet.
+// Conversion between IEEE 754 binary16 and binary32. It gives bit for bit what F16C instructions give: it rounds to
+// nearest, ties to even; NaN keeps its sign and the upper bits of its payload and becomes quiet.
 #ifndef RHW_HALF_H
 #define RHW_HALF_H
 
@@ -38,10 +38,11 @@ static inline uint16_t rhw_half_from_float(float value)
     } else if (magnitude >= 0x477ff000) { // 65520, halfway from the largest half to 2^16, and above
         half = 0x7c00;
     } else if (magnitude >= 0x38800000) { // 2^-14, the smallest normal half
-        // Half of the last kept place less one, plus that place's own bit: ties go to even. A carry out
-        // of the significand raises the exponent, as it should.
+        // Add half of the last kept place less one, and that place's own bit, so that ties go to even. A carry out of
+        // the significand raises the exponent, as it should.
         half = (magnitude - (112u << 23) + 0xfff + (magnitude >> 13 & 1)) >> 13;
-    } else { // 0.5 has units of 2^-24 in its last place, as denormal halves have
+    } else {
+        // 0.5 has units of 2^-24 in its last place, as denormal halves have.
         float shifted;
         memcpy(&shifted, &magnitude, sizeof shifted);
         shifted += 0.5f;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Allocation hooks, the default ones among them, and counting.
+// Allocation goes through hooks, of which the default ones stand here, and is counted.
 //
-// Large blocks of the default hooks are pages of the system's own, not malloc's: those come zeroed and take memory only
-// where they are touched, so a texture that is created costs nothing until it is drawn or written. They go back when
-// they are released.
+// Large blocks of the default hooks are pages of the system's own instead of malloc's. Pages come zeroed and take
+// memory only where they are touched, so a texture that is created costs nothing until it is drawn or written. Pages go
+// back to the system when they are released.
 #include "memory.h"
 
 #include <assert.h>
@@ -12,11 +12,11 @@
 #include "pages.h"
 
 enum {
-    LARGE_BLOCK = 2 << 20,   // bytes; a huge page
-    LARGEST_ALIGNMENT = 4096 // bytes; what base.h promises to allocation hooks
+    LARGE_BLOCK = 2 << 20,   // bytes of a huge page
+    LARGEST_ALIGNMENT = 4096 // bytes; base.h promises this alignment to allocation hooks
 };
 
-// Whether a block of the default hooks has pages of its own.
+// Return true if a block of the default hooks has pages of its own.
 static bool has_own_pages(size_t size)
 {
     return RHW_HAS_PAGES && size >= LARGE_BLOCK;
@@ -47,7 +47,7 @@ struct rhw_allocator rhw_allocator_or_default(struct rhw_allocator allocator)
     return allocator;
 }
 
-// Hooks never see a size of 0, whose meaning differs between allocators.
+// Return the size that hooks see. It is never 0, which allocators take differently.
 static size_t hook_size(size_t size)
 {
     return size == 0 ? 1 : size;

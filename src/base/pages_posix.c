@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pages of Linux, and the heap of every POSIX system.
 #if defined(__linux__) && !defined(_DEFAULT_SOURCE)
-#define _DEFAULT_SOURCE // MAP_ANONYMOUS
+#define _DEFAULT_SOURCE // for MAP_ANONYMOUS
 #endif
 #include "pages.h"
 
@@ -11,24 +11,25 @@
 #include <sys/mman.h>
 
 enum {
-    HUGE_PAGE = 2 << 20,    // bytes
-    LARGEST_PAGE = 64 << 10 // bytes; of the systems that Linux runs on
+    HUGE_PAGE = 2 << 20, // bytes
+    // Bytes of the largest page of the systems that Linux runs on.
+    LARGEST_PAGE = 64 << 10
 };
 
-// Bytes of the pages that hold `size`.
+// Return the bytes of the pages that hold `size`.
 static size_t pages_size(size_t size)
 {
     return (size + LARGEST_PAGE - 1) & ~(size_t)(LARGEST_PAGE - 1);
 }
 
-// Targets, arenas and large buffers are walked from end to end by every frame: on huge pages they cost a 512th of the
-// page faults and TLB misses.
+// Every frame walks targets, arenas and large buffers from end to end. On huge pages they cost a 512th of the page
+// faults and TLB misses.
 void *rhw_pages_map(size_t size)
 {
     if (size > SIZE_MAX - HUGE_PAGE - LARGEST_PAGE) {
         return NULL;
     }
-    // As much more as it takes to begin on a huge page; what lies around that is given back.
+    // Map as much more as it takes to begin on a huge page. What lies around the block is given back.
     const size_t whole = pages_size(size) + HUGE_PAGE;
     unsigned char *const mapped =
         mmap(NULL, whole, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -42,7 +43,8 @@ void *rhw_pages_map(size_t size)
     }
     (void)munmap(block + pages_size(size), behind);
 #if defined(MADV_HUGEPAGE)
-    (void)madvise(block, size & ~(size_t)(HUGE_PAGE - 1), MADV_HUGEPAGE); // advice; may be refused
+    // The system may refuse this advice.
+    (void)madvise(block, size & ~(size_t)(HUGE_PAGE - 1), MADV_HUGEPAGE);
 #endif
     return block;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// See range_set.h.
+// Every tree is in order by where its ranges begin, and a heap by their ranks.
 #include "range_set.h"
 
 #include "arena.h"
 
-// Splits a tree into the ranges that begin below `at` and the others.
+// Split a tree into the ranges that begin below `at` and the others.
 static void split(struct rhw_range *tree, size_t at, struct rhw_range **below, struct rhw_range **others)
 {
     if (!tree) {
@@ -18,7 +18,7 @@ static void split(struct rhw_range *tree, size_t at, struct rhw_range **below, s
     }
 }
 
-// Joins two trees of which the first has the ranges before those of the second.
+// Join two trees. The ranges of the first lie before those of the second.
 static struct rhw_range *join(struct rhw_range *a, struct rhw_range *b)
 {
     if (!a || !b) {
@@ -35,7 +35,8 @@ static struct rhw_range *join(struct rhw_range *a, struct rhw_range *b)
 static void insert(struct rhw_range_set *set, struct rhw_range *range, size_t first, size_t end)
 {
     struct rhw_range *below, *others;
-    set->rank = set->rank * 1664525 + 1013904223; // Numerical Recipes' generator
+    // This is the generator of Numerical Recipes.
+    set->rank = set->rank * 1664525 + 1013904223;
     *range = (struct rhw_range){first, end, set->rank, NULL, NULL};
     split(set->root, first, &below, &others);
     set->root = join(join(below, range), others);
@@ -69,7 +70,7 @@ void rhw_range_set_shorten(struct rhw_range_set *set, struct rhw_range *range, s
     range->end = end;
 }
 
-// One that has some of the bytes or is next to them.
+// Return a range that has some of the bytes or lies next to them.
 static struct rhw_range *find_touching(const struct rhw_range_set *set, size_t first, size_t end)
 {
     struct rhw_range *range = set->root;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Worker threads. A job is published by storing its number of tasks in `unclaimed`; whoever lowers that
-// number by one owns a task. The job's fields are plain: they are read only by a thread that has claimed a
-// task, and written only when no task of the last job is unfinished, so that no reader can meet a writer and
-// a late worker that wakes in the next job just takes part in it.
+// Worker threads. A job is published by storing its number of tasks in `unclaimed`; a thread that lowers this number by
+// one owns a task. The job's fields are plain. Only a thread that has claimed a task reads them, and they are written
+// only when no task of the last job is unfinished. Thus no reader can meet a writer, and a late worker that wakes in
+// the next job takes part in it.
 //
-// Frames follow each other closely, and a sleeping thread costs tens of microseconds to wake. So a worker
-// that finds no task spins for a moment before it sleeps; where threads share cores it does not, because it
-// would take the core from the thread it waits for.
+// Frames follow each other closely, and a sleeping thread costs tens of microseconds to wake. So a worker that finds no
+// task spins for a moment before it sleeps. It does not spin where threads share cores, because it would take the core
+// from the thread it waits for.
 #include "scheduler.h"
 
 #include <assert.h>
@@ -21,7 +21,8 @@
 static const uint64_t spin_ns = 80000;
 
 enum {
-    RELAX_PER_CLOCK = 16, // spin steps between two looks at the clock, which costs as much as a few steps
+    // Spin steps between two looks at the clock, each of which costs as much as a few steps.
+    RELAX_PER_CLOCK = 16,
     YIELDS_WHEN_CROWDED = 4
 };
 
@@ -32,14 +33,15 @@ struct worker {
 };
 
 struct rhw_scheduler {
-    // Written by every thread that claims a task, read by all that wait for one.
+    // Every thread that claims a task writes this, and all that wait for a task read it.
     _Alignas(RHW_CACHE_LINE) _Atomic uint32_t unclaimed;
 
-    // Written by every thread once per job, when it finds nothing more to claim; the caller waits for 0.
+    // Every thread writes this once per job, when it finds nothing more to claim. The caller waits for 0.
     _Alignas(RHW_CACHE_LINE) _Atomic uint32_t unfinished;
-    _Atomic uint64_t busy_ns; // of the job, written likewise
+    // Nanoseconds of the job that threads had tasks. Every thread adds its own once per job.
+    _Atomic uint64_t busy_ns;
 
-    // Written by the caller between jobs; written by threads that go to sleep.
+    // The caller writes the job's fields between jobs. Threads that go to sleep write `sleepers`.
     _Alignas(RHW_CACHE_LINE) rhw_task_function *task;
     void *user;
     uint32_t count;
@@ -48,12 +50,13 @@ struct rhw_scheduler {
     _Atomic bool quit;
     _Atomic uint32_t sleepers;
     _Atomic bool caller_sleeps;
-    _Atomic uintptr_t caller; // the thread that runs a job, 0: none; what is told to others depends on it
+    // The thread that runs a job, or 0 where none does. What is told to other threads depends on it.
+    _Atomic uintptr_t caller;
 
-    struct rhw_mutex mutex;    // guards going to sleep, nothing else
+    struct rhw_mutex mutex;    // guards going to sleep, and nothing else
     struct rhw_condition work; // workers sleep here
     struct rhw_condition done; // the caller sleeps here
-    struct worker workers[];   // threads − 1
+    struct worker workers[];   // threads − 1 of them
 };
 
 static size_t scheduler_size(int threads)
@@ -61,15 +64,16 @@ static size_t scheduler_size(int threads)
     return sizeof(struct rhw_scheduler) + (size_t)(threads - 1) * sizeof(struct worker);
 }
 
-// Runs tasks until none is left to claim.
+// Run tasks until none is left to claim.
 static void run_tasks(struct rhw_scheduler *scheduler, int worker)
 {
     uint32_t finished = 0;
-    uint64_t start = 0; // read once per thread and job: a look at the clock costs as much as a small task
+    // The clock is read once per thread and job: a look at it costs as much as a small task.
+    uint64_t start = 0;
     uint32_t unclaimed = atomic_load_explicit(&scheduler->unclaimed, memory_order_relaxed);
     while (unclaimed != 0) {
-        // Acquire pairs with the release of the store that published the job (other claims in between
-        // continue its release sequence), so that the fields read below are this job's.
+        // Acquire pairs with the release of the store that published the job, so that the fields read below are this
+        // job's. Other claims in between continue its release sequence.
         if (!atomic_compare_exchange_weak_explicit(&scheduler->unclaimed, &unclaimed, unclaimed - 1,
                                                    memory_order_acquire, memory_order_relaxed)) {
             rhw_cpu_relax();
@@ -84,8 +88,8 @@ static void run_tasks(struct rhw_scheduler *scheduler, int worker)
         return;
     }
     atomic_fetch_add_explicit(&scheduler->busy_ns, rhw_time_ns() - start, memory_order_relaxed);
-    // Until this thread reports, the job cannot end and no other can start: all its tasks were of one job.
-    // Sequentially consistent against the caller, which announces its sleep and then looks once more.
+    // The job cannot end and no other can start until this thread reports, so all its tasks were of one job. The order
+    // is sequentially consistent against the caller, which announces its sleep and then looks once more.
     if (atomic_fetch_sub(&scheduler->unfinished, finished) == finished &&
         atomic_load(&scheduler->caller_sleeps)) {
         rhw_mutex_lock(&scheduler->mutex);
@@ -104,7 +108,7 @@ static bool job_is_done(const struct rhw_scheduler *scheduler)
     return atomic_load(&scheduler->unfinished) == 0;
 }
 
-// Waits a moment for `ready`; false when it is time to sleep.
+// Wait a moment for `ready`. Return false when it is time to sleep.
 static bool spin_until(const struct rhw_scheduler *scheduler, bool (*ready)(const struct rhw_scheduler *))
 {
     if (scheduler->crowded) {
@@ -131,8 +135,8 @@ static bool spin_until(const struct rhw_scheduler *scheduler, bool (*ready)(cons
 static void sleep_until_work(struct rhw_scheduler *scheduler)
 {
     rhw_mutex_lock(&scheduler->mutex);
-    // Announce, then look: the caller publishes, then looks for sleepers. Both are sequentially consistent,
-    // so that one of the two sees the other.
+    // The worker announces its sleep and then looks for a job; the caller publishes a job and then looks for sleepers.
+    // Both orders are sequentially consistent, so that one of the two sees the other.
     atomic_fetch_add(&scheduler->sleepers, 1);
     while (!work_waits(scheduler)) {
         rhw_condition_wait(&scheduler->work, &scheduler->mutex);
@@ -172,7 +176,7 @@ static void wake_workers(struct rhw_scheduler *scheduler, uint32_t wanted)
     rhw_mutex_unlock(&scheduler->mutex);
 }
 
-// Joins the first `started` workers.
+// Join the first `started` workers.
 static void stop_workers(struct rhw_scheduler *scheduler, int started)
 {
     atomic_store(&scheduler->quit, true);

@@ -23,10 +23,10 @@ typedef rhw_float f32x8;
 typedef rhw_int i32x8;
 typedef rhw_float4 f32x4;
 typedef uint32_t u32x8 __attribute__((vector_size(32)));
-// 16 numbers of 16 bits: two in each lane of an i32x8.
+// An i16x16 has 16 numbers of 16 bits: two in each lane of an i32x8.
 typedef int16_t i16x16 __attribute__((vector_size(32)));
 
-// 8 doubles as two halves: no instruction set below AVX-512 has them in one register, and gcc spills
+// An f64x8 has 8 doubles in two halves: no instruction set below AVX-512 has them in one register, and gcc spills
 // 64-byte vectors on the others.
 typedef double f64x4 __attribute__((vector_size(32)));
 typedef int64_t i64x4 __attribute__((vector_size(32)));
@@ -110,7 +110,7 @@ RHW_INLINE void i32x8_store(void *p, i32x8 v)
     memcpy(p, &v, sizeof v);
 }
 
-// a where mask is −1, b where it is 0.
+// Return a where the mask is −1, and b where it is 0.
 RHW_INLINE f32x8 f32x8_select(i32x8 mask, f32x8 a, f32x8 b)
 {
     return rhw_select(mask, a, b);
@@ -125,7 +125,7 @@ RHW_INLINE f32x4 f32x4_select(i32x4 mask, f32x4 a, f32x4 b)
 #endif
 }
 
-// Of equal values, or when one is NaN, the second: as SSE minps does.
+// Return the second of equal values, and the second when one is NaN: SSE's minps does that.
 RHW_INLINE f32x8 f32x8_min(f32x8 a, f32x8 b)
 {
     return rhw_min(a, b);
@@ -146,7 +146,7 @@ RHW_INLINE i32x8 i32x8_max(i32x8 a, i32x8 b)
     return rhw_max_int(a, b);
 }
 
-// Sign bits of the lanes, lane 0 in bit 0.
+// Return the sign bits of the lanes, with lane 0 in bit 0.
 RHW_INLINE unsigned i32x8_sign_bits(i32x8 v)
 {
 #if defined(__AVX2__)
@@ -171,11 +171,12 @@ RHW_INLINE unsigned i32x4_sign_bits(i32x4 v)
 #endif
 }
 
-// Those of 8 vectors, of the first in the lowest byte.
+// Return the sign bits of 8 vectors, with those of the first in the lowest byte.
 RHW_INLINE uint64_t i32x8_sign_bits_of_rows(const i32x8 row[8])
 {
 #if defined(__AVX2__)
-    // Saturating, so that signs stay. Each step joins halves of 16 bytes: 4 lanes of 4 rows, twice, are put in order.
+    // Packing saturates, so that signs stay. Each step joins halves of 16 bytes: 4 lanes of 4 rows, twice, are put in
+    // order.
     const __m256i order = _mm256_setr_epi32(0, 4, 1, 5, 2, 6, 3, 7);
     uint32_t bits[2];
     for (int i = 0; i < 2; i++) {
@@ -194,7 +195,7 @@ RHW_INLINE uint64_t i32x8_sign_bits_of_rows(const i32x8 row[8])
 #endif
 }
 
-// 8 bytes. gcc 12 makes a conversion of them one by one.
+// Return 8 bytes as numbers. gcc 12 makes a vector conversion of them one by one.
 RHW_INLINE i32x8 i32x8_load_bytes(const uint8_t *p)
 {
 #if defined(__AVX2__)
@@ -214,7 +215,7 @@ RHW_INLINE i32x8 i32x8_load_bytes(const uint8_t *p)
 #endif
 }
 
-// The lanes as 8 bytes, lane 0 in the lowest; each is 0 .. 255.
+// Return the lanes as 8 bytes, with lane 0 in the lowest. Each lane is 0 .. 255.
 RHW_INLINE uint64_t i32x8_to_bytes(i32x8 v)
 {
     uint64_t bytes;
@@ -231,7 +232,8 @@ RHW_INLINE uint64_t i32x8_to_bytes(i32x8 v)
     return bytes;
 }
 
-// Counts up or down by one, wrapping, in 8 rows of 8 bytes, `stride` apart: bytes whose bit is set, as above.
+// Count bytes up or down by one, wrapping, in 8 rows of 8 bytes that lie `stride` apart. Bytes whose bit is set are
+// counted; bits are ordered as by i32x8_sign_bits_of_rows.
 RHW_INLINE void count_bytes_of_rows(uint8_t *p, size_t stride, uint64_t bits, bool up)
 {
 #if defined(__AVX2__)
@@ -239,7 +241,7 @@ RHW_INLINE void count_bytes_of_rows(uint8_t *p, size_t stride, uint64_t bits, bo
     const __m256i row = _mm256_setr_epi64x(0, 0x0101010101010101, 0x0202020202020202, 0x0303030303030303);
     for (int i = 0; i < 2; i++) {
         const __m256i all = _mm256_shuffle_epi8(_mm256_set1_epi32((int32_t)(bits >> (32 * i))), row);
-        const __m256i set = _mm256_cmpeq_epi8(_mm256_and_si256(all, bit), bit); // −1
+        const __m256i set = _mm256_cmpeq_epi8(_mm256_and_si256(all, bit), bit); // −1 where the bit is set
         int64_t word[4];
         for (int k = 0; k < 4; k++) {
             memcpy(&word[k], p + (size_t)k * stride, sizeof *word);
@@ -256,7 +258,8 @@ RHW_INLINE void count_bytes_of_rows(uint8_t *p, size_t stride, uint64_t bits, bo
 #else
     const uint64_t ones = 0x0101010101010101, high = 0x80 * ones;
     for (int i = 0; i < 8; i++) {
-        const uint64_t apart = (bits >> (8 * i) & 0xff) * ones & 0x8040201008040201; // byte i has bit i alone
+        // Byte i of this has bit i alone.
+        const uint64_t apart = (bits >> (8 * i) & 0xff) * ones & 0x8040201008040201;
         const uint64_t count = (apart + 0x7f * ones) >> 7 & ones;
         uint64_t bytes; // no carry passes between them
         memcpy(&bytes, p, sizeof bytes);
@@ -267,17 +270,18 @@ RHW_INLINE void count_bytes_of_rows(uint8_t *p, size_t stride, uint64_t bits, bo
 #endif
 }
 
-// 2^n, for n of 0 .. 30.
+// Return 2^n, for n of 0 .. 30.
 RHW_INLINE i32x8 i32x8_power2(i32x8 n)
 {
 #if defined(__AVX2__)
     return (i32x8)_mm256_sllv_epi32(_mm256_set1_epi32(1), (__m256i)n);
 #else
-    return rhw_int_from_float_unchecked((f32x8)((n + i32x8_splat(127)) << 23)); // a float's exponent
+    // The sum is a float's exponent.
+    return rhw_int_from_float_unchecked((f32x8)((n + i32x8_splat(127)) << 23));
 #endif
 }
 
-// −1 in the lanes whose bit is set.
+// Return −1 in the lanes whose bit is set.
 RHW_INLINE i32x8 i32x8_from_bits(unsigned bits)
 {
     const i32x8 bit = {1, 2, 4, 8, 16, 32, 64, 128};
@@ -290,7 +294,7 @@ RHW_INLINE i32x4 i32x4_from_bits(unsigned bits)
     return (all & bit) == bit;
 }
 
-// a < b: −1 or 0, and 0 for NaN. gcc 12 without AVX makes scalar code of the operator.
+// Return −1 where a < b, and 0 where not or where one is NaN. gcc 12 without AVX makes scalar code of the operator.
 RHW_INLINE i64x4 f64x4_less(f64x4 a, f64x4 b)
 {
 #if defined(__AVX2__)
@@ -326,7 +330,7 @@ RHW_INLINE f64x8 f64x8_div(f64x8 a, f64x8 b)
     return (f64x8){a.lo / b.lo, a.hi / b.hi};
 }
 
-// Correctly rounded.
+// Return square roots, correctly rounded.
 RHW_INLINE f64x8 f64x8_sqrt(f64x8 v)
 {
 #if defined(__AVX2__)
@@ -348,14 +352,14 @@ RHW_INLINE f64x8 f64x8_sqrt(f64x8 v)
 #endif
 }
 
-// Exact.
+// Return floats as doubles. This is exact.
 RHW_INLINE f64x8 f64x8_from_f32x8(f32x8 v)
 {
     const struct rhw_double8 wide = rhw_to_double(v);
     return (f64x8){wide.low, wide.high};
 }
 
-// Exact.
+// Return integers as doubles. This is exact.
 RHW_INLINE f64x8 f64x8_from_i32x8(i32x8 v)
 {
 #if defined(__AVX2__)
@@ -393,7 +397,7 @@ RHW_INLINE f64x8 f64x8_from_i32x8(i32x8 v)
 #endif
 }
 
-// Rounds to nearest, ties to even.
+// Return floats, rounded to nearest, ties to even.
 RHW_INLINE f32x8 f32x8_from_f64x8(f64x8 v)
 {
     return rhw_from_double((struct rhw_double8){v.lo, v.hi});
@@ -408,13 +412,14 @@ RHW_INLINE f32x4 f32x4_from_f64x4(f64x4 v)
 #endif
 }
 
-// Rounds to the nearest integer, ties to even, for |v| < 2^51: adding 1.5·2^52 leaves an integer in the
-// low bits of the significand, whatever instruction set adds.
+// Return the nearest integers, ties to even, for |v| < 2^51. Adding 1.5·2^52 leaves an integer in the low bits of the
+// significand, whatever instruction set adds.
 RHW_INLINE i32x8 i32x8_round_f64x8(f64x8 v)
 {
     const f64x4 magic = f64x4_splat(6755399441055744.0);
     const i64x4 lo = (i64x4)(v.lo + magic), hi = (i64x4)(v.hi + magic);
-#if defined(__AVX2__) // gcc takes the lanes one by one
+// gcc takes the lanes one by one.
+#if defined(__AVX2__)
     const __m256 low_words = _mm256_shuffle_ps((__m256)lo, (__m256)hi, 0x88);
     return (i32x8)_mm256_permute4x64_epi64((__m256i)low_words, 0xD8);
 #elif defined(__SSE2__)
@@ -435,10 +440,11 @@ RHW_INLINE i32x8 i32x8_round_f64x8(f64x8 v)
 #endif
 }
 
-// Clamps; NaN becomes low.
+// Return v clamped. NaN becomes low.
 RHW_INLINE f64x8 f64x8_clamp(f64x8 v, double low, double high)
 {
-#if defined(__AVX2__) // max and min give their second operand when one is NaN
+// max and min give their second operand when one is NaN.
+#if defined(__AVX2__)
     const __m256d l = _mm256_set1_pd(low), h = _mm256_set1_pd(high);
     v.lo = (f64x4)_mm256_min_pd(_mm256_max_pd((__m256d)v.lo, l), h);
     v.hi = (f64x4)_mm256_min_pd(_mm256_max_pd((__m256d)v.hi, l), h);
@@ -464,7 +470,7 @@ RHW_INLINE f64x8 f64x8_clamp(f64x8 v, double low, double high)
 #endif
 }
 
-// Exact.
+// Return integers as doubles. This is exact.
 RHW_INLINE f64x4 f64x4_from_i32x4(i32x4 v)
 {
 #if defined(__AVX2__)
@@ -480,7 +486,7 @@ RHW_INLINE f64x4 f64x4_from_i32x4(i32x4 v)
 #endif
 }
 
-// v where the mask is −1, 0 where it is 0.
+// Return v where the mask is −1, and 0 where it is 0.
 RHW_INLINE f64x4 f64x4_keep(f64x4 v, i64x4 mask)
 {
     return (f64x4)((i64x4)v & mask);

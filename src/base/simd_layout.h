@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How numbers lie in lanes: rows and columns, bytes and 16-bit halves within a lane, 16-bit floats, lanes from other
-// lanes and from tables. As in simd.h, every wrapper gives the same bits on every instruction set.
+// lanes and from tables. Every wrapper gives the same bits on every instruction set, like those of simd.h.
 #ifndef RHW_SIMD_LAYOUT_H
 #define RHW_SIMD_LAYOUT_H
 
@@ -22,7 +22,7 @@ union lanes {
 
 // Rows and columns ----------------------------------------------------------------------------------
 
-// Turns 4 rows of 4 floats into columns.
+// Turn 4 rows of 4 floats into columns.
 RHW_INLINE void f32x4_transpose(f32x4 m[4])
 {
     const f32x4 a = __builtin_shufflevector(m[0], m[1], 0, 4, 1, 5),
@@ -35,7 +35,7 @@ RHW_INLINE void f32x4_transpose(f32x4 m[4])
     m[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
 }
 
-// Turns 8 rows of 4 floats into 4 vectors of one component each.
+// Turn 8 rows of 4 floats into 4 vectors of one component each.
 RHW_INLINE void f32x4_columns(const f32x4 row[8], f32x8 column[4])
 {
 #if defined(__AVX2__)
@@ -62,7 +62,7 @@ RHW_INLINE void f32x4_columns(const f32x4 row[8], f32x8 column[4])
 #endif
 }
 
-// And back.
+// Turn 4 vectors of one component each into 8 rows of 4 floats.
 RHW_INLINE void f32x4_rows(const f32x8 column[4], f32x4 row[8])
 {
 #if defined(__AVX2__)
@@ -86,7 +86,7 @@ RHW_INLINE void f32x4_rows(const f32x8 column[4], f32x4 row[8])
 #endif
 }
 
-// 4 floats at each of 8 places, as 4 vectors of one component each.
+// Load 4 floats at each of 8 places, as 4 vectors of one component each.
 RHW_INLINE void f32x8_load_columns(const void *const place[8], f32x8 column[4])
 {
     f32x4 row[8];
@@ -96,7 +96,7 @@ RHW_INLINE void f32x8_load_columns(const void *const place[8], f32x8 column[4])
     f32x4_columns(row, column);
 }
 
-// Turns 4 vectors of 4 quantities each into 4 vectors of one quantity each.
+// Turn 4 vectors of 4 quantities each into 4 vectors of one quantity each.
 RHW_INLINE void f64x4_transpose(f64x4 m[4])
 {
     const f64x4 a = __builtin_shufflevector(m[0], m[1], 0, 4, 2, 6),
@@ -109,11 +109,12 @@ RHW_INLINE void f64x4_transpose(f64x4 m[4])
     m[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
 }
 
-// Turns 8 vectors of one component each into 8 vectors of one lane each.
+// Turn 8 vectors of one component each into 8 vectors of one lane each.
 RHW_INLINE void f32x8_transpose(f32x8 m[8])
 {
 #if defined(__AVX2__)
-    __m256 r[8], t[8]; // no memcpy to or from these: gcc would keep them in memory
+    // No memcpy leads to or from these: gcc would keep them in memory.
+    __m256 r[8], t[8];
     for (int i = 0; i < 4; i++) {
         t[2 * i] = _mm256_unpacklo_ps((__m256)m[2 * i], (__m256)m[2 * i + 1]);
         t[2 * i + 1] = _mm256_unpackhi_ps((__m256)m[2 * i], (__m256)m[2 * i + 1]);
@@ -129,7 +130,7 @@ RHW_INLINE void f32x8_transpose(f32x8 m[8])
         m[i + 4] = (f32x8)_mm256_permute2f128_ps(r[i], r[i + 4], 0x31);
     }
 #else
-    f32x4 q[2][2][4]; // by half of the rows and half of the columns
+    f32x4 q[2][2][4]; // indexed by half of the rows and half of the columns
     for (int i = 0; i < 8; i++) {
         memcpy(&q[i / 4][0][i % 4], &m[i], sizeof(f32x4));
         memcpy(&q[i / 4][1][i % 4], (const char *)&m[i] + sizeof(f32x4), sizeof(f32x4));
@@ -146,12 +147,12 @@ RHW_INLINE void f32x8_transpose(f32x8 m[8])
 
 // Bytes and 16-bit floats ----------------------------------------------------------------------------
 
-// Four channels of 4 texels: see i32x8_bytes_from_f32x8.
+// Convert four channels of 4 texels for i32x8_bytes_from_f32x8.
 #if defined(__aarch64__)
 RHW_INLINE i32x4 i32x4_bytes_from_f32x4(const f32x4 channel[4])
 {
     int16x4_t narrow[4];
-    for (int i = 0; i < 4; i++) { // saturates; 0 for NaN
+    for (int i = 0; i < 4; i++) { // the conversion saturates, and gives 0 for NaN
         narrow[i] = vqmovn_s32(vcvtnq_s32_f32((float32x4_t)channel[i]));
     }
     const uint8x16_t bytes = vcombine_u8(vqmovun_s16(vcombine_s16(narrow[0], narrow[1])),
@@ -162,7 +163,7 @@ RHW_INLINE i32x4 i32x4_bytes_from_f32x4(const f32x4 channel[4])
 RHW_INLINE i32x4 i32x4_bytes_from_f32x4(const f32x4 channel[4])
 {
     v128_t rounded[4];
-    for (int i = 0; i < 4; i++) { // saturates; 0 for NaN
+    for (int i = 0; i < 4; i++) { // the conversion saturates, and gives 0 for NaN
         rounded[i] = wasm_i32x4_trunc_sat_f32x4(wasm_f32x4_nearest((v128_t)channel[i]));
     }
     const v128_t bytes = wasm_u8x16_narrow_i16x8(wasm_i16x8_narrow_i32x4(rounded[0], rounded[1]),
@@ -171,8 +172,8 @@ RHW_INLINE i32x4 i32x4_bytes_from_f32x4(const f32x4 channel[4])
 }
 #endif
 
-// Four channels of 8 texels, byte 0 of each from channel 0: rounded to nearest, ties to even; what is below 0 gives 0,
-// what is above 255 gives 255. For values below 2^31.
+// Return four channels of 8 texels, with byte 0 of each from channel 0. Values have to be below 2^31. They are rounded
+// to nearest, ties to even; values below 0 give 0, and values above 255 give 255.
 RHW_INLINE i32x8 i32x8_bytes_from_small_f32x8(const f32x8 channel[4])
 {
 #if defined(__AVX2__)
@@ -204,13 +205,14 @@ RHW_INLINE i32x8 i32x8_bytes_from_small_f32x8(const f32x8 channel[4])
 #endif
 }
 
-// The same for any value; NaN gives 0.
+// Return four channels of 8 texels like i32x8_bytes_from_small_f32x8, of any values. NaN gives 0.
 RHW_INLINE i32x8 i32x8_bytes_from_f32x8(const f32x8 channel[4])
 {
 #if defined(__AVX2__)
     const __m256 most = _mm256_set1_ps(255.0f);
     f32x8 small[4];
-    for (int i = 0; i < 4; i++) { // of a NaN the minimum is the second operand, and the integer INT32_MIN
+    // The minimum of NaN is the second operand, and its integer is INT32_MIN.
+    for (int i = 0; i < 4; i++) {
         small[i] = (f32x8)_mm256_min_ps(most, (__m256)channel[i]);
     }
     return i32x8_bytes_from_small_f32x8(small);
@@ -219,8 +221,9 @@ RHW_INLINE i32x8 i32x8_bytes_from_f32x8(const f32x8 channel[4])
 #endif
 }
 
-// 16-bit floats in the lower halves, zero above, as rhw_half_to_float. Read as floats, the shifted bits are 2^112 times
-// too small, denormals included; infinity and NaN get the exponent that the product lacks, NaN its quiet bit.
+// Convert 16-bit floats, which stand in the lower halves of the lanes with zero above, like rhw_half_to_float. Read as
+// floats, the shifted bits are 2^112 times too small, denormals included; infinity and NaN get the exponent that the
+// product lacks, NaN its quiet bit.
 RHW_INLINE f32x8 f32x8_from_half(i32x8 half)
 {
 #if defined(__F16C__) && defined(__AVX2__)
@@ -236,13 +239,14 @@ RHW_INLINE f32x8 f32x8_from_half(i32x8 half)
 #endif
 }
 
-// The same of 8 halves side by side.
+// Convert 8 16-bit floats that lie side by side.
 RHW_INLINE f32x8 f32x8_from_halves(i32x4 halves)
 {
 #if defined(__F16C__) && defined(__AVX2__)
     return (f32x8)_mm256_cvtph_ps((__m128i)halves);
 #else
-    const i32x4 low = halves & 0xffff, high = (halves >> 16) & 0xffff; // the even and the odd ones
+    // These are the even ones and the odd ones.
+    const i32x4 low = halves & 0xffff, high = (halves >> 16) & 0xffff;
 #if defined(__SSE2__)
     const __m128i pairs[2] = {_mm_unpacklo_epi32((__m128i)low, (__m128i)high),
                               _mm_unpackhi_epi32((__m128i)low, (__m128i)high)};
@@ -255,7 +259,7 @@ RHW_INLINE f32x8 f32x8_from_halves(i32x4 halves)
 #endif
 }
 
-// And back, rounded to nearest, ties to even.
+// Convert floats to 16-bit floats in the lower halves of the lanes, rounded to nearest, ties to even.
 RHW_INLINE i32x8 i32x8_half_from_f32x8(f32x8 value)
 {
 #if defined(__F16C__) && defined(__AVX2__)
@@ -271,7 +275,7 @@ RHW_INLINE i32x8 i32x8_half_from_f32x8(f32x8 value)
 
 // Two 16-bit halves in each lane ---------------------------------------------------------------------
 
-// (a · b + 2^14) >> 15 of signed 16-bit numbers; those of `b` are not negative.
+// Return (a · b + 2^14) >> 15 of signed 16-bit numbers. The numbers of `b` are not negative.
 RHW_INLINE i16x16 i16x16_scale(i16x16 a, i16x16 b)
 {
 #if defined(__AVX2__)
@@ -312,7 +316,7 @@ RHW_INLINE i16x16 i16x16_scale(i16x16 a, i16x16 b)
 #endif
 }
 
-// The sum of both products of a lane's halves, which are not negative, with those of the same number.
+// Return the sum of the products of each lane's halves with the halves of b's lane. No half is negative.
 RHW_INLINE i32x8 i32x8_dot_halves(i32x8 a, i32x8 b)
 {
 #if defined(__AVX2__)
@@ -329,7 +333,7 @@ RHW_INLINE i32x8 i32x8_dot_halves(i32x8 a, i32x8 b)
 #endif
 }
 
-// The lower half of each lane in both halves, shifted one to the right.
+// Return the lower half of each lane in both halves, shifted one to the right.
 RHW_INLINE i32x8 i32x8_halve_lower(i32x8 a)
 {
 #if defined(__AVX2__)
@@ -342,7 +346,7 @@ RHW_INLINE i32x8 i32x8_halve_lower(i32x8 a)
 #endif
 }
 
-// The upper halves of `a`, and in the lower halves those of `b`.
+// Return the upper halves of `a` in the upper halves, and the upper halves of `b` in the lower ones.
 RHW_INLINE i32x8 i32x8_join_upper(i32x8 a, i32x8 b)
 {
 #if defined(__AVX2__)
@@ -352,7 +356,7 @@ RHW_INLINE i32x8 i32x8_join_upper(i32x8 a, i32x8 b)
 #endif
 }
 
-// How much every half, as an unsigned number, is above that half of `limit`; 0 where it is not.
+// Return how much every half, as an unsigned number, is above its half of `limit`, and 0 where it is not above.
 RHW_INLINE i32x8 i32x8_over_halves(i32x8 a, i32x8 limit)
 {
 #if defined(__AVX2__)
@@ -385,7 +389,7 @@ RHW_INLINE bool i32x8_any_bit(i32x8 bits)
 #endif
 }
 
-// Whether a bit of `bits` is set that is set in `mask` too.
+// Return true if a bit of `bits` is set that is set in `mask` too.
 RHW_INLINE bool i32x8_any_of(i32x8 bits, i32x8 mask)
 {
 #if defined(__AVX2__)
@@ -395,7 +399,7 @@ RHW_INLINE bool i32x8_any_of(i32x8 bits, i32x8 mask)
 #endif
 }
 
-// The lower byte of each half, and the upper one, times 128 or −128: pmaddubsw has signed factors.
+// The factors take the lower byte of each half, or the upper one, times 128 or −128: pmaddubsw has signed factors.
 #if defined(__AVX2__)
 enum { I8_WIDENS_NEGATED = 1 };
 #else
@@ -422,14 +426,14 @@ RHW_INLINE i32x8 i32x8_widen_upper(i32x8 bytes)
 
 // Lanes from other lanes ----------------------------------------------------------------------------
 
-// Whether i32x8_permute is an instruction.
+// This is 1 where i32x8_permute is an instruction.
 #if defined(__AVX2__)
 enum { I8_PERMUTES = 1 };
 #else
 enum { I8_PERMUTES = 0 };
 #endif
 
-// Lane lane[i] of `v` in each lane; lane numbers modulo 8.
+// Return lane lane[i] of `v` in each lane. Lane numbers count modulo 8.
 RHW_INLINE i32x8 i32x8_permute(i32x8 v, i32x8 lane)
 {
 #if defined(__AVX2__)
@@ -443,7 +447,7 @@ RHW_INLINE i32x8 i32x8_permute(i32x8 v, i32x8 lane)
 #endif
 }
 
-// The first lane, and the last one, in all lanes.
+// Return the first lane, or the last one, in all lanes.
 RHW_INLINE i32x8 i32x8_splat_first(i32x8 v)
 {
 #if defined(__AVX2__)
@@ -471,7 +475,7 @@ RHW_INLINE int32_t word_at(const void *words, uint32_t number)
     return word;
 }
 
-// The 4-byte words with these numbers.
+// Return the 4-byte words with these numbers.
 RHW_INLINE i32x8 i32x8_gather(const void *words, i32x8 index)
 {
 #if defined(__AVX2__)
@@ -486,7 +490,7 @@ RHW_INLINE i32x8 i32x8_gather(const void *words, i32x8 index)
 #endif
 }
 
-// The same, and the words behind them.
+// Return the 4-byte words with these numbers, and the words behind them.
 RHW_INLINE void i32x8_load_pairs(const unsigned char *words, const uint32_t at[RHW_LANES], i32x8 *first,
                                  i32x8 *second)
 {

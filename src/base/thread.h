@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The little of threads that the library uses: thread_posix.c, thread_windows.c.
+// The little of threads that the library uses. thread_posix.c and thread_windows.c implement it.
 #ifndef RHW_THREAD_H
 #define RHW_THREAD_H
 
@@ -18,7 +18,7 @@ struct rhw_condition {
 };
 struct rhw_thread {
     void *handle;
-    uintptr_t id; // as rhw_thread_id gives it in the thread
+    uintptr_t id; // what rhw_thread_id gives in the thread
     void *(*entry)(void *user);
     void *user;
 };
@@ -31,7 +31,7 @@ struct rhw_condition {
 };
 struct rhw_thread {
     pthread_t handle;
-    uintptr_t id; // as rhw_thread_id gives it in the thread
+    uintptr_t id; // what rhw_thread_id gives in the thread
 };
 #endif
 
@@ -46,21 +46,21 @@ void rhw_condition_wait(struct rhw_condition *condition, struct rhw_mutex *mutex
 void rhw_condition_signal(struct rhw_condition *condition);
 void rhw_condition_broadcast(struct rhw_condition *condition);
 
-// False when the operating system refuses a thread. Signals of the program are blocked in it. `*thread` stays where it
-// is until it is joined.
+// Start a thread. Return false when the operating system refuses it. Signals of the program are blocked in it.
+// `*thread` stays where it is until the thread is joined.
 bool rhw_thread_create(struct rhw_thread *thread, void *(*entry)(void *user), void *user);
 void rhw_thread_join(struct rhw_thread *thread);
 
-// Tells the calling thread from all others that run; never 0.
+// Return a number that tells the calling thread from all others that run. It is never 0.
 uintptr_t rhw_thread_id(void);
 
-// Gives the core to another thread.
+// Give the core to another thread.
 void rhw_thread_yield(void);
 
-// Monotonic time in nanoseconds, for spin limits and statistics.
+// Return monotonic time in nanoseconds, for spin limits and statistics.
 uint64_t rhw_time_ns(void);
 
-// Tells the core that this is a spin loop.
+// Tell the core that this is a spin loop.
 static inline void rhw_cpu_relax(void)
 {
 #if defined(__x86_64__) || defined(__i386__)

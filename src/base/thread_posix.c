@@ -7,8 +7,8 @@
 #include <signal.h>
 #include <time.h>
 
-// Bytes. Shaders are the user's code and run here: room for it on every libc (musl's default is 128 KiB).
-// Only pages that are touched cost memory.
+// Bytes. Shaders are the user's code and run here, so the stack has room for them on every libc (musl's default is 128
+// KiB). Only pages that are touched cost memory.
 enum { STACK_SIZE = 4 << 20 };
 
 bool rhw_mutex_init(struct rhw_mutex *mutex)
@@ -70,7 +70,7 @@ void rhw_condition_broadcast(struct rhw_condition *condition)
     (void)error;
 }
 
-// A signal of the program must find a thread of the program: the new thread inherits a full mask.
+// Create a thread that inherits a full signal mask: a signal of the program must find a thread of the program.
 static bool create_with_signals_blocked(struct rhw_thread *thread, const pthread_attr_t *attributes,
                                         void *(*entry)(void *user), void *user)
 {
@@ -84,7 +84,7 @@ static bool create_with_signals_blocked(struct rhw_thread *thread, const pthread
     sigdelset(&all, SIGILL);
     sigdelset(&all, SIGTRAP);
     sigdelset(&all, SIGABRT);
-    sigdelset(&all, SIGPROF); // sampling profilers
+    sigdelset(&all, SIGPROF); // for sampling profilers
     if (pthread_sigmask(SIG_SETMASK, &all, &before) != 0) {
         return false;
     }

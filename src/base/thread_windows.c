@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Threads on Windows. The system's locks and conditions are a pointer each and need no end.
+// Threads on Windows. The system's locks and conditions are a pointer each and need not be destroyed.
 #include "thread.h"
 
 #define WIN32_LEAN_AND_MEAN
@@ -116,6 +116,6 @@ uint64_t rhw_time_ns(void)
     QueryPerformanceCounter(&now);
     QueryPerformanceFrequency(&frequency);
     const uint64_t ticks = (uint64_t)now.QuadPart, per_second = (uint64_t)frequency.QuadPart;
-    // Seconds apart, so that no product overflows.
+    // Whole seconds are converted apart from the rest, so that no product overflows.
     return ticks / per_second * 1000000000u + ticks % per_second * 1000000000u / per_second;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which of the kernels' functions samples a texture, chosen once, when it is bound; and the two functions by which
-// shaders get there.
+// This chooses which of the kernels' functions samples a texture, once, when the texture is bound. The sampling
+// functions that shaders call stand here too, and call what was chosen.
 #include "binding.h"
 
 #include "format/format.h"
@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-// What a constant channel has, of integer formats the bits of 0 and 1.
+// Return what a constant channel has. Integer formats have the bits of 0 and 1.
 static rhw_float constant_channel(const struct rhw_texture_data *texture, enum rhw_swizzle swizzle)
 {
     if (swizzle == RHW_SWIZZLE_ZERO) {
@@ -24,14 +24,14 @@ static bool is_constant(enum rhw_swizzle swizzle)
     return swizzle == RHW_SWIZZLE_ZERO || swizzle == RHW_SWIZZLE_ONE;
 }
 
-// The channel that a view reads as channel `c`.
+// Return the channel that a view reads as channel `c`.
 static int swizzled_channel(const struct rhw_texture_data *texture, int c)
 {
     const enum rhw_swizzle swizzle = texture->swizzle[c];
     return swizzle == RHW_SWIZZLE_IDENTITY ? c : (int)swizzle - (int)RHW_SWIZZLE_RED;
 }
 
-// Channels of a view stand in another order (Vulkan 1.3, "Component Swizzle"). Filters mix channels each by itself, so
+// Put the channels of a view in its order (Vulkan 1.3, "Component Swizzle"). Filters mix each channel by itself, so
 // that the order does not matter to them.
 static void swizzle(const struct rhw_texture_data *texture, rhw_float texel[4])
 {
@@ -49,7 +49,7 @@ static void sample_swizzled(const struct rhw_binding *binding, const struct rhw_
     swizzle(binding->texture, texel);
 }
 
-// One float a texel, of which no level but the first is read.
+// Return true for a texture of one float a texel, of which no level but the first is read.
 static bool is_shadow_map(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler)
 {
     return texture->info->codec == RHW_CODEC_FLOAT32 && texture->info->channels == 1 &&
@@ -128,7 +128,8 @@ void rhw_sample(const struct rhw_bindings *textures, int slot, const struct rhw_
     if (textures->site.validation) {
         rhw_validate_sample(textures, slot, request);
     }
-    if ((unsigned)slot >= RHW_MAX_TEXTURES) { // as a slot that nothing is bound to
+    // No slot has this number: it reads as a slot that nothing is bound to.
+    if ((unsigned)slot >= RHW_MAX_TEXTURES) {
         no_texel(texel);
         return;
     }
@@ -144,7 +145,7 @@ void rhw_sample(const struct rhw_bindings *textures, int slot, const struct rhw_
     }
 }
 
-// Columns of a window's footprints, one by one.
+// Compare the columns of a window's footprints one by one.
 static void compare_columns(const struct rhw_bindings *textures, const struct rhw_binding *binding,
                             const struct rhw_sample_request *request, int column, int columns, int rows,
                             int stride, rhw_float *parts)
@@ -193,7 +194,7 @@ void rhw_sample_compare_window(const struct rhw_bindings *textures, int slot,
     }
 }
 
-// The slot, or NULL where it has no texture or does not exist.
+// Return the slot. Return NULL where it has no texture or does not exist.
 static const struct rhw_binding *bound_slot(const struct rhw_bindings *textures, int slot)
 {
     if (textures->site.validation) {
@@ -255,7 +256,7 @@ void rhw_sample_query_lod(const struct rhw_bindings *textures, int slot,
     }
 }
 
-// The texture of a slot, of one sample or more; NULL where it has none or does not exist.
+// Return the texture of a slot, of one sample or more. Return NULL where the slot has none or does not exist.
 static const struct rhw_texture_data *any_texture(const struct rhw_bindings *textures, int slot)
 {
     if ((unsigned)slot < RHW_MAX_TEXTURES && textures->slot[slot].multisampled) {

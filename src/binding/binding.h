@@ -11,25 +11,27 @@
 struct rhw_texture_data;
 struct rhw_sampler_data;
 
-// One slot.
+// What one slot has.
 struct rhw_binding {
     rhw_sample_function *sample;
-    rhw_sample_function *sample_offset;          // a request with offsets in texels
-    rhw_sample_function *isotropic;              // an anisotropic sampler's single samples
-    rhw_sample_function *general;                // the same with offsets
-    rhw_sample_function *own, *own_offset;       // of a view with a swizzle: the texels before it
+    rhw_sample_function *sample_offset; // for a request with offsets in texels
+    rhw_sample_function *isotropic;     // for an anisotropic sampler's single samples
+    rhw_sample_function *general;       // for an anisotropic sampler's single samples with offsets
+    // For a view with a swizzle: the functions that give the texels before it.
+    rhw_sample_function *own, *own_offset;
     rhw_compare_window_function *compare_window; // NULL: footprints are compared one by one
     const struct rhw_texture_data *texture;      // NULL: nothing is bound
     const struct rhw_sampler_data *sampler;
     // The texture is filtered in fixed point and special paths are taken: rhw_sample_groups may sample it together with
     // others.
     bool shares_footprints;
-    const struct rhw_texture_data *multisampled; // in the place of `texture`; NULL: none
+    const struct rhw_texture_data *multisampled; // takes the place of `texture`; NULL: none
 };
 
 struct rhw_validation_messages;
 
-// Where a shader function under validation stands: what is wrong with its sampling is told there. NULL: none.
+// The place where a shader function under validation samples: what is wrong with its sampling is told with this place.
+// A NULL `validation` means that nothing is told.
 struct rhw_sample_site {
     struct rhw_validation_messages *validation;
     uint32_t draw;
@@ -42,14 +44,16 @@ struct rhw_bindings {
     struct rhw_sample_site site;
     struct rhw_binding slot[RHW_MAX_TEXTURES];
     const struct rhw_storage *storage;
-    bool drops_effects; // of a function under validation whose program does not declare them
+    // True for a function under validation whose program does not declare its effects.
+    bool drops_effects;
 };
 
-// No texture in any slot, and no storage.
+// Set bindings with no texture in any slot, and no storage.
 void rhw_bindings_init(struct rhw_bindings *bindings, const struct rhw_kernels *kernels);
 
-// A slot with this texture and sampler, or both NULL. All that is chosen among the kernels' functions is chosen here:
-// `paths` decides between functions that give the same bytes. An RGBA8_SRGB texture must be linearized.
+// Return a slot with this texture and sampler, or with neither if both are NULL. All that is chosen among the kernels'
+// functions is chosen here: `paths` decides between functions that give equal bytes. An RGBA8_SRGB texture must be
+// linearized.
 struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_paths paths,
                                   const struct rhw_texture_data *texture,
                                   const struct rhw_sampler_data *sampler);

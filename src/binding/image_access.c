@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Storage images as shader functions reach them; a texel buffer is one of a single row.
+// Storage images as shader functions reach them. A texel buffer is an image of a single row.
 #include "binding.h"
 
 #include "format/format.h"
@@ -7,8 +7,9 @@
 #include "resource/texture.h"
 #include "binding/validation/validation.h"
 
-// The image of a slot; none where it has none or does not exist, and none to change where it is set for reading, or
-// where validation finds that the program did not declare the effect.
+// Return the image of a slot. Return no image where the slot has none or does not exist. Return no image to an
+// operation that changes it where the slot is set for reading, or where validation finds that the program did not
+// declare the effect.
 static struct rhw_storage_image image_of(const struct rhw_bindings *textures, int slot,
                                          enum rhw_storage_operation operation)
 {
@@ -45,14 +46,14 @@ void rhw_image_store(const struct rhw_bindings *textures, int slot, const rhw_in
     }
 }
 
-// Coordinates that an image of the texture has.
+// Return the number of coordinates that an image of the texture has.
 static int coordinates_of(const struct rhw_texture_data *texture)
 {
     const bool has_layer = texture->shape.is_array && texture->shape.kind != RHW_TEXTURE_CUBE;
     return rhw_texture_components(texture->shape.kind) + has_layer;
 }
 
-// The word at coordinates, of which a lane has every `stride`th number; NULL outside.
+// Return the word at coordinates, of which a lane has every `stride`th number. Return NULL outside.
 static uint32_t *word_at(const struct rhw_storage_image *image, const int32_t *at, int stride)
 {
     const struct rhw_mip *const mip = &image->texture->mip[image->level];
@@ -104,7 +105,7 @@ void rhw_image_size(const struct rhw_bindings *textures, int slot, rhw_int size[
 
 // One at a time ----------------------------------------------------------------------------------------
 
-// As many coordinates as the slot's image has, in all lanes.
+// Put as many coordinates as the slot's image has into all lanes.
 static void widen(const struct rhw_bindings *textures, int slot, const int32_t *at, rhw_int lanes[3])
 {
     const struct rhw_texture_data *const texture =

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Sampling one at a time: a lane of the functions on 8. They know how many components a slot's texture asks for, which
-// the caller's pointers do not say.
+// Sampling one at a time is a lane of the functions on 8. These functions know how many components a slot's texture
+// asks for, which the caller's pointers do not say.
 #include "binding.h"
 #include "resource/texture.h"
 
 #include <string.h>
 
-// A request of one lane, in all of them.
+// A request of one lane, put into all lanes.
 struct widened {
     rhw_float coordinates[4], gradient[6], lod, reference, bias;
     rhw_int offset[3];
     struct rhw_sample_request request;
 };
 
-// NULL in a slot without one, or that does not exist.
+// Return the texture of a slot. Return NULL where the slot has none or does not exist.
 static const struct rhw_texture_data *texture_of(const struct rhw_bindings *textures, int slot)
 {
     return (unsigned)slot < RHW_MAX_TEXTURES ? textures->slot[slot].texture : NULL;
 }
 
-// Of its coordinates, without the layer.
+// Return the number of components of a texture's coordinates, without the layer.
 static int components_of(const struct rhw_texture_data *texture)
 {
     return texture ? rhw_texture_components(texture->shape.kind) : 0;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A lane becomes a struct of plain floats and back. Nothing else differs from the 8-lane form, so both give
-// the same bytes. Under validation (validation/validation.h) all there is room for goes through, with the rubbish that undeclared inputs
-// and unwritten outputs hold.
+// The adapter turns a lane into a struct of plain floats and back. Nothing else differs from the 8-lane form, so both
+// give equal bytes. Under validation (validation/validation.h) everything that the structs have room for goes through,
+// with the rubbish that undeclared inputs and unwritten outputs hold.
 #include "shader_adapter.h"
 
 #include "binding/validation/validation.h"
 
-// Distances and the point size: those that the program has, and `all` of them under validation.
+// Store distances and the point size: the ones that the program has, and `all` of them under validation.
 static void store_extras(const struct rhw_program *program, bool all, const struct rhw_vertex1 *one,
                          struct rhw_vertex *group, int lane)
 {
@@ -75,7 +75,7 @@ void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex
     }
 }
 
-// The builtins that the program asked for.
+// Load the builtins that the program asked for.
 static void load_builtins(const struct rhw_fragment *group, int lane, uint32_t uses,
                           struct rhw_fragment1 *one)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs one-at-a-time shader functions behind the 8-lane seam.
+// Functions that have the 8-lane form and call a shader function one at a time.
 #ifndef RHW_SHADER_ADAPTER_H
 #define RHW_SHADER_ADAPTER_H
 

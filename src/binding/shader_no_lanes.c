@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one-at-a-time form for programs whose compiler has no lanes: a lane of the functions on 8.
+// The one-at-a-time form for programs whose compiler has no lanes: it is a lane of the functions on 8.
 #include "rhw/shader.h"
 
 float rhw_math1(enum rhw_math1_function function, float a, float b)

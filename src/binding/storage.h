@@ -27,16 +27,16 @@ struct rhw_storage_image {
     bool is_read_only;
 };
 
-// Of a draw.
+// The storage of a draw.
 struct rhw_storage {
     struct rhw_storage_words buffers[RHW_MAX_STORAGE_BUFFERS];
     struct rhw_storage_image images[RHW_MAX_STORAGE_IMAGES];
 };
 
-// No buffer in any slot.
+// Storage with no buffer in any slot.
 extern const struct rhw_storage rhw_no_storage;
 
-// Does the operation to a word, and gives what it was; 0 of STORE.
+// Do the operation to a word and return what the word was. STORE returns 0.
 int32_t rhw_storage_word(uint32_t *word, enum rhw_storage_operation operation, uint32_t value,
                          uint32_t comparand);
 

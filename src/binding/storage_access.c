@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Storage buffers as shader functions reach them. Words are changed lane after lane by the atomics of the compiler,
-// relaxed, on whatever thread the function runs: no vector instruction does that for 8 of them. What lies outside is
-// found for 8 lanes at once.
+// relaxed, on whatever thread the function runs: no vector instruction does this for 8 of them. Words that lie outside
+// are found for 8 lanes at once.
 #include "binding.h"
 
 #include "rhw/shader.h"
@@ -61,8 +61,9 @@ int32_t rhw_storage_word(uint32_t *word, enum rhw_storage_operation operation, u
     return 0;
 }
 
-// The words of a slot, none where it has no buffer or does not exist; and none to change where it is set for reading,
-// or where validation finds that the program did not declare it.
+// Return the words of a slot. Return none where the slot has no buffer or does not exist. Return none to an operation
+// that changes them where the slot is set for reading, or where validation finds that the program did not declare the
+// effect.
 static struct rhw_storage_words words_of(const struct rhw_bindings *textures, int slot,
                                          enum rhw_storage_operation operation)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who is told what when a context is in use.
+// What a call is told when it finds its context in use.
 #include "entry.h"
 
 #include "misuse.h"

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The door of a context. Every public function that works with one enters and leaves it, so that a second thread, or a
-// shader function that calls the library, is told instead of meeting a state between two others.
+// The door of a context. Every public function that works with a context enters and leaves it. A second thread, or a
+// shader function that calls the library, is refused here, and does not meet a state between two others.
 #ifndef RHW_ENTRY_H
 #define RHW_ENTRY_H
 
 #include "context.h"
 
-// The slow paths: report that `context` is NULL, or that a call is under way in it. Is false.
+// Report that `context` is NULL, or that a call is under way in it. These are the slow paths; they return false.
 bool rhw_context_refuse(const rhw_context *context, const char *where);
 
-// False, and misuse of `where`, when the context is NULL or a call is under way in it. Else the caller leaves in the end.
+// Enter the context; the caller leaves it in the end. Report misuse of `where` and return false when the context is
+// NULL or a call is under way in it.
 static inline bool rhw_context_enter(rhw_context *context, const char *where)
 {
     const char *nobody = NULL;
@@ -24,7 +25,8 @@ static inline void rhw_context_leave(rhw_context *context)
     atomic_store_explicit(&context->entered, NULL, memory_order_release);
 }
 
-// The same rule for functions that only look: nothing to leave.
+// Return true if a function may look at the context, which needs no leaving. Report misuse of `where` and return false
+// when the context is NULL or a call is under way in it.
 static inline bool rhw_context_peek(const rhw_context *context, const char *where)
 {
     return (context != NULL && atomic_load_explicit(&context->entered, memory_order_acquire) == NULL) ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The limits as a struct, from the constants that the library is made with.
+// The limits as a struct. The library's own constants are the source.
 #include <float.h>
 
 #include "base/constants.h"
@@ -18,13 +18,14 @@ struct rhw_limits rhw_limits_get(void)
         .max_image_dimension_3d = RHW_MAX_TEXTURE_DEPTH,
         .max_image_dimension_cube = RHW_MAX_TARGET_SIZE,
         .max_image_array_layers = RHW_MAX_TEXTURE_LAYERS,
-        .max_sampler_allocation_count = 1u << 27, // of a pool
+        .max_sampler_allocation_count = 1u << 27, // items of a pool
         .max_uniform_buffer_range = RHW_MAX_UNIFORM_SIZE,
         .max_per_stage_descriptor_samplers = RHW_MAX_TEXTURES,
         .max_per_stage_descriptor_sampled_images = RHW_MAX_TEXTURES,
         .max_vertex_input_attributes = RHW_MAX_ATTRIBUTES,
         .max_vertex_input_bindings = RHW_MAX_VERTEX_BUFFERS,
-        .max_vertex_input_attribute_offset = UINT32_MAX - 16, // and an attribute
+        .max_vertex_input_attribute_offset =
+            UINT32_MAX - 16, // with an attribute of at most 16 bytes behind it
         .max_vertex_input_binding_stride = UINT32_MAX,
         .max_draw_indexed_index_value = UINT32_MAX,
         .max_draw_indirect_count = UINT32_MAX,
@@ -56,7 +57,7 @@ struct rhw_limits rhw_limits_get(void)
         .standard_sample_locations = true,
         .min_interpolation_offset = -RHW_MAX_TARGET_SIZE,
         .max_interpolation_offset = RHW_MAX_TARGET_SIZE,
-        .sub_pixel_interpolation_offset_bits = 10, // of floats from 8192 on
+        .sub_pixel_interpolation_offset_bits = 10, // floats from 8192 on have 10 bits of fraction
         .sub_texel_precision_bits = 8,
         .mipmap_precision_bits = 8,
         .max_sampler_lod_bias = FLT_MAX,
@@ -70,7 +71,7 @@ struct rhw_limits rhw_limits_get(void)
         .max_transform_feedback_buffer_size = SIZE_MAX / 2,
         .max_transform_feedback_stream_data_size = RHW_MAX_FEEDBACK_OUTPUTS * 4 * sizeof(float),
         .max_transform_feedback_buffer_data_size = RHW_MAX_FEEDBACK_OUTPUTS * 4 * sizeof(float),
-        .max_transform_feedback_buffer_data_stride = UINT32_MAX - 3, // a multiple of 4
+        .max_transform_feedback_buffer_data_stride = UINT32_MAX - 3, // multiple of 4
         .max_per_stage_descriptor_storage_buffers = RHW_MAX_STORAGE_BUFFERS,
         .max_per_stage_descriptor_storage_images = RHW_MAX_STORAGE_IMAGES,
         .max_per_stage_descriptor_input_attachments = RHW_MAX_COLOR_ATTACHMENTS + 2,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pools find items; here a wrong id gets its message.
+// Pools find items. This file reports an id that names none.
 #include "lookup.h"
 
 #include <stdio.h>
@@ -12,7 +12,7 @@ struct id {
     uint32_t index, generation, context;
 };
 
-// `label` may be NULL.
+// Return the name of an item in messages. `label` may be NULL.
 static struct rhw_name write_name(const char *noun, uint32_t index, const char *label)
 {
     struct rhw_name name;

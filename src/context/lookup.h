@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From an id to the item it names. `where` is the public function that was called, for messages.
+// The way from an id to the item that it names. `where` is the public function that was called, for messages.
 #ifndef RHW_LOOKUP_H
 #define RHW_LOOKUP_H
 
@@ -12,8 +12,8 @@ struct rhw_sampler_data;
 struct rhw_pipeline_data;
 struct rhw_query_data;
 
-// An id that is null, stale or of another context is reported as misuse of `where` and gives NULL. Items do not move
-// while they live.
+// Return the item that an id names. Report misuse of `where` and return NULL for an id that is null, stale or of
+// another context. Items do not move while they live.
 struct rhw_buffer_data *rhw_context_buffer(const struct rhw_context *context, rhw_buffer id,
                                            const char *where);
 struct rhw_texture_data *rhw_context_texture(const struct rhw_context *context, rhw_texture id,
@@ -30,10 +30,10 @@ struct rhw_name {
 };
 struct rhw_name rhw_name_of(const struct rhw_pool *pool, uint32_t index);
 
-// Whether the pass being recorded uses the live item of one of the context's pools.
+// Return true if the pass being recorded uses the live item of one of the context's pools.
 bool rhw_context_records(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index);
-// Whether a draw of that pass may read what the item holds now, which it got in the pass `renewed_pass`, after
-// `renewed_draws` draws.
+// Return true if a draw of the pass being recorded may read what the item holds now. The item got that in the pass
+// `renewed_pass`, after `renewed_draws` draws.
 bool rhw_context_draws_read(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index,
                             uint32_t renewed_pass, uint32_t renewed_draws);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Messages are formatted on the stack: telling something needs no memory.
+// Messages are formatted on the stack, so that telling something needs no memory.
 #include "misuse.h"
 
 #include <stdarg.h>
@@ -11,7 +11,8 @@
 
 enum {
     MESSAGE_SIZE = 1024, // bytes of a line; a longer one is cut
-    GROUPS_NAMED = 8     // at most; a loop that forgets to pop leaves any number of them
+    // At most so many groups are named; a loop that forgets to pop leaves any number of them.
+    GROUPS_NAMED = 8
 };
 
 struct message {
@@ -36,7 +37,7 @@ __attribute__((format(printf, 2, 3))) static void append(struct message *message
     va_end(arguments);
 }
 
-// Makes 'rhw_texture_create: ...' of a call that takes a definition 'rhw_texture_create "sky": ...'.
+// Make 'rhw_texture_create "sky": ...' of 'rhw_texture_create: ...' where the call takes a definition with a label.
 static void name_definition(struct message *message, const char *label)
 {
     char copy[RHW_LABEL_SIZE];
@@ -50,7 +51,7 @@ static void name_definition(struct message *message, const char *label)
     append(message, " \"%s\"%s", copy, plain.text + message->length);
 }
 
-// Without a hook nothing is said, but what validation was asked for.
+// Return true if somebody is told. Without a hook nobody is, except what validation was asked for.
 static bool is_heard(const struct rhw_context *context, enum rhw_log_level level)
 {
     return context->log != NULL || (level == RHW_LOG_WARNING && context->validation != NULL);
@@ -79,7 +80,7 @@ void rhw_context_log(const struct rhw_context *context, enum rhw_log_level level
     say(context, level, message.text);
 }
 
-// The innermost groups, outer ones first.
+// Append the innermost groups, outer ones first.
 static void append_groups(struct message *message, const struct rhw_debug_group *group)
 {
     const struct rhw_debug_group *named[GROUPS_NAMED];
@@ -93,7 +94,7 @@ static void append_groups(struct message *message, const struct rhw_debug_group 
     }
 }
 
-// Which draw it is that is being recorded: draws are counted from 0, as shaders see them.
+// Append which draw is being recorded. Draws are counted from 0, as shaders see them.
 static void append_draw(struct message *message, const struct rhw_recording *recording)
 {
     append(message, "draw %u", (unsigned)recording->draw);
@@ -143,13 +144,14 @@ static void tell(const struct rhw_context *context, const char *text)
     context->assert_(context->user, text);
 }
 
-// Calls the hook of a context that this thread is in. The hook may leave by longjmp or an exception: the context is left
-// before, and entered again for the call that found the misuse to go on.
+// Call the hook of a context that this thread is in. The hook may leave by longjmp or by an exception. So the context
+// is left before the call, and entered again after it for the call that found the misuse to go on.
 static void tell_inside(struct rhw_context *context, const struct rhw_recording *place,
                         struct message *message)
 {
     name_definition(message, context->definition);
-    context->definition = NULL; // the hook may never return to the call that has it
+    // The hook may never return to the call that has the definition.
+    context->definition = NULL;
     append_place(message, context, place);
     context->recording.misused |= context->recording.active;
     const char *const where = atomic_exchange_explicit(&context->entered, NULL, memory_order_relaxed);

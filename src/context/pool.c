@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pools. A chunk is one block: its slots, then its items.
+// A chunk of a pool is one block: its slots come first, then its items.
 #include "pool.h"
 
 #include <assert.h>
@@ -9,18 +9,20 @@
 #include "base/memory.h"
 
 struct slot {
-    _Alignas(32) uint32_t
-        generation;     // of the item that is live or, when none is, of the next one; aligned, so that
-                        // the items behind the slots are
-    uint32_t next_free; // LIVE, or the index of the next free, or retired, slot (0: the last)
-    uint32_t used;      // generation of the last pass that recorded a use; 0: none yet
-    char *label;        // NULL: none
-    char *last_label;   // of the item that lived here before, for messages about its id; NULL: none
+    // Generation of the item that is live or, when none is, of the next one. It is aligned, so that the items behind
+    // the slots are aligned.
+    _Alignas(32) uint32_t generation;
+    // LIVE, or the index of the next free or retired slot; 0 in the last one.
+    uint32_t next_free;
+    uint32_t used; // generation of the last pass that recorded a use; 0: none yet
+    char *label;   // NULL: none
+    // The label of the item that lived here before, for messages about its id. NULL: none.
+    char *last_label;
 };
 
 static const uint32_t live = UINT32_MAX;
 
-enum { ITEM_ALIGNMENT = 32 }; // of 8 lanes
+enum { ITEM_ALIGNMENT = 32 }; // bytes of 8 lanes
 
 struct place {
     int chunk;
@@ -32,7 +34,8 @@ static uint32_t chunk_capacity(int chunk)
     return 1u << (RHW_POOL_FIRST_CHUNK_LOG2 + chunk);
 }
 
-// Chunk k holds the indices that start at 1 + 2^4·(2^k − 1); adding 2^4 − 1 makes its first one 2^(4 + k).
+// Return where an index lies. Chunk k holds the indices that start at 1 + 2^4·(2^k − 1); adding 2^4 − 1 makes its first
+// one 2^(4 + k).
 static struct place place_of(uint32_t index)
 {
     const uint32_t n = index - 1 + (1u << RHW_POOL_FIRST_CHUNK_LOG2);
@@ -74,7 +77,8 @@ void rhw_label_copy(char copy[RHW_LABEL_SIZE], const char *label)
     const char *const end = label == NULL ? NULL : memchr(label, 0, RHW_LABEL_SIZE);
     size_t length = label == NULL ? 0 : end == NULL ? RHW_LABEL_SIZE : (size_t)(end - label);
     if (length == RHW_LABEL_SIZE) {
-        do { // back to where a character begins; one has 4 bytes at most
+        // Go back to where a character begins. A character has 4 bytes at most.
+        do {
             length--;
         } while (length > RHW_LABEL_SIZE - 4 && ((unsigned char)label[length] & 0xc0) == 0x80);
     }
@@ -84,7 +88,7 @@ void rhw_label_copy(char copy[RHW_LABEL_SIZE], const char *label)
     copy[length] = 0;
 }
 
-// False when out of memory.
+// Copy a label into a slot. Return false when out of memory.
 static bool copy_label(struct rhw_memory *memory, struct slot *slot, const char *label)
 {
     char copy[RHW_LABEL_SIZE];
@@ -120,7 +124,7 @@ static void free_slot(struct rhw_pool *pool, uint32_t index)
     pool->free = index;
 }
 
-// The index of a slot that no id names; 0 when out of memory.
+// Return the index of a slot that no id names. Return 0 when out of memory.
 static uint32_t take_slot(struct rhw_memory *memory, struct rhw_pool *pool)
 {
     if (pool->free != 0) {
@@ -164,7 +168,7 @@ void *rhw_pool_add(struct rhw_memory *memory, struct rhw_pool *pool, const char 
     return memset(item_at(pool, taken), 0, pool->item_size);
 }
 
-// From here on the item's id is stale.
+// End the life of an item. From here on its id is stale.
 static struct slot *end_life(struct rhw_memory *memory, struct rhw_pool *pool, uint32_t index)
 {
     struct slot *const slot = slot_at(pool, index);
@@ -177,7 +181,7 @@ static struct slot *end_life(struct rhw_memory *memory, struct rhw_pool *pool, u
     return slot;
 }
 
-// After 2^32 lives a slot rests for good: an id of its first life must stay stale.
+// Put a slot back into use. After 2^32 lives it rests for good: an id of its first life must stay stale.
 static void reuse_slot(struct rhw_pool *pool, uint32_t index)
 {
     if (slot_at(pool, index)->generation != 0) {

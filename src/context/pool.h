@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A pool of items that are named by index and generation, and by a label for people. Items live in chunks of doubling
-// size, so that growth never moves one and a pointer stays good while its id is live. A slot's generation counts up when
-// its item is removed, so that an old id is told from the item that took its place.
+// A pool has items that programs name by index and generation, and people by a label. Items live in chunks of doubling
+// size, so that growth never moves one and a pointer stays good while its id is live. A slot's generation counts up
+// when its item is removed, so that an old id is told from the item that took its place.
 //
-// An item that a pass being recorded needs is retired instead: its id is stale at once, the item stays until the pass
-// has ended.
+// An item that a pass being recorded needs is retired instead of removed: its id is stale at once, and the item stays
+// until the pass has ended.
 #ifndef RHW_POOL_H
 #define RHW_POOL_H
 
@@ -17,10 +17,10 @@ struct rhw_memory;
 enum {
     RHW_LABEL_SIZE = 64,           // bytes that are kept of a label, with the zero at the end
     RHW_POOL_FIRST_CHUNK_LOG2 = 4, // items; chunk k holds 2^(4 + k)
-    RHW_POOL_CHUNKS = 24           // 2^28 items, far more than memory holds
+    RHW_POOL_CHUNKS = 24           // chunks of 2^28 items, far more than memory holds
 };
 
-// Copies as much of a label as fits, whole characters of UTF-8; NULL becomes "".
+// Copy as much of a label as fits, in whole characters of UTF-8. NULL becomes "".
 void rhw_label_copy(char copy[RHW_LABEL_SIZE], const char *label);
 
 struct rhw_pool {
@@ -32,35 +32,35 @@ struct rhw_pool {
     void *chunks[RHW_POOL_CHUNKS];
 };
 
-// Allocates nothing.
+// Make an empty pool. This allocates nothing.
 void rhw_pool_init(struct rhw_pool *pool, const char *noun, size_t item_size);
-// Releases the pool's memory; what items own is released before.
+// Release the pool's memory. The caller has released what the items own.
 void rhw_pool_destroy(struct rhw_memory *memory, struct rhw_pool *pool);
-// A new zeroed item, aligned to 32, with a copy of the label, which may be NULL; NULL when out of memory. Index 0 and
-// generation 0 are never given out.
+// Return a new zeroed item, aligned to 32, with a copy of the label, which may be NULL. Return NULL when out of memory.
+// Index 0 and generation 0 are never given out.
 void *rhw_pool_add(struct rhw_memory *memory, struct rhw_pool *pool, const char *label, uint32_t *index,
                    uint32_t *generation);
-// `index` must be live.
+// Remove the live item at `index`.
 void rhw_pool_remove(struct rhw_memory *memory, struct rhw_pool *pool, uint32_t index);
-// The same, but that the item stays.
+// Make the id of the live item at `index` stale, and keep the item until it is unretired.
 void rhw_pool_retire(struct rhw_memory *memory, struct rhw_pool *pool, uint32_t index);
-// Leaves a retired copy of a live item, whose contents the caller then replaces. False when out of memory.
+// Leave a retired copy of a live item, whose contents the caller then replaces. Return false when out of memory.
 bool rhw_pool_retire_copy(struct rhw_memory *memory, struct rhw_pool *pool, uint32_t index);
-// Any retired item, or NULL; its slot is free from now on, and its contents are the caller's to release before the next
+// Return any retired item, or NULL. Its slot is free from now on; the caller releases its contents before the next
 // rhw_pool_add.
 void *rhw_pool_unretire(struct rhw_pool *pool);
-// The label of a live item, or NULL where it has none.
+// Return the label of a live item, or NULL where it has none.
 const char *rhw_pool_label(const struct rhw_pool *pool, uint32_t index);
-// The label of the last item that was destroyed at `index`, where it had that generation; NULL where it had no label.
-// `index` must have been given out.
+// Return the label of the last item that was destroyed at `index`, if it had that generation. Return NULL where it had
+// no label. `index` must have been given out.
 const char *rhw_pool_stale_label(const struct rhw_pool *pool, uint32_t index, uint32_t generation);
-// NULL when the id is null, was never given out, or is stale.
+// Return the item. Return NULL when the id is null, was never given out, or is stale.
 void *rhw_pool_get(const struct rhw_pool *pool, uint32_t index, uint32_t generation);
-// Notes that a pass, by its generation, uses the live item.
+// Note that a pass, by its generation, uses the live item.
 void rhw_pool_use(const struct rhw_pool *pool, uint32_t index, uint32_t pass_generation);
-// The last pass that did; 0: none yet.
+// Return the last pass that used the item, or 0 if none did.
 uint32_t rhw_pool_last_use(const struct rhw_pool *pool, uint32_t index);
-// Walks the live items: the first one after *index, which is updated; NULL at the end. Start with 0.
+// Walk the live items: return the first one after *index and update *index. Return NULL at the end. Start with 0.
 void *rhw_pool_next(const struct rhw_pool *pool, uint32_t *index);
 
 #endif

@@ -10,7 +10,7 @@
 
 #include "base/constants.h"
 #include "draw_list.h"
-#include "kernels/raster/snap.h"
+#include "snap.h"
 #include "pipeline/pipeline.h"
 
 enum { PLANES = 6, DEPTH_PLANES = 2 }; // of which those of depth stand first

@@ -20,9 +20,7 @@
 struct rhw_memory;
 struct rhw_pipeline_data;
 struct rhw_active_queries;
-struct rhw_draw_feedback;
 struct rhw_shared_vertices;
-struct rhw_strip_stipple;
 
 struct rhw_vertex_stream {
     const unsigned char *bytes; // buffer start plus binding offset
@@ -62,6 +60,19 @@ struct rhw_draw_state {
     float line_width_setting;        // of the pass; 0: the pipeline's
     int line_pixels;                 // the width of Bresenham lines
     double half_width_24_8;          // of other lines
+};
+
+// Where a draw writes by transform feedback.
+struct rhw_draw_feedback {
+    unsigned char *to[RHW_MAX_FEEDBACK_TARGETS]; // its first vertex
+    uint64_t primitives;                         // that are written, those of all instances in one line
+    int vertices;                                // of a primitive
+};
+
+// Where in their pattern the lines of a draw of strips begin; run/strip_stipple.h measures them.
+struct rhw_strip_stipple {
+    uint8_t *begins; // whether a line is the first of its strip
+    int32_t *phases; // by line, of each instance: its place where it begins (kernels/raster/stipple_mask.h)
 };
 
 struct rhw_draw {

@@ -5,18 +5,8 @@
 
 #include <stdint.h>
 
+#include "pipeline/shaded_vertex.h"
 #include "rhw/types.h"
-
-// A shaded vertex as the tiles read it: this header, then the varyings' components, and what else the front end needs of
-// it (struct rhw_pipeline_data has their places), padded to 32 bytes.
-// All numbers of one vertex stand together because a triangle needs all of them at once.
-struct rhw_vertex_record {
-    int32_t x_24_8, y_24_8; // snapped; meaningless with RHW_VERTEX_UNSNAPPED
-    float depth;            // after the viewport's depth range, rounded: for culling and clamping
-    uint32_t flags;         // or-ed rhw_vertex_flag
-    float position[4];      // homogeneous clip coordinates
-    float varyings[];
-};
 
 // The sides of the view volume that the vertex lies outside of, and what makes its triangles take the clipper.
 enum rhw_vertex_flag {
@@ -41,12 +31,6 @@ struct rhw_snapped_vertex {
     float depth;
     uint32_t flags;
 };
-
-// Floats per vertex record.
-static inline int rhw_vertex_stride(int components)
-{
-    return (8 + components + 7) & ~7;
-}
 
 enum rhw_triangle_flag {
     RHW_TRIANGLE_BACK = 1,      // faces away

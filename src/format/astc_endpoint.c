@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ten endpoint modes of low dynamic range (Khronos Data Format Specification, "LDR Endpoint Decoding").
+// ASTC has ten endpoint modes of low dynamic range (Khronos Data Format Specification, "LDR Endpoint Decoding").
 #include "astc_endpoint.h"
 
 enum { RGBA = 4 };
@@ -17,15 +17,15 @@ static void set(uint8_t color[RGBA], int red, int green, int blue, int alpha)
     color[3] = clamp_code(alpha);
 }
 
-// Red and green of colours near grey, which were stored with twice their distance from blue.
+// Set a colour whose red and green were stored with twice their distance from blue: colours near grey are.
 static void set_contracted(uint8_t color[RGBA], int red, int green, int blue, int alpha)
 {
     set(color, (red + blue) >> 1, (green + blue) >> 1, blue, alpha);
 }
 
-// A base of 8 bits and an offset of −32..31, from two bytes.
+// A base of 8 bits and an offset of −32..31 are taken from two bytes.
 struct offset_pair {
-    int base, sum; // base + offset
+    int base, sum; // sum is base + offset
     int offset;
 };
 
@@ -37,7 +37,8 @@ static struct offset_pair transfer_bit(uint8_t first, uint8_t second)
     return (struct offset_pair){base, base + offset, offset};
 }
 
-// The first colour is the darker one; stored the other way round they are contracted.
+// Set the endpoints from colours that are stored directly. The first colour is the darker one; colours that are stored
+// the other way round are contracted.
 static void set_direct(struct rhw_astc_endpoints *e, const uint8_t *v, int first_alpha, int second_alpha)
 {
     if (v[1] + v[3] + v[5] >= v[0] + v[2] + v[4]) {

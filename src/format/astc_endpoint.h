@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two colours of a partition, between which its texels lie.
+// Endpoints: the two colours of a partition, between which the colours of its texels lie.
 #ifndef RHW_ASTC_ENDPOINT_H
 #define RHW_ASTC_ENDPOINT_H
 
@@ -7,11 +7,12 @@
 #include <stdint.h>
 
 struct rhw_astc_endpoints {
-    bool is_error; // a mode of high dynamic range: error colour in a profile without it
+    // The mode is of high dynamic range: it gives the error colour in a profile without it.
+    bool is_error;
     uint8_t color[2][4];
 };
 
-// Numbers that a mode, 0..15, takes: 2, 4, 6 or 8.
+// Return how many numbers a mode, 0..15, takes: 2, 4, 6 or 8.
 static inline int rhw_astc_endpoint_numbers(int mode)
 {
     return 2 * (mode / 4 + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See astc_sequence.h. A number is its digit, a third (trit) or a fifth (quint) of the range, and `bits` low bits.
+// A number of a sequence is its digit, a third (trit) or a fifth (quint) of the range, and `bits` low bits.
 #include "astc_sequence.h"
 
 struct range {
@@ -28,7 +28,7 @@ static int bit(int value, int at)
     return value >> at & 1;
 }
 
-// Five trits of 8 bits, lowest number first.
+// Unpack five trits from 8 bits, lowest number first.
 static void unpack_trits(int packed, struct number number[5])
 {
     int low = packed & 0x1f;
@@ -56,7 +56,7 @@ static void unpack_trits(int packed, struct number number[5])
     }
 }
 
-// Three quints of 7 bits.
+// Unpack three quints from 7 bits.
 static void unpack_quints(int packed, struct number number[3])
 {
     if ((packed & 6) == 6 && (packed & 0x60) == 0) {
@@ -80,7 +80,7 @@ static void unpack_quints(int packed, struct number number[3])
     }
 }
 
-// The next numbers, 5 with trits, 3 with quints, else 1; their packed digits stand between their low bits.
+// Take the next numbers: 5 with trits, 3 with quints, else 1. Their packed digits stand between their low bits.
 static int take_numbers(struct rhw_bit_stream *stream, const struct range *range, struct number number[5])
 {
     static const uint8_t trit_bits[5] = {2, 2, 1, 2, 1}, quint_bits[3] = {3, 2, 2};
@@ -103,7 +103,7 @@ static int take_numbers(struct rhw_bit_stream *stream, const struct range *range
     return count;
 }
 
-// Repeats `bits` up to `width`.
+// Repeat `bits` up to `width`.
 static int repeat(int value, int bits, int width)
 {
     int result = 0;
@@ -113,7 +113,8 @@ static int repeat(int value, int bits, int width)
     return result;
 }
 
-// The column B of "ASTC color unquantization parameters": where the low bits but the lowest, `high`, stand.
+// Return the column B of "ASTC color unquantization parameters": where the low bits without the lowest one, which are
+// `high`, stand.
 static int spread_color(const struct range *range, int high)
 {
     if (range->base == 3) {
@@ -147,7 +148,7 @@ static uint8_t color_of(const struct range *range, const struct number *number)
     return (uint8_t)((mask & 0x80) | value >> 2);
 }
 
-// As in "ASTC weight unquantization parameters".
+// Return the column B of "ASTC weight unquantization parameters".
 static int spread_weight(const struct range *range, int high)
 {
     return range->bits == 1   ? 0

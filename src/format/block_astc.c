@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// ASTC of low dynamic range, decoded to 8 bits (Khronos Data Format Specification, chapter ASTC, decode mode unorm8).
-// A block has up to four partitions, each with two endpoints, and a grid of weights that is stretched over its texels.
-// The weights are stored from the end of the block downwards. What a block may not say makes it, or the partition that
-// says it, opaque magenta.
+// ASTC of low dynamic range, decoded to 8 bits (Khronos Data Format Specification, chapter ASTC, decode mode unorm8). A
+// block has up to four partitions, each with two endpoints, and a grid of weights that is stretched over its texels.
+// The weights are stored from the end of the block downwards. A block, or a partition of it, that says what the
+// specification forbids is opaque magenta.
 #include <string.h>
 
 #include "astc_endpoint.h"
@@ -25,8 +25,9 @@ static void fill(const struct rhw_block_format *format, const unsigned char colo
 
 struct grid {
     int width, height;
-    int range;   // of its weights
-    bool planes; // two weights each: one channel has its own
+    int range; // range of the grid's weights
+    // Each texel has two weights: one channel has a weight of its own.
+    bool planes;
 };
 
 static void set_size(struct grid *grid, int width, int height)
@@ -35,12 +36,14 @@ static void set_size(struct grid *grid, int width, int height)
     grid->height = height;
 }
 
-// The block mode, 11 bits. False for reserved ones.
+// Read the block mode, 11 bits. Return false for reserved modes.
 static bool read_grid(int mode, struct grid *grid)
 {
     const int a = mode >> 5 & 3, b = mode >> 7 & 3;
-    const bool is_short = (mode & 3) == 0;      // layouts with one or two sides that are constant
-    const bool has_height = is_short && b == 2; // in place of the bits of planes and of precision
+    // Short layouts have one or two sides that are constant.
+    const bool is_short = (mode & 3) == 0;
+    // The height takes the place of the bits of planes and of precision.
+    const bool has_height = is_short && b == 2;
     const int range = (mode >> 4 & 1) | (is_short ? mode >> 1 & 6 : mode << 1 & 6);
     switch (is_short ? 4 + b : mode >> 2 & 3) {
     case 0: set_size(grid, b + 4, a + 2); break;
@@ -62,14 +65,14 @@ struct layout {
     struct grid grid;
     int weights, weight_bits;
     int partitions, seed;
-    int mode[MOST_PARTITIONS]; // of endpoints
-    int channel;               // that has the second plane; −1: none
-    int numbers, range;        // of the endpoints
-    int at;                    // bit where they begin
+    int mode[MOST_PARTITIONS]; // modes of endpoints
+    int channel;               // channel that has the second plane; −1: none
+    int numbers, range;        // count and range of the numbers of the endpoints
+    int at;                    // bit where the endpoints begin
 };
 
-// Endpoint modes of several partitions: the same for all, or each of one of two neighbouring classes. Their bits go on
-// below the weights. Gives the number of those bits; `end` is where they end.
+// Read the endpoint modes of several partitions. All have one mode, or each has a mode of one of two neighbouring
+// classes. Their bits go on below the weights. Return the number of these bits; `end` is where they end.
 static int read_modes(struct rhw_bit_stream bits, int end, struct layout *layout)
 {
     const int partitions = layout->partitions;
@@ -83,7 +86,7 @@ static int read_modes(struct rhw_bit_stream bits, int end, struct layout *layout
     return more;
 }
 
-// The widest range whose numbers fit. False where none does.
+// Choose the widest range whose numbers fit. Return false where none does.
 static bool choose_range(struct layout *layout, int bits)
 {
     for (int range = RHW_ASTC_RANGES - 1; range >= RHW_ASTC_LEAST_COLOR_RANGE; range--) {
@@ -95,7 +98,7 @@ static bool choose_range(struct layout *layout, int bits)
     return false;
 }
 
-// False for what the specification lists as illegal encodings.
+// Read the layout of a block. Return false for what the specification lists as illegal encodings.
 static bool read_layout(const struct rhw_block_format *format, struct rhw_bit_stream bits,
                         struct layout *layout)
 {
@@ -111,7 +114,8 @@ static bool read_layout(const struct rhw_block_format *format, struct rhw_bit_st
         (grid->planes && layout->partitions == MOST_PARTITIONS)) {
         return false;
     }
-    int end = BLOCK_BITS - layout->weight_bits; // of the endpoints; at least 32 here
+    // The endpoints end here; they have at least 32 bits.
+    int end = BLOCK_BITS - layout->weight_bits;
     if (layout->partitions == 1) {
         layout->mode[0] = rhw_stream_bits(bits, 13, 4);
         layout->at = 17;
@@ -147,10 +151,11 @@ static uint32_t hash_52(uint32_t p)
     return p;
 }
 
-// Four linear functions of x and y, modulo 64; the greatest one names a texel's partition ("Partition Pattern
-// Generation").
+// A pattern is four linear functions of x and y, modulo 64. The greatest one names a texel's partition ("Partition
+// Pattern Generation").
 struct pattern {
-    int partitions, scale; // 2 in blocks of fewer than 31 texels
+    // The scale is 2 in blocks of fewer than 31 texels.
+    int partitions, scale;
     int of_x[MOST_PARTITIONS], of_y[MOST_PARTITIONS], constant[MOST_PARTITIONS];
 };
 
@@ -195,7 +200,7 @@ static uint64_t reverse(uint64_t value)
     return reversed;
 }
 
-// Of each plane, with zeros behind the last row: texels there have weights from it, times 0.
+// Weights of each plane, with zeros behind the last row. Texels of the last row have weights from these zeros, times 0.
 struct weights {
     uint8_t plane[2][RHW_ASTC_MOST_WEIGHTS + MOST_SIDE + 1];
 };
@@ -213,7 +218,7 @@ static void read_weights(struct rhw_bit_stream bits, const struct layout *layout
     }
 }
 
-// Where the texels of a side lie in the grid: 16ths of the distance between weights.
+// Set where the texels of a side lie in the grid, in 16ths of the distance between weights.
 static void place_in_grid(int texels, int weights, int position[MOST_SIDE])
 {
     const int scale = (1024 + texels / 2) / (texels - 1);
@@ -234,8 +239,9 @@ static int weight_at(const uint8_t *plane, int grid_width, int x, int y)
 
 // Texels -------------------------------------------------------------------------------------------------
 
-// Endpoints are widened to 16 bits, by repetition or, of sRGB, to the middle of a code, so that the upper byte of what
-// lies between them is the result. Alpha too (Khronos Data Format 1.4; 1.3 had repeated it).
+// Mix two endpoints. They are widened to 16 bits, by repetition or, of sRGB, to the middle of a code, so that the upper
+// byte of what lies between them is the result. Alpha is widened like colours (Khronos Data Format 1.4; 1.3 had
+// repeated it).
 static unsigned char mix(int first, int second, int weight, bool srgb)
 {
     const int wide_first = first << 8 | (srgb ? 0x80 : first);
@@ -268,7 +274,8 @@ static void decode_texels(const struct rhw_block_format *format, const struct la
     }
 }
 
-// One colour, and a rectangle of texture coordinates that all have it, which only has to be a rectangle.
+// Decode a block of one colour. A rectangle of texture coordinates that all have the colour stands in the block; it
+// only has to be a rectangle.
 static void decode_void_extent(const struct rhw_block_format *format, const unsigned char *block,
                                unsigned char *texels)
 {
@@ -276,7 +283,8 @@ static void decode_void_extent(const struct rhw_block_format *format, const unsi
     const bool anywhere = bits >> 12 == UINT64_MAX >> 12;
     const bool is_rectangle = rhw_bits_of(bits, 12, 13) < rhw_bits_of(bits, 25, 13) &&
                               rhw_bits_of(bits, 38, 13) < rhw_bits_of(bits, 51, 13);
-    const bool is_legal = rhw_bits_of(bits, 9, 3) == 6; // not of high dynamic range; two reserved ones
+    // The bits must not say high dynamic range, and two of them are reserved.
+    const bool is_legal = rhw_bits_of(bits, 9, 3) == 6;
     const unsigned char color[RGBA] = {block[9], block[11], block[13], block[15]};
     fill(format, is_legal && (anywhere || is_rectangle) ? color : error_color, texels);
 }

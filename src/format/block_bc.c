@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // BC1 to BC5 (S3TC and RGTC). The specification gives their values as fractions, of 5 and 6 bits or of bytes, mixed in
 // halves, thirds, fifths or sevenths. Here they are computed as whole numbers over the common denominator and rounded
-// once, to the nearest code or float. (Decoders that widen 5 bits to 8 first, and then cut thirds off, are up to a
-// code away.)
+// once, to the nearest code or float. (Decoders that widen 5 bits to 8 first, and then cut thirds off, are up to a code
+// away.)
 #include <string.h>
 
 #include "block_bits.h"
@@ -11,7 +11,7 @@
 
 enum { SIDE = 4, TEXELS = SIDE * SIDE, RGBA = 4 };
 
-// The code of 8 bits nearest to a / b, 0..1; the greater one of two as near.
+// Return the code of 8 bits nearest to a / b, which is 0..1, and the greater code where two are equally near.
 static unsigned char nearest_code(int a, int b)
 {
     return (unsigned char)((2 * 255 * a + b) / (2 * b));
@@ -19,8 +19,8 @@ static unsigned char nearest_code(int a, int b)
 
 // Colours ----------------------------------------------------------------------------------------------
 
-// A colour block has two colours of 565 bits and two between them; or, where `blends_half` and the first is not the
-// greater number, one between them and black.
+// Mix the palette of a colour block. It has two colours of 565 bits and two between them. Where the first is not the
+// greater number and `blends_half` is true, it has one colour between them, and black.
 static void mix_colors(const unsigned char *block, bool blends_half, unsigned char palette[4][3])
 {
     const int color[2] = {block[0] | block[1] << 8, block[2] | block[3] << 8};
@@ -36,7 +36,7 @@ static void mix_colors(const unsigned char *block, bool blends_half, unsigned ch
     }
 }
 
-// Index 3 has alpha 0 where it stands for black and `clears`.
+// Decode colours. Index 3 has alpha 0 where it stands for black and `clears` is true.
 static void decode_colors(const unsigned char *block, bool blends_half, bool clears, unsigned char *texels)
 {
     unsigned char palette[4][3];
@@ -74,13 +74,13 @@ void rhw_decode_bc2(const struct rhw_block_format *format, const unsigned char *
 
 // Channels ---------------------------------------------------------------------------------------------
 
-// A palette of whole numbers over one denominator.
+// A channel is a palette of whole numbers over one denominator.
 struct channel {
     int value[8], denominator;
 };
 
-// Two ends and six steps between them; or, where the first end is not the greater one, four steps and the least and the
-// greatest number there is.
+// Mix the palette of a channel. It has two ends and six steps between them. Where the first end is not the greater one,
+// it has four steps, and the least and the greatest number there is.
 static struct channel mix_channel(int first, int second, bool by_sevenths, int least, int most)
 {
     struct channel channel = {.denominator = by_sevenths ? 7 * most : 5 * most};
@@ -102,7 +102,7 @@ static struct channel mix_unorm(const unsigned char *block)
     return mix_channel(block[0], block[1], block[0] > block[1], 0, 255);
 }
 
-// −128 counts as −127, but not where the ends are compared.
+// Mix a signed palette. −128 counts as −127, except where the ends are compared.
 static struct channel mix_snorm(const unsigned char *block)
 {
     const int first = rhw_sign_extend(block[0], 8), second = rhw_sign_extend(block[1], 8);

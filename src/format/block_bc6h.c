@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// BC6H: blocks of halves. 14 modes, whose endpoints lie about in pieces; all but two store the others as differences from
-// the first. Halves are mixed as the whole numbers that their bits are.
+// BC6H: blocks of halves. It has 14 modes, whose endpoints are stored in scattered pieces. All modes but two store the
+// other endpoints as differences from the first. Halves are mixed as the whole numbers that their bits are.
 #include <string.h>
 
 #include "block_bptc.h"
@@ -8,12 +8,13 @@
 
 enum { R0, G0, B0, R1, G1, B1, R2, G2, B2, R3, G3, B3, VALUES };
 
-// The next `count` bits of the block are those of a value from bit `low` upwards; a count of 0 ends the list.
+// A run is the next `count` bits of the block, which belong to a value from its bit `low` upwards. A count of 0 ends
+// the list.
 struct run {
     uint8_t value, low, count;
 };
 
-// The table "Block descriptions for BC6H block modes".
+// This is the table "Block descriptions for BC6H block modes".
 // clang-format off
 static const struct run layout_0[] = {
     {G2, 4, 1}, {B2, 4, 1}, {B3, 4, 1}, {R0, 0, 10}, {G0, 0, 10}, {B0, 0, 10}, {R1, 0, 5}, {G3, 4, 1},
@@ -85,11 +86,12 @@ static const struct run layout_15[] = {
 // clang-format on
 
 struct mode {
-    const struct run *layout; // NULL: reserved
-    bool differences;         // from the first endpoint
+    const struct run *layout; // NULL: the mode is reserved
+    bool differences;         // the others are differences from the first endpoint
     uint8_t partition_bits;   // 0: one subset
-    uint8_t bits;             // of the endpoints
-    uint8_t stored_bits[3];   // of red, green and blue of all endpoints but the first
+    uint8_t bits;             // bits of the endpoints
+    // Bits of red, green and blue of all endpoints but the first.
+    uint8_t stored_bits[3];
 };
 
 static const struct mode modes[32] = {
@@ -110,7 +112,7 @@ static void take_values(struct rhw_bit_stream *stream, const struct run *run, in
     }
 }
 
-// The endpoints as numbers of `mode->bits`.
+// Complete the endpoints as numbers of `mode->bits`.
 static void complete_values(const struct mode *mode, bool is_signed, int value[VALUES])
 {
     for (int i = 0; i < VALUES; i++) {
@@ -144,7 +146,7 @@ static int unquantize_signed(int value, int bits)
     return value < 0 ? -wide : wide;
 }
 
-// The bits of a half.
+// Return the bits of a half.
 static uint16_t finish(int value, bool is_signed)
 {
     if (!is_signed) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// BC7: eight modes, which divide 128 bits between subsets of texels, the precision of their endpoints and that of the
-// weights between them.
+// BC7: eight modes, which divide 128 bits between subsets of texels, the precision of their endpoints and the precision
+// of the weights between them.
 #include <string.h>
 
 #include "block_bptc.h"
@@ -9,10 +9,11 @@
 struct mode {
     uint8_t subsets;
     uint8_t partition_bits, rotation_bits, selector_bits;
-    uint8_t color_bits, alpha_bits; // of a channel of an endpoint
-    uint8_t endpoint_bits,
-        shared_bits;                  // P-bits: one more low bit of all channels; of each endpoint, or subset
-    uint8_t weight_bits, second_bits; // second: colour and alpha have weights of their own
+    uint8_t color_bits, alpha_bits; // bits of a channel of an endpoint
+    // P-bits: one more low bit of all channels, of each endpoint or of each subset.
+    uint8_t endpoint_bits, shared_bits;
+    // Where second_bits is not 0, colour and alpha have weights of their own.
+    uint8_t weight_bits, second_bits;
 };
 
 static const struct mode modes[8] = {
@@ -23,7 +24,7 @@ static const struct mode modes[8] = {
 
 enum { RGBA = 4, MOST_ENDPOINTS = 6 };
 
-// Widens `bits` (4..8) to 8 by repeating the highest ones.
+// Widen a number of `bits` (4..8) to 8 bits by repeating the highest ones.
 static uint8_t widen(int value, int bits)
 {
     const int high = value << (8 - bits);
@@ -59,7 +60,7 @@ static void take_endpoints(struct rhw_bit_stream *stream, const struct mode *mod
 void rhw_decode_bc7(const struct rhw_block_format *format, const unsigned char *block, unsigned char *texels)
 {
     (void)format;
-    if (block[0] == 0) { // reserved
+    if (block[0] == 0) { // this mode is reserved
         memset(texels, 0, RHW_BPTC_TEXELS * RGBA);
         return;
     }

@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-// 8 bytes, the first the lowest.
+// Load 8 bytes, the first as the lowest.
 static inline uint64_t rhw_load_little(const unsigned char *bytes)
 {
     uint64_t value = 0;
@@ -15,7 +15,7 @@ static inline uint64_t rhw_load_little(const unsigned char *bytes)
     return value;
 }
 
-// 8 bytes, the first the highest.
+// Load 8 bytes, the first as the highest.
 static inline uint64_t rhw_load_big(const unsigned char *bytes)
 {
     uint64_t value = 0;
@@ -25,20 +25,20 @@ static inline uint64_t rhw_load_big(const unsigned char *bytes)
     return value;
 }
 
-// `count` bits, 1..31, from bit `at` upwards.
+// Return `count` bits, 1..31, from bit `at` upwards.
 static inline int rhw_bits_of(uint64_t value, int at, int count)
 {
     return (int)(value >> at & ((1u << count) - 1));
 }
 
-// The same for signed numbers.
+// Return the low `count` bits of `value` as a signed number.
 static inline int rhw_sign_extend(int value, int count)
 {
     const int sign = 1 << (count - 1);
     return (value & (2 * sign - 1)) - ((value & sign) << 1);
 }
 
-// 128 bits that are read from the lowest upwards; behind the end there are zeros.
+// A stream has 128 bits, which are read from the lowest upwards. Behind the end there are zeros.
 struct rhw_bit_stream {
     uint64_t low, high;
 };
@@ -48,7 +48,7 @@ static inline struct rhw_bit_stream rhw_stream_open(const unsigned char *block)
     return (struct rhw_bit_stream){rhw_load_little(block), rhw_load_little(block + 8)};
 }
 
-// Drops `count` bits, 0..127.
+// Drop `count` bits, 0..127.
 static inline void rhw_stream_skip(struct rhw_bit_stream *stream, int count)
 {
     if (count >= 64) {
@@ -60,7 +60,7 @@ static inline void rhw_stream_skip(struct rhw_bit_stream *stream, int count)
     }
 }
 
-// The next `count` bits, 0..31.
+// Take the next `count` bits, 0..31.
 static inline int rhw_stream_take(struct rhw_bit_stream *stream, int count)
 {
     const int value = (int)(stream->low & ((1u << count) - 1));
@@ -68,14 +68,14 @@ static inline int rhw_stream_take(struct rhw_bit_stream *stream, int count)
     return value;
 }
 
-// `count` bits from bit `at` upwards; at 0..127, count 0..31.
+// Return `count` bits from bit `at` upwards. `at` is 0..127 and `count` 0..31.
 static inline int rhw_stream_bits(struct rhw_bit_stream stream, int at, int count)
 {
     rhw_stream_skip(&stream, at);
     return rhw_stream_take(&stream, count);
 }
 
-// Leaves `count` bits, 0..128, and zeros behind them.
+// Keep `count` bits, 0..128, with zeros behind them.
 static inline void rhw_stream_keep(struct rhw_bit_stream *stream, int count)
 {
     if (count < 64) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The tables of BPTC (Khronos Data Format Specification, "Partition table for 2-subset BPTC" and those behind it).
+// The tables of BPTC (Khronos Data Format Specification, "Partition table for 2-subset BPTC" and the tables behind it).
 #include "block_bptc.h"
 
 #include <stdbool.h>
 
 // clang-format off
-// A bit for each texel, row by row.
+// A partition into two subsets has a bit for each texel, row by row.
 static const uint16_t two_subsets[64] = {
     0xcccc, 0x8888, 0xeeee, 0xecc8, 0xc880, 0xfeec, 0xfec8, 0xec80, 0xc800, 0xffec, 0xfe80, 0xe800,
     0xffe8, 0xff00, 0xfff0, 0xf000, 0xf710, 0x008e, 0x7100, 0x08ce, 0x008c, 0x7310, 0x3100, 0x8cce,
@@ -15,7 +15,7 @@ static const uint16_t two_subsets[64] = {
     0xccf0, 0x0fcc, 0x7744, 0xee22,
 };
 
-// Two bits for each texel.
+// A partition into three subsets has two bits for each texel.
 static const uint32_t three_subsets[64] = {
     0xaa685050, 0x6a5a5040, 0x5a5a4200, 0x5450a0a8, 0xa5a50000, 0xa0a05050, 0x5555a0a0, 0x5a5a5050,
     0xaa550000, 0xaa555500, 0xaaaa5500, 0x90909090, 0x94949494, 0xa4a4a4a4, 0xa9a59450, 0x2a0a4250,
@@ -27,7 +27,8 @@ static const uint32_t three_subsets[64] = {
     0xaaaa1414, 0xa05050a0, 0xa0a5a5a0, 0x96000000, 0x40804080, 0xa9a8a9a8, 0xaaaaaa44, 0x2a4a5254,
 };
 
-// The anchors of the second subset of two, and of the second and third of three; that of the first is texel 0.
+// These are the anchors of the second subset of two, and of the second and third of three. The anchor of the first is
+// texel 0.
 static const uint8_t anchor_of_two[64] = {
     15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 15, 2, 8, 2, 2, 8, 8, 15, 2, 8, 2, 2, 8, 8, 2, 2,
     15, 15, 6, 8, 2, 8, 15, 15, 2, 8, 2, 2, 2, 15, 15, 6, 6, 2, 6, 8, 15, 15, 2, 2, 15, 15, 15, 15, 15, 2, 2, 15,

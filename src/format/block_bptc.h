@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What BC6H and BC7 have in common: partitions of a block into subsets of texels, and weights between two endpoints.
+// BC6H and BC7 have in common: partitions of a block into subsets of texels, and weights between two endpoints.
 #ifndef RHW_BLOCK_BPTC_H
 #define RHW_BLOCK_BPTC_H
 
@@ -9,11 +9,11 @@
 
 enum { RHW_BPTC_TEXELS = 16 };
 
-// Which subset each texel is in; `subsets` 1..3, `partition` 0..63.
+// Set which subset each texel is in. `subsets` is 1..3 and `partition` 0..63.
 void rhw_bptc_partition(int subsets, int partition, uint8_t subset[RHW_BPTC_TEXELS]);
 
-// Reads `bits` (2..4) for each texel, one fewer for the first texel of each subset, the anchor, whose highest bit is 0;
-// and turns them into weights of 0..64.
+// Read weights of `bits` (2..4) for each texel and turn them into 0..64. The first texel of each subset is its anchor,
+// whose highest bit is 0 and is not stored.
 void rhw_bptc_take_weights(struct rhw_bit_stream *stream, int bits, int subsets, int partition,
                            uint8_t weight[RHW_BPTC_TEXELS]);
 

@@ -9,7 +9,7 @@
 
 enum { RHW_CHANNEL_TEXELS = 16 };
 
-// Channel `channel` of all texels.
+// Store channel `channel` of all texels.
 static inline void rhw_store_channel(const struct rhw_block_format *format,
                                      const float value[RHW_CHANNEL_TEXELS], int channel,
                                      unsigned char *texels)
@@ -20,7 +20,7 @@ static inline void rhw_store_channel(const struct rhw_block_format *format,
     }
 }
 
-// The channels behind red and green: 0, 1 where texels have them.
+// Store 0 and 1 as the channels behind red and green, where texels have them.
 static inline void rhw_store_blue_alpha(const struct rhw_block_format *format, unsigned char *texels)
 {
     static const float zero[RHW_CHANNEL_TEXELS];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// EAC: the alpha of ETC2, and formats of one and two channels of 11 bits, which are floats from here on.
+// EAC: the alpha of ETC2, and formats of one and two channels of 11 bits, which are decoded to floats.
 #include "block_eac.h"
 
 #include "block_bits.h"
@@ -25,7 +25,7 @@ struct rhw_eac_block rhw_eac_open(const unsigned char *block)
 
 int rhw_eac_modifier(const struct rhw_eac_block *block, int texel)
 {
-    const int at = SIDE * (texel % SIDE) + texel / SIDE; // down the columns
+    const int at = SIDE * (texel % SIDE) + texel / SIDE; // texels run down the columns
     return modifiers[rhw_bits_of(block->bits, 48, 4)][rhw_bits_of(block->bits, 45 - 3 * at, 3)];
 }
 
@@ -34,7 +34,7 @@ static int clamp(int value, int least, int most)
     return value < least ? least : value > most ? most : value;
 }
 
-// Eight times the modifier times the multiplier, of which 0 stands for an eighth.
+// Return eight times the modifier times the multiplier. A multiplier of 0 stands for an eighth.
 static int offset_11(const struct rhw_eac_block *eac, int texel)
 {
     return rhw_eac_modifier(eac, texel) * (eac->multiplier != 0 ? 8 * eac->multiplier : 1);
@@ -52,7 +52,7 @@ static void decode_unorm(const struct rhw_block_format *format, const unsigned c
     rhw_store_channel(format, value, channel, texels);
 }
 
-// A base of −128 counts as −127.
+// Decode a signed block. A base of −128 counts as −127.
 static void decode_snorm(const struct rhw_block_format *format, const unsigned char *block, int channel,
                          unsigned char *texels)
 {

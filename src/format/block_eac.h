@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A block of one channel: a base, and for each texel a modifier from a table, times a multiplier.
+// A block of EAC has one channel: a base, and for each texel a modifier from a table, times a multiplier.
 #ifndef RHW_BLOCK_EAC_H
 #define RHW_BLOCK_EAC_H
 
@@ -13,7 +13,7 @@ struct rhw_eac_block {
 
 struct rhw_eac_block rhw_eac_open(const unsigned char *block);
 
-// Of a texel, 0..15, row by row.
+// Return the modifier of a texel, 0..15, which are numbered row by row.
 int rhw_eac_modifier(const struct rhw_eac_block *block, int texel);
 
 #endif

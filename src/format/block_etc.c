@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// ETC2: colours in five modes. Those of ETC1 have a bit each or are told by it; the three new ones hide where the
-// differences of ETC1 leave 0..31, in red, green or blue. Bits are counted from the end of the block, texels run down
-// the columns.
+// ETC2 has colours in five modes. A bit chooses between the two modes of ETC1. The three new modes hide where the
+// differences of ETC1 leave 0..31, in red, green or blue. Bits are counted from the end of the block, and texels run
+// down the columns.
 #include <string.h>
 
 #include "block_bits.h"
@@ -10,12 +10,12 @@
 
 enum { SIDE = 4, TEXELS = SIDE * SIDE, RGBA = 4 };
 
-// What is added to a base colour: the small and the large step of each table.
+// Each table has a small and a large step, which are added to a base colour.
 static const uint8_t steps[8][2] = {{2, 8},   {5, 17},  {9, 29},   {13, 42},
                                     {18, 60}, {24, 80}, {33, 106}, {47, 183}};
 static const uint8_t distances[8] = {3, 6, 11, 16, 23, 32, 41, 64};
 
-// Of `bits` to 8, by repeating the highest ones.
+// Widen a number of `bits` to 8 bits by repeating the highest ones.
 static int widen(int value, int bits)
 {
     const int high = value << (8 - bits);
@@ -35,15 +35,15 @@ static void add_to_color(const int base[3], int step, unsigned char texel[RGBA])
     texel[3] = 255;
 }
 
-// The texel at column x, row y, has bit 4x + y of both halves of the lower word.
+// Return the index of a texel. The texel at column x, row y, has bit 4x + y of both halves of the lower word.
 static int index_of(uint64_t bits, int texel)
 {
     const int at = SIDE * (texel % SIDE) + texel / SIDE;
     return rhw_bits_of(bits, 16 + at, 1) << 1 | rhw_bits_of(bits, at, 1);
 }
 
-// Two halves of a block, each with a base colour and a table of steps. Where the block is not opaque the small steps are
-// 0, and index 2 is transparent black.
+// Decode two halves of a block, each with a base colour and a table of steps. Where the block is not opaque the small
+// steps are 0, and index 2 is transparent black.
 static void decode_halves(uint64_t bits, int base[2][3], bool opaque, unsigned char *texels)
 {
     const bool one_above_other = rhw_bits_of(bits, 32, 1) != 0;
@@ -69,7 +69,7 @@ static void decode_individual(uint64_t bits, unsigned char *texels)
     decode_halves(bits, base, true, texels);
 }
 
-// Four colours, one for each index.
+// Paint texels with four colours, one for each index.
 static void paint(uint64_t bits, unsigned char palette[4][RGBA], bool opaque, unsigned char *texels)
 {
     if (!opaque) {
@@ -115,7 +115,8 @@ static void decode_h(uint64_t bits, bool opaque, unsigned char *texels)
     paint(bits, palette, opaque, texels);
 }
 
-// A plane through the colours of the first texel and of those one block to the right and one down.
+// Decode a plane through three colours: of the first texel, of the texel one block to the right, and of the texel one
+// block down.
 static void decode_planar(uint64_t bits, unsigned char *texels)
 {
     const int origin[3] = {
@@ -136,7 +137,7 @@ static void decode_planar(uint64_t bits, unsigned char *texels)
     }
 }
 
-// Blocks whose first base colour has 5 bits, the second one its difference of 3.
+// Decode a block whose first base colour has 5 bits, and the second one a difference of 3 bits from it.
 static void decode_differential(uint64_t bits, bool opaque, unsigned char *texels)
 {
     int base[2][3];
@@ -171,7 +172,8 @@ void rhw_decode_etc2_rgb8(const struct rhw_block_format *format, const unsigned 
     }
 }
 
-// The bit that would choose individual colours says whether the block is opaque.
+// Decode a block with punch-through alpha. The bit that would choose individual colours says whether the block is
+// opaque.
 void rhw_decode_etc2_rgb8a1(const struct rhw_block_format *format, const unsigned char *block,
                             unsigned char *texels)
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The table of compressed formats, as format.c has that of the others.
+// The table of compressed formats. format.c has the table of the others.
 //
-// Formats of 8 bits are decoded to RGBA8, which the sampler has fast paths for. BC6H is made of halves. BC4 and BC5, of
-// fifths and sevenths of bytes, and the 11 bits of EAC become floats, so that nothing is lost but one rounding: who stores
-// normals in them counts on more than 8 bits.
+// Formats of 8 bits are decoded to RGBA8, which the sampler has fast paths for. BC6H is made of halves. BC4 and BC5
+// have fifths and sevenths of bytes and EAC has 11 bits; they become floats, so that nothing is lost but one rounding:
+// who stores normals in them counts on more than 8 bits.
 #include "block_format.h"
 
 #include "block_decoders.h"
@@ -12,7 +12,7 @@ enum { FIRST = RHW_PLAIN_FORMAT_COUNT };
 
 // clang-format off
 static const struct rhw_block_format formats[RHW_BLOCK_FORMAT_COUNT] = {
-    // name, width and height of a block, its bytes, what it is decoded to, by what
+    // A row has a name, the width and height of a block, its bytes, the format that it is decoded to, and the decoder.
     [RHW_FORMAT_BC1_RGB_UNORM - FIRST] = {{.name = "RHW_FORMAT_BC1_RGB_UNORM"},
         4, 4, 8, RHW_FORMAT_RGBA8_UNORM, rhw_decode_bc1_rgb},
     [RHW_FORMAT_BC1_RGB_SRGB - FIRST] = {{.name = "RHW_FORMAT_BC1_RGB_SRGB"},

@@ -15,7 +15,7 @@ enum {
     STENCIL = RHW_ROLE_STENCIL_TARGET
 };
 
-// 1, 2 or 4 channels of so many bits one after the other.
+// Describe 1, 2 or 4 channels of so many bits, one after the other.
 #define FIELDS1(size, kind) .type = RHW_CHANNEL_##kind, .first = {0}, .bits = {size}
 #define FIELDS2(size, kind) .type = RHW_CHANNEL_##kind, .first = {0, size}, .bits = {size, size}
 #define FIELDS4(size, kind) \
@@ -23,7 +23,7 @@ enum {
 
 // clang-format off
 static const struct rhw_format_info formats[RHW_PLAIN_FORMAT_COUNT] = {
-    // name, bytes, channels, codec, fast path, roles
+    // A row has a name, bytes, channels, codec, fast path and roles.
     [RHW_FORMAT_NONE] = {"RHW_FORMAT_NONE",
         0, 0, RHW_CODEC_NONE, RHW_TEXELS_GENERAL, 0, .order = RHW_ORDER_RGBA},
     [RHW_FORMAT_R8_UNORM] = {"RHW_FORMAT_R8_UNORM",
@@ -205,7 +205,7 @@ void rhw_format_channel_bits(const struct rhw_format_info *info, int channel, ui
     }
 }
 
-// Of a format that is not compressed.
+// Return the features of a format that is not compressed.
 static uint32_t features_of(const struct rhw_format_info *info)
 {
     static const struct {

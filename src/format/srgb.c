@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tables of srgb.h. Each value was computed from the formulas there with 200 bits of precision, then
-// rounded once; tests/unit/kernels/test_blend_kernel.c computes all of them again with MPFR.
+// The tables of srgb.h. Each value was computed from the formulas there with 200 bits of precision, then rounded once;
+// tests/unit/kernels/test_blend_kernel.c computes all of them again with MPFR.
 #include "srgb.h"
 
 const float rhw_srgb_decode_table[256] = {

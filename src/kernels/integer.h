@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// C has no function for the lesser and the greater of two integers.
+// The lesser and the greater of two integers: C has no function for them.
 #ifndef RHW_INTEGER_H
 #define RHW_INTEGER_H
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The functions in the table of kernels, by their names in this instruction set: kernels.h tells what they do.
+// The functions in the table of kernels, by their names in this instruction set. kernels.h tells what they do.
 #ifndef RHW_KERNEL_ENTRIES_H
 #define RHW_KERNEL_ENTRIES_H
 
 #include "kernels.h"
 
-// geometry.c
-bool RHW_ISA_NAME(rhw_make_chunk)(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker);
-void RHW_ISA_NAME(rhw_shade_shared_part)(struct rhw_pass_state *pass, const struct rhw_shared_part *part,
+// geometry.c defines this function and the next.
+bool RHW_ISA_NAME(rhw_make_chunk)(const struct rhw_wave *wave, struct rhw_chunk *chunk, int worker);
+void RHW_ISA_NAME(rhw_shade_shared_part)(const struct rhw_wave *wave, const struct rhw_shared_part *part,
                                          int worker);
-// tile.c
-void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int tile, int worker);
-// sample.c
+// tile.c defines this function.
+void RHW_ISA_NAME(rhw_draw_tile)(const struct rhw_wave *wave, int tile, int worker);
+// sample.c defines these functions.
 rhw_sample_function RHW_ISA_NAME(rhw_sample_float);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_halves);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_compared);
@@ -21,7 +21,7 @@ rhw_sample_function RHW_ISA_NAME(rhw_sample_srgb8);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_unorm8_general);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_srgb8_general);
 rhw_sample_groups_function RHW_ISA_NAME(rhw_sample_groups);
-// sample_general.c
+// sample_general.c defines these functions.
 rhw_sample_function RHW_ISA_NAME(rhw_sample_general);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_anisotropic);
 rhw_sample_function RHW_ISA_NAME(rhw_sample_biased);
@@ -31,10 +31,10 @@ rhw_query_level_function RHW_ISA_NAME(rhw_query_level);
 rhw_query_size_function RHW_ISA_NAME(rhw_query_size);
 rhw_fetch_sample_function RHW_ISA_NAME(rhw_fetch_sample_texels);
 rhw_image_store_function RHW_ISA_NAME(rhw_store_image);
-// mip_band.c
+// mip_band.c defines these functions.
 void RHW_ISA_NAME(rhw_make_mip_band)(const struct rhw_mip_job *job, int index, int worker);
 void RHW_ISA_NAME(rhw_make_mip_slice)(const struct rhw_mip_volume_job *job, int index, int worker);
-// transfer.c
+// transfer.c defines these functions.
 void RHW_ISA_NAME(rhw_blit_band)(const struct rhw_blit_job *job, int index);
 void RHW_ISA_NAME(rhw_resolve_band)(const struct rhw_resolve_job *job, int index);
 

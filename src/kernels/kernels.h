@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The one table of functions that exist once per instruction set. Everything else of the library is compiled
-// once, for the baseline.
+// The one table of functions that exist once per instruction set. Everything else of the library is compiled once, for
+// the baseline.
 #ifndef RHW_KERNELS_H
 #define RHW_KERNELS_H
 
 #include "rhw/isa.h"
 #include "rhw/shader.h"
 
-struct rhw_pass_state;
+struct rhw_wave;
 struct rhw_chunk;
 struct rhw_shared_part;
 struct rhw_mip_job;
@@ -19,23 +19,24 @@ struct rhw_binding;
 struct rhw_storage_image;
 struct rhw_texture_data;
 
-// Does what rhw_sample does, for one slot.
+// Do what rhw_sample does, for one slot.
 typedef void rhw_sample_function(const struct rhw_binding *binding, const struct rhw_sample_request *request,
                                  rhw_float texel[4]);
 // Columns of footprints that a kernel takes at once: a row of their texels is 16 bytes.
 enum { RHW_WINDOW_COLUMNS = 3 };
 
-// Does what rhw_sample_compare_window does in `columns` columns of footprints, RHW_WINDOW_COLUMNS at most, from number
-// `column` on, of a window that has `stride` of them. False, with nothing done, where the function takes none of the request's.
+// Do what rhw_sample_compare_window does in `columns` columns of footprints, RHW_WINDOW_COLUMNS at most, from number
+// `column` on, of a window that has `stride` columns. Return false, with nothing done, where the function takes no such
+// request.
 typedef bool rhw_compare_window_function(const struct rhw_binding *binding,
                                          const struct rhw_sample_request *request, int column, int columns,
                                          int rows, int stride, rhw_float *parts);
-// Does what rhw_sample_groups does.
+// Do what rhw_sample_groups does.
 typedef void rhw_sample_groups_function(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                                         rhw_float (*texels)[4], int stride);
 
-// The texels of rhw_sample_gather, of rhw_sample_fetch, and the answers of rhw_sample_query_lod and rhw_sample_size, of a
-// slot that has a texture.
+// Give the texels of rhw_sample_gather or of rhw_sample_fetch, or the answers of rhw_sample_query_lod or
+// rhw_sample_size, of a slot that has a texture.
 typedef void rhw_gather_function(const struct rhw_binding *binding, const struct rhw_sample_request *request,
                                  int channel, rhw_float texel[4]);
 typedef void rhw_fetch_function(const struct rhw_binding *binding, const rhw_int *at, const rhw_int *level,
@@ -51,50 +52,53 @@ typedef void rhw_image_store_function(const struct rhw_storage_image *image, con
                                       const rhw_int *mask, const rhw_float texel[4]);
 
 struct rhw_kernels {
-    // Shades some of the vertices that chunks share.
-    void (*shared_part)(struct rhw_pass_state *pass, const struct rhw_shared_part *part, int worker);
-    // Runs the front end over one chunk: fetch, vertex function, snap, cull, clip, bin. False when out of memory.
-    bool (*chunk)(struct rhw_pass_state *pass, struct rhw_chunk *chunk, int worker);
-    // Draws one tile, from load to store: the back end.
-    void (*tile)(struct rhw_pass_state *pass, int tile, int worker);
-    // Samples plain 2D textures of every format with every sampler that asks for no more, in floats, and a slot without
+    // Shade some of the vertices that chunks share.
+    void (*shared_part)(const struct rhw_wave *wave, const struct rhw_shared_part *part, int worker);
+    // Run the front end over one chunk: fetch, vertex function, snap, cull, clip, bin. Return false when out of memory.
+    bool (*chunk)(const struct rhw_wave *wave, struct rhw_chunk *chunk, int worker);
+    // Draw one tile, from load to store: the back end.
+    void (*tile)(const struct rhw_wave *wave, int tile, int worker);
+    // Sample plain 2D textures of every format with every sampler that asks for no more, in floats, and a slot without
     // a texture.
     rhw_sample_function *sample_float;
-    // Samples those of four halves by linear filters without a border or a comparison: the same bytes sooner.
+    // Sample plain 2D textures of four halves by linear filters without a border or a comparison. It gives the bytes of
+    // sample_float sooner.
     rhw_sample_function *sample_halves;
-    // Samples one level of plain 2D textures of one float by samplers that take it (sampler.h): the same bytes sooner.
+    // Sample one level of plain 2D textures of one float by samplers that take it (sampler.h). It gives the bytes of
+    // sample_float sooner.
     rhw_sample_function *sample_compared;
-    rhw_compare_window_function *compare_window; // of the same textures and samplers
-    // Sample RGBA8 textures of either encoding, with samplers that allow it (sampler.h), in fixed point: with the
-    // special paths of filter_fixed.h, and always on the general path, which gives the same bytes.
+    // Compare windows of the textures and samplers that sample_compared takes.
+    rhw_compare_window_function *compare_window;
+    // Sample RGBA8 textures of either encoding, with samplers that allow it (sampler.h), in fixed point. The first two
+    // take the special paths of filter_fixed.h; the others always take the general path, which gives equal bytes.
     rhw_sample_function *sample_unorm8, *sample_srgb8, *sample_unorm8_general, *sample_srgb8_general;
     rhw_sample_groups_function *sample_groups;
-    // Samples textures of every kind by every sampler, but for anisotropy; requests with offsets too.
+    // Sample textures of every kind by every sampler, without anisotropy. Requests may have offsets.
     rhw_sample_function *sample_general;
-    // Takes several samples of the binding's isotropic function.
+    // Take several samples of the binding's isotropic function.
     rhw_sample_function *sample_anisotropic;
-    // Samples a bound texture at the level of a request with a bias, by the function that the binding has.
+    // Sample a bound texture at the level of a request with a bias, by the function that the binding has.
     rhw_sample_function *sample_biased;
     rhw_gather_function *gather;
     rhw_fetch_function *fetch;
     rhw_query_level_function *query_level;
     rhw_query_size_function *query_size;
-    // Does what rhw_sample_fetch_sample does, of a multisampled texture.
+    // Do what rhw_sample_fetch_sample does, of a multisampled texture.
     rhw_fetch_sample_function *fetch_sample;
-    // Does what rhw_image_store does, for one image whose format can be encoded.
+    // Do what rhw_image_store does, for one image whose format can be encoded.
     rhw_image_store_function *image_store;
-    // A band of rows of a few levels of a texture: see mip_work.h.
+    // Make a band of rows of a few levels of a texture: see mip_work.h.
     void (*mip_band)(const struct rhw_mip_job *job, int index, int worker);
-    // A slice of a level of a 3D texture.
+    // Make a slice of a level of a 3D texture.
     void (*mip_slice)(const struct rhw_mip_volume_job *job, int index, int worker);
-    // A band of rows of a region that is scaled, or resolved: see transfer_work.h.
+    // Make a band of rows of a region that is scaled, or resolved: see transfer_work.h.
     void (*blit_band)(const struct rhw_blit_job *job, int index);
     void (*resolve_band)(const struct rhw_resolve_job *job, int index);
 };
 
 RHW_ISA_DECLARE(const struct rhw_kernels, rhw_kernels);
 
-// NULL where this build has no kernels for `isa`; RHW_ISA_BASELINE is always there.
+// Return the kernels for `isa`. Return NULL where this build has none; RHW_ISA_BASELINE is always there.
 const struct rhw_kernels *rhw_kernels_for(enum rhw_isa isa);
 
 #endif

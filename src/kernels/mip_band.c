@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Mip generation, one of the translation units of an instruction set: a band of rows of a few levels. Rows of the level
-// above stream through all of them while they are in the cache: each is reduced along x once, to a line, and two or
-// three lines make a row, which is stored and goes on to the next level. mip.c has the formula's source and the jobs.
+// Mip generation, one of the translation units of an instruction set: it makes a band of rows of a few levels. Rows of
+// the level above stream through all of them while they are in the cache. Each row is reduced along x once, to a line.
+// Two or three lines make a row of the next level, which is stored and goes on to the level after it. mip.c has the
+// formula's source and the jobs.
 #include "kernel_entries.h"
 
 #include "resource/texture.h"
@@ -21,17 +22,18 @@ struct row_taps {
 struct made_level {
     const struct rhw_mip *mip;
     int above_width, above_height;
-    int first,
-        own_end;   // rows that this task makes, and of them the ones that it stores: first .. own_end − 1
-    size_t stride; // of planes
-    float *line[TAPS]; // of row y of the level above, at y % 3
+    // This task makes rows from `first` on, and stores the rows first .. own_end − 1.
+    int first, own_end;
+    size_t stride;     // floats of a plane
+    float *line[TAPS]; // lines of row y of the level above stand at y % 3
     float *row;
 };
 
 struct band {
     const struct rhw_mip_job *job;
     int channels;
-    struct made_level level[RHW_MIP_STEPS + 1]; // from level job->base on, whose row alone is used
+    // The levels from job->base on. Of the first one the row alone is used.
+    struct made_level level[RHW_MIP_STEPS + 1];
 };
 
 static struct row_taps row_taps_of(int larger, int smaller, int y)
@@ -47,7 +49,7 @@ static struct row_taps row_taps_of(int larger, int smaller, int y)
         2 * y, 3, {(float)(smaller - y) / width, (float)smaller / width, (float)(y + 1) / width}};
 }
 
-// Every second of 16 floats, from the first or the second one.
+// Load every second of 16 floats, from the first or the second one.
 RHW_INLINE void load_pairs(const float *from, f32x8 *even, f32x8 *odd)
 {
     const f32x8 a = f32x8_load(from), b = f32x8_load(from + RHW_LANES);
@@ -55,7 +57,7 @@ RHW_INLINE void load_pairs(const float *from, f32x8 *even, f32x8 *odd)
     *odd = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
 }
 
-// A row of the level above becomes a line of this one.
+// Reduce a row of the level above to a line of this level.
 static void reduce_columns(const struct made_level *level, int channels, const float *row, size_t stride,
                            float *line)
 {
@@ -85,7 +87,7 @@ static void reduce_columns(const struct made_level *level, int channels, const f
     }
 }
 
-// Lines of the level above become row y.
+// Reduce lines of the level above to row y.
 static void reduce_rows(const struct made_level *level, int channels, const struct row_taps *taps, float *row)
 {
     const float *const first = level->line[taps->first % TAPS];
@@ -101,7 +103,7 @@ static void reduce_rows(const struct made_level *level, int channels, const stru
     }
 }
 
-// The row that is complete with row y of the level above; −1: none.
+// Return the row that is complete with row y of the level above, or −1 if none is.
 static int completed_row(const struct made_level *level, int y)
 {
     if (level->above_height == 1) {
@@ -110,7 +112,8 @@ static int completed_row(const struct made_level *level, int y)
     return level->above_height % 2 == 0 ? (y & 1 ? y / 2 : -1) : (y & 1 ? -1 : y / 2 - 1);
 }
 
-// Row y of the first level, which is in its `row` or in the job's, through as many levels as it completes a row of.
+// Push row y of the first level, which is in its `row` or in the job's, through as many levels as it completes a row
+// of.
 static void push_row(const struct band *band, int y, const float *row)
 {
     const struct rhw_mip_job *const job = band->job;
@@ -118,7 +121,8 @@ static void push_row(const struct band *band, int y, const float *row)
         const struct made_level *const level = &band->level[i];
         reduce_columns(level, band->channels, row, level[-1].stride, level->line[y % TAPS]);
         y = completed_row(level, y);
-        if (y < level->first) { // a band of three taps a row begins with the last of the row before
+        // A band of three taps a row begins with the last of the row before.
+        if (y < level->first) {
             return;
         }
         const struct row_taps taps = row_taps_of(level->above_height, level->mip->height, y);
@@ -135,7 +139,7 @@ static void push_row(const struct band *band, int y, const float *row)
     }
 }
 
-// Sets the band's levels for rows begin .. end − 1 of the last one; *end becomes that of the first level.
+// Set the band's levels for rows begin .. end − 1 of the last level. *end becomes the end in the first level.
 static int begin_band(struct band *band, int begin, int *end, float *scratch)
 {
     const struct rhw_mip_job *const job = band->job;
@@ -187,7 +191,7 @@ void RHW_ISA_NAME(rhw_make_mip_band)(const struct rhw_mip_job *job, int index, i
     }
 }
 
-// Adds a slice of the level above, times its weight, to a slice of floats.
+// Add a slice of the level above, times its weight, to a slice of floats.
 static void add_slice(const struct rhw_mip_volume_job *job, int slice, float weight, float *row, float *sum)
 {
     const struct rhw_mip *const mip = &job->texture->mip[job->base];

@@ -8,16 +8,17 @@
 struct rhw_texture_data;
 
 enum {
-    RHW_MIP_STEPS =
-        3 // levels of a job: so few that bands of odd sizes, which overlap, have few rows in common
+    // Levels of a job: so few that bands of odd sizes, which overlap, have few rows in common.
+    RHW_MIP_STEPS = 3
 };
 
-// Levels as floats, unrounded, on the scale of texel/mip_codec.h: for each row one plane after the other of the channels
-// that the format has.
+// Levels as floats, unrounded, on the scale of texel/mip_codec.h. Each row has one plane after the other of the
+// channels that the format has.
 struct rhw_mip_job {
     const struct rhw_texture_data *texture;
-    int slice;      // of each level that is made, and of level `base` where that is read; a layer of an array
-    int base, last; // levels base + 1 .. last are made, RHW_MIP_STEPS at most
+    // The slice of each level that is made, and of level `base` where it is read. It is a layer of an array.
+    int slice;
+    int base, last;    // levels base + 1 .. last are made, RHW_MIP_STEPS at most
     const float *from; // level `base`; NULL: it is level 0, as the texture has it
     float *to;         // level `last`; NULL: no level follows
     int band;          // rows of level `last` that a task makes
@@ -25,25 +26,26 @@ struct rhw_mip_job {
     size_t scratch_size;
 };
 
-// One level of a 3D texture, made from the one above, which is larger in depth or not: a task makes a slice.
+// One level of a 3D texture, made from the one above, which may be larger in depth. A task makes a slice.
 struct rhw_mip_volume_job {
     const struct rhw_texture_data *texture;
     int base; // level base + 1 is made
-    const float
-        *from; // level `base`, slices of rows as in rhw_mip_job; NULL: it is level 0, as the texture has it
+    // Level `base`, with slices of rows as in rhw_mip_job. NULL: it is level 0, as the texture has it.
+    const float *from;
     float *to; // level base + 1; NULL: no level follows
-    float *scratch; // `scratch_size` zeros for each worker: a slice of level `base`, and what a band needs
+    // `scratch_size` zeros for each worker: a slice of level `base`, and what a band needs.
+    float *scratch;
     size_t scratch_size;
 };
 
-// Floats from one plane to the next: the kernel computes whole groups of 8 lanes, of which the last reads up to 18
-// columns behind the row's last but one.
+// Return the floats from one plane to the next. The kernel computes whole groups of 8 lanes, of which the last reads up
+// to 18 columns behind the row's last but one.
 static inline size_t rhw_mip_stride(int width)
 {
     return (((size_t)width + 15) & ~(size_t)15) + 16;
 }
 
-// Floats of a row: all planes.
+// Return the floats of a row: all planes.
 static inline size_t rhw_mip_row(int width, int channels)
 {
     return (size_t)channels * rhw_mip_stride(width);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sampler, one of the translation units of an instruction set: sample/ has its parts. Which of these functions
-// samples a texture, binding.c says.
+// The sampler, one of the translation units of an instruction set; texture/ has its parts. binding.c chooses which of
+// these functions samples a texture.
 #include "kernel_entries.h"
 
 #include "kernels/texture/filter_compare.h"

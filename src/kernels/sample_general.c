@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The sampler's general half, one of the translation units of an instruction set: textures of every kind, anisotropy,
-// and what shaders ask beside samples. Which function samples a texture, binding.c says.
+// and what shaders ask beside samples. binding.c chooses which function samples a texture.
 #include "kernel_entries.h"
 
 #include "kernels/texture/anisotropy.h"

@@ -28,8 +28,8 @@ static int list_bins(const struct tile_work *work)
 {
     const int x = work->x / RHW_TILE, y = work->y / RHW_TILE;
     int count = 0;
-    for (int n = 0; n < work->pass->chunk_count; n++) {
-        const struct rhw_chunk *const chunk = &work->pass->chunks[n];
+    for (int n = 0; n < work->wave->chunk_count; n++) {
+        const struct rhw_chunk *const chunk = &work->wave->chunks[n];
         if (x < chunk->tile_x0 || x >= chunk->tile_x1 || y < chunk->tile_y0 || y >= chunk->tile_y1) {
             continue;
         }
@@ -80,7 +80,7 @@ RHW_INLINE void find_tiny(const struct tile_work *work, struct triangle_setup8 *
     if (work->samples == 1) {
         RHW_ISA_NAME(rhw_find_tiny)(setup);
     } else if (work->samples == CELL_SAMPLES) {
-        RHW_ISA_NAME(rhw_find_tiny_samples)(setup, work->pass->pattern);
+        RHW_ISA_NAME(rhw_find_tiny_samples)(setup, work->target->pattern);
     }
 }
 
@@ -167,7 +167,7 @@ static void draw_bins(struct tile_work *work, const struct bin *first, const str
 
 static void load_tile(const struct tile_work *work)
 {
-    const struct rhw_pass_state *const pass = work->pass;
+    const struct rhw_target *const target = work->target;
     if (work->samples > 1) {
         load_samples(work);
         return;
@@ -175,21 +175,21 @@ static void load_tile(const struct tile_work *work)
     work->scratch->depth.direction = 0;
     work->scratch->depth.has_ranges = false;
     work->scratch->depth.unranged = 0;
-    for (int i = 0; i < pass->color_count; i++) {
-        load_attachment(work, &pass->colors[i], 0, work->scratch->color[i]);
+    for (int i = 0; i < target->color_count; i++) {
+        load_attachment(work, &target->colors[i], 0, work->scratch->color[i]);
     }
     load_depth_stencil(work, 0);
 }
 
 static void store_tile(const struct tile_work *work)
 {
-    const struct rhw_pass_state *const pass = work->pass;
+    const struct rhw_target *const target = work->target;
     if (work->samples > 1) {
         store_samples(work);
         return;
     }
-    for (int i = 0; i < pass->color_count; i++) {
-        store_attachment(work, &pass->colors[i], 0, work->scratch->color[i]);
+    for (int i = 0; i < target->color_count; i++) {
+        store_attachment(work, &target->colors[i], 0, work->scratch->color[i]);
     }
     store_depth_stencil(work, 0);
 }
@@ -197,15 +197,15 @@ static void store_tile(const struct tile_work *work)
 // A tile without triangles.
 static void pass_tile_through(const struct tile_work *work)
 {
-    const struct rhw_pass_state *const pass = work->pass;
-    for (int i = 0; i < pass->color_count; i++) {
-        pass_through(work, &pass->colors[i]);
+    const struct rhw_target *const target = work->target;
+    for (int i = 0; i < target->color_count; i++) {
+        pass_through(work, &target->colors[i]);
     }
-    if (pass->has_depth) {
-        pass_through(work, &pass->depth);
+    if (target->has_depth) {
+        pass_through(work, &target->depth);
     }
-    if (pass->has_stencil) {
-        pass_through(work, &pass->stencil);
+    if (target->has_stencil) {
+        pass_through(work, &target->stencil);
     }
 }
 
@@ -222,30 +222,33 @@ static __attribute__((noinline)) void report(const struct tile_work *work, struc
 }
 
 // What lies within the render area of a tile at (x, y).
-static struct tile_rect area_of_tile(const struct rhw_pass_state *pass, int x, int y)
+static struct tile_rect area_of_tile(const struct rhw_target *target, int x, int y)
 {
-    const struct rhw_rect *const area = &pass->area;
+    const struct rhw_rect *const area = &target->area;
     return (struct tile_rect){max_int(area->x - x, 0), max_int(area->y - y, 0),
                               min_int(area->x + area->width - x, RHW_TILE),
                               min_int(area->y + area->height - y, RHW_TILE)};
 }
 
-void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int number, int worker)
+void RHW_ISA_NAME(rhw_draw_tile)(const struct rhw_wave *wave, int number, int worker)
 {
-    const int tiles = pass->tiles_x * pass->tiles_y, tile = number % tiles;
-    const int tile_x = tile % pass->tiles_x, tile_y = tile / pass->tiles_x;
-    struct rhw_tile_scratch *const scratch = pass->workers[worker].tile;
-    struct tile_work work = {.pass = pass,
+    struct rhw_recorded_pass *const pass = wave->pass;
+    const struct rhw_target *const target = &wave->target;
+    const int tiles = target->tiles_x * target->tiles_y, tile = number % tiles;
+    const int tile_x = tile % target->tiles_x, tile_y = tile / target->tiles_x;
+    struct rhw_tile_scratch *const scratch = wave->workers[worker].tile;
+    struct tile_work work = {.wave = wave,
+                             .target = target,
                              .scratch = scratch,
-                             .counters = &pass->workers[worker].counters,
+                             .counters = &wave->workers[worker].counters,
                              .tile = tile,
                              .layer = number / tiles,
                              .x = tile_x * RHW_TILE,
                              .y = tile_y * RHW_TILE,
-                             .width = min_int(pass->width - tile_x * RHW_TILE, RHW_TILE),
-                             .height = min_int(pass->height - tile_y * RHW_TILE, RHW_TILE),
-                             .area = area_of_tile(pass, tile_x * RHW_TILE, tile_y * RHW_TILE),
-                             .samples = pass->pattern->count,
+                             .width = min_int(target->width - tile_x * RHW_TILE, RHW_TILE),
+                             .height = min_int(target->height - tile_y * RHW_TILE, RHW_TILE),
+                             .area = area_of_tile(target, tile_x * RHW_TILE, tile_y * RHW_TILE),
+                             .samples = target->pattern->count,
                              .explained = pass->explained.ask.fragment && pass->explained.tile == number
                                               ? &pass->explained
                                               : NULL};
@@ -258,7 +261,7 @@ void RHW_ISA_NAME(rhw_draw_tile)(struct rhw_pass_state *pass, int number, int wo
         return;
     }
     if (work.samples == CELL_SAMPLES) {
-        set_cell_pixels(work.cell_pixels, pass->pattern);
+        set_cell_pixels(work.cell_pixels, target->pattern);
     }
     const struct rhw_counters before = *work.counters;
     load_tile(&work);

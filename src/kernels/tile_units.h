@@ -5,6 +5,7 @@
 #ifndef RHW_TILE_UNITS_H
 #define RHW_TILE_UNITS_H
 
+#include "rhw/isa.h"
 #include "tile_work.h"
 #include "triangle_work.h"
 

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
-// A worker's work on a tile: where the tile is, the draw whose fragments are collected, and the memory it needs, which
-// is allocated once per thread and sized by the limits of the API: a draw touches only what it uses.
+// A worker's work on a tile: where the tile is, the draw whose fragments are collected, and the memory it needs. The
+// memory is allocated once per thread and sized by the limits of the API; a draw touches only what it uses of it.
 #ifndef RHW_TILE_WORK_H
 #define RHW_TILE_WORK_H
 
 #include "draw/draw_plan.h"
-#include "pass/pass_state.h"
+#include "draw/wave.h"
 #include "pipeline/pipeline.h"
 #include "base/simd_layout.h"
 #include "kernels/raster/plane.h"
 #include "kernels/depth/tile_depth.h"
 
 enum {
-    // Groups of 8 fragments per call of the fragment function: two whole blocks; enough to hide the call, few enough
-    // that their varyings stay in the first cache level.
+    // Groups of 8 fragments per call of the fragment function. They are two whole blocks: enough to hide the call, few
+    // enough that their varyings stay in the first cache level.
     RHW_FRAGMENT_GROUPS = RHW_MAX_GROUPS,
     // Triangles of a tile whose visibility is remembered from the first phase to the second: 4 KiB of bits. A longer
     // run is drawn as submitted.
     RHW_DEPTH_FIRST_TRIANGLES = 32768,
-    // Triangles whose fragments may wait in the partial group at the same time: 7 that wait, and the one that adds.
+    // Triangles whose fragments may wait in the partial group at once: 7 that wait, and the one that adds.
     RHW_PACKED_TRIANGLES = 8,
     // Fragments of one triangle that are collected before groups are made of them: those of two blocks.
     RHW_COLLECTED_FRAGMENTS = 128
@@ -29,56 +29,67 @@ enum {
 // 8 from the last group on.
 struct fragment_queue {
     struct rhw_fragment groups[RHW_FRAGMENT_GROUPS];
-    int32_t row_at[RHW_FRAGMENT_GROUPS + RHW_BLOCK];    // the first texel of a group that is 8 in a row
-    bool is_scattered[RHW_FRAGMENT_GROUPS + RHW_BLOCK]; // its lanes lie anywhere: `texels` tells where
-    uint8_t live[RHW_FRAGMENT_GROUPS + RHW_BLOCK];      // a bit per lane
+    // The first texel of a group that is 8 in a row.
+    int32_t row_at[RHW_FRAGMENT_GROUPS + RHW_BLOCK];
+    // The group's lanes lie anywhere: `texels` tells where.
+    bool is_scattered[RHW_FRAGMENT_GROUPS + RHW_BLOCK];
+    uint8_t live[RHW_FRAGMENT_GROUPS + RHW_BLOCK]; // a bit per lane
     int32_t texels[RHW_FRAGMENT_GROUPS][8];
-    int count;           // groups
+    int count;           // number of groups
     bool only_full_rows; // every group is 8 live pixels in a row
     f32x8 varyings[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f32x8 ddx[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f32x8 ddy[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
     f32x8 colors[RHW_FRAGMENT_GROUPS][RHW_MAX_COLOR_ATTACHMENTS][4];
-    // Of multisampled passes: the samples of each fragment, a bit each, and their depths where they are tested late.
+    // The samples of each fragment, a bit each, and their depths where they are tested late. Multisampled passes have
+    // them.
     i32x8 samples[RHW_FRAGMENT_GROUPS];
     f32x8 sample_depth[RHW_FRAGMENT_GROUPS][RHW_MAX_SAMPLES];
-    f32x8 coverage[RHW_FRAGMENT_GROUPS]; // of smooth lines: how much of each pixel is covered
+    // How much of each pixel is covered by smooth lines.
+    f32x8 coverage[RHW_FRAGMENT_GROUPS];
 };
 
 // Texels of the fragments of the triangle under way that are in no group yet (fragment/collect.h).
 struct collected_fragments {
-    // With room for a vector that begins at the last; vectors of a group lie in one cache line each.
+    // There is room for a vector that begins at the last texel. Vectors of a group lie in one cache line each.
     _Alignas(32) int32_t texel[RHW_COLLECTED_FRAGMENTS + 8];
-    int32_t samples[RHW_COLLECTED_FRAGMENTS + 8]; // of multisampled passes
-    uint8_t set_lanes[256][8]; // by bits: which are set, in order; behind them lanes of any number
-    int first, count;          // those from `first` on, below `count`, are left
-    bool overtakes; // some lie where fragments of other triangles wait in the partial group: groups must not go first
+    // The samples of each fragment. Multisampled passes have them.
+    int32_t samples[RHW_COLLECTED_FRAGMENTS + 8];
+    // For each number of 8 bits, the bits that are set, in order. Lanes of any number stand behind them.
+    uint8_t set_lanes[256][8];
+    // The fragments from `first` on, below `count`, are left.
+    int first, count;
+    // Some lie where fragments of other triangles wait in the partial group: groups must not go first.
+    bool overtakes;
 };
 
 // This is kept of a triangle until its last fragment has found a group.
 struct packed_triangle {
     struct derivative_pair derivatives[RHW_MAX_VARYING_COMPONENTS / 2]; // see component_derivatives
-    struct derivative_pair weights;                                     // of b and c, likewise
+    struct derivative_pair weights;                                     // derivatives of the weights b and c
     const float *varyings[3], *provoking;
     struct plane n1, n2;    // weights on the screen
-    int anchor_x, anchor_y; // pixels, in the tile
-    bool clamps_depth;      // of multisampled passes: the others hold depth to its range anyway
+    int anchor_x, anchor_y; // pixels in the tile
+    // Depth is held to its range for multisampled passes. Other passes hold depth to its range anyway.
+    bool clamps_depth;
     int32_t front_facing, primitive, instance, draw;
 };
 
 // Fragments of several triangles that wait until 8 make a group (fragment/pack.h).
 struct partial_group {
     int count;
-    int32_t samples[8];                     // of multisampled passes
-    float sample_depth[RHW_MAX_SAMPLES][8]; // and where they are tested late their depths
-    unsigned triangle_count; // packed so far; the last RHW_PACKED_TRIANGLES of them stand in `triangles`
+    int32_t samples[8]; // the samples of each fragment, in multisampled passes
+    // The depths of samples, in multisampled passes where they are tested late.
+    float sample_depth[RHW_MAX_SAMPLES][8];
+    // Number of triangles packed so far. The last RHW_PACKED_TRIANGLES of them stand in `triangles`.
+    unsigned triangle_count;
     int32_t texel[8];
     const struct packed_triangle *triangle[8];
     f64x4 quantities[8];
     f64x4 screen[8]; // weights on the screen of vertices 1 and 2, where they are wanted
-    f64x4 distance
-        [8]; // pixels from the anchor, as struct derivative_pair has them: down, to the right, down, to the right
-    uint64_t pixels[RHW_TILE]; // by row, a bit per pixel: those that wait
+    // Pixels from the anchor, as struct derivative_pair has them: down, to the right, down, to the right.
+    f64x4 distance[8];
+    uint64_t pixels[RHW_TILE]; // pixels that wait: a bit per pixel, by row
     struct packed_triangle triangles[RHW_PACKED_TRIANGLES];
 };
 
@@ -91,17 +102,20 @@ struct bin {
 struct rhw_tile_scratch {
     _Alignas(64) unsigned char color[RHW_MAX_COLOR_ATTACHMENTS][RHW_TILE * RHW_TILE * 16];
     struct tile_depth depth;
-    uint8_t seen[RHW_DEPTH_FIRST_TRIANGLES / 8]; // bit i: triangle i of the run is drawn in the second phase
-    struct bin bins[RHW_WAVE_CHUNKS];            // of the tile, those that are not empty
+    // Bit i says that triangle i of the run is drawn in the second phase.
+    uint8_t seen[RHW_DEPTH_FIRST_TRIANGLES / 8];
+    struct bin bins[RHW_WAVE_CHUNKS]; // bins of the tile that are not empty
     struct fragment_queue queue;
     struct collected_fragments collected;
     struct partial_group partial;
-    i32x8 constant[RHW_MAX_COLOR_ATTACHMENTS]; // see constant_color.h: 8 texels of RGBA8 targets that are replaced
-    // Of multisampled passes, a bit for each block of 8×8 pixels: its samples have colours of their own. Those of other
-    // blocks have all that of the first.
+    // 8 texels of each RGBA8 target that is replaced; see constant_color.h.
+    i32x8 constant[RHW_MAX_COLOR_ATTACHMENTS];
+    // Multisampled passes have a bit for each block of 8×8 pixels: its samples have colours of their own. All samples
+    // of other blocks have the first one's colour.
     uint64_t expanded;
-    bool is_woven;                        // and those of a pixel stand side by side (fragment/woven.h)
-    struct rhw_sample_tile *sample_tiles; // of the samples but the first
+    // The expanded samples of a pixel stand side by side (fragment/woven.h).
+    bool is_woven;
+    struct rhw_sample_tile *sample_tiles; // planes of the samples after the first
 };
 
 // The tile in one sample of each pixel.
@@ -115,9 +129,9 @@ static inline unsigned char *color_of_sample(struct rhw_tile_scratch *scratch, i
     return sample == 0 ? scratch->color[target] : scratch->sample_tiles[sample - 1].color[target];
 }
 
-enum { WOVEN_SAMPLES = 4, WOVEN_SIZE = 4 }; // of a pixel, bytes of each
+enum { WOVEN_SAMPLES = 4, WOVEN_SIZE = 4 }; // samples of a pixel, and bytes of each
 
-// The samples of a texel where they are woven. They take the room of the second sample's plane.
+// Return the samples of a texel where they are woven. They take the room of the second sample's plane.
 static inline unsigned char *woven_pixel(struct rhw_tile_scratch *scratch, int target, int texel)
 {
     return scratch->sample_tiles->color[target] + (size_t)texel * (WOVEN_SAMPLES * WOVEN_SIZE);
@@ -128,8 +142,8 @@ static inline struct tile_depth *depth_of_sample(struct rhw_tile_scratch *scratc
     return sample == 0 ? &scratch->depth : &scratch->sample_tiles[sample - 1].depth;
 }
 
-// The samples of a pixel of a cell (tile/sample_cells.h): pixels from the centre of the cell's first, in whole 256ths, so
-// that sums with whole pixels are exact.
+// The samples of a pixel of a cell (tile/sample_cells.h). Pixels are counted from the centre of the cell's first pixel,
+// in whole 256ths, so that sums with whole pixels are exact.
 struct cell_pixel {
     f64x4 dx, dy;
 };
@@ -141,36 +155,42 @@ struct tile_rect {
 
 // This is one worker's work on one tile.
 struct tile_work {
-    struct rhw_pass_state *pass;
+    const struct rhw_wave *wave;
+    const struct rhw_target *target; // the wave's target
     struct rhw_tile_scratch *scratch;
     struct rhw_counters *counters;
-    int tile;              // its number, row by row
-    int layer;             // of the pass
-    int x, y;              // pixels of the tile's first pixel in the target
-    int width, height;     // pixels of the tile: fewer at the target's end
-    struct tile_rect area; // those within the render area; the others are neither loaded nor stored
-    int samples;           // of a pixel
-    struct cell_pixel cell_pixels[16]; // where there are 4
+    int tile;          // number of the tile, row by row
+    int layer;         // layer of the pass
+    int x, y;          // the tile's first pixel in the target
+    int width, height; // pixels of the tile: fewer at the target's end
+    // Pixels within the render area. The others are neither loaded nor stored.
+    struct tile_rect area;
+    int samples;                       // samples of a pixel
+    struct cell_pixel cell_pixels[16]; // used where a pixel has 4 samples
     enum rhw_phase phase;
 
-    // Of the draw whose fragments are collected:
+    // The draw whose fragments are collected, and what follows from it.
     const struct rhw_draw *draw;
     const struct rhw_draw_state *state;
     const struct rhw_pipeline_data *pipeline;
-    struct rhw_draw_plan plan;       // of the state, in the phase
-    bool tests_bounds;               // fragments behind the tile's bounds fail the depth test
-    bool tests_small_bounds;         // and small triangles are asked whether they lie there
-    bool is_scissored;               // the scissor, or the target's end, leaves out pixels of the tile
-    bool constant_is_ready;          // the draw's constant colour was made
-    uint64_t drawn_cell;             // where there are 4 samples: those that are drawn, by pixels of a cell
-    bool orders_lanes;               // a group may cover a pixel or sample twice, and the last is seen
-    bool packs_plainly;              // and fragments need smooth varyings alone to be packed
-    uint64_t fragments_before;       // of `counters`, when the state was set
-    struct rhw_explained *explained; // NULL: it is of another tile, or none is asked for
-    uint32_t plans;                  // rhw_tile_plan of the runs that were drawn
+    struct rhw_draw_plan plan; // plan of the state, in the phase
+    bool tests_bounds;         // fragments behind the tile's bounds fail the depth test
+    bool tests_small_bounds;   // small triangles are asked whether they lie behind the tile's bounds
+    bool is_scissored;         // the scissor, or the target's end, leaves out pixels of the tile
+    bool constant_is_ready;    // the draw's constant colour was made
+    // The samples that are drawn, by pixels of a cell, where a pixel has 4 samples.
+    uint64_t drawn_cell;
+    // A group may cover a pixel or sample twice, and the last fragment is seen.
+    bool orders_lanes;
+    // orders_lanes is true, and fragments need smooth varyings alone to be packed.
+    bool packs_plainly;
+    uint64_t fragments_before; // what `counters` had when the state was set
+    // NULL: another tile is explained, or none.
+    struct rhw_explained *explained;
+    uint32_t plans; // rhw_tile_plan of the runs that were drawn
 };
 
-// Where a texel of the tile lies. Shifts, as texels are never negative, which a compiler cannot know.
+// These tell where a texel of the tile lies. They shift, as texels are never negative, which a compiler cannot know.
 RHW_INLINE int texel_column(int texel)
 {
     return texel & (RHW_TILE - 1);
@@ -181,7 +201,7 @@ RHW_INLINE int texel_row(int texel)
     return texel >> RHW_TILE_LOG2;
 }
 
-// Tells where a block at (x, y) of the tile lies from the anchor.
+// Return where a block at (x, y) of the tile lies from the anchor.
 RHW_INLINE struct anchor_offset block_offset(const struct tile_work *work, const struct planes *planes, int x,
                                              int y)
 {

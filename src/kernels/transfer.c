@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Regions of textures made from others: scaled with a filter and converted, or resolved from samples. 8 texels of a row at
-// a time; what they read along the row was worked out before, once for all rows.
+// Regions of textures are made from others: scaled with a filter and converted, or resolved from samples. 8 texels of a
+// row are made at a time. What they read along the row was worked out before, once for all rows.
 #include "transfer_work.h"
 
 #include "kernel_entries.h"
@@ -18,7 +18,7 @@ static struct band band_of(int index, int rows, int height, int depth)
     return (struct band){(int)begin, (int)(begin + rows < all ? begin + rows : all)};
 }
 
-// Stores the first `count` of 8 texels, and touches nothing behind them: the next row may be another thread's.
+// Store the first `count` of 8 texels, and touch nothing behind them: the next row may be another thread's.
 RHW_INLINE void store_group(size_t size, const struct raw_texels *raw, int count, unsigned char *to)
 {
     if (count >= RHW_LANES) {
@@ -37,7 +37,7 @@ static const unsigned char *source_row(const struct rhw_blit_job *job, int y, in
     return rhw_mip_slice(&job->from, z) + (size_t)y * job->from.row_pitch;
 }
 
-// Texels of a row at both neighbours along x, mixed.
+// Mix texels of a row at both neighbours along x.
 RHW_INLINE void filter_row(const struct rhw_blit_job *job, const unsigned char *row, int x, f32x8 value[4])
 {
     const struct rhw_blit_axis *const axis = &job->axis[0];
@@ -56,7 +56,7 @@ RHW_INLINE void filter_row(const struct rhw_blit_job *job, const unsigned char *
     }
 }
 
-// The same of two rows.
+// Mix texels of two rows at both neighbours along x and along y.
 RHW_INLINE void filter_slice(const struct rhw_blit_job *job, int x, int y, int z, f32x8 value[4])
 {
     const struct rhw_blit_axis *const axis = &job->axis[1];
@@ -111,7 +111,7 @@ void RHW_ISA_NAME(rhw_blit_band)(const struct rhw_blit_job *job, int index)
 
 // Samples ---------------------------------------------------------------------------------------------
 
-// Stencil has no codec: its bytes are compared as they are.
+// Resolve stencil, which has no codec: its bytes are compared as they are.
 static void resolve_stencil(enum rhw_resolve mode, const struct sample_row *row, unsigned char *to)
 {
     struct raw_texels raw, other;
@@ -133,7 +133,7 @@ static void resolve_group(const struct rhw_resolve_job *job, const struct sample
     }
 }
 
-// Resolves the last texels of a row by way of a whole group.
+// Resolve the last texels of a row by way of a whole group.
 static void resolve_rest(const struct rhw_resolve_job *job, const struct sample_row *row, int count,
                          unsigned char *to)
 {

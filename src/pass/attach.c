@@ -13,7 +13,7 @@
 #include "format/format.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
-#include "pass_state.h"
+#include "encoder.h"
 
 static const char *const where = "rhw_pass_begin";
 
@@ -117,11 +117,11 @@ static struct rhw_attachment left_out(void)
                                    .store = RHW_STORE_DISCARD};
 }
 
-static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rhw_pass_def *def, int i)
+static enum rhw_result attach_color(struct rhw_encoder *encoder, const struct rhw_pass_def *def, int i)
 {
-    struct rhw_context *const context = pass->context;
+    struct rhw_context *const context = encoder->context;
     const struct rhw_color_attachment *const color = &def->colors[i];
-    struct rhw_attachment *const attachment = &pass->colors[i];
+    struct rhw_attachment *const attachment = &encoder->pass->target.colors[i];
     char name[32], prefix[36];
     snprintf(name, sizeof name, "colors[%d]", i);
     snprintf(prefix, sizeof prefix, "%s.", name);
@@ -139,11 +139,11 @@ static enum rhw_result attach_color(struct rhw_pass_state *pass, const struct rh
     }
     *attachment = (struct rhw_attachment){.resolve_mode = color->resolve_mode};
     enum rhw_result result = rhw_pass_attach_texture(
-        pass, color->texture,
+        encoder, color->texture,
         (struct rhw_attached_part){color->layer, color->level, layers_of(color->layer_count)}, name,
         attachment);
     if (result == RHW_OK && color->resolve.index != 0) {
-        result = rhw_pass_attach_resolve(pass, color->resolve, name, attachment);
+        result = rhw_pass_attach_resolve(encoder, color->resolve, name, attachment);
     }
     if (result != RHW_OK) {
         return result;
@@ -169,21 +169,22 @@ static bool has_role(enum rhw_format format, int role)
     return rhw_format_has_role(rhw_format_info(format), role);
 }
 
-static enum rhw_result attach_depth_texture(struct rhw_pass_state *pass,
+static enum rhw_result attach_depth_texture(struct rhw_encoder *encoder,
                                             const struct rhw_depth_attachment *depth)
 {
-    struct rhw_context *const context = pass->context;
+    struct rhw_target *const target = &encoder->pass->target;
+    struct rhw_context *const context = encoder->context;
     enum rhw_result result = rhw_pass_attach_texture(
-        pass, depth->texture,
+        encoder, depth->texture,
         (struct rhw_attached_part){depth->layer, depth->level, layers_of(depth->layer_count)}, "depth",
-        &pass->depth);
+        &target->depth);
     if (result == RHW_OK && depth->resolve.index != 0) {
-        result = rhw_pass_attach_resolve(pass, depth->resolve, "depth", &pass->depth);
+        result = rhw_pass_attach_resolve(encoder, depth->resolve, "depth", &target->depth);
     }
     if (result != RHW_OK) {
         return result;
     }
-    const enum rhw_format format = pass->depth.format;
+    const enum rhw_format format = target->depth.format;
     return (depth->format == RHW_FORMAT_NONE ||
             rhw_check_format(context, where, "depth.format", depth->format)) &&
                    rhw_check(context, has_role(format, RHW_ROLE_DEPTH_TARGET | RHW_ROLE_STENCIL_TARGET),
@@ -231,10 +232,10 @@ static bool check_not_kept(const struct rhw_context *context, const char *prefix
                      where, prefix, prefix);
 }
 
-static bool check_transient(const struct rhw_pass_state *pass, const struct rhw_depth_attachment *depth)
+static bool check_transient(const struct rhw_encoder *encoder, const struct rhw_depth_attachment *depth)
 {
-    struct rhw_context *const context = pass->context;
-    const enum rhw_format format = pass->depth.format;
+    struct rhw_context *const context = encoder->context;
+    const enum rhw_format format = encoder->pass->target.depth.format;
     return rhw_check_format(context, where, "depth.format", format) &&
            rhw_check(context, has_role(format, RHW_ROLE_DEPTH_TARGET | RHW_ROLE_STENCIL_TARGET),
                      "%s: depth.format is %s; that has neither depth nor stencil", where,
@@ -246,57 +247,60 @@ static bool check_transient(const struct rhw_pass_state *pass, const struct rhw_
 }
 
 // Makes the stencil attachment from that of depth, whose texture and format it shares.
-static void attach_stencil(struct rhw_pass_state *pass, const struct rhw_depth_attachment *depth)
+static void attach_stencil(struct rhw_encoder *encoder, const struct rhw_depth_attachment *depth)
 {
-    struct rhw_attachment *const stencil = &pass->stencil;
-    pass->has_stencil = has_role(pass->depth.format, RHW_ROLE_STENCIL_TARGET);
-    *stencil = (struct rhw_attachment){.format = pass->depth.format, .texel_size = 1};
+    struct rhw_target *const target = &encoder->pass->target;
+    struct rhw_attachment *const stencil = &target->stencil;
+    target->has_stencil = has_role(target->depth.format, RHW_ROLE_STENCIL_TARGET);
+    *stencil = (struct rhw_attachment){.format = target->depth.format, .texel_size = 1};
     stencil->load = load_of(depth->stencil_load);
     stencil->store = depth->stencil_store;
     if (depth->stencil_read_only) {
         set_read_only(stencil);
     }
-    stencil->sample_stride = pass->depth.sample_stride;
-    stencil->layer = pass->depth.layer;
-    stencil->loads_resolved = pass->depth.loads_resolved;
-    stencil->target = rhw_stencil_plane_of(pass->depth.target, &pass->stencil_plane);
-    stencil->resolve = rhw_stencil_plane_of(pass->depth.resolve, &pass->stencil_resolve);
+    stencil->sample_stride = target->depth.sample_stride;
+    stencil->layer = target->depth.layer;
+    stencil->loads_resolved = target->depth.loads_resolved;
+    stencil->target = rhw_stencil_plane_of(target->depth.target, &encoder->pass->stencil_plane);
+    stencil->resolve = rhw_stencil_plane_of(target->depth.resolve, &encoder->pass->stencil_resolve);
     stencil->resolve_mode = depth->stencil_resolve_mode == RHW_RESOLVE_DEFAULT ? depth->resolve_mode
                                                                                : depth->stencil_resolve_mode;
-    stencil->resolves = pass->has_stencil && is_resolved(stencil);
+    stencil->resolves = target->has_stencil && is_resolved(stencil);
     set_clear(stencil, &depth->stencil_clear);
 }
 
-static void set_depth(struct rhw_pass_state *pass, const struct rhw_depth_attachment *depth)
+static void set_depth(struct rhw_encoder *encoder, const struct rhw_depth_attachment *depth)
 {
-    const struct rhw_format_info *const info = rhw_format_info(pass->depth.format);
-    pass->has_depth = rhw_format_has_role(info, RHW_ROLE_DEPTH_TARGET);
-    pass->depth_steps = rhw_codec_depth_steps(info->codec);
-    pass->depth.load = load_of(depth->load);
-    pass->depth.store = depth->store;
-    pass->depth.resolve_mode = depth->resolve_mode;
+    struct rhw_target *const target = &encoder->pass->target;
+    const struct rhw_format_info *const info = rhw_format_info(target->depth.format);
+    target->has_depth = rhw_format_has_role(info, RHW_ROLE_DEPTH_TARGET);
+    target->depth_steps = rhw_codec_depth_steps(info->codec);
+    target->depth.load = load_of(depth->load);
+    target->depth.store = depth->store;
+    target->depth.resolve_mode = depth->resolve_mode;
     if (depth->read_only) {
-        set_read_only(&pass->depth);
+        set_read_only(&target->depth);
     }
-    pass->depth.resolves = pass->has_depth && is_resolved(&pass->depth);
-    pass->depth_by_default =
-        pass->depth.load == RHW_LOAD_CLEAR && depth->load == RHW_LOAD_DEFAULT && depth->clear == 0;
-    const float clear[4] = {pass->depth_by_default ? 1 : depth->clear};
+    target->depth.resolves = target->has_depth && is_resolved(&target->depth);
+    encoder->depth_by_default =
+        target->depth.load == RHW_LOAD_CLEAR && depth->load == RHW_LOAD_DEFAULT && depth->clear == 0;
+    const float clear[4] = {encoder->depth_by_default ? 1 : depth->clear};
     unsigned char texel[RHW_TEXEL_BYTES] = {0};
     const uint64_t environment = rhw_cpu_float_enter();
     rhw_clear_texel(info, clear, texel);
     rhw_cpu_float_leave(environment);
-    set_clear(&pass->depth, texel);
+    set_clear(&target->depth, texel);
 }
 
-static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
+static enum rhw_result attach_depth(struct rhw_encoder *encoder, const struct rhw_pass_def *def)
 {
-    struct rhw_context *const context = pass->context;
+    struct rhw_target *const target = &encoder->pass->target;
+    struct rhw_context *const context = encoder->context;
     const struct rhw_depth_attachment *const depth = &def->depth;
     const enum rhw_format format = depth->format == RHW_FORMAT_NONE ? RHW_FORMAT_D32_FLOAT : depth->format;
-    pass->has_depth = pass->has_stencil = pass->depth_by_default = false;
-    pass->depth_steps = 0;
-    pass->depth = (struct rhw_attachment){.format = format, .texel_size = rhw_format_size(format)};
+    target->has_depth = target->has_stencil = encoder->depth_by_default = false;
+    target->depth_steps = 0;
+    target->depth = (struct rhw_attachment){.format = format, .texel_size = rhw_format_size(format)};
     if (!depth->enabled) {
         return RHW_OK;
     }
@@ -315,19 +319,19 @@ static enum rhw_result attach_depth(struct rhw_pass_state *pass, const struct rh
         return RHW_ERROR_MISUSE;
     }
     if (depth->texture.index != 0) {
-        const enum rhw_result result = attach_depth_texture(pass, depth);
+        const enum rhw_result result = attach_depth_texture(encoder, depth);
         if (result != RHW_OK) {
             return result;
         }
-    } else if (!check_transient(pass, depth)) {
+    } else if (!check_transient(encoder, depth)) {
         return RHW_ERROR_MISUSE;
     }
     if (!rhw_check(context, depth->clear >= 0 && depth->clear <= 1, "%s: depth.clear is %g; it is in 0..1",
                    where, (double)depth->clear)) {
         return RHW_ERROR_MISUSE;
     }
-    set_depth(pass, depth);
-    attach_stencil(pass, depth);
+    set_depth(encoder, depth);
+    attach_stencil(encoder, depth);
     return RHW_OK;
 }
 
@@ -347,20 +351,21 @@ bool rhw_pass_def_has_color(const struct rhw_pass_def *def)
 }
 
 // The samples of a pixel: those that the definition names, or those of the first attachment. 0: misuse.
-static int samples_of(const struct rhw_pass_state *pass, const struct rhw_pass_def *def)
+static int samples_of(const struct rhw_encoder *encoder, const struct rhw_pass_def *def)
 {
     const int color = first_color(def);
     const rhw_texture first = color < def->color_count ? def->colors[color].texture : def->depth.texture;
     if (def->samples != 0 || first.index == 0) {
         return def->samples == 0 ? 1 : def->samples;
     }
-    const struct rhw_texture_data *const texture = rhw_context_texture(pass->context, first, where);
+    const struct rhw_texture_data *const texture = rhw_context_texture(encoder->context, first, where);
     return texture ? texture->samples : 0;
 }
 
 // The layers of the first attachment, or those that the definition names.
-static bool set_layers(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
+static bool set_layers(struct rhw_encoder *encoder, const struct rhw_pass_def *def)
 {
+    struct rhw_target *const target = &encoder->pass->target;
     const int color = first_color(def);
     char counted[32] = "layers";
     int count = def->layers;
@@ -371,29 +376,30 @@ static bool set_layers(struct rhw_pass_state *pass, const struct rhw_pass_def *d
         snprintf(counted, sizeof counted, "depth.layer_count");
         count = def->depth.layer_count;
     }
-    pass->layers = layers_of(count);
-    return rhw_check(pass->context, pass->layers > 0 && pass->layers <= RHW_MAX_TEXTURE_LAYERS,
-                     "%s: %s is %d; it is 0..%d", where, counted, pass->layers, RHW_MAX_TEXTURE_LAYERS);
+    target->layers = layers_of(count);
+    return rhw_check(encoder->context, target->layers > 0 && target->layers <= RHW_MAX_TEXTURE_LAYERS,
+                     "%s: %s is %d; it is 0..%d", where, counted, target->layers, RHW_MAX_TEXTURE_LAYERS);
 }
 
-enum rhw_result rhw_pass_attach(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
+enum rhw_result rhw_pass_attach(struct rhw_encoder *encoder, const struct rhw_pass_def *def)
 {
-    const int samples = samples_of(pass, def);
-    if (samples == 0 || !rhw_check(pass->context, rhw_sample_count_valid(samples),
+    struct rhw_target *const target = &encoder->pass->target;
+    const int samples = samples_of(encoder, def);
+    if (samples == 0 || !rhw_check(encoder->context, rhw_sample_count_valid(samples),
                                    "%s: samples is %d; it is 0, 1, 2, 4, 8 or 16", where, samples)) {
         return RHW_ERROR_MISUSE;
     }
-    pass->pattern = rhw_sample_pattern_of(samples);
-    if (!set_layers(pass, def)) {
+    target->pattern = rhw_sample_pattern_of(samples);
+    if (!set_layers(encoder, def)) {
         return RHW_ERROR_MISUSE;
     }
-    memset(pass->colors, 0, sizeof pass->colors); // of an earlier pass
-    pass->depth = pass->stencil = (struct rhw_attachment){.target = NULL};
+    memset(target->colors, 0, sizeof target->colors); // of an earlier pass
+    target->depth = target->stencil = (struct rhw_attachment){.target = NULL};
     for (int i = 0; i < def->color_count; i++) {
-        const enum rhw_result result = attach_color(pass, def, i);
+        const enum rhw_result result = attach_color(encoder, def, i);
         if (result != RHW_OK) {
             return result;
         }
     }
-    return attach_depth(pass, def);
+    return attach_depth(encoder, def);
 }

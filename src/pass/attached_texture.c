@@ -9,7 +9,7 @@
 #include "context/lookup.h"
 #include "context/misuse.h"
 #include "feedback_loop.h"
-#include "pass_state.h"
+#include "encoder.h"
 #include "resource/shared_texels.h"
 
 static const char *const where = "rhw_pass_begin";
@@ -30,34 +30,38 @@ const struct rhw_mip *rhw_stencil_plane_of(const struct rhw_mip *mip, struct rhw
 }
 
 // Whether an attachment before the one that is attached now draws into the same texels, or their stencil.
-static bool is_attached(const struct rhw_pass_state *pass, const struct rhw_mip *mip, int layer)
+static bool is_attached(const struct rhw_encoder *encoder, const struct rhw_mip *mip, int layer)
 {
+    const struct rhw_target *const target = &encoder->pass->target;
     struct rhw_mip plane;
-    return rhw_pass_attaches(pass, rhw_texel_range_of(mip, layer, pass->layers)) ||
-           (mip->stencil && rhw_pass_attaches(pass, rhw_texel_range_of(rhw_stencil_plane_of(mip, &plane),
-                                                                       layer, pass->layers)));
+    return rhw_pass_attaches(encoder, rhw_texel_range_of(mip, layer, target->layers)) ||
+           (mip->stencil && rhw_pass_attaches(encoder, rhw_texel_range_of(rhw_stencil_plane_of(mip, &plane),
+                                                                          layer, target->layers)));
 }
 
 // A pass that names its size draws into that part of larger levels (Vulkan 1.3, VkFramebufferCreateInfo); one that
 // takes it from the first attachment has others of that size, as anything else is likely a mistake.
-static bool check_size(const struct rhw_pass_state *pass, rhw_texture id, const char *name,
+static bool check_size(const struct rhw_encoder *encoder, rhw_texture id, const char *name,
                        struct rhw_attached_part part, const struct rhw_mip *mip)
 {
-    const bool fits = pass->names_size ? mip->width >= pass->width && mip->height >= pass->height
-                                       : mip->width == pass->width && mip->height == pass->height;
-    return rhw_check(
-        pass->context, fits, "%s: %s is %s, whose level %d is %dx%d; the pass is %dx%d%s", where, name,
-        name_of(pass->context, id).text, part.level, mip->width, mip->height, pass->width, pass->height,
-        pass->names_size ? ", and each is at least as large"
+    const struct rhw_target *const target = &encoder->pass->target;
+    const bool fits = encoder->names_size ? mip->width >= target->width && mip->height >= target->height
+                                          : mip->width == target->width && mip->height == target->height;
+    return rhw_check(encoder->context, fits, "%s: %s is %s, whose level %d is %dx%d; the pass is %dx%d%s",
+                     where, name, name_of(encoder->context, id).text, part.level, mip->width, mip->height,
+                     target->width, target->height,
+                     encoder->names_size
+                         ? ", and each is at least as large"
                          : " as its first attachment; set width and height for a part of larger ones");
 }
 
 // Checks the texture of an attachment against the pass and the attachments before it. The first gives the pass its
 // size, where that is not set.
-static bool check_texture(struct rhw_pass_state *pass, rhw_texture id, const struct rhw_texture_data *texture,
+static bool check_texture(struct rhw_encoder *encoder, rhw_texture id, const struct rhw_texture_data *texture,
                           const char *name, struct rhw_attached_part part)
 {
-    rhw_context *const context = pass->context;
+    struct rhw_target *const target = &encoder->pass->target;
+    rhw_context *const context = encoder->context;
     if (!rhw_check(context, part.level >= 0 && part.level < texture->levels,
                    "%s: %s.level is %d; %s has levels 0..%d", where, name, part.level,
                    name_of(context, id).text, texture->levels - 1)) {
@@ -65,50 +69,51 @@ static bool check_texture(struct rhw_pass_state *pass, rhw_texture id, const str
     }
     const struct rhw_mip *const mip = &texture->mip[part.level];
     const int layer = part.layer;
-    if (pass->width == 0) {
-        pass->width = mip->width;
-        pass->height = mip->height;
+    if (target->width == 0) {
+        target->width = mip->width;
+        target->height = mip->height;
     }
-    return rhw_check(context, part.layer_count == pass->layers,
+    return rhw_check(context, part.layer_count == target->layers,
                      "%s: %s.layer_count is %d; the first attachment has %d", where, name, part.layer_count,
-                     pass->layers) &&
+                     target->layers) &&
            rhw_check(context, layer >= 0 && layer < mip->slices,
                      "%s: %s.layer is %d; level %d of %s has 0..%d", where, name, layer, part.level,
                      name_of(context, id).text, mip->slices - 1) &&
-           rhw_check(context, pass->layers <= mip->slices - layer,
-                     "%s: %s has %d layers from %d on; level %d of %s has 0..%d", where, name, pass->layers,
+           rhw_check(context, target->layers <= mip->slices - layer,
+                     "%s: %s has %d layers from %d on; level %d of %s has 0..%d", where, name, target->layers,
                      layer, part.level, name_of(context, id).text, mip->slices - 1) &&
            rhw_check(context, !texture->swizzles,
                      "%s: %s is %s, a view with a swizzle; attachments have none", where, name,
                      name_of(context, id).text) &&
-           rhw_check(context, !is_attached(pass, mip, layer),
+           rhw_check(context, !is_attached(encoder, mip, layer),
                      "%s: %s is %s, as another attachment is; each needs its own texture or layer", where,
                      name, name_of(context, id).text) &&
-           check_size(pass, id, name, part, mip);
+           check_size(encoder, id, name, part, mip);
 }
 
 // Whether a texture with other samples than the pass can be resolved into.
-static bool check_attached_samples(const struct rhw_pass_state *pass, rhw_texture id,
+static bool check_attached_samples(const struct rhw_encoder *encoder, rhw_texture id,
                                    const struct rhw_texture_data *texture, const char *name)
 {
-    const int samples = pass->pattern->count;
-    return rhw_check(pass->context, texture->samples == samples || texture->samples == 1,
+    const int samples = encoder->pass->target.pattern->count;
+    return rhw_check(encoder->context, texture->samples == samples || texture->samples == 1,
                      "%s: %s is %s, which has %d samples; the pass has %d", where, name,
-                     name_of(pass->context, id).text, texture->samples, samples);
+                     name_of(encoder->context, id).text, texture->samples, samples);
 }
 
 // Makes a part of a texture one that the pass writes; gives the record of its tiles. Several layers, and a part of a
 // level, have none, and what is recorded of the texture's is forgotten. False when out of memory.
-static bool take(struct rhw_pass_state *pass, rhw_texture id, struct rhw_texture_data *texture,
+static bool take(struct rhw_encoder *encoder, rhw_texture id, struct rhw_texture_data *texture,
                  struct rhw_attached_part part, struct rhw_clean_tiles **clean)
 {
-    struct rhw_context *const context = pass->context;
+    const struct rhw_target *const target = &encoder->pass->target;
+    struct rhw_context *const context = encoder->context;
     rhw_texture_note_attached(texture, context->recording.generation);
     texture->written |= 1u << part.level;
     rhw_pool_use(&context->textures, id.index, context->recording.generation);
     const struct rhw_mip *const mip = &texture->mip[part.level];
     *clean = NULL;
-    if (pass->layers > 1 || mip->width != pass->width || mip->height != pass->height) {
+    if (target->layers > 1 || mip->width != target->width || mip->height != target->height) {
         rhw_clean_tiles_forget(texture->clean);
         return true;
     }
@@ -125,27 +130,28 @@ static struct rhw_texture_data *find_texture(const rhw_context *context, rhw_tex
     return rhw_context_texture(context, id, whose);
 }
 
-enum rhw_result rhw_pass_attach_texture(struct rhw_pass_state *pass, rhw_texture id,
+enum rhw_result rhw_pass_attach_texture(struct rhw_encoder *encoder, rhw_texture id,
                                         struct rhw_attached_part part, const char *name,
                                         struct rhw_attachment *attachment)
 {
-    struct rhw_context *const context = pass->context;
+    struct rhw_context *const context = encoder->context;
     struct rhw_texture_data *const texture = find_texture(context, id, name);
     if (!texture) {
         return RHW_ERROR_MISUSE;
     }
-    if (!check_texture(pass, id, texture, name, part) || !check_attached_samples(pass, id, texture, name)) {
+    if (!check_texture(encoder, id, texture, name, part) ||
+        !check_attached_samples(encoder, id, texture, name)) {
         return RHW_ERROR_MISUSE;
     }
     struct rhw_clean_tiles *clean;
-    if (!take(pass, id, texture, part, &clean)) {
+    if (!take(encoder, id, texture, part, &clean)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     attachment->layer = part.layer;
     attachment->level = part.level;
     attachment->format = texture->format;
     attachment->texel_size = rhw_format_size(texture->format);
-    attachment->loads_resolved = texture->samples != pass->pattern->count;
+    attachment->loads_resolved = texture->samples != encoder->pass->target.pattern->count;
     if (attachment->loads_resolved) {
         attachment->resolve = &texture->mip[part.level];
         attachment->resolve_clean = clean;
@@ -157,16 +163,17 @@ enum rhw_result rhw_pass_attach_texture(struct rhw_pass_state *pass, rhw_texture
     return RHW_OK;
 }
 
-enum rhw_result rhw_pass_attach_resolve(struct rhw_pass_state *pass, rhw_texture id, const char *name,
+enum rhw_result rhw_pass_attach_resolve(struct rhw_encoder *encoder, rhw_texture id, const char *name,
                                         struct rhw_attachment *attachment)
 {
-    struct rhw_context *const context = pass->context;
+    const struct rhw_target *const target = &encoder->pass->target;
+    struct rhw_context *const context = encoder->context;
     char member[32];
     snprintf(member, sizeof member, "%s.resolve", name);
-    const struct rhw_attached_part part = {attachment->layer, attachment->level, pass->layers};
+    const struct rhw_attached_part part = {attachment->layer, attachment->level, target->layers};
     struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
-    if (!texture || !check_texture(pass, id, texture, member, part) ||
-        !rhw_check(context, !attachment->loads_resolved && pass->pattern->count > 1,
+    if (!texture || !check_texture(encoder, id, texture, member, part) ||
+        !rhw_check(context, !attachment->loads_resolved && target->pattern->count > 1,
                    "%s: %s is set and %s.texture has one sample; it must be null then", where, member,
                    name) ||
         !rhw_check(context, texture->samples == 1 && texture->format == attachment->format,
@@ -176,5 +183,5 @@ enum rhw_result rhw_pass_attach_resolve(struct rhw_pass_state *pass, rhw_texture
         return RHW_ERROR_MISUSE;
     }
     attachment->resolve = &texture->mip[part.level];
-    return take(pass, id, texture, part, &attachment->resolve_clean) ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
+    return take(encoder, id, texture, part, &attachment->resolve_clean) ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
 }

@@ -7,43 +7,35 @@
 #include "context/entry.h"
 #include "context/misuse.h"
 #include "attach.h"
-#include "pass_state.h"
+#include "encoder.h"
 #include "rhw/rhw.h"
 #include "base/thread.h"
 
 static const char *const where = "rhw_pass_begin";
 
-static void reset(struct rhw_pass_state *pass, const struct rhw_pass_def *def)
+static void reset(struct rhw_encoder *encoder, const struct rhw_pass_def *def)
 {
-    rhw_arena_reset(&pass->arena);
+    struct rhw_recorded_pass *const pass = encoder->pass;
+    rhw_recorded_pass_clear(pass);
     pass->begun_ns = rhw_time_ns();
-    pass->width = def->width;
-    pass->height = def->height;
-    pass->names_size = def->width != 0;
-    pass->area = def->render_area;
-    pass->draws.count = 0;
-    pass->triangle_count = 0;
-    pass->queries = NULL;
-    pass->read = NULL;
-    pass->stored = NULL;
-    pass->feedback = (struct rhw_feedback_state){0};
-    pass->has_feedback = false;
-    pass->triangles_most = 1;
-    pass->has_large_draws = false;
-    pass->shades_first = false;
-    pass->current = NULL;
-    pass->out_of_memory = false;
-    pass->paths = pass->context->paths;
-    pass->explained.ask.fragment = NULL;
-    pass->tile_reports = NULL;
-    pass->refused_pipeline = false;
-    pass->color_count = def->color_count;
-    memset(&pass->pending, 0, sizeof pass->pending);
-    memset(&pass->bound, 0, sizeof pass->bound);
-    pass->pending_changed = true;
-    pass->uniforms = NULL;
-    pass->uniform_size = 0;
-    pass->textures_changed = true;
+    pass->paths = encoder->context->paths;
+    pass->target.width = def->width;
+    pass->target.height = def->height;
+    pass->target.area = def->render_area;
+    pass->target.color_count = def->color_count;
+    encoder->names_size = def->width != 0;
+    encoder->read = NULL;
+    encoder->stored = NULL;
+    encoder->feedback = (struct rhw_feedback_state){0};
+    encoder->current = NULL;
+    encoder->out_of_memory = false;
+    encoder->refused_pipeline = false;
+    memset(&encoder->pending, 0, sizeof encoder->pending);
+    memset(&encoder->bound, 0, sizeof encoder->bound);
+    encoder->pending_changed = true;
+    encoder->uniforms = NULL;
+    encoder->uniform_size = 0;
+    encoder->textures_changed = true;
 }
 
 static bool check_def(rhw_context *context, const struct rhw_pass_def *def, const rhw_pass *id)
@@ -76,18 +68,19 @@ static bool check_def(rhw_context *context, const struct rhw_pass_def *def, cons
 }
 
 // Finds the pixels of the pass, whose size is known.
-static bool set_area(struct rhw_pass_state *pass)
+static bool set_area(struct rhw_encoder *encoder)
 {
-    struct rhw_rect *const area = &pass->area;
+    struct rhw_target *const target = &encoder->pass->target;
+    struct rhw_rect *const area = &target->area;
     if (area->x == 0 && area->y == 0 && area->width == 0 && area->height == 0) {
-        area->width = pass->width;
-        area->height = pass->height;
+        area->width = target->width;
+        area->height = target->height;
     }
-    return rhw_check(pass->context,
+    return rhw_check(encoder->context,
                      area->x >= 0 && area->y >= 0 && area->width > 0 && area->height > 0 &&
-                         area->width <= pass->width - area->x && area->height <= pass->height - area->y,
+                         area->width <= target->width - area->x && area->height <= target->height - area->y,
                      "%s: render_area is %d,%d %dx%d; it lies within the pass, which is %dx%d, or is all 0",
-                     where, area->x, area->y, area->width, area->height, pass->width, pass->height);
+                     where, area->x, area->y, area->width, area->height, target->width, target->height);
 }
 
 static void begin_recording(struct rhw_context *context, const struct rhw_pass_def *def)
@@ -103,37 +96,39 @@ static void begin_recording(struct rhw_context *context, const struct rhw_pass_d
 
 static enum rhw_result begin(rhw_context *context, const struct rhw_pass_def *def, rhw_pass *id)
 {
-    struct rhw_pass_state *const pass = context->pass;
+    struct rhw_encoder *const encoder = context->encoder;
+    struct rhw_target *const target = &encoder->pass->target;
     if (!check_def(context, def, id)) {
         return RHW_ERROR_MISUSE;
     }
-    reset(pass, def);
+    reset(encoder, def);
     if (++context->recording.generation == 0) {
         context->recording.generation = 1; // 0 is that of nothing yet
     }
-    const enum rhw_result result = rhw_pass_attach(pass, def);
+    const enum rhw_result result = rhw_pass_attach(encoder, def);
     if (result != RHW_OK) {
         return result;
     }
     if (!rhw_check(context,
-                   pass->width >= 1 && pass->width <= RHW_MAX_TARGET_SIZE && pass->height >= 1 &&
-                       pass->height <= RHW_MAX_TARGET_SIZE,
-                   "%s: the size is %dx%d; each is in 1..%d", where, pass->width, pass->height,
+                   target->width >= 1 && target->width <= RHW_MAX_TARGET_SIZE && target->height >= 1 &&
+                       target->height <= RHW_MAX_TARGET_SIZE,
+                   "%s: the size is %dx%d; each is in 1..%d", where, target->width, target->height,
                    RHW_MAX_TARGET_SIZE)) {
         return RHW_ERROR_MISUSE;
     }
-    if (!set_area(pass)) {
+    if (!set_area(encoder)) {
         return RHW_ERROR_MISUSE;
     }
-    pass->tiles_x = (pass->width + RHW_TILE - 1) / RHW_TILE;
-    pass->tiles_y = (pass->height + RHW_TILE - 1) / RHW_TILE;
+    target->tiles_x = (target->width + RHW_TILE - 1) / RHW_TILE;
+    target->tiles_y = (target->height + RHW_TILE - 1) / RHW_TILE;
     for (int i = 0; i < RHW_MAX_VIEWPORTS; i++) {
-        pass->viewports[i] = (struct rhw_viewport){0, 0, (float)pass->width, (float)pass->height, 0, 1};
-        pass->scissors[i] = (struct rhw_rect){0, 0, pass->width, pass->height};
+        encoder->viewports[i] =
+            (struct rhw_viewport){0, 0, (float)target->width, (float)target->height, 0, 1};
+        encoder->scissors[i] = (struct rhw_rect){0, 0, target->width, target->height};
     }
-    pass->pending.viewport = pass->viewports[0];
-    pass->pending.scissor = pass->scissors[0];
-    pass->pending.depth_setting.bounds_most = 1;
+    encoder->pending.viewport = encoder->viewports[0];
+    encoder->pending.scissor = encoder->scissors[0];
+    encoder->pending.depth_setting.bounds_most = 1;
     begin_recording(context, def);
     if (context->validation && def->depth.texture.index != 0 && !def->depth.enabled) {
         rhw_context_log(context, RHW_LOG_WARNING, "%s: depth.texture is set and depth.enabled is false",

@@ -7,8 +7,7 @@
 #include "context/entry.h"
 #include "format/format.h"
 #include "context/misuse.h"
-#include "enter.h"
-#include "pass_state.h"
+#include "encoder.h"
 #include "rhw/rhw.h"
 
 static const char *const where = "rhw_pass_clear_attachments";
@@ -50,10 +49,10 @@ static void fill(struct rhw_fragment *groups, int count)
 
 // Checks ----------------------------------------------------------------------------------------------
 
-static bool check_rects(const struct rhw_pass_state *pass, const struct rhw_clear *clear)
+static bool check_rects(const struct rhw_encoder *encoder, const struct rhw_clear *clear)
 {
-    const struct rhw_context *const context = pass->context;
-    const struct rhw_rect *const area = &pass->area;
+    const struct rhw_context *const context = encoder->context;
+    const struct rhw_rect *const area = &encoder->pass->target.area;
     if (!rhw_check(context, clear->rect_count >= 0 && (clear->rects || clear->rect_count == 0),
                    "%s: rect_count is %d and rects is %s", where, clear->rect_count,
                    clear->rects ? "set" : "NULL")) {
@@ -74,41 +73,43 @@ static bool check_rects(const struct rhw_pass_state *pass, const struct rhw_clea
     return true;
 }
 
-static bool check(const struct rhw_pass_state *pass, const struct rhw_clear *clear)
+static bool check(const struct rhw_encoder *encoder, const struct rhw_clear *clear)
 {
-    const struct rhw_context *const context = pass->context;
+    const struct rhw_target *const target = &encoder->pass->target;
+    const struct rhw_context *const context = encoder->context;
     return rhw_check(context, clear != NULL, "%s: clear is NULL", where) &&
-           rhw_check(context, clear->colors >> pass->color_count == 0,
+           rhw_check(context, clear->colors >> target->color_count == 0,
                      "%s: colors is 0x%x; the pass has %d colour attachments", where, clear->colors,
-                     pass->color_count) &&
+                     target->color_count) &&
            rhw_check(context, clear->colors != 0 || clear->depth || clear->stencil,
                      "%s: colors is 0, depth and stencil are false: nothing is to be cleared", where) &&
-           rhw_check(context, !clear->depth || pass->has_depth, "%s: the pass has no depth attachment",
+           rhw_check(context, !clear->depth || target->has_depth, "%s: the pass has no depth attachment",
                      where) &&
-           rhw_check(context, !clear->stencil || pass->has_stencil, "%s: the pass has no stencil attachment",
-                     where) &&
-           rhw_check(context, !clear->depth || !pass->depth.is_read_only,
+           rhw_check(context, !clear->stencil || target->has_stencil,
+                     "%s: the pass has no stencil attachment", where) &&
+           rhw_check(context, !clear->depth || !target->depth.is_read_only,
                      "%s: depth is true and the pass has it read_only", where) &&
-           rhw_check(context, !clear->stencil || !pass->stencil.is_read_only,
+           rhw_check(context, !clear->stencil || !target->stencil.is_read_only,
                      "%s: stencil is true and the pass has it read_only", where) &&
            rhw_check(context, clear->depth_value >= 0 && clear->depth_value <= 1,
                      "%s: depth_value is %g; it is in 0..1", where, (double)clear->depth_value) &&
            rhw_check(context,
-                     clear->layer >= 0 && clear->layer_count >= 0 && clear->layer < pass->layers &&
-                         clear->layer_count <= pass->layers - clear->layer,
+                     clear->layer >= 0 && clear->layer_count >= 0 && clear->layer < target->layers &&
+                         clear->layer_count <= target->layers - clear->layer,
                      "%s: layer is %d and layer_count %d; the pass has %d", where, clear->layer,
-                     clear->layer_count, pass->layers) &&
-           check_rects(pass, clear);
+                     clear->layer_count, target->layers) &&
+           check_rects(encoder, clear);
 }
 
 // Drawing ---------------------------------------------------------------------------------------------
 
-static struct rhw_pipeline_def pipeline_of(const struct rhw_pass_state *pass, const struct rhw_clear *clear)
+static struct rhw_pipeline_def pipeline_of(const struct rhw_encoder *encoder, const struct rhw_clear *clear)
 {
+    const struct rhw_target *const target = &encoder->pass->target;
     const struct rhw_stencil_face replace = {.pass = RHW_STENCIL_REPLACE};
     struct rhw_pipeline_def def = {
         .program = {.vertex = {cover}, .uniform_size = sizeof(struct clear_uniforms)},
-        .target_count = pass->color_count,
+        .target_count = target->color_count,
         .depth_test = clear->depth,
         .depth_compare = RHW_COMPARE_ALWAYS,
         .depth_clip_disabled = true, // 0 and 1 lie on the planes
@@ -116,22 +117,23 @@ static struct rhw_pipeline_def pipeline_of(const struct rhw_pass_state *pass, co
         .stencil_front = clear->stencil ? replace : (struct rhw_stencil_face){0},
         .stencil_back = clear->stencil ? replace : (struct rhw_stencil_face){0},
         .label = "rhw_pass_clear_attachments"};
-    def.program.writes_layer = pass->layers > 1;
+    def.program.writes_layer = target->layers > 1;
     def.program.fragment[RHW_ISA_BASELINE] = clear->colors != 0 ? fill : NULL;
-    for (int i = 0; i < pass->color_count; i++) {
-        def.targets[i].format = pass->colors[i].is_left_out ? RHW_FORMAT_NONE : pass->colors[i].format;
+    for (int i = 0; i < target->color_count; i++) {
+        def.targets[i].format = target->colors[i].is_left_out ? RHW_FORMAT_NONE : target->colors[i].format;
         def.targets[i].write_mask = clear->colors >> i & 1 ? 0 : RHW_WRITE_NONE;
     }
     return def;
 }
 
-static struct clear_uniforms uniforms_of(const struct rhw_pass_state *pass, const struct rhw_clear *clear)
+static struct clear_uniforms uniforms_of(const struct rhw_encoder *encoder, const struct rhw_clear *clear)
 {
+    const struct rhw_target *const target = &encoder->pass->target;
     struct clear_uniforms uniforms = {.depth = clear->depth ? clear->depth_value : 0,
-                                      .color_count = pass->color_count,
-                                      .writes_layer = pass->layers > 1};
-    for (int i = 0; i < pass->color_count; i++) {
-        const struct rhw_format_info *const info = rhw_format_info(pass->colors[i].format);
+                                      .color_count = target->color_count,
+                                      .writes_layer = target->layers > 1};
+    for (int i = 0; i < target->color_count; i++) {
+        const struct rhw_format_info *const info = rhw_format_info(target->colors[i].format);
         const void *const value =
             rhw_format_is_integer(info) ? (const void *)clear->color_integer[i] : clear->color[i];
         memcpy(uniforms.color[i], value, sizeof uniforms.color[i]);
@@ -139,13 +141,14 @@ static struct clear_uniforms uniforms_of(const struct rhw_pass_state *pass, cons
     return uniforms;
 }
 
-static void draw(rhw_context *context, rhw_pass id, const struct rhw_pass_state *pass,
+static void draw(rhw_context *context, rhw_pass id, const struct rhw_encoder *encoder,
                  const struct rhw_clear *clear, rhw_pipeline pipeline)
 {
-    const struct rhw_viewport viewport = {0, 0, (float)pass->width, (float)pass->height, 0, 1};
-    const struct rhw_rect whole = {0, 0, pass->width, pass->height};
-    const struct clear_uniforms uniforms = uniforms_of(pass, clear);
-    const int layers = clear->layer_count != 0 ? clear->layer_count : pass->layers - clear->layer;
+    const struct rhw_target *const target = &encoder->pass->target;
+    const struct rhw_viewport viewport = {0, 0, (float)target->width, (float)target->height, 0, 1};
+    const struct rhw_rect whole = {0, 0, target->width, target->height};
+    const struct clear_uniforms uniforms = uniforms_of(encoder, clear);
+    const int layers = clear->layer_count != 0 ? clear->layer_count : target->layers - clear->layer;
     rhw_pass_set_pipeline(context, id, pipeline);
     rhw_pass_set_viewport(context, id, &viewport);
     rhw_pass_set_uniforms(context, id, &uniforms, sizeof uniforms);
@@ -169,53 +172,53 @@ struct kept_state {
     bool refused_pipeline, has_feedback;
 };
 
-static void keep_state(struct rhw_pass_state *pass, struct kept_state *kept)
+static void keep_state(struct rhw_encoder *encoder, struct kept_state *kept)
 {
-    *kept = (struct kept_state){.pending = pass->pending,
-                                .bound = pass->bound,
-                                .viewport = pass->viewports[0],
-                                .scissor = pass->scissors[0],
-                                .uniforms = pass->uniforms,
-                                .uniform_size = pass->uniform_size,
-                                .refused_pipeline = pass->refused_pipeline,
-                                .has_feedback = pass->feedback.is_active};
-    pass->pending.queries = NULL;
-    pass->feedback.is_active = false;
+    *kept = (struct kept_state){.pending = encoder->pending,
+                                .bound = encoder->bound,
+                                .viewport = encoder->viewports[0],
+                                .scissor = encoder->scissors[0],
+                                .uniforms = encoder->uniforms,
+                                .uniform_size = encoder->uniform_size,
+                                .refused_pipeline = encoder->refused_pipeline,
+                                .has_feedback = encoder->feedback.is_active};
+    encoder->pending.queries = NULL;
+    encoder->feedback.is_active = false;
 }
 
-static void restore_state(struct rhw_pass_state *pass, const struct kept_state *kept)
+static void restore_state(struct rhw_encoder *encoder, const struct kept_state *kept)
 {
-    pass->pending = kept->pending;
-    pass->bound = kept->bound;
-    pass->viewports[0] = kept->viewport;
-    pass->scissors[0] = kept->scissor;
-    pass->uniforms = kept->uniforms;
-    pass->uniform_size = kept->uniform_size;
-    pass->refused_pipeline = kept->refused_pipeline;
-    pass->feedback.is_active = kept->has_feedback;
-    pass->pending_changed = pass->textures_changed = true;
+    encoder->pending = kept->pending;
+    encoder->bound = kept->bound;
+    encoder->viewports[0] = kept->viewport;
+    encoder->scissors[0] = kept->scissor;
+    encoder->uniforms = kept->uniforms;
+    encoder->uniform_size = kept->uniform_size;
+    encoder->refused_pipeline = kept->refused_pipeline;
+    encoder->feedback.is_active = kept->has_feedback;
+    encoder->pending_changed = encoder->textures_changed = true;
 }
 
 void rhw_pass_clear_attachments(rhw_context *context, rhw_pass id, const struct rhw_clear *clear)
 {
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (!pass) {
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
         return;
     }
-    const bool is_good = check(pass, clear);
+    const bool is_good = check(encoder, clear);
     rhw_context_leave(context);
     if (!is_good) {
         return;
     }
-    const struct rhw_pipeline_def def = pipeline_of(pass, clear);
+    const struct rhw_pipeline_def def = pipeline_of(encoder, clear);
     rhw_pipeline pipeline;
     if (rhw_pipeline_create(context, &def, &pipeline) != RHW_OK) {
-        pass->out_of_memory = true;
+        encoder->out_of_memory = true;
         return;
     }
     struct kept_state kept;
-    keep_state(pass, &kept);
-    draw(context, id, pass, clear, pipeline);
-    restore_state(pass, &kept);
+    keep_state(encoder, &kept);
+    draw(context, id, encoder, clear, pipeline);
+    restore_state(encoder, &kept);
     rhw_pipeline_destroy(context, pipeline);
 }

@@ -3,25 +3,25 @@
 #include "context/context.h"
 #include "context/entry.h"
 #include "context/misuse.h"
-#include "enter.h"
-#include "pass_state.h"
+#include "encoder.h"
 #include "rhw/rhw.h"
 
 void rhw_pass_push_debug_group(rhw_context *context, rhw_pass id, const char *label)
 {
     static const char *const where = "rhw_pass_push_debug_group";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (!pass) {
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
         return;
     }
     if (rhw_check(context, label != NULL, "%s: label is NULL", where)) {
-        struct rhw_debug_group *const group = rhw_arena_alloc(&pass->arena, sizeof *group, _Alignof(void *));
+        struct rhw_debug_group *const group =
+            rhw_arena_alloc(&encoder->pass->arena, sizeof *group, _Alignof(void *));
         if (group) {
             group->outer = context->recording.group;
             rhw_label_copy(group->label, label);
             context->recording.group = group;
         }
-        pass->out_of_memory |= !group;
+        encoder->out_of_memory |= !group;
     }
     rhw_context_leave(context);
 }
@@ -29,12 +29,12 @@ void rhw_pass_push_debug_group(rhw_context *context, rhw_pass id, const char *la
 void rhw_pass_pop_debug_group(rhw_context *context, rhw_pass id)
 {
     static const char *const where = "rhw_pass_pop_debug_group";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (!pass) {
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
         return;
     }
     const struct rhw_debug_group *const group = context->recording.group;
-    if (pass->out_of_memory || rhw_check(context, group != NULL, "%s: no group was pushed", where)) {
+    if (encoder->out_of_memory || rhw_check(context, group != NULL, "%s: no group was pushed", where)) {
         context->recording.group = group ? group->outer : NULL;
     }
     rhw_context_leave(context);

@@ -12,17 +12,17 @@
 
 static const uint32_t index_sizes[] = {[RHW_INDEX_UINT8] = 1, [RHW_INDEX_UINT16] = 2, [RHW_INDEX_UINT32] = 4};
 
-static struct rhw_name name_of(const struct rhw_pass_state *pass, int slot)
+static struct rhw_name name_of(const struct rhw_encoder *encoder, int slot)
 {
-    return rhw_name_of(&pass->context->buffers, pass->bound.vertices[slot].index);
+    return rhw_name_of(&encoder->context->buffers, encoder->bound.vertices[slot].index);
 }
 
 // Elements that attribute i finds in its buffer; of a constant one there is one.
-static uint64_t elements_of(const struct rhw_pass_state *pass, int i)
+static uint64_t elements_of(const struct rhw_encoder *encoder, int i)
 {
-    const struct rhw_pipeline_def *const def = &pass->pending.pipeline->def;
+    const struct rhw_pipeline_def *const def = &encoder->pending.pipeline->def;
     const struct rhw_attribute *const attribute = &def->attributes[i];
-    const struct rhw_bound_buffer *const bound = &pass->bound.vertices[attribute->buffer];
+    const struct rhw_bound_buffer *const bound = &encoder->bound.vertices[attribute->buffer];
     const uint64_t size = bound->size;
     const uint64_t end = (uint64_t)attribute->offset + rhw_vertex_format_size(attribute->format);
     const struct rhw_vertex_layout *const layout = &def->buffers[attribute->buffer];
@@ -30,22 +30,22 @@ static uint64_t elements_of(const struct rhw_pass_state *pass, int i)
 }
 
 // Whether what draws count, vertices or instances, ends within the buffers that are read by it. `last` is the highest.
-static bool check_elements(const struct rhw_pass_state *pass, bool per_instance, int64_t first, int64_t last,
+static bool check_elements(const struct rhw_encoder *encoder, bool per_instance, int64_t first, int64_t last,
                            const char *where)
 {
-    const struct rhw_pipeline_def *const def = &pass->pending.pipeline->def;
+    const struct rhw_pipeline_def *const def = &encoder->pending.pipeline->def;
     for (int i = 0; i < def->attribute_count; i++) {
         const int slot = def->attributes[i].buffer;
         const struct rhw_vertex_layout *const layout = &def->buffers[slot];
         if (layout->constant || layout->per_instance != per_instance) {
             continue;
         }
-        const int64_t count = (int64_t)elements_of(pass, i);
+        const int64_t count = (int64_t)elements_of(encoder, i);
         const int64_t end = per_instance ? first + (last - first) / layout->instance_step : last;
-        if (!rhw_check(pass->context, first >= 0 && end < count,
+        if (!rhw_check(encoder->context, first >= 0 && end < count,
                        "%s: it reads %s %lld to %lld; attribute %d has %lld in %s, slot %d", where,
                        per_instance ? "instances" : "vertices", (long long)first, (long long)end, i,
-                       (long long)count, name_of(pass, slot).text, slot)) {
+                       (long long)count, name_of(encoder, slot).text, slot)) {
             return false;
         }
     }
@@ -53,38 +53,38 @@ static bool check_elements(const struct rhw_pass_state *pass, bool per_instance,
 }
 
 // The same for what all vertices read.
-static bool check_constants(const struct rhw_pass_state *pass, const char *where)
+static bool check_constants(const struct rhw_encoder *encoder, const char *where)
 {
-    const struct rhw_pipeline_def *const def = &pass->pending.pipeline->def;
+    const struct rhw_pipeline_def *const def = &encoder->pending.pipeline->def;
     for (int i = 0; i < def->attribute_count; i++) {
         const int slot = def->attributes[i].buffer;
-        if (!rhw_check(pass->context, !def->buffers[slot].constant || elements_of(pass, i) != 0,
+        if (!rhw_check(encoder->context, !def->buffers[slot].constant || elements_of(encoder, i) != 0,
                        "%s: attribute %d, which is constant, ends behind %s, slot %d", where, i,
-                       name_of(pass, slot).text, slot)) {
+                       name_of(encoder, slot).text, slot)) {
             return false;
         }
     }
     return true;
 }
 
-static uint32_t index_at(const struct rhw_pass_state *pass, uint64_t i)
+static uint32_t index_at(const struct rhw_encoder *encoder, uint64_t i)
 {
-    const uint32_t size = index_sizes[pass->pending.index_type];
+    const uint32_t size = index_sizes[encoder->pending.index_type];
     uint32_t value = 0;
-    memcpy(&value, pass->bound.indices.data->bytes + pass->bound.indices.offset + i * size,
+    memcpy(&value, encoder->bound.indices.data->bytes + encoder->bound.indices.offset + i * size,
            size); // little endian
     return value;
 }
 
 // The least and the greatest index, restarts left out; false when there is none.
-static bool find_indices(const struct rhw_pass_state *pass, const struct rhw_draw *draw, uint32_t count,
+static bool find_indices(const struct rhw_encoder *encoder, const struct rhw_draw *draw, uint32_t count,
                          uint32_t *least, uint32_t *most)
 {
-    const uint32_t restart = UINT32_MAX >> (32 - 8 * index_sizes[pass->pending.index_type]);
-    const bool restarts = pass->pending.pipeline->def.primitive_restart;
+    const uint32_t restart = UINT32_MAX >> (32 - 8 * index_sizes[encoder->pending.index_type]);
+    const bool restarts = encoder->pending.pipeline->def.primitive_restart;
     bool any = false;
     for (uint64_t i = draw->first; i < (uint64_t)draw->first + count; i++) {
-        const uint32_t index = index_at(pass, i);
+        const uint32_t index = index_at(encoder, i);
         if (restarts && index == restart) {
             continue;
         }
@@ -95,39 +95,39 @@ static bool find_indices(const struct rhw_pass_state *pass, const struct rhw_dra
     return any;
 }
 
-static bool check_indices(const struct rhw_pass_state *pass, const struct rhw_draw *draw, uint32_t count,
+static bool check_indices(const struct rhw_encoder *encoder, const struct rhw_draw *draw, uint32_t count,
                           const char *where)
 {
-    const uint32_t size = index_sizes[pass->pending.index_type];
-    const size_t offset = pass->bound.indices.offset;
-    const uint64_t there = pass->bound.indices.size / size;
+    const uint32_t size = index_sizes[encoder->pending.index_type];
+    const size_t offset = encoder->bound.indices.offset;
+    const uint64_t there = encoder->bound.indices.size / size;
     uint32_t least = 0, most = 0;
     if (!rhw_check(
-            pass->context, offset % size == 0,
+            encoder->context, offset % size == 0,
             "%s: the index buffer was set with offset %zu; it must be a multiple of the %u bytes of an index",
             where, offset, (unsigned)size) ||
-        !rhw_check(pass->context, (uint64_t)draw->first + count <= there,
+        !rhw_check(encoder->context, (uint64_t)draw->first + count <= there,
                    "%s: first is %u and count is %u; the index buffer has %llu indices", where,
                    (unsigned)draw->first, (unsigned)count, (unsigned long long)there)) {
         return false;
     }
-    if (!find_indices(pass, draw, count, &least, &most)) {
+    if (!find_indices(encoder, draw, count, &least, &most)) {
         return true;
     }
     const int64_t base = (int32_t)draw->base_vertex;
-    return check_elements(pass, false, base + least, base + most, where);
+    return check_elements(encoder, false, base + least, base + most, where);
 }
 
-bool rhw_draw_range_check(const struct rhw_pass_state *pass, const struct rhw_draw *draw, uint32_t count,
+bool rhw_draw_range_check(const struct rhw_encoder *encoder, const struct rhw_draw *draw, uint32_t count,
                           const char *where)
 {
     if (count == 0 || draw->instances == 0) {
         return true;
     }
     const bool vertices =
-        draw->indexed ? check_indices(pass, draw, count, where)
-                      : check_elements(pass, false, draw->first, (int64_t)draw->first + count - 1, where);
-    return vertices && check_constants(pass, where) &&
-           check_elements(pass, true, draw->first_instance,
+        draw->indexed ? check_indices(encoder, draw, count, where)
+                      : check_elements(encoder, false, draw->first, (int64_t)draw->first + count - 1, where);
+    return vertices && check_constants(encoder, where) &&
+           check_elements(encoder, true, draw->first_instance,
                           (int64_t)draw->first_instance + draw->instances - 1, where);
 }

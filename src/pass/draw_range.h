@@ -4,10 +4,10 @@
 #ifndef RHW_DRAW_RANGE_H
 #define RHW_DRAW_RANGE_H
 
-#include "pass_state.h"
+#include "encoder.h"
 
 // False, and misuse of `where`, when a draw of `count` vertices or indices reaches outside an index or vertex buffer.
-bool rhw_draw_range_check(const struct rhw_pass_state *pass, const struct rhw_draw *draw, uint32_t count,
+bool rhw_draw_range_check(const struct rhw_encoder *encoder, const struct rhw_draw *draw, uint32_t count,
                           const char *where);
 
 #endif

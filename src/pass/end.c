@@ -3,11 +3,10 @@
 #include "resource/buffer.h"
 #include "context/context.h"
 #include "context/entry.h"
-#include "binding/validation/validation_messages.h"
+#include "binding/validation/validation.h"
 #include "context/misuse.h"
-#include "enter.h"
 #include "run/run.h"
-#include "pass_state.h"
+#include "encoder.h"
 #include "pipeline/pipeline.h"
 #include "query.h"
 #include "rhw/rhw.h"
@@ -33,42 +32,42 @@ static void release_retired(rhw_context *context)
 }
 
 // Where recording was when it came to a draw.
-static struct rhw_recording place_of(const struct rhw_pass_state *pass, uint32_t draw)
+static struct rhw_recording place_of(const struct rhw_encoder *encoder, uint32_t draw)
 {
-    struct rhw_recording place = pass->context->recording;
+    struct rhw_recording place = encoder->context->recording;
     place.active = true;
     place.draw = draw;
-    place.group = rhw_pass_draw_at(pass, draw)->group;
+    place.group = rhw_draw_list_at(&encoder->pass->draws, draw)->group;
     return place;
 }
 
 // What validation found while the pass ran.
-static void report_validation(struct rhw_pass_state *pass)
+static void report_validation(struct rhw_encoder *encoder)
 {
-    rhw_context *const context = pass->context;
+    rhw_context *const context = encoder->context;
     const struct rhw_validation_message *const warning = &context->validation->kinds[RHW_VALIDATION_WARNING];
     const struct rhw_validation_message *const misuse = &context->validation->kinds[RHW_VALIDATION_MISUSE];
     if (warning->found) {
-        const struct rhw_recording place = place_of(pass, warning->draw);
+        const struct rhw_recording place = place_of(encoder, warning->draw);
         rhw_context_warn_at(context, &place, warning->text);
     }
     if (misuse->found) {
-        const struct rhw_recording place = place_of(pass, misuse->draw);
+        const struct rhw_recording place = place_of(encoder, misuse->draw);
         rhw_misuse_at(context, &place, "%s", misuse->text);
     }
 }
 
-static enum rhw_result end(struct rhw_pass_state *pass, struct rhw_stats *stats)
+static enum rhw_result end(struct rhw_encoder *encoder, struct rhw_stats *stats)
 {
-    rhw_context *const context = pass->context;
+    rhw_context *const context = encoder->context;
     const uint32_t generation = context->recording.generation;
     (void)rhw_check(context, context->recording.group == NULL,
                     "rhw_pass_end: a debug group was pushed and not popped");
     if (context->recording.active && context->recording.generation == generation) {
-        rhw_queries_check_ended(pass);
+        rhw_queries_check_ended(encoder);
     }
     if (context->recording.active && context->recording.generation == generation) {
-        rhw_feedback_check_ended(pass);
+        rhw_feedback_check_ended(encoder);
     }
     if (!context->recording.active || context->recording.generation != generation) {
         return RHW_ERROR_MISUSE; // the hook ended the pass itself
@@ -78,15 +77,17 @@ static enum rhw_result end(struct rhw_pass_state *pass, struct rhw_stats *stats)
     }
     context->recording.active = false;
     bool misused = context->recording.misused;
-    const enum rhw_result result = pass->out_of_memory ? RHW_ERROR_OUT_OF_MEMORY : rhw_pass_run(pass, stats);
+    const enum rhw_result result = encoder->out_of_memory
+                                       ? RHW_ERROR_OUT_OF_MEMORY
+                                       : rhw_executor_run(context->executor, encoder->pass, stats);
     if (result == RHW_OK) {
-        rhw_queries_answer(pass);
+        rhw_queries_answer(encoder);
     }
     release_retired(context);
     misused |= atomic_load_explicit(&context->refused, memory_order_relaxed);
     if (context->validation && result == RHW_OK) {
         misused |= context->validation->kinds[RHW_VALIDATION_MISUSE].found;
-        report_validation(pass);
+        report_validation(encoder);
     }
     return result == RHW_OK && misused ? RHW_ERROR_MISUSE : result;
 }
@@ -102,11 +103,11 @@ void rhw_pass_cancel(rhw_context *context, rhw_pass id)
 
 enum rhw_result rhw_pass_end(rhw_context *context, rhw_pass id, struct rhw_stats *stats)
 {
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_end");
-    if (!pass) {
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, "rhw_pass_end");
+    if (!encoder) {
         return RHW_ERROR_MISUSE;
     }
-    const enum rhw_result result = end(pass, stats);
+    const enum rhw_result result = end(encoder, stats);
     rhw_context_leave(context);
     return result;
 }

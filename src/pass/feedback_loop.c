@@ -3,7 +3,7 @@
 #include "feedback_loop.h"
 
 #include "context/context.h"
-#include "pass_state.h"
+#include "encoder.h"
 #include "resource/texture_access.h"
 
 struct rhw_read_texture {
@@ -22,43 +22,48 @@ static bool is_in(struct rhw_texel_range texels, const struct rhw_mip *mip, int 
     return mip && rhw_texel_ranges_overlap(texels, rhw_texel_range_of(mip, layer, layers));
 }
 
-static bool is_in_attachment(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment,
+static bool is_in_attachment(const struct rhw_encoder *encoder, const struct rhw_attachment *attachment,
                              struct rhw_texel_range texels)
 {
-    return is_in(texels, attachment->target, attachment->layer, pass->layers) ||
-           is_in(texels, attachment->resolve, attachment->layer, pass->layers);
+    const struct rhw_target *const target = &encoder->pass->target;
+    return is_in(texels, attachment->target, attachment->layer, target->layers) ||
+           is_in(texels, attachment->resolve, attachment->layer, target->layers);
 }
 
-static bool is_in_color(const struct rhw_pass_state *pass, struct rhw_texel_range texels)
+static bool is_in_color(const struct rhw_encoder *encoder, struct rhw_texel_range texels)
 {
-    for (int i = 0; i < pass->color_count; i++) {
-        if (is_in_attachment(pass, &pass->colors[i], texels)) {
+    const struct rhw_target *const target = &encoder->pass->target;
+    for (int i = 0; i < target->color_count; i++) {
+        if (is_in_attachment(encoder, &target->colors[i], texels)) {
             return true;
         }
     }
     return false;
 }
 
-bool rhw_pass_attaches(const struct rhw_pass_state *pass, struct rhw_texel_range texels)
+bool rhw_pass_attaches(const struct rhw_encoder *encoder, struct rhw_texel_range texels)
 {
-    return is_in_color(pass, texels) || is_in_attachment(pass, &pass->depth, texels) ||
-           is_in_attachment(pass, &pass->stencil, texels);
+    struct rhw_target *const target = &encoder->pass->target;
+    return is_in_color(encoder, texels) || is_in_attachment(encoder, &target->depth, texels) ||
+           is_in_attachment(encoder, &target->stencil, texels);
 }
 
 // Whether depth, or stencil, writes some of the texels: what is read-only only where it is resolved.
-static bool writes(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment,
+static bool writes(const struct rhw_encoder *encoder, const struct rhw_attachment *attachment,
                    struct rhw_texel_range texels)
 {
     return attachment->is_read_only
-               ? attachment->resolves && is_in(texels, attachment->resolve, attachment->layer, pass->layers)
-               : is_in_attachment(pass, attachment, texels);
+               ? attachment->resolves &&
+                     is_in(texels, attachment->resolve, attachment->layer, encoder->pass->target.layers)
+               : is_in_attachment(encoder, attachment, texels);
 }
 
 // Stencil alone is in both, depth and stencil.
-static bool draws_into(const struct rhw_pass_state *pass, struct rhw_texel_range texels)
+static bool draws_into(const struct rhw_encoder *encoder, struct rhw_texel_range texels)
 {
-    return is_in_color(pass, texels) || (pass->has_depth && writes(pass, &pass->depth, texels)) ||
-           (pass->has_stencil && writes(pass, &pass->stencil, texels));
+    const struct rhw_target *const target = &encoder->pass->target;
+    return is_in_color(encoder, texels) || (target->has_depth && writes(encoder, &target->depth, texels)) ||
+           (target->has_stencil && writes(encoder, &target->stencil, texels));
 }
 
 static struct rhw_texel_range range_of_level(const struct rhw_texture_data *texture, int level)
@@ -68,12 +73,12 @@ static struct rhw_texel_range range_of_level(const struct rhw_texture_data *text
 }
 
 // Most textures that are set are nobody's attachment, by any name.
-bool rhw_pass_draws_into(const struct rhw_pass_state *pass, const struct rhw_texture_data *texture,
+bool rhw_pass_draws_into(const struct rhw_encoder *encoder, const struct rhw_texture_data *texture,
                          uint32_t levels)
 {
-    levels = rhw_texture_is_attached(pass->context, texture) ? levels : 0;
+    levels = rhw_texture_is_attached(encoder->context, texture) ? levels : 0;
     for (; levels != 0; levels &= levels - 1) {
-        if (draws_into(pass, range_of_level(texture, __builtin_ctz(levels)))) {
+        if (draws_into(encoder, range_of_level(texture, __builtin_ctz(levels)))) {
             return true;
         }
     }
@@ -92,13 +97,13 @@ static bool levels_have(const struct rhw_texture_data *texture, uint32_t levels,
     return false;
 }
 
-bool rhw_pass_stores_texture(const struct rhw_pass_state *pass, const struct rhw_texture_data *texture,
+bool rhw_pass_stores_texture(const struct rhw_encoder *encoder, const struct rhw_texture_data *texture,
                              uint32_t levels)
 {
-    if (!rhw_texture_is_attached(pass->context, texture)) {
+    if (!rhw_texture_is_attached(encoder->context, texture)) {
         return false;
     }
-    for (const struct rhw_stored_level *stored = pass->stored; stored; stored = stored->next) {
+    for (const struct rhw_stored_level *stored = encoder->stored; stored; stored = stored->next) {
         if (levels_have(texture, levels, stored->texels)) {
             return true;
         }
@@ -106,9 +111,9 @@ bool rhw_pass_stores_texture(const struct rhw_pass_state *pass, const struct rhw
     return false;
 }
 
-bool rhw_pass_reads(const struct rhw_pass_state *pass, struct rhw_texel_range texels)
+bool rhw_pass_reads(const struct rhw_encoder *encoder, struct rhw_texel_range texels)
 {
-    for (const struct rhw_read_texture *read = pass->read; read; read = read->next) {
+    for (const struct rhw_read_texture *read = encoder->read; read; read = read->next) {
         if (levels_have(*read->item, read->levels, texels)) {
             return true;
         }
@@ -116,35 +121,35 @@ bool rhw_pass_reads(const struct rhw_pass_state *pass, struct rhw_texel_range te
     return false;
 }
 
-bool rhw_pass_note_read(struct rhw_pass_state *pass, struct rhw_texture_data *const *item, uint32_t levels)
+bool rhw_pass_note_read(struct rhw_encoder *encoder, struct rhw_texture_data *const *item, uint32_t levels)
 {
     struct rhw_texture_data *const texture = *item;
-    const uint32_t generation = pass->context->recording.generation;
+    const uint32_t generation = encoder->context->recording.generation;
     texture->read_levels = texture->read_pass == generation ? texture->read_levels : 0;
     const uint32_t added = levels & ~texture->read_levels;
     if (added == 0) {
         return true;
     }
     struct rhw_read_texture *const read =
-        rhw_arena_alloc(&pass->arena, sizeof *read, _Alignof(struct rhw_read_texture));
+        rhw_arena_alloc(&encoder->pass->arena, sizeof *read, _Alignof(struct rhw_read_texture));
     if (read) {
-        *read = (struct rhw_read_texture){pass->read, item, added};
-        pass->read = read;
+        *read = (struct rhw_read_texture){encoder->read, item, added};
+        encoder->read = read;
         texture->read_pass = generation;
         texture->read_levels |= added;
     }
     return read != NULL;
 }
 
-bool rhw_pass_note_stored(struct rhw_pass_state *pass, struct rhw_texture_data *texture, int level)
+bool rhw_pass_note_stored(struct rhw_encoder *encoder, struct rhw_texture_data *texture, int level)
 {
-    const uint32_t generation = pass->context->recording.generation;
+    const uint32_t generation = encoder->context->recording.generation;
     texture->stored_levels = texture->stored_pass == generation ? texture->stored_levels : 0;
     struct rhw_stored_level *const stored =
-        rhw_arena_alloc(&pass->arena, sizeof *stored, _Alignof(struct rhw_stored_level));
+        rhw_arena_alloc(&encoder->pass->arena, sizeof *stored, _Alignof(struct rhw_stored_level));
     if (stored) {
-        *stored = (struct rhw_stored_level){pass->stored, range_of_level(texture, level)};
-        pass->stored = stored;
+        *stored = (struct rhw_stored_level){encoder->stored, range_of_level(texture, level)};
+        encoder->stored = stored;
         texture->stored_pass = generation;
         texture->stored_levels |= 1u << level;
     }

@@ -10,10 +10,8 @@
 #include "context/lookup.h"
 #include "context/misuse.h"
 #include "pass.h"
-#include "enter.h"
-#include "pass_state.h"
+#include "encoder.h"
 #include "rhw/rhw.h"
-#include "rhw/transform_feedback.h"
 
 // Commands that were found to be there.
 struct command_list {
@@ -79,23 +77,23 @@ static struct command_list find_commands(const rhw_context *context, const struc
     return list;
 }
 
-static void draw_all(struct rhw_pass_state *pass, const struct rhw_draw_commands *commands, const char *where)
+static void draw_all(struct rhw_encoder *encoder, const struct rhw_draw_commands *commands, const char *where)
 {
     struct rhw_draw_command command;
-    const struct command_list list = find_commands(pass->context, commands, sizeof command, where);
+    const struct command_list list = find_commands(encoder->context, commands, sizeof command, where);
     for (uint32_t i = 0; list.bytes != NULL && i < list.count; i++) {
         memcpy(&command, list.bytes + i * list.stride, sizeof command);
         const struct rhw_draw draw = {
             .first = command.first, .first_instance = command.first_instance, .instances = command.instances};
-        rhw_pass_record(pass, &draw, command.count, where);
+        rhw_pass_record(encoder, &draw, command.count, where);
     }
 }
 
-static void draw_all_indexed(struct rhw_pass_state *pass, const struct rhw_draw_commands *commands,
+static void draw_all_indexed(struct rhw_encoder *encoder, const struct rhw_draw_commands *commands,
                              const char *where)
 {
     struct rhw_draw_indexed_command command;
-    const struct command_list list = find_commands(pass->context, commands, sizeof command, where);
+    const struct command_list list = find_commands(encoder->context, commands, sizeof command, where);
     for (uint32_t i = 0; list.bytes != NULL && i < list.count; i++) {
         memcpy(&command, list.bytes + i * list.stride, sizeof command);
         const struct rhw_draw draw = {.first = command.first,
@@ -103,14 +101,14 @@ static void draw_all_indexed(struct rhw_pass_state *pass, const struct rhw_draw_
                                       .first_instance = command.first_instance,
                                       .instances = command.instances,
                                       .indexed = true};
-        rhw_pass_record(pass, &draw, command.count, where);
+        rhw_pass_record(encoder, &draw, command.count, where);
     }
 }
 
-static void draw_byte_count(struct rhw_pass_state *pass, const struct rhw_draw_byte_count *draw,
+static void draw_byte_count(struct rhw_encoder *encoder, const struct rhw_draw_byte_count *draw,
                             const char *where)
 {
-    const rhw_context *const context = pass->context;
+    const rhw_context *const context = encoder->context;
     uint32_t counter;
     if (!rhw_check(context, draw != NULL, "%s: draw is NULL", where) ||
         !rhw_check(context, draw->stride != 0, "%s: stride is 0; it must be at least 1 byte", where)) {
@@ -122,16 +120,16 @@ static void draw_byte_count(struct rhw_pass_state *pass, const struct rhw_draw_b
         memcpy(&counter, bytes, sizeof counter);
         const uint32_t size = counter > draw->counter_offset ? counter - draw->counter_offset : 0;
         const struct rhw_draw all = {.first_instance = draw->first_instance, .instances = draw->instances};
-        rhw_pass_record(pass, &all, size / draw->stride, where);
+        rhw_pass_record(encoder, &all, size / draw->stride, where);
     }
 }
 
 void rhw_pass_draw_indirect(rhw_context *context, rhw_pass id, const struct rhw_draw_commands *commands)
 {
     static const char *const where = "rhw_pass_draw_indirect";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (pass != NULL) {
-        draw_all(pass, commands, where);
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (encoder != NULL) {
+        draw_all(encoder, commands, where);
         rhw_context_leave(context);
     }
 }
@@ -140,9 +138,9 @@ void rhw_pass_draw_indexed_indirect(rhw_context *context, rhw_pass id,
                                     const struct rhw_draw_commands *commands)
 {
     static const char *const where = "rhw_pass_draw_indexed_indirect";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (pass != NULL) {
-        draw_all_indexed(pass, commands, where);
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (encoder != NULL) {
+        draw_all_indexed(encoder, commands, where);
         rhw_context_leave(context);
     }
 }
@@ -151,9 +149,9 @@ void rhw_pass_draw_indirect_byte_count(rhw_context *context, rhw_pass id,
                                        const struct rhw_draw_byte_count *draw)
 {
     static const char *const where = "rhw_pass_draw_indirect_byte_count";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (pass != NULL) {
-        draw_byte_count(pass, draw, where);
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (encoder != NULL) {
+        draw_byte_count(encoder, draw, where);
         rhw_context_leave(context);
     }
 }

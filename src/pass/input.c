@@ -8,27 +8,26 @@
 #include "context/entry.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
-#include "enter.h"
-#include "pass_state.h"
+#include "encoder.h"
 #include "rhw/rhw.h"
 
 // Notes that draws read bytes of a buffer. False when that is misuse.
-static __attribute__((noinline)) bool note_read(struct rhw_pass_state *pass,
+static __attribute__((noinline)) bool note_read(struct rhw_encoder *encoder,
                                                 const struct rhw_buffer_part *part, const char *where)
 {
-    if (!rhw_buffer_check_use(pass->context, part, where)) {
+    if (!rhw_buffer_check_use(encoder->context, part, where)) {
         return false;
     }
-    pass->out_of_memory |= !rhw_buffer_note_use(pass->context, &pass->arena, part);
+    encoder->out_of_memory |= !rhw_buffer_note_use(encoder->context, &encoder->pass->arena, part);
     return true;
 }
 
 // Bytes `offset` to offset + size of a buffer, 0: to its end, that draws will read; the data is NULL when the call was
 // misuse.
-static inline struct rhw_bound_buffer bind_buffer(struct rhw_pass_state *pass, rhw_buffer id, size_t offset,
+static inline struct rhw_bound_buffer bind_buffer(struct rhw_encoder *encoder, rhw_buffer id, size_t offset,
                                                   size_t size, const char *where)
 {
-    rhw_context *const context = pass->context;
+    rhw_context *const context = encoder->context;
     struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
     if (!buffer ||
         !rhw_check(context, offset <= buffer->size, "%s: offset is %zu; %s has %zu bytes", where, offset,
@@ -45,7 +44,7 @@ static inline struct rhw_bound_buffer bind_buffer(struct rhw_pass_state *pass, r
                           used->ranges.last->first <= offset && end <= used->ranges.last->end;
     const struct rhw_buffer_part part = {id, buffer, RHW_BUFFER_READ, offset, end};
     if ((buffer->is_map_written && !rhw_buffer_check_unmapped(context, &part, where)) ||
-        (!is_noted && !note_read(pass, &part, where))) {
+        (!is_noted && !note_read(encoder, &part, where))) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
     rhw_pool_use(&context->buffers, id.index, generation);
@@ -60,16 +59,16 @@ static bool same_buffer(struct rhw_bound_buffer a, struct rhw_bound_buffer b)
 static inline void set_vertex_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer,
                                      size_t offset, size_t size, const char *where)
 {
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (!pass) {
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
         return;
     }
     if (rhw_check(context, slot >= 0 && slot < RHW_MAX_VERTEX_BUFFERS, "%s: slot is %d; it is in 0..%d",
                   where, slot, RHW_MAX_VERTEX_BUFFERS - 1)) {
-        const struct rhw_bound_buffer bound = bind_buffer(pass, buffer, offset, size, where);
+        const struct rhw_bound_buffer bound = bind_buffer(encoder, buffer, offset, size, where);
         if (bound.data) {
-            pass->pending_changed |= !same_buffer(pass->bound.vertices[slot], bound);
-            pass->bound.vertices[slot] = bound;
+            encoder->pending_changed |= !same_buffer(encoder->bound.vertices[slot], bound);
+            encoder->bound.vertices[slot] = bound;
         }
     }
     rhw_context_leave(context);
@@ -89,18 +88,18 @@ void rhw_pass_set_vertex_buffer_range(rhw_context *context, rhw_pass id, int slo
 static inline void set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buffer,
                                     enum rhw_index_type type, size_t offset, size_t size, const char *where)
 {
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (!pass) {
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
         return;
     }
     if (rhw_check(context, (unsigned)type <= RHW_INDEX_UINT32, "%s: type is %d; not an index type", where,
                   (int)type)) {
-        const struct rhw_bound_buffer bound = bind_buffer(pass, buffer, offset, size, where);
+        const struct rhw_bound_buffer bound = bind_buffer(encoder, buffer, offset, size, where);
         if (bound.data) {
-            pass->pending_changed |=
-                !same_buffer(pass->bound.indices, bound) || pass->pending.index_type != type;
-            pass->bound.indices = bound;
-            pass->pending.index_type = type;
+            encoder->pending_changed |=
+                !same_buffer(encoder->bound.indices, bound) || encoder->pending.index_type != type;
+            encoder->bound.indices = bound;
+            encoder->pending.index_type = type;
         }
     }
     rhw_context_leave(context);
@@ -118,32 +117,32 @@ void rhw_pass_set_index_buffer_range(rhw_context *context, rhw_pass id, rhw_buff
     set_index_buffer(context, id, buffer, type, offset, size, "rhw_pass_set_index_buffer_range");
 }
 
-static void set_uniforms(struct rhw_pass_state *pass, const void *data, size_t size)
+static void set_uniforms(struct rhw_encoder *encoder, const void *data, size_t size)
 {
     static const char *const where = "rhw_pass_set_uniforms";
-    rhw_context *const context = pass->context;
+    rhw_context *const context = encoder->context;
     if (!rhw_check(context, data || size == 0, "%s: data is NULL and size is %zu", where, size) ||
         !rhw_check(context, size <= RHW_MAX_UNIFORM_SIZE, "%s: size is %zu; at most %d", where, size,
                    RHW_MAX_UNIFORM_SIZE)) {
         return;
     }
-    void *const copy = rhw_arena_alloc(&pass->arena, size, RHW_CACHE_LINE);
+    void *const copy = rhw_arena_alloc(&encoder->pass->arena, size, RHW_CACHE_LINE);
     if (!copy) {
-        pass->out_of_memory = true;
+        encoder->out_of_memory = true;
         return;
     }
     if (size != 0) {
         memcpy(copy, data, size);
     }
-    pass->uniforms = copy;
-    pass->uniform_size = (uint32_t)size;
+    encoder->uniforms = copy;
+    encoder->uniform_size = (uint32_t)size;
 }
 
 void rhw_pass_set_uniforms(rhw_context *context, rhw_pass id, const void *data, size_t size)
 {
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_set_uniforms");
-    if (pass) {
-        set_uniforms(pass, data, size);
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, "rhw_pass_set_uniforms");
+    if (encoder) {
+        set_uniforms(encoder, data, size);
         rhw_context_leave(context);
     }
 }

@@ -15,86 +15,60 @@
 #include "context/lookup.h"
 #include "context/misuse.h"
 #include "pass_draw_state.h"
-#include "enter.h"
-#include "run/run.h"
-#include "pass_state.h"
+#include "encoder.h"
 #include "pipeline/pipeline.h"
 #include "query.h"
 #include "rhw/rhw.h"
-#include "run/shared_vertices.h"
+#include "draw/shared_vertices.h"
 #include "run/strip_stipple.h"
 #include "transform_feedback.h"
 #include "binding/validation/validation.h"
 
-enum rhw_result rhw_pass_state_create(struct rhw_context *context, struct rhw_pass_state **out)
-{
-    struct rhw_pass_state *const pass = rhw_memory_allocate(&context->memory, sizeof *pass, RHW_CACHE_LINE);
-    *out = pass;
-    if (!pass) {
-        return RHW_ERROR_OUT_OF_MEMORY;
-    }
-    memset(pass, 0, sizeof *pass);
-    pass->context = context;
-    pass->paths = context->paths;
-    rhw_arena_init(&pass->arena, &context->memory);
-    return RHW_OK;
-}
-
-void rhw_pass_state_destroy(struct rhw_context *context, struct rhw_pass_state *pass)
-{
-    if (!pass) {
-        return;
-    }
-    rhw_pass_run_release(pass);
-    rhw_draw_list_destroy(&context->memory, &pass->draws);
-    rhw_arena_destroy(&pass->arena);
-    rhw_memory_release(&context->memory, pass, sizeof *pass);
-}
-
 // A first draw that nothing of can be seen: depth is 1 because nobody said what it is, as with reversed depth in a
 // definition that was zeroed.
-static bool faces_unset_depth(const struct rhw_pass_state *pass)
+static bool faces_unset_depth(const struct rhw_encoder *encoder)
 {
-    const struct rhw_pipeline_def *const def = &pass->pending.pipeline->def;
-    return pass->depth_by_default && pass->draws.count == 0 && def->depth_test &&
+    const struct rhw_pipeline_def *const def = &encoder->pending.pipeline->def;
+    return encoder->depth_by_default && encoder->pass->draws.count == 0 && def->depth_test &&
            (def->depth_compare == RHW_COMPARE_GREATER || def->depth_compare == RHW_COMPARE_GREATER_EQUAL);
 }
 
 // Its masks are those of the draw.
-static bool writes_read_only_stencil(const struct rhw_pass_state *pass)
+static bool writes_read_only_stencil(const struct rhw_encoder *encoder)
 {
-    return pass->stencil.is_read_only &&
-           rhw_writes_stencil(&pass->pending.pipeline->def, &pass->pending.depth_setting);
+    return encoder->pass->target.stencil.is_read_only &&
+           rhw_writes_stencil(&encoder->pending.pipeline->def, &encoder->pending.depth_setting);
 }
 
-static bool check_draw(const struct rhw_pass_state *pass, bool indexed, const char *where)
+static bool check_draw(const struct rhw_encoder *encoder, bool indexed, const char *where)
 {
-    struct rhw_context *const context = pass->context;
-    const struct rhw_pipeline_data *const pipeline = pass->pending.pipeline;
+    struct rhw_context *const context = encoder->context;
+    const struct rhw_pipeline_data *const pipeline = encoder->pending.pipeline;
     if (!rhw_check(context, pipeline != NULL, "%s: no pipeline is set%s", where,
-                   pass->refused_pipeline ? ", as the one that was to be was refused" : "") ||
-        !rhw_check(context, !indexed || pass->bound.indices.data, "%s: no index buffer is set", where) ||
-        !rhw_check(context, pass->uniform_size >= pipeline->def.program.uniform_size,
-                   "%s: %u bytes of uniforms are set; the program of %s reads %u", where, pass->uniform_size,
-                   rhw_name_of(&context->pipelines, pass->bound.pipeline.index).text,
+                   encoder->refused_pipeline ? ", as the one that was to be was refused" : "") ||
+        !rhw_check(context, !indexed || encoder->bound.indices.data, "%s: no index buffer is set", where) ||
+        !rhw_check(context, encoder->uniform_size >= pipeline->def.program.uniform_size,
+                   "%s: %u bytes of uniforms are set; the program of %s reads %u", where,
+                   encoder->uniform_size,
+                   rhw_name_of(&context->pipelines, encoder->bound.pipeline.index).text,
                    pipeline->def.program.uniform_size) ||
         !rhw_check(
-            context, !faces_unset_depth(pass),
+            context, !faces_unset_depth(encoder),
             "%s: the first draw asks for greater depth, which RHW_LOAD_DEFAULT cleared to 1; clear to 0 by "
             "RHW_LOAD_CLEAR",
             where) ||
         !rhw_check(
-            context, !writes_read_only_stencil(pass),
+            context, !writes_read_only_stencil(encoder),
             "%s: %s writes stencil, and the pass has it read_only; its operations must keep it, or its "
             "write masks have no bits",
-            where, rhw_name_of(&context->pipelines, pass->bound.pipeline.index).text)) {
+            where, rhw_name_of(&context->pipelines, encoder->bound.pipeline.index).text)) {
         return false;
     }
     for (int i = 0; i < pipeline->def.attribute_count; i++) {
         const int slot = pipeline->def.attributes[i].buffer;
-        if (!rhw_check(context, pass->bound.vertices[slot].data != NULL,
+        if (!rhw_check(context, encoder->bound.vertices[slot].data != NULL,
                        "%s: no vertex buffer is set in slot %d, which attribute %d of %s reads", where, slot,
-                       i, rhw_name_of(&context->pipelines, pass->bound.pipeline.index).text)) {
+                       i, rhw_name_of(&context->pipelines, encoder->bound.pipeline.index).text)) {
             return false;
         }
     }
@@ -102,47 +76,49 @@ static bool check_draw(const struct rhw_pass_state *pass, bool indexed, const ch
 }
 
 // The uniforms of the next draw, as its pipeline's functions or their validator want them.
-static const void *uniforms_of(struct rhw_pass_state *pass)
+static const void *uniforms_of(struct rhw_encoder *encoder)
 {
-    const struct rhw_pipeline_data *const pipeline = pass->pending.pipeline;
+    const struct rhw_pipeline_data *const pipeline = encoder->pending.pipeline;
     if (!pipeline->validator) {
-        return pass->uniforms;
+        return encoder->uniforms;
     }
-    const void *const validated = rhw_validated_uniforms(
-        &pass->arena, pass->uniforms, pipeline->def.program.uniform_size, pass->draws.count);
-    pass->out_of_memory |= !validated;
+    const void *const validated =
+        rhw_validated_uniforms(&encoder->pass->arena, encoder->uniforms, pipeline->def.program.uniform_size,
+                               encoder->pass->draws.count);
+    encoder->out_of_memory |= !validated;
     return validated;
 }
 
-static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw, uint32_t count)
+static void append_draw(struct rhw_encoder *encoder, const struct rhw_draw *draw, uint32_t count)
 {
+    struct rhw_recorded_pass *const pass = encoder->pass;
     const uint64_t environment = rhw_cpu_float_enter(); // viewport and blend constant are converted in it
-    const struct rhw_draw_state *const state = rhw_pass_draw_state(pass);
+    const struct rhw_draw_state *const state = rhw_pass_draw_state(encoder);
     rhw_cpu_float_leave(environment);
-    struct rhw_draw *const slot = state ? rhw_draw_list_next(&pass->context->memory, &pass->draws) : NULL;
+    struct rhw_draw *const slot = state ? rhw_draw_list_next(&encoder->context->memory, &pass->draws) : NULL;
     if (!slot) {
-        pass->out_of_memory = true;
+        encoder->out_of_memory = true;
         return;
     }
     *slot = *draw;
     slot->state = state;
-    slot->uniforms = uniforms_of(pass);
+    slot->uniforms = uniforms_of(encoder);
     slot->index = pass->draws.count;
-    slot->group = pass->context->recording.group;
+    slot->group = encoder->context->recording.group;
     slot->first_triangle = pass->triangle_count;
     const bool stipples = rhw_strip_stipple_needed(slot);
     slot->is_shaded_first = stipples || state->pipeline->def.program.vertex_effects;
-    if (pass->out_of_memory || !rhw_assembly_prepare(slot, count, &pass->arena) ||
+    if (encoder->out_of_memory || !rhw_assembly_prepare(slot, count, &pass->arena) ||
         (stipples && !rhw_strip_stipple_prepare(slot, count, &pass->arena)) ||
         (slot->is_shaded_first && !rhw_effect_vertices_prepare(slot, &pass->arena)) ||
-        (pass->feedback.is_active && !rhw_feedback_add_draw(pass, slot)) ||
-        !rhw_pass_route_draw(pass, slot)) {
-        pass->out_of_memory = true;
+        (encoder->feedback.is_active && !rhw_feedback_add_draw(encoder, slot)) ||
+        !rhw_pass_route_draw(encoder, slot)) {
+        encoder->out_of_memory = true;
         return;
     }
     pass->shades_first |= slot->is_shaded_first;
     pass->draws.count++;
-    pass->context->recording.draw = pass->draws.count;
+    encoder->context->recording.draw = pass->draws.count;
     pass->has_large_draws |= slot->indexed && slot->triangles_per_instance >= RHW_SHARING_TRIANGLES;
     const int triangles_most = state->pipeline->triangles_most;
     pass->triangles_most = triangles_most > pass->triangles_most ? triangles_most : pass->triangles_most;
@@ -152,21 +128,21 @@ static void append_draw(struct rhw_pass_state *pass, const struct rhw_draw *draw
     }
 }
 
-void rhw_pass_record(struct rhw_pass_state *pass, const struct rhw_draw *draw, uint32_t count,
+void rhw_pass_record(struct rhw_encoder *encoder, const struct rhw_draw *draw, uint32_t count,
                      const char *where)
 {
-    if (!pass->out_of_memory && check_draw(pass, draw->indexed, where) &&
-        (!pass->context->validation || rhw_draw_range_check(pass, draw, count, where))) {
-        append_draw(pass, draw, count);
+    if (!encoder->out_of_memory && check_draw(encoder, draw->indexed, where) &&
+        (!encoder->context->validation || rhw_draw_range_check(encoder, draw, count, where))) {
+        append_draw(encoder, draw, count);
     }
 }
 
 static void record(rhw_context *context, rhw_pass id, const struct rhw_draw *draw, uint32_t count,
                    const char *where)
 {
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (pass) {
-        rhw_pass_record(pass, draw, count, where);
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (encoder) {
+        rhw_pass_record(encoder, draw, count, where);
         rhw_context_leave(context);
     }
 }

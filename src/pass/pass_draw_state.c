@@ -9,10 +9,9 @@
 #include "context/context.h"
 #include "base/cpu.h"
 #include "draw/hidden_surface.h"
-#include "line.h"
-#include "pass_state.h"
+#include "dynamic_state.h"
+#include "encoder.h"
 #include "pass_texture.h"
-#include "viewport.h"
 #include "pipeline/pipeline.h"
 
 static struct rhw_vertex_stream stream_of(struct rhw_bound_buffer bound)
@@ -22,106 +21,109 @@ static struct rhw_vertex_stream stream_of(struct rhw_bound_buffer bound)
 }
 
 // The bytes that buffers have now: one that is written after a draw of this pass gets new ones.
-static void resolve_buffers(struct rhw_pass_state *pass)
+static void resolve_buffers(struct rhw_encoder *encoder)
 {
-    struct rhw_draw_state *const pending = &pass->pending;
+    struct rhw_draw_state *const pending = &encoder->pending;
     for (int i = 0; i < RHW_MAX_VERTEX_BUFFERS; i++) {
-        pending->streams[i] = stream_of(pass->bound.vertices[i]);
+        pending->streams[i] = stream_of(encoder->bound.vertices[i]);
     }
-    const struct rhw_vertex_stream indices = stream_of(pass->bound.indices);
+    const struct rhw_vertex_stream indices = stream_of(encoder->bound.indices);
     pending->indices = indices.bytes;
     pending->index_bytes = indices.size;
 }
 
 // Brings `pending` up to date with what is bound. False when out of memory.
-static bool resolve(struct rhw_pass_state *pass)
+static bool resolve(struct rhw_encoder *encoder)
 {
-    const uint32_t rewrites = pass->context->recording.rewrites;
-    const bool rewritten = rewrites != pass->rewrites_seen;
-    if (!rewritten && !pass->textures_changed && !pass->pending_changed) {
+    const uint32_t rewrites = encoder->context->recording.rewrites;
+    const bool rewritten = rewrites != encoder->rewrites_seen;
+    if (!rewritten && !encoder->textures_changed && !encoder->pending_changed) {
         return true;
     }
-    if (pass->textures_changed || rewritten) {
-        if (!rhw_pass_resolve_textures(pass)) {
+    if (encoder->textures_changed || rewritten) {
+        if (!rhw_pass_resolve_textures(encoder)) {
             return false;
         }
-        pass->textures_changed = false;
-        pass->pending_changed = true;
+        encoder->textures_changed = false;
+        encoder->pending_changed = true;
     }
-    resolve_buffers(pass);
-    pass->rewrites_seen = rewrites;
+    resolve_buffers(encoder);
+    encoder->rewrites_seen = rewrites;
     return true;
 }
 
-const struct rhw_draw_state *rhw_pass_draw_state(struct rhw_pass_state *pass)
+const struct rhw_draw_state *rhw_pass_draw_state(struct rhw_encoder *encoder)
 {
-    if (!resolve(pass)) {
+    struct rhw_target *const target = &encoder->pass->target;
+    if (!resolve(encoder)) {
         return NULL;
     }
-    if (pass->current && !pass->pending_changed) {
-        return pass->current;
+    if (encoder->current && !encoder->pending_changed) {
+        return encoder->current;
     }
-    struct rhw_draw_state *const state = rhw_arena_alloc(&pass->arena, sizeof *state, RHW_CACHE_LINE);
+    struct rhw_draw_state *const state =
+        rhw_arena_alloc(&encoder->pass->arena, sizeof *state, RHW_CACHE_LINE);
     if (!state) {
         return NULL;
     }
-    *state = pass->pending;
-    rhw_pass_clip_scissor(pass, state);
-    for (int i = 0; i < pass->color_count; i++) {
+    *state = encoder->pending;
+    rhw_pass_clip_scissor(encoder, state);
+    for (int i = 0; i < target->color_count; i++) {
         rhw_blend_state_init(&state->blend[i], &state->pipeline->def.targets[i], state->pipeline->def.logic,
                              state->blend_constant);
-        if (pass->paths == RHW_PATHS_GENERAL) {
+        if (encoder->pass->paths == RHW_PATHS_GENERAL) {
             rhw_blend_state_generalize(&state->blend[i]);
         }
     }
     rhw_depth_stencil_init(&state->depth_stencil, &state->pipeline->def, &state->depth_setting,
-                           pass->depth_steps);
+                           target->depth_steps);
     rhw_draw_state_map_viewport(state);
     rhw_draw_state_set_lines(state);
-    state->first_step = RHW_SUBPIXEL - pass->pattern->most_0_8 - 1;
-    state->past_step = RHW_SUBPIXEL - pass->pattern->least_0_8;
+    state->first_step = RHW_SUBPIXEL - target->pattern->most_0_8 - 1;
+    state->past_step = RHW_SUBPIXEL - target->pattern->least_0_8;
     if (state->pipeline->is_conservative) { // borders of pixels instead
         state->first_step = -1;
         state->past_step = RHW_SUBPIXEL;
     }
-    rhw_draw_plans_make(state->plans, state->pipeline, &state->depth_stencil, pass->pattern->count,
-                        pass->paths);
-    if (pass->paths == RHW_PATHS_ALL) {
-        state->hidden = rhw_hidden_rule_of(state, pass->color_count);
+    rhw_draw_plans_make(state->plans, state->pipeline, &state->depth_stencil, target->pattern->count,
+                        encoder->pass->paths);
+    if (encoder->pass->paths == RHW_PATHS_ALL) {
+        state->hidden = rhw_hidden_rule_of(state, target->color_count);
     }
-    pass->current = state;
-    memset(pass->routed, 0, sizeof pass->routed);
-    pass->pending_changed = false;
+    encoder->current = state;
+    memset(encoder->routed, 0, sizeof encoder->routed);
+    encoder->pending_changed = false;
     return state;
 }
 
 // The state of the draw in viewport `i`. NULL when out of memory.
-static const struct rhw_draw_state *routed_state(struct rhw_pass_state *pass, int i)
+static const struct rhw_draw_state *routed_state(struct rhw_encoder *encoder, int i)
 {
-    if (i == 0 || pass->routed[i]) {
-        return i == 0 ? pass->current : pass->routed[i];
+    if (i == 0 || encoder->routed[i]) {
+        return i == 0 ? encoder->current : encoder->routed[i];
     }
-    struct rhw_draw_state *const state = rhw_arena_alloc(&pass->arena, sizeof *state, RHW_CACHE_LINE);
+    struct rhw_draw_state *const state =
+        rhw_arena_alloc(&encoder->pass->arena, sizeof *state, RHW_CACHE_LINE);
     if (!state) {
         return NULL;
     }
-    *state = *pass->current;
-    state->viewport = pass->viewports[i];
-    state->scissor = pass->scissors[i];
+    *state = *encoder->current;
+    state->viewport = encoder->viewports[i];
+    state->scissor = encoder->scissors[i];
     state->viewport_index = i;
-    rhw_pass_clip_scissor(pass, state);
+    rhw_pass_clip_scissor(encoder, state);
     rhw_draw_state_map_viewport(state);
-    pass->routed[i] = state;
+    encoder->routed[i] = state;
     return state;
 }
 
-bool rhw_pass_route_draw(struct rhw_pass_state *pass, struct rhw_draw *draw)
+bool rhw_pass_route_draw(struct rhw_encoder *encoder, struct rhw_draw *draw)
 {
     if (!draw->state->pipeline->def.program.writes_viewport_index) {
         return true;
     }
     struct rhw_draw *const draws =
-        rhw_arena_alloc(&pass->arena, RHW_MAX_VIEWPORTS * sizeof *draws, RHW_CACHE_LINE);
+        rhw_arena_alloc(&encoder->pass->arena, RHW_MAX_VIEWPORTS * sizeof *draws, RHW_CACHE_LINE);
     if (!draws) {
         return false;
     }
@@ -129,7 +131,7 @@ bool rhw_pass_route_draw(struct rhw_pass_state *pass, struct rhw_draw *draw)
     bool made = true;
     for (int i = 0; i < RHW_MAX_VIEWPORTS && made; i++) {
         draws[i] = *draw;
-        draws[i].state = routed_state(pass, i);
+        draws[i].state = routed_state(encoder, i);
         made = draws[i].state != NULL;
     }
     rhw_cpu_float_leave(environment);

@@ -7,12 +7,12 @@
 
 struct rhw_draw;
 struct rhw_draw_state;
-struct rhw_pass_state;
+struct rhw_encoder;
 
 // An immutable copy of what the next draw uses, shared by the draws between two changes. NULL when out of memory.
-const struct rhw_draw_state *rhw_pass_draw_state(struct rhw_pass_state *pass);
+const struct rhw_draw_state *rhw_pass_draw_state(struct rhw_encoder *encoder);
 
 // Gives a draw whose vertices name their viewport the same draw in each. False when out of memory.
-bool rhw_pass_route_draw(struct rhw_pass_state *pass, struct rhw_draw *draw);
+bool rhw_pass_route_draw(struct rhw_encoder *encoder, struct rhw_draw *draw);
 
 #endif

@@ -5,8 +5,7 @@
 #include "format/format.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
-#include "enter.h"
-#include "pass_state.h"
+#include "encoder.h"
 #include "pipeline/pipeline.h"
 #include "rhw/rhw.h"
 
@@ -22,19 +21,20 @@ static bool forgets_count(const struct rhw_pipeline_def *def)
 }
 
 // A pipeline draws into what it was made for.
-static bool targets_match(const struct rhw_pass_state *pass, rhw_pipeline id,
+static bool targets_match(const struct rhw_encoder *encoder, rhw_pipeline id,
                           const struct rhw_pipeline_data *pipeline, const char *where)
 {
-    struct rhw_context *const context = pass->context;
-    if (!rhw_check(context, pipeline->def.target_count == pass->color_count,
+    const struct rhw_target *const target = &encoder->pass->target;
+    struct rhw_context *const context = encoder->context;
+    if (!rhw_check(context, pipeline->def.target_count == target->color_count,
                    "%s: %s has %d targets%s; the pass has %d colour attachments", where,
                    rhw_name_of(&context->pipelines, id.index).text, pipeline->def.target_count,
                    forgets_count(&pipeline->def) ? " (targets[0] is set and target_count is 0)" : "",
-                   pass->color_count)) {
+                   target->color_count)) {
         return false;
     }
-    for (int i = 0; i < pass->color_count; i++) {
-        const struct rhw_attachment *const color = &pass->colors[i];
+    for (int i = 0; i < target->color_count; i++) {
+        const struct rhw_attachment *const color = &target->colors[i];
         const enum rhw_format format = pipeline->def.targets[i].format;
         const bool is_left_out = pipeline->left_out >> i & 1;
         if (!rhw_check(context, format == color->format && is_left_out == color->is_left_out,
@@ -45,20 +45,21 @@ static bool targets_match(const struct rhw_pass_state *pass, rhw_pipeline id,
         }
     }
     return rhw_check(context,
-                     pass->has_depth || !(pipeline->def.depth_test || pipeline->def.depth_bounds_test),
+                     target->has_depth || !(pipeline->def.depth_test || pipeline->def.depth_bounds_test),
                      "%s: %s tests depth; the pass has no depth attachment", where,
                      rhw_name_of(&context->pipelines, id.index).text) &&
            rhw_check(context,
-                     !pass->depth.is_read_only || !pipeline->def.depth_test || pipeline->def.depth_read_only,
+                     !target->depth.is_read_only || !pipeline->def.depth_test ||
+                         pipeline->def.depth_read_only,
                      "%s: %s writes depth, and the pass has it read_only; depth_read_only must be true",
                      where, rhw_name_of(&context->pipelines, id.index).text) &&
-           rhw_check(context, pass->has_depth || !(pipeline->def.program.uses & RHW_USE_DEPTH_INPUT),
+           rhw_check(context, target->has_depth || !(pipeline->def.program.uses & RHW_USE_DEPTH_INPUT),
                      "%s: %s reads depth_input; the pass has no depth attachment", where,
                      rhw_name_of(&context->pipelines, id.index).text) &&
-           rhw_check(context, pass->has_stencil || !(pipeline->def.program.uses & RHW_USE_STENCIL_INPUT),
+           rhw_check(context, target->has_stencil || !(pipeline->def.program.uses & RHW_USE_STENCIL_INPUT),
                      "%s: %s reads stencil_input; the pass has no stencil attachment", where,
                      rhw_name_of(&context->pipelines, id.index).text) &&
-           rhw_check(context, pass->has_stencil || !pipeline->def.stencil_test,
+           rhw_check(context, target->has_stencil || !pipeline->def.stencil_test,
                      "%s: %s tests stencil; the pass has no stencil attachment", where,
                      rhw_name_of(&context->pipelines, id.index).text);
 }
@@ -66,21 +67,21 @@ static bool targets_match(const struct rhw_pass_state *pass, rhw_pipeline id,
 void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipeline_id)
 {
     static const char *const where = "rhw_pass_set_pipeline";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (!pass) {
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
         return;
     }
     const struct rhw_pipeline_data *const pipeline = rhw_context_pipeline(context, pipeline_id, where);
     if (pipeline &&
-        rhw_check(context, !pass->feedback.is_active, "%s: transform feedback is under way; end it first",
+        rhw_check(context, !encoder->feedback.is_active, "%s: transform feedback is under way; end it first",
                   where) &&
-        targets_match(pass, pipeline_id, pipeline, where)) {
+        targets_match(encoder, pipeline_id, pipeline, where)) {
         rhw_pool_use(&context->pipelines, pipeline_id.index, context->recording.generation);
-        pass->pending_changed |= pass->pending.pipeline != pipeline;
-        pass->pending.pipeline = pipeline;
-        pass->bound.pipeline = pipeline_id;
+        encoder->pending_changed |= encoder->pending.pipeline != pipeline;
+        encoder->pending.pipeline = pipeline;
+        encoder->bound.pipeline = pipeline_id;
     } else {
-        pass->refused_pipeline = true;
+        encoder->refused_pipeline = true;
     }
     rhw_context_leave(context);
 }

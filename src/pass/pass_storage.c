@@ -9,19 +9,18 @@
 #include "format/format.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
-#include "enter.h"
 #include "feedback_loop.h"
-#include "pass_state.h"
+#include "encoder.h"
 #include "rhw/rhw.h"
 #include "resource/shared_texels.h"
 #include "resource/texture.h"
 
 // Makes bytes of a live buffer ones that shader functions read, and write where they are not `is_read_only`. False when
 // that is misuse.
-static bool bind_range(struct rhw_pass_state *pass, rhw_buffer id, size_t offset, size_t size,
+static bool bind_range(struct rhw_encoder *encoder, rhw_buffer id, size_t offset, size_t size,
                        bool is_read_only, const char *where, struct rhw_bound_range *range)
 {
-    struct rhw_context *const context = pass->context;
+    struct rhw_context *const context = encoder->context;
     struct rhw_buffer_data *const data = rhw_context_buffer(context, id, where);
     if (!data || !rhw_buffer_check_range(context, id, data, offset, size, where)) {
         return false;
@@ -32,34 +31,34 @@ static bool bind_range(struct rhw_pass_state *pass, rhw_buffer id, size_t offset
     if (!rhw_buffer_check_unmapped(context, &part, where) || !rhw_buffer_check_use(context, &part, where)) {
         return false;
     }
-    pass->out_of_memory |= !rhw_buffer_note_use(context, &pass->arena, &part);
+    encoder->out_of_memory |= !rhw_buffer_note_use(context, &encoder->pass->arena, &part);
     *range = (struct rhw_bound_range){data, offset, length, is_read_only};
     return true;
 }
 
-static void set_storage_buffer(struct rhw_pass_state *pass, int slot, rhw_buffer id, size_t offset,
+static void set_storage_buffer(struct rhw_encoder *encoder, int slot, rhw_buffer id, size_t offset,
                                size_t size, bool is_read_only, const char *where)
 {
-    struct rhw_context *const context = pass->context;
+    struct rhw_context *const context = encoder->context;
     struct rhw_bound_range range = {.data = NULL};
     if (!rhw_check(context, slot >= 0 && slot < RHW_MAX_STORAGE_BUFFERS, "%s: slot is %d; it is in 0..%d",
                    where, slot, RHW_MAX_STORAGE_BUFFERS - 1) ||
         !rhw_check(context, offset % 4 == 0, "%s: offset is %zu; it must be a multiple of 4", where,
                    offset) ||
-        (id.index != 0 && !bind_range(pass, id, offset, size, is_read_only, where, &range))) {
+        (id.index != 0 && !bind_range(encoder, id, offset, size, is_read_only, where, &range))) {
         return;
     }
-    pass->bound.storage[slot] = range;
-    pass->textures_changed = true;
+    encoder->bound.storage[slot] = range;
+    encoder->textures_changed = true;
 }
 
 void rhw_pass_set_storage_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer,
                                  size_t offset, size_t size)
 {
     static const char *const where = "rhw_pass_set_storage_buffer";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (pass) {
-        set_storage_buffer(pass, slot, buffer, offset, size, false, where);
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (encoder) {
+        set_storage_buffer(encoder, slot, buffer, offset, size, false, where);
         rhw_context_leave(context);
     }
 }
@@ -68,9 +67,9 @@ void rhw_pass_set_read_only_storage_buffer(rhw_context *context, rhw_pass id, in
                                            size_t offset, size_t size)
 {
     static const char *const where = "rhw_pass_set_read_only_storage_buffer";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (pass) {
-        set_storage_buffer(pass, slot, buffer, offset, size, true, where);
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (encoder) {
+        set_storage_buffer(encoder, slot, buffer, offset, size, true, where);
         rhw_context_leave(context);
     }
 }
@@ -84,49 +83,49 @@ static bool check_slot(const struct rhw_context *context, int slot, const char *
 }
 
 // Whether the level was set as a storage image in this pass already.
-static bool is_stored(const struct rhw_pass_state *pass, const struct rhw_texture_data *texture, int level)
+static bool is_stored(const struct rhw_encoder *encoder, const struct rhw_texture_data *texture, int level)
 {
-    return texture->stored_pass == pass->context->recording.generation &&
+    return texture->stored_pass == encoder->context->recording.generation &&
            (texture->stored_levels >> level & 1) != 0;
 }
 
 // What is drawn into or read is not written, level by level and layer by layer.
-static bool check_written(const struct rhw_pass_state *pass, rhw_texture id,
+static bool check_written(const struct rhw_encoder *encoder, rhw_texture id,
                           const struct rhw_texture_data *texture, int level, const char *where)
 {
-    const struct rhw_context *const context = pass->context;
+    const struct rhw_context *const context = encoder->context;
     const struct rhw_texel_range texels =
         rhw_texel_range_of(&texture->mip[level], 0, texture->mip[level].slices);
-    return is_stored(pass, texture, level) ||
-           (rhw_check(context, !rhw_pass_attaches(pass, texels),
+    return is_stored(encoder, texture, level) ||
+           (rhw_check(context, !rhw_pass_attaches(encoder, texels),
                       "%s: level %d of %s is an attachment of this pass, or has a layer of one; it must be "
                       "another",
                       where, level, rhw_name_of(&context->textures, id.index).text) &&
-            rhw_check(context, !rhw_pass_reads(pass, texels),
+            rhw_check(context, !rhw_pass_reads(encoder, texels),
                       "%s: level %d of %s is sampled in this pass or set for reading alone, or has a layer "
                       "that is; it must be another",
                       where, level, rhw_name_of(&context->textures, id.index).text));
 }
 
 // What is drawn into or written is not read.
-static bool check_read(const struct rhw_pass_state *pass, rhw_texture id,
+static bool check_read(const struct rhw_encoder *encoder, rhw_texture id,
                        const struct rhw_texture_data *texture, int level, const char *where)
 {
-    const struct rhw_context *const context = pass->context;
-    return rhw_check(context, !rhw_pass_draws_into(pass, texture, 1u << level),
+    const struct rhw_context *const context = encoder->context;
+    return rhw_check(context, !rhw_pass_draws_into(encoder, texture, 1u << level),
                      "%s: level %d of %s is an attachment of this pass, or has a layer of one; it must be "
                      "another",
                      where, level, rhw_name_of(&context->textures, id.index).text) &&
-           rhw_check(context, !rhw_pass_stores_texture(pass, texture, 1u << level),
+           rhw_check(context, !rhw_pass_stores_texture(encoder, texture, 1u << level),
                      "%s: level %d of %s is a storage image of this pass, or has a layer of one; it must be "
                      "another",
                      where, level, rhw_name_of(&context->textures, id.index).text);
 }
 
-static bool check_image(const struct rhw_pass_state *pass, rhw_texture id,
+static bool check_image(const struct rhw_encoder *encoder, rhw_texture id,
                         const struct rhw_texture_data *texture, int level, const char *where)
 {
-    const struct rhw_context *const context = pass->context;
+    const struct rhw_context *const context = encoder->context;
     return rhw_check(context, level >= 0 && level < texture->levels, "%s: level is %d; %s has levels 0..%d",
                      where, level, rhw_name_of(&context->textures, id.index).text, texture->levels - 1) &&
            rhw_check(context,
@@ -141,55 +140,55 @@ static bool check_image(const struct rhw_pass_state *pass, rhw_texture id,
                      rhw_name_of(&context->textures, id.index).text, texture->samples);
 }
 
-static void bind_image(struct rhw_pass_state *pass, int slot, struct rhw_bound_image image)
+static void bind_image(struct rhw_encoder *encoder, int slot, struct rhw_bound_image image)
 {
-    pass->bound.images[slot] = image;
-    pass->textures_changed = true;
+    encoder->bound.images[slot] = image;
+    encoder->textures_changed = true;
 }
 
-static void note_written(struct rhw_pass_state *pass, struct rhw_texture_data *texture, int level)
+static void note_written(struct rhw_encoder *encoder, struct rhw_texture_data *texture, int level)
 {
-    if (!is_stored(pass, texture, level)) {
-        pass->out_of_memory |= !rhw_pass_note_stored(pass, texture, level);
+    if (!is_stored(encoder, texture, level)) {
+        encoder->out_of_memory |= !rhw_pass_note_stored(encoder, texture, level);
     }
-    rhw_texture_note_attached(texture, pass->context->recording.generation);
+    rhw_texture_note_attached(texture, encoder->context->recording.generation);
     rhw_texture_note_written(texture);
     texture->written |= 1u << level;
 }
 
-static void set_storage_image(struct rhw_pass_state *pass, int slot, rhw_texture id, int level,
+static void set_storage_image(struct rhw_encoder *encoder, int slot, rhw_texture id, int level,
                               bool is_read_only, const char *where)
 {
-    struct rhw_context *const context = pass->context;
+    struct rhw_context *const context = encoder->context;
     struct rhw_bound_image bound = {.level = level, .is_read_only = is_read_only};
     if (!check_slot(context, slot, where)) {
         return;
     }
     if (id.index != 0) {
         struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
-        if (!texture || !check_image(pass, id, texture, level, where) ||
-            !(is_read_only ? check_read(pass, id, texture, level, where)
-                           : check_written(pass, id, texture, level, where))) {
+        if (!texture || !check_image(encoder, id, texture, level, where) ||
+            !(is_read_only ? check_read(encoder, id, texture, level, where)
+                           : check_written(encoder, id, texture, level, where))) {
             return;
         }
         bound.texture = rhw_pool_get(&context->textures, id.index, id.generation);
         if (is_read_only) {
             rhw_texture_note_sampled(texture, context->recording.generation);
-            pass->out_of_memory |= !rhw_pass_note_read(pass, bound.texture, 1u << level);
+            encoder->out_of_memory |= !rhw_pass_note_read(encoder, bound.texture, 1u << level);
         } else {
-            note_written(pass, texture, level);
+            note_written(encoder, texture, level);
         }
         rhw_pool_use(&context->textures, id.index, context->recording.generation);
     }
-    bind_image(pass, slot, bound);
+    bind_image(encoder, slot, bound);
 }
 
 void rhw_pass_set_storage_image(rhw_context *context, rhw_pass id, int slot, rhw_texture texture, int level)
 {
     static const char *const where = "rhw_pass_set_storage_image";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (pass) {
-        set_storage_image(pass, slot, texture, level, false, where);
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (encoder) {
+        set_storage_image(encoder, slot, texture, level, false, where);
         rhw_context_leave(context);
     }
 }
@@ -198,9 +197,9 @@ void rhw_pass_set_read_only_storage_image(rhw_context *context, rhw_pass id, int
                                           int level)
 {
     static const char *const where = "rhw_pass_set_read_only_storage_image";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (pass) {
-        set_storage_image(pass, slot, texture, level, true, where);
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (encoder) {
+        set_storage_image(encoder, slot, texture, level, true, where);
         rhw_context_leave(context);
     }
 }
@@ -221,31 +220,31 @@ static bool check_texels(const struct rhw_context *context, enum rhw_format form
                      offset, info->size, info->name);
 }
 
-static void set_texel_buffer(struct rhw_pass_state *pass, int slot, rhw_buffer id, enum rhw_format format,
+static void set_texel_buffer(struct rhw_encoder *encoder, int slot, rhw_buffer id, enum rhw_format format,
                              size_t offset, size_t size, bool is_read_only, const char *where)
 {
-    struct rhw_context *const context = pass->context;
+    struct rhw_context *const context = encoder->context;
     struct rhw_bound_image bound = {.is_read_only = is_read_only};
     if (!check_slot(context, slot, where)) {
         return;
     }
     if (id.index != 0) {
         if (!check_texels(context, format, offset, where) ||
-            !bind_range(pass, id, offset, size, is_read_only, where, &bound.range)) {
+            !bind_range(encoder, id, offset, size, is_read_only, where, &bound.range)) {
             return;
         }
         bound.format = format;
     }
-    bind_image(pass, slot, bound);
+    bind_image(encoder, slot, bound);
 }
 
 void rhw_pass_set_texel_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer,
                                enum rhw_format format, size_t offset, size_t size)
 {
     static const char *const where = "rhw_pass_set_texel_buffer";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (pass) {
-        set_texel_buffer(pass, slot, buffer, format, offset, size, false, where);
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (encoder) {
+        set_texel_buffer(encoder, slot, buffer, format, offset, size, false, where);
         rhw_context_leave(context);
     }
 }
@@ -254,9 +253,9 @@ void rhw_pass_set_read_only_texel_buffer(rhw_context *context, rhw_pass id, int 
                                          enum rhw_format format, size_t offset, size_t size)
 {
     static const char *const where = "rhw_pass_set_read_only_texel_buffer";
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (pass) {
-        set_texel_buffer(pass, slot, buffer, format, offset, size, true, where);
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (encoder) {
+        set_texel_buffer(encoder, slot, buffer, format, offset, size, true, where);
         rhw_context_leave(context);
     }
 }
@@ -322,17 +321,18 @@ static bool image_of(const struct rhw_bound_image *bound, struct rhw_arena *aren
     return image->texture || !has_texels;
 }
 
-const struct rhw_storage *rhw_pass_storage_of(struct rhw_pass_state *pass)
+const struct rhw_storage *rhw_pass_storage_of(struct rhw_encoder *encoder)
 {
-    if (!has_storage(&pass->bound)) {
+    if (!has_storage(&encoder->bound)) {
         return &rhw_no_storage;
     }
-    struct rhw_storage *const storage = rhw_arena_alloc(&pass->arena, sizeof *storage, RHW_CACHE_LINE);
+    struct rhw_storage *const storage =
+        rhw_arena_alloc(&encoder->pass->arena, sizeof *storage, RHW_CACHE_LINE);
     for (int i = 0; storage && i < RHW_MAX_STORAGE_BUFFERS; i++) {
-        storage->buffers[i] = words_of(&pass->bound.storage[i]);
+        storage->buffers[i] = words_of(&encoder->bound.storage[i]);
     }
     for (int i = 0; storage && i < RHW_MAX_STORAGE_IMAGES; i++) {
-        if (!image_of(&pass->bound.images[i], &pass->arena, &storage->images[i])) {
+        if (!image_of(&encoder->bound.images[i], &encoder->pass->arena, &storage->images[i])) {
             return NULL;
         }
     }

@@ -5,10 +5,10 @@
 
 #include "rhw/types.h"
 
-struct rhw_pass_state;
+struct rhw_encoder;
 struct rhw_storage;
 
 // The storage of the next draw, as its buffers are now; NULL when out of memory.
-const struct rhw_storage *rhw_pass_storage_of(struct rhw_pass_state *pass);
+const struct rhw_storage *rhw_pass_storage_of(struct rhw_encoder *encoder);
 
 #endif

@@ -5,9 +5,9 @@
 
 #include <stdbool.h>
 
-struct rhw_pass_state;
+struct rhw_encoder;
 
 // Gives the next draw the textures and the storage that are bound, as they are now. False when out of memory.
-bool rhw_pass_resolve_textures(struct rhw_pass_state *pass);
+bool rhw_pass_resolve_textures(struct rhw_encoder *encoder);
 
 #endif

@@ -7,11 +7,11 @@
 #include "draw/assembly.h"
 #include "context/context.h"
 #include "draw/draw_list.h"
+#include "draw/used_query.h"
 #include "context/entry.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
-#include "enter.h"
-#include "pass_state.h"
+#include "encoder.h"
 #include "rhw/rhw.h"
 #include "base/thread.h"
 
@@ -100,83 +100,85 @@ enum rhw_result rhw_query_read(rhw_context *context, rhw_query query, struct rhw
 
 // Recording --------------------------------------------------------------------------------------------
 
-static struct rhw_used_query *active(const struct rhw_pass_state *pass, enum rhw_query_kind kind)
+static struct rhw_used_query *active(const struct rhw_encoder *encoder, enum rhw_query_kind kind)
 {
-    return pass->pending.queries ? pass->pending.queries->of[kind] : NULL;
+    return encoder->pending.queries ? encoder->pending.queries->of[kind] : NULL;
 }
 
 // Puts `query`, or NULL, in the place of the query of that kind which is under way.
-static void set_active(struct rhw_pass_state *pass, enum rhw_query_kind kind, struct rhw_used_query *query)
+static void set_active(struct rhw_encoder *encoder, enum rhw_query_kind kind, struct rhw_used_query *query)
 {
     struct rhw_active_queries *const queries =
-        rhw_arena_alloc(&pass->arena, sizeof *queries, _Alignof(struct rhw_active_queries));
+        rhw_arena_alloc(&encoder->pass->arena, sizeof *queries, _Alignof(struct rhw_active_queries));
     if (!queries) {
-        pass->out_of_memory = true;
+        encoder->out_of_memory = true;
         return;
     }
-    *queries = pass->pending.queries ? *pass->pending.queries : (struct rhw_active_queries){0};
+    *queries = encoder->pending.queries ? *encoder->pending.queries : (struct rhw_active_queries){0};
     queries->of[kind] = query;
     bool any = false;
     for (int i = 0; i < RHW_QUERY_KIND_COUNT; i++) {
         any |= queries->of[i] != NULL;
     }
-    pass->pending.queries = any ? queries : NULL;
-    pass->pending.depth_setting.counts = queries->of[RHW_QUERY_OCCLUSION] ||
-                                         queries->of[RHW_QUERY_ANY_PASSED] ||
-                                         queries->of[RHW_QUERY_STATISTICS];
-    pass->pending.depth_setting.many_samples = pass->pattern->count > 1;
-    pass->pending_changed = true;
+    encoder->pending.queries = any ? queries : NULL;
+    encoder->pending.depth_setting.counts = queries->of[RHW_QUERY_OCCLUSION] ||
+                                            queries->of[RHW_QUERY_ANY_PASSED] ||
+                                            queries->of[RHW_QUERY_STATISTICS];
+    encoder->pending.depth_setting.many_samples = encoder->pass->target.pattern->count > 1;
+    encoder->pending_changed = true;
 }
 
 // A query whose first use in the pass this is; NULL: misuse, or out of memory.
-static struct rhw_used_query *use(struct rhw_pass_state *pass, rhw_query id, struct rhw_query_data *data,
+static struct rhw_used_query *use(struct rhw_encoder *encoder, rhw_query id, struct rhw_query_data *data,
                                   const char *where)
 {
-    struct rhw_context *const context = pass->context;
+    struct rhw_context *const context = encoder->context;
     if (!rhw_check(context, data->pass != context->recording.generation,
                    "%s: %s was used in this pass; a query is used once in a pass", where,
                    rhw_name_of(&context->queries, id.index).text)) {
         return NULL;
     }
-    struct rhw_used_query *const query = rhw_arena_alloc(&pass->arena, sizeof *query, RHW_CACHE_LINE);
+    struct rhw_used_query *const query =
+        rhw_arena_alloc(&encoder->pass->arena, sizeof *query, RHW_CACHE_LINE);
     if (!query) {
-        pass->out_of_memory = true;
+        encoder->out_of_memory = true;
         return NULL;
     }
     memset(query, 0, sizeof *query);
     query->id = id;
     query->kind = data->kind;
-    query->next = pass->queries;
-    pass->queries = query;
+    query->next = encoder->pass->queries;
+    encoder->pass->queries = query;
     data->pass = context->recording.generation;
     data->is_answered = false;
     return query;
 }
 
-static void begin(struct rhw_pass_state *pass, rhw_query id)
+static void begin(struct rhw_encoder *encoder, rhw_query id)
 {
     static const char *const where = "rhw_pass_begin_query";
-    struct rhw_context *const context = pass->context;
+    struct rhw_context *const context = encoder->context;
     struct rhw_query_data *const data = rhw_context_query(context, id, where);
     if (!data ||
         !rhw_check(context, data->kind != RHW_QUERY_TIMESTAMP,
                    "%s: %s is of kind TIMESTAMP; it is for rhw_pass_write_timestamp", where,
                    rhw_name_of(&context->queries, id.index).text) ||
-        !rhw_check(context, !active(pass, data->kind), "%s: %s is of kind %s; one of that kind is under way",
-                   where, rhw_name_of(&context->queries, id.index).text, kind_names[data->kind])) {
+        !rhw_check(context, !active(encoder, data->kind),
+                   "%s: %s is of kind %s; one of that kind is under way", where,
+                   rhw_name_of(&context->queries, id.index).text, kind_names[data->kind])) {
         return;
     }
-    struct rhw_used_query *const query = use(pass, id, data, where);
+    struct rhw_used_query *const query = use(encoder, id, data, where);
     if (query) {
-        set_active(pass, data->kind, query);
+        set_active(encoder, data->kind, query);
     }
 }
 
 void rhw_pass_begin_query(rhw_context *context, rhw_pass id, rhw_query query)
 {
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_begin_query");
-    if (pass) {
-        begin(pass, query);
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, "rhw_pass_begin_query");
+    if (encoder) {
+        begin(encoder, query);
         rhw_context_leave(context);
     }
 }
@@ -186,51 +188,51 @@ static bool same_query(rhw_query a, rhw_query b)
     return a.index == b.index && a.generation == b.generation;
 }
 
-static void end(struct rhw_pass_state *pass, rhw_query id)
+static void end(struct rhw_encoder *encoder, rhw_query id)
 {
     static const char *const where = "rhw_pass_end_query";
-    struct rhw_context *const context = pass->context;
+    struct rhw_context *const context = encoder->context;
     const struct rhw_query_data *const data = rhw_context_query(context, id, where);
-    if (!data || pass->out_of_memory) {
+    if (!data || encoder->out_of_memory) {
         return;
     }
-    const struct rhw_used_query *const query = active(pass, data->kind);
+    const struct rhw_used_query *const query = active(encoder, data->kind);
     if (rhw_check(context, query && same_query(query->id, id), "%s: %s is not under way; begin it first",
                   where, rhw_name_of(&context->queries, id.index).text)) {
-        set_active(pass, data->kind, NULL);
+        set_active(encoder, data->kind, NULL);
     }
 }
 
 void rhw_pass_end_query(rhw_context *context, rhw_pass id, rhw_query query)
 {
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_end_query");
-    if (pass) {
-        end(pass, query);
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, "rhw_pass_end_query");
+    if (encoder) {
+        end(encoder, query);
         rhw_context_leave(context);
     }
 }
 
-static void write_timestamp(struct rhw_pass_state *pass, rhw_query id)
+static void write_timestamp(struct rhw_encoder *encoder, rhw_query id)
 {
     static const char *const where = "rhw_pass_write_timestamp";
-    struct rhw_context *const context = pass->context;
+    struct rhw_context *const context = encoder->context;
     struct rhw_query_data *const data = rhw_context_query(context, id, where);
     if (!data ||
         !rhw_check(context, data->kind == RHW_QUERY_TIMESTAMP, "%s: %s is of kind %s; it must be TIMESTAMP",
                    where, rhw_name_of(&context->queries, id.index).text, kind_names[data->kind])) {
         return;
     }
-    struct rhw_used_query *const query = use(pass, id, data, where);
+    struct rhw_used_query *const query = use(encoder, id, data, where);
     if (query) {
-        query->place = pass->triangle_count;
+        query->place = encoder->pass->triangle_count;
     }
 }
 
 void rhw_pass_write_timestamp(rhw_context *context, rhw_pass id, rhw_query query)
 {
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, "rhw_pass_write_timestamp");
-    if (pass) {
-        write_timestamp(pass, query);
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, "rhw_pass_write_timestamp");
+    if (encoder) {
+        write_timestamp(encoder, query);
         rhw_context_leave(context);
     }
 }
@@ -259,11 +261,11 @@ void rhw_queries_count_feedback(const struct rhw_draw *draw, uint64_t written, u
     }
 }
 
-void rhw_queries_check_ended(const struct rhw_pass_state *pass)
+void rhw_queries_check_ended(const struct rhw_encoder *encoder)
 {
-    const struct rhw_context *const context = pass->context;
-    for (int kind = 0; kind < RHW_QUERY_KIND_COUNT && !pass->out_of_memory; kind++) {
-        const struct rhw_used_query *const query = active(pass, (enum rhw_query_kind)kind);
+    const struct rhw_context *const context = encoder->context;
+    for (int kind = 0; kind < RHW_QUERY_KIND_COUNT && !encoder->out_of_memory; kind++) {
+        const struct rhw_used_query *const query = active(encoder, (enum rhw_query_kind)kind);
         if (query && rhw_pool_get(&context->queries, query->id.index, query->id.generation)) {
             rhw_misuse(context, "rhw_pass_end: %s was begun and not ended",
                        rhw_name_of(&context->queries, query->id.index).text);
@@ -272,23 +274,13 @@ void rhw_queries_check_ended(const struct rhw_pass_state *pass)
     }
 }
 
-// Running ----------------------------------------------------------------------------------------------
+// After running ----------------------------------------------------------------------------------------
 
-void rhw_queries_stamp(const struct rhw_pass_state *pass, uint64_t triangles)
+void rhw_queries_answer(const struct rhw_encoder *encoder)
 {
-    for (struct rhw_used_query *query = pass->queries; query; query = query->next) {
-        struct rhw_query_counts *const counts = &query->counts;
-        if (query->kind == RHW_QUERY_TIMESTAMP && counts->timestamp_ns == 0 && query->place <= triangles) {
-            counts->timestamp_ns = rhw_time_ns();
-        }
-    }
-}
-
-void rhw_queries_answer(const struct rhw_pass_state *pass)
-{
-    for (struct rhw_used_query *query = pass->queries; query; query = query->next) {
+    for (struct rhw_used_query *query = encoder->pass->queries; query; query = query->next) {
         struct rhw_query_data *const data =
-            rhw_pool_get(&pass->context->queries, query->id.index, query->id.generation);
+            rhw_pool_get(&encoder->context->queries, query->id.index, query->id.generation);
         if (!data) {
             continue;
         }

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Queries: what they are between passes, and what the pass under way counts for them. Draws carry those that are under
-// way in their state; a draw that a query counts the samples of is drawn in its turn (depth_stencil.h: `counts`).
+// Queries: what they are between passes, and recording them. Draws carry those that are under way in their state
+// (draw/used_query.h); a draw that a query counts the samples of is drawn in its turn (depth_stencil.h: `counts`).
 #ifndef RHW_QUERY_H
 #define RHW_QUERY_H
 
-#include <stdatomic.h>
-
-#include "base/constants.h"
-#include "rhw/types.h"
+#include "rhw/stats.h"
 
 struct rhw_draw;
 struct rhw_front_counters;
-struct rhw_pass_state;
+struct rhw_encoder;
 
 struct rhw_query_data {
     enum rhw_query_kind kind;
@@ -20,31 +17,13 @@ struct rhw_query_data {
     struct rhw_query_counts counts;
 };
 
-// A query in the pass that uses it, on a list.
-struct rhw_used_query {
-    struct rhw_used_query *next;
-    rhw_query id;
-    enum rhw_query_kind kind;
-    uint64_t place; // of a timestamp: the triangles before it
-    struct rhw_query_counts counts;
-    // Written by the workers, once for each tile and change of state:
-    _Alignas(RHW_CACHE_LINE) _Atomic uint64_t samples, fragments;
-};
-
-// Those that are under way, by kind; NULL: none. It does not change: draws point at it.
-struct rhw_active_queries {
-    struct rhw_used_query *of[RHW_QUERY_KIND_COUNT];
-};
-
 // Adds what queries ask of a draw of `count` vertices or indices that was recorded.
 void rhw_queries_count_draw(const struct rhw_draw *draw, uint32_t count);
 // Adds what transform feedback does for a draw, in primitives.
 void rhw_queries_count_feedback(const struct rhw_draw *draw, uint64_t written, uint64_t needed);
-// Tells timestamps that `triangles` of the pass are drawn now.
-void rhw_queries_stamp(const struct rhw_pass_state *pass, uint64_t triangles);
 // Reports those that were begun and not ended.
-void rhw_queries_check_ended(const struct rhw_pass_state *pass);
-// Gives queries their answers.
-void rhw_queries_answer(const struct rhw_pass_state *pass);
+void rhw_queries_check_ended(const struct rhw_encoder *encoder);
+// Gives queries the answers of the pass that has run.
+void rhw_queries_answer(const struct rhw_encoder *encoder);
 
 #endif

@@ -9,18 +9,18 @@
 #include "context/entry.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
-#include "enter.h"
-#include "pass_state.h"
+#include "encoder.h"
 #include "pipeline/pipeline.h"
 #include "query.h"
+#include "rhw/rhw.h"
 
 static const char *const begin_name = "rhw_pass_begin_transform_feedback";
 
 // Gives what a target is to write. False where that is misuse.
-static bool find_part(const struct rhw_pass_state *pass, const struct rhw_feedback_target *target, int i,
+static bool find_part(const struct rhw_encoder *encoder, const struct rhw_feedback_target *target, int i,
                       struct rhw_buffer_part *part)
 {
-    const struct rhw_context *const context = pass->context;
+    const struct rhw_context *const context = encoder->context;
     struct rhw_buffer_data *const buffer = rhw_context_buffer(context, target->buffer, begin_name);
     if (!buffer ||
         !rhw_check(context,
@@ -39,11 +39,11 @@ static bool find_part(const struct rhw_pass_state *pass, const struct rhw_feedba
 }
 
 // Whether the last of some parts shares no bytes with those before it, where they are of targets.
-static bool check_apart(const struct rhw_pass_state *pass, const struct rhw_buffer_part *parts, int last)
+static bool check_apart(const struct rhw_encoder *encoder, const struct rhw_buffer_part *parts, int last)
 {
     for (int i = 0; i < last; i++) {
         if (parts[i].data == parts[last].data &&
-            !rhw_buffer_check_apart(pass->context, &parts[last], RHW_BUFFER_CAPTURED, parts[i].first,
+            !rhw_buffer_check_apart(encoder->context, &parts[last], RHW_BUFFER_CAPTURED, parts[i].first,
                                     parts[i].end, begin_name)) {
             return false;
         }
@@ -51,14 +51,14 @@ static bool check_apart(const struct rhw_pass_state *pass, const struct rhw_buff
     return true;
 }
 
-static void begin_target(struct rhw_pass_state *pass, const struct rhw_buffer_part *part, int i)
+static void begin_target(struct rhw_encoder *encoder, const struct rhw_buffer_part *part, int i)
 {
-    struct rhw_feedback_state *const feedback = &pass->feedback;
-    feedback->range[i] = rhw_buffer_note_use(pass->context, &pass->arena, part);
+    struct rhw_feedback_state *const feedback = &encoder->feedback;
+    feedback->range[i] = rhw_buffer_note_use(encoder->context, &encoder->pass->arena, part);
     feedback->data[i] = part->data;
     feedback->bytes[i] = part->data->bytes;
     feedback->at[i] = part->first;
-    pass->out_of_memory |= !feedback->range[i];
+    encoder->out_of_memory |= !feedback->range[i];
 }
 
 static int vertices_of(const struct rhw_pipeline_def *def)
@@ -74,12 +74,12 @@ static int vertices_of(const struct rhw_pipeline_def *def)
     }
 }
 
-static bool check_begin(const struct rhw_pass_state *pass, const struct rhw_feedback_target *targets,
+static bool check_begin(const struct rhw_encoder *encoder, const struct rhw_feedback_target *targets,
                         int count)
 {
-    const struct rhw_context *const context = pass->context;
-    const struct rhw_pipeline_data *const pipeline = pass->pending.pipeline;
-    if (!rhw_check(context, !pass->feedback.is_active, "%s: it is under way; end it first", begin_name) ||
+    const struct rhw_context *const context = encoder->context;
+    const struct rhw_pipeline_data *const pipeline = encoder->pending.pipeline;
+    if (!rhw_check(context, !encoder->feedback.is_active, "%s: it is under way; end it first", begin_name) ||
         !rhw_check(context, pipeline && pipeline->feedback_targets != 0,
                    "%s: %s; one with feedback_outputs must be", begin_name,
                    pipeline ? "the pipeline that is set has no outputs" : "no pipeline is set") ||
@@ -98,39 +98,39 @@ static bool check_begin(const struct rhw_pass_state *pass, const struct rhw_feed
     return true;
 }
 
-static void begin(struct rhw_pass_state *pass, const struct rhw_feedback_target *targets, int count)
+static void begin(struct rhw_encoder *encoder, const struct rhw_feedback_target *targets, int count)
 {
-    struct rhw_feedback_state *const feedback = &pass->feedback;
-    if (pass->out_of_memory || !check_begin(pass, targets, count)) {
+    struct rhw_feedback_state *const feedback = &encoder->feedback;
+    if (encoder->out_of_memory || !check_begin(encoder, targets, count)) {
         return;
     }
     struct rhw_buffer_part parts[RHW_MAX_FEEDBACK_TARGETS] = {{.data = NULL}};
-    const unsigned written = pass->pending.pipeline->feedback_targets;
+    const unsigned written = encoder->pending.pipeline->feedback_targets;
     for (int i = 0; i < RHW_MAX_FEEDBACK_TARGETS; i++) {
         feedback->range[i] = NULL;
         if (written >> i & 1 &&
-            (!find_part(pass, &targets[i], i, &parts[i]) || !check_apart(pass, parts, i))) {
+            (!find_part(encoder, &targets[i], i, &parts[i]) || !check_apart(encoder, parts, i))) {
             return;
         }
     }
     for (int i = 0; i < RHW_MAX_FEEDBACK_TARGETS; i++) {
         if (written >> i & 1) {
-            begin_target(pass, &parts[i], i);
+            begin_target(encoder, &parts[i], i);
         }
     }
-    if (pass->out_of_memory) {
+    if (encoder->out_of_memory) {
         return;
     }
-    feedback->vertices = vertices_of(&pass->pending.pipeline->def);
+    feedback->vertices = vertices_of(&encoder->pending.pipeline->def);
     feedback->is_active = true;
 }
 
 void rhw_pass_begin_transform_feedback(rhw_context *context, rhw_pass id,
                                        const struct rhw_feedback_target *targets, int count)
 {
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, begin_name);
-    if (pass) {
-        begin(pass, targets, count);
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, begin_name);
+    if (encoder) {
+        begin(encoder, targets, count);
         rhw_context_leave(context);
     }
 }
@@ -141,12 +141,12 @@ void rhw_pass_end_transform_feedback(rhw_context *context, rhw_pass id, size_t *
     for (int i = 0; written && i < RHW_MAX_FEEDBACK_TARGETS; i++) {
         written[i] = 0;
     }
-    struct rhw_pass_state *const pass = rhw_pass_enter(context, id, where);
-    if (!pass) {
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
         return;
     }
-    struct rhw_feedback_state *const feedback = &pass->feedback;
-    if (pass->out_of_memory ||
+    struct rhw_feedback_state *const feedback = &encoder->feedback;
+    if (encoder->out_of_memory ||
         rhw_check(context, feedback->is_active, "%s: it is not under way; begin it first", where)) {
         for (int i = 0; feedback->is_active && i < RHW_MAX_FEEDBACK_TARGETS; i++) {
             if (feedback->range[i]) {
@@ -176,12 +176,12 @@ static uint64_t room_of(const struct rhw_feedback_state *feedback, const struct 
     return most;
 }
 
-bool rhw_feedback_add_draw(struct rhw_pass_state *pass, struct rhw_draw *draw)
+bool rhw_feedback_add_draw(struct rhw_encoder *encoder, struct rhw_draw *draw)
 {
-    struct rhw_feedback_state *const feedback = &pass->feedback;
+    struct rhw_feedback_state *const feedback = &encoder->feedback;
     const struct rhw_pipeline_data *const pipeline = draw->state->pipeline;
     struct rhw_draw_feedback *const made =
-        rhw_arena_alloc(&pass->arena, sizeof *made, _Alignof(struct rhw_draw_feedback));
+        rhw_arena_alloc(&encoder->pass->arena, sizeof *made, _Alignof(struct rhw_draw_feedback));
     if (!made) {
         return false;
     }
@@ -197,13 +197,13 @@ bool rhw_feedback_add_draw(struct rhw_pass_state *pass, struct rhw_draw *draw)
         }
     }
     draw->feedback = made;
-    pass->has_feedback = true;
+    encoder->pass->has_feedback = true;
     rhw_queries_count_feedback(draw, made->primitives, needed);
     return true;
 }
 
-void rhw_feedback_check_ended(const struct rhw_pass_state *pass)
+void rhw_feedback_check_ended(const struct rhw_encoder *encoder)
 {
-    (void)rhw_check(pass->context, pass->out_of_memory || !pass->feedback.is_active,
+    (void)rhw_check(encoder->context, encoder->out_of_memory || !encoder->feedback.is_active,
                     "rhw_pass_end: transform feedback was begun and not ended");
 }

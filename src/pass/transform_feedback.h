@@ -4,11 +4,11 @@
 #ifndef RHW_FEEDBACK_H
 #define RHW_FEEDBACK_H
 
-#include "rhw/transform_feedback.h"
+#include "rhw/pass_def.h"
 
 struct rhw_buffer_data;
 struct rhw_draw;
-struct rhw_pass_state;
+struct rhw_encoder;
 struct rhw_range;
 
 // Of a pass, between the calls.
@@ -21,16 +21,9 @@ struct rhw_feedback_state {
     int vertices;                                   // of a primitive
 };
 
-// Where a draw writes.
-struct rhw_draw_feedback {
-    unsigned char *to[RHW_MAX_FEEDBACK_TARGETS]; // its first vertex
-    uint64_t primitives;                         // that are written, those of all instances in one line
-    int vertices;                                // of a primitive
-};
-
 // Gives a draw that was prepared its place; feedback is under way. False when out of memory.
-bool rhw_feedback_add_draw(struct rhw_pass_state *pass, struct rhw_draw *draw);
+bool rhw_feedback_add_draw(struct rhw_encoder *encoder, struct rhw_draw *draw);
 // Reports what was begun and not ended.
-void rhw_feedback_check_ended(const struct rhw_pass_state *pass);
+void rhw_feedback_check_ended(const struct rhw_encoder *encoder);
 
 #endif

@@ -10,15 +10,15 @@ static bool is_over(struct rhw_blend_component component)
            component.dst == RHW_BLEND_ONE_MINUS_SRC_ALPHA && component.operation == RHW_BLEND_ADD;
 }
 
-// src + dst, as lights are added.
+// Return true for src + dst, which adds lights.
 static bool is_sum(struct rhw_blend_component component)
 {
     return component.src == RHW_BLEND_ONE && component.dst == RHW_BLEND_ONE &&
            component.operation == RHW_BLEND_ADD;
 }
 
-// src × 1 + dst × 0 is replacement, which has faster paths than blending. For float formats it is not the
-// same: 0 × infinity is NaN.
+// Return true for src × 1 + dst × 0. It is replacement, which has faster paths than blending. For float formats the two
+// differ: 0 × infinity is NaN.
 static bool is_replacement(struct rhw_blend_component component)
 {
     return component.src == RHW_BLEND_ONE && component.dst == RHW_BLEND_ZERO &&
@@ -64,7 +64,7 @@ static float clamp(float value, float least)
     return above < 1.0f ? above : 1.0f;
 }
 
-// Floats and sRGB have none (Vulkan 1.3 §29.2).
+// Return true if logical operations apply to the format. Floats and sRGB have none (Vulkan 1.3 §29.2).
 static bool has_logic(const struct rhw_format_info *format)
 {
     return rhw_format_is_integer(format) ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See depth_stencil.h.
+// The decisions about depth and stencil that hold for a whole draw.
 #include "depth_stencil.h"
 
 #include <math.h>
@@ -31,8 +31,8 @@ static void set_masks(struct rhw_stencil_rule face[2], const struct rhw_stencil_
     face[1].write_mask = masks->write_back;
 }
 
-// Of 24 bits, steps are as far from each other as floats between 1/2 and 1: z = N·2^-24 is nearest to step N − 1, which the
-// float nearest to is z.
+// Return the depth above which a float is what rounding makes of it. With 24 bits, steps are as far from each other as
+// floats between 1/2 and 1: z = N·2^-24 is nearest to step N − 1, to which the nearest float is z.
 static float kept_above(double depth_steps)
 {
     return depth_steps == 0 ? -INFINITY : depth_steps == 0xffffff ? 0.5f : INFINITY;
@@ -48,14 +48,16 @@ static bool keeps_failed(const struct rhw_stencil_rule *rule)
     return rule->write_mask == 0 || (keeps_stencil(rule) && rule->depth_fail == RHW_STENCIL_KEEP);
 }
 
-// Points and lines have no bias; polygons drawn as such do.
+// Return true if a topology has polygons. Points and lines have no depth bias; polygons that are drawn as points or
+// lines have it.
 static bool draws_polygons(enum rhw_topology topology)
 {
     return topology == RHW_TRIANGLE_LIST || topology == RHW_TRIANGLE_STRIP || topology == RHW_TRIANGLE_FAN ||
            topology == RHW_TRIANGLE_LIST_ADJACENCY || topology == RHW_TRIANGLE_STRIP_ADJACENCY;
 }
 
-// Whether samples that pass are not the fragments that are shaded: those are fewer, or more, or none.
+// Return true if the samples that pass are not the fragments that are shaded: there are fewer, or more, or no
+// fragments.
 static bool counts_by_test(const struct rhw_pipeline_def *def, bool many_samples)
 {
     const struct rhw_program *const program = &def->program;

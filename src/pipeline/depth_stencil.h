@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a draw does with depth and stencil beyond a comparison of depth as a float: the tests are a kernel
+// What a draw does with depth and stencil beyond a comparison of depth as a float. The tests are a kernel
 // (kernels/depth/stencil_test.h); what holds for a whole draw is decided here, once.
 #ifndef RHW_DEPTH_STENCIL_H
 #define RHW_DEPTH_STENCIL_H
@@ -25,35 +25,40 @@ struct rhw_depth_stencil_state {
     bool rejects_early;              // fragments that fail the depth test change nothing
     struct rhw_stencil_rule face[2]; // front and back
     float bounds_least, bounds_most;
-    double depth_steps;      // between 0 and 1, which depth is rounded to; 0: it stays a float
-    float depth_margin;      // two steps: more than rounding moves a depth, in double and to a float
-    float kept_above;        // depths above this, up to 1, are what rounding makes of them
-    bool rejects_by_stencil; // fragments that fail the stencil test, which some do, change nothing
+    // Number of steps between 0 and 1 that depth is rounded to. 0: depth stays a float.
+    double depth_steps;
+    // Two steps: more than rounding moves a depth, in double and to a float.
+    float depth_margin;
+    // Depths above this, up to 1, are what rounding makes of them.
+    float kept_above;
+    // Fragments that fail the stencil test change nothing, and some may fail.
+    bool rejects_by_stencil;
     bool is_biased;
     struct rhw_depth_bias bias;
-    bool counts;         // samples that pass: for queries
-    bool counts_by_test; // each is counted where it is tested; else they are the fragments that are shaded
+    bool counts; // samples that pass are counted, for queries
+    // Each sample is counted where it is tested. Otherwise the fragments that are shaded are counted.
+    bool counts_by_test;
 };
 
-// What pass state adds to a pipeline's.
+// What the state of a pass adds to a pipeline's.
 struct rhw_depth_stencil_setting {
     uint8_t reference[2];     // front and back
-    bool has_masks, has_bias; // instead of the pipeline's
+    bool has_masks, has_bias; // the pass's take the place of the pipeline's
     struct rhw_stencil_masks masks;
     struct rhw_depth_bias bias;
     float bounds_least, bounds_most;
     bool counts;       // a query counts what passes
-    bool many_samples; // a pixel has several
+    bool many_samples; // a pixel has several samples
 };
 
-// `def` is valid; depth_steps: of the pass's depth attachment, 0 for a float or none.
+// Set the state for a valid definition. `depth_steps` are those of the pass's depth attachment, 0 for a float or none.
 void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct rhw_pipeline_def *def,
                             const struct rhw_depth_stencil_setting *setting, double depth_steps);
 
-// Whether a draw may change stencil, by its operations and the masks that hold for it.
+// Return true if a draw may change stencil, by its operations and the masks that hold for it.
 bool rhw_writes_stencil(const struct rhw_pipeline_def *def, const struct rhw_depth_stencil_setting *setting);
 
-// False, and misuse, where a bias is not finite. `where`: the function called.
+// Report misuse of the public function `where` and return false if a bias is not finite.
 bool rhw_check_depth_bias(const struct rhw_context *context, const struct rhw_depth_bias *bias,
                           const char *where);
 

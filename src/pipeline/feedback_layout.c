@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// See feedback_layout.h.
+// The rules of transform feedback's outputs, and where each output lies in a vertex record.
 #include "feedback_layout.h"
 
 #include "context/misuse.h"
-#include "draw/triangle.h"
+#include "shaded_vertex.h"
 
-// Floats that the vertex function writes of a source.
+// Return the floats that the vertex function writes of a source.
 static int components_of(const struct rhw_program *program, const struct rhw_feedback_output *output)
 {
     switch (output->source) {
@@ -32,7 +32,7 @@ static uint64_t end_of(const struct rhw_program *program, const struct rhw_feedb
     return output->offset + sizeof(float) * (uint64_t)count_of(program, output);
 }
 
-// Bytes from one vertex in a target to the next.
+// Return the bytes from one vertex in a target to the next.
 static uint32_t stride_of(const struct rhw_pipeline_def *def, int target)
 {
     uint64_t end = 0;
@@ -107,7 +107,8 @@ bool rhw_feedback_check(const struct rhw_context *context, const struct rhw_pipe
     return true;
 }
 
-// Where a source begins in a vertex record: position, varyings, clip distances, cull distances, point size.
+// Return where a source begins in a vertex record, which has position, varyings, clip distances, cull distances and
+// point size.
 static int float_of(const struct rhw_program *program, const struct rhw_feedback_output *output)
 {
     const int header = (int)(sizeof(struct rhw_vertex_record) / sizeof(float));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What of a vertex a pipeline's transform feedback keeps, and where it goes.
+// What a pipeline's transform feedback keeps of a vertex, and where it goes.
 #ifndef RHW_FEEDBACK_LAYOUT_H
 #define RHW_FEEDBACK_LAYOUT_H
 
@@ -9,13 +9,13 @@
 struct rhw_feedback_copy {
     int first, count; // floats of the record
     int target;
-    uint32_t offset; // bytes from the vertex
+    uint32_t offset; // bytes from the vertex's first byte in the target
 };
 
-// Whether the outputs of a definition are as they must be, else misuse of `where`.
+// Return true if the outputs of a definition are as they must be. Report misuse of `where` and return false if not.
 bool rhw_feedback_check(const struct rhw_context *context, const struct rhw_pipeline_def *def,
                         const char *where);
-// Gives a copy for each output of a definition and the bits of the targets, and sets the strides that are 0.
+// Set a copy for each output of a definition, and the strides that are 0. Return the bits of the targets.
 unsigned rhw_feedback_lay_out(struct rhw_pipeline_def *def, struct rhw_feedback_copy *copies);
 
 #endif

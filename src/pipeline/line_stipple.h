@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The stipple of lines: what is one, and what a pass sets in the place of the pipelines' own.
+// The stipple of lines: its rule, and what a pass sets in the place of the pipelines' own.
 #ifndef RHW_LINE_STIPPLE_H
 #define RHW_LINE_STIPPLE_H
 
@@ -15,7 +15,7 @@ struct rhw_line_stipple_setting {
     struct rhw_line_stipple stipple;
 };
 
-// Reports a factor that is none, for the function `where`.
+// Return true if the stipple's factor is valid. Report misuse of the public function `where` and return false if not.
 bool rhw_check_line_stipple(const struct rhw_context *context, const struct rhw_line_stipple *stipple,
                             const char *where);
 

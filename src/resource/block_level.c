@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Blocks become texels one at a time in a small buffer, from which the part within the level is copied.
+// Levels of compressed textures are decoded on their way in. Blocks become texels one at a time in a small buffer, from
+// which the part within the level is copied.
 #include "block_level.h"
 
 #include <string.h>
@@ -9,7 +10,8 @@
 #include "base/scheduler.h"
 #include "texture.h"
 
-enum { BAND_TEXELS = 1 << 13 }; // of a task: some 50 to 200 µs, by format
+// Texels of a task, which takes some 50 to 200 µs, by format.
+enum { BAND_TEXELS = 1 << 13 };
 
 struct decoded_level {
     const struct rhw_block_format *format;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See buffer.h.
+// Buffers are created, written, read and destroyed here.
 #include "buffer.h"
 
 #include <string.h>
@@ -47,7 +47,7 @@ unsigned char *rhw_buffer_allocate(struct rhw_memory *memory, size_t size, bool 
                   : rhw_memory_allocate(memory, size + RHW_BUFFER_PADDING, RHW_CACHE_LINE);
 }
 
-// Fills a new item; false when out of memory.
+// Fill a new item. Return false when out of memory.
 static bool fill(struct rhw_memory *memory, struct rhw_buffer_data *data, const struct rhw_buffer_def *def)
 {
     data->is_callers = def->memory != NULL;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See buffer_access.h.
+// What recorded draws read is kept: a buffer that is written between them gets new memory.
 #include "buffer_access.h"
 
 #include <string.h>
@@ -41,7 +41,8 @@ bool rhw_buffer_check_writable(const struct rhw_context *context, const struct r
         !rhw_buffer_check_readable(context, part, where)) {
         return false;
     }
-    // New memory would have to be written by the pass, too.
+    // A buffer whose bytes the pass reads would get new memory. A buffer that the pass also writes cannot: the pass
+    // would have to write the new memory too.
     return !rhw_buffer_is_read(context, part) ||
            (rhw_check(context, !data->is_callers,
                       "%s: %s stands on memory of the program and the pass being recorded reads some of "
@@ -53,8 +54,8 @@ bool rhw_buffer_check_writable(const struct rhw_context *context, const struct r
                       where, part->first, part->end, name.text));
 }
 
-// Gives the buffer new memory; draws that were recorded keep the old one. The bytes that will not be written are
-// copied. False when out of memory.
+// Give the buffer new memory. Draws that were recorded keep the old memory. The bytes that will not be written are
+// copied. Return false when out of memory.
 static bool renew(struct rhw_context *context, uint32_t index, struct rhw_buffer_data *data, size_t written)
 {
     unsigned char *const bytes = rhw_buffer_allocate(&context->memory, data->size, false);

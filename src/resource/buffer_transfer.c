@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Buffers filled, copied and mapped.
+// Buffers are filled, copied and mapped here.
 #include <string.h>
 
 #include "buffer.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See buffer_use.h. A buffer has a set of ranges for each use, in which a thousand draws with the same bytes, or with
-// one piece after the other, are one.
+// A buffer has a set of ranges for each use. A thousand draws with one range of bytes, or with one piece after the
+// other, are one range of the set.
 #include "buffer_use.h"
 
 #include "base/arena.h"
@@ -8,7 +8,7 @@
 #include "context/lookup.h"
 #include "context/misuse.h"
 
-// The ranges of a use in the pass being recorded; NULL: none.
+// Return the ranges of a use in the pass being recorded. Return NULL if there are none.
 static const struct rhw_range_set *ranges_of(const struct rhw_context *context,
                                              const struct rhw_buffer_data *data, enum rhw_buffer_use use)
 {
@@ -16,7 +16,7 @@ static const struct rhw_range_set *ranges_of(const struct rhw_context *context,
     return context->recording.active && used->pass == context->recording.generation ? &used->ranges : NULL;
 }
 
-// One of them that has some of the part's bytes; NULL: none has.
+// Return a range of the use that has some of the part's bytes. Return NULL if none has.
 static const struct rhw_range *find(const struct rhw_context *context, const struct rhw_buffer_part *part,
                                     enum rhw_buffer_use use)
 {
@@ -42,7 +42,8 @@ bool rhw_buffer_check_apart(const struct rhw_context *context, const struct rhw_
         others[use], first, end);
 }
 
-// Readings go together, and so do writings of shader functions.
+// Return true if two parts of a buffer may have bytes in common in this use: readings may, and writings of shader
+// functions may.
 static bool goes_with_itself(enum rhw_buffer_use use)
 {
     return use != RHW_BUFFER_CAPTURED;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which bytes of which buffers the pass being recorded reads and writes. Nothing says what would come first, so none
-// are both: reading and writing of one buffer go together where they are of other bytes (Vulkan 1.3, "Synchronization
-// and Cache Control": else each is a hazard; WebGPU, "usage scope").
+// Which bytes of which buffers the pass being recorded reads and writes. Nothing says whether reading or writing would
+// come first, so no byte is both read and written. Reading and writing of one buffer go together where their bytes are
+// different ones (Vulkan 1.3, "Synchronization and Cache Control", calls it a hazard otherwise; WebGPU, "usage scope").
 #ifndef RHW_BUFFER_USE_H
 #define RHW_BUFFER_USE_H
 
@@ -14,7 +14,7 @@
 struct rhw_arena;
 struct rhw_context;
 
-// Bytes `first` to `end` of a live buffer, for one use.
+// A part is the bytes from `first` to below `end` of a live buffer, for one use.
 struct rhw_buffer_part {
     rhw_buffer id;
     struct rhw_buffer_data *data;
@@ -22,27 +22,27 @@ struct rhw_buffer_part {
     size_t first, end;
 };
 
-// Reports a part that shares bytes with another of the same buffer, `first` to `end`, which has that use.
+// Report a part that shares bytes with another part of its buffer, `first` to `end`, which is for the use `use`.
 bool rhw_buffer_check_apart(const struct rhw_context *context, const struct rhw_buffer_part *part,
                             enum rhw_buffer_use use, size_t first, size_t end, const char *where);
 
-// Reports bytes that the pass being recorded has that use for.
+// Report bytes that the pass being recorded has the use `use` for.
 bool rhw_buffer_check_unused(const struct rhw_context *context, const struct rhw_buffer_part *part,
                              enum rhw_buffer_use use, const char *where);
 
-// Whether the pass being recorded reads some of the bytes, by vertices and in read-only slots that were set. Commands
-// were read already.
+// Return true if the pass being recorded reads some of the bytes, as vertices or in read-only slots that were set.
+// Commands have been read already.
 bool rhw_buffer_is_read(const struct rhw_context *context, const struct rhw_buffer_part *part);
 
-// Whether the pass being recorded may write some of the buffer.
+// Return true if the pass being recorded may write some of the buffer.
 bool rhw_buffer_is_written(const struct rhw_context *context, const struct rhw_buffer_data *data);
 
-// Reports bytes that the pass has another use for, which does not go with this one.
+// Report bytes that the pass has another use for, which does not go with the part's use.
 bool rhw_buffer_check_use(const struct rhw_context *context, const struct rhw_buffer_part *part,
                           const char *where);
 
-// Notes that the pass uses them. Gives the range that they are in: that of transform feedback is its own, and may
-// become shorter. NULL when out of memory.
+// Note that the pass uses the bytes. Return the range that they are in. The range of transform feedback is its own, and
+// may become shorter. Return NULL when out of memory.
 struct rhw_range *rhw_buffer_note_use(struct rhw_context *context, struct rhw_arena *arena,
                                       const struct rhw_buffer_part *part);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See clean_tiles.h.
+// A texture keeps a list of records, one for each part of it that passes have drawn into.
 #include "clean_tiles.h"
 
 #include <string.h>

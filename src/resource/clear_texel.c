@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clear values take the road of 8 fragments, so that no codec is written twice.
+// Clear values become texels by the code that stores 8 fragments, so that no codec is written twice.
 #include "clear_texel.h"
 
 #include "kernels/texel/texel_codec.h"
@@ -9,7 +9,7 @@ void rhw_clear_texel(const struct rhw_format_info *format, const float value[4],
     struct raw_texels raw = {{{0}, {0}, {0}, {0}}};
     f32x8 lanes[4];
     for (int c = 0; c < 4; c++) {
-        int32_t bits; // a float that passes through registers of its kind may change
+        int32_t bits; // a float that passes through float registers may change
         memcpy(&bits, &value[c], sizeof bits);
         lanes[c] = (f32x8)i32x8_splat(bits);
         if (!rhw_format_is_integer(format)) {

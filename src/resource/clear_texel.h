@@ -5,7 +5,8 @@
 
 #include "format/format.h"
 
-// The texel, format->size bytes, that drawing the value gives. Of integer formats the values are the bits of integers.
+// Write the texel, of format->size bytes, that drawing the value gives. The values of integer formats are the bits of
+// integers.
 void rhw_clear_texel(const struct rhw_format_info *format, const float value[4], unsigned char *texel);
 
 #endif

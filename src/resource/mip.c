@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Mip generation. Each level is the box-filtered level above, in linear light, in floats: levels are
-// rounded to the texture's format when stored, never in between, so that errors do not add up from level
-// to level. Odd sizes take the polyphase box of three texels, whose weights make every texel of the level
-// above count the same (W. Donnelly, "Non-power-of-two mipmapping", NVIDIA 2005).
+// Mip generation. Each level is the box-filtered level above, in linear light, in floats: levels are rounded to the
+// texture's format when stored, never in between, so that errors do not add up from level to level. Odd sizes take the
+// polyphase box of three texels, whose weights make every texel of the level above count the same (W. Donnelly,
+// "Non-power-of-two mipmapping", NVIDIA 2005).
 //
-// A few levels at a time, all threads make bands of rows (kernels/mip_band.c): a band's rows stay in the cache from the
-// texels to the last of these levels, which alone is kept, as floats, for the next ones.
+// All threads make bands of rows, a few levels at a time (kernels/mip_band.c). A band's rows stay in the cache from the
+// texels to the last of these levels. This level alone is kept, as floats, for the next ones.
 #include "base/constants.h"
 #include "context/context.h"
 #include "format/format.h"
@@ -16,10 +16,11 @@
 #include "texture.h"
 
 enum {
-    // Texels of the level that a band is made from: some 50 µs, beside which waking a thread and the rows that bands
-    // of odd sizes have in common are little.
+    // Texels of the level that a band is made from. It takes some 50 µs, beside which waking a thread and the rows that
+    // bands of odd sizes have in common are little.
     BAND_TEXELS = 1 << 17,
-    BAND_LEAST = 8 // rows of the last level; of odd sizes seven rows of the first one are made twice
+    // Rows of the last level. Where sizes are odd, two bands make seven rows of the first level twice.
+    BAND_LEAST = 8
 };
 
 struct made_mips {
@@ -44,7 +45,7 @@ static void make_slice(void *user, int index, int worker)
     volume->kernels->mip_slice(&volume->job, index, worker);
 }
 
-// Floats of a whole level; 0 where no level is made from it.
+// Return the floats of a whole level, or 0 where no level is made from it.
 static size_t level_size(const struct rhw_texture_data *texture, int level)
 {
     if (level >= texture->levels - 1) {
@@ -55,7 +56,8 @@ static size_t level_size(const struct rhw_texture_data *texture, int level)
     return (size_t)slices * (size_t)mip->height * rhw_mip_row(mip->width, texture->info->channels);
 }
 
-// Floats that a worker needs: a row of level 0; a row, and three reduced along x, of each level that is made.
+// Return the floats that a worker needs: a row of level 0, and a row and three rows reduced along x of each level that
+// is made.
 static size_t scratch_size(const struct rhw_texture_data *texture)
 {
     size_t size = rhw_mip_row(texture->mip[0].width, texture->info->channels);
@@ -71,7 +73,7 @@ static int rows_of_band(const struct rhw_texture_data *texture, int base, int la
     return rows < BAND_LEAST ? BAND_LEAST : rows;
 }
 
-// The levels of a layer.
+// Make the levels of a layer.
 static void make_layer(struct rhw_context *context, struct made_mips *mips, float *odd, float *even)
 {
     struct rhw_mip_job *const job = &mips->job;
@@ -92,11 +94,11 @@ static void make_layer(struct rhw_context *context, struct made_mips *mips, floa
 
 static bool make_layers(struct rhw_context *context, const struct rhw_texture_data *texture)
 {
-    // Levels 3, 9, .. and 6, 12, .. take turns in two buffers.
+    // Levels 3, 9, .. and levels 6, 12, .. take turns in two buffers.
     const size_t scratch = scratch_size(texture);
     const size_t odd = level_size(texture, RHW_MIP_STEPS), even = level_size(texture, 2 * RHW_MIP_STEPS);
     const size_t size = ((size_t)context->threads * scratch + odd + even) * sizeof(float);
-    // Zeroed because lanes behind the end of a row are computed too.
+    // The block is zeroed because lanes behind the end of a row are computed too.
     float *const block = rhw_memory_allocate_zeroed(&context->memory, size, RHW_CACHE_LINE);
     if (!block) {
         return false;
@@ -111,7 +113,8 @@ static bool make_layers(struct rhw_context *context, const struct rhw_texture_da
     return true;
 }
 
-// One level after the other, slice by slice: the two or three slices above one are mixed and then reduced as a layer is.
+// Make one level of a volume after the other, slice by slice: two or three slices of the level above are mixed and then
+// reduced as a layer is.
 static bool make_volume(struct rhw_context *context, const struct rhw_texture_data *texture)
 {
     const struct rhw_mip *const first = &texture->mip[0];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Regions scaled into others. Where texel i of an axis of n texels lies in the m texels that it is made from is the
-// fraction (2i + 1)·m / 2n (Vulkan 1.3, "Image Copies With Scaling"), so neighbours and weights come from integers: they
-// are the same everywhere, and right to half a unit of a float. The kernel looks them up.
+// Regions are scaled into others. Texel i of an axis of n texels lies at the fraction (2i + 1)·m / 2n of the m texels
+// that it is made from (Vulkan 1.3, "Image Copies With Scaling"), so neighbours and weights come from integers: they
+// are equal on every machine, and right to half a unit of a float. The kernel looks them up.
 #include <string.h>
 
 #include "format/block_format.h"
@@ -20,9 +20,9 @@
 
 static const char *const where = "rhw_texture_blit";
 
-enum { BAND_TEXELS = 1 << 14 }; // of a task: some 50 µs
+enum { BAND_TEXELS = 1 << 14 }; // texels of a task: some 50 µs
 
-// The corners of a region along an axis; mirrored: the second is less.
+// The corners of a region along an axis. Where the region is mirrored the second is less.
 struct corners {
     int first, last;
 };
@@ -34,7 +34,8 @@ struct blit_region {
 
 // Checking ------------------------------------------------------------------------------------------
 
-// 0 and 0 stand for all there is; false where the region has no texel, or too many.
+// Check the corners along an axis. Two zeros stand for the whole axis. Return false where the region has no texel, or
+// too many.
 static bool check_corners(const struct rhw_context *context, const char *name, char axis, int most,
                           struct corners *corners)
 {
@@ -54,7 +55,7 @@ static void set_box(const struct corners *corners, int *first, int *size)
     *size = is_mirrored ? corners->first - corners->last : corners->last - corners->first;
 }
 
-// Its texture is NULL where that is misuse.
+// Check a region. Its texture is NULL where the call was misuse.
 static struct blit_region check_region(struct rhw_context *context, rhw_texture id,
                                        const struct rhw_blit_region *given, const char *name)
 {
@@ -82,7 +83,7 @@ static bool have_depth(const struct rhw_region *region)
     return rhw_format_has_role(region->texture->info, RHW_ROLE_DEPTH_TARGET | RHW_ROLE_STENCIL_TARGET);
 }
 
-// Whether values of one format can become those of the other.
+// Return true if values of one format can become values of the other.
 static bool converts(const struct rhw_region *from, const struct rhw_region *to)
 {
     const struct rhw_format_info *const a = from->texture->info, *const b = to->texture->info;
@@ -124,17 +125,17 @@ static int clamp(int64_t i, int first, int size)
     return (int)(i < first ? first : i > first + size - 1 ? first + size - 1 : i);
 }
 
-// Sets what `size` texels of the target, from the lowest on, are made from. `room`: texels, of which those behind `size`
-// are as the last.
+// Set what `size` texels of the target, from the lowest on, are made from. The tables have room for `room` texels.
+// Texels behind `size` are made from what the last one is made from.
 static void set_axis(int32_t *low, int32_t *high, float *weight, int room, const struct corners *source,
                      const struct corners *target, bool is_linear)
 {
-    // From the target's lower corner on, mirrored or not.
+    // Texels are counted from the target's lower corner on, mirrored or not.
     const bool swaps = target->last < target->first;
     const int begin = swaps ? source->last : source->first, end = swaps ? source->first : source->last;
     const int size = swaps ? target->first - target->last : target->last - target->first;
     const int first = begin < end ? begin : end, count = begin < end ? end - begin : begin - end;
-    const int64_t unit = 2 * (int64_t)size; // of a texel's extent
+    const int64_t unit = 2 * (int64_t)size; // units in a texel
     for (int i = 0; i < room; i++) {
         const int j = i < size ? i : size - 1;
         const int64_t at = begin * unit + (2 * (int64_t)j + 1) * (end - begin) - (is_linear ? size : 0);
@@ -145,7 +146,7 @@ static void set_axis(int32_t *low, int32_t *high, float *weight, int room, const
     }
 }
 
-// Whole groups of 8.
+// Return the number of texels in whole groups of 8.
 static int room_of(int size)
 {
     return (size + RHW_LANES - 1) / RHW_LANES * RHW_LANES;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Regions of textures cleared to one value, with all their samples.
+// Regions of textures are cleared to one value, with all their samples.
 #include <string.h>
 
 #include "clear_texel.h"
@@ -43,7 +43,7 @@ static bool check_value(const struct rhw_context *context, const struct rhw_form
                      (double)value->depth);
 }
 
-// The texel of a region.
+// Set the texel that a region is filled with.
 static void set_texel(const struct rhw_region *region, const struct rhw_clear_value *value,
                       unsigned char *texel)
 {
@@ -63,7 +63,7 @@ static void set_texel(const struct rhw_region *region, const struct rhw_clear_va
     rhw_cpu_float_leave(environment);
 }
 
-// A row of texels, doubled until it is full.
+// Fill a row with texels: what is there is doubled until the row is full.
 static void fill_row(unsigned char *row, size_t size, const unsigned char *texel, size_t texel_size)
 {
     memcpy(row, texel, texel_size);
@@ -88,7 +88,7 @@ static void clear_region(struct rhw_region region, const struct rhw_clear_value 
     }
 }
 
-// All levels and both planes, from a region that is level 0, whole.
+// Clear all levels and both planes. The region is level 0, whole.
 static void clear_levels(struct rhw_region region, const struct rhw_clear_value *value)
 {
     struct rhw_texture_data *const texture = region.texture;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Regions of textures copied bit for bit: from and to the caller's memory, buffers and other textures.
+// Regions of textures are copied bit for bit, from and to the caller's memory, buffers and other textures.
 #include <string.h>
 
 #include "format/block_format.h"
@@ -23,9 +23,9 @@ struct rows {
 
 enum direction { INTO_TEXTURE, OUT_OF_TEXTURE };
 
-// What stands together in the rows outside: a texel, or a block on its way in.
+// A unit is what stands together in the rows outside: a texel, or a block on its way in.
 struct unit {
-    int width, height; // texels
+    int width, height; // texels of a unit
     size_t bytes;
 };
 
@@ -60,7 +60,7 @@ static void copy_rows(const struct rhw_region *region, const struct rows *rows, 
     }
 }
 
-// Blocks become texels: rows outside are of blocks.
+// Decode blocks into texels. The rows outside have blocks.
 static void decode_rows(struct rhw_context *context, const struct rhw_region *region, const struct rows *rows)
 {
     struct rhw_mip part = rhw_region_plane(region, 0);
@@ -94,7 +94,7 @@ static bool check_block_axis(const struct rhw_context *context, const struct rhw
                      where, size_name, size, block, rhw_format_info(region->texture->format)->name);
 }
 
-// Regions are written by whole blocks; those at the end of a level may stand out of it (Vulkan 1.3,
+// Check that a region is written by whole blocks. Blocks at the end of a level may stand out of it (Vulkan 1.3,
 // vkCmdCopyBufferToImage, imageOffset and imageExtent).
 static bool check_whole_blocks(const struct rhw_context *context, const struct rhw_region *region,
                                const char *where)
@@ -156,7 +156,8 @@ enum rhw_result rhw_texture_write_region(rhw_context *context, rhw_texture textu
     if (!rhw_context_enter(context, where)) {
         return RHW_ERROR_MISUSE;
     }
-    struct rows rows = {(unsigned char *)data, row_pitch, slice_pitch}; // only read
+    // The rows are only read.
+    struct rows rows = {(unsigned char *)data, row_pitch, slice_pitch};
     const enum rhw_result result = write_region(context, texture, region, &rows, where);
     rhw_context_leave(context);
     return result;
@@ -193,7 +194,7 @@ static bool check_layout_blocks(const struct rhw_context *context, const struct 
                      where, layout->image_height, unit.height);
 }
 
-// Finds the bytes of a buffer from the layout's offset to the end of the last row. Sizes are at most 2^14 texels and
+// Find the bytes of a buffer from the layout's offset to the end of the last row. Sizes are at most 2^14 texels and
 // 2^31 rows.
 static bool check_layout(const struct rhw_context *context, const struct rhw_region *region,
                          enum direction direction, const struct rhw_texel_layout *layout,
@@ -209,7 +210,7 @@ static bool check_layout(const struct rhw_context *context, const struct rhw_reg
         !check_layout_blocks(context, layout, unit, where)) {
         return false;
     }
-    // Of exact numbers, which may exceed 64 bits only where the rows before the last do.
+    // The numbers are exact. They exceed 64 bits only where the rows before the last one do.
     const uint64_t row = (uint64_t)units(length, unit.width) * unit.bytes;
     const uint64_t rows_of_slice = (uint64_t)units(height, unit.height);
     const uint64_t before =
@@ -263,7 +264,7 @@ static enum rhw_result copy_to_buffer(struct rhw_context *context, rhw_texture t
         !rhw_buffer_check_writable(context, &part, where)) {
         return RHW_ERROR_MISUSE;
     }
-    if (!rhw_buffer_to_write(context, &part, 0)) { // behind the rows bytes may stay
+    if (!rhw_buffer_to_write(context, &part, 0)) { // bytes behind the rows may stay
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     rows.first = part.data->bytes + layout->offset;
@@ -341,7 +342,7 @@ static enum rhw_result copy_texture(struct rhw_context *context, rhw_texture fro
         !rhw_texture_check_unread(context, to.id, to.texture, where)) {
         return RHW_ERROR_MISUSE;
     }
-    // Where both are one texture, that keeps its old texels, and `from` them, until the pass ends.
+    // Where both regions are of one texture, it keeps its old texels until the pass ends, and `from` reads them.
     if (!rhw_region_to_write(context, &to)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }

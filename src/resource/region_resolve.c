@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samples of a region resolved, by all threads.
+// Samples of a region are resolved by all threads.
 #include "context/context.h"
 #include "context/entry.h"
 #include "format/format.h"
@@ -13,7 +13,7 @@
 
 static const char *const where = "rhw_texture_resolve";
 
-enum { BAND_TEXELS = 1 << 14 }; // of a task, all samples: some 50 µs
+enum { BAND_TEXELS = 1 << 14 }; // texels of a task, with all samples: some 50 µs
 
 struct resolved {
     const struct rhw_kernels *kernels;

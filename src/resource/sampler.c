@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samplers: a validated copy of the definition, and what follows from it.
+// Samplers: a checked copy of the definition, and what follows from it.
 #include "sampler.h"
 
 #include <math.h>
@@ -40,7 +40,7 @@ static bool is_clamped(enum rhw_address address)
     return address == RHW_ADDRESS_CLAMP || address == RHW_ADDRESS_BORDER;
 }
 
-// The rules of VkSamplerCreateInfo for unnormalizedCoordinates.
+// Check the rules of VkSamplerCreateInfo for unnormalizedCoordinates.
 static bool check_unnormalized(const struct rhw_context *context, const struct rhw_sampler_def *def)
 {
     return !def->unnormalized ||
@@ -127,7 +127,7 @@ void rhw_sampler_data_init(struct rhw_sampler_data *sampler, const struct rhw_sa
                                          .filters_compared = filters_compared(def),
                                          .is_general = is_general(def)};
     sampler->def.lod_max = lod_max_of(def);
-    sampler->def.label = NULL; // which is the caller's
+    sampler->def.label = NULL; // the label is the caller's memory
     for (int lane = 0; lane < RHW_LANES; lane++) {
         sampler->gradient_bias[lane] = def->lod_bias - 16.0f;
         sampler->lod_least[lane] = def->lod_min > 0 ? def->lod_min : 0;

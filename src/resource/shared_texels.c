@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See shared_texels.h.
+// A texture compares versions to learn that its texels have been written by somebody else.
 #include "shared_texels.h"
 
 #include "clean_tiles.h"
@@ -33,7 +33,7 @@ void rhw_shared_texels_release(struct rhw_memory *memory, struct rhw_shared_texe
     rhw_memory_release(memory, shared, sizeof *shared);
 }
 
-// What the texture kept about its texels holds no longer where somebody else has written them.
+// Drop what the texture kept about its texels where somebody else has written them.
 static void catch_up(struct rhw_texture_data *texture)
 {
     if (texture->version != texture->shared->version) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Texels that are not one texture's alone: those of a texture and its views, and those on the caller's memory. What was true
-// of a texture as long as nobody else touched its texels is asked here: whether the pass being recorded draws into them or
-// samples them, and whether anybody has written since. Textures without views that stand on the library's memory have none
-// of this.
+// Texels that are not one texture's alone: those of a texture and its views, and those on the caller's memory. They
+// have a common record of what was true of a texture as long as nobody else touched its texels: whether the pass being
+// recorded draws into them or samples them, and whether anybody has written since. Textures without views that stand on
+// the library's memory have no record.
 #ifndef RHW_SHARED_TEXELS_H
 #define RHW_SHARED_TEXELS_H
 
@@ -16,22 +16,24 @@ struct rhw_texture_data;
 struct rhw_shared_texels {
     void *bytes;
     size_t size;
-    bool is_callers;            // nothing to release, and written by others between passes
-    uint32_t owners;            // the texture and its views
-    uint32_t attached, sampled; // generation of the last pass that draws into them, or samples them
-    uint32_t version;           // counts writes, and passes before which others may have written
+    // The texels are the caller's memory: nothing is released, and others write them between passes.
+    bool is_callers;
+    uint32_t owners; // number of textures: the texture and its views
+    // Generation of the last pass that draws into the texels, and of the last pass that samples them.
+    uint32_t attached, sampled;
+    uint32_t version; // counts writes, and passes before which others may have written
 };
 
-// Makes the texture's texels such; nothing where they are. False when out of memory.
+// Make the texture's texels shared, where they are not yet. Return false when out of memory.
 bool rhw_texture_share(struct rhw_memory *memory, struct rhw_texture_data *texture);
-// Releases the texture's part of its texels, which are released with the last one.
+// Give up the texture's part of its texels. They are released with the last part.
 void rhw_shared_texels_release(struct rhw_memory *memory, struct rhw_shared_texels *shared);
 
-// Notes that a pass draws into the texture, or samples it; what is kept about its texels is forgotten where others have
+// Note that a pass draws into the texture, or samples it. What is kept about its texels is forgotten where others have
 // written them.
 void rhw_texture_note_attached(struct rhw_texture_data *texture, uint32_t pass_generation);
 void rhw_texture_note_sampled(struct rhw_texture_data *texture, uint32_t pass_generation);
-// Notes that the texture's texels are written between draws.
+// Note that the texture's texels are written between draws.
 void rhw_texture_note_written(struct rhw_texture_data *texture);
 
 #endif

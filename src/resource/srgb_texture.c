@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Decoding sRGB texels before they are filtered takes 24 table look-ups for one trilinear sample, four times
-// the cost of everything else. So a texture that is sampled keeps its texels decoded, as 16-bit fixed point, and
-// the sampler filters them like those of RGBA8_UNORM. The price is memory: 12 bytes a texel instead of 4. The
-// copy is made when a pass first binds the texture; targets that nobody samples have none, nor have textures that are
-// no plain 2D ones: those take the general path, which decodes.
+// Decoding sRGB texels before they are filtered takes 24 table look-ups for one trilinear sample, four times the cost
+// of everything else. So a texture that is sampled keeps its texels decoded, as 16-bit fixed point, and the sampler
+// filters them like those of RGBA8_UNORM. The price is memory: 12 bytes a texel instead of 4. The copy is made when a
+// pass first binds the texture. Targets that nobody samples have no copy. Textures of other kinds than plain 2D have
+// none either: they take the general path, which decodes.
 //
-// Rounding moves a value by at most half of 1/32640, which is less than 1/20 of the distance between two sRGB
-// codes: they are closest at the dark end, where neighbours are 9.9/32640 apart.
+// Rounding moves a value by at most half of 1/32640. This is less than 1/20 of the distance between two sRGB codes,
+// which are closest at the dark end, where neighbours are 9.9/32640 apart.
 //
 // Red stands beside blue and green beside alpha because the sampler mixes two channels in 32 bits.
 #include "srgb_texture.h"
@@ -21,7 +21,7 @@
 #include "format/srgb.h"
 #include "texture.h"
 
-// Bytes of the copy for one of the texture, rows and padding included.
+// Bytes of the copy for one byte of the texture, rows and padding included.
 static const size_t linear_scale = RHW_LINEAR_TEXEL / 4;
 
 static bool allocate_levels(struct rhw_memory *memory, struct rhw_texture_data *texture)
@@ -51,9 +51,9 @@ static void decode_row(const uint16_t table[256], const unsigned char *from, uns
     }
 }
 
-enum { BAND_TEXELS = 1 << 16 }; // of a task: some 50 µs
+enum { BAND_TEXELS = 1 << 16 }; // texels of a task: some 50 µs
 
-// One level on its way.
+// One level while it is decoded.
 struct decoded_level {
     const struct rhw_mip *mip;
     int band; // rows of a task

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Layers of a level as a range of memory: what a texture and its views have in common lies in the same place.
+// Layers of a level as a range of memory. Texels that a texture and its views have in common lie in one place, so
+// ranges tell.
 #ifndef RHW_TEXEL_RANGE_H
 #define RHW_TEXEL_RANGE_H
 
@@ -9,8 +10,9 @@ struct rhw_texel_range {
     uintptr_t first, end;
 };
 
-// From the first layer's first byte to the last one's, which stand for all of theirs: textures on memory of the program
-// may have rows side by side. Of several samples the first one's, which lie to each other as those of the others do.
+// Return the range from the first layer's first byte to the last layer's. Each first byte stands for all bytes of its
+// layer, because textures on memory of the program may have rows side by side. Of several samples the range is the
+// first one's; the samples of other ranges lie to each other alike.
 static inline struct rhw_texel_range rhw_texel_range_of(const struct rhw_mip *mip, int layer, int layers)
 {
     return (struct rhw_texel_range){(uintptr_t)rhw_mip_slice(mip, layer),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Textures: their creation. Levels are linear rows in one allocation; texture_copy.c reads and writes them.
+// Textures are created and destroyed here. Levels are linear rows in one allocation; texture_copy.c reads and writes
+// them.
 #include "texture.h"
 
 #include <string.h>
@@ -21,7 +22,7 @@ static int level_size(int size, int level)
     return size >> level > 1 ? size >> level : 1;
 }
 
-// `first`: bytes from the texture's memory to the level.
+// Set the table of a level. `first` is the number of bytes from the texture's memory to the level.
 static void set_table(struct rhw_texture_data *texture, int level, uint64_t first)
 {
     const struct rhw_mip *const mip = &texture->mip[level];
@@ -40,7 +41,7 @@ static size_t aligned_pitch(size_t row)
     return (row + RHW_ROW_ALIGNMENT - 1) & ~(size_t)(RHW_ROW_ALIGNMENT - 1);
 }
 
-// Bytes of a level's plane of stencil, all slices, where it lies behind another one.
+// Return the bytes of a level's plane of stencil, all slices, where it lies behind another plane.
 static uint64_t stencil_size(const struct rhw_format_info *info, const struct rhw_mip *mip)
 {
     const bool apart = rhw_format_has_role(info, RHW_ROLE_STENCIL_TARGET) &&
@@ -105,7 +106,7 @@ static void place_levels(struct rhw_texture_data *texture, void *memory)
     }
 }
 
-// Zeroed memory of all levels. False when out of memory.
+// Allocate zeroed memory for all levels. Return false when out of memory.
 static bool allocate_levels(struct rhw_memory *memory, struct rhw_texture_data *texture)
 {
     void *const bytes = texture->memory_size != SIZE_MAX
@@ -231,7 +232,7 @@ void rhw_texture_destroy(rhw_context *context, rhw_texture texture)
     rhw_context_leave(context);
 }
 
-// What rhw_context_texture gives to a function that only looks.
+// Return what rhw_context_texture gives, for a function that only looks.
 static const struct rhw_texture_data *look_at(const struct rhw_context *context, rhw_texture texture,
                                               const char *where)
 {
@@ -284,4 +285,51 @@ enum rhw_format rhw_texture_format(const rhw_context *context, rhw_texture textu
 {
     const struct rhw_texture_data *const data = look_at(context, texture, "rhw_texture_format");
     return data ? data->format : RHW_FORMAT_NONE;
+}
+
+// Tell the program where rhw_texture_data_init put the texels.
+static void tell_layout(const struct rhw_texture_data *texture, struct rhw_texture_layout *layout)
+{
+    *layout = (struct rhw_texture_layout){.size = texture->memory_size,
+                                          .alignment = RHW_MEMORY_ALIGNMENT,
+                                          .levels = texture->levels,
+                                          .sample_stride = texture->sample_stride};
+    const bool has_stencil = rhw_format_has_role(texture->info, RHW_ROLE_STENCIL_TARGET) &&
+                             rhw_format_has_role(texture->info, RHW_ROLE_DEPTH_TARGET);
+    size_t next = 0;
+    for (int i = 0; i < texture->levels; i++) {
+        const struct rhw_mip *const mip = &texture->mip[i];
+        struct rhw_level_layout *const level = &layout->level[i];
+        level->offset = next;
+        level->row_pitch = mip->row_pitch;
+        level->slice_pitch = mip->slice_pitch;
+        next += mip->slice_pitch * (size_t)mip->slices;
+        if (has_stencil) {
+            level->stencil_offset = next;
+            level->stencil_row_pitch = mip->stencil_pitch;
+            level->stencil_slice_pitch = mip->stencil_pitch * (size_t)mip->height;
+            next += level->stencil_slice_pitch * (size_t)mip->slices;
+        }
+    }
+}
+
+enum rhw_result rhw_texture_query_layout(rhw_context *context, const struct rhw_texture_def *def,
+                                         struct rhw_texture_layout *layout)
+{
+    static const char *const where = "rhw_texture_query_layout";
+    if (!rhw_context_enter(context, where)) {
+        return RHW_ERROR_MISUSE;
+    }
+    const bool is_valid = rhw_check(context, def != NULL, "%s: def is NULL", where) &&
+                          rhw_check(context, layout != NULL, "%s: layout is NULL", where) &&
+                          rhw_check_format(context, where, "format", def->format) &&
+                          rhw_texture_shape_check(context, def, where);
+    if (is_valid) {
+        const struct rhw_texture_shape shape = rhw_texture_shape_of(def);
+        struct rhw_texture_data texture;
+        rhw_texture_data_init(&texture, def->format, &shape);
+        tell_layout(&texture, layout);
+    }
+    rhw_context_leave(context);
+    return is_valid ? RHW_OK : RHW_ERROR_MISUSE;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See texture_access.h.
+// What recorded draws read is kept: a texture that is written between them gets new memory.
 #include "texture_access.h"
 
 #include <string.h>
@@ -37,7 +37,8 @@ bool rhw_texture_check_unattached(const struct rhw_context *context, rhw_texture
                      rhw_name_of(&context->textures, id.index).text);
 }
 
-// Gives the texture new memory with the same texels; draws that were recorded keep the old one. NULL when out of memory.
+// Give the texture new memory with equal texels. Draws that were recorded keep the old memory. Return NULL when out of
+// memory.
 static struct rhw_texture_data *renew(struct rhw_context *context, rhw_texture id)
 {
     struct rhw_texture_data **const item = rhw_pool_get(&context->textures, id.index, id.generation);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What programs write into textures and read from them, and mip levels made from the first one.
+// Programs write into textures and read from them here, and have mip levels made from the first one.
 #include "texture.h"
 
 #include <limits.h>
@@ -16,7 +16,7 @@
 #include "texture_access.h"
 #include "texture_shape.h"
 
-// A level and the caller's rows, as write and read have them in common.
+// A level and the caller's rows: what writing and reading have in common.
 struct copy {
     struct rhw_texture_data *texture; // NULL: the call was misuse
     int level, layer, sample;
@@ -24,14 +24,15 @@ struct copy {
     size_t row, row_pitch; // bytes of a row; distance of the caller's rows
 };
 
-enum { NO_SAMPLE = INT_MIN }; // named by the caller
+enum { NO_SAMPLE = INT_MIN }; // the caller names no sample
 
 // What the caller named, apart from the texture.
 struct copy_request {
     int level, layer;
-    int sample; // NO_SAMPLE: of a texture that has one
+    int sample; // NO_SAMPLE: the texture has one
     bool stencil;
-    bool is_decoded; // the caller's rows are of texels, also where the texture's format has blocks
+    // The caller's rows are of texels, also where the texture's format has blocks.
+    bool is_decoded;
     const void *outside;
     size_t row_pitch;
 };
@@ -77,7 +78,7 @@ static struct copy check_copy(const struct rhw_context *context, rhw_texture id,
     return (struct copy){texture, level, request->layer, sample, request->stencil, row, pitch};
 }
 
-// The first byte of a row, inside.
+// Return the first byte of a row inside of the texture.
 static unsigned char *row_of(const struct copy *copy, size_t y)
 {
     const struct rhw_mip *const mip = &copy->texture->mip[copy->level];

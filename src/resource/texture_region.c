@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See texture_region.h.
+// Regions that a call names are checked here before texels move.
 #include "texture_region.h"
 
 #include "format/block_format.h"
@@ -15,7 +15,7 @@ static struct rhw_name name_of(const struct rhw_context *context, rhw_texture id
     return rhw_name_of(&context->textures, id.index);
 }
 
-// One axis: *size becomes what 0 stands for. `axis`: 0..2.
+// Check one axis and write into *size what 0 stands for. `axis` is 0..2.
 static bool check_axis(const struct rhw_context *context, const struct rhw_region *region, const char *name,
                        int axis, int first, int *size, int most, const char *where)
 {
@@ -115,8 +115,8 @@ static bool spans_overlap(int a, int b, int a_size, int b_size)
     return a < b + b_size && b < a + a_size;
 }
 
-// Whether both lie in texels that one texture, or its views, have. Levels differ in a pitch, or slices of one pitch that lie
-// that far apart have no texel in common.
+// Return true if both regions lie in texels that one texture, or its views, have. Levels differ in a pitch; slices of
+// one pitch that lie that far apart have no texel in common.
 static bool regions_overlap(const struct rhw_region *from, const struct rhw_region *to)
 {
     const struct rhw_mip a = rhw_region_plane(from, 0), b = rhw_region_plane(to, 0);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// See texture_shape.h. Texels of everything but plain 2D textures are numbered with 31 bits by the sampler
-// (kernels/texture/lane_level.h).
+// The sampler numbers texels with 31 bits (kernels/texture/lane_level.h) for every kind but plain 2D textures; the rule
+// that follows from it stands here.
 #include "texture_shape.h"
 
 #include "context/context.h"
 #include "format/format.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
-#include "pipeline/sample_pattern.h"
+#include "sample_pattern.h"
 
 _Static_assert((int)RHW_ROW_ALIGNMENT == (int)RHW_MEMORY_ALIGNMENT &&
                    (int)RHW_TEXEL_PADDING == (int)RHW_MEMORY_PADDING,
@@ -18,7 +18,8 @@ enum { FACES = 6 };
 int rhw_mip_chain_length(int width, int height, int depth)
 {
     int levels = 1;
-    for (int most = width | height | depth; most > 1; most >>= 1) { // the highest bit of the largest
+    // Count down to the highest bit of the largest side.
+    for (int most = width | height | depth; most > 1; most >>= 1) {
         levels++;
     }
     return levels;
@@ -118,7 +119,8 @@ static struct rhw_texture_shape without_levels(const struct rhw_texture_def *def
     };
 }
 
-// Of rows as they are stored, all levels; too many rather than too few: the chain is below twice its first level.
+// Return true if the sampler can number all texels. Rows are counted as they are stored, in all levels, too many rather
+// than too few: the chain is below twice its first level.
 static bool fits_numbers(const struct rhw_texture_def *def)
 {
     const struct rhw_texture_shape shape = without_levels(def);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Views: texture data whose levels point into the texels of another one. Nothing that samples or draws knows of them.
+// Views: texture data whose levels point into the texels of another texture. Nothing that samples or draws knows of
+// them.
 #include <string.h>
 
 #include "format/block_format.h"
@@ -18,13 +19,13 @@ static const char *const where = "rhw_texture_view_create";
 
 enum { FACES = 6 };
 
-// A view as it will be.
+// What a view will be.
 struct plan {
     struct rhw_texture_data *parent;
-    rhw_texture id; // of the parent
+    rhw_texture id; // id of the parent
     enum rhw_format format;
     struct rhw_texture_shape shape;
-    bool is_stencil; // of the parent's plane of stencil
+    bool is_stencil; // the view is the parent's plane of stencil
 };
 
 static struct rhw_name name_of(const struct rhw_context *context, const struct plan *plan)
@@ -45,7 +46,7 @@ static bool are_decoded_alike(const struct rhw_block_format *a, const struct rhw
            a->height == b->height;
 }
 
-// Whether a format is that of one of the planes of the other.
+// Return true if a format is that of one of the planes of the other.
 static bool is_plane_of(const struct rhw_format_info *plane, const struct rhw_format_info *both)
 {
     const bool has_both = rhw_format_has_role(both, RHW_ROLE_DEPTH_TARGET) &&
@@ -55,7 +56,7 @@ static bool is_plane_of(const struct rhw_format_info *plane, const struct rhw_fo
     return has_both && is_depth != is_stencil;
 }
 
-// Shaders read stencil as these bytes (VK_IMAGE_ASPECT_STENCIL_BIT).
+// Return true if the view reads stencil: shaders read it as these bytes (VK_IMAGE_ASPECT_STENCIL_BIT).
 static bool reads_stencil(const struct rhw_format_info *parent, enum rhw_format view)
 {
     return view == RHW_FORMAT_R8_UINT && rhw_format_has_role(parent, RHW_ROLE_STENCIL_TARGET);
@@ -189,7 +190,7 @@ static bool make_plan(const struct rhw_context *context, const struct rhw_textur
 
 // Making --------------------------------------------------------------------------------------------
 
-// The plane of the parent that the view has, from its first layer on.
+// Set a level from the plane of the parent that the view has, from its first layer on.
 static void set_level(const struct plan *plan, const struct rhw_texture_view_def *def, struct rhw_mip *mip)
 {
     if (plan->is_stencil) {
@@ -209,7 +210,7 @@ static void set_level(const struct plan *plan, const struct rhw_texture_view_def
     }
 }
 
-// The tables of the sampler follow from the levels. False where a texel has a number beyond 31 bits.
+// Set the levels and, from them, the tables of the sampler. Return false where a texel has a number beyond 31 bits.
 static bool set_levels(const struct plan *plan, const struct rhw_texture_view_def *def,
                        struct rhw_texture_data *view)
 {
@@ -231,7 +232,7 @@ static bool set_levels(const struct plan *plan, const struct rhw_texture_view_de
     return view->is_plain || last <= INT32_MAX;
 }
 
-// Makes the parent's texels shared, which may be recorded already. False when out of memory.
+// Make the parent's texels shared; the parent may be recorded already. Return false when out of memory.
 static bool share(struct rhw_context *context, const struct plan *plan)
 {
     if (!rhw_texture_share(&context->memory, plan->parent)) {
@@ -255,12 +256,12 @@ static void set_view(const struct plan *plan, const struct rhw_texture_view_def 
     view->shared = plan->parent->shared;
     view->shared->owners++;
     view->version = view->shared->version;
-    // Which of their levels somebody has filled is not followed from one to the other.
+    // All levels count as filled: which ones somebody has filled is not followed from one texture to the other.
     view->written = (1u << view->levels) - 1;
     plan->parent->written = (1u << plan->parent->levels) - 1;
 }
 
-// The view's data; *result says what is wrong where it is NULL.
+// Return the view's data. Return NULL and set *result where something is wrong.
 static struct rhw_texture_data *make_view(struct rhw_context *context, const struct plan *plan,
                                           const struct rhw_texture_view_def *def, enum rhw_result *result)
 {

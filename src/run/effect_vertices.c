@@ -7,9 +7,9 @@
 #include "base/arena.h"
 #include "draw/assembly.h"
 #include "base/constants.h"
-#include "pass/pass_state.h"
+#include "draw/recorded_pass.h"
 #include "pipeline/pipeline.h"
-#include "shared_vertices.h"
+#include "vertex_sharing.h"
 
 // From vertex indices to slots, by open addressing: an entry holds a slot plus 1.
 struct slot_table {
@@ -117,12 +117,13 @@ bool rhw_effect_vertices_prepare(struct rhw_draw *draw, struct rhw_arena *arena)
     return draw->shared != NULL;
 }
 
-bool rhw_effect_vertices_find(struct rhw_pass_state *pass, struct rhw_shared_parts *parts)
+bool rhw_effect_vertices_find(const struct rhw_recorded_pass *pass, struct rhw_arena *arena,
+                              struct rhw_shared_parts *parts)
 {
     uint64_t count = 0;
     *parts = (struct rhw_shared_parts){0};
     for (uint32_t d = 0; pass->shades_first && d < pass->draws.count; d++) {
-        const struct rhw_draw *const draw = rhw_pass_draw_at(pass, d);
+        const struct rhw_draw *const draw = rhw_draw_list_at(&pass->draws, d);
         if (draw->is_shaded_first && draw->shared) {
             count += (uint64_t)draw->instances * rhw_shared_parts_of(draw->shared->count);
             parts->vertices += (uint64_t)draw->instances * draw->shared->count;
@@ -132,10 +133,10 @@ bool rhw_effect_vertices_find(struct rhw_pass_state *pass, struct rhw_shared_par
         return false;
     }
     parts->count = (int)count;
-    parts->parts = rhw_arena_alloc(&pass->arena, (size_t)count * sizeof *parts->parts, RHW_CACHE_LINE);
+    parts->parts = rhw_arena_alloc(arena, (size_t)count * sizeof *parts->parts, RHW_CACHE_LINE);
     struct rhw_shared_part *part = parts->parts;
     for (uint32_t d = 0; part && count != 0 && d < pass->draws.count; d++) {
-        const struct rhw_draw *const draw = rhw_pass_draw_at(pass, d);
+        const struct rhw_draw *const draw = rhw_draw_list_at(&pass->draws, d);
         if (draw->is_shaded_first) {
             part = rhw_shared_parts_list(part, draw);
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Vertices whose function has effects, or of strips with a stipple (strip_stipple.h): each is shaded once in its pass,
 // before its first wave, whatever chunks and waves there are. They are
-// shared (shared_vertices.h) for the whole pass, those alone that the draw's primitives name, in the order in which
+// shared (draw/shared_vertices.h) for the whole pass, those alone that the draw's primitives name, in the order in which
 // these name them.
 #ifndef RHW_EFFECT_VERTICES_H
 #define RHW_EFFECT_VERTICES_H
@@ -10,14 +10,15 @@
 
 struct rhw_arena;
 struct rhw_draw;
-struct rhw_pass_state;
+struct rhw_recorded_pass;
 struct rhw_shared_parts;
 
 // Gives a draw that was assembled room for its vertices, in memory that lasts as long as it, and primitives that name
 // them by slot. False when out of memory.
 bool rhw_effect_vertices_prepare(struct rhw_draw *draw, struct rhw_arena *arena);
 
-// Lists what the pass has of them, to be shaded before its first wave. False when out of memory.
-bool rhw_effect_vertices_find(struct rhw_pass_state *pass, struct rhw_shared_parts *parts);
+// Lists what the pass has of them, to be shaded before its first wave, in memory of `arena`. False when out of memory.
+bool rhw_effect_vertices_find(const struct rhw_recorded_pass *pass, struct rhw_arena *arena,
+                              struct rhw_shared_parts *parts);
 
 #endif

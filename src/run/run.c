@@ -12,12 +12,39 @@
 #include "kernels/geometry/geometry_scratch.h"
 #include "kernels/kernels.h"
 #include "kernels/tile_work.h"
-#include "pass/pass_state.h"
-#include "pass/query.h"
+#include "draw/used_query.h"
+#include "draw/wave.h"
 #include "base/scheduler.h"
-#include "shared_vertices.h"
+#include "vertex_sharing.h"
 #include "strip_stipple.h"
 #include "base/thread.h"
+
+// Keeps an attachment between waves when it has no texture.
+struct transient {
+    struct rhw_mip plane;
+    size_t size; // bytes that plane.texels has
+};
+
+// The tiles that a worker begins with; padded so that no two share a cache line. Written by the worker, and by others
+// that have no tiles left of their own.
+struct tile_share {
+    _Alignas(RHW_CACHE_LINE) _Atomic int next;
+    int end; // exclusive
+};
+
+struct rhw_executor {
+    struct rhw_context *context;
+    struct rhw_wave wave; // the one under way
+    int chunk_capacity;
+    uint64_t chunk_size;       // triangles of a chunk, at most
+    struct tile_share *shares; // by worker
+    struct transient colors[RHW_MAX_COLOR_ATTACHMENTS], depth, stencil;
+
+    // Written by workers for every chunk, read when they look for the next:
+    _Alignas(RHW_CACHE_LINE) _Atomic size_t geometry; // bytes that the wave's chunks took
+    _Atomic int wave_end;                             // the chunks from here on wait for the next wave
+    _Atomic bool failed;                              // a worker ran out of memory
+};
 
 static const size_t default_bin_memory = (size_t)512 << 20; // bytes
 
@@ -43,10 +70,10 @@ static void init_tile_scratch(struct rhw_tile_scratch *scratch)
 }
 
 // Memory for the samples of a tile but the first; what a pass does not draw into is never touched.
-static bool planes_ready(const struct rhw_pass_state *pass, struct rhw_worker *worker)
+static bool planes_ready(const struct rhw_executor *executor, struct rhw_worker *worker)
 {
-    struct rhw_memory *const memory = &pass->context->memory;
-    const int wanted = pass->pattern->count - 1;
+    struct rhw_memory *const memory = &executor->context->memory;
+    const int wanted = executor->wave.target.pattern->count - 1;
     if (worker->sample_tile_count < wanted) {
         rhw_memory_release(memory, worker->sample_tiles,
                            (size_t)worker->sample_tile_count * sizeof *worker->sample_tiles);
@@ -74,104 +101,146 @@ static void init_geometry_scratch(struct rhw_geometry_scratch *scratch)
     }
 }
 
-static bool workers_ready(struct rhw_pass_state *pass)
+// Makes the workers, with nothing but their arenas. False when out of memory.
+static bool make_workers(struct rhw_executor *executor)
 {
-    struct rhw_context *const context = pass->context;
-    if (!pass->workers) {
-        pass->workers = rhw_memory_allocate(&context->memory,
-                                            (size_t)context->threads * sizeof *pass->workers, RHW_CACHE_LINE);
-        if (!pass->workers) {
-            return false;
-        }
-        memset(pass->workers, 0, (size_t)context->threads * sizeof *pass->workers);
-        for (int i = 0; i < context->threads; i++) {
-            rhw_arena_init(&pass->workers[i].arena, &context->memory);
-        }
+    struct rhw_memory *const memory = &executor->context->memory;
+    const size_t threads = (size_t)executor->context->threads;
+    if (!executor->shares) {
+        executor->shares = rhw_memory_allocate(memory, threads * sizeof *executor->shares, RHW_CACHE_LINE);
     }
-    for (int i = 0; i < context->threads; i++) {
-        struct rhw_worker *const worker = &pass->workers[i];
-        if (!worker->geometry) {
-            worker->geometry = rhw_memory_allocate(&context->memory, sizeof *worker->geometry, 4096);
-            if (!worker->geometry) {
-                return false;
-            }
-            init_geometry_scratch(worker->geometry);
-        }
-        if (!worker->tile) {
-            worker->tile = rhw_memory_allocate(&context->memory, sizeof *worker->tile, 4096);
-            if (!worker->tile) {
-                return false;
-            }
-            init_tile_scratch(worker->tile);
-        }
-        if (!planes_ready(pass, worker)) {
-            return false;
-        }
-        worker->counters = (struct rhw_counters){0};
+    struct rhw_worker *const workers =
+        executor->shares ? rhw_memory_allocate(memory, threads * sizeof *workers, RHW_CACHE_LINE) : NULL;
+    if (!workers) {
+        return false;
     }
+    memset(workers, 0, threads * sizeof *workers);
+    for (size_t i = 0; i < threads; i++) {
+        rhw_arena_init(&workers[i].arena, memory);
+    }
+    executor->wave.workers = workers;
     return true;
 }
 
-void rhw_pass_run_release(struct rhw_pass_state *pass)
+// Gives a worker what the wave's pass needs of it. False when out of memory.
+static bool worker_ready(const struct rhw_executor *executor, struct rhw_worker *worker)
 {
-    struct rhw_context *const context = pass->context;
-    for (int i = 0; pass->workers && i < context->threads; i++) {
-        rhw_arena_destroy(&pass->workers[i].arena);
-        rhw_memory_release(&context->memory, pass->workers[i].geometry, sizeof *pass->workers[i].geometry);
-        rhw_memory_release(&context->memory, pass->workers[i].tile, sizeof *pass->workers[i].tile);
-        rhw_memory_release(&context->memory, pass->workers[i].sample_tiles,
-                           (size_t)pass->workers[i].sample_tile_count *
-                               sizeof *pass->workers[i].sample_tiles);
+    struct rhw_memory *const memory = &executor->context->memory;
+    if (!worker->geometry) {
+        worker->geometry = rhw_memory_allocate(memory, sizeof *worker->geometry, 4096);
+        if (!worker->geometry) {
+            return false;
+        }
+        init_geometry_scratch(worker->geometry);
     }
-    rhw_memory_release(&context->memory, pass->workers, (size_t)context->threads * sizeof *pass->workers);
-    rhw_memory_release(&context->memory, pass->chunks, (size_t)pass->chunk_capacity * sizeof *pass->chunks);
-    for (int i = 0; i < RHW_MAX_COLOR_ATTACHMENTS; i++) {
-        rhw_memory_release(&context->memory, pass->transient_colors[i].plane.texels,
-                           pass->transient_colors[i].size);
+    if (!worker->tile) {
+        worker->tile = rhw_memory_allocate(memory, sizeof *worker->tile, 4096);
+        if (!worker->tile) {
+            return false;
+        }
+        init_tile_scratch(worker->tile);
     }
-    rhw_memory_release(&context->memory, pass->transient_depth.plane.texels, pass->transient_depth.size);
-    rhw_memory_release(&context->memory, pass->transient_stencil.plane.texels, pass->transient_stencil.size);
+    worker->counters = (struct rhw_counters){0};
+    return planes_ready(executor, worker);
 }
 
-static size_t bin_limit(const struct rhw_pass_state *pass)
+static bool workers_ready(struct rhw_executor *executor)
 {
-    return pass->context->bin_memory ? pass->context->bin_memory : default_bin_memory;
+    bool ready = executor->wave.workers || make_workers(executor);
+    for (int i = 0; ready && i < executor->context->threads; i++) {
+        ready = worker_ready(executor, &executor->wave.workers[i]);
+    }
+    return ready;
+}
+
+struct rhw_executor *rhw_executor_create(struct rhw_context *context)
+{
+    struct rhw_executor *const executor =
+        rhw_memory_allocate(&context->memory, sizeof *executor, RHW_CACHE_LINE);
+    if (executor) {
+        memset(executor, 0, sizeof *executor);
+        executor->context = context;
+    }
+    return executor;
+}
+
+static void release_worker(struct rhw_memory *memory, struct rhw_worker *worker)
+{
+    rhw_arena_destroy(&worker->arena);
+    rhw_memory_release(memory, worker->geometry, sizeof *worker->geometry);
+    rhw_memory_release(memory, worker->tile, sizeof *worker->tile);
+    rhw_memory_release(memory, worker->sample_tiles,
+                       (size_t)worker->sample_tile_count * sizeof *worker->sample_tiles);
+}
+
+static void release_transient(struct rhw_memory *memory, struct transient *transient)
+{
+    rhw_memory_release(memory, transient->plane.texels, transient->size);
+}
+
+void rhw_executor_destroy(struct rhw_executor *executor)
+{
+    if (!executor) {
+        return;
+    }
+    struct rhw_memory *const memory = &executor->context->memory;
+    struct rhw_wave *const wave = &executor->wave;
+    const size_t threads = (size_t)executor->context->threads;
+    for (size_t i = 0; wave->workers && i < threads; i++) {
+        release_worker(memory, &wave->workers[i]);
+    }
+    rhw_memory_release(memory, wave->workers, threads * sizeof *wave->workers);
+    rhw_memory_release(memory, executor->shares, threads * sizeof *executor->shares);
+    rhw_memory_release(memory, wave->chunks, (size_t)executor->chunk_capacity * sizeof *wave->chunks);
+    for (int i = 0; i < RHW_MAX_COLOR_ATTACHMENTS; i++) {
+        release_transient(memory, &executor->colors[i]);
+    }
+    release_transient(memory, &executor->depth);
+    release_transient(memory, &executor->stencil);
+    rhw_memory_release(memory, executor, sizeof *executor);
+}
+
+static size_t bin_limit(const struct rhw_executor *executor)
+{
+    return executor->context->bin_memory ? executor->context->bin_memory : default_bin_memory;
 }
 
 // Triangles per chunk: at least four chunks for every thread, so that no thread waits long for the last.
-static uint64_t chunk_size(const struct rhw_pass_state *pass)
+static uint64_t chunk_size(const struct rhw_executor *executor)
 {
-    const uint64_t share = pass->triangle_count / (uint64_t)(4 * pass->context->threads) + 1;
+    const uint64_t share =
+        executor->wave.pass->triangle_count / (uint64_t)(4 * executor->context->threads) + 1;
     return share < CHUNK_LEAST ? CHUNK_LEAST : share < RHW_CHUNK_TRIANGLES ? share : RHW_CHUNK_TRIANGLES;
 }
 
 // Entries in the bins of one chunk. Chunks that are under way when the limit is reached pass it by this much each, all
 // threads' together by a quarter. As many as there are tiles must be allowed: one triangle may fill them all.
-static uint32_t entries_most(const struct rhw_pass_state *pass)
+static uint32_t entries_most(const struct rhw_executor *executor)
 {
-    const size_t share = bin_limit(pass) / (4 * (size_t)pass->context->threads * sizeof(uint16_t));
-    const size_t tiles = (size_t)pass->tiles_x * (size_t)pass->tiles_y;
+    const size_t share = bin_limit(executor) / (4 * (size_t)executor->context->threads * sizeof(uint16_t));
+    const size_t tiles = (size_t)executor->wave.target.tiles_x * (size_t)executor->wave.target.tiles_y;
     return share < tiles ? (uint32_t)tiles : share < UINT32_MAX ? (uint32_t)share : UINT32_MAX;
 }
 
-static bool add_chunk(struct rhw_pass_state *pass, struct rhw_chunk chunk)
+static bool add_chunk(struct rhw_executor *executor, struct rhw_chunk chunk)
 {
-    if (pass->chunk_count == pass->chunk_capacity) {
-        const int capacity = pass->chunk_capacity == 0 ? 64 : 2 * pass->chunk_capacity;
+    struct rhw_memory *const memory = &executor->context->memory;
+    struct rhw_wave *const wave = &executor->wave;
+    if (wave->chunk_count == executor->chunk_capacity) {
+        const int capacity = executor->chunk_capacity == 0 ? 64 : 2 * executor->chunk_capacity;
         struct rhw_chunk *const chunks =
-            rhw_memory_allocate(&pass->context->memory, (size_t)capacity * sizeof *chunks, RHW_CACHE_LINE);
+            rhw_memory_allocate(memory, (size_t)capacity * sizeof *chunks, RHW_CACHE_LINE);
         if (!chunks) {
             return false;
         }
-        if (pass->chunks) {
-            memcpy(chunks, pass->chunks, (size_t)pass->chunk_count * sizeof *chunks);
-            rhw_memory_release(&pass->context->memory, pass->chunks,
-                               (size_t)pass->chunk_capacity * sizeof *chunks);
+        if (wave->chunks) {
+            memcpy(chunks, wave->chunks, (size_t)wave->chunk_count * sizeof *chunks);
+            rhw_memory_release(memory, wave->chunks, (size_t)executor->chunk_capacity * sizeof *chunks);
         }
-        pass->chunks = chunks;
-        pass->chunk_capacity = capacity;
+        wave->chunks = chunks;
+        executor->chunk_capacity = capacity;
     }
-    pass->chunks[pass->chunk_count++] = chunk;
+    wave->chunks[wave->chunk_count++] = chunk;
     return true;
 }
 
@@ -183,12 +252,12 @@ struct position {
 
 // Triangles from `at` on that are hidden by the same rule, `most` at most: what differs in it, a background and the model
 // before it, would be drawn in order if it were one chunk.
-static uint64_t count_of_one_rule(const struct rhw_pass_state *pass, struct position at, uint64_t most)
+static uint64_t count_of_one_rule(const struct rhw_draw_list *draws, struct position at, uint64_t most)
 {
-    const struct rhw_draw *draw = rhw_pass_draw_at(pass, at.draw);
+    const struct rhw_draw *draw = rhw_draw_list_at(draws, at.draw);
     const struct rhw_hidden_rule rule = draw->state->hidden;
     while (rhw_draw_end(draw) - at.triangle < most) {
-        const struct rhw_draw *const next = rhw_pass_draw_at(pass, ++at.draw);
+        const struct rhw_draw *const next = rhw_draw_list_at(draws, ++at.draw);
         if (!rhw_hidden_rule_equal(next->state->hidden, rule)) {
             return rhw_draw_end(draw) - at.triangle;
         }
@@ -198,25 +267,26 @@ static uint64_t count_of_one_rule(const struct rhw_pass_state *pass, struct posi
 }
 
 // Cuts what is left into chunks, as many as a wave takes at most. False when out of memory.
-static bool cut_wave(struct rhw_pass_state *pass, struct position at)
+static bool cut_wave(struct rhw_executor *executor, struct position at)
 {
     // By rules, in a wave: enough for a background, a model, its shadow and what is seen through, while draws of two rules in
     // turn, which would make a chunk each, cost no more than these.
     enum { CUTS = 16 };
-    const uint64_t size = pass->chunk_size;
+    const struct rhw_recorded_pass *const pass = executor->wave.pass;
+    const uint64_t size = executor->chunk_size;
     int cuts = 0;
-    pass->chunk_count = 0;
-    while (at.triangle < pass->triangle_count && pass->chunk_count < RHW_WAVE_CHUNKS) {
+    executor->wave.chunk_count = 0;
+    while (at.triangle < pass->triangle_count && executor->wave.chunk_count < RHW_WAVE_CHUNKS) {
         const uint64_t left = pass->triangle_count - at.triangle;
-        const struct rhw_draw *draw = rhw_pass_draw_at(pass, at.draw);
+        const struct rhw_draw *draw = rhw_draw_list_at(&pass->draws, at.draw);
         while (at.triangle >= rhw_draw_end(draw)) {
-            draw = rhw_pass_draw_at(pass, ++at.draw);
+            draw = rhw_draw_list_at(&pass->draws, ++at.draw);
         }
         const uint64_t most = left < size ? left : size;
-        const uint64_t count = cuts < CUTS ? count_of_one_rule(pass, at, most) : most;
+        const uint64_t count = cuts < CUTS ? count_of_one_rule(&pass->draws, at, most) : most;
         const struct rhw_chunk chunk = {.first = at.triangle, .count = count, .first_draw = at.draw};
         cuts += count < most;
-        if (!add_chunk(pass, chunk)) {
+        if (!add_chunk(executor, chunk)) {
             return false;
         }
         at.triangle += chunk.count;
@@ -224,10 +294,10 @@ static bool cut_wave(struct rhw_pass_state *pass, struct position at)
     return true;
 }
 
-static void end_wave(struct rhw_pass_state *pass, int end)
+static void end_wave(struct rhw_executor *executor, int end)
 {
-    int old = atomic_load(&pass->wave_end);
-    while (old > end && !atomic_compare_exchange_weak(&pass->wave_end, &old, end)) {
+    int old = atomic_load(&executor->wave_end);
+    while (old > end && !atomic_compare_exchange_weak(&executor->wave_end, &old, end)) {
     }
 }
 
@@ -251,78 +321,82 @@ static bool is_given_up(rhw_context *context, int worker)
 // bins were too large for all of its triangles; what others make of later chunks meanwhile is made again.
 static void run_chunk(void *user, int index, int worker)
 {
-    struct rhw_pass_state *const pass = user;
-    struct rhw_chunk *const chunk = &pass->chunks[index];
-    const struct rhw_arena *const arena = &pass->workers[worker].arena;
-    if (index >= atomic_load_explicit(&pass->wave_end, memory_order_relaxed) ||
-        is_given_up(pass->context, worker)) {
+    struct rhw_executor *const executor = user;
+    struct rhw_chunk *const chunk = &executor->wave.chunks[index];
+    const struct rhw_arena *const arena = &executor->wave.workers[worker].arena;
+    if (index >= atomic_load_explicit(&executor->wave_end, memory_order_relaxed) ||
+        is_given_up(executor->context, worker)) {
         return;
     }
-    if (index != 0 && atomic_load_explicit(&pass->geometry, memory_order_relaxed) >= bin_limit(pass)) {
-        end_wave(pass, index);
+    if (index != 0 &&
+        atomic_load_explicit(&executor->geometry, memory_order_relaxed) >= bin_limit(executor)) {
+        end_wave(executor, index);
         return;
     }
     const size_t used = rhw_arena_used(arena);
     const uint64_t count = chunk->count;
-    if (!pass->context->kernels->chunk(pass, chunk, worker)) {
-        pass->failed = true;
+    if (!executor->context->kernels->chunk(&executor->wave, chunk, worker)) {
+        executor->failed = true;
     }
-    atomic_fetch_add_explicit(&pass->geometry, rhw_arena_used(arena) - used, memory_order_relaxed);
+    atomic_fetch_add_explicit(&executor->geometry, rhw_arena_used(arena) - used, memory_order_relaxed);
     if (chunk->count < count) {
-        end_wave(pass, index + 1);
+        end_wave(executor, index + 1);
     }
 }
 
 struct parts_task {
-    struct rhw_pass_state *pass;
+    struct rhw_executor *executor;
     const struct rhw_shared_part *parts;
 };
 
 static void run_part(void *user, int index, int worker)
 {
     const struct parts_task *const task = user;
-    if (!is_given_up(task->pass->context, worker)) {
-        task->pass->context->kernels->shared_part(task->pass, &task->parts[index], worker);
+    if (!is_given_up(task->executor->context, worker)) {
+        task->executor->context->kernels->shared_part(&task->executor->wave, &task->parts[index], worker);
     }
 }
 
-static void run_parts(struct rhw_pass_state *pass, const struct rhw_shared_parts *parts,
+static void run_parts(struct rhw_executor *executor, const struct rhw_shared_parts *parts,
                       struct rhw_stats *stats)
 {
-    struct parts_task task = {pass, parts->parts};
+    struct parts_task task = {executor, parts->parts};
     stats->vertices_shaded += parts->vertices;
     if (parts->count != 0) {
         stats->front_busy_ms +=
-            milliseconds(rhw_scheduler_run(pass->context->scheduler, run_part, &task, parts->count));
+            milliseconds(rhw_scheduler_run(executor->context->scheduler, run_part, &task, parts->count));
     }
 }
 
 // Shades the vertices that the wave's chunks share. False when out of memory.
-static bool shade_shared_vertices(struct rhw_pass_state *pass, struct rhw_stats *stats)
+static bool shade_shared_vertices(struct rhw_executor *executor, struct rhw_stats *stats)
 {
-    struct rhw_shared_parts wave;
-    if (!rhw_shared_vertices_find(pass, bin_limit(pass) / 4, &wave)) {
+    struct rhw_shared_parts parts;
+    if (!rhw_shared_vertices_find(&executor->wave, executor->chunk_size, bin_limit(executor) / 4, &parts)) {
         return false;
     }
-    pass->geometry = wave.bytes;
-    run_parts(pass, &wave, stats);
+    executor->geometry = parts.bytes;
+    run_parts(executor, &parts, stats);
     return true;
 }
 
 // The same for vertices that are shaded first, of all waves, and what follows from them. False when out of memory or given
 // up.
-static bool shade_first_vertices(struct rhw_pass_state *pass, struct rhw_stats *stats)
+static bool shade_first_vertices(struct rhw_executor *executor, struct rhw_stats *stats)
 {
+    const struct rhw_recorded_pass *const pass = executor->wave.pass;
+    struct rhw_arena *const arena = &executor->wave.workers[0].arena;
     struct rhw_shared_parts parts;
     const uint64_t start = rhw_time_ns();
     if (!pass->shades_first) {
         return true;
     }
-    if (!rhw_effect_vertices_find(pass, &parts)) {
+    rhw_arena_reset(arena);
+    if (!rhw_effect_vertices_find(pass, arena, &parts)) {
         return false;
     }
-    run_parts(pass, &parts, stats);
-    if (atomic_load(&pass->context->given_up)) {
+    run_parts(executor, &parts, stats);
+    if (atomic_load(&executor->context->given_up)) {
         return false;
     }
     rhw_strip_stipple_measure(pass);
@@ -330,12 +404,13 @@ static bool shade_first_vertices(struct rhw_pass_state *pass, struct rhw_stats *
     return true;
 }
 
-static void draw_tile(struct rhw_pass_state *pass, int tile, int worker)
+static void draw_tile(struct rhw_executor *executor, int tile, int worker)
 {
-    const uint64_t start = pass->tile_reports ? rhw_time_ns() : 0;
-    pass->context->kernels->tile(pass, tile, worker);
-    if (pass->tile_reports) {
-        pass->tile_reports[tile].busy_ms += milliseconds(rhw_time_ns() - start);
+    struct rhw_tile_report *const reports = executor->wave.pass->tile_reports;
+    const uint64_t start = reports ? rhw_time_ns() : 0;
+    executor->context->kernels->tile(&executor->wave, tile, worker);
+    if (reports) {
+        reports[tile].busy_ms += milliseconds(rhw_time_ns() - start);
     }
 }
 
@@ -344,48 +419,48 @@ static void draw_tile(struct rhw_pass_state *pass, int tile, int worker)
 // one: what others took before it is less than all.
 static void run_tile(void *user, int index, int worker)
 {
-    struct rhw_pass_state *const pass = user;
-    const int threads = pass->context->threads;
+    struct rhw_executor *const executor = user;
+    const int threads = executor->context->threads;
     (void)index;
-    if (is_given_up(pass->context, worker)) {
+    if (is_given_up(executor->context, worker)) {
         return;
     }
     for (int i = 0; i < threads; i++) {
-        struct rhw_worker *const owner = &pass->workers[(worker + i) % threads];
-        if (atomic_load_explicit(&owner->next_tile, memory_order_relaxed) >= owner->end_tile) {
+        struct tile_share *const share = &executor->shares[(worker + i) % threads];
+        if (atomic_load_explicit(&share->next, memory_order_relaxed) >= share->end) {
             continue;
         }
-        const int tile = atomic_fetch_add_explicit(&owner->next_tile, 1, memory_order_relaxed);
-        if (tile < owner->end_tile) {
-            draw_tile(pass, tile, worker);
+        const int tile = atomic_fetch_add_explicit(&share->next, 1, memory_order_relaxed);
+        if (tile < share->end) {
+            draw_tile(executor, tile, worker);
             return;
         }
     }
 }
 
-static uint64_t run_tiles(struct rhw_pass_state *pass)
+static uint64_t run_tiles(struct rhw_executor *executor)
 {
-    struct rhw_context *const context = pass->context;
-    const int tiles = pass->tiles_x * pass->tiles_y * pass->layers;
+    struct rhw_context *const context = executor->context;
+    const int tiles = rhw_target_tiles(&executor->wave.target);
     for (int i = 0; i < context->threads; i++) {
-        pass->workers[i].next_tile = (int)((int64_t)tiles * i / context->threads);
-        pass->workers[i].end_tile = (int)((int64_t)tiles * (i + 1) / context->threads);
+        executor->shares[i].next = (int)((int64_t)tiles * i / context->threads);
+        executor->shares[i].end = (int)((int64_t)tiles * (i + 1) / context->threads);
     }
-    return rhw_scheduler_run(context->scheduler, run_tile, pass, tiles);
+    return rhw_scheduler_run(context->scheduler, run_tile, executor, tiles);
 }
 
-static void sum_front(const struct rhw_pass_state *pass, struct rhw_stats *stats)
+static void sum_front(const struct rhw_executor *executor, struct rhw_stats *stats)
 {
-    for (int i = 0; i < pass->chunk_count; i++) {
-        const struct rhw_front_counters *const c = &pass->chunks[i].counters;
+    for (int i = 0; i < executor->wave.chunk_count; i++) {
+        const struct rhw_front_counters *const c = &executor->wave.chunks[i].counters;
         stats->vertices_shaded += c->vertices_shaded;
         stats->triangles_dropped += c->dropped;
         stats->triangles_clipped += c->clipped;
         stats->triangles_culled += c->culled;
         stats->triangles_rasterized += c->rasterized;
         stats->bin_entries += c->entries;
-        for (int n = 0; n < pass->chunks[i].counted_count; n++) {
-            const struct rhw_counted_run *const run = &pass->chunks[i].counted[n];
+        for (int n = 0; n < executor->wave.chunks[i].counted_count; n++) {
+            const struct rhw_counted_run *const run = &executor->wave.chunks[i].counted[n];
             run->queries->of[RHW_QUERY_STATISTICS]->counts.statistics.clipping_primitives +=
                 run->clipping_primitives;
         }
@@ -394,55 +469,55 @@ static void sum_front(const struct rhw_pass_state *pass, struct rhw_stats *stats
 
 // Runs the front end over the next wave, which starts at `at` and moves it to where it ended. Where that is may depend
 // on the threads; what is drawn does not depend on waves. False when out of memory or given up.
-static bool run_front(struct rhw_pass_state *pass, struct position *at, struct rhw_stats *stats)
+static bool run_front(struct rhw_executor *executor, struct position *at, struct rhw_stats *stats)
 {
-    struct rhw_context *const context = pass->context;
+    struct rhw_context *const context = executor->context;
     for (int i = 0; i < context->threads; i++) {
-        rhw_arena_reset(&pass->workers[i].arena);
+        rhw_arena_reset(&executor->wave.workers[i].arena);
     }
-    if (!cut_wave(pass, *at) || !shade_shared_vertices(pass, stats)) {
+    if (!cut_wave(executor, *at) || !shade_shared_vertices(executor, stats)) {
         return false;
     }
-    pass->wave_end = pass->chunk_count;
-    pass->failed = false;
+    executor->wave_end = executor->wave.chunk_count;
+    executor->failed = false;
     stats->front_busy_ms +=
-        milliseconds(rhw_scheduler_run(context->scheduler, run_chunk, pass, pass->chunk_count));
-    if (pass->failed || atomic_load(&context->given_up)) {
+        milliseconds(rhw_scheduler_run(context->scheduler, run_chunk, executor, executor->wave.chunk_count));
+    if (executor->failed || atomic_load(&context->given_up)) {
         return false;
     }
-    pass->chunk_count = pass->wave_end;
-    if (pass->chunk_count != 0) {
-        const struct rhw_chunk *const last = &pass->chunks[pass->chunk_count - 1];
+    executor->wave.chunk_count = executor->wave_end;
+    if (executor->wave.chunk_count != 0) {
+        const struct rhw_chunk *const last = &executor->wave.chunks[executor->wave.chunk_count - 1];
         *at = (struct position){last->first + last->count, last->first_draw};
     }
-    const size_t geometry = pass->geometry;
+    const size_t geometry = executor->geometry;
     stats->geometry_peak = geometry > stats->geometry_peak ? geometry : stats->geometry_peak;
-    sum_front(pass, stats);
+    sum_front(executor, stats);
     return true;
 }
 
 // Memory for what has no texture, needed only when a second wave must find it again; nobody looks for what is left out.
 // False when out of memory.
-static bool transient_ready(struct rhw_pass_state *pass, struct rhw_attachment *attachment,
-                            struct rhw_transient *transient)
+static bool transient_ready(struct rhw_executor *executor, struct rhw_attachment *attachment,
+                            struct transient *transient)
 {
-    struct rhw_memory *const memory = &pass->context->memory;
+    const struct rhw_target *const target = &executor->wave.target;
+    struct rhw_memory *const memory = &executor->context->memory;
     if (attachment->target || attachment->is_read_only || attachment->is_left_out) {
         return true;
     }
-    const size_t row = (size_t)pass->width * attachment->texel_size;
+    const size_t row = (size_t)target->width * attachment->texel_size;
     const size_t pitch = (row + RHW_CACHE_LINE - 1) & ~(size_t)(RHW_CACHE_LINE - 1);
-    const uint64_t plane = (uint64_t)pitch * (uint64_t)pass->height,
-                   slice = plane * (uint64_t)pass->pattern->count;
-    const uint64_t all = slice * (uint64_t)pass->layers;
+    const uint64_t plane = (uint64_t)pitch * (uint64_t)target->height,
+                   slice = plane * (uint64_t)target->pattern->count;
+    const uint64_t all = slice * (uint64_t)target->layers;
     if (all > SIZE_MAX) {
         return false;
     }
     const size_t size = (size_t)all;
     if (transient->size < size) {
         rhw_memory_release(memory, transient->plane.texels, transient->size);
-        *transient =
-            (struct rhw_transient){.plane.texels = rhw_memory_allocate(memory, size, RHW_CACHE_LINE)};
+        *transient = (struct transient){.plane.texels = rhw_memory_allocate(memory, size, RHW_CACHE_LINE)};
         if (!transient->plane.texels) {
             return false;
         }
@@ -451,24 +526,25 @@ static bool transient_ready(struct rhw_pass_state *pass, struct rhw_attachment *
     transient->plane.row_pitch = pitch;
     transient->plane.slice_pitch = (size_t)slice;
     attachment->target = &transient->plane;
-    attachment->sample_stride = pass->pattern->count > 1 ? (size_t)plane : 0;
+    attachment->sample_stride = target->pattern->count > 1 ? (size_t)plane : 0;
     return true;
 }
 
-static bool transients_ready(struct rhw_pass_state *pass)
+static bool transients_ready(struct rhw_executor *executor)
 {
+    struct rhw_target *const target = &executor->wave.target;
     bool ready = true;
-    for (int i = 0; i < pass->color_count; i++) {
-        ready = ready && transient_ready(pass, &pass->colors[i], &pass->transient_colors[i]);
+    for (int i = 0; i < target->color_count; i++) {
+        ready = ready && transient_ready(executor, &target->colors[i], &executor->colors[i]);
     }
-    return ready && (!pass->has_depth || transient_ready(pass, &pass->depth, &pass->transient_depth)) &&
-           (!pass->has_stencil || transient_ready(pass, &pass->stencil, &pass->transient_stencil));
+    return ready && (!target->has_depth || transient_ready(executor, &target->depth, &executor->depth)) &&
+           (!target->has_stencil || transient_ready(executor, &target->stencil, &executor->stencil));
 }
 
-static void sum_counters(const struct rhw_pass_state *pass, struct rhw_stats *stats)
+static void sum_counters(const struct rhw_executor *executor, struct rhw_stats *stats)
 {
-    for (int i = 0; i < pass->context->threads; i++) {
-        const struct rhw_counters *const c = &pass->workers[i].counters;
+    for (int i = 0; i < executor->context->threads; i++) {
+        const struct rhw_counters *const c = &executor->wave.workers[i].counters;
         stats->fragments_shaded += c->fragments;
         stats->fragment_groups += c->groups;
         stats->vertex_busy_ms += milliseconds(c->vertex_ns);
@@ -482,6 +558,17 @@ static enum rhw_result failure(const rhw_context *context)
     return atomic_load(&context->given_up) ? RHW_ERROR_GIVEN_UP : RHW_ERROR_OUT_OF_MEMORY;
 }
 
+// Tells timestamps that `triangles` of the pass are drawn now.
+static void stamp_queries(const struct rhw_recorded_pass *pass, uint64_t triangles)
+{
+    for (struct rhw_used_query *query = pass->queries; query; query = query->next) {
+        struct rhw_query_counts *const counts = &query->counts;
+        if (query->kind == RHW_QUERY_TIMESTAMP && counts->timestamp_ns == 0 && query->place <= triangles) {
+            counts->timestamp_ns = rhw_time_ns();
+        }
+    }
+}
+
 static void expect_clean(struct rhw_attachment *attachment)
 {
     if (attachment->load != RHW_LOAD_LOAD) {
@@ -491,64 +578,83 @@ static void expect_clean(struct rhw_attachment *attachment)
 }
 
 // Draws the next wave, as run_front finds it. False when out of memory or given up.
-static bool run_wave(struct rhw_pass_state *pass, struct position *at, struct rhw_stats *stats)
+static bool run_wave(struct rhw_executor *executor, struct position *at, struct rhw_stats *stats)
 {
-    struct rhw_context *const context = pass->context;
+    struct rhw_context *const context = executor->context;
     const uint64_t start = rhw_time_ns();
-    if (!run_front(pass, at, stats)) {
+    if (!run_front(executor, at, stats)) {
         return false;
     }
-    pass->last_wave = at->triangle == pass->triangle_count;
-    if (!pass->last_wave && !transients_ready(pass)) {
+    executor->wave.is_last = at->triangle == executor->wave.pass->triangle_count;
+    if (!executor->wave.is_last && !transients_ready(executor)) {
         return false;
     }
     const uint64_t middle = rhw_time_ns();
     if (is_given_up(context, 0)) { // the caller may get no tile, where others are quick
         return false;
     }
-    stats->back_busy_ms += milliseconds(run_tiles(pass));
+    stats->back_busy_ms += milliseconds(run_tiles(executor));
     if (atomic_load(&context->given_up)) {
         return false;
     }
     stats->front_ms += milliseconds(middle - start);
     stats->back_ms += milliseconds(rhw_time_ns() - middle);
-    stats->flushes += !pass->last_wave;
-    rhw_queries_stamp(pass, at->triangle);
-    pass->first_wave = false;
+    stats->flushes += !executor->wave.is_last;
+    stamp_queries(executor->wave.pass, at->triangle);
+    executor->wave.is_first = false;
     return true;
 }
 
-enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stats)
+// Makes the first wave of a pass, without chunks.
+static void start_pass(struct rhw_executor *executor, struct rhw_recorded_pass *pass)
 {
-    struct rhw_context *const context = pass->context;
-    if (!workers_ready(pass)) {
+    struct rhw_wave *const wave = &executor->wave;
+    wave->pass = pass;
+    wave->target = pass->target;
+    wave->is_first = true;
+    wave->entries_most = entries_most(executor);
+    executor->chunk_size = chunk_size(executor);
+}
+
+// What is known before anything runs.
+static struct rhw_stats stats_of(const struct rhw_executor *executor)
+{
+    const struct rhw_context *const context = executor->context;
+    const struct rhw_recorded_pass *const pass = executor->wave.pass;
+    return (struct rhw_stats){.record_ms = milliseconds(rhw_time_ns() - pass->begun_ns),
+                              .draws = pass->draws.count,
+                              .triangles_in = pass->triangle_count,
+                              .threads = context->threads,
+                              .tiles = rhw_target_tiles(&pass->target),
+                              .isa = context->isa};
+}
+
+enum rhw_result rhw_executor_run(struct rhw_executor *executor, struct rhw_recorded_pass *pass,
+                                 struct rhw_stats *stats)
+{
+    struct rhw_context *const context = executor->context;
+    struct rhw_wave *const wave = &executor->wave;
+    struct position at = {0, 0};
+    start_pass(executor, pass);
+    if (!workers_ready(executor)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    struct rhw_stats s = {.record_ms = milliseconds(rhw_time_ns() - pass->begun_ns),
-                          .draws = pass->draws.count,
-                          .triangles_in = pass->triangle_count,
-                          .threads = context->threads,
-                          .tiles = pass->tiles_x * pass->tiles_y * pass->layers,
-                          .isa = context->isa};
-    struct position at = {0, 0};
-    pass->chunk_size = chunk_size(pass);
-    pass->entries_most = entries_most(pass);
-    for (int i = 0; i < pass->color_count; i++) {
-        expect_clean(&pass->colors[i]);
+    struct rhw_stats s = stats_of(executor);
+    for (int i = 0; i < wave->target.color_count; i++) {
+        expect_clean(&wave->target.colors[i]);
     }
-    expect_clean(&pass->depth);
-    pass->first_wave = true;
+    expect_clean(&wave->target.depth);
     atomic_store(&context->given_up, false);
-    rhw_queries_stamp(pass, 0);
-    if (!shade_first_vertices(pass, &s)) {
+    stamp_queries(pass, 0);
+    if (!shade_first_vertices(executor, &s)) {
         return failure(context);
     }
     do {
-        if (!run_wave(pass, &at, &s)) {
+        if (!run_wave(executor, &at, &s)) {
             return failure(context);
         }
-    } while (!pass->last_wave);
-    sum_counters(pass, &s);
+    } while (!wave->is_last);
+    sum_counters(executor, &s);
     s.memory_peak = context->memory.peak;
     if (stats) {
         *stats = s;

@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Running a recorded pass.
-#ifndef RHW_PASS_RUN_H
-#define RHW_PASS_RUN_H
+#ifndef RHW_RUN_H
+#define RHW_RUN_H
 
-#include "rhw/types.h"
+#include "rhw/stats.h"
 
-struct rhw_pass_state;
+struct rhw_context;
+struct rhw_recorded_pass;
 
-enum rhw_result rhw_pass_run(struct rhw_pass_state *pass, struct rhw_stats *stats);
-// Releases workers' scratch, chunks and transient depth.
-void rhw_pass_run_release(struct rhw_pass_state *pass);
+// The memory that running needs: workers' scratch, chunks, and what attachments without a texture hold between waves.
+// It stays from pass to pass.
+struct rhw_executor;
+
+// Return an executor on the threads of the context, or NULL when out of memory.
+struct rhw_executor *rhw_executor_create(struct rhw_context *context);
+void rhw_executor_destroy(struct rhw_executor *executor); // which may be NULL
+
+// Runs a pass and, where `stats` is not NULL, tells what the work was.
+enum rhw_result rhw_executor_run(struct rhw_executor *executor, struct rhw_recorded_pass *pass,
+                                 struct rhw_stats *stats);
 
 #endif

@@ -7,9 +7,9 @@
 #include "draw/assembly.h"
 #include "base/constants.h"
 #include "kernels/geometry/line_columns.h"
-#include "pass/pass_state.h"
+#include "draw/recorded_pass.h"
 #include "pipeline/pipeline.h"
-#include "shared_vertices.h"
+#include "vertex_sharing.h"
 
 bool rhw_strip_stipple_needed(const struct rhw_draw *draw)
 {
@@ -88,10 +88,10 @@ static void measure_instance(const struct rhw_draw *draw, uint32_t instance)
     }
 }
 
-void rhw_strip_stipple_measure(const struct rhw_pass_state *pass)
+void rhw_strip_stipple_measure(const struct rhw_recorded_pass *pass)
 {
     for (uint32_t d = 0; d < pass->draws.count; d++) {
-        const struct rhw_draw *const draw = rhw_pass_draw_at(pass, d);
+        const struct rhw_draw *const draw = rhw_draw_list_at(&pass->draws, d);
         for (uint32_t i = 0; draw->strip_stipple && i < draw->instances; i++) {
             measure_instance(draw, i);
         }

@@ -10,13 +10,7 @@
 
 struct rhw_arena;
 struct rhw_draw;
-struct rhw_pass_state;
-
-// Of a draw of line strips.
-struct rhw_strip_stipple {
-    uint8_t *begins; // whether a line is the first of its strip
-    int32_t *phases; // by line, of each instance: its place where it begins (kernels/raster/stipple_mask.h)
-};
+struct rhw_recorded_pass;
 
 // Whether a draw needs this.
 bool rhw_strip_stipple_needed(const struct rhw_draw *draw);
@@ -26,6 +20,6 @@ bool rhw_strip_stipple_needed(const struct rhw_draw *draw);
 bool rhw_strip_stipple_prepare(struct rhw_draw *draw, uint32_t count, struct rhw_arena *arena);
 
 // Measures the lines of all such draws of a pass, whose vertices are shaded.
-void rhw_strip_stipple_measure(const struct rhw_pass_state *pass);
+void rhw_strip_stipple_measure(const struct rhw_recorded_pass *pass);
 
 #endif

@@ -53,6 +53,39 @@ struct ref_weights lesson_weights(const struct ref_triangle *triangle, int colum
     return ref_weights_at(triangle, column + 0.5, row + 0.5);
 }
 
+double lesson_dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void scale_to_one(double v[3])
+{
+    const double length = sqrt(lesson_dot(v, v));
+    for (int k = 0; k < 3; k++) {
+        v[k] /= length;
+    }
+}
+
+void lesson_ray(const float eye[3], const float target[3], float zoom, int size, double column, double row,
+                double direction[3])
+{
+    double ahead[3], right[3] = {0}, up[3];
+    for (int k = 0; k < 3; k++) {
+        ahead[k] = (double)target[k] - (double)eye[k];
+    }
+    scale_to_one(ahead);
+    right[0] = -ahead[2], right[2] = ahead[0];
+    scale_to_one(right);
+    up[0] = right[1] * ahead[2] - right[2] * ahead[1];
+    up[1] = right[2] * ahead[0] - right[0] * ahead[2];
+    up[2] = right[0] * ahead[1] - right[1] * ahead[0];
+    const double x = (2 * column / size - 1) / (double)zoom, y = (1 - 2 * row / size) / (double)zoom;
+    for (int k = 0; k < 3; k++) {
+        direction[k] = ahead[k] + x * right[k] + y * up[k];
+    }
+    scale_to_one(direction);
+}
+
 void lesson_run(void **state)
 {
     (void)state;

@@ -34,6 +34,13 @@ bool lesson_covered(const struct ref_triangle *triangle, int column, int row, bo
 /// The weights at a pixel's centre.
 struct ref_weights lesson_weights(const struct ref_triangle *triangle, int column, int row);
 
+double lesson_dot(const double a[3], const double b[3]);
+
+/// The direction, of length 1, from `eye` through a place of a picture of size × size pixels, as solid_camera of the
+/// same arguments has it.
+void lesson_ray(const float eye[3], const float target[3], float zoom, int size, double column, double row,
+                double direction[3]);
+
 /// Runs the lesson itself in the test's folder; it must end with 0.
 void lesson_run(void **state);
 

@@ -22,11 +22,6 @@ static int draw_floats(void **state)
     return 0;
 }
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 // The ray from the eye through a pixel's centre, as the matrix of the lesson has it.
 static void find_ray(int column, int row, double eye[3], double direction[3])
 {
@@ -52,10 +47,10 @@ static int meet(const double from[3], const double direction[3], double *where, 
     for (int i = 0; i < SPHERES; i++) {
         const double to[3] = {(double)spheres[i].center[0] - from[0], (double)spheres[i].center[1] - from[1],
                               (double)spheres[i].center[2] - from[2]};
-        const double length = sqrt(dot(direction, direction)),
-                     middle = dot(to, direction) / (length * length);
+        const double length = sqrt(lesson_dot(direction, direction)),
+                     middle = lesson_dot(to, direction) / (length * length);
         const double radius = (double)spheres[i].radius;
-        const double square = dot(to, to) - middle * middle * length * length;
+        const double square = lesson_dot(to, to) - middle * middle * length * length;
         *slack = fmin(*slack, fabs(sqrt(fmax(square, 0)) - radius));
         if (square < radius * radius && middle > 0) {
             const double at = middle - sqrt(radius * radius - square) / length;
@@ -81,7 +76,7 @@ static int light_at(const double point[3], int thing)
         const double to[3] = {(double)spheres[i].center[0] - point[0],
                               (double)spheres[i].center[1] - point[1],
                               (double)spheres[i].center[2] - point[2]};
-        const double ahead = dot(to, towards), by = sqrt(fmax(dot(to, to) - ahead * ahead, 0));
+        const double ahead = lesson_dot(to, towards), by = sqrt(fmax(lesson_dot(to, to) - ahead * ahead, 0));
         const double radius = (double)spheres[i].radius;
         if (i == thing) {
             if (-ahead < 0.5 * radius) { // the sun stands low there

@@ -22,40 +22,6 @@ static int draw_points(void **state)
     return 0;
 }
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void scale_to_one(double v[3])
-{
-    const double length = sqrt(dot(v, v));
-    for (int k = 0; k < 3; k++) {
-        v[k] /= length;
-    }
-}
-
-// The direction from the eye through a pixel's centre.
-static void find_ray(int column, int row, double direction[3])
-{
-    double ahead[3], right[3] = {0}, up[3];
-    for (int k = 0; k < 3; k++) {
-        ahead[k] = (double)target_point[k] - (double)eye[k];
-    }
-    scale_to_one(ahead);
-    right[0] = -ahead[2], right[2] = ahead[0];
-    scale_to_one(right);
-    up[0] = right[1] * ahead[2], up[1] = right[2] * ahead[0] - right[0] * ahead[2],
-    up[2] = -right[1] * ahead[0];
-    up[0] -= right[2] * ahead[1], up[2] += right[0] * ahead[1];
-    const double x = (2 * (column + 0.5) / SIZE - 1) / (double)zoom,
-                 y = (1 - 2 * (row + 0.5) / SIZE) / (double)zoom;
-    for (int k = 0; k < 3; k++) {
-        direction[k] = ahead[k] + x * right[k] + y * up[k];
-    }
-    scale_to_one(direction);
-}
-
 // How far the point is from the surface of a thing.
 static double distance_to(const struct thing *thing, const float point[3])
 {
@@ -79,12 +45,12 @@ static void points_lie_on_their_rays(void **state)
             continue;
         }
         double direction[3], to[3];
-        find_ray(p % SIZE, p / SIZE, direction);
+        lesson_ray(eye, target_point, zoom, SIZE, p % SIZE + 0.5, p / SIZE + 0.5, direction);
         for (int k = 0; k < 3; k++) {
             to[k] = (double)point[k] * (k == 1 ? side : 1) - (double)eye[k];
         }
-        scale_to_one(to);
-        assert_true(dot(to, direction) > 1 - 1e-6); // corners are rounded to 1/256 pixel
+        assert_true(lesson_dot(to, direction) >
+                    (1 - 1e-6) * sqrt(lesson_dot(to, to))); // corners are rounded to 1/256 pixel
         if (id <= THINGS) {
             const struct thing *const thing = &things[id - 1];
             assert_true(distance_to(thing, point) < 3e-3);
@@ -92,7 +58,7 @@ static void points_lie_on_their_rays(void **state)
             for (int k = 0; k < 3 && thing->is_ball; k++) {
                 out[k] = ((double)point[k] - (double)thing->center[k]) * (k == 1 ? side : 1);
             }
-            assert_true(dot(out, direction) < 0.03);
+            assert_true(lesson_dot(out, direction) < 0.03);
         }
         mirrored += side < 0;
     }
@@ -104,7 +70,7 @@ static void the_mirror_ends_at_its_edges(void **state)
     (void)state;
     for (int p = 0; p < SIZE * SIZE; p++) {
         double direction[3];
-        find_ray(p % SIZE, p / SIZE, direction);
+        lesson_ray(eye, target_point, zoom, SIZE, p % SIZE + 0.5, p / SIZE + 0.5, direction);
         const double ahead = -(double)eye[1] / direction[1]; // to the ground
         const double x = (double)eye[0] + ahead * direction[0], z = (double)eye[2] + ahead * direction[2];
         const double inside = fmin(fmin(x - (double)quads[0][0], (double)quads[0][2] - x),

@@ -21,19 +21,6 @@ static int draw_floats(void **state)
     return 0;
 }
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void scale_to_one(double v[3])
-{
-    const double length = sqrt(dot(v, v));
-    for (int k = 0; k < 3; k++) {
-        v[k] /= length;
-    }
-}
-
 // Where a ray meets a ball; below 0 where it does not.
 static double meet_ball(const double from[3], const double direction[3], const float center[3], double radius)
 {
@@ -41,7 +28,7 @@ static double meet_ball(const double from[3], const double direction[3], const f
     for (int k = 0; k < 3; k++) {
         to[k] = (double)center[k] - from[k];
     }
-    const double middle = dot(to, direction), square = dot(to, to) - middle * middle;
+    const double middle = lesson_dot(to, direction), square = lesson_dot(to, to) - middle * middle;
     return square < radius * radius ? middle - sqrt(radius * radius - square) : -1;
 }
 
@@ -83,32 +70,13 @@ static bool find_world(const double from[3], const double direction[3], double c
     return nearest < 8 || nearest > 1e29;
 }
 
-static void find_ray(double column, double row, double direction[3])
-{
-    double ahead[3], right[3] = {0}, up[3];
-    for (int k = 0; k < 3; k++) {
-        ahead[k] = (double)target_point[k] - (double)eye[k];
-    }
-    scale_to_one(ahead);
-    right[0] = -ahead[2], right[2] = ahead[0];
-    scale_to_one(right);
-    up[0] = right[1] * ahead[2] - right[2] * ahead[1];
-    up[1] = right[2] * ahead[0] - right[0] * ahead[2];
-    up[2] = right[0] * ahead[1] - right[1] * ahead[0];
-    const double x = (2 * column / SIZE - 1) / (double)zoom, y = (1 - 2 * row / SIZE) / (double)zoom;
-    for (int k = 0; k < 3; k++) {
-        direction[k] = ahead[k] + x * right[k] + y * up[k];
-    }
-    scale_to_one(direction);
-}
-
 // What a pixel of the ball must show; false where it shows something else.
 static bool find_reflection(double column, double row, double color[3])
 {
     const double from[3] = {(double)eye[0], (double)eye[1], (double)eye[2]},
                  middle[3] = {(double)mirror_center[0], (double)mirror_center[1], (double)mirror_center[2]};
     double direction[3], normal[3], away[3];
-    find_ray(column, row, direction);
+    lesson_ray(eye, target_point, zoom, SIZE, column, row, direction);
     const double where = meet_ball(from, direction, mirror_center, (double)mirror_radius);
     for (int i = 0; i < BALLS; i++) { // in front of it
         float center[3], ball_color[3];
@@ -121,11 +89,11 @@ static bool find_reflection(double column, double row, double color[3])
     for (int k = 0; k < 3; k++) {
         normal[k] = (from[k] + where * direction[k] - middle[k]) / (double)mirror_radius;
     }
-    if (where < 0 || dot(normal, direction) > -0.3) { // not its rim, where the ball has corners
+    if (where < 0 || lesson_dot(normal, direction) > -0.3) { // not its rim, where the ball has corners
         return false;
     }
     for (int k = 0; k < 3; k++) {
-        away[k] = direction[k] - 2 * dot(normal, direction) * normal[k];
+        away[k] = direction[k] - 2 * lesson_dot(normal, direction) * normal[k];
     }
     const bool is_near = find_world(middle, away, color);
     for (int k = 0; k < 3; k++) {

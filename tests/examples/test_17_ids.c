@@ -8,38 +8,11 @@
 #include "17_ids.c"
 #undef main
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void scale_to_one(double v[3])
-{
-    const double length = sqrt(dot(v, v));
-    for (int k = 0; k < 3; k++) {
-        v[k] /= length;
-    }
-}
-
 // The ball that a pixel's ray meets first, of that radius; −1: none.
 static int find_ball(int column, int row, double radius)
 {
-    double ahead[3], right[3] = {0}, up[3], direction[3];
-    for (int k = 0; k < 3; k++) {
-        ahead[k] = (double)target_point[k] - (double)eye[k];
-    }
-    scale_to_one(ahead);
-    right[0] = -ahead[2], right[2] = ahead[0];
-    scale_to_one(right);
-    up[0] = right[1] * ahead[2] - right[2] * ahead[1];
-    up[1] = right[2] * ahead[0] - right[0] * ahead[2];
-    up[2] = right[0] * ahead[1] - right[1] * ahead[0];
-    const double x = (2 * (column + 0.5) / SIZE - 1) / (double)zoom,
-                 y = (1 - 2 * (row + 0.5) / SIZE) / (double)zoom;
-    for (int k = 0; k < 3; k++) {
-        direction[k] = ahead[k] + x * right[k] + y * up[k];
-    }
-    scale_to_one(direction);
+    double direction[3];
+    lesson_ray(eye, target_point, zoom, SIZE, column + 0.5, row + 0.5, direction);
     int found = -1;
     double nearest = 1e30;
     for (int i = 0; i < THINGS; i++) {
@@ -47,7 +20,7 @@ static int find_ball(int column, int row, double radius)
         for (int k = 0; k < 3; k++) {
             to[k] = (i >> (2 * k) & 3) - 1.5 - (double)eye[k];
         }
-        const double middle = dot(to, direction), square = dot(to, to) - middle * middle;
+        const double middle = lesson_dot(to, direction), square = lesson_dot(to, to) - middle * middle;
         const double where = middle - sqrt(fmax(radius * radius - square, 0));
         if (square < radius * radius && where < nearest) {
             nearest = where;

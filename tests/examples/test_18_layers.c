@@ -22,7 +22,7 @@ static int draw_floats(void **state)
     rhw_context *context = picture_context();
     const rhw_texture target = picture_target(context, RHW_FORMAT_RGBA32_FLOAT, SIZE, SIZE, 1),
                       cube = make_cube(context);
-    draw_faces(context, cube, make_vertices(context), 0, FACES);
+    draw_faces(context, cube, solid_buffer(context), 0, FACES);
     faces = read_faces(context, cube);
     draw(context, show_light, target);
     must(rhw_texture_read(context, target, 0, drawn, 0), "read");

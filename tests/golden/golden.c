@@ -6,6 +6,7 @@
 //
 //   golden TABLE            compares; lines of TABLE are "HASH NAME"
 //   golden TABLE --update   writes the table, after a change that was meant
+//   golden TABLE --few      compares, at one thread count: all that a sanitizer sees runs
 //   golden TABLE --matrix   see golden.h
 //   golden --show NAME FILE writes one scene as PPM, to look at it: its images in a row
 #include "golden.h"

@@ -16,7 +16,7 @@ struct golden_set {
     uint64_t (*hash)(int number, const struct rhw_context_def *def);
 };
 
-/// `PROGRAM TABLE [--update]`: the exit status.
+/// `PROGRAM TABLE [--update | --few]`: the exit status.
 /// `PROGRAM TABLE --matrix THREADS REPEATS`, THREADS as in 1,2,8, is for script/determinism: every instruction
 /// set with every number of threads, each scene REPEATS times, in turn with ordinary and with tiny bins. Prints
 /// "ISA THREADS MATCHED SCENES HASH" for each, where HASH is over what was drawn; every difference on stderr.

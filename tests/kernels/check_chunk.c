@@ -64,7 +64,7 @@ static void run_chunk(const void *input, void *result)
     struct chunk_result *const out = result;
     memset(out, 0, sizeof *out);
     const struct scene *const scene = front_of_scene(in, RHW_PATHS_ALL);
-    if (scene->pass.chunk_count == 0) {
+    if (scene->wave.chunk_count == 0) {
         return;
     }
     const struct rhw_chunk *const chunk = &scene->chunks[0];

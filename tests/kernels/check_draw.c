@@ -29,12 +29,12 @@ static void fill(unsigned char *texels, size_t size, const unsigned char pattern
 
 // A tile without triangles is left as it is. What only some draws set starts as 0.
 static void clear_tile(struct rhw_tile_scratch *tile, const struct scene_input *in,
-                       const struct rhw_pass_state *pass)
+                       const struct rhw_target *target)
 {
     for (int t = 0; t < in->target_count; t++) {
-        fill(tile->color[t], TEXELS * pass->colors[t].texel_size, in->clear[t]);
+        fill(tile->color[t], TEXELS * target->colors[t].texel_size, in->clear[t]);
     }
-    fill((unsigned char *)tile->depth.texels, sizeof tile->depth.texels, pass->depth.clear);
+    fill((unsigned char *)tile->depth.texels, sizeof tile->depth.texels, target->depth.clear);
     memset(tile->depth.bounds, 0, sizeof tile->depth.bounds);
     memset(tile->depth.open, 0, sizeof tile->depth.open);
     tile->depth.open_count = tile->depth.direction = 0;
@@ -44,14 +44,14 @@ static void draw_scene(const struct scene_input *in, enum rhw_paths paths, struc
 {
     struct scene *const scene = front_of_scene(in, paths);
     struct rhw_tile_scratch *const tile = &scene->tile;
-    clear_tile(tile, in, &scene->pass);
+    clear_tile(tile, in, &scene->wave.target);
     scene->worker.counters = (struct rhw_counters){0};
-    RHW_ISA_NAME(rhw_kernels).tile(&scene->pass, in->tile, 0);
+    RHW_ISA_NAME(rhw_kernels).tile(&scene->wave, in->tile, 0);
     if (in->target_count > 0) {
-        memcpy(out->first, tile->color[0], TEXELS * scene->pass.colors[0].texel_size);
+        memcpy(out->first, tile->color[0], TEXELS * scene->wave.target.colors[0].texel_size);
     }
     if (in->target_count > 1) {
-        memcpy(out->second, tile->color[1], TEXELS * scene->pass.colors[1].texel_size);
+        memcpy(out->second, tile->color[1], TEXELS * scene->wave.target.colors[1].texel_size);
     }
     memcpy(out->depth, tile->depth.texels, sizeof out->depth);
     memcpy(out->bounds, tile->depth.bounds, sizeof out->bounds);

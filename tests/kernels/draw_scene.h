@@ -6,11 +6,11 @@
 
 #include "draw/assembly.h"
 #include "base/constants.h"
+#include "draw/wave.h"
 #include "kernels/geometry/geometry_scratch.h"
 #include "kernels/kernels.h"
 #include "kernels/tile_work.h"
 #include "base/memory.h"
-#include "pass/pass_state.h"
 #include "pipeline/pipeline.h"
 #include "base/simd.h"
 
@@ -103,7 +103,8 @@ struct scene {
     struct rhw_tile_scratch tile;
     struct rhw_worker worker;
     struct rhw_memory memory;
-    struct rhw_pass_state pass;
+    struct rhw_recorded_pass pass;
+    struct rhw_wave wave;
     struct rhw_pipeline_data pipelines[SCENE_DRAWS];
     struct rhw_draw_state states[SCENE_DRAWS];
     struct rhw_draw draws[SCENE_DRAWS];
@@ -133,9 +134,11 @@ static void start_scene(struct scene *scene)
     }
     scene->draw_block = scene->draws;
     scene->pass.draws = (struct rhw_draw_list){.blocks = &scene->draw_block, .block_count = 1};
-    scene->pass.workers = &scene->worker;
-    scene->pass.chunks = scene->chunks;
-    scene->pass.first_wave = scene->pass.last_wave = true;
+    scene->wave = (struct rhw_wave){.pass = &scene->pass,
+                                    .is_first = true,
+                                    .is_last = true,
+                                    .chunks = scene->chunks,
+                                    .workers = &scene->worker};
     scene->is_ready = true;
 }
 
@@ -222,7 +225,7 @@ static void set_indices(struct scene *scene, const struct scene_input *in)
 
 static void set_draws(struct scene *scene, const struct scene_input *in)
 {
-    struct rhw_pass_state *const pass = &scene->pass;
+    struct rhw_recorded_pass *const pass = &scene->pass;
     pass->draws.count = 0;
     pass->triangle_count = 0;
     pass->triangles_most = 1;
@@ -258,48 +261,49 @@ static uint32_t draw_of(const struct scene *scene, uint64_t first)
     return d;
 }
 
-static void set_attachments(struct rhw_pass_state *pass, const struct scene_input *in)
+static void set_attachments(struct rhw_target *target, const struct scene_input *in)
 {
-    pass->width = in->width;
-    pass->height = in->height;
-    pass->tiles_x = (in->width + RHW_TILE - 1) / RHW_TILE;
-    pass->tiles_y = (in->height + RHW_TILE - 1) / RHW_TILE;
-    pass->color_count = in->target_count;
+    target->width = in->width;
+    target->height = in->height;
+    target->tiles_x = (in->width + RHW_TILE - 1) / RHW_TILE;
+    target->tiles_y = (in->height + RHW_TILE - 1) / RHW_TILE;
+    target->color_count = in->target_count;
     for (int t = 0; t < in->target_count; t++) {
-        struct rhw_attachment *const color = &pass->colors[t];
+        struct rhw_attachment *const color = &target->colors[t];
         *color =
             (struct rhw_attachment){.format = (enum rhw_format)in->formats[t],
                                     .texel_size = rhw_format_info((enum rhw_format)in->formats[t])->size};
         memcpy(color->clear, in->clear[t], sizeof color->clear);
     }
-    pass->has_depth = true;
-    pass->depth = (struct rhw_attachment){.format = RHW_FORMAT_D32_FLOAT, .texel_size = sizeof(float)};
-    memcpy(pass->depth.clear, in->clear_depth, sizeof pass->depth.clear);
+    target->has_depth = true;
+    target->depth = (struct rhw_attachment){.format = RHW_FORMAT_D32_FLOAT, .texel_size = sizeof(float)};
+    memcpy(target->depth.clear, in->clear_depth, sizeof target->depth.clear);
 }
 
 // Records the draws and runs the front end over them; one that ends a chunk early gets another.
 static struct scene *front_of_scene(const struct scene_input *in, enum rhw_paths paths)
 {
     struct scene *const scene = &the_scene;
-    struct rhw_pass_state *const pass = &scene->pass;
+    struct rhw_recorded_pass *const pass = &scene->pass;
+    struct rhw_wave *const wave = &scene->wave;
     if (!scene->is_ready) {
         start_scene(scene);
     }
     rhw_arena_reset(&scene->worker.arena);
     rhw_arena_reset(&pass->arena);
-    pass->pattern = rhw_sample_pattern_of(1);
-    pass->layers = 1;
     pass->paths = paths;
-    pass->entries_most = in->entries_most;
-    set_attachments(pass, in);
+    wave->target.pattern = rhw_sample_pattern_of(1);
+    wave->target.layers = 1;
+    wave->entries_most = in->entries_most;
+    set_attachments(&wave->target, in);
     set_draws(scene, in);
-    pass->chunk_count = 0;
-    for (uint64_t at = 0; at < pass->triangle_count && pass->chunk_count < SCENE_CHUNKS;) {
+    wave->chunk_count = 0;
+    for (uint64_t at = 0; at < pass->triangle_count && wave->chunk_count < SCENE_CHUNKS;) {
         const uint64_t left = pass->triangle_count - at;
         const uint64_t count = at == 0 && in->split < left ? in->split : left;
-        struct rhw_chunk *const chunk = &pass->chunks[pass->chunk_count++];
+        struct rhw_chunk *const chunk = &wave->chunks[wave->chunk_count++];
         *chunk = (struct rhw_chunk){.first = at, .count = count, .first_draw = draw_of(scene, at)};
-        RHW_ISA_NAME(rhw_kernels).chunk(pass, chunk, 0);
+        RHW_ISA_NAME(rhw_kernels).chunk(wave, chunk, 0);
         at += chunk->count;
     }
     return scene;

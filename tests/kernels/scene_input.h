@@ -40,7 +40,7 @@ struct scene_input {
     float clear_depth[RHW_CLEAR_BYTES / 4];
     int32_t formats[SCENE_TARGETS];
     int32_t draw_count, target_count, width, height, tile;
-    uint32_t split, entries_most; // triangles of the first chunk, seldom all; see struct rhw_pass_state
+    uint32_t split, entries_most; // triangles of the first chunk, seldom all; see struct rhw_wave
 };
 
 // Fills a zeroed input; all draws have the same index type.

@@ -48,18 +48,6 @@ static inline void matrix_perspective(float angle, float aspect, float near, flo
     result[14] = near * far / (near - far);
 }
 
-// A box of half sizes around the axis, depth 0..1 from near to far.
-static inline void matrix_orthographic(float half_width, float half_height, float near, float far,
-                                       float result[16])
-{
-    memset(result, 0, 16 * sizeof(float));
-    result[0] = 1 / half_width;
-    result[5] = 1 / half_height;
-    result[10] = 1 / (near - far);
-    result[14] = near / (near - far);
-    result[15] = 1;
-}
-
 // Where `point` lands: pixels from the top left, and depth.
 static inline void matrix_land(const float clip[16], const float point[3], int width, int height,
                                float landed[3])

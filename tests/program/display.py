@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: MIT
 """What is on a display of Xvfb, which keeps its pixels in a file in the form of xwd; for test_view.sh.
 
-display.py SCREEN seen PICTURE SECONDS      waits until the top left of the screen is the PPM or PGM
-display.py SCREEN unseen PICTURE SECONDS    until it is something else
-display.py SCREEN explained PICTURE X Y     the picture stands beside an explanation of that pixel, smaller, with a mark;
-                                            prints the width and height that it has there
-display.py SCREEN grab WIDTH HEIGHT OUT     writes the top left of the screen as a PPM
-display.py - freeze PID                     says "ready" and stops the next child process of that one for good
+display.py serve SCREEN    does what each line of its input says, and answers with a line: 0 and what it prints, or 1 and
+                           why not
+
+    seen PICTURE SECONDS      waits until the top left of the screen is the PPM or PGM
+    unseen PICTURE SECONDS    until it is something else
+    explained PICTURE X Y     the picture stands beside an explanation of that pixel, smaller, with a mark; prints the
+                              width and height that it has there
+    grab WIDTH HEIGHT OUT     writes the top left of the screen as a PPM
+
+display.py freeze PID      says "ready" and stops the next child process of that one for good
 """
 import os
 import signal
@@ -54,8 +58,7 @@ def wait(path, wanted, seconds, is_seen):
     drawn = picture(wanted)
     end = time.monotonic() + seconds
     while (screen(path, drawn.width, drawn.height).data == drawn.data) != is_seen:
-        if time.monotonic() > end:
-            sys.exit(1)
+        assert time.monotonic() < end, f"{wanted} is {'not seen' if is_seen else 'still seen'}"
         time.sleep(0.01)
 
 
@@ -88,7 +91,7 @@ def explained(path, wanted, x, y):
     left, top, right, bottom = white_box(seen, width, height, drawn.height)
     inside = {seen.at(i, j) for i in range(left + 1, right) for j in range(top + 1, bottom)}
     assert right - left > 5 and inside == {drawn.at(x, y)}, f"enlarged is {inside}, not {drawn.at(x, y)}"
-    print(width, height)
+    return f"{width} {height}"
 
 
 def grab(path, width, height, out):
@@ -112,15 +115,25 @@ def freeze(parent):
     sys.exit("there was no child")
 
 
-def main(display, verb, *arguments):
+def answer(display, verb, *arguments):
     if verb in ("seen", "unseen"):
         wait(display, arguments[0], float(arguments[1]), verb == "seen")
     elif verb == "explained":
-        explained(display, arguments[0], int(arguments[1]), int(arguments[2]))
-    elif verb == "grab":
-        grab(display, int(arguments[0]), int(arguments[1]), arguments[2])
+        return explained(display, arguments[0], int(arguments[1]), int(arguments[2]))
     else:
-        freeze(arguments[0])
+        grab(display, int(arguments[0]), int(arguments[1]), arguments[2])
+    return ""
 
 
-main(*sys.argv[1:])
+def serve(display):
+    for line in sys.stdin:
+        try:
+            print(0, answer(display, *line.split()), flush=True)
+        except Exception as error:  # whatever it is, the test says it
+            print(1, repr(error).replace("\n", " "), flush=True)
+
+
+if sys.argv[1] == "serve":
+    serve(sys.argv[2])
+else:
+    freeze(sys.argv[2])

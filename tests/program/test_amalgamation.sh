@@ -48,7 +48,7 @@ rm -r again
 
 check "a bare compile says nothing" quiet "$compiler" -O2 -pthread -c rhw.c
 ar rc librhw.a rhw.o
-check "it shows no other symbols, and has no state" "$root/tests/unit/symbols.sh" librhw.a
+check "it shows no other symbols, and has no state" "$root/tests/structure/symbols.sh" librhw.a
 for other in gcc clang; do
     command -v $other >/dev/null || continue
     check "$other has nothing to warn of" quiet $other -Wall -Wextra -fsyntax-only rhw.c
@@ -70,12 +70,13 @@ mkdir rhw
 for header in "$root"/include/rhw/*.h; do
     echo '#include "../rhw.h"' >"rhw/$(basename "$header")"
 done
-for program in contexts gears; do
-    check "$program is compiled" "$compiler" -O2 -pthread -Wno-psabi -ffp-contract=off -I. \
-        "$root/tests/outside/$program.c" rhw.o -lm -o $program
-    grep "^$program\b" "$root/tests/outside/expected.txt" >expected
-    ./$program --threads 2 >said 2>errors
-    check "$program says what it should: $(head -5 errors)" cmp expected said
+for name in 12_mirror 13_reflection; do
+    check "$name is compiled" "$compiler" -O2 -pthread -Wno-psabi -ffp-contract=off -I. -I"$root/examples" \
+        "$root/examples/$name.c" "$root/examples/picture.c" "$root/examples/solid.c" "$root/tests/outside/picture_hash.c" \
+        rhw.o -lm -o $name
+    grep "^$name[._ ]" "$root/tests/outside/expected.txt" >expected
+    OUTSIDE_THREADS=2 ./$name 2>errors | grep "^$name[._ ]" >said
+    check "$name draws what it should: $(head -5 errors)" cmp expected said
 done
 case $(basename "$compiler") in
 *clang*) cxx=$(printf %s "$compiler" | sed 's/clang\([^/]*\)$/clang++\1/') ;;

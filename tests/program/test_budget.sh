@@ -69,7 +69,7 @@ check "thumbs, too late: says so" grep -q '^rhw: late/cube.obj: takes longer tha
 check "no half picture" test "$(find slow -type f | wc -l)" = 0
 
 # A signal to thumbs and what it started leaves no temporary file.
-setsid "$rhw" thumbs late -o slow --size 8192 2>/dev/null &
+setsid "$rhw" thumbs late -o slow --size 4096 2>/dev/null &
 tries=0
 while [ -z "$(find slow -name '.rhw-*')" ] && [ $tries -lt 3000 ]; do
     sleep 0.02

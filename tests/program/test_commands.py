@@ -4,7 +4,9 @@
 per page, and the EXAMPLES of rhw(1) and rhw(3). Each must end with status 0, or with the one that its comment names,
 and leave the files behind that it names. docs/gallery.md has a test of its own, program_gallery.
 
-usage: test_commands.py BUILD_FOLDER SOURCE_ROOT
+usage: test_commands.py BUILD_FOLDER SOURCE_ROOT [quick|slow]
+
+slow is the pages of SLOW, quick all others; without either it is all pages.
 
 A page's shell starts in something like a checkout after script/build: what may be written to is a copy, the rest are
 links, build and build-test/release are the build under test, and HOME is empty.
@@ -19,6 +21,9 @@ import time
 from pathlib import Path
 
 PAGES = ["*.md", "docs/*.md", "*/README.md"]
+
+# Pages whose commands take seconds: they compile, make an environment of Python, or draw what other tests draw.
+SLOW = {"CONTRIBUTING.md", "docs/embedding.md", "docs/python.md"}
 
 # Commands that are not run here, as regular expressions of a whole command, and why.
 BUILDS = "builds what is under test here"
@@ -42,8 +47,8 @@ NOT_RUN = {
     r"script/format": "writes into the sources; script/test has --check",
     r"script/completions build/rhw": "writes into the sources; program_documents compares",
     r"script/gallery": "writes into the sources; program_gallery compares",
-    r"script/losses": "writes into the sources; python_learning compares",
-    r"script/notebook": "writes into the sources; python_package compares",
+    r"script/losses": "writes into the sources; python_long compares",
+    r"script/notebook": "writes into the sources; python_long compares",
     r".*/golden tests/golden/scenes\.txt --update": "half a minute; the test golden draws the same scenes",
     r"build/rhw view .*": "opens a window; program_view looks at one",
     r"script/package": "program_package does it",
@@ -51,7 +56,7 @@ NOT_RUN = {
     r"python -m rhw\.dataset .*": "python_dataset runs them from the page",
     r"dask-(scheduler|worker) .*": "ends when it is told to; python_dataset starts some",
     r"script/bootstrap python && .* && env/bin/pip install .*": "the same; docs/python.md has it in pieces",
-    r"env/bin/python python/examples/\w+\.py .*": "python_learning runs the examples",
+    r"env/bin/python python/examples/\w+\.py .*": "python_long and python_learning run the examples",
     r"dpkg -i .*": "program_package installs into a root of its own",
     r"cc -O2 -pthread -c rhw\.c": ONE_FILE,
     r"cc -O2 -pthread -ffp-contract=off program\.c rhw\.o": ONE_FILE,
@@ -207,7 +212,8 @@ def main():
         if not shutil.which(name) and not Path(name).is_dir():
             print(f"no {name} here")
             return 77
-    build, root = (Path(argument).resolve() for argument in sys.argv[1:])
+    build, root = (Path(argument).resolve() for argument in sys.argv[1:3])
+    part = sys.argv[3] if len(sys.argv) > 3 else None
     found = {str(page.relative_to(root)) for pattern in PAGES for page in root.glob(pattern)} - {"docs/gallery.md"}
     texts = {page: (root / page).read_text(encoding="utf-8") for page in sorted(found)}
     used, todo = set(), {}
@@ -219,9 +225,14 @@ def main():
         texts[manual] = (root / manual).read_text(encoding="utf-8")
         todo[manual] = to_run(examples_of(manual, texts[manual]), used)
     todo["docs/embedding.md"] += todo.pop("docs/rhw.3")  # where the library is installed
+    if part:
+        assert part in ("quick", "slow"), part
+        todo = {page: commands for page, commands in todo.items() if (page in SLOW) == (part == "slow")}
     for page, commands in todo.items():
         if commands:
             run_page(page, commands, texts[page], root, build)
+    for page in SLOW - set(texts):
+        fail(f"there is no page {page}")
     for rule in [*NOT_RUN, *GIVEN]:
         if rule not in used:
             fail(f"no command is meant by the rule {rule}")

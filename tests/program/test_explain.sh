@@ -308,11 +308,12 @@ for sample in 1 2 3; do
 done
 
 # Of a grid of pixels for each one of the picture: the numbers of the larger picture but for colors, as the background and
-# the shading know of the picture's size. That of 8192 rows is drawn in bands.
+# the shading know of the picture's size. That of 9216 rows is drawn in two bands, as the one of 2304 is; the
+# pixel lies in the second.
 without_colors() {
     sed 's/, "\(color_before\|color_after\|output\)": \[[^]]*\]//g; 1,/fragments/d' "$folder/log/out"
 }
-for case in "80x60 40,50 2 4 3 81,101" "80x60 40,50 4 16 6 162,201" "2048 1024,1900 4 16 9 4097,7602"; do
+for case in "80x60 40,50 2 4 3 81,101" "80x60 40,50 4 16 6 162,201" "1024x2304 512,2100 4 16 9 2049,8402"; do
     set -- $case
     width=${1%x*} height=${1#*x}
     succeed explain tile.obj --at "$2" --size "$1" --supersample "$4" --samples 1 --sample "$5" $view --json

@@ -147,12 +147,14 @@ for cc in "$compiler" gcc clang; do
     checks=$((checks + 1))
     "$cc" -Ofast -I"$include" -fsyntax-only without_shaders.c >log 2>&1 ||
         failed "$cc refuses -Ofast where no shader header is included"
-    # This header needs no library, so that a compiler for 64 bits alone can be asked.
+    # This header compiles without a C library, so a compiler that targets 64 bits alone can be asked.
     [ "$(uname -m)" = x86_64 ] || continue
     checks=$((checks + 2))
-    "$cc" -m32 -mno-sse -I"$include" -fsyntax-only -include rhw/arithmetic.h -x c /dev/null >log 2>&1
+    "$cc" -m32 -mno-sse -ffreestanding -I"$include" -fsyntax-only -include rhw/shader_lanes.h -x c \
+        /dev/null >log 2>&1
     grep -q 'error.*-msse2 -mfpmath=sse' log || failed "$cc -m32 -mno-sse is not refused"
-    "$cc" -m32 -msse2 -mfpmath=sse -I"$include" -fsyntax-only -include rhw/arithmetic.h -x c /dev/null >log 2>&1 ||
+    "$cc" -m32 -msse2 -mfpmath=sse -ffreestanding -I"$include" -fsyntax-only -include rhw/shader_lanes.h -x c \
+        /dev/null >log 2>&1 ||
         failed "$cc -m32 -msse2 -mfpmath=sse is refused"
 done
 

@@ -121,7 +121,7 @@ for one in $kinds; do
     shared)
         check "librhw.so leads to that of the version" test "$(readlink -f "$library/librhw.so")" = "$(realpath "$library")/librhw.so.$version"
         check "its name is that of its ABI" sh -c "readelf -d '$library/librhw.so' | grep -q 'SONAME.*\[librhw.so.${version%.*}\]'"
-        check "it says what it shows" "$root/tests/unit/symbols.sh" "$library/librhw.so"
+        check "it says what it shows" "$root/tests/structure/symbols.sh" "$library/librhw.so"
         ;;
     esac
     links "pc_$one" "\$(pkg-config --cflags --libs rhw-$one)"

@@ -110,7 +110,7 @@ mkdir disk
 if mount -t tmpfs -o size=64k tmpfs disk 2>/dev/null; then
     checks=$((checks + 1))
     status=0
-    "$rhw" render cube.obj --size 2048x2048 --output all --bits 16 -o disk/a.png 2>"$folder/log/err" || status=$?
+    "$rhw" render cube.obj --size 1024x1024 --output all --bits 16 -o disk/a.png 2>"$folder/log/err" || status=$?
     left=$(find disk -type f)
     umount disk
     [ $status = 1 ] && grep -Eq "^rhw: disk/a[.a-z]*.png: cannot be written: No space left on device" "$folder/log/err" ||
@@ -134,11 +134,15 @@ check "a new file obeys umask" test "$(stat -c %a masked.png)" = 640
 
 # Signals while a file is being written: the old file stays, the temporary one goes.
 # (Not SIGINT: a shell starts background jobs with it ignored, and rhw then leaves it ignored.)
-for try in TERM:png TERM:exr HUP:png; do
+tries="TERM:png TERM:exr HUP:png"
+if sh -c 'kill -HUP $$' 2>/dev/null; then
+    tries="TERM:png TERM:exr" # nohup started this
+fi
+for try in $tries; do
     signal=${try%:*}
     slow=slow.${try#*:}
     echo old >$slow
-    "$rhw" render cube.obj --size 3000x3000 --output all -o $slow 2>"$folder/log/err" &
+    "$rhw" render cube.obj --size 1600x1600 --output all -o $slow 2>"$folder/log/err" &
     process=$!
     waited=0
     while [ -z "$(find . -name '.rhw-*')" ] && kill -0 $process 2>/dev/null && [ $waited -lt 1200 ]; do

@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The programs of tests/outside, written as users write them, on the installed library. Each prints lines "name hash",
-# where name begins with that of the program; they are those of expected.txt at any number of threads, with any
-# instruction set, validated or not, and sanitized. What a program works out by hand it checks itself, by its status.
-# To add one: NAME.c (and NAME_shaders.c) in that folder, and its lines in expected.txt.
+# The programs of tests/outside and the lessons of examples/, built on the installed library by its public headers alone.
+# The lines "NAME HASH" that each prints of its pictures are those of expected.txt at any number of threads, with any
+# instruction set, validated or not, and sanitized; what else a lesson tells, of targets that it writes to no file, is the
+# same each time. What a program works out by hand it checks itself, by its status.
+# A new lesson needs its lines in expected.txt; any other program needs to be named in CMakeLists.txt, too.
 # usage: test_outside.sh BUILD_FOLDER SOURCE_ROOT C_COMPILER [SANITIZERS]
 set -u
 
@@ -37,38 +38,40 @@ make_programs() { # FOLDER C_FLAGS
     check "$1: cmake builds" cmake --build "$1" --parallel 2
 }
 
-says() { # FOLDER OPTION...: every program prints what is expected
+says() { # FOLDER [VARIABLE=VALUE]...: every program prints what is expected
     in=$1
     shift
-    for program in $programs; do
-        grep "^$program\b" "$root/tests/outside/expected.txt" >expected
-        "$in/$program" "$@" >said 2>errors
+    while read -r program; do
+        env "$@" "$in/$program" >said 2>errors
         status=$?
-        check "$in/$program $* ends with $status: $(head -30 errors)" test $status = 0
-        check "$in/$program $* says what it should: $(diff expected said)" cmp expected said
-    done
+        [ -f "told.$program" ] || cp said "told.$program"
+        grep "^$program[._ ]" "$root/tests/outside/expected.txt" >expected
+        grep "^$program[._ ]" said >pictures
+        check "$* $in/$program ends with $status: $(head -30 errors)" test $status = 0
+        check "$* $in/$program draws what it should: $(diff expected pictures)" cmp expected pictures
+        check "$* $in/$program tells the same as at first: $(diff "told.$program" said)" cmp "told.$program" said
+    done <"$in/programs"
 }
 
 check "install" cmake --install "$build" --prefix "$folder/prefix"
 library=$(dirname "$(find "$folder/prefix" -name pkgconfig)")
 export LD_LIBRARY_PATH="$library"
-programs=$(cd "$root/tests/outside" && ls ./*.c | sed -n '/_shaders\.c$/d; s/^\.\/\(.*\)\.c$/\1/p')
 strict="-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes -Wmissing-prototypes -Werror"
 
 if [ -n "$sanitizers" ]; then # a library that was built with them asks its users for the same
     make_programs sanitized "-std=gnu17 -O1 -g -fsanitize=$sanitizers -fno-sanitize-recover=all"
-    says sanitized --threads 2 --validate on
+    says sanitized OUTSIDE_THREADS=2 OUTSIDE_VALIDATE=on
 else
     make_programs plain "-std=gnu17 -O2 $strict"
     for threads in 1 2; do
         for isa in baseline avx2 avx512; do # the highest to use: of those that there are
-            says plain --threads $threads --isa $isa --validate off
+            says plain OUTSIDE_THREADS=$threads OUTSIDE_ISA=$isa OUTSIDE_VALIDATE=off
         done
-        says plain --threads $threads --isa baseline --validate on
-        says plain --threads $threads --isa avx2 --validate on
+        says plain OUTSIDE_THREADS=$threads OUTSIDE_ISA=baseline OUTSIDE_VALIDATE=on
+        says plain OUTSIDE_THREADS=$threads OUTSIDE_ISA=avx2 OUTSIDE_VALIDATE=on
     done
     make_programs sanitized "-std=gnu17 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
-    says sanitized --threads 2
+    says sanitized OUTSIDE_THREADS=2
 fi
 
 echo "$checks checks, $failures failed"

@@ -79,6 +79,9 @@ has librhw-dev 'include/rhw/rhw.h' 'lib/.*/?rhw-config.cmake' 'lib/.*/?pkgconfig
 # An empty root with dpkg's own records and nothing else.
 as_root=
 [ "$(id -u)" = 0 ] || as_root=$(command -v fakeroot || echo none)
+dpkg_clean() { # OPTION...: the root is thrown away afterwards, so dpkg need not wait for the disk after each file
+    $as_root dpkg --root="$folder/clean" --log=/dev/null --force-unsafe-io,not-root,depends "$@"
+}
 mkdir -p clean/var/lib/dpkg/info clean/var/lib/dpkg/updates
 touch clean/var/lib/dpkg/status
 if [ "$as_root" = none ]; then
@@ -86,7 +89,7 @@ if [ "$as_root" = none ]; then
         check "unpack" dpkg-deb -x "$package" clean
     done
 else
-    check "install" $as_root dpkg --root="$folder/clean" --log=/dev/null --force-not-root,depends --install ./*.deb
+    check "install" dpkg_clean --install ./*.deb
 fi
 usr=$folder/clean/usr
 check "nothing names the build" sh -c "! grep -rl '$build' $usr/lib $usr/share"
@@ -127,7 +130,7 @@ check "it does not without" sh -c '! ./hello'
 check "the same bytes" cmp hello.ppm static.ppm
 
 if [ "$as_root" != none ]; then
-    check "remove" $as_root dpkg --root="$folder/clean" --log=/dev/null --force-not-root,depends --purge $packages
+    check "remove" dpkg_clean --purge $packages
     check "nothing is left" test -z "$(find clean -path clean/var -prune -o -type f -print)"
 fi
 

@@ -46,7 +46,8 @@ mkfifo "$folder/number"
 Xvfb -displayfd 3 -screen 0 ${WIDTH}x${HEIGHT}x24 -nolisten tcp -noreset -fbdir "$folder/display" 3>"$folder/number" 2>"$folder/log/xvfb" &
 server=$!
 viewer=
-trap 'kill $server $viewer 2>/dev/null; wait; rm -rf "$folder"' EXIT
+watcher=
+trap 'kill $server $watcher $viewer 2>/dev/null; wait; rm -rf "$folder"' EXIT
 read -r number <"$folder/number"
 export DISPLAY=:$number
 
@@ -59,8 +60,20 @@ until_true() { # COMMAND...: tries until it succeeds
     done
 }
 
-display() { # VERB ARGUMENT...: of display.py
-    python3 "$root/tests/program/display.py" "$screen" "$@"
+# One Python watches the display all the time, as its start takes longer than a look.
+mkfifo "$folder/asked" "$folder/answered"
+python3 "$root/tests/program/display.py" serve "$screen" <"$folder/asked" >"$folder/answered" &
+watcher=$!
+exec 4>"$folder/asked" 5<"$folder/answered"
+
+display() { # VERB ARGUMENT...: of display.py; prints what it says, to standard error what is wrong
+    echo "$*" >&4
+    read -r told words <&5
+    if [ "$told" != 0 ]; then
+        echo "$words" >&2
+        return 1
+    fi
+    [ -z "$words" ] || echo "$words"
 }
 
 shown() { # PICTURE: waits until it is what is seen
@@ -73,6 +86,10 @@ unseen() { # PICTURE
 
 lines() {
     wc -l <said
+}
+
+told_more() { # since `before`
+    [ "$(lines)" -gt "$before" ]
 }
 
 has_window() {
@@ -93,9 +110,8 @@ press() { # KEY...
 # The command line that the window gives, without its end.
 ask() {
     before=$(lines)
-    press c
-    until_true sh -c "[ \$(wc -l <said) -gt $before ]" || fail "C gives no command line"
-    press z # which does nothing, but takes the notice away
+    press c z # the latter does nothing, but takes the notice away
+    until_true told_more || fail "C gives no command line"
     asked=$(tail -1 said | sed 's/^rhw \(.*\) -o picture.png$/\1/')
 }
 
@@ -139,7 +155,7 @@ drop_model() { # PATH
 # Presses a key that changes the pose, and keeps the process that reads it from ever coming to its end.
 press_for_ever() { # KEY
     : >ready
-    display freeze $viewer >ready &
+    python3 "$root/tests/program/display.py" freeze $viewer >ready &
     freezer=$!
     until_true test -s ready
     press "$1"
@@ -318,7 +334,7 @@ xdotool keyup period
 seen "a moment"
 before=$(lines)
 xdotool keydown c
-until_true sh -c "[ \$(wc -l <said) -gt $before ]"
+until_true told_more
 sleep 1
 xdotool keyup c
 check "a key that is held acts once" test "$(lines)" = $((before + 1))

@@ -13,7 +13,7 @@ from conftest import SANITIZED
 BENCH = pathlib.Path(__file__).resolve().parents[2] / "bench"
 BUNNY = "/usr/share/glmark2/models/bunny.obj"
 
-pytestmark = pytest.mark.skipif(SANITIZED, reason="peers are no subject of sanitizers")
+pytestmark = [pytest.mark.long, pytest.mark.skipif(SANITIZED, reason="peers are no subject of sanitizers")]
 
 
 def told(script, *arguments, **environment):

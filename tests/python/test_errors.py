@@ -156,7 +156,7 @@ def test_other_threads_run_meanwhile():
     steps = 0
 
     def draw():
-        rhw.Model(V, F).render(2000, samples=8)
+        rhw.Model(V, F).render(1000, samples=8)
 
     thread = threading.Thread(target=draw)
     thread.start()

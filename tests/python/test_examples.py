@@ -18,6 +18,9 @@ from conftest import ENVIRONMENT, SANITIZED, model_file
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = sorted((ROOT / "python/examples").glob("*.py"))
 
+#: Hundreds of steps of torch. 05_triangle shows in a second that such examples run.
+LONG = ("06_cube", "07_earth", "08_pose")
+
 
 def check_curve(name, printed):
     """What docs/images/losses.svg shows of an example, if anything, is what that prints."""
@@ -32,7 +35,8 @@ def check_curve(name, printed):
         assert there.shape == np.shape(losses.curve(printed)) and np.abs(there - losses.curve(printed)).max() < 12
 
 
-@pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("example", [pytest.param(path, id=path.stem, marks=[pytest.mark.long] * (path.stem in LONG))
+                                     for path in EXAMPLES])
 def test_example(example, tmp_path):
     model = [model_file("glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb")] if "MODEL" in example.read_text() else []
     if "rhw.torch" in example.read_text():
@@ -52,7 +56,7 @@ def test_example(example, tmp_path):
 
 
 def test_examples_are_there():
-    assert len(EXAMPLES) >= 8
+    assert len(EXAMPLES) >= 8 and set(LONG) < {path.stem for path in EXAMPLES}
 
 
 def test_recipes_of_the_documents(tmp_path, monkeypatch, box_obj):

@@ -39,6 +39,7 @@ def stored(cell):
     return said, shown
 
 
+@pytest.mark.long
 def test_cells_give_what_is_stored(tmp_path):
     cells = [cell for cell in json.loads(NOTEBOOK.read_text())["cells"] if cell["cell_type"] == "code"]
     names, pictures = {}, 0

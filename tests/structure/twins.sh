@@ -19,8 +19,8 @@ documented() {
 }
 
 for name in $(documented include/rhw/shader_vector.h include/rhw/shader_memory.h include/rhw/shader_linear.h \
-    include/rhw/shader_math.h include/rhw/shader_sample.h include/rhw/shader_dual_lanes.h \
-    include/rhw/shader_interpolate.h); do
+    include/rhw/shader_math.h include/rhw/shader_sample.h include/rhw/shader_dual.h \
+    include/rhw/shader_varying.h); do
     case " $lanes_alone " in *" $name "*) continue ;; esac
     count=$((count + 1))
     case $name in
@@ -28,7 +28,7 @@ for name in $(documented include/rhw/shader_vector.h include/rhw/shader_memory.h
     *) twin=rhw_${name}1 ;;
     esac
     if ! grep -q "^static inline .*[ *]$twin(" include/rhw/shader_one.h include/rhw/shader_dual_one.h \
-        include/rhw/shader_interpolate.h; then
+        include/rhw/shader_varying.h; then
         echo "rhw_$name has no $twin"
         failed=$((failed + 1))
     fi
@@ -40,9 +40,9 @@ for name in $(documented include/rhw/shader_vector.h include/rhw/shader_memory.h
 done
 # Functions of the library that take or give lanes: textures, images and storage, compared by their own tests.
 for name in $(sed -n '/^#if RHW_HAS_LANES/,/^#endif/s/^RHW_API .*[ *]rhw_\([a-z0-9_]*\)(.*/\1/p' \
-    include/rhw/shader_sample.h include/rhw/shader_image.h include/rhw/shader_storage.h); do
+    include/rhw/shader_sample.h include/rhw/shader_storage.h); do
     count=$((count + 1))
-    if ! grep -q "^RHW_API .*[ *]rhw_${name}1(" include/rhw/shader_no_lanes.h include/rhw/shader_image.h \
+    if ! grep -q "^RHW_API .*[ *]rhw_${name}1(" include/rhw/shader_no_lanes.h \
         include/rhw/shader_storage.h; then
         echo "rhw_$name has no rhw_${name}1"
         failed=$((failed + 1))

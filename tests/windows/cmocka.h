@@ -18,8 +18,9 @@ typedef int cmocka_fixture(void **state);
     {                              \
         #function, function        \
     }
-#define cmocka_run_group_tests(tests, setup, teardown) \
+#define cmocka_run_group_tests_name(name, tests, setup, teardown) \
     test_run(tests, sizeof(tests) / sizeof(tests)[0], setup, teardown)
+/// Passes over tests without a name.
 int test_run(const struct CMUnitTest *tests, size_t count, cmocka_fixture *setup, cmocka_fixture *teardown);
 
 /// Ends the program with a line that begins with the place.

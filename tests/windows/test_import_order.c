@@ -113,5 +113,5 @@ int main(void)
         cmocka_unit_test(test_a_reader_that_runs_out_of_time),
         cmocka_unit_test(test_a_reader_that_borrows_is_waited_for),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests_name("test_import_order", tests, NULL, NULL);
 }

@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "validation_messages.h"
 #include "format/format.h"
 #include "binding/shader_adapter.h"
 #include "validation.h"
@@ -20,7 +19,7 @@ struct fragment_run {
 
 // What may hold other rubbish than in the first run, a bit each: what the program can leave undeclared.
 enum {
-    VARYINGS = 1 << 24, // above enum rhw_fragment_use
+    VARYINGS = 1 << 24, // a bit above enum rhw_fragment_use
     DERIVATIVES = 1 << 25,
     UNIFORMS = 1 << 26,
     EVERYTHING = -1
@@ -28,7 +27,7 @@ enum {
 
 static const struct {
     int32_t bit;
-    const char *message; // what is read; then what it lacks
+    const char *message; // what is read; then what the program lacks
 } undeclared[] = {
     {VARYINGS, "reads a varying behind the last component"},
     {DERIVATIVES, "reads ddx or ddy of a varying that does not ask for derivatives"},
@@ -49,7 +48,7 @@ static const struct {
     {RHW_USE_DEPTH, "reads depth; RHW_USE_DEPTH is missing in its program's uses"},
 };
 
-// `count` vectors: rubbish, of the second kind where `other`.
+// Fill `count` vectors with rubbish, of the second kind where `other` is true.
 static void spoil(rhw_float *values, int count, bool other)
 {
     for (int i = 0; i < count; i++) {
@@ -57,7 +56,7 @@ static void spoil(rhw_float *values, int count, bool other)
     }
 }
 
-// Integers may be used as indices: their rubbish is small.
+// Fill builtins with rubbish. Integers may be used as indices: their rubbish is small.
 static void spoil_builtins(struct rhw_fragment *group, uint32_t uses, int32_t changed)
 {
     if (!(uses & RHW_USE_COORD)) {
@@ -109,7 +108,7 @@ static bool has_effects(const struct rhw_validator *validator)
     return validator->uses & RHW_USE_EFFECTS;
 }
 
-// Gives group g of a run what the pipeline has for it, and rubbish where that is nothing.
+// Give group g of a run what the pipeline has for it, and rubbish where the pipeline has nothing.
 static void prepare(const struct rhw_validator *validator, const struct rhw_fragment *group, int32_t changed,
                     bool second, int g, struct fragment_run *out)
 {
@@ -134,7 +133,7 @@ static void prepare(const struct rhw_validator *validator, const struct rhw_frag
     }
     out->textures[g] = *group->textures;
     out->textures[g].drops_effects = !has_effects(validator);
-    if (changed == 0) { // else coordinates may come from another rubbish
+    if (changed == 0) { // in other runs coordinates may come from another rubbish
         out->textures[g].site = rhw_validator_site(validator, group->uniforms, &group->mask);
     }
     struct rhw_fragment *const copy = &out->group[g];
@@ -176,14 +175,14 @@ static bool is_source_alpha(enum rhw_blend_factor factor)
            factor == RHW_BLEND_SRC_ALPHA_SATURATED;
 }
 
-// MIN and MAX ignore the factors.
+// Return true if blending reads the source's alpha. MIN and MAX ignore the factors.
 static bool reads_source_alpha(const struct rhw_blend_component *color)
 {
     return color->operation != RHW_BLEND_MIN && color->operation != RHW_BLEND_MAX &&
            (is_source_alpha(color->src) || is_source_alpha(color->dst));
 }
 
-// Of the second source, which stands behind the only target.
+// Return the channels that are needed of the second source, which stands behind the only target.
 static unsigned second_channels(const struct rhw_color_target *target, unsigned kept)
 {
     const unsigned colors = RHW_WRITE_RED | RHW_WRITE_GREEN | RHW_WRITE_BLUE;
@@ -199,7 +198,8 @@ static unsigned second_channels(const struct rhw_color_target *target, unsigned 
     return needed;
 }
 
-// Channels of target t that a pass needs, a bit each: those it keeps, and the alpha that colours are blended by.
+// Return the channels of target t that a pass needs, a bit each: those it keeps, and the alpha that colours are blended
+// by.
 static unsigned needed_channels(const struct rhw_validator *validator, int t)
 {
     const struct rhw_pipeline_def *const def = &validator->pipeline->def;
@@ -207,7 +207,7 @@ static unsigned needed_channels(const struct rhw_validator *validator, int t)
         return 0;
     }
     if (def->target_count == 0) {
-        return RHW_WRITE_ALPHA; // which decides about coverage
+        return RHW_WRITE_ALPHA; // alpha decides about coverage
     }
     const bool is_second = t >= def->target_count;
     const struct rhw_color_target *const target = &def->targets[is_second ? 0 : t];
@@ -220,7 +220,7 @@ static unsigned needed_channels(const struct rhw_validator *validator, int t)
     return kept | (blends || (t == 0 && def->alpha_to_coverage) ? RHW_WRITE_ALPHA : 0);
 }
 
-// Lanes of `mask` in which two runs have different results for a group.
+// Return the lanes of `mask` in which two runs have different results for a group.
 static rhw_int differing(const struct rhw_validator *validator, const struct rhw_fragment *a,
                          const struct rhw_fragment *b, rhw_int mask)
 {
@@ -253,7 +253,7 @@ static int first_lane(rhw_int lanes)
     return lane;
 }
 
-// Tells what is wrong with a fragment, and which pixel it is.
+// Tell what is wrong with a fragment, and which pixel it is.
 static void report(const struct rhw_validator *validator, const struct rhw_fragment *group, rhw_int lanes,
                    enum rhw_validation_kind kind, const char *what)
 {
@@ -271,7 +271,8 @@ static void report_channel(const struct rhw_validator *validator, const struct r
     report(validator, group, lanes, kind, what);
 }
 
-// Looks for channels that were not written, and those written that no target has. False when there is none.
+// Tell channels that were not written, and channels that were written and no target has. Return false when there is
+// none.
 static bool check_channels(const struct rhw_validator *validator, const struct rhw_fragment *group,
                            const struct rhw_fragment *first, const struct rhw_fragment *second, rhw_int mask)
 {
@@ -293,7 +294,8 @@ static bool check_channels(const struct rhw_validator *validator, const struct r
     return false;
 }
 
-// The same for what is no colour.
+// Tell results other than colours that were written and not declared: discarded fragments, depth, the sample mask.
+// Return false when there is none.
 static bool check_side_results(const struct rhw_validator *validator, const struct rhw_fragment *group,
                                const struct rhw_fragment *first, rhw_int mask)
 {
@@ -318,7 +320,7 @@ static bool check_side_results(const struct rhw_validator *validator, const stru
     return false;
 }
 
-// Changes one thing after the other, to find the one that the result depends on.
+// Change one thing after the other, to find the one that the result depends on.
 static __attribute__((cold)) void name_input(const struct rhw_validator *validator,
                                              const struct rhw_fragment *const pair[RHW_VALIDATED_GROUPS],
                                              int g, const struct rhw_fragment *first, rhw_int lanes)
@@ -356,14 +358,14 @@ static void warn_of_nan(const struct rhw_validator *validator, const struct rhw_
     }
 }
 
-// Lanes whose results are kept.
+// Return the lanes whose results are kept.
 static rhw_int live_lanes(const struct rhw_validator *validator, const struct rhw_fragment *group,
                           const struct rhw_fragment *first)
 {
     return validator->uses & RHW_USE_DISCARD ? first->mask & group->mask : group->mask;
 }
 
-// Lanes in which the function wrote a channel that is needed.
+// Return the lanes in which the function wrote a channel that is needed.
 static rhw_int written_lanes(const struct rhw_validator *validator, const struct rhw_fragment *first,
                              const struct rhw_fragment *second)
 {
@@ -379,7 +381,8 @@ static rhw_int written_lanes(const struct rhw_validator *validator, const struct
     return lanes;
 }
 
-// Whether the function wrote to the first group of a pair, and nothing to the second, which has fragments to keep.
+// Return true if the function wrote to the first group of a pair, and nothing to the second, which has fragments to
+// keep.
 static bool forgets_second(const struct rhw_validator *validator,
                            const struct rhw_fragment *const pair[RHW_VALIDATED_GROUPS],
                            const struct fragment_run *first, const struct fragment_run *second)
@@ -389,7 +392,7 @@ static bool forgets_second(const struct rhw_validator *validator,
            rhw_any(written_lanes(validator, &first->group[0], &second->group[0]));
 }
 
-// Looks at group g of both runs.
+// Compare group g of both runs.
 static void check_group(const struct rhw_validator *validator,
                         const struct rhw_fragment *const pair[RHW_VALIDATED_GROUPS], int g,
                         const struct fragment_run *first_run, const struct fragment_run *second_run)
@@ -426,7 +429,7 @@ static void take_results(const struct rhw_validator *validator, const struct rhw
     }
 }
 
-// Calls a function with effects, once for each group.
+// Call a function with effects, once for each group.
 static void run_once(const struct rhw_validator *validator, struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g += RHW_VALIDATED_GROUPS) {

@@ -2,7 +2,6 @@
 // Vertex functions under validation.
 #include <string.h>
 
-#include "validation_messages.h"
 #include "binding/shader_adapter.h"
 #include "validation.h"
 
@@ -12,10 +11,10 @@ struct vertex_run {
     struct rhw_vertex group[RHW_VALIDATED_GROUPS];
     rhw_float attribute[RHW_VALIDATED_GROUPS][RHW_MAX_ATTRIBUTES][4];
     rhw_float varying[RHW_VALIDATED_GROUPS][RHW_VALIDATED_COMPONENTS];
-    rhw_float distance[RHW_VALIDATED_GROUPS][2][RHW_MAX_CLIP_DISTANCES]; // clip, cull
+    rhw_float distance[RHW_VALIDATED_GROUPS][2][RHW_MAX_CLIP_DISTANCES]; // distances to clip by, and to cull by
 };
 
-// What a run may hold other rubbish in than the first: bits.
+// What may hold other rubbish than in the first run, a bit each.
 enum { ATTRIBUTES = 1, UNIFORMS = 2, EVERYTHING = 3 };
 
 static bool has_effects(const struct rhw_validator *validator)
@@ -23,7 +22,7 @@ static bool has_effects(const struct rhw_validator *validator)
     return validator->pipeline->def.program.vertex_effects;
 }
 
-// Gives group g of a run what the pipeline has for it, and rubbish where that is nothing.
+// Give group g of a run what the pipeline has for it, and rubbish where the pipeline has nothing.
 static void prepare(const struct rhw_validator *validator, const struct rhw_vertex *group, uint32_t changed,
                     bool second, int g, struct vertex_run *out)
 {
@@ -134,7 +133,7 @@ static bool has_position(const struct rhw_vertex *first, const struct rhw_vertex
     return !is_rubbish(first->position[c], false) || !is_rubbish(second->position[c], true);
 }
 
-// Whether nothing of a group's position was written.
+// Return true if nothing of a group's position was written.
 static bool is_untouched(const struct rhw_vertex *first, const struct rhw_vertex *second)
 {
     bool written = false;
@@ -144,7 +143,8 @@ static bool is_untouched(const struct rhw_vertex *first, const struct rhw_vertex
     return !written;
 }
 
-// Names an output that was not written, or one behind the last that was. False when there is none.
+// Name an output that was not written, or one behind the last that was written and not declared. Return false when
+// there is none.
 static bool check_outputs(const struct rhw_validator *validator, uint32_t draw,
                           const struct rhw_vertex *first, const struct rhw_vertex *second)
 {
@@ -172,7 +172,8 @@ static bool check_outputs(const struct rhw_validator *validator, uint32_t draw,
     return false;
 }
 
-// The same for an output that the program declares by writes_NAME.
+// Name an output that the program declares by writes_NAME and did not write, or wrote and does not declare. Return
+// false when there is none.
 static bool check_scalar(const struct rhw_validator *validator, uint32_t draw, rhw_float first,
                          rhw_float second, const char *name, bool declared)
 {
@@ -187,7 +188,8 @@ static bool check_scalar(const struct rhw_validator *validator, uint32_t draw, r
     return written != declared;
 }
 
-// The same for distances, the point size and the route.
+// Name a distance, the point size or a route that was not written, or was written and not declared. Return false when
+// there is none.
 static bool check_extras(const struct rhw_validator *validator, uint32_t draw, const struct rhw_vertex *first,
                          const struct rhw_vertex *second)
 {
@@ -216,7 +218,7 @@ static bool check_extras(const struct rhw_validator *validator, uint32_t draw, c
                         program->writes_layer);
 }
 
-// Names an output that some lanes were left without. False when there is none.
+// Name an output that some lanes were left without. Return false when there is none.
 static __attribute__((cold)) bool name_lanes(const struct rhw_validator *validator, uint32_t draw,
                                              const struct rhw_vertex *first, const struct rhw_vertex *second)
 {
@@ -282,7 +284,7 @@ static __attribute__((cold)) void name_input(const struct rhw_validator *validat
     }
 }
 
-// Looks at group g of both runs.
+// Compare group g of both runs.
 static void check_group(const struct rhw_validator *validator,
                         const struct rhw_vertex *const pair[RHW_VALIDATED_GROUPS], int g,
                         const struct vertex_run *first_run, const struct vertex_run *second_run)
@@ -318,7 +320,7 @@ static void take_results(const struct rhw_validator *validator, const struct rhw
     group->layer = first->layer;
 }
 
-// Calls a function with effects, once for each group.
+// Call a function with effects, once for each group.
 static void run_once(const struct rhw_validator *validator, struct rhw_vertex *groups, int count)
 {
     for (int g = 0; g < count; g += RHW_VALIDATED_GROUPS) {

@@ -24,7 +24,7 @@ void RHW_ISA_NAME(rhw_prepare_constant)(struct tile_work *work)
         queue->colors[0][0][3] = f32x8_splat(1);
     }
     work->counters->groups++;
-    for (int t = 0; t < work->pass->color_count; t++) {
+    for (int t = 0; t < work->target->color_count; t++) {
         if (work->state->blend[t].path == BLEND_RGBA8_REPLACE) {
             const i32x8 all = i32x8_splat(-1);
             blend_group_apart(&work->state->blend[t], queue->colors[0][t], &all,
@@ -38,7 +38,7 @@ void RHW_ISA_NAME(rhw_prepare_constant)(struct tile_work *work)
 void RHW_ISA_NAME(rhw_blend_constant_block)(const struct tile_work *work, int t, unsigned char *texels,
                                             uint64_t mask)
 {
-    const size_t stride = RHW_TILE * work->pass->colors[t].texel_size;
+    const size_t stride = RHW_TILE * work->target->colors[t].texel_size;
     for (int row = 0; row < RHW_BLOCK; row++) {
         const i32x8 live = i32x8_from_bits((unsigned)(mask >> (8 * row)) & 0xff);
         blend_group_apart(&work->state->blend[t], work->scratch->queue.colors[0][t], &live,
@@ -60,7 +60,7 @@ void RHW_ISA_NAME(rhw_blend_constant_woven)(struct tile_work *work, int x, int y
         for (int s = 0; s < WOVEN_SAMPLES; s++) {
             samples |= i32x8_from_bits((unsigned)(mask[s] >> (8 * row)) & 0xff) & i32x8_splat(1 << s);
         }
-        for (int t = 0; t < work->pass->color_count; t++) {
+        for (int t = 0; t < work->target->color_count; t++) {
             blend_woven(work, t, texel, work->scratch->queue.colors[0][t], &samples);
         }
     }

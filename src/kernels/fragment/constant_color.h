@@ -31,9 +31,9 @@ RHW_INLINE void blend_constant_sample(struct tile_work *work, int sample, int x,
     if (!work->constant_is_ready) {
         RHW_ISA_NAME(rhw_prepare_constant)(work);
     }
-    for (int t = 0; t < work->pass->color_count; t++) {
+    for (int t = 0; t < work->target->color_count; t++) {
         const struct rhw_blend_state *const state = &work->state->blend[t];
-        const size_t size = work->pass->colors[t].texel_size;
+        const size_t size = work->target->colors[t].texel_size;
         unsigned char *const texels = color_of_sample(scratch, t, sample) + (size_t)(y * RHW_TILE + x) * size;
         if (state->path == BLEND_RGBA8_REPLACE) {
             replace_block(texels, scratch->constant[t], mask);

@@ -49,7 +49,7 @@ RHW_INLINE void weave_pixel(struct rhw_tile_scratch *scratch, int target, int te
 
 static void expand_woven_block(const struct tile_work *work, int x, int y)
 {
-    for (int t = 0; t < work->pass->color_count; t++) {
+    for (int t = 0; t < work->target->color_count; t++) {
         for (int row = y; row < y + RHW_BLOCK; row++) {
             for (int i = 0; i < RHW_BLOCK; i++) {
                 weave_pixel(work->scratch, t, row * RHW_TILE + x + i);
@@ -67,8 +67,8 @@ static __attribute__((noinline)) void expand_block(const struct tile_work *work,
         expand_woven_block(work, x, y);
         return;
     }
-    for (int t = 0; t < work->pass->color_count; t++) {
-        const size_t size = work->pass->colors[t].texel_size;
+    for (int t = 0; t < work->target->color_count; t++) {
+        const size_t size = work->target->colors[t].texel_size;
         for (int row = 0; row < RHW_BLOCK; row++) {
             const size_t at = (size_t)((y + row) * RHW_TILE + x) * size;
             for (int s = 1; s < work->samples; s++) {

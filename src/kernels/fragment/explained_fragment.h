@@ -94,7 +94,7 @@ static __attribute__((noinline)) void explain_shaded(const struct tile_work *wor
             e->ddx[i] = pipeline->component_derivatives[i] ? group->ddx[i][lane] : 0.0f;
             e->ddy[i] = pipeline->component_derivatives[i] ? group->ddy[i][lane] : 0.0f;
         }
-        for (int t = 0; t < work->pass->color_count; t++) {
+        for (int t = 0; t < work->target->color_count; t++) {
             for (int c = 0; c < 4; c++) {
                 e->fragment.output[t][c] = queue->colors[g][t][c][lane];
             }

@@ -345,7 +345,7 @@ enum packed_parts {
 // Keeps the depths of the samples of fragment n.
 static void pack_sample_depths(const struct tile_work *work, struct plane z, int n, double dx, double dy)
 {
-    const struct rhw_sample_pattern *const pattern = work->pass->pattern;
+    const struct rhw_sample_pattern *const pattern = work->target->pattern;
     for (int s = 0; s < work->samples; s++) {
         const double value =
             plane_value(z, dx + from_center(pattern->x_0_8[s]), dy + from_center(pattern->y_0_8[s]));

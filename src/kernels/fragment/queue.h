@@ -105,14 +105,14 @@ RHW_INLINE void finish_queue(struct tile_work *work)
     for (int g = 0; g < queue->count && work->explained; g++) {
         explain_written(work, g, queue->live[g]);
     }
-    for (int t = 0; t < work->pass->color_count; t++) {
+    for (int t = 0; t < work->target->color_count; t++) {
         const enum rhw_blend_path path = work->state->blend[t].path;
         if (path == BLEND_RGBA8_REPLACE) {
             blend_target(work, t, BLEND_RGBA8_REPLACE, 4);
         } else if (path == BLEND_RGBA8_OVER) {
             blend_target(work, t, BLEND_RGBA8_OVER, 4);
         } else {
-            blend_target(work, t, path, work->pass->colors[t].texel_size);
+            blend_target(work, t, path, work->target->colors[t].texel_size);
         }
     }
 }

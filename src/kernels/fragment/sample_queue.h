@@ -115,7 +115,7 @@ RHW_INLINE void blend_row_samples(const struct tile_work *work, int t, int g, i3
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_blend_state *const state = &work->state->blend[t];
-    const size_t at = (size_t)queue->row_at[g] * work->pass->colors[t].texel_size;
+    const size_t at = (size_t)queue->row_at[g] * work->target->colors[t].texel_size;
     for (int s = 0; s < (expanded == 0 ? 1 : work->samples); s++) {
         const unsigned bits = lanes_of_sample(samples, s);
         if (bits != 0) {
@@ -130,7 +130,7 @@ RHW_INLINE void blend_scattered_samples(const struct tile_work *work, int t, int
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_blend_state *const state = &work->state->blend[t];
-    const size_t size = work->pass->colors[t].texel_size;
+    const size_t size = work->target->colors[t].texel_size;
     const bool replaces = replaces_words(state);
     _Alignas(32) unsigned char lanes[8 * 16];
     if (replaces) {
@@ -208,7 +208,7 @@ RHW_INLINE void blend_samples(const struct tile_work *work, int g, i32x8 samples
         return;
     }
     const unsigned expanded = expanded_lanes(work, g, partial);
-    for (int t = 0; t < work->pass->color_count; t++) {
+    for (int t = 0; t < work->target->color_count; t++) {
         if (work->scratch->is_woven) {
             blend_woven_samples(work, t, g, samples, expanded);
         } else if (work->scratch->queue.is_scattered[g]) {

@@ -94,7 +94,7 @@ static __attribute__((noinline)) void fill_any_scattered(const struct tile_work 
 // Keeps the depths of the samples of group g, which is scattered.
 static void keep_sample_depths(const struct tile_work *work, const struct planes *planes, int g)
 {
-    const struct rhw_sample_pattern *const pattern = work->pass->pattern;
+    const struct rhw_sample_pattern *const pattern = work->target->pattern;
     struct fragment_queue *const queue = &work->scratch->queue;
     const struct anchor_offset at = texel_offsets(work, planes, queue->texels[g]);
     for (int s = 0; s < work->samples; s++) {

@@ -27,7 +27,7 @@ static __attribute__((noinline)) void read_targets(const struct tile_work *work,
     struct rhw_tile_scratch *const scratch = work->scratch;
     struct fragment_queue *const queue = &scratch->queue;
     const uint32_t uses = work->pipeline->def.program.uses;
-    const int count = uses & RHW_USE_COLOR_INPUT ? work->pass->color_count : 0;
+    const int count = uses & RHW_USE_COLOR_INPUT ? work->target->color_count : 0;
     for (int g = first; g < first + added; g++) {
         const int at = queue->row_at[g];
         const int sample = work->samples > 1 ? sample_of_group(queue, g) : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bins: which of a chunk's triangles each tile draws. Every chunk has its own, so that no list is shared by threads.
+// Bins: which of a chunk's triangles each tile draws. Every chunk has bins of its own, so that threads share no list.
 #ifndef RHW_BINNING_H
 #define RHW_BINNING_H
 
@@ -7,8 +7,8 @@
 #include "geometry_scratch.h"
 #include "tile_spans.h"
 
-// Unites the tiles of all triangles in the list, which is not empty. Bytes are compared 32 at a time; the array has
-// room for that.
+// Unite the tiles of all triangles in the list, which is not empty. Bytes are compared 32 at a time; the array has room
+// for this.
 static struct rhw_tile_range unite_ranges(const struct rhw_triangle_list *list)
 {
     enum { STEP = 8 };
@@ -35,7 +35,7 @@ static struct rhw_tile_range unite_ranges(const struct rhw_triangle_list *list)
     return all;
 }
 
-// Sets the layers that the chunk's bins cover.
+// Set the layers that the chunk's bins cover.
 static void bound_layers(struct rhw_chunk *chunk, const struct rhw_triangle_list *list, int layers)
 {
     int low = list->count != 0 ? layers - 1 : 0, high = 0;
@@ -48,7 +48,7 @@ static void bound_layers(struct rhw_chunk *chunk, const struct rhw_triangle_list
     chunk->layer_count = high - low + 1;
 }
 
-// Sets the rectangle of tiles that the chunk's bins cover, and their layers, of `layers` that the pass has.
+// Set the rectangle of tiles that the chunk's bins cover, and their layers. `layers` is how many the pass has.
 static void bound_bins(struct rhw_chunk *chunk, const struct rhw_triangle_list *list, int layers)
 {
     chunk->tile_x0 = chunk->tile_y0 = chunk->tile_x1 = chunk->tile_y1 = 0;
@@ -68,7 +68,7 @@ static size_t tiles_of(const struct rhw_chunk *chunk)
            (size_t)chunk->layer_count;
 }
 
-// Tells how many triangles, from the first on, have at most `most` entries in the bins. One always has.
+// Return how many triangles, from the first on, have at most `most` entries in the bins. A single triangle always has.
 static int triangles_that_fit(const struct rhw_chunk *chunk, const struct rhw_triangle_list *list,
                               uint32_t most)
 {
@@ -86,12 +86,12 @@ static int triangles_that_fit(const struct rhw_chunk *chunk, const struct rhw_tr
     return list->count;
 }
 
-// Tile (x, y) has the bin y·width + x − origin, and one of layer l the bin (l − layer0)·layer_size behind it.
+// Tile (x, y) has the bin y·width + x − origin. The tile of layer l has the bin (l − layer0)·layer_size behind it.
 struct bin_grid {
     int width, origin, layer_size, layer0;
 };
 
-// Of triangle `t`. is_layered: the bins are those of several layers.
+// Return the bin of the first tile of triangle `t`. is_layered: the bins are those of several layers.
 RHW_INLINE ptrdiff_t first_bin(struct bin_grid grid, const struct rhw_triangle_list *list, int t,
                                bool is_layered)
 {
@@ -101,7 +101,7 @@ RHW_INLINE ptrdiff_t first_bin(struct bin_grid grid, const struct rhw_triangle_l
                       : in_layer;
 }
 
-// Adds the entries of triangle `t` to the counts from that of its first tile on.
+// Add the entries of triangle `t` to the counts. `counts` begins at the triangle's first tile.
 static __attribute__((noinline)) void count_tiles(uint32_t *counts, int width,
                                                   const struct rhw_triangle_list *list, int t)
 {
@@ -115,7 +115,7 @@ static __attribute__((noinline)) void count_tiles(uint32_t *counts, int width,
     }
 }
 
-// Writes the entries of triangle `t`, and moves their ends.
+// Write the entries of triangle `t`, and move their ends.
 static __attribute__((noinline)) void place_tiles(uint16_t *entries, uint32_t *ends, int width,
                                                   const struct rhw_triangle_list *list, int t)
 {
@@ -129,8 +129,8 @@ static __attribute__((noinline)) void place_tiles(uint16_t *entries, uint32_t *e
     }
 }
 
-// Adds the number of entries of each bin to counts[bin]. Most triangles lie in one tile; the others are counted out of line,
-// so that these keep their registers.
+// Add the number of entries of each bin to counts[bin]. Most triangles lie in one tile. The others are counted out of
+// line, so that the loop keeps its registers.
 RHW_INLINE void count_entries(uint32_t *counts, struct bin_grid grid, const struct rhw_triangle_list *list,
                               bool is_layered)
 {
@@ -144,7 +144,7 @@ RHW_INLINE void count_entries(uint32_t *counts, struct bin_grid grid, const stru
     }
 }
 
-// Writes the entries of each bin from ends[bin] on, and moves that behind them.
+// Write the entries of each bin from ends[bin] on, and move ends[bin] behind them.
 RHW_INLINE void place_entries(uint16_t *entries, uint32_t *ends, struct bin_grid grid,
                               const struct rhw_triangle_list *list, bool is_layered)
 {
@@ -158,9 +158,9 @@ RHW_INLINE void place_entries(uint16_t *entries, uint32_t *ends, struct bin_grid
     }
 }
 
-// Counting sort of triangles by tile: counts, sums, then entries. offsets[i + 1] runs from the start of bin i to its
-// end while entries are placed, which is where bin i + 1 starts; so counts stand one further still. False when out of
-// memory.
+// Sort triangles by tile, by counting: first counts, then sums, then entries. While entries are placed, offsets[i + 1]
+// runs from the start of bin i to its end, which is where bin i + 1 starts; so counts stand one further still. Return
+// false when out of memory.
 RHW_INLINE bool bin_by(struct rhw_chunk *chunk, const struct rhw_triangle_list *list, struct rhw_arena *arena,
                        bool is_layered)
 {

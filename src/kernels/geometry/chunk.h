@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The front end over one chunk: its draws are assembled and their vertices shaded, its triangles set up and binned, and
-// what tiles read of them is kept.
+// The front end over one chunk: its draws are assembled and their vertices shaded, its triangles are set up and binned,
+// and what tiles read of them is kept.
 #ifndef RHW_CHUNK_H
 #define RHW_CHUNK_H
 
 #include "draw/assembly.h"
-#include "pass/pass_state.h"
-#include "run/shared_vertices.h"
+#include "draw/wave.h"
+#include "draw/shared_vertices.h"
 #include "base/thread.h"
 #include "binning.h"
 #include "clipping_count.h"
@@ -19,7 +19,8 @@
 #include "vertex_reuse.h"
 #include "vertex_shading.h"
 
-// Lets a run read the vertices that its draw shares. False where the draw shares none, or where the run names others.
+// Let a run read the vertices that its draw shares. Return false where the draw shares none, or where the run names
+// others.
 static bool use_shared(struct rhw_run *run, struct rhw_segment *segment, const struct rhw_draw *draw,
                        uint32_t instance)
 {
@@ -38,13 +39,13 @@ static bool use_shared(struct rhw_run *run, struct rhw_segment *segment, const s
     return true;
 }
 
-// What a run has of a draw: `count` primitives of an instance, or all of several.
+// What a run has of a draw: `count` primitives of an instance, or all primitives of several instances.
 struct run_extent {
     uint32_t instance, instances;
-    uint32_t first_primitive, count; // of an instance
+    uint32_t first_primitive, count; // counted within an instance
 };
 
-// Assembles and shades. False when out of memory.
+// Assemble and shade a run. Return false when out of memory.
 static bool start_run(struct rhw_worker *worker, const struct rhw_draw *draw, const struct run_extent *extent)
 {
     struct rhw_geometry_scratch *const scratch = worker->geometry;
@@ -80,7 +81,7 @@ static bool start_run(struct rhw_worker *worker, const struct rhw_draw *draw, co
     return true;
 }
 
-// What comes next of a draw: `at` and `most` count triangles, of the draw and of the chunk.
+// Return what comes next of a draw. `at` and `most` count triangles, of the draw and of the chunk.
 static struct run_extent next_extent(const struct rhw_draw *draw, uint64_t at, uint64_t most)
 {
     const uint32_t each = draw->triangles_per_instance;
@@ -94,14 +95,13 @@ static struct run_extent next_extent(const struct rhw_draw *draw, uint64_t at, u
     return extent;
 }
 
-// Assembles and shades what the chunk has of each draw. False when out of memory.
-static bool start_runs(const struct rhw_pass_state *pass, const struct rhw_chunk *chunk,
-                       struct rhw_worker *worker)
+// Assemble and shade what the chunk has of each draw. Return false when out of memory.
+static bool start_runs(const struct rhw_wave *wave, const struct rhw_chunk *chunk, struct rhw_worker *worker)
 {
     uint64_t at = chunk->first;
     const uint64_t end = chunk->first + chunk->count;
     for (uint32_t d = chunk->first_draw; at < end; d++) {
-        const struct rhw_draw *const draw = rhw_pass_draw_at(pass, d);
+        const struct rhw_draw *const draw = rhw_draw_list_at(&wave->pass->draws, d);
         const uint64_t draw_end = rhw_draw_end(draw);
         while (at < end && at < draw_end) {
             const struct run_extent extent = next_extent(draw, at - draw->first_triangle, end - at);
@@ -114,11 +114,11 @@ static bool start_runs(const struct rhw_pass_state *pass, const struct rhw_chunk
     return true;
 }
 
-// Sets up 8 primitives.
+// A function that sets up 8 primitives.
 typedef void setup8_function(struct rhw_geometry_scratch *scratch, const struct run_slice *slice,
                              struct rhw_triangle_list *list);
 
-// Those from `i` to `end`, exclusive.
+// Set up the primitives from `i` to `end`, exclusive.
 RHW_INLINE void setup_part(struct rhw_geometry_scratch *scratch, uint32_t run_index, uint32_t i, uint32_t end,
                            struct rhw_triangle_list *list, setup8_function *setup)
 {
@@ -127,7 +127,7 @@ RHW_INLINE void setup_part(struct rhw_geometry_scratch *scratch, uint32_t run_in
         const struct run_slice slice = {run_index, run->indices + i, run->first_primitive + i, 0xff};
         setup(scratch, &slice, list);
     }
-    // The last ones are repeated, so that `setup` reads nothing else behind them.
+    // The last indices are repeated, so that `setup` reads no others behind them.
     uint32_t indices[9][3];
     const uint32_t left = end - i;
     for (uint32_t lane = 0; lane < 9; lane++) {
@@ -138,7 +138,7 @@ RHW_INLINE void setup_part(struct rhw_geometry_scratch *scratch, uint32_t run_in
     setup(scratch, &slice, list);
 }
 
-// Adds what is drawn of a part of the run's primitives to the list, in submission order.
+// Add what is drawn of a part of the run's primitives to the list, in submission order.
 static void setup_primitives(struct rhw_geometry_scratch *scratch, uint32_t run, uint32_t first, uint32_t end,
                              struct rhw_triangle_list *list)
 {
@@ -155,7 +155,7 @@ static void setup_primitives(struct rhw_geometry_scratch *scratch, uint32_t run,
     scratch->counters.rasterized += (uint64_t)(list->count - before);
 }
 
-// Does so where each primitive names its viewport and layer.
+// Add what is drawn of a run to the list where each primitive names its viewport and layer.
 static void setup_routed(struct rhw_geometry_scratch *scratch, uint32_t run_index,
                          struct rhw_triangle_list *list)
 {
@@ -180,28 +180,29 @@ static void setup_routed(struct rhw_geometry_scratch *scratch, uint32_t run_inde
     }
 }
 
-// Makes the vertices and triangles of a chunk. False when out of memory.
-static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_chunk *chunk,
+// Make the vertices and triangles of a chunk. Return false when out of memory.
+static bool make_triangles(const struct rhw_wave *wave, const struct rhw_chunk *chunk,
                            struct rhw_worker *worker, struct rhw_triangle_list *list)
 {
     struct rhw_geometry_scratch *const scratch = worker->geometry;
-    scratch->special_paths = rhw_pass_takes_special_paths(pass);
-    scratch->uncovered_pattern =
-        scratch->special_paths && pass->pattern->count <= MOST_CULLED_SAMPLES ? pass->pattern : NULL;
+    scratch->special_paths = rhw_pass_takes_special_paths(wave->pass);
+    scratch->uncovered_pattern = scratch->special_paths && wave->target.pattern->count <= MOST_CULLED_SAMPLES
+                                     ? wave->target.pattern
+                                     : NULL;
     scratch->run_count = scratch->polygon_count = 0;
     scratch->index_count = scratch->vertex_count = 0;
     scratch->arena = &worker->arena;
     scratch->made_run = UINT32_MAX;
     scratch->out_of_memory = false;
-    scratch->layers = pass->layers;
+    scratch->layers = wave->target.layers;
     scratch->counters = (struct rhw_front_counters){0};
     const uint64_t start = rhw_time_ns();
-    if (!start_runs(pass, chunk, worker)) {
+    if (!start_runs(wave, chunk, worker)) {
         return false;
     }
     const uint64_t shaded = rhw_time_ns();
     // There is room for all triangles; what culling leaves of it goes back.
-    const size_t room = (size_t)chunk->count * (size_t)pass->triangles_most * sizeof *list->triangles;
+    const size_t room = (size_t)chunk->count * (size_t)wave->pass->triangles_most * sizeof *list->triangles;
     *list = (struct rhw_triangle_list){.triangles = rhw_arena_alloc(&worker->arena, room, RHW_CACHE_LINE),
                                        .ranges = scratch->tile_ranges,
                                        .segments = scratch->segments,
@@ -217,7 +218,8 @@ static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_c
             setup_primitives(scratch, (uint32_t)i, 0, scratch->runs[i].count, list);
         }
     }
-    if (scratch->segment_count == scratch->run_count) { // else made vertices stand behind the triangles
+    // Otherwise made vertices stand behind the triangles.
+    if (scratch->segment_count == scratch->run_count) {
         rhw_arena_trim(&worker->arena, list->triangles + list->count);
     }
     worker->counters.vertex_ns += shaded - start;
@@ -225,7 +227,7 @@ static bool make_triangles(const struct rhw_pass_state *pass, const struct rhw_c
     return !scratch->out_of_memory;
 }
 
-// Tells where a triangle of the chunk stands in the line of all triangles.
+// Return where a triangle of the chunk stands in the line of all triangles.
 static uint64_t place_in_line(const struct rhw_geometry_scratch *scratch, const struct rhw_triangle *t)
 {
     const struct rhw_segment *const segment = &scratch->segments[t->segment];
@@ -233,7 +235,7 @@ static uint64_t place_in_line(const struct rhw_geometry_scratch *scratch, const 
     return draw->first_triangle + (uint64_t)segment->instance * draw->triangles_per_instance + t->primitive;
 }
 
-// Tells how the chunk may be drawn: as its draws may, where they agree.
+// Return how the chunk may be drawn: as its draws may, where they agree.
 static struct rhw_hidden_rule shared_hidden_rule(const struct rhw_geometry_scratch *scratch)
 {
     const struct rhw_hidden_rule first = scratch->segments[0].draw->state->hidden;
@@ -245,7 +247,7 @@ static struct rhw_hidden_rule shared_hidden_rule(const struct rhw_geometry_scrat
     return first;
 }
 
-// Copies what the chunk made out of the scratch, into memory that lasts until its tiles are drawn.
+// Copy what the chunk made out of the scratch, into memory that lasts until its tiles are drawn.
 static void *keep(struct rhw_arena *arena, const void *from, size_t size)
 {
     void *const to = rhw_arena_alloc(arena, size, RHW_CACHE_LINE);
@@ -255,26 +257,26 @@ static void *keep(struct rhw_arena *arena, const void *from, size_t size)
     return to;
 }
 
-// See rhw_kernels.
-static bool make_chunk(const struct rhw_pass_state *pass, struct rhw_chunk *chunk, struct rhw_worker *worker)
+// Make a chunk: the entry make_chunk of rhw_kernels.
+static bool make_chunk(const struct rhw_wave *wave, struct rhw_chunk *chunk, struct rhw_worker *worker)
 {
     struct rhw_arena *const arena = &worker->arena;
     struct rhw_geometry_scratch *const scratch = worker->geometry;
     struct rhw_triangle_list list;
-    if (!make_triangles(pass, chunk, worker, &list)) {
+    if (!make_triangles(wave, chunk, worker, &list)) {
         return false;
     }
-    // Large triangles on a large target: the chunk ends where its bins are full. Doing it again costs nothing beside
-    // drawing that many entries, and its counters stay those of the triangles it has.
-    bound_bins(chunk, &list, pass->layers);
-    const int fit = triangles_that_fit(chunk, &list, pass->entries_most);
+    // With large triangles on a large target, the chunk ends where its bins are full. Doing it again costs nothing
+    // beside drawing that many entries, and its counters stay those of the triangles it has.
+    bound_bins(chunk, &list, wave->target.layers);
+    const int fit = triangles_that_fit(chunk, &list, wave->entries_most);
     if (fit < list.count) {
         const uint64_t place = place_in_line(scratch, &list.triangles[fit]) - chunk->first;
-        chunk->count = place == 0 ? 1 : place; // one that becomes several triangles is drawn whole
-        if (!make_triangles(pass, chunk, worker, &list)) {
+        chunk->count = place == 0 ? 1 : place; // a primitive that becomes several triangles is drawn whole
+        if (!make_triangles(wave, chunk, worker, &list)) {
             return false;
         }
-        bound_bins(chunk, &list, pass->layers);
+        bound_bins(chunk, &list, wave->target.layers);
     }
     const uint64_t start = rhw_time_ns();
     chunk->counters = scratch->counters;
@@ -284,10 +286,10 @@ static bool make_chunk(const struct rhw_pass_state *pass, struct rhw_chunk *chun
         keep(arena, scratch->segments, (size_t)scratch->segment_count * sizeof *chunk->segments);
     chunk->polygons =
         keep(arena, scratch->polygons, (size_t)scratch->polygon_count * sizeof *chunk->polygons);
-    if (pass->has_feedback) {
+    if (wave->pass->has_feedback) {
         capture_runs(scratch);
     }
-    if (pass->queries && !count_runs(chunk, worker)) {
+    if (wave->pass->queries && !count_runs(chunk, worker)) {
         return false;
     }
     const bool binned = chunk->segments && chunk->polygons && bin(chunk, &list, arena);
@@ -298,15 +300,15 @@ static bool make_chunk(const struct rhw_pass_state *pass, struct rhw_chunk *chun
 _Static_assert(RHW_SHARED_PART % RHW_LANES == 0 && RHW_SHARED_PART <= 3 * RHW_CHUNK_TRIANGLES,
                "a part is whole groups, and fits the scratch");
 
-// Shades some of the vertices that chunks share.
-static void shade_shared_part(const struct rhw_pass_state *pass, const struct rhw_shared_part *part,
+// Shade some of the vertices that chunks share.
+static void shade_shared_part(const struct rhw_wave *wave, const struct rhw_shared_part *part,
                               struct rhw_worker *worker)
 {
     struct rhw_geometry_scratch *const scratch = worker->geometry;
     const uint64_t start = rhw_time_ns();
     struct rhw_segment segment = part->shared->segment;
     segment.vertices += (size_t)part->first * (size_t)segment.vertex_stride;
-    scratch->special_paths = rhw_pass_takes_special_paths(pass);
+    scratch->special_paths = rhw_pass_takes_special_paths(wave->pass);
     for (uint32_t i = 0; i < part->count; i++) {
         const uint32_t slot = part->first + i;
         scratch->unique[i] =

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Lines that a plane may cut, or that have an end that cannot be snapped: what is left of one is a line between two
-// vertices that are made here, with the values of the line there. They are rounded to float once more than those of
-// other lines; where a line is cut at the guard band they are exact in space and end far outside the view.
+// Lines that a plane may cut, or that have an end that cannot be snapped. What is left of a line is a line between two
+// vertices that are made here, with the values of the line there. The values are rounded to float once more than those
+// of other lines. Where a line is cut at the guard band they are exact in space, and the vertices lie far outside the
+// view.
 #ifndef RHW_CLIPPED_LINE_H
 #define RHW_CLIPPED_LINE_H
 
@@ -10,7 +11,7 @@
 #include "made_vertices.h"
 #include "projection.h"
 
-// Makes the varyings at `t` of the line, counted in clip space.
+// Make the varyings at `t` of the line, counted in clip space.
 static void line_varyings(struct rhw_vertex_record *out, const struct rhw_pipeline_data *pipeline,
                           const struct rhw_vertex_record *const v[2], double t)
 {
@@ -25,8 +26,8 @@ static void line_varyings(struct rhw_vertex_record *out, const struct rhw_pipeli
     }
 }
 
-// Puts what is left of line `lane`, whose vertices are of the run, in its place. False where nothing is, or memory ran
-// out, which the scratch remembers.
+// Put what is left of line `lane`, whose vertices are of the run, in its place. Return false where nothing is left, or
+// where memory ran out, which the scratch remembers.
 static __attribute__((noinline)) bool clip_line_lane(struct rhw_geometry_scratch *scratch, uint32_t run,
                                                      struct lines8 *l, int lane)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Setup of a triangle that a plane may cut, or that has a vertex that cannot be snapped. What clipping leaves of it
-// tells where it is drawn; its values stay those of its own three vertices.
+// Setup of a triangle that a plane may cut, or that has a vertex that cannot be snapped. What clipping leaves of the
+// triangle tells where it is drawn; its values stay those of its own three vertices.
 #ifndef RHW_CLIPPED_SETUP_H
 #define RHW_CLIPPED_SETUP_H
 
@@ -11,8 +11,8 @@
 #include "facing.h"
 #include "geometry_scratch.h"
 
-// Whether the triangle turns the negative way on the screen before it is snapped. The determinant of the vertices' (X,
-// Y, W) is above 0 where they turn counter-clockwise with y up.
+// Return true if the triangle turns the negative way on the screen before it is snapped. The determinant of the
+// vertices' (X, Y, W) is above 0 where they turn counter-clockwise with y up.
 static bool homogeneous_turns_negative(const struct rhw_draw_state *state,
                                        const struct rhw_vertex_record *const v[3])
 {
@@ -23,10 +23,10 @@ static bool homogeneous_turns_negative(const struct rhw_draw_state *state,
     return state->half_height < 0 ? turn < 0 : turn > 0;
 }
 
-// Whether the triangle turns the negative way on the screen. Vertices that the clipper makes are snapped on their own:
-// a triangle without area may leave a polygon with one, and a thin polygon may cross itself, so that its halves turn
-// opposite ways and their areas add up to nothing. So the triangle is asked first, then the polygon, then the triangle
-// before it was snapped.
+// Return true if the triangle turns the negative way on the screen. Vertices that the clipper makes are snapped on
+// their own: a triangle without area may leave a polygon with area, and a thin polygon may cross itself, so that its
+// halves turn opposite ways and their areas add up to nothing. So the triangle is asked first, then the polygon, then
+// the triangle before it was snapped.
 static bool turns_negative(const struct rhw_draw_state *state, const struct rhw_vertex_record *const v[3],
                            bool snapped, const struct rhw_polygon *polygon)
 {
@@ -39,7 +39,7 @@ static bool turns_negative(const struct rhw_draw_state *state, const struct rhw_
     return area != 0 ? area < 0 : homogeneous_turns_negative(state, v);
 }
 
-// Sets the pixels that the polygon may cover, within the state's scissor. False where there is none.
+// Set the pixels that the polygon may cover, within the state's scissor. Return false where there is none.
 static bool bound_polygon(struct rhw_triangle *triangle, const struct rhw_polygon *polygon,
                           const struct rhw_draw_state *state)
 {
@@ -63,7 +63,8 @@ static bool bound_polygon(struct rhw_triangle *triangle, const struct rhw_polygo
     return x0 < x1 && y0 < y1;
 }
 
-// Clips the triangle, whose vertices are set, and sets the rest. False where nothing is left to draw, which is counted.
+// Clip the triangle, whose vertices are set, and set the rest. Return false where nothing is left to draw, and count
+// the triangle.
 static bool setup_clipped(struct rhw_geometry_scratch *scratch, const struct rhw_segment *segment,
                           struct rhw_triangle *triangle)
 {

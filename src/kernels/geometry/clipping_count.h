@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What pipeline statistics say of clipping: the primitives of a run that are not outside one side of the view volume as a
-// whole. They are looked at once more for that, so that runs of which nothing is asked stay as they are.
+// What pipeline statistics say of clipping: the primitives of a run that are not outside one side of the view volume as
+// a whole. A second look at the primitives counts them, so that runs of which nothing is asked stay as they are.
 #ifndef RHW_CLIPPING_COUNT_H
 #define RHW_CLIPPING_COUNT_H
 
-#include "pass/pass_state.h"
-#include "pass/query.h"
+#include "draw/wave.h"
+#include "draw/used_query.h"
 #include "geometry_scratch.h"
 #include "triangle8.h"
 
-// Primitives of a run that are left by clipping. All three vertices of a point are its own; a line has one of them twice.
+// Return the primitives of a run that clipping leaves. All three vertices of a point are its own; a line has one of
+// them twice.
 static uint64_t count_clipping(const struct rhw_run *run)
 {
     uint64_t count = 0;
@@ -29,7 +30,7 @@ static uint64_t count_clipping(const struct rhw_run *run)
     return count;
 }
 
-// Counts the chunk's runs that queries ask about. False when out of memory.
+// Count the chunk's runs that queries ask about. Return false when out of memory.
 static __attribute__((noinline)) bool count_runs(struct rhw_chunk *chunk, struct rhw_worker *worker)
 {
     const struct rhw_geometry_scratch *const scratch = worker->geometry;

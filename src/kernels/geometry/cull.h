@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which triangles are drawn: of 8 at a time those that are outside the view, have no area, face the wrong way or have
-// no sample in their rectangle are culled, and those that a plane may cut are told apart.
+// Culling decides which of 8 triangles are drawn. Triangles that are outside the view, have no area, face the wrong way
+// or have no sample in their rectangle are culled, and triangles that a plane may cut are told apart.
 #ifndef RHW_CULL_H
 #define RHW_CULL_H
 
@@ -10,15 +10,16 @@
 
 // Each mask has a bit for each of 8 triangles.
 struct cull8 {
-    unsigned drawn;            // as they are, unclipped
-    unsigned clipped;          // a plane may cut them, or a vertex cannot be snapped: clipped_setup.h decides
-    unsigned culled;           // of the unclipped ones
+    unsigned drawn; // drawn as they are, unclipped
+    // A plane may cut them, or a vertex cannot be snapped: clipped_setup.h decides.
+    unsigned clipped;
+    unsigned culled;           // culled among the unclipped ones
     unsigned back, negative;   // they face away; they turn the negative way
-    struct pixel_rect8 pixels; // unset where none is drawn or clipped
+    struct pixel_rect8 pixels; // unset where no triangle is drawn or clipped
 };
 
-// Signs of twice the areas: bits of the negative and of the nonzero ones. Differences are below 2^24 and products below
-// 2^48: exact in double.
+// Set the signs of twice the areas: bits of the negative and of the nonzero ones. Differences are below 2^24 and
+// products below 2^48, which is exact in double.
 RHW_INLINE void area_signs8(const struct triangle8 *t, unsigned *negative, unsigned *nonzero)
 {
     const i32x8 ax = t->x[1] - t->x[0], ay = t->y[1] - t->y[0];
@@ -30,7 +31,8 @@ RHW_INLINE void area_signs8(const struct triangle8 *t, unsigned *negative, unsig
     *nonzero = ~i32x8_sign_bits(rhw_equal(area, f32x8_splat(0)));
 }
 
-// `live`: bits of the lanes that are triangles. `pattern`: NULL where cull_uncovered.h has nothing to do.
+// Cull 8 triangles. `live` has the bits of the lanes that are triangles. `pattern` is NULL where cull_uncovered.h has
+// nothing to do.
 RHW_INLINE struct cull8 cull8(const struct triangle8 *t, const struct rhw_draw_state *state, unsigned live,
                               const struct rhw_sample_pattern *pattern)
 {

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: MIT
-// A special path: triangles of the size of pixels that cover no sample are culled by their edges, 8 at a time, instead
-// of being drawn to no effect. The general path draws them, and so do passes with more than 4 samples a pixel.
+// A special path culls triangles of the size of pixels that cover no sample by their edges, 8 at a time, instead of
+// drawing them to no effect. The general path draws them, and passes with more than 4 samples a pixel draw them too.
 //
-// One of nine triangles is such in a grid of a million. Fewer instructions of a frame: the scanned dragon of 871,000
-// triangles 20 % at 640×480, 9 % at 1024×1024, 6 % at 1920×1080; the horse of 97,000 5 % and Lucy 4 % at 640×480. It
-// costs the bunny of 69,000 0.4 % there, and horse, Lucy and bunny 0.2 % at 1024×1024. With 4 samples a pixel 13 % of
-// the triangles of sphere_1m at 960×540 are such. A function of its own for several samples costs passes of one 3 %.
+// One of nine triangles covers no sample in a grid of a million. A frame takes fewer instructions: the scanned dragon
+// of 871,000 triangles 20 % at 640×480, 9 % at 1024×1024, 6 % at 1920×1080; the horse of 97,000 5 % and Lucy 4 % at
+// 640×480. It costs the bunny of 69,000 0.4 % at 640×480, and horse, Lucy and bunny 0.2 % at 1024×1024. With 4 samples
+// a pixel 13 % of the triangles of sphere_1m at 960×540 cover no sample. A function of its own for several samples
+// costs passes of one sample 3 %.
 #ifndef RHW_CULL_UNCOVERED_H
 #define RHW_CULL_UNCOVERED_H
 
-#include "pipeline/sample_pattern.h"
+#include "resource/sample_pattern.h"
 #include "kernels/raster/coverage.h"
 #include "triangle8.h"
 
-enum { MOST_CULLED_SAMPLES = 4 }; // of a pixel, in passes that take this path
+enum { MOST_CULLED_SAMPLES = 4 }; // samples of a pixel, in passes that take this path
 
-// Of 8 triangles the edges at the first pixels of their rectangles, and what they change by to the next pixels.
+// The edges of 8 triangles at the first pixels of their rectangles, and what the edges change by to the next pixels.
 struct corner_edges8 {
     u32x8 e[3], right[3], down[3];
 };
 
-// Which are negative where all of `most` × `most` pixels from there on are outside, at samples of a kind.
+// Return lanes that are negative where all of `most` × `most` pixels from the first on are outside, at samples of a
+// kind.
 RHW_INLINE i32x8 outside8(const struct corner_edges8 *at, int most)
 {
     u32x8 row[3] = {at->e[0], at->e[1], at->e[2]};
@@ -40,9 +42,9 @@ RHW_INLINE i32x8 outside8(const struct corner_edges8 *at, int most)
     return outside;
 }
 
-// Bits of those triangles that cover none of the few samples in their rectangle. Rectangles of more than 3×3 pixels, or of
-// more than 2×2 where pixels have several samples, are not looked at. `negative`: bits of those that turn the negative
-// way. Unsigned, see edge_lanes.
+// Return the bits of the triangles that cover none of the few samples in their rectangle. Rectangles of more than 3×3
+// pixels, or of more than 2×2 where pixels have several samples, are not looked at. `negative` has the bits of the
+// triangles that turn the negative way. The numbers are unsigned; edge_lanes says why.
 RHW_INLINE unsigned uncovered8(const struct triangle8 *t, const struct pixel_rect8 *pixels, unsigned negative,
                                const struct rhw_sample_pattern *pattern)
 {

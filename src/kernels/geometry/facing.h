@@ -5,14 +5,14 @@
 
 #include "pipeline/pipeline.h"
 
-// Gives the bits of the triangles that face away, from those that turn the negative way. On the screen y points down,
-// so a triangle that is counter-clockwise with y up has a negative area.
+// Return the bits of the triangles that face away, from the bits of those that turn the negative way. On the screen y
+// points down, so a triangle that is counter-clockwise with y up has a negative area.
 static inline unsigned facing_back(const struct rhw_pipeline_def *def, unsigned negative)
 {
     return def->front == RHW_COUNTER_CLOCKWISE ? ~negative : negative;
 }
 
-// Gives the bits of those that the pipeline culls for where they face.
+// Return the bits of the triangles that the pipeline culls for where they face.
 static inline unsigned culled_facing(const struct rhw_pipeline_def *def, unsigned back)
 {
     switch (def->cull) {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Transform feedback of a run: the vertices of its primitives, copied from their records to the places that the draw has.
+// Transform feedback of a run: the vertices of its primitives are copied from their records to the places that the draw
+// has.
 #ifndef RHW_GEOMETRY_FEEDBACK_H
 #define RHW_GEOMETRY_FEEDBACK_H
 
 #include "pipeline/pipeline.h"
-#include "pass/transform_feedback.h"
+#include "draw/draw_list.h"
 #include "geometry_scratch.h"
 
-// Copies what a pipeline captures of a vertex; `number`: of the vertex among those of the draw.
+// Copy what a pipeline captures of a vertex. `number` is that of the vertex among those of the draw.
 RHW_INLINE void capture_vertex(const struct rhw_pipeline_data *pipeline,
                                const struct rhw_draw_feedback *feedback, const float *record, uint64_t number)
 {
@@ -35,7 +36,7 @@ static void capture_run(const struct rhw_segment *segment, const struct rhw_run 
     }
 }
 
-// Captures the chunk's runs of which the pass asks for it.
+// Capture the chunk's runs of which the pass asks for it.
 static __attribute__((noinline)) void capture_runs(const struct rhw_geometry_scratch *scratch)
 {
     for (int i = 0; i < scratch->run_count; i++) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Bresenham lines (Vulkan 1.3 §28.10.1): of each column that an x-major line passes one pixel, of each row that a y-major
-// one passes. A pixel is drawn where the line leaves the diamond |x − x_c| + |y − y_c| < 1/2 around its centre, both ends
-// being moved by (−ε, −ε²), so that no end lies on a diamond's border and no line on the border of two pixels.
+// Bresenham lines (Vulkan 1.3 §28.10.1) have one pixel of each column that an x-major line passes, and of each row that
+// a y-major line passes. A pixel is drawn where the line leaves the diamond |x − x_c| + |y − y_c| < 1/2 around its
+// centre. Both ends are moved by (−ε, −ε²), so that no end lies on a diamond's border and no line on the border of two
+// pixels.
 //
-// What is found here is which columns: those whose centre the line passes; besides that of the beginning, where it begins
-// within the diamond and beyond its centre; but that in whose diamond it ends. Which pixel of a column is found in the tile
-// (tile/triangle_line.h). Wide lines repeat each pixel across.
+// The columns are found here. They are the columns whose centre the line passes, with two exceptions. The column of the
+// beginning is added where the line begins within the diamond and beyond its centre. The column in whose diamond the
+// line ends is left out. The pixel of a column is found in the tile (raster/line_pixels.h). Wide lines repeat each
+// pixel across.
 #ifndef RHW_LINE_BRESENHAM_H
 #define RHW_LINE_BRESENHAM_H
 
@@ -14,7 +16,7 @@
 #include "lines8.h"
 #include "triangle_words.h"
 
-// Those across that the line may have a pixel in.
+// Return the pixels across in which the line may have a pixel.
 static struct pixel_range minor_pixels(const struct line_ends *line, int width)
 {
     const bool rises = line->minor[1] > line->minor[0];
@@ -28,7 +30,7 @@ static struct line_ends ends_of(const struct lines8 *l, int lane, int width)
     return line_ends_of(x, y, width);
 }
 
-// Gives 8 lines the phase of column 0, or row 0, from that of their first one.
+// Give 8 lines the phase of column 0, or of row 0, from the phase of their first one.
 static __attribute__((noinline)) void set_column_phases(struct triangle_words *words, const struct lines8 *l,
                                                         unsigned drawn, int width)
 {
@@ -42,7 +44,7 @@ static __attribute__((noinline)) void set_column_phases(struct triangle_words *w
     set_phases(words, phase);
 }
 
-// Sets the pixels of a line, within the scissor.
+// Set the pixels of a line, within the scissor.
 static void set_pixels(struct pixel_rect8 *pixels, int lane, const struct line_ends *line, int width,
                        const struct rhw_rect *scissor)
 {
@@ -55,12 +57,13 @@ static void set_pixels(struct pixel_rect8 *pixels, int lane, const struct line_e
     pixels->y1[lane] = y.end < bottom ? y.end : bottom;
 }
 
-// Adds those of 8 lines that are `live` and have a pixel; returns their bits. Values come from a triangle with the ends and
-// what lies straight beside the first: they are those of the point of the line that is nearest.
+// Add the lines of 8 that are `live` and have a pixel. Return their bits. Values come from a triangle with the ends and
+// a point straight beside the first end: they are the values of the point of the line that is nearest.
 static unsigned add_bresenham8(const struct rhw_draw_state *state, const struct lines8 *l, unsigned live,
                                struct rhw_triangle_list *list)
 {
-    enum { BESIDE = 16 * RHW_SUBPIXEL }; // so far that rounding turns it by less than 2^−13
+    // The distance of the third point. It is so far that rounding turns the triangle by less than 2^−13.
+    enum { BESIDE = 16 * RHW_SUBPIXEL };
     const struct line_sides8 n = line_sides8(l, BESIDE);
     const i32x8 *const x = l->x, *const y = l->y;
     const struct triangle8 t = {.x = {x[0], x[0] - n.x, x[1]}, .y = {y[0], y[0] - n.y, y[1]}};

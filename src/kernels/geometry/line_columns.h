@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The columns of a Bresenham line, or its rows where it is steep, in whole numbers (geometry/line_bresenham.h has the rule).
+// The columns of a Bresenham line, or its rows where it is steep, in whole numbers. geometry/line_bresenham.h has the
+// rule.
 #ifndef RHW_LINE_COLUMNS_H
 #define RHW_LINE_COLUMNS_H
 
@@ -14,7 +15,7 @@ struct line_ends {
     bool is_y_major;
 };
 
-// From its ends on the screen; of a wide line the first pixels across are meant.
+// Return the ends of a line from its ends on the screen. Of a wide line they are those of the first pixels across.
 static inline struct line_ends line_ends_of(const int32_t x[2], const int32_t y[2], int width)
 {
     const int32_t half = (width - 1) * (RHW_SUBPIXEL / 2);
@@ -24,20 +25,22 @@ static inline struct line_ends line_ends_of(const int32_t x[2], const int32_t y[
     return (struct line_ends){{major[0], major[1]}, {minor[0] - half, minor[1] - half}, is_y_major};
 }
 
-// The pixel in which a coordinate lies that is moved by less than nothing: on the border of two, the lower.
+// Return the pixel in which a coordinate lies that is moved down by an infinitely small step: on the border of two
+// pixels, the lower one.
 static inline int32_t pixel_below(int32_t at)
 {
     return ((at + RHW_SUBPIXEL - 1) >> RHW_SUBPIXEL_BITS) - 1;
 }
 
-// The first pixel whose centre is not before a coordinate.
+// Return the first pixel whose centre is not before a coordinate.
 static inline int32_t center_from(int32_t at)
 {
     return (at + RHW_SUBPIXEL / 2 - 1) >> RHW_SUBPIXEL_BITS;
 }
 
-// Whether an end, moved by (−ε, −ε²), lies in the diamond of its pixel. On the border −ε decides: it leads inwards from the
-// right half; where x is the centre's, there is no border but at the top, and outwards it leads.
+// Return true if an end, moved by (−ε, −ε²), lies in the diamond of its pixel. On the border −ε decides: it leads
+// inwards from the right half. Where x is the centre's, the border has the top corner alone, and there the move leads
+// outwards.
 static inline bool is_in_diamond(const struct line_ends *line, int end)
 {
     const int32_t center = RHW_SUBPIXEL / 2;
@@ -51,7 +54,7 @@ struct pixel_range {
     int32_t first, end;
 };
 
-// The columns, or rows, of which a line has a pixel.
+// Return the columns, or rows, of which a line has a pixel.
 static inline struct pixel_range major_pixels(const struct line_ends *line)
 {
     const int forth = line->major[1] > line->major[0];

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Lines, 8 at a time, as the rectangles around them (Vulkan 1.3 §28.9, rectangular lines). From the snapped ends a and
-// b, across by half the width, leads n, snapped too: the corners a ± n, b ± n are those of a parallelogram, exactly,
-// which two triangles make up:
+// Rectangular lines (Vulkan 1.3 §28.9), 8 at a time, are drawn as the rectangles around them. From the snapped ends a
+// and b, the vector n leads across by half the width, and is snapped too. The corners a ± n, b ± n are those of a
+// parallelogram, exactly, which two triangles make up:
 //
 //     a + n ──────────────── b + n        (a + n, a − n, b + n) with vertices a, a, b
 //       │        ╲             │          (a − n, b − n, b + n) with vertices a, b, b
 //     a − n ──────────────── b − n
 //
-// So coverage is that of triangles, and what varies along the line is linear from a to b and the same across it. The
-// first vertex of both is a, the last one b, for flat values.
+// So coverage is that of triangles. What varies along the line is linear from a to b and constant across it. The first
+// vertex of both triangles is a, and the last one is b, for flat values.
 #ifndef RHW_LINE_RECTANGLE_H
 #define RHW_LINE_RECTANGLE_H
 
@@ -16,7 +16,7 @@
 #include "line_bresenham.h"
 #include "line_smooth.h"
 
-// 8 of the triangles that lines are made of, those that cover something.
+// 8 of the triangles that lines are made of, without those that cover nothing.
 struct line_half8 {
     struct triangle_words words;
     struct rhw_tile_range ranges[8];
@@ -47,7 +47,7 @@ static void set_half8(struct line_half8 *half, const struct rhw_draw_state *stat
     }
 }
 
-// Adds those of 8 lines that are `live` and cover something; returns their bits.
+// Add the lines of 8 that are `live` and cover something. Return their bits.
 static unsigned add_rectangles8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
                                 const struct lines8 *l, unsigned live, struct rhw_triangle_list *list)
 {
@@ -72,7 +72,7 @@ static unsigned add_rectangles8(struct rhw_geometry_scratch *scratch, const stru
     return drawn;
 }
 
-// Adds lines of any mode.
+// Add lines of any mode.
 static unsigned add_lines8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
                            const struct lines8 *l, unsigned live, struct rhw_triangle_list *list)
 {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// From vertex indices to lines, 8 of a run at a time: those that cannot be seen are left out, those that a plane cuts
-// become what is left of them.
+// The way from vertex indices to lines, 8 of a run at a time. Lines that cannot be seen are left out, and lines that a
+// plane cuts become what is left of them.
 #ifndef RHW_LINE_SETUP_H
 #define RHW_LINE_SETUP_H
 
-#include "run/strip_stipple.h"
+#include "draw/draw_list.h"
 #include "clipped_line.h"
 #include "line_rectangle.h"
 
-// Bits of those of 8 lines that may be seen, counting the others. Those that a plane cuts become what is left of them.
+// Return the bits of the lines of 8 that may be seen, and count the others. Lines that a plane cuts become what is left
+// of them.
 static unsigned seen_lines8(struct rhw_geometry_scratch *scratch, uint32_t run, struct lines8 *l,
                             i32x8 flags_any, i32x8 flags_all, unsigned live)
 {
@@ -29,7 +30,7 @@ static unsigned seen_lines8(struct rhw_geometry_scratch *scratch, uint32_t run, 
     return seen;
 }
 
-// Where in their pattern the lines begin.
+// Return where in their pattern the lines begin.
 static __attribute__((noinline)) i32x8 phases_of_slice(const struct rhw_segment *segment,
                                                        const struct run_slice *slice)
 {
@@ -43,7 +44,7 @@ static __attribute__((noinline)) i32x8 phases_of_slice(const struct rhw_segment 
     return phase;
 }
 
-// Sets up 8 lines of a run.
+// Set up 8 lines of a run.
 static __attribute__((noinline)) void setup_lines8(struct rhw_geometry_scratch *scratch,
                                                    const struct run_slice *slice,
                                                    struct rhw_triangle_list *list)

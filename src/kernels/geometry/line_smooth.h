@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Smooth lines (Vulkan 1.3 §28.10, smooth lines): a line is one triangle, the first of those of its rectangle
-// (line_rectangle.h), which gives the values and three of the corners. How much of each pixel the rectangle covers is found
-// in the tile (raster/smooth_coverage.h).
+// Smooth lines (Vulkan 1.3 §28.10, smooth lines). A line is one triangle, the first one of its rectangle
+// (line_rectangle.h), which gives the values and three of the corners. How much of each pixel the rectangle covers is
+// found in the tile (raster/smooth_coverage.h).
 #ifndef RHW_LINE_SMOOTH_H
 #define RHW_LINE_SMOOTH_H
 
@@ -9,7 +9,7 @@
 #include "lines8.h"
 #include "triangle_words.h"
 
-// The pixels from one end to the other, `beside` to each side, that are within the scissor.
+// Set the pixels from one end to the other, `beside` to each side, that are within the scissor.
 static void set_touched8(const i32x8 ends[2], i32x8 side, int scissor, int size, i32x8 *first, i32x8 *past)
 {
     const i32x8 beside = i32x8_max(side, -side);
@@ -19,7 +19,7 @@ static void set_touched8(const i32x8 ends[2], i32x8 side, int scissor, int size,
         i32x8_min((most + i32x8_splat(RHW_SUBPIXEL - 1)) >> RHW_SUBPIXEL_BITS, i32x8_splat(scissor + size));
 }
 
-// Adds those of 8 lines that are `live` and touch a pixel; returns their bits.
+// Add the lines of 8 that are `live` and touch a pixel. Return their bits.
 static __attribute__((noinline)) unsigned add_smooth8(const struct rhw_draw_state *state,
                                                       const struct lines8 *l, unsigned live,
                                                       struct rhw_triangle_list *list)
@@ -41,7 +41,7 @@ static __attribute__((noinline)) unsigned add_smooth8(const struct rhw_draw_stat
     if (drawn == 0) {
         return 0;
     }
-    // Centres of pixels may lie beyond its ends, where depth may leave the viewport's range.
+    // Centres of pixels may lie beyond the line's ends, where depth may leave the viewport's range.
     const i32x8 flags = l->flags | i32x8_splat(RHW_TRIANGLE_SMOOTH | RHW_TRIANGLE_CLAMP);
     struct triangle_words words;
     struct rhw_tile_range ranges[8];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// 8 lines side by side, and what lies straight beside their ends.
+// 8 lines side by side, and the points straight beside their ends.
 #ifndef RHW_LINES8_H
 #define RHW_LINES8_H
 
@@ -8,14 +8,15 @@
 
 struct lines8 {
     i32x8 x[2], y[2]; // 24.8
-    i32x8 flags;      // of their triangles
+    i32x8 flags;      // flags of the lines' triangles
     i32x8 vertex[2], primitive, segment;
-    i32x8 phase; // of lines with a stipple: its place where they begin (raster/stipple_mask.h)
+    // The place in the stipple's pattern where lines with a stipple begin (raster/stipple_mask.h).
+    i32x8 phase;
 };
 
-// The corners beside the ends, 24.8; half_width_24_8 away from them.
+// The corners beside the ends, 24.8. They are half_width_24_8 away from the ends.
 struct line_sides8 {
-    i32x8 x, y;       // of n
+    i32x8 x, y;       // vector n across the lines
     unsigned nonzero; // bits of lines that are not points
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertices that no vertex function made: the ends of clipped lines, and the corners of polygons drawn as lines or points
-// with the flat values of the polygon. They stand in segments of their own.
+// Vertices that no vertex function made: the ends of clipped lines, and the corners of polygons drawn as lines or
+// points with the flat values of the polygon. They stand in segments of their own.
 #ifndef RHW_MADE_VERTICES_H
 #define RHW_MADE_VERTICES_H
 
@@ -8,8 +8,8 @@
 #include "kernels/raster/vertex_record.h"
 #include "geometry_scratch.h"
 
-// Room for `count` more vertices in one segment of the run's draw and instance: gives the slot of the first, and the
-// segment's number. NULL when out of memory, which the scratch remembers.
+// Make room for `count` more vertices in one segment of the run's draw and instance. Give the slot of the first vertex,
+// and the segment's number. Return NULL when out of memory, which the scratch remembers.
 static struct rhw_vertex_record *make_vertices(struct rhw_geometry_scratch *scratch, uint32_t run,
                                                uint32_t count, uint32_t *segment, uint32_t *slot)
 {

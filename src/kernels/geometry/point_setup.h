@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Points, 8 at a time. A point is a square of its size around its snapped position, which covers the pixel centres in
-// it, those on its left and top edges included (Vulkan 1.3 §28.8; the top-left rule). So it covers a rectangle of
-// pixels; one of size 1 exactly one. Tiles draw a triangle that contains the square, with its right angle in the
-// square's top left corner and legs of twice its side, cut down to that rectangle: its third edge touches the square in
-// the corner that is not covered anyway. All three vertices are the one of the point, so that nothing varies.
+// Points, 8 at a time. A point is a square of its size around its snapped position. It covers the pixel centres in the
+// square, including those on its left and top edges (Vulkan 1.3 §28.8; the top-left rule). So it covers a rectangle of
+// pixels; a point of size 1 covers exactly one pixel. Tiles draw a triangle that contains the square, with its right
+// angle in the square's top left corner and legs of twice the square's side, cut down to the rectangle: the triangle's
+// third edge touches the square in the corner that is not covered anyway. All three vertices are the point's one
+// vertex, so that nothing varies.
 //
-// One whose centre is outside the view, or cut off by a clip distance, is not drawn; of others, only the scissor cuts
-// off parts.
+// A point whose centre is outside the view, or cut off by a clip distance, is not drawn. Of other points, only the
+// scissor cuts off parts.
 #ifndef RHW_POINT_SETUP_H
 #define RHW_POINT_SETUP_H
 
@@ -14,14 +15,14 @@
 #include "kernels/raster/vertex_record.h"
 #include "triangle_words.h"
 
-// 8 points.
+// 8 points side by side.
 struct points8 {
     i32x8 x, y;  // 24.8
-    i32x8 flags; // of their triangles
+    i32x8 flags; // flags of the points' triangles
     i32x8 vertex, primitive, segment;
 };
 
-// Gives sizes in 1/256 pixel.
+// Return sizes in 1/256 pixel.
 static i32x8 point_sizes8(const struct rhw_geometry_scratch *scratch,
                           const struct rhw_pipeline_data *pipeline, const struct points8 *p, unsigned live)
 {
@@ -35,11 +36,11 @@ static i32x8 point_sizes8(const struct rhw_geometry_scratch *scratch,
         size[lane] = record_at(segment, (uint32_t)p->vertex[lane])->varyings[pipeline->point_size_component];
     }
     size = f32x8_min(f32x8_max(size, f32x8_splat(1)),
-                     f32x8_splat(RHW_MAX_POINT_SIZE)); // 1 where it is no number
+                     f32x8_splat(RHW_MAX_POINT_SIZE)); // 1 where the size is no number
     return i32x8_round_f64x8(f64x8_mul(f64x8_from_f32x8(size), f64x8_splat(RHW_SUBPIXEL)));
 }
 
-// Adds those of 8 points that are `live` and not outside the scissor; returns their bits.
+// Add the points of 8 that are `live` and not outside the scissor. Return their bits.
 static unsigned add_points8(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
                             const struct points8 *p, unsigned live, struct rhw_triangle_list *list)
 {
@@ -73,7 +74,7 @@ static unsigned add_points8(struct rhw_geometry_scratch *scratch, const struct r
     return drawn;
 }
 
-// Bits of those that may be seen, counting the others. `flags`: of the vertices.
+// Return the bits of the points that may be seen, and count the others. `flags` are those of the vertices.
 static unsigned seen_points8(struct rhw_geometry_scratch *scratch, i32x8 flags, unsigned live)
 {
     const unsigned lost = live & flagged8(flags, RHW_VERTEX_NOT_FINITE);
@@ -83,7 +84,7 @@ static unsigned seen_points8(struct rhw_geometry_scratch *scratch, i32x8 flags, 
     return live & ~lost & ~outside;
 }
 
-// Sets up 8 points of a run.
+// Set up 8 points of a run.
 static __attribute__((noinline)) void setup_points8(struct rhw_geometry_scratch *scratch,
                                                     const struct run_slice *slice,
                                                     struct rhw_triangle_list *list)

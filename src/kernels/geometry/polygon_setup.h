@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Triangles drawn as their edges or their corners (polygon modes): which are, and which way they face, is decided for
-// the triangle, then each edge goes the way of lines and each corner that of points (Vulkan 1.3 §28.10.2). Edges are
-// those of the triangle before clipping: a plane cuts them, and adds none of its own.
+// Triangles drawn as their edges or their corners (polygon modes). Whether a triangle is drawn, and which way it faces,
+// is decided for the triangle; then each edge is set up as a line and each corner as a point (Vulkan 1.3 §28.10.2).
+// Edges are those of the triangle before clipping: a plane cuts them, and adds no edge of its own.
 //
-// Edges go around the triangle, so that each corner, which Bresenham's lines leave out at their ends, begins one.
+// Edges go around the triangle, so that each corner begins an edge: Bresenham's lines leave out the pixel at their end.
 //
-// Flat values are those of the triangle's provoking vertex. A line takes them from its first or last vertex, so edges
-// that have another there, and corners beside it, are drawn between copies that have its flat values.
+// Flat values are those of the triangle's provoking vertex. A line takes them from its first or last vertex. So edges
+// that have another vertex there, and corners beside it, are drawn between copies that have its flat values.
 #ifndef RHW_POLYGON_SETUP_H
 #define RHW_POLYGON_SETUP_H
 
@@ -16,7 +16,7 @@
 #include "line_rectangle.h"
 #include "point_setup.h"
 
-// Lines and points on their way, in order; 8 are set up together. Points have one end alone.
+// Lines and points on their way, in order. 8 of them are set up together. A point has one end alone.
 struct part_batch {
     struct lines8 lines;
     f32x8 depth[2];
@@ -26,8 +26,8 @@ struct part_batch {
 // A triangle of a run.
 struct polygon {
     uint32_t run, primitive;
-    int32_t flags;    // of the triangles of its parts
-    uint32_t slot[3]; // in the run's segment
+    int32_t flags;    // flags of the triangles of its parts
+    uint32_t slot[3]; // slots in the run's segment
     const struct rhw_vertex_record *v[3];
 };
 
@@ -56,8 +56,8 @@ static void flush_parts(struct rhw_geometry_scratch *scratch, const struct rhw_d
     add_points8(scratch, state, &points, live, list);
 }
 
-// Puts copies of `count` corners, 1 or 2, with the flat values of the provoking one, in lane `lane`. False when out of
-// memory.
+// Put copies of `count` corners, 1 or 2, with the flat values of the provoking one, in lane `lane`. Return false when
+// out of memory.
 static bool copy_corners(struct rhw_geometry_scratch *scratch, const struct polygon *p, const int corner[2],
                          uint32_t count, struct lines8 *l, int lane)
 {
@@ -84,7 +84,8 @@ static bool copy_corners(struct rhw_geometry_scratch *scratch, const struct poly
     return true;
 }
 
-// Adds the part between two corners, which are the same for a point. `copies`: with the flat values of a third.
+// Add the part between two corners. For a point both are one corner. Where `copies` is true it is drawn between copies,
+// with the flat values of a third corner.
 static void add_part(struct rhw_geometry_scratch *scratch, const struct polygon *p, const int corner[2],
                      bool copies, struct part_batch *batch)
 {
@@ -113,7 +114,7 @@ static void add_part(struct rhw_geometry_scratch *scratch, const struct polygon 
     batch->count++;
 }
 
-// Adds the edges or the corners of a triangle.
+// Add the edges or the corners of a triangle.
 static void add_parts(struct rhw_geometry_scratch *scratch, const struct rhw_draw_state *state,
                       const struct polygon *p, struct part_batch *batch, struct rhw_triangle_list *list)
 {
@@ -135,7 +136,7 @@ static void add_parts(struct rhw_geometry_scratch *scratch, const struct rhw_dra
     }
 }
 
-// Sets up 8 triangles of a run.
+// Set up 8 triangles of a run.
 static __attribute__((noinline)) void setup_polygons8(struct rhw_geometry_scratch *scratch,
                                                       const struct run_slice *slice,
                                                       struct rhw_triangle_list *list)

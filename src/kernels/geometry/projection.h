@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// From clip coordinates to the screen: the one projection, snapped, and what it says about a vertex.
+// The one projection from clip coordinates to the screen: positions are snapped, and flags say what is known of a
+// vertex.
 #ifndef RHW_PROJECTION_H
 #define RHW_PROJECTION_H
 
 #include "draw/draw_list.h"
 #include "pipeline/pipeline.h"
-#include "kernels/raster/snap.h"
+#include "draw/snap.h"
 
-// Gives the flags of 8 vertices; `snapped` tells which can be snapped.
+// Return the flags of 8 vertices. `snapped` tells which can be snapped.
 RHW_INLINE i32x8 vertex_flags(const f32x8 position[4], f32x8 near, i32x8 snapped)
 {
     const f32x8 x = position[0], y = position[1], z = position[2], w = position[3], zero = f32x8_splat(0);
@@ -24,7 +25,7 @@ RHW_INLINE i32x8 vertex_flags(const f32x8 position[4], f32x8 near, i32x8 snapped
     return flags;
 }
 
-// Makes the header of the vertex records from clip coordinates.
+// Make the header of the vertex records from clip coordinates.
 RHW_INLINE void project(const struct rhw_draw_state *state, const f32x8 position[4], f32x8 header[8])
 {
     const f32x8 x = position[0], y = position[1], z = position[2], w = position[3];
@@ -37,8 +38,8 @@ RHW_INLINE void project(const struct rhw_draw_state *state, const f32x8 position
     const f32x8 d = f32x8_from_f64x8(
         f64x8_add(f64x8_splat(state->depth_low),
                   f64x8_mul(f64x8_splat(state->depth_span), f64x8_div(f64x8_from_f32x8(z), wd))));
-    // In float the comparisons err by a rounding at 32768, a power of two: there the float is below or equal
-    // exactly when the double rounds to it or below.
+    // In float the comparisons err by a rounding at 32768, a power of two: there the float is below or equal exactly
+    // when the double rounds to it or below.
     const f32x8 fx = f32x8_from_f64x8(sx), fy = f32x8_from_f64x8(sy);
     const f32x8 band = f32x8_splat((float)RHW_GUARD_BAND), far_depth = f32x8_splat(1e30f);
     const i32x8 snapped = rhw_less(f32x8_splat(0), w) & rhw_less_equal(fx, band) & rhw_less_equal(-band, fx) &

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Primitives whose vertices name a viewport or a layer: which of them a primitive takes, as its provoking vertex says, and
-// its vertices in that viewport.
+// Primitives whose vertices name a viewport or a layer. A primitive takes the viewport and layer that its provoking
+// vertex says, and its vertices are projected in this viewport.
 //
-// A viewport but the first has a run of its own, with copies of the vertices that are projected anew, and a draw of its
-// own, which has the viewport's scissor and range of depth. Tiles take it for one of several draws. A layer is nothing but
-// other bins.
+// A viewport other than the first has a run of its own, with copies of the vertices that are projected anew. It also
+// has a draw of its own, which has the viewport's scissor and range of depth; tiles take it for one of several draws. A
+// layer only means other bins.
 #ifndef RHW_ROUTING_H
 #define RHW_ROUTING_H
 
@@ -19,7 +19,7 @@ struct route {
     int32_t viewport, layer;
 };
 
-// Numbers of the runs that were made of a run, by viewport; 0: none yet.
+// Numbers of the runs that were made of a run, by viewport. 0: none was made yet.
 struct viewport_runs {
     uint32_t number[RHW_MAX_VIEWPORTS];
 };
@@ -50,7 +50,7 @@ static bool is_drawn(const struct rhw_geometry_scratch *scratch, struct route ro
            route.layer < scratch->layers;
 }
 
-// Projects 8 records as the state has it. What the vertex function said of distances stays.
+// Project 8 records as the state has it. What the vertex function said of distances stays.
 static void project_again(const struct rhw_draw_state *state, int stride, float *records,
                           struct rhw_snapped_vertex *vertices)
 {
@@ -70,7 +70,7 @@ static void project_again(const struct rhw_draw_state *state, int stride, float 
     }
 }
 
-// Copies the run's vertices into one of its own for the draw of a viewport. False when out of memory.
+// Copy the run's vertices into a run for the draw of a viewport. Return false when out of memory.
 static bool copy_run(struct rhw_geometry_scratch *scratch, uint32_t from, const struct rhw_draw *draw,
                      uint32_t to)
 {
@@ -101,7 +101,7 @@ static bool copy_run(struct rhw_geometry_scratch *scratch, uint32_t from, const 
     return true;
 }
 
-// Gives the number of the run whose vertices are in that viewport.
+// Return the number of the run whose vertices are in the viewport.
 static uint32_t run_of_viewport(struct rhw_geometry_scratch *scratch, uint32_t run, int viewport,
                                 struct viewport_runs *runs)
 {
@@ -116,7 +116,7 @@ static uint32_t run_of_viewport(struct rhw_geometry_scratch *scratch, uint32_t r
             return run;
         }
         scratch->segment_count++;
-        scratch->made_run = UINT32_MAX; // whose vertices stand in the last segment
+        scratch->made_run = UINT32_MAX; // no run has its vertices in the last segment
         runs->number[viewport] = number;
     }
     return runs->number[viewport];

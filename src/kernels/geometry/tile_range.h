@@ -15,7 +15,7 @@ struct rhw_tile_range {
 
 _Static_assert(sizeof(struct rhw_tile_range) == sizeof(int32_t), "tile_ranges8 packs one into each lane");
 
-// Gives the tiles of the pixels x0 .. x1 − 1, y0 .. y1 − 1; there is one at least.
+// Return the tiles of the pixels x0 .. x1 − 1, y0 .. y1 − 1. There is at least one.
 static inline struct rhw_tile_range tile_range(int x0, int y0, int x1, int y1)
 {
     return (struct rhw_tile_range){(uint8_t)(x0 >> RHW_TILE_LOG2), (uint8_t)(y0 >> RHW_TILE_LOG2),
@@ -23,12 +23,12 @@ static inline struct rhw_tile_range tile_range(int x0, int y0, int x1, int y1)
                                    (uint8_t)((y1 - 1) >> RHW_TILE_LOG2)};
 }
 
-// Does so for 8 triangles. Those without a pixel get rubbish.
+// Set the tiles of 8 triangles. Triangles without a pixel get rubbish.
 RHW_INLINE void tile_ranges8(struct rhw_tile_range ranges[8], i32x8 x0, i32x8 y0, i32x8 x1, i32x8 y1)
 {
     const i32x8 one = i32x8_splat(1);
-    i32x8_store(ranges, (x0 >> RHW_TILE_LOG2) |
-                            (y0 >> RHW_TILE_LOG2) << 8 | // little-endian, as fill_words says
+    // Lanes are little-endian, as fill_words says.
+    i32x8_store(ranges, (x0 >> RHW_TILE_LOG2) | (y0 >> RHW_TILE_LOG2) << 8 |
                             ((x1 - one) >> RHW_TILE_LOG2) << 16 | ((y1 - one) >> RHW_TILE_LOG2) << 24);
 }
 

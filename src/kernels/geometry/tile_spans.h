@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The tiles that a long triangle reaches into, row by row: of the rectangle around a thin diagonal one they are few, and
-// a tile that looks at a triangle in vain pays for reading it and setting it up.
+// The tiles that a long triangle reaches into, row by row. They are few of the rectangle around a thin diagonal
+// triangle, and a tile that looks at a triangle in vain pays for reading it and setting it up.
 //
-// What lies inside of a closed outline lies, at every height, between two points of the outline. So the tiles of a row are
-// those from the least to the greatest x that the outline has in the row, both made a little wider by what rounding may
-// have cost, and never narrower. This holds for the polygon of a clipped triangle as well, even where snapping made it
-// cross itself, and for samples anywhere in their pixels.
+// What lies inside of a closed outline lies, at every height, between two points of the outline. So the tiles of a row
+// are those from the least to the greatest x that the outline has in the row, both made a little wider by what rounding
+// may have cost, and never narrower. This holds for the polygon of a clipped triangle as well, even where snapping made
+// it cross itself, and for samples anywhere in their pixels.
 #ifndef RHW_TILE_SPANS_H
 #define RHW_TILE_SPANS_H
 
@@ -14,24 +14,24 @@
 #include "geometry_scratch.h"
 
 enum {
-    ROWS_MOST = RHW_MAX_TARGET_SIZE / RHW_TILE, // of tiles
+    ROWS_MOST = RHW_MAX_TARGET_SIZE / RHW_TILE, // rows of tiles
     ROW_STEPS_LOG2 = RHW_TILE_LOG2 + RHW_SUBPIXEL_BITS
 };
 
-// The tiles of each row of a triangle's range, counted from its first ones; both ends inclusive, first > last where a row
-// has none.
+// The tiles of each row of a triangle's range, counted from its first ones. Both ends are inclusive, and first > last
+// where a row has none.
 struct tile_spans {
     uint8_t first[ROWS_MOST], last[ROWS_MOST];
 };
 
-// Least and greatest x of an outline, 24.8, in the rows of tiles y0 .. y1.
+// The least and the greatest x of an outline, 24.8, in the rows of tiles y0 .. y1.
 struct row_extents {
     int y0, y1;
     int32_t least[ROWS_MOST], most[ROWS_MOST];
 };
 
-// Whether a triangle may leave out so many tiles of its range that looking for them pays: where the range is a single row or
-// column there are none.
+// Return true if a triangle may leave out so many tiles of its range that looking for them pays. A range of a single
+// row or column leaves out none.
 static inline bool is_long(const struct rhw_triangle_list *list, int t)
 {
     enum { LONG = 4 }; // a range of 3×3 tiles, or 5×2
@@ -49,9 +49,10 @@ static void add_extent(struct row_extents *rows, int row, int32_t x0, int32_t x1
     *most = max_int(*most, max_int(x0, x1));
 }
 
-// Adds an edge, downwards: y0 <= y1. Between its ends x is off by less than 2 steps: the slope's error, below 2^-24, times a
-// height of less than 2^24, as rows lie in the target, and what the shift drops. Their product has 64 bits, and |x1 − x0| is
-// about 2^24 at most: lines reach beyond the guard band by half their width.
+// Add an edge, downwards: y0 <= y1. Between its ends x is off by less than 2 steps. One is the slope's error, below
+// 2^-24, times a height of less than 2^24, as rows lie in the target; the other is what the shift drops. The product of
+// slope and height has 64 bits, and |x1 − x0| is about 2^24 at most: lines reach beyond the guard band by half their
+// width.
 static void add_edge_extents(struct row_extents *rows, int32_t x0, int32_t y0, int32_t x1, int32_t y1)
 {
     enum { SLOPE_BITS = 24 };
@@ -85,11 +86,12 @@ static void add_outline(struct row_extents *rows, const int32_t *x, const int32_
     }
 }
 
-// Sets the tiles of a long triangle; returns how many there are.
+// Set the tiles of a long triangle. Return how many there are.
 static __attribute__((noinline)) uint32_t set_long_spans(struct tile_spans *spans,
                                                          const struct rhw_triangle_list *list, int t)
 {
-    enum { ERROR = 2, FAR = 1 << 30 }; // see add_edge_extents; beyond all positions
+    // ERROR is proved in add_edge_extents. FAR is beyond all positions.
+    enum { ERROR = 2, FAR = 1 << 30 };
     const struct rhw_triangle *const triangle = &list->triangles[t];
     const struct rhw_draw_state *const state = list->segments[triangle->segment].draw->state;
     const struct rhw_tile_range range = list->ranges[t];
@@ -120,7 +122,7 @@ static __attribute__((noinline)) uint32_t set_long_spans(struct tile_spans *span
     return count;
 }
 
-// Does so for any triangle.
+// Set the tiles of any triangle. Return how many there are.
 static inline uint32_t set_tile_spans(struct tile_spans *spans, const struct rhw_triangle_list *list, int t)
 {
     const struct rhw_tile_range *const range = &list->ranges[t];

@@ -18,7 +18,8 @@ struct pixel_rect8 {
     i32x8 x0, y0, x1, y1;
 };
 
-// `indices`: those of 8 triangles and of one more, which may be read. `first_slot`: the index of vertices[0].
+// Load 8 triangles. `indices` are those of 8 triangles and of one more, which may be read. `first_slot` is the index of
+// vertices[0].
 RHW_INLINE struct triangle8 load_triangle8(const struct rhw_snapped_vertex *vertices, uint32_t first_slot,
                                            const uint32_t (*indices)[3])
 {
@@ -41,7 +42,7 @@ RHW_INLINE struct triangle8 load_triangle8(const struct rhw_snapped_vertex *vert
     return t;
 }
 
-// Gives the bits of the lanes that have one of the flags.
+// Return the bits of the lanes that have one of the flags.
 RHW_INLINE unsigned flagged8(i32x8 flags, int32_t which)
 {
     return ~i32x8_sign_bits(rhw_equal_int(flags & i32x8_splat(which), i32x8_splat(0)));
@@ -57,7 +58,7 @@ RHW_INLINE i32x8 i32x8_max3(const i32x8 v[3])
     return i32x8_max(i32x8_max(v[0], v[1]), v[2]);
 }
 
-// Tells those that are RHW_TRIANGLE_SMALL by their size.
+// Return the lanes of the triangles that are RHW_TRIANGLE_SMALL by their size.
 RHW_INLINE i32x8 small_triangles8(const struct triangle8 *t)
 {
     const i32x8 size = i32x8_splat(RHW_TILE * RHW_SUBPIXEL);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From vertex indices to the triangles that tiles draw: 8 of a run at a time are culled, and what is left is written in
-// submission order, with the tiles that each lies in.
+// The way from vertex indices to the triangles that tiles draw. 8 triangles of a run at a time are culled, and what is
+// left is written in submission order, with the tiles that each lies in.
 #ifndef RHW_TRIANGLE_SETUP_H
 #define RHW_TRIANGLE_SETUP_H
 
@@ -9,7 +9,7 @@
 #include "geometry_scratch.h"
 #include "triangle_words.h"
 
-// Gives the flags of unclipped triangles.
+// Return the flags of unclipped triangles.
 RHW_INLINE i32x8 triangle_flags8(const struct triangle8 *t, const struct cull8 *cull,
                                  const struct rhw_draw_state *state)
 {
@@ -19,14 +19,14 @@ RHW_INLINE i32x8 triangle_flags8(const struct triangle8 *t, const struct cull8 *
                         rhw_less(f32x8_splat(state->depth_most - margin), t->depth_max);
     const i32x8 sides = (i32x8_from_bits(cull->back) & i32x8_splat(RHW_TRIANGLE_BACK)) |
                         (i32x8_from_bits(cull->negative) & i32x8_splat(RHW_TRIANGLE_NEGATIVE));
-    if (state->pipeline->is_conservative) { // drawn beyond its corners, too
+    if (state->pipeline->is_conservative) { // triangles are drawn beyond their corners, too
         return sides | i32x8_splat(RHW_TRIANGLE_CONSERVATIVE | RHW_TRIANGLE_CLAMP);
     }
     return sides | (clamp & i32x8_splat(RHW_TRIANGLE_CLAMP)) |
            (small_triangles8(t) & ~clamp & i32x8_splat(RHW_TRIANGLE_SMALL));
 }
 
-// Adds what culling leaves of 8 triangles to the list, in submission order.
+// Add what culling leaves of 8 triangles to the list, in submission order.
 static void setup8(struct rhw_geometry_scratch *scratch, const struct run_slice *slice,
                    struct rhw_triangle_list *list)
 {

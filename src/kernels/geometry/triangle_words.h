@@ -8,17 +8,18 @@
 #include "geometry_scratch.h"
 #include "triangle8.h"
 
-// These are 8 triangles of a run, one after another.
+// A slice is 8 triangles of a run, one after another.
 struct run_slice {
-    uint32_t run;                 // its number in the scratch
-    const uint32_t (*indices)[3]; // of their vertices and of one triangle more, which may be read
+    uint32_t run; // number of the run in the scratch
+    // Indices of the triangles' vertices, and of the vertices of one triangle more, which may be read.
+    const uint32_t (*indices)[3];
     uint32_t first_primitive;
-    unsigned live; // bits of those that are there
+    unsigned live; // bits of the triangles that are there
 };
 
 // What 8 triangles are made of and belong to.
 struct triangle_names8 {
-    i32x8 vertex[3]; // slots
+    i32x8 vertex[3]; // slots of the vertices
     i32x8 primitive, segment;
 };
 
@@ -53,7 +54,7 @@ _Static_assert(offsetof(struct rhw_triangle, y_24_8) == 12 && offsetof(struct rh
                    offsetof(struct rhw_triangle, y1) == 56 && sizeof(struct rhw_triangle) == 64,
                "fill_words writes struct rhw_triangle word by word");
 
-// `flags` are those of the triangles.
+// Fill the words. `flags` are those of the triangles.
 RHW_INLINE void fill_words(struct triangle_words *words, const struct triangle8 *t,
                            const struct pixel_rect8 *pixels, i32x8 flags, const struct triangle_names8 *names)
 {
@@ -68,14 +69,15 @@ RHW_INLINE void fill_words(struct triangle_words *words, const struct triangle8 
     high[1] = (f32x8)names->primitive;
     high[2] = (f32x8)names->segment;
     high[3] = high[7] = f32x8_splat(0);
-    high[4] = (f32x8)(flags | pixels->x0 << 16); // little-endian, as every machine with these lanes is
+    // Lanes are little-endian, as every machine with these lanes is.
+    high[4] = (f32x8)(flags | pixels->x0 << 16);
     high[5] = (f32x8)(pixels->y0 | pixels->x1 << 16);
     high[6] = (f32x8)pixels->y1;
     f32x8_transpose(low);
     f32x8_transpose(high);
 }
 
-// Gives 8 triangles their phases, in the place of the polygon's number.
+// Give 8 triangles their phases, in the place of the polygon's number.
 RHW_INLINE void set_phases(struct triangle_words *words, i32x8 phase)
 {
     for (int lane = 0; lane < 8; lane++) {
@@ -85,7 +87,7 @@ RHW_INLINE void set_phases(struct triangle_words *words, i32x8 phase)
     }
 }
 
-// Adds triangle `lane` to the list.
+// Add triangle `lane` to the list.
 RHW_INLINE void add_words(struct rhw_triangle_list *list, const struct triangle_words *words,
                           const struct rhw_tile_range ranges[8], int lane)
 {
@@ -95,8 +97,8 @@ RHW_INLINE void add_words(struct rhw_triangle_list *list, const struct triangle_
     list->ranges[list->count++] = ranges[lane];
 }
 
-// Gives the flags by which depth is clamped that lies between two values: a rounding may carry it past the viewport's
-// range where it changes next to its ends.
+// Return the flags by which depth is clamped that lies between two values: a rounding may carry it past the viewport's
+// range where it changes next to the range's ends.
 RHW_INLINE i32x8 clamp_flags8(const struct rhw_draw_state *state, f32x8 least, f32x8 most)
 {
     const float margin = 0x1p-20f;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// From vertex buffers to 8 lanes of floats.
+// The way from vertex buffers to 8 lanes of floats.
 //
-// Most vertices lie well inside their buffers: 16 bytes are loaded where each one's attribute begins, and 8 of them are
-// turned into four vectors. One at a time, checked against the buffer's end, is the general path; it takes the groups
-// that reach past that end.
+// Most vertices lie well inside their buffers: 16 bytes are loaded where each attribute begins, and 8 of these loads
+// are turned into four vectors. The general path takes one vertex at a time and checks it against the buffer's end; it
+// serves the groups that reach past this end.
 #ifndef RHW_VERTEX_FETCH_H
 #define RHW_VERTEX_FETCH_H
 
@@ -12,7 +12,7 @@
 #include "pipeline/pipeline.h"
 #include "base/simd_layout.h"
 
-// What numbers of 8 or 16 bits are in the lanes: `bits` has the number, and above it rubbish.
+// Return what numbers of 8 or 16 bits are in the lanes. `bits` has the number, and rubbish above it.
 static f32x8 narrow_to_lane(enum rhw_vertex_type type, i32x8 bits)
 {
     switch (type) {
@@ -32,7 +32,7 @@ static f32x8 narrow_to_lane(enum rhw_vertex_type type, i32x8 bits)
     }
 }
 
-// Fetches four numbers of 8 or 16 bits at each of 8 places.
+// Fetch four numbers of 8 or 16 bits at each of 8 places.
 static void fetch_narrow(const void *const place[8], enum rhw_vertex_type type, f32x8 out[4])
 {
     const bool has_16_bits = rhw_vertex_type_size(type) == 2;
@@ -47,7 +47,7 @@ static void fetch_narrow(const void *const place[8], enum rhw_vertex_type type, 
     }
 }
 
-// What a field of `bits` bits is in the lanes, given at the top of a word.
+// Return what a field of `bits` bits is in the lanes. The field is given at the top of a word.
 static f32x8 field_to_lane(enum rhw_vertex_type type, i32x8 top, int bits)
 {
     const i32x8 code = (i32x8)((u32x8)top >> (32 - bits)), number = top >> (32 - bits);
@@ -62,7 +62,7 @@ static f32x8 field_to_lane(enum rhw_vertex_type type, i32x8 top, int bits)
     }
 }
 
-// Fetches four components that share a word at each of 8 places.
+// Fetch four components that share a word at each of 8 places.
 static void fetch_packed(const void *const place[8], enum rhw_vertex_type type, f32x8 out[4])
 {
     int32_t words[8];
@@ -77,8 +77,8 @@ static void fetch_packed(const void *const place[8], enum rhw_vertex_type type, 
     }
 }
 
-// One attribute of 8 vertices. Four components are loaded at each place, however many there are, and what is not theirs
-// is replaced: what lies behind a buffer may be read too (buffer.h).
+// Fetch one attribute of 8 vertices. Four components are loaded at each place, however many the attribute has, and the
+// others are replaced: what lies behind a buffer may be read too (buffer.h).
 RHW_INLINE void fetch_places(const void *const place[8], const struct rhw_fetch *fetch, f32x8 out[4])
 {
     const enum rhw_vertex_type type = (enum rhw_vertex_type)fetch->type;
@@ -97,8 +97,9 @@ RHW_INLINE void fetch_places(const void *const place[8], const struct rhw_fetch 
     }
 }
 
-// Those of a buffer that may end before. `element` says which element of the stream each lane reads; a lane whose element
-// is not wholly inside the buffer reads bytes of 0 (robustBufferAccess2): channels that the format lacks are as ever.
+// Fetch an attribute from a buffer that may end before it. `element` says which element of the stream each lane reads.
+// A lane whose element is not wholly inside the buffer reads bytes of 0 (robustBufferAccess2); channels that the format
+// lacks are what they always are.
 static __attribute__((noinline)) void fetch_checked(const struct rhw_vertex_stream *stream,
                                                     const struct rhw_fetch *fetch, uint32_t stride,
                                                     const uint32_t element[8], f32x8 out[4])
@@ -115,7 +116,7 @@ static __attribute__((noinline)) void fetch_checked(const struct rhw_vertex_stre
     fetch_places(places, fetch, out);
 }
 
-// Whether the attribute lies wholly inside the buffer for all of 8 vertices.
+// Return true if the attribute lies wholly inside the buffer for all of 8 vertices.
 static bool lies_inside(const struct rhw_vertex_stream *stream, const struct rhw_fetch *fetch,
                         uint32_t stride, const uint32_t element[8])
 {
@@ -126,7 +127,7 @@ static bool lies_inside(const struct rhw_vertex_stream *stream, const struct rhw
     return (uint64_t)last * stride + fetch->offset + fetch->size <= stream->size;
 }
 
-// Those of a buffer that has all 8.
+// Fetch an attribute from a buffer that has all 8 elements.
 static void fetch_inside(const struct rhw_vertex_stream *stream, const struct rhw_fetch *fetch,
                          uint32_t stride, const uint32_t element[8], f32x8 out[4])
 {

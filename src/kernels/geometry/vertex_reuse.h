@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Which vertices a run shades, so that one that several triangles name is shaded once where that is cheap.
+// A vertex that several triangles of a run name is shaded once where that is cheap.
 //
-// The general path finds each vertex again through a table. Two special paths need none:
+// The general path finds each vertex again through a table. Two special paths need no table:
 // - Where the indices of a run lie close together, every vertex between the least and the greatest is shaded. A closed
 //   mesh has a vertex for every two triangles, so few are shaded in vain: 18 % fewer instructions in a grid of a
 //   million triangles drawn as depth alone, 1 % in Sponza.
-// - Small draws, which may have hard edges and several vertices at a point, do so however far apart their indices lie:
-//   they lose 6 groups of 8 vertices at most, and 10,000 draws of a cube take 9 % fewer instructions.
+// - Small draws shade every vertex between the least and the greatest however far apart these lie; they may have hard
+//   edges and several vertices at a point. They lose 6 groups of 8 vertices at most, and 10,000 draws of a cube take
+//   9 % fewer instructions.
 // Whole draws whose vertices stand in no order are shaded before the chunks: see shared_vertices.h.
 #ifndef RHW_VERTEX_REUSE_H
 #define RHW_VERTEX_REUSE_H
 
 #include "geometry_scratch.h"
 
-// Finds the least and the greatest vertex index of a run.
+// Find the least and the greatest vertex index of a run.
 static void index_range(const struct rhw_run *run, uint32_t *low, uint32_t *high)
 {
     const uint32_t *const indices = &run->indices[0][0];
@@ -26,12 +27,13 @@ static void index_range(const struct rhw_run *run, uint32_t *low, uint32_t *high
     *high = most;
 }
 
-// Gives each vertex a slot at its first use, through a direct-mapped table, and writes the slots of the run's
-// triangles. An entry counts when this run made it: its stamp is this run's first plus the slot.
+// Give each vertex a slot at its first use, through a direct-mapped table, and write the slots of the run's triangles.
+// An entry counts when this run made it: its stamp is this run's first stamp plus the slot.
 static uint32_t look_up_slots(struct rhw_geometry_scratch *scratch, struct rhw_run *run, uint32_t base_vertex,
                               uint32_t (*slots)[3])
 {
-    if (scratch->stamp > UINT32_MAX - 3 * RHW_CHUNK_TRIANGLES) { // every 2^32 vertices the stamps start anew
+    // Every 2^32 vertices the stamps start anew.
+    if (scratch->stamp > UINT32_MAX - 3 * RHW_CHUNK_TRIANGLES) {
         memset(scratch->cache, 0, sizeof scratch->cache);
         scratch->stamp = 1;
     }
@@ -54,7 +56,7 @@ static uint32_t look_up_slots(struct rhw_geometry_scratch *scratch, struct rhw_r
     return count;
 }
 
-// How far apart the indices of a run may lie if all vertices between them are to be shaded.
+// Return how far apart the indices of a run may lie if all vertices between them are to be shaded.
 static uint32_t range_most(const struct rhw_run *run, const struct rhw_draw *draw)
 {
     enum { SMALL = 16 }; // triangles
@@ -62,8 +64,8 @@ static uint32_t range_most(const struct rhw_run *run, const struct rhw_draw *dra
     return is_closed ? 3 * run->count / 4 : 3 * run->count;
 }
 
-// Lists the vertices that a run shades in scratch->unique, in the order of their slots, and gives their number. `slots`
-// is room for those of the run's triangles.
+// List the vertices that a run shades in scratch->unique, in the order of their slots, and return their number. `slots`
+// is room for the slots of the run's triangles.
 static uint32_t list_vertices(struct rhw_geometry_scratch *scratch, struct rhw_run *run,
                               const struct rhw_draw *draw, uint32_t (*slots)[3])
 {
@@ -80,9 +82,9 @@ static uint32_t list_vertices(struct rhw_geometry_scratch *scratch, struct rhw_r
     return count;
 }
 
-// Lets a run of one instance, which has `vertices` listed, go on through the next ones, so that 8 vertices of small
+// Let a run of one instance, which has `vertices` listed, go on through the next instances, so that 8 vertices of small
 // instances are shaded at once and 8 triangles set up: 100,000 quads take 27 % fewer instructions. `slots` is room for
-// those of all triangles.
+// the slots of all triangles.
 static void repeat_instance(struct rhw_geometry_scratch *scratch, struct rhw_run *run, uint32_t (*slots)[3],
                             uint32_t vertices, uint32_t instances)
 {

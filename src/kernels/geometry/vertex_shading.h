@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices: fetched from the buffers, run through the vertex function, projected and snapped, and written as the
+// Vertices are fetched from the buffers, run through the vertex function, projected and snapped, and written as the
 // records that triangles read.
 #ifndef RHW_VERTEX_SHADING_H
 #define RHW_VERTEX_SHADING_H
@@ -9,7 +9,7 @@
 #include "projection.h"
 #include "vertex_fetch.h"
 
-// Writes 8 vectors of 8 vertices as 8 floats of each vertex.
+// Write 8 vectors of 8 vertices as 8 floats of each vertex.
 static void scatter(f32x8 vectors[8], float *records, int stride)
 {
     f32x8_transpose(vectors);
@@ -18,8 +18,8 @@ static void scatter(f32x8 vectors[8], float *records, int stride)
     }
 }
 
-// A distance that is no number is below 0 for clipping, and not for culling: what is unknown is not drawn, but is no
-// reason to leave out what is known.
+// Return the flags of distances. A distance that is no number is below 0 for clipping, and not below 0 for culling:
+// what is unknown is not drawn, but is no reason to leave out what is known.
 static __attribute__((noinline)) i32x8 distance_flags(const struct rhw_program *program,
                                                       const struct rhw_vertex *group)
 {
@@ -36,7 +36,7 @@ static __attribute__((noinline)) i32x8 distance_flags(const struct rhw_program *
     return flags;
 }
 
-// Writes what stands behind the varyings.
+// Write what stands behind the varyings.
 static __attribute__((noinline)) void store_extras(const struct rhw_pipeline_data *pipeline,
                                                    const struct rhw_vertex *group, int stride, float *records)
 {
@@ -60,7 +60,7 @@ static __attribute__((noinline)) void store_extras(const struct rhw_pipeline_dat
     }
 }
 
-// Writes the records of 8 vertices, and what culling reads of them once more into `vertices`.
+// Write the records of 8 vertices, and a copy of what culling reads of them into `vertices`.
 static void store_records(const struct rhw_draw_state *state, const struct rhw_vertex *group, int stride,
                           float *records, struct rhw_snapped_vertex *vertices)
 {
@@ -87,8 +87,8 @@ static void store_records(const struct rhw_draw_state *state, const struct rhw_v
     }
 }
 
-// Tells the instances, first_instance not included, of 8 vertices from `slot` on, where each instance has `each`. What
-// fills up the last group may count as the next one's.
+// Set the instances, first_instance not included, of 8 vertices from `slot` on, where each instance has `each`. What
+// fills up the last group may count as the next instance's.
 static __attribute__((noinline)) void several_instances(const struct rhw_segment *segment, uint32_t slot,
                                                         uint32_t each, uint32_t instances[8])
 {
@@ -103,7 +103,7 @@ static __attribute__((noinline)) void several_instances(const struct rhw_segment
     }
 }
 
-// The elements that vertices of these instances read.
+// Return the elements that vertices of these instances read.
 static const uint32_t *instance_elements(const struct rhw_draw *draw, const struct rhw_vertex_layout *layout,
                                          const uint32_t instances[8], uint32_t elements[8])
 {
@@ -114,7 +114,7 @@ static const uint32_t *instance_elements(const struct rhw_draw *draw, const stru
     return elements;
 }
 
-// Makes group `g` ready for the vertex function; its vertices are those from `slot` on, `each` of an instance.
+// Make group `g` ready for the vertex function. Its vertices are those from `slot` on, `each` of an instance.
 static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_segment *segment, int g,
                         uint32_t slot, uint32_t each)
 {
@@ -151,7 +151,7 @@ static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_s
     group->varying = scratch->varyings + g * state->pipeline->varying_components;
 }
 
-// The lanes that are vertices, of groups whose function has effects.
+// Set the lanes that are vertices, of groups whose function has effects.
 static __attribute__((noinline)) void mask_vertices(struct rhw_geometry_scratch *scratch, int groups,
                                                     uint32_t vertices)
 {
@@ -161,8 +161,8 @@ static __attribute__((noinline)) void mask_vertices(struct rhw_geometry_scratch 
     }
 }
 
-// Shades `count` vertices, `each` of an instance, whose indices are scratch->unique, into the segment. `count` is rounded
-// up to 8: the last group repeats its last vertex, and there is room for it.
+// Shade `count` vertices, `each` of an instance, whose indices are scratch->unique, into the segment. `count` is
+// rounded up to 8: the last group repeats its last vertex, and there is room for it.
 static void shade_vertices(struct rhw_geometry_scratch *scratch, const struct rhw_segment *segment,
                            struct rhw_snapped_vertex *vertices, uint32_t count, uint32_t each)
 {

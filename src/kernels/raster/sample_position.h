@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a pixel is sampled: at its centre, or where src/pipeline/sample_pattern.h says. Every stage that needs the position of a
+// Where a pixel is sampled: at its centre, or where src/resource/sample_pattern.h says. Every stage that needs the position of a
 // sample, or the pixels whose samples lie between two positions, asks here. Positions are snapped: 24.8 fixed point,
 // 1/256 pixel, from the target's origin.
 #ifndef RHW_SAMPLE_POSITION_H

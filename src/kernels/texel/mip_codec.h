@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Rows of texels as planes of floats and back, for mip generation. Linear channels of 8 bits stand on the scale 0..255,
-// on which averages of codes are exact for the first 8 mip levels. Any width; nothing outside the row is touched.
+// Rows of texels become planes of floats and back, for mip generation. Linear channels of 8 bits stand on the scale
+// 0..255, on which averages of codes are exact for the first 8 mip levels. A row may have any width; nothing outside of
+// it is touched.
 #ifndef RHW_MIP_CODEC_H
 #define RHW_MIP_CODEC_H
 
 #include "texel_codec.h"
 
-// Of which the channels that the format has count.
+// Widen texels. The channels that the format has count.
 RHW_INLINE void widen_texels(const struct rhw_format_info *format, const struct raw_texels *raw,
                              f32x8 value[4])
 {
@@ -48,7 +49,7 @@ RHW_INLINE void narrow_texels(const struct rhw_format_info *format, const f32x8 
     }
 }
 
-// `planes` has room for whole groups of 8 texels.
+// Widen a row. `planes` has room for whole groups of 8 texels.
 RHW_INLINE void widen_row(const struct rhw_format_info *format, const unsigned char *texels, int width,
                           float *planes, size_t stride)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// 8 texels of several samples as texels of one: the tiles' resolve and that of whole regions.
+// 8 texels of several samples become texels of one. The tiles' resolve and the resolve of whole regions use this.
 #ifndef RHW_RESOLVE_TEXELS_H
 #define RHW_RESOLVE_TEXELS_H
 
@@ -23,9 +23,9 @@ RHW_INLINE f32x8 resolved_value(enum rhw_resolve mode, const f32x8 *value, int c
     return mode == RHW_RESOLVE_AVERAGE ? result * rhw_splat(1.0f / (float)count) : result;
 }
 
-// Stores the mean of 4 samples of RGBA8_UNORM, or of its channels in another order, in the pixels of `lanes`: resolve_row
-// with all that it has to ask known. Equal bytes have themselves as mean, as only means halfway between two depend on
-// how sums are rounded.
+// Store the mean of 4 samples of RGBA8_UNORM, or of its channels in another order, in the pixels of `lanes`. This is
+// resolve_row with all that it has to ask known. Equal bytes have themselves as mean, as only means halfway between two
+// depend on how sums are rounded.
 RHW_INLINE void resolve_unorm8(const i32x8 sample[4], unsigned lanes, unsigned char *to)
 {
     const i32x8 differ = (sample[1] ^ sample[0]) | (sample[2] ^ sample[0]) | (sample[3] ^ sample[0]);
@@ -44,7 +44,7 @@ RHW_INLINE void resolve_unorm8(const i32x8 sample[4], unsigned lanes, unsigned c
     store_words(to, unorm8_texels(mean), i32x8_from_bits(lanes));
 }
 
-// Resolves the pixels of `lanes`.
+// Resolve the pixels of `lanes`.
 RHW_INLINE void resolve_row(const struct rhw_format_info *info, enum rhw_resolve mode,
                             const struct sample_row *row, unsigned lanes, unsigned char *to)
 {
@@ -75,7 +75,7 @@ RHW_INLINE void resolve_row(const struct rhw_format_info *info, enum rhw_resolve
         result[c] = canonical_nan(resolved_value(mode, value[c], count));
     }
     encode_texels(info, result, &raw);
-    // A mean of equal floats may round to another one.
+    // A mean of equal floats may round to another float.
     for (int w = 0; w < words; w++) {
         raw.word[w] = rhw_select_int(agree, first->word[w], raw.word[w]);
     }

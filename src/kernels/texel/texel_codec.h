@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// 8 texels of any format as floats and back. The sampler gathers its texels from anywhere in a level, blending loads and
-// stores those of a row; between them and the floats stand the texels' own words, so that a codec is written once.
+// 8 texels of any format become floats and back. The sampler gathers its texels from anywhere in a level; blending
+// loads and stores the texels of a row. Between them and the floats stand the texels' own words, so that a codec is
+// written once.
 #ifndef RHW_TEXEL_CODEC_H
 #define RHW_TEXEL_CODEC_H
 
@@ -9,35 +10,37 @@
 #include "format/srgb.h"
 #include "texel_fields.h"
 
-// 8 texels as they stand in memory, in words of 4 bytes; a smaller texel in the low bytes of the first, zero above.
+// 8 texels as they stand in memory, in words of 4 bytes. A smaller texel stands in the low bytes of the first word,
+// with zero above.
 struct raw_texels {
     i32x8 word[4];
 };
 
 // Codes of 8 bits ------------------------------------------------------------------------------------
 
-// c / 255 correctly rounded for whole c of 0..255: 1/255 = 1/256 + 1/65280.
+// Return c / 255 correctly rounded, for whole c of 0..255: 1/255 = 1/256 + 1/65280.
 RHW_INLINE f32x8 unorm8_to_float(i32x8 code)
 {
     const f32x8 c = rhw_float_from_int(code);
     return c * 0x1p-8f + c * 1.53186284e-05f;
 }
 
-// Values in any range as codes in the lowest byte of each lane, rubbish above. From 2^23 on floats have no fraction, so
-// adding it rounds to nearest, ties to even, and leaves the integer in the low bits: the same on every instruction set,
-// and without a conversion.
+// Return values in any range as codes in the lowest byte of each lane, with rubbish above. From 2^23 on floats have no
+// fraction, so adding it rounds to nearest, ties to even, and leaves the integer in the low bits. This gives equal bits
+// on every instruction set and needs no conversion.
 RHW_INLINE i32x8 unorm8_from_float(f32x8 value)
 {
     return (i32x8)(rhw_saturate(value) * 255.0f + 0x1p23f);
 }
 
-// Linear values of sRGB codes. A gather costs 12 cycles on a Zen 3; a polynomial as exact as the table costs more.
+// Return linear values of sRGB codes. A gather costs 12 cycles on a Zen 3; a polynomial as exact as the table costs
+// more.
 RHW_INLINE f32x8 srgb8_to_float(i32x8 code)
 {
     return (f32x8)i32x8_gather(rhw_srgb_decode_table, code);
 }
 
-// Codes of values in any range, in the lowest byte of each lane, zero above. See srgb.h.
+// Return codes of values in any range, in the lowest byte of each lane, with zero above. srgb.h explains the table.
 RHW_INLINE i32x8 srgb8_from_float(f32x8 linear)
 {
     const i32x8 bits = (i32x8)rhw_clamp(linear, rhw_splat(0x1p-13f), rhw_splat(1.0f));
@@ -46,13 +49,13 @@ RHW_INLINE i32x8 srgb8_from_float(f32x8 linear)
     return (entry + (bits & 0xffff)) >> 16;
 }
 
-// Gives the byte of a channel, zero above.
+// Return the byte of a channel, with zero above.
 RHW_INLINE i32x8 channel_byte(i32x8 word, int channel)
 {
     return (word >> (8 * channel)) & 0xff;
 }
 
-// Texels of four bytes as red, green, blue, alpha from the lowest byte on, and back.
+// Put texels of four bytes into the order red, green, blue, alpha from the lowest byte on, or back.
 RHW_INLINE i32x8 in_order(enum rhw_channel_order order, i32x8 word)
 {
     const i32x8 swapped = ((word & 0xff) << 16) | ((i32x8)((u32x8)word >> 16) & 0xff);
@@ -67,14 +70,14 @@ RHW_INLINE i32x8 in_order(enum rhw_channel_order order, i32x8 word)
     return word;
 }
 
-// Makes RGBA8_SRGB texels of four values.
+// Make RGBA8_SRGB texels of four values.
 RHW_INLINE i32x8 srgb8_texels(const f32x8 value[4])
 {
     return srgb8_from_float(value[0]) | (srgb8_from_float(value[1]) << 8) |
            (srgb8_from_float(value[2]) << 16) | (unorm8_from_float(value[3]) << 24);
 }
 
-// Makes RGBA8_UNORM texels of four values.
+// Make RGBA8_UNORM texels of four values.
 RHW_INLINE i32x8 unorm8_texels(const f32x8 value[4])
 {
     f32x8 scaled[4];
@@ -86,9 +89,10 @@ RHW_INLINE i32x8 unorm8_texels(const f32x8 value[4])
 
 // Depth ----------------------------------------------------------------------------------------------
 
-// Whole steps of 0..1, of which there are `steps`, as floats, and back: to nearest, ties to even, since adding 2^52
-// leaves a double no room for a fraction. Of 65535 and of 2^24 − 1 steps every one times the reciprocal rounds to the
-// float that division gives, in a quarter of the time: test_format has them all.
+// Return whole steps of 0..1, of which there are `steps`, as floats. The function below returns floats as steps,
+// rounded to nearest, ties to even, since adding 2^52 leaves a double no room for a fraction. For 65535 and for 2^24 −
+// 1 steps, every step times the reciprocal rounds to the float that division gives, in a quarter of the time:
+// test_format tries all of them.
 RHW_INLINE f32x8 depth_from_steps(f64x8 count, double steps)
 {
     return f32x8_from_f64x8(f64x8_mul(count, f64x8_splat(1 / steps)));
@@ -102,19 +106,19 @@ RHW_INLINE f64x8 steps_of_depth(f32x8 depth, double steps)
 
 // Codecs ---------------------------------------------------------------------------------------------
 
-// One NaN for all: which one arithmetic makes differs between processors.
+// Return one NaN for all NaNs: which one arithmetic makes differs between processors.
 RHW_INLINE f32x8 canonical_nan(f32x8 value)
 {
     return rhw_select(rhw_equal(value, value), value, (f32x8)i32x8_splat(0x7fc00000));
 }
 
-// Gives what a channel reads that the format lacks.
+// Return what a channel reads that the format lacks.
 RHW_INLINE f32x8 absent_channel(const struct rhw_format_info *format, int c)
 {
     return rhw_format_is_integer(format) ? (f32x8)i32x8_splat(c == 3) : rhw_splat(c == 3 ? 1.0f : 0.0f);
 }
 
-// Decodes texels to floats, colour linear. Channels that the format lacks read 0, 0, 0, 1. Of integer formats these are
+// Decode texels to floats, colour linear. Channels that the format lacks read 0, 0, 0, 1. Floats of integer formats are
 // the bits of integers, here and everywhere.
 RHW_INLINE void decode_texels(const struct rhw_format_info *format, const struct raw_texels *raw,
                               f32x8 value[4])
@@ -161,7 +165,7 @@ RHW_INLINE void decode_texels(const struct rhw_format_info *format, const struct
     }
 }
 
-// Encodes values as texels, rounded to nearest, ties to even; normalized formats clamp them first.
+// Encode values as texels, rounded to nearest, ties to even. Normalized formats clamp them first.
 RHW_INLINE void encode_texels(const struct rhw_format_info *format, const f32x8 value[4],
                               struct raw_texels *raw)
 {
@@ -183,7 +187,8 @@ RHW_INLINE void encode_texels(const struct rhw_format_info *format, const f32x8 
     case RHW_CODEC_DEPTH16:
     case RHW_CODEC_DEPTH24: {
         const f64x8 count = steps_of_depth(rhw_saturate(value[0]), rhw_codec_depth_steps(format->codec));
-        raw->word[0] = rhw_int_from_float_unchecked(f32x8_from_f64x8(count)); // below 2^24: exact
+        // The count is below 2^24, so the conversion is exact.
+        raw->word[0] = rhw_int_from_float_unchecked(f32x8_from_f64x8(count));
         break;
     }
     case RHW_CODEC_FIELDS: encode_fields(format, value, raw->word); break;
@@ -193,7 +198,7 @@ RHW_INLINE void encode_texels(const struct rhw_format_info *format, const f32x8 
 
 // Loads and stores -----------------------------------------------------------------------------------
 
-// Loads 8 texels of 16 bytes that begin at these places.
+// Load 8 texels of 16 bytes that begin at these places.
 RHW_INLINE void load_texels16(const void *const place[RHW_LANES], struct raw_texels *raw)
 {
     f32x8 column[4];
@@ -203,7 +208,7 @@ RHW_INLINE void load_texels16(const void *const place[RHW_LANES], struct raw_tex
     }
 }
 
-// Loads 8 texels of `size` bytes, 1 or 2, that begin at these places.
+// Load 8 texels of `size` bytes, 1 or 2, that begin at these places.
 RHW_INLINE void load_small_texels(const void *const place[RHW_LANES], size_t size, struct raw_texels *raw)
 {
     int32_t word[RHW_LANES];
@@ -214,7 +219,7 @@ RHW_INLINE void load_small_texels(const void *const place[RHW_LANES], size_t siz
     raw->word[0] = i32x8_load(word);
 }
 
-// Loads 8 texels in a row.
+// Load 8 texels in a row.
 RHW_INLINE void load_texel_row(size_t size, const unsigned char *texels, struct raw_texels *raw)
 {
     if (size == 4) {
@@ -238,20 +243,20 @@ RHW_INLINE void load_texel_row(size_t size, const unsigned char *texels, struct 
     }
 }
 
-// Stores words of 8 texels in a row, of lanes that are set in `mask`.
+// Store words of 8 texels in a row, of lanes that are set in `mask`.
 RHW_INLINE void store_words(unsigned char *texels, i32x8 value, i32x8 mask)
 {
     i32x8_store(texels, rhw_select_int(mask, value, i32x8_load(texels)));
 }
 
-// Does so where the mask is not all or nothing per lane.
+// Store bits of words of 8 texels in a row, where the mask is not all or nothing per lane.
 RHW_INLINE void store_word_bits(unsigned char *texels, i32x8 value, i32x8 mask)
 {
     const i32x8 old = i32x8_load(texels);
     i32x8_store(texels, old ^ ((old ^ value) & mask));
 }
 
-// Stores the first `size` bytes, a constant, of each row of which `live` has a bit, texels side by side.
+// Store the first `size` bytes, a constant, of each row of which `live` has a bit, texels side by side.
 RHW_INLINE void store_rows(const f32x4 row[RHW_LANES], unsigned live, size_t size, unsigned char *texels)
 {
     for (int i = 0; i < RHW_LANES; i++) {
@@ -261,7 +266,7 @@ RHW_INLINE void store_rows(const f32x4 row[RHW_LANES], unsigned live, size_t siz
     }
 }
 
-// Stores 8 texels in a row, of lanes that are set in `mask`.
+// Store 8 texels in a row, of lanes that are set in `mask`.
 RHW_INLINE void store_texel_row(size_t size, const struct raw_texels *raw, i32x8 mask, unsigned char *texels)
 {
     const i32x8 *const word = raw->word;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Channels that are some bits of a word: the codec of every format that is neither bytes, halves nor floats. One piece of
-// code reads the place of each channel in the format's row, and what its bits are.
+// Channels that are some bits of a word: the codec of every format that is neither bytes, halves nor floats. One piece
+// of code reads from the format's row where each channel stands, and what its bits are.
 #ifndef RHW_TEXEL_FIELDS_H
 #define RHW_TEXEL_FIELDS_H
 
@@ -9,31 +9,34 @@
 
 // Numbers -------------------------------------------------------------------------------------------
 
-// Rounds to whole numbers, to nearest, ties to even: adding this leaves a double no room for a fraction, of either sign.
+// Round to whole numbers, to nearest, ties to even. Adding the constant leaves a double no room for a fraction, of
+// either sign.
 RHW_INLINE i32x8 whole_from_scaled(f32x8 value, double scale)
 {
     const f64x8 shift = f64x8_splat(0x1.8p52);
-    const f64x8 scaled = f64x8_mul(f64x8_from_f32x8(value), f64x8_splat(scale)); // exact: 24 bits by 16
+    // The product is exact: 24 bits by 16.
+    const f64x8 scaled = f64x8_mul(f64x8_from_f32x8(value), f64x8_splat(scale));
     return rhw_int_from_float_unchecked(f32x8_from_f64x8(f64x8_sub(f64x8_add(scaled, shift), shift)));
 }
 
-// Vulkan 1.3 §3.9.2, "Conversion From Floating-Point to Normalized Fixed-Point"; NaN becomes 0.
+// Return values as normalized numbers (Vulkan 1.3 §3.9.2, "Conversion From Floating-Point to Normalized Fixed-Point").
+// NaN becomes 0.
 RHW_INLINE i32x8 normalized_from_float(f32x8 value, float least, int32_t most)
 {
     const f32x8 number = rhw_select(rhw_equal(value, value), value, rhw_splat(0.0f));
     return whole_from_scaled(rhw_clamp(number, rhw_splat(least), rhw_splat(1.0f)), most);
 }
 
-// Floats without a sign, of 5 bits of exponent and `places` of fraction (OpenGL 4.6 §2.3.4.3): to nearest, ties to even;
-// what is finite stays so, what is below 0 becomes 0.
+// Return values as floats without a sign, of 5 bits of exponent and `places` of fraction (OpenGL 4.6 §2.3.4.3), rounded
+// to nearest, ties to even. What is finite stays finite, and what is below 0 becomes 0.
 RHW_INLINE i32x8 ufloat_from_float(f32x8 value, int places)
 {
     const int dropped = 23 - places;
     const i32x8 bits = (i32x8)value, infinity = i32x8_splat(31 << places);
-    // Half of the last kept place less one, plus that place's own bit: ties go to even.
+    // Add half of the last kept place less one, and that place's own bit, so that ties go to even.
     const i32x8 rounded = (bits + i32x8_splat((1 << (dropped - 1)) - 1) + ((bits >> dropped) & 1)) >> dropped;
     const i32x8 normal = rounded - ((127 - 15) << places);
-    // Below 2^-14 the last place stands for 2^-14 / 2^places; from 2^23 on floats have no fraction.
+    // Below 2^-14 the last place stands for 2^-14 / 2^places. From 2^23 on floats have no fraction.
     const float units = places == 6 ? 0x1p20f : 0x1p19f;
     const i32x8 denormal = (i32x8)(value * units + 0x1p23f) & 0x7fffff;
     i32x8 code = rhw_select_int(rhw_less(value, rhw_splat(0x1p-14f)), denormal, normal);
@@ -47,7 +50,7 @@ RHW_INLINE i32x8 ufloat_from_float(f32x8 value, int places)
 
 enum { SHARED_BIAS = 24 }; // a channel is its 9 bits · 2^(exponent − 24)
 
-// 2^n of whole n in −126..127.
+// Return 2^n of whole n in −126..127.
 RHW_INLINE f32x8 power_of_two(i32x8 n)
 {
     return (f32x8)((n + 127) << 23);
@@ -60,7 +63,7 @@ RHW_INLINE i32x8 round_half_up(f32x8 value)
     return rhw_int_from_float_unchecked(floor) - up;
 }
 
-// Vulkan 1.3 §3.9.3, "RGB to Shared Exponent Conversion".
+// Return a colour with a shared exponent (Vulkan 1.3 §3.9.3, "RGB to Shared Exponent Conversion").
 RHW_INLINE i32x8 shared_from_float(const f32x8 value[4])
 {
     const f32x8 zero = rhw_splat(0.0f);
@@ -108,7 +111,7 @@ RHW_INLINE i32x8 field_code(enum rhw_channel_type type, f32x8 value, int bits)
     }
 }
 
-// Of the channels that the format has. Words are those of raw_texels (texel_codec.h).
+// Decode the channels that the format has. Words are those of raw_texels (texel_codec.h).
 static __attribute__((noinline)) void decode_fields(const struct rhw_format_info *format, const i32x8 word[4],
                                                     f32x8 *value)
 {

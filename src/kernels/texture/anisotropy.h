@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Anisotropic filtering (Vulkan 1.3, "Scale Factor Operation" and "Texel Anisotropic Filtering"): the footprint of a pixel
-// is rho_max texels long and rho_min wide. η = min(rho_max / rho_min, the sampler's most) samples, rounded up to N, stand
-// along its longer axis, i / (N + 1) − 1/2 of it from the middle for i = 1..N, at the level of detail log2(rho_max / η),
-// and are averaged. Each is an isotropic sample by the way that the texture and the sampler have, fixed point included.
+// Anisotropic filtering (Vulkan 1.3, "Scale Factor Operation" and "Texel Anisotropic Filtering"). The footprint of a
+// pixel is rho_max texels long and rho_min wide. η is min(rho_max / rho_min, the sampler's most), and N is η rounded
+// up. N samples stand along the footprint's longer axis, i / (N + 1) − 1/2 of it from the middle for i = 1..N, at the
+// level of detail log2(rho_max / η), and are averaged. Each is an isotropic sample by the way that the texture and the
+// sampler have, fixed point included.
 #ifndef RHW_ANISOTROPY_H
 #define RHW_ANISOTROPY_H
 
@@ -11,9 +12,10 @@
 enum { MOST_COMPONENTS = 4 };
 
 struct long_axis {
-    f32x8 count;                   // N, of each lane
-    f32x8 level;                   // of detail, before the sampler's bias and limits
-    f32x8 change[MOST_COMPONENTS]; // of coordinates along the axis, per pixel; of the layer 0
+    f32x8 count; // N of each lane
+    f32x8 level; // level of detail, before the sampler's bias and limits
+    // Change of coordinates along the axis, per pixel. The layer's is 0.
+    f32x8 change[MOST_COMPONENTS];
 };
 
 static inline void find_long_axis(const struct rhw_binding *binding, const struct rhw_sample_request *request,
@@ -26,7 +28,7 @@ static inline void find_long_axis(const struct rhw_binding *binding, const struc
     const f32x8 y = squared_length(texture, request->coordinates, by_y);
     const i32x8 along_y = rhw_less(x, y);
     const f32x8 longer = rhw_select(along_y, y, x), shorter = rhw_select(along_y, x, y);
-    // Not where both are 0, equal or NaN.
+    // The ratio stays 1 where both are 0, equal or NaN.
     const f32x8 ratio = rhw_select(rhw_less(shorter, longer), rhw_sqrt(longer / shorter), rhw_splat(1.0f));
     const f32x8 eta = rhw_min(ratio, rhw_splat(binding->sampler->def.max_anisotropy));
     axis->count = rhw_ceil(eta);
@@ -36,7 +38,7 @@ static inline void find_long_axis(const struct rhw_binding *binding, const struc
     }
 }
 
-// The largest of small whole numbers.
+// Return the largest of small whole numbers.
 static inline int largest(f32x8 count)
 {
     const i32x8 whole = rhw_int_from_float_unchecked(count);
@@ -47,7 +49,7 @@ static inline int largest(f32x8 count)
     return most;
 }
 
-// What n samples have come to and one more make of them: an average that leaves equal ones as they are.
+// Make an average of what n samples have come to and one more. It leaves equal samples as they are.
 static inline void add_sample(const struct rhw_sampler_def *def, int n, i32x8 counts, const f32x8 sample[4],
                               f32x8 texel[4])
 {
@@ -91,13 +93,13 @@ static void sample_anisotropic(const struct rhw_binding *binding, const struct r
     }
 }
 
-// A request with a bias: at its level of detail, given as such.
+// Sample a request with a bias: its level of detail is worked out and given.
 static void sample_biased(const struct rhw_binding *binding, const struct rhw_sample_request *request,
                           f32x8 texel[4])
 {
     rhw_sample_function *const sample = request->offset ? binding->sample_offset : binding->sample;
     if (request->gradient && binding->sampler->def.max_anisotropy > 1) {
-        sample(binding, request, texel); // which finds the level for its long axis
+        sample(binding, request, texel); // the function finds the level for its long axis
         return;
     }
     const f32x8 level = requested_level(binding->texture, request);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cubes: from a direction to a face and coordinates on it, what gradients become there, and the texels across a face's
-// edges (Vulkan 1.3, "Cube Map Face Selection", "Cube Map Coordinate Transformation", "Cube Map Derivative
+// Cubes: the way from a direction to a face and coordinates on it, what gradients become there, and the texels across a
+// face's edges (Vulkan 1.3, "Cube Map Face Selection", "Cube Map Coordinate Transformation", "Cube Map Derivative
 // Transformation", "Cube Map Edge Handling").
 #ifndef RHW_CUBE_H
 #define RHW_CUBE_H
@@ -14,11 +14,11 @@ struct face_axes {
 
 struct cube_face {
     i32x8 number;      // 0..5: +x, −x, +y, −y, +z, −z
-    i32x8 is_x, is_y;  // masks; neither: z
+    i32x8 is_x, is_y;  // masks; neither is set for z
     i32x8 is_negative; // mask
 };
 
-// The face that a direction goes through: of equal components z wins over y, and y over x.
+// Return the face that a direction goes through. Of equal components z wins over y, and y over x.
 static inline struct cube_face face_of(const f32x8 direction[3])
 {
     const f32x8 x = rhw_abs(direction[0]), y = rhw_abs(direction[1]), z = rhw_abs(direction[2]);
@@ -49,14 +49,14 @@ static inline struct face_axes on_face(const struct cube_face *face, const f32x8
                                rhw_select(face->is_x, v[0], rhw_select(face->is_y, v[1], v[2])))};
 }
 
-// Coordinates on the face, 0..1 but for rounding; NaN where the direction has no face.
+// Set coordinates on the face, which are 0..1 except for rounding. They are NaN where the direction has no face.
 static inline void face_coordinates(const struct face_axes *axes, f32x8 st[2])
 {
     st[0] = 0.5f * (axes->s / axes->major) + 0.5f;
     st[1] = 0.5f * (axes->t / axes->major) + 0.5f;
 }
 
-// What a change of direction per pixel is in coordinates on the face.
+// Set what a change of direction per pixel is in coordinates on the face.
 static inline void face_gradient(const struct cube_face *face, const struct face_axes *axes,
                                  const f32x8 change[3], f32x8 st[2])
 {
@@ -66,14 +66,15 @@ static inline void face_gradient(const struct cube_face *face, const struct face
     st[1] = 0.5f * ((axes->major * d.t - axes->t * d.major) / square);
 }
 
-// Texel (x, y) of a face, of which one lies one outside it, as one of the face across that edge. In whole numbers, twice
-// the distance from the face's middle: then every texel's centre is exact. `size` is that of the face.
+// Move texel (x, y) of a face, of which one coordinate lies one outside it, to the face across that edge. The move is
+// in whole numbers, twice the distance from the face's middle, so that every texel's centre is exact. `size` is that of
+// the face.
 static inline void cross_edge(i32x8 size, i32x8 *x, i32x8 *y, i32x8 *number)
 {
     const i32x8 across_x = (*x >> 31) | ~rhw_less_int(*x, size),
                 across_y = (*y >> 31) | ~rhw_less_int(*y, size);
     const i32x8 crosses = across_x | across_y, last = size - 1;
-    // The face's edge is `size` away from its middle, its first and last texels `last`.
+    // The face's edge is `size` away from its middle, and its first and last texels are `last` away.
     const i32x8 s = rhw_max_int(rhw_min_int(2 * *x - last, size), -size);
     const i32x8 t = rhw_max_int(rhw_min_int(2 * *y - last, size), -size);
     const i32x8 axis = *number >> 1, negative = -(*number & 1), inwards = (last ^ negative) - negative;
@@ -88,7 +89,7 @@ static inline void cross_edge(i32x8 size, i32x8 *x, i32x8 *y, i32x8 *number)
     const i32x8 to_x = (rhw_int_from_float_unchecked(there.s) + last) >> 1;
     const i32x8 to_y = (rhw_int_from_float_unchecked(there.t) + last) >> 1;
     *x = rhw_select_int(crosses, rhw_max_int(to_x, i32x8_splat(0)),
-                        *x); // at a corner, where no texel is, stay inside
+                        *x); // a corner has no texel: stay inside
     *y = rhw_select_int(crosses, rhw_max_int(to_y, i32x8_splat(0)), *y);
     *number = rhw_select_int(crosses, face.number, *number);
 }

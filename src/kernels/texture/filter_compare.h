@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A special path of the sampler: shadow maps as most are, one level of floats in a plain 2D texture, compared and then
-// filtered, without a border. It gives the bytes of filter_float.h in a fifth of the instructions, as it asks
-// once what that asks for each texel. sampler.h and binding.c say what comes here.
-// Windows of footprints a texel apart, as percentage-closer filters take them, share texels, outcomes and what is mixed
-// along rows: 36 % fewer instructions in shadow_map.
+// A special path of the sampler serves shadow maps as most are: one level of floats in a plain 2D texture, compared and
+// then filtered, without a border. It gives the bytes of filter_float.h in a fifth of the instructions, as it asks once
+// what filter_float.h asks for each texel. sampler.h and binding.c decide what comes here. Windows of footprints a
+// texel apart, as percentage-closer filters take them, share texels, outcomes and what is mixed along rows: 36 % fewer
+// instructions in shadow_map.
 #ifndef RHW_FILTER_COMPARE_H
 #define RHW_FILTER_COMPARE_H
 
@@ -14,12 +14,12 @@
 #include "texel_fetch.h"
 #include "wrap.h"
 
-// The four texels of 8 lanes: left and right above, then below.
+// Load the four texels of 8 lanes: left and right above, then below.
 RHW_INLINE void load_footprint(const struct rhw_sampler_def *def, const struct rhw_mip *mip, i32x8 x, i32x8 y,
                                f32x8 texel[4])
 {
-    const i32x8 beyond =
-        x | y | (mip->width - 2 - x) | (mip->height - 2 - y); // negative: it lies partly outside
+    // The bits are negative where the footprint lies partly outside.
+    const i32x8 beyond = x | y | (mip->width - 2 - x) | (mip->height - 2 - y);
     if (__builtin_expect(!rhw_any(beyond >> 31), 1)) {
         uint32_t at[RHW_LANES];
         i32x8 words[4];
@@ -56,7 +56,8 @@ static inline void sample_compared(const struct rhw_binding *binding,
     const f32x8 left = rhw_floor(x), top = rhw_floor(y);
     f32x8 held[4];
     load_footprint(def, mip, rhw_int_from_float_unchecked(left), rhw_int_from_float_unchecked(top), held);
-    if (__builtin_expect(def->compare == RHW_COMPARE_LESS_EQUAL, 1)) { // named, so that no texel asks again
+    // The comparison is named, so that no texel asks for it again.
+    if (__builtin_expect(def->compare == RHW_COMPARE_LESS_EQUAL, 1)) {
         compare_footprint(RHW_COMPARE_LESS_EQUAL, reference, held);
     } else {
         compare_footprint(def->compare, reference, held);
@@ -72,7 +73,7 @@ static inline void sample_compared(const struct rhw_binding *binding,
 // A part of a window: `columns` (up to RHW_WINDOW_COLUMNS) of its columns of footprints, from number `column` on.
 struct compared_window {
     int column, columns, rows;
-    int stride; // footprints from row to row of the whole
+    int stride; // footprints from row to row of the whole window
 };
 
 // Where a window's first texel lies in each lane, and the weights of right and lower texels, by the formulas of
@@ -90,7 +91,7 @@ RHW_INLINE void place_along(enum rhw_address address, f32x8 coordinate, int size
     *weight = at - floor;
 }
 
-// False where an offset is beyond what it is held to.
+// Find where a window lies. Return false where an offset is beyond its limits.
 RHW_INLINE bool find_window(const struct rhw_binding *binding, const struct rhw_sample_request *request,
                             const struct compared_window *window, struct window_place *place)
 {
@@ -112,12 +113,13 @@ RHW_INLINE bool find_window(const struct rhw_binding *binding, const struct rhw_
 RHW_INLINE bool is_inside(const struct rhw_mip *mip, const struct compared_window *window,
                           const struct window_place *place)
 {
+    // The bits are negative where some texel lies outside.
     const i32x8 beyond = place->x | (mip->width - 1 - RHW_WINDOW_COLUMNS - place->x) | place->y |
-                         (mip->height - 1 - window->rows - place->y); // negative: some texel lies outside
+                         (mip->height - 1 - window->rows - place->y);
     return !rhw_any(beyond >> 31);
 }
 
-// A row of a window's texels, from the words that lie `at` of its first row on.
+// Load a row of a window's texels, from the words `at` of its first row on.
 RHW_INLINE void load_inner_row(const unsigned char *texels, const uint32_t at[RHW_LANES], f32x8 held[4])
 {
     const void *place[RHW_LANES];

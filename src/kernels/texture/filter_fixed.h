@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The fixed-point path of the sampler: textures of 8 bits, LINEAR, no border, which is what most are. A texel's four
-// channels stand as 16-bit numbers, 255 · 128 for 1, two in each 32-bit lane, and are mixed with weights of 15 bits:
-// one multiplication serves two channels, and no step is off by more than half a unit. Equal texels mix to exactly
-// themselves. RGBA8_UNORM texels are widened when they are loaded; RGBA8_SRGB texels stand so in memory, decoded
-// (srgb_texture.h).
+// The fixed-point path of the sampler serves textures of 8 bits with LINEAR filters and no border: most are of this
+// kind. A texel's four channels stand as 16-bit numbers, 255 · 128 for 1, two in each 32-bit lane, and are mixed with
+// weights of 15 bits: one multiplication serves two channels, and no step is off by more than half a unit. Equal texels
+// mix to exactly themselves. RGBA8_UNORM texels are widened when they are loaded; RGBA8_SRGB texels stand widened in
+// memory, decoded (srgb_texture.h).
 //
-// With AVX2 the former are kept negated: the instruction that widens bytes multiplies by −128 but not by 128.
+// With AVX2 RGBA8_UNORM texels are kept negated: the instruction that widens bytes multiplies by −128 but not by 128.
 //
 // Lanes as most are have special paths, each with what it saves of the instructions of a frame (AVX2, 640×360):
 // - footprints away from the edges are loaded without wrapping each texel (filter_interior): 21 % of fill_tex, 13 % of
@@ -27,15 +27,18 @@ struct fixed_texels {
     i32x8 ga;
 };
 
-// The footprint of 8 lanes in a level: which 2×2 texels each filters, and how.
+// The footprint of 8 lanes in a level: which 2×2 texels each lane filters, and how.
 struct footprint {
-    i32x8 xy;                 // top left texel of the four: x in the upper, y in the lower half, from −1
-    i32x8 weight_x, weight_y; // of the right and the lower texels, 0.15, in both halves
+    // The top left texel of the four, from −1 on: x in the upper half, y in the lower half.
+    i32x8 xy;
+    // Weights of the right and of the lower texels, 0.15, in both halves.
+    i32x8 weight_x, weight_y;
 };
 
-// From here on `codec` is that of the texture, UNORM8 or SRGB8; a constant where a call names it.
+// In the functions from here on `codec` is that of the texture, UNORM8 or SRGB8. It is a constant where a call names
+// it.
 
-// Whether fixed-point texels are kept negated: where widening makes them so.
+// Return true if fixed-point texels are kept negated: where widening makes them negative.
 RHW_INLINE bool keeps_negated(enum rhw_texel_codec codec)
 {
     return I8_WIDENS_NEGATED && codec == RHW_CODEC_UNORM8;
@@ -43,7 +46,7 @@ RHW_INLINE bool keeps_negated(enum rhw_texel_codec codec)
 
 RHW_INLINE i32x8 mix_halves(i32x8 a, i32x8 b, i32x8 weight, enum rhw_texel_codec codec)
 {
-    if (keeps_negated(codec)) { // so that halves are rounded the same way
+    if (keeps_negated(codec)) { // halves are rounded as those that are not negated
         return (i32x8)((i16x16)a - i16x16_scale((i16x16)a - (i16x16)b, (i16x16)weight));
     }
     return (i32x8)((i16x16)a + i16x16_scale((i16x16)b - (i16x16)a, (i16x16)weight));
@@ -69,8 +72,8 @@ RHW_INLINE struct fixed_texels widen_texels(i32x8 texel)
     return (struct fixed_texels){i32x8_widen_lower(texel), i32x8_widen_upper(texel)};
 }
 
-// Coordinates in texels, 16.16, at most 16384 · 2^16 = 2^30. A negative one is truncated to the texel
-// edge where flooring would give the neighbour with the whole weight on this one.
+// Return the footprint at coordinates in texels, 16.16, at most 16384 · 2^16 = 2^30. A negative coordinate is truncated
+// to the texel edge where flooring would give the neighbour with the whole weight on this texel.
 RHW_INLINE struct footprint footprint_at(const struct rhw_mip *mip, f32x8 s, f32x8 t)
 {
     const f32x8 half = sample_constants()->half_texel;
@@ -80,7 +83,7 @@ RHW_INLINE struct footprint footprint_at(const struct rhw_mip *mip, f32x8 s, f32
     return (struct footprint){i32x8_join_upper(x, y), i32x8_halve_lower(x), i32x8_halve_lower(y)};
 }
 
-// The four texels of each lane, mixed: above left, above right, below left, below right.
+// Mix the four texels of each lane: above left, above right, below left, below right.
 RHW_INLINE struct fixed_texels mix_footprint(const struct fixed_texels texel[4],
                                              const struct footprint *footprint, enum rhw_texel_codec codec)
 {
@@ -91,7 +94,7 @@ RHW_INLINE struct fixed_texels mix_footprint(const struct fixed_texels texel[4],
 
 // Loads ---------------------------------------------------------------------------------------------
 
-// The texels of a linear copy with these numbers, and their right neighbours.
+// Load the texels of a linear copy with these numbers, and their right neighbours.
 RHW_INLINE void load_linear_pairs(const unsigned char *texels, const uint32_t at[RHW_LANES],
                                   struct fixed_texels pair[2])
 {
@@ -105,7 +108,7 @@ RHW_INLINE void load_linear_pairs(const unsigned char *texels, const uint32_t at
     pair[1] = (struct fixed_texels){(i32x8)column[2], (i32x8)column[3]};
 }
 
-// The texels with these numbers, `offset` bytes on in the level, and their right neighbours.
+// Load the texels with these numbers, `offset` bytes on in the level, and their right neighbours.
 RHW_INLINE void load_pairs(const struct rhw_mip *mip, size_t offset, const uint32_t at[RHW_LANES],
                            enum rhw_texel_codec codec, struct fixed_texels pair[2])
 {
@@ -119,7 +122,7 @@ RHW_INLINE void load_pairs(const struct rhw_mip *mip, size_t offset, const uint3
     }
 }
 
-// Loads texels (x, y), which stand in the upper and the lower half of a lane.
+// Load texels (x, y). x stands in the upper and y in the lower half of a lane.
 RHW_INLINE struct fixed_texels load_texels(const struct rhw_mip *mip, i32x8 xy, enum rhw_texel_codec codec)
 {
     const i32x8 number = texel_number(xy, mip);
@@ -130,7 +133,7 @@ RHW_INLINE struct fixed_texels load_texels(const struct rhw_mip *mip, i32x8 xy, 
     return widen_texels(i32x8_gather(mip->texels, number));
 }
 
-// Loads the footprint's texels where some lie across an edge.
+// Load the footprint's texels where some lie across an edge.
 static __attribute__((noinline)) void load_wrapped_footprint(const struct rhw_sampler_data *sampler,
                                                              const struct rhw_mip *mip, const i32x8 *xy,
                                                              enum rhw_texel_codec codec,
@@ -146,15 +149,16 @@ static __attribute__((noinline)) void load_wrapped_footprint(const struct rhw_sa
     spill_lanes(texel_number(x0 | y1, mip), below);
     load_pairs(mip, 0, above, codec, &texel[0]);
     load_pairs(mip, 0, below, codec, &texel[2]);
-    if (i32x8_any_bit(x1 - x0 - 0x10000)) { // some right neighbour is not next to its texel
+    // Some right neighbour is not next to its texel.
+    if (i32x8_any_bit(x1 - x0 - 0x10000)) {
         texel[1] = load_texels(mip, x1 | y0, codec);
         texel[3] = load_texels(mip, x1 | y1, codec);
     }
 }
 
-// The footprint's texels where all lanes have theirs in one row, at most 7 apart, as most do on a wall or a floor that
-// is not turned against the screen: that row and the one below are loaded whole, from texel `first` on, and each lane
-// picks its texels there, `offset` to the right.
+// Load the footprint's texels where all lanes have theirs in one row, at most 7 apart. Most lanes do on a wall or a
+// floor that is not turned against the screen. The row and the one below are loaded whole, from texel `first` on, and
+// each lane picks its texels there, `offset` to the right.
 RHW_INLINE void load_row_footprint(const struct rhw_mip *mip, i32x8 first, i32x8 offset,
                                    struct fixed_texels texel[4])
 {
@@ -168,7 +172,7 @@ RHW_INLINE void load_row_footprint(const struct rhw_mip *mip, i32x8 first, i32x8
 
 // One level -----------------------------------------------------------------------------------------
 
-// Filters a footprint that lies away from the edges.
+// Filter a footprint that lies away from the edges.
 RHW_INLINE struct fixed_texels filter_interior(const struct rhw_mip *mip, const struct footprint *footprint,
                                                enum rhw_texel_codec codec)
 {
@@ -176,7 +180,8 @@ RHW_INLINE struct fixed_texels filter_interior(const struct rhw_mip *mip, const 
     if (I8_PERMUTES && codec == RHW_CODEC_UNORM8) {
         const i32x8 apart = sample_constants()->not_in_row;
         i32x8 first = i32x8_splat_first(footprint->xy), offset = footprint->xy - first;
-        if (i32x8_any_of(offset, apart)) { // perhaps it is the last lane that lies leftmost
+        // Perhaps the last lane lies leftmost.
+        if (i32x8_any_of(offset, apart)) {
             first = i32x8_splat_last(footprint->xy);
             offset = footprint->xy - first;
         }
@@ -192,7 +197,7 @@ RHW_INLINE struct fixed_texels filter_interior(const struct rhw_mip *mip, const 
     return mix_footprint(texel, footprint, codec);
 }
 
-// Whether footprints away from the edges are told from others; a constant where a call names it.
+// Whether footprints away from the edges are told from others. It is a constant where a call names it.
 enum footprint_path { FOOTPRINTS_WRAPPED, FOOTPRINTS_INTERIOR };
 
 RHW_INLINE struct fixed_texels filter_fixed(const struct rhw_sampler_data *sampler, const struct rhw_mip *mip,
@@ -204,13 +209,14 @@ RHW_INLINE struct fixed_texels filter_fixed(const struct rhw_sampler_data *sampl
         !i32x8_any_bit(i32x8_over_halves(footprint.xy, i32x8_load(mip->interior)))) {
         return filter_interior(mip, &footprint, codec);
     }
-    const i32x8 xy = footprint.xy; // a copy, so that the one in registers stays there
+    // This is a copy, so that the footprint in registers stays there.
+    const i32x8 xy = footprint.xy;
     struct fixed_texels texel[4];
     load_wrapped_footprint(sampler, mip, &xy, codec, texel);
     return mix_footprint(texel, &footprint, codec);
 }
 
-// 8.7 fixed point / (255 · 128); a number without fraction gives c / 255 correctly rounded.
+// Return 8.7 fixed point / (255 · 128). A number without fraction gives c / 255 correctly rounded.
 RHW_INLINE f32x8 fixed_to_float(i32x8 fixed)
 {
     const f32x8 c = rhw_float_from_int(fixed);
@@ -227,15 +233,15 @@ RHW_INLINE void unpack_fixed(struct fixed_texels fixed, f32x8 texel[4])
 
 // Two levels ----------------------------------------------------------------------------------------
 
-// Mixes what two levels give, the second with this weight.
+// Mix what two levels give, the second with this weight.
 RHW_INLINE void mix_levels(struct fixed_texels a, struct fixed_texels b, i32x8 weight,
                            enum rhw_texel_codec codec, f32x8 texel[4])
 {
     unpack_fixed(without_negation(mix_fixed(a, b, weight, codec), codec), texel);
 }
 
-// Any lanes: one level after the other, each with the next where a lane has a weight there. A weight of 0
-// leaves a lane as it is.
+// Sample any lanes: one level after the other, each with the next where a lane has a weight there. A weight of 0 leaves
+// a lane as it is.
 RHW_INLINE void sample_fixed_levels(const struct rhw_binding *binding, f32x8 s, f32x8 t, i32x8 lod,
                                     enum rhw_texel_codec codec, enum footprint_path path, f32x8 texel[4])
 {
@@ -257,7 +263,7 @@ RHW_INLINE void sample_fixed_levels(const struct rhw_binding *binding, f32x8 s, 
     unpack_fixed(without_negation(result, codec), texel);
 }
 
-// Samples lanes that the fast path of sample_fixed is not for.
+// Sample lanes that the fast path of sample_fixed does not serve.
 static __attribute__((noinline)) void sample_fixed_apart(const struct rhw_binding *binding, f32x8 s, f32x8 t,
                                                          i32x8 lod, enum rhw_texel_codec codec,
                                                          f32x8 texel[4])
@@ -269,7 +275,7 @@ static __attribute__((noinline)) void sample_fixed_apart(const struct rhw_bindin
     }
 }
 
-// Keeps the level of detail within the sampler's limits and the texture's levels, 16.16.
+// Return the level of detail within the sampler's limits and the texture's levels, 16.16.
 RHW_INLINE i32x8 fixed_level_of_detail(const struct rhw_binding *binding, const f32x8 *gradient,
                                        const f32x8 *lod)
 {
@@ -284,7 +290,7 @@ RHW_INLINE i32x8 fixed_level_of_detail(const struct rhw_binding *binding, const 
                                         sample_constants()->one_16);
 }
 
-// The general path: whatever the lanes are, one level after the other, each texel wrapped.
+// Take the general path, whatever the lanes are: one level after the other, each texel wrapped.
 RHW_INLINE void sample_fixed_general(const struct rhw_binding *binding,
                                      const struct rhw_sample_request *request, enum rhw_texel_codec codec,
                                      f32x8 texel[4])
@@ -296,15 +302,15 @@ RHW_INLINE void sample_fixed_general(const struct rhw_binding *binding,
                         FOOTPRINTS_WRAPPED, texel);
 }
 
-// Whether all lanes filter the same two levels, and some have a weight in the second.
+// Return true if all lanes filter the same two levels, and some have a weight in the second.
 RHW_INLINE bool same_two_levels(i32x8 lod, i32x8 weight)
 {
     const i32x8 apart = lod ^ i32x8_splat_first(lod);
     return !i32x8_any_of(apart, sample_constants()->upper_half) && i32x8_any_of(weight, weight);
 }
 
-// Finds the footprints in a level and the next, for several textures that have them in common. False where some have
-// texels across an edge; if the coarser level has no side of 1, so has the finer one.
+// Find the footprints in a level and the next, for several textures that have them in common. Return false where some
+// have texels across an edge. If the coarser level has no side of 1, the finer one has none.
 RHW_INLINE bool interior_footprints(const struct rhw_mip *fine, f32x8 s, f32x8 t, struct footprint *near,
                                     struct footprint *far)
 {
@@ -316,7 +322,7 @@ RHW_INLINE bool interior_footprints(const struct rhw_mip *fine, f32x8 s, f32x8 t
     return coarse->interior[0] >= 0 && !i32x8_any_of(over, over);
 }
 
-// Takes the fast path, or turns to the other.
+// Take the fast path, or turn to the other.
 RHW_INLINE void sample_fixed(const struct rhw_binding *binding, const f32x8 uv[2], i32x8 lod,
                              enum rhw_texel_codec codec, f32x8 texel[4])
 {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The general path of the sampler: every format, filter and address mode, in floats. All lanes that read the same mip
-// level are served together, so that sizes and addresses are the same for all of them and the arithmetic stays vector
-// arithmetic; lanes next to each other on the screen nearly always do. A lane's result never depends on the other
-// lanes.
+// The general path of the sampler for plain 2D textures: every format, filter and address mode, in floats. All lanes
+// that read one mip level are served together, so that they have sizes and addresses in common and the arithmetic stays
+// vector arithmetic; lanes next to each other on the screen nearly always read one level. A lane's result never depends
+// on the other lanes.
 //
-// Coordinates are folded into 0..1 by the address mode before they meet the size of a level: the fold rounds
-// to 2^-24 at most, however large the coordinate, and what is not finite lands on an edge, so that no texel
-// outside is touched.
+// Coordinates are folded into 0..1 by the address mode before they meet the size of a level: the fold rounds to 2^-24
+// at most, however large the coordinate, and what is not finite lands on an edge, so that no texel outside is touched.
 #ifndef RHW_FILTER_FLOAT_H
 #define RHW_FILTER_FLOAT_H
 
@@ -18,19 +17,20 @@
 #include "reference.h"
 #include "texel_fetch.h"
 
-// What one call needs at every level. s and t are folded coordinates, `nearest` what the nearest filter takes in their place.
+// What one call needs at every level. s and t are folded coordinates; the nearest filter takes `nearest` in their
+// place.
 struct float_source {
     const struct rhw_texture_data *texture;
-    const struct rhw_format_info *format; // of the texture
+    const struct rhw_format_info *format; // format of the texture
     const struct rhw_sampler_data *sampler;
-    bool border; // along u or v
+    bool border; // the texture has a border along u or v
     bool halves; // filter_half.h takes footprints
     f32x8 s, t, nearest[2];
-    const f32x8
-        *reference; // of a sampler that compares: texels become 1 where the comparison holds, else 0; or NULL
+    // The reference of a sampler that compares, or NULL: texels become 1 where the comparison holds, else 0.
+    const f32x8 *reference;
 };
 
-// Puts the border's colour where texels lie outside the level.
+// Put the border's colour where texels lie outside the level.
 static inline void replace_outside(const struct float_source *source, const struct rhw_mip *mip, i32x8 x,
                                    i32x8 y, f32x8 texel[4])
 {
@@ -49,7 +49,7 @@ static inline void replace_outside(const struct float_source *source, const stru
     }
 }
 
-// Texels (x, y) of a level as floats, colour linear; coordinates may lie outside the level.
+// Fetch texels (x, y) of a level as floats, colour linear. Coordinates may lie outside the level.
 static inline void fetch_texels(const struct float_source *source, const struct rhw_mip *mip, i32x8 x,
                                 i32x8 y, f32x8 texel[4])
 {
@@ -115,7 +115,7 @@ static inline void filter_level(const struct float_source *source, const struct 
 {
     if (filter == RHW_FILTER_LINEAR && source->format->path == RHW_TEXELS_RGBA8_SRGB && !source->border &&
         !source->reference) {
-        // Those of the linear copy, as everywhere: its values differ a little from those that the table has.
+        // The linear copy is read here, as everywhere: its values differ a little from those that the table has.
         unpack_fixed(
             filter_fixed(source->sampler, mip, source->s, source->t, RHW_CODEC_SRGB8, FOOTPRINTS_INTERIOR),
             texel);
@@ -126,8 +126,8 @@ static inline void filter_level(const struct float_source *source, const struct 
     }
 }
 
-// All lanes at the levels that `level` names, by one filter; `fraction` of the way to the next level where
-// it is above 0.
+// Filter all lanes at the levels that `level` names, by one filter. Where `fraction` is above 0, it is the way to the
+// next level.
 static inline void filter_levels(const struct float_source *source, i32x8 level, f32x8 fraction,
                                  enum rhw_filter filter, f32x8 texel[4])
 {
@@ -153,7 +153,7 @@ static inline void filter_levels(const struct float_source *source, i32x8 level,
     }
 }
 
-// `halves`: the texture and its sampler are what filter_half.h takes.
+// Sample in floats. `halves`: filter_half.h serves the texture and its sampler.
 static __attribute__((noinline)) void sample_float(const struct rhw_binding *binding,
                                                    const struct rhw_sample_request *request, bool halves,
                                                    f32x8 texel[4])

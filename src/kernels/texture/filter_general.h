@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The general filter: textures of every kind and format, all that a sampler and a request may ask for, in floats. Every
-// lane has a level, a layer and a face of its own, so that no lane waits for another; what it costs to look their sizes
-// up is little beside the texels. Plain 2D textures come here for what filter_float.h and filter_fixed.h do not do.
+// The general filter serves textures of every kind and format, and all that a sampler and a request may ask for, in
+// floats. Every lane has a level, a layer and a face of its own, so that no lane waits for another; looking their sizes
+// up costs little beside the texels. Plain 2D textures come here for what filter_float.h and filter_fixed.h do not do.
 #ifndef RHW_FILTER_GENERAL_H
 #define RHW_FILTER_GENERAL_H
 
@@ -15,10 +15,11 @@ enum { MOST_TEXELS = 8 };
 struct texel_block {
     i32x8 low[3];
     f32x8 weight[3];
-    f32x8 texel[MOST_TEXELS][4]; // bit i of the number: upper along axis i
+    // Bit i of a texel's number says that it is the upper one along axis i.
+    f32x8 texel[MOST_TEXELS][4];
 };
 
-// Loads texels that may lie outside, along the axes; compares them where the sampler does.
+// Load texels that may lie outside, along the axes. Compare them where the sampler does.
 static inline void general_texels(const struct lookup *lookup, const struct lane_level *level,
                                   const i32x8 at[3], i32x8 slice, f32x8 texel[4])
 {
@@ -40,7 +41,7 @@ static inline void general_texels(const struct lookup *lookup, const struct lane
     }
 }
 
-// The coordinate along an axis in texels of the level.
+// Return the coordinate along an axis in texels of the level.
 static inline f32x8 texel_coordinate(const struct lookup *lookup, const struct lane_level *level, int axis)
 {
     const bool unnormalized = lookup->sampler->def.unnormalized;
@@ -67,7 +68,7 @@ static inline void general_nearest(const struct lookup *lookup, const struct lan
     general_texels(lookup, level, at, lookup->slice + lookup->face, texel);
 }
 
-// Finds the 2, 4 or 8 texels around the place.
+// Find the 2, 4 or 8 texels around the place.
 static inline void find_block(const struct lookup *lookup, const struct lane_level *level,
                               struct texel_block *block)
 {
@@ -79,7 +80,7 @@ static inline void find_block(const struct lookup *lookup, const struct lane_lev
     }
 }
 
-// The texel at a corner of a cube has no place on any face: it is the average of the three others.
+// Fill in the texel at a corner of a cube, which has no place on any face: it is the average of the three others.
 static inline void fill_corner(struct texel_block *block, int corner, i32x8 is_corner)
 {
     for (int c = 0; c < 4 && rhw_any(is_corner); c++) {
@@ -128,7 +129,7 @@ static inline void load_block(const struct lookup *lookup, const struct lane_lev
     }
 }
 
-// The weighted average: along u first, then v, then w.
+// Return the weighted average: along u first, then v, then w.
 static inline void average_block(const struct texel_block *block, int axes, f32x8 texel[4])
 {
     for (int c = 0; c < 4; c++) {
@@ -150,7 +151,7 @@ static inline f32x8 reduced(enum rhw_reduction reduction, f32x8 a, f32x8 b)
     return reduction == RHW_REDUCTION_MIN ? rhw_min(a, b) : rhw_max(a, b);
 }
 
-// The least or greatest of the texels that have a weight.
+// Return the least or greatest of the texels that have a weight.
 static inline void reduce_block(const struct texel_block *block, int axes, enum rhw_reduction reduction,
                                 f32x8 texel[4])
 {
@@ -198,7 +199,7 @@ static inline void general_level(const struct lookup *lookup, i32x8 number, enum
     }
 }
 
-// Adds the next level where it has a weight.
+// Add the next level where it has a weight.
 static inline void mix_next_level(const struct lookup *lookup, i32x8 number, f32x8 fraction, f32x8 texel[4])
 {
     const struct rhw_sampler_def *const def = &lookup->sampler->def;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texels where every lane may read another mip level, layer or slice: the general sampler numbers them from the texture's
-// first one, with 31 bits (texture_shape.c keeps them there).
+// Texels where every lane may read another mip level, layer or slice. The general sampler numbers them from the
+// texture's first one, with 31 bits (texture_shape.c keeps them there).
 #ifndef RHW_LANE_LEVEL_H
 #define RHW_LANE_LEVEL_H
 
@@ -9,11 +9,11 @@
 // The level of each lane.
 struct lane_level {
     i32x8 size[3];           // texels along u, v, w
-    i32x8 slices;            // of a 3D texture; layers of others
-    i32x8 first, row, slice; // texels before the level; from row to row, from slice to slice
+    i32x8 slices;            // slices of a 3D texture; layers of others
+    i32x8 first, row, slice; // texels before the level; from row to row; from slice to slice
 };
 
-// `level` is one that the texture has, in every lane.
+// Return the levels. `level` is one that the texture has, in every lane.
 RHW_INLINE struct lane_level lane_level_at(const struct rhw_texture_data *texture, i32x8 level)
 {
     const struct rhw_level_table *const table = &texture->table;
@@ -26,7 +26,7 @@ RHW_INLINE struct lane_level lane_level_at(const struct rhw_texture_data *textur
         .slice = i32x8_gather(table->slice, level)};
 }
 
-// Loads texels (x, y) of slices, all of them inside, as floats, colour linear.
+// Load texels (x, y) of slices, all of them inside, as floats, colour linear.
 RHW_INLINE void lane_texels(const struct rhw_texture_data *texture, const struct lane_level *level, i32x8 x,
                             i32x8 y, i32x8 slice, f32x8 texel[4])
 {

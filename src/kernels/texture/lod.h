@@ -7,27 +7,27 @@
 #include "resource/texture.h"
 #include "sample_constants.h"
 
-// &texture->mip[level], found by a loop where an index would do: the processor predicts when the loop ends and
-// starts to load texels before it has worked out the level of detail, which saves a quarter of the time.
+// Return &texture->mip[level]. It is found by a loop where an index would do: the processor predicts when the loop ends
+// and starts to load texels before it has worked out the level of detail, which saves a quarter of the time.
 RHW_INLINE const struct rhw_mip *mip_at(const struct rhw_texture_data *texture, int level)
 {
     const struct rhw_mip *mip = texture->mip;
     for (; level > 0; level--) {
         mip++;
-        __asm__("" : "+r"(mip)); // or the compiler would see through it
+        __asm__("" : "+r"(mip)); // keeps the compiler from seeing through the loop
     }
     return mip;
 }
 
-// Gives the last level that may be used.
+// Return the last level that may be used.
 RHW_INLINE int last_level(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler)
 {
     return sampler->def.mip_filter == RHW_MIP_FILTER_NONE ? 0 : texture->levels - 1;
 }
 
-// log2(a) / 2 within 2^-17, exact at powers of four: the level of detail needs no more. The bits of a float,
-// read as a number, are its logarithm but for the curve between powers of two. 0 gives −63.5, infinity and
-// NaN 64: the bits of a NaN differ between processors.
+// Return log2(a) / 2 within 2^-17, exact at powers of four: the level of detail needs no more. The bits of a float,
+// read as a number, are its logarithm except for the curve between powers of two. 0 gives −63.5, and infinity and NaN
+// give 64: the bits of a NaN differ between processors.
 RHW_INLINE f32x8 half_log2(f32x8 a)
 {
     const struct sample_constants *const k = sample_constants();
@@ -39,7 +39,7 @@ RHW_INLINE f32x8 half_log2(f32x8 a)
     return straight + (square - t) * curve;
 }
 
-// Level of detail after OpenGL ES 3.0 §3.8.10, biased but not yet limited. Half the logarithm of the squared
+// Return the level of detail after OpenGL ES 3.0 §3.8.10, biased but not yet limited. Half the logarithm of the squared
 // length spares the square root.
 RHW_INLINE f32x8 level_of_detail(const struct rhw_texture_data *texture,
                                  const struct rhw_sampler_data *sampler, const f32x8 *gradient,

@@ -16,23 +16,25 @@
 struct lookup {
     const struct rhw_texture_data *texture;
     const struct rhw_sampler_data *sampler;
-    int axes; // that are filtered along: u, v, w
+    int axes; // number of axes that are filtered along: u, v, w
     bool is_cube, border;
     enum rhw_address address[3];
-    f32x8 at[3]; // normalized, in one period; of a cube on the face. In texels where the sampler says so
-    i32x8 slice; // layer; of a cube the one of its first face
-    i32x8 face;  // of a cube
+    // Normalized coordinates in one period; those of a cube are on the face. They are in texels where the sampler says
+    // so.
+    f32x8 at[3];
+    i32x8 slice; // the layer; of a cube the layer of its first face
+    i32x8 face;  // face of a cube
     i32x8 offset[3];
     f32x8 reference;
 };
 
-// The components of a direction or a place, without the layer.
+// Return the components of a direction or a place, without the layer.
 RHW_INLINE int spatial_components(const struct rhw_texture_data *texture)
 {
     return rhw_texture_components(texture->shape.kind);
 }
 
-// The layer: to the nearest one, of two the even one, and within the array (Vulkan 1.3, "(s,t,r,q,a) to (u,v,w,a)
+// Return the layer: the nearest one, of two the even one, and within the array (Vulkan 1.3, "(s,t,r,q,a) to (u,v,w,a)
 // Transformation" and "Layer Selection"). NaN gives layer 0.
 static inline i32x8 layer_of(const struct rhw_texture_data *texture, const f32x8 *coordinates)
 {
@@ -98,7 +100,8 @@ static inline void look_up(const struct rhw_binding *binding, const struct rhw_s
 
 // Level of detail ------------------------------------------------------------------------------------
 
-// The squared length, in texels of level 0, of the change of place along x or along y; `change` is by components.
+// Return the squared length, in texels of level 0, of the change of place along x or along y. `change` is by
+// components.
 static inline f32x8 squared_length(const struct rhw_texture_data *texture, const f32x8 *coordinates,
                                    const f32x8 *change)
 {
@@ -125,7 +128,7 @@ static inline f32x8 requested_bias(const struct rhw_sample_request *request)
     return request->bias ? *request->bias : rhw_splat(0.0f);
 }
 
-// The level of detail that the request names, before the sampler's bias and limits.
+// Return the level of detail that the request names, before the sampler's bias and limits.
 static inline f32x8 requested_level(const struct rhw_texture_data *texture,
                                     const struct rhw_sample_request *request)
 {
@@ -138,7 +141,8 @@ static inline f32x8 requested_level(const struct rhw_texture_data *texture,
     return half_log2(rhw_max(x, y)) + requested_bias(request);
 }
 
-// The same as a sampler reads it: `limited` by its own limits, `within` those and the levels there are.
+// The level of detail as a sampler reads it: `limited` by the sampler's own limits, `within` these and the levels there
+// are.
 struct lane_lod {
     f32x8 limited, within;
 };
@@ -153,7 +157,7 @@ static inline struct lane_lod limit_level(const struct rhw_texture_data *texture
         limited, rhw_clamp(limited, rhw_splat(0.0f), rhw_splat((float)last_level(texture, sampler)))};
 }
 
-// The level that is read, or the finer one of two, and the weight of the next.
+// Return the level that is read, or the finer one of two, and the weight of the next.
 static inline f32x8 first_level(const struct rhw_sampler_data *sampler, f32x8 within, f32x8 *fraction)
 {
     const bool blended = sampler->def.mip_filter == RHW_MIP_FILTER_LINEAR;

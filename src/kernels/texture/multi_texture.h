@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Sampling several textures at one place, as a material does: base colour, normals, roughness, ... usually share
-// coordinates, size and sampler. Then the level of detail, the footprints in two levels and the weights are worked
-// out once, and the texels of one texture are on their way while another is filtered, for one group or several:
-// those of a whole material are too many for the caches. That saves 1 % of the instructions of DamagedHelmet and a
-// fifth of its time.
+// Several textures are sampled at one place, as a material does: base colour, normals, roughness, ... usually share
+// coordinates, size and sampler. Then the level of detail, the footprints in two levels and the weights are worked out
+// once, and the texels of one texture are on their way while another is filtered, for one group or several: the texels
+// of a whole material are too many for the caches. This saves 1 % of the instructions of DamagedHelmet and a fifth of
+// its time.
 //
-// Here stands too how one texture is sampled by itself for several groups.
+// One texture by itself is sampled here for several groups, too.
 #ifndef RHW_MULTI_TEXTURE_H
 #define RHW_MULTI_TEXTURE_H
 
@@ -16,9 +16,9 @@
 
 // What 8 lanes filter in two levels of every texture of a size.
 struct footprint_pair {
-    int level;                  // the finer one
-    struct footprint near, far; // in it, in the next
-    i32x8 weight;               // of the next
+    int level;                  // the finer level
+    struct footprint near, far; // footprints in the finer level and in the next
+    i32x8 weight;               // weight of the next level
 };
 
 RHW_INLINE enum rhw_texel_codec codec_of(const struct rhw_binding *binding)
@@ -26,7 +26,7 @@ RHW_INLINE enum rhw_texel_codec codec_of(const struct rhw_binding *binding)
     return binding->texture->info->codec;
 }
 
-// False where lanes need more than the fast path of sample_fixed.
+// Find the footprints. Return false where lanes need more than the fast path of sample_fixed.
 RHW_INLINE bool find_footprints(const struct rhw_binding *binding, const f32x8 uv[2], const f32x8 gradient[4],
                                 struct footprint_pair *pair)
 {
@@ -40,7 +40,7 @@ RHW_INLINE bool find_footprints(const struct rhw_binding *binding, const f32x8 u
            interior_footprints(mip_at(binding->texture, pair->level), s, t, &pair->near, &pair->far);
 }
 
-// Whether what was found for one binding holds for another.
+// Return true if what was found for one binding holds for another.
 RHW_INLINE bool has_same_footprints(const struct rhw_binding *found, const struct rhw_binding *binding)
 {
     const struct rhw_texture_data *const a = found->texture, *const b = binding->texture;
@@ -60,7 +60,7 @@ RHW_INLINE uint32_t sharing_slots(const struct rhw_binding *bindings, uint32_t s
     return sharing;
 }
 
-// Asks for the finer level's texels. Every second lane: neighbours mostly share cache lines.
+// Prefetch the finer level's texels, of every second lane: neighbours mostly share cache lines.
 RHW_INLINE void prefetch_footprint(const struct rhw_binding *binding, const struct footprint_pair *pair)
 {
     const struct rhw_texture_data *const texture = binding->texture;
@@ -85,7 +85,7 @@ RHW_INLINE void filter_footprints(const struct rhw_texture_data *texture, const 
     mix_levels(a, b, pair->weight, codec, texel);
 }
 
-// Gives the gradient of coordinates that are the varyings from `at` on.
+// Return the gradient of coordinates that are the varyings from `at` on.
 RHW_INLINE void group_gradient(const struct rhw_fragment *group, int at, f32x8 gradient[4])
 {
     gradient[0] = group->ddx[at];
@@ -94,7 +94,7 @@ RHW_INLINE void group_gradient(const struct rhw_fragment *group, int at, f32x8 g
     gradient[3] = group->ddy[at + 1];
 }
 
-// Samples one group by itself, as rhw_sample does.
+// Sample one group by itself, as rhw_sample does.
 RHW_INLINE void sample_group(const struct rhw_binding *binding, const struct rhw_fragment *group, int at,
                              f32x8 texel[4])
 {
@@ -109,10 +109,11 @@ RHW_INLINE void sample_group(const struct rhw_binding *binding, const struct rhw
     binding->sample(binding, &request, texel);
 }
 
-// Several groups at a time: few enough that their footprints and texels stay in the first cache level.
+// Groups that are sampled at a time: few enough that their footprints and texels stay in the first cache level.
 enum { SHARING_GROUPS = 8 };
 
-// One texture at the footprints of the groups whose bits are set in `found`. Meanwhile asks for texels of the next one.
+// Sample one texture at the footprints of the groups whose bits are set in `found`. Meanwhile prefetch texels of the
+// next texture.
 RHW_INLINE void filter_found_groups(const struct rhw_texture_data *texture, const struct rhw_binding *next,
                                     const struct footprint_pair pair[SHARING_GROUPS], unsigned found,
                                     enum rhw_texel_codec codec, f32x8 (*texels)[4], int stride)
@@ -126,7 +127,8 @@ RHW_INLINE void filter_found_groups(const struct rhw_texture_data *texture, cons
     }
 }
 
-// At most SHARING_GROUPS groups of slots that share what is found for the first, two at least.
+// Sample at most SHARING_GROUPS groups of slots that share what is found for the first slot. There are two slots at
+// least.
 static void sample_sharing_slots(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                                  f32x8 (*texels)[4], int stride)
 {
@@ -159,8 +161,8 @@ static void sample_sharing_slots(const struct rhw_fragment *groups, int count, u
     }
 }
 
-// One texture on the fixed-point path by itself. What its level of detail is takes a chain of operations, of which each
-// waits for the one before: those of all groups come first, so that they wait together.
+// Sample one texture on the fixed-point path by itself. The level of detail takes a chain of operations, each of which
+// waits for the one before: the chains of all groups come first, so that they wait together.
 RHW_INLINE void sample_fixed_groups(const struct rhw_binding *binding, const struct rhw_fragment *groups,
                                     int count, int at, enum rhw_texel_codec codec, f32x8 (*texels)[4],
                                     int stride)
@@ -176,7 +178,7 @@ RHW_INLINE void sample_fixed_groups(const struct rhw_binding *binding, const str
     }
 }
 
-// Samples one slot by itself, with a texture or without.
+// Sample one slot by itself, with a texture or without.
 static void sample_slot(const struct rhw_binding *binding, const struct rhw_fragment *groups, int count,
                         int at, f32x8 (*texels)[4], int stride)
 {
@@ -193,14 +195,14 @@ static void sample_slot(const struct rhw_binding *binding, const struct rhw_frag
     }
 }
 
-// See rhw_sample_groups.
+// Sample groups for rhw_sample_groups.
 static void sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                           rhw_float (*texels)[4], int stride)
 {
     const struct rhw_binding *const bindings = groups->textures->slot;
     const struct rhw_binding *const first = &bindings[__builtin_ctz(slots)];
     uint32_t sharing = first->shares_footprints ? sharing_slots(bindings, slots, first) : 0;
-    sharing = sharing & (sharing - 1) ? sharing : 0; // not with itself alone
+    sharing = sharing & (sharing - 1) ? sharing : 0; // a slot does not share with itself alone
     for (uint32_t todo = slots & ~sharing; todo != 0; todo &= todo - 1) {
         const int slot = __builtin_ctz(todo);
         sample_slot(&bindings[slot], groups, count, at, texels + slot, stride);

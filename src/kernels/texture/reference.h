@@ -7,7 +7,8 @@
 #include "base/simd.h"
 #include "rhw/shader.h"
 
-// Channels that hold 0..1, or −1..1, are compared with a number that does (Vulkan 1.3 §16.3.4).
+// Return the reference. Channels that hold 0..1, or −1..1, are compared with a number in this range (Vulkan 1.3
+// §16.3.4).
 static inline f32x8 reference_of(const struct rhw_format_info *format,
                                  const struct rhw_sample_request *request)
 {

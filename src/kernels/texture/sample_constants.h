@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Constants of the sampler as whole vectors: an instruction then takes one from memory as an operand, where gcc
-// would spend one instruction to load a number into all lanes, or three if it is an integer.
+// Constants of the sampler as whole vectors: an instruction then takes one from memory as an operand, where gcc would
+// spend one instruction to load a number into all lanes, or three if it is an integer.
 #ifndef RHW_SAMPLE_CONSTANTS_H
 #define RHW_SAMPLE_CONSTANTS_H
 
 #include "base/simd.h"
 
 struct sample_constants {
-    f32x8 largest;                        // finite float
-    i32x8 fraction_bits, one_bits;        // of a float; of 1.0f
+    f32x8 largest;                        // largest finite float
+    i32x8 fraction_bits, one_bits;        // bits of a float's fraction; bits of 1.0f
     f32x8 one, one_16;                    // 1; 1 in 16.16
     f32x8 curve0, curve1, curve2, curve3; // see half_log2
     f32x8 log_scale, log_offset;
-    f32x8 half_texel;              // 16.16
+    f32x8 half_texel;              // half a texel, 16.16
     f32x8 fixed_scale, fixed_rest; // see fixed_to_float
-    i32x8 lower_half, upper_half;  // of a lane
+    i32x8 lower_half, upper_half;  // halves of a lane
     i32x8 not_in_row;              // see filter_interior
 };
 
-// A macro, as the result of a function is no constant.
+// This is a macro because the result of a function is no constant.
 #define SPLAT(v)               \
     {                          \
         v, v, v, v, v, v, v, v \
@@ -47,7 +47,7 @@ static const struct sample_constants sample_constant_values = {
 RHW_INLINE const struct sample_constants *sample_constants(void)
 {
     const struct sample_constants *constants = &sample_constant_values;
-    __asm__("" : "+r"(constants)); // or the compiler would know the numbers again
+    __asm__("" : "+r"(constants)); // keeps the compiler from knowing the numbers again
     return constants;
 }
 

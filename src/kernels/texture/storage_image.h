@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Texels that shaders write at whole coordinates. Reading them is texel_query.h's fetch.
+// Texels that shaders write at whole coordinates. texel_query.h's fetch reads them.
 #ifndef RHW_STORAGE_IMAGE_H
 #define RHW_STORAGE_IMAGE_H
 
 #include "binding/storage.h"
 #include "texel_query.h"
 
-// Writes a texel of 1, 2, 4, 8 or 16 bytes. Other threads may be at the same one, so each word is written in a step.
+// Write a texel of 1, 2, 4, 8 or 16 bytes. Other threads may be at this texel, so each word is written in one step.
 static inline void store_texel(unsigned char *place, const uint32_t *word, size_t size)
 {
     if (size == 1) {
@@ -20,7 +20,7 @@ static inline void store_texel(unsigned char *place, const uint32_t *word, size_
     }
 }
 
-// Writes the texels of lanes of `mask` that lie inside.
+// Write the texels of lanes of `mask` that lie inside.
 static inline void image_store(const struct rhw_storage_image *image, const i32x8 *at, i32x8 mask,
                                const f32x8 texel[4])
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From coordinates to texels: address modes, texel numbers and loads. What is done with the texels of a footprint
-// stands in filter_float.h and filter_fixed.h.
+// The way from coordinates to texels: address modes, texel numbers and loads. filter_float.h and filter_fixed.h have
+// what is done with the texels of a footprint.
 #ifndef RHW_TEXEL_FETCH_H
 #define RHW_TEXEL_FETCH_H
 
@@ -12,13 +12,14 @@
 
 // Addresses -----------------------------------------------------------------------------------------
 
-// Folded into 0..1, or −1..2 with a border, where only what lies outside the texture matters. What is not
-// finite lands on a bound.
+// Return the coordinate folded into 0..1, or into −1..2 with a border, where only what lies outside the texture
+// matters. What is not finite lands on a bound.
 static inline f32x8 fold_coordinate(enum rhw_address address, f32x8 u)
 {
     const f32x8 zero = rhw_splat(0.0f), one = rhw_splat(1.0f);
     if (__builtin_expect(address == RHW_ADDRESS_REPEAT, 1)) {
-        return rhw_min(u - rhw_floor(u), sample_constants()->one); // never negative; 1 where it is NaN
+        // This is never negative, and 1 where it is NaN.
+        return rhw_min(u - rhw_floor(u), sample_constants()->one);
     }
     switch (address) {
     case RHW_ADDRESS_MIRROR: {
@@ -30,8 +31,8 @@ static inline f32x8 fold_coordinate(enum rhw_address address, f32x8 u)
     }
 }
 
-// Of a folded coordinate, what says which texel it lies in. Where MIRROR runs backwards a texel begins at its other edge
-// (Vulkan 1.3, "Wrapping Operation": −1 − i), so that the coordinate counts as just below itself.
+// Return of a folded coordinate what says which texel it lies in. Where MIRROR runs backwards a texel begins at its
+// other edge (Vulkan 1.3, "Wrapping Operation": −1 − i), so that the coordinate counts as just below itself.
 static inline f32x8 nearest_coordinate(enum rhw_address address, f32x8 u, f32x8 folded)
 {
     const f32x8 zero = rhw_splat(0.0f);
@@ -39,12 +40,13 @@ static inline f32x8 nearest_coordinate(enum rhw_address address, f32x8 u, f32x8 
         return folded;
     }
     const i32x8 is_backward = rhw_less(rhw_splat(1.0f), u - 2.0f * rhw_floor(0.5f * u));
-    return (f32x8)((i32x8)folded + (is_backward & rhw_less(zero, folded))); // a float's neighbour towards 0
+    // This is the float's neighbour towards 0.
+    return (f32x8)((i32x8)folded + (is_backward & rhw_less(zero, folded)));
 }
 
-// Texel coordinates that may lie one outside a level, moved into it. A repeated or mirrored edge is already exact:
-// folding leaves −1 and `size` only for the neighbour across the edge. Border texels are clamped as well,
-// and replaced after the fetch.
+// Move texel coordinates that may lie one outside a level into it. A repeated or mirrored edge is already exact:
+// folding leaves −1 and `size` only for the neighbour across the edge. Border texels are clamped as well, and replaced
+// after the fetch.
 static inline i32x8 wrap_coordinate(enum rhw_address address, i32x8 i, int size)
 {
     if (address == RHW_ADDRESS_REPEAT) {
@@ -59,14 +61,14 @@ static inline i32x8 is_outside(i32x8 i, int size)
     return (i >> 31) | ~rhw_less_int(i, i32x8_splat(size));
 }
 
-// y · texels per row + x, of x and y inside the level: all three fit 16 bits.
+// Return y · texels per row + x, of x and y inside the level: all three fit 16 bits.
 RHW_INLINE i32x8 texel_number(i32x8 xy, const struct rhw_mip *mip)
 {
     return i32x8_dot_halves(xy, i32x8_load(mip->step));
 }
 
-// A channel of the border: what the format lacks stays 0, 0, 0, 1 (Vulkan 1.3 §16.3.3 "Texel Replacement"), and integer
-// formats have a colour of their own.
+// Return a channel of the border. What the format lacks stays 0, 0, 0, 1 (Vulkan 1.3 §16.3.3 "Texel Replacement"), and
+// integer formats have a colour of their own.
 RHW_INLINE f32x8 border_channel(const struct rhw_format_info *format, const struct rhw_sampler_def *def,
                                 int channel)
 {
@@ -79,15 +81,15 @@ RHW_INLINE f32x8 border_channel(const struct rhw_format_info *format, const stru
 
 // Loads ---------------------------------------------------------------------------------------------
 
-// Puts 8 numbers into memory: one store and 8 loads cost less than taking the lanes out of a register, which gcc
-// does unless kept from it.
+// Put 8 numbers into memory. One store and 8 loads cost less than taking the lanes out of a register, which gcc does
+// unless kept from it.
 RHW_INLINE void spill_lanes(i32x8 lanes, uint32_t numbers[RHW_LANES])
 {
     memcpy(numbers, &lanes, sizeof lanes);
     __asm__("" : "+m"(*(uint32_t(*)[RHW_LANES])numbers));
 }
 
-// Loads texels by their numbers, counted from `texels`, of `size` bytes each.
+// Load texels by their numbers, counted from `texels`, of `size` bytes each.
 RHW_INLINE void fetch_numbered_texels(size_t size, const unsigned char *texels, i32x8 number,
                                       struct raw_texels *raw)
 {
@@ -113,7 +115,7 @@ RHW_INLINE void fetch_numbered_texels(size_t size, const unsigned char *texels, 
     }
 }
 
-// Loads texels (x, y) of a level.
+// Load texels (x, y) of a level.
 RHW_INLINE void fetch_raw_texels(size_t size, const struct rhw_mip *mip, i32x8 x, i32x8 y,
                                  struct raw_texels *raw)
 {

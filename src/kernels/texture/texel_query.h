@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-// What shaders ask of a texture beside a filtered sample: single texels, the four of a footprint, sizes, and which level
-// a sample would read.
+// What shaders ask of a texture beside a filtered sample: single texels, the four of a footprint, sizes, and which
+// level a sample would read.
 #ifndef RHW_TEXEL_QUERY_H
 #define RHW_TEXEL_QUERY_H
 
 #include "anisotropy.h"
 
-// Moves `i` into 0 .. count − 1 and clears lanes of the mask in which it was outside.
+// Move `i` into 0 .. count − 1 and clear lanes of the mask in which it was outside.
 static inline i32x8 keep_inside(i32x8 i, i32x8 count, i32x8 *inside)
 {
     *inside = *inside & ~(i >> 31) & rhw_less_int(i, count);
     return rhw_max_int(rhw_min_int(i, count - 1), i32x8_splat(0));
 }
 
-// Zeros outside, but for what the format lacks (Vulkan 1.3, "Texel Replacement" with robustImageAccess2).
+// Fetch texels. Outside they are zeros, except for what the format lacks (Vulkan 1.3, "Texel Replacement" with
+// robustImageAccess2).
 static inline void fetch(const struct rhw_texture_data *texture, const i32x8 *at, i32x8 number,
                          f32x8 texel[4])
 {
@@ -32,7 +33,7 @@ static inline void fetch(const struct rhw_texture_data *texture, const i32x8 *at
     }
 }
 
-// The same in level 0 of a plain 2D texture, as passes read what others drew: nothing is looked up for each lane.
+// Fetch texels of level 0 of a plain 2D texture, as passes read what others drew: nothing is looked up for each lane.
 static inline void fetch_plain(const struct rhw_texture_data *texture, const i32x8 *at, f32x8 texel[4])
 {
     const struct rhw_mip *const mip = &texture->mip[0];
@@ -47,8 +48,8 @@ static inline void fetch_plain(const struct rhw_texture_data *texture, const i32
     }
 }
 
-// The same of a sample of a multisampled texture. Lanes of one sample and layer are read together: they stand so far apart
-// that texels of all of them are too many to number.
+// Fetch texels of a sample of a multisampled texture. Lanes of one sample and layer are read together: samples stand so
+// far apart that texels of all of them are too many to number.
 static inline void fetch_sample(const struct rhw_texture_data *texture, const i32x8 *at, i32x8 sample,
                                 f32x8 texel[4])
 {
@@ -82,8 +83,8 @@ static inline void fetch_sample(const struct rhw_texture_data *texture, const i3
     }
 }
 
-// One channel of the texels that a linear filter would mix in level 0: below left, below right, above right, above left,
-// v down (Vulkan 1.3, "Texel Gathering"). Where there are not four, zeros.
+// Gather one channel of the texels that a linear filter would mix in level 0: below left, below right, above right,
+// above left, v down (Vulkan 1.3, "Texel Gathering"). The result is zeros where there are not four texels.
 static inline void gather(const struct rhw_binding *binding, const struct rhw_sample_request *request,
                           int channel, f32x8 texel[4])
 {
@@ -102,7 +103,8 @@ static inline void gather(const struct rhw_binding *binding, const struct rhw_sa
     }
 }
 
-// The level that a sample would read, and the level of detail before limits (Vulkan 1.3, "Image Level(s) Selection").
+// Return the level that a sample would read, and the level of detail before limits (Vulkan 1.3, "Image Level(s)
+// Selection").
 static inline void query_level(const struct rhw_binding *binding, const struct rhw_sample_request *request,
                                f32x8 lod[2])
 {
@@ -119,7 +121,8 @@ static inline void query_level(const struct rhw_binding *binding, const struct r
     lod[1] = requested + sampler->def.lod_bias;
 }
 
-// Texels along each axis, slices or layers behind them; 1 for those that the kind lacks, 0 where there is no such level.
+// Return texels along each axis, with slices or layers behind them. Axes that the kind lacks have 1, and all are 0
+// where there is no such level.
 static inline void query_size(const struct rhw_texture_data *texture, i32x8 number, i32x8 size[3])
 {
     i32x8 inside = i32x8_splat(-1);

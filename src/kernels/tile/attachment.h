@@ -7,15 +7,15 @@
 #include "kernels/texel/texel_codec.h"
 #include "kernels/tile_work.h"
 
-static enum rhw_load load_of(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment)
+static enum rhw_load load_of(const struct rhw_wave *wave, const struct rhw_attachment *attachment)
 {
-    return pass->first_wave || attachment->is_left_out ? attachment->load : RHW_LOAD_LOAD;
+    return wave->is_first || attachment->is_left_out ? attachment->load : RHW_LOAD_LOAD;
 }
 
-static bool is_stored(const struct rhw_pass_state *pass, const struct rhw_attachment *attachment)
+static bool is_stored(const struct rhw_wave *wave, const struct rhw_attachment *attachment)
 {
     const bool ends = attachment->store == RHW_STORE_DISCARD || attachment->loads_resolved;
-    return attachment->target && !attachment->is_read_only && !(pass->last_wave && ends);
+    return attachment->target && !attachment->is_read_only && !(wave->is_last && ends);
 }
 
 static void fill_bytes(unsigned char *to, const unsigned char pattern[RHW_CLEAR_BYTES], size_t bytes)
@@ -77,7 +77,7 @@ static struct memory_rows rows_of_target(const struct tile_work *work,
 static struct memory_rows loaded_rows(const struct tile_work *work, const struct rhw_attachment *attachment,
                                       int sample)
 {
-    return attachment->loads_resolved && (work->pass->first_wave || attachment->is_read_only)
+    return attachment->loads_resolved && (work->wave->is_first || attachment->is_read_only)
                ? rows_of_resolve(work, attachment)
                : rows_of_target(work, attachment, sample);
 }
@@ -87,7 +87,7 @@ static void load_attachment(const struct tile_work *work, const struct rhw_attac
                             unsigned char *tile)
 {
     const size_t size = attachment->texel_size;
-    if (load_of(work->pass, attachment) != RHW_LOAD_LOAD) {
+    if (load_of(work->wave, attachment) != RHW_LOAD_LOAD) {
         fill_bytes(tile, attachment->clear, RHW_TILE * RHW_TILE * size);
         return;
     }
@@ -123,7 +123,7 @@ static void store_attachment(const struct tile_work *work, const struct rhw_atta
                              int sample, const unsigned char *tile)
 {
     const size_t size = attachment->texel_size;
-    if (!is_stored(work->pass, attachment)) {
+    if (!is_stored(work->wave, attachment)) {
         return;
     }
     soil(work, attachment->clean);
@@ -142,9 +142,9 @@ static unsigned area_lanes(const struct tile_rect *area, int x)
 // Depth in the tile is float; where memory has steps of a UNORM format, it is converted on the way.
 static void load_depth_steps(const struct tile_work *work, int sample, float *tile)
 {
-    const struct rhw_attachment *const depth = &work->pass->depth;
+    const struct rhw_attachment *const depth = &work->target->depth;
     const struct rhw_format_info *const info = rhw_format_info(depth->format);
-    if (load_of(work->pass, depth) != RHW_LOAD_LOAD) {
+    if (load_of(work->wave, depth) != RHW_LOAD_LOAD) {
         struct raw_texels raw = {{i32x8_splat(0)}};
         load_texel_row(info->size, depth->clear, &raw);
         f32x8 value[4];
@@ -169,7 +169,7 @@ static void load_depth_steps(const struct tile_work *work, int sample, float *ti
 // Writes depth as the texels of those rows.
 static void write_depth_steps(const struct tile_work *work, struct memory_rows rows, const float *tile)
 {
-    const struct rhw_format_info *const info = rhw_format_info(work->pass->depth.format);
+    const struct rhw_format_info *const info = rhw_format_info(work->target->depth.format);
     for (int y = work->area.y0; y < work->area.y1; y++) {
         for (int x = work->area.x0 & -8; x < work->area.x1; x += 8) {
             const i32x8 mask = i32x8_from_bits(area_lanes(&work->area, x));
@@ -184,8 +184,8 @@ static void write_depth_steps(const struct tile_work *work, struct memory_rows r
 
 static void store_depth_steps(const struct tile_work *work, int sample, const float *tile)
 {
-    const struct rhw_attachment *const depth = &work->pass->depth;
-    if (is_stored(work->pass, depth)) {
+    const struct rhw_attachment *const depth = &work->target->depth;
+    if (is_stored(work->wave, depth)) {
         soil(work, depth->clean);
         write_depth_steps(work, rows_of_target(work, depth, sample), tile);
     }
@@ -194,26 +194,26 @@ static void store_depth_steps(const struct tile_work *work, int sample, const fl
 static void load_depth_stencil(const struct tile_work *work, int sample)
 {
     struct tile_depth *const tile = depth_of_sample(work->scratch, sample);
-    if (work->pass->depth_steps != 0) {
+    if (work->target->depth_steps != 0) {
         load_depth_steps(work, sample, tile->texels);
-    } else if (work->pass->has_depth) {
-        load_attachment(work, &work->pass->depth, sample, (unsigned char *)tile->texels);
+    } else if (work->target->has_depth) {
+        load_attachment(work, &work->target->depth, sample, (unsigned char *)tile->texels);
     }
-    if (work->pass->has_stencil) {
-        load_attachment(work, &work->pass->stencil, sample, tile->stencil);
+    if (work->target->has_stencil) {
+        load_attachment(work, &work->target->stencil, sample, tile->stencil);
     }
 }
 
 static void store_depth_stencil(const struct tile_work *work, int sample)
 {
     const struct tile_depth *const tile = depth_of_sample(work->scratch, sample);
-    if (work->pass->depth_steps != 0) {
+    if (work->target->depth_steps != 0) {
         store_depth_steps(work, sample, tile->texels);
-    } else if (work->pass->has_depth) {
-        store_attachment(work, &work->pass->depth, sample, (const unsigned char *)tile->texels);
+    } else if (work->target->has_depth) {
+        store_attachment(work, &work->target->depth, sample, (const unsigned char *)tile->texels);
     }
-    if (work->pass->has_stencil) {
-        store_attachment(work, &work->pass->stencil, sample, tile->stencil);
+    if (work->target->has_stencil) {
+        store_attachment(work, &work->target->stencil, sample, tile->stencil);
     }
 }
 
@@ -246,16 +246,16 @@ static bool is_clean(const struct tile_work *work, struct rhw_clean_tiles *clean
 // to its target.
 static void pass_through(const struct tile_work *work, const struct rhw_attachment *attachment)
 {
-    if (load_of(work->pass, attachment) == RHW_LOAD_LOAD) {
+    if (load_of(work->wave, attachment) == RHW_LOAD_LOAD) {
         return;
     }
-    if (is_stored(work->pass, attachment) && !is_clean(work, attachment->clean)) {
+    if (is_stored(work->wave, attachment) && !is_clean(work, attachment->clean)) {
         for (int sample = 0; sample < work->samples; sample++) {
             clear_rows(work, rows_of_target(work, attachment, sample), attachment->texel_size,
                        attachment->clear);
         }
     }
-    if (attachment->resolves && work->pass->last_wave && !is_clean(work, attachment->resolve_clean)) {
+    if (attachment->resolves && work->wave->is_last && !is_clean(work, attachment->resolve_clean)) {
         clear_rows(work, rows_of_resolve(work, attachment), attachment->texel_size, attachment->clear);
     }
 }

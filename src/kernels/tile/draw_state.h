@@ -3,7 +3,7 @@
 #ifndef RHW_DRAW_STATE_H
 #define RHW_DRAW_STATE_H
 
-#include "pass/query.h"
+#include "draw/used_query.h"
 #include "kernels/tile_units.h"
 #include "kernels/depth/hiz.h"
 
@@ -59,7 +59,7 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
     // Effects of a pixel would meet in a group: the later lane would not see what the earlier one has stored.
     work->orders_lanes =
         work->plan.depth_mode < RHW_DEPTH_LATE && !(pipeline->def.program.uses & RHW_USE_EFFECTS);
-    for (int t = 0; t < work->pass->color_count; t++) {
+    for (int t = 0; t < work->target->color_count; t++) {
         const struct rhw_blend_state *const blend = &state->blend[t];
         work->orders_lanes = work->orders_lanes && !blend->blend && blend->logic == RHW_LOGIC_OFF;
     }

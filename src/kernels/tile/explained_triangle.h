@@ -17,10 +17,10 @@ static void read_sample(const struct tile_work *work, struct sample_content *con
     const struct tile_depth *const depth = depth_of_sample(scratch, sample);
     const bool has_own = work->samples == 1 || scratch->expanded >> block_of_texel(at) & 1;
     memset(content, 0, sizeof *content);
-    content->depth = work->pass->has_depth ? depth->texels[at] : 0.0f;
-    content->stencil = work->pass->has_stencil ? depth->stencil[at] : 0;
-    for (int t = 0; t < work->pass->color_count; t++) {
-        const struct rhw_format_info *const format = rhw_format_info(work->pass->colors[t].format);
+    content->depth = work->target->has_depth ? depth->texels[at] : 0.0f;
+    content->stencil = work->target->has_stencil ? depth->stencil[at] : 0;
+    for (int t = 0; t < work->target->color_count; t++) {
+        const struct rhw_format_info *const format = rhw_format_info(work->target->colors[t].format);
         struct raw_texels raw = {{{0}}};
         f32x8 lanes[4];
         load_texel_row(format->size,
@@ -97,8 +97,8 @@ void RHW_ISA_NAME(rhw_explain_end)(struct tile_work *work, const struct sample_c
     struct rhw_explained *const e = work->explained;
     struct rhw_explained_fragment *const f = &e->fragment;
     const struct sample_origin sample = {
-        (int64_t)(work->x + e->x) * RHW_SUBPIXEL + work->pass->pattern->x_0_8[e->ask.sample],
-        (int64_t)(work->y + e->y) * RHW_SUBPIXEL + work->pass->pattern->y_0_8[e->ask.sample]};
+        (int64_t)(work->x + e->x) * RHW_SUBPIXEL + work->target->pattern->x_0_8[e->ask.sample],
+        (int64_t)(work->y + e->y) * RHW_SUBPIXEL + work->target->pattern->y_0_8[e->ask.sample]};
     struct sample_content after;
     RHW_ISA_NAME(rhw_flush)(work);
     if (!(f->covered >> e->ask.sample & 1)) {

@@ -41,7 +41,7 @@ static inline void resolve_expanded(const struct tile_work *work, int t, const s
     row.count = work->samples;
     for (int s = 0; s < work->samples && !(scratch->is_woven && how->is_common); s++) {
         row.plane[s] = scratch->is_woven ? (const unsigned char *)&sample[s]
-                                          : color_of_sample(scratch, t, s) + (size_t)texel * how->info->size;
+                                         : color_of_sample(scratch, t, s) + (size_t)texel * how->info->size;
         if (how->is_common) {
             sample[s] = i32x8_load(row.plane[s]);
         }
@@ -57,7 +57,7 @@ static inline void resolve_expanded(const struct tile_work *work, int t, const s
 static void resolve_color(const struct tile_work *work, int t)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
-    const struct rhw_attachment *const attachment = &work->pass->colors[t];
+    const struct rhw_attachment *const attachment = &work->target->colors[t];
     const struct rhw_format_info *const info = rhw_format_info(attachment->format);
     const enum rhw_resolve mode = color_mode(attachment, info);
     const struct memory_rows rows = rows_of_resolve(work, attachment);
@@ -119,14 +119,14 @@ static void resolve_stencil_samples(const struct tile_work *work, enum rhw_resol
 // Resolves depth, after its samples were stored.
 static void resolve_depth(const struct tile_work *work)
 {
-    const struct rhw_attachment *const depth = &work->pass->depth;
+    const struct rhw_attachment *const depth = &work->target->depth;
     const struct tile_depth *const first = depth_of_sample(work->scratch, 0);
     const struct memory_rows rows = rows_of_resolve(work, depth);
     if (depth->resolve_mode != RHW_RESOLVE_DEFAULT && depth->resolve_mode != RHW_RESOLVE_SAMPLE_ZERO) {
         resolve_depth_samples(work, depth->resolve_mode);
     }
     soil(work, depth->resolve_clean);
-    if (work->pass->depth_steps != 0) {
+    if (work->target->depth_steps != 0) {
         write_depth_steps(work, rows, first->texels);
     } else {
         write_rows(work, rows, (const unsigned char *)first->texels, sizeof(float));
@@ -136,7 +136,7 @@ static void resolve_depth(const struct tile_work *work)
 // Resolves stencil, likewise.
 static void resolve_stencil(const struct tile_work *work)
 {
-    const struct rhw_attachment *const stencil = &work->pass->stencil;
+    const struct rhw_attachment *const stencil = &work->target->stencil;
     if (stencil->resolve_mode == RHW_RESOLVE_MIN || stencil->resolve_mode == RHW_RESOLVE_MAX) {
         resolve_stencil_samples(work, stencil->resolve_mode);
     }
@@ -146,11 +146,11 @@ static void resolve_stencil(const struct tile_work *work)
 // Loading and storing with several samples ---------------------------------------------------------------
 
 // Whether samples are stored, now or for the waves that follow.
-static bool stores_samples(const struct rhw_pass_state *pass)
+static bool stores_samples(const struct rhw_wave *wave)
 {
     bool stores = false;
-    for (int t = 0; t < pass->color_count; t++) {
-        stores |= is_stored(pass, &pass->colors[t]);
+    for (int t = 0; t < wave->target.color_count; t++) {
+        stores |= is_stored(wave, &wave->target.colors[t]);
     }
     return stores;
 }
@@ -158,27 +158,29 @@ static bool stores_samples(const struct rhw_pass_state *pass)
 // Whether the tile is kept woven. An explanation looks into single samples, and the general path draws them.
 static bool can_weave(const struct tile_work *work)
 {
-    const struct rhw_pass_state *const pass = work->pass;
+    const struct rhw_target *const target = work->target;
     bool has_size = work->samples == WOVEN_SAMPLES;
-    for (int t = 0; t < pass->color_count; t++) {
-        has_size = has_size && pass->colors[t].texel_size == WOVEN_SIZE;
+    for (int t = 0; t < target->color_count; t++) {
+        has_size = has_size && target->colors[t].texel_size == WOVEN_SIZE;
     }
-    return has_size && !stores_samples(pass) && !work->explained && rhw_pass_takes_special_paths(pass);
+    return has_size && !stores_samples(work->wave) && !work->explained &&
+           rhw_pass_takes_special_paths(work->wave->pass);
 }
 
 static void load_samples(const struct tile_work *work)
 {
-    const struct rhw_pass_state *const pass = work->pass;
+    const struct rhw_target *const target = work->target;
     bool differ = false; // the samples of some colour may
-    for (int t = 0; t < pass->color_count; t++) {
-        const struct rhw_attachment *const color = &pass->colors[t];
-        differ |= load_of(pass, color) == RHW_LOAD_LOAD && !(color->loads_resolved && pass->first_wave);
+    for (int t = 0; t < target->color_count; t++) {
+        const struct rhw_attachment *const color = &target->colors[t];
+        differ |=
+            load_of(work->wave, color) == RHW_LOAD_LOAD && !(color->loads_resolved && work->wave->is_first);
     }
     work->scratch->expanded = differ ? ~(uint64_t)0 : 0;
     work->scratch->is_woven = !differ && can_weave(work);
-    for (int t = 0; t < pass->color_count; t++) {
+    for (int t = 0; t < target->color_count; t++) {
         for (int s = 0; s < (differ ? work->samples : 1); s++) {
-            load_attachment(work, &pass->colors[t], s, color_of_sample(work->scratch, t, s));
+            load_attachment(work, &target->colors[t], s, color_of_sample(work->scratch, t, s));
         }
     }
     for (int s = 0; s < work->samples; s++) {
@@ -189,28 +191,28 @@ static void load_samples(const struct tile_work *work)
 
 static void store_samples(const struct tile_work *work)
 {
-    const struct rhw_pass_state *const pass = work->pass;
-    const bool stores = stores_samples(pass);
+    const struct rhw_target *const target = work->target;
+    const bool stores = stores_samples(work->wave);
     for (int block = 0; block < HIZ_BLOCKS * HIZ_BLOCKS && stores; block++) {
         if (!(work->scratch->expanded >> block & 1)) {
             expand_block(work, block);
         }
     }
-    for (int t = 0; t < pass->color_count; t++) {
+    for (int t = 0; t < target->color_count; t++) {
         for (int s = 0; s < work->samples; s++) {
-            store_attachment(work, &pass->colors[t], s, color_of_sample(work->scratch, t, s));
+            store_attachment(work, &target->colors[t], s, color_of_sample(work->scratch, t, s));
         }
-        if (pass->colors[t].resolves && pass->last_wave) {
+        if (target->colors[t].resolves && work->wave->is_last) {
             resolve_color(work, t);
         }
     }
     for (int s = 0; s < work->samples; s++) {
         store_depth_stencil(work, s);
     }
-    if (pass->depth.resolves && pass->last_wave) {
+    if (target->depth.resolves && work->wave->is_last) {
         resolve_depth(work);
     }
-    if (pass->stencil.resolves && pass->last_wave) {
+    if (target->stencil.resolves && work->wave->is_last) {
         resolve_stencil(work);
     }
 }
@@ -219,24 +221,24 @@ static void store_samples(const struct tile_work *work)
 // waves that follow.
 static bool wants_tile(const struct tile_work *work, const struct rhw_attachment *attachment)
 {
-    const struct rhw_pass_state *const pass = work->pass;
-    if (load_of(pass, attachment) != RHW_LOAD_LOAD) {
+    const struct rhw_wave *const wave = work->wave;
+    if (load_of(wave, attachment) != RHW_LOAD_LOAD) {
         return false;
     }
-    if (pass->first_wave && attachment->loads_resolved) {
-        return !pass->last_wave && !attachment->is_read_only;
+    if (wave->is_first && attachment->loads_resolved) {
+        return !wave->is_last && !attachment->is_read_only;
     }
-    return attachment->resolves && pass->last_wave;
+    return attachment->resolves && wave->is_last;
 }
 
 // Whether a tile without triangles does not pass through.
 static bool resolves_loaded(const struct tile_work *work)
 {
-    const struct rhw_pass_state *const pass = work->pass;
-    bool wanted = (pass->has_depth && wants_tile(work, &pass->depth)) ||
-                  (pass->has_stencil && wants_tile(work, &pass->stencil));
-    for (int t = 0; t < pass->color_count; t++) {
-        wanted |= wants_tile(work, &pass->colors[t]);
+    const struct rhw_target *const target = work->target;
+    bool wanted = (target->has_depth && wants_tile(work, &target->depth)) ||
+                  (target->has_stencil && wants_tile(work, &target->stencil));
+    for (int t = 0; t < target->color_count; t++) {
+        wanted |= wants_tile(work, &target->colors[t]);
     }
     return wanted;
 }

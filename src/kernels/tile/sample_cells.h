@@ -5,7 +5,7 @@
 #ifndef RHW_SAMPLE_CELLS_H
 #define RHW_SAMPLE_CELLS_H
 
-#include "pipeline/sample_pattern.h"
+#include "resource/sample_pattern.h"
 #include "triangle_setup8.h"
 
 // A cell's mask has 4 bits for each pixel, row by row: its samples.

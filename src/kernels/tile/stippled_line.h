@@ -15,7 +15,7 @@ struct stippled_line {
 // Sample s of the tile's first pixel.
 static struct sample_origin origin_of_sample(const struct tile_work *work, int s)
 {
-    const struct rhw_sample_pattern *const pattern = work->pass->pattern;
+    const struct rhw_sample_pattern *const pattern = work->target->pattern;
     return (struct sample_origin){(int64_t)work->x * RHW_SUBPIXEL + pattern->x_0_8[s],
                                   (int64_t)work->y * RHW_SUBPIXEL + pattern->y_0_8[s]};
 }

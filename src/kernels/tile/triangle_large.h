@@ -49,27 +49,12 @@ RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_wor
     return mask;
 }
 
-// Draws a block: depth is tested first, then what survives is collected for shading.
-static void draw_block(struct tile_work *work, struct triangle_work *triangle, int x, int y, uint64_t mask)
+// Draws a block of which `mask` is covered and open: depth is tested first, then what survives is collected for shading.
+static __attribute__((noinline)) void test_and_shade_block(struct tile_work *work,
+                                                           struct triangle_work *triangle, int x, int y,
+                                                           uint64_t mask)
 {
     const struct rhw_draw_plan *const plan = &work->plan;
-    struct tile_depth *const depth = &work->scratch->depth;
-    if (work->phase == RHW_PHASE_BACKWARDS) {
-        mask = claim_backwards(depth, x, y, mask);
-    } else if (plan->early_name == RHW_RULE_CLAIM) {
-        mask &= block_bits(&depth->open[y], x);
-    }
-    if (tests_stencil_first(work)) {
-        mask &= compare_stencil_block(depth, x, y, &work->state->depth_stencil.face[face_of(triangle)]);
-    }
-    if (mask == 0) {
-        return;
-    }
-    if (plan->shading == RHW_SHADING_CONSTANT && !plan->needs_depth) { // no number of the triangle is wanted
-        work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
-        blend_constant(work, x, y, mask);
-        return;
-    }
     if (!triangle->has_planes) {
         set_planes(work, triangle);
     }
@@ -103,6 +88,30 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
     } else {
         collect_block(work, triangle, &block, mask);
     }
+}
+
+// Draws a block. What asks for no number of the triangle is done here, and needs few registers.
+static void draw_block(struct tile_work *work, struct triangle_work *triangle, int x, int y, uint64_t mask)
+{
+    const struct rhw_draw_plan *const plan = &work->plan;
+    struct tile_depth *const depth = &work->scratch->depth;
+    if (work->phase == RHW_PHASE_BACKWARDS) {
+        mask = claim_backwards(depth, x, y, mask);
+    } else if (plan->early_name == RHW_RULE_CLAIM) {
+        mask &= block_bits(&depth->open[y], x);
+    }
+    if (tests_stencil_first(work)) {
+        mask &= compare_stencil_block(depth, x, y, &work->state->depth_stencil.face[face_of(triangle)]);
+    }
+    if (mask == 0) {
+        return;
+    }
+    if (plan->shading == RHW_SHADING_CONSTANT && !plan->needs_depth) { // no number of the triangle is wanted
+        work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
+        blend_constant(work, x, y, mask);
+        return;
+    }
+    test_and_shade_block(work, triangle, x, y, mask);
 }
 
 // Whole tiles ------------------------------------------------------------------------------------------

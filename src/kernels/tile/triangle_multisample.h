@@ -17,7 +17,7 @@
 RHW_INLINE void block_set(struct block *block, const struct tile_work *work,
                           const struct triangle_work *triangle, const struct sampled_block *from, int s)
 {
-    const struct rhw_sample_pattern *const pattern = work->pass->pattern;
+    const struct rhw_sample_pattern *const pattern = work->target->pattern;
     block->x = from->x;
     block->y = from->y;
     block->at = block_offset(work, &triangle->planes, from->x, from->y);
@@ -100,7 +100,7 @@ static void test_samples(struct tile_work *work, const struct triangle_work *tri
 static void queue_samples(struct tile_work *work, struct triangle_work *triangle,
                           const struct sampled_block *from, uint64_t pixels, int at)
 {
-    const struct rhw_sample_pattern *const pattern = work->pass->pattern;
+    const struct rhw_sample_pattern *const pattern = work->target->pattern;
     const bool per_sample = work->plan.sampling == RHW_SAMPLING_SAMPLE;
     f32x8 z[RHW_BLOCK];
     struct block block;
@@ -217,7 +217,7 @@ static uint64_t overlap_mask(int x, int y, const struct tile_rect *rect)
 static struct tile_rect point_rect(const struct tile_work *work, const struct rhw_triangle *t,
                                    const struct tile_rect *rect, int s)
 {
-    const int32_t x = work->pass->pattern->x_0_8[s], y = work->pass->pattern->y_0_8[s];
+    const int32_t x = work->target->pattern->x_0_8[s], y = work->target->pattern->y_0_8[s];
     const int32_t size = (t->x_24_8[1] - t->x_24_8[0]) / 2;
     const int x0 = pixel_of_step(t->x_24_8[0], RHW_SUBPIXEL - x - 1) - work->x,
               y0 = pixel_of_step(t->y_24_8[0], RHW_SUBPIXEL - y - 1) - work->y,
@@ -307,7 +307,7 @@ static void draw_any_samples(struct tile_work *work, struct triangle_work *trian
 {
     struct clipped_planes clipped;
     begin_any(work, triangle, &clipped);
-    const struct rhw_sample_pattern *const pattern = work->pass->pattern;
+    const struct rhw_sample_pattern *const pattern = work->target->pattern;
     const struct tile_rect rect = rect_of(work, triangle->t);
     // Of the others blocks are not all there is to look at.
     const bool is_whole = !(triangle->t->flags & (RHW_TRIANGLE_POLYGON | RHW_TRIANGLE_RECTANGLE));

@@ -48,7 +48,7 @@ static inline void part_edges_set(struct small_part *part, const struct tile_wor
                                   const struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
-    const struct rhw_sample_pattern *const pattern = work->pass->pattern;
+    const struct rhw_sample_pattern *const pattern = work->target->pattern;
     const int i = triangle->lane, right = part->x - setup->x[i], down = part->y - setup->y0[i];
     for (int e = 0; e < 3; e++) {
         const int32_t a = setup->a[e][i], b = setup->b[e][i];
@@ -77,7 +77,7 @@ RHW_INLINE uint64_t test_part_sample(const struct part_test *test, int s, const 
     const struct triangle_setup8 *const setup = test->triangle->setup;
     const struct small_edges *const edges = test->edges;
     const struct small_part *const part = test->part;
-    const struct rhw_sample_pattern *const pattern = work->pass->pattern;
+    const struct rhw_sample_pattern *const pattern = work->target->pattern;
     struct tile_depth *const depth = depth_of_sample(work->scratch, s);
     const int i = test->triangle->lane;
     const struct plane z = plane_of(&setup->quantities[i], QUANTITY_Z);

@@ -2,12 +2,7 @@
 // What the promise of equal bytes asks of the compiler and its options: no contraction, no reassociation, no
 // excess precision, subnormals kept, and a rounding to float that is a rounding. gcc 12's SLP vectorizer fails
 // the last one at -O2, which is why the build switches it off.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "unit.h"
 
 #include <math.h>
 #include <string.h>
@@ -62,11 +57,9 @@ static void test_operations_are_ieee(void **state)
     assert_true(multiply_add(-0.0f, 1, -0.0f) == 0 && signbit(multiply_add(-0.0f, 1, -0.0f)));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_rounding_to_float_is_one),
-        cmocka_unit_test(test_operations_are_ieee),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_a_rounding_to_float_is_one),
+    cmocka_unit_test(test_operations_are_ieee),
+};
+
+const struct unit_tests test_compiler = UNIT_TESTS(tests, NULL, NULL);

@@ -81,18 +81,24 @@ static void test_what_cannot_be_read(void **state)
     assert_int_equal(quota("no colons\n1:cpu\n:::\n"), INT_MAX);
 }
 
-int main(void)
+static int make_root(void **state)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_version_2),
-        cmocka_unit_test(test_version_1),
-        cmocka_unit_test(test_what_cannot_be_read),
-    };
-    if (!mkdtemp(root)) {
-        return 1;
-    }
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    (void)state;
+    return mkdtemp(root) == NULL ? -1 : 0;
+}
+
+static int remove_root(void **state)
+{
+    (void)state;
     char command[64];
     snprintf(command, sizeof command, "rm -rf %s", root);
-    return system(command) != 0 || failed != 0;
+    return system(command);
 }
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_version_2),
+    cmocka_unit_test(test_version_1),
+    cmocka_unit_test(test_what_cannot_be_read),
+};
+
+const struct unit_tests test_cpu_quota = UNIT_TESTS(tests, make_root, remove_root);

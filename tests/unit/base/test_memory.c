@@ -419,16 +419,14 @@ static void test_what_is_created_is_zero(void **state)
     expect_all_returned(&meter);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_everything_is_returned),
-        cmocka_unit_test(test_out_of_memory_once),
-        cmocka_unit_test(test_out_of_memory_from_then_on),
-        cmocka_unit_test(test_warm_passes_do_not_allocate),
-        cmocka_unit_test(test_the_stats_know_the_peak),
-        cmocka_unit_test(test_what_is_created_takes_no_memory_yet),
-        cmocka_unit_test(test_what_is_created_is_zero),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_everything_is_returned),
+    cmocka_unit_test(test_out_of_memory_once),
+    cmocka_unit_test(test_out_of_memory_from_then_on),
+    cmocka_unit_test(test_warm_passes_do_not_allocate),
+    cmocka_unit_test(test_the_stats_know_the_peak),
+    cmocka_unit_test(test_what_is_created_takes_no_memory_yet),
+    cmocka_unit_test(test_what_is_created_is_zero),
+};
+
+const struct unit_tests test_memory = UNIT_TESTS(tests, NULL, NULL);

@@ -142,10 +142,8 @@ static void test_many(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_united_bytes),
-                                       cmocka_unit_test(test_ranges_of_their_own),
-                                       cmocka_unit_test(test_shortened), cmocka_unit_test(test_many)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(test_united_bytes),
+                                          cmocka_unit_test(test_ranges_of_their_own),
+                                          cmocka_unit_test(test_shortened), cmocka_unit_test(test_many)};
+
+const struct unit_tests test_range_set = UNIT_TESTS(tests, NULL, NULL);

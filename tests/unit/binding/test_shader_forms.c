@@ -326,13 +326,11 @@ static void test_functions_receive_their_programs_user(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_both_forms_give_the_same_bytes),
-        cmocka_unit_test(test_vertices_arrive_in_groups_of_8),
-        cmocka_unit_test(test_colors_lie_side_by_side),
-        cmocka_unit_test(test_functions_receive_their_programs_user),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_both_forms_give_the_same_bytes),
+    cmocka_unit_test(test_vertices_arrive_in_groups_of_8),
+    cmocka_unit_test(test_colors_lie_side_by_side),
+    cmocka_unit_test(test_functions_receive_their_programs_user),
+};
+
+const struct unit_tests test_shader_forms = UNIT_TESTS(tests, NULL, NULL);

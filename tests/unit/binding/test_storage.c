@@ -723,12 +723,10 @@ static void validation(void **state)
     expect_message(0, read_slot16, "uses storage slot 16; slots are 0..15");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(operations),    cmocka_unit_test(outside),
-                                       cmocka_unit_test(counts),        cmocka_unit_test(nothing_received),
-                                       cmocka_unit_test(multisampled),  cmocka_unit_test(distinct_lanes),
-                                       cmocka_unit_test(early_discard), cmocka_unit_test(vertices),
-                                       cmocka_unit_test(misuse),        cmocka_unit_test(validation)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(operations),    cmocka_unit_test(outside),
+                                          cmocka_unit_test(counts),        cmocka_unit_test(nothing_received),
+                                          cmocka_unit_test(multisampled),  cmocka_unit_test(distinct_lanes),
+                                          cmocka_unit_test(early_discard), cmocka_unit_test(vertices),
+                                          cmocka_unit_test(misuse),        cmocka_unit_test(validation)};
+
+const struct unit_tests test_storage = UNIT_TESTS(tests, NULL, NULL);

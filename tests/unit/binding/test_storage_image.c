@@ -481,10 +481,8 @@ static void misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(formats),   cmocka_unit_test(kinds),
-                                       cmocka_unit_test(atomics),   cmocka_unit_test(texel_buffers),
-                                       cmocka_unit_test(read_only), cmocka_unit_test(misuse)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(formats),   cmocka_unit_test(kinds),
+                                          cmocka_unit_test(atomics),   cmocka_unit_test(texel_buffers),
+                                          cmocka_unit_test(read_only), cmocka_unit_test(misuse)};
+
+const struct unit_tests test_storage_image = UNIT_TESTS(tests, NULL, NULL);

@@ -379,17 +379,15 @@ static void test_warnings_are_seen_without_a_log(void **state)
     assert_string_equal(text, "");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_an_empty_slot),
-        cmocka_unit_test(test_a_stride_without_room),
-        cmocka_unit_test(test_levels_that_nobody_wrote),
-        cmocka_unit_test(test_references),
-        cmocka_unit_test(test_levels_written_one_by_one),
-        cmocka_unit_test(test_dead_lanes_do_not_count),
-        cmocka_unit_test(test_functions_that_forget_their_count),
-        cmocka_unit_test(test_warnings_are_seen_without_a_log),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_an_empty_slot),
+    cmocka_unit_test(test_a_stride_without_room),
+    cmocka_unit_test(test_levels_that_nobody_wrote),
+    cmocka_unit_test(test_references),
+    cmocka_unit_test(test_levels_written_one_by_one),
+    cmocka_unit_test(test_dead_lanes_do_not_count),
+    cmocka_unit_test(test_functions_that_forget_their_count),
+    cmocka_unit_test(test_warnings_are_seen_without_a_log),
+};
+
+const struct unit_tests test_validated_sampling = UNIT_TESTS(tests, NULL, NULL);

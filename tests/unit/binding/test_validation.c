@@ -531,20 +531,18 @@ static void test_the_default(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_fragment_functions),
-        cmocka_unit_test(test_blending_reads_alpha),
-        cmocka_unit_test(test_nothing_is_told_without),
-        cmocka_unit_test(test_warnings),
-        cmocka_unit_test(test_vertex_functions),
-        cmocka_unit_test(test_draws_stay_within_their_buffers),
-        cmocka_unit_test(test_constants_are_there),
-        cmocka_unit_test(test_restarts_name_no_vertex),
-        cmocka_unit_test(test_nan_clears),
-        cmocka_unit_test(test_a_missing_fragment_function),
-        cmocka_unit_test(test_the_default),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_fragment_functions),
+    cmocka_unit_test(test_blending_reads_alpha),
+    cmocka_unit_test(test_nothing_is_told_without),
+    cmocka_unit_test(test_warnings),
+    cmocka_unit_test(test_vertex_functions),
+    cmocka_unit_test(test_draws_stay_within_their_buffers),
+    cmocka_unit_test(test_constants_are_there),
+    cmocka_unit_test(test_restarts_name_no_vertex),
+    cmocka_unit_test(test_nan_clears),
+    cmocka_unit_test(test_a_missing_fragment_function),
+    cmocka_unit_test(test_the_default),
+};
+
+const struct unit_tests test_validation = UNIT_TESTS(tests, NULL, NULL);

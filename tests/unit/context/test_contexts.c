@@ -272,18 +272,16 @@ static void test_ids_of_many_objects(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_version),
-        cmocka_unit_test(test_results_are_sentences),
-        cmocka_unit_test(test_instruction_sets),
-        cmocka_unit_test(test_thread_counts),
-        cmocka_unit_test(test_one_thread_is_the_callers),
-        cmocka_unit_test(test_log),
-        cmocka_unit_test(test_contexts_run_in_parallel),
-        cmocka_unit_test(test_many_contexts_one_after_the_other),
-        cmocka_unit_test(test_ids_of_many_objects),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_version),
+    cmocka_unit_test(test_results_are_sentences),
+    cmocka_unit_test(test_instruction_sets),
+    cmocka_unit_test(test_thread_counts),
+    cmocka_unit_test(test_one_thread_is_the_callers),
+    cmocka_unit_test(test_log),
+    cmocka_unit_test(test_contexts_run_in_parallel),
+    cmocka_unit_test(test_many_contexts_one_after_the_other),
+    cmocka_unit_test(test_ids_of_many_objects),
+};
+
+const struct unit_tests test_contexts = UNIT_TESTS(tests, NULL, NULL);

@@ -60,12 +60,10 @@ static void test_edge_of_the_guard_band(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stale_pass),
-        cmocka_unit_test(test_bins_are_bounded),
-        cmocka_unit_test(test_edge_of_the_guard_band),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_stale_pass),
+    cmocka_unit_test(test_bins_are_bounded),
+    cmocka_unit_test(test_edge_of_the_guard_band),
+};
+
+const struct unit_tests test_in_use = UNIT_TESTS(tests, NULL, NULL);

@@ -176,16 +176,14 @@ static void test_misuse_in_a_pass_is_its_result(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_messages_name_label_and_id),
-        cmocka_unit_test(test_labels_are_copied),
-        cmocka_unit_test(test_labels_are_any_bytes),
-        cmocka_unit_test(test_messages_name_the_place),
-        cmocka_unit_test(test_groups_are_popped),
-        cmocka_unit_test(test_groups_are_many),
-        cmocka_unit_test(test_misuse_in_a_pass_is_its_result),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_messages_name_label_and_id),
+    cmocka_unit_test(test_labels_are_copied),
+    cmocka_unit_test(test_labels_are_any_bytes),
+    cmocka_unit_test(test_messages_name_the_place),
+    cmocka_unit_test(test_groups_are_popped),
+    cmocka_unit_test(test_groups_are_many),
+    cmocka_unit_test(test_misuse_in_a_pass_is_its_result),
+};
+
+const struct unit_tests test_labels = UNIT_TESTS(tests, NULL, NULL);

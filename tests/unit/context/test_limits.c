@@ -480,17 +480,15 @@ static void test_mapped_memory(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_what_vulkan_requires),
-        cmocka_unit_test(test_vertex_buffers),
-        cmocka_unit_test(test_uniforms),
-        cmocka_unit_test(test_sizes),
-        cmocka_unit_test(test_textures),
-        cmocka_unit_test(test_texture_slots),
-        cmocka_unit_test(test_sample_counts),
-        cmocka_unit_test(test_mapped_memory),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_what_vulkan_requires),
+    cmocka_unit_test(test_vertex_buffers),
+    cmocka_unit_test(test_uniforms),
+    cmocka_unit_test(test_sizes),
+    cmocka_unit_test(test_textures),
+    cmocka_unit_test(test_texture_slots),
+    cmocka_unit_test(test_sample_counts),
+    cmocka_unit_test(test_mapped_memory),
+};
+
+const struct unit_tests test_limits = UNIT_TESTS(tests, NULL, NULL);

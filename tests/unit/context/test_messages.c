@@ -228,16 +228,14 @@ static void test_contradictions(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_definitions_are_named),
-        cmocka_unit_test(test_attachments_are_named),
-        cmocka_unit_test(test_formats_are_named),
-        cmocka_unit_test(test_what_is_gone_keeps_its_label),
-        cmocka_unit_test(test_calls_that_meet_name_the_context),
-        cmocka_unit_test(test_a_refused_pipeline),
-        cmocka_unit_test(test_contradictions),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_definitions_are_named),
+    cmocka_unit_test(test_attachments_are_named),
+    cmocka_unit_test(test_formats_are_named),
+    cmocka_unit_test(test_what_is_gone_keeps_its_label),
+    cmocka_unit_test(test_calls_that_meet_name_the_context),
+    cmocka_unit_test(test_a_refused_pipeline),
+    cmocka_unit_test(test_contradictions),
+};
+
+const struct unit_tests test_messages = UNIT_TESTS(tests, NULL, NULL);

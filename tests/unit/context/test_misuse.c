@@ -554,20 +554,18 @@ static void test_context_definitions(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_destroyed_and_null_ids),
-        cmocka_unit_test(test_an_ended_pass_is_stale),
-        cmocka_unit_test(test_texture_and_buffer_definitions),
-        cmocka_unit_test(test_sampler_definitions),
-        cmocka_unit_test(test_pipeline_definitions),
-        cmocka_unit_test(test_arithmetic_of_the_program),
-        cmocka_unit_test(test_pass_definitions),
-        cmocka_unit_test(test_pass_state),
-        cmocka_unit_test(test_draws_without_what_they_need),
-        cmocka_unit_test(test_null_arguments),
-        cmocka_unit_test(test_context_definitions),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_destroyed_and_null_ids),
+    cmocka_unit_test(test_an_ended_pass_is_stale),
+    cmocka_unit_test(test_texture_and_buffer_definitions),
+    cmocka_unit_test(test_sampler_definitions),
+    cmocka_unit_test(test_pipeline_definitions),
+    cmocka_unit_test(test_arithmetic_of_the_program),
+    cmocka_unit_test(test_pass_definitions),
+    cmocka_unit_test(test_pass_state),
+    cmocka_unit_test(test_draws_without_what_they_need),
+    cmocka_unit_test(test_null_arguments),
+    cmocka_unit_test(test_context_definitions),
+};
+
+const struct unit_tests test_misuse = UNIT_TESTS(tests, NULL, NULL);

@@ -421,12 +421,10 @@ static void test_what_is_missing_is_told(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_zeroed_is_default),       cmocka_unit_test(test_a_context_takes_the_best),
-        cmocka_unit_test(test_asked_for_by_name),       cmocka_unit_test(test_computed_strides),
-        cmocka_unit_test(test_what_is_missing_is_told),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_zeroed_is_default),       cmocka_unit_test(test_a_context_takes_the_best),
+    cmocka_unit_test(test_asked_for_by_name),       cmocka_unit_test(test_computed_strides),
+    cmocka_unit_test(test_what_is_missing_is_told),
+};
+
+const struct unit_tests test_zero = UNIT_TESTS(tests, NULL, NULL);

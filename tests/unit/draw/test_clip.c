@@ -588,21 +588,19 @@ static void test_a_polygon_of_a_triangle_without_area(void **state)
     assert_true(covers(sliver, (struct rhw_viewport){0, 0, 131, 117, 0, 1}, RHW_CULL_NONE, 119, 43));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values_of_triangles_with_vertices_behind_the_eye),
-        cmocka_unit_test(test_values_of_triangles_across_near_and_far),
-        cmocka_unit_test(test_vertex_order_does_not_change_what_is_covered),
-        cmocka_unit_test(test_no_cracks_around_the_eye),
-        cmocka_unit_test(test_no_cracks_across_near_and_far),
-        cmocka_unit_test(test_w_of_zero_and_less_is_ordinary),
-        cmocka_unit_test(test_positions_that_are_not_finite_are_dropped),
-        cmocka_unit_test(test_huge_and_tiny_coordinates),
-        cmocka_unit_test(test_clipped_triangles_keep_the_winding),
-        cmocka_unit_test(test_clipped_slivers_keep_the_winding),
-        cmocka_unit_test(test_a_polygon_that_crosses_itself),
-        cmocka_unit_test(test_a_polygon_of_a_triangle_without_area),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_values_of_triangles_with_vertices_behind_the_eye),
+    cmocka_unit_test(test_values_of_triangles_across_near_and_far),
+    cmocka_unit_test(test_vertex_order_does_not_change_what_is_covered),
+    cmocka_unit_test(test_no_cracks_around_the_eye),
+    cmocka_unit_test(test_no_cracks_across_near_and_far),
+    cmocka_unit_test(test_w_of_zero_and_less_is_ordinary),
+    cmocka_unit_test(test_positions_that_are_not_finite_are_dropped),
+    cmocka_unit_test(test_huge_and_tiny_coordinates),
+    cmocka_unit_test(test_clipped_triangles_keep_the_winding),
+    cmocka_unit_test(test_clipped_slivers_keep_the_winding),
+    cmocka_unit_test(test_a_polygon_that_crosses_itself),
+    cmocka_unit_test(test_a_polygon_of_a_triangle_without_area),
+};
+
+const struct unit_tests test_clip = UNIT_TESTS(tests, NULL, NULL);

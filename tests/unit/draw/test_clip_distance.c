@@ -255,15 +255,13 @@ static void test_validation_looks_at_distances(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_triangles_are_cut_and_keep_their_values),
-        cmocka_unit_test(test_eight_planes_leave_an_octagon),
-        cmocka_unit_test(test_lines_and_points_are_cut),
-        cmocka_unit_test(test_cull_distances_take_all_or_nothing),
-        cmocka_unit_test(test_counts_out_of_range_are_misuse),
-        cmocka_unit_test(test_validation_looks_at_distances),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_triangles_are_cut_and_keep_their_values),
+    cmocka_unit_test(test_eight_planes_leave_an_octagon),
+    cmocka_unit_test(test_lines_and_points_are_cut),
+    cmocka_unit_test(test_cull_distances_take_all_or_nothing),
+    cmocka_unit_test(test_counts_out_of_range_are_misuse),
+    cmocka_unit_test(test_validation_looks_at_distances),
+};
+
+const struct unit_tests test_clip_distance = UNIT_TESTS(tests, NULL, NULL);

@@ -194,13 +194,11 @@ static void test_tiles_resolve_as_regions_do(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_what_is_hidden_is_not_missed),
-        cmocka_unit_test(test_what_fails_other_tests_hides_nothing),
-        cmocka_unit_test(test_triangles_without_a_sample_are_culled),
-        cmocka_unit_test(test_tiles_resolve_as_regions_do),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_what_is_hidden_is_not_missed),
+    cmocka_unit_test(test_what_fails_other_tests_hides_nothing),
+    cmocka_unit_test(test_triangles_without_a_sample_are_culled),
+    cmocka_unit_test(test_tiles_resolve_as_regions_do),
+};
+
+const struct unit_tests test_hidden_samples = UNIT_TESTS(tests, NULL, NULL);

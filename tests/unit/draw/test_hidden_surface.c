@@ -439,19 +439,17 @@ static void test_unless_the_context_wants_it(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_picture_of_one_by_one),
-        cmocka_unit_test(test_one_run_after_another),
-        cmocka_unit_test(test_depth_that_moves_both_ways),
-        cmocka_unit_test(test_depth_that_is_no_number),
-        cmocka_unit_test(test_the_last_wins_without_depth),
-        cmocka_unit_test(test_a_run_without_depth_after_one_that_waits),
-        cmocka_unit_test(test_runs_of_every_kind),
-        cmocka_unit_test(test_others_keep_their_turn),
-        cmocka_unit_test(test_what_is_hidden_is_not_shaded),
-        cmocka_unit_test(test_unless_the_context_wants_it),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_the_picture_of_one_by_one),
+    cmocka_unit_test(test_one_run_after_another),
+    cmocka_unit_test(test_depth_that_moves_both_ways),
+    cmocka_unit_test(test_depth_that_is_no_number),
+    cmocka_unit_test(test_the_last_wins_without_depth),
+    cmocka_unit_test(test_a_run_without_depth_after_one_that_waits),
+    cmocka_unit_test(test_runs_of_every_kind),
+    cmocka_unit_test(test_others_keep_their_turn),
+    cmocka_unit_test(test_what_is_hidden_is_not_shaded),
+    cmocka_unit_test(test_unless_the_context_wants_it),
+};
+
+const struct unit_tests test_hidden_surface = UNIT_TESTS(tests, NULL, NULL);

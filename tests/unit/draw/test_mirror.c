@@ -109,8 +109,6 @@ static void test_every_texel_and_edge(void **state)
     rhw_context_destroy(context);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_texel_and_edge)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_texel_and_edge)};
+
+const struct unit_tests test_mirror = UNIT_TESTS(tests, NULL, NULL);

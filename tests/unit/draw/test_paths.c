@@ -280,11 +280,9 @@ static void test_constant_texels(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_path_draws_the_same_bytes),
-        cmocka_unit_test(test_constant_texels),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_every_path_draws_the_same_bytes),
+    cmocka_unit_test(test_constant_texels),
+};
+
+const struct unit_tests test_paths = UNIT_TESTS(tests, NULL, NULL);

@@ -230,14 +230,12 @@ static void test_random_blocks_keep_their_texels(void **state)
     assert_true(same);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tables_say_what_blocks_are),
-        cmocka_unit_test(test_levels_may_end_within_a_block),
-        cmocka_unit_test(test_blocks_are_sampled_as_their_texels),
-        cmocka_unit_test(test_misuse_is_named),
-        cmocka_unit_test(test_random_blocks_keep_their_texels),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_tables_say_what_blocks_are),
+    cmocka_unit_test(test_levels_may_end_within_a_block),
+    cmocka_unit_test(test_blocks_are_sampled_as_their_texels),
+    cmocka_unit_test(test_misuse_is_named),
+    cmocka_unit_test(test_random_blocks_keep_their_texels),
+};
+
+const struct unit_tests test_block_formats = UNIT_TESTS(tests, NULL, NULL);

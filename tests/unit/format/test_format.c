@@ -247,9 +247,9 @@ static void test_depths_are_quotients(void **state)
     for (int i = 0; i < 2; i++) {
         const double steps = rhw_codec_depth_steps(codecs[i]);
         for (int32_t first = 0; first <= (int32_t)steps; first += RHW_LANES) {
-            const i8 codes = i8_splat(first) + rhw_lane_index;
-            const f8 depth = depth_from_steps(d8_from_i8(codes), steps);
-            const i8 again = rhw_int_from_float_unchecked(f8_from_d8(steps_of_depth(depth, steps)));
+            const i32x8 codes = i32x8_splat(first) + rhw_lane_index;
+            const f32x8 depth = depth_from_steps(f64x8_from_i32x8(codes), steps);
+            const i32x8 again = rhw_int_from_float_unchecked(f32x8_from_f64x8(steps_of_depth(depth, steps)));
             for (int lane = 0; lane < RHW_LANES; lane++) {
                 assert_true(depth[lane] == (float)((double)codes[lane] / steps));
                 assert_true(again[lane] == codes[lane]);
@@ -258,9 +258,7 @@ static void test_depths_are_quotients(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_row_says_the_truth),
-                                       cmocka_unit_test(test_depths_are_quotients)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_row_says_the_truth),
+                                          cmocka_unit_test(test_depths_are_quotients)};
+
+const struct unit_tests test_format = UNIT_TESTS(tests, NULL, NULL);

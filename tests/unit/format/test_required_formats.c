@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What Vulkan 1.0 wants of formats (chapter "Required Format Support"), beside what rhw has: what rhw_format_features
-// says, and of blits and texel buffers what comes of them. The table is written down by hand from there; --show prints
-// it.
+// says, and of blits and texel buffers what comes of them. The table is written down by hand from there, and
+// printed.
 #include "harness.h"
 
 #include "format/format.h"
@@ -255,8 +255,17 @@ static void test_what_vulkan_requires(void **state)
     const size_t bytes[] = {1, 2, 4, 8, 12, 16};
     struct rig rig;
     open_rig(&rig);
+    print_message(
+        "s sampled, f filtered, c colour attachment, b blended, d depth, t stencil, i storage image,\n"
+        "a with atomics, u uniform texel buffer, > blit source, < blit destination, w storage texel "
+        "buffer,\n"
+        "m with atomics, v vertex\n"
+        "Vulkan 1.0                 requires         rhw has\n");
     for (int i = 0; i < FORMATS; i++) {
         const uint32_t features = features_of(&rig, required[i].format), wanted = required_of(i);
+        const char vertex = required[i].vertex == NO_VERTEX ? '.' : 'v';
+        print_message("%-26s %s%c   %s%c\n", required[i].vulkan, marks(wanted), vertex, marks(features),
+                      vertex);
         if ((features & wanted) != wanted) {
             fail_msg("%s: Vulkan wants %s, rhw has %s", required[i].vulkan, marks(wanted), marks(features));
         }
@@ -274,24 +283,6 @@ static void test_what_vulkan_requires(void **state)
     rig_close(&rig);
 }
 
-int main(int argc, char **argv)
-{
-    if (argc > 1 && strcmp(argv[1], "--show") == 0) {
-        struct rig rig;
-        open_rig(&rig);
-        puts("s sampled, f filtered, c colour attachment, b blended, d depth, t stencil, i storage image,\n"
-             "a with atomics, u uniform texel buffer, > blit source, < blit destination, w storage texel "
-             "buffer,\n"
-             "m with atomics, v vertex\n"
-             "Vulkan 1.0                 requires         rhw has");
-        for (int i = 0; i < FORMATS; i++) {
-            const char v = required[i].vertex == NO_VERTEX ? '.' : 'v';
-            printf("%-26s %s%c   %s%c\n", required[i].vulkan, marks(required_of(i)), v,
-                   marks(features_of(&rig, required[i].format)), v);
-        }
-        rig_close(&rig);
-        return 0;
-    }
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_what_vulkan_requires)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(test_what_vulkan_requires)};
+
+const struct unit_tests test_required_formats = UNIT_TESTS(tests, NULL, NULL);

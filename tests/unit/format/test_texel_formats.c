@@ -603,21 +603,19 @@ static void test_integers_are_sampled(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_table_has_them_all),
-        cmocka_unit_test(test_shaders_read_what_the_bits_mean),
-        cmocka_unit_test(test_targets_round_and_mask),
-        cmocka_unit_test(test_logic_operations),
-        cmocka_unit_test(test_logic_switches_blending_off),
-        cmocka_unit_test(test_clear_values),
-        cmocka_unit_test(test_blending),
-        cmocka_unit_test(test_second_source),
-        cmocka_unit_test(test_validation_misses_the_second_source),
-        cmocka_unit_test(test_levels_are_drawn_into),
-        cmocka_unit_test(test_integers_are_not_filtered),
-        cmocka_unit_test(test_integers_are_sampled),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_the_table_has_them_all),
+    cmocka_unit_test(test_shaders_read_what_the_bits_mean),
+    cmocka_unit_test(test_targets_round_and_mask),
+    cmocka_unit_test(test_logic_operations),
+    cmocka_unit_test(test_logic_switches_blending_off),
+    cmocka_unit_test(test_clear_values),
+    cmocka_unit_test(test_blending),
+    cmocka_unit_test(test_second_source),
+    cmocka_unit_test(test_validation_misses_the_second_source),
+    cmocka_unit_test(test_levels_are_drawn_into),
+    cmocka_unit_test(test_integers_are_not_filtered),
+    cmocka_unit_test(test_integers_are_sampled),
+};
+
+const struct unit_tests test_texel_formats = UNIT_TESTS(tests, NULL, NULL);

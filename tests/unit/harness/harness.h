@@ -6,12 +6,7 @@
 #ifndef TEST_HARNESS_H
 #define TEST_HARNESS_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "unit.h"
 
 #include <rhw/rhw.h>
 #include <rhw/shader.h>

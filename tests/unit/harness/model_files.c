@@ -2,15 +2,11 @@
 #include "model_files.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <dirent.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 static char directory[64];
 

@@ -3,6 +3,8 @@
 #ifndef TEST_MODEL_FILES_H
 #define TEST_MODEL_FILES_H
 
+#include "unit.h"
+
 #include "model.h"
 
 /// cmocka group setup and teardown: makes and removes the directory.

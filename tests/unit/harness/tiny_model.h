@@ -3,12 +3,7 @@
 #ifndef TEST_TINY_MODEL_H
 #define TEST_TINY_MODEL_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "unit.h"
 
 #include "draw/draw.h"
 

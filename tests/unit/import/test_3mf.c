@@ -2,14 +2,11 @@
 // 3MF: packages written here, and what becomes of their colours, textures, components and parts. Values by hand.
 #include "model_files.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-#include <cmocka.h>
 #include <minizip/zip.h>
 
 static const char relationships[] =
@@ -498,29 +495,27 @@ static void test_cut(void **state)
     expect_refused("x.3mf", "\"_rels/.rels\" in the archive is damaged");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_colors),
-        cmocka_unit_test(test_plain),
-        cmocka_unit_test(test_metal_and_composites),
-        cmocka_unit_test(test_texture),
-        cmocka_unit_test(test_layers),
-        cmocka_unit_test(test_multiplied),
-        cmocka_unit_test(test_missing_texture),
-        cmocka_unit_test(test_moved_texture),
-        cmocka_unit_test(test_components),
-        cmocka_unit_test(test_circle),
-        cmocka_unit_test(test_too_many),
-        cmocka_unit_test(test_many_colors_below),
-        cmocka_unit_test(test_two_of_one_id),
-        cmocka_unit_test(test_empty_relationships),
-        cmocka_unit_test(test_beams),
-        cmocka_unit_test(test_no_build),
-        cmocka_unit_test(test_bad_xml),
-        cmocka_unit_test(test_doctype),
-        cmocka_unit_test(test_claims),
-        cmocka_unit_test(test_cut),
-    };
-    return cmocka_run_group_tests(tests, make_directory, remove_directory);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_colors),
+    cmocka_unit_test(test_plain),
+    cmocka_unit_test(test_metal_and_composites),
+    cmocka_unit_test(test_texture),
+    cmocka_unit_test(test_layers),
+    cmocka_unit_test(test_multiplied),
+    cmocka_unit_test(test_missing_texture),
+    cmocka_unit_test(test_moved_texture),
+    cmocka_unit_test(test_components),
+    cmocka_unit_test(test_circle),
+    cmocka_unit_test(test_too_many),
+    cmocka_unit_test(test_many_colors_below),
+    cmocka_unit_test(test_two_of_one_id),
+    cmocka_unit_test(test_empty_relationships),
+    cmocka_unit_test(test_beams),
+    cmocka_unit_test(test_no_build),
+    cmocka_unit_test(test_bad_xml),
+    cmocka_unit_test(test_doctype),
+    cmocka_unit_test(test_claims),
+    cmocka_unit_test(test_cut),
+};
+
+const struct unit_tests test_3mf = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -4,12 +4,8 @@
 #include "model_files.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 enum { KEYS = 3 };
 
@@ -262,12 +258,10 @@ static void test_bad_files(void **state)
     expect_refused_pose("still.obj", NULL, "has no animations that can be played");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_translation),   cmocka_unit_test(test_cubic),
-        cmocka_unit_test(test_rotation),      cmocka_unit_test(test_scale_and_weights),
-        cmocka_unit_test(test_other_formats), cmocka_unit_test(test_bad_files),
-    };
-    return cmocka_run_group_tests(tests, make_directory, remove_directory);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_translation),   cmocka_unit_test(test_cubic),
+    cmocka_unit_test(test_rotation),      cmocka_unit_test(test_scale_and_weights),
+    cmocka_unit_test(test_other_formats), cmocka_unit_test(test_bad_files),
+};
+
+const struct unit_tests test_animation = UNIT_TESTS(tests, make_directory, remove_directory);

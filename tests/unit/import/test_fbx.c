@@ -2,12 +2,8 @@
 // FBX files that are cut, which assimp would draw as far as they go.
 #include "model_files.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 static const unsigned char end_mark[16] = {0xf8, 0x5a, 0x8c, 0x6a, 0xde, 0xf5, 0xd9, 0x7e,
                                            0xec, 0xe9, 0x0c, 0xe3, 0x75, 0x8f, 0x29, 0x0b};
@@ -84,12 +80,10 @@ static void test_light(void **state)
     scene_model_free(model);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_binary),
-        cmocka_unit_test(test_text),
-        cmocka_unit_test(test_light),
-    };
-    return cmocka_run_group_tests(tests, make_directory, remove_directory);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_binary),
+    cmocka_unit_test(test_text),
+    cmocka_unit_test(test_light),
+};
+
+const struct unit_tests test_fbx = UNIT_TESTS(tests, make_directory, remove_directory);

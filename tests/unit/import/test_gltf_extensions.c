@@ -5,13 +5,10 @@
 #include "model_files.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
 #include <meshoptimizer.h>
 #include <webp/encode.h>
 
@@ -639,21 +636,19 @@ static void test_layers(void **state)
     scene_model_free(model);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_forgiven),
-        cmocka_unit_test(test_meshopt_filters),
-        cmocka_unit_test(test_meshopt_indices),
-        cmocka_unit_test(test_meshopt_refused),
-        cmocka_unit_test(test_draco),
-        cmocka_unit_test(test_draco_refused),
-        cmocka_unit_test(test_webp),
-        cmocka_unit_test(test_instancing),
-        cmocka_unit_test(test_visibility),
-        cmocka_unit_test(test_root_and_child),
-        cmocka_unit_test(test_variants),
-        cmocka_unit_test(test_layers),
-    };
-    return cmocka_run_group_tests(tests, make_directory, remove_directory);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_forgiven),
+    cmocka_unit_test(test_meshopt_filters),
+    cmocka_unit_test(test_meshopt_indices),
+    cmocka_unit_test(test_meshopt_refused),
+    cmocka_unit_test(test_draco),
+    cmocka_unit_test(test_draco_refused),
+    cmocka_unit_test(test_webp),
+    cmocka_unit_test(test_instancing),
+    cmocka_unit_test(test_visibility),
+    cmocka_unit_test(test_root_and_child),
+    cmocka_unit_test(test_variants),
+    cmocka_unit_test(test_layers),
+};
+
+const struct unit_tests test_gltf_extensions = UNIT_TESTS(tests, make_directory, remove_directory);

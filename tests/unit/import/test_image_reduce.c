@@ -159,14 +159,12 @@ static void rows_of_png_give_the_same_bytes(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sizes_are_halved_until_they_fit),
-        cmocka_unit_test(color_is_averaged_as_light),
-        cmocka_unit_test(codes_come_back),
-        cmocka_unit_test(odd_sizes_lose_no_texel),
-        cmocka_unit_test(rows_of_png_give_the_same_bytes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(sizes_are_halved_until_they_fit),
+    cmocka_unit_test(color_is_averaged_as_light),
+    cmocka_unit_test(codes_come_back),
+    cmocka_unit_test(odd_sizes_lose_no_texel),
+    cmocka_unit_test(rows_of_png_give_the_same_bytes),
+};
+
+const struct unit_tests test_image_reduce = UNIT_TESTS(tests, NULL, NULL);

@@ -6,13 +6,9 @@
 #include "model_files.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 static uint32_t random_state = 1;
 
@@ -641,26 +637,24 @@ static void test_up(void **state)
     scene_model_free(model);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_numbers),
-        cmocka_unit_test(test_polygons),
-        cmocka_unit_test(test_obj_cube),
-        cmocka_unit_test(test_obj_smooth),
-        cmocka_unit_test(test_a_ridge_is_not_torn),
-        cmocka_unit_test(test_a_speck_weighs_nothing),
-        cmocka_unit_test(test_a_tip_keeps_its_faces),
-        cmocka_unit_test(test_obj_syntax),
-        cmocka_unit_test(test_obj_materials),
-        cmocka_unit_test(test_normals_turned_apart),
-        cmocka_unit_test(test_normals_of_two_minds),
-        cmocka_unit_test(test_tangents_are_turned),
-        cmocka_unit_test(test_no_area),
-        cmocka_unit_test(test_ply),
-        cmocka_unit_test(test_ply_elements),
-        cmocka_unit_test(test_blob),
-        cmocka_unit_test(test_up),
-    };
-    return cmocka_run_group_tests(tests, make_directory, remove_directory);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_numbers),
+    cmocka_unit_test(test_polygons),
+    cmocka_unit_test(test_obj_cube),
+    cmocka_unit_test(test_obj_smooth),
+    cmocka_unit_test(test_a_ridge_is_not_torn),
+    cmocka_unit_test(test_a_speck_weighs_nothing),
+    cmocka_unit_test(test_a_tip_keeps_its_faces),
+    cmocka_unit_test(test_obj_syntax),
+    cmocka_unit_test(test_obj_materials),
+    cmocka_unit_test(test_normals_turned_apart),
+    cmocka_unit_test(test_normals_of_two_minds),
+    cmocka_unit_test(test_tangents_are_turned),
+    cmocka_unit_test(test_no_area),
+    cmocka_unit_test(test_ply),
+    cmocka_unit_test(test_ply_elements),
+    cmocka_unit_test(test_blob),
+    cmocka_unit_test(test_up),
+};
+
+const struct unit_tests test_import = UNIT_TESTS(tests, make_directory, remove_directory);

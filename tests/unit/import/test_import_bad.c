@@ -2,16 +2,12 @@
 // Files that are no models, or hostile ones: one line that names the cause, and nothing worse.
 #include "model_files.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 static const struct {
     const char *name, *text, *cause;
@@ -236,13 +232,11 @@ static void test_memory_limit(void **state)
     assert_non_null(strstr(error, "needs more memory"));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bad_files),       cmocka_unit_test(test_no_files),
-        cmocka_unit_test(test_pipe_as_texture), cmocka_unit_test(test_not_finite),
-        cmocka_unit_test(test_nothing_to_draw), cmocka_unit_test(test_deep_tree),
-        cmocka_unit_test(test_limits),          cmocka_unit_test(test_memory_limit),
-    };
-    return cmocka_run_group_tests(tests, make_directory, remove_directory);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_bad_files),       cmocka_unit_test(test_no_files),
+    cmocka_unit_test(test_pipe_as_texture), cmocka_unit_test(test_not_finite),
+    cmocka_unit_test(test_nothing_to_draw), cmocka_unit_test(test_deep_tree),
+    cmocka_unit_test(test_limits),          cmocka_unit_test(test_memory_limit),
+};
+
+const struct unit_tests test_import_bad = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -4,15 +4,11 @@
 #include "model_files.h"
 
 #include <errno.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
-
-#include <cmocka.h>
 
 static struct scene_progress *make_progress(void)
 {
@@ -83,9 +79,7 @@ static void test_an_import_can_be_given_up(void **state)
     assert_int_equal(errno, ECHILD);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_images_are_counted),
-                                       cmocka_unit_test(test_an_import_can_be_given_up)};
-    return cmocka_run_group_tests(tests, make_directory, remove_directory);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(test_images_are_counted),
+                                          cmocka_unit_test(test_an_import_can_be_given_up)};
+
+const struct unit_tests test_import_progress = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -684,23 +684,21 @@ static void test_gltf(void **state)
     scene_model_free(model);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_etc1s),
-        cmocka_unit_test(test_etc1s_by_hand),
-        cmocka_unit_test(test_etc1s_of_two_channels),
-        cmocka_unit_test(test_uastc_modes),
-        cmocka_unit_test(test_uastc_by_hand),
-        cmocka_unit_test(test_uastc_errors),
-        cmocka_unit_test(test_plain_formats),
-        cmocka_unit_test(test_srgb_codes),
-        cmocka_unit_test(test_block_formats),
-        cmocka_unit_test(test_swizzle),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_damaged_etc1s),
-        cmocka_unit_test(test_mutations),
-        cmocka_unit_test(test_gltf),
-    };
-    return cmocka_run_group_tests(tests, make_directory, remove_directory);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_etc1s),
+    cmocka_unit_test(test_etc1s_by_hand),
+    cmocka_unit_test(test_etc1s_of_two_channels),
+    cmocka_unit_test(test_uastc_modes),
+    cmocka_unit_test(test_uastc_by_hand),
+    cmocka_unit_test(test_uastc_errors),
+    cmocka_unit_test(test_plain_formats),
+    cmocka_unit_test(test_srgb_codes),
+    cmocka_unit_test(test_block_formats),
+    cmocka_unit_test(test_swizzle),
+    cmocka_unit_test(test_refused),
+    cmocka_unit_test(test_damaged_etc1s),
+    cmocka_unit_test(test_mutations),
+    cmocka_unit_test(test_gltf),
+};
+
+const struct unit_tests test_ktx2 = UNIT_TESTS(tests, make_directory, remove_directory);

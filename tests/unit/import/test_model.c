@@ -3,12 +3,8 @@
 #include "model_files.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 // A square in the plane z = 0: corners and texture coordinates, in that order in one buffer.
 static const float square[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
@@ -414,20 +410,18 @@ static void test_glb_and_file_names(void **state)
     scene_model_free(model);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_hierarchy),
-        cmocka_unit_test(test_topologies),
-        cmocka_unit_test(test_flat_normals),
-        cmocka_unit_test(test_attribute_formats),
-        cmocka_unit_test(test_sparse),
-        cmocka_unit_test(test_material),
-        cmocka_unit_test(test_missing_texture),
-        cmocka_unit_test(test_tangents),
-        cmocka_unit_test(test_cameras_and_lights),
-        cmocka_unit_test(test_poses),
-        cmocka_unit_test(test_glb_and_file_names),
-    };
-    return cmocka_run_group_tests(tests, make_directory, remove_directory);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_hierarchy),
+    cmocka_unit_test(test_topologies),
+    cmocka_unit_test(test_flat_normals),
+    cmocka_unit_test(test_attribute_formats),
+    cmocka_unit_test(test_sparse),
+    cmocka_unit_test(test_material),
+    cmocka_unit_test(test_missing_texture),
+    cmocka_unit_test(test_tangents),
+    cmocka_unit_test(test_cameras_and_lights),
+    cmocka_unit_test(test_poses),
+    cmocka_unit_test(test_glb_and_file_names),
+};
+
+const struct unit_tests test_model = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -3,12 +3,8 @@
 // and files that are cut.
 #include "model_files.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #define TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n"
 
@@ -176,17 +172,15 @@ static void test_cut(void **state)
     scene_model_free(model);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surface_maps),
-        cmocka_unit_test(test_layers),
-        cmocka_unit_test(test_one_surface_map),
-        cmocka_unit_test(test_missing_surface_map),
-        cmocka_unit_test(test_emission_and_relief),
-        cmocka_unit_test(test_factors),
-        cmocka_unit_test(test_comments),
-        cmocka_unit_test(test_cut),
-    };
-    return cmocka_run_group_tests(tests, make_directory, remove_directory);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_surface_maps),
+    cmocka_unit_test(test_layers),
+    cmocka_unit_test(test_one_surface_map),
+    cmocka_unit_test(test_missing_surface_map),
+    cmocka_unit_test(test_emission_and_relief),
+    cmocka_unit_test(test_factors),
+    cmocka_unit_test(test_comments),
+    cmocka_unit_test(test_cut),
+};
+
+const struct unit_tests test_obj = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -2,13 +2,9 @@
 // Clouds of points: how large their discs are, and the colours of those that have none.
 #include "model_files.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 enum { SIDE = 64 }; // points each way
 
@@ -94,13 +90,11 @@ static void test_colored(void **state)
     scene_model_free(model);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_radius),
-        cmocka_unit_test(test_extremes),
-        cmocka_unit_test(test_heights),
-        cmocka_unit_test(test_colored),
-    };
-    return cmocka_run_group_tests(tests, make_directory, remove_directory);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_radius),
+    cmocka_unit_test(test_extremes),
+    cmocka_unit_test(test_heights),
+    cmocka_unit_test(test_colored),
+};
+
+const struct unit_tests test_point_clouds = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -3,14 +3,10 @@
 // a folder beside.
 #include "model_files.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 // One white texel.
 static void write_picture(const char *name)
@@ -113,11 +109,9 @@ static void test_stand_in(void **state)
     scene_model_free(model);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_beside),  cmocka_unit_test(test_folders),  cmocka_unit_test(test_longest_end),
-        cmocka_unit_test(test_renamed), cmocka_unit_test(test_stand_in),
-    };
-    return cmocka_run_group_tests(tests, make_directory, remove_directory);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_beside),  cmocka_unit_test(test_folders),  cmocka_unit_test(test_longest_end),
+    cmocka_unit_test(test_renamed), cmocka_unit_test(test_stand_in),
+};
+
+const struct unit_tests test_resources = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -2,12 +2,8 @@
 // STL: both conventions for colours of facets, text and binary told apart, and files that are cut.
 #include "model_files.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 enum { HEADER = 84, FACET = 50 };
 
@@ -187,18 +183,16 @@ static void test_cut_text(void **state)
     expect_refused("x.stl", "a vertex stands outside of a facet");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_viscam),
-        cmocka_unit_test(test_magics),
-        cmocka_unit_test(test_no_colors),
-        cmocka_unit_test(test_counts),
-        cmocka_unit_test(test_text),
-        cmocka_unit_test(test_odd_normals),
-        cmocka_unit_test(test_one_lacks_a_normal),
-        cmocka_unit_test(test_normals_that_oppose_corners),
-        cmocka_unit_test(test_cut_text),
-    };
-    return cmocka_run_group_tests(tests, make_directory, remove_directory);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_viscam),
+    cmocka_unit_test(test_magics),
+    cmocka_unit_test(test_no_colors),
+    cmocka_unit_test(test_counts),
+    cmocka_unit_test(test_text),
+    cmocka_unit_test(test_odd_normals),
+    cmocka_unit_test(test_one_lacks_a_normal),
+    cmocka_unit_test(test_normals_that_oppose_corners),
+    cmocka_unit_test(test_cut_text),
+};
+
+const struct unit_tests test_stl = UNIT_TESTS(tests, make_directory, remove_directory);

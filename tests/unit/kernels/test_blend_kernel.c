@@ -439,20 +439,18 @@ static void test_clear_values_are_what_drawing_writes(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_srgb_decodes_every_code_correctly_rounded),
-        cmocka_unit_test(test_srgb_encodes_every_float_correctly_rounded),
-        cmocka_unit_test(test_half_to_float_is_exact),
-        cmocka_unit_test(test_half_from_float_rounds_to_nearest_even),
-        cmocka_unit_test(test_every_isa_writes_the_same_bytes),
-        cmocka_unit_test(test_nothing_else_is_written),
-        cmocka_unit_test(test_replacing_rounds_each_format),
-        cmocka_unit_test(test_rgba8_over_against_the_formula),
-        cmocka_unit_test(test_rgba8_sums_are_those_of_the_general_path),
-        cmocka_unit_test(test_blending_keeps_every_destination_code),
-        cmocka_unit_test(test_clear_values_are_what_drawing_writes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_srgb_decodes_every_code_correctly_rounded),
+    cmocka_unit_test(test_srgb_encodes_every_float_correctly_rounded),
+    cmocka_unit_test(test_half_to_float_is_exact),
+    cmocka_unit_test(test_half_from_float_rounds_to_nearest_even),
+    cmocka_unit_test(test_every_isa_writes_the_same_bytes),
+    cmocka_unit_test(test_nothing_else_is_written),
+    cmocka_unit_test(test_replacing_rounds_each_format),
+    cmocka_unit_test(test_rgba8_over_against_the_formula),
+    cmocka_unit_test(test_rgba8_sums_are_those_of_the_general_path),
+    cmocka_unit_test(test_blending_keeps_every_destination_code),
+    cmocka_unit_test(test_clear_values_are_what_drawing_writes),
+};
+
+const struct unit_tests test_blend_kernel = UNIT_TESTS(tests, NULL, NULL);

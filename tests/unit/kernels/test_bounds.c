@@ -66,11 +66,9 @@ static void test_bounds_end(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stencil_is_off),
-        cmocka_unit_test(test_bounds_end),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_stencil_is_off),
+    cmocka_unit_test(test_bounds_end),
+};
+
+const struct unit_tests test_bounds = UNIT_TESTS(tests, NULL, NULL);

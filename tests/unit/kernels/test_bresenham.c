@@ -322,15 +322,13 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_by_hand),
-                                       cmocka_unit_test(test_diamonds),
-                                       cmocka_unit_test(test_strips_meet),
-                                       cmocka_unit_test(test_values_follow_the_line),
-                                       cmocka_unit_test(test_depth_is_held),
-                                       cmocka_unit_test(test_samples),
-                                       cmocka_unit_test(test_edges_and_clipping),
-                                       cmocka_unit_test(test_misuse)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(test_by_hand),
+                                          cmocka_unit_test(test_diamonds),
+                                          cmocka_unit_test(test_strips_meet),
+                                          cmocka_unit_test(test_values_follow_the_line),
+                                          cmocka_unit_test(test_depth_is_held),
+                                          cmocka_unit_test(test_samples),
+                                          cmocka_unit_test(test_edges_and_clipping),
+                                          cmocka_unit_test(test_misuse)};
+
+const struct unit_tests test_bresenham = UNIT_TESTS(tests, NULL, NULL);

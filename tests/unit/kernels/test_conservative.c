@@ -251,11 +251,9 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_by_hand),          cmocka_unit_test(test_squares),
-        cmocka_unit_test(test_clipped),          cmocka_unit_test(test_samples_and_values),
-        cmocka_unit_test(test_other_primitives), cmocka_unit_test(test_misuse)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_by_hand),          cmocka_unit_test(test_squares),
+    cmocka_unit_test(test_clipped),          cmocka_unit_test(test_samples_and_values),
+    cmocka_unit_test(test_other_primitives), cmocka_unit_test(test_misuse)};
+
+const struct unit_tests test_conservative = UNIT_TESTS(tests, NULL, NULL);

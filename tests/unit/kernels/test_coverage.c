@@ -355,19 +355,17 @@ static void test_a_fan_of_needles(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_edges_through_pixel_centres),
-        cmocka_unit_test(test_tiny_triangles_that_cover_nothing_are_culled),
-        cmocka_unit_test(test_tiny_triangles_beside_huge_ones),
-        cmocka_unit_test(test_small_triangles_within_a_scissor),
-        cmocka_unit_test(test_random_triangles),
-        cmocka_unit_test(test_slivers),
-        cmocka_unit_test(test_positions_snap_to_nearest_even),
-        cmocka_unit_test(test_degenerate_triangles_draw_nothing),
-        cmocka_unit_test(test_meshes_are_drawn_exactly_once),
-        cmocka_unit_test(test_a_fan_of_needles),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_edges_through_pixel_centres),
+    cmocka_unit_test(test_tiny_triangles_that_cover_nothing_are_culled),
+    cmocka_unit_test(test_tiny_triangles_beside_huge_ones),
+    cmocka_unit_test(test_small_triangles_within_a_scissor),
+    cmocka_unit_test(test_random_triangles),
+    cmocka_unit_test(test_slivers),
+    cmocka_unit_test(test_positions_snap_to_nearest_even),
+    cmocka_unit_test(test_degenerate_triangles_draw_nothing),
+    cmocka_unit_test(test_meshes_are_drawn_exactly_once),
+    cmocka_unit_test(test_a_fan_of_needles),
+};
+
+const struct unit_tests test_coverage = UNIT_TESTS(tests, NULL, NULL);

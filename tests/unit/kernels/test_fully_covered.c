@@ -173,10 +173,8 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_by_hand), cmocka_unit_test(test_contained),
-                                       cmocka_unit_test(test_elsewhere),
-                                       cmocka_unit_test(test_behind_another), cmocka_unit_test(test_misuse)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_by_hand), cmocka_unit_test(test_contained), cmocka_unit_test(test_elsewhere),
+    cmocka_unit_test(test_behind_another), cmocka_unit_test(test_misuse)};
+
+const struct unit_tests test_fully_covered = UNIT_TESTS(tests, NULL, NULL);

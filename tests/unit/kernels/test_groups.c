@@ -325,12 +325,10 @@ static void test_lanes_are_full(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_together_as_one_by_one), cmocka_unit_test(test_the_same_in_8_bits),
-        cmocka_unit_test(test_moved_triangles),        cmocka_unit_test(test_whole_tiles),
-        cmocka_unit_test(test_lanes_are_full),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_together_as_one_by_one), cmocka_unit_test(test_the_same_in_8_bits),
+    cmocka_unit_test(test_moved_triangles),        cmocka_unit_test(test_whole_tiles),
+    cmocka_unit_test(test_lanes_are_full),
+};
+
+const struct unit_tests test_groups = UNIT_TESTS(tests, NULL, NULL);

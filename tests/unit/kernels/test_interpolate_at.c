@@ -271,13 +271,11 @@ static void test_limits(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_by_hand),
-        cmocka_unit_test(test_against_the_formulas),
-        cmocka_unit_test(test_from_samples),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_limits),
+    cmocka_unit_test(test_by_hand),
+    cmocka_unit_test(test_against_the_formulas),
+    cmocka_unit_test(test_from_samples),
+};
+
+const struct unit_tests test_interpolate_at = UNIT_TESTS(tests, NULL, NULL);

@@ -454,22 +454,20 @@ static void test_widths_of_the_pass_are_checked(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_coverage_is_the_rectangle),
-        cmocka_unit_test(test_values_follow_the_line),
-        cmocka_unit_test(test_a_thin_line_has_a_pixel_a_column),
-        cmocka_unit_test(test_clipped_lines_keep_their_values),
-        cmocka_unit_test(test_a_line_from_behind_the_eye),
-        cmocka_unit_test(test_flat_values_are_the_provoking_vertex_s),
-        cmocka_unit_test(test_topologies_are_their_lists),
-        cmocka_unit_test(test_restart_cuts_every_topology),
-        cmocka_unit_test(test_paths_agree),
-        cmocka_unit_test(test_widths_out_of_range_are_misuse),
-        cmocka_unit_test(test_widths_of_the_pass),
-        cmocka_unit_test(test_widths_of_edges_and_strips),
-        cmocka_unit_test(test_widths_of_the_pass_are_checked),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_coverage_is_the_rectangle),
+    cmocka_unit_test(test_values_follow_the_line),
+    cmocka_unit_test(test_a_thin_line_has_a_pixel_a_column),
+    cmocka_unit_test(test_clipped_lines_keep_their_values),
+    cmocka_unit_test(test_a_line_from_behind_the_eye),
+    cmocka_unit_test(test_flat_values_are_the_provoking_vertex_s),
+    cmocka_unit_test(test_topologies_are_their_lists),
+    cmocka_unit_test(test_restart_cuts_every_topology),
+    cmocka_unit_test(test_paths_agree),
+    cmocka_unit_test(test_widths_out_of_range_are_misuse),
+    cmocka_unit_test(test_widths_of_the_pass),
+    cmocka_unit_test(test_widths_of_edges_and_strips),
+    cmocka_unit_test(test_widths_of_the_pass_are_checked),
+};
+
+const struct unit_tests test_lines = UNIT_TESTS(tests, NULL, NULL);

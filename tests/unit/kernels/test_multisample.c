@@ -646,26 +646,24 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_positions_are_the_standard_ones),
-        cmocka_unit_test(test_every_sample_is_exact),
-        cmocka_unit_test(test_fragments_are_shaded_once),
-        cmocka_unit_test(test_resolve_on_store),
-        cmocka_unit_test(test_resolve_in_waves),
-        cmocka_unit_test(test_resolve_modes),
-        cmocka_unit_test(test_loading),
-        cmocka_unit_test(test_where_values_are_taken),
-        cmocka_unit_test(test_centroids_of_what_is_half_hidden),
-        cmocka_unit_test(test_sample_inputs),
-        cmocka_unit_test(test_sample_masks),
-        cmocka_unit_test(test_alpha_to_coverage),
-        cmocka_unit_test(test_alpha_of_targets),
-        cmocka_unit_test(test_early_and_late_agree),
-        cmocka_unit_test(test_blending),
-        cmocka_unit_test(test_stencil_by_sample),
-        cmocka_unit_test(test_misuse),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_positions_are_the_standard_ones),
+    cmocka_unit_test(test_every_sample_is_exact),
+    cmocka_unit_test(test_fragments_are_shaded_once),
+    cmocka_unit_test(test_resolve_on_store),
+    cmocka_unit_test(test_resolve_in_waves),
+    cmocka_unit_test(test_resolve_modes),
+    cmocka_unit_test(test_loading),
+    cmocka_unit_test(test_where_values_are_taken),
+    cmocka_unit_test(test_centroids_of_what_is_half_hidden),
+    cmocka_unit_test(test_sample_inputs),
+    cmocka_unit_test(test_sample_masks),
+    cmocka_unit_test(test_alpha_to_coverage),
+    cmocka_unit_test(test_alpha_of_targets),
+    cmocka_unit_test(test_early_and_late_agree),
+    cmocka_unit_test(test_blending),
+    cmocka_unit_test(test_stencil_by_sample),
+    cmocka_unit_test(test_misuse),
+};
+
+const struct unit_tests test_multisample = UNIT_TESTS(tests, NULL, NULL);

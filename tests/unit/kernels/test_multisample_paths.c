@@ -263,14 +263,12 @@ static void test_paths_agree_on_resolved(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_paths_agree),
-        cmocka_unit_test(test_paths_agree_on_inputs),
-        cmocka_unit_test(test_paths_agree_on_formats),
-        cmocka_unit_test(test_paths_agree_on_logic),
-        cmocka_unit_test(test_paths_agree_on_resolved),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_paths_agree),
+    cmocka_unit_test(test_paths_agree_on_inputs),
+    cmocka_unit_test(test_paths_agree_on_formats),
+    cmocka_unit_test(test_paths_agree_on_logic),
+    cmocka_unit_test(test_paths_agree_on_resolved),
+};
+
+const struct unit_tests test_multisample_paths = UNIT_TESTS(tests, NULL, NULL);

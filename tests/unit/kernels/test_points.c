@@ -288,17 +288,15 @@ static void test_validation_looks_at_points(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_coverage_and_coordinates_are_exact),
-        cmocka_unit_test(test_a_point_of_size_one_hits_one_pixel),
-        cmocka_unit_test(test_sizes_are_clamped),
-        cmocka_unit_test(test_the_centre_decides_what_is_clipped),
-        cmocka_unit_test(test_the_scissor_cuts_points),
-        cmocka_unit_test(test_a_viewport_does_not_cut_points),
-        cmocka_unit_test(test_forms_and_paths_agree),
-        cmocka_unit_test(test_validation_looks_at_points),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_coverage_and_coordinates_are_exact),
+    cmocka_unit_test(test_a_point_of_size_one_hits_one_pixel),
+    cmocka_unit_test(test_sizes_are_clamped),
+    cmocka_unit_test(test_the_centre_decides_what_is_clipped),
+    cmocka_unit_test(test_the_scissor_cuts_points),
+    cmocka_unit_test(test_a_viewport_does_not_cut_points),
+    cmocka_unit_test(test_forms_and_paths_agree),
+    cmocka_unit_test(test_validation_looks_at_points),
+};
+
+const struct unit_tests test_points = UNIT_TESTS(tests, NULL, NULL);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Instances of few triangles, of which the front end takes several at once: each triangle has the vertices, the attributes
-// and the ids of its own instance, also where a chunk ends within one and where clipping makes vertices.
+// and the ids of its own instance, also where a chunk ends within one and where clipping makes vertices. Many layers of
+// them, over each other, hide each other and add up as if they were drawn one by one.
 #include "harness.h"
 
 #include <math.h>
@@ -145,12 +146,127 @@ static void test_clipped(void **state)
     rig_close(&rig);
 }
 
-int main(void)
+enum { LAYERS = 100000 };
+
+// A square of whole pixels, of 1 to 8 each way, at a depth of its own.
+struct layer {
+    float corners[4], depth, amount; // x0, y0, x1, y1
+};
+
+// A corner of a layer, which the number of the vertex in a strip chooses.
+static void place_layer(struct rhw_vertex *groups, int count)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lists),
-        cmocka_unit_test(test_indices),
-        cmocka_unit_test(test_clipped),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    for (int g = 0; g < count; g++) {
+        struct rhw_vertex *const vertex = &groups[g];
+        for (int axis = 0; axis < 2; axis++) {
+            const rhw_int far = (vertex->vertex_index >> axis & 1) == 1;
+            const rhw_float at = rhw_select(far, vertex->attribute[0][2 + axis], vertex->attribute[0][axis]);
+            vertex->position[axis] = (at * (2.0f / SIZE) - 1.0f) * (axis == 0 ? 1.0f : -1.0f);
+        }
+        vertex->position[2] = vertex->varying[0] = vertex->attribute[1][0];
+        vertex->position[3] = rhw_splat(1);
+        vertex->varying[1] = vertex->attribute[1][1];
+    }
 }
+
+static void tell_layer(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        groups[g].color[0][0] = groups[g].varying[0];
+        groups[g].color[0][1] = groups[g].varying[1];
+        groups[g].color[0][2] = groups[g].color[0][3] = rhw_splat(1);
+    }
+}
+
+struct expected {
+    float depth, nearest, sum, number; // `depth` and `nearest` are those of the nearest layer
+};
+
+static void make_layer(int number, uint64_t *random, struct layer *layer)
+{
+    layer->depth = (float)(number * 7919 % LAYERS) / (1 << 17); // 7919 is a prime: all differ
+    layer->amount = (float)rig_random_int(random, 256);
+    for (int axis = 0; axis < 2; axis++) {
+        layer->corners[axis] = (float)rig_random_int(random, SIZE - 8);
+        layer->corners[2 + axis] = layer->corners[axis] + (float)(1 + rig_random_int(random, 8));
+    }
+}
+
+static void expect_layer(const struct layer *layer, struct expected pixels[SIZE * SIZE])
+{
+    for (int y = (int)layer->corners[1]; y < (int)layer->corners[3]; y++) {
+        for (int x = (int)layer->corners[0]; x < (int)layer->corners[2]; x++) {
+            struct expected *const pixel = &pixels[y * SIZE + x];
+            if (pixel->number == 0 || layer->depth < pixel->depth) {
+                pixel->depth = layer->depth;
+                pixel->nearest = layer->amount;
+            }
+            pixel->sum += layer->amount;
+            pixel->number++;
+        }
+    }
+}
+
+static void open_rig_of_layers(struct rig *rig, bool adds)
+{
+    const struct rhw_blend_component add = {RHW_BLEND_ONE, RHW_BLEND_ONE, RHW_BLEND_ADD};
+    rig_open(rig, SIZE, SIZE);
+    rig_set_program(rig, place_layer, tell_layer);
+    struct rhw_pipeline_def *const def = &rig->pipeline;
+    def->program.varyings[0] = (struct rhw_varying){.components = 2, .qualifier = RHW_FLAT};
+    def->program.varying_count = 1;
+    def->attributes[0] = (struct rhw_attribute){.format = RHW_VERTEX_FLOAT4};
+    def->attributes[1] =
+        (struct rhw_attribute){.format = RHW_VERTEX_FLOAT2, .offset = offsetof(struct layer, depth)};
+    def->buffers[0] = (struct rhw_vertex_layout){.stride = sizeof(struct layer), .per_instance = true};
+    def->attribute_count = 2;
+    def->buffer_count = 1;
+    def->topology = RHW_TRIANGLE_STRIP;
+    if (adds) {
+        def->targets[0].blend = true;
+        def->targets[0].color = def->targets[0].alpha = add;
+    } else {
+        rig_set_depth(rig);
+    }
+}
+
+// The nearest layer of each pixel with a depth test; without one the sum of all, which is exact, and their number.
+static void test_layers(void **state)
+{
+    (void)state;
+    static struct layer layers[LAYERS];
+    static struct expected expected[SIZE * SIZE];
+    uint64_t random = 1;
+    for (int i = 0; i < LAYERS; i++) {
+        make_layer(i, &random, &layers[i]);
+        expect_layer(&layers[i], expected);
+    }
+    for (int adds = 0; adds < 2; adds++) {
+        struct rig rig;
+        open_rig_of_layers(&rig, adds);
+        rig_begin(&rig);
+        rig_use_pipeline(&rig);
+        rig_use_vertices(&rig, 0, layers, sizeof layers);
+        rhw_pass_draw(rig.context, rig.recording, 0, 4, 0, LAYERS);
+        rig_end(&rig);
+        assert_int_equal(rig.stats.draws, 1);
+        assert_int_equal(rig.stats.triangles_in, 2 * LAYERS);
+        const float(*pixels)[4] = rig_read_float4(&rig);
+        for (int p = 0; p < SIZE * SIZE; p++) {
+            const bool is_seen = expected[p].number > 0;
+            assert_true(pixels[p][1] == (adds ? expected[p].sum : expected[p].nearest));
+            assert_true(pixels[p][2] == (adds ? expected[p].number : is_seen ? 1.0f : 0.0f));
+            assert_true(adds || !is_seen || pixels[p][0] == expected[p].depth);
+        }
+        rig_close(&rig);
+    }
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_lists),
+    cmocka_unit_test(test_indices),
+    cmocka_unit_test(test_clipped),
+    cmocka_unit_test(test_layers),
+};
+
+const struct unit_tests test_small_instances = UNIT_TESTS(tests, NULL, NULL);

@@ -233,10 +233,8 @@ static void test_paths_agree(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_by_hand), cmocka_unit_test(test_areas), cmocka_unit_test(test_paths_agree),
-        cmocka_unit_test(test_other_colors), cmocka_unit_test(test_coverage_by_alpha)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_by_hand), cmocka_unit_test(test_areas), cmocka_unit_test(test_paths_agree),
+    cmocka_unit_test(test_other_colors), cmocka_unit_test(test_coverage_by_alpha)};
+
+const struct unit_tests test_smooth_lines = UNIT_TESTS(tests, NULL, NULL);

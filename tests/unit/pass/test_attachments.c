@@ -385,20 +385,18 @@ static void test_uploads_between_passes(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_pass_without_draws_clears),
-        cmocka_unit_test(test_textures_are_zeroed_when_created),
-        cmocka_unit_test(test_load_keeps_what_was_there),
-        cmocka_unit_test(test_what_is_not_stored_does_not_touch_memory),
-        cmocka_unit_test(test_pass_size_may_be_given),
-        cmocka_unit_test(test_tiles_at_every_size),
-        cmocka_unit_test(test_the_largest_targets),
-        cmocka_unit_test(test_write_and_read_with_pitch_and_levels),
-        cmocka_unit_test(test_render_to_texture_then_sample),
-        cmocka_unit_test(test_mips_of_a_rendered_texture),
-        cmocka_unit_test(test_uploads_between_passes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_a_pass_without_draws_clears),
+    cmocka_unit_test(test_textures_are_zeroed_when_created),
+    cmocka_unit_test(test_load_keeps_what_was_there),
+    cmocka_unit_test(test_what_is_not_stored_does_not_touch_memory),
+    cmocka_unit_test(test_pass_size_may_be_given),
+    cmocka_unit_test(test_tiles_at_every_size),
+    cmocka_unit_test(test_the_largest_targets),
+    cmocka_unit_test(test_write_and_read_with_pitch_and_levels),
+    cmocka_unit_test(test_render_to_texture_then_sample),
+    cmocka_unit_test(test_mips_of_a_rendered_texture),
+    cmocka_unit_test(test_uploads_between_passes),
+};
+
+const struct unit_tests test_attachments = UNIT_TESTS(tests, NULL, NULL);

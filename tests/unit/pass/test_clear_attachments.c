@@ -267,10 +267,8 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_among_draws), cmocka_unit_test(test_layers_and_integers),
-        cmocka_unit_test(test_what_is_set_stays), cmocka_unit_test(test_misuse)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_among_draws), cmocka_unit_test(test_layers_and_integers),
+    cmocka_unit_test(test_what_is_set_stays), cmocka_unit_test(test_misuse)};
+
+const struct unit_tests test_clear_attachments = UNIT_TESTS(tests, NULL, NULL);

@@ -204,10 +204,8 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_modes),
-                                       cmocka_unit_test(test_what_is_not_stored),
-                                       cmocka_unit_test(test_sampled), cmocka_unit_test(test_misuse)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(test_modes),
+                                          cmocka_unit_test(test_what_is_not_stored),
+                                          cmocka_unit_test(test_sampled), cmocka_unit_test(test_misuse)};
+
+const struct unit_tests test_depth_resolve = UNIT_TESTS(tests, NULL, NULL);

@@ -303,17 +303,15 @@ static void test_one_draw_of_many_instances(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_uniforms_change_between_draws),
-        cmocka_unit_test(test_uniforms_of_the_largest_size),
-        cmocka_unit_test(test_pipelines_and_uniforms_persist_and_change),
-        cmocka_unit_test(test_textures_change_between_draws),
-        cmocka_unit_test(test_blend_constant_changes_between_draws),
-        cmocka_unit_test(test_order_is_kept_within_and_across_draws),
-        cmocka_unit_test(test_many_draws),
-        cmocka_unit_test(test_one_draw_of_many_instances),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_uniforms_change_between_draws),
+    cmocka_unit_test(test_uniforms_of_the_largest_size),
+    cmocka_unit_test(test_pipelines_and_uniforms_persist_and_change),
+    cmocka_unit_test(test_textures_change_between_draws),
+    cmocka_unit_test(test_blend_constant_changes_between_draws),
+    cmocka_unit_test(test_order_is_kept_within_and_across_draws),
+    cmocka_unit_test(test_many_draws),
+    cmocka_unit_test(test_one_draw_of_many_instances),
+};
+
+const struct unit_tests test_draw_state = UNIT_TESTS(tests, NULL, NULL);

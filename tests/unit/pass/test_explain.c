@@ -361,16 +361,14 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_triangle_by_hand),
-        cmocka_unit_test(test_what_becomes_of_fragments),
-        cmocka_unit_test(test_masked_samples),
-        cmocka_unit_test(test_depth_alone),
-        cmocka_unit_test(test_samples),
-        cmocka_unit_test(test_histories_lead_to_the_picture),
-        cmocka_unit_test(test_misuse),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_a_triangle_by_hand),
+    cmocka_unit_test(test_what_becomes_of_fragments),
+    cmocka_unit_test(test_masked_samples),
+    cmocka_unit_test(test_depth_alone),
+    cmocka_unit_test(test_samples),
+    cmocka_unit_test(test_histories_lead_to_the_picture),
+    cmocka_unit_test(test_misuse),
+};
+
+const struct unit_tests test_explain = UNIT_TESTS(tests, NULL, NULL);

@@ -623,15 +623,13 @@ static void test_read_only_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_read_only),
-                                       cmocka_unit_test(test_read_only_misuse),
-                                       cmocka_unit_test(test_levels),
-                                       cmocka_unit_test(test_layers),
-                                       cmocka_unit_test(test_images),
-                                       cmocka_unit_test(test_read_only_images),
-                                       cmocka_unit_test(test_read_only_images_exclude),
-                                       cmocka_unit_test(test_renewed)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(test_read_only),
+                                          cmocka_unit_test(test_read_only_misuse),
+                                          cmocka_unit_test(test_levels),
+                                          cmocka_unit_test(test_layers),
+                                          cmocka_unit_test(test_images),
+                                          cmocka_unit_test(test_read_only_images),
+                                          cmocka_unit_test(test_read_only_images_exclude),
+                                          cmocka_unit_test(test_renewed)};
+
+const struct unit_tests test_feedback_loop = UNIT_TESTS(tests, NULL, NULL);

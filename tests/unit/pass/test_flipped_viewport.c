@@ -346,12 +346,9 @@ static void test_limits(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_places),         cmocka_unit_test(test_points),
-        cmocka_unit_test(test_facing),         cmocka_unit_test(test_same_bytes),
-        cmocka_unit_test(test_rows_turn_over), cmocka_unit_test(test_limits),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_places),     cmocka_unit_test(test_points),         cmocka_unit_test(test_facing),
+    cmocka_unit_test(test_same_bytes), cmocka_unit_test(test_rows_turn_over), cmocka_unit_test(test_limits),
+};
+
+const struct unit_tests test_flipped_viewport = UNIT_TESTS(tests, NULL, NULL);

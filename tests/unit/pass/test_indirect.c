@@ -223,15 +223,13 @@ static void test_misuse(void **state)
     rig_close(rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_draws),
-        cmocka_unit_test(test_indexed_draws_with_a_stride),
-        cmocka_unit_test(test_counts_from_a_buffer),
-        cmocka_unit_test(test_byte_counts),
-        cmocka_unit_test(test_misuse_of_byte_counts),
-        cmocka_unit_test(test_misuse),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_draws),
+    cmocka_unit_test(test_indexed_draws_with_a_stride),
+    cmocka_unit_test(test_counts_from_a_buffer),
+    cmocka_unit_test(test_byte_counts),
+    cmocka_unit_test(test_misuse_of_byte_counts),
+    cmocka_unit_test(test_misuse),
+};
+
+const struct unit_tests test_indirect = UNIT_TESTS(tests, NULL, NULL);

@@ -210,11 +210,9 @@ static void test_memory(void **state)
     assert_true(peaks[1] < peaks[0] + (size_t)WIDE * WIDE * 4);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_outputs),
-                                       cmocka_unit_test(test_inputs_and_clears),
-                                       cmocka_unit_test(test_first_attachment), cmocka_unit_test(test_memory),
-                                       cmocka_unit_test(test_pipelines_match)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_outputs), cmocka_unit_test(test_inputs_and_clears),
+    cmocka_unit_test(test_first_attachment), cmocka_unit_test(test_memory),
+    cmocka_unit_test(test_pipelines_match)};
+
+const struct unit_tests test_left_out = UNIT_TESTS(tests, NULL, NULL);

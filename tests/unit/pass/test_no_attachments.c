@@ -111,9 +111,7 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_effects_and_queries),
-                                       cmocka_unit_test(test_misuse)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(test_effects_and_queries),
+                                          cmocka_unit_test(test_misuse)};
+
+const struct unit_tests test_no_attachments = UNIT_TESTS(tests, NULL, NULL);

@@ -195,9 +195,8 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_beyond_the_pass), cmocka_unit_test(test_samples),
-                                       cmocka_unit_test(test_clean_tiles), cmocka_unit_test(test_misuse)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(test_beyond_the_pass),
+                                          cmocka_unit_test(test_samples), cmocka_unit_test(test_clean_tiles),
+                                          cmocka_unit_test(test_misuse)};
+
+const struct unit_tests test_pass_size = UNIT_TESTS(tests, NULL, NULL);

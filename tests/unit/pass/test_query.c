@@ -527,19 +527,17 @@ static void test_destroyed_while_under_way(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_samples_against_a_model),
-        cmocka_unit_test(test_threads_waves_and_instruction_sets),
-        cmocka_unit_test(test_what_is_hidden_later_is_counted),
-        cmocka_unit_test(test_overdraw_is_counted),
-        cmocka_unit_test(test_dropped_samples_are_not_counted),
-        cmocka_unit_test(test_statistics),
-        cmocka_unit_test(test_timestamps),
-        cmocka_unit_test(test_misuse_of_ids),
-        cmocka_unit_test(test_misuse_in_a_pass),
-        cmocka_unit_test(test_destroyed_while_under_way),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_samples_against_a_model),
+    cmocka_unit_test(test_threads_waves_and_instruction_sets),
+    cmocka_unit_test(test_what_is_hidden_later_is_counted),
+    cmocka_unit_test(test_overdraw_is_counted),
+    cmocka_unit_test(test_dropped_samples_are_not_counted),
+    cmocka_unit_test(test_statistics),
+    cmocka_unit_test(test_timestamps),
+    cmocka_unit_test(test_misuse_of_ids),
+    cmocka_unit_test(test_misuse_in_a_pass),
+    cmocka_unit_test(test_destroyed_while_under_way),
+};
+
+const struct unit_tests test_query = UNIT_TESTS(tests, NULL, NULL);

@@ -314,10 +314,8 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_the_same_inside),
-                                       cmocka_unit_test(test_clean_tiles),
-                                       cmocka_unit_test(test_clear_and_count), cmocka_unit_test(test_misuse)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_the_same_inside), cmocka_unit_test(test_clean_tiles),
+    cmocka_unit_test(test_clear_and_count), cmocka_unit_test(test_misuse)};
+
+const struct unit_tests test_render_area = UNIT_TESTS(tests, NULL, NULL);

@@ -315,10 +315,8 @@ static void misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(sums), cmocka_unit_test(formats),
-                                       cmocka_unit_test(depth), cmocka_unit_test(stencil),
-                                       cmocka_unit_test(misuse)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(sums), cmocka_unit_test(formats),
+                                          cmocka_unit_test(depth), cmocka_unit_test(stencil),
+                                          cmocka_unit_test(misuse)};
+
+const struct unit_tests test_target_input = UNIT_TESTS(tests, NULL, NULL);

@@ -167,13 +167,11 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_places),
-                                       cmocka_unit_test(test_counts),
-                                       cmocka_unit_test(test_plans),
-                                       cmocka_unit_test(test_plans_of_a_background_and_a_model),
-                                       cmocka_unit_test(test_a_pass_reports_for_itself_alone),
-                                       cmocka_unit_test(test_misuse)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(test_places),
+                                          cmocka_unit_test(test_counts),
+                                          cmocka_unit_test(test_plans),
+                                          cmocka_unit_test(test_plans_of_a_background_and_a_model),
+                                          cmocka_unit_test(test_a_pass_reports_for_itself_alone),
+                                          cmocka_unit_test(test_misuse)};
+
+const struct unit_tests test_tile_reports = UNIT_TESTS(tests, NULL, NULL);

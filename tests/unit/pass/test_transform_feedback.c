@@ -474,17 +474,15 @@ static void test_nothing_is_written(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_topologies),
-        cmocka_unit_test(test_sources_and_places),
-        cmocka_unit_test(test_any_threads_and_waves),
-        cmocka_unit_test(test_overflow),
-        cmocka_unit_test(test_kept_vertices_are_drawn),
-        cmocka_unit_test(test_misuse_of_pipelines),
-        cmocka_unit_test(test_misuse_in_a_pass),
-        cmocka_unit_test(test_nothing_is_written),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_topologies),
+    cmocka_unit_test(test_sources_and_places),
+    cmocka_unit_test(test_any_threads_and_waves),
+    cmocka_unit_test(test_overflow),
+    cmocka_unit_test(test_kept_vertices_are_drawn),
+    cmocka_unit_test(test_misuse_of_pipelines),
+    cmocka_unit_test(test_misuse_in_a_pass),
+    cmocka_unit_test(test_nothing_is_written),
+};
+
+const struct unit_tests test_transform_feedback = UNIT_TESTS(tests, NULL, NULL);

@@ -497,19 +497,17 @@ static void test_integer_target(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_factor_and_operation),
-        cmocka_unit_test(test_blending_in_8_bit_formats),
-        cmocka_unit_test(test_blending_in_float_formats),
-        cmocka_unit_test(test_encoding_on_write),
-        cmocka_unit_test(test_half_floats_on_write),
-        cmocka_unit_test(test_nan_is_zero_in_fixed_point),
-        cmocka_unit_test(test_write_mask),
-        cmocka_unit_test(test_eight_targets_each_with_its_own_state),
-        cmocka_unit_test(test_factors_of_snorm_targets),
-        cmocka_unit_test(test_integer_target),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_every_factor_and_operation),
+    cmocka_unit_test(test_blending_in_8_bit_formats),
+    cmocka_unit_test(test_blending_in_float_formats),
+    cmocka_unit_test(test_encoding_on_write),
+    cmocka_unit_test(test_half_floats_on_write),
+    cmocka_unit_test(test_nan_is_zero_in_fixed_point),
+    cmocka_unit_test(test_write_mask),
+    cmocka_unit_test(test_eight_targets_each_with_its_own_state),
+    cmocka_unit_test(test_factors_of_snorm_targets),
+    cmocka_unit_test(test_integer_target),
+};
+
+const struct unit_tests test_blend = UNIT_TESTS(tests, NULL, NULL);

@@ -301,19 +301,17 @@ static void test_facing_of_a_triangle_with_a_vertex_behind_the_eye(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_y_is_up_and_row_0_is_the_top),
-        cmocka_unit_test(test_pixel_centres_are_at_one_half),
-        cmocka_unit_test(test_depth_conventions),
-        cmocka_unit_test(test_viewport_places_and_cuts),
-        cmocka_unit_test(test_viewport_maps_positions),
-        cmocka_unit_test(test_viewport_depth_range),
-        cmocka_unit_test(test_scissor),
-        cmocka_unit_test(test_scissor_does_not_cut_the_clear),
-        cmocka_unit_test(test_winding_and_culling),
-        cmocka_unit_test(test_facing_of_a_triangle_with_a_vertex_behind_the_eye),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_y_is_up_and_row_0_is_the_top),
+    cmocka_unit_test(test_pixel_centres_are_at_one_half),
+    cmocka_unit_test(test_depth_conventions),
+    cmocka_unit_test(test_viewport_places_and_cuts),
+    cmocka_unit_test(test_viewport_maps_positions),
+    cmocka_unit_test(test_viewport_depth_range),
+    cmocka_unit_test(test_scissor),
+    cmocka_unit_test(test_scissor_does_not_cut_the_clear),
+    cmocka_unit_test(test_winding_and_culling),
+    cmocka_unit_test(test_facing_of_a_triangle_with_a_vertex_behind_the_eye),
+};
+
+const struct unit_tests test_conventions = UNIT_TESTS(tests, NULL, NULL);

@@ -202,6 +202,43 @@ static void test_depth_of_slanted_triangles(void **state)
     rig_close(&rig);
 }
 
+static void coord_depth_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        groups[g].color[0][0] = groups[g].coord[2];
+    }
+}
+
+// The depth that a fragment function sees is what the depth buffer keeps, bit by bit.
+static void test_fragments_see_the_depth_that_is_kept(void **state)
+{
+    (void)state;
+    enum { TRIANGLES = 300 };
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    rig_set_depth(&rig);
+    rig_set_program(&rig, rig_vertex_pass, coord_depth_fragment);
+    rig.pipeline.program.uses = RHW_USE_COORD;
+    rig.pass.colors[0].clear[0] = 1;
+    struct rig_vertex vertices[3 * TRIANGLES] = {0};
+    uint64_t random = 4;
+    for (int i = 0; i < 3 * TRIANGLES; i++) {
+        rig_place(&rig, rig_random_float(&random, 0, SIZE), rig_random_float(&random, 0, SIZE),
+                  rig_random_float(&random, 0, 1), rig_random_float(&random, 0.5f, 4), vertices[i].position);
+    }
+    rig_draw_once(&rig, vertices, 3 * TRIANGLES);
+    float kept[SIZE * SIZE];
+    memcpy(kept, rig_read_depth(&rig), sizeof kept);
+    const float(*seen)[4] = rig_read_float4(&rig);
+    int drawn = 0;
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        assert_true(seen[i][0] == kept[i]);
+        drawn += kept[i] < 1;
+    }
+    assert_true(drawn > SIZE * SIZE / 2);
+    rig_close(&rig);
+}
+
 // Depth = varying 1; lanes of odd columns are discarded when varying 2 says so.
 static void depth_fragment(struct rhw_fragment *groups, int count)
 {
@@ -426,23 +463,22 @@ static void test_equal_after_a_prepass(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_compare_function),
-        cmocka_unit_test(test_compare_against_drawn_depth),
-        cmocka_unit_test(test_without_depth_test_nothing_is_tested_or_written),
-        cmocka_unit_test(test_depth_is_kept_between_passes),
-        cmocka_unit_test(test_depth_without_memory),
-        cmocka_unit_test(test_depth_of_slanted_triangles),
-        cmocka_unit_test(test_depth_from_the_fragment_function),
-        cmocka_unit_test(test_a_written_depth_stays_in_range),
-        cmocka_unit_test(test_discarded_lanes_leave_no_depth),
-        cmocka_unit_test(test_discard_behind_what_is_there),
-        cmocka_unit_test(test_hidden_fragments_are_not_shaded),
-        cmocka_unit_test(test_what_is_behind_shows_beside_a_small_triangle),
-        cmocka_unit_test(test_depth_only_program),
-        cmocka_unit_test(test_equal_after_a_prepass),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_every_compare_function),
+    cmocka_unit_test(test_compare_against_drawn_depth),
+    cmocka_unit_test(test_without_depth_test_nothing_is_tested_or_written),
+    cmocka_unit_test(test_depth_is_kept_between_passes),
+    cmocka_unit_test(test_depth_without_memory),
+    cmocka_unit_test(test_depth_of_slanted_triangles),
+    cmocka_unit_test(test_fragments_see_the_depth_that_is_kept),
+    cmocka_unit_test(test_depth_from_the_fragment_function),
+    cmocka_unit_test(test_a_written_depth_stays_in_range),
+    cmocka_unit_test(test_discarded_lanes_leave_no_depth),
+    cmocka_unit_test(test_discard_behind_what_is_there),
+    cmocka_unit_test(test_hidden_fragments_are_not_shaded),
+    cmocka_unit_test(test_what_is_behind_shows_beside_a_small_triangle),
+    cmocka_unit_test(test_depth_only_program),
+    cmocka_unit_test(test_equal_after_a_prepass),
+};
+
+const struct unit_tests test_depth = UNIT_TESTS(tests, NULL, NULL);

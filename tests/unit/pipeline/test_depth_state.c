@@ -369,20 +369,18 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_steps_of_unorm_depth),
-        cmocka_unit_test(test_steps_draw_the_same_on_every_path),
-        cmocka_unit_test(test_bias),
-        cmocka_unit_test(test_bias_of_small_triangles),
-        cmocka_unit_test(test_bias_of_cut_triangles),
-        cmocka_unit_test(test_depth_beyond_one),
-        cmocka_unit_test(test_clip_and_clamp),
-        cmocka_unit_test(test_no_near_plane),
-        cmocka_unit_test(test_depth_bounds),
-        cmocka_unit_test(test_reversed_depth),
-        cmocka_unit_test(test_misuse),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_steps_of_unorm_depth),
+    cmocka_unit_test(test_steps_draw_the_same_on_every_path),
+    cmocka_unit_test(test_bias),
+    cmocka_unit_test(test_bias_of_small_triangles),
+    cmocka_unit_test(test_bias_of_cut_triangles),
+    cmocka_unit_test(test_depth_beyond_one),
+    cmocka_unit_test(test_clip_and_clamp),
+    cmocka_unit_test(test_no_near_plane),
+    cmocka_unit_test(test_depth_bounds),
+    cmocka_unit_test(test_reversed_depth),
+    cmocka_unit_test(test_misuse),
+};
+
+const struct unit_tests test_depth_state = UNIT_TESTS(tests, NULL, NULL);

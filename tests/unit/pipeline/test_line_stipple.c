@@ -353,12 +353,10 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_by_hand),   cmocka_unit_test(test_strips),
-        cmocka_unit_test(test_model),     cmocka_unit_test(test_long_strips),
-        cmocka_unit_test(test_samples),   cmocka_unit_test(test_edges_and_clipping),
-        cmocka_unit_test(test_pass_sets), cmocka_unit_test(test_misuse)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_by_hand),   cmocka_unit_test(test_strips),
+    cmocka_unit_test(test_model),     cmocka_unit_test(test_long_strips),
+    cmocka_unit_test(test_samples),   cmocka_unit_test(test_edges_and_clipping),
+    cmocka_unit_test(test_pass_sets), cmocka_unit_test(test_misuse)};
+
+const struct unit_tests test_line_stipple = UNIT_TESTS(tests, NULL, NULL);

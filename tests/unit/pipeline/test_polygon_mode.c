@@ -166,14 +166,12 @@ static void test_an_unknown_mode_is_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_edges_are_lines),
-        cmocka_unit_test(test_corners_are_points),
-        cmocka_unit_test(test_culling_takes_the_triangle),
-        cmocka_unit_test(test_paths_agree),
-        cmocka_unit_test(test_an_unknown_mode_is_misuse),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_edges_are_lines),
+    cmocka_unit_test(test_corners_are_points),
+    cmocka_unit_test(test_culling_takes_the_triangle),
+    cmocka_unit_test(test_paths_agree),
+    cmocka_unit_test(test_an_unknown_mode_is_misuse),
+};
+
+const struct unit_tests test_polygon_mode = UNIT_TESTS(tests, NULL, NULL);

@@ -367,15 +367,13 @@ static void test_declarations(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_viewports),
-        cmocka_unit_test(test_layers),
-        cmocka_unit_test(test_clean_tiles_are_forgotten),
-        cmocka_unit_test(test_builtins),
-        cmocka_unit_test(test_misuse),
-        cmocka_unit_test(test_declarations),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_viewports),
+    cmocka_unit_test(test_layers),
+    cmocka_unit_test(test_clean_tiles_are_forgotten),
+    cmocka_unit_test(test_builtins),
+    cmocka_unit_test(test_misuse),
+    cmocka_unit_test(test_declarations),
+};
+
+const struct unit_tests test_routing = UNIT_TESTS(tests, NULL, NULL);

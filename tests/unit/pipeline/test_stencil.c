@@ -367,15 +367,10 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_rule_against_a_model),
-        cmocka_unit_test(test_a_mask_from_another_pass),
-        cmocka_unit_test(test_stencil_without_memory_in_waves),
-        cmocka_unit_test(test_what_is_hidden_is_counted),
-        cmocka_unit_test(test_written_stencil_is_read_back),
-        cmocka_unit_test(test_misuse),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_every_rule_against_a_model),      cmocka_unit_test(test_a_mask_from_another_pass),
+    cmocka_unit_test(test_stencil_without_memory_in_waves), cmocka_unit_test(test_what_is_hidden_is_counted),
+    cmocka_unit_test(test_written_stencil_is_read_back),    cmocka_unit_test(test_misuse),
+};
+
+const struct unit_tests test_stencil = UNIT_TESTS(tests, NULL, NULL);

@@ -119,11 +119,9 @@ static void test_steps(void **state)
     compare_paths(RHW_FORMAT_D24_UNORM_S8_UINT);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_floats),
-        cmocka_unit_test(test_steps),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_floats),
+    cmocka_unit_test(test_steps),
+};
+
+const struct unit_tests test_stencil_volumes = UNIT_TESTS(tests, NULL, NULL);

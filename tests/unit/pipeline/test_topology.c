@@ -510,20 +510,18 @@ static void test_ids_count_from_first(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_strips_and_fans_are_their_triangles),
-        cmocka_unit_test(test_a_strip_faces_one_way),
-        cmocka_unit_test(test_incomplete_triangles_are_nothing),
-        cmocka_unit_test(test_index_types_offsets_and_base_vertex),
-        cmocka_unit_test(test_primitives_count_through_long_draws),
-        cmocka_unit_test(test_long_draws_are_their_triangles),
-        cmocka_unit_test(test_primitive_restart),
-        cmocka_unit_test(test_restart_is_tested_before_the_base_vertex),
-        cmocka_unit_test(test_without_restart_the_largest_index_is_an_index),
-        cmocka_unit_test(test_reads_outside_the_buffers),
-        cmocka_unit_test(test_ids_count_from_first),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_strips_and_fans_are_their_triangles),
+    cmocka_unit_test(test_a_strip_faces_one_way),
+    cmocka_unit_test(test_incomplete_triangles_are_nothing),
+    cmocka_unit_test(test_index_types_offsets_and_base_vertex),
+    cmocka_unit_test(test_primitives_count_through_long_draws),
+    cmocka_unit_test(test_long_draws_are_their_triangles),
+    cmocka_unit_test(test_primitive_restart),
+    cmocka_unit_test(test_restart_is_tested_before_the_base_vertex),
+    cmocka_unit_test(test_without_restart_the_largest_index_is_an_index),
+    cmocka_unit_test(test_reads_outside_the_buffers),
+    cmocka_unit_test(test_ids_count_from_first),
+};
+
+const struct unit_tests test_topology = UNIT_TESTS(tests, NULL, NULL);

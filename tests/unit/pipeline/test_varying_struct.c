@@ -175,12 +175,10 @@ static void test_what_does_not_fit_is_told(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_members_have_numbers),
-        cmocka_unit_test(test_members_arrive_by_name),
-        cmocka_unit_test(test_what_does_not_fit_is_told),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_members_have_numbers),
+    cmocka_unit_test(test_members_arrive_by_name),
+    cmocka_unit_test(test_what_does_not_fit_is_told),
+};
+
+const struct unit_tests test_varying_struct = UNIT_TESTS(tests, NULL, NULL);

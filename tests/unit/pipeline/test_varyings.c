@@ -411,15 +411,13 @@ static void test_all_components(void **state)
     assert_int_equal(many, RHW_MAX_VARYING_COMPONENTS);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_qualifiers_follow_the_formulas),
-        cmocka_unit_test(test_derivatives_follow_the_formulas),
-        cmocka_unit_test(test_constants_survive),
-        cmocka_unit_test(test_translation_by_whole_pixels),
-        cmocka_unit_test(test_barycentrics_and_coordinates),
-        cmocka_unit_test(test_all_components),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_qualifiers_follow_the_formulas),
+    cmocka_unit_test(test_derivatives_follow_the_formulas),
+    cmocka_unit_test(test_constants_survive),
+    cmocka_unit_test(test_translation_by_whole_pixels),
+    cmocka_unit_test(test_barycentrics_and_coordinates),
+    cmocka_unit_test(test_all_components),
+};
+
+const struct unit_tests test_varyings = UNIT_TESTS(tests, NULL, NULL);

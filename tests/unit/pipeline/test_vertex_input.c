@@ -379,15 +379,13 @@ static void test_a_buffer_bound_beyond_its_end(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_format),
-        cmocka_unit_test(test_sizes),
-        cmocka_unit_test(test_buffers_strides_offsets_and_instances),
-        cmocka_unit_test(test_instances_share_elements),
-        cmocka_unit_test(test_an_element_that_ends_beyond_its_buffer),
-        cmocka_unit_test(test_a_buffer_bound_beyond_its_end),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_every_format),
+    cmocka_unit_test(test_sizes),
+    cmocka_unit_test(test_buffers_strides_offsets_and_instances),
+    cmocka_unit_test(test_instances_share_elements),
+    cmocka_unit_test(test_an_element_that_ends_beyond_its_buffer),
+    cmocka_unit_test(test_a_buffer_bound_beyond_its_end),
+};
+
+const struct unit_tests test_vertex_input = UNIT_TESTS(tests, NULL, NULL);

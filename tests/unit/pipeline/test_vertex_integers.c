@@ -152,8 +152,6 @@ static void test_every_format(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_format)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_format)};
+
+const struct unit_tests test_vertex_integers = UNIT_TESTS(tests, NULL, NULL);

@@ -198,14 +198,12 @@ static void test_misuse_of_maps(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_fill),
-        cmocka_unit_test(test_copy),
-        cmocka_unit_test(test_while_recording),
-        cmocka_unit_test(test_map),
-        cmocka_unit_test(test_misuse_of_maps),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_fill),
+    cmocka_unit_test(test_copy),
+    cmocka_unit_test(test_while_recording),
+    cmocka_unit_test(test_map),
+    cmocka_unit_test(test_misuse_of_maps),
+};
+
+const struct unit_tests test_buffer_transfer = UNIT_TESTS(tests, NULL, NULL);

@@ -507,15 +507,13 @@ static void program_beside_nothing(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(read_only_goes_with_all),
-                                       cmocka_unit_test(read_only_is_written_between_draws),
-                                       cmocka_unit_test(read_only_is_not_written),
-                                       cmocka_unit_test(ranges),
-                                       cmocka_unit_test(halves),
-                                       cmocka_unit_test(program_beside_passes),
-                                       cmocka_unit_test(program_between_draws),
-                                       cmocka_unit_test(program_beside_nothing)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(read_only_goes_with_all),
+                                          cmocka_unit_test(read_only_is_written_between_draws),
+                                          cmocka_unit_test(read_only_is_not_written),
+                                          cmocka_unit_test(ranges),
+                                          cmocka_unit_test(halves),
+                                          cmocka_unit_test(program_beside_passes),
+                                          cmocka_unit_test(program_between_draws),
+                                          cmocka_unit_test(program_beside_nothing)};
+
+const struct unit_tests test_buffer_use = UNIT_TESTS(tests, NULL, NULL);

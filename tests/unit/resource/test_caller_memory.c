@@ -326,13 +326,11 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_layout),     cmocka_unit_test(test_where_texels_are),
-        cmocka_unit_test(test_drawn_into), cmocka_unit_test(test_side_by_side),
-        cmocka_unit_test(test_sampled),    cmocka_unit_test(test_buffers),
-        cmocka_unit_test(test_misuse),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_layout),     cmocka_unit_test(test_where_texels_are),
+    cmocka_unit_test(test_drawn_into), cmocka_unit_test(test_side_by_side),
+    cmocka_unit_test(test_sampled),    cmocka_unit_test(test_buffers),
+    cmocka_unit_test(test_misuse),
+};
+
+const struct unit_tests test_caller_memory = UNIT_TESTS(tests, NULL, NULL);

@@ -141,14 +141,12 @@ static void test_what_was_uploaded_is_cleared(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_what_is_clean_is_left_alone),
-        cmocka_unit_test(test_what_was_drawn_is_cleared),
-        cmocka_unit_test(test_waves_and_stores),
-        cmocka_unit_test(test_another_clear_value_is_written),
-        cmocka_unit_test(test_what_was_uploaded_is_cleared),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_what_is_clean_is_left_alone),
+    cmocka_unit_test(test_what_was_drawn_is_cleared),
+    cmocka_unit_test(test_waves_and_stores),
+    cmocka_unit_test(test_another_clear_value_is_written),
+    cmocka_unit_test(test_what_was_uploaded_is_cleared),
+};
+
+const struct unit_tests test_clean_tiles = UNIT_TESTS(tests, NULL, NULL);

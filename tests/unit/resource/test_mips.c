@@ -202,14 +202,15 @@ static void test_small_chains(void **state)
     }
 }
 
-// So large that threads take bands of rows, which overlap where sizes are odd.
+// So large that threads take bands of rows, which overlap where sizes are odd. How many bands there are has nothing to do
+// with what an instruction set makes of one: the baseline makes chains with any number of threads, the others with many.
 static void test_chains_in_bands(void **state)
 {
     (void)state;
     static const int sizes[][2] = {{1023, 511}, {259, 2047}, {512, 768}, {3000, 150}, {1, 16384}};
-    const int threads[] = {1, 2, 5};
+    const int threads[] = {5, 2, 1};
     for (int isa = RHW_ISA_BASELINE; isa < RHW_ISA_COUNT; isa++) {
-        for (int t = 0; t < 3 && rhw_isa_supported((enum rhw_isa)isa); t++) {
+        for (int t = 0; t < (isa == RHW_ISA_BASELINE ? 3 : 1) && rhw_isa_supported((enum rhw_isa)isa); t++) {
             rhw_context *const context = open_context((enum rhw_isa)isa, threads[t]);
             check_chains(context, rhw_isa_name((enum rhw_isa)isa), sizes, sizeof sizes / sizeof *sizes);
             rhw_context_destroy(context);
@@ -253,12 +254,10 @@ static void test_a_chain_needs_little_memory(void **state)
     rhw_context_destroy(context);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_small_chains),
-        cmocka_unit_test(test_chains_in_bands),
-        cmocka_unit_test(test_a_chain_needs_little_memory),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_small_chains),
+    cmocka_unit_test(test_chains_in_bands),
+    cmocka_unit_test(test_a_chain_needs_little_memory),
+};
+
+const struct unit_tests test_mips = UNIT_TESTS(tests, NULL, NULL);

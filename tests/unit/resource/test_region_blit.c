@@ -314,12 +314,10 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rows),    cmocka_unit_test(test_volumes),
-        cmocka_unit_test(test_formats), cmocka_unit_test(test_layers_and_planes),
-        cmocka_unit_test(test_misuse),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_rows),    cmocka_unit_test(test_volumes),
+    cmocka_unit_test(test_formats), cmocka_unit_test(test_layers_and_planes),
+    cmocka_unit_test(test_misuse),
+};
+
+const struct unit_tests test_region_blit = UNIT_TESTS(tests, NULL, NULL);

@@ -188,12 +188,10 @@ static void test_resolve_stencil(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_clear_region),         cmocka_unit_test(test_clear_planes),
-        cmocka_unit_test(test_clear_between_passes), cmocka_unit_test(test_resolve),
-        cmocka_unit_test(test_resolve_stencil),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_clear_region),         cmocka_unit_test(test_clear_planes),
+    cmocka_unit_test(test_clear_between_passes), cmocka_unit_test(test_resolve),
+    cmocka_unit_test(test_resolve_stencil),
+};
+
+const struct unit_tests test_region_clear = UNIT_TESTS(tests, NULL, NULL);

@@ -468,19 +468,17 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_write_and_read),
-        cmocka_unit_test(test_levels),
-        cmocka_unit_test(test_stencil),
-        cmocka_unit_test(test_buffers),
-        cmocka_unit_test(test_textures),
-        cmocka_unit_test(test_samples),
-        cmocka_unit_test(test_blocks),
-        cmocka_unit_test(test_blocks_are_written_in_parts),
-        cmocka_unit_test(test_parts_are_of_whole_blocks),
-        cmocka_unit_test(test_misuse),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_write_and_read),
+    cmocka_unit_test(test_levels),
+    cmocka_unit_test(test_stencil),
+    cmocka_unit_test(test_buffers),
+    cmocka_unit_test(test_textures),
+    cmocka_unit_test(test_samples),
+    cmocka_unit_test(test_blocks),
+    cmocka_unit_test(test_blocks_are_written_in_parts),
+    cmocka_unit_test(test_parts_are_of_whole_blocks),
+    cmocka_unit_test(test_misuse),
+};
+
+const struct unit_tests test_region_copy = UNIT_TESTS(tests, NULL, NULL);

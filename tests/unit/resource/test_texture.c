@@ -206,12 +206,10 @@ static void test_misuse_is_named(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_mips_are_box_filtered_in_linear_light),
-        cmocka_unit_test(test_write_and_read_keep_every_byte),
-        cmocka_unit_test(test_misuse_is_named),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_mips_are_box_filtered_in_linear_light),
+    cmocka_unit_test(test_write_and_read_keep_every_byte),
+    cmocka_unit_test(test_misuse_is_named),
+};
+
+const struct unit_tests test_texture = UNIT_TESTS(tests, NULL, NULL);

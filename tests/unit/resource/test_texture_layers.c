@@ -268,12 +268,10 @@ static void test_misuse_of_layers(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_layers_hold_what_was_written), cmocka_unit_test(test_levels_of_layers),
-        cmocka_unit_test(test_levels_of_a_volume),           cmocka_unit_test(test_layers_are_drawn_into),
-        cmocka_unit_test(test_misuse_of_definitions),        cmocka_unit_test(test_misuse_of_layers),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_layers_hold_what_was_written), cmocka_unit_test(test_levels_of_layers),
+    cmocka_unit_test(test_levels_of_a_volume),           cmocka_unit_test(test_layers_are_drawn_into),
+    cmocka_unit_test(test_misuse_of_definitions),        cmocka_unit_test(test_misuse_of_layers),
+};
+
+const struct unit_tests test_texture_layers = UNIT_TESTS(tests, NULL, NULL);

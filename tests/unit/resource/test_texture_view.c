@@ -717,21 +717,19 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_views_are_textures),
-        cmocka_unit_test(test_swizzle),
-        cmocka_unit_test(test_attachments),
-        cmocka_unit_test(test_linear_copies),
-        cmocka_unit_test(test_planes),
-        cmocka_unit_test(test_stencil_is_sampled),
-        cmocka_unit_test(test_samples_of_stencil_are_fetched),
-        cmocka_unit_test(test_stencil_as_bytes_is_checked),
-        cmocka_unit_test(test_feedback),
-        cmocka_unit_test(test_overlap),
-        cmocka_unit_test(test_made_while_recording),
-        cmocka_unit_test(test_misuse),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_views_are_textures),
+    cmocka_unit_test(test_swizzle),
+    cmocka_unit_test(test_attachments),
+    cmocka_unit_test(test_linear_copies),
+    cmocka_unit_test(test_planes),
+    cmocka_unit_test(test_stencil_is_sampled),
+    cmocka_unit_test(test_samples_of_stencil_are_fetched),
+    cmocka_unit_test(test_stencil_as_bytes_is_checked),
+    cmocka_unit_test(test_feedback),
+    cmocka_unit_test(test_overlap),
+    cmocka_unit_test(test_made_while_recording),
+    cmocka_unit_test(test_misuse),
+};
+
+const struct unit_tests test_texture_view = UNIT_TESTS(tests, NULL, NULL);

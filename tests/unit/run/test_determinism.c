@@ -228,12 +228,10 @@ static void test_a_flush_of_the_bins_does_not_show(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_thread_counts),
-        cmocka_unit_test(test_instruction_sets),
-        cmocka_unit_test(test_a_flush_of_the_bins_does_not_show),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_thread_counts),
+    cmocka_unit_test(test_instruction_sets),
+    cmocka_unit_test(test_a_flush_of_the_bins_does_not_show),
+};
+
+const struct unit_tests test_determinism = UNIT_TESTS(tests, NULL, NULL);

@@ -90,12 +90,10 @@ static void test_four_threads(void **state)
     check(4, 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_one_thread),
-        cmocka_unit_test(test_one_thread_in_waves),
-        cmocka_unit_test(test_four_threads),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_one_thread),
+    cmocka_unit_test(test_one_thread_in_waves),
+    cmocka_unit_test(test_four_threads),
+};
+
+const struct unit_tests test_given_up = UNIT_TESTS(tests, NULL, NULL);

@@ -369,18 +369,16 @@ static void test_memory_runs_out(void **state)
     free(mesh);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_vertices_are_shaded_once),
-        cmocka_unit_test(test_instances_and_index_types),
-        cmocka_unit_test(test_base_vertex),
-        cmocka_unit_test(test_indices_past_the_end),
-        cmocka_unit_test(test_strips_and_fans),
-        cmocka_unit_test(test_other_attributes),
-        cmocka_unit_test(test_waves),
-        cmocka_unit_test(test_memory_of_growing_draws),
-        cmocka_unit_test(test_memory_runs_out),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_vertices_are_shaded_once),
+    cmocka_unit_test(test_instances_and_index_types),
+    cmocka_unit_test(test_base_vertex),
+    cmocka_unit_test(test_indices_past_the_end),
+    cmocka_unit_test(test_strips_and_fans),
+    cmocka_unit_test(test_other_attributes),
+    cmocka_unit_test(test_waves),
+    cmocka_unit_test(test_memory_of_growing_draws),
+    cmocka_unit_test(test_memory_runs_out),
+};
+
+const struct unit_tests test_shared_vertices = UNIT_TESTS(tests, NULL, NULL);

@@ -228,17 +228,15 @@ static void test_stats_start_anew(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_triangle_is_counted_once),
-        cmocka_unit_test(test_a_triangle_between_the_samples_is_culled),
-        cmocka_unit_test(test_fragments),
-        cmocka_unit_test(test_shared_vertices),
-        cmocka_unit_test(test_times_add_up),
-        cmocka_unit_test(test_bin_entries),
-        cmocka_unit_test(test_bin_entries_of_long_triangles),
-        cmocka_unit_test(test_stats_start_anew),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_every_triangle_is_counted_once),
+    cmocka_unit_test(test_a_triangle_between_the_samples_is_culled),
+    cmocka_unit_test(test_fragments),
+    cmocka_unit_test(test_shared_vertices),
+    cmocka_unit_test(test_times_add_up),
+    cmocka_unit_test(test_bin_entries),
+    cmocka_unit_test(test_bin_entries_of_long_triangles),
+    cmocka_unit_test(test_stats_start_anew),
+};
+
+const struct unit_tests test_stats = UNIT_TESTS(tests, NULL, NULL);

@@ -121,11 +121,9 @@ static void test_bins_of_a_chunk_are_bounded(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_waves_do_not_show),
-        cmocka_unit_test(test_bins_of_a_chunk_are_bounded),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_waves_do_not_show),
+    cmocka_unit_test(test_bins_of_a_chunk_are_bounded),
+};
+
+const struct unit_tests test_waves = UNIT_TESTS(tests, NULL, NULL);

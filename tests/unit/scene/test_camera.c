@@ -367,21 +367,19 @@ static void test_normal_matrix(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_fit_touches_the_margin),
-        cmocka_unit_test(test_fit_of_what_turns),
-        cmocka_unit_test(test_fit_angles),
-        cmocka_unit_test(test_fit_of_degenerate_models),
-        cmocka_unit_test(test_default_orbit_faces_flat_models),
-        cmocka_unit_test(test_fit_turns_with_up),
-        cmocka_unit_test(test_fit_leaves_a_vast_ground_out),
-        cmocka_unit_test(test_what_a_camera_must_show),
-        cmocka_unit_test(test_look_refuses_what_is_no_camera),
-        cmocka_unit_test(test_projection_against_formulas),
-        cmocka_unit_test(test_file_camera_in_a_narrow_picture),
-        cmocka_unit_test(test_normal_matrix),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_fit_touches_the_margin),
+    cmocka_unit_test(test_fit_of_what_turns),
+    cmocka_unit_test(test_fit_angles),
+    cmocka_unit_test(test_fit_of_degenerate_models),
+    cmocka_unit_test(test_default_orbit_faces_flat_models),
+    cmocka_unit_test(test_fit_turns_with_up),
+    cmocka_unit_test(test_fit_leaves_a_vast_ground_out),
+    cmocka_unit_test(test_what_a_camera_must_show),
+    cmocka_unit_test(test_look_refuses_what_is_no_camera),
+    cmocka_unit_test(test_projection_against_formulas),
+    cmocka_unit_test(test_file_camera_in_a_narrow_picture),
+    cmocka_unit_test(test_normal_matrix),
+};
+
+const struct unit_tests test_camera = UNIT_TESTS(tests, NULL, NULL);

@@ -116,12 +116,10 @@ static void test_bits(void **state)
     assert_true(hash == UINT64_C(0xbf0b2088dc73444a));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_ends),
-        cmocka_unit_test(test_bits),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_errors),
+    cmocka_unit_test(test_ends),
+    cmocka_unit_test(test_bits),
+};
+
+const struct unit_tests test_elementary = UNIT_TESTS(tests, NULL, NULL);

@@ -108,9 +108,7 @@ static void from_below_there_is_none(void **state)
     scene_pictures_free(&pictures);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(the_shadow_alone_shows),
-                                       cmocka_unit_test(from_below_there_is_none)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(the_shadow_alone_shows),
+                                          cmocka_unit_test(from_below_there_is_none)};
+
+const struct unit_tests test_ground = UNIT_TESTS(tests, NULL, NULL);

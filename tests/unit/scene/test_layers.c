@@ -356,19 +356,17 @@ static void test_gloss(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sheen),
-        cmocka_unit_test(test_sheen_albedo),
-        cmocka_unit_test(test_film),
-        cmocka_unit_test(test_anisotropic_ggx),
-        cmocka_unit_test(test_layers_that_add_nothing),
-        cmocka_unit_test(test_every_layer_shows),
-        cmocka_unit_test(test_coat_dims),
-        cmocka_unit_test(test_transmission),
-        cmocka_unit_test(test_refraction),
-        cmocka_unit_test(test_gloss),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_sheen),
+    cmocka_unit_test(test_sheen_albedo),
+    cmocka_unit_test(test_film),
+    cmocka_unit_test(test_anisotropic_ggx),
+    cmocka_unit_test(test_layers_that_add_nothing),
+    cmocka_unit_test(test_every_layer_shows),
+    cmocka_unit_test(test_coat_dims),
+    cmocka_unit_test(test_transmission),
+    cmocka_unit_test(test_refraction),
+    cmocka_unit_test(test_gloss),
+};
+
+const struct unit_tests test_layers = UNIT_TESTS(tests, NULL, NULL);

@@ -311,16 +311,14 @@ static void test_spot_and_range(void **state)
     scene_lighting_destroy(&lighting);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reflection_against_gltf_appendix_b),
-        cmocka_unit_test(test_tone_map_against_its_definition),
-        cmocka_unit_test(test_other_tone_maps),
-        cmocka_unit_test(test_environment_irradiance),
-        cmocka_unit_test(test_environment_reflection),
-        cmocka_unit_test(test_exposure_follows_the_lights),
-        cmocka_unit_test(test_spot_and_range),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_reflection_against_gltf_appendix_b),
+    cmocka_unit_test(test_tone_map_against_its_definition),
+    cmocka_unit_test(test_other_tone_maps),
+    cmocka_unit_test(test_environment_irradiance),
+    cmocka_unit_test(test_environment_reflection),
+    cmocka_unit_test(test_exposure_follows_the_lights),
+    cmocka_unit_test(test_spot_and_range),
+};
+
+const struct unit_tests test_light = UNIT_TESTS(tests, NULL, NULL);

@@ -209,11 +209,9 @@ static void test_background(void **state)
     assert_string_equal(error, "background: there is no environment to show");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_even_light), cmocka_unit_test(test_half_sky),   cmocka_unit_test(test_sun),
-        cmocka_unit_test(test_directions), cmocka_unit_test(test_background),
-    };
-    return cmocka_run_group_tests(tests, open_context, close_context);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_even_light), cmocka_unit_test(test_half_sky),   cmocka_unit_test(test_sun),
+    cmocka_unit_test(test_directions), cmocka_unit_test(test_background),
+};
+
+const struct unit_tests test_panorama = UNIT_TESTS(tests, open_context, close_context);

@@ -524,25 +524,23 @@ static void test_view_rules(void **state)
     assert_false(scene_view_check(&view, error, sizeof error));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_order_of_drawing),
-        cmocka_unit_test(test_unlit_square),
-        cmocka_unit_test(test_supersampling_averages_light),
-        cmocka_unit_test(test_blending_is_sorted),
-        cmocka_unit_test(test_transparent_background_keeps_color_straight),
-        cmocka_unit_test(test_texture_transform_and_mask),
-        cmocka_unit_test(test_occlusion_and_roughness_are_combined),
-        cmocka_unit_test(test_culling_and_mirroring),
-        cmocka_unit_test(test_data_outputs),
-        cmocka_unit_test(test_normal_map),
-        cmocka_unit_test(test_lines_and_points),
-        cmocka_unit_test(test_point_radius),
-        cmocka_unit_test(test_line_through_the_near_plane),
-        cmocka_unit_test(test_wireframe_marks_edges),
-        cmocka_unit_test(test_pictures_do_not_depend_on_the_machine),
-        cmocka_unit_test(test_view_rules),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_order_of_drawing),
+    cmocka_unit_test(test_unlit_square),
+    cmocka_unit_test(test_supersampling_averages_light),
+    cmocka_unit_test(test_blending_is_sorted),
+    cmocka_unit_test(test_transparent_background_keeps_color_straight),
+    cmocka_unit_test(test_texture_transform_and_mask),
+    cmocka_unit_test(test_occlusion_and_roughness_are_combined),
+    cmocka_unit_test(test_culling_and_mirroring),
+    cmocka_unit_test(test_data_outputs),
+    cmocka_unit_test(test_normal_map),
+    cmocka_unit_test(test_lines_and_points),
+    cmocka_unit_test(test_point_radius),
+    cmocka_unit_test(test_line_through_the_near_plane),
+    cmocka_unit_test(test_wireframe_marks_edges),
+    cmocka_unit_test(test_pictures_do_not_depend_on_the_machine),
+    cmocka_unit_test(test_view_rules),
+};
+
+const struct unit_tests test_scene = UNIT_TESTS(tests, NULL, NULL);

@@ -598,22 +598,20 @@ static void test_open_floor(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_plane_does_not_shade_itself),
-        cmocka_unit_test(test_a_fold_does_not_shade_itself),
-        cmocka_unit_test(test_penumbra),
-        cmocka_unit_test(test_beyond_the_map_is_light),
-        cmocka_unit_test(test_shadow_of_a_sun),
-        cmocka_unit_test(test_shadow_of_lamps),
-        cmocka_unit_test(test_what_casts_no_shadow),
-        cmocka_unit_test(test_a_ball_of_few_facets_does_not_shade_itself),
-        cmocka_unit_test(test_a_waist_of_few_facets_does_not_shade_itself),
-        cmocka_unit_test(test_contact),
-        cmocka_unit_test(test_corner),
-        cmocka_unit_test(test_open_square),
-        cmocka_unit_test(test_open_floor),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_a_plane_does_not_shade_itself),
+    cmocka_unit_test(test_a_fold_does_not_shade_itself),
+    cmocka_unit_test(test_penumbra),
+    cmocka_unit_test(test_beyond_the_map_is_light),
+    cmocka_unit_test(test_shadow_of_a_sun),
+    cmocka_unit_test(test_shadow_of_lamps),
+    cmocka_unit_test(test_what_casts_no_shadow),
+    cmocka_unit_test(test_a_ball_of_few_facets_does_not_shade_itself),
+    cmocka_unit_test(test_a_waist_of_few_facets_does_not_shade_itself),
+    cmocka_unit_test(test_contact),
+    cmocka_unit_test(test_corner),
+    cmocka_unit_test(test_open_square),
+    cmocka_unit_test(test_open_floor),
+};
+
+const struct unit_tests test_shadow = UNIT_TESTS(tests, NULL, NULL);

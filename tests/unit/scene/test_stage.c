@@ -238,18 +238,16 @@ static void test_what_is_refused(void **state)
     assert_false(stage_resize(4, 4, 1));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_numbers_follow_the_formulas),
-        cmocka_unit_test(test_naive_is_what_the_screen_says),
-        cmocka_unit_test(test_by_world),
-        cmocka_unit_test(test_other_methods_have_no_point_of_the_world),
-        cmocka_unit_test(test_pictures_show_what_they_say),
-        cmocka_unit_test(test_columns),
-        cmocka_unit_test(test_behind_the_eye),
-        cmocka_unit_test(test_threads_and_samples),
-        cmocka_unit_test(test_what_is_refused),
-    };
-    return cmocka_run_group_tests(tests, open_stage, close_stage);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_numbers_follow_the_formulas),
+    cmocka_unit_test(test_naive_is_what_the_screen_says),
+    cmocka_unit_test(test_by_world),
+    cmocka_unit_test(test_other_methods_have_no_point_of_the_world),
+    cmocka_unit_test(test_pictures_show_what_they_say),
+    cmocka_unit_test(test_columns),
+    cmocka_unit_test(test_behind_the_eye),
+    cmocka_unit_test(test_threads_and_samples),
+    cmocka_unit_test(test_what_is_refused),
+};
+
+const struct unit_tests test_stage = UNIT_TESTS(tests, open_stage, close_stage);

@@ -208,11 +208,8 @@ static void views_without_such_a_transparency_are_refused(void **state)
     assert_string_equal(error, "transparency: must be sorted or exact");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(crossing_squares_lie_as_they_do),
-                                       cmocka_unit_test(triangles_are_sorted),
-                                       cmocka_unit_test(opaque_surfaces_hide),
-                                       cmocka_unit_test(views_without_such_a_transparency_are_refused)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(crossing_squares_lie_as_they_do), cmocka_unit_test(triangles_are_sorted),
+    cmocka_unit_test(opaque_surfaces_hide), cmocka_unit_test(views_without_such_a_transparency_are_refused)};
+
+const struct unit_tests test_transparency = UNIT_TESTS(tests, NULL, NULL);

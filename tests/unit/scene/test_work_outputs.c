@@ -91,9 +91,7 @@ static void test_exact_transparency_has_no_one_pass(void **state)
     assert_non_null(strstr(error, "transparency"));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_overdraw), cmocka_unit_test(test_tiles),
-                                       cmocka_unit_test(test_exact_transparency_has_no_one_pass)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(test_overdraw), cmocka_unit_test(test_tiles),
+                                          cmocka_unit_test(test_exact_transparency_has_no_one_pass)};
+
+const struct unit_tests test_work_outputs = UNIT_TESTS(tests, NULL, NULL);

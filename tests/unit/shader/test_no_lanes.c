@@ -85,11 +85,9 @@ static void test_picture(void **state)
     assert_true(draw(one_vertex, one_fragment) == draw(no_lanes_vertex, no_lanes_fragment));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_maths),
-        cmocka_unit_test(test_picture),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_maths),
+    cmocka_unit_test(test_picture),
+};
+
+const struct unit_tests test_no_lanes = UNIT_TESTS(tests, NULL, NULL);

@@ -446,13 +446,11 @@ static void test_a_texture_gets_the_gradient_made_by_hand(void **state)
     assert_memory_equal(by_hand, one, sizeof by_hand);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_changes_are_the_derivatives),
-        cmocka_unit_test(test_values_have_the_bits_of_the_plain_function),
-        cmocka_unit_test(test_constant_exponents_allow_any_base),
-        cmocka_unit_test(test_a_texture_gets_the_gradient_made_by_hand),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_changes_are_the_derivatives),
+    cmocka_unit_test(test_values_have_the_bits_of_the_plain_function),
+    cmocka_unit_test(test_constant_exponents_allow_any_base),
+    cmocka_unit_test(test_a_texture_gets_the_gradient_made_by_hand),
+};
+
+const struct unit_tests test_shader_dual = UNIT_TESTS(tests, NULL, NULL);

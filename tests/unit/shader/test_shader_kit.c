@@ -137,13 +137,11 @@ static void test_vectors_of_two_and_four(void **state)
     assert_true(unit[0][4] == 3 && unit[1][4] == 4);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_one_at_a_time_gives_the_bits_of_a_lane),
-        cmocka_unit_test(test_gather_stays_within_the_table),
-        cmocka_unit_test(test_matrices_stand_column_by_column),
-        cmocka_unit_test(test_vectors_of_two_and_four),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_one_at_a_time_gives_the_bits_of_a_lane),
+    cmocka_unit_test(test_gather_stays_within_the_table),
+    cmocka_unit_test(test_matrices_stand_column_by_column),
+    cmocka_unit_test(test_vectors_of_two_and_four),
+};
+
+const struct unit_tests test_shader_kit = UNIT_TESTS(tests, NULL, NULL);

@@ -358,18 +358,16 @@ static void test_one_at_a_time_gives_the_bits_of_a_lane(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_functions_keep_the_error_they_state),
-        cmocka_unit_test(test_known_worst_arguments),
-        cmocka_unit_test(test_pow_and_atan2_keep_the_error_they_state),
-        cmocka_unit_test(test_special_cases_are_those_of_c),
-        cmocka_unit_test(test_lane_arithmetic_is_that_of_c),
-        cmocka_unit_test(test_vectors),
-        cmocka_unit_test(test_masks),
-        cmocka_unit_test(test_every_isa_gives_the_same_bits),
-        cmocka_unit_test(test_one_at_a_time_gives_the_bits_of_a_lane),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_functions_keep_the_error_they_state),
+    cmocka_unit_test(test_known_worst_arguments),
+    cmocka_unit_test(test_pow_and_atan2_keep_the_error_they_state),
+    cmocka_unit_test(test_special_cases_are_those_of_c),
+    cmocka_unit_test(test_lane_arithmetic_is_that_of_c),
+    cmocka_unit_test(test_vectors),
+    cmocka_unit_test(test_masks),
+    cmocka_unit_test(test_every_isa_gives_the_same_bits),
+    cmocka_unit_test(test_one_at_a_time_gives_the_bits_of_a_lane),
+};
+
+const struct unit_tests test_shader_math = UNIT_TESTS(tests, NULL, NULL);

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Children and what they use: a process has a copy of it; a thread, on Windows, uses it for as long as it runs, however long
 // anybody waits.
+#include "unit.h"
+
 #include <errno.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdatomic.h>
 #include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 #include "child.h"
 
@@ -157,13 +153,11 @@ static void test_a_child_that_is_given_up(void **state)
     assert_released_once();
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_child_that_ends),
-        cmocka_unit_test(test_a_child_that_runs_out_of_time),
-        cmocka_unit_test(test_a_thread_that_borrows_is_waited_for),
-        cmocka_unit_test(test_a_child_that_is_given_up),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_a_child_that_ends),
+    cmocka_unit_test(test_a_child_that_runs_out_of_time),
+    cmocka_unit_test(test_a_thread_that_borrows_is_waited_for),
+    cmocka_unit_test(test_a_child_that_is_given_up),
+};
+
+const struct unit_tests test_child = UNIT_TESTS(tests, NULL, NULL);

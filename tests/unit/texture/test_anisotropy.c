@@ -262,11 +262,9 @@ static void test_the_floor_comes_closer_to_the_truth(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_formula),
-        cmocka_unit_test(test_the_floor_comes_closer_to_the_truth),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_the_formula),
+    cmocka_unit_test(test_the_floor_comes_closer_to_the_truth),
+};
+
+const struct unit_tests test_anisotropy = UNIT_TESTS(tests, NULL, NULL);

@@ -288,9 +288,7 @@ static void validation(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(formats), cmocka_unit_test(swizzles),
-                                       cmocka_unit_test(arrays), cmocka_unit_test(validation)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {cmocka_unit_test(formats), cmocka_unit_test(swizzles),
+                                          cmocka_unit_test(arrays), cmocka_unit_test(validation)};
+
+const struct unit_tests test_fetch_sample = UNIT_TESTS(tests, NULL, NULL);

@@ -228,22 +228,26 @@ static void test_texel_centres_are_exact(void **state)
         struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
         const bool linear_copy = (n & 1) && !(n & 4) && !(n & 8);
         float previous = -1;
-        for (int i = 0; i < 256; i++) {
-            const rhw_float uv[2] = {rhw_splat(((float)(i % 16) + 0.5f) / 16),
-                                     rhw_splat(((float)(i / 16) + 0.5f) / 16)};
-            const rhw_float lod = rhw_splat(0.0f);
-            rhw_float texel[4];
-            sample_all_isas(&binding, uv, NULL, &lod, texel);
-            const float linear = (float)(i / 255.0), decoded = (float)ref_srgb_decode(i / 255.0);
-            for (int c = 0; c < 4; c++) {
-                if (linear_copy && c < 3) {
-                    expect_filtered_srgb(texel[c][3], i);
-                } else {
-                    assert_true(texel[c][3] == (n & 1 && c < 3 ? decoded : linear));
-                }
+        for (int first = 0; first < 256; first += RHW_LANES) { // eight texels of a row at once
+            rhw_float uv[2] = {rhw_splat(0), rhw_splat(((float)(first / 16) + 0.5f) / 16)}, texel[4];
+            for (int lane = 0; lane < RHW_LANES; lane++) {
+                uv[0][lane] = ((float)((first + lane) % 16) + 0.5f) / 16;
             }
-            assert_true(texel[0][3] > previous);
-            previous = texel[0][3];
+            const rhw_float lod = rhw_splat(0.0f);
+            sample_all_isas(&binding, uv, NULL, &lod, texel);
+            for (int lane = 0; lane < RHW_LANES; lane++) {
+                const int code = first + lane;
+                const float linear = (float)(code / 255.0), decoded = (float)ref_srgb_decode(code / 255.0);
+                for (int c = 0; c < 4; c++) {
+                    if (linear_copy && c < 3) {
+                        expect_filtered_srgb(texel[c][lane], code);
+                    } else {
+                        assert_true(texel[c][lane] == (n & 1 && c < 3 ? decoded : linear));
+                    }
+                }
+                assert_true(texel[0][lane] > previous);
+                previous = texel[0][lane];
+            }
         }
         rhw_texture_destroy(rig.context, texture);
     }
@@ -269,15 +273,16 @@ static void test_every_half_is_converted_exactly(void **state)
     struct rhw_sampler_def sampler = default_sampler();
     sampler.min_filter = sampler.mag_filter = RHW_FILTER_NEAREST;
     struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
-    for (int i = 0; i < 65536 / 4; i++) {
-        const rhw_float uv[2] = {rhw_splat(((float)(i % 128) + 0.5f) / 128),
-                                 rhw_splat(((float)(i / 128) + 0.5f) / 128)};
+    for (int i = 0; i < 65536 / 4; i += RHW_LANES) { // eight texels of a row at once
+        rhw_float uv[2] = {rhw_splat(0), rhw_splat(((float)(i / 128) + 0.5f) / 128)}, texel[4];
+        for (int lane = 0; lane < RHW_LANES; lane++) {
+            uv[0][lane] = ((float)((i + lane) % 128) + 0.5f) / 128;
+        }
         const rhw_float lod = rhw_splat(0.0f);
-        rhw_float texel[4];
         sample_all_isas(&binding, uv, NULL, &lod, texel);
-        for (int c = 0; c < 4; c++) {
-            const float expected = rhw_half_to_float(halves[4 * i + c]), lane = texel[c][6];
-            assert_memory_equal(&lane, &expected, sizeof lane);
+        for (int n = 0; n < 4 * RHW_LANES; n++) {
+            const float expected = rhw_half_to_float(halves[4 * i + n]), value = texel[n % 4][n / 4];
+            assert_memory_equal(&value, &expected, sizeof value);
         }
     }
     free(halves);
@@ -699,21 +704,19 @@ static void test_an_unbound_slot_samples_opaque_black(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_samples_follow_the_model),
-        cmocka_unit_test(test_derivatives_choose_the_level),
-        cmocka_unit_test(test_texel_centres_are_exact),
-        cmocka_unit_test(test_every_half_is_converted_exactly),
-        cmocka_unit_test(test_one_colour_stays_one_colour),
-        cmocka_unit_test(test_slots_sampled_at_once),
-        cmocka_unit_test(test_the_linear_copy_follows_the_texels),
-        cmocka_unit_test(test_lanes_are_independent),
-        cmocka_unit_test(test_hostile_coordinates),
-        cmocka_unit_test(test_a_nan_slope_means_the_last_level),
-        cmocka_unit_test(test_a_border_has_the_channels_of_the_format),
-        cmocka_unit_test(test_an_unbound_slot_samples_opaque_black),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_samples_follow_the_model),
+    cmocka_unit_test(test_derivatives_choose_the_level),
+    cmocka_unit_test(test_texel_centres_are_exact),
+    cmocka_unit_test(test_every_half_is_converted_exactly),
+    cmocka_unit_test(test_one_colour_stays_one_colour),
+    cmocka_unit_test(test_slots_sampled_at_once),
+    cmocka_unit_test(test_the_linear_copy_follows_the_texels),
+    cmocka_unit_test(test_lanes_are_independent),
+    cmocka_unit_test(test_hostile_coordinates),
+    cmocka_unit_test(test_a_nan_slope_means_the_last_level),
+    cmocka_unit_test(test_a_border_has_the_channels_of_the_format),
+    cmocka_unit_test(test_an_unbound_slot_samples_opaque_black),
+};
+
+const struct unit_tests test_sample = UNIT_TESTS(tests, NULL, NULL);

@@ -343,14 +343,12 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_comparisons_come_before_the_filter),
-        cmocka_unit_test(test_shadow_maps_give_the_bytes_of_the_general_path),
-        cmocka_unit_test(test_windows_are_their_footprints),
-        cmocka_unit_test(test_a_footprint_by_hand),
-        cmocka_unit_test(test_misuse),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_comparisons_come_before_the_filter),
+    cmocka_unit_test(test_shadow_maps_give_the_bytes_of_the_general_path),
+    cmocka_unit_test(test_windows_are_their_footprints),
+    cmocka_unit_test(test_a_footprint_by_hand),
+    cmocka_unit_test(test_misuse),
+};
+
+const struct unit_tests test_sample_compare = UNIT_TESTS(tests, NULL, NULL);

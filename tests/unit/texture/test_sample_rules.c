@@ -455,19 +455,17 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_loading_in_waves),
-        cmocka_unit_test(test_late_stencil_by_facing),
-        cmocka_unit_test(test_one_sample),
-        cmocka_unit_test(test_alpha_of_one_sample),
-        cmocka_unit_test(test_mask_of_one_sample),
-        cmocka_unit_test(test_alpha_without_target),
-        cmocka_unit_test(test_equal_samples_resolve_to_themselves),
-        cmocka_unit_test(test_fragments_are_counted),
-        cmocka_unit_test(test_order),
-        cmocka_unit_test(test_misuse),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_loading_in_waves),
+    cmocka_unit_test(test_late_stencil_by_facing),
+    cmocka_unit_test(test_one_sample),
+    cmocka_unit_test(test_alpha_of_one_sample),
+    cmocka_unit_test(test_mask_of_one_sample),
+    cmocka_unit_test(test_alpha_without_target),
+    cmocka_unit_test(test_equal_samples_resolve_to_themselves),
+    cmocka_unit_test(test_fragments_are_counted),
+    cmocka_unit_test(test_order),
+    cmocka_unit_test(test_misuse),
+};
+
+const struct unit_tests test_sample_rules = UNIT_TESTS(tests, NULL, NULL);

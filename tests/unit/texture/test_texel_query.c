@@ -472,14 +472,12 @@ static void test_misuse(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_fetch),         cmocka_unit_test(test_samples),
-        cmocka_unit_test(test_sizes),         cmocka_unit_test(test_gather),
-        cmocka_unit_test(test_reductions),    cmocka_unit_test(test_bias),
-        cmocka_unit_test(test_bias_of_bytes), cmocka_unit_test(test_coordinates_in_texels),
-        cmocka_unit_test(test_mirror_once),   cmocka_unit_test(test_misuse),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_fetch),         cmocka_unit_test(test_samples),
+    cmocka_unit_test(test_sizes),         cmocka_unit_test(test_gather),
+    cmocka_unit_test(test_reductions),    cmocka_unit_test(test_bias),
+    cmocka_unit_test(test_bias_of_bytes), cmocka_unit_test(test_coordinates_in_texels),
+    cmocka_unit_test(test_mirror_once),   cmocka_unit_test(test_misuse),
+};
+
+const struct unit_tests test_texel_query = UNIT_TESTS(tests, NULL, NULL);

@@ -397,15 +397,13 @@ static void test_groups(void **state)
     rig_close(&rig);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_kind_by_the_model),
-        cmocka_unit_test(test_layers_are_rounded),
-        cmocka_unit_test(test_faces_by_hand),
-        cmocka_unit_test(test_no_seam),
-        cmocka_unit_test(test_gradients),
-        cmocka_unit_test(test_groups),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_every_kind_by_the_model),
+    cmocka_unit_test(test_layers_are_rounded),
+    cmocka_unit_test(test_faces_by_hand),
+    cmocka_unit_test(test_no_seam),
+    cmocka_unit_test(test_gradients),
+    cmocka_unit_test(test_groups),
+};
+
+const struct unit_tests test_texture_kinds = UNIT_TESTS(tests, NULL, NULL);

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// See encoder.h.
+#include "encoder.h"
+
+#include <string.h>
+
+#include "context/context.h"
+#include "context/misuse.h"
+
+struct rhw_encoder *rhw_encoder_create(struct rhw_context *context, struct rhw_recorded_pass *pass)
+{
+    struct rhw_encoder *const encoder =
+        rhw_memory_allocate(&context->memory, sizeof *encoder, RHW_CACHE_LINE);
+    if (encoder) {
+        memset(encoder, 0, sizeof *encoder);
+        encoder->context = context;
+        encoder->pass = pass;
+    }
+    return encoder;
+}
+
+void rhw_encoder_destroy(struct rhw_encoder *encoder)
+{
+    if (encoder) {
+        rhw_memory_release(&encoder->context->memory, encoder, sizeof *encoder);
+    }
+}
+
+void rhw_pass_report(const rhw_context *context, rhw_pass id, const char *where)
+{
+    const bool foreign = id.index != 0 && id.context != context->number;
+    rhw_misuse(context, "%s: %s", where,
+               foreign ? "the pass belongs to another context" : "the pass id is null or its pass has ended");
+}

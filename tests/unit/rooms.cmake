@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: MIT
+# A folder of tests/unit is a room and one program, unit_ROOM; each of its files is one ctest entry of the same name. The
+# tests for Windows are made by these functions, too.
+
+set(RHW_UNIT_TESTS "" CACHE STRING "The unit tests to build, such as test_query;test_waves; empty: all of them")
+set(RHW_UNIT_FOLDER ${CMAKE_CURRENT_LIST_DIR})
+
+# Adds the program of a room, if it has a file beside those whose names follow.
+function(rhw_unit_room room)
+  file(GLOB sources CONFIGURE_DEPENDS ${RHW_UNIT_FOLDER}/${room}/test_*.c)
+  set(files)
+  foreach(source ${sources})
+    get_filename_component(name ${source} NAME_WE)
+    if(NOT name IN_LIST ARGN AND (NOT RHW_UNIT_TESTS OR name IN_LIST RHW_UNIT_TESTS))
+      list(APPEND files ${source})
+      string(APPEND declarations "extern const struct unit_tests ${name};\n")
+      string(APPEND rows "    {\"${name}\", &${name}},\n")
+      add_test(NAME ${name} COMMAND unit_${room} --filter ${name})
+      set_tests_properties(${name} PROPERTIES TIMEOUT ${RHW_TEST_TIMEOUT} LABELS unit)
+    endif()
+  endforeach()
+  if(NOT files)
+    return()
+  endif()
+  set(table ${CMAKE_CURRENT_BINARY_DIR}/unit_${room}.c)
+  file(GENERATE OUTPUT ${table} CONTENT
+    "#include \"unit.h\"\n\n${declarations}\nconst struct unit_file unit_files[] = {\n${rows}    {0},\n};\n")
+  add_executable(unit_${room} ${RHW_UNIT_FOLDER}/harness/unit.c ${table} ${files})
+  # For quoted includes alone, so that a name of ours never hides one of the system's.
+  target_compile_options(unit_${room} PRIVATE ${RHW_TEST_OPTIONS} "SHELL:-iquote ${PROJECT_SOURCE_DIR}/src"
+    "SHELL:-iquote ${PROJECT_SOURCE_DIR}/scene")
+  target_link_libraries(unit_${room} PRIVATE rhw_harness rhw_options Threads::Threads)
+  add_dependencies(unit unit_${room})
+endfunction()
+
+# Adds the programs of all rooms, and the target `unit` that builds them. Rooms and files whose names follow are left out.
+function(rhw_unit_rooms)
+  add_custom_target(unit)
+  file(GLOB rooms CONFIGURE_DEPENDS RELATIVE ${RHW_UNIT_FOLDER} ${RHW_UNIT_FOLDER}/*)
+  foreach(room ${rooms})
+    if(NOT room IN_LIST ARGN)
+      rhw_unit_room(${room} ${ARGN})
+    endif()
+  endforeach()
+  foreach(name ${RHW_UNIT_TESTS})
+    if(NOT TEST ${name})
+      message(FATAL_ERROR "RHW_UNIT_TESTS has ${name}, of which there is no file in tests/unit")
+    endif()
+  endforeach()
+endfunction()
