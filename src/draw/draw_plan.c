@@ -19,8 +19,8 @@ static bool drops_late(const struct rhw_pipeline_def *def)
     return def->program.uses & (RHW_USE_DISCARD | RHW_USE_DEPTH) || masks_samples(def);
 }
 
-// Whether depth is tested after it: for that reason, since the function has effects for fragments that fail too, or reads
-// what depth was before.
+// Whether depth is tested after it: for that reason, since the function has effects for fragments that fail too, or
+// reads what depth was before.
 static bool tests_late(const struct rhw_pipeline_def *def)
 {
     return !def->program.early_fragment_tests &&
@@ -83,8 +83,8 @@ static enum rhw_depth_mode choose_depth_mode(const struct rhw_pipeline_def *def,
     if (shading == RHW_SHADING_NONE || !tests_late(def)) {
         return RHW_DEPTH_EARLY;
     }
-    // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile. How many do
-    // so now depends on the path: what is counted is tested once.
+    // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile. How many
+    // do so now depends on the path: what is counted is tested once.
     const bool can_reject = !(uses & (RHW_USE_DEPTH | RHW_USE_EFFECTS | RHW_USE_TEST_INPUT)) &&
                             direction_of(def->depth_compare) != 0 && !depth_stencil->tests_stencil &&
                             !depth_stencil->tests_bounds && !depth_stencil->counts;
@@ -179,9 +179,9 @@ static bool weighs_alpha(const struct rhw_pipeline_data *pipeline)
             !rhw_format_is_integer(rhw_format_info(pipeline->def.targets[0].format)));
 }
 
-// Sets the special paths that the draw has. Where pixels have several samples, groups of small triangles are no rows, and
-// open pixels are not kept by sample. A triangle whose depth is biased, or that nothing shades, is not drawn as a tiny one
-// where pixels have one sample.
+// Sets the special paths that the draw has. Where pixels have several samples, groups of small triangles are no rows,
+// and open pixels are not kept by sample. A triangle whose depth is biased, or that nothing shades, is not drawn as a
+// tiny one where pixels have one sample.
 static void plan_paths(struct rhw_draw_plan *plan, enum rhw_phase phase, int samples)
 {
     const bool is_forward = phase != RHW_PHASE_BACKWARDS;
@@ -204,7 +204,7 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
 {
     const uint32_t uses = pipeline->def.program.uses;
     const bool reads_targets = uses & RHW_USE_TARGET_INPUT;
-    // Whose groups are rows.
+    // Their groups are rows.
     paths = reads_targets || uses & RHW_USE_FULLY_COVERED || pipeline->is_smooth ? RHW_PATHS_GENERAL : paths;
     struct rhw_draw_plan plan = {.reads_targets = reads_targets,
                                  .shading = choose_shading(pipeline, phase, samples, paths),

@@ -74,13 +74,13 @@ enum rhw_rule_name {
     RHW_RULE_ANY
 };
 
-// Of a draw in one phase.
+// The plan of a draw in one phase.
 struct rhw_draw_plan {
     enum rhw_shading shading;
     enum rhw_depth_mode depth_mode;
     struct rhw_depth_rule early, late; // before and after the fragment function
     enum rhw_rule_name early_name;
-    enum rhw_sampling sampling; // of a multisampled pass; CENTER in others
+    enum rhw_sampling sampling; // CENTER where pixels have one sample
     bool reads_targets;         // before the fragment function (kernels/fragment/target_input.h)
     bool weighs_alpha;          // after the fragment function: by the area that a smooth line covers
     bool masks_samples;         // after the fragment function: by alpha, or the function itself

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The back end is compiled as six files, which takes less time than one: tile.c has the tile's loop, tile_small.c,
-// tile_large.c and tile_samples.c the paths of triangles, tile_fragments.c makes groups of fragments, and tile_shading.c shades
-// and blends them. The functions that one of these files compiles for the others are declared here, by their names in this instruction set.
+// tile_large.c and tile_samples.c the paths of triangles, tile_fragments.c makes groups of fragments, and
+// tile_shading.c shades and blends them. The functions that one of these files compiles for the others are declared
+// here, by their names in this instruction set.
 #ifndef RHW_TILE_UNITS_H
 #define RHW_TILE_UNITS_H
 

@@ -38,8 +38,8 @@ static bool hiz_follow(struct tile_depth *depth, const struct rhw_draw_plan *pla
     return plan->tests_early && direction != 0 && direction == depth->direction;
 }
 
-// The farthest depth, times `direction`, in each of the 8 blocks side by side at row y of a sample. What lies outside of the
-// target may make a bound worse, but not wrong; NaN passes no ordering test and bounds nothing.
+// The farthest depth, times `direction`, in each of the 8 blocks side by side at row y of a sample. What lies outside
+// of the target may make a bound worse, but not wrong; NaN passes no ordering test and bounds nothing.
 RHW_INLINE f32x8 hiz_farthest(struct tile_depth *depth, f32x8 direction, int y)
 {
     f32x8 most[HIZ_BLOCKS];

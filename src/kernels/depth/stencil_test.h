@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The stencil test of a fragment: depth bounds, stencil and depth, in this order (Vulkan 1.3 §27.11 to §27.14), and depth in
-// steps of a UNORM format. Draws that need none of it take depth_test.h alone.
+// The stencil test of a fragment: depth bounds, stencil and depth, in this order (Vulkan 1.3 §27.11 to §27.14), and
+// depth in steps of a UNORM format. Draws that need none of it take depth_test.h alone.
 #ifndef RHW_STENCIL_TEST_H
 #define RHW_STENCIL_TEST_H
 
@@ -55,9 +55,9 @@ RHW_INLINE f32x8 round_depth(f32x8 z, double steps)
     return depth_from_steps(steps_of_depth(z, steps), steps);
 }
 
-// Tests the fragments of depth z in the lanes of `live` and changes what they change; gives the lanes that pass. Depth is
-// rounded to its steps, by a division in double, only where that decides: where it is near what the pixel has, or is
-// written. What is further away than the margin lies on the same side without.
+// Tests the fragments of depth z in the lanes of `live` and changes what they change; gives the lanes that pass.
+// Depth is rounded to its steps, by a division in double, only where that decides: where it is near what the pixel
+// has, or is written. What is further away than the margin lies on the same side without.
 RHW_INLINE i32x8 test_pixels(struct tested_pixels *pixels, const struct rhw_depth_stencil_state *state,
                              const struct rhw_stencil_rule *face, const struct rhw_depth_rule rule, f32x8 z,
                              i32x8 live, unsigned open)
@@ -141,7 +141,7 @@ RHW_INLINE uint64_t test_rows_stencil(const struct block_pixels *block, const st
     return settle_block(depth, block->x, block->y, passed, rule);
 }
 
-// The same, with the usual comparisons constants of the loop.
+// Tests the pixels of a block before shading by a loop in which the usual comparisons are constants.
 static __attribute__((noinline)) uint64_t test_block_stencil(const struct block_pixels *block,
                                                              const struct rhw_depth_rule rule, int face)
 {
@@ -177,7 +177,7 @@ static __attribute__((noinline)) unsigned test_row_late_stencil(struct tile_dept
     return passed;
 }
 
-// The same for fragments of 8 texels that lie anywhere in the tile, no two of them on the same.
+// Tests fragments of 8 texels after shading, which lie anywhere in the tile, no two of them on the same.
 static __attribute__((noinline)) unsigned test_texels_late_stencil(struct tile_depth *depth,
                                                                    const int32_t texel[8], f32x8 z,
                                                                    unsigned bits, unsigned back,

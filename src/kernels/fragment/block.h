@@ -8,18 +8,18 @@
 // The samples of a block that a triangle covers, and where in its pixels their fragments take their values.
 struct block_samples {
     const uint64_t *mask;            // by sample
-    const f32x8 (*depth)[RHW_BLOCK]; // of its rows, by sample, where depth is tested late
+    const f32x8 (*depth)[RHW_BLOCK]; // the depths of its rows, by sample, where depth is tested late
     int only;                        // the one sample that the fragments stand for; −1: all in `mask`
-    float position[2];               // of `only` in its pixel
+    float position[2];               // where `only` lies in its pixel
 };
 
 // A block of the tile, and the fragments of a triangle in it.
 struct block {
     int x, y; // pixels of the tile
     struct anchor_offset at;
-    const f32x8 *z;                      // of its rows, where depth is kept
+    const f32x8 *z;                      // the depths of its rows, where depth is kept
     bool leaves_triangle;                // some weights may be below 0: see plane_clipped.h
-    const struct block_samples *samples; // of multisampled passes; else NULL
+    const struct block_samples *samples; // NULL where pixels have one sample
 };
 
 #endif

@@ -15,8 +15,8 @@
 // Pixels of a row, at least and in the mean of a block, for which a group is a row rather than 8 collected fragments.
 enum { ROW_PIXELS = 4 };
 
-// Fragments of a triangle, at least, that are a group rather than packed with those of others: packing one costs as much
-// as a third of a cheap group, and of a textured one less. With this, particles take 3 % fewer instructions.
+// Fragments of a triangle, at least, that are a group rather than packed with those of others: packing one costs as
+// much as a third of a cheap group, and of a textured one less. With this, particles take 3 % fewer instructions.
 RHW_INLINE int least_of_group(const struct tile_work *work)
 {
     enum { CHEAP = 6, TEXTURED = 7 };
@@ -65,7 +65,7 @@ RHW_INLINE void collect_fragments(struct tile_work *work, struct triangle_work *
         RHW_ISA_NAME(rhw_make_room)(work, triangle);
     }
     int count = collected->count;
-    i32x8 first = i32x8_splat(y * RHW_TILE + x); // of the row
+    i32x8 first = i32x8_splat(y * RHW_TILE + x); // the row's first texel
     // Empty rows too: which are, a processor cannot predict, and a wrong guess costs more than a row.
     for (int row = 0; row < rows; row++) {
         const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
@@ -105,9 +105,9 @@ static void collect_samples(struct tile_work *work, struct triangle_work *triang
     collected->count = count;
 }
 
-// Whether the fragments of a block that are set in `mask`, with inputs of any kind, are collected rather than shaded row by
-// row: such a group from anywhere costs as much as a row and a half, and more the more targets it is blended into.
-// Homogeneous noperspective values are made in double (interpolate.h), which packing does not.
+// Whether the fragments of a block that are set in `mask`, with inputs of any kind, are collected rather than shaded
+// row by row: such a group from anywhere costs as much as a row and a half, and more the more targets it is blended
+// into. Homogeneous noperspective values are made in double (interpolate.h), which packing does not.
 static inline bool scatters_any(const struct tile_work *work, const struct triangle_work *triangle,
                                 uint64_t mask)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What constant_color.h leaves to a file that blends anyhow: to shade the constant colour of a draw, and to blend it in other
-// ways than to replace texels of 4 bytes.
+// What constant_color.h leaves to a file that blends anyhow: to shade the constant colour of a draw, and to blend it
+// in other ways than to replace texels of 4 bytes.
 #ifndef RHW_CONSTANT_BLEND_H
 #define RHW_CONSTANT_BLEND_H
 

@@ -43,13 +43,13 @@ RHW_INLINE void blend_constant_sample(struct tile_work *work, int sample, int x,
     }
 }
 
-// Does so where a pixel has one sample.
+// Blends the pixels of the block at (x, y) whose bits are set in `mask`, where a pixel has one sample.
 static void blend_constant(struct tile_work *work, int x, int y, uint64_t mask)
 {
     blend_constant_sample(work, 0, x, y, mask);
 }
 
-// Does so for the samples in `mask`, of a block at multiples of 8.
+// Blends the samples in `mask` of the block at (x, y), multiples of 8.
 static __attribute__((noinline)) void blend_constant_samples(struct tile_work *work, int x, int y,
                                                              const uint64_t mask[RHW_MAX_SAMPLES])
 {

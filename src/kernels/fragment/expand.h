@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The colours of a multisampled tile. Where all samples of a block of 8×8 pixels agree they are stored once, in the plane
-// of the first sample. A fragment that covers a pixel in part expands the block: from then on each sample has its own, in a
-// plane of the sample or woven.
+// The colours of a multisampled tile. Where all samples of a block of 8×8 pixels agree they are stored once, in the
+// plane of the first sample. A fragment that covers a pixel in part expands the block: from then on each sample has
+// its own, in a plane of the sample or woven.
 #ifndef RHW_EXPAND_H
 #define RHW_EXPAND_H
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The partial group: single fragments of several triangles, the few of each that its own groups leave over. They wait
 // until 8 make a group, which is then packed: a fragment is evaluated as one vector over quantities and one over
-// components, then 8 of them are turned into lanes. Only fragments that wait here can be overtaken by later ones of the
-// same pixel. Those that replace what is there may share a group with them, as the last lane is stored last; others close
-// it first, but for those that have no sample in common.
+// components, then 8 of them are turned into lanes. Only fragments that wait here can be overtaken by later ones of
+// the same pixel. Those that replace what is there may share a group with them, as the last lane is stored last;
+// others close it first, but for those that have no sample in common.
 #ifndef RHW_PACK_H
 #define RHW_PACK_H
 
@@ -55,7 +55,7 @@ RHW_INLINE void pack_smooth(const struct packed_triangle *const triangle[8], int
     f32x8_transpose(out);
 }
 
-// Does so with any qualifiers.
+// Gives components i .. i + 7 of the 8 fragments, whatever their qualifiers are.
 RHW_INLINE void pack_qualified(const struct packed_triangle *const triangle[8], int i,
                                const struct packed_weights *w, const struct rhw_pipeline_data *pipeline,
                                f32x8 out[8])
@@ -157,7 +157,7 @@ static void pack_barycentric_derivatives(struct tile_work *work, struct rhw_frag
     for (int lane = 0; lane < 8; lane++) {
         value[lane] = numerators(&partial->triangle[lane]->weights, partial->distance[lane]);
     }
-    f64x8 lanes[4]; // of b by x and by y, of c by x and by y
+    f64x8 lanes[4]; // b by x and by y, c by x and by y
     quantity_lanes(value, lanes);
     fill_barycentrics(group->barycentric_ddx, 0, derivative_of(lanes[0], squared),
                       derivative_of(lanes[2], squared));
@@ -337,9 +337,9 @@ static const struct packed_triangle *pack_triangle(struct tile_work *work, struc
 // What packing has to know of a fragment; a constant where a call names it.
 enum packed_parts {
     PACKED_QUANTITIES, // the four that every fragment needs
-    PACKED_DISTANCE,   // and where it is, for derivatives
-    PACKED_SAMPLES,    // and of multisampled passes its samples, too
-    PACKED_ANY         // and whatever the plan wants
+    PACKED_DISTANCE,   // quantities, and where the fragment is, for derivatives
+    PACKED_SAMPLES,    // quantities, place, and the samples of multisampled passes
+    PACKED_ANY         // whatever the plan wants
 };
 
 // Keeps the depths of the samples of fragment n.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the makers of groups do to the queue and to the partial group (pack.h) in the midst of their loops: they shade a queue
-// that is full, add single fragments to the partial group, and ask for those that wait in it.
+// What the makers of groups do to the queue and to the partial group (pack.h) in the midst of their loops: they shade
+// a queue that is full, add single fragments to the partial group, and ask for those that wait in it.
 #ifndef RHW_PARTIAL_GROUP_H
 #define RHW_PARTIAL_GROUP_H
 

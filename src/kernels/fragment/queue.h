@@ -37,7 +37,7 @@ static unsigned finish_depth(struct tile_work *work, int g)
         return bits;
     }
     const f32x8 z = uses & RHW_USE_DEPTH ? viewport_clamp(depth, group->depth) : group->depth;
-    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // of a row
+    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // a row's first pixel
     if (plan->test != RHW_TEST_DEPTH) {
         const unsigned back = uses & RHW_USE_FACING ? i32x8_sign_bits(~group->front_facing) : 0;
         return queue->is_scattered[g]

@@ -61,7 +61,7 @@ static void fill_barycentric_derivatives(struct rhw_fragment *group, const struc
 
 // Where the 8 fragments of a group are, and the weights of their triangle there.
 struct group_place {
-    i32x8 texels;      // of the tile
+    i32x8 texels;      // their numbers in the tile
     float position[2]; // in their pixels
     struct anchor_offset at;
     struct weights weights;

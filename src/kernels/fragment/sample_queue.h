@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What follows the fragment function in a multisampled pass: samples are dropped, tested late, and blended plane by plane,
-// or pixel by pixel where they are woven.
-// A group that covers its pixels all over is blended once, into the first plane, where its blocks are not expanded.
+// What follows the fragment function in a multisampled pass: samples are dropped, tested late, and blended plane by
+// plane, or pixel by pixel where they are woven. A group that covers its pixels all over is blended once, into the
+// first plane, where its blocks are not expanded.
 #ifndef RHW_SAMPLE_QUEUE_H
 #define RHW_SAMPLE_QUEUE_H
 
@@ -24,13 +24,14 @@ RHW_INLINE i32x8 samples_of_alpha(f32x8 alpha, int count)
     return i32x8_power2(rhw_int_from_float_unchecked(kept)) - i32x8_splat(1);
 }
 
-// Tests the lanes of group g in `bits` after the fragment function, whose sample is at z: `depth` is the tile's of that sample.
+// Tests the lanes of group g in `bits` after the fragment function, whose sample is at z: `depth` is the tile's of
+// that sample.
 static unsigned test_sample_late(struct tile_depth *depth, const struct tile_work *work, int g, f32x8 z,
                                  unsigned bits, unsigned back)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_depth_rule rule = work->plan.late;
-    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // of a row
+    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // a row's first pixel
     if (queue->is_scattered[g]) {
         return work->plan.test != RHW_TEST_DEPTH
                    ? test_texels_late_stencil(depth, queue->texels[g], z, bits, back, rule)
@@ -59,8 +60,8 @@ static i32x8 test_samples_late(struct tile_work *work, int g, i32x8 samples)
     return passed;
 }
 
-// Those of a group's samples that the fragment function and its alpha leave. A pixel of one has bit 0 (Vulkan 1.3 §28.9
-// makes no exception of it).
+// Returns the samples of a group that the fragment function and its alpha leave. A pixel of one has bit 0 (Vulkan 1.3
+// §28.9 makes no exception of it).
 static i32x8 masked_samples(const struct tile_work *work, int g, i32x8 samples)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
@@ -172,7 +173,7 @@ static __attribute__((noinline)) void blend_woven(const struct tile_work *work, 
     store_woven(scratch, target, texel, pixel, *samples);
 }
 
-// Does so where samples are woven.
+// Blends the lanes of group g into target t where samples are woven.
 RHW_INLINE void blend_woven_samples(const struct tile_work *work, int t, int g, i32x8 samples,
                                     unsigned expanded)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Groups of collected fragments (collect.h): 8 of one triangle, wherever in the tile they lie. Every number is made by the
-// operations that make it for rows.
+// Groups of collected fragments (collect.h): 8 of one triangle, wherever in the tile they lie. Every number is made
+// by the operations that make it for rows.
 #ifndef RHW_SCATTERED_GROUPS_H
 #define RHW_SCATTERED_GROUPS_H
 
@@ -57,7 +57,7 @@ RHW_INLINE void fill_scattered(const struct tile_work *work, const struct triang
     set_flat_groups(varyings, pipeline, triangle, count);
 }
 
-// Does so with everything that a fragment function may ask for.
+// Fills the queue's next `count` groups with everything that a fragment function may ask for.
 static __attribute__((noinline)) void fill_any_scattered(const struct tile_work *work,
                                                          const struct triangle_work *triangle,
                                                          const int32_t *texel, int count)
@@ -177,7 +177,7 @@ static __attribute__((noinline)) void queue_collected(struct tile_work *work, st
         release_partial(work);
     }
     collected->overtakes = false;
-    const unsigned live = 0xffu >> missing; // of the last group
+    const unsigned live = 0xffu >> missing; // lanes of the last group
     if (missing != 0) {
         repeat_first(&collected->texel[end - RHW_LANES], live);
     }
@@ -199,7 +199,7 @@ static __attribute__((noinline)) void make_room(struct tile_work *work, struct t
 static __attribute__((noinline)) void release_collected(struct tile_work *work,
                                                         struct triangle_work *triangle)
 {
-    // Those that wait where some of these lie would have to go first, before their group is full.
+    // Fragments that wait where some collected ones lie would have to go first, before their group is full.
     struct collected_fragments *const collected = &work->scratch->collected;
     const int least = collected->overtakes ? RHW_LANES : least_of_group(work);
     if (collected->count >= least) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the tile holds at the fragments of a queue, for programs that read it (RHW_USE_TARGET_INPUT).
-// Their groups are rows, those of one call rows of one block and one triangle, so that no pixel is among them twice: what
-// came before has been blended, and each fragment finds what is there in its turn.
+// What the tile holds at the fragments of a queue, for programs that read it (RHW_USE_TARGET_INPUT). Their groups are
+// rows, those of one call rows of one block and one triangle, so that no pixel is among them twice: what came before
+// has been blended, and each fragment finds what is there in its turn.
 #ifndef RHW_TARGET_INPUT_H
 #define RHW_TARGET_INPUT_H
 

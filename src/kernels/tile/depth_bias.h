@@ -73,7 +73,7 @@ static inline void bias_snapped(struct triangle_setup8 *setup, int i, const stru
         depth_bias(&state->depth_stencil, plane_of(planes, QUANTITY_Z), largest_depth(state, v));
     setup->depth_bias[i] = bias;
     planes->at[QUANTITY_Z] += bias;
-    const double margin = 0x1p-20; // of roundings
+    const double margin = 0x1p-20; // roundings stay within it
     const bool clamps = (double)least + bias < (double)state->depth_least + margin ||
                         (double)most + bias > (double)state->depth_most - margin;
     setup->clamps |= (unsigned)clamps << i;

@@ -101,7 +101,7 @@ static void resolve_depth_samples(const struct tile_work *work, enum rhw_resolve
     }
 }
 
-// The same of stencil, by RHW_RESOLVE_MIN or MAX.
+// Makes sample 0 of stencil what the samples of each pixel are resolved into, by RHW_RESOLVE_MIN or MAX.
 static void resolve_stencil_samples(const struct tile_work *work, enum rhw_resolve mode)
 {
     struct tile_depth *const first = depth_of_sample(work->scratch, 0);

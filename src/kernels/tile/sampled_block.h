@@ -3,6 +3,7 @@
 #ifndef RHW_SAMPLED_BLOCK_H
 #define RHW_SAMPLED_BLOCK_H
 
+#include "base/constants.h"
 #include "base/simd.h"
 #include "rhw/limits.h"
 
@@ -10,7 +11,7 @@
 struct sampled_block {
     int x, y;
     uint64_t mask[RHW_MAX_SAMPLES];
-    uint64_t covered[RHW_MAX_SAMPLES]; // the same before any test, for centroids alone
+    uint64_t covered[RHW_MAX_SAMPLES]; // what is covered before any test: set for centroids alone
     f32x8 z[RHW_MAX_SAMPLES][RHW_BLOCK];
 };
 

@@ -43,7 +43,7 @@ static bool overdraws(const struct tile_work *work, struct bin_run run)
         return false;
     }
     const uint32_t step = count / SAMPLES + 1;
-    uint32_t next = 0; // of the bin under way
+    uint32_t next = 0; // counts in the bin under way
     double covered = 0;
     for (const struct bin *bin = run.first; bin < run.end; bin++) {
         for (; next < bin->end - bin->first; next += step) {

@@ -49,10 +49,10 @@ RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_wor
     return mask;
 }
 
-// Draws a block of which `mask` is covered and open: depth is tested first, then what survives is collected for shading.
-static __attribute__((noinline)) void test_and_shade_block(struct tile_work *work,
-                                                           struct triangle_work *triangle, int x, int y,
-                                                           uint64_t mask)
+// Draws a block of which `mask` is covered and open: depth is tested first, then what survives is collected for
+// shading.
+RHW_INLINE void shade_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
+                            uint64_t mask, bool is_explained)
 {
     const struct rhw_draw_plan *const plan = &work->plan;
     if (!triangle->has_planes) {
@@ -67,19 +67,22 @@ static __attribute__((noinline)) void test_and_shade_block(struct tile_work *wor
     block.z = z;
     block.leaves_triangle = leaves_triangle(triangle, &block.at);
     block.samples = NULL;
-    if (plan->needs_depth || work->explained) {
+    if (plan->needs_depth || is_explained) {
         depth_rows(work, triangle, &block, mask, z);
+        if (is_explained) {
+            explain_covered(work, x, y, 0, mask, z);
+        }
+        if (plan->tests_early) {
+            mask = test_depth(work, triangle, &block, mask);
+        }
+        if (is_explained) {
+            explain_passed(work, x, y, 0, mask);
+        }
+        if (mask == 0) {
+            return;
+        }
     }
-    if (work->explained) {
-        explain_covered(work, x, y, 0, mask, z);
-    }
-    if (plan->tests_early) {
-        mask = test_depth(work, triangle, &block, mask);
-    }
-    if (work->explained) {
-        explain_passed(work, x, y, 0, mask);
-    }
-    if (mask == 0 || plan->shading == RHW_SHADING_NONE) {
+    if (plan->shading == RHW_SHADING_NONE) {
         return;
     }
     work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
@@ -90,8 +93,23 @@ static __attribute__((noinline)) void test_and_shade_block(struct tile_work *wor
     }
 }
 
+static __attribute__((noinline)) void shade_plain_block(struct tile_work *work,
+                                                        struct triangle_work *triangle, int x, int y,
+                                                        uint64_t mask)
+{
+    shade_block(work, triangle, x, y, mask, false);
+}
+
+static __attribute__((noinline)) void shade_explained_block(struct tile_work *work,
+                                                            struct triangle_work *triangle, int x, int y,
+                                                            uint64_t mask)
+{
+    shade_block(work, triangle, x, y, mask, true);
+}
+
 // Draws a block. What asks for no number of the triangle is done here, and needs few registers.
-static void draw_block(struct tile_work *work, struct triangle_work *triangle, int x, int y, uint64_t mask)
+RHW_INLINE void draw_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
+                           uint64_t mask)
 {
     const struct rhw_draw_plan *const plan = &work->plan;
     struct tile_depth *const depth = &work->scratch->depth;
@@ -111,7 +129,11 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
         blend_constant(work, x, y, mask);
         return;
     }
-    test_and_shade_block(work, triangle, x, y, mask);
+    if (work->explained) {
+        shade_explained_block(work, triangle, x, y, mask);
+    } else {
+        shade_plain_block(work, triangle, x, y, mask);
+    }
 }
 
 // Whole tiles ------------------------------------------------------------------------------------------
@@ -145,8 +167,8 @@ static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, st
 
 // All ---------------------------------------------------------------------------------------------------
 
-// Whether what is known of blocks of the triangle's plane holds for the one at (x, y): its bit is set, and depth in it is
-// the plane's.
+// Whether what is known of blocks of the triangle's plane holds for the one at (x, y): its bit is set, and depth in
+// it is the plane's.
 static bool holds_for_block(const struct tile_work *work, const struct triangle_work *triangle,
                             unsigned known, int x, int y)
 {
@@ -191,9 +213,7 @@ static void draw_blocks(struct tile_work *work, struct triangle_work *triangle,
 // Whether the tile knows enough of its depth to draw a triangle by the function below, where its draw may be.
 static bool knows_ranges(const struct tile_work *work)
 {
-    enum {
-        TRIANGLES_UNRANGED = 2
-    }; // of a draw that are tested before a look at all of the tile's depth pays
+    enum { TRIANGLES_UNRANGED = 2 }; // a draw tests so many before a look at all of the tile's depth pays
     struct tile_depth *const depth = &work->scratch->depth;
     if (work->plan.test != RHW_TEST_WHOLE_BLOCKS ||
         (!depth->has_ranges && depth->unranged++ < TRIANGLES_UNRANGED)) {
@@ -205,7 +225,7 @@ static bool knows_ranges(const struct tile_work *work)
     return true;
 }
 
-// Of the blocks that are `wanted` those that stencil can be changed in without a test.
+// Returns the blocks among those `wanted` in which stencil can be changed without a test.
 static struct decided_blocks decided_blocks(struct tile_work *work, struct triangle_work *triangle,
                                             uint64_t wanted)
 {
@@ -244,8 +264,8 @@ static uint64_t mask_of_block(const struct tile_work *work, const struct triangl
     return mask;
 }
 
-// A triangle that leaves depth as it is and changes stencil by whether it passes the depth test. Nothing shades it, so there
-// is nothing collected to end with.
+// A triangle that leaves depth as it is and changes stencil by whether it passes the depth test. Nothing shades it,
+// so there is nothing collected to end with.
 static __attribute__((noinline)) void draw_whole_blocks(struct tile_work *work,
                                                         struct triangle_work *triangle,
                                                         const struct coverage *coverage)
@@ -268,8 +288,9 @@ static __attribute__((noinline)) void draw_whole_blocks(struct tile_work *work,
         if ((decided.passed | decided.failed) >> n & 1) {
             change_stencil_block(depth, x, y, mask, face,
                                  decided.passed >> n & 1 ? face->pass : face->depth_fail);
-        } else {
-            draw_block(work, triangle, x, y, mask);
+        } else if (mask !=
+                   0) { // nothing is drawn backwards or claimed here, and the general path never comes here
+            shade_plain_block(work, triangle, x, y, mask);
         }
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A triangle in a tile whose pixels have several samples: the same as triangle_large.h, with coverage and depth by sample.
-// A fragment is what a triangle covers of a pixel, one sample or more: it is shaded once, where its varyings say
-// (enum rhw_sampling), and goes into every sample that it covers and that passes the tests.
+// A triangle in a tile whose pixels have several samples: the same as triangle_large.h, with coverage and depth by
+// sample. A fragment is what a triangle covers of a pixel, one sample or more: it is shaded once, where its varyings
+// say (enum rhw_sampling), and goes into every sample that it covers and that passes the tests.
 #ifndef RHW_TRIANGLE_MULTISAMPLE_H
 #define RHW_TRIANGLE_MULTISAMPLE_H
 
@@ -252,9 +252,9 @@ static void fill_samples(const struct tile_work *work, struct sampled_block *blo
     }
 }
 
-// Sets the edges of a triangle that cross the tile at some sample. They are those at pixel centres, and reach over a block
-// as far as its samples do: half a pixel more, so that block_row_of tells of all samples at once. With that, |q| in the
-// tile is at most 63.5·(|a| + |b|) + 2 < 2^31. False where the triangle lies beside the tile.
+// Sets the edges of a triangle that cross the tile at some sample. They are those at pixel centres, and reach over a
+// block as far as its samples do: half a pixel more, so that block_row_of tells of all samples at once. With that,
+// |q| in the tile is at most 63.5·(|a| + |b|) + 2 < 2^31. False where the triangle lies beside the tile.
 static bool wide_edges_set(struct triangle_edges *wide, const struct tile_work *work,
                            const struct rhw_triangle *t)
 {
@@ -309,7 +309,7 @@ static void draw_any_samples(struct tile_work *work, struct triangle_work *trian
     begin_any(work, triangle, &clipped);
     const struct rhw_sample_pattern *const pattern = work->target->pattern;
     const struct tile_rect rect = rect_of(work, triangle->t);
-    // Of the others blocks are not all there is to look at.
+    // Polygons and points are more than the three edges that tell of whole blocks.
     const bool is_whole = !(triangle->t->flags & (RHW_TRIANGLE_POLYGON | RHW_TRIANGLE_RECTANGLE));
     struct triangle_edges wide;
     if (is_whole && !wide_edges_set(&wide, work, triangle->t)) {

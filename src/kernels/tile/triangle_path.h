@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // On which path a triangle is drawn in a tile: path_of decides it, of the plan of the draw and of what the setup of 8
-// triangles has found, and draw_triangles in tile.c takes it. All paths give the same bytes. Triangles of a batch that follow each
-// other on the same path are a run.
+// triangles has found, and draw_triangles in tile.c takes it. All paths give the same bytes. Triangles of a batch
+// that follow each other on the same path are a run.
 #ifndef RHW_TRIANGLE_PATH_H
 #define RHW_TRIANGLE_PATH_H
 
@@ -24,7 +24,8 @@ enum triangle_path {
     TRIANGLE_STIPPLED_LINE // what it covers, without what a stipple leaves out
 };
 
-// The path of a triangle, and the triangles of its batch that have this path too, a bit each, as far as they are of its draw.
+// The path of a triangle, and the triangles of its batch that have this path too, a bit each, as far as they are of
+// its draw.
 struct path_choice {
     enum triangle_path path;
     unsigned alike;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What blocks of any triangle are drawn with: its planes, made when its first block survives, the depths of a block, and
-// the blocks that it is hidden in.
+// What blocks of any triangle are drawn with: its planes, made when its first block survives, the depths of a block,
+// and the blocks that it is hidden in.
 #ifndef RHW_TRIANGLE_PLANES_H
 #define RHW_TRIANGLE_PLANES_H
 

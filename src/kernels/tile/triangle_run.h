@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Triangles of a batch that follow each other and are drawn on the same path (triangle_path.h), and how a path draws them one
-// after the other.
+// Triangles of a batch that follow each other and are drawn on the same path (triangle_path.h), and how a path draws
+// them one after the other.
 #ifndef RHW_TRIANGLE_RUN_H
 #define RHW_TRIANGLE_RUN_H
 
@@ -36,8 +36,8 @@ RHW_INLINE void begin_any(const struct tile_work *work, struct triangle_work *tr
     triangle->depth_bias = work->plan.is_biased ? setup->depth_bias[triangle->lane] : 0;
 }
 
-// Makes a small triangle ready for a path that asks for clipping, clamping and bias: it is neither clipped nor clamped, and
-// its planes in the setup have its bias.
+// Makes a small triangle ready for a path that asks for clipping, clamping and bias: it is neither clipped nor
+// clamped, and its planes in the setup have its bias.
 RHW_INLINE void begin_plain(struct triangle_work *triangle)
 {
     triangle->clipped = NULL;
@@ -86,7 +86,8 @@ RHW_INLINE void draw_each(const struct triangle_run *run, draw_triangle_function
     }
 }
 
-// Draws the triangles of a run by a function of the general path, and tells the history of a sample where it is asked for.
+// Draws the triangles of a run by a function of the general path, and tells the history of a sample where it is asked
+// for.
 RHW_INLINE void draw_each_explained(const struct triangle_run *run, draw_triangle_function *draw)
 {
     struct tile_work *const work = run->work;

@@ -13,7 +13,7 @@
 enum {
     CELL = 4, // pixels of a cell, each way
     CELL_SAMPLES = 4,
-    CELLS_X = 2, // of a triangle, at most
+    CELLS_X = 2, // cells of a triangle, each way, at most
     CELLS_Y = 4,
     MOST_CELLS = BATCH * CELLS_X * CELLS_Y
 };
@@ -24,14 +24,14 @@ struct sample_cells {
     unsigned covers; // bit i: triangle i covers a sample
     int first[BATCH + 1];
     int32_t entry[MOST_CELLS + BATCH];
-    int32_t x[MOST_CELLS + BATCH], y[MOST_CELLS + BATCH]; // of the tile
+    int32_t x[MOST_CELLS + BATCH], y[MOST_CELLS + BATCH]; // pixels of the tile
     uint32_t low[MOST_CELLS + BATCH], high[MOST_CELLS + BATCH];
 };
 
-// Edges and pixels are those of small triangles (RHW_TRIANGLE_SMALL) alone, planes those of snapped ones. Edges: q, a,
-// b as in coverage.h, q at pixel (x, y0) of the tile. Vertices lie within 64 pixels of each other and within 72 of any
-// pixel of a block that reaches into their rectangle, as edge_lanes asks. Where pixels have several samples q is that of
-// the pixel's top left corner, times 256: those of samples follow from it.
+// Edges and pixels are those of small triangles (RHW_TRIANGLE_SMALL) alone, planes those of snapped ones. Edges: q,
+// a, b as in coverage.h, q at pixel (x, y0) of the tile. Vertices lie within 64 pixels of each other and within 72 of
+// any pixel of a block that reaches into their rectangle, as edge_lanes asks. Where pixels have several samples q is
+// that of the pixel's top left corner, times 256: those of samples follow from it.
 struct triangle_setup8 {
     const struct bin_batch *read; // the triangles
     // What they may cover of the tile: see struct tile_rect.
@@ -46,8 +46,8 @@ struct triangle_setup8 {
     unsigned exact;  // their planes are PLANES_EXACT: slivers
     unsigned clamps; // they may leave the range that depth is held to
     unsigned small;  // small triangles that are neither exact nor clamped, nor points with several samples
-    unsigned tiny;   // those of them that are tiny, where the draw of the first triangle has a path for them
-    double depth_bias[BATCH]; // of triangles whose draw is biased and whose vertices are snapped
+    unsigned tiny;   // small triangles that are tiny, where the draw of the first triangle draws tiny ones
+    double depth_bias[BATCH]; // set where the draw is biased and the vertices are snapped
     // What tiny triangles cover: where a pixel has one sample (triangle_tiny.h), and where it has 4.
     uint32_t tiny_mask[BATCH];
     struct sample_cells cells;
@@ -75,7 +75,8 @@ RHW_INLINE struct triangle_words8 load_words8(const struct bin_batch *read, cons
     const i32x8 zero = i32x8_splat(0), end = i32x8_splat(RHW_TILE), x = i32x8_splat(work->x),
                 y = i32x8_splat(work->y);
     words.segment = (i32x8)high[2];
-    words.flags = (i32x8)high[4]; // and above them x0; then y0 and x1, and y1: see struct rhw_triangle
+    words.flags =
+        (i32x8)high[4]; // x0 stands above the flags, y0 and x1 follow, then y1: see struct rhw_triangle
     words.x0 = i32x8_max(((i32x8)high[4] >> 16) - x, zero);
     words.y0 = i32x8_max(((i32x8)high[5] << 16 >> 16) - y, zero);
     words.x1 = i32x8_min(((i32x8)high[5] >> 16) - x, end);
@@ -86,8 +87,7 @@ RHW_INLINE struct triangle_words8 load_words8(const struct bin_batch *read, cons
 RHW_INLINE void setup_edges8(struct triangle_setup8 *setup, const struct triangle_words8 *words,
                              const struct tile_work *work)
 {
-    const i32x8 x =
-        i32x8_min(words->x0, i32x8_splat(RHW_TILE - RHW_BLOCK)); // so that 8 lanes stay in the tile
+    const i32x8 x = i32x8_min(words->x0, i32x8_splat(RHW_TILE - RHW_BLOCK)); // 8 lanes stay in the tile
     const bool several = work->samples > 1;
     const i32x8 center = i32x8_splat(several ? SAMPLE_OFFSET_0_8 : 0);
     const i32x8 px = sample_of_pixel8(x + i32x8_splat(work->x)) - center,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Triangles that stand for another shape than their own: Bresenham lines, smooth lines, pixels of conservative
-// rasterization, and lines with a stipple. Every block of the triangle's rectangle is asked for the pixels of the shape.
+// rasterization, and lines with a stipple. Every block of the triangle's rectangle is asked for the pixels of the
+// shape.
 #ifndef RHW_TRIANGLE_SHAPE_H
 #define RHW_TRIANGLE_SHAPE_H
 
@@ -16,7 +17,7 @@ struct pixel_shape {
     bool is_line, is_smooth;
     struct line_pixels line;
     struct smooth_line smooth;
-    struct stippled_rectangle stipple; // of the smooth line
+    struct stippled_rectangle stipple; // the smooth line's
     struct conservative_edges edges;
     bool tells_contained; // edges of pixels that are contained follow
     struct conservative_edges contained;
@@ -56,7 +57,7 @@ static uint64_t line_shape_mask(const struct tile_work *work, const struct rhw_t
                : mask;
 }
 
-// The same of any shape; of a smooth line it gives how much of them is covered, too.
+// The pixels of any shape in the block at (x, y) of the tile. `coverage` gets how much of them a smooth line covers.
 static uint64_t shape_mask(const struct tile_work *work, const struct rhw_triangle *t,
                            const struct pixel_shape *shape, int x, int y, f32x8 coverage[RHW_BLOCK])
 {

@@ -104,7 +104,7 @@ struct strip_test {
     struct strip_rows rows;
 };
 
-// Does so with the depth test, which writes depth: gives the pixels that are covered and pass.
+// Covers rows of a strip and tests their depth, which the test writes: gives the pixels that are covered and pass.
 RHW_INLINE uint64_t test_strip(const void *pixels, const struct rhw_depth_rule rule)
 {
     const struct strip_test *const test = pixels;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Small triangles where pixels have several samples: their edges fit into 32 bits, those of all samples side by side, and
-// coverage and the early depth test of a row are one step. Parts of 8 columns and rows start where the triangle does. It
-// is the special path of triangle_multisample.h for draws that are shaded at pixel centres.
+// Small triangles where pixels have several samples: their edges fit into 32 bits, those of all samples side by side,
+// and coverage and the early depth test of a row are one step. Parts of 8 columns and rows start where the triangle
+// does. It is the special path of triangle_multisample.h for draws that are shaded at pixel centres.
 #ifndef RHW_TRIANGLE_SMALL_SAMPLES_H
 #define RHW_TRIANGLE_SMALL_SAMPLES_H
 
 #include "kernels/fragment/collect.h"
 #include "triangle_planes.h"
 
-// A part of a triangle's rectangle: rows y .. y1 − 1, and the columns of the 8 from x on whose lanes are not negative in
-// `sides`. Masks of it are those of the block whose first row is `top`; all of that lies in the tile.
+// A part of a triangle's rectangle: rows y .. y1 − 1, and the columns of the 8 from x on whose lanes are not negative
+// in `sides`. Masks of it are those of the block whose first row is `top`; all of that lies in the tile.
 struct small_part {
     int x, y, y1, top;
     i32x8 sides;
@@ -106,7 +106,7 @@ RHW_INLINE uint64_t test_part_sample(const struct part_test *test, int s, const 
     return tests ? settle_block(depth, part->x, part->top, passed, rule) : passed;
 }
 
-// Does so for all samples. Gives the pixels of which one is left.
+// Covers and tests a part in all samples. Gives the pixels of which a sample is left.
 RHW_INLINE uint64_t test_part(const void *what, const struct rhw_depth_rule rule)
 {
     const struct part_test *const test = what;

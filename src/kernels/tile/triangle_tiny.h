@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The smallest triangles where pixels have one sample, those of 4 columns and 8 rows at most: lines of a pixel, and meshes
-// finer than the picture. What they cover is found 8 triangles at a time, one in each lane; then the pixels that are
-// covered are looked at one by one, which are fewer than there are rows. A fragment that passes the depth test is packed
-// with the numbers that the test needed.
+// The smallest triangles where pixels have one sample, those of 4 columns and 8 rows at most: lines of a pixel, and
+// meshes finer than the picture. What they cover is found 8 triangles at a time, one in each lane; then the pixels
+// that are covered are looked at one by one, which are fewer than there are rows. A fragment that passes the depth
+// test is packed with the numbers that the test needed.
 //
-// Fewer instructions of a frame: lines_1m 22 %, sphere_1m 16 %, bunny_lit 14 %, sphere_1m_tex 3 %. Where nothing is shaded
-// strips take less time, as fewer branches of theirs cannot be foreseen, though in sphere_1m_depth 5 % more instructions.
+// Fewer instructions of a frame: lines_1m 22 %, sphere_1m 16 %, bunny_lit 14 %, sphere_1m_tex 3 %. Where nothing is
+// shaded strips take less time, as fewer branches of theirs cannot be foreseen, though in sphere_1m_depth 5 % more
+// instructions.
 #ifndef RHW_TRIANGLE_TINY_H
 #define RHW_TRIANGLE_TINY_H
 
@@ -17,8 +18,8 @@ enum { TINY_COLUMNS = 4, TINY_ROWS = 8 };
 
 _Static_assert(TINY_COLUMNS *TINY_ROWS == 32, "masks are words");
 
-// Returns the triangles of a batch that are tiny, by a bit each. Returns 0 where they are so few that covering all 8 lanes
-// would cost more than it saves.
+// Returns the triangles of a batch that are tiny, by a bit each. Returns 0 where they are so few that covering all 8
+// lanes would cost more than it saves.
 RHW_INLINE unsigned tiny_of(const struct triangle_setup8 *setup)
 {
     enum { FEW = 2 };
@@ -30,8 +31,8 @@ RHW_INLINE unsigned tiny_of(const struct triangle_setup8 *setup)
     return __builtin_popcount(tiny) > FEW ? tiny : 0;
 }
 
-// Sets the masks of the batch; those of triangles that are not tiny are rubbish. Triangles of a bin reach into its tile, so
-// that all others have a column and a row at least.
+// Sets the masks of the batch; those of triangles that are not tiny are rubbish. Triangles of a bin reach into its
+// tile, so that all others have a column and a row at least.
 static void cover_tiny(struct triangle_setup8 *setup)
 {
     const i32x8 x0 = i32x8_load(setup->x0), y0 = i32x8_load(setup->y0);
@@ -59,7 +60,8 @@ static void cover_tiny(struct triangle_setup8 *setup)
         }
     }
     const i32x8 within_columns = {0, 0x11111111, 0x33333333, 0x77777777, -1};
-    const i32x8 within_rows = {0xf, 0xff, 0xfff, 0xffff, 0xfffff, 0xffffff, 0xfffffff, -1}; // but one
+    const i32x8 within_rows = {0xf,     0xff,     0xfff,     0xffff,
+                               0xfffff, 0xffffff, 0xfffffff, -1}; // by rows, less one
     i32x8_store(setup->tiny_mask, (i32x8)covered & i32x8_permute(within_columns, columns) &
                                       i32x8_permute(within_rows, rows - i32x8_splat(1)));
 }
@@ -75,7 +77,7 @@ void RHW_ISA_NAME(rhw_find_tiny)(struct triangle_setup8 *setup)
 
 // Where the pixels of a tiny triangle lie, seen from its first one.
 struct tiny_place {
-    int texel;       // of the first
+    int texel;       // the first pixel's
     int right, down; // pixels from the triangle's anchor to the first
 };
 

@@ -125,8 +125,8 @@ static __attribute__((noinline)) void finish_cells(const struct triangle_run *ru
     RHW_ISA_NAME(rhw_release_collected)(work, &triangle);
 }
 
-// Packs the fragments of triangle i, which are few, where the draw wants no more than smooth varyings of them: 5 % fewer
-// instructions in msaa4_sphere_1m.
+// Packs the fragments of triangle i, which are few, where the draw wants no more than smooth varyings of them: 5 %
+// fewer instructions in msaa4_sphere_1m.
 RHW_INLINE void pack_cells(const struct triangle_run *run, int i)
 {
     struct tile_work *const work = run->work;
