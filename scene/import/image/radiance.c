@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See image/radiance.h. The format is that of G. Ward, "Real Pixels", Graphics Gems II, 1991, and of Radiance's draw/shading/color.h.
+// See image/radiance.h. The format is that of G. Ward, "Real Pixels", Graphics Gems II, 1991, and of Radiance's color.c.
 #include "radiance.h"
 
 #include <stdbool.h>
