@@ -110,8 +110,9 @@ press() { # KEY...
 # The command line that the window gives, without its end.
 ask() {
     before=$(lines)
-    press c z # the latter does nothing, but takes the notice away
+    press c
     until_true told_more || fail "C gives no command line"
+    press z # which does nothing, but takes the notice away
     asked=$(tail -1 said | sed 's/^rhw \(.*\) -o picture.png$/\1/')
 }
 
