@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See recorded_pass.h.
 #include "recorded_pass.h"
 
 #include <string.h>
