@@ -11,7 +11,7 @@
 #include "draw_list.h"
 #include "pipeline/pipeline.h"
 
-// Primitive t has `span` elements from step·t on. In topologies whose primitives all take their vertices from the same
+// Primitive t has `span` elements from step·t on. Where all primitives of a topology take their vertices from equal
 // places, `pick` names the places.
 static const struct layout {
     uint8_t step, span, pick[3];

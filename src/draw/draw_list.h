@@ -97,7 +97,7 @@ struct rhw_draw {
     bool indexed;
     bool is_shaded_first; // its vertices are shaded before the first wave (run/effect_vertices.h)
     const struct rhw_strip_stipple *strip_stipple; // NULL: each line begins its pattern anew
-    // These are RHW_MAX_VIEWPORTS copies of the draw, one for each viewport. NULL: the draw uses the first viewport alone.
+    // There are RHW_MAX_VIEWPORTS copies of the draw, one for each viewport. NULL: it uses the first viewport alone.
     const struct rhw_draw *viewports;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A recorded pass is created, cleared and destroyed here. Its memory stays from pass to pass.
 #include "recorded_pass.h"
 
 #include <string.h>

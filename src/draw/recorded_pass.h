@@ -41,7 +41,7 @@ void rhw_recorded_pass_clear(struct rhw_recorded_pass *pass);
 // Release a pass. Do nothing where it is NULL.
 void rhw_recorded_pass_destroy(struct rhw_memory *memory, struct rhw_recorded_pass *pass);
 
-// Return whether special paths are taken. They are faster for some triangles or vertices; the general path takes all of
+// Return true if special paths are taken. They are faster for some triangles or vertices; the general path takes all of
 // them. Both draw the same bytes.
 static inline bool rhw_pass_takes_special_paths(const struct rhw_recorded_pass *pass)
 {

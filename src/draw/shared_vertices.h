@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shared vertices are shaded before the chunks that use them, once for all of them. A chunk usually shades what its
-// triangles name. Where triangles lie in no order, as those of scans do, several chunks meet most of the vertices, and
+// triangles name. Where triangles lie in no order, as in scans, several chunks meet most of the vertices, and
 // finding them again costs as much as shading them. A draw with triangles in no order therefore has all of its vertices
 // shaded first, in every wave that draws some of it. run/vertex_sharing.h chooses the draws.
 #ifndef RHW_SHARED_VERTICES_H

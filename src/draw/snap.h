@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A position on the screen is snapped to the nearest 1/256 pixel, ties to even, and into the guard band. Every position
-// on the screen is snapped here: the front end snaps whole vertices 8 at a time, and the clipper those that it cuts one
-// by one. Equal positions therefore stay equal.
+// on the screen is snapped here: the front end snaps whole vertices 8 at a time, and the clipper snaps cut
+// positions one by one. Equal positions therefore stay equal.
 #ifndef RHW_SNAP_H
 #define RHW_SNAP_H
 

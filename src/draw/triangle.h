@@ -44,7 +44,7 @@ enum rhw_triangle_flag {
     // A Bresenham line: the line from vertex 0 to vertex 2 is drawn, and not the area that the triangle covers.
     RHW_TRIANGLE_LINE = 128,
     RHW_TRIANGLE_CONSERVATIVE = 256, // the pixels that the triangle touches or contains are drawn
-    // A smooth line: a pixel shows as much of it as is covered by the rectangle of which the vertices are three corners.
+    // A smooth line: the vertices are three corners of a rectangle, which covers pixels in part.
     RHW_TRIANGLE_SMOOTH = 1024,
     RHW_TRIANGLE_STIPPLE = 512 // a line with a stipple: `phase` says where in the pattern it begins
 };

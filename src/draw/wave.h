@@ -28,7 +28,7 @@ struct rhw_worker {
 
 struct rhw_wave {
     struct rhw_recorded_pass *pass;
-    // This is the target of the pass. From the second wave on, attachments that exist in the tile alone have memory here.
+    // This is the target of the pass. From the second wave on, attachments that exist in tiles alone have memory here.
     struct rhw_target target;
     // The first wave of the pass has the load operations, and the last wave has the store operations.
     bool is_first, is_last;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The draw's vertex indices become slots: each vertex that its primitives name gets the next one when it is first
+// named. The vertices of all slots are shaded once.
 #include "effect_vertices.h"
 
 #include <limits.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The lengths of lines are measured in integers, so that a phase does not depend on the instruction set.
 #include "strip_stipple.h"
 
 #include <string.h>
