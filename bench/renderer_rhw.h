@@ -7,7 +7,7 @@
 #include "bench_scene.h"
 #include "rhw/rhw.h"
 #include "draw/surface.h"
-#include "draw/target.h"
+#include "draw/render_target.h"
 
 enum { BENCH_FILTERS = BENCH_COMPARE + 1 };
 

@@ -11,7 +11,7 @@
 #include "panorama.h"
 #include "shadow.h"
 #include "surface.h"
-#include "target.h"
+#include "render_target.h"
 
 enum { TARGET_COUNT = SCENE_DATA_OUTPUTS + 5 };
 

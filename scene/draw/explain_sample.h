@@ -5,7 +5,7 @@
 #define SCENE_EXPLAIN_H
 
 #include "rhw/rhw.h"
-#include "draw/shading/shaders.h"
+#include "draw/shading/scene_shaders.h"
 
 enum { SCENE_DRAWN_BACKGROUND = -1, SCENE_DRAWN_GROUND = -2 };
 

@@ -4,9 +4,9 @@
 #ifndef SCENE_GUIDE_H
 #define SCENE_GUIDE_H
 
-#include "draw/shading/shaders.h"
+#include "draw/shading/scene_shaders.h"
 #include "surface.h"
-#include "target.h"
+#include "render_target.h"
 #include "scene_view.h"
 
 /// Zeroed: none.

@@ -4,7 +4,7 @@
 #define SCENE_LIGHT_H
 
 #include "draw/camera/camera.h"
-#include "draw/shading/shaders.h"
+#include "draw/shading/scene_shaders.h"
 
 struct scene_lighting {
     uint32_t count;

@@ -6,7 +6,7 @@
 
 #include "model.h"
 #include "rhw/rhw.h"
-#include "draw/shading/shaders.h"
+#include "draw/shading/scene_shaders.h"
 #include "scene_view.h"
 
 /// Linear light, rows from straight up to straight down; the middle column looks along +X, the one a quarter further

@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "draw/camera/camera.h"
-#include "draw/shading/shaders.h"
+#include "draw/shading/scene_shaders.h"
 
 struct scene_panorama;
 

@@ -4,7 +4,7 @@
 #define SCENE_SCREEN_H
 
 #include "rhw/rhw.h"
-#include "draw/shading/shaders.h"
+#include "draw/shading/scene_shaders.h"
 
 /// Records it; color 0 alone is written. `uniforms` are those of `kind`.
 enum rhw_result scene_screen_record(rhw_context *context, rhw_pass pass, enum scene_screen_kind kind,

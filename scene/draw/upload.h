@@ -6,7 +6,7 @@
 
 #include "model.h"
 #include "rhw/rhw.h"
-#include "draw/shading/shaders.h"
+#include "draw/shading/scene_shaders.h"
 #include "upload_image.h"
 
 enum { SCENE_MESH_ATTRIBUTES = 6 };

@@ -19,8 +19,8 @@ static bool drops_late(const struct rhw_pipeline_def *def)
     return def->program.uses & (RHW_USE_DISCARD | RHW_USE_DEPTH) || masks_samples(def);
 }
 
-// Whether depth is tested after it: for that reason, since the function has effects for fragments that fail too, or reads
-// what depth was before.
+// Whether depth is tested after it: for that reason, since the function has effects for fragments that fail too, or
+// reads what depth was before.
 static bool tests_late(const struct rhw_pipeline_def *def)
 {
     return !def->program.early_fragment_tests &&
@@ -77,14 +77,14 @@ static enum rhw_depth_mode choose_depth_mode(const struct rhw_pipeline_def *def,
                                              enum rhw_shading shading)
 {
     const uint32_t uses = def->program.uses;
-    if (!def->depth_test && !depth_stencil->is_full) {
+    if (!def->depth_test && !depth_stencil->needs_stencil_test) {
         return RHW_DEPTH_NONE;
     }
     if (shading == RHW_SHADING_NONE || !tests_late(def)) {
         return RHW_DEPTH_EARLY;
     }
-    // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile. How many do
-    // so now depends on the path: what is counted is tested once.
+    // A fragment that fails an ordering test now fails it later too, as depth only moves that way meanwhile. How many
+    // do so now depends on the path: what is counted is tested once.
     const bool can_reject = !(uses & (RHW_USE_DEPTH | RHW_USE_EFFECTS | RHW_USE_TEST_INPUT)) &&
                             direction_of(def->depth_compare) != 0 && !depth_stencil->tests_stencil &&
                             !depth_stencil->tests_bounds && !depth_stencil->counts;
@@ -122,14 +122,32 @@ static void plan_rules(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
     }
 }
 
-// Whether a draw does no more than to change stencil by what the depth test says.
-static bool settles_blocks(const struct rhw_draw_plan *plan, const struct rhw_pipeline_def *def,
-                           const struct rhw_depth_stencil_state *depth_stencil)
+// Returns true if a draw does no more than to change stencil by what the depth test says.
+static bool tests_whole_blocks(const struct rhw_draw_plan *plan, const struct rhw_pipeline_def *def,
+                               const struct rhw_depth_stencil_state *depth_stencil)
 {
     return depth_stencil->tests_stencil && depth_stencil->face[0].compare == RHW_COMPARE_ALWAYS &&
            depth_stencil->face[1].compare == RHW_COMPARE_ALWAYS && !depth_stencil->tests_bounds &&
            !depth_stencil->counts_by_test && def->depth_test && direction_of(def->depth_compare) != 0 &&
            !plan->moves_depth && plan->shading == RHW_SHADING_NONE && plan->early.open == RHW_OPEN_IGNORED;
+}
+
+static enum rhw_fragment_test choose_test(const struct rhw_draw_plan *plan,
+                                          const struct rhw_pipeline_def *def,
+                                          const struct rhw_depth_stencil_state *depth_stencil, int samples,
+                                          enum rhw_paths paths)
+{
+    if (!depth_stencil->needs_stencil_test) {
+        return RHW_TEST_DEPTH;
+    }
+    if (paths == RHW_PATHS_GENERAL || !plan->tests_early || depth_stencil->tests_bounds ||
+        plan->early.open != RHW_OPEN_IGNORED) {
+        return RHW_TEST_STENCIL;
+    }
+    if (samples == 1 && tests_whole_blocks(plan, def, depth_stencil)) {
+        return RHW_TEST_WHOLE_BLOCKS;
+    }
+    return samples == 1 && depth_stencil->rejects_by_stencil ? RHW_TEST_STENCIL_FIRST : RHW_TEST_MASKS;
 }
 
 static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def *def,
@@ -138,17 +156,13 @@ static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def
 {
     const enum rhw_compare compare = def->depth_compare;
     const bool general = paths == RHW_PATHS_GENERAL;
-    plan->is_full = depth_stencil->is_full;
     plan->is_biased = depth_stencil->is_biased;
     plan->moves_depth = def->depth_test && !def->depth_read_only;
     plan->depth_mode = choose_depth_mode(def, depth_stencil, plan->shading);
     plan_rules(plan, def, phase);
-    plan->early_name = general || plan->is_full ? RHW_RULE_ANY : name_of(plan->early);
     plan->tests_early = plan->depth_mode == RHW_DEPTH_EARLY || plan->depth_mode == RHW_DEPTH_EARLY_REJECT;
-    plan->tests_masks = !general && plan->is_full && plan->tests_early && !depth_stencil->tests_bounds &&
-                        plan->early.open == RHW_OPEN_IGNORED;
-    plan->tests_stencil_first = plan->tests_masks && samples == 1 && depth_stencil->rejects_by_stencil;
-    plan->settles_blocks = !general && samples == 1 && settles_blocks(plan, def, depth_stencil);
+    plan->test = choose_test(plan, def, depth_stencil, samples, paths);
+    plan->early_name = general || plan->test != RHW_TEST_DEPTH ? RHW_RULE_ANY : name_of(plan->early);
     // What lies behind a bound may still round to it, or change the stencil.
     const bool can_be_bounded = depth_stencil->rejects_early && depth_stencil->depth_steps == 0;
     plan->depth_direction = def->depth_test && !general && can_be_bounded ? direction_of(compare) : 0;
@@ -165,13 +179,32 @@ static bool weighs_alpha(const struct rhw_pipeline_data *pipeline)
             !rhw_format_is_integer(rhw_format_info(pipeline->def.targets[0].format)));
 }
 
+// Sets the special paths that the draw has. Where pixels have several samples, groups of small triangles are no rows,
+// and open pixels are not kept by sample. A triangle whose depth is biased, or that nothing shades, is not drawn as a
+// tiny one where pixels have one sample.
+static void plan_paths(struct rhw_draw_plan *plan, enum rhw_phase phase, int samples)
+{
+    const bool is_forward = phase != RHW_PHASE_BACKWARDS;
+    plan->draws_spans = samples == 1;
+    if (plan->test != RHW_TEST_DEPTH || plan->shading == RHW_SHADING_CONSTANT) {
+        return;
+    }
+    if (samples == 1) {
+        plan->draws_small = true;
+        plan->draws_tiny = is_forward && plan->shading != RHW_SHADING_NONE && !plan->is_biased;
+    } else {
+        plan->draws_small = is_forward && plan->shading != RHW_SHADING_ROWS;
+        plan->draws_tiny = plan->draws_small && !plan->is_biased;
+    }
+}
+
 static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
                                     const struct rhw_depth_stencil_state *depth_stencil, enum rhw_phase phase,
                                     int samples, enum rhw_paths paths)
 {
     const uint32_t uses = pipeline->def.program.uses;
     const bool reads_targets = uses & RHW_USE_TARGET_INPUT;
-    // Whose groups are rows.
+    // Their groups are rows.
     paths = reads_targets || uses & RHW_USE_FULLY_COVERED || pipeline->is_smooth ? RHW_PATHS_GENERAL : paths;
     struct rhw_draw_plan plan = {.reads_targets = reads_targets,
                                  .shading = choose_shading(pipeline, phase, samples, paths),
@@ -189,18 +222,8 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
     const bool screen = pipeline->any_noperspective || uses & (RHW_USE_BARYCENTRIC | RHW_USE_POINT_COORD);
     plan.needs_screen = plan.shading == RHW_SHADING_ROWS || (plan.shading == RHW_SHADING_ANY && screen);
     plan.needs_distance = shades && (pipeline->any_derivatives || uses & RHW_USE_BARYCENTRIC_DERIVATIVES);
-    if (paths != RHW_PATHS_GENERAL && samples == 1 && !plan.is_skipped) {
-        const uint16_t small = plan.shading == RHW_SHADING_CONSTANT || plan.is_full ? 0 : RHW_TRIANGLE_SMALL;
-        plan.small_flag = plan.is_biased ? 0 : small;
-        plan.biased_small_flag = plan.is_biased ? small : 0;
-        plan.span_flag = RHW_TRIANGLE_SMALL;
-        plan.speck_flag = shades && phase != RHW_PHASE_BACKWARDS ? plan.small_flag : 0;
-    }
-    const bool any_group = plan.shading == RHW_SHADING_SMOOTH || plan.shading == RHW_SHADING_ANY ||
-                           plan.shading == RHW_SHADING_NONE;
-    if (paths != RHW_PATHS_GENERAL && samples > 1 && !plan.is_skipped && phase != RHW_PHASE_BACKWARDS &&
-        any_group && !plan.is_full) {
-        plan.sampled_small_flag = RHW_TRIANGLE_SMALL;
+    if (paths != RHW_PATHS_GENERAL && !plan.is_skipped) {
+        plan_paths(&plan, phase, samples);
     }
     return plan;
 }

@@ -47,6 +47,15 @@ enum rhw_open_rule {
     RHW_OPEN_CLOSE  // as TRY; what passes closes its pixel
 };
 
+// How fragments are tested: each test is a special case of RHW_TEST_STENCIL, and from RHW_TEST_MASKS on of that one.
+enum rhw_fragment_test {
+    RHW_TEST_DEPTH, // depth alone, which is a float (kernels/depth/depth_test.h), or nothing
+    RHW_TEST_STENCIL, // the general stencil test: depth bounds, stencil and depth (kernels/depth/stencil_test.h)
+    RHW_TEST_MASKS, // stencil and depth by masks of a block, before shading (kernels/depth/block_test.h)
+    RHW_TEST_STENCIL_FIRST, // stencil before the triangle's depth is known, as most fragments fail there
+    RHW_TEST_WHOLE_BLOCKS // depth stays, and stencil follows the depth test alone (kernels/depth/depth_range.h)
+};
+
 struct rhw_depth_rule {
     enum rhw_compare compare;
     bool write;
@@ -65,20 +74,17 @@ enum rhw_rule_name {
     RHW_RULE_ANY
 };
 
-// Of a draw in one phase.
+// The plan of a draw in one phase.
 struct rhw_draw_plan {
     enum rhw_shading shading;
     enum rhw_depth_mode depth_mode;
     struct rhw_depth_rule early, late; // before and after the fragment function
     enum rhw_rule_name early_name;
-    enum rhw_sampling sampling; // of a multisampled pass; CENTER in others
+    enum rhw_sampling sampling; // CENTER where pixels have one sample
     bool reads_targets;         // before the fragment function (kernels/fragment/target_input.h)
     bool weighs_alpha;          // after the fragment function: by the area that a smooth line covers
     bool masks_samples;         // after the fragment function: by alpha, or the function itself
-    bool is_full;               // tests are full ones (kernels/depth/stencil_test.h)
-    bool tests_masks;           // full, but of stencil and depth alone, in order (kernels/depth/block_test.h)
-    bool tests_stencil_first;   // and stencil before anything is asked about depth
-    bool settles_blocks; // full, but depth stays and stencil follows the depth test alone (kernels/depth/depth_range.h)
+    enum rhw_fragment_test test;
     bool is_biased;      // depth is
     bool tests_early;    // with `early`
     bool needs_depth;    // depth is tested, or given to the fragment function
@@ -87,11 +93,10 @@ struct rhw_draw_plan {
     bool needs_screen;   // weights on the screen are wanted
     bool needs_distance; // derivatives that change from pixel to pixel are wanted
     bool is_skipped;     // nothing is drawn in this phase
-    // RHW_TRIANGLE_SMALL where small triangles have a path of their own (kernels/tile/triangle_small.h), and where
-    // those that do not take it are covered by spans; else 0. What is biased is looked at one by one.
-    uint16_t small_flag, biased_small_flag, span_flag;
-    uint16_t speck_flag;         // the same for kernels/tile/triangle_specks.h
-    uint16_t sampled_small_flag; // the same for kernels/tile/triangle_small_samples.h, in multisampled passes
+    // Which special paths the draw has (kernels/tile/triangle_path.h chooses among them).
+    bool draws_tiny;  // the path of tiny triangles
+    bool draws_small; // the path of small triangles
+    bool draws_spans; // the path of the other small triangles, where a pixel has one sample
     // Which way the test lets depth move, for hierarchical depth: 1 where it only falls (LESS), −1 where it only rises,
     // 0 where neither is sure or hierarchical depth is not used.
     int depth_direction;

@@ -17,7 +17,8 @@ enum rhw_hidden_surface {
 // How draws may be drawn together: those that follow each other and have the same rule.
 struct rhw_hidden_rule {
     enum rhw_hidden_surface kind;
-    enum rhw_compare compare; // of depth where it is drawn first; RHW_COMPARE_NEVER for the other kinds
+    enum rhw_compare
+        compare; // the depth test's where depth is drawn first; RHW_COMPARE_NEVER for the other kinds
 };
 
 static inline bool rhw_hidden_rule_equal(struct rhw_hidden_rule a, struct rhw_hidden_rule b)

@@ -8,7 +8,7 @@
 
 struct rhw_geometry_scratch;
 struct rhw_tile_scratch;
-struct rhw_sample_plane;
+struct rhw_sample_tile;
 
 struct rhw_counters {
     uint64_t fragments, groups;
@@ -22,8 +22,8 @@ struct rhw_worker {
     struct rhw_counters counters;
     struct rhw_geometry_scratch *geometry;
     struct rhw_tile_scratch *tile;
-    struct rhw_sample_plane *planes; // planes of all samples but the first, as many as any pass has needed
-    int plane_count;
+    struct rhw_sample_tile *sample_tiles; // tiles of all samples but the first, as many as any pass has needed
+    int sample_tile_count;
 };
 
 struct rhw_wave {

@@ -20,8 +20,8 @@ enum {
     RHW_DEPTH_FIRST_TRIANGLES = 32768,
     // Triangles whose fragments may wait in the partial group at once: 7 that wait, and the one that adds.
     RHW_PACKED_TRIANGLES = 8,
-    // Fragments of one triangle that are gathered before groups are made of them: those of two blocks.
-    RHW_GATHERED_FRAGMENTS = 128
+    // Fragments of one triangle that are collected before groups are made of them: those of two blocks.
+    RHW_COLLECTED_FRAGMENTS = 128
 };
 
 // The fragment queue: groups of 8 fragments of one draw that wait to be shaded with one call (fragment/queue.h). A
@@ -49,12 +49,12 @@ struct fragment_queue {
     f32x8 coverage[RHW_FRAGMENT_GROUPS];
 };
 
-// Texels of the fragments of the triangle under way that are in no group yet (fragment/gather.h).
-struct gathered_fragments {
+// Texels of the fragments of the triangle under way that are in no group yet (fragment/collect.h).
+struct collected_fragments {
     // There is room for a vector that begins at the last texel. Vectors of a group lie in one cache line each.
-    _Alignas(32) int32_t texel[RHW_GATHERED_FRAGMENTS + 8];
+    _Alignas(32) int32_t texel[RHW_COLLECTED_FRAGMENTS + 8];
     // The samples of each fragment. Multisampled passes have them.
-    int32_t samples[RHW_GATHERED_FRAGMENTS + 8];
+    int32_t samples[RHW_COLLECTED_FRAGMENTS + 8];
     // For each number of 8 bits, the bits that are set, in order. Lanes of any number stand behind them.
     uint8_t set_lanes[256][8];
     // The fragments from `first` on, below `count`, are left.
@@ -106,7 +106,7 @@ struct rhw_tile_scratch {
     uint8_t seen[RHW_DEPTH_FIRST_TRIANGLES / 8];
     struct bin bins[RHW_WAVE_CHUNKS]; // bins of the tile that are not empty
     struct fragment_queue queue;
-    struct gathered_fragments gathered;
+    struct collected_fragments collected;
     struct partial_group partial;
     // 8 texels of each RGBA8 target that is replaced; see constant_color.h.
     i32x8 constant[RHW_MAX_COLOR_ATTACHMENTS];
@@ -115,18 +115,18 @@ struct rhw_tile_scratch {
     uint64_t expanded;
     // The expanded samples of a pixel stand side by side (fragment/woven.h).
     bool is_woven;
-    struct rhw_sample_plane *planes; // planes of the samples after the first
+    struct rhw_sample_tile *sample_tiles; // planes of the samples after the first
 };
 
 // The tile in one sample of each pixel.
-struct rhw_sample_plane {
+struct rhw_sample_tile {
     _Alignas(64) unsigned char color[RHW_MAX_COLOR_ATTACHMENTS][RHW_TILE * RHW_TILE * 16];
     struct tile_depth depth;
 };
 
-static inline unsigned char *color_plane(struct rhw_tile_scratch *scratch, int target, int sample)
+static inline unsigned char *color_of_sample(struct rhw_tile_scratch *scratch, int target, int sample)
 {
-    return sample == 0 ? scratch->color[target] : scratch->planes[sample - 1].color[target];
+    return sample == 0 ? scratch->color[target] : scratch->sample_tiles[sample - 1].color[target];
 }
 
 enum { WOVEN_SAMPLES = 4, WOVEN_SIZE = 4 }; // samples of a pixel, and bytes of each
@@ -134,12 +134,12 @@ enum { WOVEN_SAMPLES = 4, WOVEN_SIZE = 4 }; // samples of a pixel, and bytes of 
 // Return the samples of a texel where they are woven. They take the room of the second sample's plane.
 static inline unsigned char *woven_pixel(struct rhw_tile_scratch *scratch, int target, int texel)
 {
-    return scratch->planes->color[target] + (size_t)texel * (WOVEN_SAMPLES * WOVEN_SIZE);
+    return scratch->sample_tiles->color[target] + (size_t)texel * (WOVEN_SAMPLES * WOVEN_SIZE);
 }
 
-static inline struct tile_depth *depth_plane(struct rhw_tile_scratch *scratch, int sample)
+static inline struct tile_depth *depth_of_sample(struct rhw_tile_scratch *scratch, int sample)
 {
-    return sample == 0 ? &scratch->depth : &scratch->planes[sample - 1].depth;
+    return sample == 0 ? &scratch->depth : &scratch->sample_tiles[sample - 1].depth;
 }
 
 // The samples of a pixel of a cell (tile/sample_cells.h). Pixels are counted from the centre of the cell's first pixel,

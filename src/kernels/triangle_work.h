@@ -7,9 +7,11 @@
 #include "kernels/raster/plane.h"
 
 struct clipped_planes;
+struct rhw_chunk;
 struct triangle_setup8;
 
 struct triangle_work {
+    const struct rhw_chunk *chunk;
     const struct rhw_segment *segment;
     const struct rhw_triangle *t;
     const struct triangle_setup8 *setup; // what was made of it and of 7 others

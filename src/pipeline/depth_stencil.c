@@ -77,7 +77,7 @@ void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct 
     state->kept_above = kept_above(state->depth_steps);
     state->counts = setting->counts;
     state->counts_by_test = state->counts && counts_by_test(def, setting->many_samples);
-    state->is_full =
+    state->needs_stencil_test =
         state->tests_stencil || state->tests_bounds || state->depth_steps != 0 || state->counts_by_test;
     state->face[0] = rule_of(&def->stencil_front, def->stencil_test, setting->reference[0]);
     state->face[1] = rule_of(&def->stencil_back, def->stencil_test, setting->reference[1]);

@@ -18,9 +18,9 @@ struct rhw_stencil_rule {
 };
 
 struct rhw_depth_stencil_state {
-    // The draw needs the full test: it tests stencil or depth bounds, its depth has other steps than a float's, or what
-    // passes is counted by it.
-    bool is_full;
+    // The draw needs the stencil test of kernels/depth/stencil_test.h: it tests stencil or depth bounds, its depth
+    // has other steps than a float's, or what passes is counted by it.
+    bool needs_stencil_test;
     bool tests_stencil, tests_bounds;
     bool rejects_early;              // fragments that fail the depth test change nothing
     struct rhw_stencil_rule face[2]; // front and back

@@ -64,28 +64,30 @@ static void init_tile_scratch(struct rhw_tile_scratch *scratch)
     for (int bits = 0; bits < 256; bits++) {
         int count = 0;
         for (int lane = 0; lane < 8; lane++) {
-            scratch->gathered.set_lanes[bits][count] = (uint8_t)lane;
+            scratch->collected.set_lanes[bits][count] = (uint8_t)lane;
             count += bits >> lane & 1;
         }
     }
 }
 
-// Give the worker memory for all samples of a tile but the first. The planes that a pass does not draw into are never
+// Give the worker memory for all samples of a tile but the first. Memory that a pass does not draw into is never
 // touched. Return false when out of memory.
 static bool planes_ready(const struct rhw_executor *executor, struct rhw_worker *worker)
 {
     struct rhw_memory *const memory = &executor->context->memory;
     const int wanted = executor->wave.target.pattern->count - 1;
-    if (worker->plane_count < wanted) {
-        rhw_memory_release(memory, worker->planes, (size_t)worker->plane_count * sizeof *worker->planes);
-        worker->plane_count = 0;
-        worker->planes = rhw_memory_allocate_zeroed(memory, (size_t)wanted * sizeof *worker->planes, 4096);
-        if (!worker->planes) {
+    if (worker->sample_tile_count < wanted) {
+        rhw_memory_release(memory, worker->sample_tiles,
+                           (size_t)worker->sample_tile_count * sizeof *worker->sample_tiles);
+        worker->sample_tile_count = 0;
+        worker->sample_tiles =
+            rhw_memory_allocate_zeroed(memory, (size_t)wanted * sizeof *worker->sample_tiles, 4096);
+        if (!worker->sample_tiles) {
             return false;
         }
-        worker->plane_count = wanted;
+        worker->sample_tile_count = wanted;
     }
-    worker->tile->planes = worker->planes;
+    worker->tile->sample_tiles = worker->sample_tiles;
     return true;
 }
 
@@ -169,7 +171,8 @@ static void release_worker(struct rhw_memory *memory, struct rhw_worker *worker)
     rhw_arena_destroy(&worker->arena);
     rhw_memory_release(memory, worker->geometry, sizeof *worker->geometry);
     rhw_memory_release(memory, worker->tile, sizeof *worker->tile);
-    rhw_memory_release(memory, worker->planes, (size_t)worker->plane_count * sizeof *worker->planes);
+    rhw_memory_release(memory, worker->sample_tiles,
+                       (size_t)worker->sample_tile_count * sizeof *worker->sample_tiles);
 }
 
 static void release_transient(struct rhw_memory *memory, struct transient *transient)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Kernel checks of src/kernels/tile.c: whole draws, of every shading and depth rule, into a tile. The picture of all
-// special paths (small triangles, spans, whole tiles, gathered and packed fragments, two phases, hierarchical depth) is
+// special paths (small triangles, spans, whole tiles, collected and packed fragments, two phases, hierarchical depth) is
 // that of the general path. Compiled with RHW_ISA_SUFFIX = baseline, avx2, ...
 #include "draw_scene.h"
 

@@ -128,7 +128,7 @@ static void start_scene(struct scene *scene)
     for (int bits = 0; bits < 256; bits++) {
         int count = 0;
         for (int lane = 0; lane < 8; lane++) {
-            scene->tile.gathered.set_lanes[bits][count] = (uint8_t)lane;
+            scene->tile.collected.set_lanes[bits][count] = (uint8_t)lane;
             count += bits >> lane & 1;
         }
     }

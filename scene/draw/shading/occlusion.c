@@ -9,7 +9,7 @@
 // surface's own plane is no horizon of it, although it may be sampled a little beside the direction asked for; and two
 // directions may see more than 1, of which the other pixels take their part.
 #include "rhw/shader.h"
-#include "shaders.h"
+#include "scene_shaders.h"
 
 #define ALWAYS_INLINE static inline __attribute__((always_inline))
 

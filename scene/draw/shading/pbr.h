@@ -10,7 +10,7 @@
 #define SCENE_SHADERS_PBR_H
 
 #include "rhw/shader.h"
-#include "shaders.h"
+#include "scene_shaders.h"
 
 static const float scene_inverse_pi = 0.31830988618f;
 

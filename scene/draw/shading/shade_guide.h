@@ -4,7 +4,7 @@
 #define SCENE_SHADERS_GUIDE_H
 
 #include "rhw/shader.h"
-#include "shaders.h"
+#include "scene_shaders.h"
 
 /// How open the surroundings are at pixel coordinates of the picture, 0..1: the four texels around, the nearer their
 /// distance is to `distance` the more they count, so that a surface takes nothing from what stands before or behind it.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A panorama becomes a cube whose levels show it as rougher and rougher surfaces mirror it; and it is the background.
 #include "rhw/shader.h"
-#include "shaders.h"
+#include "scene_shaders.h"
 #include "tone.h"
 
 #define ALWAYS_INLINE static inline __attribute__((always_inline))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The built-in shaders that cover the whole picture: the background and the resolve of samples to pixels.
 #include "rhw/shader.h"
-#include "shaders.h"
+#include "scene_shaders.h"
 
 #include <string.h>
 

@@ -20,7 +20,7 @@
 #define SCENE_SHADERS_SHADOW_H
 
 #include "rhw/shader.h"
-#include "shaders.h"
+#include "scene_shaders.h"
 
 // Where a first look finds a penumbra, and where that is wide, as many more as SCENE_SHADOW_MORE and SCENE_SHADOW_FINE.
 enum { SCENE_SHADOW_SEARCHES = 12, SCENE_SHADOW_MORE = 24, SCENE_SHADOW_TAPS = 20, SCENE_SHADOW_FINE = 44 };

@@ -4,7 +4,7 @@
 #define SCENE_SHADERS_TONE_H
 
 #include "rhw/shader.h"
-#include "shaders.h"
+#include "scene_shaders.h"
 
 /// Khronos PBR Neutral (its specification, 2024): the identity for what is not bright, less the 4% that a
 /// dielectric mirrors; highlights are compressed towards white.

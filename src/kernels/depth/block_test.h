@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The full test of a block of 8×8 pixels by masks, a bit for each pixel: stencil and depth are compared row by row, and what
-// follows is done to all of the block at once. It serves where no depth has to be rounded to its steps: where depth is a
-// float, and of 24 bits depths above 1/2: the farther half, which perspective puts nearly everything into where depth is not
-// reversed. A fifth of the instructions of shadow_volumes.
+// The stencil test of a block of 8×8 pixels by masks, a bit for each pixel: stencil and depth are compared row by
+// row, and what follows is done to all of the block at once. It serves where no depth has to be rounded to its steps:
+// where depth is a float, and of 24 bits depths above 1/2: the farther half, which perspective puts nearly everything
+// into where depth is not reversed. A fifth of the instructions of shadow_volumes.
 #ifndef RHW_BLOCK_TEST_H
 #define RHW_BLOCK_TEST_H
 
@@ -76,8 +76,8 @@ RHW_INLINE uint64_t compare_depth_rows(const float *texels, const f32x8 z[RHW_BL
     return i32x8_sign_bits_of_rows(pass);
 }
 
-// The pixels that pass the depth test, whose depth is changed to that of the fragments where it is written. The usual rules
-// are constants of loops of their own.
+// The pixels that pass the depth test, whose depth is changed to that of the fragments where it is written. The usual
+// rules are constants of loops of their own.
 RHW_INLINE uint64_t test_depth_rows(const struct block_pixels *block, const struct rhw_depth_rule rule)
 {
     const float *const texels = depth_texels(block->depth, block->x, block->y);
@@ -92,9 +92,9 @@ RHW_INLINE uint64_t test_depth_rows(const struct block_pixels *block, const stru
     }
 }
 
-// Tests the pixels of a block before shading, where rounding keeps its depths and nothing but stencil and depth is tested;
-// `face`: 0 for the front. `stencil_is_tested`: they have passed that test. No depth has to be held to 1: those of a triangle
-// that may leave the viewport's range have been held to it (depth_rows).
+// Tests the pixels of a block before shading, where rounding keeps its depths and nothing but stencil and depth is
+// tested; `face`: 0 for the front. `stencil_is_tested`: they have passed that test. No depth has to be held to 1:
+// those of a triangle that may leave the viewport's range have been held to it (depth_rows).
 static __attribute__((noinline)) uint64_t test_block_masks(const struct block_pixels *block,
                                                            const struct rhw_depth_rule rule, int face,
                                                            bool stencil_is_tested)
@@ -121,12 +121,13 @@ static __attribute__((noinline)) uint64_t test_block_masks(const struct block_pi
 }
 
 // Tests the pixels of a block before shading on the way that is open to them.
-RHW_INLINE uint64_t test_full_early(const struct block_pixels *block, const struct rhw_draw_plan *plan,
-                                    int face, bool stencil_is_tested)
+RHW_INLINE uint64_t test_block_early_stencil(const struct block_pixels *block,
+                                             const struct rhw_draw_plan *plan, int face,
+                                             bool stencil_is_tested)
 {
-    return plan->tests_masks && keeps_depths(block->depth->state, block->z)
+    return plan->test >= RHW_TEST_MASKS && keeps_depths(block->depth->state, block->z)
                ? test_block_masks(block, plan->early, face, stencil_is_tested)
-               : test_block_full(block, plan->early, face);
+               : test_block_stencil(block, plan->early, face);
 }
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Draws that leave depth as it is and change stencil by whether fragments pass the depth test, as shadow volumes do: of
-// every block of 8×8 pixels the tile knows the least and the largest depth, and where all of a plane in it passes, or all
-// of it fails, no pixel is tested. Where KEEP is what follows nothing is done at all: a fifth of the instructions of
-// shadow_volumes.
+// Draws that leave depth as it is and change stencil by whether fragments pass the depth test, as shadow volumes do:
+// of every block of 8×8 pixels the tile knows the least and the largest depth, and where all of a plane in it passes,
+// or all of it fails, no pixel is tested. Where KEEP is what follows nothing is done at all: a fifth of the
+// instructions of shadow_volumes.
 #ifndef RHW_DEPTH_RANGE_H
 #define RHW_DEPTH_RANGE_H
 
@@ -44,19 +44,19 @@ static __attribute__((noinline)) void ranges_refresh(struct tile_depth *depth)
 }
 
 // Of the tile's blocks, row by row, a bit for each whose fragments all pass the depth test, and all fail it.
-struct settled_blocks {
+struct decided_blocks {
     uint64_t passed, failed;
 };
 
-// Those of a plane of depth, in rows of which a block is `wanted`; (anchor_x, anchor_y): the anchor in the tile. `clamps`:
-// depth is kept within the viewport's range.
-RHW_INLINE struct settled_blocks settle_blocks(const struct tile_depth *depth, enum rhw_compare compare,
+// Returns the decided blocks of a plane of depth, in rows of which a block is `wanted`; (anchor_x, anchor_y): the
+// anchor in the tile. `clamps`: depth is kept within the viewport's range.
+RHW_INLINE struct decided_blocks decide_blocks(const struct tile_depth *depth, enum rhw_compare compare,
                                                struct plane z, int anchor_x, int anchor_y, bool clamps,
                                                uint64_t wanted)
 {
     const bool is_less = compare == RHW_COMPARE_LESS || compare == RHW_COMPARE_LESS_EQUAL;
     const float margin =
-        2 * depth->state->depth_margin; // which rounding does not cross; 0 where depth is a float
+        2 * depth->state->depth_margin; // rounding does not cross it; 0 where depth is a float
     const int first_x = z.dx < 0 ? RHW_BLOCK - 1 : 0, first_y = z.dy < 0 ? RHW_BLOCK - 1 : 0;
     const i32x8 blocks = rhw_lane_index * RHW_BLOCK;
     const i32x8 column = blocks + (first_x - anchor_x), row = blocks + (first_y - anchor_y);
@@ -86,7 +86,7 @@ RHW_INLINE struct settled_blocks settle_blocks(const struct tile_depth *depth, e
         below |= (uint64_t)i32x8_sign_bits(nearer) << (HIZ_BLOCKS * y);
         above |= (uint64_t)i32x8_sign_bits(farther) << (HIZ_BLOCKS * y);
     }
-    return is_less ? (struct settled_blocks){below, above} : (struct settled_blocks){above, below};
+    return is_less ? (struct decided_blocks){below, above} : (struct decided_blocks){above, below};
 }
 
 #endif

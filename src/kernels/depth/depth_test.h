@@ -94,7 +94,7 @@ enum block_mask { MASK_PART, MASK_WHOLE }; // whole: every pixel is set
 // Pixels of the block at (x, y): those that are set in `mask`, whose depths are `z`.
 struct block_pixels {
     struct tile_depth *depth;
-    const f32x8 *z; // of its rows
+    const f32x8 *z; // row by row
     int x, y;
     uint64_t mask;
 };
@@ -141,8 +141,8 @@ RHW_INLINE uint64_t test_early(const struct rhw_draw_plan *plan, early_test_func
 }
 
 // Tests the pixels of the block at (x, y) that are set in `mask`, whose depths are `z`, before shading.
-static uint64_t test_block_early(struct tile_depth *depth, const f32x8 z[RHW_BLOCK], int x, int y,
-                                 uint64_t mask, const struct rhw_draw_plan *plan)
+RHW_INLINE uint64_t test_block_early(struct tile_depth *depth, const f32x8 z[RHW_BLOCK], int x, int y,
+                                     uint64_t mask, const struct rhw_draw_plan *plan)
 {
     const struct block_pixels block = {depth, z, x, y, mask};
     return test_early(plan, test_block, &block);

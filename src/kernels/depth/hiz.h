@@ -38,13 +38,13 @@ static bool hiz_follow(struct tile_depth *depth, const struct rhw_draw_plan *pla
     return plan->tests_early && direction != 0 && direction == depth->direction;
 }
 
-// The farthest depth, times `direction`, in each of the 8 blocks side by side at row y of a plane. What lies outside of the
-// target may make a bound worse, but not wrong; NaN passes no ordering test and bounds nothing.
-RHW_INLINE f32x8 hiz_farthest(struct tile_depth *plane, f32x8 direction, int y)
+// The farthest depth, times `direction`, in each of the 8 blocks side by side at row y of a sample. What lies outside
+// of the target may make a bound worse, but not wrong; NaN passes no ordering test and bounds nothing.
+RHW_INLINE f32x8 hiz_farthest(struct tile_depth *depth, f32x8 direction, int y)
 {
     f32x8 most[HIZ_BLOCKS];
     for (int x = 0; x < HIZ_BLOCKS; x++) {
-        const float *texels = depth_texels(plane, x * RHW_BLOCK, y);
+        const float *texels = depth_texels(depth, x * RHW_BLOCK, y);
         most[x] = f32x8_splat(-INFINITY);
         for (int row = 0; row < RHW_BLOCK; row++) {
             most[x] = f32x8_max(f32x8_load(texels) * direction, most[x]); // the second where one is NaN
@@ -59,14 +59,14 @@ RHW_INLINE f32x8 hiz_farthest(struct tile_depth *plane, f32x8 direction, int y)
 }
 
 // Looks anew at the tile's depth in the first `count` samples of its pixels; the bounds are kept with the first.
-static void hiz_refresh(struct tile_depth *const *plane, int count)
+static void hiz_refresh(struct tile_depth *const *sample, int count)
 {
-    struct tile_depth *const first = plane[0];
+    struct tile_depth *const first = sample[0];
     const f32x8 direction = f32x8_splat((float)first->direction);
     for (int y = 0; y < RHW_TILE; y += RHW_BLOCK) {
         f32x8 most = hiz_farthest(first, direction, y);
         for (int s = 1; s < count; s++) {
-            most = f32x8_max(hiz_farthest(plane[s], direction, y), most);
+            most = f32x8_max(hiz_farthest(sample[s], direction, y), most);
         }
         f32x8_store(&first->bounds[y / RHW_BLOCK * HIZ_BLOCKS], most);
     }

@@ -8,8 +8,8 @@
 // first, a pixel is open from when the first phase writes it until its fragment is shaded; depth that was there before,
 // or that a fragment function which discards wrote, is nobody's to match.
 //
-// Drawn backwards, where no depth is tested and the last fragment is seen, a pixel is open until one claims it. To claim
-// a pixel is to take an open one and close it: of several fragments one alone gets it.
+// Drawn backwards, where no depth is tested and the last fragment is seen, a pixel is open until one claims it. To
+// claim a pixel is to take an open one and close it: of several fragments one alone gets it.
 //
 // A tile has a bit for each pixel: a word for each row of 64.
 #ifndef RHW_OPEN_PIXELS_H

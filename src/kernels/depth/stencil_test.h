@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The full test of a fragment: depth bounds, stencil and depth, in this order (Vulkan 1.3 §27.11 to §27.14), and depth in
-// steps of a UNORM format. Draws that need none of it take depth_test.h alone.
+// The stencil test of a fragment: depth bounds, stencil and depth, in this order (Vulkan 1.3 §27.11 to §27.14), and
+// depth in steps of a UNORM format. Draws that need none of it take depth_test.h alone.
 #ifndef RHW_STENCIL_TEST_H
 #define RHW_STENCIL_TEST_H
 
@@ -55,9 +55,9 @@ RHW_INLINE f32x8 round_depth(f32x8 z, double steps)
     return depth_from_steps(steps_of_depth(z, steps), steps);
 }
 
-// Tests the fragments of depth z in the lanes of `live` and changes what they change; gives the lanes that pass. Depth is
-// rounded to its steps, by a division in double, only where that decides: where it is near what the pixel has, or is
-// written. What is further away than the margin lies on the same side without.
+// Tests the fragments of depth z in the lanes of `live` and changes what they change; gives the lanes that pass.
+// Depth is rounded to its steps, by a division in double, only where that decides: where it is near what the pixel
+// has, or is written. What is further away than the margin lies on the same side without.
 RHW_INLINE i32x8 test_pixels(struct tested_pixels *pixels, const struct rhw_depth_stencil_state *state,
                              const struct rhw_stencil_rule *face, const struct rhw_depth_rule rule, f32x8 z,
                              i32x8 live, unsigned open)
@@ -101,10 +101,10 @@ RHW_INLINE void count_passed(struct tile_depth *depth, uint64_t passed)
 }
 
 // Tests the fragments of a row from (x, y) on; gives the lanes that pass.
-RHW_INLINE i32x8 test_row_full(struct tile_depth *depth, int x, int y,
-                               const struct rhw_depth_stencil_state *state,
-                               const struct rhw_stencil_rule *face, const struct rhw_depth_rule rule, f32x8 z,
-                               i32x8 live)
+RHW_INLINE i32x8 test_row_stencil(struct tile_depth *depth, int x, int y,
+                                  const struct rhw_depth_stencil_state *state,
+                                  const struct rhw_stencil_rule *face, const struct rhw_depth_rule rule,
+                                  f32x8 z, i32x8 live)
 {
     float *const texels = depth_texels(depth, x, y);
     uint8_t *const stencil = &depth->stencil[y * RHW_TILE + x];
@@ -121,8 +121,8 @@ RHW_INLINE i32x8 test_row_full(struct tile_depth *depth, int x, int y,
 }
 
 // Tests the pixels of a block before shading; `face`: 0 for the front.
-RHW_INLINE uint64_t test_rows_full(const struct block_pixels *block, const struct rhw_depth_rule rule,
-                                   int face)
+RHW_INLINE uint64_t test_rows_stencil(const struct block_pixels *block, const struct rhw_depth_rule rule,
+                                      int face)
 {
     struct tile_depth *const depth = block->depth;
     // Copies, which stay in registers: what rows write might else be these.
@@ -132,8 +132,8 @@ RHW_INLINE uint64_t test_rows_full(const struct block_pixels *block, const struc
     for (int row = 0; row < RHW_BLOCK; row++) {
         const unsigned bits = (unsigned)(block->mask >> (8 * row)) & 0xff;
         if (bits != 0) {
-            const i32x8 pass = test_row_full(depth, block->x, block->y + row, &state, &rules, rule,
-                                             block->z[row], i32x8_from_bits(bits));
+            const i32x8 pass = test_row_stencil(depth, block->x, block->y + row, &state, &rules, rule,
+                                                block->z[row], i32x8_from_bits(bits));
             passed |= (uint64_t)i32x8_sign_bits(pass) << (8 * row);
         }
     }
@@ -141,32 +141,32 @@ RHW_INLINE uint64_t test_rows_full(const struct block_pixels *block, const struc
     return settle_block(depth, block->x, block->y, passed, rule);
 }
 
-// The same, with the usual comparisons constants of the loop.
-static __attribute__((noinline)) uint64_t test_block_full(const struct block_pixels *block,
-                                                          const struct rhw_depth_rule rule, int face)
+// Tests the pixels of a block before shading by a loop in which the usual comparisons are constants.
+static __attribute__((noinline)) uint64_t test_block_stencil(const struct block_pixels *block,
+                                                             const struct rhw_depth_rule rule, int face)
 {
     struct rhw_depth_rule named = rule;
     switch (rule.compare) {
-    case RHW_COMPARE_LESS: named.compare = RHW_COMPARE_LESS; return test_rows_full(block, named, face);
-    case RHW_COMPARE_EQUAL: named.compare = RHW_COMPARE_EQUAL; return test_rows_full(block, named, face);
+    case RHW_COMPARE_LESS: named.compare = RHW_COMPARE_LESS; return test_rows_stencil(block, named, face);
+    case RHW_COMPARE_EQUAL: named.compare = RHW_COMPARE_EQUAL; return test_rows_stencil(block, named, face);
     case RHW_COMPARE_LESS_EQUAL:
         named.compare = RHW_COMPARE_LESS_EQUAL;
-        return test_rows_full(block, named, face);
-    default: return test_rows_full(block, rule, face);
+        return test_rows_stencil(block, named, face);
+    default: return test_rows_stencil(block, rule, face);
     }
 }
 
 // Tests the fragments of a row that are set in `bits` after shading; those of `back` face away.
-static __attribute__((noinline)) unsigned test_row_late_full(struct tile_depth *depth, int x, int y, f32x8 z,
-                                                             unsigned bits, unsigned back,
-                                                             const struct rhw_depth_rule rule)
+static __attribute__((noinline)) unsigned test_row_late_stencil(struct tile_depth *depth, int x, int y,
+                                                                f32x8 z, unsigned bits, unsigned back,
+                                                                const struct rhw_depth_rule rule)
 {
     i32x8 pass = i32x8_splat(0);
     for (int face = 0; face < 2; face++) {
         const unsigned facing = bits & (face == 0 ? ~back : back);
         if (facing != 0) {
-            pass |= test_row_full(depth, x, y, depth->state, &depth->state->face[face], rule, z,
-                                  i32x8_from_bits(facing));
+            pass |= test_row_stencil(depth, x, y, depth->state, &depth->state->face[face], rule, z,
+                                     i32x8_from_bits(facing));
         }
     }
     const unsigned passed = i32x8_sign_bits(pass);
@@ -177,11 +177,11 @@ static __attribute__((noinline)) unsigned test_row_late_full(struct tile_depth *
     return passed;
 }
 
-// The same for fragments of 8 texels that lie anywhere in the tile, no two of them on the same.
-static __attribute__((noinline)) unsigned test_texels_late_full(struct tile_depth *depth,
-                                                                const int32_t texel[8], f32x8 z,
-                                                                unsigned bits, unsigned back,
-                                                                const struct rhw_depth_rule rule)
+// Tests fragments of 8 texels after shading, which lie anywhere in the tile, no two of them on the same.
+static __attribute__((noinline)) unsigned test_texels_late_stencil(struct tile_depth *depth,
+                                                                   const int32_t texel[8], f32x8 z,
+                                                                   unsigned bits, unsigned back,
+                                                                   const struct rhw_depth_rule rule)
 {
     float depths[8];
     int32_t stencils[8];

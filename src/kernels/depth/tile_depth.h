@@ -10,14 +10,14 @@
 
 struct rhw_depth_stencil_state;
 
-enum { HIZ_BLOCKS = RHW_TILE / RHW_BLOCK }; // of a tile, each way
+enum { HIZ_BLOCKS = RHW_TILE / RHW_BLOCK }; // blocks of a tile, each way
 
 struct tile_depth {
     float texels[RHW_TILE * RHW_TILE];     // row by row
     float bounds[HIZ_BLOCKS * HIZ_BLOCKS]; // by block: see hiz.h
-    int direction; // which way depth moves, 1 down and −1 up; 0 where it may move both ways: no bounds
+    int direction; // the way in which depth moves, 1 down and −1 up; 0 where it may move both ways: no bounds
     float range_least[HIZ_BLOCKS * HIZ_BLOCKS], range_most[HIZ_BLOCKS * HIZ_BLOCKS]; // see depth_range.h
-    bool has_ranges;                                                                 // which hold
+    bool has_ranges;                                                                 // the ranges hold
     int unranged;            // triangles that could have used them
     uint64_t open[RHW_TILE]; // by row, a bit per pixel: see open_pixels.h
     int open_count;          // open pixels, drawn backwards

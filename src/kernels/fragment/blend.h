@@ -36,7 +36,7 @@ static inline void blend_rgba8_over(const struct rhw_blend_state *state, const f
     i32x8_store(texels, old ^ ((old ^ packed) & written));
 }
 
-// The same for RGBA8_SRGB in linear light, with the bytes of the general path.
+// Blends RGBA8_SRGB by the usual factors in linear light, with the bytes of the general path.
 static __attribute__((noinline)) void blend_srgb8_over(const struct rhw_blend_state *state,
                                                        const f32x8 *color, const i32x8 *mask,
                                                        unsigned char *texels)
@@ -102,7 +102,7 @@ static inline f32x8 any_blend_factor(const struct rhw_blend_state *state, enum r
     return rhw_splat(0.0f);
 }
 
-// The same as a target holds it: 1 less a negative value of an SNORM format is above 1 (Vulkan 1.3 §29.1).
+// Gives a blend factor as a target holds it: 1 less a negative value of an SNORM format is above 1 (Vulkan 1.3 §29.1).
 static inline f32x8 blend_factor(const struct rhw_blend_state *state, enum rhw_blend_factor factor,
                                  const f32x8 *src, const f32x8 dst[4], int i)
 {
@@ -184,8 +184,8 @@ static __attribute__((noinline)) void merge_bits(const struct rhw_blend_state *s
     }
 }
 
-// Serves any format and any blending; the write mask counts bits, so that what is kept stays as it was. It is not inline,
-// being large and seldom hot.
+// Serves any format and any blending; the write mask counts bits, so that what is kept stays as it was. It is not
+// inline, being large and seldom hot.
 static __attribute__((noinline)) void blend_general(const struct rhw_blend_state *state, const f32x8 *color,
                                                     const i32x8 *mask, unsigned char *texels)
 {
@@ -304,9 +304,9 @@ RHW_INLINE void scatter_sized(const int32_t at[8], unsigned bits, unsigned char 
     }
 }
 
-// Puts the texels of a scattered group side by side for blending, and back. The usual sizes are constants: 16 calls of
-// memcpy would take longer than the blending. Words are loaded into lanes: a vector that is read from where single words
-// were just written waits until all of these are in the cache, which took particles 11 % of their time.
+// Puts the texels of a scattered group side by side for blending, and back. The usual sizes are constants: 16 calls
+// of memcpy would take longer than the blending. Words are loaded into lanes: a vector that is read from where single
+// words were just written waits until all of these are in the cache, which took particles 11 % of their time.
 RHW_INLINE void gather_texels(const int32_t at[8], const unsigned char *texels, size_t size,
                               unsigned char *out)
 {

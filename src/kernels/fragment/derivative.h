@@ -30,9 +30,9 @@ RHW_INLINE f32x8 derivative_of(f64x8 numerator, f64x8 squared)
     return f32x8_from_f64x8(f64x8_mul(numerator, squared));
 }
 
-// Those of b and c, which planes_homogeneous sets itself. With T = e_0·w_0 + e_1·w_1 + e_2·w_2, d(e_1·w_1/T)/dx =
-// w_1·(Σ w_i·(a_1·e_i − a_i·e_1))/T²; a_1·e_0 − a_0·e_1 is 0 at vertex 2, does not depend on x, and changes by the area
-// with y, and so on around the triangle: what is left are heights over vertices, which are exact.
+// Sets the derivatives of b and c, which planes_homogeneous sets itself. With T = e_0·w_0 + e_1·w_1 + e_2·w_2,
+// d(e_1·w_1/T)/dx = w_1·(Σ w_i·(a_1·e_i − a_i·e_1))/T²; a_1·e_0 − a_0·e_1 is 0 at vertex 2, does not depend on x, and
+// changes by the area with y, and so on around the triangle: what is left are heights over vertices, which are exact.
 static void weight_derivatives(struct planes *p, const struct rhw_triangle *t,
                                const struct rhw_vertex_record *const v[3])
 {
@@ -60,7 +60,7 @@ static void weight_derivatives(struct planes *p, const struct rhw_triangle *t,
     p->weights.step = f * (first - second) * f64x4_splat(RHW_SUBPIXEL);
 }
 
-// Those of smooth components, by the pairs of the pipeline, from those of b and c: a component is
+// Sets the derivatives of smooth components, by the pairs of the pipeline, from those of b and c: a component is
 // I_0 + b·(I_1 − I_0) + c·(I_2 − I_0).
 static void component_derivatives(struct derivative_pair *out, struct triangle_work *triangle,
                                   const struct rhw_pipeline_data *pipeline)

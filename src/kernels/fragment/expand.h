@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The colours of a multisampled tile. Where all samples of a block of 8×8 pixels agree they are stored once, in the plane
-// of the first sample. A fragment that covers a pixel in part expands the block: from then on each sample has its own, in a
-// plane of the sample or woven.
+// The colours of a multisampled tile. Where all samples of a block of 8×8 pixels agree they are stored once, in the
+// plane of the first sample. A fragment that covers a pixel in part expands the block: from then on each sample has
+// its own, in a plane of the sample or woven.
 #ifndef RHW_EXPAND_H
 #define RHW_EXPAND_H
 
@@ -72,7 +72,7 @@ static __attribute__((noinline)) void expand_block(const struct tile_work *work,
         for (int row = 0; row < RHW_BLOCK; row++) {
             const size_t at = (size_t)((y + row) * RHW_TILE + x) * size;
             for (int s = 1; s < work->samples; s++) {
-                copy_texels(color_plane(scratch, t, s) + at, scratch->color[t] + at, RHW_BLOCK * size);
+                copy_texels(color_of_sample(scratch, t, s) + at, scratch->color[t] + at, RHW_BLOCK * size);
             }
         }
     }

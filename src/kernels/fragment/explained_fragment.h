@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the general path leaves for the history of a sample (rhw/explain.h) where it passes by: coverage, depth, weights,
-// varyings, outputs. work->explained is NULL but in the tile of that sample; groups are rows there.
+// What the general path leaves for the history of a sample (rhw/explain.h) where it passes by: coverage, depth,
+// weights, varyings, outputs. work->explained is NULL but in the tile of that sample; groups are rows there.
 #ifndef RHW_EXPLAINED_FRAGMENT_H
 #define RHW_EXPLAINED_FRAGMENT_H
 

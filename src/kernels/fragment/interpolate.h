@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Varyings of a fragment: I = I_0 − (b·(I_0 − I_1) + c·(I_0 − I_2)), in float, with the weights of raster/plane.h. Where
-// the three vertices agree both differences are 0, and the constant survives bit for bit, −0 included.
+// Varyings of a fragment: I = I_0 − (b·(I_0 − I_1) + c·(I_0 − I_2)), in float, with the weights of raster/plane.h.
+// Where the three vertices agree both differences are 0, and the constant survives bit for bit, −0 included.
 #ifndef RHW_INTERPOLATE_H
 #define RHW_INTERPOLATE_H
 

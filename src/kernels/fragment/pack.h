@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The partial group: single fragments of several triangles, the few of each that its own groups leave over. They wait
 // until 8 make a group, which is then packed: a fragment is evaluated as one vector over quantities and one over
-// components, then 8 of them are turned into lanes. Only fragments that wait here can be overtaken by later ones of the
-// same pixel. Those that replace what is there may share a group with them, as the last lane is stored last; others close
-// it first, but for those that have no sample in common.
+// components, then 8 of them are turned into lanes. Only fragments that wait here can be overtaken by later ones of
+// the same pixel. Those that replace what is there may share a group with them, as the last lane is stored last;
+// others close it first, but for those that have no sample in common.
 #ifndef RHW_PACK_H
 #define RHW_PACK_H
 
+#include "kernels/depth/depth_test.h"
 #include "builtin.h"
 #include "derivative.h"
 #include "interpolate.h"
-#include "queue.h"
+#include "partial_group.h"
 
 // Turns 8 vectors over four quantities into four over the lanes.
 RHW_INLINE void quantity_lanes(const f64x4 value[8], f64x8 out[4])
@@ -54,7 +55,7 @@ RHW_INLINE void pack_smooth(const struct packed_triangle *const triangle[8], int
     f32x8_transpose(out);
 }
 
-// Does so with any qualifiers.
+// Gives components i .. i + 7 of the 8 fragments, whatever their qualifiers are.
 RHW_INLINE void pack_qualified(const struct packed_triangle *const triangle[8], int i,
                                const struct packed_weights *w, const struct rhw_pipeline_data *pipeline,
                                f32x8 out[8])
@@ -156,7 +157,7 @@ static void pack_barycentric_derivatives(struct tile_work *work, struct rhw_frag
     for (int lane = 0; lane < 8; lane++) {
         value[lane] = numerators(&partial->triangle[lane]->weights, partial->distance[lane]);
     }
-    f64x8 lanes[4]; // of b by x and by y, of c by x and by y
+    f64x8 lanes[4]; // b by x and by y, c by x and by y
     quantity_lanes(value, lanes);
     fill_barycentrics(group->barycentric_ddx, 0, derivative_of(lanes[0], squared),
                       derivative_of(lanes[2], squared));
@@ -279,21 +280,6 @@ static __attribute__((noinline)) void release_partial(struct tile_work *work)
     pack_group(work, 0xffu >> (8 - live));
 }
 
-// Whether fragments wait where those of the block at (x, y) are that are set in `mask`.
-RHW_INLINE bool fragments_wait(const struct tile_work *work, int x, int y, uint64_t mask)
-{
-    const struct partial_group *const partial = &work->scratch->partial;
-    return partial->count != 0 && block_bits(&partial->pixels[y], x) & mask;
-}
-
-// Fragments that wait would be overtaken by those of the block.
-RHW_INLINE void release_overtaken(struct tile_work *work, int x, int y, uint64_t mask)
-{
-    if (fragments_wait(work, x, y, mask)) {
-        release_partial(work);
-    }
-}
-
 // Shades all there is.
 static void flush(struct tile_work *work)
 {
@@ -301,40 +287,23 @@ static void flush(struct tile_work *work)
         release_partial(work);
     }
     if (work->scratch->queue.count != 0) {
-        shade_queue(work);
+        RHW_ISA_NAME(rhw_shade_queue)(work);
     }
 }
 
-// Whether a fragment that waits and a gathered one have a sample in common.
+// Whether a fragment that waits and a collected one have a sample in common.
 static bool samples_meet(const struct tile_work *work)
 {
     const struct partial_group *const partial = &work->scratch->partial;
-    const struct gathered_fragments *const gathered = &work->scratch->gathered;
+    const struct collected_fragments *const collected = &work->scratch->collected;
     const i32x8 texels = i32x8_load(partial->texel), samples = i32x8_load(partial->samples);
     i32x8 meet = i32x8_splat(0);
-    for (int i = gathered->first; i < gathered->count; i++) {
-        meet |= rhw_equal_int(texels, i32x8_splat(gathered->texel[i])) & samples &
-                i32x8_splat(gathered->samples[i]);
+    for (int i = collected->first; i < collected->count; i++) {
+        meet |= rhw_equal_int(texels, i32x8_splat(collected->texel[i])) & samples &
+                i32x8_splat(collected->samples[i]);
     }
     const unsigned free = i32x8_sign_bits(rhw_equal_int(meet, i32x8_splat(0)));
     return (~free & ((1u << partial->count) - 1)) != 0;
-}
-
-// Begins a triangle whose anchor is a pixel of the target: all that smooth varyings need of it, beside its planes.
-RHW_INLINE struct packed_triangle *next_packed(struct tile_work *work,
-                                               const struct rhw_vertex_record *const vertex[3], int anchor_x,
-                                               int anchor_y)
-{
-    struct partial_group *const partial = &work->scratch->partial;
-    struct packed_triangle *const to = &partial->triangles[partial->triangle_count++ % RHW_PACKED_TRIANGLES];
-    to->anchor_x = anchor_x - work->x;
-    to->anchor_y = anchor_y - work->y;
-    to->clamps_depth = false;
-    for (int i = 0; i < 3; i++) {
-        to->varyings[i] = vertex[i]->varyings;
-    }
-    to->provoking = to->varyings[provoking_vertex(work->pipeline)];
-    return to;
 }
 
 // Copies what packing needs of a triangle.
@@ -367,11 +336,10 @@ static const struct packed_triangle *pack_triangle(struct tile_work *work, struc
 
 // What packing has to know of a fragment; a constant where a call names it.
 enum packed_parts {
-    PACKED_QUANTITIES,    // the four that every fragment needs
-    PACKED_PLAIN_SAMPLES, // and of multisampled passes its samples
-    PACKED_DISTANCE,      // or where it is, for derivatives
-    PACKED_SAMPLES,       // and of multisampled passes its samples, too
-    PACKED_ANY            // and whatever the plan wants
+    PACKED_QUANTITIES, // the four that every fragment needs
+    PACKED_DISTANCE,   // quantities, and where the fragment is, for derivatives
+    PACKED_SAMPLES,    // quantities, place, and the samples of multisampled passes
+    PACKED_ANY         // whatever the plan wants
 };
 
 // Keeps the depths of the samples of fragment n.
@@ -392,33 +360,20 @@ static double clamp_depth(const struct tile_depth *depth, double z)
     return (double)(above < depth->most ? above : depth->most);
 }
 
-// Adds the fragment at a texel, whose quantities have these values; gives its place in the group.
-RHW_INLINE int pack_values(struct partial_group *partial, const struct packed_triangle *packed, int texel,
-                           f64x4 quantities)
-{
-    const int n = partial->count;
-    partial->texel[n] = texel;
-    partial->pixels[texel_row(texel)] |= (uint64_t)1 << texel_column(texel);
-    partial->triangle[n] = packed;
-    partial->quantities[n] = quantities;
-    partial->count = n + 1;
-    return n;
-}
-
-// Adds gathered fragment i of a triangle whose planes are `planes`.
+// Adds collected fragment i of a triangle whose planes are `planes`.
 RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_planes *planes,
                               const struct packed_triangle *packed, int i, enum packed_parts parts)
 {
     struct partial_group *const partial = &work->scratch->partial;
-    const int texel = work->scratch->gathered.texel[i];
+    const int texel = work->scratch->collected.texel[i];
     const int x = texel_column(texel), y = texel_row(texel);
     const double dx = x - packed->anchor_x, dy = y - packed->anchor_y;
     const int n = pack_values(partial, packed, texel, quantity_values(planes, dx, dy));
     if (parts >= PACKED_DISTANCE) {
         partial->distance[n] = (f64x4){dy, dx, dy, dx};
     }
-    if (parts == PACKED_PLAIN_SAMPLES || parts >= PACKED_SAMPLES) {
-        partial->samples[n] = work->scratch->gathered.samples[i];
+    if (parts >= PACKED_SAMPLES) {
+        partial->samples[n] = work->scratch->collected.samples[i];
     }
     if (parts == PACKED_ANY && packed->clamps_depth) {
         partial->quantities[n][QUANTITY_Z] =
@@ -438,14 +393,14 @@ RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_plan
 RHW_INLINE void pack_fragments(struct tile_work *work, const struct quantity_planes *planes,
                                const struct packed_triangle *packed, enum packed_parts parts)
 {
-    const struct gathered_fragments *const gathered = &work->scratch->gathered;
-    for (int i = gathered->first; i < gathered->count; i++) {
+    const struct collected_fragments *const collected = &work->scratch->collected;
+    for (int i = collected->first; i < collected->count; i++) {
         pack_fragment(work, planes, packed, i, parts);
     }
 }
 
-// Adds what is left of the gathered fragments of a triangle, fewer than 8.
-static void pack_gathered(struct tile_work *work, struct triangle_work *triangle)
+// Adds what is left of the collected fragments of a triangle, fewer than 8.
+static void pack_collected(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct packed_triangle *const packed = pack_triangle(work, triangle);
     const bool late = work->plan.depth_mode >= RHW_DEPTH_LATE;

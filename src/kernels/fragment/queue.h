@@ -7,7 +7,7 @@
 
 #include "binding/shader_adapter.h"
 #include "kernels/depth/stencil_test.h"
-#include "kernels/tile_work.h"
+#include "kernels/tile_units.h"
 #include "blend.h"
 #include "explained_fragment.h"
 #include "sample_queue.h"
@@ -37,12 +37,12 @@ static unsigned finish_depth(struct tile_work *work, int g)
         return bits;
     }
     const f32x8 z = uses & RHW_USE_DEPTH ? viewport_clamp(depth, group->depth) : group->depth;
-    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // of a row
-    if (plan->is_full) {
+    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // a row's first pixel
+    if (plan->test != RHW_TEST_DEPTH) {
         const unsigned back = uses & RHW_USE_FACING ? i32x8_sign_bits(~group->front_facing) : 0;
         return queue->is_scattered[g]
-                   ? test_texels_late_full(depth, queue->texels[g], z, bits, back, plan->late)
-                   : test_row_late_full(depth, x, y, z, bits, back, plan->late);
+                   ? test_texels_late_stencil(depth, queue->texels[g], z, bits, back, plan->late)
+                   : test_row_late_stencil(depth, x, y, z, bits, back, plan->late);
     }
     return queue->is_scattered[g] ? test_texels_late(depth, queue->texels[g], z, bits, plan->late)
                                   : test_row_late(depth, x, y, z, bits, plan->late);
@@ -118,7 +118,7 @@ RHW_INLINE void finish_queue(struct tile_work *work)
 }
 
 // Shades and blends all groups. Fragments without a group go on waiting.
-static void shade_queue(struct tile_work *work)
+void RHW_ISA_NAME(rhw_shade_queue)(struct tile_work *work)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
     run_fragment_function(work, queue->count);
@@ -136,14 +136,6 @@ static void shade_queue(struct tile_work *work)
     work->counters->groups += (uint64_t)queue->count;
     queue->count = 0;
     queue->only_full_rows = true;
-}
-
-// Is called when groups were added.
-RHW_INLINE void shade_if_full(struct tile_work *work)
-{
-    if (work->scratch->queue.count == RHW_FRAGMENT_GROUPS) {
-        shade_queue(work);
-    }
 }
 
 #endif

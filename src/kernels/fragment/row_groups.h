@@ -6,28 +6,13 @@
 #define RHW_ROW_GROUPS_H
 
 #include "kernels/raster/plane_clipped.h"
+#include "block.h"
 #include "builtin.h"
 #include "derivative.h"
+#include "explained_fragment.h"
 #include "interpolate.h"
-#include "queue.h"
+#include "partial_group.h"
 #include "target_input.h"
-
-// The samples of a block that a triangle covers, and where in its pixels their fragments take their values.
-struct block_samples {
-    const uint64_t *mask;            // by sample
-    const f32x8 (*depth)[RHW_BLOCK]; // of its rows, by sample, where depth is tested late
-    int only;                        // the one sample that the fragments stand for; −1: all in `mask`
-    float position[2];               // of `only` in its pixel
-};
-
-// A block of the tile, and the fragments of a triangle in it.
-struct block {
-    int x, y; // pixels of the tile
-    struct anchor_offset at;
-    const f32x8 *z;                      // of its rows, where depth is kept
-    bool leaves_triangle;                // some weights may be below 0: see plane_clipped.h
-    const struct block_samples *samples; // of multisampled passes; else NULL
-};
 
 // Rows of a block that become groups: their numbers, and their bits.
 struct block_rows {
@@ -76,7 +61,7 @@ static void fill_barycentric_derivatives(struct rhw_fragment *group, const struc
 
 // Where the 8 fragments of a group are, and the weights of their triangle there.
 struct group_place {
-    i32x8 texels;      // of the tile
+    i32x8 texels;      // their numbers in the tile
     float position[2]; // in their pixels
     struct anchor_offset at;
     struct weights weights;
@@ -325,7 +310,7 @@ RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangl
 {
     struct fragment_queue *const queue = &work->scratch->queue;
     if (queue->count + rows->count > RHW_FRAGMENT_GROUPS || (work->plan.reads_targets && queue->count != 0)) {
-        shade_queue(work);
+        RHW_ISA_NAME(rhw_shade_queue)(work);
     }
     if (!triangle->has_values) {
         set_inputs(work, triangle);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What follows the fragment function in a multisampled pass: samples are dropped, tested late, and blended plane by plane,
-// or pixel by pixel where they are woven.
-// A group that covers its pixels all over is blended once, into the first plane, where its blocks are not expanded.
+// What follows the fragment function in a multisampled pass: samples are dropped, tested late, and blended plane by
+// plane, or pixel by pixel where they are woven. A group that covers its pixels all over is blended once, into the
+// first plane, where its blocks are not expanded.
 #ifndef RHW_SAMPLE_QUEUE_H
 #define RHW_SAMPLE_QUEUE_H
 
@@ -24,19 +24,21 @@ RHW_INLINE i32x8 samples_of_alpha(f32x8 alpha, int count)
     return i32x8_power2(rhw_int_from_float_unchecked(kept)) - i32x8_splat(1);
 }
 
-// Tests the lanes of group g in `bits` after the fragment function, whose sample in the plane `depth` is at z.
-static unsigned test_plane_late(struct tile_depth *depth, const struct tile_work *work, int g, f32x8 z,
-                                unsigned bits, unsigned back)
+// Tests the lanes of group g in `bits` after the fragment function, whose sample is at z: `depth` is the tile's of
+// that sample.
+static unsigned test_sample_late(struct tile_depth *depth, const struct tile_work *work, int g, f32x8 z,
+                                 unsigned bits, unsigned back)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_depth_rule rule = work->plan.late;
-    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // of a row
+    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // a row's first pixel
     if (queue->is_scattered[g]) {
-        return work->plan.is_full ? test_texels_late_full(depth, queue->texels[g], z, bits, back, rule)
-                                  : test_texels_late(depth, queue->texels[g], z, bits, rule);
+        return work->plan.test != RHW_TEST_DEPTH
+                   ? test_texels_late_stencil(depth, queue->texels[g], z, bits, back, rule)
+                   : test_texels_late(depth, queue->texels[g], z, bits, rule);
     }
-    return work->plan.is_full ? test_row_late_full(depth, x, y, z, bits, back, rule)
-                              : test_row_late(depth, x, y, z, bits, rule);
+    return work->plan.test != RHW_TEST_DEPTH ? test_row_late_stencil(depth, x, y, z, bits, back, rule)
+                                             : test_row_late(depth, x, y, z, bits, rule);
 }
 
 // Tests the samples of group g after the fragment function.
@@ -48,18 +50,18 @@ static i32x8 test_samples_late(struct tile_work *work, int g, i32x8 samples)
     const unsigned back = uses & RHW_USE_FACING ? i32x8_sign_bits(~group->front_facing) : 0;
     i32x8 passed = i32x8_splat(0);
     for (int s = 0; s < work->samples; s++) {
-        struct tile_depth *const depth = depth_plane(work->scratch, s);
+        struct tile_depth *const depth = depth_of_sample(work->scratch, s);
         const unsigned bits = lanes_of_sample(samples, s);
         const f32x8 z =
             uses & RHW_USE_DEPTH ? viewport_clamp(depth, group->depth) : queue->sample_depth[g][s];
-        const unsigned kept = bits == 0 ? 0 : test_plane_late(depth, work, g, z, bits, back);
+        const unsigned kept = bits == 0 ? 0 : test_sample_late(depth, work, g, z, bits, back);
         passed |= i32x8_from_bits(kept) & i32x8_splat(1 << s);
     }
     return passed;
 }
 
-// Those of a group's samples that the fragment function and its alpha leave. A pixel of one has bit 0 (Vulkan 1.3 §28.9
-// makes no exception of it).
+// Returns the samples of a group that the fragment function and its alpha leave. A pixel of one has bit 0 (Vulkan 1.3
+// §28.9 makes no exception of it).
 static i32x8 masked_samples(const struct tile_work *work, int g, i32x8 samples)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
@@ -119,7 +121,7 @@ RHW_INLINE void blend_row_samples(const struct tile_work *work, int t, int g, i3
         const unsigned bits = lanes_of_sample(samples, s);
         if (bits != 0) {
             blend_group(state, queue->colors[g][t], i32x8_from_bits(bits),
-                        color_plane(work->scratch, t, s) + at);
+                        color_of_sample(work->scratch, t, s) + at);
         }
     }
 }
@@ -137,7 +139,7 @@ RHW_INLINE void blend_scattered_samples(const struct tile_work *work, int t, int
     }
     for (int s = 0; s < (expanded == 0 ? 1 : work->samples); s++) {
         const unsigned bits = lanes_of_sample(samples, s) & (s == 0 ? 0xff : expanded);
-        unsigned char *const texels = color_plane(work->scratch, t, s);
+        unsigned char *const texels = color_of_sample(work->scratch, t, s);
         if (bits == 0) {
             continue;
         }
@@ -171,7 +173,7 @@ static __attribute__((noinline)) void blend_woven(const struct tile_work *work, 
     store_woven(scratch, target, texel, pixel, *samples);
 }
 
-// Does so where samples are woven.
+// Blends the lanes of group g into target t where samples are woven.
 RHW_INLINE void blend_woven_samples(const struct tile_work *work, int t, int g, i32x8 samples,
                                     unsigned expanded)
 {

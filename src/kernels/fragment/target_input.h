@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the tile holds at the fragments of a queue, for programs that read it (RHW_USE_TARGET_INPUT).
-// Their groups are rows, those of one call rows of one block and one triangle, so that no pixel is among them twice: what
-// came before has been blended, and each fragment finds what is there in its turn.
+// What the tile holds at the fragments of a queue, for programs that read it (RHW_USE_TARGET_INPUT). Their groups are
+// rows, those of one call rows of one block and one triangle, so that no pixel is among them twice: what came before
+// has been blended, and each fragment finds what is there in its turn.
 #ifndef RHW_TARGET_INPUT_H
 #define RHW_TARGET_INPUT_H
 
@@ -11,7 +11,7 @@
 #include "woven.h"
 
 // The sample whose plane a group reads: programs that read targets run for every sample.
-static int plane_of_group(const struct fragment_queue *queue, int g)
+static int sample_of_group(const struct fragment_queue *queue, int g)
 {
     int32_t samples = 1;
     for (int lane = 0; lane < 8; lane++) {
@@ -30,7 +30,7 @@ static __attribute__((noinline)) void read_targets(const struct tile_work *work,
     const int count = uses & RHW_USE_COLOR_INPUT ? work->target->color_count : 0;
     for (int g = first; g < first + added; g++) {
         const int at = queue->row_at[g];
-        const int sample = work->samples > 1 ? plane_of_group(queue, g) : 0;
+        const int sample = work->samples > 1 ? sample_of_group(queue, g) : 0;
         const bool is_expanded = scratch->expanded >> block_of_texel(at) & 1;
         for (int t = 0; t < count; t++) {
             const struct rhw_format_info *const format = work->state->blend[t].format;
@@ -40,17 +40,17 @@ static __attribute__((noinline)) void read_targets(const struct tile_work *work,
                 load_woven_row(scratch, t, at, texels);
                 raw.word[0] = (i32x8)texels[sample];
             } else {
-                load_texel_row(format->size,
-                               color_plane(scratch, t, is_expanded ? sample : 0) + (size_t)at * format->size,
-                               &raw);
+                load_texel_row(
+                    format->size,
+                    color_of_sample(scratch, t, is_expanded ? sample : 0) + (size_t)at * format->size, &raw);
             }
             decode_texels(format, &raw, queue->colors[g][t]);
         }
         if (uses & RHW_USE_DEPTH_INPUT) {
-            queue->groups[g].depth_input = f32x8_load(depth_plane(scratch, sample)->texels + at);
+            queue->groups[g].depth_input = f32x8_load(depth_of_sample(scratch, sample)->texels + at);
         }
         if (uses & RHW_USE_STENCIL_INPUT) {
-            queue->groups[g].stencil_input = i32x8_load_bytes(depth_plane(scratch, sample)->stencil + at);
+            queue->groups[g].stencil_input = i32x8_load_bytes(depth_of_sample(scratch, sample)->stencil + at);
         }
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Colours of a multisampled tile in expanded blocks (expand.h), woven: where 4 samples have 4 bytes each, those of a pixel
-// stand side by side, and a fragment changes what it covers in one step instead of in 4 planes. Tiles whose samples are
-// resolved and forgotten are kept so; where planes are loaded or stored, they stay planes.
+// Colours of a multisampled tile in expanded blocks (expand.h), woven: where 4 samples have 4 bytes each, those of a
+// pixel stand side by side, and a fragment changes what it covers in one step instead of in 4 planes. Tiles whose
+// samples are resolved and forgotten are kept so; where planes are loaded or stored, they stay planes.
 #ifndef RHW_WOVEN_H
 #define RHW_WOVEN_H
 
@@ -19,7 +19,7 @@ RHW_INLINE void load_woven(struct rhw_tile_scratch *scratch, int target, const i
     f32x8_load_columns(place, sample);
 }
 
-// The same of 8 pixels in a row.
+// Loads the samples of 8 pixels in a row, sample by sample.
 RHW_INLINE void load_woven_row(struct rhw_tile_scratch *scratch, int target, int texel,
                                f32x8 sample[WOVEN_SAMPLES])
 {

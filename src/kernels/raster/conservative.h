@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Conservative coverage: the pixels whose square a triangle touches, or contains (VK_EXT_conservative_rasterization).
 //
-// An edge function over a square is most, or least, at a corner: |a|/2 + |b|/2 from what it is at the centre, for a change of
-// a and b per pixel. A triangle touches a square unless one of its edges, or one of the sides of the rectangle around it,
-// stands between them: the rectangle is that of struct rhw_triangle. It contains the square where all edges do. Borders
-// belong to both.
+// An edge function over a square is most, or least, at a corner: |a|/2 + |b|/2 from what it is at the centre, for a
+// change of a and b per pixel. A triangle touches a square unless one of its edges, or one of the sides of the
+// rectangle around it, stands between them: the rectangle is that of struct rhw_triangle. It contains the square
+// where all edges do. Borders belong to both.
 #ifndef RHW_CONSERVATIVE_H
 #define RHW_CONSERVATIVE_H
 

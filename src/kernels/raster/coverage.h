@@ -83,8 +83,8 @@ struct triangle_edges {
     struct edge edges[3];
 };
 
-// The pixels of a block on the inner side of `count` edges: q of its first row, and what it changes by from row to row. All
-// rows, as a loop whose end cannot be foreseen costs more than those that nobody asks for.
+// The pixels of a block on the inner side of `count` edges: q of its first row, and what it changes by from row to
+// row. All rows, as a loop whose end cannot be foreseen costs more than those that nobody asks for.
 RHW_INLINE uint64_t mask_of_edges(i32x8 q[3], const i32x8 step[3], int count)
 {
     i32x8 outside[RHW_BLOCK];
@@ -144,8 +144,8 @@ static inline struct block_row block_row_of(const struct triangle_edges *triangl
     return (struct block_row){i32x8_sign_bits(outside), i32x8_sign_bits(crossed)};
 }
 
-// The same of all blocks of the tile, row by row: those of which the triangle may cover something, and those that an edge
-// crosses.
+// The same of all blocks of the tile, row by row: those of which the triangle may cover something, and those that an
+// edge crosses.
 struct block_bits {
     uint64_t inside, crossed;
 };

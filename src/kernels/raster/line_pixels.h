@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pixels of a Bresenham line (geometry/line_bresenham.h): of each column of its rectangle the one that it passes nearest
-// to the centre of, or of each row where it is steep.
+// The pixels of a Bresenham line (geometry/line_bresenham.h): of each column of its rectangle the one that it passes
+// nearest to the centre of, or of each row where it is steep.
 #ifndef RHW_LINE_PIXELS_H
 #define RHW_LINE_PIXELS_H
 
@@ -23,15 +23,16 @@ static struct line_pixels line_pixels_of(const struct rhw_triangle *t, int width
     const double along = is_y_major ? dy : dx, across = is_y_major ? dx : dy, sign = along < 0 ? -1 : 1;
     const double major = is_y_major ? t->y_24_8[0] : t->x_24_8[0],
                  minor = (is_y_major ? t->x_24_8[0] : t->y_24_8[0]) - (width - 1) * (RHW_SUBPIXEL / 2);
-    // Moved by (−ε, −ε²) a line that rises to the right comes to lie higher; any other lower, and a steep one to the left.
+    // Moved by (−ε, −ε²) a line that rises to the right comes to lie higher; any other lower, and a steep one to the
+    // left.
     const bool goes_up = !is_y_major && across * sign > 0;
     const double n = sign * (minor * along + across * (RHW_SUBPIXEL / 2 - major));
     return (struct line_pixels){is_y_major, n + (goes_up ? 0.5 : -0.5), sign * across * RHW_SUBPIXEL,
                                 sign * along * RHW_SUBPIXEL, width};
 }
 
-// Where the line is in the 8 columns, or rows, from `first` on. The dividend is never a multiple of `scale`, nor nearer to
-// one than the quotient's rounding.
+// Where the line is in the 8 columns, or rows, from `first` on. The dividend is never a multiple of `scale`, nor
+// nearer to one than the quotient's rounding.
 RHW_INLINE i32x8 line_places(const struct line_pixels *line, int first)
 {
     const f64x8 columns = f64x8_from_i32x8(i32x8_splat(first) + rhw_lane_index);

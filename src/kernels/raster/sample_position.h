@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where a pixel is sampled: at its centre, or where src/resource/sample_pattern.h says. Every stage that needs the position of a
-// sample, or the pixels whose samples lie between two positions, asks here. Positions are snapped: 24.8 fixed point,
-// 1/256 pixel, from the target's origin.
+// Where a pixel is sampled: at its centre, or where src/resource/sample_pattern.h says. Every stage that needs the
+// position of a sample, or the pixels whose samples lie between two positions, asks here. Positions are snapped: 24.8
+// fixed point, 1/256 pixel, from the target's origin.
 #ifndef RHW_SAMPLE_POSITION_H
 #define RHW_SAMPLE_POSITION_H
 

@@ -10,7 +10,7 @@
 #include "binding/binding.h"
 #include "base/compare.h"
 #include "resource/sampler.h"
-#include "reference.h"
+#include "depth_reference.h"
 #include "texel_fetch.h"
 #include "wrap.h"
 

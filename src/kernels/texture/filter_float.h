@@ -14,7 +14,7 @@
 #include "filter_fixed.h"
 #include "filter_half.h"
 #include "lod.h"
-#include "reference.h"
+#include "depth_reference.h"
 #include "texel_fetch.h"
 
 // What one call needs at every level. s and t are folded coordinates; the nearest filter takes `nearest` in their

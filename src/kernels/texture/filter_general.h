@@ -7,7 +7,7 @@
 
 #include "base/compare.h"
 #include "lane_level.h"
-#include "lookup.h"
+#include "addressing.h"
 
 enum { MOST_TEXELS = 8 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A tile's part of an attachment: loaded or cleared before the tile is drawn, stored when it is done. Several samples of a
-// pixel are several planes, in the tile as in memory; what they are resolved into is written by resolve.h.
+// A tile's part of an attachment: loaded or cleared before the tile is drawn, stored when it is done. Several samples
+// of a pixel are several planes, in the tile as in memory; what they are resolved into is written by resolve.h.
 #ifndef RHW_ATTACHMENT_H
 #define RHW_ATTACHMENT_H
 
@@ -63,7 +63,8 @@ static struct memory_rows rows_of_resolve(const struct tile_work *work,
     return rows_of_level(work, attachment, attachment->resolve, attachment->layer);
 }
 
-// Those of a sample of the attachment's target. What keeps samples between waves has the layers of the pass alone.
+// Return the rows of a sample of the attachment's target. What keeps samples between waves has the layers of the pass
+// alone.
 static struct memory_rows rows_of_target(const struct tile_work *work,
                                          const struct rhw_attachment *attachment, int sample)
 {
@@ -73,7 +74,7 @@ static struct memory_rows rows_of_target(const struct tile_work *work,
     return rows;
 }
 
-// Those that are loaded for a sample.
+// Return the rows that are loaded for a sample.
 static struct memory_rows loaded_rows(const struct tile_work *work, const struct rhw_attachment *attachment,
                                       int sample)
 {
@@ -193,7 +194,7 @@ static void store_depth_steps(const struct tile_work *work, int sample, const fl
 
 static void load_depth_stencil(const struct tile_work *work, int sample)
 {
-    struct tile_depth *const tile = depth_plane(work->scratch, sample);
+    struct tile_depth *const tile = depth_of_sample(work->scratch, sample);
     if (work->target->depth_steps != 0) {
         load_depth_steps(work, sample, tile->texels);
     } else if (work->target->has_depth) {
@@ -206,7 +207,7 @@ static void load_depth_stencil(const struct tile_work *work, int sample)
 
 static void store_depth_stencil(const struct tile_work *work, int sample)
 {
-    const struct tile_depth *const tile = depth_plane(work->scratch, sample);
+    const struct tile_depth *const tile = depth_of_sample(work->scratch, sample);
     if (work->target->depth_steps != 0) {
         store_depth_steps(work, sample, tile->texels);
     } else if (work->target->has_depth) {

@@ -13,8 +13,8 @@ enum {
     RECORDS_AHEAD = 2 * BATCH // triangles between asking for a record and reading it
 };
 
-// Of `count` triangles in the order of drawing; behind them the first again. number: among those that are drawn in two
-// phases.
+// A batch of `count` triangles in the order of drawing; behind them stands the first again. `number` counts the
+// triangles that are drawn in two phases.
 struct bin_batch {
     int count;
     uint32_t number[BATCH];

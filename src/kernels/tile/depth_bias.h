@@ -59,37 +59,49 @@ static float largest_depth(const struct rhw_draw_state *state, const struct rhw_
     return within_unit(most);
 }
 
-// Biases the planes of the triangle, whose vertices are snapped, in its setup.
-static inline void bias_snapped(const struct tile_work *work, struct triangle_work *triangle,
-                                struct triangle_setup8 *setup)
+// Biases the planes of triangle i, whose vertices are snapped, in its setup.
+static inline void bias_snapped(struct triangle_setup8 *setup, int i, const struct rhw_draw_state *state)
 {
-    struct quantity_planes *const planes = &setup->quantities[triangle->lane];
-    const struct rhw_vertex_record *const *const v = setup->read->vertex[triangle->lane];
+    struct quantity_planes *const planes = &setup->quantities[i];
+    const struct rhw_vertex_record *const *const v = setup->read->vertex[i];
     float least = v[0]->depth, most = v[0]->depth;
-    for (int i = 1; i < 3; i++) {
-        least = v[i]->depth < least ? v[i]->depth : least;
-        most = v[i]->depth > most ? v[i]->depth : most;
+    for (int k = 1; k < 3; k++) {
+        least = v[k]->depth < least ? v[k]->depth : least;
+        most = v[k]->depth > most ? v[k]->depth : most;
     }
-    triangle->depth_bias =
-        depth_bias(&work->state->depth_stencil, plane_of(planes, QUANTITY_Z), largest_depth(work->state, v));
-    planes->at[QUANTITY_Z] += triangle->depth_bias;
-    const double margin = 0x1p-20; // of roundings
-    const struct tile_depth *const depth = &work->scratch->depth;
-    triangle->clamps_depth |= (double)least + triangle->depth_bias < (double)depth->least + margin ||
-                              (double)most + triangle->depth_bias > (double)depth->most - margin;
+    const double bias =
+        depth_bias(&state->depth_stencil, plane_of(planes, QUANTITY_Z), largest_depth(state, v));
+    setup->depth_bias[i] = bias;
+    planes->at[QUANTITY_Z] += bias;
+    const double margin = 0x1p-20; // roundings stay within it
+    const bool clamps = (double)least + bias < (double)state->depth_least + margin ||
+                        (double)most + bias > (double)state->depth_most - margin;
+    setup->clamps |= (unsigned)clamps << i;
 }
 
-// Before a triangle is drawn whose depth is biased. Gives RHW_TRIANGLE_SMALL where it may take the path of small ones.
-static __attribute__((noinline)) uint16_t bias_triangle(const struct tile_work *work,
-                                                        struct triangle_work *triangle,
-                                                        struct triangle_setup8 *setup)
+// Biases the triangles of a batch whose draw asks for it. The planes of the others, and of those whose vertices are not
+// snapped, stay as they are.
+static __attribute__((noinline)) void bias_triangles8(struct triangle_setup8 *setup,
+                                                      const struct rhw_chunk *chunk)
 {
-    const uint16_t flags = triangle->t->flags;
-    triangle->clamps_depth = flags & RHW_TRIANGLE_CLAMP;
-    if (!(flags & RHW_TRIANGLE_UNSNAPPED)) {
-        bias_snapped(work, triangle, setup);
+    for (int i = 0; i < setup->read->count; i++) {
+        const struct rhw_triangle *const t = setup->read->triangle[i];
+        const struct rhw_draw_state *const state = chunk->segments[t->segment].draw->state;
+        setup->depth_bias[i] = 0;
+        if (state->depth_stencil.is_biased && !(t->flags & RHW_TRIANGLE_UNSNAPPED)) {
+            bias_snapped(setup, i, state);
+        }
     }
-    return triangle->clamps_depth ? 0 : work->plan.biased_small_flag;
+    setup->small &= ~setup->clamps;
+}
+
+// Biases a batch where any of its draws may ask for it.
+RHW_INLINE void bias_setup8(struct triangle_setup8 *setup, const struct rhw_chunk *chunk)
+{
+    const struct rhw_segment *const first = &chunk->segments[setup->read->triangle[0]->segment];
+    if (!setup->is_one_segment || first->draw->state->depth_stencil.is_biased) {
+        bias_triangles8(setup, chunk);
+    }
 }
 
 // Biases planes that planes_homogeneous has made.

@@ -4,7 +4,7 @@
 #define RHW_DRAW_STATE_H
 
 #include "draw/used_query.h"
-#include "kernels/fragment/pack.h"
+#include "kernels/tile_units.h"
 #include "kernels/depth/hiz.h"
 
 // Gives queries what was counted since the state was set.
@@ -15,7 +15,7 @@ static __attribute__((noinline)) void give_counts(const struct tile_work *work)
     const bool by_test = work->state->depth_stencil.counts_by_test;
     uint64_t samples = by_test ? 0 : fragments;
     for (int s = 0; s < work->samples && by_test; s++) {
-        samples += depth_plane(work->scratch, s)->passed;
+        samples += depth_of_sample(work->scratch, s)->passed;
     }
     for (int kind = RHW_QUERY_OCCLUSION; kind <= RHW_QUERY_ANY_PASSED; kind++) {
         if (queries[kind] && samples != 0) {
@@ -50,11 +50,11 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
                          scissor->x + scissor->width < work->x + RHW_TILE ||
                          scissor->y + scissor->height < work->y + RHW_TILE;
     for (int s = 0; s < work->samples; s++) {
-        struct tile_depth *const plane = depth_plane(work->scratch, s);
-        plane->least = state->depth_least;
-        plane->most = state->depth_most;
-        plane->state = &state->depth_stencil;
-        plane->passed = 0;
+        struct tile_depth *const sample = depth_of_sample(work->scratch, s);
+        sample->least = state->depth_least;
+        sample->most = state->depth_most;
+        sample->state = &state->depth_stencil;
+        sample->passed = 0;
     }
     // Effects of a pixel would meet in a group: the later lane would not see what the earlier one has stored.
     work->orders_lanes =
@@ -66,7 +66,7 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
     work->packs_plainly = work->orders_lanes && work->plan.shading == RHW_SHADING_SMOOTH &&
                           !work->plan.needs_distance && !work->plan.keeps_depth && !work->plan.keeps_identity;
     work->drawn_cell = (pipeline->def.sample_mask & 0xf) * 0x1111111111111111u;
-    work->scratch->gathered.overtakes = false;
+    work->scratch->collected.overtakes = false;
     work->tests_bounds = hiz_follow(depth, &work->plan);
     work->tests_small_bounds = work->tests_bounds && work->samples > 1 && work->phase != RHW_PHASE_ONLY;
     if (work->plan.moves_depth) {
@@ -92,7 +92,7 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
 // Draws that differ in their uniforms alone have the same state.
 static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
 {
-    flush(work);
+    RHW_ISA_NAME(rhw_flush)(work);
     if (!work->draw || work->draw->state != draw->state) {
         set_state(work, draw->state);
     }
@@ -103,20 +103,12 @@ static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
     }
 }
 
-// Keeps for the second of two phases that a triangle of the run was seen in the first.
-RHW_INLINE void see_triangle(const struct tile_work *work, uint32_t number)
+// Makes a draw the one under way.
+RHW_INLINE void begin_draw(struct tile_work *work, const struct rhw_draw *draw)
 {
-    work->scratch->seen[number / 8] |= (uint8_t)(1u << number % 8);
-}
-
-// Whether no sample of the tile but the first is open, drawn backwards.
-static __attribute__((noinline)) bool others_are_closed(const struct tile_work *work)
-{
-    int open = 0;
-    for (int s = 1; s < work->samples && open == 0; s++) {
-        open = depth_plane(work->scratch, s)->open_count;
+    if (draw != work->draw) {
+        set_draw(work, draw);
     }
-    return open == 0;
 }
 
 // Opens all pixels of the tile.
@@ -133,24 +125,24 @@ static void open_all(const struct tile_work *work, struct tile_depth *depth)
 // Looks anew at the bounds of the tile's blocks.
 static void refresh_bounds(const struct tile_work *work)
 {
-    struct tile_depth *planes[RHW_MAX_SAMPLES];
+    struct tile_depth *samples[RHW_MAX_SAMPLES];
     for (int s = 0; s < work->samples; s++) {
-        planes[s] = depth_plane(work->scratch, s);
+        samples[s] = depth_of_sample(work->scratch, s);
     }
-    hiz_refresh(planes, work->samples);
+    hiz_refresh(samples, work->samples);
 }
 
 // What waits is tested against the open pixels of its own phase: it is flushed before they change.
 static void start_phase(struct tile_work *work, enum rhw_phase phase)
 {
     struct tile_depth *const depth = &work->scratch->depth;
-    flush(work);
+    RHW_ISA_NAME(rhw_flush)(work);
     for (int s = 0; s < work->samples; s++) {
-        struct tile_depth *const plane = depth_plane(work->scratch, s);
+        struct tile_depth *const sample = depth_of_sample(work->scratch, s);
         if (phase == RHW_PHASE_DEPTH) {
-            memset(plane->open, 0, sizeof plane->open);
+            memset(sample->open, 0, sizeof sample->open);
         } else if (phase == RHW_PHASE_BACKWARDS) {
-            open_all(work, plane);
+            open_all(work, sample);
         }
     }
     work->draw = NULL;

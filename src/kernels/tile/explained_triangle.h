@@ -4,23 +4,17 @@
 #ifndef RHW_EXPLAINED_TRIANGLE_H
 #define RHW_EXPLAINED_TRIANGLE_H
 
-#include "kernels/fragment/explained_fragment.h"
-#include "kernels/fragment/pack.h"
+#include "kernels/fragment/expand.h"
+#include "kernels/texel/texel_codec.h"
 #include "kernels/raster/coverage.h"
-#include "triangle_planes.h"
-
-// What the sample holds.
-struct sample_content {
-    float depth, color[RHW_MAX_COLOR_ATTACHMENTS][4];
-    uint8_t stencil;
-};
+#include "triangle_run.h"
 
 static void read_sample(const struct tile_work *work, struct sample_content *content)
 {
     const struct rhw_explained *const e = work->explained;
     struct rhw_tile_scratch *const scratch = work->scratch;
     const int at = e->y * RHW_TILE + e->x, row = at & -8, sample = e->ask.sample;
-    const struct tile_depth *const depth = depth_plane(scratch, sample);
+    const struct tile_depth *const depth = depth_of_sample(scratch, sample);
     const bool has_own = work->samples == 1 || scratch->expanded >> block_of_texel(at) & 1;
     memset(content, 0, sizeof *content);
     content->depth = work->target->has_depth ? depth->texels[at] : 0.0f;
@@ -30,7 +24,7 @@ static void read_sample(const struct tile_work *work, struct sample_content *con
         struct raw_texels raw = {{{0}}};
         f32x8 lanes[4];
         load_texel_row(format->size,
-                       color_plane(scratch, t, has_own ? sample : 0) + (size_t)row * format->size, &raw);
+                       color_of_sample(scratch, t, has_own ? sample : 0) + (size_t)row * format->size, &raw);
         decode_texels(format, &raw, lanes);
         for (int c = 0; c < 4; c++) {
             content->color[t][c] = lanes[c][at - row];
@@ -87,18 +81,18 @@ static enum rhw_fragment_fate fate_of(const struct tile_work *work)
 }
 
 // Before a triangle is drawn.
-static void explain_begin(struct tile_work *work, struct sample_content *before)
+void RHW_ISA_NAME(rhw_explain_begin)(struct tile_work *work, struct sample_content *before)
 {
     struct rhw_explained *const e = work->explained;
-    flush(work);
+    RHW_ISA_NAME(rhw_flush)(work);
     memset(&e->fragment, 0, sizeof e->fragment);
     e->passed = e->discarded = e->written = false;
     read_sample(work, before);
 }
 
 // After it: tells of it where it covers the sample.
-static void explain_end(struct tile_work *work, const struct sample_content *before,
-                        const struct triangle_work *triangle)
+void RHW_ISA_NAME(rhw_explain_end)(struct tile_work *work, const struct sample_content *before,
+                                   const struct triangle_work *triangle)
 {
     struct rhw_explained *const e = work->explained;
     struct rhw_explained_fragment *const f = &e->fragment;
@@ -106,7 +100,7 @@ static void explain_end(struct tile_work *work, const struct sample_content *bef
         (int64_t)(work->x + e->x) * RHW_SUBPIXEL + work->target->pattern->x_0_8[e->ask.sample],
         (int64_t)(work->y + e->y) * RHW_SUBPIXEL + work->target->pattern->y_0_8[e->ask.sample]};
     struct sample_content after;
-    flush(work);
+    RHW_ISA_NAME(rhw_flush)(work);
     if (!(f->covered >> e->ask.sample & 1)) {
         return;
     }

@@ -41,7 +41,7 @@ static inline void resolve_expanded(const struct tile_work *work, int t, const s
     row.count = work->samples;
     for (int s = 0; s < work->samples && !(scratch->is_woven && how->is_common); s++) {
         row.plane[s] = scratch->is_woven ? (const unsigned char *)&sample[s]
-                                         : color_plane(scratch, t, s) + (size_t)texel * how->info->size;
+                                         : color_of_sample(scratch, t, s) + (size_t)texel * how->info->size;
         if (how->is_common) {
             sample[s] = i32x8_load(row.plane[s]);
         }
@@ -83,14 +83,14 @@ static void resolve_color(const struct tile_work *work, int t)
     }
 }
 
-// Makes plane 0 of depth what the others are resolved into.
-static void resolve_depth_planes(const struct tile_work *work, enum rhw_resolve mode)
+// Makes sample 0 of depth what the samples of each pixel are resolved into.
+static void resolve_depth_samples(const struct tile_work *work, enum rhw_resolve mode)
 {
-    struct tile_depth *const first = depth_plane(work->scratch, 0);
+    struct tile_depth *const first = depth_of_sample(work->scratch, 0);
     for (int i = 0; i < RHW_TILE * RHW_TILE; i += 8) {
         f32x8 value[RHW_MAX_SAMPLES];
         for (int s = 0; s < work->samples; s++) {
-            value[s] = f32x8_load(&depth_plane(work->scratch, s)->texels[i]);
+            value[s] = f32x8_load(&depth_of_sample(work->scratch, s)->texels[i]);
         }
         i32x8 agree = i32x8_splat(-1); // a mean of equal floats may round to another one
         for (int s = 1; s < work->samples; s++) {
@@ -101,14 +101,14 @@ static void resolve_depth_planes(const struct tile_work *work, enum rhw_resolve 
     }
 }
 
-// The same of stencil, by RHW_RESOLVE_MIN or MAX.
-static void resolve_stencil_planes(const struct tile_work *work, enum rhw_resolve mode)
+// Makes sample 0 of stencil what the samples of each pixel are resolved into, by RHW_RESOLVE_MIN or MAX.
+static void resolve_stencil_samples(const struct tile_work *work, enum rhw_resolve mode)
 {
-    struct tile_depth *const first = depth_plane(work->scratch, 0);
+    struct tile_depth *const first = depth_of_sample(work->scratch, 0);
     for (int i = 0; i < RHW_TILE * RHW_TILE; i += 8) {
         i32x8 stencil = i32x8_load_bytes(&first->stencil[i]);
         for (int s = 1; s < work->samples; s++) {
-            const i32x8 other = i32x8_load_bytes(&depth_plane(work->scratch, s)->stencil[i]);
+            const i32x8 other = i32x8_load_bytes(&depth_of_sample(work->scratch, s)->stencil[i]);
             stencil = mode == RHW_RESOLVE_MIN ? i32x8_min(stencil, other) : i32x8_max(stencil, other);
         }
         const uint64_t bytes = i32x8_to_bytes(stencil);
@@ -116,14 +116,14 @@ static void resolve_stencil_planes(const struct tile_work *work, enum rhw_resolv
     }
 }
 
-// Resolves depth, after its planes were stored.
+// Resolves depth, after its samples were stored.
 static void resolve_depth(const struct tile_work *work)
 {
     const struct rhw_attachment *const depth = &work->target->depth;
-    const struct tile_depth *const first = depth_plane(work->scratch, 0);
+    const struct tile_depth *const first = depth_of_sample(work->scratch, 0);
     const struct memory_rows rows = rows_of_resolve(work, depth);
     if (depth->resolve_mode != RHW_RESOLVE_DEFAULT && depth->resolve_mode != RHW_RESOLVE_SAMPLE_ZERO) {
-        resolve_depth_planes(work, depth->resolve_mode);
+        resolve_depth_samples(work, depth->resolve_mode);
     }
     soil(work, depth->resolve_clean);
     if (work->target->depth_steps != 0) {
@@ -138,15 +138,15 @@ static void resolve_stencil(const struct tile_work *work)
 {
     const struct rhw_attachment *const stencil = &work->target->stencil;
     if (stencil->resolve_mode == RHW_RESOLVE_MIN || stencil->resolve_mode == RHW_RESOLVE_MAX) {
-        resolve_stencil_planes(work, stencil->resolve_mode);
+        resolve_stencil_samples(work, stencil->resolve_mode);
     }
-    write_rows(work, rows_of_resolve(work, stencil), depth_plane(work->scratch, 0)->stencil, 1);
+    write_rows(work, rows_of_resolve(work, stencil), depth_of_sample(work->scratch, 0)->stencil, 1);
 }
 
 // Loading and storing with several samples ---------------------------------------------------------------
 
-// Whether planes are stored, now or for the waves that follow.
-static bool stores_planes(const struct rhw_wave *wave)
+// Whether samples are stored, now or for the waves that follow.
+static bool stores_samples(const struct rhw_wave *wave)
 {
     bool stores = false;
     for (int t = 0; t < wave->target.color_count; t++) {
@@ -155,7 +155,7 @@ static bool stores_planes(const struct rhw_wave *wave)
     return stores;
 }
 
-// Whether the tile is kept woven. An explanation looks into planes, and the general path draws them.
+// Whether the tile is kept woven. An explanation looks into single samples, and the general path draws them.
 static bool can_weave(const struct tile_work *work)
 {
     const struct rhw_target *const target = work->target;
@@ -163,7 +163,7 @@ static bool can_weave(const struct tile_work *work)
     for (int t = 0; t < target->color_count; t++) {
         has_size = has_size && target->colors[t].texel_size == WOVEN_SIZE;
     }
-    return has_size && !stores_planes(work->wave) && !work->explained &&
+    return has_size && !stores_samples(work->wave) && !work->explained &&
            rhw_pass_takes_special_paths(work->wave->pass);
 }
 
@@ -180,11 +180,11 @@ static void load_samples(const struct tile_work *work)
     work->scratch->is_woven = !differ && can_weave(work);
     for (int t = 0; t < target->color_count; t++) {
         for (int s = 0; s < (differ ? work->samples : 1); s++) {
-            load_attachment(work, &target->colors[t], s, color_plane(work->scratch, t, s));
+            load_attachment(work, &target->colors[t], s, color_of_sample(work->scratch, t, s));
         }
     }
     for (int s = 0; s < work->samples; s++) {
-        depth_plane(work->scratch, s)->direction = 0;
+        depth_of_sample(work->scratch, s)->direction = 0;
         load_depth_stencil(work, s);
     }
 }
@@ -192,7 +192,7 @@ static void load_samples(const struct tile_work *work)
 static void store_samples(const struct tile_work *work)
 {
     const struct rhw_target *const target = work->target;
-    const bool stores = stores_planes(work->wave);
+    const bool stores = stores_samples(work->wave);
     for (int block = 0; block < HIZ_BLOCKS * HIZ_BLOCKS && stores; block++) {
         if (!(work->scratch->expanded >> block & 1)) {
             expand_block(work, block);
@@ -200,7 +200,7 @@ static void store_samples(const struct tile_work *work)
     }
     for (int t = 0; t < target->color_count; t++) {
         for (int s = 0; s < work->samples; s++) {
-            store_attachment(work, &target->colors[t], s, color_plane(work->scratch, t, s));
+            store_attachment(work, &target->colors[t], s, color_of_sample(work->scratch, t, s));
         }
         if (target->colors[t].resolves && work->wave->is_last) {
             resolve_color(work, t);

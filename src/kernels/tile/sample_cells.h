@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Coverage of the smallest triangles where pixels have 4 samples, exactly: of cells of 4×4 pixels, 8 at a time, a cell in
-// each lane. In meshes as fine as the picture a triangle is one cell, and a batch of 8 triangles one vector; of larger
-// ones cells beside and below each other stand in the list too, so that lanes stay full.
+// Coverage of the smallest triangles where pixels have 4 samples, exactly: of cells of 4×4 pixels, 8 at a time, a
+// cell in each lane. In meshes as fine as the picture a triangle is one cell, and a batch of 8 triangles one vector;
+// of larger ones cells beside and below each other stand in the list too, so that lanes stay full.
 #ifndef RHW_SAMPLE_CELLS_H
 #define RHW_SAMPLE_CELLS_H
 
 #include "resource/sample_pattern.h"
+#include "kernels/tile_units.h"
 #include "triangle_setup8.h"
 
 // A cell's mask has 4 bits for each pixel, row by row: its samples.
 struct sample_cell {
-    int x, y; // of the tile
+    int x, y; // pixels of the tile
     uint64_t covered;
 };
 
@@ -42,13 +43,14 @@ RHW_INLINE struct cell_fits fit_cells(const struct triangle_setup8 *setup)
     return (struct cell_fits){~i32x8_sign_bits(beyond) & 0xff, ~i32x8_sign_bits(beyond_one) & 0xff};
 }
 
-// Lists the cells of the batch; gives how many there are. An entry: the triangle, and 8 and 16 bits above it how far to
-// the right of its first pixel and below it the cell begins.
-static inline int list_cells(struct sample_cells *cells, const struct triangle_setup8 *setup)
+// Finds the tiny triangles of the batch and lists their cells; gives how many there are. An entry: the triangle, and
+// 8 and 16 bits above it how far to the right of its first pixel and below it the cell begins.
+static inline int list_cells(struct triangle_setup8 *setup)
 {
+    struct sample_cells *const cells = &setup->cells;
     const struct cell_fits fits = fit_cells(setup);
     int count = 0;
-    cells->fits = fits.cells;
+    setup->tiny = setup->small & fits.cells;
     if (fits.one_cell == 0xff) {
         i32x8_store(cells->entry, rhw_lane_index);
         i32x8_store(cells->first, rhw_lane_index);
@@ -57,7 +59,7 @@ static inline int list_cells(struct sample_cells *cells, const struct triangle_s
     }
     for (int i = 0; i < setup->read->count; i++) {
         cells->first[i] = count;
-        const int height = fits.cells >> i & 1 ? setup->y1[i] - setup->y0[i] : 0;
+        const int height = setup->tiny >> i & 1 ? setup->y1[i] - setup->y0[i] : 0;
         const int second = setup->x1[i] - setup->x0[i] > CELL; // beside the first
         for (int y = 0; y < height; y += CELL) {
             cells->entry[count] = i | y << 16;
@@ -66,7 +68,7 @@ static inline int list_cells(struct sample_cells *cells, const struct triangle_s
         }
         cells->first[i + 1] = count;
     }
-    i32x8_store(&cells->entry[count], i32x8_splat(0)); // of the last vector's other lanes
+    i32x8_store(&cells->entry[count], i32x8_splat(0)); // the other lanes of the last vector
     return count;
 }
 
@@ -119,7 +121,7 @@ static inline void cover_cells8(struct sample_cells *cells, const struct triangl
     const i32x8 entry = i32x8_load(&cells->entry[n]), triangle = entry & i32x8_splat(BATCH - 1);
     const i32x8 begin = of_cells(setup->x0, triangle) + (entry >> 8 & i32x8_splat(0xff)), below = entry >> 16,
                 y = of_cells(setup->y0, triangle) + below,
-                x = i32x8_min(begin, i32x8_splat(RHW_TILE - CELL)); // so that all of it lies in the tile
+                x = i32x8_min(begin, i32x8_splat(RHW_TILE - CELL)); // all of the cell lies in the tile
     const u32x8 dx = (u32x8)(x - of_cells(setup->x, triangle)) << RHW_SUBPIXEL_BITS,
                 dy = (u32x8)below << RHW_SUBPIXEL_BITS;
     struct cell_edges8 edges;
@@ -146,12 +148,12 @@ static inline void cover_cells8(struct sample_cells *cells, const struct triangl
     i32x8_store(&cells->y[n], y);
 }
 
-// Covers those triangles of a batch that fit.
-static __attribute__((noinline)) void cover_cells(struct triangle_setup8 *setup,
-                                                  const struct rhw_sample_pattern *pattern)
+// Finds the tiny triangles of a batch, those that fit into the list, and covers them.
+void RHW_ISA_NAME(rhw_find_tiny_samples)(struct triangle_setup8 *setup,
+                                         const struct rhw_sample_pattern *pattern)
 {
     struct sample_cells *const cells = &setup->cells;
-    const int count = list_cells(cells, setup);
+    const int count = list_cells(setup);
     for (int n = 0; n < count; n += BATCH) {
         cover_cells8(cells, setup, pattern, n);
     }
@@ -160,7 +162,6 @@ static __attribute__((noinline)) void cover_cells(struct triangle_setup8 *setup,
         covers |= (unsigned)((cells->low[n] | cells->high[n]) != 0) << cells->entry[n] % BATCH;
     }
     cells->covers = covers;
-    cells->are_set = true;
 }
 
 RHW_INLINE struct sample_cell cell_at(const struct sample_cells *cells, int n)

@@ -6,9 +6,9 @@
 #ifndef RHW_TRIANGLE_LARGE_H
 #define RHW_TRIANGLE_LARGE_H
 
-#include "kernels/fragment/constant_color.h"
 #include "kernels/fragment/explained_fragment.h"
-#include "kernels/fragment/gather.h"
+#include "kernels/fragment/collect.h"
+#include "kernels/fragment/constant_color.h"
 #include "kernels/depth/block_test.h"
 #include "kernels/depth/depth_range.h"
 #include "span_blocks.h"
@@ -25,7 +25,7 @@ RHW_INLINE int face_of(const struct triangle_work *triangle)
 // Whether stencil is tested before the triangle's planes are made; what is explained has numbers before any test.
 RHW_INLINE bool tests_stencil_first(const struct tile_work *work)
 {
-    return work->plan.tests_stencil_first && !work->explained;
+    return work->plan.test == RHW_TEST_STENCIL_FIRST && !work->explained;
 }
 
 // Tests a block's pixels set in `mask` before shading; returns those that pass.
@@ -35,9 +35,9 @@ RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_wor
     struct tile_depth *const depth = &work->scratch->depth;
     const struct planes *const planes = &triangle->planes;
     const bool is_whole = mask == ~(uint64_t)0;
-    if (work->plan.is_full) {
+    if (work->plan.test != RHW_TEST_DEPTH) {
         const struct block_pixels pixels = {depth, block->z, block->x, block->y, mask};
-        return test_full_early(&pixels, &work->plan, face_of(triangle), tests_stencil_first(work));
+        return test_block_early_stencil(&pixels, &work->plan, face_of(triangle), tests_stencil_first(work));
     }
     mask = test_block_early(depth, block->z, block->x, block->y, mask, &work->plan);
     // Blocks of spans start anywhere; only those at multiples of 8 have a bound.
@@ -49,8 +49,67 @@ RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_wor
     return mask;
 }
 
-// Draws a block: depth is tested first, then what survives is collected for shading.
-static void draw_block(struct tile_work *work, struct triangle_work *triangle, int x, int y, uint64_t mask)
+// Draws a block of which `mask` is covered and open: depth is tested first, then what survives is collected for
+// shading.
+RHW_INLINE void shade_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
+                            uint64_t mask, bool is_explained)
+{
+    const struct rhw_draw_plan *const plan = &work->plan;
+    if (!triangle->has_planes) {
+        set_planes(work, triangle);
+    }
+    f32x8 z[RHW_BLOCK];
+    // Set member by member: before an initializer gcc clears all of it, by a slow `rep stos`.
+    struct block block;
+    block.x = x;
+    block.y = y;
+    block.at = block_offset(work, &triangle->planes, x, y);
+    block.z = z;
+    block.leaves_triangle = leaves_triangle(triangle, &block.at);
+    block.samples = NULL;
+    if (plan->needs_depth || is_explained) {
+        depth_rows(work, triangle, &block, mask, z);
+        if (is_explained) {
+            explain_covered(work, x, y, 0, mask, z);
+        }
+        if (plan->tests_early) {
+            mask = test_depth(work, triangle, &block, mask);
+        }
+        if (is_explained) {
+            explain_passed(work, x, y, 0, mask);
+        }
+        if (mask == 0) {
+            return;
+        }
+    }
+    if (plan->shading == RHW_SHADING_NONE) {
+        return;
+    }
+    work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
+    if (plan->shading == RHW_SHADING_CONSTANT) {
+        blend_constant(work, x, y, mask);
+    } else {
+        collect_block(work, triangle, &block, mask);
+    }
+}
+
+static __attribute__((noinline)) void shade_plain_block(struct tile_work *work,
+                                                        struct triangle_work *triangle, int x, int y,
+                                                        uint64_t mask)
+{
+    shade_block(work, triangle, x, y, mask, false);
+}
+
+static __attribute__((noinline)) void shade_explained_block(struct tile_work *work,
+                                                            struct triangle_work *triangle, int x, int y,
+                                                            uint64_t mask)
+{
+    shade_block(work, triangle, x, y, mask, true);
+}
+
+// Draws a block. What asks for no number of the triangle is done here, and needs few registers.
+RHW_INLINE void draw_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
+                           uint64_t mask)
 {
     const struct rhw_draw_plan *const plan = &work->plan;
     struct tile_depth *const depth = &work->scratch->depth;
@@ -70,38 +129,10 @@ static void draw_block(struct tile_work *work, struct triangle_work *triangle, i
         blend_constant(work, x, y, mask);
         return;
     }
-    if (!triangle->has_planes) {
-        set_planes(work, triangle);
-    }
-    f32x8 z[RHW_BLOCK];
-    // Set member by member: before an initializer gcc clears all of it, by a slow `rep stos`.
-    struct block block;
-    block.x = x;
-    block.y = y;
-    block.at = block_offset(work, &triangle->planes, x, y);
-    block.z = z;
-    block.leaves_triangle = leaves_triangle(triangle, &block.at);
-    block.samples = NULL;
-    if (plan->needs_depth || work->explained) {
-        depth_rows(work, triangle, &block, mask, z);
-    }
     if (work->explained) {
-        explain_covered(work, x, y, 0, mask, z);
-    }
-    if (plan->tests_early) {
-        mask = test_depth(work, triangle, &block, mask);
-    }
-    if (work->explained) {
-        explain_passed(work, x, y, 0, mask);
-    }
-    if (mask == 0 || plan->shading == RHW_SHADING_NONE) {
-        return;
-    }
-    work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
-    if (plan->shading == RHW_SHADING_CONSTANT) {
-        blend_constant(work, x, y, mask);
+        shade_explained_block(work, triangle, x, y, mask);
     } else {
-        collect_block(work, triangle, &block, mask);
+        shade_plain_block(work, triangle, x, y, mask);
     }
 }
 
@@ -117,26 +148,6 @@ RHW_INLINE bool takes_whole_tile(const struct tile_work *work)
            !work->is_scissored && (work->phase == RHW_PHASE_ONLY || all_open);
 }
 
-RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_work *triangle,
-                                enum derivatives derivatives, enum weight_path path)
-{
-    const struct planes *const planes = &triangle->planes;
-    struct fragment_queue *const queue = &work->scratch->queue;
-    for (int y = 0; y < RHW_TILE; y += RHW_BLOCK) {
-        struct block_planes over;
-        const f64x8 dy = block_offset(work, planes, 0, y).dy;
-        block_weight_rows(&over, planes, dy, path);
-        for (int x = 0; x < RHW_TILE; x += RHW_BLOCK) {
-            const struct anchor_offset at = {block_offset(work, planes, x, y).dx, dy};
-            block_weight_columns(&over, planes, at.dx);
-            place_rows(queue, &all_rows, x, y);
-            fill_steps(work, triangle, &over, &at, &all_rows, derivatives, path);
-            queue->count += RHW_BLOCK;
-            shade_if_full(work);
-        }
-    }
-}
-
 // A triangle that covers the tile all over where no depth is tested, as in full-screen passes: what its blocks share is
 // done once. False where it takes the path of any other.
 static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, struct triangle_work *triangle)
@@ -145,19 +156,7 @@ static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, st
     if (triangle->planes.kind != PLANES_LINEAR || triangle->clipped) {
         return false;
     }
-    flush(work); // its own groups fill queues without a rest
-    set_inputs(work, triangle);
-    const bool derivatives = work->pipeline->any_derivatives;
-    const bool per_row = weight_path_of(&triangle->planes) == WEIGHTS_PER_ROW;
-    if (derivatives && per_row) {
-        fill_whole_tile(work, triangle, DERIVATIVES, WEIGHTS_PER_ROW);
-    } else if (derivatives) {
-        fill_whole_tile(work, triangle, DERIVATIVES, WEIGHTS_PER_PIXEL);
-    } else if (per_row) {
-        fill_whole_tile(work, triangle, NO_DERIVATIVES, WEIGHTS_PER_ROW);
-    } else {
-        fill_whole_tile(work, triangle, NO_DERIVATIVES, WEIGHTS_PER_PIXEL);
-    }
+    RHW_ISA_NAME(rhw_queue_tile)(work, triangle);
     work->counters->fragments += RHW_TILE * RHW_TILE;
     if (work->phase == RHW_PHASE_BACKWARDS) {
         memset(work->scratch->depth.open, 0, sizeof work->scratch->depth.open);
@@ -168,8 +167,8 @@ static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, st
 
 // All ---------------------------------------------------------------------------------------------------
 
-// Whether what is known of blocks of the triangle's plane holds for the one at (x, y): its bit is set, and depth in it is
-// the plane's.
+// Whether what is known of blocks of the triangle's plane holds for the one at (x, y): its bit is set, and depth in
+// it is the plane's.
 static bool holds_for_block(const struct tile_work *work, const struct triangle_work *triangle,
                             unsigned known, int x, int y)
 {
@@ -206,19 +205,18 @@ static void draw_blocks(struct tile_work *work, struct triangle_work *triangle,
             }
         }
     }
-    finish_gathered(work, triangle);
+    finish_collected(work, triangle);
 }
 
 // Settled blocks ----------------------------------------------------------------------------------------
 
 // Whether the tile knows enough of its depth to draw a triangle by the function below, where its draw may be.
-static bool settles_blocks(const struct tile_work *work)
+static bool knows_ranges(const struct tile_work *work)
 {
-    enum {
-        TRIANGLES_UNRANGED = 2
-    }; // of a draw that are tested before a look at all of the tile's depth pays
+    enum { TRIANGLES_UNRANGED = 2 }; // a draw tests so many before a look at all of the tile's depth pays
     struct tile_depth *const depth = &work->scratch->depth;
-    if (!work->plan.settles_blocks || (!depth->has_ranges && depth->unranged++ < TRIANGLES_UNRANGED)) {
+    if (work->plan.test != RHW_TEST_WHOLE_BLOCKS ||
+        (!depth->has_ranges && depth->unranged++ < TRIANGLES_UNRANGED)) {
         return false;
     }
     if (!depth->has_ranges) {
@@ -227,8 +225,8 @@ static bool settles_blocks(const struct tile_work *work)
     return true;
 }
 
-// Of the blocks that are `wanted` those that stencil can be changed in without a test.
-static struct settled_blocks settled_blocks(struct tile_work *work, struct triangle_work *triangle,
+// Returns the blocks among those `wanted` in which stencil can be changed without a test.
+static struct decided_blocks decided_blocks(struct tile_work *work, struct triangle_work *triangle,
                                             uint64_t wanted)
 {
     const struct planes *const planes = &triangle->planes;
@@ -236,7 +234,7 @@ static struct settled_blocks settled_blocks(struct tile_work *work, struct trian
         set_planes(work, triangle);
     }
     if (planes->kind != PLANES_LINEAR) {
-        return (struct settled_blocks){0, 0};
+        return (struct decided_blocks){0, 0};
     }
     if (triangle->clipped) {
         for (uint64_t left = wanted; left != 0; left &= left - 1) {
@@ -246,10 +244,10 @@ static struct settled_blocks settled_blocks(struct tile_work *work, struct trian
             wanted &= ~((uint64_t)leaves_triangle(triangle, &at) << n);
         }
     }
-    const struct settled_blocks settled = settle_blocks(
+    const struct decided_blocks decided = decide_blocks(
         &work->scratch->depth, work->plan.early.compare, plane_of(&planes->quantities, QUANTITY_Z),
         planes->anchor_x - work->x, planes->anchor_y - work->y, triangle->clamps_depth, wanted);
-    return (struct settled_blocks){settled.passed & wanted, settled.failed & wanted};
+    return (struct decided_blocks){decided.passed & wanted, decided.failed & wanted};
 }
 
 // What is covered of a block, which is among the triangle's.
@@ -266,10 +264,11 @@ static uint64_t mask_of_block(const struct tile_work *work, const struct triangl
     return mask;
 }
 
-// A triangle that leaves depth as it is and changes stencil by whether it passes the depth test. Nothing shades it, so there
-// is nothing gathered to end with.
-static __attribute__((noinline)) void draw_settled(struct tile_work *work, struct triangle_work *triangle,
-                                                   const struct coverage *coverage)
+// A triangle that leaves depth as it is and changes stencil by whether it passes the depth test. Nothing shades it,
+// so there is nothing collected to end with.
+static __attribute__((noinline)) void draw_whole_blocks(struct tile_work *work,
+                                                        struct triangle_work *triangle,
+                                                        const struct coverage *coverage)
 {
     struct tile_depth *const depth = &work->scratch->depth;
     const struct rhw_stencil_rule *const face = &work->state->depth_stencil.face[face_of(triangle)];
@@ -279,39 +278,37 @@ static __attribute__((noinline)) void draw_settled(struct tile_work *work, struc
     }
     const struct tile_rect rect = rect_of(work, triangle->t);
     blocks.inside &= blocks_of_rect(rect.x0, rect.y0, rect.x1, rect.y1);
-    const struct settled_blocks settled = settled_blocks(work, triangle, blocks.inside);
-    const uint64_t kept = (face->pass == RHW_STENCIL_KEEP ? settled.passed : 0) |
-                          (face->depth_fail == RHW_STENCIL_KEEP ? settled.failed : 0);
+    const struct decided_blocks decided = decided_blocks(work, triangle, blocks.inside);
+    const uint64_t kept = (face->pass == RHW_STENCIL_KEEP ? decided.passed : 0) |
+                          (face->depth_fail == RHW_STENCIL_KEEP ? decided.failed : 0);
     for (uint64_t left = blocks.inside & ~kept; left != 0; left &= left - 1) {
         const int n = __builtin_ctzll(left);
         const int x = n % HIZ_BLOCKS * RHW_BLOCK, y = n / HIZ_BLOCKS * RHW_BLOCK;
         const uint64_t mask = mask_of_block(work, triangle, coverage, blocks.crossed >> n & 1, x, y);
-        if ((settled.passed | settled.failed) >> n & 1) {
+        if ((decided.passed | decided.failed) >> n & 1) {
             change_stencil_block(depth, x, y, mask, face,
-                                 settled.passed >> n & 1 ? face->pass : face->depth_fail);
-        } else {
-            draw_block(work, triangle, x, y, mask);
+                                 decided.passed >> n & 1 ? face->pass : face->depth_fail);
+        } else if (mask !=
+                   0) { // nothing is drawn backwards or claimed here, and the general path never comes here
+            shade_plain_block(work, triangle, x, y, mask);
         }
     }
 }
 
 // A small triangle whose groups must be rows, or that is a sliver: 6 % fewer instructions for lines drawn as quads.
-static __attribute__((noinline)) void draw_spans(struct tile_work *work, struct triangle_work *triangle)
+static void draw_by_spans(struct tile_work *work, struct triangle_work *triangle)
 {
+    begin_any(work, triangle, NULL);
     draw_span_blocks(work, triangle, draw_block);
-    finish_gathered(work, triangle);
+    finish_collected(work, triangle);
 }
 
-// Out of line, so that small triangles, drawn beside it, keep their registers.
-static __attribute__((noinline)) void draw_large(struct tile_work *work, struct triangle_work *triangle,
-                                                 const struct rhw_chunk *chunk)
+static void draw_any(struct tile_work *work, struct triangle_work *triangle)
 {
     struct coverage coverage;
-    if (triangle->t->flags & work->plan.span_flag) {
-        draw_spans(work, triangle);
-        return;
-    }
-    coverage_setup(&coverage, chunk, triangle->t, center_of_pixel(work->x, work->y));
+    struct clipped_planes clipped;
+    begin_any(work, triangle, &clipped);
+    coverage_setup(&coverage, triangle->chunk, triangle->t, center_of_pixel(work->x, work->y));
     if (coverage.count == 0) {
         return;
     }
@@ -319,8 +316,8 @@ static __attribute__((noinline)) void draw_large(struct tile_work *work, struct 
         draw_whole_tile(work, triangle)) {
         return;
     }
-    if (settles_blocks(work)) {
-        draw_settled(work, triangle, &coverage);
+    if (knows_ranges(work)) {
+        draw_whole_blocks(work, triangle, &coverage);
     } else {
         draw_blocks(work, triangle, &coverage);
     }

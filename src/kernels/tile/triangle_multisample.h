@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A triangle in a tile whose pixels have several samples: the same as triangle_large.h, with coverage and depth by sample.
-// A fragment is what a triangle covers of a pixel, one sample or more: it is shaded once, where its varyings say
-// (enum rhw_sampling), and goes into every sample that it covers and that passes the tests.
+// A triangle in a tile whose pixels have several samples: the same as triangle_large.h, with coverage and depth by
+// sample. A fragment is what a triangle covers of a pixel, one sample or more: it is shaded once, where its varyings
+// say (enum rhw_sampling), and goes into every sample that it covers and that passes the tests.
 #ifndef RHW_TRIANGLE_MULTISAMPLE_H
 #define RHW_TRIANGLE_MULTISAMPLE_H
 
-#include "kernels/fragment/constant_color.h"
 #include "kernels/fragment/explained_fragment.h"
-#include "kernels/fragment/gather.h"
+#include "kernels/fragment/collect.h"
+#include "kernels/fragment/constant_color.h"
 #include "kernels/depth/block_test.h"
+#include "sampled_block.h"
 #include "triangle_planes.h"
-
-// A block of 8×8 pixels by sample.
-struct sampled_block {
-    int x, y;
-    uint64_t mask[RHW_MAX_SAMPLES];
-    uint64_t covered[RHW_MAX_SAMPLES]; // the same before any test, for centroids alone
-    f32x8 z[RHW_MAX_SAMPLES][RHW_BLOCK];
-};
 
 // Sets all but depths and samples of the block as its pixels are at sample s; −1: at their centres. In place: a copy
 // would wait for what was just written, which took msaa4_sponza 1 % of its time.
@@ -57,7 +50,7 @@ static uint64_t all_samples(const struct tile_work *work, const uint64_t *mask)
 static void leave_open(struct tile_work *work, struct sampled_block *block)
 {
     for (int s = 0; s < work->samples; s++) {
-        struct tile_depth *const depth = depth_plane(work->scratch, s);
+        struct tile_depth *const depth = depth_of_sample(work->scratch, s);
         if (work->phase == RHW_PHASE_BACKWARDS) {
             block->mask[s] = claim_backwards(depth, block->x, block->y, block->mask[s]);
         } else if (work->plan.early_name == RHW_RULE_CLAIM) {
@@ -84,20 +77,21 @@ static void test_samples(struct tile_work *work, const struct triangle_work *tri
     const struct planes *const planes = &triangle->planes;
     const int face = triangle->t->flags & RHW_TRIANGLE_BACK ? 1 : 0;
     // Samples that fail other tests leave depth as it is.
-    const bool covers = work->tests_bounds && !work->plan.is_full && work->plan.early.write &&
+    const bool covers = work->tests_bounds && work->plan.test == RHW_TEST_DEPTH && work->plan.early.write &&
                         planes->kind == PLANES_LINEAR && all_samples(work, block->mask) == ~(uint64_t)0 &&
                         !samples_leave(work, triangle, block->x, block->y);
     for (int s = 0; s < work->samples; s++) {
         if (block->mask[s] == 0) {
             continue;
         }
-        struct tile_depth *const depth = depth_plane(work->scratch, s);
+        struct tile_depth *const depth = depth_of_sample(work->scratch, s);
         const struct block_pixels pixels = {depth, block->z[s], block->x, block->y, block->mask[s]};
-        block->mask[s] = work->plan.is_full ? test_full_early(&pixels, &work->plan, face, false)
-                                            : test_early(&work->plan, test_block, &pixels);
+        block->mask[s] = work->plan.test != RHW_TEST_DEPTH
+                             ? test_block_early_stencil(&pixels, &work->plan, face, false)
+                             : test_early(&work->plan, test_block, &pixels);
     }
     if (covers) {
-        hiz_cover(depth_plane(work->scratch, 0), plane_of(&planes->quantities, QUANTITY_Z),
+        hiz_cover(depth_of_sample(work->scratch, 0), plane_of(&planes->quantities, QUANTITY_Z),
                   planes->anchor_x - work->x, planes->anchor_y - work->y, block->x, block->y, SAMPLE_REACH);
     }
 }
@@ -128,19 +122,19 @@ static void queue_samples(struct tile_work *work, struct triangle_work *triangle
     const bool is_whole = pixels == ~(uint64_t)0;
     if (at < 0 && (!is_whole || all_samples(work, from->mask) != pixels) &&
         can_scatter(work, triangle, &block, pixels)) {
-        gather_samples(work, triangle, block.x, block.y, from->mask, pixels);
+        collect_samples(work, triangle, block.x, block.y, from->mask, pixels);
         return;
     }
     release_overtaken(work, block.x, block.y, pixels);
     if (is_whole) {
-        queue_rows(work, triangle, &block, &all_rows);
+        RHW_ISA_NAME(rhw_queue_block)(work, triangle, &block);
     } else {
-        queue_some_rows(work, triangle, &block, pixels);
+        RHW_ISA_NAME(rhw_queue_some_rows)(work, triangle, &block, pixels);
     }
 }
 
-static void collect_samples(struct tile_work *work, struct triangle_work *triangle,
-                            const struct sampled_block *block, uint64_t any)
+static void queue_sampled_block(struct tile_work *work, struct triangle_work *triangle,
+                                const struct sampled_block *block, uint64_t any)
 {
     uint64_t left = any;
     switch (work->plan.sampling) {
@@ -161,8 +155,8 @@ static void collect_samples(struct tile_work *work, struct triangle_work *triang
     }
 }
 
-static void draw_sampled_block(struct tile_work *work, struct triangle_work *triangle,
-                               struct sampled_block *block)
+void RHW_ISA_NAME(rhw_draw_sampled_block)(struct tile_work *work, struct triangle_work *triangle,
+                                          struct sampled_block *block)
 {
     const struct rhw_draw_plan *const plan = &work->plan;
     for (int s = 0; s < work->samples && plan->sampling == RHW_SAMPLING_CENTROID; s++) {
@@ -207,7 +201,7 @@ static void draw_sampled_block(struct tile_work *work, struct triangle_work *tri
     if (plan->shading == RHW_SHADING_CONSTANT) {
         blend_constant_samples(work, block->x, block->y, block->mask);
     } else {
-        collect_samples(work, triangle, block, any);
+        queue_sampled_block(work, triangle, block, any);
     }
 }
 
@@ -258,9 +252,9 @@ static void fill_samples(const struct tile_work *work, struct sampled_block *blo
     }
 }
 
-// Sets the edges of a triangle that cross the tile at some sample. They are those at pixel centres, and reach over a block
-// as far as its samples do: half a pixel more, so that block_row_of tells of all samples at once. With that, |q| in the
-// tile is at most 63.5·(|a| + |b|) + 2 < 2^31. False where the triangle lies beside the tile.
+// Sets the edges of a triangle that cross the tile at some sample. They are those at pixel centres, and reach over a
+// block as far as its samples do: half a pixel more, so that block_row_of tells of all samples at once. With that,
+// |q| in the tile is at most 63.5·(|a| + |b|) + 2 < 2^31. False where the triangle lies beside the tile.
 static bool wide_edges_set(struct triangle_edges *wide, const struct tile_work *work,
                            const struct rhw_triangle *t)
 {
@@ -305,17 +299,17 @@ static void draw_sampled_row(struct tile_work *work, struct triangle_work *trian
         } else {
             fill_samples(work, &block);
         }
-        draw_sampled_block(work, triangle, &block);
+        RHW_ISA_NAME(rhw_draw_sampled_block)(work, triangle, &block);
     }
 }
 
-static __attribute__((noinline)) void draw_multisampled(struct tile_work *work,
-                                                        struct triangle_work *triangle,
-                                                        const struct rhw_chunk *chunk)
+static void draw_any_samples(struct tile_work *work, struct triangle_work *triangle)
 {
+    struct clipped_planes clipped;
+    begin_any(work, triangle, &clipped);
     const struct rhw_sample_pattern *const pattern = work->target->pattern;
     const struct tile_rect rect = rect_of(work, triangle->t);
-    // Of the others blocks are not all there is to look at.
+    // Polygons and points are more than the three edges that tell of whole blocks.
     const bool is_whole = !(triangle->t->flags & (RHW_TRIANGLE_POLYGON | RHW_TRIANGLE_RECTANGLE));
     struct triangle_edges wide;
     if (is_whole && !wide_edges_set(&wide, work, triangle->t)) {
@@ -326,9 +320,9 @@ static __attribute__((noinline)) void draw_multisampled(struct tile_work *work,
     for (int s = 0; s < work->samples; s++) {
         const struct sample_origin origin = {(int64_t)work->x * RHW_SUBPIXEL + pattern->x_0_8[s],
                                              (int64_t)work->y * RHW_SUBPIXEL + pattern->y_0_8[s]};
-        coverage_setup(&coverage[s], chunk, triangle->t, origin);
+        coverage_setup(&coverage[s], triangle->chunk, triangle->t, origin);
         reaches |= coverage[s].count != 0;
-        depth_plane(work->scratch, s)->marked = false;
+        depth_of_sample(work->scratch, s)->marked = false;
     }
     if (!reaches) {
         return;
@@ -336,9 +330,9 @@ static __attribute__((noinline)) void draw_multisampled(struct tile_work *work,
     for (int y = rect.y0 & -RHW_BLOCK; y < rect.y1; y += RHW_BLOCK) {
         draw_sampled_row(work, triangle, coverage, &rect, is_whole ? &wide : NULL, y);
     }
-    finish_gathered(work, triangle);
+    finish_collected(work, triangle);
     for (int s = 1; s < work->samples; s++) {
-        work->scratch->depth.marked |= depth_plane(work->scratch, s)->marked;
+        work->scratch->depth.marked |= depth_of_sample(work->scratch, s)->marked;
     }
 }
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What blocks of any triangle are drawn with: its planes, made when its first block survives, the depths of a block, and
-// the blocks that it is hidden in.
+// What blocks of any triangle are drawn with: its planes, made when its first block survives, the depths of a block,
+// and the blocks that it is hidden in.
 #ifndef RHW_TRIANGLE_PLANES_H
 #define RHW_TRIANGLE_PLANES_H
 
-#include "kernels/fragment/row_groups.h"
+#include "kernels/fragment/block.h"
 #include "kernels/integer.h"
 #include "kernels/depth/hiz.h"
+#include "kernels/raster/plane_clipped.h"
 #include "depth_bias.h"
+#include "triangle_run.h"
 
 // Gives what a triangle may cover of the tile.
 RHW_INLINE struct tile_rect rect_of(const struct tile_work *work, const struct rhw_triangle *t)
@@ -108,21 +110,6 @@ RHW_INLINE bool hides_small(const struct tile_work *work, const struct triangle_
                      setup->anchor_x[i] - work->x, setup->anchor_y[i] - work->y, &rect, SAMPLE_REACH);
 }
 
-// Flags of which a small triangle that nothing else has to be asked about has RHW_TRIANGLE_SMALL alone; without that where
-// the draw has no path for it.
-RHW_INLINE uint16_t plain_flags(const struct rhw_draw_plan *plan)
-{
-    const uint16_t others = RHW_TRIANGLE_RECTANGLE | RHW_TRIANGLE_LINE | RHW_TRIANGLE_SMOOTH |
-                            RHW_TRIANGLE_CONSERVATIVE | RHW_TRIANGLE_STIPPLE;
-    return others | (plan->is_biased ? 0 : plan->sampled_small_flag);
-}
-
-// Whether a triangle is such, in a pass of several samples: 3 % fewer instructions where triangles are tiny.
-RHW_INLINE bool is_plain_small(const struct triangle_setup8 *setup, int i, uint16_t plain)
-{
-    return (setup->read->triangle[i]->flags & plain) == RHW_TRIANGLE_SMALL && !(setup->exact >> i & 1);
-}
-
 // Gives the depths of a block; those of pixels outside `mask` are rubbish.
 RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_work *triangle,
                            const struct block *block, uint64_t mask, f32x8 z[RHW_BLOCK])
@@ -145,28 +132,14 @@ RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_w
     }
 }
 
-// The smallest ones -------------------------------------------------------------------------------------
+// Tiny ones ---------------------------------------------------------------------------------------------
 
-// Triangles of a batch from `first` on that take a path of the smallest ones, one after another.
-struct tiny_run {
-    struct tile_work *work;
-    const struct rhw_chunk *chunk;
-    struct triangle_setup8 *setup;
-    int first;
-};
-
-// Makes triangle i ready for shading.
-RHW_INLINE void begin_tiny(const struct tile_work *work, struct triangle_work *triangle,
-                           const struct tiny_run *run, int i)
+// Makes tiny triangle i of a run ready for shading.
+RHW_INLINE void begin_tiny(struct triangle_work *triangle, const struct triangle_run *run, int i)
 {
-    triangle->t = run->setup->read->triangle[i];
-    triangle->segment = &run->chunk->segments[triangle->t->segment];
-    triangle->setup = run->setup;
-    triangle->lane = i;
-    triangle->clamps_depth = triangle->has_values = false;
-    triangle->depth_bias = 0;
-    triangle->clipped = NULL;
-    copy_planes(work, triangle);
+    begin_triangle(triangle, run, i);
+    begin_plain(triangle);
+    copy_planes(run->work, triangle);
 }
 
 #endif

@@ -13,26 +13,25 @@
 enum {
     CELL = 4, // pixels of a cell, each way
     CELL_SAMPLES = 4,
-    CELLS_X = 2, // of a triangle, at most
+    CELLS_X = 2, // cells of a triangle, each way, at most
     CELLS_Y = 4,
     MOST_CELLS = BATCH * CELLS_X * CELLS_Y
 };
 
-// What small triangles cover where pixels have 4 samples (sample_cells.h): of triangle i in cells first[i] ..
+// What tiny triangles cover where pixels have 4 samples (sample_cells.h): of triangle i in cells first[i] ..
 // first[i + 1] − 1. Lists have room for a vector that begins behind the last.
 struct sample_cells {
-    bool are_set;          // else nothing else is
-    unsigned fits, covers; // bit i: all of triangle i is here; and it covers a sample
+    unsigned covers; // bit i: triangle i covers a sample
     int first[BATCH + 1];
     int32_t entry[MOST_CELLS + BATCH];
-    int32_t x[MOST_CELLS + BATCH], y[MOST_CELLS + BATCH]; // of the tile
+    int32_t x[MOST_CELLS + BATCH], y[MOST_CELLS + BATCH]; // pixels of the tile
     uint32_t low[MOST_CELLS + BATCH], high[MOST_CELLS + BATCH];
 };
 
-// Edges and pixels are those of small triangles (RHW_TRIANGLE_SMALL) alone, planes those of snapped ones. Edges: q, a,
-// b as in coverage.h, q at pixel (x, y0) of the tile. Vertices lie within 64 pixels of each other and within 72 of any
-// pixel of a block that reaches into their rectangle, as edge_lanes asks. Where pixels have several samples q is that of
-// the pixel's top left corner, times 256: those of samples follow from it.
+// Edges and pixels are those of small triangles (RHW_TRIANGLE_SMALL) alone, planes those of snapped ones. Edges: q,
+// a, b as in coverage.h, q at pixel (x, y0) of the tile. Vertices lie within 64 pixels of each other and within 72 of
+// any pixel of a block that reaches into their rectangle, as edge_lanes asks. Where pixels have several samples q is
+// that of the pixel's top left corner, times 256: those of samples follow from it.
 struct triangle_setup8 {
     const struct bin_batch *read; // the triangles
     // What they may cover of the tile: see struct tile_rect.
@@ -42,10 +41,16 @@ struct triangle_setup8 {
     struct quantity_planes quantities[BATCH];
     double inverse_area[BATCH];
     int32_t anchor_x[BATCH], anchor_y[BATCH]; // as in struct planes
-    unsigned exact;                           // bit i: the planes of triangle i are PLANES_EXACT: a sliver
+    bool is_one_segment;                      // all triangles are of one segment, and so of one draw
+    // Sets of triangles: bit i stands for triangle i.
+    unsigned exact;  // their planes are PLANES_EXACT: slivers
+    unsigned clamps; // they may leave the range that depth is held to
+    unsigned small;  // small triangles that are neither exact nor clamped, nor points with several samples
+    unsigned tiny;   // small triangles that are tiny, where the draw of the first triangle draws tiny ones
+    double depth_bias[BATCH]; // set where the draw is biased and the vertices are snapped
+    // What tiny triangles cover: where a pixel has one sample (triangle_tiny.h), and where it has 4.
+    uint32_t tiny_mask[BATCH];
     struct sample_cells cells;
-    unsigned specks; // bits of the smallest triangles, where pixels have one sample (triangle_specks.h),
-    uint32_t speck[BATCH]; // and what these cover
 };
 
 // The words of 8 triangles.
@@ -70,7 +75,8 @@ RHW_INLINE struct triangle_words8 load_words8(const struct bin_batch *read, cons
     const i32x8 zero = i32x8_splat(0), end = i32x8_splat(RHW_TILE), x = i32x8_splat(work->x),
                 y = i32x8_splat(work->y);
     words.segment = (i32x8)high[2];
-    words.flags = (i32x8)high[4]; // and above them x0; then y0 and x1, and y1: see struct rhw_triangle
+    words.flags =
+        (i32x8)high[4]; // x0 stands above the flags, y0 and x1 follow, then y1: see struct rhw_triangle
     words.x0 = i32x8_max(((i32x8)high[4] >> 16) - x, zero);
     words.y0 = i32x8_max(((i32x8)high[5] << 16 >> 16) - y, zero);
     words.x1 = i32x8_min(((i32x8)high[5] >> 16) - x, end);
@@ -81,8 +87,7 @@ RHW_INLINE struct triangle_words8 load_words8(const struct bin_batch *read, cons
 RHW_INLINE void setup_edges8(struct triangle_setup8 *setup, const struct triangle_words8 *words,
                              const struct tile_work *work)
 {
-    const i32x8 x =
-        i32x8_min(words->x0, i32x8_splat(RHW_TILE - RHW_BLOCK)); // so that 8 lanes stay in the tile
+    const i32x8 x = i32x8_min(words->x0, i32x8_splat(RHW_TILE - RHW_BLOCK)); // 8 lanes stay in the tile
     const bool several = work->samples > 1;
     const i32x8 center = i32x8_splat(several ? SAMPLE_OFFSET_0_8 : 0);
     const i32x8 px = sample_of_pixel8(x + i32x8_splat(work->x)) - center,
@@ -221,15 +226,28 @@ static __attribute__((noinline)) void set_screen_planes(struct triangle_work *tr
 
 // Eight -------------------------------------------------------------------------------------------------
 
+// Sets what is known of the triangles without a look at their draws.
+RHW_INLINE void setup_sets8(struct triangle_setup8 *setup, const struct triangle_words8 *words,
+                            const struct tile_work *work)
+{
+    const i32x8 clamp = i32x8_splat(RHW_TRIANGLE_CLAMP), small = i32x8_splat(RHW_TRIANGLE_SMALL);
+    const i32x8 asked = small | i32x8_splat(work->samples > 1 ? RHW_TRIANGLE_RECTANGLE : 0);
+    const i32x8 first = i32x8_splat((int32_t)setup->read->triangle[0]->segment);
+    setup->is_one_segment = i32x8_sign_bits(rhw_equal_int(words->segment, first)) == 0xff;
+    setup->clamps = i32x8_sign_bits(rhw_equal_int(words->flags & clamp, clamp));
+    setup->small = i32x8_sign_bits(rhw_equal_int(words->flags & asked, small)) & ~setup->exact;
+    setup->tiny = 0;
+}
+
 // Sets up the triangles that were read.
 static void setup_triangles8(struct triangle_setup8 *setup, const struct tile_work *work,
                              const struct rhw_chunk *chunk, const struct bin_batch *read)
 {
     const struct triangle_words8 words = load_words8(read, work);
     setup->read = read;
-    setup->cells.are_set = false;
     setup_edges8(setup, &words, work);
     setup_planes8(setup, &words, chunk);
+    setup_sets8(setup, &words, work);
 }
 
 #endif

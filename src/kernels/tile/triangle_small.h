@@ -7,7 +7,7 @@
 #ifndef RHW_TRIANGLE_SMALL_H
 #define RHW_TRIANGLE_SMALL_H
 
-#include "kernels/fragment/gather.h"
+#include "kernels/fragment/collect.h"
 #include "kernels/integer.h"
 #include "span_blocks.h"
 #include "triangle_planes.h"
@@ -104,7 +104,7 @@ struct strip_test {
     struct strip_rows rows;
 };
 
-// Does so with the depth test, which writes depth: gives the pixels that are covered and pass.
+// Covers rows of a strip and tests their depth, which the test writes: gives the pixels that are covered and pass.
 RHW_INLINE uint64_t test_strip(const void *pixels, const struct rhw_depth_rule rule)
 {
     const struct strip_test *const test = pixels;
@@ -142,7 +142,7 @@ RHW_INLINE void draw_strip_rows(struct tile_work *work, struct triangle_work *tr
     const uint64_t passed = strip_pixels(work, triangle, strip, rows);
     const uint64_t mask = ready_pixels(work, triangle, strip->x, rows.top, passed);
     if (mask != 0) {
-        gather_fragments(work, triangle, strip->x, rows.top, y1 - rows.top, mask);
+        collect_fragments(work, triangle, strip->x, rows.top, y1 - rows.top, mask);
     }
 }
 
@@ -233,8 +233,8 @@ static __attribute__((noinline)) void draw_small_blocks(struct tile_work *work,
     draw_span_blocks(work, triangle, draw_small_block);
 }
 
-// Draws a triangle with RHW_TRIANGLE_SMALL whose planes are not exact ones, where the plan has a small_flag.
-static void draw_small(struct tile_work *work, struct triangle_work *triangle)
+// Draws a small triangle whose planes are not exact ones.
+RHW_INLINE void draw_small_triangle(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
     const int i = triangle->lane;
@@ -245,7 +245,7 @@ static void draw_small(struct tile_work *work, struct triangle_work *triangle)
     } else {
         draw_short_strip(work, triangle);
     }
-    finish_gathered(work, triangle);
+    finish_collected(work, triangle);
 }
 
 #endif

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Small triangles where pixels have several samples: their edges fit into 32 bits, those of all samples side by side, and
-// coverage and the early depth test of a row are one step. Parts of 8 columns and rows start where the triangle does. It
-// is the special path of triangle_multisample.h for draws that are shaded at pixel centres.
+// Small triangles where pixels have several samples: their edges fit into 32 bits, those of all samples side by side,
+// and coverage and the early depth test of a row are one step. Parts of 8 columns and rows start where the triangle
+// does. It is the special path of triangle_multisample.h for draws that are shaded at pixel centres.
 #ifndef RHW_TRIANGLE_SMALL_SAMPLES_H
 #define RHW_TRIANGLE_SMALL_SAMPLES_H
 
-#include "kernels/fragment/gather.h"
+#include "kernels/fragment/collect.h"
 #include "triangle_planes.h"
 
-// A part of a triangle's rectangle: rows y .. y1 − 1, and the columns of the 8 from x on whose lanes are not negative in
-// `sides`. Masks of it are those of the block whose first row is `top`; all of that lies in the tile.
+// A part of a triangle's rectangle: rows y .. y1 − 1, and the columns of the 8 from x on whose lanes are not negative
+// in `sides`. Masks of it are those of the block whose first row is `top`; all of that lies in the tile.
 struct small_part {
     int x, y, y1, top;
     i32x8 sides;
@@ -78,7 +78,7 @@ RHW_INLINE uint64_t test_part_sample(const struct part_test *test, int s, const 
     const struct small_edges *const edges = test->edges;
     const struct small_part *const part = test->part;
     const struct rhw_sample_pattern *const pattern = work->target->pattern;
-    struct tile_depth *const depth = depth_plane(work->scratch, s);
+    struct tile_depth *const depth = depth_of_sample(work->scratch, s);
     const int i = test->triangle->lane;
     const struct plane z = plane_of(&setup->quantities[i], QUANTITY_Z);
     const f64x8 dx = f64x8_from_i32x8(i32x8_splat(work->x + part->x - setup->anchor_x[i]) + rhw_lane_index);
@@ -106,7 +106,7 @@ RHW_INLINE uint64_t test_part_sample(const struct part_test *test, int s, const 
     return tests ? settle_block(depth, part->x, part->top, passed, rule) : passed;
 }
 
-// Does so for all samples. Gives the pixels of which one is left.
+// Covers and tests a part in all samples. Gives the pixels of which a sample is left.
 RHW_INLINE uint64_t test_part(const void *what, const struct rhw_depth_rule rule)
 {
     const struct part_test *const test = what;
@@ -132,15 +132,7 @@ static void draw_small_part(struct tile_work *work, struct triangle_work *triang
     if (!triangle->has_planes) {
         copy_planes(work, triangle);
     }
-    gather_samples(work, triangle, part->x, part->top, mask, any);
-}
-
-// Whether a triangle takes this path: a small one that is no point, and whose planes are not exact ones.
-RHW_INLINE bool takes_small_samples(const struct tile_work *work, const struct triangle_work *triangle)
-{
-    return triangle->t->flags & work->plan.sampled_small_flag &&
-           !(triangle->t->flags & RHW_TRIANGLE_RECTANGLE) &&
-           !(triangle->setup->exact >> triangle->lane & 1) && !triangle->clamps_depth;
+    collect_samples(work, triangle, part->x, part->top, mask, any);
 }
 
 // Whether all of the triangle in a part lies behind what the tile shows there.
@@ -154,8 +146,7 @@ static inline bool hides_part(const struct tile_work *work, const struct triangl
                                          min_int(part->x + RHW_BLOCK, setup->x1[i]), part->y1});
 }
 
-static __attribute__((noinline)) void draw_small_samples(struct tile_work *work,
-                                                         struct triangle_work *triangle)
+static void draw_small_triangle_samples(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
     const int i = triangle->lane;
@@ -165,8 +156,9 @@ static __attribute__((noinline)) void draw_small_samples(struct tile_work *work,
         edges.along[e] = i32x8_splat(setup->a[e][i]) * rhw_lane_index;
         edges.step[e] = i32x8_splat(setup->b[e][i]);
     }
+    begin_plain(triangle);
     for (int s = 0; s < work->samples; s++) {
-        depth_plane(work->scratch, s)->marked = false;
+        depth_of_sample(work->scratch, s)->marked = false;
     }
     for (int y = y0; y < y1; y += RHW_BLOCK) {
         for (int x = x0; x < x1; x += RHW_BLOCK) {
@@ -183,9 +175,9 @@ static __attribute__((noinline)) void draw_small_samples(struct tile_work *work,
             }
         }
     }
-    finish_gathered(work, triangle);
+    finish_collected(work, triangle);
     for (int s = 1; s < work->samples; s++) {
-        work->scratch->depth.marked |= depth_plane(work->scratch, s)->marked;
+        work->scratch->depth.marked |= depth_of_sample(work->scratch, s)->marked;
     }
 }
 

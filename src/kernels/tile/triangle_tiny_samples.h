@@ -5,24 +5,12 @@
 #ifndef RHW_TRIANGLE_TINY_SAMPLES_H
 #define RHW_TRIANGLE_TINY_SAMPLES_H
 
-#include "draw_state.h"
-#include "kernels/fragment/gather.h"
+#include "kernels/fragment/collect.h"
 #include "sample_cells.h"
 #include "triangle_planes.h"
 
-_Static_assert(MOST_CELLS / BATCH * CELL * CELL <= RHW_GATHERED_FRAGMENTS,
+_Static_assert(MOST_CELLS / BATCH * CELL * CELL <= RHW_COLLECTED_FRAGMENTS,
                "the fragments of a triangle are listed without a look at their number");
-
-// Sets where the samples of a cell's pixels lie, for all triangles of a tile.
-static void set_cell_pixels(struct cell_pixel pixels[CELL * CELL], const struct rhw_sample_pattern *pattern)
-{
-    for (int n = 0; n < CELL * CELL; n++) {
-        for (int s = 0; s < CELL_SAMPLES; s++) {
-            pixels[n].dx[s] = n % CELL + from_center(pattern->x_0_8[s]);
-            pixels[n].dy[s] = n / CELL + from_center(pattern->y_0_8[s]);
-        }
-    }
-}
 
 // Texels from the first of a cell to its others.
 #define CELL_ROW(y) (y) * RHW_TILE, (y)*RHW_TILE + 1, (y)*RHW_TILE + 2, (y)*RHW_TILE + 3
@@ -39,14 +27,14 @@ RHW_INLINE uint64_t covered_pixels(uint64_t covered)
 // The depth of the samples of a pixel.
 RHW_INLINE f32x4 depth_of_pixel(struct rhw_tile_scratch *scratch, int texel)
 {
-    return (f32x4){depth_plane(scratch, 0)->texels[texel], depth_plane(scratch, 1)->texels[texel],
-                   depth_plane(scratch, 2)->texels[texel], depth_plane(scratch, 3)->texels[texel]};
+    return (f32x4){depth_of_sample(scratch, 0)->texels[texel], depth_of_sample(scratch, 1)->texels[texel],
+                   depth_of_sample(scratch, 2)->texels[texel], depth_of_sample(scratch, 3)->texels[texel]};
 }
 
 RHW_INLINE void store_depth_of_pixel(struct rhw_tile_scratch *scratch, int texel, f32x4 depth)
 {
     for (int s = 0; s < CELL_SAMPLES; s++) {
-        depth_plane(scratch, s)->texels[texel] = depth[s];
+        depth_of_sample(scratch, s)->texels[texel] = depth[s];
     }
 }
 
@@ -56,7 +44,7 @@ static inline unsigned open_of_pixel(struct rhw_tile_scratch *scratch, int texel
     const int x = texel_column(texel), y = texel_row(texel);
     unsigned open = 0;
     for (int s = 0; s < CELL_SAMPLES; s++) {
-        open |= (unsigned)(depth_plane(scratch, s)->open[y] >> x & 1) << s;
+        open |= (unsigned)(depth_of_sample(scratch, s)->open[y] >> x & 1) << s;
     }
     return open;
 }
@@ -75,7 +63,7 @@ RHW_INLINE unsigned settle_pixel(struct rhw_tile_scratch *scratch, int texel, un
         scratch->depth.marked = true;
     }
     for (int s = 0; s < CELL_SAMPLES; s++) {
-        uint64_t *const row = &depth_plane(scratch, s)->open[y];
+        uint64_t *const row = &depth_of_sample(scratch, s)->open[y];
         const uint64_t pixel = (uint64_t)(passed >> s & 1) << x;
         *row = rule.open == RHW_OPEN_CLAIM ? *row & ~pixel : *row | pixel;
     }
@@ -87,13 +75,13 @@ RHW_INLINE void draw_cell(const struct tile_work *work, const struct triangle_se
                           const struct sample_cell *cell, const struct rhw_depth_rule rule)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
-    struct gathered_fragments *const gathered = &scratch->gathered;
+    struct collected_fragments *const collected = &scratch->collected;
     const struct plane z = plane_of(&setup->quantities[i], QUANTITY_Z);
     const f64x4 right = f64x4_splat(work->x + cell->x - setup->anchor_x[i]),
                 down = f64x4_splat(work->y + cell->y - setup->anchor_y[i]);
     const bool tests = work->plan.tests_early, lists = work->plan.shading != RHW_SHADING_NONE;
     const int first = cell->y * RHW_TILE + cell->x;
-    int count = gathered->count;
+    int count = collected->count;
     for (uint64_t left = covered_pixels(cell->covered); left != 0; left &= left - 1) {
         const unsigned bit = (unsigned)__builtin_ctzll(left), n = bit / CELL_SAMPLES;
         const int texel = first + texel_of_pixel[n];
@@ -116,41 +104,52 @@ RHW_INLINE void draw_cell(const struct tile_work *work, const struct triangle_se
             }
             samples = settle_pixel(scratch, texel, samples, rule);
         }
-        gathered->texel[count] = texel;
-        gathered->samples[count] = (int32_t)samples;
+        collected->texel[count] = texel;
+        collected->samples[count] = (int32_t)samples;
         count += lists && samples != 0;
     }
-    gathered->count = count;
+    collected->count = count;
 }
 
 // Makes groups of the fragments of triangle i, or packs them.
-static __attribute__((noinline)) void finish_tiny(const struct tiny_run *run, int i)
+static __attribute__((noinline)) void finish_cells(const struct triangle_run *run, int i)
 {
     struct tile_work *const work = run->work;
-    struct gathered_fragments *const gathered = &work->scratch->gathered;
+    struct collected_fragments *const collected = &work->scratch->collected;
     struct triangle_work triangle;
-    begin_tiny(work, &triangle, run, i);
-    work->counters->fragments += (uint64_t)gathered->count;
+    begin_tiny(&triangle, run, i);
+    work->counters->fragments += (uint64_t)collected->count;
     // Nobody asks where fragments may share a group and there are too few for one of their own.
-    gathered->overtakes =
-        (!work->orders_lanes || gathered->count >= least_of_group(work)) && gathered_wait(work);
-    release_gathered(work, &triangle);
+    collected->overtakes =
+        (!work->orders_lanes || collected->count >= least_of_group(work)) && collected_wait(work);
+    RHW_ISA_NAME(rhw_release_collected)(work, &triangle);
 }
 
-// Packs them where they are few and the draw wants no more than smooth varyings of them.
-RHW_INLINE void pack_tiny(const struct tiny_run *run, int i)
+// Packs the fragments of triangle i, which are few, where the draw wants no more than smooth varyings of them: 5 %
+// fewer instructions in msaa4_sphere_1m.
+RHW_INLINE void pack_cells(const struct triangle_run *run, int i)
 {
     struct tile_work *const work = run->work;
     const struct triangle_setup8 *const setup = run->setup;
+    struct collected_fragments *const collected = &work->scratch->collected;
+    struct partial_group *const partial = &work->scratch->partial;
     const struct packed_triangle *const packed =
         next_packed(work, setup->read->vertex[i], setup->anchor_x[i], setup->anchor_y[i]);
-    work->counters->fragments += (uint64_t)work->scratch->gathered.count;
-    pack_fragments(work, &setup->quantities[i], packed, PACKED_PLAIN_SAMPLES);
-    work->scratch->gathered.count = 0;
+    work->counters->fragments += (uint64_t)collected->count;
+    for (int k = 0; k < collected->count; k++) {
+        const int texel = collected->texel[k];
+        const double dx = texel_column(texel) - packed->anchor_x, dy = texel_row(texel) - packed->anchor_y;
+        const int n = pack_values(partial, packed, texel, quantity_values(&setup->quantities[i], dx, dy));
+        partial->samples[n] = collected->samples[k];
+        if (n + 1 == RHW_LANES) {
+            RHW_ISA_NAME(rhw_pack_group)(work);
+        }
+    }
+    collected->count = 0;
 }
 
-// Draws triangle i by a depth rule.
-RHW_INLINE void draw_tiny(const struct tiny_run *run, int i, const struct rhw_depth_rule rule)
+// Draws the cells of triangle i by a depth rule.
+RHW_INLINE void draw_cells(const struct triangle_run *run, int i, const struct rhw_depth_rule rule)
 {
     const struct tile_work *const work = run->work;
     const struct triangle_setup8 *const setup = run->setup;
@@ -162,12 +161,12 @@ RHW_INLINE void draw_tiny(const struct tiny_run *run, int i, const struct rhw_de
             draw_cell(work, setup, i, &cell, rule);
         }
     }
-    const int count = work->scratch->gathered.count;
-    // Plainly packed, 6 or 7 cost less than a group of their own: msaa4_sphere_1m 1 % of its instructions.
+    const int count = work->scratch->collected.count;
+    // To pack 6 or 7 plainly costs less than a group of their own.
     if (count != 0 && count < RHW_LANES && work->packs_plainly) {
-        pack_tiny(run, i);
+        pack_cells(run, i);
     } else if (count != 0) {
-        finish_tiny(run, i);
+        finish_cells(run, i);
     }
     if (rule.open == RHW_OPEN_MARK && work->scratch->depth.marked) {
         work->scratch->depth.marked = false;
@@ -175,45 +174,31 @@ RHW_INLINE void draw_tiny(const struct tiny_run *run, int i, const struct rhw_de
     }
 }
 
-// Draws triangles as long as they take this path; gives the first that does not, or the end of the batch.
-RHW_INLINE uint64_t draw_tiny_triangles(const void *what, const struct rhw_depth_rule rule)
+// Draws a run by a depth rule.
+RHW_INLINE void draw_tiny_samples_by(const struct triangle_run *run, const struct rhw_depth_rule rule)
 {
-    const struct tiny_run *const run = what;
-    const struct tile_work *const work = run->work;
     const struct triangle_setup8 *const setup = run->setup;
-    const uint16_t plain = plain_flags(&work->plan);
-    const unsigned fits = setup->cells.fits, covers = setup->cells.covers;
-    int i = run->first;
-    for (; i < setup->read->count; i++) {
-        const struct rhw_triangle *const t = setup->read->triangle[i];
-        if (run->chunk->segments[t->segment].draw != work->draw || !(fits >> i & 1) ||
-            !is_plain_small(setup, i, plain)) {
-            break;
-        }
+    for (int i = run->first; i < run->end; i++) {
         const struct hiz_rect rect = {setup->x0[i], setup->y0[i], setup->x1[i], setup->y1[i]};
-        if (covers >> i & 1 && !hides_small(work, setup, i, rect)) {
-            draw_tiny(run, i, rule);
+        if (setup->cells.covers >> i & 1 && !hides_small(run->work, setup, i, rect)) {
+            draw_cells(run, i, rule);
         }
     }
-    return (uint64_t)i;
 }
 
-// Does so from triangle `first` of a batch on.
-static __attribute__((noinline)) int draw_tiny_run(struct tile_work *work, const struct rhw_chunk *chunk,
-                                                   struct triangle_setup8 *setup, int first)
+// Draws a run of tiny triangles. The loop is compiled for each rule that has a name.
+void RHW_ISA_NAME(rhw_draw_tiny_samples)(const struct triangle_run *run)
 {
-    const struct tiny_run run = {work, chunk, setup, first};
-    const struct rhw_draw *const draw = chunk->segments[setup->read->triangle[first]->segment].draw;
-    if (draw != work->draw) {
-        set_draw(work, draw);
+    const struct rhw_draw_plan *const plan = &run->work->plan;
+    run->work->scratch->depth.marked = false;
+    switch (plan->early_name) {
+    case RHW_RULE_LESS: draw_tiny_samples_by(run, rhw_named_rules[RHW_RULE_LESS]); break;
+    case RHW_RULE_GREATER: draw_tiny_samples_by(run, rhw_named_rules[RHW_RULE_GREATER]); break;
+    case RHW_RULE_MARK_LESS: draw_tiny_samples_by(run, rhw_named_rules[RHW_RULE_MARK_LESS]); break;
+    case RHW_RULE_MARK_GREATER: draw_tiny_samples_by(run, rhw_named_rules[RHW_RULE_MARK_GREATER]); break;
+    case RHW_RULE_CLAIM: draw_tiny_samples_by(run, rhw_named_rules[RHW_RULE_CLAIM]); break;
+    case RHW_RULE_ANY: draw_tiny_samples_by(run, plan->early); break;
     }
-    if (!is_plain_small(setup, first, plain_flags(&work->plan))) {
-        return first;
-    }
-    if (!setup->cells.are_set) {
-        cover_cells(setup, work->target->pattern);
-    }
-    return (int)test_early(&work->plan, draw_tiny_triangles, &run);
 }
 
 #endif

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The front of the general sampler: which layer, face and coordinates a request names in a texture of any kind, and how
 // fast they change over the screen.
-#ifndef RHW_LOOKUP_H
-#define RHW_LOOKUP_H
+#ifndef RHW_ADDRESSING_H
+#define RHW_ADDRESSING_H
 
 #include "binding/binding.h"
 #include "resource/sampler.h"
 #include "resource/texture.h"
 #include "cube.h"
 #include "lod.h"
-#include "reference.h"
+#include "depth_reference.h"
 #include "wrap.h"
 
 // What one request asks for, at any level.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Puts the per-instruction-set copies of the built-in shaders into programs.
-#include "shaders.h"
+#include "scene_shaders.h"
 
 static const struct scene_surface_shaders *const surface_shaders[RHW_ISA_COUNT] =
     RHW_ISA_TABLE(&scene_surface_shaders);

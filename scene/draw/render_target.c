@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "target.h"
+#include "render_target.h"
 
 #include <stdint.h>
 #include <stdlib.h>

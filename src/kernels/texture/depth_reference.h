@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a sampler that compares holds texels against.
-#ifndef RHW_REFERENCE_H
-#define RHW_REFERENCE_H
+#ifndef RHW_DEPTH_REFERENCE_H
+#define RHW_DEPTH_REFERENCE_H
 
 #include "format/format.h"
 #include "base/simd.h"

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// What of a triangle is seen becomes groups. A block that is seen all over is 8 groups as it stands (row_groups.h). The
+// fragments of other blocks are collected: they are listed, and once the triangle is done, or the list full, every 8 of
+// them make a group, wherever in the tile they lie. The last 6 or 7 are a group with lanes that are not live; fewer are
+// packed with those of other triangles (pack.h).
+// Where groups must be rows (RHW_SHADING_ROWS, slivers, blocks that leave their triangle), a block has one for every
+// row. Every number is made by the same operations on each path.
+#ifndef RHW_COLLECT_H
+#define RHW_COLLECT_H
+
+#include "kernels/integer.h"
+#include "block.h"
+#include "partial_group.h"
+
+// Pixels of a row, at least and in the mean of a block, for which a group is a row rather than 8 collected fragments.
+enum { ROW_PIXELS = 4 };
+
+// Fragments of a triangle, at least, that are a group rather than packed with those of others: packing one costs as
+// much as a third of a cheap group, and of a textured one less. With this, particles take 3 % fewer instructions.
+RHW_INLINE int least_of_group(const struct tile_work *work)
+{
+    enum { CHEAP = 6, TEXTURED = 7 };
+    return work->pipeline->any_derivatives ? TEXTURED : CHEAP;
+}
+
+// Lets go of all collected fragments of a triangle, which is done. Many have none: those are spared the call.
+RHW_INLINE void finish_collected(struct tile_work *work, struct triangle_work *triangle)
+{
+    if (work->scratch->collected.count != 0) {
+        RHW_ISA_NAME(rhw_release_collected)(work, triangle);
+    }
+}
+
+// Whether collected fragments lie where others wait.
+static bool collected_wait(const struct tile_work *work)
+{
+    const struct collected_fragments *const collected = &work->scratch->collected;
+    uint64_t waiting = 0;
+    for (int i = 0; i < collected->count; i++) {
+        const int texel = collected->texel[i];
+        waiting |= work->scratch->partial.pixels[texel_row(texel)] >> texel_column(texel);
+    }
+    return waiting & 1;
+}
+
+// Fragments are collected where others wait: those go first, unless all may share a group.
+RHW_INLINE void overtake(struct tile_work *work)
+{
+    if (work->orders_lanes) {
+        work->scratch->collected.overtakes = true;
+    } else {
+        RHW_ISA_NAME(rhw_release_partial)(work);
+    }
+}
+
+// Collects the fragments of the first `rows` rows at (x, y) whose bits are set in `mask`.
+RHW_INLINE void collect_fragments(struct tile_work *work, struct triangle_work *triangle, int x, int y,
+                                  int rows, uint64_t mask)
+{
+    struct collected_fragments *const collected = &work->scratch->collected;
+    if (fragments_wait(work, x, y, mask)) {
+        overtake(work);
+    }
+    if (collected->count > RHW_COLLECTED_FRAGMENTS - RHW_BLOCK * RHW_BLOCK) {
+        RHW_ISA_NAME(rhw_make_room)(work, triangle);
+    }
+    int count = collected->count;
+    i32x8 first = i32x8_splat(y * RHW_TILE + x); // the row's first texel
+    // Empty rows too: which are, a processor cannot predict, and a wrong guess costs more than a row.
+    for (int row = 0; row < rows; row++) {
+        const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
+        i32x8_store(&collected->texel[count], first + i32x8_load_bytes(collected->set_lanes[bits]));
+        first += i32x8_splat(RHW_TILE);
+        count += __builtin_popcount(bits);
+    }
+    collected->count = count;
+}
+
+// Collects the fragments of the block at (x, y) that cover a sample; mask: by sample, `any` of all of them.
+static void collect_samples(struct tile_work *work, struct triangle_work *triangle, int x, int y,
+                            const uint64_t mask[RHW_MAX_SAMPLES], uint64_t any)
+{
+    struct collected_fragments *const collected = &work->scratch->collected;
+    if (fragments_wait(work, x, y, any)) {
+        collected->overtakes = true; // unless they wait there too
+    }
+    if (collected->count > RHW_COLLECTED_FRAGMENTS - RHW_BLOCK * RHW_BLOCK) {
+        RHW_ISA_NAME(rhw_make_room)(work, triangle);
+    }
+    int count = collected->count;
+    for (int row = 0; row < RHW_BLOCK; row++) {
+        const unsigned bits = (unsigned)(any >> (8 * row)) & 0xff;
+        if (bits == 0) {
+            continue;
+        }
+        i32x8 samples = i32x8_splat(0);
+        for (int s = 0; s < work->samples; s++) {
+            samples |= i32x8_from_bits((unsigned)(mask[s] >> (8 * row)) & 0xff) & i32x8_splat(1 << s);
+        }
+        const i32x8 lanes = i32x8_load_bytes(collected->set_lanes[bits]);
+        i32x8_store(&collected->texel[count], lanes + i32x8_splat((y + row) * RHW_TILE + x));
+        i32x8_store(&collected->samples[count], i32x8_permute(samples, lanes));
+        count += __builtin_popcount(bits);
+    }
+    collected->count = count;
+}
+
+// Whether the fragments of a block that are set in `mask`, with inputs of any kind, are collected rather than shaded
+// row by row: such a group from anywhere costs as much as a row and a half, and more the more targets it is blended
+// into. Homogeneous noperspective values are made in double (interpolate.h), which packing does not.
+static inline bool scatters_any(const struct tile_work *work, const struct triangle_work *triangle,
+                                uint64_t mask)
+{
+    const bool is_double = triangle->planes.is_homogeneous && work->pipeline->any_noperspective;
+    uint64_t rows = mask | mask >> 4; // bit 8·row: some pixel of the row
+    rows |= rows >> 2;
+    rows = (rows | rows >> 1) & 0x0101010101010101u;
+    return work->plan.shading == RHW_SHADING_ANY && !is_double &&
+           __builtin_popcountll(mask) < ROW_PIXELS * __builtin_popcountll(rows);
+}
+
+// Whether those fragments are collected at all.
+RHW_INLINE bool can_scatter(const struct tile_work *work, const struct triangle_work *triangle,
+                            const struct block *block, uint64_t mask)
+{
+    return !block->leaves_triangle && triangle->planes.kind != PLANES_EXACT &&
+           (work->plan.shading == RHW_SHADING_SMOOTH || scatters_any(work, triangle, mask));
+}
+
+// Sends the fragments of a block whose bits are set in `mask` on the path that is theirs.
+RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *triangle,
+                              const struct block *block, uint64_t mask)
+{
+    const bool is_whole = mask == ~(uint64_t)0;
+    if (!is_whole && can_scatter(work, triangle, block, mask)) {
+        collect_fragments(work, triangle, block->x, block->y, RHW_BLOCK, mask);
+        return;
+    }
+    release_overtaken(work, block->x, block->y, mask);
+    if (is_whole) {
+        RHW_ISA_NAME(rhw_queue_block)(work, triangle, block);
+    } else {
+        RHW_ISA_NAME(rhw_queue_some_rows)(work, triangle, block, mask);
+    }
+}
+
+#endif
