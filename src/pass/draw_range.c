@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Each index and each attribute of a draw is looked up in its buffer, so this is for validation alone.
 #include "draw_range.h"
 
 #include <string.h>

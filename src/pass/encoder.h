@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The encoder of a context: what is set for the next draw, and what recording keeps until the pass ends. The other
-// files of this room change it and write what they record into `pass`. Running that needs nothing of the encoder.
+// The encoder of a context holds what is set for the next draw, and what recording keeps until the pass ends. The other
+// files of this room change it, and write what they record into `pass`. Running a pass needs nothing of the encoder.
 #ifndef RHW_ENCODER_H
 #define RHW_ENCODER_H
 
