@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Triangle i of a strip or fan has its vertices in the order that keeps the winding and puts the provoking
-// vertex where the convention wants it (Vulkan 1.3 §21.1.3 first vertex, OpenGL 4.6 table 10.1 last vertex).
+// Strips and fans have closed forms for the vertices of triangle i. Its vertices stand in the order that keeps the
+// winding and puts the provoking vertex where the convention wants it (Vulkan 1.3 §21.1.3 for the first vertex, OpenGL
+// 4.6 table 10.1 for the last).
 #include "assembly.h"
 
 #include <string.h>
@@ -10,7 +11,8 @@
 #include "draw_list.h"
 #include "pipeline/pipeline.h"
 
-// Primitive t has `span` elements from step·t on, of which `pick` are its vertices where they are the same in all.
+// Primitive t has `span` elements from step·t on. Where all primitives of a topology take their vertices from equal
+// places, `pick` names the places.
 static const struct layout {
     uint8_t step, span, pick[3];
 } layouts[] = {
@@ -48,8 +50,8 @@ static uint32_t index_at(const struct rhw_draw_state *state, uint64_t i)
     }
 }
 
-// Positions within the strip or fan, or within the list, of triangle t's vertices; of a line with its second one twice,
-// of a point with its one three times.
+// Find where the vertices of triangle t stand within the strip, the fan or the list. A line has its second vertex
+// twice, and a point has its one vertex three times.
 static void elements(enum rhw_topology topology, enum rhw_provoking provoking, uint64_t t, uint64_t e[3])
 {
     const bool first = provoking == RHW_PROVOKING_FIRST;
@@ -83,7 +85,7 @@ static uint32_t primitives_of(enum rhw_topology topology, uint64_t count)
     return count < layout->span ? 0 : (uint32_t)((count - layout->span) / layout->step + 1 + closing);
 }
 
-// Makes the last line of a loop end at its first vertex.
+// Make the last line of a loop end at its first vertex.
 static void close_loop(uint32_t line[3], uint32_t first)
 {
     line[1] = line[2] = first;
@@ -94,7 +96,7 @@ static bool has_restarts(const struct rhw_draw *draw)
     return draw->indexed && draw->state->pipeline->def.primitive_restart;
 }
 
-// Number of indices up to the next restart index or the end.
+// Return the number of indices up to the next restart index or the end.
 static uint64_t run_length(const struct rhw_draw *draw, uint64_t at, uint64_t count)
 {
     const uint32_t restart = draw->state->index_type == RHW_INDEX_UINT8    ? UINT8_MAX
@@ -107,7 +109,8 @@ static uint64_t run_length(const struct rhw_draw *draw, uint64_t at, uint64_t co
     return n;
 }
 
-// With restart there is no closed form for triangle i: all become a list here.
+// List the vertices of all triangles: with restarts there is no closed form for triangle i. Return false when out of
+// memory.
 static bool expand(struct rhw_draw *draw, uint32_t count, struct rhw_arena *arena)
 {
     const struct rhw_pipeline_def *const def = &draw->state->pipeline->def;
@@ -146,7 +149,7 @@ bool rhw_assembly_prepare(struct rhw_draw *draw, uint32_t count, struct rhw_aren
     if (has_restarts(draw) && run_length(draw, 0, count) < count) {
         return expand(draw, count, arena);
     }
-    // Lists are what ten thousand small draws are made of; a division by a constant is none.
+    // Ten thousand small draws are made of lists, and a division by a constant costs no division.
     draw->triangles_per_instance =
         def->topology == RHW_TRIANGLE_LIST ? count / 3 : primitives_of(def->topology, count);
     return true;
@@ -180,8 +183,8 @@ void rhw_assembly_mark_strips(const struct rhw_draw *draw, uint32_t count, uint8
     }
 }
 
-// Elements at .. at + count − 1 of a draw: what its index buffer holds there, 0 past its end; or the positions
-// themselves.
+// Read the elements at .. at + count − 1 of a draw. They are what its index buffer holds there, and 0 past its end.
+// Without an index buffer the elements are the positions themselves.
 static void read_elements(const struct rhw_draw *draw, uint64_t at, uint32_t count, uint32_t *out)
 {
     const struct rhw_draw_state *const state = draw->state;
@@ -215,8 +218,9 @@ static void read_elements(const struct rhw_draw *draw, uint64_t at, uint32_t cou
     memset(out + inside, 0, (count - inside) * sizeof *out);
 }
 
-// Triangle t of a strip or fan has the elements t + 1 and t + 2 and one more. They are read to the end of the room, and
-// a triangle ends before those of the next: 3·t + 2 < (2·count − 2) + t + 1 for all but the last.
+// Fetch triangles of a strip or fan. Triangle t has the elements t + 1 and t + 2 and one more. Elements are read to the
+// end of the room, so that a written triangle ends before the elements of the next one begin:
+// 3·t + 2 < (2·count − 2) + t + 1 for all but the last.
 static void fetch_connected(const struct rhw_draw *draw, uint32_t first, uint32_t count, uint32_t (*room)[3])
 {
     const struct rhw_pipeline_def *const def = &draw->state->pipeline->def;
@@ -234,7 +238,8 @@ static void fetch_connected(const struct rhw_draw *draw, uint32_t first, uint32_
     }
 }
 
-// Of some primitives whose elements were read, those that are the same in all.
+// Pick the vertices of `count` primitives from the elements that were read for them. The topology's `pick` says where
+// they stand.
 static void pick(const struct layout *layout, const uint32_t *read, uint32_t count, uint32_t (*room)[3])
 {
     const size_t step = layout->step, a = layout->pick[0], b = layout->pick[1], c = layout->pick[2];
@@ -245,7 +250,7 @@ static void pick(const struct layout *layout, const uint32_t *read, uint32_t cou
     }
 }
 
-// All others, some at a time.
+// Fetch primitives of all other topologies, a few at a time.
 static void fetch_picked(const struct rhw_draw *draw, uint32_t first, uint32_t count, uint32_t (*room)[3])
 {
     enum { SOME = 64, LONGEST = 6 };
@@ -285,8 +290,9 @@ const uint32_t (*rhw_assembly_fetch(const struct rhw_draw *draw, uint32_t first,
     const struct rhw_pipeline_def *const def = &state->pipeline->def;
     if (def->topology == RHW_TRIANGLE_LIST) {
         const uint64_t at = (uint64_t)draw->first + 3 * (uint64_t)first;
+        // The common case is that the indices stand in the buffer as they are needed.
         if (draw->indexed && state->index_type == RHW_INDEX_UINT32 &&
-            at + 3 * (uint64_t)count <= state->index_bytes / 4) { // the common case
+            at + 3 * (uint64_t)count <= state->index_bytes / 4) {
             const unsigned char *const bytes = state->indices + 4 * at;
             if ((uintptr_t)bytes % _Alignof(uint32_t) == 0) {
                 return (const uint32_t(*)[3])(const void *)bytes;

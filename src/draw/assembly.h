@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From a draw's vertices or indices to points, lines and triangles: lists, strips, fans, restart.
+// Assembly makes points, lines and triangles of a draw's vertices or indices: from lists, strips and fans, with
+// restarts.
 #ifndef RHW_ASSEMBLY_H
 #define RHW_ASSEMBLY_H
 
@@ -9,18 +10,19 @@
 struct rhw_arena;
 struct rhw_draw;
 
-// Fills triangles_per_instance (and expanded, for strips and fans with primitive restart) of a draw of
-// `count` vertices or indices. False when out of memory.
+// Set triangles_per_instance of a draw of `count` vertices or indices. Strips and fans with primitive restart get
+// `expanded` too. Return false when out of memory.
 bool rhw_assembly_prepare(struct rhw_draw *draw, uint32_t count, struct rhw_arena *arena);
 
-// Vertices that such a draw, which was prepared, has for each instance: restart indices are none.
+// Return how many vertices a prepared draw of `count` vertices or indices has for each instance. Restart indices are
+// not counted.
 uint64_t rhw_assembly_vertices(const struct rhw_draw *draw, uint32_t count);
 
-// Marks, of such a draw of strips, the first primitive of each.
+// Mark in `begins` the first primitive of each strip of a prepared draw of `count` vertices or indices.
 void rhw_assembly_mark_strips(const struct rhw_draw *draw, uint32_t count, uint8_t *begins);
 
-// Vertex indices, base vertex not included, of triangles first .. first + count − 1 of one instance: in the draw's
-// index buffer where they stand there as they are needed, else in `room`.
+// Return the vertex indices, without the base vertex, of triangles first .. first + count − 1 of one instance. They lie
+// in the draw's index buffer if they stand there as they are needed, and in `room` if not.
 const uint32_t (*rhw_assembly_fetch(const struct rhw_draw *draw, uint32_t first, uint32_t count,
                                     uint32_t (*room)[3]))[3];
 

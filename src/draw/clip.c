@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Sutherland–Hodgman against six planes, in double. A cut is computed from the vertex inside to the vertex
-// outside, whichever order the triangle names them in: the two owners of a shared edge, which cut it by the
-// same planes in the same order, thus get the same point, bit for bit, and no crack opens between them.
+// Triangles are clipped by Sutherland–Hodgman against six planes, in double. A cut is computed from the vertex inside
+// to the vertex outside, whichever order the triangle names them in. The two owners of a shared edge cut it by the same
+// planes in the same order, so they get the same point, bit for bit, and no crack opens between them.
 //
-// Z here is in the range 0..W whatever the pipeline's: (Z + W)/2 of floats is exact in double unless their
-// exponents are far apart. 0 <= Z <= W implies W >= 0; with the guard band, W = 0 is left only for the point (0, 0, 0,
-// 0). Without the planes of depth it is left for any (0, 0, Z, 0), and what reaches there is not drawn.
+// Z is in the range 0..W here, whatever range the pipeline has: (Z + W)/2 of floats is exact in double unless their
+// exponents are far apart. 0 <= Z <= W implies W >= 0. With the guard band, W = 0 is left only for the point
+// (0, 0, 0, 0). Without the planes of depth it is left for any (0, 0, Z, 0), and a polygon with one of these points is
+// not drawn.
 #include "clip.h"
 
 #include "base/constants.h"
@@ -13,9 +14,9 @@
 #include "snap.h"
 #include "pipeline/pipeline.h"
 
-enum { PLANES = 6, DEPTH_PLANES = 2 }; // of which those of depth stand first
+enum { PLANES = 6, DEPTH_PLANES = 2 }; // the planes of depth stand first
 
-// Pixels from the target's origin, still times W: x = X·W, y = Y·W on the screen.
+// A position is in pixels from the target's origin, still times W: x = X·W, y = Y·W on the screen.
 struct clip_vertex {
     double x, y, z, w;
 };
@@ -59,7 +60,7 @@ static int clip_plane(const struct clip_vertex *in, int count, int plane, struct
     return n;
 }
 
-// Clip distances, all of them beside the position: they are cut as it is.
+// A vertex has all clip distances beside its position, because they are cut as the position is.
 struct distance_vertex {
     struct clip_vertex at;
     double distance[RHW_MAX_CLIP_DISTANCES];
@@ -94,7 +95,8 @@ static int clip_distance(const struct distance_vertex *in, int vertices, int pla
     return n;
 }
 
-// Cuts off the parts of the triangle where a clip distance is below 0; returns how many vertices `corners` has then.
+// Cut off the parts of the triangle where a clip distance is below 0. Return how many vertices `corners` has
+// afterwards.
 static int clip_distances(const struct rhw_draw_state *state,
                           const struct rhw_vertex_record *const vertices[3], struct clip_vertex *corners)
 {
@@ -120,10 +122,10 @@ static int clip_distances(const struct rhw_draw_state *state,
     return n;
 }
 
-// The vertex in pixels times W. The front end projects vertices by another formula, which divides by W first
-// (geometry/vertex_shading.h); here a position must stay linear in what is cut, so that it is divided afterwards. The
-// two may round apart by a step of 1/256 pixel. Nothing comes of it: what is left of the triangle's own vertices keeps
-// the front end's position.
+// Return the vertex in pixels times W. The front end projects vertices by another formula, which divides by W first
+// (geometry/vertex_shading.h). Here a position must stay linear while it is cut, and is divided afterwards. The two
+// formulas may round apart by a step of 1/256 pixel. The difference has no effect: a vertex of the triangle that is
+// left keeps the front end's position.
 static struct clip_vertex clip_vertex_of(const struct rhw_draw_state *state,
                                          const struct rhw_vertex_record *v)
 {
@@ -163,7 +165,7 @@ bool rhw_clip_triangle(const struct rhw_draw_state *state, const struct rhw_vert
         polygon->x_24_8[i] = snap(in[i].x / in[i].w);
         polygon->y_24_8[i] = snap(in[i].y / in[i].w);
     }
-    // A vertex of the triangle that is left keeps the position it was snapped to: other triangles share it.
+    // A vertex of the triangle that is left keeps the position it was snapped to, because other triangles share it.
     for (int k = 0; k < 3; k++) {
         const struct rhw_vertex_record *const v = vertices[k];
         const struct clip_vertex c = clip_vertex_of(state, v);
@@ -177,7 +179,8 @@ bool rhw_clip_triangle(const struct rhw_draw_state *state, const struct rhw_vert
     return true;
 }
 
-// Leaves of t[0] .. t[1] what is at 0 or above of a distance that is d0 and d1 at the line's vertices.
+// Narrow t[0] .. t[1] to the part of a line where a distance is at least 0. The distance is d0 and d1 at the line's
+// vertices.
 static void narrow(double t[2], double d0, double d1)
 {
     if (d0 >= 0 && d1 >= 0) {
@@ -211,7 +214,7 @@ bool rhw_clip_line(const struct rhw_draw_state *state, const struct rhw_vertex_r
     return t[0] < t[1];
 }
 
-// Twice the area of triangle (0, i, i + 1) of the fan.
+// Return twice the area of triangle (0, i, i + 1) of the fan.
 static int64_t fan_area(const struct rhw_polygon *polygon, int i)
 {
     const int64_t x0 = polygon->x_24_8[0], y0 = polygon->y_24_8[0];

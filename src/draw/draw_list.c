@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Room for draws: kept from pass to pass, so that a warm frame allocates nothing.
+// The room for draws is kept from pass to pass, so that a warm frame allocates nothing.
 #include "draw_list.h"
 
 #include <string.h>
@@ -7,7 +7,7 @@
 #include "base/constants.h"
 #include "base/memory.h"
 
-// Doubles the room for blocks. False when out of memory.
+// Double the room for blocks. Return false when out of memory.
 static bool grow(struct rhw_memory *memory, struct rhw_draw_list *list)
 {
     const uint32_t capacity = list->block_capacity == 0 ? 16 : 2 * list->block_capacity;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See recorded_pass.h.
+// A recorded pass is created, cleared and destroyed here. Its memory stays from pass to pass.
 #include "recorded_pass.h"
 
 #include <string.h>

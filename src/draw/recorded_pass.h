@@ -16,15 +16,16 @@ struct rhw_used_query;
 struct rhw_recorded_pass {
     uint64_t begun_ns; // time at which recording began
     struct rhw_target target;
-    // Textures that hold stencil have these planes, as a target and to resolve into. The target points at them, so a
-    // pass does not move.
+    // These are the stencil planes of the textures that the pass draws into and resolves into. The target points at
+    // them, so a pass does not move.
     struct rhw_mip stencil_plane, stencil_resolve;
-    enum rhw_paths paths;                 // paths of the context, or the general one
-    struct rhw_explained explained;       // while the pass runs the sample's tile writes it
-    struct rhw_tile_report *tile_reports; // one for each tile, which writes it; NULL: nobody asks
+    enum rhw_paths paths;           // paths of the context, or the general one
+    struct rhw_explained explained; // written by the sample's tile while the pass runs
+    // There is a report for each tile, which writes it. NULL: nobody asks.
+    struct rhw_tile_report *tile_reports;
 
-    struct rhw_arena arena;         // what draws point at: states, uniforms, bindings
-    struct rhw_used_query *queries; // a list, the last one first; running writes their counts
+    struct rhw_arena arena;         // memory of states, uniforms and bindings that draws point at
+    struct rhw_used_query *queries; // a list, the last query first; running writes their counts
     struct rhw_draw_list draws;     // each wave sets the vertices that its draws share
     uint64_t triangle_count;
     int triangles_most;   // most triangles that tiles draw for a primitive of any draw
@@ -40,7 +41,7 @@ void rhw_recorded_pass_clear(struct rhw_recorded_pass *pass);
 // Release a pass. Do nothing where it is NULL.
 void rhw_recorded_pass_destroy(struct rhw_memory *memory, struct rhw_recorded_pass *pass);
 
-// Return whether special paths are taken. They are faster for some triangles or vertices; the general path takes all of
+// Return true if special paths are taken. They are faster for some triangles or vertices; the general path takes all of
 // them. Both draw the same bytes.
 static inline bool rhw_pass_takes_special_paths(const struct rhw_recorded_pass *pass)
 {

@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Vertices of a draw that are shaded before the chunks that use them, once for all of them. A chunk shades what its
-// triangles name; where these lie in no order, as those of scans do, most vertices are met by several chunks, and
-// finding them again costs as much as shading them. All vertices of such a draw are shaded first, in every wave that
-// draws some of it. run/vertex_sharing.h chooses the draws.
+// Shared vertices are shaded before the chunks that use them, once for all of them. A chunk usually shades what its
+// triangles name. Where triangles lie in no order, as in scans, several chunks meet most of the vertices, and
+// finding them again costs as much as shading them. A draw with triangles in no order therefore has all of its vertices
+// shaded first, in every wave that draws some of it. run/vertex_sharing.h chooses the draws.
 #ifndef RHW_SHARED_VERTICES_H
 #define RHW_SHARED_VERTICES_H
 
 #include "draw_list.h"
 
-// The vertices of one instance, by index. There is room for a multiple of 8.
+// These are the vertices of one instance, by index. There is room for a multiple of 8.
 struct rhw_shared_vertices {
     struct rhw_segment segment;
     struct rhw_snapped_vertex *snapped;
     uint32_t count;
-    const uint32_t
-        *indices; // index of each vertex (run/effect_vertices.h); NULL: the indices are 0 .. count − 1
+    // This is the index of each vertex (run/effect_vertices.h). NULL: the indices are 0 .. count − 1.
+    const uint32_t *indices;
 };
 
 enum {
-    RHW_SHARING_TRIANGLES = 2048, // triangles of an instance whose vertices are shared, at least
-    // Vertices that are shaded as one task, at most. Whole groups: the lanes behind the last vertex are written too,
-    // and must not be another task's.
+    // Chunks share the vertices of an instance only if it has at least this many triangles.
+    RHW_SHARING_TRIANGLES = 2048,
+    // At most this many vertices are shaded as one task. It is a multiple of 8, because the lanes behind the last
+    // vertex are written too and must not belong to another task.
     RHW_SHARED_PART = 2048
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a pass draws into: its size in pixels and tiles, and its attachments, as tiles load, change and store them.
+// A target is what a pass draws into: its size in pixels and tiles, and its attachments, as tiles load, change and
+// store them.
 #ifndef RHW_TARGET_H
 #define RHW_TARGET_H
 
@@ -13,20 +14,21 @@ struct rhw_attachment {
     enum rhw_format format;
     enum rhw_load load;
     enum rhw_store store;
-    const struct rhw_mip *target;  // NULL: exists in the tile alone
-    int layer, level;              // what of its texture is drawn into; the first layer
-    struct rhw_clean_tiles *clean; // clean tiles of the texture; NULL where there is none
-    size_t sample_stride;          // bytes from one sample of the target to the next; 0 where it has one
-    // Where the samples of the tile are resolved into, if they are; NULL: nowhere.
+    const struct rhw_mip *target;  // NULL: the attachment exists in the tile alone
+    int layer, level;              // first layer and level of the texture that are drawn into
+    struct rhw_clean_tiles *clean; // clean tiles of the texture; NULL: it has none
+    // This many bytes lie between one sample of the target and the next. 0: the target has one sample.
+    size_t sample_stride;
+    // The samples of the tile are resolved into this level where `resolves` is true. NULL: there is none.
     const struct rhw_mip *resolve;
     bool resolves;
     struct rhw_clean_tiles *resolve_clean;
     enum rhw_resolve resolve_mode;
-    bool is_left_out;    // a colour attachment; tiles have texels for it that nobody writes or wants
-    bool is_read_only;   // loaded, and never stored: it is sampled meanwhile
-    bool loads_resolved; // what is loaded are the texels of `resolve`, for all samples
-    // What a tile starts from where nothing is loaded, texels side by side: the clear value, or 0, which is undefined
-    // to the user and still the same bytes on every run.
+    bool is_left_out;    // a colour attachment whose texels in tiles nobody writes or wants
+    bool is_read_only;   // loaded, and never stored, because it is sampled meanwhile
+    bool loads_resolved; // the texels of `resolve` are loaded, for all samples
+    // A tile starts from this value where nothing is loaded, texels side by side. It is the clear value, or 0, which is
+    // undefined to the user and still the same bytes on every run.
     unsigned char clear[RHW_CLEAR_BYTES];
     size_t texel_size;
 };
@@ -40,7 +42,8 @@ struct rhw_target {
     struct rhw_attachment colors[RHW_MAX_COLOR_ATTACHMENTS];
     bool has_depth, has_stencil;
     struct rhw_attachment depth, stencil;
-    // Steps of a UNORM format of depth, which memory has and the tile has not: there depth is a float. 0: none.
+    // A UNORM format of depth has this many steps in memory, while depth in the tile is a float. 0: the format has
+    // none.
     double depth_steps;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Queries in the pass that uses them, and what they count. Draws point at them. pass/query.h has what queries are
-// between passes.
+// A used query is a query in the pass that uses it, with what it counts. Draws point at it. pass/query.h has what
+// queries are between passes.
 #ifndef RHW_USED_QUERY_H
 #define RHW_USED_QUERY_H
 
@@ -9,18 +9,19 @@
 #include "base/constants.h"
 #include "rhw/stats.h"
 
-// A query in the pass that uses it, on a list.
+// The queries that a pass uses form a list.
 struct rhw_used_query {
     struct rhw_used_query *next;
     rhw_query id;
     enum rhw_query_kind kind;
-    uint64_t place; // triangles of the pass before it, where it is a timestamp
+    uint64_t place; // triangles of the pass before it, if it is a timestamp
     struct rhw_query_counts counts;
     // The workers write these, once for each tile and change of state.
     _Alignas(RHW_CACHE_LINE) _Atomic uint64_t samples, fragments;
 };
 
-// The queries that are under way, by kind; NULL: none. It does not change, as draws point at it.
+// These are the queries under way, by kind. NULL: none of the kind. The structure does not change, because draws point
+// at it.
 struct rhw_active_queries {
     struct rhw_used_query *of[RHW_QUERY_KIND_COUNT];
 };

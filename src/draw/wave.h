@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A wave of a pass that runs, as kernels see it: the chunks that go through the front end together and are drawn
-// together, and the memory of the threads that do it. run/run.c makes waves.
+// A wave is the part of a running pass that kernels see at once: chunks that go through the front end together and are
+// drawn together, and the memory of the threads that run them. run/run.c makes waves.
 #ifndef RHW_WAVE_H
 #define RHW_WAVE_H
 
@@ -12,28 +12,30 @@ struct rhw_sample_tile;
 
 struct rhw_counters {
     uint64_t fragments, groups;
-    uint64_t vertex_ns, setup_ns, bin_ns; // parts of the front end, as rhw_stats names them
+    uint64_t vertex_ns, setup_ns, bin_ns; // time of each part of the front end, as rhw_stats names them
 };
 
-// What a thread needs to run kernels. The thread alone writes it, and no two threads share a cache line.
+// A worker is what a thread needs to run kernels. The thread alone writes it, and no two threads share a cache line.
 struct rhw_worker {
-    _Alignas(RHW_CACHE_LINE) struct rhw_arena arena; // what the front end made; reset when it was drawn
+    // The front end makes its results here. The arena is reset when they have been drawn.
+    _Alignas(RHW_CACHE_LINE) struct rhw_arena arena;
     struct rhw_counters counters;
     struct rhw_geometry_scratch *geometry;
     struct rhw_tile_scratch *tile;
-    struct rhw_sample_tile *sample_tiles; // tiles of all samples but the first, as many as passes had yet
+    struct rhw_sample_tile *sample_tiles; // tiles of all samples but the first, as many as any pass has needed
     int sample_tile_count;
 };
 
 struct rhw_wave {
     struct rhw_recorded_pass *pass;
-    // The target of the pass. From the second wave on what exists in the tile alone has memory here.
+    // This is the target of the pass. From the second wave on, attachments that exist in tiles alone have memory here.
     struct rhw_target target;
-    bool is_first, is_last; // in the pass: load and store operations belong to these
+    // The first wave of the pass has the load operations, and the last wave has the store operations.
+    bool is_first, is_last;
     struct rhw_chunk *chunks;
     int chunk_count;
-    uint32_t entries_most;      // entries in the bins of a chunk; at least one for each tile
-    struct rhw_worker *workers; // one per thread
+    uint32_t entries_most;      // most entries in the bins of a chunk; at least one for each tile
+    struct rhw_worker *workers; // a worker for each thread
 };
 
 #endif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The attachments of a pass: what its definition says is checked, and becomes what tiles load, draw into and store.
+// The attachments of a pass begin as its definition, which is checked here, and become what tiles load, draw into and
+// store.
 #include "attach.h"
 
 #include <stdio.h>
@@ -17,7 +18,8 @@
 
 static const char *const where = "rhw_pass_begin";
 
-// `prefix`: of the members' names, as "depth.stencil_".
+// Check the load and store operations of an attachment. `prefix` stands before the members' names in messages, as
+// "depth.stencil_" does.
 static bool check_operations(rhw_context *context, const char *prefix, enum rhw_load load,
                              enum rhw_store store)
 {
@@ -27,7 +29,8 @@ static bool check_operations(rhw_context *context, const char *prefix, enum rhw_
                      "%s: %sstore is %d; not a store operation", where, prefix, (int)store);
 }
 
-// `may_be_none`: so that what it would be resolved into stays as it is.
+// Check a resolve mode. RHW_RESOLVE_NONE, which leaves the texture to resolve into as it is, is good only if
+// `may_be_none`.
 static bool check_resolve_mode(rhw_context *context, const char *prefix, enum rhw_resolve mode,
                                bool may_be_none)
 {
@@ -49,7 +52,7 @@ static int layers_of(int layer_count)
     return layer_count == 0 ? 1 : layer_count;
 }
 
-// What RHW_LOAD_DEFAULT stands for.
+// Return the operation that a load operation stands for: RHW_LOAD_DEFAULT clears.
 static enum rhw_load load_of(enum rhw_load load)
 {
     return load == RHW_LOAD_DEFAULT ? RHW_LOAD_CLEAR : load;
@@ -64,14 +67,15 @@ static void set_clear(struct rhw_attachment *attachment, const unsigned char *te
     }
 }
 
-// What is resolved into its only texture is so as that is stored; into one of its own, in any case.
+// Return true if the samples of an attachment are resolved. Where the only texture has one sample, storing is
+// resolving. Where samples have a texture of their own, the texture beside it is resolved into in any case.
 static bool is_resolved(const struct rhw_attachment *attachment)
 {
     return attachment->resolve && attachment->resolve_mode != RHW_RESOLVE_NONE &&
            (!attachment->loads_resolved || attachment->store == RHW_STORE_STORE);
 }
 
-// NaN is told under validation.
+// Check the clear value of a colour attachment. NaN is reported under validation alone.
 static bool check_clear(const rhw_context *context, const struct rhw_color_attachment *color,
                         const struct rhw_format_info *info, int i)
 {
@@ -107,7 +111,8 @@ static void set_color_clear(struct rhw_attachment *attachment, const struct rhw_
     set_clear(attachment, texel);
 }
 
-// What tiles have of an attachment that the pass does not have: cleared, drawn into by nobody, forgotten.
+// Return the attachment that tiles have in place of one that the pass leaves out. It is cleared, nobody draws into it,
+// and it is forgotten.
 static struct rhw_attachment left_out(void)
 {
     return (struct rhw_attachment){.is_left_out = true,
@@ -197,7 +202,8 @@ static enum rhw_result attach_depth_texture(struct rhw_encoder *encoder,
                : RHW_ERROR_MISUSE;
 }
 
-// What is only read is neither cleared nor discarded. `prefix`: of the members' names.
+// Check that an attachment that is only read is neither cleared nor discarded. `prefix` stands before the members'
+// names in messages.
 static bool check_read_only(const struct rhw_context *context, const struct rhw_depth_attachment *depth,
                             const char *prefix, enum rhw_load load, enum rhw_store store)
 {
@@ -210,7 +216,7 @@ static bool check_read_only(const struct rhw_context *context, const struct rhw_
                      where, prefix, prefix, prefix);
 }
 
-// Makes an attachment one that is read and stays as it is.
+// Make an attachment one that is read and stays as it is.
 static void set_read_only(struct rhw_attachment *attachment)
 {
     attachment->is_read_only = true;
@@ -218,7 +224,8 @@ static void set_read_only(struct rhw_attachment *attachment)
     attachment->store = RHW_STORE_DISCARD;
 }
 
-// Without a texture nothing can be loaded or stored. `prefix`: of the members' names.
+// Check that nothing is loaded or stored where there is no texture. `prefix` stands before the members' names in
+// messages.
 static bool check_not_kept(const struct rhw_context *context, const char *prefix, enum rhw_load load,
                            enum rhw_store store)
 {
@@ -246,7 +253,7 @@ static bool check_transient(const struct rhw_encoder *encoder, const struct rhw_
             check_not_kept(context, "depth.stencil_", depth->stencil_load, depth->stencil_store));
 }
 
-// Makes the stencil attachment from that of depth, whose texture and format it shares.
+// Make the stencil attachment from the depth attachment, whose texture and format it shares.
 static void attach_stencil(struct rhw_encoder *encoder, const struct rhw_depth_attachment *depth)
 {
     struct rhw_target *const target = &encoder->pass->target;
@@ -335,7 +342,7 @@ static enum rhw_result attach_depth(struct rhw_encoder *encoder, const struct rh
     return RHW_OK;
 }
 
-// The first colour attachment that is not left out; the number of all where there is none.
+// Return the number of the first colour attachment that is not left out, or color_count where all are left out.
 static int first_color(const struct rhw_pass_def *def)
 {
     int i = 0;
@@ -350,7 +357,8 @@ bool rhw_pass_def_has_color(const struct rhw_pass_def *def)
     return first_color(def) < def->color_count;
 }
 
-// The samples of a pixel: those that the definition names, or those of the first attachment. 0: misuse.
+// Return the samples of a pixel: the number that the definition names, or the number that the first attachment has.
+// Return 0 where that attachment's texture is misuse.
 static int samples_of(const struct rhw_encoder *encoder, const struct rhw_pass_def *def)
 {
     const int color = first_color(def);
@@ -362,7 +370,8 @@ static int samples_of(const struct rhw_encoder *encoder, const struct rhw_pass_d
     return texture ? texture->samples : 0;
 }
 
-// The layers of the first attachment, or those that the definition names.
+// Set the layers of the pass: the number that the first attachment has, or the number that a definition without
+// attachments names. Return false where it is misuse.
 static bool set_layers(struct rhw_encoder *encoder, const struct rhw_pass_def *def)
 {
     struct rhw_target *const target = &encoder->pass->target;
@@ -393,7 +402,8 @@ enum rhw_result rhw_pass_attach(struct rhw_encoder *encoder, const struct rhw_pa
     if (!set_layers(encoder, def)) {
         return RHW_ERROR_MISUSE;
     }
-    memset(target->colors, 0, sizeof target->colors); // of an earlier pass
+    // An earlier pass has left its attachments here.
+    memset(target->colors, 0, sizeof target->colors);
     target->depth = target->stencil = (struct rhw_attachment){.target = NULL};
     for (int i = 0; i < def->color_count; i++) {
         const enum rhw_result result = attach_color(encoder, def, i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The attachments of a pass.
+// A definition's attachments become the target of the pass that is recorded.
 #ifndef RHW_PASS_ATTACH_H
 #define RHW_PASS_ATTACH_H
 
@@ -7,10 +7,11 @@
 
 struct rhw_encoder;
 
-// Sets what the pass draws into; width and height too where they are 0. Misuse is reported as that of rhw_pass_begin.
+// Set what the pass draws into, and its width and height too where they are 0. Misuse is reported as misuse of
+// rhw_pass_begin.
 enum rhw_result rhw_pass_attach(struct rhw_encoder *encoder, const struct rhw_pass_def *def);
 
-// Whether a pass has any of colour, as they may be left out.
+// Return true if a definition has a colour attachment that is not left out.
 bool rhw_pass_def_has_color(const struct rhw_pass_def *def);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See attached_texture.h.
+// A texture is checked and taken as an attachment of a pass.
 #include "attached_texture.h"
 
 #include <stdio.h>
@@ -29,7 +29,7 @@ const struct rhw_mip *rhw_stencil_plane_of(const struct rhw_mip *mip, struct rhw
     return plane;
 }
 
-// Whether an attachment before the one that is attached now draws into the same texels, or their stencil.
+// Return true if an earlier attachment draws into the level's texels, or into their stencil.
 static bool is_attached(const struct rhw_encoder *encoder, const struct rhw_mip *mip, int layer)
 {
     const struct rhw_target *const target = &encoder->pass->target;
@@ -39,8 +39,9 @@ static bool is_attached(const struct rhw_encoder *encoder, const struct rhw_mip 
                                                                           layer, target->layers)));
 }
 
-// A pass that names its size draws into that part of larger levels (Vulkan 1.3, VkFramebufferCreateInfo); one that
-// takes it from the first attachment has others of that size, as anything else is likely a mistake.
+// Check the size of a level that is attached. A pass that names its size draws into a part of larger levels (Vulkan
+// 1.3, VkFramebufferCreateInfo). A pass that takes its size from the first attachment has only attachments of that
+// size, because any other size is likely a mistake.
 static bool check_size(const struct rhw_encoder *encoder, rhw_texture id, const char *name,
                        struct rhw_attached_part part, const struct rhw_mip *mip)
 {
@@ -55,8 +56,8 @@ static bool check_size(const struct rhw_encoder *encoder, rhw_texture id, const 
                          : " as its first attachment; set width and height for a part of larger ones");
 }
 
-// Checks the texture of an attachment against the pass and the attachments before it. The first gives the pass its
-// size, where that is not set.
+// Check the texture of an attachment against the pass and the earlier attachments. The first attachment gives the pass
+// its size, where it has none.
 static bool check_texture(struct rhw_encoder *encoder, rhw_texture id, const struct rhw_texture_data *texture,
                           const char *name, struct rhw_attached_part part)
 {
@@ -91,7 +92,7 @@ static bool check_texture(struct rhw_encoder *encoder, rhw_texture id, const str
            check_size(encoder, id, name, part, mip);
 }
 
-// Whether a texture with other samples than the pass can be resolved into.
+// Check that a texture has as many samples as the pass, or one sample, into which the pass can be resolved.
 static bool check_attached_samples(const struct rhw_encoder *encoder, rhw_texture id,
                                    const struct rhw_texture_data *texture, const char *name)
 {
@@ -101,8 +102,9 @@ static bool check_attached_samples(const struct rhw_encoder *encoder, rhw_textur
                      name_of(encoder->context, id).text, texture->samples, samples);
 }
 
-// Makes a part of a texture one that the pass writes; gives the record of its tiles. Several layers, and a part of a
-// level, have none, and what is recorded of the texture's is forgotten. False when out of memory.
+// Note that the pass writes a part of a texture, and give the record of its clean tiles in `clean`. Several layers and
+// a part of a level have no record: `clean` is NULL, and what the texture recorded is forgotten. Return false when out
+// of memory.
 static bool take(struct rhw_encoder *encoder, rhw_texture id, struct rhw_texture_data *texture,
                  struct rhw_attached_part part, struct rhw_clean_tiles **clean)
 {
@@ -122,7 +124,7 @@ static bool take(struct rhw_encoder *encoder, rhw_texture id, struct rhw_texture
     return *clean != NULL;
 }
 
-// The texture of the attachment `name`; NULL, and misuse, when there is none.
+// Return the texture of the attachment `name`. Report misuse and return NULL when there is none.
 static struct rhw_texture_data *find_texture(const rhw_context *context, rhw_texture id, const char *name)
 {
     char whose[64];

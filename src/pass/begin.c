@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The beginning of a pass: its definition is checked, and everything is reset. pass/attach.c takes its attachments, pass.c
-// and the files beside it record into it.
+// When a pass begins, its definition is checked, and everything of the last pass is reset. pass/attach.c takes the
+// attachments. pass/pass.c and the files beside it record into the pass.
 #include <string.h>
 
 #include "context/context.h"
@@ -67,7 +67,7 @@ static bool check_def(rhw_context *context, const struct rhw_pass_def *def, cons
                where, def->layers);
 }
 
-// Finds the pixels of the pass, whose size is known.
+// Set the render area of the pass, whose size is known. Return false where the definition's area is misuse.
 static bool set_area(struct rhw_encoder *encoder)
 {
     struct rhw_target *const target = &encoder->pass->target;
@@ -103,7 +103,7 @@ static enum rhw_result begin(rhw_context *context, const struct rhw_pass_def *de
     }
     reset(encoder, def);
     if (++context->recording.generation == 0) {
-        context->recording.generation = 1; // 0 is that of nothing yet
+        context->recording.generation = 1; // 0: no pass has used an item yet
     }
     const enum rhw_result result = rhw_pass_attach(encoder, def);
     if (result != RHW_OK) {
@@ -143,8 +143,8 @@ enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *
     if (!rhw_context_enter(context, where)) {
         return RHW_ERROR_MISUSE;
     }
-    if (id != NULL &&
-        !context->recording.active) { // else it may be the only name of the pass that has to end
+    // While a pass is being recorded, `id` may be its only name: it is kept, because that pass has to end.
+    if (id != NULL && !context->recording.active) {
         *id = (rhw_pass){0};
     }
     context->definition = def != NULL ? def->label : NULL;

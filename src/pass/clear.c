@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Recording: attachments cleared within a pass. A clear is a draw of rectangles by a pipeline of its own, so that its place
-// among the draws, several samples, and whatever tiles keep about their contents need no second thought.
+// Attachments can be cleared within a pass. A clear is recorded as a draw of rectangles with a pipeline of its own. Its
+// place among the draws, several samples, and whatever tiles keep about their contents therefore need no code of their
+// own.
 #include <string.h>
 
 #include "context/context.h"
@@ -19,7 +20,7 @@ struct clear_uniforms {
     bool writes_layer;
 };
 
-// A triangle around everything, for every instance in its layer.
+// This vertex function makes a triangle around everything, for every instance in its layer.
 static void cover(struct rhw_vertex *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -161,7 +162,7 @@ static void draw(rhw_context *context, rhw_pass id, const struct rhw_encoder *en
     }
 }
 
-// What recording has set, which a clear leaves as it was.
+// A clear leaves what recording has set as it was, and keeps it here meanwhile.
 struct kept_state {
     struct rhw_draw_state pending;
     struct rhw_bound bound;

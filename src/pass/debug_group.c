@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Recording: groups of draws, which messages name.
+// Debug groups hold draws of a pass, and messages name them.
 #include "context/context.h"
 #include "context/entry.h"
 #include "context/misuse.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Each index and each attribute of a draw is looked up in its buffer, so this is for validation alone.
 #include "draw_range.h"
 
 #include <string.h>
@@ -17,7 +18,7 @@ static struct rhw_name name_of(const struct rhw_encoder *encoder, int slot)
     return rhw_name_of(&encoder->context->buffers, encoder->bound.vertices[slot].index);
 }
 
-// Elements that attribute i finds in its buffer; of a constant one there is one.
+// Return how many elements attribute i finds in its buffer. A constant attribute finds at most one.
 static uint64_t elements_of(const struct rhw_encoder *encoder, int i)
 {
     const struct rhw_pipeline_def *const def = &encoder->pending.pipeline->def;
@@ -29,7 +30,7 @@ static uint64_t elements_of(const struct rhw_encoder *encoder, int i)
     return size < end ? 0 : layout->constant ? 1 : (size - end) / layout->stride + 1;
 }
 
-// Whether what draws count, vertices or instances, ends within the buffers that are read by it. `last` is the highest.
+// Check that a draw's vertices or instances, first .. last, lie within the buffers that are read for each of them.
 static bool check_elements(const struct rhw_encoder *encoder, bool per_instance, int64_t first, int64_t last,
                            const char *where)
 {
@@ -52,7 +53,7 @@ static bool check_elements(const struct rhw_encoder *encoder, bool per_instance,
     return true;
 }
 
-// The same for what all vertices read.
+// Check that each constant attribute finds its one element.
 static bool check_constants(const struct rhw_encoder *encoder, const char *where)
 {
     const struct rhw_pipeline_def *const def = &encoder->pending.pipeline->def;
@@ -71,12 +72,12 @@ static uint32_t index_at(const struct rhw_encoder *encoder, uint64_t i)
 {
     const uint32_t size = index_sizes[encoder->pending.index_type];
     uint32_t value = 0;
-    memcpy(&value, encoder->bound.indices.data->bytes + encoder->bound.indices.offset + i * size,
-           size); // little endian
+    // Indices are little endian.
+    memcpy(&value, encoder->bound.indices.data->bytes + encoder->bound.indices.offset + i * size, size);
     return value;
 }
 
-// The least and the greatest index, restarts left out; false when there is none.
+// Find the least and the greatest index, without restart indices. Return false when there is no index.
 static bool find_indices(const struct rhw_encoder *encoder, const struct rhw_draw *draw, uint32_t count,
                          uint32_t *least, uint32_t *most)
 {

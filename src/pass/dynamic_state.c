@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Recording: the dynamic state of a pass, which its functions set beside the pipeline: viewports, scissors, lines, depth,
-// stencil and the blend constant; and what follows from it for a draw.
+// The dynamic state of a pass is what its functions set beside the pipeline: viewports, scissors, lines, depth, stencil
+// and the blend constant. This file records it, and finds what follows from it for a draw.
 #include "dynamic_state.h"
 
 #include <string.h>
@@ -56,7 +56,7 @@ void rhw_pass_set_viewport(rhw_context *context, rhw_pass id, const struct rhw_v
     }
 }
 
-// Whether `count` viewports or scissors from `first` on exist. `name`: of the array.
+// Check that the `count` viewports or scissors from `first` on exist. `name` is the name of the array.
 static bool check_viewports(const rhw_context *context, int first, int count, const void *array,
                             const char *name, const char *where)
 {
@@ -223,7 +223,7 @@ static int clamp_to(int64_t v, int low, int high)
     return v < low ? low : v > high ? high : (int)v;
 }
 
-// The first pixel whose centre is at or after `x`, which is within a few times ±RHW_MAX_TARGET_SIZE.
+// Return the first pixel whose centre is at or after `x`. `x` is within a few times ±RHW_MAX_TARGET_SIZE.
 static int first_pixel(double x)
 {
     const double edge = x - 0.5;
@@ -231,13 +231,14 @@ static int first_pixel(double x)
     return (double)towards_zero < edge ? towards_zero + 1 : towards_zero;
 }
 
-// The pixels whose centres are inside the viewport, the scissor and the render area. Points may reach over the
-// viewport.
+// Return the pixels whose centres are inside the viewport, the scissor and the render area. Points may reach over the
+// edge of the viewport.
 static struct rhw_rect clip_rect(const struct rhw_encoder *encoder, const struct rhw_viewport *v,
                                  const struct rhw_rect *scissor, bool is_points)
 {
     const int vx0 = first_pixel(v->x), vx1 = first_pixel((double)v->x + (double)v->width);
-    const double y = (double)v->y, end = y + (double)v->height; // which is above where the height is negative
+    // Where the height is negative, `end` lies above `y`.
+    const double y = (double)v->y, end = y + (double)v->height;
     const int vy0 = first_pixel(y < end ? y : end), vy1 = first_pixel(y < end ? end : y);
     const struct rhw_rect *const area = &encoder->pass->target.area;
     const int ax1 = area->x + area->width, ay1 = area->y + area->height;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See encoder.h.
+// An encoder is created and destroyed here, with its context. Other files of this room change it.
 #include "encoder.h"
 
 #include <string.h>

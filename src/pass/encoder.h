@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The encoder of a context: what is set for the next draw, and what recording keeps until the pass ends. The other
-// files of this room change it and write what they record into `pass`. Running that needs nothing of the encoder.
+// The encoder of a context holds what is set for the next draw, and what recording keeps until the pass ends. The other
+// files of this room change it, and write what they record into `pass`. Running a pass needs nothing of the encoder.
 #ifndef RHW_ENCODER_H
 #define RHW_ENCODER_H
 
@@ -14,8 +14,8 @@
 struct rhw_read_texture;
 struct rhw_stored_level;
 
-// What is set for the next draw, by reference: the bytes of a buffer, and the texels of a texture, are looked up when
-// something is drawn.
+// These structures hold what is set for the next draw, by reference: the bytes of a buffer and the texels of a texture
+// are looked up when something is drawn.
 struct rhw_bound_buffer {
     const struct rhw_buffer_data *data; // NULL: nothing is set
     size_t offset, size;                // bytes
@@ -30,9 +30,9 @@ struct rhw_bound_range {
     size_t offset, size;                // bytes
     bool is_read_only;
 };
-// A level of a texture, or a range of a buffer as texels.
+// A storage image is a level of a texture, or a range of a buffer as texels.
 struct rhw_bound_image {
-    struct rhw_texture_data *const *texture; // in the context's pool; NULL: none
+    struct rhw_texture_data *const *texture; // in the context's pool; NULL: no level is set
     int level;
     struct rhw_bound_range range;
     enum rhw_format format; // format of the range
@@ -41,31 +41,32 @@ struct rhw_bound_image {
 struct rhw_bound {
     struct rhw_bound_buffer vertices[RHW_MAX_VERTEX_BUFFERS], indices;
     struct rhw_bound_texture textures[RHW_MAX_TEXTURES];
-    rhw_pipeline pipeline; // for messages
+    rhw_pipeline pipeline; // name of the pipeline, for messages
     struct rhw_bound_range storage[RHW_MAX_STORAGE_BUFFERS];
     struct rhw_bound_image images[RHW_MAX_STORAGE_IMAGES];
 };
 
 struct rhw_encoder {
     struct rhw_context *context;
-    struct rhw_recorded_pass *pass; // the one that is recorded
+    struct rhw_recorded_pass *pass; // the pass that is recorded
     bool out_of_memory;             // something could not be recorded: the pass fails when it ends
-    bool names_size;                // the definition does, so that attachments may be larger
-    bool depth_by_default;          // cleared to 1 by RHW_LOAD_DEFAULT, as no other value was given
+    bool names_size;                // the definition names the size, and attachments may be larger
+    bool depth_by_default;          // RHW_LOAD_DEFAULT clears depth to 1, because no other value was given
 
     struct rhw_bound bound;
     struct rhw_draw_state pending; // what the next draw would use
     bool pending_changed, textures_changed;
-    uint32_t rewrites_seen; // what context->recording.rewrites was
+    uint32_t rewrites_seen; // the last value of context->recording.rewrites that was seen
     const void *uniforms;   // uniforms of the next draw
     uint32_t uniform_size;
     const struct rhw_draw_state *current;             // last copy of `pending`
     bool refused_pipeline;                            // rhw_pass_set_pipeline was misuse
     struct rhw_viewport viewports[RHW_MAX_VIEWPORTS]; // viewports of the next draw; `pending` has the first too
     struct rhw_rect scissors[RHW_MAX_VIEWPORTS];
-    const struct rhw_draw_state *routed[RHW_MAX_VIEWPORTS]; // `current` by viewport; NULL: not made yet
+    const struct rhw_draw_state *routed[RHW_MAX_VIEWPORTS]; // `current` in each viewport; NULL: not made yet
 
-    const struct rhw_read_texture *read; // lists of what was set (pass/feedback_loop.h)
+    // pass/feedback_loop.h keeps these lists of what was set.
+    const struct rhw_read_texture *read;
     const struct rhw_stored_level *stored;
     struct rhw_feedback_state feedback;
 };
@@ -75,11 +76,11 @@ struct rhw_encoder *rhw_encoder_create(struct rhw_context *context, struct rhw_r
 // Release an encoder. Do nothing where it is NULL.
 void rhw_encoder_destroy(struct rhw_encoder *encoder);
 
-// Reports that an id names no pass under way.
+// Report that an id names no pass under way.
 __attribute__((cold)) void rhw_pass_report(const rhw_context *context, rhw_pass id, const char *where);
 
-// Enters the context and gives the pass that `id` names, until rhw_context_leave; or reports misuse, leaves again, and
-// gives NULL.
+// Enter the context, and return the encoder of the pass that `id` names, until rhw_context_leave. Report misuse, leave
+// the context and return NULL if `id` names no pass under way.
 static inline struct rhw_encoder *rhw_pass_enter(rhw_context *context, rhw_pass id, const char *where)
 {
     if (!rhw_context_enter(context, where)) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The end of a pass: it runs, what was kept for it is released, and what validation found is told.
+// When a pass ends, it runs, items and memory that were kept for it are released, and what validation found
+// is reported.
 #include "resource/buffer.h"
 #include "context/context.h"
 #include "context/entry.h"
@@ -12,7 +13,7 @@
 #include "rhw/rhw.h"
 #include "resource/texture.h"
 
-// Items that were destroyed, and memory that was replaced, while the pass needed them.
+// Release items that were destroyed, and memory that was replaced, while the pass needed them.
 static void release_retired(rhw_context *context)
 {
     struct rhw_buffer_data *buffer;
@@ -31,7 +32,7 @@ static void release_retired(rhw_context *context)
     }
 }
 
-// Where recording was when it came to a draw.
+// Return where recording was when it came to a draw.
 static struct rhw_recording place_of(const struct rhw_encoder *encoder, uint32_t draw)
 {
     struct rhw_recording place = encoder->context->recording;
@@ -41,7 +42,7 @@ static struct rhw_recording place_of(const struct rhw_encoder *encoder, uint32_t
     return place;
 }
 
-// What validation found while the pass ran.
+// Report what validation found while the pass ran.
 static void report_validation(struct rhw_encoder *encoder)
 {
     rhw_context *const context = encoder->context;
@@ -70,7 +71,8 @@ static enum rhw_result end(struct rhw_encoder *encoder, struct rhw_stats *stats)
         rhw_feedback_check_ended(encoder);
     }
     if (!context->recording.active || context->recording.generation != generation) {
-        return RHW_ERROR_MISUSE; // the hook ended the pass itself
+        // A hook of the program ended the pass itself.
+        return RHW_ERROR_MISUSE;
     }
     if (context->validation) {
         rhw_validation_messages_clear(context->validation);

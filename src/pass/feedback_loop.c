@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See pass/feedback_loop.h. What is set is in two lists, each level once, so that setting it again costs nothing.
+// Textures and images that are set stand in two lists, each level once, so that setting a level again costs nothing.
 #include "feedback_loop.h"
 
 #include "context/context.h"
@@ -9,7 +9,7 @@
 struct rhw_read_texture {
     const struct rhw_read_texture *next;
     struct rhw_texture_data *const *item;
-    uint32_t levels; // a bit each
+    uint32_t levels; // a bit for each level
 };
 
 struct rhw_stored_level {
@@ -48,7 +48,8 @@ bool rhw_pass_attaches(const struct rhw_encoder *encoder, struct rhw_texel_range
            is_in_attachment(encoder, &target->stencil, texels);
 }
 
-// Whether depth, or stencil, writes some of the texels: what is read-only only where it is resolved.
+// Return true if the depth attachment, or the stencil attachment, writes some of the texels. A read-only attachment
+// writes texels only where it is resolved.
 static bool writes(const struct rhw_encoder *encoder, const struct rhw_attachment *attachment,
                    struct rhw_texel_range texels)
 {
@@ -58,7 +59,8 @@ static bool writes(const struct rhw_encoder *encoder, const struct rhw_attachmen
                : is_in_attachment(encoder, attachment, texels);
 }
 
-// Stencil alone is in both, depth and stencil.
+// Return true if the pass draws into some of the texels. A texture of stencil alone is the target of both attachments,
+// depth and stencil.
 static bool draws_into(const struct rhw_encoder *encoder, struct rhw_texel_range texels)
 {
     const struct rhw_target *const target = &encoder->pass->target;
@@ -72,7 +74,7 @@ static struct rhw_texel_range range_of_level(const struct rhw_texture_data *text
     return rhw_texel_range_of(mip, 0, mip->slices);
 }
 
-// Most textures that are set are nobody's attachment, by any name.
+// Most textures that are set are attached in no pass, neither themselves nor by a view: their levels are not looked at.
 bool rhw_pass_draws_into(const struct rhw_encoder *encoder, const struct rhw_texture_data *texture,
                          uint32_t levels)
 {
@@ -85,7 +87,7 @@ bool rhw_pass_draws_into(const struct rhw_encoder *encoder, const struct rhw_tex
     return false;
 }
 
-// Whether one of a texture's levels has some of the texels.
+// Return true if one of a texture's levels has some of the texels.
 static bool levels_have(const struct rhw_texture_data *texture, uint32_t levels,
                         struct rhw_texel_range texels)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws whose parameters stand in buffers. They are read when the draw is recorded, as everything a draw sees is.
+// The parameters of an indirect draw stand in buffers. They are read when the draw is recorded, as everything is that a
+// draw sees.
 #include <string.h>
 
 #include "resource/buffer.h"
@@ -13,20 +14,21 @@
 #include "encoder.h"
 #include "rhw/rhw.h"
 
-// Commands that were found to be there.
+// These are commands that were found in a buffer.
 struct command_list {
-    const unsigned char *bytes; // of the first; NULL: the call was misuse
+    const unsigned char *bytes; // bytes of the first command; NULL: the call was misuse
     size_t stride;
     uint32_t count;
 };
 
-// Bytes from the first of `count` things of `size` to the end of the last.
+// Return how many bytes `count` things of `size` take, from the first byte of the first to the last byte of the last.
 static uint64_t extent(uint32_t count, uint64_t stride, uint64_t size)
 {
     return count == 0 ? 0 : (count - 1) * stride + size;
 }
 
-// Looks up what `size` bytes at an offset, or more of them, are read from; NULL when that is misuse.
+// Return the bytes at an offset of a buffer, `size` of which are read. Report misuse and return NULL where they cannot
+// be read.
 static const unsigned char *find_bytes(const rhw_context *context, rhw_buffer id, size_t offset,
                                        uint64_t size, const char *name, const char *where)
 {
@@ -47,7 +49,7 @@ static const unsigned char *find_bytes(const rhw_context *context, rhw_buffer id
                : NULL;
 }
 
-// `size` is that of one command.
+// Find the commands in their buffer. One command has `size` bytes.
 static struct command_list find_commands(const rhw_context *context, const struct rhw_draw_commands *commands,
                                          size_t size, const char *where)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Recording: what vertices are made from, which is buffers of vertices and indices, and uniforms.
+// Buffers of vertices and indices, and uniforms, are what vertices are made from. This file sets them for the next
+// draws.
 #include <string.h>
 
 #include "resource/buffer.h"
@@ -11,7 +12,7 @@
 #include "encoder.h"
 #include "rhw/rhw.h"
 
-// Notes that draws read bytes of a buffer. False when that is misuse.
+// Note that draws read bytes of a buffer. Return false where it is misuse.
 static __attribute__((noinline)) bool note_read(struct rhw_encoder *encoder,
                                                 const struct rhw_buffer_part *part, const char *where)
 {
@@ -22,8 +23,8 @@ static __attribute__((noinline)) bool note_read(struct rhw_encoder *encoder,
     return true;
 }
 
-// Bytes `offset` to offset + size of a buffer, 0: to its end, that draws will read; the data is NULL when the call was
-// misuse.
+// Bind the bytes offset .. offset + size of a buffer, which draws will read. Size 0 binds all bytes up to the buffer's
+// end. Return NULL data where the call is misuse.
 static inline struct rhw_bound_buffer bind_buffer(struct rhw_encoder *encoder, rhw_buffer id, size_t offset,
                                                   size_t size, const char *where)
 {

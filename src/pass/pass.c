@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Recording: draws. What they use is set by the pass_ files beside this one; pass/begin.c begins a pass, run/run.c runs
+// Draws are recorded here. The files beside this one set what draws use. pass/begin.c begins a pass, and run/run.c runs
 // it.
 #include "pass.h"
 
@@ -24,8 +24,8 @@
 #include "transform_feedback.h"
 #include "binding/validation/validation.h"
 
-// A first draw that nothing of can be seen: depth is 1 because nobody said what it is, as with reversed depth in a
-// definition that was zeroed.
+// Return true if nothing of a first draw can be seen: it asks for greater depth, as reversed depth does, and depth was
+// cleared to 1 because a zeroed definition gives no value.
 static bool faces_unset_depth(const struct rhw_encoder *encoder)
 {
     const struct rhw_pipeline_def *const def = &encoder->pending.pipeline->def;
@@ -33,7 +33,7 @@ static bool faces_unset_depth(const struct rhw_encoder *encoder)
            (def->depth_compare == RHW_COMPARE_GREATER || def->depth_compare == RHW_COMPARE_GREATER_EQUAL);
 }
 
-// Its masks are those of the draw.
+// Return true if the next draw writes stencil that the pass has read-only. The pass may have set its write masks.
 static bool writes_read_only_stencil(const struct rhw_encoder *encoder)
 {
     return encoder->pass->target.stencil.is_read_only &&
@@ -75,7 +75,7 @@ static bool check_draw(const struct rhw_encoder *encoder, bool indexed, const ch
     return true;
 }
 
-// The uniforms of the next draw, as its pipeline's functions or their validator want them.
+// Return the uniforms of the next draw, as the functions of its pipeline or their validator want them.
 static const void *uniforms_of(struct rhw_encoder *encoder)
 {
     const struct rhw_pipeline_data *const pipeline = encoder->pending.pipeline;
@@ -92,7 +92,8 @@ static const void *uniforms_of(struct rhw_encoder *encoder)
 static void append_draw(struct rhw_encoder *encoder, const struct rhw_draw *draw, uint32_t count)
 {
     struct rhw_recorded_pass *const pass = encoder->pass;
-    const uint64_t environment = rhw_cpu_float_enter(); // viewport and blend constant are converted in it
+    // Viewport and blend constant are converted in the renderer's floating-point environment.
+    const uint64_t environment = rhw_cpu_float_enter();
     const struct rhw_draw_state *const state = rhw_pass_draw_state(encoder);
     rhw_cpu_float_leave(environment);
     struct rhw_draw *const slot = state ? rhw_draw_list_next(&encoder->context->memory, &pass->draws) : NULL;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Recording a draw. The public rhw_pass_ functions come here; encoder.h has the data.
+// The public rhw_pass_ functions that draw come here to record a draw; encoder.h has the data.
 #ifndef RHW_PASS_H
 #define RHW_PASS_H
 
@@ -8,7 +8,7 @@
 struct rhw_draw;
 struct rhw_encoder;
 
-// Records a draw of `count` vertices or indices; of `draw`, what the parameters of a draw say is set.
+// Record a draw of `count` vertices or indices. `draw` has only the members that are parameters of a call.
 void rhw_pass_record(struct rhw_encoder *encoder, const struct rhw_draw *draw, uint32_t count,
                      const char *where);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What draws use of all that was set: set_ functions change `bound` and `pending`, a draw copies what it needs of them
-// when they changed.
+// A draw uses all that was set before it. set_ functions change `bound` and `pending`. A draw copies what it needs of
+// them when they have changed.
 #include "pass_draw_state.h"
 
 #include <string.h>
@@ -20,7 +20,7 @@ static struct rhw_vertex_stream stream_of(struct rhw_bound_buffer bound)
                       : (struct rhw_vertex_stream){NULL, 0};
 }
 
-// The bytes that buffers have now: one that is written after a draw of this pass gets new ones.
+// Take the bytes that buffers have now. A buffer that was written after a draw of this pass has new bytes.
 static void resolve_buffers(struct rhw_encoder *encoder)
 {
     struct rhw_draw_state *const pending = &encoder->pending;
@@ -32,7 +32,7 @@ static void resolve_buffers(struct rhw_encoder *encoder)
     pending->index_bytes = indices.size;
 }
 
-// Brings `pending` up to date with what is bound. False when out of memory.
+// Bring `pending` up to date with what is bound. Return false when out of memory.
 static bool resolve(struct rhw_encoder *encoder)
 {
     const uint32_t rewrites = encoder->context->recording.rewrites;
@@ -81,7 +81,8 @@ const struct rhw_draw_state *rhw_pass_draw_state(struct rhw_encoder *encoder)
     rhw_draw_state_set_lines(state);
     state->first_step = RHW_SUBPIXEL - target->pattern->most_0_8 - 1;
     state->past_step = RHW_SUBPIXEL - target->pattern->least_0_8;
-    if (state->pipeline->is_conservative) { // borders of pixels instead
+    // Conservative coverage asks for the borders of pixels instead of samples.
+    if (state->pipeline->is_conservative) {
         state->first_step = -1;
         state->past_step = RHW_SUBPIXEL;
     }
@@ -96,7 +97,7 @@ const struct rhw_draw_state *rhw_pass_draw_state(struct rhw_encoder *encoder)
     return state;
 }
 
-// The state of the draw in viewport `i`. NULL when out of memory.
+// Return the state of the draw in viewport `i`, or NULL when out of memory.
 static const struct rhw_draw_state *routed_state(struct rhw_encoder *encoder, int i)
 {
     if (i == 0 || encoder->routed[i]) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Recording: the pipeline of the next draw, which must fit the attachments of the pass.
+// The pipeline of the next draw is set here. It must fit the attachments of the pass.
 #include "context/context.h"
 #include "context/entry.h"
 #include "format/format.h"
@@ -14,13 +14,13 @@ static const char *format_of(enum rhw_format format, bool is_left_out)
     return is_left_out ? "left out" : rhw_format_info(format)->name;
 }
 
-// A definition whose targets are those of another, for depth alone, is right; but a reason to look at first.
+// Return true if a definition has a target and a target_count of 0. It is valid, for depth alone, but likely a mistake.
 static bool forgets_count(const struct rhw_pipeline_def *def)
 {
     return def->target_count == 0 && def->targets[0].format != RHW_FORMAT_NONE;
 }
 
-// A pipeline draws into what it was made for.
+// Check that a pipeline has the targets that the pass has. A pipeline draws only into formats that it was made for.
 static bool targets_match(const struct rhw_encoder *encoder, rhw_pipeline id,
                           const struct rhw_pipeline_data *pipeline, const char *where)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Recording: what a pass is asked to tell of itself: the history of a sample, and the work on each tile. Tiles fill it in.
+// A program may ask a pass for the history of a sample, and for the work on each tile. The questions are recorded here,
+// and tiles fill in the answers.
 #include "context/context.h"
 #include "context/entry.h"
 #include "context/misuse.h"

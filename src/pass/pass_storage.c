@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Recording: what a pass sets of storage.
+// Storage buffers, storage images and texel buffers are set here for the next draws of a pass.
 #include "pass_storage.h"
 
 #include "resource/buffer.h"
@@ -15,8 +15,8 @@
 #include "resource/shared_texels.h"
 #include "resource/texture.h"
 
-// Makes bytes of a live buffer ones that shader functions read, and write where they are not `is_read_only`. False when
-// that is misuse.
+// Bind bytes of a live buffer that shader functions read, and write unless `is_read_only`. Return false where it is
+// misuse.
 static bool bind_range(struct rhw_encoder *encoder, rhw_buffer id, size_t offset, size_t size,
                        bool is_read_only, const char *where, struct rhw_bound_range *range)
 {
@@ -82,14 +82,15 @@ static bool check_slot(const struct rhw_context *context, int slot, const char *
                      where, slot, RHW_MAX_STORAGE_IMAGES - 1);
 }
 
-// Whether the level was set as a storage image in this pass already.
+// Return true if the level was set in this pass already as a storage image to be written.
 static bool is_stored(const struct rhw_encoder *encoder, const struct rhw_texture_data *texture, int level)
 {
     return texture->stored_pass == encoder->context->recording.generation &&
            (texture->stored_levels >> level & 1) != 0;
 }
 
-// What is drawn into or read is not written, level by level and layer by layer.
+// Check that the pass neither draws into nor reads a texel of a level that is to be written. Texels are told apart by
+// level and layer.
 static bool check_written(const struct rhw_encoder *encoder, rhw_texture id,
                           const struct rhw_texture_data *texture, int level, const char *where)
 {
@@ -107,7 +108,7 @@ static bool check_written(const struct rhw_encoder *encoder, rhw_texture id,
                       where, level, rhw_name_of(&context->textures, id.index).text));
 }
 
-// What is drawn into or written is not read.
+// Check that the pass neither draws into nor writes a level that is to be read.
 static bool check_read(const struct rhw_encoder *encoder, rhw_texture id,
                        const struct rhw_texture_data *texture, int level, const char *where)
 {
@@ -286,7 +287,7 @@ static struct rhw_storage_words words_of(const struct rhw_bound_range *range)
                        : (struct rhw_storage_words){.words = NULL};
 }
 
-// A texel buffer as a texture of one row. NULL when out of memory.
+// Return a texel buffer as a texture of one row, or NULL when out of memory.
 static const struct rhw_texture_data *row_of_texels(const struct rhw_bound_image *bound,
                                                     struct rhw_arena *arena)
 {
@@ -308,7 +309,7 @@ static const struct rhw_texture_data *row_of_texels(const struct rhw_bound_image
     return texture;
 }
 
-// False when out of memory.
+// Make the storage image of a slot. Return false when out of memory.
 static bool image_of(const struct rhw_bound_image *bound, struct rhw_arena *arena,
                      struct rhw_storage_image *image)
 {

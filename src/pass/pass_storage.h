@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a pass sets of storage.
+// The storage that a pass sets becomes part of its draws.
 #ifndef RHW_PASS_STORAGE_H
 #define RHW_PASS_STORAGE_H
 
@@ -8,7 +8,7 @@
 struct rhw_encoder;
 struct rhw_storage;
 
-// The storage of the next draw, as its buffers are now; NULL when out of memory.
+// Return the storage of the next draw, with the bytes that its buffers have now, or NULL when out of memory.
 const struct rhw_storage *rhw_pass_storage_of(struct rhw_encoder *encoder);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Recording: textures with their samplers, and what they are to a draw.
+// Textures with their samplers are set here, and become the bindings of a draw.
 #include "pass_texture.h"
 
 #include "binding/binding.h"
@@ -34,7 +34,7 @@ static bool check_sampled(const struct rhw_encoder *encoder, rhw_texture id, int
                      where, rhw_name_of(&context->textures, id.index).text, slot);
 }
 
-// Whether a sampler gives texels as they are.
+// Return true if a sampler gives texels as they are.
 static bool takes_texels(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler)
 {
     const struct rhw_sampler_def *const def = &sampler->def;
@@ -43,7 +43,8 @@ static bool takes_texels(const struct rhw_texture_data *texture, const struct rh
            def->max_anisotropy <= 1 && def->reduction == RHW_REDUCTION_AVERAGE;
 }
 
-// Formats that are not filtered give their texels. Coordinates in texels are those of a single 1D or 2D image (Vulkan 1.3, VkSamplerCreateInfo).
+// Check that a sampler fits a texture. Formats that cannot be filtered need a sampler that gives texels as they are.
+// Coordinates in texels need a single 1D or 2D image (Vulkan 1.3, VkSamplerCreateInfo).
 static bool check_sampler(const rhw_context *context, rhw_texture id, rhw_sampler sampler_id,
                           const struct rhw_sampler_data *sampler, const char *where)
 {
@@ -63,7 +64,8 @@ static bool check_sampler(const rhw_context *context, rhw_texture id, rhw_sample
                      rhw_name_of(&context->textures, id.index).text, (int)shape->kind, shape->layers);
 }
 
-// Single samples are not filtered. False when out of memory.
+// Make the linear copy of an sRGB texture that is sampled. Textures with several samples need none, because they are
+// not filtered. Return false when out of memory.
 static bool linearize(struct rhw_context *context, struct rhw_texture_data *texture)
 {
     return texture->samples > 1 || rhw_texture_linearize(context, texture);

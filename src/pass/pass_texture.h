@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a pass sets of textures.
+// The textures that a pass sets become part of its draws.
 #ifndef RHW_PASS_TEXTURE_H
 #define RHW_PASS_TEXTURE_H
 
@@ -7,7 +7,7 @@
 
 struct rhw_encoder;
 
-// Gives the next draw the textures and the storage that are bound, as they are now. False when out of memory.
+// Give the next draw the textures and the storage that are bound, as they are now. Return false when out of memory.
 bool rhw_pass_resolve_textures(struct rhw_encoder *encoder);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See query.h.
+// Queries are created, read and destroyed between passes, recorded in a pass, and answered when it has run.
 #include "query.h"
 
 #include <string.h>
@@ -54,7 +54,7 @@ enum rhw_result rhw_query_create(rhw_context *context, const struct rhw_query_de
     return result;
 }
 
-// The pass under way keeps what it counts for the query, and finds in the end that it is gone.
+// A pass under way that uses the query goes on counting for it, and finds at its end that the query is gone.
 void rhw_query_destroy(rhw_context *context, rhw_query query)
 {
     static const char *const where = "rhw_query_destroy";
@@ -105,7 +105,7 @@ static struct rhw_used_query *active(const struct rhw_encoder *encoder, enum rhw
     return encoder->pending.queries ? encoder->pending.queries->of[kind] : NULL;
 }
 
-// Puts `query`, or NULL, in the place of the query of that kind which is under way.
+// Make `query` the query of `kind` that is under way. NULL means that none is.
 static void set_active(struct rhw_encoder *encoder, enum rhw_query_kind kind, struct rhw_used_query *query)
 {
     struct rhw_active_queries *const queries =
@@ -128,7 +128,8 @@ static void set_active(struct rhw_encoder *encoder, enum rhw_query_kind kind, st
     encoder->pending_changed = true;
 }
 
-// A query whose first use in the pass this is; NULL: misuse, or out of memory.
+// Return the record of a query that the pass uses for the first time. Return NULL where the pass has used it before,
+// which is misuse, or when out of memory.
 static struct rhw_used_query *use(struct rhw_encoder *encoder, rhw_query id, struct rhw_query_data *data,
                                   const char *where)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Queries: what they are between passes, and recording them. Draws carry those that are under way in their state
-// (draw/used_query.h); a draw that a query counts the samples of is drawn in its turn (depth_stencil.h: `counts`).
+// A query lives on between passes, and is recorded in passes. Draws carry the queries under way in their state
+// (draw/used_query.h). A draw whose samples a query counts is drawn in its turn (depth_stencil.h: `counts`).
 #ifndef RHW_QUERY_H
 #define RHW_QUERY_H
 
@@ -12,18 +12,18 @@ struct rhw_encoder;
 
 struct rhw_query_data {
     enum rhw_query_kind kind;
-    uint32_t pass;    // generation of the last pass that used it; 0: none yet
-    bool is_answered; // `counts` are those of that pass
+    uint32_t pass;    // generation of the last pass that used the query; 0: none yet
+    bool is_answered; // `counts` belong to the last pass that used the query
     struct rhw_query_counts counts;
 };
 
-// Adds what queries ask of a draw of `count` vertices or indices that was recorded.
+// Add what queries ask of a recorded draw of `count` vertices or indices.
 void rhw_queries_count_draw(const struct rhw_draw *draw, uint32_t count);
-// Adds what transform feedback does for a draw, in primitives.
+// Add what transform feedback does for a draw, in primitives.
 void rhw_queries_count_feedback(const struct rhw_draw *draw, uint64_t written, uint64_t needed);
-// Reports those that were begun and not ended.
+// Report queries that were begun and not ended.
 void rhw_queries_check_ended(const struct rhw_encoder *encoder);
-// Gives queries the answers of the pass that has run.
+// Give queries the answers of the pass that has run.
 void rhw_queries_answer(const struct rhw_encoder *encoder);
 
 #endif

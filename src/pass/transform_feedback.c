@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See transform_feedback.h.
+// Transform feedback begins and ends here, and gives each draw between its place in the buffers.
 #include "transform_feedback.h"
 
 #include "resource/buffer.h"
@@ -16,7 +16,7 @@
 
 static const char *const begin_name = "rhw_pass_begin_transform_feedback";
 
-// Gives what a target is to write. False where that is misuse.
+// Find the bytes of a buffer that a target writes. Return false where it is misuse.
 static bool find_part(const struct rhw_encoder *encoder, const struct rhw_feedback_target *target, int i,
                       struct rhw_buffer_part *part)
 {
@@ -38,7 +38,7 @@ static bool find_part(const struct rhw_encoder *encoder, const struct rhw_feedba
            rhw_buffer_check_use(context, part, begin_name);
 }
 
-// Whether the last of some parts shares no bytes with those before it, where they are of targets.
+// Check that the last part shares no bytes with the parts before it. Parts without data are of no target.
 static bool check_apart(const struct rhw_encoder *encoder, const struct rhw_buffer_part *parts, int last)
 {
     for (int i = 0; i < last; i++) {
@@ -162,7 +162,7 @@ void rhw_pass_end_transform_feedback(rhw_context *context, rhw_pass id, size_t *
     rhw_context_leave(context);
 }
 
-// Primitives that fit whole into what is left of every target.
+// Return how many whole primitives fit into what is left of every target.
 static uint64_t room_of(const struct rhw_feedback_state *feedback, const struct rhw_pipeline_data *pipeline)
 {
     uint64_t most = UINT64_MAX;

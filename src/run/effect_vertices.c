@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The draw's vertex indices become slots: each vertex that its primitives name gets the next one when it is first
+// named. The vertices of all slots are shaded once.
 #include "effect_vertices.h"
 
 #include <limits.h>
@@ -11,11 +13,11 @@
 #include "pipeline/pipeline.h"
 #include "vertex_sharing.h"
 
-// From vertex indices to slots, by open addressing: an entry holds a slot plus 1.
+// This table finds the slot of a vertex index by open addressing. An entry holds a slot plus 1, or 0 where it is free.
 struct slot_table {
     uint32_t *entries;
     uint32_t mask;     // entries − 1
-    uint32_t *indices; // by slot
+    uint32_t *indices; // the vertex index of each slot
     uint32_t count;
 };
 
@@ -32,7 +34,7 @@ static uint32_t slot_of(struct slot_table *table, uint32_t index)
     return table->count - 1;
 }
 
-// Room for `corners` indices. False when out of memory.
+// Make room in the table for `corners` indices. Return false when out of memory.
 static bool make_table(struct slot_table *table, uint64_t corners, struct rhw_arena *arena)
 {
     uint64_t size = 16;
@@ -54,7 +56,7 @@ static bool make_table(struct slot_table *table, uint64_t corners, struct rhw_ar
     return true;
 }
 
-// Writes the draw's primitives by slot, and lists in the table which vertices these are.
+// Write the draw's primitives by slot, and list in the table which vertex each slot stands for.
 static void name_slots(const struct rhw_draw *draw, struct slot_table *table, uint32_t (*slots)[3])
 {
     enum { SOME = 256 };
@@ -69,7 +71,7 @@ static void name_slots(const struct rhw_draw *draw, struct slot_table *table, ui
     }
 }
 
-// Room for the vertices of all instances. NULL when out of memory.
+// Make room for the vertices of all instances. Return NULL when out of memory.
 static const struct rhw_shared_vertices *share(const struct rhw_draw *draw, const struct slot_table *table,
                                                struct rhw_arena *arena)
 {

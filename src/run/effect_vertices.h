@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Vertices whose function has effects, or of strips with a stipple (strip_stipple.h): each is shaded once in its pass,
-// before its first wave, whatever chunks and waves there are. They are
-// shared (draw/shared_vertices.h) for the whole pass, those alone that the draw's primitives name, in the order in which
-// these name them.
+// This file prepares vertices that are shaded once in their pass, before its first wave, however many chunks and waves
+// there are. A vertex is one of them where its function has effects, or where it belongs to a strip with a stipple
+// (strip_stipple.h). Its draw shares its vertices (draw/shared_vertices.h) for the whole pass. Only vertices that the
+// draw's primitives name are shared, in the order in which the primitives name them.
 #ifndef RHW_EFFECT_VERTICES_H
 #define RHW_EFFECT_VERTICES_H
 
@@ -13,11 +13,12 @@ struct rhw_draw;
 struct rhw_recorded_pass;
 struct rhw_shared_parts;
 
-// Gives a draw that was assembled room for its vertices, in memory that lasts as long as it, and primitives that name
-// them by slot. False when out of memory.
+// Give an assembled draw room for its vertices, in memory that lasts as long as the draw, and primitives that name the
+// vertices by slot. Return false when out of memory.
 bool rhw_effect_vertices_prepare(struct rhw_draw *draw, struct rhw_arena *arena);
 
-// Lists what the pass has of them, to be shaded before its first wave, in memory of `arena`. False when out of memory.
+// List the parts of the pass's vertices that are shaded before its first wave, in memory of `arena`. Return false when
+// out of memory.
 bool rhw_effect_vertices_find(const struct rhw_recorded_pass *pass, struct rhw_arena *arena,
                               struct rhw_shared_parts *parts);
 

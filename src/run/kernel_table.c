@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which kernels this build has.
+// This table says which kernels this build has.
 #include <stddef.h>
 
 #include "kernels/kernels.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Waves: as many chunks as the bin memory holds go through the front end, then every tile draws them. Most
-// passes are one wave; a pass that is larger than the bins loads and stores its tiles between waves, so that
-// geometry stays bounded whatever is drawn: by the bin memory and a quarter of it for the bins of the last chunks, and
-// a few megabytes per thread.
+// A pass runs in waves: as many chunks as the bin memory holds go through the front end, then every tile draws them.
+// Most passes are one wave. A pass that is larger than the bins loads and stores its tiles between waves. Its geometry
+// therefore stays bounded whatever is drawn: by the bin memory, a quarter of it more for the bins of the last chunks,
+// and a few megabytes per thread.
 #include "run.h"
 
 #include <string.h>
@@ -19,14 +19,14 @@
 #include "strip_stipple.h"
 #include "base/thread.h"
 
-// Keeps an attachment between waves when it has no texture.
+// A transient keeps an attachment without a texture between waves.
 struct transient {
     struct rhw_mip plane;
     size_t size; // bytes that plane.texels has
 };
 
-// The tiles that a worker begins with; padded so that no two share a cache line. Written by the worker, and by others
-// that have no tiles left of their own.
+// These are the tiles that a worker begins with. The worker writes them, and so do others that have no tiles left of
+// their own. The structure is padded so that no two workers share a cache line.
 struct tile_share {
     _Alignas(RHW_CACHE_LINE) _Atomic int next;
     int end; // exclusive
@@ -34,28 +34,29 @@ struct tile_share {
 
 struct rhw_executor {
     struct rhw_context *context;
-    struct rhw_wave wave; // the one under way
+    struct rhw_wave wave; // the wave under way
     int chunk_capacity;
-    uint64_t chunk_size;       // triangles of a chunk, at most
-    struct tile_share *shares; // by worker
+    uint64_t chunk_size;       // most triangles of a chunk
+    struct tile_share *shares; // a share for each worker
     struct transient colors[RHW_MAX_COLOR_ATTACHMENTS], depth, stencil;
 
-    // Written by workers for every chunk, read when they look for the next:
+    // Workers write these members for every chunk, and read them when they look for the next chunk.
     _Alignas(RHW_CACHE_LINE) _Atomic size_t geometry; // bytes that the wave's chunks took
-    _Atomic int wave_end;                             // the chunks from here on wait for the next wave
+    _Atomic int wave_end;                             // first chunk that waits for the next wave
     _Atomic bool failed;                              // a worker ran out of memory
 };
 
 static const size_t default_bin_memory = (size_t)512 << 20; // bytes
 
-enum { CHUNK_LEAST = 128 }; // triangles: below, binning a chunk costs as much as its triangles
+// A chunk has at least this many triangles: binning a smaller one costs as much as its triangles.
+enum { CHUNK_LEAST = 128 };
 
 static double milliseconds(uint64_t ns)
 {
     return (double)ns * 1e-6;
 }
 
-// Zero, but for the table of lanes, and what an empty queue says of its groups.
+// Set the scratch to zero, except for the table of lanes and what an empty queue says of its groups.
 static void init_tile_scratch(struct rhw_tile_scratch *scratch)
 {
     memset(scratch, 0, sizeof *scratch);
@@ -69,7 +70,8 @@ static void init_tile_scratch(struct rhw_tile_scratch *scratch)
     }
 }
 
-// Memory for the samples of a tile but the first; what a pass does not draw into is never touched.
+// Give the worker memory for all samples of a tile but the first. Memory that a pass does not draw into is never
+// touched. Return false when out of memory.
 static bool planes_ready(const struct rhw_executor *executor, struct rhw_worker *worker)
 {
     struct rhw_memory *const memory = &executor->context->memory;
@@ -89,7 +91,7 @@ static bool planes_ready(const struct rhw_executor *executor, struct rhw_worker 
     return true;
 }
 
-// What stays from frame to frame: an empty table of vertices, and where groups of vertices have their distances.
+// Set what stays from frame to frame: an empty table of vertices, and where groups of vertices have their distances.
 static void init_geometry_scratch(struct rhw_geometry_scratch *scratch)
 {
     memset(scratch->cache, 0, sizeof scratch->cache);
@@ -101,7 +103,7 @@ static void init_geometry_scratch(struct rhw_geometry_scratch *scratch)
     }
 }
 
-// Makes the workers, with nothing but their arenas. False when out of memory.
+// Make the workers, with nothing but their arenas. Return false when out of memory.
 static bool make_workers(struct rhw_executor *executor)
 {
     struct rhw_memory *const memory = &executor->context->memory;
@@ -122,7 +124,7 @@ static bool make_workers(struct rhw_executor *executor)
     return true;
 }
 
-// Gives a worker what the wave's pass needs of it. False when out of memory.
+// Give a worker the memory that the wave's pass needs. Return false when out of memory.
 static bool worker_ready(const struct rhw_executor *executor, struct rhw_worker *worker)
 {
     struct rhw_memory *const memory = &executor->context->memory;
@@ -205,7 +207,7 @@ static size_t bin_limit(const struct rhw_executor *executor)
     return executor->context->bin_memory ? executor->context->bin_memory : default_bin_memory;
 }
 
-// Triangles per chunk: at least four chunks for every thread, so that no thread waits long for the last.
+// Return the triangles of a chunk: every thread gets at least four chunks, so that no thread waits long for the last.
 static uint64_t chunk_size(const struct rhw_executor *executor)
 {
     const uint64_t share =
@@ -213,8 +215,9 @@ static uint64_t chunk_size(const struct rhw_executor *executor)
     return share < CHUNK_LEAST ? CHUNK_LEAST : share < RHW_CHUNK_TRIANGLES ? share : RHW_CHUNK_TRIANGLES;
 }
 
-// Entries in the bins of one chunk. Chunks that are under way when the limit is reached pass it by this much each, all
-// threads' together by a quarter. As many as there are tiles must be allowed: one triangle may fill them all.
+// Return how many entries the bins of one chunk may have. A chunk that is under way when the memory is used up exceeds
+// the limit by this much, and the chunks of all threads together exceed it by a quarter. A chunk may always have as
+// many entries as there are tiles, because one triangle may fill them all.
 static uint32_t entries_most(const struct rhw_executor *executor)
 {
     const size_t share = bin_limit(executor) / (4 * (size_t)executor->context->threads * sizeof(uint16_t));
@@ -244,14 +247,14 @@ static bool add_chunk(struct rhw_executor *executor, struct rhw_chunk chunk)
     return true;
 }
 
-// Where in the line of triangles the next wave starts.
+// This is where the next wave starts in the line of triangles.
 struct position {
     uint64_t triangle;
     uint32_t draw;
 };
 
-// Triangles from `at` on that are hidden by the same rule, `most` at most: what differs in it, a background and the model
-// before it, would be drawn in order if it were one chunk.
+// Return how many triangles from `at` on are hidden by one rule, `most` at most. A background and the model in front of
+// it differ in their rule, and one chunk of both would be drawn in order.
 static uint64_t count_of_one_rule(const struct rhw_draw_list *draws, struct position at, uint64_t most)
 {
     const struct rhw_draw *draw = rhw_draw_list_at(draws, at.draw);
@@ -266,11 +269,12 @@ static uint64_t count_of_one_rule(const struct rhw_draw_list *draws, struct posi
     return most;
 }
 
-// Cuts what is left into chunks, as many as a wave takes at most. False when out of memory.
+// Cut the rest of the pass into chunks, as many as a wave takes at most. Return false when out of memory.
 static bool cut_wave(struct rhw_executor *executor, struct position at)
 {
-    // By rules, in a wave: enough for a background, a model, its shadow and what is seen through, while draws of two rules in
-    // turn, which would make a chunk each, cost no more than these.
+    // A wave is cut by rules this many times at most. It is enough for a background, a model, its shadow and
+    // transparent parts, while draws of two rules in turn, each of which would make a chunk, cost no more than a scene
+    // like that.
     enum { CUTS = 16 };
     const struct rhw_recorded_pass *const pass = executor->wave.pass;
     const uint64_t size = executor->chunk_size;
@@ -301,7 +305,7 @@ static void end_wave(struct rhw_executor *executor, int end)
     }
 }
 
-// Asks the program on its own thread, worker 0; the others hear of it.
+// Return true if the program gives the pass up. Worker 0 asks it, on the program's own thread; the others hear of it.
 static bool is_given_up(rhw_context *context, int worker)
 {
     if (!context->goes_on) {
@@ -317,8 +321,9 @@ static bool is_given_up(rhw_context *context, int worker)
     return given_up;
 }
 
-// Chunks are claimed in order. The wave ends before the first that finds the memory used up, or behind the first whose
-// bins were too large for all of its triangles; what others make of later chunks meanwhile is made again.
+// Run the front end over one chunk. Chunks are claimed in order. The wave ends before the first chunk that finds the
+// memory used up, or behind the first chunk whose bins were too large for all of its triangles. What other threads make
+// of later chunks meanwhile is made again.
 static void run_chunk(void *user, int index, int worker)
 {
     struct rhw_executor *const executor = user;
@@ -368,7 +373,7 @@ static void run_parts(struct rhw_executor *executor, const struct rhw_shared_par
     }
 }
 
-// Shades the vertices that the wave's chunks share. False when out of memory.
+// Shade the vertices that the wave's chunks share. Return false when out of memory.
 static bool shade_shared_vertices(struct rhw_executor *executor, struct rhw_stats *stats)
 {
     struct rhw_shared_parts parts;
@@ -380,8 +385,8 @@ static bool shade_shared_vertices(struct rhw_executor *executor, struct rhw_stat
     return true;
 }
 
-// The same for vertices that are shaded first, of all waves, and what follows from them. False when out of memory or given
-// up.
+// Shade the vertices of all waves that are shaded before the first, and measure the lines that wait for them. Return
+// false when out of memory or given up.
 static bool shade_first_vertices(struct rhw_executor *executor, struct rhw_stats *stats)
 {
     const struct rhw_recorded_pass *const pass = executor->wave.pass;
@@ -414,9 +419,9 @@ static void draw_tile(struct rhw_executor *executor, int tile, int worker)
     }
 }
 
-// Every worker has tiles of its own, the same in every frame, and takes those of others when it has none left: memory
-// that the same core wrote last costs half as much to write again. There are as many calls as tiles, so each call finds
-// one: what others took before it is less than all.
+// Draw one tile. Every worker has its own tiles, which are the same in every frame, and takes tiles of others when it
+// has none left: memory that the same core wrote last costs half as much to write again. There are as many calls as
+// tiles, so that each call finds a tile: fewer than all were taken before it.
 static void run_tile(void *user, int index, int worker)
 {
     struct rhw_executor *const executor = user;
@@ -467,8 +472,8 @@ static void sum_front(const struct rhw_executor *executor, struct rhw_stats *sta
     }
 }
 
-// Runs the front end over the next wave, which starts at `at` and moves it to where it ended. Where that is may depend
-// on the threads; what is drawn does not depend on waves. False when out of memory or given up.
+// Run the front end over the next wave, which starts at `at`, and move `at` to where the wave ended. The threads may
+// decide where it ends; the picture does not depend on waves. Return false when out of memory or given up.
 static bool run_front(struct rhw_executor *executor, struct position *at, struct rhw_stats *stats)
 {
     struct rhw_context *const context = executor->context;
@@ -496,8 +501,8 @@ static bool run_front(struct rhw_executor *executor, struct position *at, struct
     return true;
 }
 
-// Memory for what has no texture, needed only when a second wave must find it again; nobody looks for what is left out.
-// False when out of memory.
+// Make memory for an attachment without a texture. It is needed only when a second wave must find the texels again. An
+// attachment that is left out needs none, because nobody reads it. Return false when out of memory.
 static bool transient_ready(struct rhw_executor *executor, struct rhw_attachment *attachment,
                             struct transient *transient)
 {
@@ -558,7 +563,7 @@ static enum rhw_result failure(const rhw_context *context)
     return atomic_load(&context->given_up) ? RHW_ERROR_GIVEN_UP : RHW_ERROR_OUT_OF_MEMORY;
 }
 
-// Tells timestamps that `triangles` of the pass are drawn now.
+// Tell timestamps that `triangles` of the pass are drawn by now.
 static void stamp_queries(const struct rhw_recorded_pass *pass, uint64_t triangles)
 {
     for (struct rhw_used_query *query = pass->queries; query; query = query->next) {
@@ -577,7 +582,7 @@ static void expect_clean(struct rhw_attachment *attachment)
     }
 }
 
-// Draws the next wave, as run_front finds it. False when out of memory or given up.
+// Draw the next wave, as run_front finds it. Return false when out of memory or given up.
 static bool run_wave(struct rhw_executor *executor, struct position *at, struct rhw_stats *stats)
 {
     struct rhw_context *const context = executor->context;
@@ -590,7 +595,8 @@ static bool run_wave(struct rhw_executor *executor, struct position *at, struct 
         return false;
     }
     const uint64_t middle = rhw_time_ns();
-    if (is_given_up(context, 0)) { // the caller may get no tile, where others are quick
+    // The caller may have got no tile, where other threads were quick.
+    if (is_given_up(context, 0)) {
         return false;
     }
     stats->back_busy_ms += milliseconds(run_tiles(executor));
@@ -605,7 +611,7 @@ static bool run_wave(struct rhw_executor *executor, struct position *at, struct 
     return true;
 }
 
-// Makes the first wave of a pass, without chunks.
+// Make the first wave of a pass, without chunks.
 static void start_pass(struct rhw_executor *executor, struct rhw_recorded_pass *pass)
 {
     struct rhw_wave *const wave = &executor->wave;
@@ -616,7 +622,7 @@ static void start_pass(struct rhw_executor *executor, struct rhw_recorded_pass *
     executor->chunk_size = chunk_size(executor);
 }
 
-// What is known before anything runs.
+// Return the statistics that are known before anything runs.
 static struct rhw_stats stats_of(const struct rhw_executor *executor)
 {
     const struct rhw_context *const context = executor->context;

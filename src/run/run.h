@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Running a recorded pass.
+// An executor runs recorded passes.
 #ifndef RHW_RUN_H
 #define RHW_RUN_H
 

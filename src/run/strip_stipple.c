@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The lengths of lines are measured in integers, so that a phase does not depend on the instruction set.
 #include "strip_stipple.h"
 
 #include <string.h>
@@ -40,7 +41,7 @@ bool rhw_strip_stipple_prepare(struct rhw_draw *draw, uint32_t count, struct rhw
     return true;
 }
 
-// √n, rounded to the nearest, digit by digit in integers. 0 <= n < 2^50
+// Return √n, rounded to the nearest, digit by digit in integers. 0 <= n < 2^50
 static int64_t rounded_root(int64_t n)
 {
     int64_t root = 0, rest = n; // rest = n − root²
@@ -54,7 +55,7 @@ static int64_t rounded_root(int64_t n)
     return rest > root ? root + 1 : root;
 }
 
-// The places from the beginning of a line to that of the next in its strip.
+// Return how many places of the stipple lie between the beginning of a line and that of the next line in its strip.
 static int64_t places_of(const struct rhw_draw_state *state, const struct rhw_snapped_vertex *a,
                          const struct rhw_snapped_vertex *b)
 {

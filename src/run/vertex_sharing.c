@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See vertex_sharing.h.
+// Sharing pays where a draw's vertices are few in comparison with its triangles, and the triangles are in no order:
+// several chunks would shade each vertex.
 #include "vertex_sharing.h"
 
 #include <limits.h>
@@ -11,7 +12,7 @@
 #include "draw/wave.h"
 #include "pipeline/pipeline.h"
 
-// Elements that lie wholly inside the buffers of a draw, at most UINT32_MAX.
+// Return how many elements lie wholly inside the buffers of a draw, at most UINT32_MAX.
 static uint32_t elements_of(const struct rhw_draw_state *state)
 {
     const struct rhw_pipeline_def *const def = &state->pipeline->def;
@@ -30,8 +31,8 @@ static uint32_t elements_of(const struct rhw_draw_state *state)
     return (uint32_t)count;
 }
 
-// Whether a few triangles in the middle of the draw name vertices further apart than those of a whole chunk are where
-// triangles have an order.
+// Return true if a few triangles in the middle of the draw name vertices that lie further apart than the vertices of a
+// whole chunk do where triangles have an order.
 static bool is_scattered(const struct rhw_draw *draw, uint64_t chunk)
 {
     enum { SAMPLES = 256 };
@@ -48,8 +49,9 @@ static bool is_scattered(const struct rhw_draw *draw, uint64_t chunk)
     return most - least >= 3 * chunk / 4;
 }
 
-// Vertices that the draw shares; 0 where it does not. `chunk`: triangles of one. Chunks of triangles in no order shade
-// one to three vertices for each and look up as many, so that up to three vertices for two triangles cost less.
+// Return how many vertices the draw shares, or 0 where it shares none. A chunk has at most `chunk` triangles. Where
+// triangles have no order, their chunks shade one to three vertices for each triangle and look up as many. Sharing
+// costs less for up to three vertices for two triangles.
 static uint32_t shared_count(const struct rhw_draw *draw, uint64_t chunk)
 {
     const uint32_t triangles = draw->triangles_per_instance;
@@ -66,7 +68,7 @@ uint32_t rhw_shared_parts_of(uint32_t count)
     return (count - 1) / RHW_SHARED_PART + 1;
 }
 
-// Room for the vertices of all instances of a draw. NULL when out of memory.
+// Make room for the vertices of all instances of a draw. Return NULL when out of memory.
 static struct rhw_shared_vertices *make_room(struct rhw_arena *arena, const struct rhw_draw *draw,
                                              uint32_t count, size_t room, int stride)
 {
@@ -85,7 +87,7 @@ static struct rhw_shared_vertices *make_room(struct rhw_arena *arena, const stru
     return shared;
 }
 
-// Makes the draw share its vertices, if it is one that should and there is room. False when out of memory.
+// Make the draw share its vertices, if it should share them and there is room. Return false when out of memory.
 static bool share(struct rhw_draw *draw, uint64_t chunk_size, size_t most, struct rhw_arena *arena,
                   struct rhw_shared_parts *parts)
 {

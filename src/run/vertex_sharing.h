@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which draws of a wave share their vertices (draw/shared_vertices.h), and room for these.
+// This file finds the draws of a wave that share their vertices (draw/shared_vertices.h), and makes room for them.
 #ifndef RHW_VERTEX_SHARING_H
 #define RHW_VERTEX_SHARING_H
 
@@ -7,7 +7,7 @@
 
 struct rhw_wave;
 
-// All that a wave shares.
+// These are all parts of shared vertices that a wave has.
 struct rhw_shared_parts {
     struct rhw_shared_part *parts;
     int count;
@@ -15,14 +15,15 @@ struct rhw_shared_parts {
     size_t bytes;
 };
 
-// Parts of so many vertices, at least one.
+// Return how many parts `count` vertices have. `count` is at least 1.
 uint32_t rhw_shared_parts_of(uint32_t count);
-// Lists those of all instances of a draw, and gives the end of the list.
+// List the parts of all instances of a draw from `part` on, and return the end of the list.
 struct rhw_shared_part *rhw_shared_parts_list(struct rhw_shared_part *part, const struct rhw_draw *draw);
 
-// Finds the draws of the wave's chunks whose vertices are shared, which is where the vertices from base_vertex to the
-// end of the buffers are few beside the triangles, and these in no order; and gives them room, of `most` bytes
-// together. `chunk_size`: triangles of a chunk, at most. False when out of memory.
+// Find the draws of the wave's chunks that share their vertices, and give them room of at most `most` bytes together. A
+// draw shares them where the vertices from base_vertex to the end of the buffers are few in comparison with the
+// triangles, and where the triangles are in no order. A chunk has at most `chunk_size` triangles. Return false when out
+// of memory.
 bool rhw_shared_vertices_find(const struct rhw_wave *wave, uint64_t chunk_size, size_t most,
                               struct rhw_shared_parts *parts);
 
