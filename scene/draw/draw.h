@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How a model becomes pictures with librhw. Upload once (scene_create), draw as often as you like.
 //
-// A draw has up to two passes. The colour pass runs on a grid of samples per pixel; the data pass (depth,
-// normal, ids, ...) runs once per pixel, at its centre, so what it gives does not depend on the number of
-// samples and is never a mixture of two surfaces.
+// Two kinds of passes make the outputs; draw.c has the order of all steps. The colour pass runs on a grid of samples per
+// pixel; the data pass (depth, normal, ids, ...) runs once per pixel, at its centre, so what it gives does not depend on
+// the number of samples and is never a mixture of two surfaces.
 #ifndef SCENE_DRAW_H
 #define SCENE_DRAW_H
 
@@ -13,7 +13,7 @@
 
 struct scene_draw_stats {
     double upload_ms;                     ///< of scene_create: buffers, textures, mip chains
-    double light_ms;                      ///< wall time of what is drawn for light alone: ambient occlusion
+    double light_ms;                      ///< wall time of what stands before the colours: light, shadows, sorting
     double color_ms, data_ms, resolve_ms; ///< wall time of the passes
     double read_ms;                       ///< copying the pictures out
     /// Sums over the colour and data passes; peaks and tiles: the largest. The triangle of the background

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The history of a sample of a picture, fragment by fragment, with what the library does not know: which instance of the
 // model each one is of, and what its varyings mean.
-#ifndef SCENE_EXPLAIN_H
-#define SCENE_EXPLAIN_H
+#ifndef SCENE_EXPLAIN_SAMPLE_H
+#define SCENE_EXPLAIN_SAMPLE_H
 
 #include "rhw/rhw.h"
 #include "draw/shading/scene_shaders.h"

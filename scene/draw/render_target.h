@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Textures that are drawn into, kept from draw to draw.
-#ifndef SCENE_TARGET_H
-#define SCENE_TARGET_H
+#ifndef SCENE_RENDER_TARGET_H
+#define SCENE_RENDER_TARGET_H
 
 #include "rhw/rhw.h"
 

@@ -51,7 +51,7 @@ enum rhw_open_rule {
 enum rhw_fragment_test {
     RHW_TEST_DEPTH, // depth alone, which is a float (kernels/depth/depth_test.h), or nothing
     RHW_TEST_STENCIL, // the general stencil test: depth bounds, stencil and depth (kernels/depth/stencil_test.h)
-    RHW_TEST_MASKS, // stencil and depth by masks of a block, before shading (kernels/depth/block_test.h)
+    RHW_TEST_MASKS, // stencil and depth by masks of a block, before shading (kernels/depth/stencil_block.h)
     RHW_TEST_STENCIL_FIRST, // stencil before the triangle's depth is known, as most fragments fail there
     RHW_TEST_WHOLE_BLOCKS // depth stays, and stencil follows the depth test alone (kernels/depth/depth_range.h)
 };

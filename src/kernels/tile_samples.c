@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Triangles where a pixel has several samples. Compiled once per instruction set, with RHW_ISA_SUFFIX naming it.
 #include "tile_units.h"
-#include "kernels/tile/triangle_multisample.h"
+#include "kernels/tile/triangle_large_samples.h"
 #include "kernels/tile/triangle_small_samples.h"
 #include "kernels/tile/triangle_tiny_samples.h"
 

@@ -2,8 +2,8 @@
 // Transform feedback writes the vertices of draws into buffers. How many primitives a draw has is known when it is
 // recorded, so its place in the buffers is known from then on. Chunks write their parts in any order
 // (kernels/geometry/feedback.h), and a chunk that is made again writes the same bytes.
-#ifndef RHW_FEEDBACK_H
-#define RHW_FEEDBACK_H
+#ifndef RHW_TRANSFORM_FEEDBACK_H
+#define RHW_TRANSFORM_FEEDBACK_H
 
 #include "rhw/pass_def.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lines, words and numbers of text formats (OBJ, MTL, PLY), read from memory without copies.
-#ifndef SCENE_IMPORT_TEXT_H
-#define SCENE_IMPORT_TEXT_H
+#ifndef SCENE_TEXT_LINES_H
+#define SCENE_TEXT_LINES_H
 
 #include "import.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Draco's meshes, for C: the library is C++. Numbers that Draco keeps as whole ones within bounds, and normals that it
 // keeps folded onto an octahedron, are computed here, so that they are the same on every machine.
-#ifndef SCENE_IMPORT_DRACO_H
-#define SCENE_IMPORT_DRACO_H
+#ifndef SCENE_DRACO_DECODER_H
+#define SCENE_DRACO_DECODER_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -9,7 +9,7 @@
 #include "kernels/fragment/explained_fragment.h"
 #include "kernels/fragment/collect.h"
 #include "kernels/fragment/constant_color.h"
-#include "kernels/depth/block_test.h"
+#include "kernels/depth/stencil_block.h"
 #include "kernels/depth/depth_range.h"
 #include "span_blocks.h"
 #include "triangle_planes.h"

@@ -18,7 +18,7 @@ enum triangle_path {
     // Where a pixel has several samples:
     TRIANGLE_TINY_SAMPLES,  // 4 samples, in cells: triangle_tiny_samples.h
     TRIANGLE_SMALL_SAMPLES, // triangle_small_samples.h
-    TRIANGLE_LARGE_SAMPLES, // triangle_multisample.h
+    TRIANGLE_LARGE_SAMPLES, // triangle_large_samples.h
     // Where a pixel has any number of samples (triangle_shape.h):
     TRIANGLE_SHAPE,        // not what the triangle covers is drawn, but what its flags say
     TRIANGLE_STIPPLED_LINE // what it covers, without what a stipple leaves out

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Small triangles where pixels have several samples: their edges fit into 32 bits, those of all samples side by side,
 // and coverage and the early depth test of a row are one step. Parts of 8 columns and rows start where the triangle
-// does. It is the special path of triangle_multisample.h for draws that are shaded at pixel centres.
+// does. It is the special path of triangle_large_samples.h for draws that are shaded at pixel centres.
 #ifndef RHW_TRIANGLE_SMALL_SAMPLES_H
 #define RHW_TRIANGLE_SMALL_SAMPLES_H
 

@@ -3,8 +3,8 @@
 // row, and what follows is done to all of the block at once. It serves where no depth has to be rounded to its steps:
 // where depth is a float, and of 24 bits depths above 1/2: the farther half, which perspective puts nearly everything
 // into where depth is not reversed. A fifth of the instructions of shadow_volumes.
-#ifndef RHW_BLOCK_TEST_H
-#define RHW_BLOCK_TEST_H
+#ifndef RHW_STENCIL_BLOCK_H
+#define RHW_STENCIL_BLOCK_H
 
 #include "stencil_test.h"
 

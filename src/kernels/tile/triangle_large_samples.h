@@ -2,13 +2,13 @@
 // A triangle in a tile whose pixels have several samples: the same as triangle_large.h, with coverage and depth by
 // sample. A fragment is what a triangle covers of a pixel, one sample or more: it is shaded once, where its varyings
 // say (enum rhw_sampling), and goes into every sample that it covers and that passes the tests.
-#ifndef RHW_TRIANGLE_MULTISAMPLE_H
-#define RHW_TRIANGLE_MULTISAMPLE_H
+#ifndef RHW_TRIANGLE_LARGE_SAMPLES_H
+#define RHW_TRIANGLE_LARGE_SAMPLES_H
 
 #include "kernels/fragment/explained_fragment.h"
 #include "kernels/fragment/collect.h"
 #include "kernels/fragment/constant_color.h"
-#include "kernels/depth/block_test.h"
+#include "kernels/depth/stencil_block.h"
 #include "sampled_block.h"
 #include "triangle_planes.h"
 
