@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Draws that leave depth as it is and change stencil by whether fragments pass the depth test, as shadow volumes do:
-// of every block of 8×8 pixels the tile knows the least and the largest depth, and where all of a plane in it passes,
-// or all of it fails, no pixel is tested. Where KEEP is what follows nothing is done at all: a fifth of the
-// instructions of shadow_volumes.
+// Some draws leave depth as it is and change stencil by whether fragments pass the depth test, as shadow volumes do.
+// The tile knows the least and the largest depth of every block of 8×8 pixels. If all of a plane of depth passes in a
+// block, or all of it fails, no pixel is tested. If the operation that follows is KEEP, nothing is done at all: this
+// saves a fifth of the instructions of shadow_volumes.
 #ifndef RHW_DEPTH_RANGE_H
 #define RHW_DEPTH_RANGE_H
 
@@ -12,7 +12,7 @@
 #include "stencil_test.h"
 #include "kernels/raster/plane.h"
 
-// Looks at the tile's depth. A block with a NaN, which passes no ordering test, has every depth.
+// Look at the tile's depth anew. A block with a NaN, which passes no ordering test, gets the range of every depth.
 static __attribute__((noinline)) void ranges_refresh(struct tile_depth *depth)
 {
     for (int y = 0; y < HIZ_BLOCKS; y++) {
@@ -43,20 +43,22 @@ static __attribute__((noinline)) void ranges_refresh(struct tile_depth *depth)
     depth->has_ranges = true;
 }
 
-// Of the tile's blocks, row by row, a bit for each whose fragments all pass the depth test, and all fail it.
+// A bit for each of the tile's blocks, row by row: blocks whose fragments all pass the depth test, and blocks whose
+// fragments all fail it.
 struct decided_blocks {
     uint64_t passed, failed;
 };
 
-// Returns the decided blocks of a plane of depth, in rows of which a block is `wanted`; (anchor_x, anchor_y): the
-// anchor in the tile. `clamps`: depth is kept within the viewport's range.
+// Return the decided blocks of a plane of depth, in rows of which a block is `wanted`. (anchor_x, anchor_y) is the
+// anchor in the tile. `clamps` says that depth is kept within the viewport's range.
 RHW_INLINE struct decided_blocks decide_blocks(const struct tile_depth *depth, enum rhw_compare compare,
                                                struct plane z, int anchor_x, int anchor_y, bool clamps,
                                                uint64_t wanted)
 {
     const bool is_less = compare == RHW_COMPARE_LESS || compare == RHW_COMPARE_LESS_EQUAL;
     const float margin =
-        2 * depth->state->depth_margin; // rounding does not cross it; 0 where depth is a float
+        // Rounding does not cross the margin. The margin is 0 if depth is a float.
+        2 * depth->state->depth_margin;
     const int first_x = z.dx < 0 ? RHW_BLOCK - 1 : 0, first_y = z.dy < 0 ? RHW_BLOCK - 1 : 0;
     const i32x8 blocks = rhw_lane_index * RHW_BLOCK;
     const i32x8 column = blocks + (first_x - anchor_x), row = blocks + (first_y - anchor_y);

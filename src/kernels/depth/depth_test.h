@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The depth test: fragments of a row, of a block of 8×8 pixels, or from anywhere in the tile against the tile's depth.
-// What a test has to do with open pixels is part of its rule. Where `rule` is a constant, so are its branches:
-// enum rhw_rule_name says which have loops of their own.
+// The depth test compares fragments with the tile's depth: fragments of a row, of a block of 8×8 pixels, or from
+// anywhere in the tile. What a test has to do with open pixels is part of its rule. If `rule` is a constant, its
+// branches are constants too: enum rhw_rule_name says which rules have loops of their own.
 #ifndef RHW_DEPTH_TEST_H
 #define RHW_DEPTH_TEST_H
 
@@ -11,7 +11,7 @@
 #include "open_pixels.h"
 #include "tile_depth.h"
 
-// Keeps depth within the viewport's range.
+// Return depth kept within the viewport's range.
 RHW_INLINE f32x8 viewport_clamp(const struct tile_depth *depth, f32x8 z)
 {
     return f32x8_min(f32x8_max(z, f32x8_splat(depth->least)), f32x8_splat(depth->most));
@@ -22,7 +22,7 @@ RHW_INLINE float *depth_texels(struct tile_depth *depth, int x, int y)
     return &depth->texels[y * RHW_TILE + x];
 }
 
-// Gives the lanes that pass. Bit i of `open` says that the pixel of lane i is open.
+// Return the lanes that pass. Bit i of `open` says that the pixel of lane i is open.
 RHW_INLINE i32x8 rule_passes(const struct rhw_depth_rule rule, f32x8 z, f32x8 stored, unsigned open)
 {
     i32x8 pass = compare_lanes(rule.compare, z, stored);
@@ -32,14 +32,14 @@ RHW_INLINE i32x8 rule_passes(const struct rhw_depth_rule rule, f32x8 z, f32x8 st
     return pass;
 }
 
-// Gives the open pixels of a row from x on, where a test has to know them.
+// Return the open pixels of a row from x on, if a test has to know them.
 RHW_INLINE unsigned open_row(const struct tile_depth *depth, int x, int y, const struct rhw_depth_rule rule)
 {
     return rule.open >= RHW_OPEN_TRY ? (unsigned)(depth->open[y] >> x) : 0;
 }
 
-// Tests the fragments of 8 texels in a row in the lanes of `live`, and writes their depth; returns the lanes that pass.
-// `open`: as open_row gives it. Before shading, settle_block has to follow.
+// Test the fragments of 8 texels in a row in the lanes of `live`, and write their depth. Return the lanes that pass.
+// `open` is what open_row returns. Before shading, settle_block has to follow.
 RHW_INLINE i32x8 test_lanes(float *texels, f32x8 z, i32x8 live, unsigned open,
                             const struct rhw_depth_rule rule)
 {
@@ -51,7 +51,8 @@ RHW_INLINE i32x8 test_lanes(float *texels, f32x8 z, i32x8 live, unsigned open,
     return pass;
 }
 
-// Tests a fragment before shading, and does to its pixel what settle_block does to a block's; tells whether it goes on.
+// Test a fragment before shading, and change the open bit of its pixel as settle_block changes those of a block. Return
+// true if the fragment goes on to be shaded.
 RHW_INLINE bool test_texel_early(struct tile_depth *depth, int texel, float z,
                                  const struct rhw_depth_rule rule)
 {
@@ -75,7 +76,8 @@ RHW_INLINE bool test_texel_early(struct tile_depth *depth, int texel, float z,
     return true;
 }
 
-// What a test does to the open pixels of the block at (x, y) whose pixels `passed` passed it; returns those that go on.
+// Change the open pixels of the block at (x, y), of which the pixels `passed` have passed a test. Return the pixels
+// that go on to be shaded.
 RHW_INLINE uint64_t settle_block(struct tile_depth *depth, int x, int y, uint64_t passed,
                                  const struct rhw_depth_rule rule)
 {
@@ -89,9 +91,9 @@ RHW_INLINE uint64_t settle_block(struct tile_depth *depth, int x, int y, uint64_
     return passed;
 }
 
-enum block_mask { MASK_PART, MASK_WHOLE }; // whole: every pixel is set
+enum block_mask { MASK_PART, MASK_WHOLE }; // MASK_WHOLE: every pixel is set
 
-// Pixels of the block at (x, y): those that are set in `mask`, whose depths are `z`.
+// The pixels of the block at (x, y) that are set in `mask`, with depths `z`.
 struct block_pixels {
     struct tile_depth *depth;
     const f32x8 *z; // row by row
@@ -99,7 +101,7 @@ struct block_pixels {
     uint64_t mask;
 };
 
-// Tests them; returns those that pass.
+// Test the pixels of a block. Return the pixels that pass.
 RHW_INLINE uint64_t test_rows(const struct block_pixels *block, const struct rhw_depth_rule rule,
                               enum block_mask which)
 {
@@ -123,10 +125,10 @@ RHW_INLINE uint64_t test_block(const void *pixels, const struct rhw_depth_rule r
                                        : test_rows(block, rule, MASK_PART);
 }
 
-// A test before shading of the pixels that it knows; `rule` is a constant where it has a name.
+// A test of pixels before shading. The pixels are of a kind that the test knows; `rule` is a constant if it has a name.
 typedef uint64_t early_test_function(const void *pixels, const struct rhw_depth_rule rule);
 
-// Tests by the draw's rule before shading; returns the pixels that pass.
+// Test pixels by the draw's rule before shading. Return the pixels that pass.
 RHW_INLINE uint64_t test_early(const struct rhw_draw_plan *plan, early_test_function *test,
                                const void *pixels)
 {
@@ -140,7 +142,7 @@ RHW_INLINE uint64_t test_early(const struct rhw_draw_plan *plan, early_test_func
     }
 }
 
-// Tests the pixels of the block at (x, y) that are set in `mask`, whose depths are `z`, before shading.
+// Test the pixels of the block at (x, y) that are set in `mask`, with depths `z`, before shading.
 RHW_INLINE uint64_t test_block_early(struct tile_depth *depth, const f32x8 z[RHW_BLOCK], int x, int y,
                                      uint64_t mask, const struct rhw_draw_plan *plan)
 {
@@ -148,7 +150,7 @@ RHW_INLINE uint64_t test_block_early(struct tile_depth *depth, const f32x8 z[RHW
     return test_early(plan, test_block, &block);
 }
 
-// Tests the fragments of a row that are set in `bits` after shading.
+// Test the fragments of a row that are set in `bits` after shading.
 static unsigned test_row_late(struct tile_depth *depth, int x, int y, f32x8 z, unsigned bits,
                               const struct rhw_depth_rule rule)
 {
@@ -160,7 +162,7 @@ static unsigned test_row_late(struct tile_depth *depth, int x, int y, f32x8 z, u
     return passed;
 }
 
-// Tests fragments of 8 texels that lie anywhere in the tile after shading.
+// Test fragments of 8 texels that lie anywhere in the tile after shading.
 static unsigned test_texels_late(struct tile_depth *depth, const int32_t texel[8], f32x8 z, unsigned bits,
                                  const struct rhw_depth_rule rule)
 {
@@ -169,7 +171,8 @@ static unsigned test_texels_late(struct tile_depth *depth, const int32_t texel[8
         open |= (unsigned)(depth->open[texel[i] / RHW_TILE] >> texel[i] % RHW_TILE & 1) << i;
     }
     const f32x8 stored =
-        (f32x8)i32x8_gather(depth->texels, i32x8_load(texel)); // not from memory: see gather_texels
+        // The vector is not read back from memory: see gather_texels.
+        (f32x8)i32x8_gather(depth->texels, i32x8_load(texel));
     const unsigned passed = i32x8_sign_bits(i32x8_from_bits(bits) & rule_passes(rule, z, stored, open));
     float lanes[8];
     f32x8_store(lanes, z);
@@ -185,7 +188,8 @@ static unsigned test_texels_late(struct tile_depth *depth, const int32_t texel[8
     return passed;
 }
 
-// Drawn backwards: of the pixels of the block at (x, y) set in `mask`, those that no triangle after this one covers.
+// Claim pixels of the block at (x, y) that are set in `mask`, when triangles are drawn backwards. Return the pixels
+// that no triangle after this one covers.
 static uint64_t claim_backwards(struct tile_depth *depth, int x, int y, uint64_t mask)
 {
     const uint64_t claimed = claim_block(&depth->open[y], x, mask);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Hierarchical depth (Greene, Kass and Miller 1993, Hierarchical Z-Buffer Visibility): of every block of 8×8 pixels
-// the tile knows a depth that none of its pixels lies behind, so that what does need not be tested pixel by pixel: 5 %
-// fewer instructions in Sponza, where half of the blocks of the depth phase are hidden.
+// Hierarchical depth (Greene, Kass and Miller 1993, Hierarchical Z-Buffer Visibility): for every block of 8×8 pixels
+// the tile knows a depth that none of its pixels lies behind. What lies behind that depth need not be tested pixel by
+// pixel: 5 % fewer instructions in Sponza, where half of the blocks of the depth phase are hidden.
 //
-// With LESS and LESS_EQUAL depth only falls, and what was a bound stays one: `direction` 1. With GREATER it is −1 and
-// everything is mirrored: bounds are of direction · depth. What may move depth the other way ends them. A triangle that
-// covers a block moves its bound; small triangles do so together, when the tile's depth is looked at anew.
+// With LESS and LESS_EQUAL depth only falls, and what was a bound stays one: `direction` is 1. With GREATER it is −1
+// and everything is mirrored: bounds are of direction · depth. A draw that may move depth the other way ends the
+// bounds. A triangle that covers a block moves the bound of the block. Small triangles move bounds together, when the
+// tile's depth is looked at anew.
 #ifndef RHW_HIZ_H
 #define RHW_HIZ_H
 
@@ -15,14 +16,14 @@
 #include "depth_test.h"
 #include "kernels/raster/plane.h"
 
-// Pixels of the tile; x1 and y1 are exclusive.
+// A rectangle of pixels of the tile; x1 and y1 are exclusive.
 struct hiz_rect {
     int x0, y0, x1, y1;
 };
 
 _Static_assert(RHW_TILE == 64 && RHW_BLOCK == 8, "the bounds of 8 blocks side by side are a vector");
 
-// Before a draw: whether bounds go on to hold. Returns whether its fragments can be tested against them.
+// Before a draw, decide whether bounds go on to hold. Return true if the draw's fragments can be tested against them.
 static bool hiz_follow(struct tile_depth *depth, const struct rhw_draw_plan *plan)
 {
     const int direction = plan->depth_direction;
@@ -38,8 +39,8 @@ static bool hiz_follow(struct tile_depth *depth, const struct rhw_draw_plan *pla
     return plan->tests_early && direction != 0 && direction == depth->direction;
 }
 
-// The farthest depth, times `direction`, in each of the 8 blocks side by side at row y of a sample. What lies outside
-// of the target may make a bound worse, but not wrong; NaN passes no ordering test and bounds nothing.
+// Return the farthest depth, times `direction`, in each of the 8 blocks side by side at row y of a sample. What lies
+// outside of the target may make a bound worse, but not wrong; NaN passes no ordering test and bounds nothing.
 RHW_INLINE f32x8 hiz_farthest(struct tile_depth *depth, f32x8 direction, int y)
 {
     f32x8 most[HIZ_BLOCKS];
@@ -47,7 +48,8 @@ RHW_INLINE f32x8 hiz_farthest(struct tile_depth *depth, f32x8 direction, int y)
         const float *texels = depth_texels(depth, x * RHW_BLOCK, y);
         most[x] = f32x8_splat(-INFINITY);
         for (int row = 0; row < RHW_BLOCK; row++) {
-            most[x] = f32x8_max(f32x8_load(texels) * direction, most[x]); // the second where one is NaN
+            // The second operand wins if one is NaN.
+            most[x] = f32x8_max(f32x8_load(texels) * direction, most[x]);
             texels += RHW_TILE;
         }
     }
@@ -58,7 +60,7 @@ RHW_INLINE f32x8 hiz_farthest(struct tile_depth *depth, f32x8 direction, int y)
     return most[0];
 }
 
-// Looks anew at the tile's depth in the first `count` samples of its pixels; the bounds are kept with the first.
+// Look anew at the tile's depth in the first `count` samples of its pixels. The bounds are kept with the first sample.
 static void hiz_refresh(struct tile_depth *const *sample, int count)
 {
     struct tile_depth *const first = sample[0];
@@ -72,9 +74,10 @@ static void hiz_refresh(struct tile_depth *const *sample, int count)
     }
 }
 
-// Where direction · depth is least between two columns or rows: at one of them, and `reach` pixels before or behind it,
-// as far as samples lie from the centres of their pixels. `change`: of depth to the next. Planes are evaluated in steps
-// that keep an order (plane.h), so that no rounding passes the value there.
+// Return where direction · depth is least between two columns or rows: at one of them, and `reach` pixels before or
+// behind it, because samples lie this far from the centres of their pixels. `change` is the change of depth to the next
+// column or row. Planes are evaluated in steps that keep an order (plane.h), so that no rounding passes the value
+// there.
 RHW_INLINE double hiz_nearest(const struct tile_depth *depth, double change, int first, int last,
                               double reach)
 {
@@ -87,15 +90,16 @@ RHW_INLINE double hiz_farthest_place(const struct tile_depth *depth, double chan
     return change * depth->direction < 0 ? first - reach : last + reach;
 }
 
-// Whether some block at row y of the tile has a bound.
+// Return true if some block at row y of the tile has a bound.
 RHW_INLINE bool hiz_has_bounds(const struct tile_depth *depth, int y)
 {
     const f32x8 bounds = f32x8_load(&depth->bounds[y / RHW_BLOCK * HIZ_BLOCKS]);
     return i32x8_sign_bits(rhw_less(bounds, f32x8_splat(INFINITY))) != 0;
 }
 
-// Which of the blocks side by side at row y of the tile a plane of depth lies behind, as a bit for each: the nearest
-// depth it has there is beyond the block's bound. (anchor_x, anchor_y): the anchor in the tile. `reach`: as above.
+// Return a bit for each of the blocks side by side at row y of the tile that a plane of depth lies behind: the nearest
+// depth it has there is beyond the block's bound. (anchor_x, anchor_y) is the anchor in the tile. `reach` is how far
+// samples lie from the centres of their pixels.
 RHW_INLINE unsigned hiz_hidden(const struct tile_depth *depth, struct plane z, int anchor_x, int anchor_y,
                                int y, double reach)
 {
@@ -108,7 +112,7 @@ RHW_INLINE unsigned hiz_hidden(const struct tile_depth *depth, struct plane z, i
     return i32x8_sign_bits(rhw_less(f32x8_load(&depth->bounds[y / RHW_BLOCK * HIZ_BLOCKS]), nearest));
 }
 
-// Whether a plane lies in the same way behind a rectangle, x1 and y1 exclusive, of at most two columns of blocks.
+// Return true if a plane of depth lies behind what the tile shows in a rectangle of at most two columns of blocks.
 RHW_INLINE bool hiz_hides(const struct tile_depth *depth, struct plane z, int anchor_x, int anchor_y,
                           const struct hiz_rect *rect, double reach)
 {
@@ -124,8 +128,8 @@ RHW_INLINE bool hiz_hides(const struct tile_depth *depth, struct plane z, int an
     return hides;
 }
 
-// All samples of the block at (x, y), both multiples of 8, were tested against a plane of depth, and what passed was
-// written.
+// Move the bound of the block at (x, y), both multiples of 8. All samples of the block were tested against a plane of
+// depth, and what passed was written.
 RHW_INLINE void hiz_cover(struct tile_depth *depth, struct plane z, int anchor_x, int anchor_y, int x, int y,
                           double reach)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The stencil test of a block of 8×8 pixels by masks, a bit for each pixel: stencil and depth are compared row by
-// row, and what follows is done to all of the block at once. It serves where no depth has to be rounded to its steps:
-// where depth is a float, and of 24 bits depths above 1/2: the farther half, which perspective puts nearly everything
-// into where depth is not reversed. A fifth of the instructions of shadow_volumes.
+// The stencil test of a block of 8×8 pixels works by masks, a bit for each pixel: stencil and depth are compared row by
+// row, and what follows is done to all of the block at once. It serves where no depth has to be rounded to its steps.
+// This is so if depth is a float. With 24 bits it is so for depths above 1/2: the farther half, into which perspective
+// puts nearly everything if depth is not reversed. The masks save a fifth of the instructions of shadow_volumes.
 #ifndef RHW_STENCIL_BLOCK_H
 #define RHW_STENCIL_BLOCK_H
 
@@ -10,7 +10,7 @@
 
 // Stencil ----------------------------------------------------------------------------------------------
 
-// Does an operation to the stencil of the pixels of the block at (x, y) that are set in `mask`.
+// Apply an operation to the stencil of the pixels of the block at (x, y) that are set in `mask`.
 static __attribute__((noinline)) void change_stencil_block(struct tile_depth *depth, int x, int y,
                                                            uint64_t mask, const struct rhw_stencil_rule *face,
                                                            enum rhw_stencil_operation operation)
@@ -20,7 +20,8 @@ static __attribute__((noinline)) void change_stencil_block(struct tile_depth *de
     }
     const bool up = operation == RHW_STENCIL_INCREMENT_WRAP, down = operation == RHW_STENCIL_DECREMENT_WRAP;
     if (face->write_mask == 0xff && (up || down)) {
-        count_bytes_of_rows(&depth->stencil[y * RHW_TILE + x], RHW_TILE, mask, up); // what shadow volumes do
+        // Shadow volumes take this path.
+        count_bytes_of_rows(&depth->stencil[y * RHW_TILE + x], RHW_TILE, mask, up);
         return;
     }
     for (int row = 0; row < RHW_BLOCK; row++) {
@@ -45,7 +46,7 @@ RHW_INLINE uint64_t compare_stencil_rows(const uint8_t *stencil, const struct rh
     return i32x8_sign_bits_of_rows(pass);
 }
 
-// The pixels of the block at (x, y) whose stencil passes, whatever is drawn there.
+// Return the pixels of the block at (x, y) whose stencil passes, whatever is drawn there.
 static __attribute__((noinline)) uint64_t compare_stencil_block(const struct tile_depth *depth, int x, int y,
                                                                 const struct rhw_stencil_rule *face)
 {
@@ -56,7 +57,7 @@ static __attribute__((noinline)) uint64_t compare_stencil_block(const struct til
 
 // All --------------------------------------------------------------------------------------------------
 
-// Whether rounding leaves all depths of a block as they are.
+// Return true if rounding leaves all depths of a block as they are.
 RHW_INLINE bool keeps_depths(const struct rhw_depth_stencil_state *state, const f32x8 z[RHW_BLOCK])
 {
     i32x8 kept = i32x8_splat(-1);
@@ -76,8 +77,8 @@ RHW_INLINE uint64_t compare_depth_rows(const float *texels, const f32x8 z[RHW_BL
     return i32x8_sign_bits_of_rows(pass);
 }
 
-// The pixels that pass the depth test, whose depth is changed to that of the fragments where it is written. The usual
-// rules are constants of loops of their own.
+// Return the pixels that pass the depth test. Their depth becomes that of the fragments if the rule writes it. The
+// usual rules are constants of loops of their own.
 RHW_INLINE uint64_t test_depth_rows(const struct block_pixels *block, const struct rhw_depth_rule rule)
 {
     const float *const texels = depth_texels(block->depth, block->x, block->y);
@@ -92,9 +93,9 @@ RHW_INLINE uint64_t test_depth_rows(const struct block_pixels *block, const stru
     }
 }
 
-// Tests the pixels of a block before shading, where rounding keeps its depths and nothing but stencil and depth is
-// tested; `face`: 0 for the front. `stencil_is_tested`: they have passed that test. No depth has to be held to 1:
-// those of a triangle that may leave the viewport's range have been held to it (depth_rows).
+// Test the pixels of a block before shading. Rounding keeps the block's depths, and nothing but stencil and depth is
+// tested. `face` is 0 for the front. `stencil_is_tested` says that the pixels have passed the stencil test. No depth
+// has to be held to 1: depths of a triangle that may leave the viewport's range have been held to it (depth_rows).
 static __attribute__((noinline)) uint64_t test_block_masks(const struct block_pixels *block,
                                                            const struct rhw_depth_rule rule, int face,
                                                            bool stencil_is_tested)
@@ -120,7 +121,7 @@ static __attribute__((noinline)) uint64_t test_block_masks(const struct block_pi
     return passed;
 }
 
-// Tests the pixels of a block before shading on the way that is open to them.
+// Test the pixels of a block before shading, by the fastest path that is open to them.
 RHW_INLINE uint64_t test_block_early_stencil(const struct block_pixels *block,
                                              const struct rhw_draw_plan *plan, int face,
                                              bool stencil_is_tested)

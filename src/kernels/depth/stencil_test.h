@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The stencil test of a fragment: depth bounds, stencil and depth, in this order (Vulkan 1.3 §27.11 to §27.14), and
-// depth in steps of a UNORM format. Draws that need none of it take depth_test.h alone.
+// depth in steps of a UNORM format. Draws that need none of these take depth_test.h alone.
 #ifndef RHW_STENCIL_TEST_H
 #define RHW_STENCIL_TEST_H
 
@@ -24,7 +24,7 @@ RHW_INLINE i32x8 stencil_result(enum rhw_stencil_operation operation, i32x8 sten
     return stencil;
 }
 
-// `compare`: that of the face, which may be a constant.
+// Return the lanes whose stencil passes. `compare` is the comparison of the face; it may be a constant.
 RHW_INLINE i32x8 stencil_passes(const struct rhw_stencil_rule *face, enum rhw_compare compare, i32x8 stencil)
 {
     const i32x8 read = i32x8_splat(face->read_mask);
@@ -32,7 +32,7 @@ RHW_INLINE i32x8 stencil_passes(const struct rhw_stencil_rule *face, enum rhw_co
                          rhw_float_from_int(stencil & read));
 }
 
-// Stencil and depth of 8 pixels, and the fragments over them.
+// Stencil and depth of 8 pixels, and what the test knows of the fragments over them.
 struct tested_pixels {
     f32x8 depth;
     i32x8 stencil;
@@ -55,9 +55,9 @@ RHW_INLINE f32x8 round_depth(f32x8 z, double steps)
     return depth_from_steps(steps_of_depth(z, steps), steps);
 }
 
-// Tests the fragments of depth z in the lanes of `live` and changes what they change; gives the lanes that pass.
-// Depth is rounded to its steps, by a division in double, only where that decides: where it is near what the pixel
-// has, or is written. What is further away than the margin lies on the same side without.
+// Test the fragments of depth z in the lanes of `live`, and change their pixels. Return the lanes that pass. Depth is
+// rounded to its steps, by a division in double, only if rounding decides: if depth is near what the pixel has, or is
+// written. What is further away than the margin lies on the same side without rounding.
 RHW_INLINE i32x8 test_pixels(struct tested_pixels *pixels, const struct rhw_depth_stencil_state *state,
                              const struct rhw_stencil_rule *face, const struct rhw_depth_rule rule, f32x8 z,
                              i32x8 live, unsigned open)
@@ -80,7 +80,8 @@ RHW_INLINE i32x8 test_pixels(struct tested_pixels *pixels, const struct rhw_dept
         unfailed &= stencil_passes(face, face->compare, pixels->stencil);
     }
     const i32x8 pass = unfailed & rule_passes(rule, z, pixels->depth, open);
-    if (state->tests_stencil) { // the lanes of each are others
+    // The three operations change disjoint lanes.
+    if (state->tests_stencil) {
         change_stencil(pixels, face, face->fail, live & ~unfailed);
         change_stencil(pixels, face, face->depth_fail, unfailed & ~pass);
         change_stencil(pixels, face, face->pass, pass);
@@ -92,7 +93,7 @@ RHW_INLINE i32x8 test_pixels(struct tested_pixels *pixels, const struct rhw_dept
     return pass;
 }
 
-// Counts what passed, where a query asks for it here.
+// Count the pixels that passed, if a query asks for it here.
 RHW_INLINE void count_passed(struct tile_depth *depth, uint64_t passed)
 {
     if (depth->state->counts_by_test) {
@@ -100,7 +101,7 @@ RHW_INLINE void count_passed(struct tile_depth *depth, uint64_t passed)
     }
 }
 
-// Tests the fragments of a row from (x, y) on; gives the lanes that pass.
+// Test the fragments of a row from (x, y) on. Return the lanes that pass.
 RHW_INLINE i32x8 test_row_stencil(struct tile_depth *depth, int x, int y,
                                   const struct rhw_depth_stencil_state *state,
                                   const struct rhw_stencil_rule *face, const struct rhw_depth_rule rule,
@@ -120,12 +121,13 @@ RHW_INLINE i32x8 test_row_stencil(struct tile_depth *depth, int x, int y,
     return pass;
 }
 
-// Tests the pixels of a block before shading; `face`: 0 for the front.
+// Test the pixels of a block before shading. `face` is 0 for the front.
 RHW_INLINE uint64_t test_rows_stencil(const struct block_pixels *block, const struct rhw_depth_rule rule,
                                       int face)
 {
     struct tile_depth *const depth = block->depth;
-    // Copies, which stay in registers: what rows write might else be these.
+    // These are copies, which stay in registers: the compiler cannot know that the stores of rows leave the originals
+    // as they are.
     const struct rhw_depth_stencil_state state = *depth->state;
     const struct rhw_stencil_rule rules = depth->state->face[face];
     uint64_t passed = 0;
@@ -141,7 +143,7 @@ RHW_INLINE uint64_t test_rows_stencil(const struct block_pixels *block, const st
     return settle_block(depth, block->x, block->y, passed, rule);
 }
 
-// Tests the pixels of a block before shading by a loop in which the usual comparisons are constants.
+// Test the pixels of a block before shading by a loop in which the usual comparisons are constants.
 static __attribute__((noinline)) uint64_t test_block_stencil(const struct block_pixels *block,
                                                              const struct rhw_depth_rule rule, int face)
 {
@@ -156,7 +158,7 @@ static __attribute__((noinline)) uint64_t test_block_stencil(const struct block_
     }
 }
 
-// Tests the fragments of a row that are set in `bits` after shading; those of `back` face away.
+// Test the fragments of a row that are set in `bits` after shading. Fragments in `back` face away.
 static __attribute__((noinline)) unsigned test_row_late_stencil(struct tile_depth *depth, int x, int y,
                                                                 f32x8 z, unsigned bits, unsigned back,
                                                                 const struct rhw_depth_rule rule)
@@ -177,7 +179,7 @@ static __attribute__((noinline)) unsigned test_row_late_stencil(struct tile_dept
     return passed;
 }
 
-// Tests fragments of 8 texels after shading, which lie anywhere in the tile, no two of them on the same.
+// Test fragments of 8 texels after shading. They lie anywhere in the tile, and no two of them lie on one texel.
 static __attribute__((noinline)) unsigned test_texels_late_stencil(struct tile_depth *depth,
                                                                    const int32_t texel[8], f32x8 z,
                                                                    unsigned bits, unsigned back,

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Conservative coverage: the pixels whose square a triangle touches, or contains (VK_EXT_conservative_rasterization).
 //
-// An edge function over a square is most, or least, at a corner: |a|/2 + |b|/2 from what it is at the centre, for a
-// change of a and b per pixel. A triangle touches a square unless one of its edges, or one of the sides of the
-// rectangle around it, stands between them: the rectangle is that of struct rhw_triangle. It contains the square
-// where all edges do. Borders belong to both.
+// Over a square an edge function is most, or least, at a corner: it differs from its value at the centre by |a|/2 +
+// |b|/2, for a change of a and b per pixel. A triangle touches a square unless one of its edges, or one of the sides of
+// the rectangle around it, stands between them. The rectangle is the one that struct rhw_triangle has. A triangle
+// contains a square if all edges have it on their inner side. Borders belong to both.
 #ifndef RHW_CONSERVATIVE_H
 #define RHW_CONSERVATIVE_H
 
 #include "coverage.h"
 
-// The edges of a triangle, or of a clipped one's polygon, by threes; those that do not cross the tile are left out.
+// The edges of a triangle, or of a clipped triangle's polygon, in groups of three. Edges that do not cross the tile are
+// left out.
 struct conservative_edges {
     int count;
     struct triangle_edges groups[(RHW_POLYGON_VERTICES + 2) / 3];
 };
 
-// Adds the edge from one corner to the next. False where no pixel of the tile is on its inner side.
+// Add the edge from one corner to the next. Return false if no pixel of the tile is on its inner side.
 static bool add_conservative_edge(struct conservative_edges *edges, struct edge edge, int64_t e,
                                   int64_t reach)
 {
@@ -37,7 +38,8 @@ static bool add_conservative_edge(struct conservative_edges *edges, struct edge 
     return true;
 }
 
-// Corners in their order on the screen, 3 at least. False where the tile has no pixel of it.
+// Set the edges from at least 3 corners in their order on the screen. Return false if the triangle reaches no pixel of
+// the tile.
 static bool set_conservative_edges(struct conservative_edges *edges, const int32_t *x, const int32_t *y,
                                    int count, bool contains, struct sample_origin origin)
 {
@@ -71,7 +73,7 @@ static bool conservative_setup(struct conservative_edges *edges, const struct rh
     return set_conservative_edges(edges, p->x_24_8, p->y_24_8, p->count, contains, origin);
 }
 
-// The pixels of the block at (x, y) of the tile.
+// Return the pixels of the block at (x, y) of the tile that are covered: bit 8·row + column.
 static uint64_t conservative_mask(const struct conservative_edges *edges, int x, int y)
 {
     uint64_t mask = ~(uint64_t)0;

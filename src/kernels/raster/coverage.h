@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Coverage, exactly: the sign of integer edge functions at pixel centres, or at one of several samples of each pixel,
-// 8×8 pixels at a time.
+// Coverage is exact: it is the sign of integer edge functions at pixel centres, or at one of several samples of each
+// pixel, 8×8 pixels at a time.
 //
-// Edge i runs from vertex i + 1 to vertex i + 2, turned so that the inside is where
+// Edge i runs from vertex i + 1 to vertex i + 2. Its sign is turned so that the inside is where
 //
 //     e(P) = a·(Px − x) + b·(Py − y)  > 0,     (x, y) the edge's first vertex, all in 1/256 pixel,
 //
-// and = 0 too on a top or left edge (top-left rule; Direct3D 11.3 §3.4.2.1). Samples of a kind are whole pixels
-// apart, so e = 256·q + r there with the same r everywhere, and e >= 0 exactly when q >= 0: the loops below
-// work on q. |a|, |b| <= 2^24 and |e| < 2^49 (constants.h); a block that an edge crosses has |q| < 2^28.
+// and, on a top or left edge, where e(P) = 0 too (top-left rule; Direct3D 11.3 §3.4.2.1). Samples of a kind are whole
+// pixels apart, so e = 256·q + r there with one r for all of them, and e >= 0 exactly when q >= 0: the loops below work
+// on q. |a|, |b| <= 2^24 and |e| < 2^49 (constants.h). In a block that an edge crosses |q| < 2^28.
 
 #ifndef RHW_COVERAGE_H
 #define RHW_COVERAGE_H
@@ -22,11 +22,11 @@ _Static_assert((RHW_TILE - 1) % (RHW_BLOCK - 1) == 0, "coverage_add scales a blo
 
 struct edge {
     int32_t a, b;      // change of q per pixel to the right, and down
-    int64_t q;         // at the sample of the tile's first pixel
-    int64_t low, high; // least and largest q of a block's pixels, less that of its first one
+    int64_t q;         // q at the sample of the tile's first pixel
+    int64_t low, high; // least and largest q of a block's pixels, less the q of its first pixel
 };
 
-// A sample of the tile's first pixel, 1/256 pixel from the target's origin.
+// The sample of the tile's first pixel that is looked at, in 1/256 pixel from the target's origin.
 struct sample_origin {
     int64_t x, y;
 };
@@ -36,7 +36,8 @@ static inline struct sample_origin center_of_pixel(int x, int y)
     return (struct sample_origin){sample_of_pixel(x), sample_of_pixel(y)};
 }
 
-// e of the edge from (x0, y0) to (x1, y1) at a point. `sign` is −1 for a triangle whose vertices turn the negative way.
+// Return e of the edge from (x0, y0) to (x1, y1) at a point. `sign` is −1 for a triangle whose vertices turn the
+// negative way.
 static inline int64_t edge_value(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t sign,
                                  struct sample_origin point)
 {
@@ -55,15 +56,15 @@ static inline struct edge make_edge(int32_t x0, int32_t y0, int32_t x1, int32_t 
                          (RHW_BLOCK - 1) * ((int64_t)max_int(a, 0) + max_int(b, 0))};
 }
 
-// The edge of 8 triangles from vertex i to vertex i + 1, at x, y, 1/256 pixel. Where vertices lie within 64 pixels of
-// each other and within 72 of the pixels looked at, |a|, |b| < 2^14 and |e| < 2·2^14·72·256 < 2^30; in lanes of larger
-// triangles, and of those far away, it is rubbish that may wrap: go on with it unsigned.
+// The edge of 8 triangles from vertex i to vertex i + 1, at x, y in 1/256 pixel. If vertices lie within 64 pixels of
+// each other and within 72 of the pixels looked at, |a|, |b| < 2^14 and |e| < 2·2^14·72·256 < 2^30. In lanes of larger
+// triangles, and of triangles far away, it is rubbish that may wrap: go on with it unsigned.
 struct edge_lanes {
     i32x8 a, b; // change of e per 1/256 pixel to the right, and down
-    i32x8 e;    // less 1 where the edge is neither top nor left: inside is where e >= 0
+    i32x8 e;    // value less 1 where the edge is neither top nor left: inside is where e >= 0
 };
 
-// `turn`: -1 for triangles whose vertices turn the negative way, else 0.
+// Return the edges from vertex i on. `turn` is −1 for triangles whose vertices turn the negative way, and 0 for others.
 RHW_INLINE struct edge_lanes edge_lanes(const i32x8 vertex_x[3], const i32x8 vertex_y[3], int i, i32x8 turn,
                                         i32x8 x, i32x8 y)
 {
@@ -77,14 +78,15 @@ RHW_INLINE struct edge_lanes edge_lanes(const i32x8 vertex_x[3], const i32x8 ver
     return (struct edge_lanes){a, b, (i32x8)e};
 }
 
-// The edges of a triangle that cross the tile: where none does, all of it is covered.
+// The edges of a triangle that cross the tile. If no edge does, the triangle covers all of the tile.
 struct triangle_edges {
     int count;
     struct edge edges[3];
 };
 
-// The pixels of a block on the inner side of `count` edges: q of its first row, and what it changes by from row to
-// row. All rows, as a loop whose end cannot be foreseen costs more than those that nobody asks for.
+// Return the pixels of a block on the inner side of `count` edges. `q` is q of the block's first row, and `step` is its
+// change from row to row. All rows are computed, because a loop whose end cannot be foreseen costs more than the rows
+// that nobody asks for.
 RHW_INLINE uint64_t mask_of_edges(i32x8 q[3], const i32x8 step[3], int count)
 {
     i32x8 outside[RHW_BLOCK];
@@ -99,7 +101,7 @@ RHW_INLINE uint64_t mask_of_edges(i32x8 q[3], const i32x8 step[3], int count)
     return ~i32x8_sign_bits_of_rows(outside);
 }
 
-// Bit 8·row + column of the block whose first pixel is (x, y) in the tile.
+// Return the pixels that the triangle covers of the block whose first pixel is (x, y) in the tile: bit 8·row + column.
 static inline uint64_t triangle_mask(const struct triangle_edges *triangle, int x, int y)
 {
     i32x8 q[3], step[3];
@@ -113,7 +115,7 @@ static inline uint64_t triangle_mask(const struct triangle_edges *triangle, int 
         if (first + edge->low >= 0) {
             continue;
         }
-        // An edge that crosses the block: `first` is within its extremes, so int32 holds it.
+        // The edge crosses the block: `first` is within its extremes, so int32 holds it.
         q[crossing] = i32x8_splat((int32_t)first) + i32x8_splat(edge->a) * rhw_lane_index;
         step[crossing++] = i32x8_splat(edge->b);
     }
@@ -125,12 +127,14 @@ static inline uint64_t triangle_mask(const struct triangle_edges *triangle, int 
     }
 }
 
-// Of the 8 blocks side by side in a tile, a bit for each that the triangle leaves out, and each that an edge crosses.
+// 8 blocks side by side in a tile, a bit for each: the blocks that the triangle leaves out, and the blocks that an edge
+// crosses.
 struct block_row {
     unsigned outside, crossed;
 };
 
-// Those at row y of the tile. An edge that crosses the tile is within 63·(|a| + |b|) < 2^31 in all of it.
+// Return the outside and crossed blocks at row y of the tile. An edge that crosses the tile is within 63·(|a| + |b|) <
+// 2^31 in all of it.
 static inline struct block_row block_row_of(const struct triangle_edges *triangle, int y)
 {
     i32x8 outside = i32x8_splat(0), crossed = i32x8_splat(0);
@@ -144,8 +148,8 @@ static inline struct block_row block_row_of(const struct triangle_edges *triangl
     return (struct block_row){i32x8_sign_bits(outside), i32x8_sign_bits(crossed)};
 }
 
-// The same of all blocks of the tile, row by row: those of which the triangle may cover something, and those that an
-// edge crosses.
+// All blocks of the tile, row by row, a bit for each: the blocks of which the triangle may cover something, and the
+// blocks that an edge crosses.
 struct block_bits {
     uint64_t inside, crossed;
 };
@@ -167,7 +171,8 @@ static inline struct block_bits blocks_of(const struct triangle_edges *triangle)
     return (struct block_bits){~i32x8_sign_bits_of_rows(outside), i32x8_sign_bits_of_rows(crossed)};
 }
 
-// triangle_mask of a block that an edge crosses, by all edges: which of them cross it, a processor cannot predict.
+// Return what triangle_mask returns, for a block that an edge crosses, by all edges: a processor cannot predict which
+// edges cross the block.
 static inline uint64_t crossed_mask(const struct triangle_edges *triangle, int x, int y)
 {
     i32x8 q[3], step[3];
@@ -184,9 +189,9 @@ static inline uint64_t crossed_mask(const struct triangle_edges *triangle, int x
     }
 }
 
-// This is what a triangle, clipped or not, covers in one tile.
+// What a triangle, clipped or not, covers in one tile.
 struct coverage {
-    int count; // of triangles that reach into the tile: of 1, or of the fan of a clipped polygon
+    int count; // number of triangles that reach into the tile: a clipped polygon is a fan of them
     struct triangle_edges triangles[RHW_POLYGON_VERTICES - 2];
 };
 
@@ -242,8 +247,8 @@ static inline uint64_t coverage_mask(const struct coverage *coverage, int x, int
     return mask;
 }
 
-// The pixels of the block at (x, y) that are inside x0 .. x1 − 1, y0 .. y1 − 1 (tile coordinates; the block and
-// the rectangle overlap).
+// Return the pixels of the block at (x, y) that are inside x0 .. x1 − 1, y0 .. y1 − 1 in tile coordinates. The block
+// and the rectangle overlap.
 static inline uint64_t rect_mask(int x, int y, int x0, int y0, int x1, int y1)
 {
     const int left = x0 > x ? x0 - x : 0, right = x1 < x + RHW_BLOCK ? x1 - x : RHW_BLOCK;
@@ -253,7 +258,7 @@ static inline uint64_t rect_mask(int x, int y, int x0, int y0, int x1, int y1)
     return row * 0x0101010101010101u & rows;
 }
 
-// Of the tile's blocks those that the rectangle reaches into, which is not empty.
+// Return the tile's blocks that the rectangle reaches into. The rectangle is not empty.
 static inline uint64_t blocks_of_rect(int x0, int y0, int x1, int y1)
 {
     return rect_mask(0, 0, x0 / RHW_BLOCK, y0 / RHW_BLOCK, (x1 - 1) / RHW_BLOCK + 1,

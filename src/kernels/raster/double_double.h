@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Edge functions in double-double, for the triangles with a vertex that cannot be snapped. Their vertices are
-// floats of any magnitude, and a sliver of them may be a millionth of a pixel wide where a pixel centre lies in
-// it: every weight is then next to nothing divided by next to nothing, which double does not survive. A pair of
-// doubles carries 106 bits (Dekker 1971, A Floating-Point Technique for Extending the Available Precision);
-// products of two floats are exact in one double already.
+// Edge functions in double-double, for the triangles with a vertex that cannot be snapped. Their vertices are floats of
+// any magnitude, and a sliver of them may be a millionth of a pixel wide where a pixel centre lies in it: every weight
+// is then next to nothing divided by next to nothing, and double does not survive this. A pair of doubles carries 106
+// bits (Dekker 1971, A Floating-Point Technique for Extending the Available Precision). Products of two floats are
+// exact in one double already.
 
 #ifndef RHW_DOUBLE_DOUBLE_H
 #define RHW_DOUBLE_DOUBLE_H
@@ -11,10 +11,11 @@
 #include "base/simd.h"
 
 struct dd {
-    double hi, lo; // the sum; |lo| is at most half an ULP of hi
+    double hi, lo; // hi + lo is the number; |lo| is at most half an ULP of hi
 };
 
-static struct dd dd_sum_ordered(double a, double b) // |a| >= |b|
+// Return a + b, where |a| >= |b|.
+static struct dd dd_sum_ordered(double a, double b)
 {
     const double s = a + b;
     return (struct dd){s, b - (s - a)};
@@ -26,7 +27,7 @@ static struct dd dd_sum(double a, double b)
     return (struct dd){s, (a - (s - t)) + (b - t)};
 }
 
-// The upper 26 bits; what is left has 26 too.
+// Return the upper 26 bits of a double. The bits that are left are 26 too.
 static double dd_upper(double a)
 {
     const double t = 134217729.0 * a; // 2^27 + 1
@@ -53,14 +54,14 @@ static struct dd dd_scale(struct dd a, double b)
     return dd_sum_ordered(p.hi, p.lo + a.lo * b);
 }
 
-// As struct plane: the value at the anchor's centre, and its change per pixel.
+// A plane like struct plane: its value at the anchor's centre, and its change per pixel.
 struct dd_plane {
     struct dd at, dx, dy;
 };
 
-// The edge from vertex j to vertex k of a homogeneous triangle, of whose vertices X, Y, W are given. With the map M
-// from there to pixels times W it is (M·V_j × M·V_k)·P, taken apart so that the cross product is one of floats, which
-// is exact. `cx`, `cy`: the viewport's centre, pixels from the anchor's centre.
+// Return the edge from vertex j to vertex k of a homogeneous triangle, whose vertices are given as X, Y, W. The map M
+// leads from there to pixels times W. The edge is (M·V_j × M·V_k)·P, taken apart so that the cross product is a cross
+// product of floats, which is exact. `cx` and `cy` are the viewport's centre, in pixels from the anchor's centre.
 static struct dd_plane dd_edge(const double j[3], const double k[3], double half_width, double half_height,
                                double cx, double cy)
 {
@@ -77,8 +78,8 @@ static struct dd_plane dd_edge(const double j[3], const double k[3], double half
     return e;
 }
 
-// The determinant of three rows of floats. Zero exactly where the true one is: as long as the exponents of the
-// floats lie within 2^24 of each other, a nonzero one stays above the rounding errors.
+// Return the determinant of three rows of floats. It is zero exactly if the true determinant is zero: as long as the
+// exponents of the floats lie within 2^24 of each other, a nonzero determinant stays above the rounding errors.
 static struct dd dd_determinant(double v[3][3])
 {
     struct dd det = {0, 0};
@@ -92,7 +93,7 @@ static struct dd dd_determinant(double v[3][3])
     return __builtin_fabs(det.hi) <= 0x1p-98 * size ? (struct dd){0, 0} : det;
 }
 
-// One row of 8 pixels: `dx` are integers below 2^16, pixels from the anchor.
+// Return the values at half a row of 8 pixels. `dx` are integers below 2^16, pixels from the anchor.
 static f64x4 dd_row_half(const struct dd_plane *e, f64x4 dx, struct dd row)
 {
     const double upper = dd_upper(e->dx.hi);

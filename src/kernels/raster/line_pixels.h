@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pixels of a Bresenham line (geometry/line_bresenham.h): of each column of its rectangle the one that it passes
-// nearest to the centre of, or of each row where it is steep.
+// The pixels of a Bresenham line (geometry/line_bresenham.h). In each column of its rectangle, the line has the pixel
+// whose centre it passes nearest to. A steep line has one pixel in each row instead.
 #ifndef RHW_LINE_PIXELS_H
 #define RHW_LINE_PIXELS_H
 
@@ -8,12 +8,12 @@
 #include "base/simd.h"
 #include "draw/triangle.h"
 
-// The pixel across in column c, counted from the target's edge, is ⌊(n + step·c) / scale⌋: where the line passes c's
-// centre, in whole pixels. All numbers are integers, or halves of them, below 2^50.
+// In column c the line has the pixel ⌊(n + step·c) / scale⌋ across, counted from the target's edge: this is where the
+// line passes the centre of c, in whole pixels. All numbers are integers, or halves of them, below 2^50.
 struct line_pixels {
     bool is_y_major;
     double n, step, scale;
-    int width; // pixels across, from that one on
+    int width; // number of pixels across, from the computed one on
 };
 
 static struct line_pixels line_pixels_of(const struct rhw_triangle *t, int width)
@@ -23,15 +23,15 @@ static struct line_pixels line_pixels_of(const struct rhw_triangle *t, int width
     const double along = is_y_major ? dy : dx, across = is_y_major ? dx : dy, sign = along < 0 ? -1 : 1;
     const double major = is_y_major ? t->y_24_8[0] : t->x_24_8[0],
                  minor = (is_y_major ? t->x_24_8[0] : t->y_24_8[0]) - (width - 1) * (RHW_SUBPIXEL / 2);
-    // Moved by (−ε, −ε²) a line that rises to the right comes to lie higher; any other lower, and a steep one to the
-    // left.
+    // Moved by (−ε, −ε²), a line that rises to the right comes to lie higher. Any other line comes to lie lower, and a
+    // steep one to the left.
     const bool goes_up = !is_y_major && across * sign > 0;
     const double n = sign * (minor * along + across * (RHW_SUBPIXEL / 2 - major));
     return (struct line_pixels){is_y_major, n + (goes_up ? 0.5 : -0.5), sign * across * RHW_SUBPIXEL,
                                 sign * along * RHW_SUBPIXEL, width};
 }
 
-// Where the line is in the 8 columns, or rows, from `first` on. The dividend is never a multiple of `scale`, nor
+// Return where the line is in the 8 columns, or rows, from `first` on. The dividend is never a multiple of `scale`, nor
 // nearer to one than the quotient's rounding.
 RHW_INLINE i32x8 line_places(const struct line_pixels *line, int first)
 {
@@ -41,7 +41,7 @@ RHW_INLINE i32x8 line_places(const struct line_pixels *line, int first)
     return i32x8_round_f64x8(f64x8_sub(at, f64x8_splat(0.5)));
 }
 
-// Its pixels in the block at (x, y) of the target, a byte for each row.
+// Return the line's pixels in the block at (x, y) of the target, a byte for each row.
 static uint64_t line_mask(const struct line_pixels *line, int x, int y)
 {
     const i32x8 at = line_places(line, line->is_y_major ? y : x) - i32x8_splat(line->is_y_major ? x : y);

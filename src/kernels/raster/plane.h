@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Quantities that are linear on the screen, their values at pixels, and the weights made from them.
+// This file owns planes: quantities that are linear on the screen, their values at pixels, and the weights made from
+// them.
 //
 // With the exact edge functions e_i of the snapped triangle, A their sum (twice the area) and w_i = 1/W_i:
 //
 //     S = 1/W = (e_0·w_0 + e_1·w_1 + e_2·w_2) / A,     b = (e_1·w_1 / A) / S,     c = (e_2·w_2 / A) / S,
 //     s = e_1 / A,    t = e_2 / A,                     Z/W = d_0 + e_1·(d_1 − d_0)/A + e_2·(d_2 − d_0)/A.
 //
-// All in double, each rounded once to float at the end: b and c, the only weights that interpolation needs, carry half
-// an ULP of float and nothing else worth counting. docs/exactness.md adds up what follows.
+// All of it is computed in double, and each is rounded once to float at the end: b and c, the only weights that
+// interpolation needs, carry half an ULP of float and nothing else worth counting. docs/exactness.md adds up what
+// follows.
 //
 // A plane has one formula: value = column + row with column = dx·Δx and row = at + dy·Δy, where (Δx, Δy) are pixels
-// from the anchor, a pixel that moves with the triangle, so that moving it by whole pixels changes no bit. Whoever
-// needs a value, for one pixel, for 8, or for four quantities at once, takes it from the functions below; thus no bit
-// depends on the path that a fragment takes. For slivers and extreme ratios of W those sums would cancel; such
-// triangles (PLANES_EXACT) take their e_i as exact integers per pixel and combine after that.
+// from the anchor. The anchor is a pixel that moves with the triangle, so that moving the triangle by whole pixels
+// changes no bit. Every caller that needs a value, for one pixel, for 8, or for four quantities at once, takes it from
+// the functions below; thus no bit depends on the path that a fragment takes. For slivers and extreme ratios of W these
+// sums would cancel. Triangles of these kinds (PLANES_EXACT) take their e_i as exact integers per pixel and combine
+// after that.
 #ifndef RHW_PLANE_H
 #define RHW_PLANE_H
 
@@ -24,11 +27,11 @@ struct plane {
     double at, dx, dy; // value at the anchor's centre; change per pixel
 };
 
-// The four that every fragment needs stand side by side in one vector.
+// The four quantities that every fragment needs stand side by side in one vector.
 enum quantity { QUANTITY_S, QUANTITY_B, QUANTITY_C, QUANTITY_Z }; // 1/W; b·(1/W); c·(1/W); depth
 
 struct quantity_planes {
-    f64x4 at, dx, dy; // by quantity, as struct plane
+    f64x4 at, dx, dy; // vectors by quantity, with the members of struct plane
 };
 
 RHW_INLINE struct plane plane_of(const struct quantity_planes *planes, enum quantity q)
@@ -53,25 +56,25 @@ RHW_INLINE f64x8 plane_row(struct plane p, f64x8 dy)
     return f64x8_add(f64x8_splat(p.at), f64x8_mul(f64x8_splat(p.dy), dy));
 }
 
-// Gives the value at 8 pixels.
+// Return the value at 8 pixels.
 RHW_INLINE f64x8 plane_value8(struct plane p, f64x8 dx, f64x8 dy)
 {
     return f64x8_add(plane_column(p, dx), plane_row(p, dy));
 }
 
-// Gives the value at one.
+// Return the value at one pixel.
 RHW_INLINE double plane_value(struct plane p, double dx, double dy)
 {
     return p.dx * dx + (p.at + p.dy * dy);
 }
 
-// Gives the value at 4 places.
+// Return the value at 4 places.
 RHW_INLINE f64x4 plane_value4(struct plane p, f64x4 dx, f64x4 dy)
 {
     return f64x4_splat(p.dx) * dx + (f64x4_splat(p.at) + f64x4_splat(p.dy) * dy);
 }
 
-// Gives those of the four quantities at one.
+// Return the values of the four quantities at one place.
 RHW_INLINE f64x4 quantity_values(const struct quantity_planes *p, double dx, double dy)
 {
     return p->dx * f64x4_splat(dx) + (p->at + p->dy * f64x4_splat(dy));
@@ -79,13 +82,13 @@ RHW_INLINE f64x4 quantity_values(const struct quantity_planes *p, double dx, dou
 
 // Blocks -----------------------------------------------------------------------------------------------
 
-// Which block of 8×8 pixels, relative to the anchor: dx of the columns, dy of the rows. Or which 8 pixels: dx and dy of
-// each.
+// The distance from the anchor of a block of 8×8 pixels or of 8 pixels anywhere. A block has dx of its columns and dy
+// of its rows. 8 pixels have dx and dy of each pixel.
 struct anchor_offset {
     f64x8 dx, dy;
 };
 
-// A plane over a block, made once for it, so that a row of 8 pixels costs one addition.
+// A plane over a block. It is made once for the block, so that a row of 8 pixels costs one addition.
 struct block_plane {
     f64x8 column;
     double row[RHW_BLOCK];
@@ -116,47 +119,50 @@ RHW_INLINE f64x8 block_plane_value(const struct block_plane *plane, int row)
 // Triangles --------------------------------------------------------------------------------------------
 
 enum plane_kind {
-    PLANES_LINEAR,       // the four quantities have planes
-    PLANES_EXACT,        // made of exact edge values, pixel by pixel: a sliver, or an extreme ratio of W
-    PLANES_DOUBLE_DOUBLE // a clipped triangle whose weights only double-double survives: plane_clipped.h
+    PLANES_LINEAR, // planes of the four quantities
+    PLANES_EXACT,  // exact edge values, made pixel by pixel: for a sliver, or an extreme ratio of W
+    // A clipped triangle has this kind if its weights survive in double-double only: plane_clipped.h.
+    PLANES_DOUBLE_DOUBLE
 };
 
-// Of a snapped triangle: the four quantities are base + f1·e_1 + f2·e_2.
+// The four quantities of a snapped triangle: each is base + f1·e_1 + f2·e_2.
 struct edge_factors {
     struct plane e1, e2; // exact integers
     f64x4 base, f1, f2;
     double area, inverse_area; // the doubled, positive area
 };
 
-// Numerators of the derivatives of two quantities: of one by x and by y, of the other by x and by y. See derivative.h.
+// Numerators of the derivatives of two quantities: by x and by y for the first, by x and by y for the second. See
+// derivative.h.
 struct derivative_pair {
-    f64x4 at, step; // at the anchor's centre; change per pixel down, to the right, down, to the right
+    f64x4 at, step; // value at the anchor's centre; change per pixel down, to the right, down, to the right
 };
 
 struct planes {
     int anchor_x, anchor_y; // pixels
     enum plane_kind kind;
-    bool is_homogeneous; // a vertex is not snapped; `factors` are not set
+    bool is_homogeneous; // true if a vertex is not snapped; then `factors` are not set
     struct quantity_planes quantities;
-    double inverse_area;            // of snapped triangles
-    struct edge_factors factors;    // of exact and of clipped ones, and where screen weights are wanted
+    double inverse_area; // one over the doubled area; snapped triangles have it
+    // Exact and clipped triangles have factors, and so have triangles whose screen weights are wanted.
+    struct edge_factors factors;
     struct plane n1, n2;            // weights on the screen of vertices 1 and 2, where they are wanted
-    struct derivative_pair weights; // of b and c, where they are asked for
+    struct derivative_pair weights; // derivatives of b and c, where they are asked for
 };
 
-// Makes a quantity from exact edge values.
+// Return a quantity made from exact edge values.
 RHW_INLINE f64x8 combine_edges(const struct edge_factors *f, enum quantity q, f64x8 e1, f64x8 e2)
 {
     return f64x8_add(f64x8_splat(f->base[q]),
                      f64x8_add(f64x8_mul(f64x8_splat(f->f1[q]), e1), f64x8_mul(f64x8_splat(f->f2[q]), e2)));
 }
 
-// What a block needs of a triangle's planes. Which members are set: z by block_depth; s, b, c by block_weights, or by
-// block_weight_rows and block_weight_columns; n1, n2 by block_screen_weights; e1, e2 instead of all of them where the
-// planes are exact.
+// What a block needs of a triangle's planes. block_depth sets z. block_weights, or block_weight_rows and
+// block_weight_columns together, set s, b, c. block_screen_weights sets n1, n2. If the planes are exact, e1, e2 are set
+// instead of all of them.
 struct block_planes {
     struct block_plane z, s, b, c, n1, n2, e1, e2;
-    double inverse_s[RHW_BLOCK]; // by row, with WEIGHTS_PER_ROW
+    double inverse_s[RHW_BLOCK]; // one number per row, with WEIGHTS_PER_ROW
 };
 
 static void block_edges(struct block_planes *block, const struct planes *p, const struct anchor_offset *at)
@@ -188,15 +194,17 @@ RHW_INLINE f32x8 depth_of_row(const struct planes *p, const struct block_planes 
 
 // Weights in space -------------------------------------------------------------------------------------
 
-// How the weights of a row are found; a constant where a call names it. One division for a row takes 5 % of
+// How the weights of a row are found. It is a constant where a call names it. One division for a row takes 5 % of
 // fill_color's instructions away, and 15 % of its time.
 enum weight_path {
     WEIGHTS_PER_PIXEL, // a division in every lane
-    WEIGHTS_PER_ROW, // 1/W is the same along a row, so that one division serves all its lanes with the same bits
-    WEIGHTS_EXACT    // from exact integers: PLANES_EXACT
+    // 1/W has one value along a row, so that one division serves all its lanes with the bits that each would get.
+    WEIGHTS_PER_ROW,
+    WEIGHTS_EXACT // weights from exact integers: PLANES_EXACT
 };
 
-// A floor under a camera that is not rolled has the same 1/W along a row, and whatever is drawn without perspective.
+// Return the weight path of a triangle. 1/W is constant along a row for a floor under a camera that is not rolled, and
+// for whatever is drawn without perspective.
 RHW_INLINE enum weight_path weight_path_of(const struct planes *p)
 {
     if (__builtin_expect(p->kind == PLANES_EXACT, 0)) {
@@ -205,7 +213,7 @@ RHW_INLINE enum weight_path weight_path_of(const struct planes *p)
     return p->quantities.dx[QUANTITY_S] == 0 ? WEIGHTS_PER_ROW : WEIGHTS_PER_PIXEL;
 }
 
-// The parts of the three planes for the weights that depend on the row and on the column; not of exact ones.
+// Set the parts of the three weight planes that depend on the row and on the column. Exact planes have none.
 RHW_INLINE void block_weight_rows(struct block_planes *block, const struct planes *p, f64x8 dy,
                                   enum weight_path path)
 {
@@ -238,7 +246,7 @@ RHW_INLINE void block_weights(struct block_planes *block, const struct planes *p
     }
 }
 
-// 1/W and the perspective weights of vertices 1 and 2.
+// The perspective weights of vertices 1 and 2.
 struct weights {
     f32x8 b, c;
     f64x8 s, inverse_s;
@@ -269,7 +277,7 @@ RHW_INLINE struct weights weights_of_row(const struct planes *p, const struct bl
     return weights_of(s, inverse_s, b, c);
 }
 
-// Does the same for 8 pixels anywhere, with planes that are not exact.
+// Return the weights of 8 pixels anywhere. The planes are not exact.
 RHW_INLINE struct weights weights_of_pixels(const struct quantity_planes *p, const struct anchor_offset *at)
 {
     const f64x8 s = plane_value8(plane_of(p, QUANTITY_S), at->dx, at->dy);
@@ -290,7 +298,7 @@ RHW_INLINE void block_screen_weights(struct block_planes *block, const struct pl
     }
 }
 
-// Of vertices 1 and 2.
+// The weights on the screen of vertices 1 and 2.
 struct screen_weights {
     f64x8 s, t;
 };

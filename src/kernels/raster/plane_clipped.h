@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Planes of clipped triangles, which keep their three vertices: values are those of the whole triangle.
+// Planes of clipped triangles. A clipped triangle keeps its three vertices: its values are the values of the whole
+// triangle.
 //
 // A clipped triangle is cut and snapped anew, so its coverage may reach past the triangle by less than 1/256 pixel.
 // There a weight would be negative and, next to the horizon, 1/W zero: weights below 0 count as 0, and the others are
 // divided by what is left. A clipped triangle without area has no weights at all: it takes the values of its vertex
 // with the largest W.
 //
-// Where a vertex could not be snapped, the truth is the homogeneous triangle itself. With M whose columns are the
-// vertices as (x, y, w), in pixels times W, (a, b, c)/W = M^-1 · (x_P, y_P, 1); rows of the adjugate of M are edges
-// (Olano and Greer 1997, Triangle Scan Conversion using 2D Homogeneous Coordinates, §4).
+// If a vertex could not be snapped, the truth is the homogeneous triangle itself. M is the matrix whose columns are the
+// vertices as (x, y, w), in pixels times W. With it (a, b, c)/W = M^-1 · (x_P, y_P, 1), and the rows of the adjugate of
+// M are edges (Olano and Greer 1997, Triangle Scan Conversion using 2D Homogeneous Coordinates, §4).
 #ifndef RHW_PLANE_CLIPPED_H
 #define RHW_PLANE_CLIPPED_H
 
@@ -18,10 +19,11 @@
 #include "sample_position.h"
 
 struct clipped_planes {
-    struct plane a;          // a·(1/W)
-    double w[3], zw[3];      // of the vertices: W, and depth times W
-    double a_e0;             // a·(1/W) is a_e0·e_0, of exact ones
-    struct dd_plane edge[3]; // of PLANES_DOUBLE_DOUBLE: edge_scale·edge[i] are a, b, c over W
+    struct plane a;     // a·(1/W)
+    double w[3], zw[3]; // W of the vertices, and their depth times W
+    double a_e0;        // factor of exact planes: a·(1/W) is a_e0·e_0
+    // PLANES_DOUBLE_DOUBLE has edges: edge_scale·edge[i] are a, b, c over W.
+    struct dd_plane edge[3];
     double edge_scale;
 };
 
@@ -49,13 +51,13 @@ static void planes_without_area(struct planes *p, struct clipped_planes *c)
     c->edge[nearest].at.hi = 1;
 }
 
-// Sets what clipping adds to the planes of a snapped triangle, whose `factors` are set.
+// Set what clipping adds to the planes of a snapped triangle, whose `factors` are set.
 static void planes_clipped_snapped(struct planes *p, struct clipped_planes *c,
                                    const struct rhw_draw_state *state,
                                    const struct rhw_vertex_record *const v[3])
 {
     const struct edge_factors *const f = &p->factors;
-    // The edge function of vertex 0: what the others leave of the area; exact.
+    // The edge function of vertex 0 is what the other two leave of the area; it is exact.
     const struct plane e0 = {f->area - f->e1.at - f->e2.at, -(f->e1.dx + f->e2.dx), -(f->e1.dy + f->e2.dy)};
     clipped_vertices(c, state, v);
     c->a_e0 = f->base[QUANTITY_S] * f->inverse_area;
@@ -65,7 +67,7 @@ static void planes_clipped_snapped(struct planes *p, struct clipped_planes *c,
     }
 }
 
-// Makes the four quantities from the weights over W.
+// Return the four quantities made from the weights over W.
 static f64x4 quantities_of(const struct clipped_planes *v, double a, double b, double c)
 {
     return (f64x4){a + b + c, b, c, a * v->zw[0] + b * v->zw[1] + c * v->zw[2]};
@@ -76,19 +78,19 @@ static double magnitude(double v)
     return v < 0 ? -v : v;
 }
 
-// Sets the planes of a triangle with a vertex that could not be snapped.
+// Set the planes of a triangle with a vertex that could not be snapped.
 static void planes_homogeneous(struct planes *p, struct clipped_planes *c, const struct rhw_draw_state *state,
                                const struct rhw_vertex_record *const v[3])
 {
     *p = (struct planes){.is_homogeneous = true};
     *c = (struct clipped_planes){0};
-    // Relative to the viewport's centre, where clip coordinates are as precise as they came.
+    // The anchor is the viewport's centre, where clip coordinates are as precise as they came.
     p->anchor_x = (int)state->center_x;
     p->anchor_y = (int)state->center_y;
     const double half_width = state->half_width, half_height = state->half_height;
     const double cx = state->center_x - (p->anchor_x + sample_offset()),
                  cy = state->center_y - (p->anchor_y + sample_offset());
-    double vertex[3][3], m[3][3]; // X, Y, W; x, y, w
+    double vertex[3][3], m[3][3]; // rows of X, Y, W; rows of x, y, w
     for (int i = 0; i < 3; i++) {
         vertex[i][0] = (double)v[i]->position[0];
         vertex[i][1] = (double)v[i]->position[1];
@@ -102,7 +104,7 @@ static void planes_homogeneous(struct planes *p, struct clipped_planes *c, const
         planes_without_area(p, c);
         return;
     }
-    // The map to pixels turns y over, or with a negative height does not.
+    // The map to pixels turns y over. With a negative height it does not.
     const double inverse = 1 / (-(half_width * half_height) * determinant.hi);
     struct plane row[3];
     double size = 0;
@@ -114,7 +116,7 @@ static void planes_homogeneous(struct planes *p, struct clipped_planes *c, const
         size += magnitude(row[i].at) + magnitude(row[i].dx) * (half_width + 1) +
                 magnitude(row[i].dy) * (magnitude(half_height) + 1);
     }
-    // Terms of the sums over the least 1/W: how much cancels, see setup_planes4.
+    // Terms of the sums over the least 1/W tell how much cancels: see setup_planes4.
     p->kind = size * c->w[nearest_vertex(c)] > 0x1p22 ? PLANES_DOUBLE_DOUBLE : PLANES_LINEAR;
     c->edge_scale = inverse;
     c->a = row[0];
@@ -123,7 +125,8 @@ static void planes_homogeneous(struct planes *p, struct clipped_planes *c, const
                                              quantities_of(c, row[0].dy, row[1].dy, row[2].dy)};
     p->n1 = plane_scale(c->w[1], row[1]);
     p->n2 = plane_scale(c->w[2], row[2]);
-    // q_x·S − q·S_x with q = b, S = a + b + c, where (b_x·a − b·a_x) and the like are vertices over the determinant.
+    // The numerators are q_x·S − q·S_x with q = b and S = a + b + c, where (b_x·a − b·a_x) and its like are vertices
+    // over the determinant.
     const f64x4 over = f64x4_splat(inverse);
     p->weights.at =
         over * (f64x4){m[2][1] - m[0][1], m[0][0] - m[2][0], m[0][1] - m[1][1], m[1][0] - m[0][0]};
@@ -131,8 +134,8 @@ static void planes_homogeneous(struct planes *p, struct clipped_planes *c, const
         over * (f64x4){m[0][2] - m[2][2], m[2][2] - m[0][2], m[1][2] - m[0][2], m[0][2] - m[1][2]};
 }
 
-// Whether some pixel of a block may have a weight below 0. A plane is least in a corner, and its values, rounded as
-// they are, nowhere fall below the one there.
+// Return true if some pixel of a block may have a weight below 0. A plane is least in a corner, and its rounded values
+// nowhere fall below the rounded value in that corner.
 static bool block_leaves_triangle(const struct planes *p, const struct clipped_planes *c,
                                   const struct anchor_offset *at)
 {
@@ -147,7 +150,7 @@ static bool block_leaves_triangle(const struct planes *p, const struct clipped_p
     return leaves;
 }
 
-// The values of a row in the lanes where a weight is below 0, and of PLANES_DOUBLE_DOUBLE in all.
+// The values of a row in the lanes where a weight is below 0. With PLANES_DOUBLE_DOUBLE all lanes have them.
 struct clipped_row {
     i32x8 lanes;
     f32x8 z;
@@ -155,8 +158,8 @@ struct clipped_row {
     struct weights weights;
 };
 
-// Weights below 0 become 0; `below` collects where they were. −0 becomes 0 as well: two of them would turn a constant
-// −0 into 0.
+// Return the weights with 0 in place of those below 0; `below` collects where they were. −0 becomes 0 as well: two of
+// them would turn a constant −0 into 0.
 static f64x8 at_least_zero(f64x8 v, i64x4 below[2])
 {
     const f64x4 zero = f64x4_splat(0);
@@ -177,7 +180,7 @@ static f64x8 f64x8_where(const i64x4 mask[2], f64x8 a, f64x8 b)
     return (f64x8){f64x4_select(mask[0], a.lo, b.lo), f64x4_select(mask[1], a.hi, b.hi)};
 }
 
-// Gives the weights over W of a row, also those below 0.
+// Set the weights over W of a row, negative ones included.
 static void weights_over_w(const struct planes *p, const struct clipped_planes *c, f64x8 dx, double dy,
                            f64x8 over_w[3])
 {
@@ -186,7 +189,7 @@ static void weights_over_w(const struct planes *p, const struct clipped_planes *
         for (int i = 0; i < 3; i++) {
             over_w[i] = f64x8_mul(dd_row(&c->edge[i], dx, dy), f64x8_splat(c->edge_scale));
         }
-    } else if (p->kind == PLANES_EXACT) { // integers: e_0 is what e_1 and e_2 leave of the area
+    } else if (p->kind == PLANES_EXACT) { // exact integers: e_0 is what e_1 and e_2 leave of the area
         const struct edge_factors *const f = &p->factors;
         const f64x8 e1 = plane_value8(f->e1, dx, row), e2 = plane_value8(f->e2, dx, row);
         over_w[0] = f64x8_mul(f64x8_splat(c->a_e0), f64x8_sub(f64x8_sub(f64x8_splat(f->area), e1), e2));
@@ -199,7 +202,7 @@ static void weights_over_w(const struct planes *p, const struct clipped_planes *
     }
 }
 
-// Whether a row has values of its own in a lane whose bit is set: a weight below 0 there, or −0.
+// Return true if a row has values of its own in a lane whose bit is set: a weight there is below 0, or −0.
 static bool row_leaves_triangle(const struct planes *p, const struct clipped_planes *c,
                                 const struct anchor_offset *block, int row, unsigned bits)
 {
@@ -234,8 +237,8 @@ static __attribute__((noinline)) void clipped_row_set(struct clipped_row *out, c
     const f64x8 sum = f64x8_add(f64x8_add(over_w[0], over_w[1]), over_w[2]),
                 inverse = f64x8_div(f64x8_splat(1), sum);
     const f64x8 w = weigh(c->w, over_w), screen = f64x8_div(f64x8_splat(1), w);
-    // The triangle's border may be at or behind the eye here (w <= 0; then the planes are homogeneous and not
-    // exact): what is linear on the screen goes on linearly, 1/W down to the least that the triangle has.
+    // The triangle's border may be at or behind the eye here (w <= 0; then the planes are homogeneous and not exact):
+    // what is linear on the screen goes on linearly, and 1/W goes down to the least that the triangle has.
     const i64x4 seen[2] = {f64x4_less(f64x4_splat(0), w.lo), f64x4_less(f64x4_splat(0), w.hi)};
     const f64x8 least = f64x8_clamp(plane_value8(plane_of(&p->quantities, QUANTITY_S), dx, dy),
                                     1 / c->w[nearest_vertex(c)], 0x1p1000);
@@ -261,7 +264,7 @@ static f64x8 f64x8_select(i32x8 mask, f64x8 a, f64x8 b)
     return b;
 }
 
-// Puts what stands in the row over `weights` and `screen`, in the lanes that it has.
+// Replace `weights` and `screen` by what the row has, in the lanes that it has.
 static void clipped_row_replace(const struct clipped_row *row, struct weights *weights,
                                 struct screen_weights *screen)
 {

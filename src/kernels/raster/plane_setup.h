@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// From snapped triangles to their planes, four triangles at a time, lane by lane: by itself a triangle spends most of
-// its setup waiting for divisions, of which there are seven. Whoever needs the planes of one alone gives it to all
-// lanes.
+// The planes of snapped triangles are made here, four triangles at a time, lane by lane: by itself a triangle spends
+// most of its setup waiting for divisions, of which there are seven. A caller that needs the planes of one triangle
+// alone gives it to all lanes.
 #ifndef RHW_PLANE_SETUP_H
 #define RHW_PLANE_SETUP_H
 
 #include "plane.h"
 
-// Four triangles.
+// Four snapped triangles.
 struct setup_input4 {
     f64x4 x1, y1, x2, y2; // vertices 1 and 2, seen from vertex 0, in 1/256 pixel
-    f64x4 px, py;         // the sample of the anchor, the pixel of vertex 0, likewise
-    f64x4 w[3], z[3];     // of the vertices
+    f64x4 px, py;         // sample of the anchor, the pixel of vertex 0, seen from vertex 0, in 1/256 pixel
+    f64x4 w[3], z[3];     // W and depth of the three vertices
     f64x4 depth_low, depth_span;
 };
 
-// One plane of each.
+// One plane of each of four triangles.
 struct plane4 {
     f64x4 at, dx, dy;
 };
@@ -23,9 +23,9 @@ struct plane4 {
 struct setup_output4 {
     struct plane4 e1, e2; // exact integers
     f64x4 area, inverse_area;
-    f64x4 base[4], f1[4], f2[4]; // by quantity: it is base + f1·e_1 + f2·e_2
-    struct plane4 quantity[4];   // likewise
-    i64x4 is_exact;              // −1: the numbers must be made of exact integers, pixel by pixel
+    f64x4 base[4], f1[4], f2[4]; // vectors by quantity: a quantity is base + f1·e_1 + f2·e_2
+    struct plane4 quantity[4];   // planes by quantity
+    i64x4 is_exact; // −1 in a lane whose numbers must be made of exact integers, pixel by pixel
 };
 
 RHW_INLINE struct plane4 combine_planes4(f64x4 base, f64x4 f1, f64x4 f2, struct plane4 e1, struct plane4 e2)
@@ -34,7 +34,7 @@ RHW_INLINE struct plane4 combine_planes4(f64x4 base, f64x4 f1, f64x4 f2, struct 
                            f1 * e1.dy + f2 * e2.dy};
 }
 
-// Makes the edges 2 → 0 and 0 → 1 at the anchor's sample, seen from vertex 0; exact (constants.h).
+// Make the edges 2 → 0 and 0 → 1 at the anchor's sample, seen from vertex 0. They are exact (constants.h).
 RHW_INLINE void setup_edges4(struct setup_output4 *out, const struct setup_input4 *t)
 {
     const f64x4 pixel = f64x4_splat(RHW_SUBPIXEL);
@@ -66,8 +66,8 @@ RHW_INLINE void setup_planes4(struct setup_output4 *out, const struct setup_inpu
         out->f2[q] = f2[q] * out->inverse_area;
         out->quantity[q] = combine_planes4(base[q], out->f1[q], out->f2[q], out->e1, out->e2);
     }
-    // Terms of the sums are below extent² · the largest w / A; the smallest S is the smallest w. Their ratio
-    // is how many bits cancel; 53 − 20 are more than the 24 + 6 that the bound needs.
+    // Terms of the sums are below extent² · the largest w / A, and the smallest S is the smallest w. The ratio of the
+    // two is how many bits cancel; 53 − 20 are more than the 24 + 6 that the bound needs.
     const f64x4 width = f64x4_abs(t->x1) + f64x4_abs(t->x2), height = f64x4_abs(t->y1) + f64x4_abs(t->y2);
     const f64x4 most = f64x4_max(f64x4_max(w[0], w[1]), w[2]), least = f64x4_min(f64x4_min(w[0], w[1]), w[2]);
     out->is_exact = f64x4_less(f64x4_splat(0x1p20) * least,
@@ -79,7 +79,7 @@ RHW_INLINE struct plane plane_of_lane(const struct plane4 *p, int lane)
     return (struct plane){p->at[lane], p->dx[lane], p->dy[lane]};
 }
 
-// Makes the factors of one triangle that stands in all lanes.
+// Make the factors of one triangle that stands in all lanes.
 static __attribute__((noinline)) void setup_factors(struct edge_factors *f, const struct setup_input4 *t)
 {
     struct setup_output4 out;

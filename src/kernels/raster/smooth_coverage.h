@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// How much of each pixel's square a smooth line's rectangle covers: its area, but for roundings below 2^−16.
+// A smooth line's rectangle covers a part of each pixel's square. The coverage is the area of this part, but for
+// roundings below 2^−16.
 //
-// The area is the sum over the four sides, each taken from left to right or back, of what lies above it in the square:
+// The area is a sum over the four sides, each taken from left to right or back. A side adds what lies above it in the
+// square:
 //
 //     ∫ clamp(h(x), 0, 1) dx,    h: the side's height in the square, x: where the side passes through its columns,
 //
-// which is (G(h1) − G(h0)) / slope, where G(h) = h²/2 up to h = 1 and h − 1/2 from there, 0 below 0. A side that hardly
-// changes within a pixel is taken at its middle there.
+// The integral is (G(h1) − G(h0)) / slope, where G(h) is 0 below 0, h²/2 up to h = 1 and h − 1/2 from there. A side
+// that hardly changes within a pixel is taken at its middle there.
 #ifndef RHW_SMOOTH_COVERAGE_H
 #define RHW_SMOOTH_COVERAGE_H
 
@@ -14,18 +16,18 @@
 #include "base/simd.h"
 #include "draw/triangle.h"
 
-// A side, in pixels of the tile.
+// A side of the rectangle, in pixels of the tile.
 struct smooth_side {
     double x, y, slope;
     double left, right;
-    double sign; // which way it leads; 0: straight up or down
+    double sign; // direction in which the side leads; 0: straight up or down
 };
 
 struct smooth_line {
     struct smooth_side sides[4];
 };
 
-// `x` and `y`: the tile's first pixel.
+// Set a smooth line. `x` and `y` are the tile's first pixel.
 static void smooth_line_set(struct smooth_line *line, const struct rhw_triangle *t, int x, int y)
 {
     const int32_t *const tx = t->x_24_8, *const ty = t->y_24_8;
@@ -47,14 +49,14 @@ static void smooth_line_set(struct smooth_line *line, const struct rhw_triangle 
     }
 }
 
-// G of the comment above.
+// Return the G of the comment at the head of this file.
 RHW_INLINE f64x8 area_below(f64x8 h)
 {
     const f64x8 inside = f64x8_clamp(h, 0, 1), above = f64x8_clamp(f64x8_sub(h, f64x8_splat(1)), 0, 0x1p40);
     return f64x8_add(f64x8_mul(f64x8_mul(inside, inside), f64x8_splat(0.5)), above);
 }
 
-// Of 8 columns from x on, in row y.
+// Return what a side adds to the area of 8 pixels, from column x on, in row y.
 RHW_INLINE f64x8 side_area(const struct smooth_side *side, f64x8 x, double y)
 {
     const double least_slope = 0x1p-14;
@@ -71,7 +73,8 @@ RHW_INLINE f64x8 side_area(const struct smooth_side *side, f64x8 x, double y)
     return f64x8_div(f64x8_sub(area_below(h1), area_below(h0)), slope);
 }
 
-// The pixels of the block at (x, y) of the tile that the line covers 2^−16 of at least, and how much, by row.
+// Return the pixels of the block at (x, y) of the tile of which the line covers 2^−16 at least, and set how much it
+// covers, by row.
 static uint64_t smooth_mask(const struct smooth_line *line, int x, int y, f32x8 coverage[RHW_BLOCK])
 {
     const f64x8 columns = f64x8_from_i32x8(i32x8_splat(x) + rhw_lane_index);

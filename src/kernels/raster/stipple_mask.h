@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Which pixels of a line its stipple draws (struct rhw_line_stipple). Places along a line are whole numbers: columns,
-// or rows, of a Bresenham line, 1/256 pixel of a rectangular one. `unit` of them have the same bit of the pattern.
+// The stipple of a line decides which of its pixels are drawn (struct rhw_line_stipple). Places along a line are whole
+// numbers: columns, or rows, of a Bresenham line, and 1/256 pixel of a rectangular one. `unit` places in a row have one
+// bit of the pattern.
 //
-// The triangle's phase is the place of a Bresenham line's column 0, from which places rise to where the line leads;
-// of a rectangular line it is that of its beginning. Both are known to a whole pattern.
+// The phase of a triangle is a place: for a Bresenham line it is the place of column 0, from which places rise to where
+// the line leads; for a rectangular line it is the place of the line's beginning. Both are known to a whole pattern.
 #ifndef RHW_STIPPLE_MASK_H
 #define RHW_STIPPLE_MASK_H
 
@@ -11,8 +12,8 @@
 #include "base/simd.h"
 #include "draw/triangle.h"
 
-// Bits of the places that are drawn. Half a place behind each none is a multiple of `unit`, so that no quotient lies
-// where rounding decides.
+// Return a bit for each place that is drawn. Half a place behind a place is never a multiple of `unit`, so that no
+// quotient lies where rounding decides.
 static unsigned stippled8(i32x8 place, int unit, int pattern)
 {
     const f64x8 units = f64x8_div(f64x8_add(f64x8_from_i32x8(place), f64x8_splat(0.5)), f64x8_splat(unit));
@@ -21,7 +22,7 @@ static unsigned stippled8(i32x8 place, int unit, int pattern)
     return ~i32x8_sign_bits(rhw_equal_int(bit, i32x8_splat(0))) & 0xff;
 }
 
-// Those of the block at (x, y) of the target that the stipple of a Bresenham line draws.
+// Return the pixels of the block at (x, y) of the target that the stipple of a Bresenham line draws.
 static uint64_t stippled_columns(const struct rhw_triangle *t, const struct rhw_line_stipple *stipple,
                                  bool is_y_major, int x, int y)
 {
@@ -37,7 +38,7 @@ static uint64_t stippled_columns(const struct rhw_triangle *t, const struct rhw_
     return mask;
 }
 
-// A rectangular line: a point lies (dx·x + dy·y − begin) / length along it. All numbers but the length are integers
+// A rectangular line. A point lies (dx·x + dy·y − begin) / length along it. All numbers but the length are integers
 // below 2^50, 1/256 pixel or products of two.
 struct stippled_rectangle {
     double dx, dy, begin, length;
@@ -45,8 +46,8 @@ struct stippled_rectangle {
     int unit, pattern;
 };
 
-// Of the halves of a line (geometry/line_rectangle.h) the first has corners a + n, a − n, b + n, and vertex a twice;
-// the second a − n, b − n, b + n.
+// Return the stippled line that a triangle is half of. The first half (geometry/line_rectangle.h) has corners a + n, a
+// − n, b + n, and vertex a twice; the second has a − n, b − n, b + n.
 static struct stippled_rectangle stippled_rectangle_of(const struct rhw_triangle *t,
                                                        const struct rhw_line_stipple *stipple)
 {
@@ -66,8 +67,9 @@ static struct stippled_rectangle stippled_rectangle_of(const struct rhw_triangle
                                        .pattern = stipple->pattern};
 }
 
-// Those of a block whose samples it draws; x and y are of the first pixel's sample, 1/256 pixel of the target. What
-// lies before the beginning by the rounding of the rectangle's corners counts as the beginning.
+// Return the pixels of a block whose samples the stipple draws. x and y are the position of the first pixel's sample,
+// in 1/256 pixel of the target. What lies before the beginning by the rounding of the rectangle's corners counts as the
+// beginning.
 static uint64_t stippled_samples(const struct stippled_rectangle *line, int64_t x, int64_t y)
 {
     const f64x8 columns = f64x8_mul(f64x8_from_i32x8(rhw_lane_index), f64x8_splat(RHW_SUBPIXEL));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the record of a vertex stands in its segment.
+// This file finds the record of a vertex in its segment.
 #ifndef RHW_VERTEX_RECORD_H
 #define RHW_VERTEX_RECORD_H
 
