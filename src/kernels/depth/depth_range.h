@@ -56,9 +56,8 @@ RHW_INLINE struct decided_blocks decide_blocks(const struct tile_depth *depth, e
                                                uint64_t wanted)
 {
     const bool is_less = compare == RHW_COMPARE_LESS || compare == RHW_COMPARE_LESS_EQUAL;
-    const float margin =
-        // Rounding does not cross the margin. The margin is 0 if depth is a float.
-        2 * depth->state->depth_margin;
+    // Rounding does not cross the margin. The margin is 0 if depth is a float.
+    const float margin = 2 * depth->state->depth_margin;
     const int first_x = z.dx < 0 ? RHW_BLOCK - 1 : 0, first_y = z.dy < 0 ? RHW_BLOCK - 1 : 0;
     const i32x8 blocks = rhw_lane_index * RHW_BLOCK;
     const i32x8 column = blocks + (first_x - anchor_x), row = blocks + (first_y - anchor_y);

@@ -170,9 +170,8 @@ static unsigned test_texels_late(struct tile_depth *depth, const int32_t texel[8
     for (int i = 0; i < 8 && rule.open >= RHW_OPEN_TRY; i++) {
         open |= (unsigned)(depth->open[texel[i] / RHW_TILE] >> texel[i] % RHW_TILE & 1) << i;
     }
-    const f32x8 stored =
-        // The vector is not read back from memory: see gather_texels.
-        (f32x8)i32x8_gather(depth->texels, i32x8_load(texel));
+    // The vector is not read back from memory: see gather_texels.
+    const f32x8 stored = (f32x8)i32x8_gather(depth->texels, i32x8_load(texel));
     const unsigned passed = i32x8_sign_bits(i32x8_from_bits(bits) & rule_passes(rule, z, stored, open));
     float lanes[8];
     f32x8_store(lanes, z);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A block of 8×8 pixels whose fragments are to be shaded, as the paths of triangles hand it on.
+// The paths of triangles hand a block of 8×8 pixels on, whose fragments are to be shaded.
 #ifndef RHW_BLOCK_H
 #define RHW_BLOCK_H
 
@@ -7,18 +7,18 @@
 
 // The samples of a block that a triangle covers, and where in its pixels their fragments take their values.
 struct block_samples {
-    const uint64_t *mask;            // by sample
-    const f32x8 (*depth)[RHW_BLOCK]; // the depths of its rows, by sample, where depth is tested late
+    const uint64_t *mask;            // covered pixels of each sample
+    const f32x8 (*depth)[RHW_BLOCK]; // depths of the rows of each sample, where depth is tested late
     int only;                        // the one sample that the fragments stand for; −1: all in `mask`
-    float position[2];               // where `only` lies in its pixel
+    float position[2];               // place of `only` in its pixel
 };
 
 // A block of the tile, and the fragments of a triangle in it.
 struct block {
     int x, y; // pixels of the tile
     struct anchor_offset at;
-    const f32x8 *z;                      // the depths of its rows, where depth is kept
-    bool leaves_triangle;                // some weights may be below 0: see plane_clipped.h
+    const f32x8 *z;                      // depths of the block's rows, where depth is kept
+    bool leaves_triangle;                // true if some weights may be below 0: see plane_clipped.h
     const struct block_samples *samples; // NULL where pixels have one sample
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a fragment function receives beside varyings: facing, ids, coordinates and barycentric weights.
+// A fragment function receives facing, ids, coordinates and barycentric weights beside varyings.
 #ifndef RHW_BUILTIN_H
 #define RHW_BUILTIN_H
 
@@ -8,7 +8,7 @@
 #include "kernels/triangle_work.h"
 
 struct identity {
-    int32_t front_facing, primitive, instance, draw; // as struct rhw_fragment has them
+    int32_t front_facing, primitive, instance, draw; // members of struct rhw_fragment
 };
 
 static inline struct identity identity_of(const struct triangle_work *triangle)
@@ -21,7 +21,7 @@ static inline struct identity identity_of(const struct triangle_work *triangle)
                              .draw = (int32_t)draw->index};
 }
 
-// Sets what all fragments of a triangle share.
+// Set what all fragments of a triangle share.
 RHW_INLINE void fill_identity(struct rhw_fragment *group, uint32_t uses, const struct triangle_work *triangle)
 {
     const struct identity identity = identity_of(triangle);
@@ -35,7 +35,7 @@ RHW_INLINE void fill_identity(struct rhw_fragment *group, uint32_t uses, const s
     }
 }
 
-// Sets the coordinates of 8 texels of the tile, at a position in their pixels, whose depth the group has.
+// Set the coordinates of 8 texels of the tile, at a position in their pixels. The group has their depth already.
 static void fill_coordinates(const struct tile_work *work, struct rhw_fragment *group, i32x8 texels,
                              const float position[2], f64x8 inverse_w)
 {
@@ -46,15 +46,15 @@ static void fill_coordinates(const struct tile_work *work, struct rhw_fragment *
     group->coord[3] = f32x8_from_f64x8(inverse_w);
 }
 
-// A point is half of the triangle that stands for it, each way (geometry/point_setup.h): its coordinates are twice the
-// weights on the screen of vertices 1 and 2.
+// Set the coordinates in a point. A point is half of the triangle that stands for it, each way
+// (geometry/point_setup.h): its coordinates are twice the weights on the screen of vertices 1 and 2.
 static void fill_point_coord(struct rhw_fragment *group, f32x8 s, f32x8 t)
 {
     group->point_coord[0] = s + s;
     group->point_coord[1] = t + t;
 }
 
-// Sets what tells of samples where a pixel has one.
+// Set what a fragment function is told of samples if a pixel has one.
 static void fill_one_sample(struct rhw_fragment *group)
 {
     group->sample_mask = i32x8_splat(1);
@@ -62,7 +62,7 @@ static void fill_one_sample(struct rhw_fragment *group)
     group->sample_position[0] = group->sample_position[1] = f32x8_splat((float)sample_offset());
 }
 
-// Sets the weights of three vertices, of which two are known; `sum` is 1, and 0 for their derivatives.
+// Set the weights of three vertices, of which two are known. `sum` is 1 for weights, and 0 for their derivatives.
 static void fill_barycentrics(f32x8 out[3], float sum, f32x8 b, f32x8 c)
 {
     out[0] = (f32x8_splat(sum) - b) - c;

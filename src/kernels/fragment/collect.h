@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What of a triangle is seen becomes groups. A block that is seen all over is 8 groups as it stands (row_groups.h). The
+// What is seen of a triangle becomes groups. A block that is seen all over is 8 groups as it stands (row_groups.h). The
 // fragments of other blocks are collected: they are listed, and once the triangle is done, or the list full, every 8 of
 // them make a group, wherever in the tile they lie. The last 6 or 7 are a group with lanes that are not live; fewer are
-// packed with those of other triangles (pack.h).
-// Where groups must be rows (RHW_SHADING_ROWS, slivers, blocks that leave their triangle), a block has one for every
-// row. Every number is made by the same operations on each path.
+// packed with fragments of other triangles (pack.h). If groups must be rows (RHW_SHADING_ROWS, slivers, blocks that
+// leave their triangle), a block has a group for every row. Every number is made by the same operations on each path.
 #ifndef RHW_COLLECT_H
 #define RHW_COLLECT_H
 
@@ -12,18 +11,21 @@
 #include "block.h"
 #include "partial_group.h"
 
-// Pixels of a row, at least and in the mean of a block, for which a group is a row rather than 8 collected fragments.
+// A group is a row, rather than 8 collected fragments, from this number of pixels on: in the row, or in the mean of a
+// block's rows.
 enum { ROW_PIXELS = 4 };
 
-// Fragments of a triangle, at least, that are a group rather than packed with those of others: packing one costs as
-// much as a third of a cheap group, and of a textured one less. With this, particles take 3 % fewer instructions.
+// Return the least number of a triangle's fragments that become a group rather than being packed with fragments of
+// other triangles. Packing one costs as much as a third of a cheap group, and less of a textured group. With this,
+// particles take 3 % fewer instructions.
 RHW_INLINE int least_of_group(const struct tile_work *work)
 {
     enum { CHEAP = 6, TEXTURED = 7 };
     return work->pipeline->any_derivatives ? TEXTURED : CHEAP;
 }
 
-// Lets go of all collected fragments of a triangle, which is done. Many have none: those are spared the call.
+// Make groups of all collected fragments of a triangle, which is done. Many triangles have none: they are spared the
+// call.
 RHW_INLINE void finish_collected(struct tile_work *work, struct triangle_work *triangle)
 {
     if (work->scratch->collected.count != 0) {
@@ -31,7 +33,7 @@ RHW_INLINE void finish_collected(struct tile_work *work, struct triangle_work *t
     }
 }
 
-// Whether collected fragments lie where others wait.
+// Return true if collected fragments lie where others wait.
 static bool collected_wait(const struct tile_work *work)
 {
     const struct collected_fragments *const collected = &work->scratch->collected;
@@ -43,7 +45,7 @@ static bool collected_wait(const struct tile_work *work)
     return waiting & 1;
 }
 
-// Fragments are collected where others wait: those go first, unless all may share a group.
+// Fragments are collected where others wait. Let the waiting ones go first, unless all may share a group.
 RHW_INLINE void overtake(struct tile_work *work)
 {
     if (work->orders_lanes) {
@@ -53,7 +55,7 @@ RHW_INLINE void overtake(struct tile_work *work)
     }
 }
 
-// Collects the fragments of the first `rows` rows at (x, y) whose bits are set in `mask`.
+// Collect the fragments of the first `rows` rows at (x, y) whose bits are set in `mask`.
 RHW_INLINE void collect_fragments(struct tile_work *work, struct triangle_work *triangle, int x, int y,
                                   int rows, uint64_t mask)
 {
@@ -65,8 +67,9 @@ RHW_INLINE void collect_fragments(struct tile_work *work, struct triangle_work *
         RHW_ISA_NAME(rhw_make_room)(work, triangle);
     }
     int count = collected->count;
-    i32x8 first = i32x8_splat(y * RHW_TILE + x); // the row's first texel
-    // Empty rows too: which are, a processor cannot predict, and a wrong guess costs more than a row.
+    i32x8 first = i32x8_splat(y * RHW_TILE + x); // first texel of the row
+    // Empty rows are looked at too: a processor cannot predict which rows are empty, and a wrong guess costs more than
+    // a row.
     for (int row = 0; row < rows; row++) {
         const unsigned bits = (unsigned)(mask >> (8 * row)) & 0xff;
         i32x8_store(&collected->texel[count], first + i32x8_load_bytes(collected->set_lanes[bits]));
@@ -76,13 +79,15 @@ RHW_INLINE void collect_fragments(struct tile_work *work, struct triangle_work *
     collected->count = count;
 }
 
-// Collects the fragments of the block at (x, y) that cover a sample; mask: by sample, `any` of all of them.
+// Collect the fragments of the block at (x, y) that cover a sample. `mask` has a mask for each sample, and `any` is the
+// union of them.
 static void collect_samples(struct tile_work *work, struct triangle_work *triangle, int x, int y,
                             const uint64_t mask[RHW_MAX_SAMPLES], uint64_t any)
 {
     struct collected_fragments *const collected = &work->scratch->collected;
     if (fragments_wait(work, x, y, any)) {
-        collected->overtakes = true; // unless they wait there too
+        // Groups of the collected fragments would overtake those that wait, unless the collected ones come to wait too.
+        collected->overtakes = true;
     }
     if (collected->count > RHW_COLLECTED_FRAGMENTS - RHW_BLOCK * RHW_BLOCK) {
         RHW_ISA_NAME(rhw_make_room)(work, triangle);
@@ -105,21 +110,22 @@ static void collect_samples(struct tile_work *work, struct triangle_work *triang
     collected->count = count;
 }
 
-// Whether the fragments of a block that are set in `mask`, with inputs of any kind, are collected rather than shaded
-// row by row: such a group from anywhere costs as much as a row and a half, and more the more targets it is blended
-// into. Homogeneous noperspective values are made in double (interpolate.h), which packing does not.
+// Return true if the fragments of a block that are set in `mask`, with inputs of any kind, are collected rather than
+// shaded row by row. A group of such fragments from anywhere costs as much as a row and a half, and more the more
+// targets it is blended into. Homogeneous noperspective values are made in double (interpolate.h); packing makes none
+// in double.
 static inline bool scatters_any(const struct tile_work *work, const struct triangle_work *triangle,
                                 uint64_t mask)
 {
     const bool is_double = triangle->planes.is_homogeneous && work->pipeline->any_noperspective;
-    uint64_t rows = mask | mask >> 4; // bit 8·row: some pixel of the row
+    uint64_t rows = mask | mask >> 4; // at bit 8·row: some pixel of the row
     rows |= rows >> 2;
     rows = (rows | rows >> 1) & 0x0101010101010101u;
     return work->plan.shading == RHW_SHADING_ANY && !is_double &&
            __builtin_popcountll(mask) < ROW_PIXELS * __builtin_popcountll(rows);
 }
 
-// Whether those fragments are collected at all.
+// Return true if the fragments of a block that are set in `mask` can be collected.
 RHW_INLINE bool can_scatter(const struct tile_work *work, const struct triangle_work *triangle,
                             const struct block *block, uint64_t mask)
 {
@@ -127,7 +133,7 @@ RHW_INLINE bool can_scatter(const struct tile_work *work, const struct triangle_
            (work->plan.shading == RHW_SHADING_SMOOTH || scatters_any(work, triangle, mask));
 }
 
-// Sends the fragments of a block whose bits are set in `mask` on the path that is theirs.
+// Collect the fragments of a block whose bits are set in `mask`, or queue them as rows.
 RHW_INLINE void collect_block(struct tile_work *work, struct triangle_work *triangle,
                               const struct block *block, uint64_t mask)
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What constant_color.h leaves to a file that blends anyhow: to shade the constant colour of a draw, and to blend it
-// in other ways than to replace texels of 4 bytes.
+// Some work of constant_color.h is left to a file that blends anyhow: it shades the constant colour of a draw, and
+// blends it in other ways than to replace texels of 4 bytes.
 #ifndef RHW_CONSTANT_BLEND_H
 #define RHW_CONSTANT_BLEND_H
 
 #include "queue.h"
 
-// Blends a group out of line: the code is large, and few groups come here.
+// Blend a group out of line: the code is large, and few groups come here.
 static __attribute__((noinline)) void blend_group_apart(const struct rhw_blend_state *state,
                                                         const f32x8 color[4], const i32x8 *mask,
                                                         unsigned char *texels)
@@ -14,7 +14,7 @@ static __attribute__((noinline)) void blend_group_apart(const struct rhw_blend_s
     blend_group(state, color, *mask, texels);
 }
 
-// Shades the draw's constant colour.
+// Shade the draw's constant colour.
 void RHW_ISA_NAME(rhw_prepare_constant)(struct tile_work *work)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
@@ -34,7 +34,8 @@ void RHW_ISA_NAME(rhw_prepare_constant)(struct tile_work *work)
     work->constant_is_ready = true;
 }
 
-// Blends the colour into the pixels of a block that are set in `mask`. `texels`: the first of the block in target t.
+// Blend the colour into the pixels of a block that are set in `mask`. `texels` is the first texel of the block in
+// target t.
 void RHW_ISA_NAME(rhw_blend_constant_block)(const struct tile_work *work, int t, unsigned char *texels,
                                             uint64_t mask)
 {
@@ -46,7 +47,7 @@ void RHW_ISA_NAME(rhw_blend_constant_block)(const struct tile_work *work, int t,
     }
 }
 
-// Blends the pixels of a block whose samples are woven, by samples.
+// Blend by samples the pixels of a block whose samples are woven.
 void RHW_ISA_NAME(rhw_blend_constant_woven)(struct tile_work *work, int x, int y,
                                             const uint64_t mask[RHW_MAX_SAMPLES])
 {

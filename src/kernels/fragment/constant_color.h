@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Draws whose fragment function receives nothing that differs between fragments: no varyings, no builtins. It is a
-// function of its inputs alone, so one call tells the colour of all, and the tile takes it at the speed of its memory.
+// The fragment function of some draws receives nothing that differs between fragments: no varyings, no builtins. It is
+// a function of its inputs alone, so one call tells the colour of all, and the tile takes it at the speed of its
+// memory.
 #ifndef RHW_CONSTANT_COLOR_H
 #define RHW_CONSTANT_COLOR_H
 
@@ -8,11 +9,12 @@
 #include "blend.h"
 #include "expand.h"
 
-// Puts a texel of 4 bytes into the pixels of a block that are set in `mask`.
+// Put a texel of 4 bytes into the pixels of a block that are set in `mask`.
 RHW_INLINE void replace_block(unsigned char *texels, i32x8 texel, uint64_t mask)
 {
     const size_t stride = RHW_TILE * sizeof(int32_t);
-    if (mask == ~(uint64_t)0) { // most are, where a draw is large
+    // If a draw is large, most of its blocks are covered all over.
+    if (mask == ~(uint64_t)0) {
         for (int row = 0; row < RHW_BLOCK; row++) {
             i32x8_store(texels + (size_t)row * stride, texel);
         }
@@ -24,7 +26,7 @@ RHW_INLINE void replace_block(unsigned char *texels, i32x8 texel, uint64_t mask)
     }
 }
 
-// Blends the pixels of the block at (x, y) whose bits are set in `mask`, in one sample.
+// Blend the pixels of the block at (x, y) whose bits are set in `mask`, in one sample.
 RHW_INLINE void blend_constant_sample(struct tile_work *work, int sample, int x, int y, uint64_t mask)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
@@ -43,13 +45,13 @@ RHW_INLINE void blend_constant_sample(struct tile_work *work, int sample, int x,
     }
 }
 
-// Blends the pixels of the block at (x, y) whose bits are set in `mask`, where a pixel has one sample.
+// Blend the pixels of the block at (x, y) whose bits are set in `mask`, where a pixel has one sample.
 static void blend_constant(struct tile_work *work, int x, int y, uint64_t mask)
 {
     blend_constant_sample(work, 0, x, y, mask);
 }
 
-// Blends the samples in `mask` of the block at (x, y), multiples of 8.
+// Blend the samples in `mask` of the block at (x, y). x and y are multiples of 8.
 static __attribute__((noinline)) void blend_constant_samples(struct tile_work *work, int x, int y,
                                                              const uint64_t mask[RHW_MAX_SAMPLES])
 {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Derivatives per pixel of what is interpolated in space: d(q/S)/dx = (q_x·S − q·S_x)/S² and d(q/S)/dy. The numerators
-// are linear; the one does not depend on x, the other not on y; so nothing cancels per pixel:
+// Derivatives per pixel of what is interpolated in space are d(q/S)/dx = (q_x·S − q·S_x)/S² and d(q/S)/dy. The
+// numerators are linear; the first does not depend on x, and the second not on y; so nothing cancels per pixel:
 //
 //     derivative = (at + step·Δ) · (1/S)²,     Δ: pixels from the anchor, down for d/dx and to the right for d/dy,
 //
-// in double, rounded once. Numerators of two quantities stand side by side (struct derivative_pair).
+// All of it is computed in double and rounded once. Numerators of two quantities stand side by side (struct
+// derivative_pair).
 #ifndef RHW_DERIVATIVE_H
 #define RHW_DERIVATIVE_H
 
@@ -12,9 +13,9 @@
 #include "kernels/tile_work.h"
 #include "kernels/triangle_work.h"
 
-enum derivatives { NO_DERIVATIVES, DERIVATIVES }; // a constant where a call names it
+enum derivatives { NO_DERIVATIVES, DERIVATIVES }; // constant where a call names it
 
-// This is the formula, for 8 pixels and for a pair at one.
+// Return the numerator of a derivative at 8 pixels: at + step·Δ.
 RHW_INLINE f64x8 numerator8(double at, double step, f64x8 distance)
 {
     return f64x8_add(f64x8_splat(at), f64x8_mul(f64x8_splat(step), distance));
@@ -30,9 +31,10 @@ RHW_INLINE f32x8 derivative_of(f64x8 numerator, f64x8 squared)
     return f32x8_from_f64x8(f64x8_mul(numerator, squared));
 }
 
-// Sets the derivatives of b and c, which planes_homogeneous sets itself. With T = e_0·w_0 + e_1·w_1 + e_2·w_2,
-// d(e_1·w_1/T)/dx = w_1·(Σ w_i·(a_1·e_i − a_i·e_1))/T²; a_1·e_0 − a_0·e_1 is 0 at vertex 2, does not depend on x, and
-// changes by the area with y, and so on around the triangle: what is left are heights over vertices, which are exact.
+// Set the derivatives of b and c, unless planes_homogeneous has set them. With T = e_0·w_0 + e_1·w_1 + e_2·w_2,
+// d(e_1·w_1/T)/dx = w_1·(Σ w_i·(a_1·e_i − a_i·e_1))/T². Here a_1·e_0 − a_0·e_1 is 0 at vertex 2, does not depend on x,
+// and changes by the area with y, and so on around the triangle: what is left are heights over vertices, which are
+// exact.
 static void weight_derivatives(struct planes *p, const struct rhw_triangle *t,
                                const struct rhw_vertex_record *const v[3])
 {
@@ -41,17 +43,17 @@ static void weight_derivatives(struct planes *p, const struct rhw_triangle *t,
     }
     const f64x4 w = f64x4_splat(1) / (f64x4){(double)v[0]->position[3], (double)v[1]->position[3],
                                              (double)v[2]->position[3], 1};
-    const i32x4 x = i32x4_load(t->x_24_8), y = i32x4_load(t->y_24_8); // the fourth of each is another member
+    const i32x4 x = i32x4_load(t->x_24_8), y = i32x4_load(t->y_24_8); // fourth lane of each: another member
     const int32_t anchor_x = (int32_t)sample_of_pixel(p->anchor_x),
                   anchor_y = (int32_t)sample_of_pixel(p->anchor_y);
     const i32x4 anchor = {anchor_y, anchor_x, anchor_y, anchor_x};
-    // Heights over one of the other two vertices, and over the other.
+    // The heights over one of the other two vertices, and over the other.
     const f64x4 one = f64x4_from_i32x4(anchor - __builtin_shufflevector(x, y, 4, 2, 5, 0));
     const f64x4 other = f64x4_from_i32x4(anchor - __builtin_shufflevector(x, y, 6, 0, 4, 1));
     const f64x4 side = f64x4_from_i32x4(__builtin_shufflevector(x, y, 1, 2, 5, 6) -
                                         __builtin_shufflevector(x, y, 0, 0, 4, 4));
-    const double factor = side[0] * side[3] < side[1] * side[2] ? -p->inverse_area
-                                                                : p->inverse_area; // one over the signed area
+    // The factor is one over the signed area.
+    const double factor = side[0] * side[3] < side[1] * side[2] ? -p->inverse_area : p->inverse_area;
     const f64x4 self = __builtin_shufflevector(w, w, 1, 1, 2, 2),
                 first = __builtin_shufflevector(w, w, 2, 0, 0, 1),
                 second = __builtin_shufflevector(w, w, 0, 2, 1, 0);
@@ -60,8 +62,8 @@ static void weight_derivatives(struct planes *p, const struct rhw_triangle *t,
     p->weights.step = f * (first - second) * f64x4_splat(RHW_SUBPIXEL);
 }
 
-// Sets the derivatives of smooth components, by the pairs of the pipeline, from those of b and c: a component is
-// I_0 + b·(I_1 − I_0) + c·(I_2 − I_0).
+// Make the derivatives of smooth components from those of b and c, by the pairs of the pipeline: a component is I_0 +
+// b·(I_1 − I_0) + c·(I_2 − I_0).
 static void component_derivatives(struct derivative_pair *out, struct triangle_work *triangle,
                                   const struct rhw_pipeline_data *pipeline)
 {
@@ -85,7 +87,8 @@ static void component_derivatives(struct derivative_pair *out, struct triangle_w
     }
 }
 
-// Sets those of the first (`which` 0) or the second quantity, at 8 pixels that are (dx, dy) from the anchor.
+// Set the derivatives of the first quantity (`which` is 0) or the second of a pair, at 8 pixels that are `at` from the
+// anchor.
 RHW_INLINE void pair_derivatives(const struct derivative_pair *pair, int which,
                                  const struct anchor_offset *at, f64x8 squared, f32x8 *by_x, f32x8 *by_y)
 {
@@ -94,7 +97,7 @@ RHW_INLINE void pair_derivatives(const struct derivative_pair *pair, int which,
     *by_y = derivative_of(numerator8(pair->at[y], pair->step[y], at->dx), squared);
 }
 
-// Sets those of the smooth components of group g, whose pixels are `at`.
+// Set the derivatives of the smooth components of group g, whose pixels are `at`.
 RHW_INLINE void smooth_derivatives(struct fragment_queue *queue, int g,
                                    const struct rhw_pipeline_data *pipeline,
                                    const struct derivative_pair *pairs, const struct anchor_offset *at,
@@ -110,7 +113,7 @@ RHW_INLINE void smooth_derivatives(struct fragment_queue *queue, int g,
     }
 }
 
-// What is interpolated on the screen changes alike everywhere.
+// The derivative of a component that is interpolated on the screen. It is constant over the triangle.
 struct screen_derivative {
     float by_x, by_y;
 };
@@ -123,7 +126,7 @@ static inline struct screen_derivative screen_derivative(const struct plane *n1,
     return (struct screen_derivative){(float)(n1->dx * d1 + n2->dx * d2), (float)(n1->dy * d1 + n2->dy * d2)};
 }
 
-// Sets those of the other components of group g.
+// Set the derivatives of the components of group g that are not smooth.
 static void constant_derivatives(struct fragment_queue *queue, int g,
                                  const struct rhw_pipeline_data *pipeline,
                                  const struct triangle_work *triangle)

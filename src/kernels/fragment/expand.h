@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The colours of a multisampled tile. Where all samples of a block of 8×8 pixels agree they are stored once, in the
-// plane of the first sample. A fragment that covers a pixel in part expands the block: from then on each sample has
-// its own, in a plane of the sample or woven.
+// The colours of a multisampled tile are stored once for a block of 8×8 pixels if all its samples agree: in the tile of
+// the first sample. A fragment that covers a pixel in part expands the block: from then on each sample has colours of
+// its own, in a tile of the sample or woven.
 #ifndef RHW_EXPAND_H
 #define RHW_EXPAND_H
 
 #include "kernels/tile_work.h"
 
-// The block of a texel of the tile.
+// Return the block of a texel of the tile.
 RHW_INLINE int block_of_texel(int texel)
 {
     const unsigned at = (unsigned)texel;
     return (int)(at / RHW_TILE / RHW_BLOCK * HIZ_BLOCKS + at % RHW_TILE / RHW_BLOCK);
 }
 
-// The lanes whose texels lie in blocks that are expanded.
+// Return the lanes whose texels lie in blocks that are expanded.
 RHW_INLINE unsigned expanded_texels(uint64_t expanded, const int32_t texel[8])
 {
     const i32x8 at = i32x8_load(texel);
@@ -26,7 +26,7 @@ RHW_INLINE unsigned expanded_texels(uint64_t expanded, const int32_t texel[8])
     return i32x8_sign_bits((i32x8)((u32x8)word << (u32x8)(i32x8_splat(31) - (block & i32x8_splat(31)))));
 }
 
-// Rows of a block are short, and most of them whole vectors.
+// Copy a row of a block. Rows are short, and most of them whole vectors.
 RHW_INLINE void copy_texels(unsigned char *to, const unsigned char *from, size_t bytes)
 {
     if (bytes % 32 != 0) {
@@ -38,7 +38,7 @@ RHW_INLINE void copy_texels(unsigned char *to, const unsigned char *from, size_t
     }
 }
 
-// Gives all samples of a pixel the texel that the first has.
+// Set all samples of a pixel to the texel that the first sample has.
 RHW_INLINE void weave_pixel(struct rhw_tile_scratch *scratch, int target, int texel)
 {
     int32_t word;

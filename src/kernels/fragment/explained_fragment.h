@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the general path leaves for the history of a sample (rhw/explain.h) where it passes by: coverage, depth,
+// The general path leaves numbers for the history of a sample (rhw/explain.h) where it passes by: coverage, depth,
 // weights, varyings, outputs. work->explained is NULL but in the tile of that sample; groups are rows there.
 #ifndef RHW_EXPLAINED_FRAGMENT_H
 #define RHW_EXPLAINED_FRAGMENT_H
@@ -7,7 +7,7 @@
 #include "draw/explained.h"
 #include "kernels/tile_work.h"
 
-// Whether the pixel lies in the block at (x, y) of the tile, and which bit it has there.
+// Return true if the pixel lies in the block at (x, y) of the tile, and set which bit it has there.
 RHW_INLINE bool explained_bit(const struct tile_work *work, int x, int y, int *bit)
 {
     const int column = work->explained->x - x, row = work->explained->y - y;
@@ -15,7 +15,7 @@ RHW_INLINE bool explained_bit(const struct tile_work *work, int x, int y, int *b
     return column >= 0 && column < RHW_BLOCK && row >= 0 && row < RHW_BLOCK;
 }
 
-// Before the tests of a block: of sample `sample` those in `mask` are covered, at the depths `z`.
+// Record, before the tests of a block, that its pixels in `mask` are covered in sample `sample`, at the depths `z`.
 static __attribute__((noinline)) void explain_covered(const struct tile_work *work, int x, int y, int sample,
                                                       uint64_t mask, const f32x8 z[RHW_BLOCK])
 {
@@ -30,7 +30,7 @@ static __attribute__((noinline)) void explain_covered(const struct tile_work *wo
     }
 }
 
-// After them: those in `mask` have passed.
+// Record, after the tests of a block, that its pixels in `mask` have passed in sample `sample`.
 static __attribute__((noinline)) void explain_passed(const struct tile_work *work, int x, int y, int sample,
                                                      uint64_t mask)
 {
@@ -40,7 +40,8 @@ static __attribute__((noinline)) void explain_passed(const struct tile_work *wor
     }
 }
 
-// The lane of a group, which is a row from a texel of the tile on, that stands for the sample; −1: none.
+// Return the lane that stands for the sample in a group, which is a row from a texel of the tile on. Return −1 if no
+// lane does.
 static int explained_lane(const struct tile_work *work, int first_texel, unsigned live)
 {
     const struct rhw_explained *const e = work->explained;
@@ -49,7 +50,8 @@ static int explained_lane(const struct tile_work *work, int first_texel, unsigne
     return is_here && e->fragment.covered >> e->ask.sample & 1 ? lane : -1;
 }
 
-// The weights of a row of a block, whose pixels are those of sample `only` (−1: they stand for all).
+// Record the weights of a row of a block. Its fragments stand for sample `only`; if this is −1, they stand for all
+// samples.
 static __attribute__((noinline)) void explain_weights(const struct tile_work *work, int first_texel,
                                                       unsigned live, int only, const float position[2],
                                                       const struct weights *weights,
@@ -76,7 +78,7 @@ static __attribute__((noinline)) void explain_weights(const struct tile_work *wo
     f->weights[0] = 1.0f - f->weights[1] - f->weights[2];
 }
 
-// After the fragment function: what it got, and what it returned.
+// Record, after the fragment function, what it got and what it returned.
 static __attribute__((noinline)) void explain_shaded(const struct tile_work *work)
 {
     struct rhw_explained *const e = work->explained;
@@ -102,7 +104,8 @@ static __attribute__((noinline)) void explain_shaded(const struct tile_work *wor
     }
 }
 
-// Discarding and masks have left `after` of the lanes of group g whose fragment covered the sample, those of `before`.
+// Record whether discarding and masks took the sample. Before them the fragments of group g cover the sample in the
+// lanes `before`, and after them in the lanes `after`.
 static __attribute__((noinline)) void explain_masked(const struct tile_work *work, int g, unsigned before,
                                                      unsigned after)
 {
@@ -111,7 +114,7 @@ static __attribute__((noinline)) void explain_masked(const struct tile_work *wor
     }
 }
 
-// Group g is about to be blended: `samples` of its lanes are left, or the lanes of `live`, of one sample.
+// Record that group g is about to be blended in the lanes `live` of the sample.
 static __attribute__((noinline)) void explain_written(const struct tile_work *work, int g, unsigned live)
 {
     if (explained_lane(work, work->scratch->queue.row_at[g], live) >= 0) {

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Varyings of a fragment: I = I_0 − (b·(I_0 − I_1) + c·(I_0 − I_2)), in float, with the weights of raster/plane.h.
-// Where the three vertices agree both differences are 0, and the constant survives bit for bit, −0 included.
+// Varyings of a fragment are I = I_0 − (b·(I_0 − I_1) + c·(I_0 − I_2)), in float, with the weights of raster/plane.h.
+// If the three vertices agree, both differences are 0, and the constant survives bit for bit, −0 included.
 #ifndef RHW_INTERPOLATE_H
 #define RHW_INTERPOLATE_H
 
 #include "kernels/tile_work.h"
 #include "kernels/triangle_work.h"
 
-// This is the one formula. d1 and d2 are I_0 − I_1 and I_0 − I_2.
+// Return a varying by the one formula. d1 and d2 are I_0 − I_1 and I_0 − I_2.
 RHW_INLINE f32x8 interpolate(f32x8 i0, f32x8 d1, f32x8 d2, f32x8 b, f32x8 c)
 {
     return i0 - (b * d1 + c * d2);
 }
 
-// Which of the three vertices flat varyings come from.
+// Return the vertex, of three, that flat varyings come from.
 static inline int provoking_vertex(const struct rhw_pipeline_data *pipeline)
 {
     return pipeline->def.provoking == RHW_PROVOKING_FIRST ? 0 : 2;
@@ -24,7 +24,8 @@ static void set_values(struct triangle_work *triangle, const struct rhw_pipeline
     const float *const a = triangle->v[0]->varyings, *const b = triangle->v[1]->varyings,
                        *const c = triangle->v[2]->varyings;
     triangle->provoking = triangle->v[provoking_vertex(pipeline)]->varyings;
-    for (int i = 0; i < pipeline->varying_components; i += 8) { // vertex records are padded to whole vectors
+    // Vertex records are padded to whole vectors.
+    for (int i = 0; i < pipeline->varying_components; i += 8) {
         const f32x8 i0 = f32x8_load(a + i);
         f32x8_store(&triangle->i0[i], i0);
         f32x8_store(&triangle->d1[i], i0 - f32x8_load(b + i));
@@ -43,7 +44,7 @@ struct group_weights {
     f32x8 b[RHW_BLOCK], c[RHW_BLOCK];
 };
 
-// Sets the flat varyings of `count` groups, those of the first at `varyings`.
+// Set the flat varyings of `count` groups. `varyings` are those of the first group.
 RHW_INLINE void set_flat_groups(f32x8 *varyings, const struct rhw_pipeline_data *pipeline,
                                 const struct triangle_work *triangle, int count)
 {
@@ -56,7 +57,7 @@ RHW_INLINE void set_flat_groups(f32x8 *varyings, const struct rhw_pipeline_data 
     }
 }
 
-// Sets a run of components as smooth ones; what in it is flat is set afterwards.
+// Set a run of components as smooth ones. Flat components in the run are set afterwards.
 RHW_INLINE void interpolate_groups(f32x8 *varyings, ptrdiff_t components, struct rhw_component_run run,
                                    const struct triangle_work *triangle, const struct group_weights *weights,
                                    int count)
@@ -71,7 +72,7 @@ RHW_INLINE void interpolate_groups(f32x8 *varyings, ptrdiff_t components, struct
     }
 }
 
-// Sets varyings of any qualifier; `screen` has the weights on the screen, where they are wanted.
+// Set varyings of any qualifier. `screen` has the weights on the screen, if they are wanted.
 RHW_INLINE void interpolate_any_groups(f32x8 *varyings, const struct rhw_pipeline_data *pipeline,
                                        const struct triangle_work *triangle,
                                        const struct group_weights *weights,
@@ -91,9 +92,9 @@ RHW_INLINE void interpolate_any_groups(f32x8 *varyings, const struct rhw_pipelin
     set_flat_groups(varyings, pipeline, triangle, count);
 }
 
-// Noperspective varyings of a triangle with a vertex that is not snapped. Weights on the screen may have any size and
-// either sign there, and what float loses while they cancel would pass the bound: in double, rounded once. The added 0
-// keeps a constant −0, whose differences times negative weights are −0.
+// Set noperspective varyings of a triangle with a vertex that is not snapped. Weights on the screen may have any size
+// and either sign there, and what float loses while they cancel would pass the bound: the values are computed in double
+// and rounded once. The added 0 keeps a constant −0, whose differences times negative weights are −0.
 static __attribute__((noinline)) void interpolate_homogeneous(f32x8 *varyings,
                                                               const struct rhw_pipeline_data *pipeline,
                                                               const struct triangle_work *triangle,
@@ -111,7 +112,7 @@ static __attribute__((noinline)) void interpolate_homogeneous(f32x8 *varyings,
     }
 }
 
-// Sets varyings of any qualifier.
+// Set varyings of any qualifier.
 static void interpolate_any(f32x8 *varyings, const struct rhw_pipeline_data *pipeline,
                             const struct triangle_work *triangle, const struct weights *weights,
                             const struct screen_weights *screen)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The partial group: single fragments of several triangles, the few of each that its own groups leave over. They wait
-// until 8 make a group, which is then packed: a fragment is evaluated as one vector over quantities and one over
-// components, then 8 of them are turned into lanes. Only fragments that wait here can be overtaken by later ones of
-// the same pixel. Those that replace what is there may share a group with them, as the last lane is stored last;
-// others close it first, but for those that have no sample in common.
+// The partial group has single fragments of several triangles: the few of each triangle that its own groups leave over.
+// They wait until 8 make a group, which is then packed: a fragment is evaluated as one vector over quantities and one
+// over components, then 8 of them are turned into lanes. Only fragments that wait here can be overtaken by later ones
+// of the same pixel. Fragments that replace what is there may share a group with waiting ones, as the last lane is
+// stored last. Other fragments close the group first, unless they have no sample in common with those that wait.
 #ifndef RHW_PACK_H
 #define RHW_PACK_H
 
@@ -13,7 +13,7 @@
 #include "interpolate.h"
 #include "partial_group.h"
 
-// Turns 8 vectors over four quantities into four over the lanes.
+// Turn 8 vectors over four quantities into four over the lanes.
 RHW_INLINE void quantity_lanes(const f64x4 value[8], f64x8 out[4])
 {
     f64x4 low[4] = {value[0], value[1], value[2], value[3]},
@@ -43,7 +43,7 @@ struct packed_weights {
     const float *b, *c, *s, *t;
 };
 
-// Gives components i .. i + 7 of the 8 fragments, a vector for each. A vertex record is padded to whole vectors.
+// Set components i .. i + 7 of the 8 fragments, a vector for each. A vertex record is padded to whole vectors.
 RHW_INLINE void pack_smooth(const struct packed_triangle *const triangle[8], int i,
                             const struct packed_weights *w, f32x8 out[8])
 {
@@ -55,7 +55,7 @@ RHW_INLINE void pack_smooth(const struct packed_triangle *const triangle[8], int
     f32x8_transpose(out);
 }
 
-// Gives components i .. i + 7 of the 8 fragments, whatever their qualifiers are.
+// Set components i .. i + 7 of the 8 fragments, whatever their qualifiers are.
 RHW_INLINE void pack_qualified(const struct packed_triangle *const triangle[8], int i,
                                const struct packed_weights *w, const struct rhw_pipeline_data *pipeline,
                                f32x8 out[8])
@@ -81,7 +81,7 @@ RHW_INLINE void pack_flat(const struct packed_triangle *const triangle[8], int i
     f32x8_transpose(out);
 }
 
-// Sets all components of group g.
+// Set all components of group g.
 static void pack_varyings(struct tile_work *work, int g, const struct packed_weights *weights)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
@@ -129,7 +129,7 @@ static void pack_derivatives(struct tile_work *work, int g, f64x8 inverse_s)
     }
 }
 
-// Sets derivatives of components that are not smooth: they are the same all over a triangle.
+// Set derivatives of components that are not smooth: they are constant over a triangle.
 static void pack_constant_derivatives(struct tile_work *work, int g)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
@@ -157,7 +157,7 @@ static void pack_barycentric_derivatives(struct tile_work *work, struct rhw_frag
     for (int lane = 0; lane < 8; lane++) {
         value[lane] = numerators(&partial->triangle[lane]->weights, partial->distance[lane]);
     }
-    f64x8 lanes[4]; // b by x and by y, c by x and by y
+    f64x8 lanes[4]; // lanes of b by x and by y, c by x and by y
     quantity_lanes(value, lanes);
     fill_barycentrics(group->barycentric_ddx, 0, derivative_of(lanes[0], squared),
                       derivative_of(lanes[2], squared));
@@ -165,13 +165,13 @@ static void pack_barycentric_derivatives(struct tile_work *work, struct rhw_frag
                       derivative_of(lanes[3], squared));
 }
 
-// Sets what groups of RHW_SHADING_ANY have beside smooth varyings and their derivatives.
+// Set what groups of RHW_SHADING_ANY have beside smooth varyings and their derivatives.
 static __attribute__((noinline)) void pack_any(struct tile_work *work, int g, const struct weights *weights,
                                                const struct packed_weights *in_space)
 {
     const uint32_t uses = work->pipeline->def.program.uses;
     struct rhw_fragment *const group = &work->scratch->queue.groups[g];
-    f64x8 screen[4] = {{{0}, {0}}}; // s and t
+    f64x8 screen[4] = {{{0}, {0}}}; // lanes of s and t
     if (work->plan.needs_screen) {
         quantity_lanes(work->scratch->partial.screen, screen);
     }
@@ -204,7 +204,7 @@ static __attribute__((noinline)) void pack_any(struct tile_work *work, int g, co
     }
 }
 
-// Takes a place in the queue for the partial group; `bits`: the lanes that are not repetitions.
+// Take a place in the queue for the partial group. `bits` are the lanes that are not repetitions.
 static int place_partial(struct tile_work *work, unsigned bits)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
@@ -225,7 +225,7 @@ static int place_partial(struct tile_work *work, unsigned bits)
     return g;
 }
 
-// Queues the partial group; `bits` as above.
+// Queue the partial group. `bits` are the lanes that are not repetitions.
 static void pack_group(struct tile_work *work, unsigned bits)
 {
     const struct partial_group *const partial = &work->scratch->partial;
@@ -239,8 +239,8 @@ static void pack_group(struct tile_work *work, unsigned bits)
     float b[8], c[8];
     f32x8_store(b, weights.b);
     f32x8_store(c, weights.c);
-    const struct packed_weights lanes = {b, c, b,
-                                         c}; // nothing asks for those on the screen where they are not wanted
+    // If weights on the screen are not wanted, nothing asks for them.
+    const struct packed_weights lanes = {b, c, b, c};
     if (work->plan.keeps_depth) {
         group->depth = f32x8_from_f64x8(quantity[QUANTITY_Z]);
         if (work->samples == 1) {
@@ -265,7 +265,7 @@ static void pack_group(struct tile_work *work, unsigned bits)
     shade_if_full(work);
 }
 
-// Queues the partial group, however few fragments it has.
+// Queue the partial group, however few fragments it has.
 static __attribute__((noinline)) void release_partial(struct tile_work *work)
 {
     struct partial_group *const partial = &work->scratch->partial;
@@ -280,7 +280,7 @@ static __attribute__((noinline)) void release_partial(struct tile_work *work)
     pack_group(work, 0xffu >> (8 - live));
 }
 
-// Shades all there is.
+// Shade all fragments of the partial group and of the queue.
 static void flush(struct tile_work *work)
 {
     if (work->scratch->partial.count != 0) {
@@ -291,7 +291,7 @@ static void flush(struct tile_work *work)
     }
 }
 
-// Whether a fragment that waits and a collected one have a sample in common.
+// Return true if a fragment that waits and a collected one have a sample in common.
 static bool samples_meet(const struct tile_work *work)
 {
     const struct partial_group *const partial = &work->scratch->partial;
@@ -306,7 +306,7 @@ static bool samples_meet(const struct tile_work *work)
     return (~free & ((1u << partial->count) - 1)) != 0;
 }
 
-// Copies what packing needs of a triangle.
+// Copy what packing needs of a triangle.
 static const struct packed_triangle *pack_triangle(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
@@ -334,15 +334,15 @@ static const struct packed_triangle *pack_triangle(struct tile_work *work, struc
     return to;
 }
 
-// What packing has to know of a fragment; a constant where a call names it.
+// What packing has to know of a fragment. It is a constant where a call names it.
 enum packed_parts {
-    PACKED_QUANTITIES, // the four that every fragment needs
+    PACKED_QUANTITIES, // the four quantities that every fragment needs
     PACKED_DISTANCE,   // quantities, and where the fragment is, for derivatives
     PACKED_SAMPLES,    // quantities, place, and the samples of multisampled passes
     PACKED_ANY         // whatever the plan wants
 };
 
-// Keeps the depths of the samples of fragment n.
+// Keep the depths of the samples of fragment n.
 static void pack_sample_depths(const struct tile_work *work, struct plane z, int n, double dx, double dy)
 {
     const struct rhw_sample_pattern *const pattern = work->target->pattern;
@@ -353,14 +353,14 @@ static void pack_sample_depths(const struct tile_work *work, struct plane z, int
     }
 }
 
-// As viewport_clamp does.
+// Return depth kept within the viewport's range, by the operations of viewport_clamp.
 static double clamp_depth(const struct tile_depth *depth, double z)
 {
     const float value = (float)z, above = value > depth->least ? value : depth->least;
     return (double)(above < depth->most ? above : depth->most);
 }
 
-// Adds collected fragment i of a triangle whose planes are `planes`.
+// Add collected fragment i of a triangle whose planes are `planes`.
 RHW_INLINE void pack_fragment(struct tile_work *work, const struct quantity_planes *planes,
                               const struct packed_triangle *packed, int i, enum packed_parts parts)
 {
@@ -399,7 +399,7 @@ RHW_INLINE void pack_fragments(struct tile_work *work, const struct quantity_pla
     }
 }
 
-// Adds what is left of the collected fragments of a triangle, fewer than 8.
+// Add what is left of the collected fragments of a triangle, fewer than 8.
 static void pack_collected(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct packed_triangle *const packed = pack_triangle(work, triangle);

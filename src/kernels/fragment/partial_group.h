@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the makers of groups do to the queue and to the partial group (pack.h) in the midst of their loops: they shade
-// a queue that is full, add single fragments to the partial group, and ask for those that wait in it.
+// The makers of groups call these functions in the midst of their loops: they shade a queue that is full, add single
+// fragments to the partial group (pack.h), and ask for fragments that wait in it.
 #ifndef RHW_PARTIAL_GROUP_H
 #define RHW_PARTIAL_GROUP_H
 
@@ -8,7 +8,7 @@
 #include "kernels/tile_units.h"
 #include "interpolate.h"
 
-// Shades the queue where the groups that were added have filled it.
+// Shade the queue if the groups that were added have filled it.
 RHW_INLINE void shade_if_full(struct tile_work *work)
 {
     if (work->scratch->queue.count == RHW_FRAGMENT_GROUPS) {
@@ -16,14 +16,14 @@ RHW_INLINE void shade_if_full(struct tile_work *work)
     }
 }
 
-// Whether fragments wait where those of the block at (x, y) are that are set in `mask`.
+// Return true if fragments wait in pixels of the block at (x, y) that are set in `mask`.
 RHW_INLINE bool fragments_wait(const struct tile_work *work, int x, int y, uint64_t mask)
 {
     const struct partial_group *const partial = &work->scratch->partial;
     return partial->count != 0 && block_bits(&partial->pixels[y], x) & mask;
 }
 
-// Fragments that wait would be overtaken by those of the block.
+// Queue the partial group if the block's fragments in `mask` would overtake some that wait in it.
 RHW_INLINE void release_overtaken(struct tile_work *work, int x, int y, uint64_t mask)
 {
     if (fragments_wait(work, x, y, mask)) {
@@ -31,7 +31,8 @@ RHW_INLINE void release_overtaken(struct tile_work *work, int x, int y, uint64_t
     }
 }
 
-// Begins a triangle whose anchor is a pixel of the target: all that smooth varyings need of it, beside its planes.
+// Begin a triangle whose anchor is a pixel of the target. The result has all that smooth varyings need of the triangle,
+// beside its planes.
 RHW_INLINE struct packed_triangle *next_packed(struct tile_work *work,
                                                const struct rhw_vertex_record *const vertex[3], int anchor_x,
                                                int anchor_y)
@@ -48,7 +49,7 @@ RHW_INLINE struct packed_triangle *next_packed(struct tile_work *work,
     return to;
 }
 
-// Adds the fragment at a texel, whose quantities have these values; gives its place in the group.
+// Add the fragment at a texel, whose quantities have the given values. Return its place in the group.
 RHW_INLINE int pack_values(struct partial_group *partial, const struct packed_triangle *packed, int texel,
                            f64x4 quantities)
 {

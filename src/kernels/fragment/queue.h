@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The fragment queue. Groups of 8 fragments of one draw wait here until the queue is full or the draw changes; then the
-// fragment function is called once for all of them, and what it returns is tested (where depth is tested late) and
-// blended. Groups are blended in the order in which they came, so several may have fragments of the same pixel.
+// Groups of 8 fragments of one draw wait in the fragment queue until it is full or the draw changes. Then the fragment
+// function is called once for all of them, and what it returns is tested (where depth is tested late) and blended.
+// Groups are blended in the order in which they came, so several may have fragments of the same pixel.
 #ifndef RHW_QUEUE_H
 #define RHW_QUEUE_H
 
@@ -21,7 +21,7 @@ static void run_fragment_function(const struct tile_work *work, int count)
     }
 }
 
-// Gives the lanes of group g that are still live after discarding, masks and the late depth test.
+// Return the lanes of group g that are still live after discarding, masks and the late depth test.
 static unsigned finish_depth(struct tile_work *work, int g)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
@@ -37,7 +37,7 @@ static unsigned finish_depth(struct tile_work *work, int g)
         return bits;
     }
     const f32x8 z = uses & RHW_USE_DEPTH ? viewport_clamp(depth, group->depth) : group->depth;
-    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // a row's first pixel
+    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // first pixel of a row
     if (plan->test != RHW_TEST_DEPTH) {
         const unsigned back = uses & RHW_USE_FACING ? i32x8_sign_bits(~group->front_facing) : 0;
         return queue->is_scattered[g]
@@ -48,8 +48,8 @@ static unsigned finish_depth(struct tile_work *work, int g)
                                   : test_row_late(depth, x, y, z, bits, plan->late);
 }
 
-// Blends what was shaded into target t. `path` and `size` (bytes of a texel) are the target's, constants where a call
-// names them.
+// Blend what was shaded into target t. `path` is the target's, and `size` is the size of its texels in bytes; both are
+// constants where a call names them.
 RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend_path path, size_t size)
 {
     struct rhw_blend_state state = work->state->blend[t];
@@ -60,7 +60,8 @@ RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend
     const bool replaces = replaces_words(&state);
     const bool is_common = path == BLEND_RGBA8_REPLACE || path == BLEND_RGBA8_OVER;
     if (is_common && queue->only_full_rows && state.texel_mask[0] == UINT32_MAX) {
-        state.texel_mask[0] = UINT32_MAX; // known from here on
+        // The compiler knows the mask from here on.
+        state.texel_mask[0] = UINT32_MAX;
         for (int g = 0; g < count; g++) {
             blend_group(&state, queue->colors[g][t], i32x8_splat(-1),
                         texels + (size_t)queue->row_at[g] * size);
@@ -87,7 +88,7 @@ RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend
     }
 }
 
-// After the fragment function, where a pixel has one sample.
+// Finish all groups after the fragment function, where a pixel has one sample.
 RHW_INLINE void finish_queue(struct tile_work *work)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
@@ -117,7 +118,7 @@ RHW_INLINE void finish_queue(struct tile_work *work)
     }
 }
 
-// Shades and blends all groups. Fragments without a group go on waiting.
+// Shade and blend all groups. Fragments without a group go on waiting.
 void RHW_ISA_NAME(rhw_shade_queue)(struct tile_work *work)
 {
     struct fragment_queue *const queue = &work->scratch->queue;

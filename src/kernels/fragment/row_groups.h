@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Groups that are rows of a block of 8×8 pixels: what large triangles are shaded in. All rows of a block are filled at
-// once, step by step, so that what a step needs of the triangle is loaded once for all of them. A row is also the group
-// of the general path, with everything that a fragment function may ask for.
+// Large triangles are shaded in groups that are rows of a block of 8×8 pixels. All rows of a block are filled at once,
+// step by step, so that what a step needs of the triangle is loaded once for all of them. A row is also the group of
+// the general path, with everything that a fragment function may ask for.
 #ifndef RHW_ROW_GROUPS_H
 #define RHW_ROW_GROUPS_H
 
@@ -14,13 +14,13 @@
 #include "partial_group.h"
 #include "target_input.h"
 
-// Rows of a block that become groups: their numbers, and their bits.
+// The rows of a block that become groups: their numbers, and their bits.
 struct block_rows {
     int count;
     uint8_t row[RHW_BLOCK], bits[RHW_BLOCK];
 };
 
-// These are the rows of a block that is covered all over.
+// The rows of a block that is covered all over.
 static const struct block_rows all_rows = {
     RHW_BLOCK, {0, 1, 2, 3, 4, 5, 6, 7}, {255, 255, 255, 255, 255, 255, 255, 255}};
 
@@ -36,7 +36,7 @@ static inline struct block_rows rows_of_mask(uint64_t mask)
     return rows;
 }
 
-// Makes what a triangle needs before its first group.
+// Make what a triangle needs before its first group.
 static void set_inputs(const struct tile_work *work, struct triangle_work *triangle)
 {
     const struct rhw_pipeline_data *const pipeline = work->pipeline;
@@ -59,16 +59,16 @@ static void fill_barycentric_derivatives(struct rhw_fragment *group, const struc
     fill_barycentrics(group->barycentric_ddy, 0, b_dy, c_dy);
 }
 
-// Where the 8 fragments of a group are, and the weights of their triangle there.
+// The places of the 8 fragments of a group, and the weights of their triangle there.
 struct group_place {
-    i32x8 texels;      // their numbers in the tile
-    float position[2]; // in their pixels
+    i32x8 texels;      // numbers of the texels in the tile
+    float position[2]; // position in each pixel
     struct anchor_offset at;
     struct weights weights;
-    struct screen_weights screen; // where they are wanted
+    struct screen_weights screen; // weights on the screen, where they are wanted
 };
 
-// Sets what a group gets beside varyings and depth.
+// Set what a group gets beside varyings and depth.
 static void fill_builtins(const struct tile_work *work, int g, const struct triangle_work *triangle,
                           const struct group_place *place)
 {
@@ -102,7 +102,7 @@ static void fill_builtins(const struct tile_work *work, int g, const struct tria
     fill_identity(group, uses, triangle);
 }
 
-// Which pixels of a row a triangle contains; none where it is not drawn conservatively.
+// Return the pixels of a row that a triangle contains. Return none if the triangle is not drawn conservatively.
 static i32x8 contained_in_row(const struct triangle_work *triangle, int row)
 {
     return triangle->t->flags & RHW_TRIANGLE_CONSERVATIVE
@@ -110,7 +110,7 @@ static i32x8 contained_in_row(const struct triangle_work *triangle, int row)
                : i32x8_splat(0);
 }
 
-// Fills the groups from `first` on with the rows of a block.
+// Fill the groups from `first` on with the rows of a block.
 static __attribute__((noinline)) void fill_any_rows(const struct tile_work *work,
                                                     const struct triangle_work *triangle,
                                                     const struct block *block, const struct block_rows *rows,
@@ -164,8 +164,8 @@ static __attribute__((noinline)) void fill_any_rows(const struct tile_work *work
 
 // Smooth varyings alone --------------------------------------------------------------------------------
 
-// Derivatives of smooth components of the rows of a block, groups `first` on: as smooth_derivatives, with what the rows
-// share worked out once. `squared`: by row.
+// Set the derivatives of smooth components of the rows of a block, in the groups from `first` on. The numbers are those
+// of smooth_derivatives; what the rows share is worked out once. `squared` has a vector for each row.
 RHW_INLINE void fill_row_derivatives(const struct tile_work *work, const struct triangle_work *triangle,
                                      const struct anchor_offset *at, const struct block_rows *rows, int first,
                                      const f64x8 squared[RHW_BLOCK])
@@ -189,8 +189,8 @@ RHW_INLINE void fill_row_derivatives(const struct tile_work *work, const struct 
     }
 }
 
-// The rows as groups from `first` on, some at a time: while the weights of these wait for their divisions, the varyings
-// of those before are worked out.
+// Fill groups with the rows of a block, some rows at a time: while the weights of a step wait for their divisions, the
+// varyings of the step before are worked out.
 RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_work *triangle,
                            const struct block_planes *over, const struct anchor_offset *at,
                            const struct block_rows *rows, enum derivatives derivatives, enum weight_path path)
@@ -215,7 +215,8 @@ RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_w
         interpolate_groups(work->scratch->queue.varyings + (first + n) * components, components, all,
                            triangle, &weights, count);
     }
-    if (work->pipeline->flat_count != 0) { // over what was made of them
+    // Flat components overwrite what interpolation made of them.
+    if (work->pipeline->flat_count != 0) {
         set_flat_groups(work->scratch->queue.varyings + first * components, work->pipeline, triangle,
                         rows->count);
     }
@@ -246,7 +247,7 @@ RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_wo
 
 // Queueing ---------------------------------------------------------------------------------------------
 
-// Tells where the groups from the queue's end on stand: the rows of a block at (x, y).
+// Set where the groups from the queue's end on stand: they are the rows of a block at (x, y).
 RHW_INLINE void place_rows(struct fragment_queue *queue, const struct block_rows *rows, int x, int y)
 {
     const int first = queue->count;
@@ -263,7 +264,7 @@ RHW_INLINE void place_rows(struct fragment_queue *queue, const struct block_rows
     }
 }
 
-// Tells which samples the groups from the queue's end on cover.
+// Set which samples the groups from the queue's end on cover.
 static __attribute__((noinline)) void place_samples(const struct tile_work *work, const struct block *block,
                                                     const struct block_rows *rows)
 {
@@ -289,7 +290,7 @@ static __attribute__((noinline)) void place_samples(const struct tile_work *work
     }
 }
 
-// Sets depth, facing and ids of the groups from `first` on.
+// Set depth, facing and ids of the groups from `first` on.
 static void fill_kept(const struct tile_work *work, const struct triangle_work *triangle,
                       const struct block *block, const struct block_rows *rows, int first)
 {
@@ -304,7 +305,7 @@ static void fill_kept(const struct tile_work *work, const struct triangle_work *
     }
 }
 
-// Queues the rows of a block as groups.
+// Queue the rows of a block as groups.
 RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangle, const struct block *block,
                            const struct block_rows *rows)
 {
@@ -336,7 +337,7 @@ RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangl
     shade_if_full(work);
 }
 
-// Queues the rows of a block of which some pixels are set in `mask`.
+// Queue the rows of a block of which some pixels are set in `mask`.
 static __attribute__((noinline)) void queue_some_rows(struct tile_work *work, struct triangle_work *triangle,
                                                       const struct block *block, uint64_t mask)
 {

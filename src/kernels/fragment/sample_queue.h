@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What follows the fragment function in a multisampled pass: samples are dropped, tested late, and blended plane by
-// plane, or pixel by pixel where they are woven. A group that covers its pixels all over is blended once, into the
-// first plane, where its blocks are not expanded.
+// In a multisampled pass, samples are dropped, tested late and blended after the fragment function: sample by sample,
+// or pixel by pixel if samples are woven. A group that covers its pixels all over is blended once, into the tile of the
+// first sample, if its blocks are not expanded.
 #ifndef RHW_SAMPLE_QUEUE_H
 #define RHW_SAMPLE_QUEUE_H
 
@@ -11,27 +11,27 @@
 #include "explained_fragment.h"
 #include "woven.h"
 
-// Lanes whose fragment covers sample s.
+// Return the lanes whose fragment covers sample s.
 RHW_INLINE unsigned lanes_of_sample(i32x8 samples, int s)
 {
     return i32x8_sign_bits((i32x8)((u32x8)samples << (31 - s)));
 }
 
-// The first round(alpha · count) samples.
+// Return the first round(alpha · count) samples.
 RHW_INLINE i32x8 samples_of_alpha(f32x8 alpha, int count)
 {
     const f32x8 kept = rhw_saturate(alpha) * f32x8_splat((float)count) + f32x8_splat(0.5f);
     return i32x8_power2(rhw_int_from_float_unchecked(kept)) - i32x8_splat(1);
 }
 
-// Tests the lanes of group g in `bits` after the fragment function, whose sample is at z: `depth` is the tile's of
-// that sample.
+// Test the lanes of group g in `bits` after the fragment function. Their sample is at z, and `depth` is the tile's
+// depth of that sample.
 static unsigned test_sample_late(struct tile_depth *depth, const struct tile_work *work, int g, f32x8 z,
                                  unsigned bits, unsigned back)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_depth_rule rule = work->plan.late;
-    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // a row's first pixel
+    const int x = queue->row_at[g] % RHW_TILE, y = queue->row_at[g] / RHW_TILE; // first pixel of a row
     if (queue->is_scattered[g]) {
         return work->plan.test != RHW_TEST_DEPTH
                    ? test_texels_late_stencil(depth, queue->texels[g], z, bits, back, rule)
@@ -41,7 +41,7 @@ static unsigned test_sample_late(struct tile_depth *depth, const struct tile_wor
                                              : test_row_late(depth, x, y, z, bits, rule);
 }
 
-// Tests the samples of group g after the fragment function.
+// Test the samples of group g after the fragment function.
 static i32x8 test_samples_late(struct tile_work *work, int g, i32x8 samples)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
@@ -60,8 +60,8 @@ static i32x8 test_samples_late(struct tile_work *work, int g, i32x8 samples)
     return passed;
 }
 
-// Returns the samples of a group that the fragment function and its alpha leave. A pixel of one has bit 0 (Vulkan 1.3
-// §28.9 makes no exception of it).
+// Return the samples of a group that the fragment function and its alpha leave. A pixel of one sample has bit 0 (Vulkan
+// 1.3 §28.9 makes no exception of it).
 static i32x8 masked_samples(const struct tile_work *work, int g, i32x8 samples)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
@@ -79,7 +79,7 @@ static i32x8 masked_samples(const struct tile_work *work, int g, i32x8 samples)
     return samples;
 }
 
-// The samples of group g that are still to be blended.
+// Return the samples of group g that are still to be blended.
 static i32x8 finish_samples(struct tile_work *work, int g)
 {
     const i32x8 covered = work->scratch->queue.samples[g], samples = masked_samples(work, g, covered);
@@ -90,12 +90,12 @@ static i32x8 finish_samples(struct tile_work *work, int g)
     return work->plan.depth_mode >= RHW_DEPTH_LATE ? test_samples_late(work, g, samples) : samples;
 }
 
-// Where a group is: which of its lanes lie in expanded blocks. The blocks of lanes in `partial` become so.
+// Return the lanes of group g that lie in expanded blocks. Expand the blocks of lanes in `partial` before.
 RHW_INLINE unsigned expanded_lanes(const struct tile_work *work, int g, unsigned partial)
 {
     const struct fragment_queue *const queue = &work->scratch->queue;
     const uint64_t *const expanded = &work->scratch->expanded;
-    if (!queue->is_scattered[g]) { // in one block
+    if (!queue->is_scattered[g]) { // all lanes in one block
         const int block = block_of_texel(queue->row_at[g]);
         if (partial != 0 && !(*expanded >> block & 1)) {
             expand_block(work, block);
@@ -110,7 +110,8 @@ RHW_INLINE unsigned expanded_lanes(const struct tile_work *work, int g, unsigned
     return lanes;
 }
 
-// Blends the lanes of group g, of which some are expanded, into target t. `samples`: what is to be drawn, not none.
+// Blend the lanes of group g, of which some are expanded, into target t. `samples` are to be drawn; there is at least
+// one.
 RHW_INLINE void blend_row_samples(const struct tile_work *work, int t, int g, i32x8 samples,
                                   unsigned expanded)
 {
@@ -153,7 +154,7 @@ RHW_INLINE void blend_scattered_samples(const struct tile_work *work, int t, int
     }
 }
 
-// Blends 8 fragments into those of their samples that are set. Of no sample are there two fragments.
+// Blend 8 fragments into those of their samples that are set. No two fragments have one sample.
 static __attribute__((noinline)) void blend_woven(const struct tile_work *work, int target,
                                                   const int32_t texel[8], const f32x8 *color,
                                                   const i32x8 *samples)
@@ -173,7 +174,7 @@ static __attribute__((noinline)) void blend_woven(const struct tile_work *work, 
     store_woven(scratch, target, texel, pixel, *samples);
 }
 
-// Blends the lanes of group g into target t where samples are woven.
+// Blend the lanes of group g into target t where samples are woven.
 RHW_INLINE void blend_woven_samples(const struct tile_work *work, int t, int g, i32x8 samples,
                                     unsigned expanded)
 {
@@ -190,7 +191,7 @@ RHW_INLINE void blend_woven_samples(const struct tile_work *work, int t, int g, 
     if (expanded == 0) {
         return;
     }
-    if (!queue->is_scattered[g]) { // all of it is expanded
+    if (!queue->is_scattered[g]) { // all of the group is expanded
         i32x8_store(queue->texels[g], i32x8_splat(queue->row_at[g]) + rhw_lane_index);
     }
     if (replaces_words(state)) {
@@ -220,7 +221,7 @@ RHW_INLINE void blend_samples(const struct tile_work *work, int g, i32x8 samples
     }
 }
 
-// After the fragment function: what is left of all groups is blended, in their order.
+// Blend, after the fragment function, what is left of all groups, in their order.
 static __attribute__((noinline)) void finish_sample_queue(struct tile_work *work)
 {
     struct fragment_queue *const queue = &work->scratch->queue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Groups of collected fragments (collect.h): 8 of one triangle, wherever in the tile they lie. Every number is made
+// Collected fragments (collect.h) become groups: 8 of one triangle, wherever in the tile they lie. Every number is made
 // by the operations that make it for rows.
 #ifndef RHW_SCATTERED_GROUPS_H
 #define RHW_SCATTERED_GROUPS_H
@@ -18,7 +18,8 @@ RHW_INLINE struct anchor_offset texel_offsets(const struct tile_work *work, cons
                                   f64x8_from_i32x8(y - i32x8_splat(planes->anchor_y - work->y))};
 }
 
-// A pixel's centre may lie beyond its triangle where samples do not; the plane is followed there, as rows do.
+// Return the depth at 8 pixel centres. A pixel's centre may lie beyond its triangle although a sample does not; the
+// plane of depth is followed there, as rows follow it.
 RHW_INLINE f32x8 scattered_depth(const struct tile_work *work, const struct triangle_work *triangle,
                                  const struct anchor_offset *at)
 {
@@ -27,7 +28,7 @@ RHW_INLINE f32x8 scattered_depth(const struct tile_work *work, const struct tria
     return work->samples == 1 || triangle->clamps_depth ? viewport_clamp(&work->scratch->depth, z) : z;
 }
 
-// Fills the queue's next `count` groups with the fragments at `texel`, 8 each.
+// Fill the queue's next `count` groups with the fragments at `texel`, 8 each.
 RHW_INLINE void fill_scattered(const struct tile_work *work, const struct triangle_work *triangle,
                                const int32_t *texel, int count, enum derivatives derivatives)
 {
@@ -57,7 +58,7 @@ RHW_INLINE void fill_scattered(const struct tile_work *work, const struct triang
     set_flat_groups(varyings, pipeline, triangle, count);
 }
 
-// Fills the queue's next `count` groups with everything that a fragment function may ask for.
+// Fill the queue's next `count` groups with everything that a fragment function may ask for.
 static __attribute__((noinline)) void fill_any_scattered(const struct tile_work *work,
                                                          const struct triangle_work *triangle,
                                                          const int32_t *texel, int count)
@@ -91,7 +92,7 @@ static __attribute__((noinline)) void fill_any_scattered(const struct tile_work 
                            &weights, &screen, count);
 }
 
-// Keeps the depths of the samples of group g, which is scattered.
+// Keep the depths of the samples of group g, which is scattered.
 static void keep_sample_depths(const struct tile_work *work, const struct planes *planes, int g)
 {
     const struct rhw_sample_pattern *const pattern = work->target->pattern;
@@ -105,7 +106,7 @@ static void keep_sample_depths(const struct tile_work *work, const struct planes
     }
 }
 
-// Leaves only those lanes of group g live.
+// Leave only the lanes `live` of group g live.
 static __attribute__((noinline)) void mask_group(const struct tile_work *work, int g, unsigned live)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
@@ -116,7 +117,7 @@ static __attribute__((noinline)) void mask_group(const struct tile_work *work, i
     }
 }
 
-// Queues groups of the fragments at `texel`, 8 each. last_live: the lanes of the last group that are no repetitions.
+// Queue groups of the fragments at `texel`, 8 each. last_live has the lanes of the last group that are no repetitions.
 static void queue_scattered(struct tile_work *work, struct triangle_work *triangle, const int32_t *texel,
                             int count, unsigned last_live)
 {
@@ -160,13 +161,13 @@ static void queue_scattered(struct tile_work *work, struct triangle_work *triang
     }
 }
 
-// Puts the first of 8 texels where there is none. What there is of their samples is masked.
+// Put the first of 8 texels into the lanes that have none. Whatever samples they have is masked.
 RHW_INLINE void repeat_first(int32_t texel[RHW_LANES], unsigned live)
 {
     i32x8_store(texel, rhw_select_int(i32x8_from_bits(live), i32x8_load(texel), i32x8_splat(texel[0])));
 }
 
-// Makes groups of the collected fragments, the last of no fewer than `least` of them; the others stay.
+// Make groups of the collected fragments. The last group has no fewer than `least` of them; the others stay.
 static __attribute__((noinline)) void queue_collected(struct tile_work *work, struct triangle_work *triangle,
                                                       int least)
 {
@@ -185,7 +186,7 @@ static __attribute__((noinline)) void queue_collected(struct tile_work *work, st
     collected->first = end;
 }
 
-// Makes room for the fragments of one more block.
+// Make room for the fragments of one more block.
 static __attribute__((noinline)) void make_room(struct tile_work *work, struct triangle_work *triangle)
 {
     struct collected_fragments *const collected = &work->scratch->collected;

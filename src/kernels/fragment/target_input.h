@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the tile holds at the fragments of a queue, for programs that read it (RHW_USE_TARGET_INPUT). Their groups are
-// rows, those of one call rows of one block and one triangle, so that no pixel is among them twice: what came before
-// has been blended, and each fragment finds what is there in its turn.
+// Programs may read what the tile holds at the fragments of a queue (RHW_USE_TARGET_INPUT). Groups of these programs
+// are rows, and the groups of one call are rows of one block and one triangle, so that no pixel is among them twice:
+// what came before has been blended, and each fragment finds what is there in its turn.
 #ifndef RHW_TARGET_INPUT_H
 #define RHW_TARGET_INPUT_H
 
@@ -10,7 +10,7 @@
 #include "expand.h"
 #include "woven.h"
 
-// The sample whose plane a group reads: programs that read targets run for every sample.
+// Return the sample whose texels a group reads: programs that read targets run for every sample.
 static int sample_of_group(const struct fragment_queue *queue, int g)
 {
     int32_t samples = 1;
@@ -20,8 +20,8 @@ static int sample_of_group(const struct fragment_queue *queue, int g)
     return __builtin_ctz((unsigned)samples);
 }
 
-// Decodes them into the colours, depth and stencil inputs of `added` groups from `first` on, before which the queue is
-// empty.
+// Decode what the tile holds into the colours, depth and stencil inputs of `added` groups from `first` on. Before them
+// the queue is empty.
 static __attribute__((noinline)) void read_targets(const struct tile_work *work, int first, int added)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Groups of a triangle that covers a tile all over: what the blocks of a tile share is done once.
+// A triangle that covers a tile all over has groups of its own: what the blocks of a tile share is done once.
 #ifndef RHW_WHOLE_TILE_H
 #define RHW_WHOLE_TILE_H
 
@@ -25,7 +25,7 @@ RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_wo
     }
 }
 
-// Queues and shades all blocks of a tile. The queue is empty, so that the groups fill it without a rest.
+// Queue and shade all blocks of a tile. The queue is empty, so that the groups fill it without a rest.
 static void queue_tile(struct tile_work *work, struct triangle_work *triangle)
 {
     set_inputs(work, triangle);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Colours of a multisampled tile in expanded blocks (expand.h), woven: where 4 samples have 4 bytes each, those of a
-// pixel stand side by side, and a fragment changes what it covers in one step instead of in 4 planes. Tiles whose
-// samples are resolved and forgotten are kept so; where planes are loaded or stored, they stay planes.
+// The colours of a multisampled tile may be woven in expanded blocks (expand.h). If there are 4 samples with 4 bytes
+// each, the samples of a pixel stand side by side, and a fragment changes what it covers in one step instead of in the
+// tiles of 4 samples. Tiles whose samples are resolved and forgotten are woven. Where samples are loaded or stored,
+// each keeps a tile of its own.
 #ifndef RHW_WOVEN_H
 #define RHW_WOVEN_H
 
 #include "base/simd_layout.h"
 #include "kernels/tile_work.h"
 
-// The texels of 8 pixels, a vector for each sample.
+// Load the texels of 8 pixels, a vector for each sample.
 RHW_INLINE void load_woven(struct rhw_tile_scratch *scratch, int target, const int32_t texel[8],
                            f32x8 sample[WOVEN_SAMPLES])
 {
@@ -19,7 +20,7 @@ RHW_INLINE void load_woven(struct rhw_tile_scratch *scratch, int target, const i
     f32x8_load_columns(place, sample);
 }
 
-// Loads the samples of 8 pixels in a row, sample by sample.
+// Load the samples of 8 pixels in a row, sample by sample.
 RHW_INLINE void load_woven_row(struct rhw_tile_scratch *scratch, int target, int texel,
                                f32x8 sample[WOVEN_SAMPLES])
 {
@@ -28,7 +29,7 @@ RHW_INLINE void load_woven_row(struct rhw_tile_scratch *scratch, int target, int
     load_woven(scratch, target, texels, sample);
 }
 
-// Stores the samples of 8 pixels, one after the other, that are set in `samples`.
+// Store the samples of 8 pixels, one after the other, that are set in `samples`.
 RHW_INLINE void store_woven(struct rhw_tile_scratch *scratch, int target, const int32_t texel[8],
                             const f32x4 pixel[8], i32x8 samples)
 {
@@ -48,7 +49,7 @@ RHW_INLINE void store_woven(struct rhw_tile_scratch *scratch, int target, const 
     }
 }
 
-// Puts words in the place of those samples of 8 texels. Of several fragments of a sample the last is seen.
+// Put words in the place of the samples in `samples` of 8 texels. Of several fragments of a sample the last is seen.
 RHW_INLINE void replace_woven(struct rhw_tile_scratch *scratch, int target, const int32_t texel[8],
                               i32x8 words, i32x8 samples)
 {
