@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A tile's part of an attachment: loaded or cleared before the tile is drawn, stored when it is done. Several samples
-// of a pixel are several planes, in the tile as in memory; what they are resolved into is written by resolve.h.
+// A tile's part of an attachment is loaded or cleared before the tile is drawn, and stored when it is done. Each sample
+// of a pixel has a tile of its own in the scratch, and texels of its own in memory. What samples are resolved into is
+// written by resolve.h.
 #ifndef RHW_ATTACHMENT_H
 #define RHW_ATTACHMENT_H
 
@@ -30,7 +31,7 @@ static void fill_bytes(unsigned char *to, const unsigned char pattern[RHW_CLEAR_
     }
 }
 
-// Rows are short: a call of memcpy for each would cost as much as the copy.
+// Copy a row. Rows are short: a call of memcpy for each would cost as much as the copy.
 static void copy_row(unsigned char *to, const unsigned char *from, size_t bytes)
 {
     size_t i = 0;
@@ -48,7 +49,7 @@ struct memory_rows {
     size_t pitch;
 };
 
-// `layer`: the slice of the level that is the pass's first layer.
+// Return the tile's rows of a level. `layer` is the slice of the level that is the pass's first layer.
 static struct memory_rows rows_of_level(const struct tile_work *work, const struct rhw_attachment *attachment,
                                         const struct rhw_mip *mip, int layer)
 {
@@ -63,8 +64,8 @@ static struct memory_rows rows_of_resolve(const struct tile_work *work,
     return rows_of_level(work, attachment, attachment->resolve, attachment->layer);
 }
 
-// Return the rows of a sample of the attachment's target. What keeps samples between waves has the layers of the pass
-// alone.
+// Return the rows of a sample of the attachment's target. A texture that keeps samples between waves has only the
+// layers of the pass.
 static struct memory_rows rows_of_target(const struct tile_work *work,
                                          const struct rhw_attachment *attachment, int sample)
 {
@@ -83,7 +84,8 @@ static struct memory_rows loaded_rows(const struct tile_work *work, const struct
                : rows_of_target(work, attachment, sample);
 }
 
-// `tile`: a plane of the attachment in the scratch, RHW_TILE texels per row.
+// Load an attachment into `tile`, which has the attachment's texels of the sample in the scratch, RHW_TILE texels per
+// row.
 static void load_attachment(const struct tile_work *work, const struct rhw_attachment *attachment, int sample,
                             unsigned char *tile)
 {
@@ -108,7 +110,7 @@ static void soil(const struct tile_work *work, struct rhw_clean_tiles *clean)
     }
 }
 
-// Writes a plane of the tile.
+// Write one sample of the tile.
 static void write_rows(const struct tile_work *work, struct memory_rows rows, const unsigned char *tile,
                        size_t size)
 {
@@ -133,14 +135,14 @@ static void store_attachment(const struct tile_work *work, const struct rhw_atta
 
 // Depth and stencil ------------------------------------------------------------------------------------
 
-// The pixels x .. x + 7 that lie in the area, a bit each; some do.
+// Return a bit for each of the pixels x .. x + 7 that lies in the area. At least one does.
 static unsigned area_lanes(const struct tile_rect *area, int x)
 {
     const int first = area->x0 > x ? area->x0 - x : 0, end = area->x1 - x < 8 ? area->x1 - x : 8;
     return (1u << end) - (1u << first);
 }
 
-// Depth in the tile is float; where memory has steps of a UNORM format, it is converted on the way.
+// Load depth. In the tile depth is float; if memory has steps of a UNORM format, it is converted on the way.
 static void load_depth_steps(const struct tile_work *work, int sample, float *tile)
 {
     const struct rhw_attachment *const depth = &work->target->depth;
@@ -157,7 +159,8 @@ static void load_depth_steps(const struct tile_work *work, int sample, float *ti
     }
     const struct memory_rows rows = loaded_rows(work, depth, sample);
     for (int y = work->area.y0; y < work->area.y1; y++) {
-        for (int x = work->area.x0 & -8; x < work->area.x1; x += 8) { // rows are padded
+        // Rows are padded to whole vectors.
+        for (int x = work->area.x0 & -8; x < work->area.x1; x += 8) {
             struct raw_texels raw;
             f32x8 value[4];
             load_texel_row(info->size, rows.first + (size_t)y * rows.pitch + (size_t)x * info->size, &raw);
@@ -167,7 +170,7 @@ static void load_depth_steps(const struct tile_work *work, int sample, float *ti
     }
 }
 
-// Writes depth as the texels of those rows.
+// Write depth as texels that have steps of a UNORM format.
 static void write_depth_steps(const struct tile_work *work, struct memory_rows rows, const float *tile)
 {
     const struct rhw_format_info *const info = rhw_format_info(work->target->depth.format);
@@ -220,7 +223,7 @@ static void store_depth_stencil(const struct tile_work *work, int sample)
 
 // Tiles without triangles ------------------------------------------------------------------------------
 
-// Makes the tile in a texture hold the clear value, if it does not yet.
+// Write the clear value into the tile's rows of a texture.
 static void clear_rows(const struct tile_work *work, struct memory_rows rows, size_t size,
                        const unsigned char clear[RHW_CLEAR_BYTES])
 {
@@ -231,7 +234,8 @@ static void clear_rows(const struct tile_work *work, struct memory_rows rows, si
     }
 }
 
-// Whether the record says that it does; from now on it does, unless the render area leaves out some of it.
+// Return true if the record says that the tile in the texture holds the clear value already. From now on the record
+// says so, unless the render area leaves out some of the tile.
 static bool is_clean(const struct tile_work *work, struct rhw_clean_tiles *clean)
 {
     bool *const state = clean ? &clean->is_clean[work->tile] : NULL;
@@ -243,8 +247,8 @@ static bool is_clean(const struct tile_work *work, struct rhw_clean_tiles *clean
     return was;
 }
 
-// What would be loaded and stored unchanged is left alone, and so is what is clean; what else is cleared goes straight
-// to its target.
+// Pass an attachment of a tile without triangles through. Contents that would be loaded and stored unchanged are left
+// alone, and so are clean ones; a tile that has to be cleared is cleared in its target.
 static void pass_through(const struct tile_work *work, const struct rhw_attachment *attachment)
 {
     if (load_of(work->wave, attachment) == RHW_LOAD_LOAD) {

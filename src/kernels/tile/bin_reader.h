@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The triangles of a bin, read 8 at a time and ahead of what is drawn: they lie anywhere in their chunk, as their
+// The triangles of a bin are read 8 at a time and ahead of what is drawn: they lie anywhere in their chunk, as their
 // vertices do. Without this, a mesh in random order spends two thirds of its time waiting for them.
 #ifndef RHW_BIN_READER_H
 #define RHW_BIN_READER_H
@@ -13,8 +13,8 @@ enum {
     RECORDS_AHEAD = 2 * BATCH // triangles between asking for a record and reading it
 };
 
-// A batch of `count` triangles in the order of drawing; behind them stands the first again. `number` counts the
-// triangles that are drawn in two phases.
+// A batch of `count` triangles in the order of drawing. The first triangle stands again behind the last. `number`
+// counts the triangles that are drawn in two phases.
 struct bin_batch {
     int count;
     uint32_t number[BATCH];
@@ -22,14 +22,14 @@ struct bin_batch {
     const struct rhw_vertex_record *vertex[BATCH][3];
 };
 
-// Where the reading of a bin stands: `next` of its triangles were looked at. first_number: of its first triangle. The
-// next entry is `step` from the one before: RHW_PHASE_BACKWARDS begins with the last one.
+// The state of the reading of a bin: `next` of its triangles were looked at. first_number is the number of the bin's
+// first triangle. The next entry is `step` from the one before: RHW_PHASE_BACKWARDS begins with the last entry.
 struct bin_reader {
     const struct rhw_chunk *chunk;
     const uint16_t *entries;
     ptrdiff_t step;
     uint32_t next, end, first_number;
-    const uint8_t *seen; // in RHW_PHASE_SHADE
+    const uint8_t *seen; // NULL except in RHW_PHASE_SHADE
 };
 
 static struct bin_reader read_bin(const struct tile_work *work, const struct bin *bin, uint32_t first_number)
@@ -48,7 +48,7 @@ static struct bin_reader read_bin(const struct tile_work *work, const struct bin
     return reader;
 }
 
-// Reads the next triangles; none are left where the batch stays empty.
+// Read the next triangles. If the batch stays empty, none are left.
 static void read_batch(struct bin_reader *reader, struct bin_batch *batch)
 {
     const struct rhw_triangle *const triangles = reader->chunk->triangles;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Depth bias: what is added to the depth of a triangle, slope · m + constant · r (struct rhw_depth_bias; Vulkan 1.3
+// Depth bias is added to the depth of a triangle: slope · m + constant · r (struct rhw_depth_bias; Vulkan 1.3
 // §26.11.4). It moves the triangle's plane of depth, so that no path has to know of it.
 #ifndef RHW_DEPTH_BIAS_H
 #define RHW_DEPTH_BIAS_H
@@ -9,7 +9,7 @@
 #include "kernels/triangle_work.h"
 #include "triangle_setup8.h"
 
-// The step of a depth of 0..1: that of the format, or of floats as large.
+// Return the step of a depth of 0..1: the format's step, or the step of floats of this size.
 static double depth_step(const struct rhw_depth_stencil_state *state, float depth)
 {
     if (state->depth_steps != 0) {
@@ -24,7 +24,7 @@ static double depth_step(const struct rhw_depth_stencil_state *state, float dept
     return result;
 }
 
-// The bias of a triangle whose depth has this plane and is `largest` at most, within 0..1.
+// Return the bias of a triangle whose depth has the plane `z` and is `largest` at most, within 0..1.
 static double depth_bias(const struct rhw_depth_stencil_state *state, struct plane z, float largest)
 {
     const struct rhw_depth_bias *const bias = &state->bias;
@@ -42,8 +42,8 @@ static float within_unit(float depth)
     return depth > 0 ? depth < 1 ? depth : 1 : 0;
 }
 
-// The largest depth of what lies between the planes in front and behind of a triangle: that of a vertex, or of a plane
-// that it crosses. Where nothing is cut off there, W may be 0 and depth anything.
+// Return the largest depth of the part of a triangle that lies between the planes in front and behind: the depth of a
+// vertex, or of a plane that the triangle crosses. If nothing is cut off there, W may be 0 and depth anything.
 static float largest_depth(const struct rhw_draw_state *state, const struct rhw_vertex_record *const v[3])
 {
     const bool symmetric = state->pipeline->def.depth_range == RHW_DEPTH_MINUS_ONE_TO_ONE;
@@ -59,7 +59,7 @@ static float largest_depth(const struct rhw_draw_state *state, const struct rhw_
     return within_unit(most);
 }
 
-// Biases the planes of triangle i, whose vertices are snapped, in its setup.
+// Bias the planes of triangle i, whose vertices are snapped, in its setup.
 static inline void bias_snapped(struct triangle_setup8 *setup, int i, const struct rhw_draw_state *state)
 {
     struct quantity_planes *const planes = &setup->quantities[i];
@@ -73,14 +73,14 @@ static inline void bias_snapped(struct triangle_setup8 *setup, int i, const stru
         depth_bias(&state->depth_stencil, plane_of(planes, QUANTITY_Z), largest_depth(state, v));
     setup->depth_bias[i] = bias;
     planes->at[QUANTITY_Z] += bias;
-    const double margin = 0x1p-20; // roundings stay within it
+    const double margin = 0x1p-20; // bound of the roundings
     const bool clamps = (double)least + bias < (double)state->depth_least + margin ||
                         (double)most + bias > (double)state->depth_most - margin;
     setup->clamps |= (unsigned)clamps << i;
 }
 
-// Biases the triangles of a batch whose draw asks for it. The planes of the others, and of those whose vertices are not
-// snapped, stay as they are.
+// Bias the triangles of a batch whose draw asks for it. The planes of the others, and of triangles whose vertices are
+// not snapped, stay as they are.
 static __attribute__((noinline)) void bias_triangles8(struct triangle_setup8 *setup,
                                                       const struct rhw_chunk *chunk)
 {
@@ -95,7 +95,7 @@ static __attribute__((noinline)) void bias_triangles8(struct triangle_setup8 *se
     setup->small &= ~setup->clamps;
 }
 
-// Biases a batch where any of its draws may ask for it.
+// Bias a batch if any of its draws may ask for it.
 RHW_INLINE void bias_setup8(struct triangle_setup8 *setup, const struct rhw_chunk *chunk)
 {
     const struct rhw_segment *const first = &chunk->segments[setup->read->triangle[0]->segment];
@@ -104,7 +104,7 @@ RHW_INLINE void bias_setup8(struct triangle_setup8 *setup, const struct rhw_chun
     }
 }
 
-// Biases planes that planes_homogeneous has made.
+// Bias planes that planes_homogeneous has made.
 static __attribute__((noinline)) void bias_homogeneous(const struct tile_work *work,
                                                        struct triangle_work *triangle)
 {
@@ -114,7 +114,7 @@ static __attribute__((noinline)) void bias_homogeneous(const struct tile_work *w
     planes->quantities.at[QUANTITY_Z] += triangle->depth_bias;
 }
 
-// Biases what clipping adds to the planes.
+// Bias what clipping adds to the planes.
 static __attribute__((noinline)) void bias_clipped(struct triangle_work *triangle)
 {
     struct clipped_planes *const clipped = triangle->clipped;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What changes in the work on a tile when the next triangle belongs to another draw, or another phase begins.
+// The work on a tile changes when the next triangle belongs to another draw, or another phase begins.
 #ifndef RHW_DRAW_STATE_H
 #define RHW_DRAW_STATE_H
 
@@ -7,7 +7,7 @@
 #include "kernels/tile_units.h"
 #include "kernels/depth/hiz.h"
 
-// Gives queries what was counted since the state was set.
+// Give queries what was counted since the state was set.
 static __attribute__((noinline)) void give_counts(const struct tile_work *work)
 {
     struct rhw_used_query *const *const queries = work->state->queries->of;
@@ -27,7 +27,7 @@ static __attribute__((noinline)) void give_counts(const struct tile_work *work)
     }
 }
 
-// Ends what is counted for the queries of the state under way.
+// End what is counted for the queries of the state under way.
 static void end_counts(const struct tile_work *work)
 {
     if (work->state && work->state->queries) {
@@ -56,7 +56,8 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
         sample->state = &state->depth_stencil;
         sample->passed = 0;
     }
-    // Effects of a pixel would meet in a group: the later lane would not see what the earlier one has stored.
+    // If fragments have effects, two of one pixel must not meet in a group: the later lane would not see what the
+    // earlier one has stored.
     work->orders_lanes =
         work->plan.depth_mode < RHW_DEPTH_LATE && !(pipeline->def.program.uses & RHW_USE_EFFECTS);
     for (int t = 0; t < work->target->color_count; t++) {
@@ -89,7 +90,7 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
     }
 }
 
-// Draws that differ in their uniforms alone have the same state.
+// Make a draw the one under way, out of line. Draws that differ in their uniforms alone have one state.
 static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
 {
     RHW_ISA_NAME(rhw_flush)(work);
@@ -103,7 +104,7 @@ static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
     }
 }
 
-// Makes a draw the one under way.
+// Make a draw the one under way.
 RHW_INLINE void begin_draw(struct tile_work *work, const struct rhw_draw *draw)
 {
     if (draw != work->draw) {
@@ -111,7 +112,7 @@ RHW_INLINE void begin_draw(struct tile_work *work, const struct rhw_draw *draw)
     }
 }
 
-// Opens all pixels of the tile.
+// Open all pixels of the tile.
 static void open_all(const struct tile_work *work, struct tile_depth *depth)
 {
     const struct tile_rect *const area = &work->area;
@@ -122,7 +123,7 @@ static void open_all(const struct tile_work *work, struct tile_depth *depth)
     depth->open_count = (area->x1 - area->x0) * (area->y1 - area->y0);
 }
 
-// Looks anew at the bounds of the tile's blocks.
+// Look anew at the bounds of the tile's blocks.
 static void refresh_bounds(const struct tile_work *work)
 {
     struct tile_depth *samples[RHW_MAX_SAMPLES];
@@ -132,7 +133,8 @@ static void refresh_bounds(const struct tile_work *work)
     hiz_refresh(samples, work->samples);
 }
 
-// What waits is tested against the open pixels of its own phase: it is flushed before they change.
+// Start a phase. Fragments that wait are tested against the open pixels of their own phase: they are flushed before the
+// open pixels change.
 static void start_phase(struct tile_work *work, enum rhw_phase phase)
 {
     struct tile_depth *const depth = &work->scratch->depth;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The history of a sample, triangle by triangle: what is there before, the triangle drawn as any other, what is there
-// afterwards. What happens between is left by explained_fragment.h.
+// The history of a sample is told triangle by triangle: what is there before, the triangle drawn as any other, what is
+// there afterwards. explained_fragment.h records what happens between.
 #ifndef RHW_EXPLAINED_TRIANGLE_H
 #define RHW_EXPLAINED_TRIANGLE_H
 
@@ -80,7 +80,7 @@ static enum rhw_fragment_fate fate_of(const struct tile_work *work)
                                                                   : RHW_FRAGMENT_FAILED_LATE;
 }
 
-// Before a triangle is drawn.
+// Begin the history of a triangle before it is drawn.
 void RHW_ISA_NAME(rhw_explain_begin)(struct tile_work *work, struct sample_content *before)
 {
     struct rhw_explained *const e = work->explained;
@@ -90,7 +90,7 @@ void RHW_ISA_NAME(rhw_explain_begin)(struct tile_work *work, struct sample_conte
     read_sample(work, before);
 }
 
-// After it: tells of it where it covers the sample.
+// End the history of a triangle after it is drawn, and report it if the triangle covers the sample.
 void RHW_ISA_NAME(rhw_explain_end)(struct tile_work *work, const struct sample_content *before,
                                    const struct triangle_work *triangle)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The samples of a tile as one texel a pixel. Of blocks that are not expanded (tile_work.h) the first sample has the
-// colour of all.
+// The samples of a tile become one texel a pixel. In blocks that are not expanded (tile_work.h) the first sample has
+// the colour of all.
 #ifndef RHW_RESOLVE_H
 #define RHW_RESOLVE_H
 
@@ -23,10 +23,10 @@ static enum rhw_resolve color_mode(const struct rhw_attachment *attachment,
 struct color_resolve {
     const struct rhw_format_info *info;
     enum rhw_resolve mode;
-    bool is_common; // the mean of 4 samples of RGBA8
+    bool is_common; // true for the mean of 4 samples of RGBA8
 };
 
-// Resolves 8 texels in a row, from `texel` on, whose samples have colours of their own, in the pixels of `lanes`.
+// Resolve 8 texels in a row, from `texel` on, in the pixels of `lanes`. Their samples have colours of their own.
 static inline void resolve_expanded(const struct tile_work *work, int t, const struct color_resolve *how,
                                     int texel, unsigned lanes, unsigned char *to)
 {
@@ -53,7 +53,7 @@ static inline void resolve_expanded(const struct tile_work *work, int t, const s
     }
 }
 
-// Resolves target t.
+// Resolve target t.
 static void resolve_color(const struct tile_work *work, int t)
 {
     struct rhw_tile_scratch *const scratch = work->scratch;
@@ -83,7 +83,7 @@ static void resolve_color(const struct tile_work *work, int t)
     }
 }
 
-// Makes sample 0 of depth what the samples of each pixel are resolved into.
+// Make sample 0 of depth what the samples of each pixel are resolved into.
 static void resolve_depth_samples(const struct tile_work *work, enum rhw_resolve mode)
 {
     struct tile_depth *const first = depth_of_sample(work->scratch, 0);
@@ -92,7 +92,8 @@ static void resolve_depth_samples(const struct tile_work *work, enum rhw_resolve
         for (int s = 0; s < work->samples; s++) {
             value[s] = f32x8_load(&depth_of_sample(work->scratch, s)->texels[i]);
         }
-        i32x8 agree = i32x8_splat(-1); // a mean of equal floats may round to another one
+        // A mean of equal floats may round to another one.
+        i32x8 agree = i32x8_splat(-1);
         for (int s = 1; s < work->samples; s++) {
             agree &= rhw_equal(value[s], value[0]);
         }
@@ -101,7 +102,7 @@ static void resolve_depth_samples(const struct tile_work *work, enum rhw_resolve
     }
 }
 
-// Makes sample 0 of stencil what the samples of each pixel are resolved into, by RHW_RESOLVE_MIN or MAX.
+// Make sample 0 of stencil what the samples of each pixel are resolved into, by RHW_RESOLVE_MIN or MAX.
 static void resolve_stencil_samples(const struct tile_work *work, enum rhw_resolve mode)
 {
     struct tile_depth *const first = depth_of_sample(work->scratch, 0);
@@ -116,7 +117,7 @@ static void resolve_stencil_samples(const struct tile_work *work, enum rhw_resol
     }
 }
 
-// Resolves depth, after its samples were stored.
+// Resolve depth, after its samples were stored.
 static void resolve_depth(const struct tile_work *work)
 {
     const struct rhw_attachment *const depth = &work->target->depth;
@@ -133,7 +134,7 @@ static void resolve_depth(const struct tile_work *work)
     }
 }
 
-// Resolves stencil, likewise.
+// Resolve stencil, after its samples were stored.
 static void resolve_stencil(const struct tile_work *work)
 {
     const struct rhw_attachment *const stencil = &work->target->stencil;
@@ -145,7 +146,7 @@ static void resolve_stencil(const struct tile_work *work)
 
 // Loading and storing with several samples ---------------------------------------------------------------
 
-// Whether samples are stored, now or for the waves that follow.
+// Return true if samples are stored, now or for the waves that follow.
 static bool stores_samples(const struct rhw_wave *wave)
 {
     bool stores = false;
@@ -155,7 +156,8 @@ static bool stores_samples(const struct rhw_wave *wave)
     return stores;
 }
 
-// Whether the tile is kept woven. An explanation looks into single samples, and the general path draws them.
+// Return true if the tile can be kept woven. It cannot if a sample is explained: an explanation looks into single
+// samples, and the general path draws them.
 static bool can_weave(const struct tile_work *work)
 {
     const struct rhw_target *const target = work->target;
@@ -170,7 +172,7 @@ static bool can_weave(const struct tile_work *work)
 static void load_samples(const struct tile_work *work)
 {
     const struct rhw_target *const target = work->target;
-    bool differ = false; // the samples of some colour may
+    bool differ = false; // true if the samples of some colour may differ
     for (int t = 0; t < target->color_count; t++) {
         const struct rhw_attachment *const color = &target->colors[t];
         differ |=
@@ -217,8 +219,8 @@ static void store_samples(const struct tile_work *work)
     }
 }
 
-// Whether an attachment wants a tile without triangles to be loaded and stored: to be resolved, or to be there for the
-// waves that follow.
+// Return true if an attachment wants a tile without triangles to be loaded and stored: to be resolved, or to be there
+// for the waves that follow.
 static bool wants_tile(const struct tile_work *work, const struct rhw_attachment *attachment)
 {
     const struct rhw_wave *const wave = work->wave;
@@ -231,7 +233,7 @@ static bool wants_tile(const struct tile_work *work, const struct rhw_attachment
     return attachment->resolves && wave->is_last;
 }
 
-// Whether a tile without triangles does not pass through.
+// Return true if a tile without triangles has to be loaded and stored, and cannot pass through.
 static bool resolves_loaded(const struct tile_work *work)
 {
     const struct rhw_target *const target = work->target;

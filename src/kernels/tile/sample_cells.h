@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Coverage of the smallest triangles where pixels have 4 samples, exactly: of cells of 4×4 pixels, 8 at a time, a
-// cell in each lane. In meshes as fine as the picture a triangle is one cell, and a batch of 8 triangles one vector;
-// of larger ones cells beside and below each other stand in the list too, so that lanes stay full.
+// Coverage of the smallest triangles, where pixels have 4 samples, is found in cells of 4×4 pixels, 8 cells at a time,
+// one in each lane. It is exact. In meshes as fine as the picture a triangle is one cell, and a batch of 8 triangles
+// one vector. Cells of larger triangles, beside and below each other, stand in the list too, so that lanes stay full.
 #ifndef RHW_SAMPLE_CELLS_H
 #define RHW_SAMPLE_CELLS_H
 
@@ -9,26 +9,26 @@
 #include "kernels/tile_units.h"
 #include "triangle_setup8.h"
 
-// A cell's mask has 4 bits for each pixel, row by row: its samples.
+// A cell. Its mask has 4 bits for each pixel, row by row: the pixel's samples.
 struct sample_cell {
-    int x, y; // pixels of the tile
+    int x, y; // first pixel of the cell, in the tile
     uint64_t covered;
 };
 
-// What the edges are at the first pixel of 8 cells, top left, and what they change by to its samples, and to the pixels
-// beside and below it. Unsigned: see edge_lanes.
+// The edges at the first pixel of 8 cells, top left, and what they change by to its samples, and to the pixels beside
+// and below it. They are unsigned: see edge_lanes.
 struct cell_edges8 {
     u32x8 e[3], to_sample[3][CELL_SAMPLES], right[3], down[3];
 };
 
-// Which pixels of 8 cells their triangles may cover: columns first .. end − 1 and the first `rows` rows.
+// The pixels of 8 cells that their triangles may cover: columns first .. end − 1 and the first `rows` rows.
 struct cell_parts8 {
     i32x8 first, end, rows;
 };
 
 _Static_assert(CELLS_X == 2, "list_cells lists one or two side by side");
 
-// Bit i: triangle i of the batch has no more cells than are listed, or than one.
+// Bit i says that triangle i of the batch fits: into the cells that are listed, or into one cell.
 struct cell_fits {
     unsigned cells, one_cell;
 };
@@ -43,8 +43,8 @@ RHW_INLINE struct cell_fits fit_cells(const struct triangle_setup8 *setup)
     return (struct cell_fits){~i32x8_sign_bits(beyond) & 0xff, ~i32x8_sign_bits(beyond_one) & 0xff};
 }
 
-// Finds the tiny triangles of the batch and lists their cells; gives how many there are. An entry: the triangle, and
-// 8 and 16 bits above it how far to the right of its first pixel and below it the cell begins.
+// Find the tiny triangles of the batch and list their cells. Return the number of cells. An entry has the triangle, at
+// bit 8 how far to the right of the triangle's first pixel the cell begins, and at bit 16 how far below it.
 static inline int list_cells(struct triangle_setup8 *setup)
 {
     struct sample_cells *const cells = &setup->cells;
@@ -60,7 +60,8 @@ static inline int list_cells(struct triangle_setup8 *setup)
     for (int i = 0; i < setup->read->count; i++) {
         cells->first[i] = count;
         const int height = setup->tiny >> i & 1 ? setup->y1[i] - setup->y0[i] : 0;
-        const int second = setup->x1[i] - setup->x0[i] > CELL; // beside the first
+        // A second cell stands beside the first.
+        const int second = setup->x1[i] - setup->x0[i] > CELL;
         for (int y = 0; y < height; y += CELL) {
             cells->entry[count] = i | y << 16;
             cells->entry[count + second] = i | y << 16 | (CELL * second) << 8;
@@ -68,17 +69,19 @@ static inline int list_cells(struct triangle_setup8 *setup)
         }
         cells->first[i + 1] = count;
     }
-    i32x8_store(&cells->entry[count], i32x8_splat(0)); // the other lanes of the last vector
+    // The other lanes of the last vector are read too.
+    i32x8_store(&cells->entry[count], i32x8_splat(0));
     return count;
 }
 
-// Of a number of each triangle, those of the triangles of 8 cells.
+// Return a number of 8 triangles, which are those of 8 cells. `number` has the number of each triangle of the batch.
 RHW_INLINE i32x8 of_cells(const int32_t number[BATCH], i32x8 triangle)
 {
     return i32x8_permute(i32x8_load(number), triangle);
 }
 
-// The samples of two pixels side by side in 8 cells, as a byte of their masks. `e`: the edges at the first.
+// Return the samples of two pixels side by side in 8 cells, as a byte of their masks. `e` has the edges at the first
+// pixel.
 RHW_INLINE u32x8 cover_pair8(const struct cell_edges8 *edges, const u32x8 e[3])
 {
     const u32x8 beside[3] = {e[0] + edges->right[0], e[1] + edges->right[1], e[2] + edges->right[2]};
@@ -91,7 +94,7 @@ RHW_INLINE u32x8 cover_pair8(const struct cell_edges8 *edges, const u32x8 e[3])
     return (first | second << CELL_SAMPLES) ^ (u32x8)i32x8_splat(0xff);
 }
 
-// Rows `row` and `row` + 1 of the masks of 8 cells, as far as `parts` reach.
+// Return rows `row` and `row` + 1 of the masks of 8 cells, as far as `parts` reach.
 RHW_INLINE i32x8 cover_rows8(const struct cell_edges8 *edges, const struct cell_parts8 *parts, int row)
 {
     u32x8 e[3], covered = (u32x8)i32x8_splat(0);
@@ -114,14 +117,15 @@ RHW_INLINE i32x8 cover_rows8(const struct cell_edges8 *edges, const struct cell_
     return (i32x8)covered;
 }
 
-// Sets the masks of cells n .. n + 7.
+// Set the masks of cells n .. n + 7.
 static inline void cover_cells8(struct sample_cells *cells, const struct triangle_setup8 *setup,
                                 const struct rhw_sample_pattern *pattern, int n)
 {
     const i32x8 entry = i32x8_load(&cells->entry[n]), triangle = entry & i32x8_splat(BATCH - 1);
     const i32x8 begin = of_cells(setup->x0, triangle) + (entry >> 8 & i32x8_splat(0xff)), below = entry >> 16,
                 y = of_cells(setup->y0, triangle) + below,
-                x = i32x8_min(begin, i32x8_splat(RHW_TILE - CELL)); // all of the cell lies in the tile
+                // All of the cell lies in the tile.
+        x = i32x8_min(begin, i32x8_splat(RHW_TILE - CELL));
     const u32x8 dx = (u32x8)(x - of_cells(setup->x, triangle)) << RHW_SUBPIXEL_BITS,
                 dy = (u32x8)below << RHW_SUBPIXEL_BITS;
     struct cell_edges8 edges;
@@ -138,7 +142,8 @@ static inline void cover_cells8(struct sample_cells *cells, const struct triangl
     const struct cell_parts8 parts = {begin - x,
                                       i32x8_min(of_cells(setup->x1, triangle) - x, i32x8_splat(CELL)),
                                       i32x8_min(of_cells(setup->y1, triangle) - y, i32x8_splat(CELL))};
-    // Masks of two rows: the columns before one, and the upper or lower rows of so many.
+    // Masks of two rows of a cell: before[n] has the columns before column n. upper[n] and lower[n] have what the first
+    // n rows of a cell leave of its upper two rows and of its lower two.
     const i32x8 before = {0, 0x000f000f, 0x00ff00ff, 0x0fff0fff, -1};
     const i32x8 upper = {0, 0xffff, -1, -1, -1}, lower = {0, 0, 0, 0xffff, -1};
     const i32x8 columns = i32x8_permute(before, parts.end) & ~i32x8_permute(before, parts.first);
@@ -148,7 +153,7 @@ static inline void cover_cells8(struct sample_cells *cells, const struct triangl
     i32x8_store(&cells->y[n], y);
 }
 
-// Finds the tiny triangles of a batch, those that fit into the list, and covers them.
+// Find the tiny triangles of a batch that fit into the list, and cover them.
 void RHW_ISA_NAME(rhw_find_tiny_samples)(struct triangle_setup8 *setup,
                                          const struct rhw_sample_pattern *pattern)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Where the rows of a small triangle begin and end: 8 rows at a time, a row in each lane.
+// The rows of a small triangle begin and end in spans. 8 rows are found at a time, a row in each lane.
 //
-// An edge q + a·x + b·y >= 0 (coverage.h), which is q_y + a·x in row y, covers x >= ceil(−q_y/a) where a > 0 and
-// x <= floor(q_y/|a|) where a < 0. Both are made of v = (q_y + 1/2)·(−1/a), exactly though in float: the half moves no
+// An edge q + a·x + b·y >= 0 (coverage.h), which is q_y + a·x in row y, covers x >= ceil(−q_y/a) where a > 0 and x <=
+// floor(q_y/|a|) where a < 0. Both are made of v = (q_y + 1/2)·(−1/a), exactly though in float: the half moves no
 // quotient of integers to another whole number, but keeps them 1/(2|a|) > 2^-15 from all. In the rows of a small
 // triangle |q_y| < 2^22, and |a|, |b| < 2^14, so the sum is exact, and the reciprocal and the product are off by less
 // than 2^-23·|v|: nothing within 128 pixels crosses a whole number, and what is further away ends at the tile's border.
@@ -17,9 +17,9 @@
 
 // The edges of a triangle.
 struct span_edges {
-    float q[3], step[3]; // in its first row, and a half; change per row
+    float q[3], step[3]; // value in the triangle's first row, and a half; change per row
     float scale[3];      // −1/a
-    float side[3];       // infinite, and above 0 for an edge where spans begin
+    float side[3];       // infinite; above 0 for an edge where spans begin
 };
 
 static inline void span_edge_set(struct span_edges *edges, int e, int32_t q, int32_t a, int32_t b)
@@ -30,24 +30,24 @@ static inline void span_edge_set(struct span_edges *edges, int e, int32_t q, int
     edges->side[e] = a > 0 ? INFINITY : -INFINITY;
 }
 
-// Which rows of the tile: 8 from `y` on, of which those within y0 .. y1 − 1 are drawn.
+// The rows of the tile to be found: 8 from `y` on. Those within y0 .. y1 − 1 are drawn.
 struct span_rows {
     int y, y0, y1;
 };
 
-// Columns of the tile; `end` is exclusive, and not above `begin` where nothing is covered.
+// Columns of the tile. `end` is exclusive, and not above `begin` where nothing is covered.
 struct row_spans {
     i32x8 begin, end;
 };
 
-// Of a triangle whose edges start at column `x` and row `top` of the tile, and that has `width` columns.
+// Return the spans of a triangle. Its edges start at column `x` and row `top` of the tile, and it has `width` columns.
 RHW_INLINE struct row_spans spans_of_rows(const struct span_edges *edges, int x, int top, int width,
                                           struct span_rows which)
 {
     const i32x8 rows = i32x8_splat(which.y) + rhw_lane_index;
     const f32x8 from_top = rhw_float_from_int(rows - i32x8_splat(top));
     f32x8 begin = f32x8_splat(0);                // span_mask starts where the triangle does
-    f32x8 end = f32x8_splat((float)(width - 1)); // the last one
+    f32x8 end = f32x8_splat((float)(width - 1)); // last column of the triangle
     for (int e = 0; e < 3; e++) {
         const f32x8 side = f32x8_splat(edges->side[e]);
         const f32x8 q = f32x8_splat(edges->q[e]) + f32x8_splat(edges->step[e]) * from_top;
@@ -63,7 +63,8 @@ RHW_INLINE struct row_spans spans_of_rows(const struct span_edges *edges, int x,
                               (rhw_int_from_float_unchecked(end) + i32x8_splat(x)) & drawn};
 }
 
-// The pixels of the block at x, in the rows of the spans, that they cover from column x0 on; bit 8·row + column.
+// Return the pixels of the block at x, in the rows of the spans, that the spans cover from column x0 on: bit 8·row +
+// column.
 RHW_INLINE uint64_t span_mask(const struct row_spans *spans, int x, int x0)
 {
     const i32x8 zero = i32x8_splat(0), width = i32x8_splat(RHW_BLOCK), first = i32x8_splat(x);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The blocks of 8×8 pixels of a small triangle, by its spans: they start where the triangle does, and where a row is
-// empty none is looked at.
+// A small triangle is drawn in blocks of 8×8 pixels, by its spans: the blocks start where the triangle does, and no
+// block is looked at where a row is empty.
 #ifndef RHW_SPAN_BLOCKS_H
 #define RHW_SPAN_BLOCKS_H
 
@@ -9,11 +9,11 @@
 #include "span.h"
 #include "triangle_setup8.h"
 
-// Draws the pixels set in `mask`, which is not 0, of the block at (x, y).
+// A function that draws the pixels set in `mask`, which is not 0, of the block at (x, y).
 typedef void draw_block_function(struct tile_work *work, struct triangle_work *triangle, int x, int y,
                                  uint64_t mask);
 
-// Calls `draw` for the blocks of a triangle. Those that would reach over the tile's end are moved.
+// Call `draw` for the blocks of a triangle. Blocks that would reach over the tile's end are moved.
 RHW_INLINE void draw_span_blocks(struct tile_work *work, struct triangle_work *triangle,
                                  draw_block_function *draw)
 {

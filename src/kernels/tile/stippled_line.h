@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Half a rectangular line with a stipple, in a tile: what the triangle covers of the samples that the stipple draws.
+// Half a rectangular line with a stipple is drawn in a tile: it has the samples that the triangle covers and the
+// stipple draws.
 #ifndef RHW_STIPPLED_LINE_H
 #define RHW_STIPPLED_LINE_H
 
@@ -12,7 +13,7 @@ struct stippled_line {
     struct coverage coverage[RHW_MAX_SAMPLES];
 };
 
-// Sample s of the tile's first pixel.
+// Return the position of sample s of the tile's first pixel.
 static struct sample_origin origin_of_sample(const struct tile_work *work, int s)
 {
     const struct rhw_sample_pattern *const pattern = work->target->pattern;
@@ -29,7 +30,7 @@ static void set_stippled_line(struct stippled_line *line, const struct tile_work
     }
 }
 
-// The pixels of the block at (x, y) of the tile whose sample s is drawn.
+// Return the pixels of the block at (x, y) of the tile whose sample s is drawn.
 static uint64_t stippled_line_mask(const struct stippled_line *line, const struct tile_work *work, int x,
                                    int y, int s)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// In which order a tile draws its triangles: bins that follow each other and may be drawn in another order than that of
-// submission (draw/hidden_surface.h) are a run of bins, and for each run the cheapest order is chosen.
+// A tile chooses the order in which it draws its triangles. Bins that follow each other and may be drawn in another
+// order than that of submission (draw/hidden_surface.h) are a run of bins, and for each run the cheapest order is
+// chosen.
 #ifndef RHW_TILE_ORDER_H
 #define RHW_TILE_ORDER_H
 
@@ -11,7 +12,7 @@ struct bin_run {
     const struct bin *first, *end;
 };
 
-// Estimates the pixels that a triangle covers in the tile.
+// Estimate how many pixels a triangle covers in the tile.
 static double area_in_tile(const struct tile_work *work, const struct rhw_triangle *t)
 {
     const struct tile_rect rect = rect_of(work, t);
@@ -26,9 +27,9 @@ static double area_in_tile(const struct tile_work *work, const struct rhw_triang
     return area < rectangle ? area : rectangle;
 }
 
-// Whether the triangles of a run lie above each other so much that shading what is hidden, half of which the depth
-// test would have stopped, costs more than drawing depth first: judged by the areas of some of them. Measured: depth
-// costs 3 ns a pixel and 60 ns a triangle more; shading 9 ns a pixel, with textures 18.
+// Return true if the triangles of a run lie above each other so much that drawing depth first costs less than shading
+// what is hidden, half of which the depth test would have stopped. The areas of some of the triangles decide. Measured:
+// depth costs 3 ns a pixel and 60 ns a triangle more; shading costs 9 ns a pixel, with textures 18.
 static bool overdraws(const struct tile_work *work, struct bin_run run)
 {
     enum { SAMPLES = 64 };
@@ -43,7 +44,7 @@ static bool overdraws(const struct tile_work *work, struct bin_run run)
         return false;
     }
     const uint32_t step = count / SAMPLES + 1;
-    uint32_t next = 0; // counts in the bin under way
+    uint32_t next = 0; // index in the bin under way
     double covered = 0;
     for (const struct bin *bin = run.first; bin < run.end; bin++) {
         for (; next < bin->end - bin->first; next += step) {
@@ -57,7 +58,8 @@ static bool overdraws(const struct tile_work *work, struct bin_run run)
     return (covered - tile_pixels) / 2 * pixel_ns > covered * depth_ns + count * triangle_ns;
 }
 
-// Unites, from `first` on, bins that can be drawn depth first or backwards, or that cannot; at least one.
+// Return the run from `first` on: one bin at least, and the bins behind it that can be drawn in the same orders, be it
+// depth first, backwards or neither.
 static struct bin_run run_from(const struct bin *first, const struct bin *end)
 {
     struct bin_run run = {first, first + 1};
@@ -67,7 +69,7 @@ static struct bin_run run_from(const struct bin *first, const struct bin *end)
     return run;
 }
 
-// How a run is drawn.
+// Return how a run is drawn.
 static enum rhw_tile_plan choose_plan(const struct tile_work *work, struct bin_run run)
 {
     const enum rhw_hidden_surface hidden = run.first->chunk->hidden.kind;

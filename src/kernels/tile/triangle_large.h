@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Any triangle in a tile, block by block of 8×8 pixels: coverage, depth, and what survives is collected for shading.
-// This is the general path; small triangles have one of their own (triangle_small.h), and so have those that cover the
-// tile all over where no depth is tested: 17 % fewer instructions in fill_color. Small slivers, and small triangles of
-// one colour, come here as well, by spans instead of coverage.
+// Any triangle can be drawn in a tile block by block of 8×8 pixels: coverage and depth are tested, and what survives is
+// collected for shading. This is the general path. Small triangles have a path of their own (triangle_small.h), and so
+// have triangles that cover the tile all over where no depth is tested: 17 % fewer instructions in fill_color. Small
+// slivers, and small triangles of one colour, come here as well, by spans instead of coverage.
 #ifndef RHW_TRIANGLE_LARGE_H
 #define RHW_TRIANGLE_LARGE_H
 
@@ -16,19 +16,20 @@
 
 // Blocks -----------------------------------------------------------------------------------------------
 
-// 0 for the front.
+// Return 0 if the triangle faces the front. Return 1 if not.
 RHW_INLINE int face_of(const struct triangle_work *triangle)
 {
     return triangle->t->flags & RHW_TRIANGLE_BACK ? 1 : 0;
 }
 
-// Whether stencil is tested before the triangle's planes are made; what is explained has numbers before any test.
+// Return true if stencil is tested before the triangle's planes are made. If a sample is explained it is not, as an
+// explanation has numbers before any test.
 RHW_INLINE bool tests_stencil_first(const struct tile_work *work)
 {
     return work->plan.test == RHW_TEST_STENCIL_FIRST && !work->explained;
 }
 
-// Tests a block's pixels set in `mask` before shading; returns those that pass.
+// Test a block's pixels set in `mask` before shading. Return the pixels that pass.
 RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_work *triangle,
                                const struct block *block, uint64_t mask)
 {
@@ -40,7 +41,7 @@ RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_wor
         return test_block_early_stencil(&pixels, &work->plan, face_of(triangle), tests_stencil_first(work));
     }
     mask = test_block_early(depth, block->z, block->x, block->y, mask, &work->plan);
-    // Blocks of spans start anywhere; only those at multiples of 8 have a bound.
+    // Blocks of spans start anywhere; only blocks at multiples of 8 have a bound.
     if (is_whole && work->tests_bounds && work->plan.early.write && !block->leaves_triangle &&
         planes->kind == PLANES_LINEAR && ((block->x | block->y) & (RHW_BLOCK - 1)) == 0) {
         hiz_cover(depth, plane_of(&planes->quantities, QUANTITY_Z), planes->anchor_x - work->x,
@@ -49,8 +50,7 @@ RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_wor
     return mask;
 }
 
-// Draws a block of which `mask` is covered and open: depth is tested first, then what survives is collected for
-// shading.
+// Draw a block of which `mask` is covered and open: depth is tested first, then what survives is collected for shading.
 RHW_INLINE void shade_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
                             uint64_t mask, bool is_explained)
 {
@@ -59,7 +59,7 @@ RHW_INLINE void shade_block(struct tile_work *work, struct triangle_work *triang
         set_planes(work, triangle);
     }
     f32x8 z[RHW_BLOCK];
-    // Set member by member: before an initializer gcc clears all of it, by a slow `rep stos`.
+    // The block is set member by member: before an initializer gcc clears all of it, by a slow `rep stos`.
     struct block block;
     block.x = x;
     block.y = y;
@@ -107,7 +107,7 @@ static __attribute__((noinline)) void shade_explained_block(struct tile_work *wo
     shade_block(work, triangle, x, y, mask, true);
 }
 
-// Draws a block. What asks for no number of the triangle is done here, and needs few registers.
+// Draw a block. Work that asks for no number of the triangle is done here, and needs few registers.
 RHW_INLINE void draw_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
                            uint64_t mask)
 {
@@ -124,7 +124,8 @@ RHW_INLINE void draw_block(struct tile_work *work, struct triangle_work *triangl
     if (mask == 0) {
         return;
     }
-    if (plan->shading == RHW_SHADING_CONSTANT && !plan->needs_depth) { // no number of the triangle is wanted
+    // No number of the triangle is wanted.
+    if (plan->shading == RHW_SHADING_CONSTANT && !plan->needs_depth) {
         work->counters->fragments += (uint64_t)__builtin_popcountll(mask);
         blend_constant(work, x, y, mask);
         return;
@@ -138,7 +139,7 @@ RHW_INLINE void draw_block(struct tile_work *work, struct triangle_work *triangl
 
 // Whole tiles ------------------------------------------------------------------------------------------
 
-// Whether a triangle of the draw that covers the tile all over takes the path below.
+// Return true if a triangle of the draw that covers the tile all over is drawn by draw_whole_tile.
 RHW_INLINE bool takes_whole_tile(const struct tile_work *work)
 {
     const struct rhw_draw_plan *const plan = &work->plan;
@@ -148,8 +149,8 @@ RHW_INLINE bool takes_whole_tile(const struct tile_work *work)
            !work->is_scissored && (work->phase == RHW_PHASE_ONLY || all_open);
 }
 
-// A triangle that covers the tile all over where no depth is tested, as in full-screen passes: what its blocks share is
-// done once. False where it takes the path of any other.
+// Draw a triangle that covers the tile all over where no depth is tested, as in full-screen passes: what its blocks
+// share is done once. Return false if the triangle takes the path of any other.
 static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, struct triangle_work *triangle)
 {
     set_planes(work, triangle);
@@ -167,8 +168,8 @@ static __attribute__((noinline)) bool draw_whole_tile(struct tile_work *work, st
 
 // All ---------------------------------------------------------------------------------------------------
 
-// Whether what is known of blocks of the triangle's plane holds for the one at (x, y): its bit is set, and depth in
-// it is the plane's.
+// Return true if what is known of blocks of the triangle's plane holds for the one at (x, y): its bit is set, and depth
+// in it is the plane's depth.
 static bool holds_for_block(const struct tile_work *work, const struct triangle_work *triangle,
                             unsigned known, int x, int y)
 {
@@ -210,10 +211,12 @@ static void draw_blocks(struct tile_work *work, struct triangle_work *triangle,
 
 // Settled blocks ----------------------------------------------------------------------------------------
 
-// Whether the tile knows enough of its depth to draw a triangle by the function below, where its draw may be.
+// Return true if the tile knows enough of its depth to draw a triangle by draw_whole_blocks, if the triangle's draw may
+// be drawn by it.
 static bool knows_ranges(const struct tile_work *work)
 {
-    enum { TRIANGLES_UNRANGED = 2 }; // a draw tests so many before a look at all of the tile's depth pays
+    // A draw tests this many triangles before a look at all of the tile's depth pays.
+    enum { TRIANGLES_UNRANGED = 2 };
     struct tile_depth *const depth = &work->scratch->depth;
     if (work->plan.test != RHW_TEST_WHOLE_BLOCKS ||
         (!depth->has_ranges && depth->unranged++ < TRIANGLES_UNRANGED)) {
@@ -225,7 +228,7 @@ static bool knows_ranges(const struct tile_work *work)
     return true;
 }
 
-// Returns the blocks among those `wanted` in which stencil can be changed without a test.
+// Return the blocks among `wanted` in which stencil can be changed without a test.
 static struct decided_blocks decided_blocks(struct tile_work *work, struct triangle_work *triangle,
                                             uint64_t wanted)
 {
@@ -250,7 +253,7 @@ static struct decided_blocks decided_blocks(struct tile_work *work, struct trian
     return (struct decided_blocks){decided.passed & wanted, decided.failed & wanted};
 }
 
-// What is covered of a block, which is among the triangle's.
+// Return the covered pixels of a block, which is among the triangle's.
 static uint64_t mask_of_block(const struct tile_work *work, const struct triangle_work *triangle,
                               const struct coverage *coverage, bool is_crossed, int x, int y)
 {
@@ -264,8 +267,8 @@ static uint64_t mask_of_block(const struct tile_work *work, const struct triangl
     return mask;
 }
 
-// A triangle that leaves depth as it is and changes stencil by whether it passes the depth test. Nothing shades it,
-// so there is nothing collected to end with.
+// Draw a triangle that leaves depth as it is and changes stencil by whether it passes the depth test. Nothing shades
+// it, so there is nothing collected to end with.
 static __attribute__((noinline)) void draw_whole_blocks(struct tile_work *work,
                                                         struct triangle_work *triangle,
                                                         const struct coverage *coverage)
@@ -288,14 +291,15 @@ static __attribute__((noinline)) void draw_whole_blocks(struct tile_work *work,
         if ((decided.passed | decided.failed) >> n & 1) {
             change_stencil_block(depth, x, y, mask, face,
                                  decided.passed >> n & 1 ? face->pass : face->depth_fail);
-        } else if (mask !=
-                   0) { // nothing is drawn backwards or claimed here, and the general path never comes here
+        } else if (mask != 0) {
+            // Nothing is drawn backwards or claimed here, and the general path never comes here.
             shade_plain_block(work, triangle, x, y, mask);
         }
     }
 }
 
-// A small triangle whose groups must be rows, or that is a sliver: 6 % fewer instructions for lines drawn as quads.
+// Draw a small triangle whose groups must be rows, or that is a sliver: 6 % fewer instructions for lines drawn as
+// quads.
 static void draw_by_spans(struct tile_work *work, struct triangle_work *triangle)
 {
     begin_any(work, triangle, NULL);

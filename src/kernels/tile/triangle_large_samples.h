@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A triangle in a tile whose pixels have several samples: the same as triangle_large.h, with coverage and depth by
-// sample. A fragment is what a triangle covers of a pixel, one sample or more: it is shaded once, where its varyings
-// say (enum rhw_sampling), and goes into every sample that it covers and that passes the tests.
+// A triangle of any size is drawn here in a tile whose pixels have several samples, as triangle_large.h draws it where
+// pixels have one: coverage and depth are found by sample. A fragment is what a triangle covers of a pixel, one sample
+// or more. It is shaded once, where its varyings say (enum rhw_sampling), and goes into every sample that it covers and
+// that passes the tests.
 #ifndef RHW_TRIANGLE_LARGE_SAMPLES_H
 #define RHW_TRIANGLE_LARGE_SAMPLES_H
 
@@ -12,8 +13,8 @@
 #include "sampled_block.h"
 #include "triangle_planes.h"
 
-// Sets all but depths and samples of the block as its pixels are at sample s; −1: at their centres. In place: a copy
-// would wait for what was just written, which took msaa4_sponza 1 % of its time.
+// Set all but depths and samples of the block, as its pixels are at sample s. If s is −1, they are at their centres.
+// The block is set in place: a copy would wait for what was just written; it took msaa4_sponza 1 % of its time.
 RHW_INLINE void block_set(struct block *block, const struct tile_work *work,
                           const struct triangle_work *triangle, const struct sampled_block *from, int s)
 {
@@ -46,7 +47,7 @@ static uint64_t all_samples(const struct tile_work *work, const uint64_t *mask)
     return all;
 }
 
-// Leaves the samples that are open, where a phase asks for that.
+// Leave in the block only samples that are open, if the phase asks for open ones.
 static void leave_open(struct tile_work *work, struct sampled_block *block)
 {
     for (int s = 0; s < work->samples; s++) {
@@ -59,7 +60,7 @@ static void leave_open(struct tile_work *work, struct sampled_block *block)
     }
 }
 
-// Whether depth in the block at (x, y) is not the plane's at some sample.
+// Return true if depth in the block at (x, y) is not the plane's at some sample.
 static bool samples_leave(const struct tile_work *work, const struct triangle_work *triangle, int x, int y)
 {
     struct anchor_offset at = block_offset(work, &triangle->planes, x, y);
@@ -70,7 +71,7 @@ static bool samples_leave(const struct tile_work *work, const struct triangle_wo
     return leaves_triangle(triangle, &at);
 }
 
-// Tests the samples before shading.
+// Test the samples of a block before shading.
 static void test_samples(struct tile_work *work, const struct triangle_work *triangle,
                          struct sampled_block *block)
 {
@@ -96,7 +97,7 @@ static void test_samples(struct tile_work *work, const struct triangle_work *tri
     }
 }
 
-// Queues the fragments of `pixels`, which take their values at sample `at` (−1: the centre).
+// Queue the fragments of `pixels`, which take their values at sample `at`. If it is −1, they take them at the centre.
 static void queue_samples(struct tile_work *work, struct triangle_work *triangle,
                           const struct sampled_block *from, uint64_t pixels, int at)
 {
@@ -139,7 +140,8 @@ static void queue_sampled_block(struct tile_work *work, struct triangle_work *tr
     uint64_t left = any;
     switch (work->plan.sampling) {
     case RHW_SAMPLING_CENTER: queue_samples(work, triangle, block, any, -1); break;
-    case RHW_SAMPLING_CENTROID: // at the first sample that is covered, seen or not, where not all are
+    case RHW_SAMPLING_CENTROID:
+        // A pixel that is not covered all over is shaded at its first covered sample, seen or not.
         left &= ~all_samples(work, block->covered);
         queue_samples(work, triangle, block, any & ~left, -1);
         for (int s = 0; s < work->samples && left != 0; s++) {
@@ -205,7 +207,7 @@ void RHW_ISA_NAME(rhw_draw_sampled_block)(struct tile_work *work, struct triangl
     }
 }
 
-// Pixels of the block at (x, y) within a rectangle, which may lie elsewhere.
+// Return the pixels of the block at (x, y) within a rectangle, which may lie elsewhere.
 static uint64_t overlap_mask(int x, int y, const struct tile_rect *rect)
 {
     const bool overlaps = rect->x0 < rect->x1 && rect->y0 < rect->y1 && rect->x0 < x + RHW_BLOCK &&
@@ -213,7 +215,8 @@ static uint64_t overlap_mask(int x, int y, const struct tile_rect *rect)
     return overlaps ? rect_mask(x, y, rect->x0, rect->y0, rect->x1, rect->y1) : 0;
 }
 
-// Of the rectangle of a point, the pixels whose sample s lies in its square: the half of its triangle's legs.
+// Return the pixels in the rectangle of a point whose sample s lies in the point's square. Its sides are half of its
+// triangle's legs.
 static struct tile_rect point_rect(const struct tile_work *work, const struct rhw_triangle *t,
                                    const struct tile_rect *rect, int s)
 {
@@ -227,7 +230,7 @@ static struct tile_rect point_rect(const struct tile_work *work, const struct rh
                               min_int(y1, rect->y1)};
 }
 
-// The samples of a block that the triangle covers, within its rectangle and the scissor.
+// Set the samples of a block that the triangle covers, within its rectangle and the scissor.
 static void cover_samples(const struct tile_work *work, const struct rhw_triangle *t,
                           const struct coverage *coverage, const struct tile_rect *rect,
                           struct sampled_block *block)
@@ -244,7 +247,7 @@ static void cover_samples(const struct tile_work *work, const struct rhw_triangl
     }
 }
 
-// All samples that are drawn.
+// Set all samples of a block that are drawn.
 static void fill_samples(const struct tile_work *work, struct sampled_block *block)
 {
     for (int s = 0; s < work->samples; s++) {
@@ -252,14 +255,14 @@ static void fill_samples(const struct tile_work *work, struct sampled_block *blo
     }
 }
 
-// Sets the edges of a triangle that cross the tile at some sample. They are those at pixel centres, and reach over a
-// block as far as its samples do: half a pixel more, so that block_row_of tells of all samples at once. With that,
-// |q| in the tile is at most 63.5·(|a| + |b|) + 2 < 2^31. False where the triangle lies beside the tile.
+// Set the edges of a triangle that cross the tile at some sample. They are the edges at pixel centres, and reach over a
+// block as far as its samples do: half a pixel more, so that block_row_of tells of all samples at once. With the half,
+// |q| in the tile is at most 63.5·(|a| + |b|) + 2 < 2^31. Return false if the triangle lies beside the tile.
 static bool wide_edges_set(struct triangle_edges *wide, const struct tile_work *work,
                            const struct rhw_triangle *t)
 {
     const int32_t sign = t->flags & RHW_TRIANGLE_NEGATIVE ? -1 : 1;
-    const int blocks = (RHW_TILE - 1) / (RHW_BLOCK - 1); // as in coverage_add
+    const int blocks = (RHW_TILE - 1) / (RHW_BLOCK - 1); // 63 pixels are 9 times 7
     wide->count = 0;
     for (int i = 0; i < 3; i++) {
         const int j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
@@ -278,7 +281,7 @@ static bool wide_edges_set(struct triangle_edges *wide, const struct tile_work *
     return true;
 }
 
-// Draws the blocks of a triangle at row y of the tile.
+// Draw the blocks of a triangle at row y of the tile.
 static void draw_sampled_row(struct tile_work *work, struct triangle_work *triangle,
                              const struct coverage *coverage, const struct tile_rect *rect,
                              const struct triangle_edges *wide, int y)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// On which path a triangle is drawn in a tile: path_of decides it, of the plan of the draw and of what the setup of 8
-// triangles has found, and draw_triangles in tile.c takes it. All paths give the same bytes. Triangles of a batch
-// that follow each other on the same path are a run.
+// A triangle is drawn in a tile on one of these paths: path_of decides it, by the plan of the draw and by what the
+// setup of 8 triangles has found, and draw_triangles in tile.c takes it. All paths give the same bytes. Triangles of a
+// batch that follow each other on one path are a run.
 #ifndef RHW_TRIANGLE_PATH_H
 #define RHW_TRIANGLE_PATH_H
 
@@ -9,29 +9,28 @@
 #include "triangle_run.h"
 
 enum triangle_path {
-    TRIANGLE_SKIPPED, // nothing of it is drawn in this phase
-    // Where a pixel has one sample:
-    TRIANGLE_TINY,  // pixel by pixel: triangle_tiny.h
-    TRIANGLE_SMALL, // in blocks that start where the triangle does: triangle_small.h
-    TRIANGLE_SPANS, // a small one that has none of these two paths: triangle_large.h
-    TRIANGLE_LARGE, // in blocks of the tile: triangle_large.h
-    // Where a pixel has several samples:
-    TRIANGLE_TINY_SAMPLES,  // 4 samples, in cells: triangle_tiny_samples.h
-    TRIANGLE_SMALL_SAMPLES, // triangle_small_samples.h
-    TRIANGLE_LARGE_SAMPLES, // triangle_large_samples.h
-    // Where a pixel has any number of samples (triangle_shape.h):
-    TRIANGLE_SHAPE,        // not what the triangle covers is drawn, but what its flags say
-    TRIANGLE_STIPPLED_LINE // what it covers, without what a stipple leaves out
+    TRIANGLE_SKIPPED, // no drawing in this phase
+    // Paths where a pixel has one sample:
+    TRIANGLE_TINY,  // tiny triangles, pixel by pixel: triangle_tiny.h
+    TRIANGLE_SMALL, // small triangles, in blocks that start where the triangle does: triangle_small.h
+    TRIANGLE_SPANS, // small triangles that have no path above, by spans: triangle_large.h
+    TRIANGLE_LARGE, // triangles of any size, in blocks of the tile: triangle_large.h
+    // Paths where a pixel has several samples:
+    TRIANGLE_TINY_SAMPLES,  // tiny triangles with 4 samples, in cells: triangle_tiny_samples.h
+    TRIANGLE_SMALL_SAMPLES, // small triangles: triangle_small_samples.h
+    TRIANGLE_LARGE_SAMPLES, // triangles of any size: triangle_large_samples.h
+    // Paths where a pixel has any number of samples (triangle_shape.h):
+    TRIANGLE_SHAPE,        // shape that the triangle's flags say, instead of what it covers
+    TRIANGLE_STIPPLED_LINE // pixels that the triangle covers, without what a stipple leaves out
 };
 
-// The path of a triangle, and the triangles of its batch that have this path too, a bit each, as far as they are of
-// its draw.
+// The path of a triangle, and the triangles of its batch and draw that have this path too, a bit each.
 struct path_choice {
     enum triangle_path path;
     unsigned alike;
 };
 
-// Chooses the path of triangle i of a batch, which belongs to the draw under way.
+// Choose the path of triangle i of a batch, which belongs to the draw under way.
 RHW_INLINE struct path_choice path_of(const struct tile_work *work, const struct triangle_setup8 *setup,
                                       int i)
 {
@@ -68,7 +67,7 @@ RHW_INLINE const struct rhw_draw *draw_of(const struct rhw_chunk *chunk, const s
     return chunk->segments[setup->read->triangle[i]->segment].draw;
 }
 
-// Returns the end of the run of triangles from `first` on that are `alike`, which has `first`, and of one draw.
+// Return the end of the run of triangles from `first` on that are `alike` and of one draw. `first` is among them.
 RHW_INLINE int end_of_run(const struct rhw_chunk *chunk, const struct triangle_setup8 *setup, int first,
                           unsigned alike)
 {

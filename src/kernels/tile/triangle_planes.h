@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What blocks of any triangle are drawn with: its planes, made when its first block survives, the depths of a block,
-// and the blocks that it is hidden in.
+// Blocks of any triangle are drawn with the triangle's planes, which are made when its first block survives, the depths
+// of a block, and the blocks that the triangle is hidden in.
 #ifndef RHW_TRIANGLE_PLANES_H
 #define RHW_TRIANGLE_PLANES_H
 
@@ -11,14 +11,14 @@
 #include "depth_bias.h"
 #include "triangle_run.h"
 
-// Gives what a triangle may cover of the tile.
+// Return what a triangle may cover of the tile.
 RHW_INLINE struct tile_rect rect_of(const struct tile_work *work, const struct rhw_triangle *t)
 {
     return (struct tile_rect){max_int(t->x0 - work->x, 0), max_int(t->y0 - work->y, 0),
                               min_int(t->x1 - work->x, RHW_TILE), min_int(t->y1 - work->y, RHW_TILE)};
 }
 
-// Copies what shading needs of the planes from the setup.
+// Copy what shading needs of the planes from the setup.
 RHW_INLINE void copy_planes(const struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
@@ -74,7 +74,7 @@ static void set_planes(const struct tile_work *work, struct triangle_work *trian
     }
 }
 
-// Whether numbers in a block may differ from the triangle's planes.
+// Return true if numbers in a block may differ from the triangle's planes.
 RHW_INLINE bool leaves_triangle(const struct triangle_work *triangle, const struct anchor_offset *at)
 {
     return triangle->clipped && block_leaves_triangle(&triangle->planes, triangle->clipped, at);
@@ -83,7 +83,7 @@ RHW_INLINE bool leaves_triangle(const struct triangle_work *triangle, const stru
 // Samples lie within half a pixel of the centre, each way.
 static const double SAMPLE_REACH = 0.5;
 
-// Bit n: the triangle's plane lies behind all that block n of the row of blocks at y shows.
+// Return a bit for each block of the row of blocks at y: the triangle's plane lies behind all that the block shows.
 static unsigned hidden_blocks(struct tile_work *work, struct triangle_work *triangle, int y)
 {
     const struct tile_depth *const depth = &work->scratch->depth;
@@ -101,7 +101,7 @@ static unsigned hidden_blocks(struct tile_work *work, struct triangle_work *tria
                       planes->anchor_y - work->y, y, work->samples == 1 ? 0 : SAMPLE_REACH);
 }
 
-// Whether all of a small triangle in a rectangle of the tile lies behind what the tile shows there.
+// Return true if all of a small triangle in a rectangle of the tile lies behind what the tile shows there.
 RHW_INLINE bool hides_small(const struct tile_work *work, const struct triangle_setup8 *setup, int i,
                             struct hiz_rect rect)
 {
@@ -110,7 +110,7 @@ RHW_INLINE bool hides_small(const struct tile_work *work, const struct triangle_
                      setup->anchor_x[i] - work->x, setup->anchor_y[i] - work->y, &rect, SAMPLE_REACH);
 }
 
-// Gives the depths of a block; those of pixels outside `mask` are rubbish.
+// Set the depths of a block. Depths of pixels outside `mask` are rubbish.
 RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_work *triangle,
                            const struct block *block, uint64_t mask, f32x8 z[RHW_BLOCK])
 {
@@ -134,7 +134,7 @@ RHW_INLINE void depth_rows(const struct tile_work *work, const struct triangle_w
 
 // Tiny ones ---------------------------------------------------------------------------------------------
 
-// Makes tiny triangle i of a run ready for shading.
+// Make tiny triangle i of a run ready for shading.
 RHW_INLINE void begin_tiny(struct triangle_work *triangle, const struct triangle_run *run, int i)
 {
     begin_triangle(triangle, run, i);

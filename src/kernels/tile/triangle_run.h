@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Triangles of a batch that follow each other and are drawn on the same path (triangle_path.h), and how a path draws
-// them one after the other.
+// A run has triangles of a batch that follow each other and are drawn on one path (triangle_path.h). The functions here
+// draw them one after the other.
 #ifndef RHW_TRIANGLE_RUN_H
 #define RHW_TRIANGLE_RUN_H
 
@@ -15,7 +15,7 @@ struct triangle_run {
     int first, end;
 };
 
-// Makes triangle i of a run ready for its path, but for what begin_any and begin_plain set.
+// Make triangle i of a run ready for its path, but for what begin_any and begin_plain set.
 RHW_INLINE void begin_triangle(struct triangle_work *triangle, const struct triangle_run *run, int i)
 {
     triangle->chunk = run->chunk;
@@ -26,7 +26,7 @@ RHW_INLINE void begin_triangle(struct triangle_work *triangle, const struct tria
     triangle->has_planes = triangle->has_values = false;
 }
 
-// Makes a triangle ready for a path that takes any. `clipped`: room for what clipping adds to its planes.
+// Make a triangle ready for a path that takes any. `clipped` is room for what clipping adds to its planes.
 RHW_INLINE void begin_any(const struct tile_work *work, struct triangle_work *triangle,
                           struct clipped_planes *clipped)
 {
@@ -36,8 +36,8 @@ RHW_INLINE void begin_any(const struct tile_work *work, struct triangle_work *tr
     triangle->depth_bias = work->plan.is_biased ? setup->depth_bias[triangle->lane] : 0;
 }
 
-// Makes a small triangle ready for a path that asks for clipping, clamping and bias: it is neither clipped nor
-// clamped, and its planes in the setup have its bias.
+// Make a small triangle ready for a path that asks for clipping, clamping and bias: it is neither clipped nor clamped,
+// and its planes in the setup have its bias.
 RHW_INLINE void begin_plain(struct triangle_work *triangle)
 {
     triangle->clipped = NULL;
@@ -45,13 +45,13 @@ RHW_INLINE void begin_plain(struct triangle_work *triangle)
     triangle->depth_bias = 0;
 }
 
-// Keeps for the second of two phases that a triangle of the run was seen in the first.
+// Keep for the second of two phases that a triangle of the run was seen in the first.
 RHW_INLINE void see_triangle(const struct tile_work *work, uint32_t number)
 {
     work->scratch->seen[number / 8] |= (uint8_t)(1u << number % 8);
 }
 
-// Whether no sample of the tile but the first is open, drawn backwards.
+// Return true if no sample of the tile but the first is open, when triangles are drawn backwards.
 static __attribute__((noinline)) bool others_are_closed(const struct tile_work *work)
 {
     int open = 0;
@@ -61,17 +61,17 @@ static __attribute__((noinline)) bool others_are_closed(const struct tile_work *
     return open == 0;
 }
 
-// Whether what is left of the tile's bins is hidden.
+// Return true if what is left of the tile's bins is hidden.
 RHW_INLINE bool is_hidden(const struct tile_work *work)
 {
     return work->phase == RHW_PHASE_BACKWARDS && work->scratch->depth.open_count == 0 &&
            others_are_closed(work);
 }
 
-// Draws a triangle that begin_triangle has made ready.
+// A function that draws a triangle that begin_triangle has made ready.
 typedef void draw_triangle_function(struct tile_work *work, struct triangle_work *triangle);
 
-// Draws the triangles of a run by a function, which is inlined.
+// Draw the triangles of a run by a function, which is inlined.
 RHW_INLINE void draw_each(const struct triangle_run *run, draw_triangle_function *draw)
 {
     struct tile_work *const work = run->work;
@@ -86,8 +86,7 @@ RHW_INLINE void draw_each(const struct triangle_run *run, draw_triangle_function
     }
 }
 
-// Draws the triangles of a run by a function of the general path, and tells the history of a sample where it is asked
-// for.
+// Draw the triangles of a run by a function of the general path, and tell the history of a sample if it is asked for.
 RHW_INLINE void draw_each_explained(const struct triangle_run *run, draw_triangle_function *draw)
 {
     struct tile_work *const work = run->work;

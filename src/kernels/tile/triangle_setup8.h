@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Setup of the next 8 triangles of a bin, lane by lane: of each the planes that every fragment needs, and of small ones
-// the edges in 32 bits.
+// The next 8 triangles of a bin are set up lane by lane: all triangles get the planes that every fragment needs, and
+// small ones get their edges in 32 bits.
 #ifndef RHW_TRIANGLE_SETUP8_H
 #define RHW_TRIANGLE_SETUP8_H
 
@@ -13,42 +13,43 @@
 enum {
     CELL = 4, // pixels of a cell, each way
     CELL_SAMPLES = 4,
-    CELLS_X = 2, // cells of a triangle, each way, at most
+    CELLS_X = 2, // most cells of a triangle, each way
     CELLS_Y = 4,
     MOST_CELLS = BATCH * CELLS_X * CELLS_Y
 };
 
-// What tiny triangles cover where pixels have 4 samples (sample_cells.h): of triangle i in cells first[i] ..
-// first[i + 1] − 1. Lists have room for a vector that begins behind the last.
+// What tiny triangles cover where pixels have 4 samples (sample_cells.h). Triangle i has cells first[i] .. first[i + 1]
+// − 1. Lists have room for a vector that begins behind the last cell.
 struct sample_cells {
     unsigned covers; // bit i: triangle i covers a sample
     int first[BATCH + 1];
     int32_t entry[MOST_CELLS + BATCH];
-    int32_t x[MOST_CELLS + BATCH], y[MOST_CELLS + BATCH]; // pixels of the tile
+    int32_t x[MOST_CELLS + BATCH], y[MOST_CELLS + BATCH]; // first pixel of each cell, in the tile
     uint32_t low[MOST_CELLS + BATCH], high[MOST_CELLS + BATCH];
 };
 
-// Edges and pixels are those of small triangles (RHW_TRIANGLE_SMALL) alone, planes those of snapped ones. Edges: q,
-// a, b as in coverage.h, q at pixel (x, y0) of the tile. Vertices lie within 64 pixels of each other and within 72 of
-// any pixel of a block that reaches into their rectangle, as edge_lanes asks. Where pixels have several samples q is
-// that of the pixel's top left corner, times 256: those of samples follow from it.
+// The setup of 8 triangles. Edges and pixels are set for small triangles (RHW_TRIANGLE_SMALL) alone, planes for snapped
+// ones. Edges have q, a, b as in coverage.h, with q at pixel (x, y0) of the tile. Vertices lie within 64 pixels of each
+// other and within 72 of any pixel of a block that reaches into their rectangle, as edge_lanes asks. If pixels have
+// several samples, q is taken at the pixel's top left corner, times 256: q of each sample follows from it.
 struct triangle_setup8 {
     const struct bin_batch *read; // the triangles
-    // What they may cover of the tile: see struct tile_rect.
+    // The pixels of the tile that the triangles may cover: see struct tile_rect.
     int32_t x0[BATCH], y0[BATCH], x1[BATCH], y1[BATCH];
     int32_t x[BATCH];
     int32_t q[3][BATCH], a[3][BATCH], b[3][BATCH];
     struct quantity_planes quantities[BATCH];
     double inverse_area[BATCH];
-    int32_t anchor_x[BATCH], anchor_y[BATCH]; // as in struct planes
-    bool is_one_segment;                      // all triangles are of one segment, and so of one draw
+    int32_t anchor_x[BATCH], anchor_y[BATCH]; // anchor of struct planes
+    bool is_one_segment;                      // true if all triangles are of one segment, and so of one draw
     // Sets of triangles: bit i stands for triangle i.
-    unsigned exact;  // their planes are PLANES_EXACT: slivers
-    unsigned clamps; // they may leave the range that depth is held to
+    unsigned exact;  // triangles whose planes are PLANES_EXACT: slivers
+    unsigned clamps; // triangles that may leave the range that depth is held to
     unsigned small;  // small triangles that are neither exact nor clamped, nor points with several samples
     unsigned tiny;   // small triangles that are tiny, where the draw of the first triangle draws tiny ones
-    double depth_bias[BATCH]; // set where the draw is biased and the vertices are snapped
-    // What tiny triangles cover: where a pixel has one sample (triangle_tiny.h), and where it has 4.
+    double depth_bias[BATCH]; // bias; set where the draw is biased and the vertices are snapped
+    // Masks of what tiny triangles cover: tiny_mask where a pixel has one sample (triangle_tiny.h), and cells where it
+    // has 4.
     uint32_t tiny_mask[BATCH];
     struct sample_cells cells;
 };
@@ -75,8 +76,8 @@ RHW_INLINE struct triangle_words8 load_words8(const struct bin_batch *read, cons
     const i32x8 zero = i32x8_splat(0), end = i32x8_splat(RHW_TILE), x = i32x8_splat(work->x),
                 y = i32x8_splat(work->y);
     words.segment = (i32x8)high[2];
-    words.flags =
-        (i32x8)high[4]; // x0 stands above the flags, y0 and x1 follow, then y1: see struct rhw_triangle
+    // In the words, x0 stands above the flags, y0 and x1 follow, then y1: see struct rhw_triangle.
+    words.flags = (i32x8)high[4];
     words.x0 = i32x8_max(((i32x8)high[4] >> 16) - x, zero);
     words.y0 = i32x8_max(((i32x8)high[5] << 16 >> 16) - y, zero);
     words.x1 = i32x8_min(((i32x8)high[5] >> 16) - x, end);
@@ -87,7 +88,8 @@ RHW_INLINE struct triangle_words8 load_words8(const struct bin_batch *read, cons
 RHW_INLINE void setup_edges8(struct triangle_setup8 *setup, const struct triangle_words8 *words,
                              const struct tile_work *work)
 {
-    const i32x8 x = i32x8_min(words->x0, i32x8_splat(RHW_TILE - RHW_BLOCK)); // 8 lanes stay in the tile
+    // The 8 lanes from x on stay in the tile.
+    const i32x8 x = i32x8_min(words->x0, i32x8_splat(RHW_TILE - RHW_BLOCK));
     const bool several = work->samples > 1;
     const i32x8 center = i32x8_splat(several ? SAMPLE_OFFSET_0_8 : 0);
     const i32x8 px = sample_of_pixel8(x + i32x8_splat(work->x)) - center,
@@ -108,7 +110,8 @@ RHW_INLINE void setup_edges8(struct triangle_setup8 *setup, const struct triangl
     i32x8_store(setup->y1, words->y1);
 }
 
-// Planes of triangles i .. i + 3, from plane by plane to one vector over the quantities for each triangle.
+// Set the planes of triangles i .. i + 3: what is made plane by plane becomes one vector over the quantities for each
+// triangle.
 RHW_INLINE void setup_planes_at(struct triangle_setup8 *setup, int i, const struct setup_input4 *input)
 {
     struct setup_output4 out;
@@ -129,7 +132,7 @@ RHW_INLINE void setup_planes_at(struct triangle_setup8 *setup, int i, const stru
     memcpy(&setup->inverse_area[i], &out.inverse_area, sizeof out.inverse_area);
 }
 
-// Loads the depth ranges of the triangles' draws.
+// Load the depth ranges of the triangles' draws.
 RHW_INLINE void depth_ranges8(const struct bin_batch *read, i32x8 segment, const struct rhw_chunk *chunk,
                               f64x8 *low, f64x8 *span)
 {
@@ -189,7 +192,7 @@ RHW_INLINE void setup_planes8(struct triangle_setup8 *setup, const struct triang
 
 // One triangle by itself ---------------------------------------------------------------------------------
 
-// In all lanes, without W and depth.
+// Return the input for one triangle in all lanes, without W and depth.
 static inline struct setup_input4 setup_positions(const struct rhw_triangle *t)
 {
     return (struct setup_input4){.x1 = f64x4_splat(t->x_24_8[1] - t->x_24_8[0]),
@@ -213,7 +216,7 @@ static inline struct setup_input4 setup_input(const struct triangle_work *triang
     return input;
 }
 
-// Sets the planes of the weights on the screen.
+// Set the planes of the weights on the screen.
 static __attribute__((noinline)) void set_screen_planes(struct triangle_work *triangle)
 {
     struct planes *const planes = &triangle->planes;
@@ -226,7 +229,7 @@ static __attribute__((noinline)) void set_screen_planes(struct triangle_work *tr
 
 // Eight -------------------------------------------------------------------------------------------------
 
-// Sets what is known of the triangles without a look at their draws.
+// Set what is known of the triangles without a look at their draws.
 RHW_INLINE void setup_sets8(struct triangle_setup8 *setup, const struct triangle_words8 *words,
                             const struct tile_work *work)
 {
@@ -239,7 +242,7 @@ RHW_INLINE void setup_sets8(struct triangle_setup8 *setup, const struct triangle
     setup->tiny = 0;
 }
 
-// Sets up the triangles that were read.
+// Set up the triangles that were read.
 static void setup_triangles8(struct triangle_setup8 *setup, const struct tile_work *work,
                              const struct rhw_chunk *chunk, const struct bin_batch *read)
 {

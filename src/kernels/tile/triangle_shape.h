@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles that stand for another shape than their own: Bresenham lines, smooth lines, pixels of conservative
+// Some triangles stand for another shape than their own: Bresenham lines, smooth lines, pixels of conservative
 // rasterization, and lines with a stipple. Every block of the triangle's rectangle is asked for the pixels of the
 // shape.
 #ifndef RHW_TRIANGLE_SHAPE_H
@@ -12,18 +12,19 @@
 #include "triangle_large.h"
 #include "sampled_block.h"
 
-// What is no matter of samples: the pixels of a Bresenham line, of a smooth one, and conservative ones.
+// A shape that has pixels rather than samples: a Bresenham line, a smooth line, or the pixels of conservative
+// rasterization.
 struct pixel_shape {
     bool is_line, is_smooth;
     struct line_pixels line;
     struct smooth_line smooth;
-    struct stippled_rectangle stipple; // the smooth line's
+    struct stippled_rectangle stipple; // stipple of the smooth line
     struct conservative_edges edges;
-    bool tells_contained; // edges of pixels that are contained follow
+    bool tells_contained; // true if `contained` has the edges of pixels that are contained
     struct conservative_edges contained;
 };
 
-// False where the tile has nothing of it.
+// Set the shape of a triangle. Return false if the tile has nothing of it.
 static bool set_shape(const struct tile_work *work, const struct rhw_triangle *t,
                       const struct rhw_chunk *chunk, struct pixel_shape *shape)
 {
@@ -47,7 +48,7 @@ static bool set_shape(const struct tile_work *work, const struct rhw_triangle *t
                               pipeline->def.conservative == RHW_CONSERVATIVE_UNDERESTIMATE, origin);
 }
 
-// The pixels of a Bresenham line in the block at (x, y) of the tile.
+// Return the pixels of a Bresenham line in the block at (x, y) of the tile.
 static uint64_t line_shape_mask(const struct tile_work *work, const struct rhw_triangle *t,
                                 const struct line_pixels *line, int x, int y)
 {
@@ -57,7 +58,8 @@ static uint64_t line_shape_mask(const struct tile_work *work, const struct rhw_t
                : mask;
 }
 
-// The pixels of any shape in the block at (x, y) of the tile. `coverage` gets how much of them a smooth line covers.
+// Return the pixels of any shape in the block at (x, y) of the tile. `coverage` gets how much of them a smooth line
+// covers.
 static uint64_t shape_mask(const struct tile_work *work, const struct rhw_triangle *t,
                            const struct pixel_shape *shape, int x, int y, f32x8 coverage[RHW_BLOCK])
 {
@@ -74,7 +76,7 @@ static uint64_t shape_mask(const struct tile_work *work, const struct rhw_triang
                : mask;
 }
 
-// All samples of the pixels are covered.
+// Draw the pixels of a block that the shape has: all their samples are covered.
 static void draw_shape_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
                              uint64_t mask)
 {
@@ -89,7 +91,8 @@ static void draw_shape_block(struct tile_work *work, struct triangle_work *trian
     RHW_ISA_NAME(rhw_draw_sampled_block)(work, triangle, &block);
 }
 
-// Whether a triangle was seen is kept by sample, and then told of all.
+// Clear the marks of all samples but the first. Whether a triangle was seen is kept by sample, and unite_marks then
+// tells it of all.
 static void unmark_samples(struct tile_work *work)
 {
     for (int s = 1; s < work->samples; s++) {

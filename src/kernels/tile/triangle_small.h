@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Triangles that are small beside a tile: what meshes are made of. Their edges fit into 32 bits, and their blocks of
-// 8×8 pixels start where the triangle does instead of at multiples of 8, so that few of them are mostly empty. In one
-// of at most 8 columns, a strip, coverage and the early depth test of a row are one step: what is covered stays a mask
-// of lanes. The rows of others are spans (span.h), so that no row is looked at where it is empty. Strips of more than 8
-// rows take 6 to 12 % fewer instructions for the bunny than spans would.
+// Triangles that are small beside a tile are what meshes are made of. Their edges fit into 32 bits, and their blocks of
+// 8×8 pixels start where the triangle does instead of at multiples of 8, so that few of them are mostly empty. If a
+// triangle has at most 8 columns, it is a strip: coverage and the early depth test of a row are one step, and what is
+// covered stays a mask of lanes. The rows of other triangles are spans (span.h), so that no row is looked at where it
+// is empty. Strips of more than 8 rows take 6 to 12 % fewer instructions for the bunny than spans would.
 #ifndef RHW_TRIANGLE_SMALL_H
 #define RHW_TRIANGLE_SMALL_H
 
@@ -12,8 +12,8 @@
 #include "span_blocks.h"
 #include "triangle_planes.h"
 
-// Of the pixels of the block at (x, y) that passed the early test, `mask`, those that are to be shaded: they are
-// counted, and the triangle is made ready for it.
+// Return the pixels of the block at (x, y) to be shaded, among the pixels `mask` that passed the early test. They are
+// counted, and the triangle is made ready for shading.
 RHW_INLINE uint64_t ready_pixels(struct tile_work *work, struct triangle_work *triangle, int x, int y,
                                  uint64_t mask)
 {
@@ -30,7 +30,8 @@ RHW_INLINE uint64_t ready_pixels(struct tile_work *work, struct triangle_work *t
     return mask;
 }
 
-// These two set the depth of a triangle over the columns from x on, and over the rows from y on.
+// small_depth_columns sets the depth of a triangle over the columns from x on, and small_depth_rows over the rows from
+// y on.
 RHW_INLINE void small_depth_columns(struct block_plane *depth, const struct tile_work *work,
                                     const struct triangle_work *triangle, int x)
 {
@@ -52,14 +53,14 @@ RHW_INLINE void small_depth_rows(struct block_plane *depth, const struct tile_wo
 // Strips -----------------------------------------------------------------------------------------------
 
 // A triangle at 8 pixels in a row: the edges and what they change by to the next row, the columns that may be drawn
-// (negative where not), and the part of depth that depends on the column.
+// (`sides` is negative in the others), and the part of depth that depends on the column.
 struct strip {
-    int x; // column of the tile
+    int x; // first column, in the tile
     i32x8 q[3], step[3], sides;
     struct block_plane depth;
 };
 
-// Sets a strip at its first row.
+// Set a strip at its first row.
 RHW_INLINE void strip_set(struct strip *strip, const struct tile_work *work,
                           const struct triangle_work *triangle)
 {
@@ -77,12 +78,12 @@ RHW_INLINE void strip_set(struct strip *strip, const struct tile_work *work,
     }
 }
 
-// Rows y .. y1 − 1 of a strip, 8 at most. Their mask is that of the block whose first row is `top`.
+// Rows y .. y1 − 1 of a strip, 8 at most. Their mask is the mask of the block whose first row is `top`.
 struct strip_rows {
     int y, y1, top;
 };
 
-// Gives the pixels that are covered, and moves the strip on to row y1.
+// Return the pixels of the rows that are covered, and move the strip on to row y1.
 RHW_INLINE uint64_t cover_strip(struct strip *strip, struct strip_rows rows)
 {
     uint64_t covered = 0;
@@ -104,7 +105,7 @@ struct strip_test {
     struct strip_rows rows;
 };
 
-// Covers rows of a strip and tests their depth, which the test writes: gives the pixels that are covered and pass.
+// Cover rows of a strip and test their depth, which the test writes. Return the pixels that are covered and pass.
 RHW_INLINE uint64_t test_strip(const void *pixels, const struct rhw_depth_rule rule)
 {
     const struct strip_test *const test = pixels;
@@ -127,7 +128,7 @@ RHW_INLINE uint64_t test_strip(const void *pixels, const struct rhw_depth_rule r
     return settle_block(depth, strip->x, rows.top, passed << (8 * (rows.y - rows.top)), rule);
 }
 
-// Gives the pixels that are to be shaded, if nothing hides them later.
+// Return the pixels that are to be shaded, if nothing hides them later.
 RHW_INLINE uint64_t strip_pixels(struct tile_work *work, const struct triangle_work *triangle,
                                  struct strip *strip, struct strip_rows rows)
 {
@@ -146,7 +147,7 @@ RHW_INLINE void draw_strip_rows(struct tile_work *work, struct triangle_work *tr
     }
 }
 
-// Draws a triangle that fits into a block.
+// Draw a triangle that fits into a block.
 RHW_INLINE void draw_short_strip(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
@@ -155,7 +156,7 @@ RHW_INLINE void draw_short_strip(struct tile_work *work, struct triangle_work *t
     draw_strip_rows(work, triangle, &strip, setup->y0[triangle->lane], setup->y1[triangle->lane]);
 }
 
-// Draws one that fits into 8 columns and has more than 8 rows.
+// Draw a triangle that fits into 8 columns and has more than 8 rows.
 static __attribute__((noinline)) void draw_tall_strip(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
@@ -169,7 +170,7 @@ static __attribute__((noinline)) void draw_tall_strip(struct tile_work *work, st
 
 // Blocks -----------------------------------------------------------------------------------------------
 
-// Pixels of the block at (x, y) to be tested: those set in `mask`, which is not 0.
+// The pixels of the block at (x, y) to be tested: those set in `mask`, which is not 0.
 struct span_test {
     struct tile_work *work;
     const struct triangle_work *triangle;
@@ -177,7 +178,7 @@ struct span_test {
     uint64_t mask;
 };
 
-// Gives those that pass the depth test, which writes their depth.
+// Test the pixels of a block. Return the pixels that pass the depth test, which writes their depth.
 RHW_INLINE uint64_t test_spans(const void *pixels, const struct rhw_depth_rule rule)
 {
     const struct span_test *const test = pixels;
@@ -207,7 +208,7 @@ RHW_INLINE uint64_t span_pixels(struct tile_work *work, const struct triangle_wo
     return work->plan.tests_early ? test_early(&work->plan, test_spans, &test) : mask;
 }
 
-// Draws one block of several.
+// Draw one block of several.
 static inline void draw_small_block(struct tile_work *work, struct triangle_work *triangle, int x, int y,
                                     uint64_t mask)
 {
@@ -233,7 +234,7 @@ static __attribute__((noinline)) void draw_small_blocks(struct tile_work *work,
     draw_span_blocks(work, triangle, draw_small_block);
 }
 
-// Draws a small triangle whose planes are not exact ones.
+// Draw a small triangle whose planes are not exact ones.
 RHW_INLINE void draw_small_triangle(struct tile_work *work, struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Small triangles where pixels have several samples: their edges fit into 32 bits, those of all samples side by side,
-// and coverage and the early depth test of a row are one step. Parts of 8 columns and rows start where the triangle
-// does. It is the special path of triangle_large_samples.h for draws that are shaded at pixel centres.
+// Small triangles have edges that fit into 32 bits, and this file draws them where pixels have several samples. The
+// edges of all samples stand side by side, and coverage and the early depth test of a row are one step. Parts of 8
+// columns and rows start where the triangle does. It is the special path of triangle_large_samples.h for draws that are
+// shaded at pixel centres.
 #ifndef RHW_TRIANGLE_SMALL_SAMPLES_H
 #define RHW_TRIANGLE_SMALL_SAMPLES_H
 
@@ -9,26 +10,26 @@
 #include "triangle_planes.h"
 
 // A part of a triangle's rectangle: rows y .. y1 − 1, and the columns of the 8 from x on whose lanes are not negative
-// in `sides`. Masks of it are those of the block whose first row is `top`; all of that lies in the tile.
+// in `sides`. Its masks are masks of the block whose first row is `top`; all of the block lies in the tile.
 struct small_part {
     int x, y, y1, top;
     i32x8 sides;
-    int32_t q[3][RHW_MAX_SAMPLES]; // the edges at each sample of the pixel (x, y): as q in coverage.h
+    int32_t q[3][RHW_MAX_SAMPLES]; // q of coverage.h of each edge, at each sample of the pixel (x, y)
 };
 
-// What is the same for all parts of a triangle.
+// The numbers that all parts of a triangle share.
 struct small_edges {
-    i32x8 along[3], step[3]; // what the edges change by to the lanes of a row, and to the next row
+    i32x8 along[3], step[3]; // change of the edges to the lanes of a row, and to the next row
 };
 
-// Leaves out rows of a part, at its ends, that have no sample within. Gives whether one is left.
+// Leave out rows of a part, at its ends, that have no sample within the triangle. Return true if a row is left.
 static inline bool trim_rows(struct small_part *part, const struct triangle_work *triangle)
 {
     const struct triangle_setup8 *const setup = triangle->setup;
     const int i = triangle->lane, right = part->x - setup->x[i], down = part->y - setup->y0[i];
     i32x8 outside = i32x8_splat(0);
-    for (int e = 0; e < 3;
-         e++) { // at the end of the row where the edge is largest, beyond all of its samples
+    // The edge is looked at where it is largest in the row: at one end, beyond all of the row's samples.
+    for (int e = 0; e < 3; e++) {
         const int32_t a = setup->a[e][i], b = setup->b[e][i];
         const int32_t first = (setup->q[e][i] >> RHW_SUBPIXEL_BITS) + a * right + b * down;
         const int32_t most = first + RHW_BLOCK * max_int(a, 0) + max_int(b, 0) + 1;
@@ -43,7 +44,7 @@ static inline bool trim_rows(struct small_part *part, const struct triangle_work
     return true;
 }
 
-// Sets the edges of a part.
+// Set the edges of a part.
 static inline void part_edges_set(struct small_part *part, const struct tile_work *work,
                                   const struct triangle_work *triangle)
 {
@@ -61,16 +62,16 @@ static inline void part_edges_set(struct small_part *part, const struct tile_wor
     }
 }
 
-// What is drawn of a part.
+// A part to be drawn.
 struct part_test {
     struct tile_work *work;
     const struct triangle_work *triangle;
     const struct small_edges *edges;
     const struct small_part *part;
-    uint64_t *mask; // by sample: what is covered and passes
+    uint64_t *mask; // pixels of each sample that are covered and pass
 };
 
-// The pixels whose sample s the triangle covers, and which pass the depth test, which writes depth.
+// Return the pixels whose sample s the triangle covers, and which pass the depth test. The test writes depth.
 RHW_INLINE uint64_t test_part_sample(const struct part_test *test, int s, const struct rhw_depth_rule rule)
 {
     struct tile_work *const work = test->work;
@@ -106,7 +107,7 @@ RHW_INLINE uint64_t test_part_sample(const struct part_test *test, int s, const 
     return tests ? settle_block(depth, part->x, part->top, passed, rule) : passed;
 }
 
-// Covers and tests a part in all samples. Gives the pixels of which a sample is left.
+// Cover and test a part in all samples. Return the pixels of which a sample is left.
 RHW_INLINE uint64_t test_part(const void *what, const struct rhw_depth_rule rule)
 {
     const struct part_test *const test = what;
@@ -135,7 +136,7 @@ static void draw_small_part(struct tile_work *work, struct triangle_work *triang
     collect_samples(work, triangle, part->x, part->top, mask, any);
 }
 
-// Whether all of the triangle in a part lies behind what the tile shows there.
+// Return true if all of the triangle in a part lies behind what the tile shows there.
 static inline bool hides_part(const struct tile_work *work, const struct triangle_work *triangle,
                               const struct small_part *part)
 {
@@ -162,7 +163,8 @@ static void draw_small_triangle_samples(struct tile_work *work, struct triangle_
     }
     for (int y = y0; y < y1; y += RHW_BLOCK) {
         for (int x = x0; x < x1; x += RHW_BLOCK) {
-            struct small_part part; // without its edges, which would be cleared
+            // An initializer would clear the edges too; they are set later.
+            struct small_part part;
             part.x = min_int(x, RHW_TILE - RHW_BLOCK);
             part.y = y;
             part.y1 = min_int(y + RHW_BLOCK, y1);

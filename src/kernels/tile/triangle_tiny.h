@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The smallest triangles where pixels have one sample, those of 4 columns and 8 rows at most: lines of a pixel, and
-// meshes finer than the picture. What they cover is found 8 triangles at a time, one in each lane; then the pixels
-// that are covered are looked at one by one, which are fewer than there are rows. A fragment that passes the depth
-// test is packed with the numbers that the test needed.
+// The smallest triangles, where pixels have one sample, have 4 columns and 8 rows at most: lines of a pixel, and meshes
+// finer than the picture. What they cover is found 8 triangles at a time, one in each lane; then the pixels that are
+// covered, which are fewer than there are rows, are looked at one by one. A fragment that passes the depth test is
+// packed with the numbers that the test needed.
 //
-// Fewer instructions of a frame: lines_1m 22 %, sphere_1m 16 %, bunny_lit 14 %, sphere_1m_tex 3 %. Where nothing is
-// shaded strips take less time, as fewer branches of theirs cannot be foreseen, though in sphere_1m_depth 5 % more
-// instructions.
+// This path saves instructions of a frame: lines_1m 22 %, sphere_1m 16 %, bunny_lit 14 %, sphere_1m_tex 3 %. If nothing
+// is shaded, strips take less time, as they have fewer branches that cannot be foreseen, though in sphere_1m_depth 5 %
+// more instructions.
 #ifndef RHW_TRIANGLE_TINY_H
 #define RHW_TRIANGLE_TINY_H
 
@@ -18,8 +18,8 @@ enum { TINY_COLUMNS = 4, TINY_ROWS = 8 };
 
 _Static_assert(TINY_COLUMNS *TINY_ROWS == 32, "masks are words");
 
-// Returns the triangles of a batch that are tiny, by a bit each. Returns 0 where they are so few that covering all 8
-// lanes would cost more than it saves.
+// Return the triangles of a batch that are tiny, by a bit each. Return 0 if they are so few that covering all 8 lanes
+// would cost more than it saves.
 RHW_INLINE unsigned tiny_of(const struct triangle_setup8 *setup)
 {
     enum { FEW = 2 };
@@ -31,8 +31,8 @@ RHW_INLINE unsigned tiny_of(const struct triangle_setup8 *setup)
     return __builtin_popcount(tiny) > FEW ? tiny : 0;
 }
 
-// Sets the masks of the batch; those of triangles that are not tiny are rubbish. Triangles of a bin reach into its
-// tile, so that all others have a column and a row at least.
+// Set the masks of the batch. Masks of triangles that are not tiny are rubbish. Triangles of a bin reach into its tile,
+// so that all others have a column and a row at least.
 static void cover_tiny(struct triangle_setup8 *setup)
 {
     const i32x8 x0 = i32x8_load(setup->x0), y0 = i32x8_load(setup->y0);
@@ -60,13 +60,13 @@ static void cover_tiny(struct triangle_setup8 *setup)
         }
     }
     const i32x8 within_columns = {0, 0x11111111, 0x33333333, 0x77777777, -1};
-    const i32x8 within_rows = {0xf,     0xff,     0xfff,     0xffff,
-                               0xfffff, 0xffffff, 0xfffffff, -1}; // by rows, less one
+    // The index is the number of rows, less one.
+    const i32x8 within_rows = {0xf, 0xff, 0xfff, 0xffff, 0xfffff, 0xffffff, 0xfffffff, -1};
     i32x8_store(setup->tiny_mask, (i32x8)covered & i32x8_permute(within_columns, columns) &
                                       i32x8_permute(within_rows, rows - i32x8_splat(1)));
 }
 
-// Finds the tiny triangles of a batch and covers them.
+// Find the tiny triangles of a batch and cover them.
 void RHW_ISA_NAME(rhw_find_tiny)(struct triangle_setup8 *setup)
 {
     setup->tiny = tiny_of(setup);
@@ -75,9 +75,9 @@ void RHW_ISA_NAME(rhw_find_tiny)(struct triangle_setup8 *setup)
     }
 }
 
-// Where the pixels of a tiny triangle lie, seen from its first one.
+// The places of the pixels of a tiny triangle, seen from its first one.
 struct tiny_place {
-    int texel;       // the first pixel's
+    int texel;       // texel of the first pixel
     int right, down; // pixels from the triangle's anchor to the first
 };
 
@@ -89,7 +89,7 @@ RHW_INLINE struct tiny_place place_of_tiny(const struct tile_work *work, const s
                                work->y + setup->y0[i] - setup->anchor_y[i]};
 }
 
-// Tests triangle i by a depth rule and packs its fragments, which want no more than smooth varyings.
+// Test triangle i by a depth rule and pack its fragments. The draw wants no more than smooth varyings of them.
 RHW_INLINE void pack_tiny(const struct triangle_run *run, int i, const struct rhw_depth_rule rule)
 {
     struct tile_work *const work = run->work;
@@ -117,7 +117,7 @@ RHW_INLINE void pack_tiny(const struct triangle_run *run, int i, const struct rh
     work->counters->fragments += fragments;
 }
 
-// Packs the collected fragments of triangle i, or makes groups of them.
+// Pack the collected fragments of triangle i, or make groups of them.
 static __attribute__((noinline)) void finish_tiny(const struct triangle_run *run, int i)
 {
     struct tile_work *const work = run->work;
@@ -130,7 +130,7 @@ static __attribute__((noinline)) void finish_tiny(const struct triangle_run *run
     RHW_ISA_NAME(rhw_release_collected)(work, &triangle);
 }
 
-// Tests triangle i by a depth rule, and collects its fragments.
+// Test triangle i by a depth rule, and collect its fragments.
 RHW_INLINE void collect_tiny(const struct triangle_run *run, int i, const struct rhw_depth_rule rule)
 {
     struct tile_work *const work = run->work;
@@ -153,7 +153,7 @@ RHW_INLINE void collect_tiny(const struct triangle_run *run, int i, const struct
     }
 }
 
-// Draws a run by a depth rule.
+// Draw a run by a depth rule.
 RHW_INLINE void draw_tiny_by(const struct triangle_run *run, const struct rhw_depth_rule rule)
 {
     const struct tile_work *const work = run->work;
@@ -170,7 +170,7 @@ RHW_INLINE void draw_tiny_by(const struct triangle_run *run, const struct rhw_de
     }
 }
 
-// Draws a run of tiny triangles. The loop is compiled for each rule that has a name.
+// Draw a run of tiny triangles. The loop is compiled for each rule that has a name.
 void RHW_ISA_NAME(rhw_draw_tiny)(const struct triangle_run *run)
 {
     const struct rhw_draw_plan *const plan = &run->work->plan;

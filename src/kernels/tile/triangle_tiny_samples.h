@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The smallest triangles where pixels have 4 samples: those of a few columns, as in meshes that are finer than the
-// picture. What they cover is known by cells of 4×4 pixels (sample_cells.h). The samples of a pixel are the lanes of a
-// vector of four, in the early depth test too, so that nothing is done for pixels that are not covered.
+// The smallest triangles, where pixels have 4 samples, have few columns, as in meshes that are finer than the picture.
+// What they cover is known by cells of 4×4 pixels (sample_cells.h). The samples of a pixel are the lanes of a vector of
+// four, in the early depth test too, so that nothing is done for pixels that are not covered.
 #ifndef RHW_TRIANGLE_TINY_SAMPLES_H
 #define RHW_TRIANGLE_TINY_SAMPLES_H
 
@@ -12,19 +12,19 @@
 _Static_assert(MOST_CELLS / BATCH * CELL * CELL <= RHW_COLLECTED_FRAGMENTS,
                "the fragments of a triangle are listed without a look at their number");
 
-// Texels from the first of a cell to its others.
+// The texels of a cell's pixels, counted from its first.
 #define CELL_ROW(y) (y) * RHW_TILE, (y)*RHW_TILE + 1, (y)*RHW_TILE + 2, (y)*RHW_TILE + 3
 static const uint8_t texel_of_pixel[CELL * CELL] = {CELL_ROW(0), CELL_ROW(1), CELL_ROW(2), CELL_ROW(3)};
 #undef CELL_ROW
 
-// The pixels of a cell that have a sample in `covered`: the lowest bit of their four.
+// Return the pixels of a cell that have a sample in `covered`: the lowest bit of the four that a pixel has.
 RHW_INLINE uint64_t covered_pixels(uint64_t covered)
 {
     const uint64_t pairs = covered | covered >> 2;
     return (pairs | pairs >> 1) & 0x1111111111111111u;
 }
 
-// The depth of the samples of a pixel.
+// Return the depth of the samples of a pixel.
 RHW_INLINE f32x4 depth_of_pixel(struct rhw_tile_scratch *scratch, int texel)
 {
     return (f32x4){depth_of_sample(scratch, 0)->texels[texel], depth_of_sample(scratch, 1)->texels[texel],
@@ -38,7 +38,7 @@ RHW_INLINE void store_depth_of_pixel(struct rhw_tile_scratch *scratch, int texel
     }
 }
 
-// The open samples of a pixel, a bit each.
+// Return the open samples of a pixel, a bit each.
 static inline unsigned open_of_pixel(struct rhw_tile_scratch *scratch, int texel)
 {
     const int x = texel_column(texel), y = texel_row(texel);
@@ -49,7 +49,8 @@ static inline unsigned open_of_pixel(struct rhw_tile_scratch *scratch, int texel
     return open;
 }
 
-// As settle_block does for the samples of a pixel that passed; gives those that go on.
+// Change the open bits of a pixel whose samples `passed` have passed a test, as settle_block does for pixels of a
+// block. Return the samples that go on to be shaded.
 RHW_INLINE unsigned settle_pixel(struct rhw_tile_scratch *scratch, int texel, unsigned passed,
                                  const struct rhw_depth_rule rule)
 {
@@ -70,7 +71,7 @@ RHW_INLINE unsigned settle_pixel(struct rhw_tile_scratch *scratch, int texel, un
     return passed;
 }
 
-// Tests the samples of a cell by a depth rule, and lists its fragments.
+// Test the samples of a cell by a depth rule, and list its fragments.
 RHW_INLINE void draw_cell(const struct tile_work *work, const struct triangle_setup8 *setup, int i,
                           const struct sample_cell *cell, const struct rhw_depth_rule rule)
 {
@@ -111,7 +112,7 @@ RHW_INLINE void draw_cell(const struct tile_work *work, const struct triangle_se
     collected->count = count;
 }
 
-// Makes groups of the fragments of triangle i, or packs them.
+// Make groups of the fragments of triangle i, or pack them.
 static __attribute__((noinline)) void finish_cells(const struct triangle_run *run, int i)
 {
     struct tile_work *const work = run->work;
@@ -119,14 +120,14 @@ static __attribute__((noinline)) void finish_cells(const struct triangle_run *ru
     struct triangle_work triangle;
     begin_tiny(&triangle, run, i);
     work->counters->fragments += (uint64_t)collected->count;
-    // Nobody asks where fragments may share a group and there are too few for one of their own.
+    // Nobody asks where the fragments lie if they may share a group and are too few for one of their own.
     collected->overtakes =
         (!work->orders_lanes || collected->count >= least_of_group(work)) && collected_wait(work);
     RHW_ISA_NAME(rhw_release_collected)(work, &triangle);
 }
 
-// Packs the fragments of triangle i, which are few, where the draw wants no more than smooth varyings of them: 5 %
-// fewer instructions in msaa4_sphere_1m.
+// Pack the fragments of triangle i, which are few. The draw wants no more than smooth varyings of them. This saves 5 %
+// of the instructions of msaa4_sphere_1m.
 RHW_INLINE void pack_cells(const struct triangle_run *run, int i)
 {
     struct tile_work *const work = run->work;
@@ -148,7 +149,7 @@ RHW_INLINE void pack_cells(const struct triangle_run *run, int i)
     collected->count = 0;
 }
 
-// Draws the cells of triangle i by a depth rule.
+// Draw the cells of triangle i by a depth rule.
 RHW_INLINE void draw_cells(const struct triangle_run *run, int i, const struct rhw_depth_rule rule)
 {
     const struct tile_work *const work = run->work;
@@ -162,7 +163,7 @@ RHW_INLINE void draw_cells(const struct triangle_run *run, int i, const struct r
         }
     }
     const int count = work->scratch->collected.count;
-    // To pack 6 or 7 plainly costs less than a group of their own.
+    // Packing 6 or 7 fragments plainly costs less than a group of their own.
     if (count != 0 && count < RHW_LANES && work->packs_plainly) {
         pack_cells(run, i);
     } else if (count != 0) {
@@ -174,7 +175,7 @@ RHW_INLINE void draw_cells(const struct triangle_run *run, int i, const struct r
     }
 }
 
-// Draws a run by a depth rule.
+// Draw a run by a depth rule.
 RHW_INLINE void draw_tiny_samples_by(const struct triangle_run *run, const struct rhw_depth_rule rule)
 {
     const struct triangle_setup8 *const setup = run->setup;
@@ -186,7 +187,7 @@ RHW_INLINE void draw_tiny_samples_by(const struct triangle_run *run, const struc
     }
 }
 
-// Draws a run of tiny triangles. The loop is compiled for each rule that has a name.
+// Draw a run of tiny triangles. The loop is compiled for each rule that has a name.
 void RHW_ISA_NAME(rhw_draw_tiny_samples)(const struct triangle_run *run)
 {
     const struct rhw_draw_plan *const plan = &run->work->plan;
