@@ -11,7 +11,7 @@
 #include "draw/hidden_surface.h"
 #include "dynamic_state.h"
 #include "encoder.h"
-#include "pass_texture.h"
+#include "pass_binding.h"
 #include "pipeline/pipeline.h"
 
 static struct rhw_vertex_stream stream_of(struct rhw_bound_buffer bound)
@@ -41,7 +41,7 @@ static bool resolve(struct rhw_encoder *encoder)
         return true;
     }
     if (encoder->textures_changed || rewritten) {
-        if (!rhw_pass_resolve_textures(encoder)) {
+        if (!rhw_pass_resolve_bindings(encoder)) {
             return false;
         }
         encoder->textures_changed = false;
