@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One tile: load or clear, draw the triangles binned for it, store. Compiled once per instruction set, with
-// RHW_ISA_SUFFIX naming it. In which order the triangles of a run are drawn, hidden_surface.h says; the order of runs
-// is that of submission.
+// A tile is loaded or cleared, the triangles binned for it are drawn, and the tile is stored. The order in which the
+// triangles of a run are drawn is that of hidden_surface.h; the order of runs is that of submission. This file is
+// compiled once per instruction set, and RHW_ISA_SUFFIX names the set.
 #include "kernel_entries.h"
 
 #include "integer.h"
@@ -12,7 +12,7 @@
 #include "kernels/tile/tile_order.h"
 #include "kernels/tile/triangle_path.h"
 
-// Sets where the samples of a cell's pixels lie, for all triangles of a tile.
+// Set where the samples of a cell's pixels lie, for all triangles of a tile.
 static void set_cell_pixels(struct cell_pixel pixels[CELL * CELL], const struct rhw_sample_pattern *pattern)
 {
     for (int n = 0; n < CELL * CELL; n++) {
@@ -23,7 +23,7 @@ static void set_cell_pixels(struct cell_pixel pixels[CELL * CELL], const struct 
     }
 }
 
-// Lists the bins of the tile that are not empty, in the order of their chunks; returns how many there are.
+// List the bins of the tile that are not empty, in the order of their chunks. Return how many there are.
 static int list_bins(const struct tile_work *work)
 {
     const int x = work->x / RHW_TILE, y = work->y / RHW_TILE;
@@ -46,7 +46,7 @@ static int list_bins(const struct tile_work *work)
     return count;
 }
 
-// Keeps for the second of two phases the triangles of a run that the first does not draw.
+// Keep for the second of two phases the triangles of a run that the first does not draw.
 static void skip_run(const struct triangle_run *run)
 {
     for (int i = run->first; i < run->end; i++) {
@@ -54,7 +54,7 @@ static void skip_run(const struct triangle_run *run)
     }
 }
 
-// Draws a run on its path.
+// Draw a run on its path.
 static void draw_triangles(const struct triangle_run *run, enum triangle_path path)
 {
     switch (path) {
@@ -71,7 +71,7 @@ static void draw_triangles(const struct triangle_run *run, enum triangle_path pa
     }
 }
 
-// Finds the tiny triangles of a batch where the draw of its first one has a path for them.
+// Find the tiny triangles of a batch if the draw of its first one has a path for them.
 RHW_INLINE void find_tiny(const struct tile_work *work, struct triangle_setup8 *setup)
 {
     if (setup->small == 0 || !work->plan.draws_tiny) {
@@ -101,7 +101,7 @@ static void draw_batch(struct tile_work *work, const struct rhw_chunk *chunk, co
     }
 }
 
-// `number`: of the bin's first triangle among those that are drawn in two phases.
+// Draw a bin. `number` is the number of the bin's first triangle among the triangles that are drawn in two phases.
 static void draw_bin(struct tile_work *work, const struct bin *bin, uint32_t number)
 {
     struct bin_batch batches[BATCHES_AHEAD + 1];
@@ -117,7 +117,7 @@ static void draw_bin(struct tile_work *work, const struct bin *bin, uint32_t num
 
 static void draw_run(struct tile_work *work, struct bin_run run, enum rhw_phase phase)
 {
-    // Triangles, at least, between two looks at the tile's depth in a sample, which are taken between bins.
+    // The tile's depth in a sample is looked at between bins. At least this number of triangles lies between two looks.
     enum { REFRESH = 16 };
     uint32_t number = 0, looked = 0;
     start_phase(work, phase);
@@ -138,7 +138,7 @@ static void draw_depth_first(struct tile_work *work, struct bin_run run)
     draw_run(work, run, RHW_PHASE_SHADE);
 }
 
-// Draws the last triangle first, until nothing of the tile is open.
+// Draw the last triangle first, until nothing of the tile is open.
 static void draw_backwards(struct tile_work *work, struct bin_run run)
 {
     start_phase(work, RHW_PHASE_BACKWARDS);
@@ -194,7 +194,7 @@ static void store_tile(const struct tile_work *work)
     store_depth_stencil(work, 0);
 }
 
-// A tile without triangles.
+// Pass the attachments of a tile without triangles through.
 static void pass_tile_through(const struct tile_work *work)
 {
     const struct rhw_target *const target = work->target;
@@ -209,7 +209,7 @@ static void pass_tile_through(const struct tile_work *work)
     }
 }
 
-// `before`: what the worker had counted before this tile.
+// Add the work on a tile to a report. `before` is what the worker had counted before this tile.
 static __attribute__((noinline)) void report(const struct tile_work *work, struct rhw_tile_report *to,
                                              int bins, const struct rhw_counters *before)
 {
@@ -221,7 +221,7 @@ static __attribute__((noinline)) void report(const struct tile_work *work, struc
     }
 }
 
-// What lies within the render area of a tile at (x, y).
+// Return the pixels of a tile at (x, y) that lie within the render area.
 static struct tile_rect area_of_tile(const struct rhw_target *target, int x, int y)
 {
     const struct rhw_rect *const area = &target->area;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What becomes of fragments: groups of them are made. Compiled once per instruction set,
-// with RHW_ISA_SUFFIX naming it.
+// Groups are made of fragments. This file is compiled once per instruction set, and RHW_ISA_SUFFIX names the set.
 #include "tile_units.h"
 #include "kernels/fragment/scattered_groups.h"
 #include "kernels/fragment/whole_tile.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Triangles of any size where a pixel has one sample, and shapes other than a triangle. Compiled once per instruction
-// set, with RHW_ISA_SUFFIX naming it.
+// Triangles of any size are drawn where a pixel has one sample, and shapes other than a triangle where it has any
+// number. This file is compiled once per instruction set, and RHW_ISA_SUFFIX names the set.
 #include "tile_units.h"
 #include "kernels/tile/triangle_large.h"
 #include "kernels/tile/triangle_shape.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Triangles where a pixel has several samples. Compiled once per instruction set, with RHW_ISA_SUFFIX naming it.
+// Triangles are drawn where a pixel has several samples. This file is compiled once per instruction set, and
+// RHW_ISA_SUFFIX names the set.
 #include "tile_units.h"
 #include "kernels/tile/triangle_large_samples.h"
 #include "kernels/tile/triangle_small_samples.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What becomes of groups of fragments: they are shaded, tested late and blended. All of it stands in the headers.
-// Compiled once per instruction set, with RHW_ISA_SUFFIX naming it.
+// Groups of fragments are shaded, tested late and blended. All of it stands in the headers. This file is compiled once
+// per instruction set, and RHW_ISA_SUFFIX names the set.
 #include "tile_units.h"
 
 #include "kernels/fragment/constant_blend.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tiny and small triangles where a pixel has one sample: what meshes are made of. Compiled once per instruction set,
-// with RHW_ISA_SUFFIX naming it.
+// Tiny and small triangles, which meshes are made of, are drawn where a pixel has one sample. This file is compiled
+// once per instruction set, and RHW_ISA_SUFFIX names the set.
 #include "tile_units.h"
 #include "kernels/tile/triangle_small.h"
 #include "kernels/tile/triangle_tiny.h"

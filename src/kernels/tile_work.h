@@ -115,7 +115,7 @@ struct rhw_tile_scratch {
     uint64_t expanded;
     // The expanded samples of a pixel stand side by side (fragment/woven.h).
     bool is_woven;
-    struct rhw_sample_tile *sample_tiles; // planes of the samples after the first
+    struct rhw_sample_tile *sample_tiles; // tiles of the samples after the first
 };
 
 // The tile in one sample of each pixel.
@@ -131,7 +131,7 @@ static inline unsigned char *color_of_sample(struct rhw_tile_scratch *scratch, i
 
 enum { WOVEN_SAMPLES = 4, WOVEN_SIZE = 4 }; // samples of a pixel, and bytes of each
 
-// Return the samples of a texel where they are woven. They take the room of the second sample's plane.
+// Return the samples of a texel where they are woven. They take the room of the second sample's colours.
 static inline unsigned char *woven_pixel(struct rhw_tile_scratch *scratch, int target, int texel)
 {
     return scratch->sample_tiles->color[target] + (size_t)texel * (WOVEN_SAMPLES * WOVEN_SIZE);

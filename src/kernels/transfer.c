@@ -115,9 +115,9 @@ void RHW_ISA_NAME(rhw_blit_band)(const struct rhw_blit_job *job, int index)
 static void resolve_stencil(enum rhw_resolve mode, const struct sample_row *row, unsigned char *to)
 {
     struct raw_texels raw, other;
-    load_texel_row(1, row->plane[0], &raw);
+    load_texel_row(1, row->texels[0], &raw);
     for (int s = 1; s < row->count && mode >= RHW_RESOLVE_MIN && mode <= RHW_RESOLVE_MAX; s++) {
-        load_texel_row(1, row->plane[s], &other);
+        load_texel_row(1, row->texels[s], &other);
         raw.word[0] = mode == RHW_RESOLVE_MIN ? i32x8_min(raw.word[0], other.word[0])
                                               : i32x8_max(raw.word[0], other.word[0]);
     }
@@ -138,13 +138,14 @@ static void resolve_rest(const struct rhw_resolve_job *job, const struct sample_
                          unsigned char *to)
 {
     const size_t size = job->info->size;
-    unsigned char planes[RHW_MAX_SAMPLES][RHW_LANES * RHW_TEXEL_BYTES], resolved[RHW_LANES * RHW_TEXEL_BYTES];
+    unsigned char samples[RHW_MAX_SAMPLES][RHW_LANES * RHW_TEXEL_BYTES],
+        resolved[RHW_LANES * RHW_TEXEL_BYTES];
     struct sample_row rest = {.count = row->count};
-    memset(planes, 0, sizeof planes);
+    memset(samples, 0, sizeof samples);
     memset(resolved, 0, sizeof resolved);
     for (int s = 0; s < row->count; s++) {
-        memcpy(planes[s], row->plane[s], (size_t)count * size);
-        rest.plane[s] = planes[s];
+        memcpy(samples[s], row->texels[s], (size_t)count * size);
+        rest.texels[s] = samples[s];
     }
     resolve_group(job, &rest, resolved);
     memcpy(to, resolved, (size_t)count * size);
@@ -161,7 +162,7 @@ void RHW_ISA_NAME(rhw_resolve_band)(const struct rhw_resolve_job *job, int index
         for (int x = 0; x < job->width; x += RHW_LANES) {
             struct sample_row row = {.count = job->samples};
             for (int s = 0; s < job->samples; s++) {
-                row.plane[s] = from + (size_t)s * job->sample_stride + (size_t)x * size;
+                row.texels[s] = from + (size_t)s * job->sample_stride + (size_t)x * size;
             }
             if (job->width - x >= RHW_LANES) {
                 resolve_group(job, &row, to + (size_t)x * size);

@@ -17,7 +17,7 @@ struct rhw_blit_axis {
 
 struct rhw_blit_job {
     const struct rhw_format_info *from_info, *to_info;
-    struct rhw_mip from, to; // planes of the regions
+    struct rhw_mip from, to; // levels of the regions
     // The axis of x goes on with its last entry, to a whole group of 8.
     struct rhw_blit_axis axis[3];
     bool is_linear, has_slice_filter; // has_slice_filter: the filter is linear along z too

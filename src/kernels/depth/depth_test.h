@@ -96,7 +96,7 @@ enum block_mask { MASK_PART, MASK_WHOLE }; // MASK_WHOLE: every pixel is set
 // The pixels of the block at (x, y) that are set in `mask`, with depths `z`.
 struct block_pixels {
     struct tile_depth *depth;
-    const f32x8 *z; // row by row
+    const f32x8 *z; // depths of the rows
     int x, y;
     uint64_t mask;
 };

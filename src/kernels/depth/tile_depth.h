@@ -17,7 +17,8 @@ struct tile_depth {
     float bounds[HIZ_BLOCKS * HIZ_BLOCKS]; // a bound for each block: see hiz.h
     // The way in which depth moves: 1 down and −1 up. It is 0 if depth may move both ways: then there are no bounds.
     int direction;
-    float range_least[HIZ_BLOCKS * HIZ_BLOCKS], range_most[HIZ_BLOCKS * HIZ_BLOCKS]; // see depth_range.h
+    // The least and the largest depth of each block: see depth_range.h.
+    float range_least[HIZ_BLOCKS * HIZ_BLOCKS], range_most[HIZ_BLOCKS * HIZ_BLOCKS];
     bool has_ranges;         // true if range_least and range_most hold
     int unranged;            // number of triangles that could have used ranges
     uint64_t open[RHW_TILE]; // a bit for each pixel, by row: see open_pixels.h

@@ -2,7 +2,7 @@
 // Derivatives per pixel of what is interpolated in space are d(q/S)/dx = (q_x·S − q·S_x)/S² and d(q/S)/dy. The
 // numerators are linear; the first does not depend on x, and the second not on y; so nothing cancels per pixel:
 //
-//     derivative = (at + step·Δ) · (1/S)²,     Δ: pixels from the anchor, down for d/dx and to the right for d/dy,
+//     derivative = (at + step·Δ) · (1/S)²,     Δ: pixels from the anchor, down for d/dx and to the right for d/dy.
 //
 // All of it is computed in double and rounded once. Numerators of two quantities stand side by side (struct
 // derivative_pair).

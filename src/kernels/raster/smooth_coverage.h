@@ -5,7 +5,7 @@
 // The area is a sum over the four sides, each taken from left to right or back. A side adds what lies above it in the
 // square:
 //
-//     ∫ clamp(h(x), 0, 1) dx,    h: the side's height in the square, x: where the side passes through its columns,
+//     ∫ clamp(h(x), 0, 1) dx,    h: the side's height in the square, x: where the side passes through its columns.
 //
 // The integral is (G(h1) − G(h0)) / slope, where G(h) is 0 below 0, h²/2 up to h = 1 and h − 1/2 from there. A side
 // that hardly changes within a pixel is taken at its middle there.

@@ -6,9 +6,9 @@
 #include "mip_codec.h"
 #include "rhw/pass_def.h"
 
-// What to resolve: 8 pixels of each plane.
+// What to resolve: 8 pixels, as the texels of each sample.
 struct sample_row {
-    const unsigned char *plane[RHW_MAX_SAMPLES];
+    const unsigned char *texels[RHW_MAX_SAMPLES];
     int count;
 };
 
@@ -55,7 +55,7 @@ RHW_INLINE void resolve_row(const struct rhw_format_info *info, enum rhw_resolve
     i32x8 agree = i32x8_splat(-1);
     const int words = (int)(info->size + 3) / 4;
     for (int s = 0; s < count; s++) {
-        load_texel_row(info->size, row->plane[s], &sample[s]);
+        load_texel_row(info->size, row->texels[s], &sample[s]);
         for (int w = 0; w < words; w++) {
             agree &= rhw_equal_int(sample[s].word[w], first->word[w]);
         }

@@ -62,13 +62,13 @@ static inline void fetch_sample(const struct rhw_texture_data *texture, const i3
     const int layers = mip->slices;
     const i32x8 layer =
         texture->shape.is_array ? keep_inside(at[2], i32x8_splat(layers), &inside) : i32x8_splat(0);
-    const i32x8 plane = existing * i32x8_splat(layers) + layer;
+    const i32x8 slice = existing * i32x8_splat(layers) + layer;
     const i32x8 number = y * i32x8_splat((int32_t)(mip->row_pitch / size)) + x;
     for (unsigned left = 0xff; left != 0;) {
-        const int32_t p = plane[__builtin_ctz(left)];
+        const int32_t p = slice[__builtin_ctz(left)];
         const size_t at_sample = (size_t)(p / layers) * texture->sample_stride,
                      at_layer = (size_t)(p % layers) * mip->slice_pitch;
-        const i32x8 lanes = rhw_equal_int(plane, i32x8_splat(p));
+        const i32x8 lanes = rhw_equal_int(slice, i32x8_splat(p));
         struct raw_texels raw;
         f32x8 value[4];
         fetch_numbered_texels(size, mip->texels + at_sample + at_layer, number, &raw);

@@ -40,10 +40,10 @@ static inline void resolve_expanded(const struct tile_work *work, int t, const s
     }
     row.count = work->samples;
     for (int s = 0; s < work->samples && !(scratch->is_woven && how->is_common); s++) {
-        row.plane[s] = scratch->is_woven ? (const unsigned char *)&sample[s]
-                                         : color_of_sample(scratch, t, s) + (size_t)texel * how->info->size;
+        row.texels[s] = scratch->is_woven ? (const unsigned char *)&sample[s]
+                                          : color_of_sample(scratch, t, s) + (size_t)texel * how->info->size;
         if (how->is_common) {
-            sample[s] = i32x8_load(row.plane[s]);
+            sample[s] = i32x8_load(row.texels[s]);
         }
     }
     if (how->is_common) {

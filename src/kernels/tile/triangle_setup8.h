@@ -33,7 +33,7 @@ struct sample_cells {
 // other and within 72 of any pixel of a block that reaches into their rectangle, as edge_lanes asks. If pixels have
 // several samples, q is taken at the pixel's top left corner, times 256: q of each sample follows from it.
 struct triangle_setup8 {
-    const struct bin_batch *read; // the triangles
+    const struct bin_batch *read; // triangles that were read
     // The pixels of the tile that the triangles may cover: see struct tile_rect.
     int32_t x0[BATCH], y0[BATCH], x1[BATCH], y1[BATCH];
     int32_t x[BATCH];
