@@ -95,7 +95,7 @@ struct rhw_vertex1 {
 };
 
 /// One fragment, for the one-at-a-time form. Each member means what the member of struct rhw_fragment with the same
-/// name means.
+/// name means, where a bool stands for lanes of 0 and −1. Setting `discard` does what clearing lanes of `mask` does.
 struct rhw_fragment1 {
     const float *varying;
     const float *ddx, *ddy;

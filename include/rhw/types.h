@@ -556,8 +556,8 @@ enum rhw_write_mask {
     RHW_WRITE_NONE = 16 ///< no channel; not or-ed with others
 };
 
-/// A logic operation on the bits of source and destination replaces blending in targets of integers, UNORM and SNORM.
-/// Targets of floats and sRGB take the source unchanged (Vulkan 1.3 §29.2). The write mask holds.
+/// A logic operation on the bits of source and destination, in targets of integers, UNORM and SNORM. Targets of floats and
+/// sRGB take the source unchanged (Vulkan 1.3 §29.2). No target is blended meanwhile. The write mask holds.
 enum rhw_logic {
     RHW_LOGIC_OFF,
     RHW_LOGIC_CLEAR, RHW_LOGIC_AND, RHW_LOGIC_AND_REVERSE, RHW_LOGIC_COPY, RHW_LOGIC_AND_INVERTED, RHW_LOGIC_NO_OP,
@@ -742,7 +742,7 @@ struct rhw_pipeline_def {
     // Targets
     struct rhw_color_target targets[RHW_MAX_COLOR_ATTACHMENTS];
     int target_count;
-    enum rhw_logic logic; ///< default OFF; with another operation no target may blend
+    enum rhw_logic logic; ///< default OFF; with another operation no target is blended
 
     const char *label; ///< name in messages, or NULL
 };

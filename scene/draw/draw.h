@@ -12,8 +12,8 @@
 #include "scene_view.h"
 
 struct scene_draw_stats {
-    double upload_ms;                     ///< of scene_create: buffers, textures, mip chains
-    double light_ms;                      ///< wall time of what stands before the colours: light, shadows, sorting
+    double upload_ms; ///< of scene_create: buffers, textures, mip chains
+    double light_ms;  ///< wall time of what stands before the colours: light, shadows, sorting
     double color_ms, data_ms, resolve_ms; ///< wall time of the passes
     double read_ms;                       ///< copying the pictures out
     /// Sums over the colour and data passes; peaks and tiles: the largest. The triangle of the background

@@ -194,7 +194,7 @@ static void plan_paths(struct rhw_draw_plan *plan, enum rhw_phase phase, int sam
         plan->draws_tiny = is_forward && plan->shading != RHW_SHADING_NONE && !plan->is_biased;
     } else {
         plan->draws_small = is_forward && plan->shading != RHW_SHADING_ROWS;
-        plan->draws_tiny = plan->draws_small && !plan->is_biased;
+        plan->draws_tiny = samples == 4 && plan->draws_small && !plan->is_biased;
     }
 }
 

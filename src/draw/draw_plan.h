@@ -47,7 +47,7 @@ enum rhw_open_rule {
     RHW_OPEN_CLOSE  // as TRY; what passes closes its pixel
 };
 
-// How fragments are tested: each test is a special case of RHW_TEST_STENCIL, and from RHW_TEST_MASKS on of that one.
+// How fragments are tested. Each test is a special case of RHW_TEST_STENCIL.
 enum rhw_fragment_test {
     RHW_TEST_DEPTH, // depth alone, which is a float (kernels/depth/depth_test.h), or nothing
     RHW_TEST_STENCIL, // the general stencil test: depth bounds, stencil and depth (kernels/depth/stencil_test.h)
@@ -55,6 +55,12 @@ enum rhw_fragment_test {
     RHW_TEST_STENCIL_FIRST, // stencil before the triangle's depth is known, as most fragments fail there
     RHW_TEST_WHOLE_BLOCKS // depth stays, and stencil follows the depth test alone (kernels/depth/depth_range.h)
 };
+
+// Return true if what a test does can be done by masks of a block.
+static inline bool rhw_test_has_masks(enum rhw_fragment_test test)
+{
+    return test == RHW_TEST_MASKS || test == RHW_TEST_STENCIL_FIRST || test == RHW_TEST_WHOLE_BLOCKS;
+}
 
 struct rhw_depth_rule {
     enum rhw_compare compare;

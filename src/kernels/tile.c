@@ -79,7 +79,7 @@ RHW_INLINE void find_tiny(const struct tile_work *work, struct triangle_setup8 *
     }
     if (work->samples == 1) {
         RHW_ISA_NAME(rhw_find_tiny)(setup);
-    } else if (work->samples == CELL_SAMPLES) {
+    } else {
         RHW_ISA_NAME(rhw_find_tiny_samples)(setup, work->target->pattern);
     }
 }

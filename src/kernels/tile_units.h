@@ -81,4 +81,5 @@ void RHW_ISA_NAME(rhw_queue_some_rows)(struct tile_work *work, struct triangle_w
                                        const struct block *block, uint64_t mask);
 // Queue and shade all blocks of a tile that a triangle covers.
 void RHW_ISA_NAME(rhw_queue_tile)(struct tile_work *work, struct triangle_work *triangle);
+
 #endif

@@ -35,7 +35,7 @@ static void reset(struct rhw_encoder *encoder, const struct rhw_pass_def *def)
     encoder->pending_changed = true;
     encoder->uniforms = NULL;
     encoder->uniform_size = 0;
-    encoder->textures_changed = true;
+    encoder->bindings_changed = true;
 }
 
 static bool check_def(rhw_context *context, const struct rhw_pass_def *def, const rhw_pass *id)

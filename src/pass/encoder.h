@@ -55,7 +55,7 @@ struct rhw_encoder {
 
     struct rhw_bound bound;
     struct rhw_draw_state pending; // what the next draw would use
-    bool pending_changed, textures_changed;
+    bool pending_changed, bindings_changed;
     uint32_t rewrites_seen; // the last value of context->recording.rewrites that was seen
     const void *uniforms;   // uniforms of the next draw
     uint32_t uniform_size;

@@ -101,7 +101,7 @@ static void set_texture(struct rhw_encoder *encoder, int slot, rhw_texture textu
         rhw_pool_use(&context->samplers, sampler.index, context->recording.generation);
     }
     struct rhw_bound_texture *const current = &encoder->bound.textures[slot];
-    encoder->textures_changed |= current->texture != bound.texture || current->sampler != bound.sampler;
+    encoder->bindings_changed |= current->texture != bound.texture || current->sampler != bound.sampler;
     *current = bound;
 }
 
@@ -151,7 +151,7 @@ static void set_storage_buffer(struct rhw_encoder *encoder, int slot, rhw_buffer
         return;
     }
     encoder->bound.storage[slot] = range;
-    encoder->textures_changed = true;
+    encoder->bindings_changed = true;
 }
 
 void rhw_pass_set_storage_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer,
@@ -246,7 +246,7 @@ static bool check_image(const struct rhw_encoder *encoder, rhw_texture id,
 static void bind_image(struct rhw_encoder *encoder, int slot, struct rhw_bound_image image)
 {
     encoder->bound.images[slot] = image;
-    encoder->textures_changed = true;
+    encoder->bindings_changed = true;
 }
 
 static void note_written(struct rhw_encoder *encoder, struct rhw_texture_data *texture, int level)

@@ -37,14 +37,14 @@ static bool resolve(struct rhw_encoder *encoder)
 {
     const uint32_t rewrites = encoder->context->recording.rewrites;
     const bool rewritten = rewrites != encoder->rewrites_seen;
-    if (!rewritten && !encoder->textures_changed && !encoder->pending_changed) {
+    if (!rewritten && !encoder->bindings_changed && !encoder->pending_changed) {
         return true;
     }
-    if (encoder->textures_changed || rewritten) {
+    if (encoder->bindings_changed || rewritten) {
         if (!rhw_pass_resolve_bindings(encoder)) {
             return false;
         }
-        encoder->textures_changed = false;
+        encoder->bindings_changed = false;
         encoder->pending_changed = true;
     }
     resolve_buffers(encoder);

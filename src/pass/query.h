@@ -7,7 +7,6 @@
 #include "rhw/stats.h"
 
 struct rhw_draw;
-struct rhw_front_counters;
 struct rhw_encoder;
 
 struct rhw_query_data {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The ambient occlusion of a fragment, looked up in the guide.
-#ifndef SCENE_SHADERS_GUIDE_H
-#define SCENE_SHADERS_GUIDE_H
+#ifndef SCENE_SHADE_GUIDE_H
+#define SCENE_SHADE_GUIDE_H
 
 #include "rhw/shader.h"
 #include "scene_shaders.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What glTF's extensions lay over and under a surface, on 8 lanes: clearcoat, sheen, anisotropy, a thin film, and light
 // that passes through. Formulas are those of the extensions' specifications, and named by them.
-#ifndef SCENE_SHADERS_LAYERS_H
-#define SCENE_SHADERS_LAYERS_H
+#ifndef SCENE_SHADE_LAYERS_H
+#define SCENE_SHADE_LAYERS_H
 
 #include "pbr.h"
 

@@ -16,8 +16,8 @@
 // each corner, holds each projection to the outer side, and takes their mean. A fragment has no corners, and 18 varyings more
 // would bring them; one brings the mean distance of the planes. So that is held to the outer side, once, and taken
 // along the interpolated normal. Where all three planes lie above the fragment, as on a convex body, little differs.
-#ifndef SCENE_SHADERS_SHADOW_H
-#define SCENE_SHADERS_SHADOW_H
+#ifndef SCENE_SHADE_SHADOW_H
+#define SCENE_SHADE_SHADOW_H
 
 #include "rhw/shader.h"
 #include "scene_shaders.h"

@@ -3,8 +3,8 @@
 //
 // Names are those of the specifications: 3MF Core 1.3, Materials and Properties 1.2 (colours, textures, metals),
 // Production 1.1 (objects in other parts of the package).
-#ifndef SCENE_IMPORT_3MF_H
-#define SCENE_IMPORT_3MF_H
+#ifndef SCENE_THREEMF_H
+#define SCENE_THREEMF_H
 
 #include "import/builder/import.h"
 

@@ -9,7 +9,7 @@
 
 // One run of the function over a pair of groups.
 struct fragment_run {
-    struct rhw_bindings textures[RHW_VALIDATED_GROUPS];
+    struct rhw_bindings bindings[RHW_VALIDATED_GROUPS];
     struct rhw_fragment group[RHW_VALIDATED_GROUPS];
     rhw_float varying[RHW_VALIDATED_GROUPS][RHW_VALIDATED_COMPONENTS];
     rhw_float ddx[RHW_VALIDATED_GROUPS][RHW_VALIDATED_COMPONENTS],
@@ -131,10 +131,10 @@ static void prepare(const struct rhw_validator *validator, const struct rhw_frag
     if (validator->uses & RHW_USE_COLOR_INPUT) {
         memcpy(out->color[g], group->color, (size_t)pipeline->def.target_count * sizeof group->color[0]);
     }
-    out->textures[g] = *group->bindings;
-    out->textures[g].drops_effects = !has_effects(validator);
+    out->bindings[g] = *group->bindings;
+    out->bindings[g].drops_effects = !has_effects(validator);
     if (changed == 0) { // in other runs coordinates may come from another rubbish
-        out->textures[g].site = rhw_validator_site(validator, group->uniforms, &group->mask);
+        out->bindings[g].site = rhw_validator_site(validator, group->uniforms, &group->mask);
     }
     struct rhw_fragment *const copy = &out->group[g];
     *copy = *group;
@@ -142,7 +142,7 @@ static void prepare(const struct rhw_validator *validator, const struct rhw_frag
     copy->ddx = out->ddx[g];
     copy->ddy = out->ddy[g];
     copy->color = out->color[g];
-    copy->bindings = &out->textures[g];
+    copy->bindings = &out->bindings[g];
     copy->uniforms = rhw_validator_uniforms(group->uniforms, changed & UNIFORMS);
     copy->user = validator->user;
     spoil_builtins(copy, validator->uses, changed);

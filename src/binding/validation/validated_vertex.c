@@ -7,7 +7,7 @@
 
 // One run of the function over a pair of groups.
 struct vertex_run {
-    struct rhw_bindings textures[RHW_VALIDATED_GROUPS];
+    struct rhw_bindings bindings[RHW_VALIDATED_GROUPS];
     struct rhw_vertex group[RHW_VALIDATED_GROUPS];
     rhw_float attribute[RHW_VALIDATED_GROUPS][RHW_MAX_ATTRIBUTES][4];
     rhw_float varying[RHW_VALIDATED_GROUPS][RHW_VALIDATED_COMPONENTS];
@@ -40,14 +40,14 @@ static void prepare(const struct rhw_validator *validator, const struct rhw_vert
     for (int i = 0; i < RHW_MAX_CLIP_DISTANCES; i++) {
         out->distance[g][0][i] = out->distance[g][1][i] = output;
     }
-    out->textures[g] = *group->bindings;
-    out->textures[g].drops_effects = !has_effects(validator);
+    out->bindings[g] = *group->bindings;
+    out->bindings[g].drops_effects = !has_effects(validator);
     if (changed == 0) {
-        out->textures[g].site = rhw_validator_site(validator, group->uniforms, NULL);
+        out->bindings[g].site = rhw_validator_site(validator, group->uniforms, NULL);
     }
     struct rhw_vertex *const copy = &out->group[g];
     *copy = *group;
-    copy->bindings = &out->textures[g];
+    copy->bindings = &out->bindings[g];
     copy->attribute = (const rhw_float(*)[4])out->attribute[g];
     copy->uniforms = rhw_validator_uniforms(group->uniforms, (changed & UNIFORMS) != 0);
     copy->user = validator->user;

@@ -126,7 +126,7 @@ RHW_INLINE uint64_t test_block_early_stencil(const struct block_pixels *block,
                                              const struct rhw_draw_plan *plan, int face,
                                              bool stencil_is_tested)
 {
-    return plan->test >= RHW_TEST_MASKS && keeps_depths(block->depth->state, block->z)
+    return rhw_test_has_masks(plan->test) && keeps_depths(block->depth->state, block->z)
                ? test_block_masks(block, plan->early, face, stencil_is_tested)
                : test_block_stencil(block, plan->early, face);
 }

@@ -22,11 +22,10 @@ RHW_INLINE int face_of(const struct triangle_work *triangle)
     return triangle->t->flags & RHW_TRIANGLE_BACK ? 1 : 0;
 }
 
-// Return true if stencil is tested before the triangle's planes are made. If a sample is explained it is not, as an
-// explanation has numbers before any test.
+// Return true if stencil is tested before the triangle's planes are made.
 RHW_INLINE bool tests_stencil_first(const struct tile_work *work)
 {
-    return work->plan.test == RHW_TEST_STENCIL_FIRST && !work->explained;
+    return work->plan.test == RHW_TEST_STENCIL_FIRST;
 }
 
 // Test a block's pixels set in `mask` before shading. Return the pixels that pass.

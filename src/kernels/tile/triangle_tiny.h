@@ -163,24 +163,19 @@ RHW_INLINE void draw_tiny_by(const struct triangle_run *run, const struct rhw_de
         } else {
             collect_tiny(run, i, rule);
         }
-        if (rule.open == RHW_OPEN_MARK && work->scratch->depth.marked) {
-            work->scratch->depth.marked = false;
-            see_triangle(work, run->setup->read->number[i]);
-        }
     }
 }
 
-// Draw a run of tiny triangles. The loop is compiled for each rule that has a name.
+// Draw a run of tiny triangles. The loop is compiled for each rule of a phase that shades.
 void RHW_ISA_NAME(rhw_draw_tiny)(const struct triangle_run *run)
 {
     const struct rhw_draw_plan *const plan = &run->work->plan;
-    run->work->scratch->depth.marked = false;
     switch (plan->early_name) {
     case RHW_RULE_LESS: draw_tiny_by(run, rhw_named_rules[RHW_RULE_LESS]); break;
     case RHW_RULE_GREATER: draw_tiny_by(run, rhw_named_rules[RHW_RULE_GREATER]); break;
-    case RHW_RULE_MARK_LESS: draw_tiny_by(run, rhw_named_rules[RHW_RULE_MARK_LESS]); break;
-    case RHW_RULE_MARK_GREATER: draw_tiny_by(run, rhw_named_rules[RHW_RULE_MARK_GREATER]); break;
     case RHW_RULE_CLAIM: draw_tiny_by(run, rhw_named_rules[RHW_RULE_CLAIM]); break;
+    case RHW_RULE_MARK_LESS:
+    case RHW_RULE_MARK_GREATER:
     case RHW_RULE_ANY: draw_tiny_by(run, plan->early); break;
     }
 }
