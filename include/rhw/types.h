@@ -556,8 +556,8 @@ enum rhw_write_mask {
     RHW_WRITE_NONE = 16 ///< no channel; not or-ed with others
 };
 
-/// A logic operation on the bits of source and destination, in targets of integers, UNORM and SNORM. Targets of floats and
-/// sRGB take the source unchanged (Vulkan 1.3 §29.2). No target is blended meanwhile. The write mask holds.
+/// A logic operation on the bits of source and destination, in targets of integers, UNORM and SNORM. Targets of floats
+/// and sRGB take the source unchanged (Vulkan 1.3 §29.2). No target is blended meanwhile. The write mask holds.
 enum rhw_logic {
     RHW_LOGIC_OFF,
     RHW_LOGIC_CLEAR, RHW_LOGIC_AND, RHW_LOGIC_AND_REVERSE, RHW_LOGIC_COPY, RHW_LOGIC_AND_INVERTED, RHW_LOGIC_NO_OP,
