@@ -64,7 +64,9 @@ static enum rhw_result draw_data_band(struct draw *draw)
     const double drawn = scene_milliseconds();
     for (int i = 0; i < SCENE_DATA_OUTPUTS && result == RHW_OK; i++) {
         if (is_drawn(draw, i)) {
-            scene_band_read(draw, TARGET_DATA + i, scene_picture_get(draw->pictures, SCENE_KIND_DEPTH + i));
+            scene_band_read(
+                draw, TARGET_DATA + i,
+                scene_picture_get(draw->pictures, (enum scene_output_kind)(SCENE_KIND_DEPTH + i)));
         }
     }
     draw->stats.data_ms += drawn - start;
