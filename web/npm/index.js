@@ -112,7 +112,7 @@ export class Scene {
 
     render(options = {}) {
         const names = [options.outputs ?? 'color'].flat();
-        const outputs = this.#instance.outputs();
+        const outputs = this.#held().outputs();
         checkOutputs(outputs, names);
         const bits = names.reduce((sum, name) => sum | outputs[name].bit, 0);
         this.#askWhile(options.goesOn, () => this.#ask('_web_scene_render', drawingWords(options), bits));
