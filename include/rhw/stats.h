@@ -88,7 +88,7 @@ struct rhw_query_counts {
 // Tiles ---------------------------------------------------------------------------------------------
 
 /// A tile draws its triangles in one of these ways. All ways give the same bytes.
-enum rhw_tile_plan {
+enum rhw_tile_order {
     RHW_TILE_IN_ORDER = 1,    ///< draw the triangles as they were submitted
     RHW_TILE_DEPTH_FIRST = 2, ///< draw the depth of all triangles, then shade what is seen
     RHW_TILE_BACKWARDS = 4    ///< draw from the last triangle to the first, until no pixel is open
@@ -99,8 +99,8 @@ enum rhw_tile_plan {
 struct rhw_tile_report {
     int x, y, width, height; ///< pixels of the target, from its top left
     int layer;
-    uint32_t plans;            ///< or-ed rhw_tile_plan of all flushes of the pass; 0 if the tile drew nothing
-    uint64_t triangles;        ///< triangles in the tile's bins; a clipped triangle may count as two or more
+    uint32_t orders;    ///< or-ed rhw_tile_order of all flushes of the pass; 0 if the tile drew nothing
+    uint64_t triangles; ///< triangles in the tile's bins; a clipped triangle may count as two or more
     uint64_t fragments_shaded; ///< this tile's part of rhw_stats.fragments_shaded
     uint64_t fragment_groups;  ///< this tile's part of rhw_stats.fragment_groups
     double busy_ms;            ///< milliseconds that threads worked on the tile

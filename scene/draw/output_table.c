@@ -139,7 +139,7 @@ const struct scene_output_row scene_outputs[SCENE_KIND_COUNT] = {
             .is_of_work = true,
             .member = offsetof(struct scene_pictures, plan),
             .layer = {"plan.bits"},
-            .meaning = "or-ed rhw_tile_plan of the tile",
+            .meaning = "or-ed rhw_tile_order of the tile",
             .shown =
                 "how hidden surfaces are left out there: blue in order, orange depth first, green backwards",
         },

@@ -30,7 +30,7 @@ enum scene_output {
         2048, ///< R32F: how many surfaces lie above each other at the pixel's centre, seen or not
     SCENE_OUTPUT_TILES = 4096, ///< R32_UINT: triangles that the pixel's tile has in the colour pass
     SCENE_OUTPUT_PLAN =
-        8192, ///< R32_UINT: or-ed rhw_tile_plan of the model in that tile; 0: none of it is there
+        8192, ///< R32_UINT: or-ed rhw_tile_order of the model in that tile; 0: none of it is there
     SCENE_OUTPUT_WORK = SCENE_OUTPUT_OVERDRAW | SCENE_OUTPUT_TILES | SCENE_OUTPUT_PLAN
 };
 

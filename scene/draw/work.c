@@ -28,7 +28,7 @@ static struct rhw_tile_report of_the_model(const struct draw *draw, const struct
     struct rhw_tile_report model = *report;
     if (scene_background_is_drawn(draw)) {
         model.triangles -= model.triangles > 0;
-        model.plans = model.triangles > 0 ? model.plans & ~(uint32_t)RHW_TILE_BACKWARDS : 0;
+        model.orders = model.triangles > 0 ? model.orders & ~(uint32_t)RHW_TILE_BACKWARDS : 0;
     }
     return model;
 }
@@ -49,7 +49,7 @@ static void note_tile(const struct draw *draw, const struct rhw_tile_report *rep
                 pictures->tiles[row + (size_t)x] = (uint32_t)report->triangles;
             }
             if (pictures->plan) {
-                pictures->plan[row + (size_t)x] = report->plans;
+                pictures->plan[row + (size_t)x] = report->orders;
             }
         }
     }

@@ -16,9 +16,9 @@ struct rhw_used_query;
 struct rhw_recorded_pass {
     uint64_t begun_ns; // time at which recording began
     struct rhw_target target;
-    // These are the stencil planes of the textures that the pass draws into and resolves into. The target points at
+    // These are the stencil aspects of the textures that the pass draws into and resolves into. The target points at
     // them, so a pass does not move.
-    struct rhw_mip stencil_plane, stencil_resolve;
+    struct rhw_mip stencil_aspect, stencil_resolve;
     enum rhw_paths paths;           // paths of the context, or the general one
     struct rhw_explained explained; // written by the sample's tile while the pass runs
     // There is a report for each tile, which writes it. NULL: nobody asks.

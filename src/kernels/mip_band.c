@@ -24,7 +24,7 @@ struct made_level {
     int above_width, above_height;
     // This task makes rows from `first` on, and stores the rows first .. own_end − 1.
     int first, own_end;
-    size_t stride;     // floats of a plane
+    size_t stride;     // floats of a channel
     float *line[TAPS]; // lines of row y of the level above stand at y % 3
     float *row;
 };

@@ -12,7 +12,7 @@ enum {
     RHW_MIP_STEPS = 3
 };
 
-// Levels as floats, unrounded, on the scale of texel/mip_codec.h. Each row has one plane after the other of the
+// Levels as floats, unrounded, on the scale of texel/mip_codec.h. Each row has one channel after the other of the
 // channels that the format has.
 struct rhw_mip_job {
     const struct rhw_texture_data *texture;
@@ -38,14 +38,14 @@ struct rhw_mip_volume_job {
     size_t scratch_size;
 };
 
-// Return the floats from one plane to the next. The kernel computes whole groups of 8 lanes, of which the last reads up
-// to 18 columns behind the row's last but one.
+// Return the floats from one channel to the next. The kernel computes whole groups of 8 lanes, of which the last reads
+// up to 18 columns behind the row's last but one.
 static inline size_t rhw_mip_stride(int width)
 {
     return (((size_t)width + 15) & ~(size_t)15) + 16;
 }
 
-// Return the floats of a row: all planes.
+// Return the floats of a row: all channels.
 static inline size_t rhw_mip_row(int width, int channels)
 {
     return (size_t)channels * rhw_mip_stride(width);

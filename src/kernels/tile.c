@@ -152,9 +152,9 @@ static void draw_bins(struct tile_work *work, const struct bin *first, const str
 {
     while (first < end) {
         const struct bin_run run = run_from(first, end);
-        const enum rhw_tile_plan plan = choose_plan(work, run);
-        work->plans |= plan;
-        switch (plan) {
+        const enum rhw_tile_order order = choose_order(work, run);
+        work->orders |= order;
+        switch (order) {
         case RHW_TILE_BACKWARDS: draw_backwards(work, run); break;
         case RHW_TILE_DEPTH_FIRST: draw_depth_first(work, run); break;
         case RHW_TILE_IN_ORDER: draw_run(work, run, RHW_PHASE_ONLY); break;
@@ -213,7 +213,7 @@ static void pass_tile_through(const struct tile_work *work)
 static __attribute__((noinline)) void report(const struct tile_work *work, struct rhw_tile_report *to,
                                              int bins, const struct rhw_counters *before)
 {
-    to->plans |= work->plans;
+    to->orders |= work->orders;
     to->fragments_shaded += work->counters->fragments - before->fragments;
     to->fragment_groups += work->counters->groups - before->groups;
     for (int i = 0; i < bins; i++) {

@@ -187,7 +187,7 @@ struct tile_work {
     uint64_t fragments_before; // what `counters` had when the state was set
     // NULL: another tile is explained, or none.
     struct rhw_explained *explained;
-    uint32_t plans; // rhw_tile_plan of the runs that were drawn
+    uint32_t orders; // rhw_tile_order of the runs that were drawn
 };
 
 // These tell where a texel of the tile lies. They shift, as texels are never negative, which a compiler cannot know.

@@ -268,8 +268,8 @@ static void attach_stencil(struct rhw_encoder *encoder, const struct rhw_depth_a
     stencil->sample_stride = target->depth.sample_stride;
     stencil->layer = target->depth.layer;
     stencil->loads_resolved = target->depth.loads_resolved;
-    stencil->target = rhw_stencil_plane_of(target->depth.target, &encoder->pass->stencil_plane);
-    stencil->resolve = rhw_stencil_plane_of(target->depth.resolve, &encoder->pass->stencil_resolve);
+    stencil->target = rhw_stencil_aspect_of(target->depth.target, &encoder->pass->stencil_aspect);
+    stencil->resolve = rhw_stencil_aspect_of(target->depth.resolve, &encoder->pass->stencil_resolve);
     stencil->resolve_mode = depth->stencil_resolve_mode == RHW_RESOLVE_DEFAULT ? depth->resolve_mode
                                                                                : depth->stencil_resolve_mode;
     stencil->resolves = target->has_stencil && is_resolved(stencil);

@@ -19,23 +19,23 @@ static struct rhw_name name_of(const rhw_context *context, rhw_texture id)
     return rhw_name_of(&context->textures, id.index);
 }
 
-const struct rhw_mip *rhw_stencil_plane_of(const struct rhw_mip *mip, struct rhw_mip *plane)
+const struct rhw_mip *rhw_stencil_aspect_of(const struct rhw_mip *mip, struct rhw_mip *aspect)
 {
     if (!mip) {
         return NULL;
     }
-    *plane = *mip;
-    rhw_mip_take_stencil(plane);
-    return plane;
+    *aspect = *mip;
+    rhw_mip_take_stencil(aspect);
+    return aspect;
 }
 
 // Return true if an earlier attachment draws into the level's texels, or into their stencil.
 static bool is_attached(const struct rhw_encoder *encoder, const struct rhw_mip *mip, int layer)
 {
     const struct rhw_target *const target = &encoder->pass->target;
-    struct rhw_mip plane;
+    struct rhw_mip aspect;
     return rhw_pass_attaches(encoder, rhw_texel_range_of(mip, layer, target->layers)) ||
-           (mip->stencil && rhw_pass_attaches(encoder, rhw_texel_range_of(rhw_stencil_plane_of(mip, &plane),
+           (mip->stencil && rhw_pass_attaches(encoder, rhw_texel_range_of(rhw_stencil_aspect_of(mip, &aspect),
                                                                           layer, target->layers)));
 }
 

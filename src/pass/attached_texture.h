@@ -26,8 +26,8 @@ enum rhw_result rhw_pass_attach_texture(struct rhw_encoder *encoder, rhw_texture
 enum rhw_result rhw_pass_attach_resolve(struct rhw_encoder *encoder, rhw_texture id, const char *name,
                                         struct rhw_attachment *attachment);
 
-// Make `plane` the stencil plane of a level, as a level of its own, and return `plane`. Return NULL where the level is
-// NULL.
-const struct rhw_mip *rhw_stencil_plane_of(const struct rhw_mip *mip, struct rhw_mip *plane);
+// Make `aspect` the stencil aspect of a level, as a level of its own, and return `aspect`. Return NULL where the level
+// is NULL.
+const struct rhw_mip *rhw_stencil_aspect_of(const struct rhw_mip *mip, struct rhw_mip *aspect);
 
 #endif

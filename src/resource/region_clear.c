@@ -88,7 +88,7 @@ static void clear_region(struct rhw_region region, const struct rhw_clear_value 
     }
 }
 
-// Clear all levels and both planes. The region is level 0, whole.
+// Clear all levels and both aspects. The region is level 0, whole.
 static void clear_levels(struct rhw_region region, const struct rhw_clear_value *value)
 {
     struct rhw_texture_data *const texture = region.texture;

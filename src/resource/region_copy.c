@@ -63,7 +63,7 @@ static void copy_rows(const struct rhw_region *region, const struct rows *rows, 
 // Decode blocks into texels. The rows outside have blocks.
 static void decode_rows(struct rhw_context *context, const struct rhw_region *region, const struct rows *rows)
 {
-    struct rhw_mip part = rhw_region_plane(region, 0);
+    struct rhw_mip part = rhw_region_aspect(region, 0);
     part.width = region->width;
     part.height = region->height;
     for (int z = 0; z < region->depth; z++) {
@@ -348,8 +348,8 @@ static enum rhw_result copy_texture(struct rhw_context *context, rhw_texture fro
     }
     for (int sample = 0; sample < to.texture->samples; sample++) {
         from.sample = to.sample = sample;
-        const struct rhw_mip plane = rhw_region_plane(&from, sample);
-        copy_rows(&to, &(struct rows){rhw_region_row(&from, 0, 0), plane.row_pitch, plane.slice_pitch},
+        const struct rhw_mip aspect = rhw_region_aspect(&from, sample);
+        copy_rows(&to, &(struct rows){rhw_region_row(&from, 0, 0), aspect.row_pitch, aspect.slice_pitch},
                   INTO_TEXTURE);
     }
     return RHW_OK;

@@ -40,7 +40,7 @@ static enum rhw_resolve mode_of(const struct rhw_region *region, enum rhw_resolv
 static void run(struct rhw_context *context, const struct rhw_region *from, const struct rhw_region *to,
                 enum rhw_resolve mode)
 {
-    const struct rhw_mip source = rhw_region_plane(from, 0), target = rhw_region_plane(to, 0);
+    const struct rhw_mip source = rhw_region_aspect(from, 0), target = rhw_region_aspect(to, 0);
     const enum rhw_format format = from->is_stencil ? RHW_FORMAT_S8_UINT : from->texture->format;
     struct resolved resolved = {context->kernels,
                                 {.info = rhw_format_info(format),

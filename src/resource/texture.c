@@ -41,7 +41,7 @@ static size_t aligned_pitch(size_t row)
     return (row + RHW_ROW_ALIGNMENT - 1) & ~(size_t)(RHW_ROW_ALIGNMENT - 1);
 }
 
-// Return the bytes of a level's plane of stencil, all slices, where it lies behind another plane.
+// Return the bytes of a level's stencil aspect, all slices, where it lies behind another aspect.
 static uint64_t stencil_size(const struct rhw_format_info *info, const struct rhw_mip *mip)
 {
     const bool apart = rhw_format_has_role(info, RHW_ROLE_STENCIL_TARGET) &&

@@ -32,13 +32,13 @@ struct rhw_mip {
     int slices;         // slices of a 3D texture; layers of others
     size_t row_pitch;   // bytes, a multiple of RHW_ROW_ALIGNMENT
     size_t slice_pitch; // bytes; slices stand one after the other, in the linear copy too
-    // The plane of stencil, with a byte per texel, of formats that have one. It is the texels themselves where there is
+    // The stencil aspect, with a byte per texel, of formats that have one. It is the texels themselves where there is
     // no depth.
     unsigned char *stencil;
     size_t stencil_pitch;
 };
 
-// Make a level with a plane of stencil one of this plane alone.
+// Make a level with a stencil aspect one of this aspect alone.
 static inline void rhw_mip_take_stencil(struct rhw_mip *mip)
 {
     mip->texels = mip->stencil;
@@ -73,7 +73,7 @@ struct rhw_texture_data {
     bool is_plain; // 2D and no array: the sampler has special paths for it
     int levels;
     int samples;
-    // Bytes from a sample's planes of texels and stencil to those of the next sample.
+    // Bytes from a sample's aspects of texels and stencil to those of the next sample.
     size_t sample_stride;
     _Alignas(32) float last_level[RHW_LANES]; // levels − 1
     struct rhw_mip mip[RHW_MAX_MIP_LEVELS];

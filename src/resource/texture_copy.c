@@ -20,7 +20,7 @@
 struct copy {
     struct rhw_texture_data *texture; // NULL: the call was misuse
     int level, layer, sample;
-    bool stencil;          // the plane of stencil
+    bool stencil;          // the stencil aspect
     size_t row, row_pitch; // bytes of a row; distance of the caller's rows
 };
 

@@ -100,14 +100,14 @@ bool rhw_region_check_writable(const struct rhw_context *context, const struct r
            rhw_texture_check_unread(context, region->id, region->texture, where);
 }
 
-struct rhw_mip rhw_region_plane(const struct rhw_region *region, int sample)
+struct rhw_mip rhw_region_aspect(const struct rhw_region *region, int sample)
 {
-    struct rhw_mip plane = region->texture->mip[region->level];
+    struct rhw_mip aspect = region->texture->mip[region->level];
     if (region->is_stencil) {
-        rhw_mip_take_stencil(&plane);
+        rhw_mip_take_stencil(&aspect);
     }
-    plane.texels += (size_t)sample * region->texture->sample_stride;
-    return plane;
+    aspect.texels += (size_t)sample * region->texture->sample_stride;
+    return aspect;
 }
 
 static bool spans_overlap(int a, int b, int a_size, int b_size)
@@ -119,7 +119,7 @@ static bool spans_overlap(int a, int b, int a_size, int b_size)
 // one pitch that lie that far apart have no texel in common.
 static bool regions_overlap(const struct rhw_region *from, const struct rhw_region *to)
 {
-    const struct rhw_mip a = rhw_region_plane(from, 0), b = rhw_region_plane(to, 0);
+    const struct rhw_mip a = rhw_region_aspect(from, 0), b = rhw_region_aspect(to, 0);
     const bool are_one = from->texture == to->texture ||
                          (from->texture->shared && from->texture->shared == to->texture->shared);
     if (!are_one || a.row_pitch != b.row_pitch || a.slice_pitch != b.slice_pitch) {
@@ -182,7 +182,7 @@ bool rhw_region_to_write(struct rhw_context *context, struct rhw_region *region)
 
 unsigned char *rhw_region_row(const struct rhw_region *region, int y, int z)
 {
-    const struct rhw_mip plane = rhw_region_plane(region, region->sample);
-    return rhw_mip_slice(&plane, region->z + z) + (size_t)(region->y + y) * plane.row_pitch +
+    const struct rhw_mip aspect = rhw_region_aspect(region, region->sample);
+    return rhw_mip_slice(&aspect, region->z + z) + (size_t)(region->y + y) * aspect.row_pitch +
            (size_t)region->x * region->texel;
 }

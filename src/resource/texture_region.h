@@ -55,7 +55,7 @@ static inline size_t rhw_region_row_size(const struct rhw_region *region)
     return (size_t)region->width * region->texel;
 }
 
-// Return the plane of the sample `sample` that the region lies in, as texels of its own.
-struct rhw_mip rhw_region_plane(const struct rhw_region *region, int sample);
+// Return the texels of one sample and of the aspect that the region lies in, as a level of their own.
+struct rhw_mip rhw_region_aspect(const struct rhw_region *region, int sample);
 
 #endif

@@ -25,7 +25,7 @@ struct plan {
     rhw_texture id; // id of the parent
     enum rhw_format format;
     struct rhw_texture_shape shape;
-    bool is_stencil; // the view is the parent's plane of stencil
+    bool is_stencil; // the view is the parent's stencil aspect
 };
 
 static struct rhw_name name_of(const struct rhw_context *context, const struct plan *plan)
@@ -46,13 +46,13 @@ static bool are_decoded_alike(const struct rhw_block_format *a, const struct rhw
            a->height == b->height;
 }
 
-// Return true if a format is that of one of the planes of the other.
-static bool is_plane_of(const struct rhw_format_info *plane, const struct rhw_format_info *both)
+// Return true if a format is that of one of the aspects of the other.
+static bool is_aspect_of(const struct rhw_format_info *aspect, const struct rhw_format_info *both)
 {
     const bool has_both = rhw_format_has_role(both, RHW_ROLE_DEPTH_TARGET) &&
                           rhw_format_has_role(both, RHW_ROLE_STENCIL_TARGET);
-    const bool is_depth = rhw_format_has_role(plane, RHW_ROLE_DEPTH_TARGET) && plane->codec == both->codec;
-    const bool is_stencil = rhw_format_has_role(plane, RHW_ROLE_STENCIL_TARGET);
+    const bool is_depth = rhw_format_has_role(aspect, RHW_ROLE_DEPTH_TARGET) && aspect->codec == both->codec;
+    const bool is_stencil = rhw_format_has_role(aspect, RHW_ROLE_STENCIL_TARGET);
     return has_both && is_depth != is_stencil;
 }
 
@@ -73,7 +73,7 @@ static bool formats_fit(enum rhw_format parent, enum rhw_format view)
     }
     const struct rhw_format_info *const from = rhw_format_info(parent), *const to = rhw_format_info(view);
     if (has_depth_or_stencil(from) || has_depth_or_stencil(to)) {
-        return is_plane_of(to, from) || reads_stencil(from, view);
+        return is_aspect_of(to, from) || reads_stencil(from, view);
     }
     return from->size == to->size;
 }
@@ -190,7 +190,7 @@ static bool make_plan(const struct rhw_context *context, const struct rhw_textur
 
 // Making --------------------------------------------------------------------------------------------
 
-// Set a level from the plane of the parent that the view has, from its first layer on.
+// Set a level from the aspect of the parent that the view has, from its first layer on.
 static void set_level(const struct plan *plan, const struct rhw_texture_view_def *def, struct rhw_mip *mip)
 {
     if (plan->is_stencil) {

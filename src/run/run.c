@@ -72,7 +72,7 @@ static void init_tile_scratch(struct rhw_tile_scratch *scratch)
 
 // Give the worker memory for all samples of a tile but the first. Memory that a pass does not draw into is never
 // touched. Return false when out of memory.
-static bool planes_ready(const struct rhw_executor *executor, struct rhw_worker *worker)
+static bool sample_tiles_ready(const struct rhw_executor *executor, struct rhw_worker *worker)
 {
     struct rhw_memory *const memory = &executor->context->memory;
     const int wanted = executor->wave.target.pattern->count - 1;
@@ -143,7 +143,7 @@ static bool worker_ready(const struct rhw_executor *executor, struct rhw_worker 
         init_tile_scratch(worker->tile);
     }
     worker->counters = (struct rhw_counters){0};
-    return planes_ready(executor, worker);
+    return sample_tiles_ready(executor, worker);
 }
 
 static bool workers_ready(struct rhw_executor *executor)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rows of texels become planes of floats and back, for mip generation. Linear channels of 8 bits stand on the scale
+// Rows of texels become channels of floats and back, for mip generation. Linear channels of 8 bits stand on the scale
 // 0..255, on which averages of codes are exact for the first 8 mip levels. A row may have any width; nothing outside of
 // it is touched.
 #ifndef RHW_MIP_CODEC_H
@@ -49,9 +49,9 @@ RHW_INLINE void narrow_texels(const struct rhw_format_info *format, const f32x8 
     }
 }
 
-// Widen a row. `planes` has room for whole groups of 8 texels.
+// Widen a row. `channels` has room for whole groups of 8 texels.
 RHW_INLINE void widen_row(const struct rhw_format_info *format, const unsigned char *texels, int width,
-                          float *planes, size_t stride)
+                          float *channels, size_t stride)
 {
     const size_t size = format->size;
     for (int x = 0; x < width; x += RHW_LANES) {
@@ -67,12 +67,12 @@ RHW_INLINE void widen_row(const struct rhw_format_info *format, const unsigned c
         load_texel_row(size, group, &raw);
         widen_texels(format, &raw, value);
         for (int c = 0; c < format->channels; c++) {
-            f32x8_store(planes + (size_t)c * stride + x, value[c]);
+            f32x8_store(channels + (size_t)c * stride + x, value[c]);
         }
     }
 }
 
-RHW_INLINE void narrow_row(const struct rhw_format_info *format, const float *planes, size_t stride,
+RHW_INLINE void narrow_row(const struct rhw_format_info *format, const float *channels, size_t stride,
                            int width, unsigned char *texels)
 {
     const size_t size = format->size;
@@ -80,7 +80,7 @@ RHW_INLINE void narrow_row(const struct rhw_format_info *format, const float *pl
         struct raw_texels raw;
         f32x8 value[4] = {{0}, {0}, {0}, {0}};
         for (int c = 0; c < format->channels; c++) {
-            value[c] = f32x8_load(planes + (size_t)c * stride + x);
+            value[c] = f32x8_load(channels + (size_t)c * stride + x);
         }
         narrow_texels(format, value, &raw);
         unsigned char *const group = texels + (size_t)x * size;

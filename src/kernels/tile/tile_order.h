@@ -70,7 +70,7 @@ static struct bin_run run_from(const struct bin *first, const struct bin *end)
 }
 
 // Return how a run is drawn.
-static enum rhw_tile_plan choose_plan(const struct tile_work *work, struct bin_run run)
+static enum rhw_tile_order choose_order(const struct tile_work *work, struct bin_run run)
 {
     const enum rhw_hidden_surface hidden = run.first->chunk->hidden.kind;
     return hidden == RHW_HIDDEN_BACKWARDS                             ? RHW_TILE_BACKWARDS

@@ -37,7 +37,7 @@ static void test_places(void **state)
         assert_int_equal(r->width, x < 2 ? 64 : 22);
         assert_int_equal(r->height, y < 1 ? 64 : 36);
         assert_int_equal(r->layer, 0);
-        assert_int_equal(r->triangles + r->fragments_shaded + r->fragment_groups + r->plans, 0);
+        assert_int_equal(r->triangles + r->fragments_shaded + r->fragment_groups + r->orders, 0);
         assert_true(r->busy_ms >= 0);
     }
     rig_close(&rig);
@@ -58,7 +58,7 @@ static void test_counts(void **state)
     uint64_t fragments = 0, groups = 0, entries = 0;
     for (int i = 0; i < TILES; i++) {
         assert_int_equal(reports[i].fragments_shaded, pixels[i]);
-        assert_int_equal(reports[i].plans != 0, pixels[i] != 0);
+        assert_int_equal(reports[i].orders != 0, pixels[i] != 0);
         assert_int_equal(reports[i].triangles != 0, pixels[i] != 0);
         fragments += reports[i].fragments_shaded;
         groups += reports[i].fragment_groups;
@@ -80,8 +80,8 @@ static uint32_t plans_of(struct rig *rig)
         rig_rectangle(rig, 0, 0, 64, 64, 1.0f - (float)i / LAYERS, white, vertices + 6 * i);
     }
     draw(rig, vertices, 6 * LAYERS, reports);
-    assert_int_equal(reports[1].plans, 0);
-    return reports[0].plans;
+    assert_int_equal(reports[1].orders, 0);
+    return reports[0].orders;
 }
 
 static void test_plans(void **state)
@@ -115,7 +115,7 @@ static uint32_t plans_in_turn(struct rig *rig, int turns)
         rig_draw(rig, vertices, 6 * LAYERS);
     }
     rig_end(rig);
-    return reports[0].plans;
+    return reports[0].orders;
 }
 
 // A background keeps nothing before it from being drawn depth first; draws that take turns many times are not each cut off.
