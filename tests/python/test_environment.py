@@ -58,6 +58,8 @@ def test_bytes_of_the_program(box_obj, model, hdr, tmp_path, program):
     light = model.render((40, 20), outputs="linear")
     light.save(exr)
     assert np.array_equal(rhw.Environment(exr).texels[:, :, :3], light["linear"][:, :, :3])
+    small = ("--size", "40x30", "--environment", str(exr))
+    assert model.render((40, 30), environment=exr).png() == program(box_obj, "x.png", *small)
 
 
 def test_light_comes_from_where_it_is(square):
