@@ -2,9 +2,9 @@
 // An import under way: the model under construction, its memory, and the lines for the user. Every reader writes into
 // it.
 //
-// All of an import runs in the child process that reader_process.c starts. A reader therefore never cleans up: the end of the
-// process does. A reader that cannot go on calls scene_import_fail, which sends its line to the parent and leaves.
-// Large temporary arrays are freed all the same, so that peak memory stays near the model's size.
+// All of an import runs in the child process that reader_process.c starts. A reader therefore never cleans up: the end
+// of the process does. A reader that cannot go on calls scene_import_fail, which sends its line to the parent and
+// leaves. Large temporary arrays are freed all the same, so that peak memory stays near the model's size.
 #ifndef SCENE_IMPORT_H
 #define SCENE_IMPORT_H
 
