@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sine and cosine by their series on an eighth of a turn, the exponential by its series between two powers of two. Their
-// inverses begin with the library's floats and take one step of Newton's, which doubles the digits.
+// Sine and cosine come from their series on an eighth of a turn, the exponential from its series between two powers of
+// two. Their inverses begin with the library's floats and take one step of Newton's, which doubles the digits.
 #include "elementary.h"
 
 #include <float.h>
@@ -11,7 +11,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-// sin for |x| <= pi/4 + a little, by Taylor's series; the first term left out is below 2^-57.
+// Return the sine for |x| <= pi/4 + a little, by Taylor's series. The first term left out is below 2^-57.
 static double sin_small(double x)
 {
     const double s = x * x;
@@ -32,7 +32,7 @@ static double cos_small(double x)
     return sum;
 }
 
-// Of `quarter` quarter turns and `rest` radians.
+// Set the sine and cosine of `quarter` quarter turns and `rest` radians.
 static void sin_cos_quarter(int64_t quarter, double rest, double *sine, double *cosine)
 {
     const double s = sin_small(rest), c = cos_small(rest);
@@ -47,7 +47,8 @@ void scene_sin_cos_degrees(double degrees, double *sine, double *cosine)
         *sine = *cosine = (double)NAN;
         return;
     }
-    if (fabs(degrees) >= 0x1p31) { // more quarters than an integer need hold; the remainder is exact
+    // These are more quarters than an integer need hold. The remainder is exact.
+    if (fabs(degrees) >= 0x1p31) {
         degrees = fmod(degrees, 360.0);
     }
     const int64_t quarter = (int64_t)(degrees / 90.0 + (degrees < 0.0 ? -0.5 : 0.5));
@@ -56,7 +57,8 @@ void scene_sin_cos_degrees(double degrees, double *sine, double *cosine)
 
 static void sin_cos(double angle, double *sine, double *cosine)
 {
-    // π/2 in three parts. The first two have 33 bits, a count of quarters below 10^6 has 20: their products are exact.
+    // π/2 in three parts. The first two parts have 33 bits and a count of quarters below 10^6 has 20, so their products
+    // are exact.
     static const double part[3] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2e037073p-69};
     if (!(fabs(angle) <= DBL_MAX)) {
         *sine = *cosine = (double)NAN;
@@ -92,20 +94,21 @@ double scene_tan(double angle)
 double scene_atan(double a)
 {
     if (!(fabs(a) < 1e18)) {
-        return a < 0 ? -pi / 2 : a > 0 ? pi / 2 : a; // NaN stays
+        return a < 0 ? -pi / 2 : a > 0 ? pi / 2 : a; // NaN stays NaN
     }
     const double first = (double)rhw_atan1((float)a);
     const double s = sin_small(first / 2), c = cos_small(first / 2);
     const double sine = 2 * s * c, cosine = (c - s) * (c + s);
-    return first + (a * cosine - sine) / (cosine + a * sine); // tan of the difference, which is below 2^-22
+    // The correction is the tangent of the difference, which is below 2^-22.
+    return first + (a * cosine - sine) / (cosine + a * sine);
 }
 
 double scene_exp(double a)
 {
-    // ln 2 in two parts: the first has 33 bits, its product with a power below 2^11 is exact.
+    // ln 2 in two parts. The first part has 33 bits, so its product with a power below 2^11 is exact.
     static const double part[2] = {0x1.62e42fefp-1, 0x1.473de6af278edp-34};
     if (!(a > -745.2)) {
-        return a < 0 ? 0 : a; // NaN stays
+        return a < 0 ? 0 : a; // NaN stays NaN
     }
     if (a > 709.8) {
         return (double)INFINITY;
@@ -113,7 +116,8 @@ double scene_exp(double a)
     const int power = (int)(a / (part[0] + part[1]) + (a < 0 ? -0.5 : 0.5));
     const double x = (a - power * part[0]) - power * part[1];
     double sum = 1;
-    for (int n = 14; n >= 1; n--) { // |x| <= 0.35: the first term left out is below 2^-62
+    // |x| <= 0.35, so the first term left out is below 2^-62.
+    for (int n = 14; n >= 1; n--) {
         sum = 1 + sum * x / n;
     }
     return ldexp(sum, power);
@@ -126,19 +130,21 @@ double scene_log(double a)
     }
     int power;
     double mantissa = frexp(a, &power);
-    if (mantissa < 0.70710678118654752) { // so that the logarithm of 1 is that of a mantissa of 1
+    // The logarithm of 1 has to be that of a mantissa of 1.
+    if (mantissa < 0.70710678118654752) {
         mantissa *= 2;
         power--;
     }
     const double first = (double)rhw_log1((float)mantissa);
-    const double rest = mantissa * scene_exp(-first) - 1; // below 2^-22
+    const double rest = mantissa * scene_exp(-first) - 1; // the rest is below 2^-22
     return (power * 0x1.62e42fefp-1 + first) + (power * 0x1.473de6af278edp-34 + rest - rest * rest / 2);
 }
 
 double scene_pow(double a, double b)
 {
     if (b == 0 || a == 1) {
-        return 1; // also where the other one is infinite or NaN, and 0^0, as C's pow
+        // C's pow gives 1 too, even where the other argument is infinite or NaN, and for 0^0.
+        return 1;
     }
     return scene_exp(b * scene_log(a));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads a model from arrays. The child process sees the parent's memory as it was when it was forked, so nothing
-// travels to it; what it makes of the arrays comes back as every model does.
+// travels to it. The model that it makes of the arrays comes back as every model does.
 #include "model_arrays.h"
 
 #include <string.h>

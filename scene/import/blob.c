@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The model's structs are described once, in tables of the pointers they hold; writing and reading walk the
-// same tables in the same order. The place of every array follows from the counts before it, so no offset is
-// stored: a pointer in the bytes only says whether the array is there. Reading sets the pointers in place,
-// without copying what they point to.
+// The model's structs are described once, in tables of the pointers they hold. Writing and reading walk these tables in
+// one order. The place of every array follows from the counts before it, so no offset is stored: a pointer in the bytes
+// only says whether the array is there. Reading sets the pointers in place, without copying what they point to.
 #include "blob.h"
 
 #include <string.h>
 
-enum { ALIGNMENT = 64 }; // bytes; of every array, so that vector loads from them are aligned
+enum { ALIGNMENT = 64 }; // bytes between starts of arrays, so that vector loads from them are aligned
 
 enum field_kind {
-    FIELD_STRING, // const char *, ends with a zero
+    FIELD_STRING, // const char *, which ends with a zero
     FIELD_ARRAY,  // `count` elements
     FIELD_STRINGS // `count` strings
 };
@@ -19,12 +18,13 @@ struct layout;
 
 struct field {
     enum field_kind kind;
-    size_t pointer;              // offset of the pointer in its struct
-    size_t count;                // offset of the count, a uint32_t or, for bytes, a size_t
+    size_t pointer; // offset of the pointer in its struct
+    // The offset of the count in its struct. The count is a uint32_t or, for bytes, a size_t.
+    size_t count;
     size_t element;              // bytes per element
-    bool count_is_size;          // the count is a size_t
+    bool count_is_size;          // the count is a size_t, not a uint32_t
     bool required;               // NULL is no valid value
-    const struct layout *layout; // of the elements; NULL: no pointers in them
+    const struct layout *layout; // layout of an element; NULL if it holds no pointers
 };
 
 struct layout {
@@ -181,7 +181,7 @@ struct reader {
     size_t size, cursor;
 };
 
-// The next `count` elements, or NULL when they do not fit.
+// Return the next `count` elements. Return NULL if they do not fit.
 static void *read_array(struct reader *reader, size_t count, size_t element, size_t alignment)
 {
     const size_t padding = (alignment - reader->cursor % alignment) % alignment;

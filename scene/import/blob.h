@@ -7,9 +7,9 @@
 
 #include "model.h"
 
-/// Writes the model to the file's current position, which must be 0. False: the file refused.
+/// Write the model to the file's current position, which must be 0. Return false if the file refuses.
 bool scene_blob_write(const struct scene_model *model, FILE *file);
-/// Makes a model of the bytes, in place. NULL unless they are exactly what scene_blob_write writes and every
+/// Make a model of the bytes, in place. Return NULL unless they are exactly what scene_blob_write writes and every
 /// index, count and enum in them is in range: the process that wrote them read a file that nobody trusts.
 struct scene_model *scene_blob_read(void *bytes, size_t size);
 

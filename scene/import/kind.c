@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which reader a file is for: by what it begins with where formats have a mark, else by the ending of its name, and where
-// it has none, as on standard input, by what it looks like.
+// Which reader a file is for. Where formats have a mark, what the file begins with decides. Elsewhere the ending of its
+// name decides, and where it has none, as on standard input, what the file looks like decides.
 #include "kind.h"
 
 #include <errno.h>
@@ -13,12 +13,12 @@
 enum { LOOKED_AT = 512 };
 
 struct beginning {
-    unsigned char bytes[LOOKED_AT + 1]; // and a 0
+    unsigned char bytes[LOOKED_AT + 1]; // the bytes and a 0 behind them
     size_t count;
     uint64_t file_size;
 };
 
-// Formats that nothing here reads, which would else be refused by a guess of assimp's.
+// Formats that nothing here reads. Without this table a guess of assimp's would refuse them.
 static const struct {
     const char *ending, *name;
 } unread[] = {
@@ -39,7 +39,7 @@ static const struct {
     {"spz", "Gaussian splats (SPZ)"},
 };
 
-// What is no model, whatever its name says; a reader would complain of details.
+// Files that are no model, whatever their names say. A reader would complain of details.
 static const struct {
     const char *mark, *name;
 } others[] = {
@@ -66,14 +66,15 @@ static bool begins_with(const struct beginning *start, const char *mark)
     return start->count >= strlen(mark) && memcmp(start->bytes, mark, strlen(mark)) == 0;
 }
 
-// Of what assimp reads, FBX is the one of which more must be known than that.
+// Return the ending of the file's name. Return "fbx" for an FBX whose name has none: of the formats that assimp reads,
+// it alone has to be told from the others.
 static const char *find_ending(const struct scene_import *import, const struct beginning *start)
 {
     const char *slash = strrchr(import->name, '/'), *dot = strrchr(slash == NULL ? import->name : slash, '.');
     return dot != NULL ? dot + 1 : begins_with(start, "Kaydara FBX") ? "fbx" : "";
 }
 
-// HTML, in any case and behind a byte order mark and white space.
+// Return true for HTML, in any case and behind a byte order mark and white space.
 static bool looks_like_page(const struct beginning *start)
 {
     const char *text = (const char *)start->bytes;
@@ -107,7 +108,7 @@ static void refuse_unread(struct scene_import *import, const struct beginning *s
     }
 }
 
-// Text whose first word that is no comment is one of OBJ's.
+// Return true for a text whose first word outside of comments is one of OBJ's.
 static bool looks_like_obj(const struct beginning *start)
 {
     static const char *const words[] = {"v ", "vn ", "vt ", "o ", "g ", "mtllib ", "usemtl ", "s "};

@@ -5,7 +5,7 @@
 
 #include "import/builder/import.h"
 
-/// Reads import->model.path by the reader that it is for.
+/// Read import->model.path by the reader that it is for.
 void scene_import_read(struct scene_import *import);
 
 #endif

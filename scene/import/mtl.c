@@ -75,7 +75,7 @@ static void note_unused_option(struct scene_import *import, struct scene_word wo
     }
 }
 
-// Reads the options in front of a file name; the rest of the line is the name.
+// Read the options in front of a file name. The rest of the line is the name.
 static void read_texture(struct scene_import *import, struct scene_line line,
                          struct scene_phong_texture *texture, float *multiplier)
 {
@@ -112,7 +112,7 @@ static void read_texture(struct scene_import *import, struct scene_line line,
     if (clamp) {
         texture->slot.address_u = texture->slot.address_v = RHW_ADDRESS_CLAMP;
     }
-    // With v upward v' = s·v + o; ours points down on both sides.
+    // MTL's v points up, with v' = s·v + o. The model's v points down, before and after the transform.
     const float transform[6] = {scale[0], 0, offset[0], 0, scale[1], 1 - scale[1] - offset[1]};
     if (scene_import_finite(transform, 6)) {
         memcpy(texture->slot.transform, transform, sizeof transform);
@@ -170,7 +170,7 @@ static void note_unused_map(struct scene_import *import, struct scene_word key)
 
 // Values --------------------------------------------------------------------------------------------
 
-// Numbers of the PBR extension. False: the key is none of them.
+// Read a number of the PBR extension. Return false if the key is none of the extension's.
 static bool read_surface(struct scene_word key, float value, struct scene_phong *phong)
 {
     const struct {
@@ -194,7 +194,7 @@ static bool read_surface(struct scene_word key, float value, struct scene_phong 
     return false;
 }
 
-// One number is a grey. What is no number, as in "Kd spectral …", leaves the colour alone.
+// Read a colour. One number is a grey. Text that is no number, as in "Kd spectral …", leaves the colour alone.
 static bool read_color(struct scene_line line, float color[3])
 {
     float values[3];
@@ -227,7 +227,8 @@ static void read_value(struct scene_word key, struct scene_line line, struct sce
     } else if (key_is(key, "d")) {
         phong->opacity = value;
         *dissolve = true;
-    } else if (key_is(key, "Tr") && !*dissolve) { // both are written, sometimes; they may contradict
+        // Some files write both keys, and they may contradict each other.
+    } else if (key_is(key, "Tr") && !*dissolve) {
         phong->opacity = 1 - value;
     } else if (!read_surface(key, value, phong) && key_is(key, "illum")) {
         phong->unlit = value == 0;

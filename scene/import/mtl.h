@@ -8,7 +8,7 @@
 
 struct scene_mtl_material {
     struct scene_phong phong;
-    int32_t made[2]; ///< index in the model, without and with vertex colours; −1: not used yet
+    int32_t made[2]; ///< index in the model, without and with vertex colours; −1 if not used yet
 };
 
 struct scene_mtl {
@@ -16,11 +16,11 @@ struct scene_mtl {
     size_t count, capacity;
 };
 
-/// Adds the materials of a library. False, with a warning, when it cannot be read.
+/// Add the materials of a library. Return false, with a warning, if it cannot be read.
 bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const char *name);
-/// The material with this name; a plain one is added if there is none. Returns its place.
+/// Return the place of the material with this name. If there is none, a plain one is added.
 size_t scene_mtl_find(struct scene_import *import, struct scene_mtl *mtl, const char *name);
-/// Its index in the model.
+/// Return the index that the material has in the model.
 uint32_t scene_mtl_use(struct scene_import *import, struct scene_mtl *mtl, size_t material, bool colored);
 
 #endif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Wavefront OBJ. assimp 5.2.5 refuses valid files (numbers such as ".5", UTF-16, extensions in the material
-// library), so this format, the most common of all, is read here.
+// Wavefront OBJ. assimp 5.2.5 refuses valid files (numbers such as ".5", UTF-16, extensions in the material library),
+// so this format, the most common of all, is read here.
 //
-// Faces collect in parts: one per object or group, material, smoothing group and kind of corner. A part becomes a
-// mesh; those of one object share an object id.
+// Faces collect in parts. There is one part for each object or group, material, smoothing group and kind of corner. A
+// part becomes a mesh, and the meshes of one object share an object id.
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +22,7 @@ static const uint32_t none = UINT32_MAX;
 enum { SMOOTHING_NOT_SAID = -1, SMOOTHING_OFF = 0 };
 
 struct corner {
-    uint32_t position, uv, normal; // uv, normal: `none` where the file gives none
+    uint32_t position, uv, normal; // uv and normal are `none` where the file gives none
 };
 
 struct part_key {
@@ -37,7 +37,7 @@ struct part {
     struct part_key key;
     struct corner *corners;
     size_t corner_count, corner_capacity;
-    uint32_t *sizes; // corners of each polygon, line or point
+    uint32_t *sizes; // number of corners of each polygon, line or point
     size_t size_count, size_capacity;
 };
 
@@ -48,18 +48,18 @@ struct obj {
     size_t position_count, position_capacity, color_capacity, uv_count, uv_capacity, normal_count,
         normal_capacity;
     bool colored;
-    const char **objects; // names
+    const char **objects; // names of the objects
     size_t object_count, object_capacity;
-    size_t first_part; // of the current object
+    size_t first_part; // first part of the current object
     struct part *parts;
     size_t part_count, part_capacity;
     struct scene_mtl mtl;
-    bool libraries_complete; // all that were named are there
+    bool libraries_complete; // all libraries that were named are there
     size_t material;
     int smoothing;
-    struct corner *polygon; // being read
+    struct corner *polygon; // corners of the polygon being read
     size_t polygon_capacity;
-    uint32_t small_faces; // of fewer than three corners
+    uint32_t small_faces; // number of faces with fewer than three corners
 };
 
 static bool ends_within_line(const struct obj *obj)
@@ -76,7 +76,7 @@ _Noreturn static void refuse(struct obj *obj, const char *problem)
 
 // Vertices ------------------------------------------------------------------------------------------
 
-// v x y z [w] or v x y z [w] r g b; w weights free-form curves and says nothing about polygons.
+// Read v x y z [w] or v x y z [w] r g b. The number w weights free-form curves and says nothing about polygons.
 static void read_position(struct obj *obj, struct scene_line line)
 {
     float values[7];
@@ -96,7 +96,8 @@ static void read_position(struct obj *obj, struct scene_line line)
     }
     scene_import_reserve(obj->import, &obj->colors, &obj->color_capacity, obj->position_capacity,
                          sizeof *obj->colors);
-    for (size_t i = obj->colored ? index : 0; i <= index; i++) { // those before had none: white
+    // Vertices before the first one with a colour are white.
+    for (size_t i = obj->colored ? index : 0; i <= index; i++) {
         obj->colors[i][0] = obj->colors[i][1] = obj->colors[i][2] = 1;
     }
     obj->colored = true;
@@ -129,8 +130,8 @@ static void read_normal(struct obj *obj, struct scene_line line)
 
 // Elements ------------------------------------------------------------------------------------------
 
-// A one-based or, if negative, backward index at `*c`. False where there is none. Whether it lies beyond the end
-// is known when the whole file is read.
+// Read a one-based or, if negative, backward index at `*c`. Return false where there is none. Whether it lies beyond
+// the end is known when the whole file is read.
 static bool read_index(struct obj *obj, const char **c, const char *end, size_t count, uint32_t *index)
 {
     const bool negative = *c < end && **c == '-';
@@ -153,7 +154,7 @@ static bool read_index(struct obj *obj, const char **c, const char *end, size_t 
     return true;
 }
 
-// p, p/t, p//n or p/t/n
+// Read a corner, which is p, p/t, p//n or p/t/n.
 static struct corner read_corner(struct obj *obj, struct scene_word word)
 {
     struct corner corner = {none, none, none};
@@ -256,7 +257,7 @@ static void start_object(struct obj *obj, const char *name)
     obj->first_part = obj->part_count;
 }
 
-// Moves a backslash in front of a blank out of the way, so that the blank is part of the name.
+// Move a backslash in front of a blank out of the way, so that the blank is part of the name.
 static const char *library_name(struct obj *obj, struct scene_word word)
 {
     char *name = scene_import_allocate(obj->import, word.length + 1, 1), *out = name;
@@ -268,7 +269,7 @@ static const char *library_name(struct obj *obj, struct scene_word word)
     return scene_import_string(obj->import, name, word.length);
 }
 
-// A library, or where it is not there, the one that is called as the model is: who renames one renames both.
+// Read a library. If it is not there, read the one that is called as the model is: who renames one file renames both.
 static bool read_library(struct obj *obj, const char *name)
 {
     const char *slash = strrchr(obj->import->name, '/'),
@@ -285,7 +286,7 @@ static bool read_library(struct obj *obj, const char *name)
     return scene_mtl_read(obj->import, &obj->mtl, own);
 }
 
-// One name, maybe with blanks in it, or several names.
+// Read what follows mtllib: one name, maybe with blanks in it, or several names.
 static void read_libraries(struct obj *obj, struct scene_line line)
 {
     const char *whole = library_name(obj, scene_text_rest(line));
@@ -353,7 +354,8 @@ static void read_line(struct obj *obj, struct scene_word key, struct scene_line 
 
 // Meshes --------------------------------------------------------------------------------------------
 
-// Faces may name texture coordinates or normals that never came; only positions are indispensable.
+// Check the corners of a part. Faces may name texture coordinates or normals that never came. Only positions are
+// indispensable.
 static void check_corners(struct obj *obj, struct part *part)
 {
     bool has_uv = part->key.has_uv, has_normal = part->key.has_normal;
@@ -462,7 +464,7 @@ static void add_part(struct obj *obj, struct part *part)
     scene_import_complete_mesh(import, instance->mesh, flat ? SCENE_IMPORT_FLAT : SCENE_IMPORT_SMOOTH, true);
 }
 
-// A file of vertices alone is a cloud of points.
+// Make a cloud of points of a file that has vertices alone.
 static void add_all_points(struct obj *obj)
 {
     for (size_t i = 0; i < obj->position_count; i++) {
@@ -470,8 +472,8 @@ static void add_all_points(struct obj *obj)
     }
 }
 
-// The format has no end mark. What is cut ends within a line, as few whole files do, and has vertices that no face has
-// come to.
+// Warn of a file that was cut. The format has no end mark. A cut file ends within a line, as few whole files do, and
+// has vertices that no face has come to.
 static void warn_of_cut(struct obj *obj)
 {
     if (!ends_within_line(obj)) {

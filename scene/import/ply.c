@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The Stanford polygon format, which scans of a million triangles come in: read in one pass, several times
-// faster than through assimp, whose reader also crashes on files that only begin with an odd byte.
+// The Stanford polygon format, which scans of a million triangles come in. It is read in one pass, several times faster
+// than through assimp, whose reader also crashes on files that only begin with an odd byte.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,7 +37,7 @@ enum { MOST_ELEMENTS = 32, MOST_PROPERTIES = 256 };
 
 struct property {
     struct scene_word name;
-    enum type type, count_type; // count_type NONE: no list
+    enum type type, count_type; // count_type is NONE where the property is no list
 };
 
 struct element {
@@ -52,18 +52,18 @@ struct ply {
     enum encoding encoding;
     struct element elements[MOST_ELEMENTS];
     int element_count;
-    struct scene_word texture; // of "comment TextureFile"
+    struct scene_word texture; // name in "comment TextureFile"
     const unsigned char *cursor, *end;
-    struct scene_text text; // ASCII data
+    struct scene_text text; // lines of ASCII data
     struct scene_line line;
-    const struct element *element; // being read, for messages
+    const struct element *element; // element being read, for messages
     int64_t row;
     struct scene_mesh mesh;
     size_t index_capacity;
     size_t index_count;
     uint32_t *edges;
     size_t edge_capacity, edge_count;
-    float (*wedges)[2]; // texture coordinates per corner; NULL: none
+    float (*wedges)[2]; // texture coordinates of each corner; NULL if there are none
     size_t wedge_capacity;
 };
 
@@ -188,7 +188,7 @@ static void parse_header(struct ply *ply, struct scene_text *text)
                 ply->texture.length == 0) {
                 ply->texture = scene_text_rest(line);
             }
-        } // "ply", "obj_info" and what exporters have invented
+        } // "ply", "obj_info" and words that exporters have invented say nothing
     }
     scene_import_fail(ply->import, "the PLY header has no end_header");
 }
@@ -255,7 +255,7 @@ static double read_number(struct ply *ply, enum type type)
     return ply->encoding == ASCII ? read_ascii(ply) : read_binary(ply, type);
 }
 
-// How many elements the list that follows has.
+// Return how many elements the list that follows has.
 static int64_t read_count(struct ply *ply, const struct property *property)
 {
     const double count = read_number(ply, property->count_type);
@@ -315,7 +315,7 @@ static enum target target_of(struct scene_word name)
     return UNUSED;
 }
 
-// Integers of colours are fractions of their largest value.
+// Return what a colour of this type is multiplied by. Integers are fractions of their largest value.
 static double color_scale(enum type type)
 {
     return type == TYPE_UINT8 ? 1.0 / 255 : type == TYPE_UINT16 ? 1.0 / 65535 : 1;
@@ -459,7 +459,7 @@ static bool is_index_list(const struct property *property)
            (scene_word_is(property->name, "vertex_indices") || scene_word_is(property->name, "vertex_index"));
 }
 
-// Room is made as the numbers come: a count alone must not ask for memory.
+// Read the corners of a polygon. Room is made as the numbers come: a count alone must not ask for memory.
 static void read_corners(struct ply *ply, const struct property *property, struct face *face)
 {
     face->count = read_count(ply, property);
@@ -502,7 +502,7 @@ static void read_faces(struct ply *ply, const struct element *element)
     free(face.wedges);
 }
 
-// Triangle strips; −1 starts a new one.
+// Read triangle strips, in which −1 starts a new one.
 static void read_strips(struct ply *ply, const struct element *element)
 {
     for (ply->row = 0; ply->row < element->count; ply->row++) {
@@ -562,7 +562,7 @@ static void read_edges(struct ply *ply, const struct element *element)
 
 // Entry ---------------------------------------------------------------------------------------------
 
-// Refuses a count that the rest of the file cannot hold, before memory is asked for it.
+// Refuse a count that the rest of the file cannot hold, before memory is asked for it.
 static void check_size(struct ply *ply, const struct element *element)
 {
     const char *cursor = ply->encoding == ASCII ? ply->text.cursor : (const char *)ply->cursor;
@@ -571,7 +571,7 @@ static void check_size(struct ply *ply, const struct element *element)
     for (int i = 0; i < element->property_count; i++) {
         const struct property *property = &element->properties[i];
         const enum type first = property->count_type != TYPE_NONE ? property->count_type : property->type;
-        least += ply->encoding == ASCII ? 2 : type_size(first); // a digit and a blank
+        least += ply->encoding == ASCII ? 2 : type_size(first); // a number takes at least a digit and a blank
     }
     if (least > 0 && element->count > 0 && (uint64_t)(element->count - 1) > left / least) {
         scene_import_fail(ply->import, "is truncated: %lld times %s do not fit into what follows the header",
@@ -625,7 +625,7 @@ static void add_mesh(struct ply *ply, const struct scene_mesh *mesh, bool join)
     scene_import_complete_mesh(ply->import, instance->mesh, SCENE_IMPORT_SMOOTH, join);
 }
 
-// The same vertices again, for another kind of primitive.
+// Return a mesh with copies of the vertices, for another kind of primitive.
 static struct scene_mesh copy_vertices(struct ply *ply)
 {
     const struct scene_mesh *mesh = &ply->mesh;
@@ -656,7 +656,8 @@ static void add_triangles(struct ply *ply)
     struct scene_mesh *mesh = &ply->mesh;
     mesh->primitive = SCENE_PRIMITIVE_TRIANGLES;
     mesh->index_count = (uint32_t)ply->index_count;
-    if (ply->wedges != NULL) { // every corner gets its own vertex
+    // Texture coordinates belong to corners, so every corner gets its own vertex.
+    if (ply->wedges != NULL) {
         scene_import_gather_vertices(ply->import, mesh, mesh->indices, mesh->index_count);
         for (uint32_t i = 0; i < mesh->index_count; i++) {
             mesh->indices[i] = i;
@@ -678,7 +679,8 @@ static void add_points(struct ply *ply)
     add_mesh(ply, mesh, false);
 }
 
-// Scans as clouds of soft ellipsoids come as PLY as well; drawn as points they would be no picture of anything.
+// Refuse clouds of soft ellipsoids. Scans come as such clouds in PLY as well; drawn as points they would be no picture
+// of anything.
 static void refuse_gaussians(const struct ply *ply)
 {
     static const char *const names[] = {"f_dc_0", "opacity", "scale_0", "rot_0"};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Runs an import in a child of its own and takes the finished model from it.
 //
-// Model files come from anywhere, and the libraries that read them are large: a file may make them crash,
-// hang or ask for all memory. None of that can reach the caller: the child has options on time and memory,
-// and what comes back is bytes that are checked from end to end. They travel in an anonymous memory file,
-// which the parent maps and uses in place. Where the system copies no processes (child.h) the child is a thread.
+// Model files come from anywhere, and the libraries that read them are large: a file may make them crash, hang or ask
+// for all memory. None of that can reach the caller. The child has limits of time and memory, and the bytes that come
+// back are checked from end to end. They travel in an anonymous memory file, which the parent maps and uses in place.
+// Where the system copies no processes (child.h) the child is a thread.
 #include "reader_process.h"
 
 #include <errno.h>
@@ -23,7 +23,8 @@
 
 enum {
     DEFAULT_SECONDS = 60,
-    WALL_FACTOR = 5, // the wall clock may run this many times longer: a loaded machine is no hang
+    // The wall clock may run this many times longer than the CPU's: a loaded machine is no hang.
+    WALL_FACTOR = 5,
     EXIT_MODEL = 0,  // the reply holds a model
     EXIT_MESSAGE = 3 // the reply holds one line
 };
@@ -32,7 +33,7 @@ enum {
 
 static void leave(struct scene_import *import, const char *line)
 {
-    // A name from the file may hold anything; the line must stay one line.
+    // A name from the file may hold anything, and the line must stay one line.
     for (const char *c = line; *c != 0; c++) {
         fputc((unsigned char)*c < 32 || *c == 127 ? '?' : *c, import->child->reply);
     }
@@ -49,7 +50,7 @@ static size_t default_memory(void)
 struct order {
     struct scene_import start;
     struct scene_model_options options;
-    char *strings[5]; // that those point to
+    char *strings[5]; // strings that `start` and `options` point to
 };
 
 static void release_order(void *user)
@@ -70,7 +71,7 @@ static bool own(const char **text, char **copy)
     return true;
 }
 
-// NULL: there is not enough memory.
+// Return NULL if there is not enough memory.
 static struct order *make_order(const struct scene_import *import, const struct scene_model_options *options)
 {
     struct order *const order = malloc(sizeof *order);
@@ -156,7 +157,7 @@ static bool file_acceptable(const char *path, char *error, size_t error_size)
     return true;
 }
 
-// The one line that the child wrote.
+// Read the one line that the child wrote.
 static bool take_message(FILE *reply, char *error, size_t error_size)
 {
     char line[512];
@@ -167,7 +168,7 @@ static bool take_message(FILE *reply, char *error, size_t error_size)
         line[0] != 0 ? line : "what was read could not be passed on; is there a limit on the size of files?");
 }
 
-// Whether the child said that it finished; else `error` says how it ended.
+// Return true if the child said that it finished. Return false, with how it ended in `error`, if not.
 static bool child_finished(const struct system_child_result *result, unsigned seconds, char *error,
                            size_t error_size)
 {

@@ -5,7 +5,7 @@
 
 #include "import/builder/import.h"
 
-/// Runs import->read in a child process, as scene_model_load does.
+/// Run import->read in a child process, as scene_model_load does.
 struct scene_model *scene_import_start(const struct scene_import *import,
                                        const struct scene_model_options *options, char *error,
                                        size_t error_size);

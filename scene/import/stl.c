@@ -2,8 +2,8 @@
 // Stereolithography, text and binary. assimp draws a file that is cut as if it were whole, and knows one of the two
 // conventions for colours in the 16 bits that follow each facet of a binary file.
 //
-// Facets are flat where the file gives their normals. Many write zeros: then normals are made from the corners, and
-// curved surfaces look smooth.
+// Facets are flat where the file gives their normals. Many files write zeros instead. Their normals are made from the
+// corners, and curved surfaces look smooth.
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -15,14 +15,14 @@
 #include "import/builder/readers.h"
 #include "import/builder/text_lines.h"
 
-enum { HEADER = 84, FACET = 50 }; // bytes of a binary file's head with its count, and of a facet
+enum { HEADER = 84, FACET = 50 }; // bytes of a binary file's head with its count, and bytes of a facet
 
-// Facets of one solid.
+// The facets of one solid.
 struct solid {
     const char *name;
-    float (*positions)[3], (*normals)[3], (*colors)[4]; // of corners; colors NULL: none
+    float (*positions)[3], (*normals)[3], (*colors)[4]; // for each corner; colors may be NULL
     size_t corners, position_capacity, normal_capacity;
-    bool has_normals; // some facet does
+    bool has_normals; // at least one facet has a normal
 };
 
 static void add_solid(struct scene_import *import, struct solid *solid)
@@ -54,10 +54,10 @@ static void add_solid(struct scene_import *import, struct solid *solid)
 static bool is_normal(const float v[3])
 {
     const float square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-    return square > 1e-12f && square < 1e12f; // neither is NaN
+    return square > 1e-12f && square < 1e12f; // false for NaN too
 }
 
-// That of a triangle; (0, 0, 1) where it has no area.
+// Set the normal of a triangle. It is (0, 0, 1) where the triangle has no area.
 static void find_normal(const float (*corners)[3], float normal[3])
 {
     double along[2][3], cross[3], square = 0.0;
@@ -76,8 +76,8 @@ static void find_normal(const float (*corners)[3], float normal[3])
     }
 }
 
-// The normal of a facet, for its three corners, which are there. Where the file gives zeros, as programs write for facets
-// without an area, it is that of the corners.
+// Set the normal of a facet for its three corners, which are there. Where the file gives zeros, as programs write for
+// facets without an area, the normal is made from the corners.
 static void set_normal(struct solid *solid, size_t first, const float given[3])
 {
     float normal[3] = {given[0], given[1], given[2]};
@@ -106,8 +106,8 @@ static float read_float(const unsigned char *bytes)
     return value;
 }
 
-// What the 16 bits after a facet mean: nothing, unless a facet says that its colour is valid (VisCAM, SolidView), or
-// the head names the colour of the others (Materialise Magics).
+// What the 16 bits after a facet mean. They mean nothing unless a facet says that its colour is valid (VisCAM,
+// SolidView), or the head names the colour of the other facets (Materialise Magics).
 struct palette {
     bool colored, magics;
     float common[4];
@@ -127,14 +127,15 @@ static struct palette find_palette(const unsigned char *bytes, size_t facets)
     for (size_t i = 0; i < facets && !palette.colored; i++) {
         palette.colored = (bytes[HEADER + i * FACET + 49] & 0x80) != 0;
     }
-    if (!palette.magics) { // of facets without a colour: that of a model that has none
+    // Facets without a colour take the colour of a model that has none.
+    if (!palette.magics) {
         palette.common[0] = palette.common[1] = palette.common[2] = 0.6f;
     }
     return palette;
 }
 
-// Five bits for each of red, green and blue; Magics begins with red, the others end with it, and the highest bit has
-// opposite meanings.
+// Read a colour, which has five bits for each of red, green and blue. Magics begins with red, other programs end
+// with it. The highest bit has opposite meanings.
 static void read_color(const struct palette *palette, unsigned word, float color[4])
 {
     const bool own = ((word & 0x8000) == 0) == palette->magics;
@@ -145,7 +146,7 @@ static void read_color(const struct palette *palette, unsigned word, float color
     }
 }
 
-// How many facets there are: as many as the file says, which a writer that cannot go back leaves at nothing or at −1.
+// Return how many facets there are. The file says their number, but a writer that cannot go back leaves 0 or −1 there.
 static size_t count_facets(struct scene_import *import, const unsigned char *bytes, size_t size)
 {
     const uint32_t said = read_32(bytes + 80);
@@ -202,7 +203,7 @@ struct reader {
     struct scene_text text;
     struct solid solid;
     float normal[3], corners[3][3];
-    int corner_count; // of the facet that is open: 3 and more
+    int corner_count; // corners of the facet that is open; a facet may have more than 3
     bool in_solid, in_facet;
     size_t facets;
 };
@@ -230,7 +231,7 @@ static void add_facet(struct reader *reader)
     solid->corners += 3;
 }
 
-// The fourth corner and each after it make a triangle with the first and the one before.
+// Read a corner. The fourth corner and each after it make a triangle with the first corner and the one before.
 static void read_vertex(struct reader *reader, struct scene_line line)
 {
     float position[3];
@@ -309,7 +310,7 @@ static void read_text(struct scene_import *import, char *bytes, size_t size)
     }
 }
 
-// Past blanks and comments.
+// Skip blanks and comments.
 static const char *first_word(const char *text)
 {
     text += strspn(text, " \t\r\n");
@@ -320,7 +321,8 @@ static const char *first_word(const char *text)
     return text;
 }
 
-// Text begins with "solid"; so do heads of binary files, which have the length that they say or bytes that are no text.
+// Return true if the file is text. Text begins with "solid". So do heads of binary files, but these have the length
+// that they say, or bytes that are no text.
 static bool is_text(const char *bytes, size_t size)
 {
     enum { LOOKED_AT = 512 };
@@ -348,7 +350,8 @@ void scene_import_stl(struct scene_import *import)
         scene_import_fail(import, "cannot be read: %s", problem);
     }
     import->model.format = "Stereolithography (STL)";
-    import->model.up = SCENE_AXIS_Z; // the format says nothing, but is what is printed
+    // The format says nothing, but its models are for printers, whose z points up.
+    import->model.up = SCENE_AXIS_Z;
     import->up_is_open = true;
     if (is_text(bytes, size)) {
         read_text(import, bytes, size);

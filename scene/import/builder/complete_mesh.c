@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Completes one mesh: what a file gives becomes what struct scene_mesh promises.
+// Completes one mesh: arrays of a file become what struct scene_mesh promises.
 #include "complete_mesh.h"
 
 #include <stdlib.h>
@@ -50,7 +50,7 @@ static void zero_what_is_not_finite(float *values, size_t count)
     }
 }
 
-// Scales to length 1; false when there is no direction in it.
+// Scale to length 1. Return false when there is no direction in the vector.
 static bool normalize(float vector[3])
 {
     const double x = vector[0], y = vector[1], z = vector[2];
@@ -65,7 +65,7 @@ static bool normalize(float vector[3])
     return true;
 }
 
-// Normals of the file as unit vectors. A mesh with a normal that has no direction loses them all.
+// Make the normals of the file unit vectors. A mesh with a normal that has no direction loses them all.
 static void check_normals(struct scene_import *import, struct scene_mesh *mesh)
 {
     bool good = mesh->normals != NULL;
@@ -95,7 +95,7 @@ static void check_tangents(struct scene_mesh *mesh)
     mesh->tangents = NULL;
 }
 
-// The slot whose texture coordinates tangents follow; NULL: the material needs none.
+// Return the slot whose texture coordinates tangents follow. Return NULL if the material needs none.
 static const struct scene_texture_slot *find_tangent_slot(const struct scene_material *material)
 {
     const struct scene_texture_slot *slots = material->slots;
@@ -138,7 +138,8 @@ void scene_import_complete_mesh(struct scene_import *import, uint32_t index,
         scene_import_make_normals(import, mesh, normals);
         if (normals == SCENE_IMPORT_FLAT) {
             scene_import_join_vertices(import,
-                                       mesh); // the triangles of one flat face share their vertices again
+                                       // The triangles of one flat face share their vertices again.
+                                       mesh);
         }
     }
     const struct scene_texture_slot *slot = find_tangent_slot(&import->model.materials[mesh->material]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The file that a model means by a name: as it is written, or as people move files about; and whether it may be read.
+// The file that a model means by a name, either as it is written or as people move files about, and whether it may be
+// read.
 #include "find_file.h"
 
 #include <dirent.h>
@@ -22,7 +23,7 @@ bool scene_import_within(const struct scene_import *import, const char *path)
     if (import->confine == NULL) {
         return true;
     }
-    char *const resolved = system_file_resolve(path); // links lead nowhere else
+    char *const resolved = system_file_resolve(path); // a resolved path has no links that lead elsewhere
     const size_t length = strlen(import->confine);
     const bool is_root = length > 0 && import->confine[length - 1] == '/';
     const bool within = resolved != NULL && strncmp(resolved, import->confine, length) == 0 &&
@@ -58,7 +59,7 @@ static char *join(struct scene_import *import, const char *directory, const char
     return path;
 }
 
-// Replaces the last component of `path` by an entry of its directory that differs in case alone.
+// Replace the last component of `path` by an entry of its directory that differs in case alone.
 static bool match_case(char *path, const char *component)
 {
     const size_t length = strlen(component);
@@ -80,7 +81,8 @@ static bool match_case(char *path, const char *component)
     return found;
 }
 
-// `path` or what differs from it in the case of its components, from the directory of the model on.
+// Return true if `path` is a file, or becomes one when the case of its components changes. Its first `known` bytes, the
+// directory of the model, stay.
 static bool exists_in_some_case(char *path, size_t known)
 {
     if (is_file(path)) {
@@ -104,8 +106,8 @@ static bool exists_in_some_case(char *path, size_t known)
     return is_file(path);
 }
 
-// A path of the machine that the model was made on: as much of its end as stands beside the model is meant, or the file
-// alone in one of the folders that archives of models have.
+// Return the file that a path of another machine means, on which the model was made. As much of the path's end as
+// stands beside the model is meant, or the file alone in one of the folders that archives of models have.
 static const char *find_moved(struct scene_import *import, const char *directory, const char *name)
 {
     static const char *const folders[] = {"textures/", "texture/",     "tex/",        "maps/",
@@ -132,7 +134,8 @@ static const char *find_anywhere(struct scene_import *import, const char *name)
     if (strncmp(name, "file://", 7) == 0) {
         name += 7;
     }
-    if (strncmp(name, "//", 2) == 0) { // Blender: relative to the model
+    // Blender begins paths relative to the model like this.
+    if (strncmp(name, "//", 2) == 0) {
         name += 2;
     }
     const char *directory = import->directory[0] != 0 ? import->directory : "./";

@@ -5,10 +5,10 @@
 
 #include "import.h"
 
-/// Finds the file a model means by `name` (relative, percent-encoded, with backslashes, in other case);
-/// NULL when there is none that may be read, and import->missing says why.
+/// Find the file that a model means by `name`, which may be relative, percent-encoded, with backslashes or in other
+/// case. Return NULL if there is none that may be read; import->missing then says why.
 const char *scene_import_find_file(struct scene_import *import, const char *name);
-/// Whether import->confine lets the file be read.
+/// Return true if import->confine lets the file be read. Return false if not.
 bool scene_import_within(const struct scene_import *import, const char *path);
 
 #endif

@@ -50,7 +50,7 @@ void scene_import_reserve(struct scene_import *import, void *array, size_t *capa
     *capacity = larger;
 }
 
-// One more element at the end of an array. Returns it zeroed.
+// Add an element at the end of an array. Return it zeroed.
 static void *grow(struct scene_import *import, void *array, uint32_t *count, uint32_t *capacity, size_t size)
 {
     void **elements = array;
@@ -72,7 +72,7 @@ static void *grow(struct scene_import *import, void *array, uint32_t *count, uin
     return element;
 }
 
-// Bytes of the well-formed UTF-8 character at `text`, or 0 (RFC 3629).
+// Return the number of bytes of the well-formed UTF-8 character at `text` (RFC 3629). Return 0 if there is none.
 static size_t utf8_length(const unsigned char *text, size_t left)
 {
     const unsigned char lead = text[0];
@@ -113,7 +113,7 @@ const char *scene_import_string(struct scene_import *import, const char *text, s
     return copy;
 }
 
-// Adds a line unless it is there already.
+// Add a line unless it is there already.
 static void add_line(struct scene_import *import, const char ***lines, uint32_t *count, uint32_t *capacity,
                      const char *format, va_list arguments)
 {
@@ -236,7 +236,7 @@ int32_t scene_import_add_image(struct scene_import *import, const char *name,
     return (int32_t)(import->model.image_count - 1);
 }
 
-const char scene_import_no_memory[] = "outofmem"; // as stb_image says it
+const char scene_import_no_memory[] = "outofmem"; // the words of stb_image
 
 void *scene_import_read_bytes(const char *path, size_t *size, const char **problem)
 {
@@ -260,7 +260,8 @@ void *scene_import_read_bytes(const char *path, size_t *size, const char **probl
     }
     size_t done = 0;
     while (done < *size) {
-        const size_t left = *size - done, most = 1 << 30; // that Windows reads at a time, and Linux nearly
+        // Windows reads no more at a time, and Linux little more.
+        const size_t left = *size - done, most = 1 << 30;
         const ssize_t step = read(descriptor, bytes + done, (unsigned)(left < most ? left : most));
         if (step < 0 && errno == EINTR) {
             continue;

@@ -2,8 +2,8 @@
 // An import under way: the model under construction, its memory, and the lines for the user. Every reader writes into
 // it.
 //
-// All of it runs in the child process that reader_process.c starts. A reader therefore never cleans up: the
-// end of the process does. What cannot go on calls scene_import_fail, which sends its line to the parent and
+// All of an import runs in the child process that reader_process.c starts. A reader therefore never cleans up: the end
+// of the process does. A reader that cannot go on calls scene_import_fail, which sends its line to the parent and
 // leaves. Large temporary arrays are freed all the same, so that peak memory stays near the model's size.
 #ifndef SCENE_IMPORT_H
 #define SCENE_IMPORT_H
@@ -12,29 +12,32 @@
 
 #include "model.h"
 
-/// One pixel source: a file or bytes in memory, and what is done to the pixels after decoding.
+/// One source of pixels: a file or bytes in memory, and what is done to the pixels after decoding. The stand-in takes
+/// the place of an image that has neither.
 struct scene_import_source {
     const char *file;  ///< path to read, or NULL
-    const void *bytes; ///< encoded image in memory, or NULL; neither: the stand-in
+    const void *bytes; ///< encoded image in memory, or NULL
     size_t size;
-    const char *problem;            ///< why there is neither
-    bool height;                    ///< a height map: becomes a normal map unless it already looks like one
-    int32_t opacity_image;          ///< image whose alpha or brightness becomes the alpha of this one; −1
-    bool white;                     ///< with opacity_image: the colour becomes white
-    uint32_t raw_width, raw_height; ///< not 0: `bytes` are RGBA8 texels already
-    const struct scene_import_layer
-        *layer; ///< what shines through where the image is not opaque; NULL: nothing
-    const struct scene_import_channels
-        *channels; ///< what the image is made from, instead of a file; NULL: nothing
+    const char *problem; ///< why there is neither a file nor bytes
+    bool height;         ///< a height map, which becomes a normal map unless it already looks like one
+    /// The image whose alpha or brightness becomes the alpha of this one. −1 if there is none.
+    int32_t opacity_image;
+    bool white;                     ///< the colour becomes white, with opacity_image
+    uint32_t raw_width, raw_height; ///< size of RGBA8 texels in `bytes`; 0 if `bytes` are encoded
+    /// What shines through where the image is not opaque. NULL if nothing does.
+    const struct scene_import_layer *layer;
+    /// What the image is made from instead of a file. NULL if it has a file or bytes.
+    const struct scene_import_channels *channels;
 };
 
 /// What lies below an image with alpha: another image at the same coordinates, and a colour below that.
 struct scene_import_layer {
-    int32_t image;  ///< added before; −1: none
+    int32_t image;  ///< index of an image added before; −1 if there is none
     float color[3]; ///< linear
 };
 
-/// Images that become one of a metallic and rough surface, G and B; −1: none. And the channel of each, 0..3.
+/// Images that become the G and B of one image of a metallic and rough surface, and the channel of each, 0..3. The
+/// index is −1 if there is none.
 struct scene_import_channels {
     int32_t roughness, metallic;
     int roughness_channel, metallic_channel;
@@ -42,67 +45,73 @@ struct scene_import_channels {
 
 struct scene_import;
 struct system_child;
-/// Fills the model from what import->model.path or import->arrays name.
+/// Fill the model from what import->model.path or import->arrays name.
 typedef void scene_import_reader(struct scene_import *import);
 
 struct scene_import {
     scene_import_reader *read;
-    /// Passes on the line that says why the import cannot go on, and ends the process.
+    /// Pass on the line that says why the import cannot go on, and end the process.
     void (*leave)(struct scene_import *import, const char *line);
-    const struct scene_arrays *arrays; // NULL: a file is read
-    struct scene_model model;          // arrays grow in place; capacities below
+    const struct scene_arrays *arrays; // NULL if a file is read
+    // The arrays of the model grow in place. Their capacities are below.
+    struct scene_model model;
     uint32_t mesh_capacity, material_capacity, image_capacity, instance_capacity, camera_capacity,
         light_capacity, warning_capacity, unsupported_capacity, source_capacity;
-    struct scene_import_source *sources; // one per image
+    struct scene_import_source *sources; // one for each image
     uint32_t source_count;
-    const char *name;      // of the options; else the path of the model
-    const char *ending;    // of the name, without its point; "" where it has none
-    const char *directory; // of the name, with a trailing slash; "" for the current one
-    const char *variant;   // of the options
-    const char *animation; // of the options
-    double time;           // of the options, with is_posed
+    const char *name;      // name of the options, or the path of the model
+    const char *ending;    // ending of the name, without its point; "" if it has none
+    const char *directory; // directory of the name, with a trailing slash; "" for the current one
+    const char *variant;   // variant of the options
+    const char *animation; // animation of the options
+    double time;           // time of the options, with is_posed
     bool is_posed, without_images;
-    uint32_t texture_side;           // of the options
-    const char *confine;             // of the options, resolved; NULL: nothing is out of bounds
-    struct scene_progress *progress; // of the options
-    const char *missing;             // why scene_import_find_file gave NULL last
-    bool up_is_open;                 // model.up is what is usual in the format; the model's shape decides
-    bool sides_are_open;             // nothing in the format says which side of a surface is the front
-    struct system_child *child;      // that reads; its reply is what the parent gets
+    uint32_t texture_side; // texture_side of the options
+    // The folder of the options, resolved. NULL if nothing is out of bounds.
+    const char *confine;
+    struct scene_progress *progress; // progress of the options
+    const char *missing;             // why scene_import_find_file returned NULL last
+    // model.up is what is usual in the format, and the model's shape decides.
+    bool up_is_open;
+    // Nothing in the format says which side of a surface is the front.
+    bool sides_are_open;
+    struct system_child *child; // child that reads; its reply is what the parent gets
 };
 
-/// Gives one line to import->leave, which ends the process. Only the thread that reads may call it, and only while no
+/// Give one line to import->leave, which ends the process. Only the thread that reads may call it, and only while no
 /// helper runs.
 _Noreturn void scene_import_fail(struct scene_import *import, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
-/// Adds a line to the warnings / the unsupported things of the model, once.
+/// Add a line to the warnings of the model, or to what is not supported, unless it is there already.
 void scene_import_warn(struct scene_import *import, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void scene_import_unsupported(struct scene_import *import, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/// Zeroed memory for `count` elements of `size` bytes; fails the import when there is none. Never NULL.
+/// Return zeroed memory for `count` elements of `size` bytes, never NULL. Fail the import if there is none.
 void *scene_import_allocate(struct scene_import *import, size_t count, size_t size);
-/// Makes room for `needed` elements in a growing array; what is new is not zeroed.
+/// Make room for `needed` elements in a growing array. New elements are not zeroed.
 void scene_import_reserve(struct scene_import *import, void *array, size_t *capacity, size_t needed,
                           size_t size);
-/// A copy of at most `length` bytes as one line of valid UTF-8: what is neither becomes '?'.
+/// Return a copy of at most `length` bytes as one line of valid UTF-8. Bytes that are neither become '?'.
 const char *scene_import_string(struct scene_import *import, const char *text, size_t length);
-/// The whole of a regular file, or NULL with a reason in `problem`; fails the import where there is no memory for it.
+/// Return the whole of a regular file. Return NULL, with a reason in `problem`, if it cannot be read. Fail the import
+/// if there is no memory for it.
 void *scene_import_read_file(struct scene_import *import, const char *path, size_t *size,
                              const char **problem);
-/// The same for helpers: where there is no memory, that is the reason, scene_import_no_memory.
+/// Return the whole of a regular file, for helpers, which may not fail the import. Return NULL, with a reason in
+/// `problem`, if it cannot be read. The reason is scene_import_no_memory where memory is missing.
 void *scene_import_read_bytes(const char *path, size_t *size, const char **problem);
 extern const char scene_import_no_memory[];
 
-// Adding to the model. The pointer is valid until the next addition of the same kind.
+// Add an element to the model. The pointer is valid until the next element of its kind is added.
 struct scene_mesh *scene_import_add_mesh(struct scene_import *import);
-struct scene_material *scene_import_add_material(
-    struct scene_import *import); ///< glTF's defaults, no textures
+/// The material has glTF's defaults and no textures.
+struct scene_material *scene_import_add_material(struct scene_import *import);
 struct scene_instance *scene_import_add_instance(struct scene_import *import);
 struct scene_model_camera *scene_import_add_camera(struct scene_import *import);
 struct scene_model_light *scene_import_add_light(struct scene_import *import);
-/// Adds an image to be decoded at the end of the import; returns its index.
+/// Add an image to be decoded at the end of the import. Return its index.
 int32_t scene_import_add_image(struct scene_import *import, const char *name,
                                const struct scene_import_source *source);
 struct scene_texture_slot scene_import_slot_default(void);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Normals and tangents for meshes that lack them. Only + − × ÷ and square roots are used, so the result is
-// the same everywhere; sums are made in double.
+// Normals and tangents for meshes that lack them. Only + − × ÷ and square roots are used, so the result is equal
+// everywhere. Sums are made in double.
 #include "normals.h"
 
 #include <stdlib.h>
@@ -8,12 +8,12 @@
 
 #include "vertices.h"
 
-// cos 60°: two faces that meet at a sharper angle have an edge between them that is meant to be seen.
-// Neighbours on anything modelled as round meet at less; the faces of boxes and the rims of pipes at more.
+// The cosine of 60°. Two faces that meet at a sharper angle have an edge between them that is meant to be seen.
+// Neighbours on anything modelled as round meet at less; the faces of boxes and the rims of pipes meet at more.
 static const double crease_cosine = 0.5;
 
-// Around one point. Faces are compared pair by pair; where more meet, as only a hostile file has it, all are
-// averaged.
+// The most faces around one point that are compared pair by pair. Where more meet, as only a hostile file has it, all
+// are averaged.
 enum { MOST_FACES = 256 };
 
 static void subtract(const float a[3], const float b[3], double difference[3])
@@ -35,7 +35,7 @@ static void cross(const double a[3], const double b[3], double product[3])
     product[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-// Scales to length 1, or to 0 when there is no direction. Squares of doubles made of floats stay in range.
+// Scale to length 1, or to 0 when there is no direction. Squares of doubles made of floats stay in range.
 static void unit(double vector[3])
 {
     const double length = __builtin_sqrt(dot(vector, vector));
@@ -61,7 +61,8 @@ static void face_normal(const struct scene_mesh *mesh, uint32_t first_corner, do
     double a[3], b[3];
     subtract(mesh->positions[corner[1]], mesh->positions[corner[0]], a);
     subtract(mesh->positions[corner[2]], mesh->positions[corner[0]], b);
-    unit(a); // the product of two long edges of a large mesh could leave the range
+    // The product of two long edges of a large mesh could leave the range.
+    unit(a);
     unit(b);
     cross(a, b, normal);
     unit(normal);
@@ -89,17 +90,17 @@ static void make_flat(struct scene_import *import, struct scene_mesh *mesh)
 struct smoothing {
     const struct scene_mesh *mesh;
     double (*faces)[3]; // unit normals
-    double *weights;    // of each corner
-    uint32_t *start;    // of the corners around point p: start[p] .. start[p + 1]
+    double *weights;    // weight of each corner
+    uint32_t *start;    // corners around point p are start[p] .. start[p + 1]
     uint32_t *corners;
-    uint32_t *point;  // of each vertex: those at the same place have the same
-    uint32_t *source; // of the new vertices: the vertex they were made from
+    uint32_t *point;  // point of each vertex; vertices at one place have one point
+    uint32_t *source; // vertex from which each new vertex was made
     float (*normals)[3];
-    uint32_t count; // new vertices
+    uint32_t count; // number of new vertices
 };
 
-// The angle whose cosine is `cosine`, in radians; error below 7e-5 (Abramowitz and Stegun 4.4.45), ample for a
-// weight, and the same on every machine.
+// Return the angle whose cosine is `cosine`, in radians. The error is below 7e-5 (Abramowitz and Stegun 4.4.45), ample
+// for a weight, and equal on every machine.
 static double angle_of(double cosine)
 {
     const double x = cosine < 0 ? -cosine : cosine;
@@ -122,9 +123,10 @@ static double corner_angle(const struct scene_mesh *mesh, uint32_t corner)
     return angle_of(dot(a, b));
 }
 
-// The normal of a face, and what it weighs at its corners: its angle there times its area. By angles alone it would
-// not matter at all how a polygon was cut into triangles, which now does a little; but scans have triangles whose edges
-// are a thousandth of their neighbours', and whose direction is noise, and these would count as much as the others.
+// Set the normal of a face, and what it weighs at its corners: its angle there times its area. With weights of angles
+// alone it would not matter at all how a polygon was cut into triangles, and with these it matters a little. But scans
+// have triangles whose edges are a thousandth of their neighbours' and whose direction is noise, and by angles alone
+// these would count as much as the others.
 static void weigh_face(struct smoothing *smoothing, uint32_t first)
 {
     const struct scene_mesh *mesh = smoothing->mesh;
@@ -142,7 +144,7 @@ static void weigh_face(struct smoothing *smoothing, uint32_t first)
     }
 }
 
-// The new vertex with this source and normal among those made since `first`.
+// Return the new vertex with this source and normal among those made since `first`. Add it if there is none.
 static uint32_t find_or_add(struct smoothing *smoothing, uint32_t first, uint32_t source,
                             const float normal[3])
 {
@@ -168,7 +170,7 @@ static const double *face_of(const struct smoothing *smoothing, uint32_t corner)
     return smoothing->faces[corner / 3];
 }
 
-// Sum over the corners whose faces are no further than a crease from `axis`; NULL: over all.
+// Sum over the corners whose faces are no further than a crease from `axis`. If `axis` is NULL, sum over all.
 static void sum_faces(const struct smoothing *smoothing, struct faces faces, const double *axis,
                       double sum[3])
 {
@@ -194,7 +196,7 @@ static bool all_within(const struct smoothing *smoothing, struct faces faces, co
     return near == faces.count;
 }
 
-// Whether the faces of two corners at one point share an edge there, and it is no crease.
+// Return true if the faces of two corners at one point share an edge there that is no crease.
 static bool are_joined(const struct smoothing *smoothing, uint32_t a, uint32_t b)
 {
     const uint32_t corners[2] = {a, b};
@@ -210,8 +212,8 @@ static bool are_joined(const struct smoothing *smoothing, uint32_t a, uint32_t b
     return meet && dot(face_of(smoothing, a), face_of(smoothing, b)) >= crease_cosine;
 }
 
-// Reorders the corners so that those whose faces are joined, one with the next, stand together; returns how many
-// there are of the first such group.
+// Reorder the corners so that corners whose faces are joined, one with the next, stand together. Return how many there
+// are in the first group.
 static uint32_t gather_group(const struct smoothing *smoothing, uint32_t *corners, uint32_t count)
 {
     uint32_t grouped = 1;
@@ -227,7 +229,8 @@ static uint32_t gather_group(const struct smoothing *smoothing, uint32_t *corner
     return grouped;
 }
 
-// Where all faces lie within 30° of one axis, no two are a crease apart: the common case, which needs no pairs.
+// Return true if all faces lie within 30° of one axis. No two are a crease apart then, so that no pairs are compared.
+// This is the common case.
 static bool are_even(const struct smoothing *smoothing, struct faces faces)
 {
     double axis[3];
@@ -236,8 +239,8 @@ static bool are_even(const struct smoothing *smoothing, struct faces faces)
     return all_within(smoothing, faces, axis, 0.8660254037844387);
 }
 
-// A group has one normal, so that a ridge is not torn where it is a little sharper, unless its faces look away
-// from each other: those around the tip of a cone, which go with the faces that are near them.
+// Give a group its normals. It has one, so that a ridge is not torn where it is a little sharper, unless its faces look
+// away from each other, as around the tip of a cone. Each of these faces goes with the faces that are near it.
 static void smooth_group(struct smoothing *smoothing, struct faces group, uint32_t first, uint32_t *place)
 {
     double all[3], axis[3];
@@ -258,7 +261,7 @@ static void smooth_group(struct smoothing *smoothing, struct faces group, uint32
     }
 }
 
-// Gives the corners around one point their new vertices in `place`.
+// Give the corners around one point their new vertices in `place`.
 static void smooth_point(struct smoothing *smoothing, uint32_t *corners, uint32_t count, uint32_t *place)
 {
     const uint32_t first = smoothing->count;
@@ -271,7 +274,7 @@ static void smooth_point(struct smoothing *smoothing, uint32_t *corners, uint32_
     }
 }
 
-// Sorts corners by the point they stand at (counting sort).
+// Sort corners by the point they stand at, by counting.
 static void sort_corners(struct scene_import *import, struct smoothing *smoothing)
 {
     const struct scene_mesh *mesh = smoothing->mesh;
@@ -329,7 +332,7 @@ void scene_import_make_normals(struct scene_import *import, struct scene_mesh *m
     }
 }
 
-// Of a triangle: how many of its corners' normals point to where the corners run clockwise.
+// Return how many corners of a triangle have normals that point to where the corners run clockwise.
 static int count_opposed(const struct scene_mesh *mesh, uint32_t first_corner)
 {
     double facet[3];
@@ -343,12 +346,13 @@ static int count_opposed(const struct scene_mesh *mesh, uint32_t first_corner)
     return opposed;
 }
 
-// Says of each triangle whether its normals oppose its corners. Where they are not of one mind, as on an edge that is smoothed
-// over, most of the other triangles decide. Gives whether any does.
+// Set for each triangle whether its normals oppose its corners. Where its normals are not of one mind, as on an edge
+// that is smoothed over, the majority of the other triangles decides. Return true if the normals of any triangle oppose
+// its corners.
 static bool find_opposed(const struct scene_mesh *mesh, uint8_t *opposes)
 {
     const uint32_t triangles = mesh->index_count / 3;
-    uint32_t of_count[4] = {0}; // triangles with so many corners that oppose
+    uint32_t of_count[4] = {0}; // triangles by their number of corners that oppose
     for (uint32_t t = 0; t < triangles; t++) {
         opposes[t] = (uint8_t)count_opposed(mesh, 3 * t);
         of_count[opposes[t]]++;
@@ -360,9 +364,9 @@ static bool find_opposed(const struct scene_mesh *mesh, uint8_t *opposes)
     return of_count[3] > 0;
 }
 
-// The tangent is turned too: a surface that is seen from its back is shaded by the whole frame the other way, so that a normal
-// map shows the relief that it has in the file's own. The bitangent, which is the product of both times the fourth number, is
-// the opposite of the file's already, as that number goes by the corners.
+// Turn the normal and the tangent of a vertex. A surface that is seen from its back is shaded by the whole frame the
+// other way, so that a normal map shows the relief that it has in the file's own frame. The bitangent is the product of
+// both times the fourth number. It is the opposite of the file's already, because that number goes by the corners.
 static void turn_normal(struct scene_mesh *mesh, uint32_t vertex)
 {
     for (int c = 0; c < 3; c++) {
@@ -375,7 +379,7 @@ static void turn_normal(struct scene_mesh *mesh, uint32_t vertex)
 
 void scene_import_turn_normals(struct scene_import *import, struct scene_mesh *mesh)
 {
-    enum { KEPT = 1, TURNED = 2 }; // how a vertex is used
+    enum { KEPT = 1, TURNED = 2 }; // ways in which a vertex is used
     const uint32_t count = mesh->vertex_count;
     uint8_t *use = scene_import_allocate(import, count, sizeof *use);
     uint8_t *opposes = scene_import_allocate(import, mesh->index_count / 3, sizeof *opposes);
@@ -424,8 +428,8 @@ bool scene_import_has_area(const struct scene_mesh *mesh)
 
 // Tangents ------------------------------------------------------------------------------------------
 
-// Direction of growing u on a triangle, and on which side growing −v lies: 1, −1, or 0 when the texture
-// coordinates span no area.
+// Find the direction of growing u on a triangle. Return on which side growing −v lies, which is 1 or −1. Return 0 if
+// the texture coordinates span no area.
 static int face_tangent(const struct scene_mesh *mesh, const struct scene_texture_slot *slot, uint32_t first,
                         double tangent[3])
 {
@@ -448,8 +452,8 @@ static int face_tangent(const struct scene_mesh *mesh, const struct scene_textur
     return side;
 }
 
-// Vertices where texture coordinates that run one way meet mirrored ones are doubled, so that each has one
-// tangent frame. Sets tangents[v][3].
+// Double the vertices where texture coordinates that run one way meet mirrored ones, so that each vertex has one
+// tangent frame. Set tangents[v][3].
 static void split_mirrored(struct scene_import *import, struct scene_mesh *mesh, const signed char *sides)
 {
     uint32_t *mirrored = scene_import_allocate(import, mesh->vertex_count, sizeof *mirrored);
@@ -489,7 +493,8 @@ static void set_tangent(const float normal[3], const double sum[3], float tangen
     for (int c = 0; c < 3; c++) {
         t[c] -= along * n[c];
     }
-    if (!(dot(t, t) > 1e-12)) { // no direction in it: any that is at right angles to the normal
+    // A vector without a direction becomes any that is at right angles to the normal.
+    if (!(dot(t, t) > 1e-12)) {
         const double x[3] = {1, 0, 0}, y[3] = {0, 1, 0};
         cross(n, n[0] * n[0] < 0.5 ? x : y, t);
     }
@@ -511,7 +516,7 @@ void scene_import_make_tangents(struct scene_import *import, struct scene_mesh *
     split_mirrored(import, mesh, sides);
     double(*sums)[3] = scene_import_allocate(import, mesh->vertex_count, sizeof *sums);
     for (uint32_t i = 0; i < mesh->index_count; i++) {
-        // As MikkTSpace does: the face's tangent in the vertex's own plane, weighted by the corner's angle.
+        // MikkTSpace puts the face's tangent into the vertex's own plane and weights it by the corner's angle too.
         const float *normal = mesh->normals[mesh->indices[i]];
         const double n[3] = {normal[0], normal[1], normal[2]};
         const double along = dot(n, faces[i / 3]);

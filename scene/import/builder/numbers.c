@@ -45,7 +45,7 @@ float scene_import_determinant(const float matrix[16])
 
 float scene_import_from_srgb(float value)
 {
-    if (!(value > 0.04045f)) { // also what is negative or not a number
+    if (!(value > 0.04045f)) { // true for negative values and NaN too
         return value > 0 ? value / 12.92f : 0;
     }
     return (float)scene_pow(((double)value + 0.055) / 1.055, 2.4);
@@ -53,7 +53,7 @@ float scene_import_from_srgb(float value)
 
 bool scene_import_finite(const float *values, size_t count)
 {
-    // x − x is 0 for every finite x and NaN for the others.
+    // x − x is 0 for every finite x and NaN for all others.
     float sum = 0;
     for (size_t i = 0; i < count; i++) {
         sum += values[i] - values[i];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Phong's values become metallic-roughness. Colours in these formats are meant as they look on the screen, so
-// they are decoded from sRGB.
+// Phong's values become metallic-roughness. Colours in these formats are meant as they look on the screen, so they are
+// decoded from sRGB.
 #include "phong.h"
 
 #include "numbers.h"
@@ -9,7 +9,7 @@
 
 #include "elementary.h"
 
-// What a surface of no described material looks like: a light grey, neither dull nor shiny.
+// A surface whose material is not described is a light grey, neither dull nor shiny.
 static const float default_grey = 0.6f, default_roughness = 0.55f;
 
 struct scene_phong_texture scene_phong_texture_default(void)
@@ -44,7 +44,7 @@ struct scene_phong scene_phong_default(void)
 
 static float limited(float value, float least, float most)
 {
-    return value > most ? most : value >= least ? value : least; // NaN: least
+    return value > most ? most : value >= least ? value : least; // NaN gives `least`
 }
 
 static bool is_black(const float color[3])
@@ -71,7 +71,7 @@ static bool same_text(const char *a, const char *b)
     return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
 }
 
-// The image with this source, new or shared with another slot.
+// Return the image with this source, new or shared with another slot.
 static int32_t find_or_add(struct scene_import *import, const char *name,
                            const struct scene_import_source *source)
 {
@@ -97,7 +97,7 @@ static bool set_slot(struct scene_import *import, const struct scene_phong_textu
     return true;
 }
 
-// The base colour's image gets the opacity map as its alpha; without one, the map becomes a white image.
+// Give the base colour's image the opacity map as its alpha. Without an image, the map becomes a white image.
 static void set_opacity_map(struct scene_import *import, const struct scene_phong *phong,
                             struct scene_material *material)
 {
@@ -109,7 +109,8 @@ static void set_opacity_map(struct scene_import *import, const struct scene_phon
     base.source.opacity_image = find_or_add(import, map->name, &map->source);
     base.source.white = phong->color.name == NULL;
     set_slot(import, &base, &material->slots[SCENE_SLOT_BASE_COLOR]);
-    material->alpha_mode = SCENE_ALPHA_BLEND; // MASK, if the decoded map turns out to be one
+    // The mode becomes MASK if the decoded map turns out to be a cut-out.
+    material->alpha_mode = SCENE_ALPHA_BLEND;
 }
 
 static bool is_there(const struct scene_phong_texture *texture)
@@ -117,7 +118,7 @@ static bool is_there(const struct scene_phong_texture *texture)
     return texture->source.file != NULL || texture->source.bytes != NULL;
 }
 
-// Two maps of one number each; each takes the place of its number, as in Blender, unless it is missing.
+// Join two maps of one number each. Each map takes the place of its number, as in Blender, unless it is missing.
 static void set_surface_maps(struct scene_import *import, const struct scene_phong *phong,
                              struct scene_material *material)
 {
@@ -147,7 +148,7 @@ static void set_surface_maps(struct scene_import *import, const struct scene_pho
 static void set_base_color(const struct scene_phong *phong, struct scene_material *material)
 {
     const bool textured = phong->color.name != NULL;
-    // A black or grey factor under a texture is an exporter's habit, not a wish: 3ds Max writes 0.588, Maya 0, Blender
+    // A black or grey factor under a texture is an exporter's habit, not a wish. 3ds Max writes 0.588, Maya 0, Blender
     // 0.64 or 0.8, and their own readers let the texture take its place. A colour is meant to tint.
     const bool white = phong->colored || (textured && (!phong->described || is_grey(phong->diffuse)));
     decode(phong->diffuse, material->base_color);
@@ -161,7 +162,7 @@ static void set_surface(const struct scene_phong *phong, struct scene_material *
     const bool shiny = phong->shininess > 0;
     material->metallic = phong->metallic >= 0 ? limited(phong->metallic, 0, 1) : 0;
     material->roughness = default_roughness;
-    // The exponent n of the highlight as roughness: α = √(2 / (n + 2)) (Walter and others, Microfacet models for
+    // The exponent n of the highlight gives the roughness: α = √(2 / (n + 2)) (Walter and others, Microfacet models for
     // refraction through rough surfaces, 2007) and α = roughness².
     if (shiny) {
         material->roughness = limited(__builtin_sqrtf(__builtin_sqrtf(2 / (phong->shininess + 2))), 0.1f, 1);
@@ -175,7 +176,8 @@ static void set_surface(const struct scene_phong *phong, struct scene_material *
     material->unlit = phong->unlit;
 }
 
-// MTL's PBR extension, which is as far as such a material goes. Sheen is white and as rough as Blender has it.
+// Set the layers of MTL's PBR extension, which go as far as a material of this kind goes. Sheen is white and as rough
+// as Blender has it.
 static void set_layers(struct scene_import *import, const struct scene_phong *phong,
                        struct scene_material *material)
 {
@@ -215,8 +217,9 @@ uint32_t scene_phong_add(struct scene_import *import, const struct scene_phong *
 {
     struct scene_material *material = scene_import_add_material(import);
     material->name = phong->name;
-    material->double_sided = true; // none of these formats can be trusted to know
-    import->sides_are_open = true; // for that reason
+    // None of these formats can be trusted to know its sides.
+    material->double_sided = true;
+    import->sides_are_open = true;
     set_base_color(phong, material);
     set_surface(phong, material);
     set_slot(import, &phong->color, &material->slots[SCENE_SLOT_BASE_COLOR]);

@@ -5,22 +5,23 @@
 #include <stdbool.h>
 #include <string.h>
 
-// Corners. Ears take time in the square of them; what has more is drawn as a fan.
+// The most corners of a polygon whose ears are cut, which takes time in the square of them. A polygon with more is
+// drawn as a fan.
 enum { MOST_CORNERS = 2048 };
 
 struct polygon {
-    double points[MOST_CORNERS][2]; // in the plane that shows most of it, counter-clockwise
+    double points[MOST_CORNERS][2]; // corners in the plane that shows most of the polygon, counter-clockwise
     uint32_t ring[MOST_CORNERS];    // corners that are left
     uint32_t count;
 };
 
-// Twice the signed area of a triangle.
+// Return twice the signed area of a triangle.
 static double area(const double a[2], const double b[2], const double c[2])
 {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-// Newell's normal: defined for polygons that are not quite flat, and for concave ones.
+// Find Newell's normal, which is defined for polygons that are not quite flat, and for concave ones.
 static void newell(const float (*positions)[3], const uint32_t *corners, uint32_t count, double normal[3])
 {
     memset(normal, 0, 3 * sizeof *normal);
@@ -53,7 +54,7 @@ static void flatten(struct polygon *polygon, const float (*positions)[3], const 
     polygon->count = count;
 }
 
-// Whether the corner at place `i` of the ring can be cut off: it is convex and no other corner lies in it.
+// Return true if the corner at place `i` of the ring can be cut off: it is convex and no other corner lies in it.
 static bool is_ear(const struct polygon *polygon, uint32_t i)
 {
     const uint32_t count = polygon->count, *ring = polygon->ring;
@@ -127,7 +128,7 @@ void scene_import_triangulate(const float (*positions)[3], const uint32_t *corne
         while (ear < polygon.count && !is_ear(&polygon, ear)) {
             ear++;
         }
-        // Without an ear the polygon crosses itself or has no area: any corner will do.
+        // Without an ear the polygon crosses itself or has no area, and any corner will do.
         cut(&polygon, ear < polygon.count ? ear : 0, triangles + next);
         next += 3;
     }

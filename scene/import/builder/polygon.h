@@ -5,7 +5,8 @@
 
 #include <stdint.h>
 
-/// Cuts a polygon of 3 or more corners (indices of positions) into count − 2 triangles: places in `corners`.
+/// Cut a polygon of 3 or more corners (indices of positions) into count − 2 triangles. The triangles are places in
+/// `corners`.
 void scene_import_triangulate(const float (*positions)[3], const uint32_t *corners, uint32_t count,
                               uint32_t *triangles);
 

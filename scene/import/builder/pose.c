@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the animations of all formats need: the one that is wanted, and turns between keys.
+// What the animations of all formats need: the animation that is wanted, and turns between keys.
 #include "pose.h"
 
 #include <stdlib.h>
@@ -34,7 +34,7 @@ void scene_import_slerp(const float from[4], const float to[4], double part, flo
     }
     const double size = cosine < 0.0 ? -cosine : cosine;
     double near = 1.0 - part, far = part;
-    if (size < 0.9995) { // else the arc is as good as straight
+    if (size < 0.9995) { // above that the arc is as good as straight
         const double angle = 2.0 * scene_atan(__builtin_sqrt((1.0 - size) / (1.0 + size)));
         const double sine = scene_sin(angle);
         near = scene_sin(angle * near) / sine;

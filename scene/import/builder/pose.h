@@ -5,12 +5,12 @@
 
 #include "import.h"
 
-/// The number of the model's animation that is wanted, by its name, or its number where none has that name; −1: there is
-/// none.
+/// Return the number of the model's animation that is wanted, by its name, or by its number where none has that name.
+/// Return −1 if there is none.
 int64_t scene_import_find_animation(const struct scene_import *import);
-/// Spherical linear interpolation the short way (glTF 2.0 §C.4); not made unit.
+/// Interpolate on the sphere, linearly and the short way (glTF 2.0 §C.4). The result is not made unit.
 void scene_import_slerp(const float from[4], const float to[4], double part, float result[4]);
-/// Scaled, then turned by a quaternion of any length, then moved.
+/// Make the matrix that scales, turns by a quaternion of any length, and moves, in this order.
 void scene_import_compose(const float translation[3], const float rotation[4], const float scale[3],
                           float matrix[16]);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The readers of model files. Each fills the model from import->model.path; kind.c chooses one of them.
+// The readers of model files. Each fills the model from import->model.path. kind.c chooses one of them.
 #ifndef SCENE_READERS_H
 #define SCENE_READERS_H
 
@@ -12,7 +12,7 @@ bool scene_import_is_ply(const char *path, const unsigned char *start, size_t si
 void scene_import_ply(struct scene_import *import);
 void scene_import_3mf(struct scene_import *import);
 void scene_import_stl(struct scene_import *import);
-/// Fails the import where an FBX is cut; assimp reads it.
+/// Fail the import if an FBX is cut. assimp reads it.
 void scene_import_check_fbx(struct scene_import *import);
 void scene_import_assimp(struct scene_import *import);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Large scans come as text, so numbers are read without strtod where plain arithmetic is exact, and nothing
-// depends on the locale.
+// Lines, words and numbers. Large scans come as text, so numbers are read without strtod where plain arithmetic is
+// exact, and nothing depends on the locale.
 #include "text_lines.h"
 
 #include <math.h>
@@ -18,7 +18,7 @@ static bool is_digit(char c)
     return c >= '0' && c <= '9';
 }
 
-// UTF-16 to UTF-8; what is no character becomes '?'.
+// Convert UTF-16 to UTF-8. A code that is no character becomes '?'.
 static struct scene_text convert_wide(struct scene_import *import, const unsigned char *bytes, size_t size,
                                       bool big)
 {
@@ -122,7 +122,7 @@ const char *scene_word_string(struct scene_import *import, struct scene_word wor
 
 // Numbers -------------------------------------------------------------------------------------------
 
-// value · 10^exponent for numbers that plain arithmetic does not give exactly. `digits` has no exponent part.
+// Return value · 10^exponent for a number that plain arithmetic does not give exactly. `digits` has no exponent part.
 static double convert_slowly(const char *digits, size_t length, int exponent)
 {
     char text[128];
@@ -146,7 +146,7 @@ static bool read_special(struct scene_word word, double *value, size_t *length)
     return true;
 }
 
-// Reads "e-12" at `c`. Returns where it ends: at `c` when there is no exponent.
+// Read "e-12" at `c`. Return where it ends, which is `c` when there is no exponent.
 static const char *read_exponent(const char *c, const char *end, int *exponent)
 {
     *exponent = 0;
@@ -181,7 +181,7 @@ bool scene_word_number(struct scene_word word, double *value, size_t *length)
         if (*c == '.') {
             continue;
         }
-        mantissa = count < 18 ? mantissa * 10 + (uint64_t)(*c - '0') : mantissa; // below 10^18
+        mantissa = count < 18 ? mantissa * 10 + (uint64_t)(*c - '0') : mantissa; // stays below 10^18
         count++;
         scale -= point;
     }
@@ -189,10 +189,10 @@ bool scene_word_number(struct scene_word word, double *value, size_t *length)
         return read_special(word, value, length);
     }
     const size_t digit_length = (size_t)(c - digits);
-    const bool indefinite = c < end && *c == '#'; // 1.#IND: how old Microsoft libraries print a NaN
+    const bool indefinite = c < end && *c == '#'; // old Microsoft libraries print a NaN as 1.#IND
     c = read_exponent(c, end, &exponent);
     const int power = exponent + scale;
-    // Both factors are exact and IEEE rounds their product or quotient once.
+    // Both factors are exact, and IEEE rounds their product or quotient once.
     if (mantissa <= (uint64_t)1 << 53 && count <= 18 && power >= -22 && power <= 22) {
         *value = power < 0 ? (double)mantissa / powers[-power] : (double)mantissa * powers[power];
     } else {

@@ -62,8 +62,8 @@ void scene_import_drop_unused_vertices(struct scene_import *import, struct scene
     free(place);
 }
 
-// A table of vertices by content; slots hold a vertex or none. Twice as many slots as vertices keep the
-// runs of occupied slots short.
+// A table of vertices by content. A slot holds a vertex or none. Twice as many slots as vertices keep the runs of
+// occupied slots short.
 struct vertex_table {
     uint32_t *slots;
     uint32_t mask;

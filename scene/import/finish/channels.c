@@ -7,14 +7,14 @@
 #include "import/image/read.h"
 #include "rgba8.h"
 
-// One of the two images, or NULL where there is none that can be read.
+// Return one of the two images. Return NULL if there is none that can be read.
 static struct scene_image *find_image(struct scene_import *import, int32_t index)
 {
     struct scene_image *image = index < 0 ? NULL : &import->model.images[index];
     return image != NULL && !image->missing && scene_import_make_rgba8(import, image) ? image : NULL;
 }
 
-// The value of a channel at the nearest texel; all there is where the image is missing.
+// Return the value of a channel at the nearest texel. Return the full value if the image is missing.
 static uint8_t value_at(const struct scene_image *image, int channel, const struct scene_image *grid,
                         uint32_t x, uint32_t y)
 {

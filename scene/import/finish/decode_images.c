@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Textures of a model: decoding all images side by side, and the two conversions that other shading models than glTF's
-// need: opacity maps and height maps.
+// The textures of a model: decoding all images side by side, and the two conversions that other shading models than
+// glTF's need, of opacity maps and of height maps.
 #include "decode_images.h"
 
 #include <pthread.h>
@@ -17,13 +17,13 @@
 // Decoding ------------------------------------------------------------------------------------------
 
 struct decoding {
-    const struct scene_import *import; // which helpers cannot fail
-    const char **problems;             // per image; written by the thread that took the image
-    atomic_uint next;                  // the next image that nobody has taken
+    const struct scene_import *import; // helpers cannot fail it
+    const char **problems;             // problem of each image, written by the thread that took the image
+    atomic_uint next;                  // next image that nobody has taken
 };
 
-// Large images one at a time, so that what they take together, and whether there is memory for it, is not a matter of
-// threads.
+// Decode one image. Large images are decoded one at a time, so that threads do not decide what they take together, nor
+// whether there is memory for it.
 static const char *decode_bytes(const struct scene_import *import, const void *bytes, size_t size,
                                 struct scene_image *image)
 {
@@ -47,7 +47,7 @@ static const char *decode_image(const struct scene_import *import, uint32_t inde
     const struct scene_import_source *source = &import->sources[index];
     const char *problem = source->problem != NULL ? source->problem : "is not there";
     if (source->channels != NULL) {
-        return NULL; // later, of others
+        return NULL; // the image is made of others later
     }
     if (source->raw_width > 0) {
         image->type = SCENE_IMAGE_RGBA8;
@@ -89,7 +89,7 @@ static void *decode_some(void *argument)
     }
 }
 
-// Threads beside this one. ThreadSanitizer allows none in the child of a process that had some.
+// Return the number of threads beside this one. ThreadSanitizer allows none in the child of a process that had some.
 static int helper_count(uint32_t images)
 {
     enum { MOST = 7 };
@@ -108,7 +108,8 @@ static int helper_count(uint32_t images)
 
 // Conversions ---------------------------------------------------------------------------------------
 
-// Alpha := the opacity map at the nearest texel: its own alpha if it has one, else its brightness.
+// Set alpha from the opacity map at the nearest texel: from the map's own alpha if it has one, else from its
+// brightness.
 static void apply_opacity(struct scene_import *import, struct scene_image *image, struct scene_image *opacity,
                           bool white)
 {
@@ -137,7 +138,8 @@ static void apply_opacity(struct scene_import *import, struct scene_image *image
 
 static bool is_grey(const struct scene_image *image)
 {
-    enum { TOLERANCE = 8 }; // of 255; JPEG does not keep grey exactly
+    // The tolerance is of 255. JPEG does not keep grey exactly.
+    enum { TOLERANCE = 8 };
     const uint8_t *texels = image->texels;
     const size_t count = (size_t)image->width * image->height;
     for (size_t i = 0; i < count; i++) {
@@ -149,7 +151,7 @@ static bool is_grey(const struct scene_image *image)
     return true;
 }
 
-// Normals of a height field: central differences, the whole range of heights as high as 4 texels are broad.
+// Make normals of a height field by central differences. The whole range of heights is as high as 4 texels are broad.
 static void height_to_normals(struct scene_import *import, struct scene_image *image)
 {
     if (image->missing || !scene_import_make_rgba8(import, image) || !is_grey(image)) {
@@ -180,7 +182,7 @@ static void height_to_normals(struct scene_import *import, struct scene_image *i
     image->has_alpha = false;
 }
 
-// Whether nearly all texels are either there or not, as in the cut-out leaves of a tree.
+// Return true if nearly all texels are either there or not, as in the cut-out leaves of a tree.
 static bool is_cut_out(const struct scene_image *image)
 {
     const uint8_t *alpha = (const uint8_t *)image->texels + 3;
@@ -192,7 +194,7 @@ static bool is_cut_out(const struct scene_image *image)
     return image->type == SCENE_IMAGE_RGBA8 && between <= count / 10;
 }
 
-// Materials with an opacity map: a cut-out needs no sorting by distance, which blending does.
+// Choose the mode of materials with an opacity map. A cut-out needs no sorting by distance, which blending does.
 static void choose_alpha_modes(struct scene_import *import)
 {
     for (uint32_t i = 0; i < import->model.material_count; i++) {
@@ -209,7 +211,7 @@ static void choose_alpha_modes(struct scene_import *import)
     }
 }
 
-// Whether a material takes its base colour from the image.
+// Return true if a material takes its base colour from the image.
 static bool colors_something(const struct scene_model *model, uint32_t image)
 {
     bool found = false;
@@ -219,7 +221,7 @@ static bool colors_something(const struct scene_model *model, uint32_t image)
     return found;
 }
 
-// A checker with hard edges in plain magenta: nothing else of the material darkens, tints or thins it.
+// Show a checker with hard edges in plain magenta: nothing else of the material darkens, tints or thins it.
 static void show_stand_in(struct scene_material *material)
 {
     struct scene_texture_slot *slot = &material->slots[SCENE_SLOT_BASE_COLOR];
@@ -232,7 +234,8 @@ static void show_stand_in(struct scene_material *material)
     material->alpha_mode = SCENE_ALPHA_OPAQUE;
 }
 
-// A stand-in is for colours to show that something is missing; as a normal or a roughness it would lie.
+// Drop the stand-ins of data. A stand-in is for colours to show that something is missing; as a normal or a roughness
+// it would lie.
 static void drop_missing_data(struct scene_model *model)
 {
     for (uint32_t i = 0; i < model->material_count; i++) {
@@ -254,7 +257,7 @@ static void drop_missing_data(struct scene_model *model)
     }
 }
 
-// A white texel for each image.
+// Put a white texel in the place of each image.
 static void leave_images_out(struct scene_import *import)
 {
     for (uint32_t i = 0; i < import->model.image_count; i++) {

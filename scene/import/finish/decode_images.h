@@ -5,7 +5,7 @@
 
 #include "import/builder/import.h"
 
-/// Decodes all images; what cannot be decoded becomes the stand-in, with a warning.
+/// Decode all images. An image that cannot be decoded becomes the stand-in, with a warning.
 void scene_import_decode_images(struct scene_import *import);
 
 #endif

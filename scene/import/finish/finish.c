@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The end of an import: images are decoded, totals made, and what cannot be drawn is left out.
+// The end of an import: images are decoded, totals are made, and what cannot be drawn is left out.
 #include "finish.h"
 
 #include <stdlib.h>
@@ -35,7 +35,7 @@ static void bound_mesh(struct scene_mesh *mesh)
     }
 }
 
-// Bounds of an instance in the world; false when some point leaves the range of floats.
+// Find the bounds of an instance in the world. Return false if a point leaves the range of floats.
 static bool bound_instance(const struct scene_mesh *mesh, const float world[16], float least[3],
                            float most[3])
 {
@@ -93,7 +93,7 @@ static void warn_of_missing_uvs(struct scene_import *import)
     }
 }
 
-// A picture of such a model would be empty, and nothing would say why.
+// Warn of a model without area. Its picture would be empty, and nothing would say why.
 static void warn_of_no_area(struct scene_import *import)
 {
     struct scene_model *model = &import->model;
@@ -152,7 +152,8 @@ void scene_import_run(struct scene_import *import)
     }
     mark_image_uses(model);
     scene_import_decode_images(import);
-    mark_image_uses(model); // what is missing is not used
+    // An image that is missing is not used.
+    mark_image_uses(model);
     warn_of_missing_uvs(import);
     for (uint32_t i = 0; i < model->mesh_count; i++) {
         bound_mesh(&model->meshes[i]);

@@ -5,7 +5,7 @@
 
 #include "import/builder/import.h"
 
-/// Calls import->read, then completes the model. What comes out may be sent to the parent.
+/// Call import->read and complete the model. The result may be sent to the parent.
 void scene_import_run(struct scene_import *import);
 
 #endif

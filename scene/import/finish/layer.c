@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Images over images: where a format says that a texture lies over another and a colour, and the renderer draws one.
+// Images over images, for formats that say that a texture lies over another texture and a colour. The renderer draws
+// one image.
 #include "layer.h"
 
 #include "import/image/read.h"
 #include "import/builder/numbers.h"
 #include "rgba8.h"
 
-// The byte whose decoded value is next to `linear`.
+// Return the byte whose decoded value is next to `linear`.
 static uint8_t encode(const float decoded[256], float linear)
 {
     int low = 0, high = 255;
@@ -21,7 +22,7 @@ static uint8_t encode(const float decoded[256], float linear)
     return (uint8_t)low;
 }
 
-// Linear colour above `color` by the alpha of a texel.
+// Lay a texel over a linear colour, by the texel's alpha.
 static void cover(const float decoded[256], const uint8_t *texel, float color[3])
 {
     const float alpha = (float)texel[3] / 255;

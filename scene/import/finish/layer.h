@@ -5,7 +5,7 @@
 
 #include "import/builder/import.h"
 
-/// Lays an image over what its source says lies below; it is opaque then.
+/// Lay an image over what its source says lies below. The image is opaque afterwards.
 void scene_import_lay_image(struct scene_import *import, struct scene_image *image,
                             const struct scene_import_layer *layer);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// See model_up.h.
+// Guesses what is up, by the rule of model_up.h.
 
 #include "model_up.h"
 
 #include "draw/camera/camera_math.h"
 
-static const double slab = 0.02; // of the extent
+static const double slab = 0.02; // part of the model's extent that is lowest
 static const double least_share = 0.1, ratio = 8, flat = 0.06;
 
 struct rectangle {
@@ -20,7 +20,7 @@ static void extend(struct rectangle *r, double u, double v)
     r->high[1] = v > r->high[1] ? v : r->high[1];
 }
 
-// How much of the model's rectangle across an axis its lowest vertices cover.
+// Return how much of the model's rectangle across an axis its lowest vertices cover.
 static double standing_share(const struct scene_model *model, int axis)
 {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Clouds of points become surfaces to the eye: discs as large as the points are apart, and where a cloud has no colours,
-// colours by height, without which nothing but its outline is seen.
+// Clouds of points become surfaces to the eye. Points become discs as large as the points are apart. A cloud without
+// colours gets colours by height, without which nothing but its outline is seen.
 #include "points.h"
 
 #include <stdlib.h>
@@ -8,12 +8,12 @@
 
 #include "import/builder/numbers.h"
 
-// Fewer are single points, which are drawn as such. Discs of this many spacings overlap, also where points are
-// a little farther apart than elsewhere; none is larger than this part of the cloud.
+// Fewer points than LEAST_POINTS are drawn as single points. Discs of radius_per_spacing spacings overlap, even where
+// points are a little farther apart than elsewhere. No disc is larger than most_of_cloud of the cloud.
 enum { LEAST_POINTS = 64, FINEST_GRID = 512, LEAST_GRID = 64, POINTS_PER_CELL = 4 };
 static const float radius_per_spacing = 1.2f, most_of_cloud = 0.03f;
 
-// Cells of a grid over the mesh that hold a point. `bits` has room for all cells.
+// Count the cells of a grid over the mesh that hold a point. `bits` has room for all cells.
 static size_t count_cells(const struct scene_mesh *mesh, float cell, int cells, uint64_t *bits)
 {
     const size_t all = (size_t)cells * (size_t)cells * (size_t)cells;
@@ -32,13 +32,14 @@ static size_t count_cells(const struct scene_mesh *mesh, float cell, int cells, 
     return occupied;
 }
 
-// How far the points of a surface are apart. The finest grid whose cells hold several points each covers it as scales do,
-// and tells its area.
+// Find how far the points of a surface are apart. The finest grid whose cells hold several points each covers the
+// surface as scales do, and tells its area.
 static float find_spacing(struct scene_import *import, const struct scene_mesh *mesh, float extent)
 {
     int finest = FINEST_GRID;
     while (finest > LEAST_GRID && (uint32_t)finest / 2 >= mesh->vertex_count) {
-        finest /= 2; // with fewer points than cells along a side no cell holds several
+        // With fewer points than cells along a side, no cell holds several.
+        finest /= 2;
     }
     uint64_t *bits =
         scene_import_allocate(import, (size_t)finest * (size_t)finest * (size_t)finest / 64, sizeof *bits);
@@ -70,7 +71,7 @@ static void set_radius(struct scene_import *import, struct scene_mesh *mesh)
 
 // Colours -------------------------------------------------------------------------------------------
 
-// From dark blue through green to yellow, ever brighter; sRGB.
+// Set a colour from dark blue through green to yellow, ever brighter. It is in sRGB.
 static void height_color(float height, float (*stops)[3], float color[4])
 {
     const float place = height > 0 ? (height < 1 ? height * 4 : 4) : 0;
@@ -81,7 +82,7 @@ static void height_color(float height, float (*stops)[3], float color[4])
     color[3] = 1;
 }
 
-// Colours by height in the world, where it has an extent.
+// Set colours by height in the world, where the mesh has an extent.
 static void set_colors(struct scene_import *import, struct scene_mesh *mesh, const float world[16])
 {
     static const float encoded[5][3] = {{0.27f, 0.00f, 0.33f},
@@ -110,7 +111,7 @@ static void set_colors(struct scene_import *import, struct scene_mesh *mesh, con
     }
 }
 
-// Whether nobody has said what colour the material has.
+// Return true if nobody has said what colour the material has.
 static bool is_plain(const struct scene_material *material)
 {
     const float *color = material->base_color;
@@ -135,7 +136,7 @@ void scene_import_dress_points(struct scene_import *import)
         struct scene_mesh *mesh = &model->meshes[instance->mesh];
         if (mesh->primitive != SCENE_PRIMITIVE_POINTS || mesh->vertex_count < LEAST_POINTS ||
             mesh->point_radius > 0) {
-            continue; // or an instance before has seen to it
+            continue; // an instance before may have dressed it
         }
         set_radius(import, mesh);
         if (mesh->colors == NULL && is_plain(&model->materials[mesh->material])) {

@@ -5,7 +5,8 @@
 
 #include "import/builder/import.h"
 
-/// Gives clouds of points a size and, where they have none, colours by height; last, when it is known what is up.
+/// Give clouds of points a size and, where they have none, colours by height. Call it last, when it is known what is
+/// up.
 void scene_import_dress_points(struct scene_import *import);
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "import/builder/import.h"
 
-/// Makes 8 bits of 16; false for images of floats.
+/// Make 8 bits of 16. Return false for images of floats.
 bool scene_import_make_rgba8(struct scene_import *import, struct scene_image *image);
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Buffer views and accessors (§3.6): bytes of a glTF become floats and integers. Every range is
-// checked here, against the bytes that are really there. The host is little endian, as glTF is.
+// Buffer views and accessors (§3.6): bytes of a glTF become floats and integers. Every range is checked here against
+// the bytes that are really there. The host is little endian, as glTF is.
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,23 +15,24 @@ enum {
     TYPE_FLOAT = 5126
 };
 
-// Elements. An accessor without data is all zeros and costs its file nothing; beyond this it is an attack.
+// Limits of the number of elements. An accessor without data is all zeros and costs its file nothing; a larger one than
+// most_without_data is an attack.
 static const int64_t most_without_data = 1 << 24;
 static const int64_t most_elements = UINT32_MAX - 1;
 
 struct accessor {
     int64_t index;
-    const unsigned char *bytes; // NULL: zeros
+    const unsigned char *bytes; // NULL if all elements are zeros
     size_t stride;
     uint32_t count;
     int type, components;
     bool normalized;
-    const json_t *sparse; // or NULL
+    const json_t *sparse; // NULL if no elements are replaced
 };
 
 // Views -------------------------------------------------------------------------------------------
 
-// EXT_meshopt_compression, or what became of it at Khronos under the same terms.
+// Find EXT_meshopt_compression, or what became of it at Khronos under equal terms.
 static const json_t *find_compression(struct scene_gltf *gltf, const json_t *view)
 {
     const json_t *extension = scene_gltf_extension(gltf, view, "EXT_meshopt_compression");
@@ -85,7 +86,7 @@ static int component_count(const char *name)
     return 0;
 }
 
-// `count` elements of `element` bytes in a view, from `offset` on.
+// Return `count` elements of `element` bytes in a view, from `offset` on.
 static const unsigned char *elements(struct scene_gltf *gltf, const struct accessor *accessor,
                                      const json_t *object, uint32_t count, size_t element, size_t *stride)
 {
@@ -94,7 +95,7 @@ static const unsigned char *elements(struct scene_gltf *gltf, const struct acces
     const int64_t offset = scene_gltf_integer(gltf, object, "byteOffset", 0);
     const unsigned char *bytes = scene_gltf_view(gltf, view, &size, &step);
     *stride = step > 0 ? step : element;
-    const uint64_t last = (uint64_t)(count - 1) * *stride + element; // below 2^32·2^8
+    const uint64_t last = (uint64_t)(count - 1) * *stride + element; // `last` is below 2^32·2^8
     if ((uint64_t)offset > size || last > size - (uint64_t)offset) {
         scene_import_fail(gltf->import, "accessors[%lld] reaches past the end of bufferViews[%lld]",
                           (long long)accessor->index, (long long)view);
@@ -188,7 +189,7 @@ static void read_element(const struct accessor *accessor, const unsigned char *b
     }
 }
 
-// §3.6.2.3: some elements are replaced.
+// Replace the elements that a sparse accessor lists (§3.6.2.3).
 static void apply_sparse(struct scene_gltf *gltf, const struct accessor *accessor, float *values, int width)
 {
     const json_t *sparse = accessor->sparse;

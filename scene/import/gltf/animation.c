@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Animations (§3.11): what there is of them, and where one of them has the nodes at a time. Between two keys in double, so
-// that the pose is the same everywhere.
+// Animations (§3.11): which ones there are, and where one of them has the nodes at a time. Values between two keys are
+// computed in double, so that the pose is equal everywhere.
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,7 +11,8 @@
 enum interpolation { STEP, LINEAR, CUBIC };
 enum path { TRANSLATION, ROTATION, SCALE, WEIGHTS, PATHS };
 
-// Values of a sampler: `width` each; a key of a cubic one has three: in-tangent, value, out-tangent.
+// A sampler has `width` values for each key. A key of a cubic one has three times as many: in-tangent, value,
+// out-tangent.
 struct sampler {
     enum interpolation interpolation;
     const float *times, *values;
@@ -19,7 +20,7 @@ struct sampler {
     size_t width;
 };
 
-// Where a time lies among the keys: between `key` and the next one, as far as `part` of the way, which takes `seconds`.
+// Where a time lies among the keys. It is between `key` and the next one, at `part` of the way, which takes `seconds`.
 struct moment {
     uint32_t key;
     double part, seconds;
@@ -40,7 +41,7 @@ static struct moment find_moment(const struct sampler *sampler, double time)
     return moment;
 }
 
-// §C.5: cubic Hermite splines with the tangents of the keys.
+// Return a value on a cubic Hermite spline with the tangents of the keys (§C.5).
 static double hermite(const float *key, const float *next, size_t width, size_t c,
                       const struct moment *moment)
 {
@@ -129,7 +130,8 @@ static void apply_channel(const struct channel *channel, const json_t *object, d
     while (path < PATHS && (name == NULL || strcmp(name, names[path]) != 0)) {
         path++;
     }
-    if (path == PATHS || index < 0) { // KHR_animation_pointer, or nothing that there is
+    // The target is KHR_animation_pointer's, or nothing that there is.
+    if (path == PATHS || index < 0) {
         scene_import_unsupported(gltf->import, "animations of \"%s\": left as at rest",
                                  name != NULL ? name : "nothing");
         return;
@@ -150,7 +152,7 @@ static void apply_channel(const struct channel *channel, const json_t *object, d
     free((void *)sampler.values);
 }
 
-// The last key of all, by what the accessors say of themselves.
+// Return the time of the last key of all, by what the accessors say of themselves.
 static float duration(struct scene_gltf *gltf, const json_t *animation)
 {
     double longest = 0.0;
@@ -160,7 +162,7 @@ static float duration(struct scene_gltf *gltf, const json_t *animation)
     {
         const int64_t input = scene_gltf_integer(gltf, sampler, "input", -1);
         if (input < 0 || (uint64_t)input >= scene_gltf_count(gltf, "accessors")) {
-            continue; // told when it is played
+            continue; // the fault is told when the animation is played
         }
         const json_t *const most = scene_gltf_array(gltf, scene_gltf_item(gltf, "accessors", input), "max");
         const double time = json_number_value(json_array_get(most, 0));
@@ -197,7 +199,7 @@ void scene_gltf_animate(struct scene_gltf *gltf)
         return;
     }
     if (count == 0) {
-        return; // told where other formats are too
+        return; // finish.c tells it, as for other formats
     }
     const int64_t index = scene_import_find_animation(import);
     if (index < 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bytes of buffers (§3.6.1): of the file itself, of other files, and of data URIs.
+// The bytes of buffers (§3.6.1), from the file itself, from other files, and from data URIs.
 #include "gltf.h"
 
 #include <string.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// KHR_draco_mesh_compression: what the compressed mesh holds takes the place of the primitive's accessors, which then are
-// read like any other.
+// KHR_draco_mesh_compression. What the compressed mesh holds takes the place of the primitive's accessors, which are
+// afterwards read like any other.
 #include <string.h>
 
 #include "draco_decoder.h"
@@ -10,7 +10,7 @@ enum { TYPE_INT8 = 5120, TYPE_UINT32 = 5125, TYPE_FLOAT = 5126 };
 
 struct type {
     enum scene_draco_type type;
-    size_t size; // 0: there is no such componentType
+    size_t size; // 0 if there is no componentType of this number
 };
 
 static struct type find_type(int64_t component_type)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See draco_decoder.h.
+// Calls Draco and undoes what it calls transforms.
 #include "draco_decoder.h"
 
 #include <cmath>
@@ -16,14 +16,14 @@ struct scene_draco {
 
 namespace {
 
-// Elements as they are kept, before what Draco calls a transform.
+// Read elements as they are kept, before what Draco calls a transform.
 bool read_whole(const draco::PointAttribute &attribute, uint32_t vertex, int count, int32_t *values)
 {
     const draco::AttributeValueIndex place = attribute.mapped_index(draco::PointIndex(vertex));
     return attribute.ConvertValue<int32_t>(place, static_cast<int8_t>(count), values);
 }
 
-// Whole numbers from the least value on: min + q·range/(2^bits − 1).
+// Make floats of whole numbers that count from the least value on: min + q·range/(2^bits − 1).
 bool make_scaled(const draco::PointAttribute &attribute, uint32_t vertices, int components, float *out)
 {
     draco::AttributeQuantizationTransform transform;
@@ -43,7 +43,7 @@ bool make_scaled(const draco::PointAttribute &attribute, uint32_t vertices, int 
     return true;
 }
 
-// Two coordinates of an octahedron that is cut open along its far half and laid flat.
+// Make unit vectors of two coordinates on an octahedron that is cut open along its far half and laid flat.
 bool make_normals(const draco::PointAttribute &attribute, uint32_t vertices, float *out)
 {
     draco::AttributeOctahedronTransform transform;

@@ -35,7 +35,8 @@ static void parse_json(struct scene_gltf *gltf, const unsigned char *text, size_
         text += 3;
         size -= 3;
     }
-    while (size > 0 && text[size - 1] == 0) { // padding that should have been spaces
+    // Some files have zeros where the padding should be spaces.
+    while (size > 0 && text[size - 1] == 0) {
         size--;
     }
     gltf->root = json_loadb((const char *)text, size, JSON_ALLOW_NUL, &error);
@@ -47,7 +48,7 @@ static void parse_json(struct scene_gltf *gltf, const unsigned char *text, size_
     }
 }
 
-// §4.4: a header of 12 bytes, a JSON chunk, an optional BIN chunk.
+// Parse a GLB: a header of 12 bytes, a JSON chunk, and an optional BIN chunk (§4.4).
 static void parse_binary(struct scene_gltf *gltf, const unsigned char *bytes, size_t size)
 {
     if (size < GLB_HEADER + GLB_CHUNK) {
@@ -108,7 +109,8 @@ static void check_version(struct scene_gltf *gltf)
     }
 }
 
-// KHR_materials_variants: the names, for the model, and the number of the one that is wanted.
+// Read the names of the variants (KHR_materials_variants) for the model, and find the number of the variant that is
+// wanted.
 static void read_variants(struct scene_gltf *gltf)
 {
     struct scene_import *import = gltf->import;
@@ -163,7 +165,7 @@ void scene_import_gltf(struct scene_import *import)
     check_version(&gltf);
     scene_gltf_check_extensions(&gltf);
     import->model.format = "glTF 2.0";
-    import->model.unit = "metre"; // §3.4
+    import->model.unit = "metre"; // glTF's unit of length (§3.4)
     gltf.buffers = scene_import_allocate(import, scene_gltf_count(&gltf, "buffers"), sizeof *gltf.buffers);
     gltf.views = scene_import_allocate(import, scene_gltf_count(&gltf, "bufferViews"), sizeof *gltf.views);
     gltf.accessors =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Meshes (§3.7): every primitive becomes one mesh of lists, with morph targets at their weights and skins in
-// the pose that the nodes give applied, so that who draws it need not know of either.
+// Meshes (§3.7): every primitive becomes one mesh of lists. Morph targets are applied at their weights, and skins in
+// the pose that the nodes give, so that code that draws a mesh need not know of either.
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,7 +27,7 @@ _Noreturn static void refuse(const struct primitive *primitive, const char *prob
 
 // Attributes ----------------------------------------------------------------------------------------
 
-// An attribute with one element per vertex, or NULL when there is none.
+// Return an attribute with one element for each vertex. Return NULL if there is none.
 static void *attribute(const struct primitive *primitive, const json_t *attributes, const char *name,
                        int least, int width)
 {
@@ -53,7 +53,7 @@ static void read_attributes(struct primitive *primitive)
     const int64_t positions = scene_gltf_integer(primitive->gltf, attributes, "POSITION", -1);
     mesh->positions = (void *)scene_gltf_read_floats(primitive->gltf, positions, 3, 3, &mesh->vertex_count);
     mesh->normals = attribute(primitive, attributes, "NORMAL", 3, 3);
-    // §3.7.2.1: tangents without normals are to be ignored.
+    // Tangents without normals are to be ignored (§3.7.2.1).
     mesh->tangents = mesh->normals != NULL ? attribute(primitive, attributes, "TANGENT", 4, 4) : NULL;
     mesh->uvs[0] = attribute(primitive, attributes, "TEXCOORD_0", 2, 2);
     mesh->uvs[1] = attribute(primitive, attributes, "TEXCOORD_1", 2, 2);
@@ -66,7 +66,7 @@ static void read_attributes(struct primitive *primitive)
 
 // Indices -------------------------------------------------------------------------------------------
 
-// The file's indices, or 0, 1, 2, ... where it has none.
+// Return the file's indices, or 0, 1, 2, ... if it has none.
 static uint32_t *read_indices(struct primitive *primitive, uint32_t *count)
 {
     const int64_t accessor = scene_gltf_integer(primitive->gltf, primitive->object, "indices", -1);
@@ -90,7 +90,7 @@ static uint32_t *read_indices(struct primitive *primitive, uint32_t *count)
     return indices;
 }
 
-// §3.7.2.1 gives the order of every topology.
+// Make a list of every topology, in the order of §3.7.2.1.
 static void make_list(struct primitive *primitive, int mode, const uint32_t *in, uint32_t count)
 {
     struct scene_mesh *mesh = &primitive->mesh;
@@ -197,7 +197,7 @@ static void rotate(const float matrix[16], float vector[3])
     memcpy(vector, turned, sizeof turned);
 }
 
-// The joint matrices of a skin: world matrix of the joint × inverse bind matrix (§3.7.3.1).
+// Return the joint matrices of a skin: world matrix of the joint × inverse bind matrix (§3.7.3.1).
 static float (*joint_matrices(struct scene_gltf *gltf, int64_t skin_index, size_t *count))[16]
 {
     const json_t *skin = scene_gltf_item(gltf, "skins", skin_index);
@@ -227,7 +227,8 @@ static float (*joint_matrices(struct scene_gltf *gltf, int64_t skin_index, size_
     return matrices;
 }
 
-// Adds what joint and weight set `set` gives to the blended matrix of each vertex. False: there is no such set.
+// Add what joint and weight set `set` gives to the blended matrix of each vertex. Return false if there is no set of
+// this number.
 static bool blend_joints(struct primitive *primitive, int set, const float (*joints)[16], size_t joint_count,
                          float (*blended)[16])
 {
@@ -263,7 +264,8 @@ static bool blend_joints(struct primitive *primitive, int set, const float (*joi
     return true;
 }
 
-// Brings a primitive of a skinned node into the world; one without joints by the node's own matrix.
+// Bring a primitive of a skinned node into the world. A primitive without joints is brought there by the node's own
+// matrix.
 static void apply_skin(struct primitive *primitive, int64_t skin, const float world[16])
 {
     struct scene_mesh *mesh = &primitive->mesh;
@@ -282,7 +284,8 @@ static void apply_skin(struct primitive *primitive, int64_t skin, const float wo
         scene_import_transform(blended[i], mesh->positions[i], point);
         memcpy(mesh->positions[i], point, sizeof point);
         if (mesh->normals != NULL) {
-            rotate(blended[i], mesh->normals[i]); // joints turn; where they also stretch, this is near enough
+            // Joints turn normals. Where joints stretch as well, turning is near enough.
+            rotate(blended[i], mesh->normals[i]);
         }
         if (mesh->tangents != NULL) {
             rotate(blended[i], mesh->tangents[i]);
@@ -292,7 +295,7 @@ static void apply_skin(struct primitive *primitive, int64_t skin, const float wo
     free(blended);
 }
 
-// The material of the variant that is wanted, else the primitive's own (KHR_materials_variants).
+// Return the material of the variant that is wanted, or the primitive's own (KHR_materials_variants).
 static int64_t find_material(const struct primitive *primitive)
 {
     struct scene_gltf *gltf = primitive->gltf;
@@ -347,7 +350,7 @@ static bool make_primitive(struct primitive *primitive, const char *name, struct
     return true;
 }
 
-// Of an animation, the node, or its mesh.
+// Return the weights of morph targets: an animation's come first, the node's next, its mesh's last.
 static struct weights find_weights(struct scene_gltf *gltf, const json_t *node, const json_t *mesh,
                                    const struct scene_gltf_node *place)
 {
@@ -370,7 +373,7 @@ struct scene_gltf_meshes scene_gltf_mesh(struct scene_gltf *gltf, const json_t *
     const int64_t index = scene_gltf_integer(gltf, node, "mesh", -1);
     const json_t *object = scene_gltf_item(gltf, "meshes", index);
     const int64_t skin = scene_gltf_integer(gltf, node, "skin", -1);
-    // The same for every node that uses the mesh?
+    // A mesh that is equal for every node that uses it is made once.
     const bool shared = skin < 0 && place->weights == NULL && scene_gltf_array(gltf, node, "weights") == NULL;
     if (shared && gltf->meshes[index].made) {
         return gltf->meshes[index];

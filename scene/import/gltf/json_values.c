@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Typed access to the JSON: what has the wrong type fails the import by its name.
+// Typed access to the JSON. A value of the wrong type fails the import by its name.
 #include "gltf.h"
 
 #include <math.h>
@@ -107,8 +107,9 @@ json_t *scene_gltf_extension(struct scene_gltf *gltf, const json_t *object, cons
 
 const char *scene_gltf_name(struct scene_gltf *gltf, const json_t *object)
 {
+    // A name is of no consequence, so a wrong one is never an error.
     const char *name =
-        json_string_value(json_object_get(object, "name")); // of no consequence: never an error
+        json_string_value(json_object_get(object, "name"));
     return scene_import_string(gltf->import, name, name == NULL ? 0 : strlen(name));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Materials (§3.9) and the extensions of them that are supported.
+// Materials (§3.9), and the extensions of them that are supported.
 #include <string.h>
 
 #include "gltf.h"

@@ -3,7 +3,7 @@
 #include "elementary.h"
 #include "gltf.h"
 
-enum { LAYER_TEXTURES = 9 }; // texture slots of a draw that are left for them
+enum { LAYER_TEXTURES = 9 }; // texture slots of a draw that are left for layers
 
 static float number(struct scene_gltf *gltf, const json_t *object, const char *key, double absent,
                     double most)
@@ -54,7 +54,7 @@ static void read_specular(struct scene_gltf *gltf, const json_t *object, struct 
     texture(gltf, object, "specularColorTexture", material, SCENE_SLOT_SPECULAR_COLOR);
 }
 
-// 0 stands for an index so high that everything is mirrored, as old files have it.
+// Read the index of refraction. 0 stands for an index so high that everything is mirrored, as old files have it.
 static void read_ior(struct scene_gltf *gltf, const json_t *object, struct scene_material *material)
 {
     const double ior = scene_gltf_number(gltf, object, "ior", 1.5);
@@ -98,7 +98,8 @@ static void read_iridescence(struct scene_gltf *gltf, const json_t *object, stru
     texture(gltf, object, "iridescenceThicknessTexture", material, SCENE_SLOT_IRIDESCENCE_THICKNESS);
 }
 
-// The older model; where a file has both, this one was meant and the other is for those who cannot.
+// Read the older model of shading. Where a file has both models, it means this one, and has the other for programs that
+// cannot draw it.
 static void read_gloss(struct scene_gltf *gltf, const json_t *object, struct scene_material *material)
 {
     struct scene_layers *layers = &material->layers;
@@ -120,7 +121,8 @@ static void read_dispersion(struct scene_gltf *gltf, const json_t *object, struc
     material->layers.dispersion = number(gltf, object, "dispersion", 0, 100);
 }
 
-// The slots before SCENE_SLOT_BACKDROP, of which the base material takes the others.
+// Drop the textures that a draw has no slots for. Layers take slots before SCENE_SLOT_BACKDROP, and the base material
+// takes the others.
 static void drop_textures(struct scene_gltf *gltf, struct scene_material *material)
 {
     int count = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // EXT_meshopt_compression: buffer views as meshoptimizer's codecs wrote them. The library undoes the codecs, which are
-// about integers; the filters after them are numbers, so they are computed here, the same on every machine.
+// about integers. The filters after them are about numbers, so they are computed here, equally on every machine.
 #include <string.h>
 
 #include <meshoptimizer.h>
@@ -18,7 +18,7 @@ struct compressed {
     enum filter filter;
 };
 
-// The number of a name in a list; fails the import where it is none of them.
+// Return the number of a name in a list. Fail the import if the name is not in it.
 static int choose(struct scene_gltf *gltf, const char *what, const char *name, const char *const *names,
                   int count)
 {
@@ -30,7 +30,7 @@ static int choose(struct scene_gltf *gltf, const char *what, const char *name, c
     scene_import_fail(gltf->import, "%s: \"%s\" is no mode or filter of EXT_meshopt_compression", what, name);
 }
 
-// Which strides and counts go with which mode and filter is said by the extension.
+// Return true if the extension allows this stride and count with this mode and filter.
 static bool is_valid(const struct compressed *c)
 {
     const bool fits[] = {
@@ -60,7 +60,7 @@ static struct compressed open_view(struct scene_gltf *gltf, const json_t *extens
     compressed.filter = (enum filter)choose(gltf, what, filter == NULL ? "NONE" : filter, filters, 4);
     compressed.count = (size_t)count;
     compressed.stride = stride <= 256 ? (size_t)stride : 0;
-    // A byte of a vertex is 2 bits for 16 vertices at least, an index a third of a byte.
+    // A byte of a vertex takes at least 2 bits for 16 vertices, an index takes at least a third of a byte.
     if (count < 1 || count > UINT32_MAX || !is_valid(&compressed) ||
         (uint64_t)count * compressed.stride > ((uint64_t)compressed.size + 64) * 64) {
         scene_import_fail(gltf->import, "%s: its meshopt count, stride, mode and filter do not go together",
@@ -89,10 +89,10 @@ static int read_signed(const unsigned char *bytes, size_t size)
 static void write_signed(unsigned char *bytes, size_t size, int value)
 {
     const int16_t word = (int16_t)value;
-    memcpy(bytes, &word, size); // little endian: the low byte first
+    memcpy(bytes, &word, size); // the host is little endian, so the low byte comes first
 }
 
-// Unit vectors, folded onto an octahedron: x, y, what stands for 1, and a component that stays.
+// Make a unit vector of one that is folded onto an octahedron: x, y, what stands for 1, and a component that stays.
 static void unfold(unsigned char *element, size_t size)
 {
     const float scale = size == 1 ? 127 : 32767;
@@ -110,8 +110,8 @@ static void unfold(unsigned char *element, size_t size)
     }
 }
 
-// Quaternions without their largest component, which the others tell: their range is ±1/√2; the fourth number is what
-// stands for 1, with the place of the largest in its low bits.
+// Make a quaternion of one without its largest component, which the others tell. The range of the others is ±1/√2. The
+// fourth number is what stands for 1, with the place of the largest component in its low bits.
 static void complete(unsigned char *element)
 {
     int16_t words[4], out[4];
@@ -130,14 +130,15 @@ static void complete(unsigned char *element)
     memcpy(element, out, sizeof out);
 }
 
-// 2^e·m, with 8 bits of e above 24 of m, both signed.
+// Make a float of 2^e·m, with 8 bits of e above 24 of m, both signed.
 static void expand(unsigned char *element)
 {
     uint32_t word, bits;
     memcpy(&word, element, sizeof word);
     const int exponent = (int8_t)(word >> 24);
     const int mantissa = (int32_t)(word << 8) / 256;
-    bits = (uint32_t)(exponent + 127) << 23; // of 2^e; of 2^−128 and 2^−127 no whole float
+    // The bits are those of 2^e. 2^−128 and 2^−127 are no normal floats.
+    bits = (uint32_t)(exponent + 127) << 23;
     float power;
     memcpy(&power, &bits, sizeof power);
     const float value = exponent > -127 ? power * (float)mantissa : 0;

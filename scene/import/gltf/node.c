@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The node forest (§3.5): places in the world, then instances, cameras and lights of the scene.
+// The node forest (§3.5): places in the world, and the instances, cameras and lights of the scene.
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,8 +10,8 @@
 
 static const uint32_t no_parent = UINT32_MAX;
 
-// Nodes still to be visited. Each stands in it at most twice, as a child and as a root, so the node count bounds it;
-// recursion would let a deep file overflow the stack.
+// Nodes still to be visited. A node stands on the stack at most twice, as a child and as a root, so the node count
+// bounds it. Recursion would let a deep file overflow the program's stack.
 struct stack {
     uint32_t *nodes;
     size_t count;
@@ -62,7 +62,7 @@ static void local_matrix(struct scene_gltf *gltf, const json_t *node, const stru
                          place->scale != NULL ? place->scale : s, matrix);
 }
 
-// Pushes the children of a node, the first on top.
+// Push the children of a node, the first on top.
 static void push_children(struct scene_gltf *gltf, struct stack *stack, uint32_t node)
 {
     const json_t *children = scene_gltf_array(gltf, scene_gltf_item(gltf, "nodes", node), "children");
@@ -111,7 +111,8 @@ static void add_instance(struct scene_gltf *gltf, const json_t *node, struct sce
     }
 }
 
-// An attribute of EXT_mesh_gpu_instancing, or NULL. Every one has as many elements.
+// Return an attribute of EXT_mesh_gpu_instancing. Return NULL if there is none. All attributes have equally many
+// elements.
 static float *instance_attribute(struct scene_gltf *gltf, const json_t *attributes, const char *name,
                                  int width, uint32_t *count)
 {
@@ -129,7 +130,7 @@ static float *instance_attribute(struct scene_gltf *gltf, const json_t *attribut
     return values;
 }
 
-// EXT_mesh_gpu_instancing: the node's mesh many times, each an object of its own.
+// Add the node's mesh many times, each time as an object of its own (EXT_mesh_gpu_instancing).
 static void add_many(struct scene_gltf *gltf, const json_t *node, struct scene_gltf_meshes meshes,
                      const float world[16], uint32_t *objects)
 {
@@ -238,7 +239,7 @@ static void add_light(struct scene_gltf *gltf, int64_t index, const float world[
     }
 }
 
-// KHR_node_visibility: false hides the children too.
+// Return true if KHR_node_visibility lets the node be seen. A false value hides the children too.
 static bool is_visible(struct scene_gltf *gltf, uint32_t index)
 {
     const json_t *node = scene_gltf_item(gltf, "nodes", index);
@@ -262,7 +263,7 @@ static void visit(struct scene_gltf *gltf, uint32_t index, uint32_t *objects)
     }
 }
 
-// The roots of the scene to draw: the default one, the first one, or all roots where the file has no scene.
+// Push the roots of the scene to draw: of the default scene, of the first one, or all roots if the file has no scene.
 static void push_scene(struct scene_gltf *gltf, struct stack *stack)
 {
     if (scene_gltf_count(gltf, "scenes") == 0) {
@@ -277,7 +278,8 @@ static void push_scene(struct scene_gltf *gltf, struct stack *stack)
     const json_t *roots = scene_gltf_array(gltf, scene, "nodes");
     for (size_t i = json_array_size(roots); i > 0; i--) {
         const uint32_t root = node_index(gltf, json_array_get(roots, i - 1), "scenes");
-        if (gltf->nodes[root].parent != no_parent) { // against §3.5.1, but others draw it
+        // A root that is a child is against §3.5.1, but others draw it.
+        if (gltf->nodes[root].parent != no_parent) {
             scene_import_warn(
                 gltf->import,
                 "nodes[%u] is a root of the scene and a child of nodes[%u]: drawn once, as its child", root,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a textureInfo of a material says: image, sampler, coordinates (§3.8); and the limits of the numbers beside it.
+// What a textureInfo of a material says: image, sampler and coordinates (§3.8). The limits of the numbers beside it
+// stand here too.
 #include "gltf.h"
 
 #include <string.h>
@@ -10,7 +11,7 @@
 
 float scene_gltf_limited(double value, double least, double most)
 {
-    return (float)(value >= least && value <= most ? value : value > most ? most : least); // NaN: least
+    return (float)(value >= least && value <= most ? value : value > most ? most : least); // NaN gives `least`
 }
 
 void scene_gltf_limit_color(float color[4])
@@ -56,7 +57,7 @@ static int32_t add_image(struct scene_gltf *gltf, int64_t index)
     return gltf->images[index];
 }
 
-// The stand-in for a texture that has no image which can be read.
+// Add the stand-in for a texture that has no image which can be read.
 static int32_t add_missing(struct scene_gltf *gltf, int64_t texture)
 {
     char name[40];
@@ -93,7 +94,7 @@ static void read_sampler(struct scene_gltf *gltf, const json_t *sampler, struct 
                                                             : RHW_MIP_FILTER_LINEAR;
 }
 
-// KHR_texture_transform: scaled, then turned, then moved.
+// Read KHR_texture_transform, which scales, turns and moves, in this order.
 static void read_transform(struct scene_gltf *gltf, const json_t *extension, struct scene_texture_slot *slot)
 {
     float offset[2] = {0, 0}, scale[2] = {1, 1};
@@ -108,7 +109,8 @@ static void read_transform(struct scene_gltf *gltf, const json_t *extension, str
     }
 }
 
-// The image in a format that glTF itself has not comes first; `source` may be there for those who cannot read it.
+// Return the index of the image. An image in a format that glTF itself has not comes first; `source` may be there for
+// programs that cannot read it.
 static int64_t find_image(struct scene_gltf *gltf, const json_t *texture)
 {
     const json_t *webp = scene_gltf_extension(gltf, texture, "EXT_texture_webp");

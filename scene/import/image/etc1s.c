@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // ETC1S and BasisLZ, written from KTX 2.0, appendix "BasisLZ/ETC1S Bitstream Specification". A block of 4 × 4 texels is
 // a reference to an endpoint (a base colour and a table of steps) and one to a selector (which step each texel takes).
-// Endpoints are told by their difference to the one before, or are those of a neighbour; selectors were often used
-// shortly before, so a history of them is at hand.
+// An endpoint is told by its difference to the one before, or is that of a neighbour. A selector was often used shortly
+// before, so a history of selectors is at hand.
 #include "etc1s.h"
 
 #include <stdlib.h>
@@ -13,7 +13,7 @@ enum {
     REPEAT_PREDICTION = PREDICTIONS,
     LEAST_REPEAT = 3,
     LEAST_SELECTOR_RUN = 3,
-    LONG_SELECTOR_RUN = 63, // the symbol of a run whose length follows
+    LONG_SELECTOR_RUN = 63, // symbol of a run whose length follows
     MOST_HISTORY = 1 << 13
 };
 
@@ -21,14 +21,14 @@ enum {
 enum { FROM_LEFT, FROM_ABOVE, FROM_ABOVE_LEFT, BY_DIFFERENCE };
 
 struct endpoint {
-    uint8_t color[3]; // 5 bits
-    uint8_t table;    // of steps, 3 bits
+    uint8_t color[3]; // 5 bits for each channel
+    uint8_t table; // number of the table of steps, 3 bits
 };
 
 struct scene_etc1s {
     uint32_t endpoint_count, selector_count, history_size;
     struct endpoint *endpoints;
-    uint8_t (*selectors)[4]; // a row of texels in each byte, 2 bits for each texel from the lowest on
+    uint8_t (*selectors)[4]; // a byte for each row of texels, 2 bits for each texel from the lowest on
     struct scene_huffman prediction, difference, selector, run;
 };
 
@@ -36,14 +36,14 @@ static const char damaged[] = "damaged KTX2: its ETC1S data";
 
 // Codebooks ----------------------------------------------------------------------------------------------
 
-// A colour as difference to the one before, by a code that depends on how bright that was.
+// Take a colour as its difference to the one before, by a code that depends on how bright that one was.
 static uint8_t take_color(struct scene_bits *bits, const struct scene_huffman code[3], uint8_t before)
 {
     const int range = before <= 9 ? 0 : before <= 21 ? 1 : 2;
     return (before + scene_huffman_take(bits, &code[range])) & 31;
 }
 
-// `code` is room for four codes.
+// Read the endpoints. `code` is room for four codes.
 static bool read_endpoints(struct scene_bits bits, struct scene_etc1s *codebooks,
                            struct scene_huffman code[4])
 {
@@ -128,7 +128,8 @@ void scene_etc1s_free(struct scene_etc1s *codebooks)
 
 // References ---------------------------------------------------------------------------------------------
 
-// Selectors that were used: new ones come into the second half, and those that are used move towards the front.
+// Selectors that were used. New ones come into the second half, and selectors that are used again move towards the
+// front.
 struct history {
     uint32_t size, next;
     uint16_t selector[MOST_HISTORY];
@@ -157,17 +158,18 @@ static uint32_t take_from_history(struct history *history, uint32_t index)
 struct reader {
     struct scene_bits bits;
     const struct scene_etc1s *codebooks;
-    uint32_t columns;    // of blocks
-    uint16_t *endpoint;  // of the blocks of the row above, and of this row up to where we are
-    uint8_t *prediction; // of pairs of blocks, for the odd rows
-    uint32_t corner;     // the endpoint that stood above the block to the left
-    uint32_t left;       // the endpoint that was used last
+    uint32_t columns; // number of blocks in a row
+    // Endpoints of the row of blocks above, and of this row up to the block that is read.
+    uint16_t *endpoint;
+    uint8_t *prediction; // predictions of pairs of blocks, for the odd rows
+    uint32_t corner; // endpoint that stood above the block to the left
+    uint32_t left; // endpoint that was used last
     uint32_t last_prediction, prediction_run;
     uint32_t selector_run;
     struct history history;
 };
 
-// A number in groups of bits, the lowest first; the highest bit of each says whether another one follows.
+// Take a number in groups of bits, the lowest first. The highest bit of each group says whether another one follows.
 static uint32_t take_number(struct scene_bits *bits, unsigned group)
 {
     uint32_t value = 0;
@@ -182,7 +184,7 @@ static uint32_t take_number(struct scene_bits *bits, unsigned group)
     return 0;
 }
 
-// Of 2 × 2 blocks, 2 bits each.
+// Take the prediction of 2 × 2 blocks, 2 bits for each.
 static uint32_t take_prediction(struct reader *reader)
 {
     if (reader->prediction_run > 0) {
@@ -216,7 +218,8 @@ static uint32_t take_endpoint(struct reader *reader, uint32_t prediction, uint32
     return endpoint < count ? endpoint : 0;
 }
 
-// Symbols are selectors, then places in the history, then one for a run of the history's first.
+// Take a selector. Symbols are selectors first, places in the history next, and at last one symbol for a run of the
+// history's first selector.
 static uint32_t take_selector(struct reader *reader)
 {
     const struct scene_etc1s *const codebooks = reader->codebooks;
@@ -253,7 +256,7 @@ static uint8_t step_from(int color, int step)
     return (uint8_t)(value < 0 ? 0 : value > 255 ? 255 : value);
 }
 
-// The texels of a block that lie within the image.
+// Paint the texels of a block that lie within the image.
 static void paint(const struct endpoint *endpoint, const uint8_t selector[4], uint32_t columns, uint32_t rows,
                   size_t pitch, bool alpha, uint8_t (*texels)[4])
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See image/huffman.h. Codes are told bit by bit: the number of codes of each length says whether one has ended. That
-// needs no table for each prefix, and textures are small beside the time that drawing them takes.
+// Codes are told bit by bit: the number of codes of each length says whether one has ended. No table for each prefix is
+// needed, and textures are small beside the time that drawing them takes.
 #include "huffman.h"
 
 #include <string.h>
@@ -24,7 +24,7 @@ uint32_t scene_bits_take(struct scene_bits *bits, unsigned count)
     return value;
 }
 
-// Fails where the lengths give more codes than there are; fewer are fine, but not to be met.
+// Build a code. Fail where the lengths give more codes than there are. Fewer codes are fine, but must not be met.
 static void build(struct scene_bits *bits, const uint8_t *length, uint32_t symbols,
                   struct scene_huffman *code)
 {
@@ -54,7 +54,8 @@ static void build(struct scene_bits *bits, const uint8_t *length, uint32_t symbo
 uint32_t scene_huffman_take(struct scene_bits *bits, const struct scene_huffman *code)
 {
     uint32_t value = 0, first = 0,
-             index = 0; // the code so far, the first one of its length, and that one's index
+             // The code up to here, the first code of its length, and the index of that first one.
+             index = 0;
     for (int length = 1; length < SCENE_HUFFMAN_LENGTHS; length++) {
         value |= scene_bits_take(bits, 1);
         const uint32_t count = code->count[length];
@@ -85,7 +86,7 @@ static void read_length_code(struct scene_bits *bits, struct scene_huffman *code
     build(bits, length, LENGTH_SYMBOLS, code);
 }
 
-// How often the length that `symbol` stands for follows.
+// Take how often the length that `symbol` stands for follows.
 static uint32_t take_run(struct scene_bits *bits, uint32_t symbol)
 {
     switch (symbol) {
@@ -101,7 +102,7 @@ void scene_huffman_read(struct scene_bits *bits, struct scene_huffman *code)
 {
     uint8_t length[SCENE_HUFFMAN_SYMBOLS] = {0};
     const uint32_t symbols = scene_bits_take(bits, 14);
-    if (symbols == 0) { // a code that is not used
+    if (symbols == 0) { // the code is not used
         memset(code, 0, sizeof *code);
         return;
     }

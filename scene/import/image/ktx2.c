@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The container (KTX 2.0): a header, an index of levels, a descriptor that names formats which Vulkan has not, pairs of
-// keys and values, global data of BasisLZ. Everything is little endian and lies where the file says, so every place is
-// checked before it is read. KTXorientation does not move texels: it says how the image was meant to be looked at.
+// keys and values, and the global data of BasisLZ. Everything is little endian and lies where the file says, so every
+// place is checked before it is read. KTXorientation does not move texels: it says how the image was meant to be looked
+// at.
 #include "ktx2.h"
 
 #include <stdlib.h>
@@ -21,12 +22,13 @@ static const char damaged[] = "damaged KTX2";
 
 struct ktx2 {
     struct scene_span file;
-    uint32_t format; // VkFormat; 0: as the descriptor says
+    uint32_t format; // VkFormat; 0 for the format that the descriptor says
     uint32_t width, height, levels, scheme;
-    struct scene_span level; // the first one
-    uint64_t level_bytes;    // of it, unpacked
+    struct scene_span level; // bytes of the first level
+    uint64_t level_bytes; // bytes of the first level, unpacked
     struct scene_span descriptor, pairs, global;
-    uint32_t model, samples, channel[2]; // of the descriptor: its samples, and what the first two hold
+    // The descriptor's model, its number of samples, and the channels that its first two samples hold.
+    uint32_t model, samples, channel[2];
 };
 
 // Reading ------------------------------------------------------------------------------------------------
@@ -41,7 +43,7 @@ static uint64_t read_64(const uint8_t *bytes)
     return read_32(bytes) | (uint64_t)read_32(bytes + 4) << 32;
 }
 
-// False where the part is not within the whole.
+// Cut a part out of a whole. Return false if it is not within the whole.
 static bool cut(struct scene_span whole, uint64_t offset, uint64_t size, struct scene_span *part)
 {
     if (offset > whole.size || size > whole.size - offset) {
@@ -58,8 +60,8 @@ bool scene_image_is_ktx2(const unsigned char *bytes, size_t size)
     return size >= IDENTIFIER && memcmp(bytes, identifier, IDENTIFIER) == 0;
 }
 
-// Of a descriptor only its first block counts; samples of 16 bytes stand behind 28 bytes that say what they have in
-// common.
+// Read the descriptor. Only its first block counts. Samples of 16 bytes stand behind 28 bytes that say what they have
+// in common.
 static bool read_descriptor(struct ktx2 *ktx2)
 {
     const struct scene_span descriptor = ktx2->descriptor;
@@ -139,7 +141,8 @@ static const char *decode_uastc(const uint8_t *blocks, struct scene_image *image
     return NULL;
 }
 
-// Global data and, in it, where in the level the slices of the first image are: colours, and those of a second channel.
+// Decode from the global data. It says where in the level the slices of the first image are: colours, and the colours
+// of a second channel.
 static const char *decode_etc1s(const struct ktx2 *ktx2, struct scene_image *image)
 {
     const struct scene_span global = ktx2->global;
@@ -175,7 +178,7 @@ static const char *decode_etc1s(const struct ktx2 *ktx2, struct scene_image *ima
     return problem;
 }
 
-// The first level, of as many bytes as its texels take.
+// Decode the first level, which has as many bytes as its texels take.
 static const char *decode_level(const struct ktx2 *ktx2, const uint8_t *bytes, struct scene_image *image)
 {
     return ktx2->format != 0 ? scene_vulkan_decode(ktx2->format, bytes, image) : decode_uastc(bytes, image);
@@ -216,7 +219,7 @@ static const char *decode_first_level(const struct ktx2 *ktx2, struct scene_imag
 
 // Channels -----------------------------------------------------------------------------------------------
 
-// Gives each channel of all texels another one's value, 0 or 1, as four of "rgba01" say.
+// Give each channel of all texels another one's value, 0 or 1, as four characters of "rgba01" say.
 static void swizzle(struct scene_image *image, const char *channels)
 {
     static const uint8_t zero[4];
@@ -240,7 +243,8 @@ static void swizzle(struct scene_image *image, const char *channels)
     }
 }
 
-// Basis Universal moves the channels of images that have only one or two of them, which compresses better.
+// Return how the channels are to be moved. Basis Universal moves the channels of images that have only one or two of
+// them, which compresses better.
 static const char *basis_channels(const struct ktx2 *ktx2)
 {
     enum { UASTC_RRRG = 5, UASTC_RG = 6, ETC1S_GGG = 4 };
@@ -254,7 +258,7 @@ static const char *basis_channels(const struct ktx2 *ktx2)
     return !etc1s && ktx2->channel[0] == UASTC_RG ? "rg01" : NULL;
 }
 
-// The value of KTXswizzle; NULL: there is none.
+// Return the value of KTXswizzle. Return NULL if there is none.
 static const char *find_swizzle(struct scene_span pairs)
 {
     static const char key[] = "KTXswizzle";

@@ -6,8 +6,8 @@
 #include "model.h"
 
 bool scene_image_is_ktx2(const unsigned char *bytes, size_t size);
-/// As scene_image_decode, but has_alpha is not set. Of the levels the first one is read: the others are made of it
-/// anyway.
+/// Decode a KTX2 file as scene_image_decode does, but leave has_alpha alone. Of the levels the first one is read,
+/// because the others are made of it anyway.
 const char *scene_image_decode_ktx2(const unsigned char *bytes, size_t size, struct scene_image *image);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See image/png.h. Through libspng; its checksums are not asked for, as those of smaller files are not.
+// libspng reads the rows. Its checksums are not asked for, as those of smaller files are not.
 #include "png.h"
 
 #include <spng.h>
@@ -10,7 +10,8 @@
 
 bool scene_image_is_png_of_rows(const unsigned char *bytes, size_t size)
 {
-    enum { INTERLACE_METHOD = 28 }; // its place in a file: signature, then IHDR (PNG, third edition, §11.2.1)
+    // The place of the method in a file: it follows the signature and most of IHDR (PNG, third edition, §11.2.1).
+    enum { INTERLACE_METHOD = 28 };
     static const unsigned char signature[8] = {137, 80, 78, 71, 13, 10, 26, 10};
     return size > INTERLACE_METHOD && memcmp(bytes, signature, sizeof signature) == 0 &&
            bytes[INTERLACE_METHOD] == 0;
@@ -25,7 +26,7 @@ static int read_rows(spng_ctx *png, struct scene_reducer *reducer)
     }
     int result = spng_decode_image(png, NULL, 0, SPNG_FMT_RGBA8, SPNG_DECODE_TRNS | SPNG_DECODE_PROGRESSIVE);
     for (uint32_t y = 0; y < reducer->height && result == 0; y++) {
-        result = spng_decode_row(png, row, size); // SPNG_EOI with the last one
+        result = spng_decode_row(png, row, size); // SPNG_EOI with the last row
         if (result == 0 || (result == SPNG_EOI && y + 1 == reducer->height)) {
             scene_reducer_add(reducer, row);
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See image/radiance.h. The format is that of G. Ward, "Real Pixels", Graphics Gems II, 1991, and of Radiance's color.c.
+// The format is that of G. Ward, "Real Pixels", Graphics Gems II, 1991, and of Radiance's color.c.
 #include "radiance.h"
 
 #include <stdbool.h>
@@ -10,7 +10,7 @@ struct reader {
     const unsigned char *at, *end;
 };
 
-// The line at the beginning, with a zero after it; false where there is none.
+// Read the line at the beginning, and put a zero after it. Return false if there is none.
 static bool read_line(struct reader *reader, char *line, size_t size)
 {
     const size_t left = (size_t)(reader->end - reader->at);
@@ -30,7 +30,7 @@ static const char cut[] = "the Radiance HDR file ends too early",
                   bad_run[] = "damaged Radiance HDR: a run has no length, or "
                               "more than is left of its row";
 
-// One of the four channels of a row; NULL where its runs fit.
+// Skip one of the four channels of a row. Return NULL if its runs fit.
 static const char *skip_channel(struct reader *reader, long width)
 {
     for (long left = width; left > 0;) {
@@ -57,7 +57,7 @@ const char *scene_radiance_problem(const unsigned char *bytes, size_t size)
     char line[128];
     do {
         if (!read_line(&reader, line, sizeof line)) {
-            return NULL; // no picture at all
+            return NULL; // the file has no picture at all
         }
     } while (line[0] != 0);
     if (!read_line(&reader, line, sizeof line) || strncmp(line, "-Y ", 3) != 0) {
@@ -68,7 +68,7 @@ const char *scene_radiance_problem(const unsigned char *bytes, size_t size)
     rest += strspn(rest, " ");
     const long width = strncmp(rest, "+X ", 3) == 0 ? strtol(rest + 3, NULL, 10) : 0;
     if (width < 8 || width >= 32768) {
-        return NULL; // without runs
+        return NULL; // the file has no runs
     }
     for (long row = 0; row < height; row++) {
         const unsigned char *const at = reader.at;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Image files through stb_image, WebP through libwebp, and KTX2. The size is read first, so that a small file cannot ask
-// for more memory than the largest texture takes. GIF and PIC are left out: no model format we read uses them, and their
-// decoders are where stb_image's known faults lie.
+// Image files are read through stb_image, through libwebp, and by ktx2.c. The size is read first, so that a small file
+// cannot ask for more memory than the largest texture takes. GIF and PIC are left out: no model format that is read
+// here uses them, and their decoders are where stb_image's known faults lie.
 #include "read.h"
 
 #include <limits.h>
@@ -15,7 +15,7 @@
 #include "radiance.h"
 #include "reduce.h"
 
-// stb_image declares a function that it never defines; gcc says so at the end of the file.
+// stb_image declares a function that it never defines. gcc says so at the end of the file.
 #pragma GCC diagnostic ignored "-Wunused-function"
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
@@ -23,7 +23,7 @@
 #define STBI_NO_GIF
 #define STBI_NO_PIC
 #define STBI_MAX_DIMENSIONS 16384
-#define pow                 scene_pow // what makes 8 bits of Radiance files
+#define pow                 scene_pow // pow makes 8 bits of Radiance files
 #include <stb_image.h>
 #undef pow
 #include <webp/decode.h>
@@ -45,10 +45,10 @@ void scene_image_find_alpha(struct scene_image *image)
             found = alpha[4 * i] != UINT16_MAX;
         }
     }
-    image->has_alpha = found; // Radiance HDR has none
+    image->has_alpha = found; // Radiance HDR has no alpha
 }
 
-// Bytes that stb_image asks for as it goes: only so can it be told that there were too few.
+// Bytes that stb_image asks for as it goes. Only in this way can it be told that there were too few.
 struct supply {
     const unsigned char *bytes;
     size_t size, at;
@@ -57,7 +57,8 @@ struct supply {
 
 static int supply_read(void *user, char *data, int size)
 {
-    enum { BUFFERED = 128 }; // what stb_image asks for ahead; less, or more, it needs
+    // The number of bytes that stb_image asks for ahead. It needs what it asks for in other numbers.
+    enum { BUFFERED = 128 };
     struct supply *supply = user;
     const size_t left = supply->size - supply->at;
     const size_t got = left < (size_t)size ? left : (size_t)size;
@@ -80,7 +81,7 @@ static int supply_ended(void *user)
     return supply->at == supply->size;
 }
 
-// Radiance files: what is missing at the end stb_image takes for black.
+// Decode a Radiance file. stb_image takes what is missing at the end for black.
 static float *decode_radiance(const void *bytes, size_t size, int *width, int *height, const char **problem)
 {
     *problem = scene_radiance_problem(bytes, size);
@@ -108,7 +109,7 @@ static bool is_webp(const unsigned char *bytes, size_t size)
 static const char *decode_webp(const void *bytes, size_t size, struct scene_image *image)
 {
     WebPBitstreamFeatures features;
-    if (WebPGetFeatures(bytes, size, &features) != VP8_STATUS_OK) { // at most 16383 each way
+    if (WebPGetFeatures(bytes, size, &features) != VP8_STATUS_OK) { // WebP has at most 16383 texels each way
         return "damaged WebP";
     }
     if (features.has_animation) {
@@ -231,7 +232,8 @@ bool scene_image_stand_in(struct scene_image *image)
     }
     for (int i = 0; i < SIDE * SIDE; i++) {
         const bool magenta = (i / SIDE + i) % 2 == 0;
-        const uint8_t shade = magenta ? 255 : 96; // not black: a part that shows one field alone is no shadow
+        // The dark shade is not black, so that a part that shows one field alone is no shadow.
+        const uint8_t shade = magenta ? 255 : 96;
         const uint8_t texel[4] = {shade, 0, shade, 255};
         memcpy(texels[i], texel, sizeof texel);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See image/reduce.h. Sums are of integers, and those of floats have one order, so the means are the same everywhere.
+// Sums of integers are exact, and sums of floats have one order, so the means are equal everywhere.
 #include "reduce.h"
 
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 
 #include "draw/shading/color.h"
 
-enum { LIGHT_ONE = 1 << 20 }; // what light 1 is in sums
+enum { LIGHT_ONE = 1 << 20 }; // light of 1 in sums
 
 bool scene_reduce_needed(uint32_t width, uint32_t height, uint32_t side)
 {
@@ -59,7 +59,7 @@ void scene_reducer_close(struct scene_reducer *reducer)
     free(reducer->sums);
 }
 
-// The code whose light is nearest.
+// Return the code whose light is nearest.
 static uint8_t encode(const uint32_t light[256], uint64_t mean)
 {
     int low = 0, high = 255; // light[low] <= mean, or low is 0; mean < light[high + 1]
@@ -110,7 +110,7 @@ void scene_reducer_add(struct scene_reducer *reducer, const uint8_t *row)
     }
 }
 
-// Of floats, in the order of rows and columns.
+// Reduce an image of floats, in the order of rows and columns.
 static bool reduce_floats(struct scene_image *image, uint32_t side)
 {
     uint32_t across = image->width, down = image->height;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // UASTC LDR 4×4, written from the Khronos Data Format Specification 1.4, chapter "Universal ASTC Compressed Texture
-// Images". A block of 128 bits, lowest first, has one of 18 layouts or is one colour. It consists of hints for those
-// who make other formats of it, which we skip, endpoints of one to three subsets of texels, and weights between them.
-// Endpoints are widened to 16 bits by repetition also where texels are sRGB, as decoders to RGBA8 do.
+// Images". A block of 128 bits, lowest first, has one of 18 layouts or is one colour. It consists of hints for programs
+// that make other formats of it, which are skipped here, of endpoints of one to three subsets of texels, and of weights
+// between them. Endpoints are widened to 16 bits by repetition, even where texels are sRGB, as decoders to RGBA8 do.
 #include "uastc.h"
 
 #include <stdbool.h>
@@ -12,10 +12,10 @@ enum {
     TEXELS = 16,
     RGBA = 4,
     MOST_SUBSETS = 3,
-    MOST_VALUES = 18, // of endpoints
-    ONE_COLOR = 8,    // the mode of blocks of one colour
+    MOST_VALUES = 18, // most numbers of endpoints in a block
+    ONE_COLOR = 8, // mode of blocks of one colour
     RESERVED = 19,
-    LUMINANCE_ALPHA = 2, // channels of a mode
+    LUMINANCE_ALPHA = 2, // channels of a mode with luminance and alpha
     NEVER = -1
 };
 
@@ -32,7 +32,7 @@ static uint64_t load(const uint8_t *bytes)
     return value;
 }
 
-// The next `count` bits, 0..31; zeros behind the end.
+// Take the next `count` bits, 0..31. Zeros follow behind the end.
 static int take(struct bits *bits, int count)
 {
     const int value = (int)(bits->low & ((1u << count) - 1));
@@ -45,7 +45,7 @@ static int take(struct bits *bits, int count)
 
 // Modes --------------------------------------------------------------------------------------------------
 
-// Prefixes of a block, that of each mode ("UASTC Mode Index encoding").
+// The prefix that blocks of each mode begin with ("UASTC Mode Index encoding").
 static const struct {
     uint8_t value, length;
 } prefixes[] = {
@@ -55,12 +55,12 @@ static const struct {
 };
 
 struct mode {
-    uint8_t hints; // bits that are skipped
+    uint8_t hints; // number of bits that are skipped
     uint8_t subsets;
-    uint8_t channels;      // 2: luminance and alpha, 3: opaque, 4
-    bool planes;           // two weights for each texel: one channel has its own
-    uint8_t base;          // of the digits of endpoints: 3 (trits), 5 (quints), 1 (none)
-    uint8_t endpoint_bits; // below the digit
+    uint8_t channels; // 2 for luminance and alpha, 3 for opaque colours, 4 for all
+    bool planes; // each texel has two weights, and one channel has the second
+    uint8_t base; // base of the digits of endpoints: 3 (trits), 5 (quints), 1 (none)
+    uint8_t endpoint_bits; // bits below the digit of an endpoint
     uint8_t weight_bits;
 };
 
@@ -88,8 +88,8 @@ static int take_mode(struct bits *bits)
 
 // Subsets ------------------------------------------------------------------------------------------------
 
-// A bit for each texel, row by row ("Partition table for 2-subset Mode Indices 2, 4, 9, and 16"), in mode 7, and two
-// bits in mode 3.
+// A bit for each texel, row by row ("Partition table for 2-subset Mode Indices 2, 4, 9, and 16"). Mode 7 has a table of
+// its own, and mode 3 has two bits for each texel.
 static const uint16_t two_subsets[30] = {
     0xcccc, 0x8888, 0x1111, 0xecc8, 0x377f, 0xfeec, 0x0137, 0x137f, 0xc800, 0x0013,
     0xfe80, 0x17ff, 0x0017, 0x00ff, 0xfff0, 0x0fff, 0xff71, 0x8eff, 0x08ce, 0x008c,
@@ -104,7 +104,8 @@ static const uint32_t three_subsets[11] = {
     0x58585858, 0x56560202, 0x92929292, 0x55aa0055, 0xa05050a0,
 };
 
-// Reads which pattern of subsets a block has, and gives the subset of each texel. False where there is no such pattern.
+// Read which pattern of subsets a block has, and set the subset of each texel. Return false if there is no pattern of
+// this number.
 static bool take_pattern(struct bits *bits, int mode, uint8_t subset[TEXELS])
 {
     const int subsets = modes[mode].subsets;
@@ -125,8 +126,8 @@ static bool take_pattern(struct bits *bits, int mode, uint8_t subset[TEXELS])
 
 // Endpoints ----------------------------------------------------------------------------------------------
 
-// To 0..255, as ASTC does ("ASTC color unquantization parameters"): the lowest bit mirrors, the others and the digit
-// add.
+// Widen an endpoint to 0..255, as ASTC does ("ASTC color unquantization parameters"): the lowest bit mirrors, the other
+// bits and the digit add.
 static uint8_t widen_endpoint(const struct mode *mode, int digit, int value)
 {
     const int upper = value >> 1;
@@ -161,7 +162,7 @@ static uint8_t widen_endpoint(const struct mode *mode, int digit, int value)
     return (uint8_t)((mirror & 0x80) | wide >> 2);
 }
 
-// Digits of all values, 5 trits in 8 bits or 3 quints in 7; fewer take fewer bits.
+// Take the digits of all values. 5 trits take 8 bits and 3 quints take 7. Fewer digits take fewer bits.
 static void take_digits(struct bits *bits, int base, int count, uint8_t digit[MOST_VALUES])
 {
     static const uint8_t lengths[2][6] = {{0, 2, 4, 5, 7, 8}, {0, 3, 5, 7}};
@@ -204,7 +205,7 @@ static void take_endpoints(struct bits *bits, const struct mode *mode, struct en
 
 // Weights ------------------------------------------------------------------------------------------------
 
-// To 0..64.
+// Widen a weight to 0..64.
 static uint8_t widen_weight(int weight, int bits)
 {
     int wide = 0;
@@ -214,7 +215,8 @@ static uint8_t widen_weight(int weight, int bits)
     return (uint8_t)(wide + (wide > 32));
 }
 
-// The first texel of each subset is its anchor: the highest bit of its weights is 0 and not stored.
+// Take the weights. The first texel of each subset is its anchor: the highest bit of the anchor's weights is 0 and not
+// stored.
 static void take_weights(struct bits *bits, const struct mode *mode, const uint8_t subset[TEXELS],
                          uint8_t weight[TEXELS][2])
 {
@@ -237,7 +239,7 @@ static void fill(uint8_t texels[TEXELS][RGBA], const uint8_t color[RGBA])
     }
 }
 
-// Endpoints are widened to 16 bits; the upper byte of what lies between them is the result.
+// Mix two endpoints. They are widened to 16 bits, and the upper byte of what lies between them is the result.
 static uint8_t mix(int first, int second, int weight)
 {
     return (uint8_t)((first * 257 * (64 - weight) + second * 257 * weight + 32) >> 6 >> 8);
@@ -265,7 +267,7 @@ void scene_uastc_decode(const uint8_t block[SCENE_UASTC_BLOCK], uint8_t texels[T
         return;
     }
     const struct mode *const mode = &modes[number];
-    int channel = NEVER; // that the second plane of weights is for
+    int channel = NEVER; // channel that the second plane of weights is for
     if (mode->planes) {
         channel = mode->channels == LUMINANCE_ALPHA ? 3 : take(&bits, 2);
     }

@@ -7,8 +7,8 @@
 
 enum { SCENE_UASTC_BLOCK = 16 /* bytes */ };
 
-/// Decodes one block, of any bits, into 4 × 4 texels of RGBA8, row by row. What a block may not say makes it opaque
-/// magenta.
+/// Decode one block, of any bits, into 4 × 4 texels of RGBA8, row by row. A block that says what none may say becomes
+/// opaque magenta.
 void scene_uastc_decode(const uint8_t block[SCENE_UASTC_BLOCK], uint8_t texels[16][4]);
 
 #endif

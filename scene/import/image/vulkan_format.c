@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See image/vulkan_format.h. A texture of the format decodes and a blit converts, where the format is not one that images
-// have. Numbers are those of Vulkan 1.3, VkFormat. Signed formats are left out: images hold 0..1, or light.
+// A texture of the format decodes the texels, and a blit converts them where the format is not one that images have.
+// Numbers are those of Vulkan 1.3, VkFormat. Signed formats are left out: images hold 0..1, or light.
 #include "vulkan_format.h"
 
 #include <stdlib.h>
@@ -9,9 +9,9 @@
 #include "rhw/rhw.h"
 
 enum {
-    R8G8B8_UNORM = 23, // the library has none
+    R8G8B8_UNORM = 23, // the library has no format of three channels
     R8G8B8_SRGB = 29,
-    BC1_RGB_UNORM = 131, // from here on in the library's order
+    BC1_RGB_UNORM = 131, // formats from here on stand in the library's order
     ASTC_12X12_SRGB = 184
 };
 
@@ -48,8 +48,8 @@ static bool lacks_alpha(uint32_t format)
 _Static_assert(ASTC_12X12_SRGB - BC1_RGB_UNORM == RHW_FORMAT_ASTC_12X12_SRGB - RHW_FORMAT_BC1_RGB_UNORM,
                "both count the same formats");
 
-// What an image of it becomes: bytes as they are or blocks decode to, 16 bits where bytes would round, floats for
-// light.
+// Return the format of an image that a texture becomes. It has bytes as they are or as blocks decode to, 16 bits where
+// bytes would round, or floats for light.
 static enum rhw_format image_format(enum rhw_format format)
 {
     switch (format) {

@@ -113,7 +113,8 @@ bool scene_3mf_color(const char *text, float color[4])
     return true;
 }
 
-// Four columns of three, a point times it from the left: the rows are our columns (Core, 3.3).
+// Read four columns of three numbers. The format multiplies a point from the left, so its rows are the model's columns
+// (Core, 3.3).
 void scene_3mf_transform(const struct scene_3mf_xml *xml, const char **attributes, float matrix[16])
 {
     const char *text = scene_3mf_attribute(attributes, "transform");

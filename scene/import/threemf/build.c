@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The build of a 3MF: its objects as meshes, one for each material, and their places.
+// The build of a 3MF: its objects become meshes, one for each material, and get their places.
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,7 +10,7 @@
 
 enum { DEEPEST = 64, MOST_INSTANCES = 1 << 20 };
 
-// The triangles of an object that share a material, every corner a vertex of its own.
+// The triangles of an object that share a material. Every corner is a vertex of its own.
 struct patch {
     uint32_t material;
     float (*positions)[3], (*colors)[4], (*uvs)[2];
@@ -116,7 +116,7 @@ static void make_meshes(struct scene_3mf *file, struct scene_3mf_object *object)
 {
     struct patches patches = {0};
     object->made = true;
-    object->first_mesh = file->import->model.mesh_count; // beams come first
+    object->first_mesh = file->import->model.mesh_count; // meshes of beams come first
     for (size_t i = 0; i < object->triangle_count; i++) {
         add_triangle(file, object, &patches, &object->triangles[i]);
     }

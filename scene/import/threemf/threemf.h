@@ -19,37 +19,39 @@ enum scene_3mf_kind {
     SCENE_3MF_TEXTURE     ///< texture2d
 };
 
-/// One of a group's properties.
+/// One of the properties of a group.
 struct scene_3mf_property {
-    float value[4];      ///< linear RGBA; u, v; metallicness, roughness; by the kind of the group
-    uint32_t display;    ///< id of display properties; 0: none
-    uint32_t list_count; ///< of a composite's shares or a multiproperty's indices
-    size_t list;         ///< the first, in scene_3mf.lists
+    /// By the kind of the group: linear RGBA, or u and v, or metallicness and roughness.
+    float value[4];
+    uint32_t display; ///< id of display properties; 0 if there are none
+    uint32_t list_count; ///< number of a composite's shares or a multiproperty's indices
+    size_t list; ///< first of the list, in scene_3mf.lists
 };
 
-/// A resource other than an object. Ids are those of one part of the package.
+/// A resource other than an object. Its id is one of the ids of its part of the package.
 struct scene_3mf_group {
     uint32_t part, id;
     enum scene_3mf_kind kind;
-    uint32_t display;        ///< id of display properties; 0: none
-    uint32_t refers;         ///< texid, or matid of composites
+    uint32_t display; ///< id of display properties; 0 if there are none
+    uint32_t refers; ///< texid, or matid of composites
     size_t list, list_count; ///< pids of multiproperties, or indices of the materials of composites
-    uint64_t multiplied;     ///< of multiproperties: bit k, layer k + 1 multiplies what lies below
-    size_t first, count;     ///< properties
-    const char *path;        ///< of a texture
+    /// Bit k is set if layer k + 1 of multiproperties multiplies what lies below it.
+    uint64_t multiplied;
+    size_t first, count; ///< range of the group's properties
+    const char *path; ///< path of a texture
     enum rhw_address address_u, address_v;
     enum rhw_filter filter;
-    int32_t image; ///< of a texture: −1 until it is used
+    int32_t image; ///< image of a texture; −1 until it is used
 };
 
 struct scene_3mf_triangle {
     uint32_t vertices[3];
-    uint32_t pid; ///< 0: that of the object
+    uint32_t pid; ///< 0 if the pid of the object holds
     uint32_t properties[3];
 };
 
 struct scene_3mf_component {
-    uint32_t part, id; ///< of the object
+    uint32_t part, id; ///< part and id of the object
     float transform[16];
 };
 
@@ -60,21 +62,21 @@ struct scene_3mf_object {
     size_t position_count, position_capacity;
     struct scene_3mf_triangle *triangles;
     size_t triangle_count, triangle_capacity;
-    uint32_t *beams; ///< of a lattice; two vertices each
+    uint32_t *beams; ///< two vertices for each beam of a lattice
     size_t beam_count, beam_capacity;
-    size_t first_component, component_count; ///< in scene_3mf.components
-    uint32_t first_mesh, mesh_count;         ///< in the model, once `made`
+    size_t first_component, component_count; ///< range in scene_3mf.components
+    uint32_t first_mesh, mesh_count; ///< range of the model's meshes, once `made`
     bool made;
 };
 
 /// What a corner of a triangle looks like.
 struct scene_3mf_paint {
-    bool described; ///< the file says something about it
+    bool described; ///< the file says something about the corner
     float color[4]; ///< linear
     float uv[2];
     struct scene_3mf_group *texture;
-    float metallic, roughness; ///< −1: not said
-    /// Whether the texture is mixed with what lies below: another texture or NULL, and below that a colour.
+    float metallic, roughness; ///< −1 if the file does not say
+    /// The texture is mixed with what lies below: another texture or NULL, and below that a colour.
     bool layered;
     struct scene_3mf_group *below;
     float ground[3];
@@ -82,7 +84,7 @@ struct scene_3mf_paint {
 
 /// What a material of the model was made for.
 struct scene_3mf_look {
-    struct scene_3mf_paint paint; ///< without `color` and `uv`
+    struct scene_3mf_paint paint; ///< `color` and `uv` of it are not used
     bool blended;
     uint32_t material;
 };
@@ -90,7 +92,8 @@ struct scene_3mf_look {
 struct scene_3mf {
     struct scene_import *import;
     struct scene_zip *zip;
-    const char **parts; ///< names of the parts of the package that hold models, the first is where the build is
+    /// Names of the parts of the package that hold models. The first part is where the build is.
+    const char **parts;
     size_t part_count, part_capacity;
     struct scene_3mf_group *groups; ///< sorted by part and id when all is read
     size_t group_count, group_capacity;
@@ -98,31 +101,32 @@ struct scene_3mf {
     size_t property_count, property_capacity;
     double *lists;
     size_t list_count, list_capacity;
-    struct scene_3mf_object *objects; ///< sorted likewise
+    struct scene_3mf_object *objects; ///< sorted by part and id when all is read
     size_t object_count, object_capacity;
     struct scene_3mf_component *components;
     size_t component_count, component_capacity;
-    struct scene_3mf_component *items; ///< of the build
+    struct scene_3mf_component *items; ///< objects of the build
     size_t item_count, item_capacity;
     struct scene_3mf_look *looks;
     size_t look_count, look_capacity;
-    int layered_count; ///< looks with an image of their own, of a texture over a colour
-    uint32_t placed;   ///< components that were followed
+    int layered_count; ///< looks with an image of their own, made of a texture over a colour
+    uint32_t placed; ///< number of components that were followed
 };
 
-/// Reads one part of the package; those that it names are added to the list.
+/// Read one part of the package. Parts that it names are added to the list.
 void scene_3mf_read_part(struct scene_3mf *file, uint32_t part);
-/// The number of the part with this name, new or known.
+/// Return the number of the part with this name, new or known.
 uint32_t scene_3mf_part(struct scene_3mf *file, const char *name);
 
 struct scene_3mf_group *scene_3mf_find_group(const struct scene_3mf *file, uint32_t part, uint32_t id);
-/// Property `index` of a group; `group` may be NULL.
+/// Return what property `index` of a group looks like. `group` may be NULL.
 struct scene_3mf_paint scene_3mf_find_paint(const struct scene_3mf *file, const struct scene_3mf_group *group,
                                             uint32_t index);
-/// The material for a triangle whose first corner looks like this; `blended`: colours are not opaque.
+/// Return the material for a triangle whose first corner looks like `paint`. `blended` says that colours are not
+/// opaque.
 uint32_t scene_3mf_material(struct scene_3mf *file, const struct scene_3mf_paint *paint, bool blended);
 
-/// Adds the meshes and their instances to the model.
+/// Add the meshes and their instances to the model.
 void scene_3mf_build(struct scene_3mf *file);
 
 #endif
