@@ -10,7 +10,8 @@ struct scene_framing {
     double yfov;       ///< radians; 0 is the default
     bool orthographic; ///< an orthographic camera takes no notice of `yfov`
     double zoom;       ///< how many times as large a thing looks, from where the camera stood; above 0
-    double margin; ///< part of the picture on each side of the model, below 0.5; a negative one is the default
+    /// Part of the picture on each side of the model, below 0.5; a negative one is the default.
+    double margin;
 };
 
 struct scene_camera scene_camera_frame(const struct scene_model *model, const struct scene_framing *framing,
