@@ -22,7 +22,7 @@ void scene_axis_turn(enum scene_axis up, double v[3])
     }
 }
 
-// False where there is no direction.
+// Make a vector unit. Return false if it has no direction.
 static bool normalize(double a[3])
 {
     double largest = 0.0;
@@ -41,7 +41,7 @@ static bool normalize(double a[3])
     return true;
 }
 
-// Right, up and backward: the rows of the view matrix.
+// Find the camera's right, up and backward directions, which are the rows of the view matrix.
 static void camera_axes(const struct scene_camera *camera, double right[3], double up[3], double back[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -55,7 +55,7 @@ static void camera_axes(const struct scene_camera *camera, double right[3], doub
     scene_cross(wanted, back, right);
     const double nearly_parallel = 1e-12 * scene_dot(wanted, wanted);
     if (!normalize(wanted) || scene_dot(right, right) <= nearly_parallel || !normalize(right)) {
-        // Looking along `up`: take the axis that is furthest from the view instead.
+        // The camera looks along `up`, so the axis that is furthest from the view takes its place.
         const double other[3] = {0.0, back[1] * back[1] < 0.5 ? 1.0 : 0.0,
                                  back[1] * back[1] < 0.5 ? 0.0 : -1.0};
         scene_cross(other, back, right);
@@ -64,9 +64,9 @@ static void camera_axes(const struct scene_camera *camera, double right[3], doub
     scene_cross(back, right, up);
 }
 
-// Near and far planes around the model's boxes. Something behind the eye puts the near plane at a small
-// part of the far one; the drawing code reverses depth, so the ratio costs no precision.
-// `turn` NULL: the model stands still.
+// Put the near and far planes around the model's boxes. Something behind the eye puts the near plane at a small part of
+// the distance of the far one. The drawing code reverses depth, so the ratio costs no precision. `turn` is NULL if the
+// model stands still.
 static void enclose(struct scene_camera *camera, const struct scene_model *model,
                     const struct scene_turn *turn)
 {
@@ -115,7 +115,8 @@ void scene_camera_enclose_turn(struct scene_camera *camera, const struct scene_m
     enclose(camera, model, &turn);
 }
 
-// Within a millionth of a radian or so: right and left would be rounding alone.
+// Return true if two vectors are parallel within a millionth of a radian or so. Right and left would be rounding alone
+// there.
 static bool is_parallel(const double a[3], const double b[3])
 {
     double product[3];
@@ -123,7 +124,7 @@ static bool is_parallel(const double a[3], const double b[3])
     return !(scene_dot(product, product) > 1e-12 * scene_dot(a, a) * scene_dot(b, b));
 }
 
-// Places a camera whose lens is set already. `bad_lens`: why it cannot be; NULL: it can.
+// Place a camera whose lens is set already. `bad_lens` says why the lens cannot be, or is NULL if it can.
 static bool look(struct scene_camera *camera, const struct scene_model *model, const double eye[3],
                  const double target[3], const double up[3], const char *bad_lens, char *error,
                  size_t error_size)
@@ -187,9 +188,9 @@ struct scene_camera scene_camera_from_model(const struct scene_model_camera *sou
     } else {
         camera.yfov = (double)source->yfov;
         if ((double)source->aspect > aspect) {
-            // A narrower picture than the camera's: keep its width by a taller angle. The arc tangent by
-            // iteration: (w c − s) / (c + w s) is the tangent t of what is missing, t / (1 + 0.28 t²) within
-            // 0.005 of its angle.
+            // The picture is narrower than the camera's, so a taller angle keeps its width. The arc tangent is found by
+            // iteration: (w c − s) / (c + w s) is the tangent t of the angle that is missing, and t / (1 + 0.28 t²) is
+            // within 0.005 of that angle.
             const double wanted = scene_tangent_of_half(camera.yfov) * (double)source->aspect / aspect;
             double degrees = camera.yfov * (90.0 / pi);
             for (int i = 0; i < 40; i++) {
@@ -240,7 +241,7 @@ void scene_camera_projection(const struct scene_camera *camera, double aspect, d
     const double scale = 1.0 / scene_tangent_of_half(camera->yfov);
     matrix[0] = scale * stretch / aspect;
     matrix[5] = scale;
-    matrix[8] = 0.0 - camera->shift[0]; // no negative zero
+    matrix[8] = 0.0 - camera->shift[0]; // the difference is no negative zero
     matrix[9] = 0.0 - camera->shift[1];
     matrix[10] = f == 0.0 ? -1.0 : f / (n - f);
     matrix[14] = f == 0.0 ? -n : n * f / (n - f);
@@ -257,8 +258,8 @@ void scene_matrix_multiply(const double a[16], const double b[16], double produc
     }
 }
 
-// Columns of the cofactor matrix are cross products of the matrix's columns; the sign of the determinant
-// turns it into a positive multiple of the transposed inverse.
+// The columns of the cofactor matrix are cross products of the matrix's columns. The sign of the determinant turns it
+// into a positive multiple of the transposed inverse.
 void scene_matrix_normal(const double matrix[16], double normal[9])
 {
     for (int c = 0; c < 3; c++) {

@@ -6,7 +6,7 @@
 
 static const double degree = 3.14159265358979323846 / 180.0;
 
-// As a lens does: what is seen changes, where from does not.
+// Change the lens as a zoom does: what is seen changes, the place from which it is seen does not.
 static void zoom(struct scene_camera *camera, double factor)
 {
     if (camera->orthographic) {
@@ -16,7 +16,7 @@ static void zoom(struct scene_camera *camera, double factor)
     }
 }
 
-// A camera with so narrow an angle of view that there is no perspective to speak of, moved to the model.
+// Return a camera with so narrow an angle of view that there is no perspective to speak of, moved to the model.
 static struct scene_camera fit_orthographic(const struct scene_model *model, struct scene_orbit orbit,
                                             double aspect)
 {

@@ -7,10 +7,11 @@
 
 struct scene_framing {
     struct scene_orbit orbit;
-    double yfov;       ///< radians; 0: the default
-    bool orthographic; ///< then `yfov` has no say
-    double zoom;       ///< above 0: what is seen is so many times as large, from the same place
-    double margin;     ///< part of the picture on each side of the model, below 0.5; negative: the default
+    double yfov;       ///< radians; 0 is the default
+    bool orthographic; ///< an orthographic camera takes no notice of `yfov`
+    double zoom;       ///< how many times as large a thing looks, from where the camera stood; above 0
+    /// Part of the picture on each side of the model, below 0.5; a negative one is the default.
+    double margin;
 };
 
 struct scene_camera scene_camera_frame(const struct scene_model *model, const struct scene_framing *framing,

@@ -31,13 +31,13 @@ static inline bool scene_finite3(const double a[3])
     return a[0] - a[0] == 0.0 && a[1] - a[1] == 0.0 && a[2] - a[2] == 0.0;
 }
 
-/// The line that something turns around; `axis` has length 1.
+/// The line that something turns around. `axis` has length 1.
 struct scene_turn {
     double center[3], axis[3];
 };
 
-/// A point and a linear function, `along`·p: of all points on the point's circle the function has values from `middle` − `reach`
-/// to `middle` + `reach`: the reach is the radius times what of the function lies across the axis.
+/// Find the values that a linear function, `along`·p, has on the circle that a point turns on. They run from `middle` −
+/// `reach` to `middle` + `reach`. The reach is the radius times the part of `along` that lies across the axis.
 static inline void scene_turn_range(const struct scene_turn *turn, const double point[3],
                                     const double along[3], double *middle, double *reach)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The fit of a model into the view.
 //
-// It is exact, not an iteration: for a fixed orientation each vertex bounds the eye's place by linear inequalities, and
-// their extreme values over all vertices give the nearest eye in closed form.
+// The fit is exact, not an iteration. For a fixed orientation each vertex bounds the eye's place by linear
+// inequalities, and their extreme values over all vertices give the nearest eye in closed form.
 #include <float.h>
 
 #include "camera.h"
@@ -10,14 +10,15 @@
 #include "subject.h"
 
 static const double pi = 3.14159265358979323846;
-static const double fit_margin = 0.04; // of the picture, on each side
+static const double fit_margin = 0.04; // part of the picture on each side
 
 double scene_camera_default_yfov(void)
 {
     return 30.0 * (pi / 180.0);
 }
 
-// The component along `axis` of the sum of all triangles' area vectors: which way a flat model faces.
+// Return the component along `axis` of the sum of all triangles' area vectors. Its sign tells which way a flat model
+// faces.
 static double facing(const struct scene_model *model, int axis)
 {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -41,7 +42,8 @@ static double facing(const struct scene_model *model, int axis)
     return sum;
 }
 
-// The axis of the world that a direction with y up becomes, and whether it points against it.
+// Return the axis of the world that `axis`, counted with y up, becomes. Set `*against` to true if it points against the
+// world's axis, and to false if not.
 static int turned_axis(enum scene_axis up, int axis, bool *against)
 {
     double v[3] = {axis == 0, axis == 1, axis == 2};
@@ -51,7 +53,7 @@ static int turned_axis(enum scene_axis up, int axis, bool *against)
     return found;
 }
 
-// Whether a model that is flat along an axis, as counted with y up, faces its far end.
+// Return true if a model that is flat along an axis, counted with y up, faces the far end of that axis.
 static bool faces_back(const struct scene_model *model, enum scene_axis up, int axis)
 {
     bool against;
@@ -86,7 +88,7 @@ struct scene_orbit scene_camera_default_orbit(const struct scene_model *model, e
 struct fit {
     double tan_x, tan_y;
     bool turns;
-    struct scene_turn turn; // in these axes; each vertex takes all places on its circle
+    struct scene_turn turn; // line in camera axes; each vertex takes all places on its circle
     double x_plus, x_minus; // max of x + tan_x z, min of x − tan_x z
     double y_plus, y_minus;
     double z_min, z_max;
@@ -131,7 +133,7 @@ static void fit_circle(struct fit *fit, const double p[3])
     fit->count++;
 }
 
-// Model space to camera axes for one instance, in double: 3 rows of 4.
+// Write the matrix of one instance from model space to camera axes, in double: 3 rows of 4.
 static void instance_rows(const struct scene_instance *instance, const double axes[3][3], double rows[3][4])
 {
     for (int r = 0; r < 3; r++) {
@@ -213,17 +215,17 @@ struct scene_camera scene_camera_fit(const struct scene_model *model, struct sce
         fit.turn.axis[i] = scene_dot(axes[i], vertical);
     }
     fit_model(model, axes, orbit.whole, &fit);
-    double place[3] = {0.0, 0.0, 4.0}, distance = 4.0; // in camera axes
+    double place[3] = {0.0, 0.0, 4.0}, distance = 4.0; // `place` is in camera axes
     if (fit.count > 0) {
-        // x − e_x <= tan_x (e_z − z) and its mirror image, for every vertex:
-        // x_plus − tan_x e_z <= e_x <= x_minus + tan_x e_z; the smallest e_z that leaves an e_x.
+        // For every vertex x − e_x <= tan_x (e_z − z) holds, and its mirror image, so x_plus − tan_x e_z <= e_x <=
+        // x_minus + tan_x e_z. The eye takes the smallest e_z that leaves an e_x.
         const double z_x = (fit.x_plus - fit.x_minus) / (2.0 * fit.tan_x);
         const double z_y = (fit.y_plus - fit.y_minus) / (2.0 * fit.tan_y);
         place[0] = 0.5 * (fit.x_plus + fit.x_minus);
         place[1] = 0.5 * (fit.y_plus + fit.y_minus);
         place[2] = z_x > z_y ? z_x : z_y;
-        // All of a long model may lie in the picture as seen from its own near end: stay off by a fifth of its
-        // length. A single point has no length: step back far enough for floats to tell.
+        // All of a long model may lie in the picture as seen from its own near end, so the eye stays off by a fifth of
+        // its length. A single point has no length, so the eye steps back far enough for floats to tell.
         double scale = 0.0;
         for (int i = 0; i < 3; i++) {
             const double magnitude = place[i] < 0.0 ? -place[i] : place[i];

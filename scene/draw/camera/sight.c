@@ -11,7 +11,7 @@ static bool is_inside(const struct scene_model *model, const double eye[3])
     return inside;
 }
 
-// Whether the matrix puts a point into the view volume.
+// Return true if the matrix puts a point into the view volume.
 static bool is_seen(const double matrix[16], const float p[3])
 {
     double clip[4];
@@ -23,7 +23,7 @@ static bool is_seen(const double matrix[16], const float p[3])
            clip[2] >= 0 && clip[2] <= clip[3];
 }
 
-// The part of the vertices that the camera has in its picture, 0..1.
+// Return the part of the vertices that the camera has in its picture, 0..1.
 static double seen_share(const struct scene_model *model, const struct scene_camera *camera, double aspect)
 {
     double view[16], projection[16], both[16];

@@ -10,7 +10,7 @@ struct box {
     double low[3], high[3];
 };
 
-// Around the corners of the mesh's own box.
+// Return the box around the corners of the mesh's own box, in the world.
 static struct box find_box(const struct scene_model *model, uint32_t number)
 {
     const struct scene_instance *instance = &model->instances[number];
@@ -30,7 +30,7 @@ static struct box find_box(const struct scene_model *model, uint32_t number)
     return box;
 }
 
-// The axis in which a box is thin, −1 where there is none.
+// Return the axis in which a box is thin. Return −1 if there is none.
 static int thin_axis(const struct box *box)
 {
     double longest = 0;

@@ -11,7 +11,7 @@ static inline rhw_float scene_color_decode8(rhw_float encoded)
     return rhw_select(rhw_less_equal(encoded, 0.04045f), encoded / 12.92f, curve);
 }
 
-/// Of one 8-bit code.
+/// Return the light of one 8-bit code.
 static inline float scene_color_decode(uint8_t code)
 {
     return scene_color_decode8(rhw_splat((float)code / 255.0f))[0];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the fragment functions of surfaces share: base colour, normal, what light needs, outputs. Inlined, so that the
-// constant arguments of a variant drop what it does not need.
+// What the fragment functions of surfaces share: base colour, normal, what light needs, outputs. The functions are
+// inlined, so that the constant arguments of a variant drop what it does not need.
 #ifndef SCENE_SHADERS_FRAGMENT_H
 #define SCENE_SHADERS_FRAGMENT_H
 
@@ -18,7 +18,7 @@ ALWAYS_INLINE void sample_slot(const struct rhw_fragment *f, int at, enum scene_
     rhw_sample_grad(f->bindings, (int)slot, uv, gradient, texel);
 }
 
-// Texels by slot; those of scene_surface.shared_slots, once they have been sampled, wait for their use.
+// Texels by slot. Texels of scene_surface.shared_slots, once they have been sampled, wait here for their use.
 typedef rhw_float slot_texels[SCENE_BASE_SLOTS][4];
 
 ALWAYS_INLINE void sample_shared(const struct rhw_fragment *groups, int count, const struct scene_surface *s,
@@ -39,7 +39,7 @@ ALWAYS_INLINE const rhw_float *slot_texel(const struct rhw_fragment *f, const st
     return texels[slot];
 }
 
-// A texel of a texture that has the pass's pixels and samples.
+// Read a texel of a texture that has the pass's pixels and samples.
 ALWAYS_INLINE void fetch_here(const struct rhw_fragment *f, int slot, int samples, rhw_float texel[4])
 {
     const rhw_int at[2] = {rhw_int_from_float_unchecked(f->coord[0]),
@@ -51,8 +51,8 @@ ALWAYS_INLINE void fetch_here(const struct rhw_fragment *f, int slot, int sample
     }
 }
 
-// Base colour with alpha; clears the lanes of `mask` that the alpha test, the disc of a point or a layer that is peeled
-// discards.
+// Find the base colour with alpha. Clear the lanes of `mask` that the alpha test, the disc of a point or a layer that
+// is peeled discards.
 ALWAYS_INLINE void base_color(struct rhw_fragment *f, const struct scene_surface *s, bool textured,
                               slot_texels texels, rhw_float color[4])
 {
@@ -87,7 +87,7 @@ ALWAYS_INLINE void base_color(struct rhw_fragment *f, const struct scene_surface
     }
 }
 
-// Unit, towards the eye.
+// Find the unit direction towards the eye.
 ALWAYS_INLINE void view_direction(const struct scene_frame *frame, const rhw_float position[3],
                                   rhw_float view[3])
 {
@@ -103,7 +103,7 @@ ALWAYS_INLINE void view_direction(const struct scene_frame *frame, const rhw_flo
     rhw_normalize3(view, view);
 }
 
-// The interpolated normal; where `texel` is not NULL, turned as that texel of a normal map says.
+// Find the interpolated normal. If `texel` is not NULL, turn the normal as that texel of a normal map says.
 ALWAYS_INLINE void map_normal(const struct rhw_fragment *f, const struct scene_surface *s,
                               const rhw_float *texel, float scale, rhw_float normal[3])
 {
@@ -123,7 +123,7 @@ ALWAYS_INLINE void map_normal(const struct rhw_fragment *f, const struct scene_s
     }
 }
 
-// Makes a normal unit and turns it to the side that is seen.
+// Make a normal unit and turn it to the side that is seen.
 ALWAYS_INLINE void face_seen_side(const struct rhw_fragment *f, const struct scene_surface *s,
                                   rhw_float normal[3])
 {
@@ -142,7 +142,7 @@ ALWAYS_INLINE void face_seen_side(const struct rhw_fragment *f, const struct sce
     }
 }
 
-// Unit, of the side that is seen.
+// Find the unit normal of the side that is seen.
 ALWAYS_INLINE void surface_normal(const struct rhw_fragment *f, const struct scene_surface *s, bool mapped,
                                   slot_texels texels, rhw_float normal[3])
 {
@@ -152,8 +152,8 @@ ALWAYS_INLINE void surface_normal(const struct rhw_fragment *f, const struct sce
     face_seen_side(f, s, normal);
 }
 
-// A normal map may lean its surface away from the eye, which no surface that is seen does: mirrors there would show what
-// is behind them. Such normals are bent until the surface is just seen.
+// Bend a normal that leans away from the eye until its surface is just seen. A normal map may lean its surface away,
+// which no surface that is seen does, and a mirror there would show what is behind it.
 ALWAYS_INLINE void bend_to_view(const rhw_float view[3], rhw_float normal[3])
 {
     const rhw_float lacking = 0.02f - rhw_dot3(normal, view);
@@ -171,7 +171,7 @@ ALWAYS_INLINE void bend_to_view(const rhw_float view[3], rhw_float normal[3])
     }
 }
 
-// The normal that light is summed with. Layers mirror as maps do: their surfaces are bent too, mapped or not.
+// Find the normal that light is summed with. Layers mirror as maps do, so their surfaces are bent too, mapped or not.
 ALWAYS_INLINE void seen_normal(const struct rhw_fragment *f, const struct scene_surface *s, bool mapped,
                                bool layered, slot_texels texels, const rhw_float view[3], rhw_float normal[3])
 {
@@ -181,9 +181,9 @@ ALWAYS_INLINE void seen_normal(const struct rhw_fragment *f, const struct scene_
     }
 }
 
-// Lines of the wireframe: the distance to an edge in pixels is its barycentric weight over the weight's
-// gradient, exact on the edge and to first order beside it. Where triangles get as small as the lines, the
-// lines fade; else a dense mesh would be one blot.
+// Draw the lines of the wireframe. The distance to an edge in pixels is its barycentric weight over the weight's
+// gradient, exact on the edge and to first order beside it. Lines fade where triangles get as small as the lines, since
+// a dense mesh would be one blot.
 ALWAYS_INLINE void draw_wire(const struct rhw_fragment *f, const struct scene_surface *s, rhw_float color[4])
 {
     const struct scene_frame *frame = s->frame;
@@ -210,7 +210,8 @@ ALWAYS_INLINE void write_premultiplied(const rhw_float color[4], rhw_float out[4
     out[3] = color[3];
 }
 
-// `color` is light that has been tone-mapped, `linear` has not; both not yet premultiplied.
+// Write colours that are not premultiplied yet. `color` is light that has been tone-mapped, `linear` is light that has
+// not.
 ALWAYS_INLINE void write_output(struct rhw_fragment *f, const struct scene_surface *s, rhw_float color[4],
                                 rhw_float linear[4])
 {
@@ -227,7 +228,7 @@ ALWAYS_INLINE void write_output(struct rhw_fragment *f, const struct scene_surfa
     }
 }
 
-// Tone-maps the light of a lit surface and writes it.
+// Tone-map the light of a lit surface and write it.
 ALWAYS_INLINE void write_light(struct rhw_fragment *f, const struct scene_surface *s,
                                const rhw_float light[3], rhw_float alpha)
 {
@@ -258,7 +259,7 @@ ALWAYS_INLINE rhw_float ambient_open(const struct rhw_fragment *f, const struct 
                             view_distance(f, frame, position));
 }
 
-// Dims the light of the lanes that it reaches, those that face it.
+// Dim the light of the lanes that it reaches, which are the lanes that face it.
 ALWAYS_INLINE void shadow_irradiance(const struct rhw_fragment *f, const struct scene_surface *s,
                                      const struct scene_shader_light *light, rhw_int facing,
                                      rhw_float irradiance[3])

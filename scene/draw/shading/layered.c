@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The fragment function of materials with layers: every factor times its texture, then light from above through each.
+// The fragment function of materials with layers. It multiplies every factor by its texture and sums the light that
+// comes from above through each layer.
 #include "fragment.h"
 #include "shade_layers.h"
 
-// The texel of a layer's slot; false where there is no texture.
+// Read the texel of a layer's slot. Return false if there is no texture.
 ALWAYS_INLINE bool layer_texel(const struct rhw_fragment *f, const struct scene_surface *s,
                                enum scene_slot slot, rhw_float texel[4])
 {
@@ -17,7 +18,7 @@ ALWAYS_INLINE bool layer_texel(const struct rhw_fragment *f, const struct scene_
     return true;
 }
 
-// A factor times one channel of its texture.
+// Return a factor times one channel of its texture.
 ALWAYS_INLINE rhw_float layer_factor(const struct rhw_fragment *f, const struct scene_surface *s,
                                      float factor, enum scene_slot slot, int channel)
 {
@@ -35,7 +36,7 @@ ALWAYS_INLINE void layer_color(const struct rhw_fragment *f, const struct scene_
     }
 }
 
-// Diffuse colour, reflectance and roughness.
+// Set diffuse colour, reflectance and roughness.
 static void set_body(struct scene_layered *m, const struct rhw_fragment *f, const struct scene_surface *s,
                      const rhw_float base[4])
 {
@@ -109,7 +110,7 @@ static void set_anisotropy(struct scene_layered *m, const struct rhw_fragment *f
     for (int c = 0; c < 3; c++) {
         m->tangent[c] = tangent[c] * along + side[c] * across;
     }
-    // Into the plane of the shaded normal.
+    // The tangent is turned into the plane of the shaded normal.
     rhw_cross(m->normal, m->tangent, m->bitangent);
     rhw_normalize3(m->bitangent, m->bitangent);
     rhw_cross(m->bitangent, m->normal, m->tangent);
@@ -141,8 +142,8 @@ static void set_coat(struct scene_layered *m, const struct rhw_fragment *f, cons
     m->under_coat = 1.0f - m->coat * scene_schlick(rhw_splat(0.04f), rhw_splat(1.0f), m->coat_n_dot_v);
 }
 
-// Light from behind along the ray that enters with that index of refraction, from where it leaves the volume. What the
-// picture behind does not cover the surroundings fill.
+// Find the light from behind along the ray that enters with index of refraction `ior`, from where it leaves the volume.
+// The surroundings fill what the picture behind does not cover.
 static void look_through(const struct rhw_fragment *f, const struct scene_surface *s,
                          const struct scene_layered *m, float ior, rhw_float thickness, rhw_float light[4])
 {
@@ -199,7 +200,7 @@ ALWAYS_INLINE void shade(struct rhw_fragment *f, const struct scene_surface *s)
     const rhw_float *position = &f->varying[s->varying_position], one = rhw_splat(1.0f),
                     zero = rhw_splat(0.0f);
     const bool mapped = s->varying_tangent >= 0;
-    struct scene_layered m; // what no layer sets, none reads
+    struct scene_layered m; // no layer reads what no layer sets
     m.under_sheen = m.under_coat = one;
     m.transmission = zero;
     m.anisotropic = l->anisotropy > 0.0f && mapped;
@@ -232,7 +233,7 @@ ALWAYS_INLINE void shade(struct rhw_fragment *f, const struct scene_surface *s)
         find_behind(f, s, &m, behind);
     }
     const bool glows = layer_texel(f, s, SCENE_SLOT_EMISSIVE, texel);
-    for (int c = 0; c < 3; c++) { // from beneath the coat
+    for (int c = 0; c < 3; c++) { // the light comes from beneath the coat
         sum[c] = m.under_coat * (glows ? s->emissive[c] * texel[c] : rhw_splat(s->emissive[c]));
     }
     scene_layers_environment(&m, &frame->environment, f->bindings, occlusion, behind, sum);

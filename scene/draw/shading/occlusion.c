@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Ambient occlusion from distances: the horizon of every pixel along a few directions of the screen, and the part of the
-// cosine-weighted hemisphere that stays open between two horizons, in closed form (J. Jimenez, X. Wu, A. Pesce, A.
+// Ambient occlusion from distances: the horizon of every pixel along a few directions of the screen, and the part of
+// the cosine-weighted hemisphere that stays open between two horizons, in closed form (J. Jimenez, X. Wu, A. Pesce, A.
 // Jarabo, "Practical Realtime Strategies for Accurate Indirect Occlusion", SIGGRAPH 2016, "GTAO").
 //
-// Directions and steps follow a pattern of 4 × 4 pixels, so that 16 pixels together look along 32 directions; a blur of
-// just that width, which does not mix surfaces, makes them even. A surface under an open sky is to come out as 1 all over,
-// or flat ground gets bands: directions are spread evenly around the line of sight, not over the screen; what lies in the
-// surface's own plane is no horizon of it, although it may be sampled a little beside the direction asked for; and two
-// directions may see more than 1, of which the other pixels take their part.
+// Directions and steps follow a pattern of 4 × 4 pixels, so that 16 pixels together look along 32 directions. A blur of
+// just that width, which does not mix surfaces, makes them even. A surface under an open sky is to come out as 1 all
+// over, since flat ground gets bands otherwise. Directions are therefore spread evenly around the line of sight, not
+// over the screen. What lies in the surface's own plane is no horizon of it, although it may be sampled a little beside
+// the direction asked for. Two directions may see more than 1, of which the other pixels take their part.
 #include "rhw/shader.h"
 #include "scene_shaders.h"
 
@@ -17,21 +17,21 @@ enum { SLICES = 2, STEPS = 5 };
 
 static const float pi = 3.14159265358979f;
 
-// Higher above the plane of a surface, in parts of how far away it is, than the rounding of normals in 16 bits: such a
-// thing stands over it.
+// A thing stands over a surface if it is higher above the surface's plane, in parts of how far away it is, than the
+// rounding of normals in 16 bits.
 static const float least_height = 1e-3f;
 
 // A pixel's surface, in view space.
 struct seen_surface {
     rhw_float coord[2];
     rhw_float point[3], normal[3];
-    rhw_float view[3];            // to the eye, as the next two a unit vector
-    rhw_float right[3], above[3]; // across it
-    rhw_float slope[2];           // of the line of sight, by depth
-    rhw_float reach;              // texels
+    rhw_float view[3];            // unit vector to the eye
+    rhw_float right[3], above[3]; // unit vectors across `view`
+    rhw_float slope[2];           // slope of the line of sight, by depth
+    rhw_float reach;              // reach on the screen, texels
 };
 
-// Where the surface of a texel lies in view space; `distance` as the guide has it.
+// Find where the surface of a texel lies in view space. `distance` is as the guide has it.
 ALWAYS_INLINE void place(const struct scene_ambient *o, rhw_float x, rhw_float y, rhw_float distance,
                          rhw_float point[3])
 {
@@ -41,7 +41,7 @@ ALWAYS_INLINE void place(const struct scene_ambient *o, rhw_float x, rhw_float y
     point[2] = -distance;
 }
 
-// What the radius takes on the screen at a distance.
+// Return the texels that the radius takes on the screen at a distance.
 ALWAYS_INLINE rhw_float radius_texels(const struct scene_ambient *o, rhw_float distance)
 {
     return o->orthographic ? rhw_splat(o->texels) : o->texels / distance;
@@ -54,7 +54,7 @@ ALWAYS_INLINE rhw_int texel_index(const struct scene_ambient *o, rhw_float x, rh
     return row * o->pitch + column;
 }
 
-// The unit normal of the pixel in view space; 0, 0, 1 where nothing is.
+// Find the unit normal of the pixel in view space. It is 0, 0, 1 where nothing is.
 ALWAYS_INLINE void view_normal(const struct rhw_fragment *f, const struct scene_ambient *o,
                                rhw_float normal[3])
 {
@@ -73,7 +73,7 @@ ALWAYS_INLINE void view_normal(const struct rhw_fragment *f, const struct scene_
     }
 }
 
-// The line of sight, and two directions across it.
+// Find the line of sight, and two directions across it.
 ALWAYS_INLINE void look_along(const struct scene_ambient *o, rhw_float distance, struct seen_surface *p)
 {
     const rhw_float to_eye[3] = {-p->point[0], -p->point[1], -p->point[2]};
@@ -87,8 +87,8 @@ ALWAYS_INLINE void look_along(const struct scene_ambient *o, rhw_float distance,
     }
 }
 
-// The highest cosine, towards the eye, of what stands along (dx, dy) within the radius; `lowest` is the cosine of the
-// surface's own horizon. What is far from the pixel counts less, so that the radius leaves no edge.
+// Return the highest cosine, towards the eye, of what stands along (dx, dy) within the radius. `lowest` is the cosine
+// of the surface's own horizon. What is far from the pixel counts less, so that the radius leaves no edge.
 ALWAYS_INLINE rhw_float horizon(const struct scene_ambient *o, const struct seen_surface *p, rhw_float dx,
                                 rhw_float dy, rhw_float jitter, rhw_float lowest)
 {
@@ -96,8 +96,8 @@ ALWAYS_INLINE rhw_float horizon(const struct scene_ambient *o, const struct seen
     rhw_float highest = lowest;
     for (int k = 0; k < STEPS; k++) {
         const rhw_float along = (jitter + (float)k) * (1.0f / STEPS);
-        const rhw_float spread = along * along; // near ones matter most
-        // Beyond the picture's edge there is what is on it, there.
+        const rhw_float spread = along * along; // near places matter most
+        // A place beyond the picture's edge is moved to the edge, with what is there.
         const rhw_float x = rhw_clamp(rhw_floor(p->coord[0] + dx * spread), 0.0f, (float)(o->width - 1)),
                         y = rhw_clamp(rhw_floor(p->coord[1] + dy * spread), 0.0f, (float)(o->height - 1));
         const rhw_float distance = rhw_gather(o->distance, o->pitch * o->height, texel_index(o, x, y));
@@ -118,7 +118,7 @@ ALWAYS_INLINE rhw_float horizon(const struct scene_ambient *o, const struct seen
     return highest;
 }
 
-// The open part of one slice of the hemisphere, at the angle `turn` about the line of sight.
+// Return the open part of one slice of the hemisphere, at the angle `turn` about the line of sight.
 ALWAYS_INLINE rhw_float open_part(const struct scene_ambient *o, const struct seen_surface *p, rhw_float turn,
                                   rhw_float jitter)
 {
@@ -136,7 +136,7 @@ ALWAYS_INLINE rhw_float open_part(const struct scene_ambient *o, const struct se
     const rhw_float cos_n = rhw_clamp(rhw_dot3(projected, p->view) / length, -1.0f, 1.0f);
     const rhw_float n = rhw_copysign(rhw_acos(cos_n), rhw_dot3(direction, projected));
     const rhw_float sin_n = rhw_sin(n);
-    // The surface's own horizons: cos(n ± π/2).
+    // The cosines of the surface's own horizons are cos(n ± π/2).
     const rhw_float dx = (direction[0] + direction[2] * p->slope[0]) * p->reach,
                     dy = -(direction[1] + direction[2] * p->slope[1]) * p->reach;
     const rhw_float ahead = horizon(o, p, dx, dy, jitter, -sin_n);
@@ -168,7 +168,7 @@ static void occlusion_fragment(struct rhw_fragment *groups, int count)
         place(o, p.coord[0], p.coord[1], held, p.point);
         view_normal(f, o, p.normal);
         look_along(o, held, &p);
-        // 16 directions and 4 places along them, spread over 4 × 4 pixels.
+        // 16 directions, and 4 places along them, are spread over 4 × 4 pixels.
         const rhw_int column = rhw_int_from_float_unchecked(x), row = rhw_int_from_float_unchecked(y);
         const rhw_int cell = ((((column + row) & 3) << 2) + (column & 3));
         const rhw_float rotation = rhw_float_from_int(cell) * (1.0f / 16.0f);
@@ -181,14 +181,14 @@ static void occlusion_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// What has the place of a texel in the pattern where that is outside of the picture.
+// Return a coordinate inside of the picture that has the place of `x` in the pattern, where `x` is outside.
 ALWAYS_INLINE rhw_float within(rhw_float x, float size)
 {
     return rhw_select(rhw_less(x, 0.0f), x + 4.0f, rhw_select(rhw_less(size, x), x - 4.0f, x));
 }
 
-// Five texels in a row or a column, the outer ones counting half: as wide as the pattern. A texel counts as far as it lies
-// in the plane of the pixel.
+// Blur five texels in a row or a column, of which the outer ones count half: they are as wide as the pattern. A texel
+// counts as far as it lies in the plane of the pixel.
 static void blur_fragment(struct rhw_fragment *groups, int count)
 {
     const struct scene_ambient *o = groups->uniforms;

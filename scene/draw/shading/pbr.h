@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Reflection and surroundings on 8 lanes. Inline, so that every shader variant keeps only
-// what it uses, and so that tests can hold each formula against double precision.
+// Reflection and surroundings on 8 lanes. The functions are inline, so that every shader variant keeps only what it
+// uses, and so that tests can hold each formula against double precision.
 //
-// Reflection is that of glTF 2.0, appendix B: GGX distribution, Smith's shadowing in its separable form,
-// Schlick's Fresnel term, a Lambertian base. What comes from all around is not sampled but has a closed
-// form: a soft-edged sky over a ground, and soft boxes as spherical Gaussians, which a rough surface blurs
-// into wider Gaussians (Wang et al. 2009). So metals have something to reflect and nothing needs a file.
+// Reflection is that of glTF 2.0, appendix B: GGX distribution, Smith's shadowing in its separable form, Schlick's
+// Fresnel term, a Lambertian base. What comes from all around is not sampled but has a closed form: a soft-edged sky
+// over a ground, and soft boxes as spherical Gaussians, which a rough surface blurs into wider Gaussians (Wang et al.
+// 2009). Metals have something to reflect in this way, and nothing needs a file.
 #ifndef SCENE_SHADERS_PBR_H
 #define SCENE_SHADERS_PBR_H
 
@@ -29,13 +29,13 @@ static inline rhw_float scene_pow5(rhw_float a)
     return square * square * a;
 }
 
-/// Smith's masking for one direction, without its numerator 2 n·l: n·l + sqrt(α² + (1 − α²)(n·l)²).
+/// Return Smith's masking for one direction, without its numerator 2 n·l: n·l + sqrt(α² + (1 − α²)(n·l)²).
 static inline rhw_float scene_smith(rhw_float cosine, rhw_float alpha2)
 {
     return cosine + rhw_sqrt(alpha2 + (1.0f - alpha2) * (cosine * cosine));
 }
 
-/// Fills `reflector` from base colour, metallic and roughness; normal and view are already in it.
+/// Fill `reflector` from base colour, metallic and roughness. Normal and view are already in it.
 static inline void scene_reflector_set(struct scene_reflector *reflector, const rhw_float base[3],
                                        rhw_float metallic, rhw_float roughness)
 {
@@ -50,8 +50,8 @@ static inline void scene_reflector_set(struct scene_reflector *reflector, const 
     reflector->n_dot_v = rhw_clamp(rhw_dot3(reflector->normal, reflector->view), 1.0f / 1024.0f, 1.0f);
 }
 
-/// Adds the light that arrives from `to_light` (unit) with irradiance `irradiance` (on a surface that faces
-/// it) to `sum`: irradiance · n·l · ((1 − F) diffuse / π + F D V). `size` is added to alpha.
+/// Add the light that arrives from `to_light` (unit) to `sum`: irradiance · n·l · ((1 − F) diffuse / π + F D V).
+/// `irradiance` is that of a surface that faces the light. `size` is added to alpha.
 static inline void scene_reflect_light(const struct scene_reflector *r, const rhw_float to_light[3],
                                        const rhw_float irradiance[3], float size, rhw_float sum[3])
 {
@@ -72,9 +72,9 @@ static inline void scene_reflect_light(const struct scene_reflector *r, const rh
     }
 }
 
-/// Radiance that the surroundings send along −direction after a blur by roughness squared `alpha`. The
-/// normal distribution is close to a Gaussian of sharpness 2 / α², its reflection to a fourth of that;
-/// Gaussians convolve into Gaussians: with k = 1 / (1 + 2 λ α²) sharpness and amplitude shrink by k.
+/// Find the radiance that the surroundings send along −direction after a blur by roughness squared `alpha`. The normal
+/// distribution is close to a Gaussian of sharpness 2 / α², and its reflection is close to one of a fourth of that
+/// sharpness. Gaussians convolve into Gaussians: with k = 1 / (1 + 2 λ α²) sharpness and amplitude shrink by k.
 static inline void scene_environment_reflection(const struct scene_environment *e,
                                                 const struct rhw_bindings *bindings,
                                                 const rhw_float direction[3], rhw_float alpha,
@@ -106,8 +106,8 @@ static inline void scene_environment_reflection(const struct scene_environment *
     }
 }
 
-/// Irradiance / π of a panorama, from spherical harmonics of order 2 (R. Ramamoorthi, P. Hanrahan, "An efficient
-/// representation for irradiance environment maps", SIGGRAPH 2001). Beside a strong light they swing below 0.
+/// Find irradiance / π of a panorama, from spherical harmonics of order 2 (R. Ramamoorthi, P. Hanrahan, "An efficient
+/// representation for irradiance environment maps", SIGGRAPH 2001). The harmonics swing below 0 beside a strong light.
 static inline void scene_harmonics(const float k[9][3], const rhw_float n[3], rhw_float irradiance[3])
 {
     const rhw_float products[8] = {n[0],
@@ -127,8 +127,8 @@ static inline void scene_harmonics(const float k[9][3], const rhw_float n[3], rh
     }
 }
 
-/// Irradiance / π of the surroundings on a surface that faces `normal`. Zonal harmonics up to order 2 of
-/// every lobe; the sky's half of the sphere gives exactly (1 + cos) / 2.
+/// Find irradiance / π of the surroundings on a surface that faces `normal`. Every lobe has zonal harmonics up to order
+/// 2. The sky's half of the sphere gives exactly (1 + cos) / 2.
 static inline void scene_environment_diffuse(const struct scene_environment *e, const rhw_float normal[3],
                                              rhw_float irradiance[3])
 {
@@ -151,8 +151,8 @@ static inline void scene_environment_diffuse(const struct scene_environment *e, 
     }
 }
 
-/// How much of even surroundings a GGX surface mirrors, f0 · scale + bias: B. Karis's fit, "Physically
-/// based shading on mobile" (2014).
+/// Find how much of even surroundings a GGX surface mirrors, f0 · scale + bias, by B. Karis's fit ("Physically based
+/// shading on mobile", 2014).
 static inline void scene_environment_brdf(rhw_float roughness, rhw_float n_dot_v, rhw_float *scale,
                                           rhw_float *bias)
 {
@@ -165,16 +165,17 @@ static inline void scene_environment_brdf(rhw_float roughness, rhw_float n_dot_v
     *bias = 1.04f * a + r3;
 }
 
-/// How much of what a surface mirrors gets past that which occludes it: more than of what it scatters where it is seen at a
-/// slant (S. Lagarde, C. de Rousiers, "Moving Frostbite to physically based rendering", 2014, with an exponent of 2).
+/// Return how much of the light that a surface mirrors gets past what occludes the surface. It is more than of the
+/// light that the surface scatters where it is seen at a slant (S. Lagarde, C. de Rousiers, "Moving Frostbite to
+/// physically based rendering", 2014, with an exponent of 2).
 static inline rhw_float scene_specular_occlusion(rhw_float occlusion, rhw_float n_dot_v)
 {
     const rhw_float sum = n_dot_v + occlusion;
     return rhw_saturate(sum * sum - 1.0f + occlusion);
 }
 
-/// Adds what the surroundings send to the eye, dimmed by `occlusion`. Light that bounces between the
-/// facets of a rough surface is given back (Turquin 2019), else rough metals come out too dark.
+/// Add what the surroundings send to the eye, dimmed by `occlusion`. Light that bounces between the facets of a rough
+/// surface is given back (Turquin 2019), since rough metals would come out too dark.
 static inline void scene_reflect_environment(const struct scene_reflector *r,
                                              const struct scene_environment *e,
                                              const struct rhw_bindings *bindings, rhw_float roughness,
@@ -197,7 +198,7 @@ static inline void scene_reflect_environment(const struct scene_reflector *r,
     }
 }
 
-/// Irradiance of a light at `position`, and the unit direction to it.
+/// Find the irradiance of a light at `position`, and the unit direction to the light.
 static inline void scene_light_at(const struct scene_shader_light *light, const rhw_float position[3],
                                   rhw_float to_light[3], rhw_float irradiance[3])
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Puts the per-instruction-set copies of the built-in shaders into programs.
+// The programs of the built-in shaders, which have a copy for each instruction set.
 #include "scene_shaders.h"
 
 static const struct scene_surface_shaders *const surface_shaders[RHW_ISA_COUNT] =

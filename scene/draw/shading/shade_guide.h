@@ -6,8 +6,9 @@
 #include "rhw/shader.h"
 #include "scene_shaders.h"
 
-/// How open the surroundings are at pixel coordinates of the picture, 0..1: the four texels around, the nearer their
-/// distance is to `distance` the more they count, so that a surface takes nothing from what stands before or behind it.
+/// Return how open the surroundings are at pixel coordinates of the picture, 0..1. It is a mean of the four texels
+/// around. The nearer the distance of a texel is to `distance`, the more the texel counts, so that a surface takes
+/// nothing from what stands before or behind it.
 static inline rhw_float scene_guide_open(const struct scene_guide_lookup *guide, rhw_float x, rhw_float y,
                                          rhw_float distance)
 {
@@ -18,7 +19,7 @@ static inline rhw_float scene_guide_open(const struct scene_guide_lookup *guide,
     const rhw_float right = left - column, below = top - row;
     const rhw_int corner =
         rhw_int_from_float_unchecked(row) * guide->pitch + rhw_int_from_float_unchecked(column);
-    // Beyond the last column and row the step is none.
+    // There is no step beyond the last column and row.
     const rhw_int step_x = rhw_less(column, (float)guide->width - 1.0f) & 1;
     const rhw_int step_y = rhw_less(row, (float)guide->height - 1.0f) & guide->pitch;
     const rhw_float inverse = 1.0f / distance;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What glTF's extensions lay over and under a surface, on 8 lanes: clearcoat, sheen, anisotropy, a thin film, and light
-// that passes through. Formulas are those of the extensions' specifications, and named by them.
+// that passes through. The formulas are those of the extensions' specifications, and have their names.
 #ifndef SCENE_SHADE_LAYERS_H
 #define SCENE_SHADE_LAYERS_H
 
 #include "pbr.h"
 
-/// What one fragment reflects. Vectors are unit; those to light and eye point away from the surface.
+/// What one fragment reflects. Vectors are unit. Vectors to light and eye point away from the surface.
 struct scene_layered {
     rhw_float view[3], normal[3], n_dot_v;
     rhw_float roughness, alpha;
@@ -14,7 +14,8 @@ struct scene_layered {
     bool anisotropic;
     rhw_float tangent[3], bitangent[3], alpha_t, anisotropy;
     bool has_sheen;
-    rhw_float sheen_color[3], sheen_roughness, under_sheen; // what of the layers below passes the sheen
+    rhw_float sheen_color[3], sheen_roughness,
+        under_sheen; // `under_sheen` is the part of the layers below that passes the sheen
     bool has_coat;
     rhw_float coat_normal[3], coat_n_dot_v, coat, coat_roughness, under_coat;
     rhw_float transmission;
@@ -22,7 +23,7 @@ struct scene_layered {
 
 // Distributions -------------------------------------------------------------------------------------
 
-/// GGX of two widths, and the shadowing that goes with it: D · V (KHR_materials_anisotropy).
+/// Return GGX of two widths with the shadowing that goes with it: D · V (KHR_materials_anisotropy).
 static inline rhw_float scene_anisotropic_ggx(const struct scene_layered *m, const rhw_float light[3],
                                               const rhw_float half[3], rhw_float n_dot_l, rhw_float n_dot_h)
 {
@@ -36,7 +37,7 @@ static inline rhw_float scene_anisotropic_ggx(const struct scene_layered *m, con
     return 0.5f * scene_inverse_pi / (at * ab * f * f * rhw_max(to_view + to_light, 1e-6f));
 }
 
-/// GGX and Smith's shadowing, D · V, as scene_reflect_light has them.
+/// Return GGX with Smith's shadowing, D · V, as scene_reflect_light has them.
 static inline rhw_float scene_ggx(rhw_float alpha, rhw_float n_dot_l, rhw_float n_dot_v, rhw_float n_dot_h)
 {
     const rhw_float alpha2 = alpha * alpha;
@@ -45,7 +46,8 @@ static inline rhw_float scene_ggx(rhw_float alpha, rhw_float n_dot_l, rhw_float 
            (base * base * scene_smith(n_dot_l, alpha2) * scene_smith(n_dot_v, alpha2));
 }
 
-/// The sheen of upright fibres, D · V (A. Estevez, C. Kulla 2017; D. Neubelt, M. Pettineo 2013; KHR_materials_sheen).
+/// Return the sheen of upright fibres, D · V (A. Estevez, C. Kulla 2017; D. Neubelt, M. Pettineo 2013;
+/// KHR_materials_sheen).
 static inline rhw_float scene_sheen(rhw_float roughness, rhw_float n_dot_l, rhw_float n_dot_v,
                                     rhw_float n_dot_h)
 {
@@ -56,8 +58,8 @@ static inline rhw_float scene_sheen(rhw_float roughness, rhw_float n_dot_l, rhw_
     return d / (4.0f * rhw_max(n_dot_l + n_dot_v - n_dot_l * n_dot_v, 1e-4f));
 }
 
-/// The part of even light that white sheen reflects, at most 1: integrated numerically for roughnesses from 0.07 to 1 and
-/// square roots of n·v from 0 to 1.
+/// Return the part of even light that white sheen reflects, at most 1. It was integrated numerically for roughnesses
+/// from 0.07 to 1 and square roots of n·v from 0 to 1.
 static inline rhw_float scene_sheen_albedo(rhw_float roughness, rhw_float n_dot_v)
 {
     enum { SIDE = 9 };
@@ -90,7 +92,7 @@ static inline rhw_float scene_schlick(rhw_float f0, rhw_float f90, rhw_float cos
 
 // Thin films ----------------------------------------------------------------------------------------
 
-/// What a path difference of `opd` nanometres makes of white light, in XYZ by Gaussians, then in linear sRGB
+/// Find what a path difference of `opd` nanometres makes of white light, in XYZ by Gaussians, which become linear sRGB
 /// (KHR_materials_iridescence, after L. Belcour, P. Barla 2017).
 static inline void scene_film_sensitivity(rhw_float opd, const rhw_float shift[3], rhw_float color[3])
 {
@@ -111,7 +113,7 @@ static inline void scene_film_sensitivity(rhw_float opd, const rhw_float shift[3
     color[2] = 0.0556434f * xyz[0] - 0.2040259f * xyz[1] + 1.0572252f * xyz[2];
 }
 
-/// Fresnel's term of a film of `thickness` nanometres on a surface that reflects f0 head on, seen from air.
+/// Find Fresnel's term of a film of `thickness` nanometres on a surface that reflects f0 head on, seen from air.
 static inline void scene_film_fresnel(float film_ior, rhw_float thickness, rhw_float cosine,
                                       const rhw_float f0[3], rhw_float fresnel[3])
 {
@@ -147,7 +149,7 @@ static inline void scene_film_fresnel(float film_ior, rhw_float thickness, rhw_f
     }
 }
 
-/// The f0 with which Schlick's term gives `fresnel` at that cosine.
+/// Return the f0 with which Schlick's term gives `fresnel` at that cosine.
 static inline rhw_float scene_schlick_to_f0(rhw_float fresnel, rhw_float cosine)
 {
     const rhw_float x5 = rhw_min(scene_pow5(1.0f - cosine), 0.9999f);
@@ -156,7 +158,7 @@ static inline rhw_float scene_schlick_to_f0(rhw_float fresnel, rhw_float cosine)
 
 // Light ---------------------------------------------------------------------------------------------
 
-/// Adds the light of a lamp, as scene_reflect_light does.
+/// Add the light of a lamp, as scene_reflect_light does.
 static inline void scene_layers_light(const struct scene_layered *m, const rhw_float to_light[3],
                                       const rhw_float irradiance[3], float size, rhw_float sum[3])
 {
@@ -194,8 +196,8 @@ static inline void scene_layers_light(const struct scene_layered *m, const rhw_f
     }
 }
 
-/// The direction that a surface mirrors to the eye. One that is brushed mirrors a line across its strokes, which the
-/// mirror of a normal bent towards the eye stands for (KHR_materials_anisotropy).
+/// Find the direction that a surface mirrors to the eye. A brushed surface mirrors a line across its strokes. The
+/// mirror of a normal bent towards the eye stands for that line (KHR_materials_anisotropy).
 static inline void scene_layers_mirror(const struct scene_layered *m, rhw_float direction[3])
 {
     rhw_float bent[3], incident[3] = {-m->view[0], -m->view[1], -m->view[2]};
@@ -216,7 +218,7 @@ static inline void scene_layers_mirror(const struct scene_layered *m, rhw_float 
     rhw_reflect3(incident, bent, direction);
 }
 
-/// Adds the surroundings, as scene_reflect_environment does, and what comes through from behind (`behind`).
+/// Add the surroundings, as scene_reflect_environment does, and `behind`, the light that comes through from behind.
 static inline void scene_layers_environment(const struct scene_layered *m, const struct scene_environment *e,
                                             const struct rhw_bindings *bindings, rhw_float occlusion,
                                             const rhw_float behind[3], rhw_float sum[3])

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A panorama becomes a cube whose levels show it as rougher and rougher surfaces mirror it; and it is the background.
+// A panorama becomes a cube whose levels show it as rougher and rougher surfaces mirror it. A panorama is the
+// background too.
 #include "rhw/shader.h"
 #include "scene_shaders.h"
 #include "tone.h"
@@ -8,7 +9,7 @@
 
 static const float inverse_pi = 0.31830988618f;
 
-// Where a pixel of the pass looks, in the world.
+// Find where a pixel of the pass looks, in the world.
 ALWAYS_INLINE void look(const struct rhw_fragment *f, const struct scene_panorama_pass *p,
                         rhw_float direction[3])
 {
@@ -20,7 +21,8 @@ ALWAYS_INLINE void look(const struct rhw_fragment *f, const struct scene_panoram
     rhw_normalize3(direction, direction);
 }
 
-// Equirectangular: the middle column looks along +X, the one a quarter further along +Z, the first row up.
+// Sample an equirectangular picture. Its middle column looks along +X, the column a quarter further along +Z, and its
+// first row up.
 ALWAYS_INLINE void sample_panorama(const struct rhw_fragment *f, const struct scene_panorama_pass *p,
                                    rhw_float color[3])
 {
@@ -56,8 +58,9 @@ static void surroundings_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// The mean of the cube's light in directions around the pixel's, weighted by their cosine. (J. Křivánek, M. Colbert,
-// "Real-time shading with filtered importance sampling", 2008; B. Karis, "Real shading in Unreal Engine 4", 2013.)
+// Take the mean of the cube's light in directions around the pixel's, weighted by their cosine (J. Křivánek, M.
+// Colbert, "Real-time shading with filtered importance sampling", 2008; B. Karis, "Real shading in Unreal Engine 4",
+// 2013).
 static void prefilter_fragment(struct rhw_fragment *groups, int count)
 {
     const struct scene_panorama_pass *p = groups->uniforms;
@@ -65,7 +68,7 @@ static void prefilter_fragment(struct rhw_fragment *groups, int count)
         struct rhw_fragment *f = &groups[g];
         rhw_float n[3], sum[3] = {rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f)};
         look(f, p, n);
-        // Two axes across (T. Duff et al., "Building an orthonormal basis, revisited", 2017).
+        // `x` and `y` are two axes across (T. Duff et al., "Building an orthonormal basis, revisited", 2017).
         const rhw_float sign = rhw_copysign(rhw_splat(1.0f), n[2]);
         const rhw_float a = -1.0f / (sign + n[2]), b = n[0] * n[1] * a;
         const rhw_float x[3] = {1.0f + sign * n[0] * n[0] * a, sign * b, -sign * n[0]};

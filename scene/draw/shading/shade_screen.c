@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-// (−1, −1), (3, −1), (−1, 3): one triangle leaves no diagonal seam to shade twice. Depth 0 is far.
+// Place the triangle (−1, −1), (3, −1), (−1, 3). One triangle leaves no diagonal seam to shade twice. Depth 0 is far.
 static void screen_vertex(struct rhw_vertex *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -17,7 +17,8 @@ static void screen_vertex(struct rhw_vertex *groups, int count)
     }
 }
 
-// 0..1, each of 64 levels once in 8 × 8 pixels, neighbours far apart (B. Bayer 1973).
+// Return a threshold, 0..1. Each of 64 levels occurs once in 8 × 8 pixels, and neighbours are far apart (B. Bayer
+// 1973).
 static rhw_float bayer(rhw_int x, rhw_int y)
 {
     const rhw_int both = x ^ y;
@@ -44,9 +45,9 @@ static void backdrop_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// A box filter: every sample of the pixel counts the same. Samples hold tone-mapped light, each mapped on
-// its own: an average of untouched light would let one bright sample of an edge outshine all others and
-// leave the edge as jagged as without supersampling.
+// Filter with a box: every sample of the pixel counts as much as every other. Samples hold tone-mapped light, each
+// mapped on its own. An average of untouched light would let one bright sample of an edge outshine all others and leave
+// the edge as jagged as without supersampling.
 static void resolve_fragment(struct rhw_fragment *groups, int count)
 {
     const struct scene_resolve *r = groups->uniforms;

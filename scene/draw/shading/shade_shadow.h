@@ -1,62 +1,65 @@
 // SPDX-License-Identifier: MIT
 // How much of a light arrives at a fragment: percentage-closer soft shadows (R. Fernando, SIGGRAPH 2005). The mean
-// distance of what stands before the fragment says how wide the penumbra is there; over that width the map is compared,
+// distance of what stands before the fragment says how wide the penumbra is there. Over that width the map is compared,
 // four texels at a time, weighted as a linear filter does.
 //
 // Every texel is compared with the depth that the fragment's own plane has at its centre: depth, and in a perspective
-// map 1/distance, is linear there, with a gradient that follows from exact derivatives on the screen. So a plane never
-// shades itself, however slanted it is and however wide the filter. Where that plane leads away from the light, what is
-// nearer than the fragment alone can shade it; and the farther beside it, the higher above it. So neither do planes that
-// meet in a fold shade each other.
+// map 1/distance, is linear there, with a gradient that follows from exact derivatives on the screen. A plane therefore
+// never shades itself, however slanted it is and however wide the filter. Where the plane leads away from the light,
+// only what is nearer than the fragment can shade it, and it must be the higher above the fragment the farther it is
+// beside it. Planes that meet in a fold therefore do not shade each other.
 //
-// Facets that stand for a curved surface and are turned away from the light lie in the shadow of those before them, while
-// the normals of their corners still face it: dark triangles along the limit of light. What they stand for is looked up in
-// their place, the point that the tangent planes of the corners suggest, and the plane across the normal there. It is a
-// simplified form of J. Hanika, "Hacking the shadow terminator" (Ray Tracing Gems II, 2021), who projects onto the plane of
-// each corner, holds each projection to the outer side, and takes their mean. A fragment has no corners, and 18 varyings more
-// would bring them; one brings the mean distance of the planes. So that is held to the outer side, once, and taken
-// along the interpolated normal. Where all three planes lie above the fragment, as on a convex body, little differs.
+// Facets that stand for a curved surface and are turned away from the light lie in the shadow of the facets before
+// them, while the normals of their corners still face the light. The result is dark triangles along the limit of light.
+// What the facets stand for is looked up in their place: the point that the tangent planes of the corners suggest, and
+// the plane across the normal there. It is a simplified form of J. Hanika, "Hacking the shadow terminator" (Ray Tracing
+// Gems II, 2021), who projects onto the plane of each corner, holds each projection to the outer side, and takes their
+// mean. A fragment has no corners, and 18 varyings more would bring them; one varying brings the mean distance of the
+// planes. The mean is held to the outer side, once, and taken along the interpolated normal. Where all three planes lie
+// above the fragment, as on a convex body, the two forms differ little.
 #ifndef SCENE_SHADE_SHADOW_H
 #define SCENE_SHADE_SHADOW_H
 
 #include "rhw/shader.h"
 #include "scene_shaders.h"
 
-// Where a first look finds a penumbra, and where that is wide, as many more as SCENE_SHADOW_MORE and SCENE_SHADOW_FINE.
+// Numbers of places on the disc. SCENE_SHADOW_MORE places are added where a first look finds a penumbra, and
+// SCENE_SHADOW_FINE taps are added where the penumbra is wide.
 enum { SCENE_SHADOW_SEARCHES = 12, SCENE_SHADOW_MORE = 24, SCENE_SHADOW_TAPS = 20, SCENE_SHADOW_FINE = 44 };
 
-static const float scene_shadow_widest = 24.0f; // texels, the radius of the widest filter
-static const float scene_shadow_wide = 5.0f;    // texels, the radius of a filter that takes more taps
+static const float scene_shadow_widest = 24.0f; // radius of the widest filter, texels
+static const float scene_shadow_wide = 5.0f;    // radius above which a filter takes more taps, texels
 
-// Depth per width, both in the world. Steeper planes than these are not followed, by the filter and by the search for what
-// casts a shadow; what rises less than a fold above a plane does not shade it.
+// Depth per width, both in the world. The filter follows no plane that is steeper than scene_shadow_steepest, and the
+// search for what casts a shadow follows none that is steeper than scene_shadow_gentle. What rises less than a fold
+// above a plane does not shade it.
 static const float scene_shadow_steepest = 32.0f, scene_shadow_gentle = 8.0f, scene_shadow_fold = 2.0f;
-static const float scene_shadow_lift =
-    6.0f; // texels that what a facet stands for is brought nearer to the light
+// Texels by which the thing that a facet stands for is brought nearer to the light.
+static const float scene_shadow_lift = 6.0f;
 
 /// A fragment as a light sees it.
 struct scene_shadow_point {
     rhw_float column, row, depth;
-    rhw_float own;       // that depth, no less than where the map is empty
+    rhw_float own;       // `depth`, but no less than where the map is empty
     rhw_float slope[2];  // depth per column and per row on the fragment's plane
-    rhw_float gentle[2]; // the same, where a penumbra is searched
-    rhw_float step;      // of depth, that is as far as a texel is wide
+    rhw_float gentle[2]; // `slope` as the search for a penumbra takes it
+    rhw_float step;      // depth that is as far as a texel is wide
     rhw_float per_texel; // width of a texel in the world
-    rhw_float distance;  // from the light
-    rhw_int inside;      // the map reaches there
+    rhw_float distance;  // distance from the light
+    rhw_int inside;      // the map reaches the fragment
     rhw_int away;        // the light sees the plane's other side
 };
 
-/// What a facet stands for, of interpolated values.
+/// What a facet stands for, from interpolated values.
 struct scene_shadow_curve {
-    const rhw_float *normal;  // not unit
-    const rhw_float *support; // of the corners: the distance of `origin` from the tangent plane
+    const rhw_float *normal;  // interpolated normal, not unit
+    const rhw_float *support; // interpolated distance of `origin` from the tangent planes of the corners
     const float *origin;
     rhw_int turn; // −1 where the back is seen, 0 elsewhere
 };
 
-// Place n of `count` on a disc of radius 1 and its distance from the middle: sunflower seeds (H. Vogel 1979), as even as
-// any.
+// Find place n of `count` on a disc of radius 1, and its distance from the middle: sunflower seeds (H. Vogel 1979),
+// which are as even as any.
 static inline void scene_shadow_seed(int n, int count, float seed[3])
 {
     static const float turns[SCENE_SHADOW_TAPS][2] = {
@@ -71,7 +74,7 @@ static inline void scene_shadow_seed(int n, int count, float seed[3])
     seed[2] = radius;
 }
 
-// Of a second disc, between those of the first.
+// Find place n of `count` on a second disc, whose places lie between those of scene_shadow_seed.
 static inline void scene_shadow_seed_between(int n, int count, float seed[3])
 {
     static const float turns[SCENE_SHADOW_FINE][2] = {
@@ -105,7 +108,8 @@ static inline void scene_shadow_project(const struct scene_shadow_map *map, cons
     }
 }
 
-/// `ddx` and `ddy` are the derivatives of `position` on the screen; they may be NULL: the plane then faces the light.
+/// Place a fragment in a map. `ddx` and `ddy` are the derivatives of `position` on the screen. If they are NULL, the
+/// plane faces the light.
 static inline struct scene_shadow_point scene_shadow_place(const struct scene_shadow_map *map,
                                                            const rhw_float position[3],
                                                            const rhw_float ddx[3], const rhw_float ddy[3])
@@ -118,7 +122,8 @@ static inline struct scene_shadow_point scene_shadow_place(const struct scene_sh
     p.column = c[0] * inverse;
     p.row = c[1] * inverse;
     p.depth = c[2] * inverse;
-    p.own = rhw_max(p.depth, 0.0f); // beyond all that casts shadows, where the map is empty, nothing does
+    // A map is empty beyond all that casts shadows, and nothing casts a shadow there
+    p.own = rhw_max(p.depth, 0.0f);
     const float edge = (float)map->size;
     p.inside = before & rhw_less(0.0f, p.column) & rhw_less(p.column, edge) & rhw_less(0.0f, p.row) &
                rhw_less(p.row, edge);
@@ -134,7 +139,7 @@ static inline struct scene_shadow_point scene_shadow_place(const struct scene_sh
     p.slope[0] = p.slope[1] = p.gentle[0] = p.gentle[1] = rhw_splat(0.0f);
     p.away = rhw_splat_int(0);
     if (ddx) {
-        // (∂column, ∂row) · slope = ∂depth, along both axes of the screen.
+        // (∂column, ∂row) · slope = ∂depth holds along both axes of the screen.
         rhw_float x[4], y[4];
         scene_shadow_project(map, ddx, 0.0f, x);
         scene_shadow_project(map, ddy, 0.0f, y);
@@ -146,7 +151,7 @@ static inline struct scene_shadow_point scene_shadow_place(const struct scene_sh
         const rhw_float area = x[0] * y[1] - x[1] * y[0];
         const rhw_int flat = rhw_less(rhw_abs(area), 1e-30f);
         const rhw_float scale = rhw_select(flat, 0.0f, 1.0f / rhw_select(flat, 1.0f, area));
-        p.away = rhw_less(area, 0.0f); // columns and rows turn as on the screen, where both see the same side
+        p.away = rhw_less(area, 0.0f); // columns and rows turn as the screen's do if both see the same side
         const rhw_float steepest = p.step * scene_shadow_steepest;
         const rhw_float gentle = p.step * scene_shadow_gentle;
         p.slope[0] = rhw_clamp((y[1] * x[2] - x[1] * y[2]) * scale, -steepest, steepest);
@@ -162,8 +167,8 @@ static inline rhw_int scene_shadow_texel(const struct scene_shadow_map *map, rhw
     return rhw_int_from_float_unchecked(rhw_clamp(place, 0.0f, (float)(map->size - 1)));
 }
 
-// What a place of the disc within reach has in the map. `before`: it is before the fragment's plane; `above`: nearer to the
-// light than the fragment too, which alone can cast a shadow.
+// What the map has at a place of the disc within reach. `before` is set if it lies before the fragment's plane. `above`
+// is set if it is nearer to the light than the fragment too, since nothing else can cast a shadow.
 struct scene_shadow_find {
     rhw_float depth;
     rhw_int before, above;
@@ -186,9 +191,10 @@ static inline struct scene_shadow_find scene_shadow_search(const struct scene_sh
     return found;
 }
 
-/// Radius of the penumbra in texels, from the mean distance of what casts it; −1 where nothing does, −2 where everything
-/// within reach does. A few places find out whether there is a penumbra. Small things fall between them; so what is before
-/// the plane, as a part of each fold is, is reason enough to look at more places.
+/// Return the radius of the penumbra in texels, from the mean distance of what casts it. Return −1 where nothing casts
+/// a shadow, and −2 where everything within reach does. A few places find out whether there is a penumbra. Small things
+/// fall between them, so whatever is before the plane, as a part of each fold is, is reason enough to look at more
+/// places.
 static inline rhw_float scene_shadow_penumbra(const struct scene_shadow_map *map,
                                               const struct scene_shadow_point *p, rhw_int who)
 {
@@ -219,7 +225,7 @@ static inline rhw_float scene_shadow_penumbra(const struct scene_shadow_map *map
     return rhw_select(some, rhw_select(all, -2.0f, radius), -1.0f);
 }
 
-// What of a tap, a linear filter of four texels at a place of the disc, the light reaches.
+// Return the part of a tap that the light reaches. A tap is a linear filter of four texels at a place of the disc.
 static inline rhw_float scene_shadow_tap(const struct scene_shadow_map *map,
                                          const struct scene_shadow_point *p, const float seed[3],
                                          rhw_float radius)
@@ -243,7 +249,7 @@ static inline rhw_float scene_shadow_tap(const struct scene_shadow_map *map,
     return sum;
 }
 
-/// The part of the light that arrives, by a filter of `radius` texels.
+/// Return the part of the light that arrives, by a filter of `radius` texels.
 static inline rhw_float scene_shadow_filter(const struct scene_shadow_map *map,
                                             const struct scene_shadow_point *p, rhw_float radius, rhw_int who)
 {
@@ -265,7 +271,7 @@ static inline rhw_float scene_shadow_filter(const struct scene_shadow_map *map,
     return rhw_select(wide, sum * (1.0f / (SCENE_SHADOW_TAPS + SCENE_SHADOW_FINE)), few);
 }
 
-/// The part of the light, 0..1, that arrives at those of the lanes `who` that lie in the map; 1 elsewhere.
+/// Return the part of the light, 0..1, that arrives at the lanes of `who` that lie in the map. Return 1 elsewhere.
 static inline rhw_float scene_shadow_look(const struct scene_shadow_map *map,
                                           const struct scene_shadow_point *p, rhw_int who)
 {
@@ -282,7 +288,7 @@ static inline rhw_float scene_shadow_look(const struct scene_shadow_map *map,
     return rhw_select(mine, open, 1.0f);
 }
 
-// The place of what the facet stands for, on the plane across the normal.
+// Place what the facet stands for, on the plane across the normal.
 static inline struct scene_shadow_point scene_shadow_place_curved(const struct scene_shadow_map *map,
                                                                   const struct scene_shadow_curve *curve,
                                                                   const rhw_float position[3],
@@ -290,7 +296,7 @@ static inline struct scene_shadow_point scene_shadow_place_curved(const struct s
                                                                   const rhw_float ddy[3])
 {
     const rhw_float *n = curve->normal;
-    rhw_float rise = *curve->support; // of the corners' tangent planes above the fragment
+    rhw_float rise = *curve->support; // height of the corners' tangent planes above the fragment
     for (int c = 0; c < 3; c++) {
         rise -= (position[c] - curve->origin[c]) * n[c];
     }
@@ -326,8 +332,8 @@ static inline void scene_shadow_choose(struct scene_shadow_point *p, rhw_int mas
     p->inside = (mask & other->inside) | (~mask & p->inside);
 }
 
-/// The part of a light that arrives at the lanes `mask`. Of the maps around a point light each lane takes the first that
-/// has it well within. `curve` may be NULL: the facet then stands for itself.
+/// Return the part of a light that arrives at the lanes `mask`. Each lane takes the first of the maps around a point
+/// light that has it well within. If `curve` is NULL, the facet stands for itself.
 static inline rhw_float scene_shadow(const struct scene_shader_light *light, const rhw_float position[3],
                                      const rhw_float ddx[3], const rhw_float ddy[3],
                                      const struct scene_shadow_curve *curve, rhw_int mask)

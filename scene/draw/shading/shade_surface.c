@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The built-in shaders of surfaces, lines and points, compiled once per instruction set. One inlined body
-// serves all lit variants; its constant arguments drop what a variant does not need.
+// The built-in shaders of surfaces, lines and points, compiled once per instruction set. One inlined body serves all
+// lit variants. Its constant arguments drop what a variant does not need.
 #include "fragment.h"
 
 // Vertices ------------------------------------------------------------------------------------------
@@ -27,7 +27,7 @@ ALWAYS_INLINE void write_normal(const struct scene_surface *s, const struct rhw_
     rhw_normalize3(turned, &v->varying[s->varying_normal]);
 }
 
-// From the eye, so that models far from the origin lose no digits.
+// Write the support, measured from the eye, so that models far from the origin lose no digits.
 ALWAYS_INLINE void write_support(const struct scene_surface *s, rhw_float *varying)
 {
     if (s->varying_support < 0) {
@@ -99,8 +99,8 @@ static void surface_vertex(struct rhw_vertex *groups, int count)
     }
 }
 
-// Vertices 0 and 1 of a quad stand at one end of a line, 2 and 3 at the other; odd vertices on its left hand side as
-// seen from the first end.
+// Vertices 0 and 1 of a quad stand at one end of a line, 2 and 3 at the other. Odd vertices stand on its left hand side
+// as seen from the first end.
 static void line_vertex(struct rhw_vertex *groups, int count)
 {
     const struct scene_surface *s = groups->uniforms;
@@ -110,8 +110,8 @@ static void line_vertex(struct rhw_vertex *groups, int count)
         rhw_float own[4], other[4];
         rhw_mat4_mul_point(s->clip, v->attribute[0], own);
         rhw_mat4_mul_point(s->clip, v->attribute[1], other);
-        // The end that is nearer than the near plane moves to it: beyond, the direction on the screen turns
-        // over. Depth is reversed, so W − Z is the distance to that plane.
+        // An end that is nearer than the near plane moves to the plane, since the direction on the screen turns over
+        // beyond it. Depth is reversed, so W − Z is the distance to the plane.
         const rhw_float inside = own[3] - own[2], other_inside = other[3] - other[2];
         const rhw_float zero = rhw_splat(0.0f);
         const rhw_int crosses = rhw_less(inside, zero) & rhw_less(zero, other_inside);
@@ -131,7 +131,7 @@ static void line_vertex(struct rhw_vertex *groups, int count)
         const rhw_float scale = rhw_rsqrt(length2);
         dx = rhw_select(visible, dx * scale, 1.0f);
         dy = rhw_select(visible, dy * scale, 0.0f);
-        // From this end: sideways by half the width, and outwards by as much, so that lines that meet
+        // A vertex moves from its end sideways by half the width, and outwards by as much, so that lines that meet
         // leave no notch.
         const rhw_float side = rhw_select(second ^ left, s->half_width, -s->half_width);
         const rhw_float out = rhw_splat(s->half_width);
@@ -169,7 +169,7 @@ static void point_vertex(struct rhw_vertex *groups, int count)
 
 // Fragments -----------------------------------------------------------------------------------------
 
-// `texels` has those of shared slots.
+// Shade a lit surface. `texels` has the texels of shared slots.
 ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface *s, bool textured,
                              bool mapped, slot_texels texels)
 {
@@ -223,7 +223,7 @@ ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface 
     write_light(f, s, sum, base[3]);
 }
 
-// How much of the light that a white ground would have is missing; it fades out with the vertex colour's alpha.
+// Write how much of the light that a white ground would have is missing. It fades out with the vertex colour's alpha.
 ALWAYS_INLINE void shade_ground(struct rhw_fragment *f, const struct scene_surface *s)
 {
     const struct scene_frame *frame = s->frame;
@@ -249,7 +249,8 @@ ALWAYS_INLINE void shade_ground(struct rhw_fragment *f, const struct scene_surfa
         }
         scene_reflect_light(&reflector, to_light, irradiance, frame->lights[i].size, lit);
     }
-    // Where an object covers pixels of the pattern that occlusion is made with, the rest is uneven; it must not show.
+    // Where an object covers pixels of the pattern that occlusion is made with, the rest is uneven, and that must not
+    // show.
     const rhw_float left = (lit[0] + lit[1] + lit[2]) / rhw_max(open[0] + open[1] + open[2], 1e-20f);
     const rhw_float missing = rhw_saturate((0.97f - left) * (1.0f / 0.97f));
     const rhw_float near = f->varying[s->varying_color + 3];
@@ -274,8 +275,8 @@ static void lit_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// Texels of several groups first, then their light: both are long chains of operations that wait for each other, and
-// the shorter a chain, the sooner the next begins beside it.
+// Sample the texels of several groups first, and light them afterwards. Both are long chains of operations that wait
+// for each other, and the shorter a chain, the sooner the next begins beside it.
 ALWAYS_INLINE void shade_textured(struct rhw_fragment *groups, int count, bool mapped)
 {
     enum { STEP = 8 };
@@ -300,7 +301,7 @@ static void mapped_fragment(struct rhw_fragment *groups, int count)
     shade_textured(groups, count, true);
 }
 
-// The base colour as it is: neither light nor tone mapping changes it.
+// Write the base colour as it is. Neither light nor tone mapping changes it.
 static void unlit_fragment(struct rhw_fragment *groups, int count)
 {
     const struct scene_surface *s = groups->uniforms;
@@ -321,7 +322,7 @@ static void unlit_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// Keeps what casts a shadow.
+// Keep the fragments that cast a shadow.
 static void shadow_fragment(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -397,7 +398,7 @@ static void data_fragment(struct rhw_fragment *groups, int count)
                          at < 0 ? zero : f->varying[at + 1], zero);
         }
         if (slots[SCENE_DATA_OVERDRAW] >= 0) {
-            f->color[slots[SCENE_DATA_OVERDRAW]][0] = rhw_splat(1.0f); // is added to what is there
+            f->color[slots[SCENE_DATA_OVERDRAW]][0] = rhw_splat(1.0f); // the target adds it to what it has
         }
         if (slots[SCENE_DATA_BARYCENTRIC] >= 0) {
             const rhw_float *b = f->barycentric;

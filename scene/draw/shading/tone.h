@@ -6,8 +6,8 @@
 #include "rhw/shader.h"
 #include "scene_shaders.h"
 
-/// Khronos PBR Neutral (its specification, 2024): the identity for what is not bright, less the 4% that a
-/// dielectric mirrors; highlights are compressed towards white.
+/// Map tones by Khronos PBR Neutral (its specification, 2024). It is the identity for what is not bright, less the 4%
+/// that a dielectric mirrors. Highlights are compressed towards white.
 static inline void scene_tone_neutral(rhw_float color[3])
 {
     const float start = 0.8f - 0.04f, desaturation = 0.15f, rest = 1.0f - start;
@@ -38,8 +38,8 @@ static inline void scene_tone_matrix(const float m[3][3], rhw_float color[3])
     }
 }
 
-/// ACES' reference rendering and output transforms for sRGB, as S. Hill fitted them (2016), at 1/0.6 of the exposure, which
-/// leaves middle grey where it is.
+/// Map tones by ACES' reference rendering and output transforms for sRGB, as S. Hill fitted them (2016), at 1/0.6 of
+/// the exposure, which leaves middle grey where it is.
 static inline void scene_tone_aces(rhw_float color[3])
 {
     static const float in[3][3] = {
@@ -61,7 +61,7 @@ static inline void scene_tone_aces(rhw_float color[3])
     }
 }
 
-/// T. Sobotka's AgX, base look, with B. Wrensch's polynomial for its curve (2023).
+/// Map tones by T. Sobotka's AgX, base look, with B. Wrensch's polynomial for its curve (2023).
 static inline void scene_tone_agx(rhw_float color[3])
 {
     static const float in[3][3] = {{0.842479062253094f, 0.0784335999999992f, 0.0792237451477643f},
@@ -80,7 +80,7 @@ static inline void scene_tone_agx(rhw_float color[3])
     }
     scene_tone_matrix(out, color);
     for (int c = 0; c < 3; c++) {
-        color[c] = rhw_pow(rhw_saturate(color[c]), rhw_splat(2.2f)); // what a display does
+        color[c] = rhw_pow(rhw_saturate(color[c]), rhw_splat(2.2f)); // the curve of a display
     }
 }
 
