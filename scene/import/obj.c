@@ -13,6 +13,8 @@
 #include "import/builder/find_file.h"
 #include "import/builder/import.h"
 #include "import/builder/numbers.h"
+#include "import/builder/origin.h"
+#include "import/builder/place.h"
 #include "import/builder/polygon.h"
 #include "import/builder/readers.h"
 #include "import/builder/text_lines.h"
@@ -44,7 +46,9 @@ struct part {
 struct obj {
     struct scene_import *import;
     struct scene_text text;
+    double (*read_positions)[3]; // until all are read
     float (*positions)[3], (*colors)[3], (*uvs)[2], (*normals)[3];
+    double origin[3]; // what was subtracted from the positions
     size_t position_count, position_capacity, color_capacity, uv_count, uv_capacity, normal_count,
         normal_capacity;
     bool colored;
@@ -79,8 +83,8 @@ _Noreturn static void refuse(struct obj *obj, const char *problem)
 // Read v x y z [w] or v x y z [w] r g b. The number w weights free-form curves and says nothing about polygons.
 static void read_position(struct obj *obj, struct scene_line line)
 {
-    float values[7];
-    const int count = scene_text_numbers(&line, values, 7);
+    double values[7];
+    const int count = scene_text_doubles(&line, values, 7);
     if (count < 3) {
         refuse(obj, "a vertex needs three numbers");
     }
@@ -88,9 +92,9 @@ static void read_position(struct obj *obj, struct scene_line line)
         refuse(obj, "has too many vertices");
     }
     const size_t index = obj->position_count++;
-    scene_import_reserve(obj->import, &obj->positions, &obj->position_capacity, index + 1,
-                         sizeof *obj->positions);
-    memcpy(obj->positions[index], values, sizeof obj->positions[index]);
+    scene_import_reserve(obj->import, &obj->read_positions, &obj->position_capacity, index + 1,
+                         sizeof *obj->read_positions);
+    memcpy(obj->read_positions[index], values, sizeof obj->read_positions[index]);
     if (count < 6 && !obj->colored) {
         return;
     }
@@ -102,7 +106,7 @@ static void read_position(struct obj *obj, struct scene_line line)
     }
     obj->colored = true;
     for (int c = 0; c < 3 && count >= 6; c++) {
-        obj->colors[index][c] = values[count - 3 + c];
+        obj->colors[index][c] = (float)values[count - 3 + c];
     }
 }
 
@@ -455,6 +459,7 @@ static void add_part(struct obj *obj, struct part *part)
     free(part->sizes);
     mesh.material = scene_mtl_use(import, &obj->mtl, part->key.material, obj->colored);
     *scene_import_add_mesh(import) = mesh;
+    scene_import_place_mesh(import, obj->origin);
     struct scene_instance *instance = scene_import_add_instance(import);
     instance->name = name;
     instance->mesh = import->model.mesh_count - 1;
@@ -540,6 +545,7 @@ void scene_import_obj(struct scene_import *import)
         add_all_points(&obj);
     }
     decode_colors(&obj);
+    obj.positions = scene_import_settle(import, obj.read_positions, obj.position_count, obj.origin);
     for (size_t i = 0; i < obj.part_count; i++) {
         add_part(&obj, &obj.parts[i]);
     }

@@ -10,7 +10,9 @@
 #include "import/builder/find_file.h"
 #include "import/builder/import.h"
 #include "import/builder/numbers.h"
+#include "import/builder/origin.h"
 #include "import/builder/phong.h"
+#include "import/builder/place.h"
 #include "import/builder/polygon.h"
 #include "import/builder/readers.h"
 #include "import/builder/text_lines.h"
@@ -59,6 +61,8 @@ struct ply {
     const struct element *element; // element being read, for messages
     int64_t row;
     struct scene_mesh mesh;
+    double (*read_positions)[3]; // until all are read
+    double origin[3];            // what was subtracted from the positions
     size_t index_capacity;
     size_t index_count;
     uint32_t *edges;
@@ -328,7 +332,7 @@ static void allocate_vertices(struct ply *ply, const bool present[TARGETS], uint
         scene_import_fail(ply->import, "its vertices have no positions");
     }
     mesh->vertex_count = count;
-    mesh->positions = scene_import_allocate(ply->import, count, sizeof *mesh->positions);
+    ply->read_positions = scene_import_allocate(ply->import, count, sizeof *ply->read_positions);
     if (present[NX] && present[NY] && present[NZ]) {
         mesh->normals = scene_import_allocate(ply->import, count, sizeof *mesh->normals);
     }
@@ -340,24 +344,24 @@ static void allocate_vertices(struct ply *ply, const bool present[TARGETS], uint
     }
 }
 
-static void store_vertex(struct scene_mesh *mesh, uint32_t i, const float values[TARGETS],
-                         const float linear[256])
+static void store_vertex(struct ply *ply, uint32_t i, const double values[TARGETS], const float linear[256])
 {
-    memcpy(mesh->positions[i], values + X, sizeof mesh->positions[i]);
-    if (mesh->normals != NULL) {
-        memcpy(mesh->normals[i], values + NX, sizeof mesh->normals[i]);
+    struct scene_mesh *mesh = &ply->mesh;
+    memcpy(ply->read_positions[i], values + X, sizeof ply->read_positions[i]);
+    for (int c = 0; c < 3 && mesh->normals != NULL; c++) {
+        mesh->normals[i][c] = (float)values[NX + c];
     }
     if (mesh->uvs[0] != NULL) {
-        mesh->uvs[0][i][0] = values[U];
-        mesh->uvs[0][i][1] = 1 - values[V]; // the format's v points up
+        mesh->uvs[0][i][0] = (float)values[U];
+        mesh->uvs[0][i][1] = 1 - (float)values[V]; // the format's v points up
     }
     for (int c = 0; c < 3 && mesh->colors != NULL; c++) {
-        const float value = values[RED + c], byte = value * 255;
+        const float value = (float)values[RED + c], byte = value * 255;
         const bool exact = byte >= 0 && byte <= 255 && byte == __builtin_rintf(byte);
         mesh->colors[i][c] = exact ? linear[(int)byte] : scene_import_from_srgb(value);
     }
     if (mesh->colors != NULL) {
-        mesh->colors[i][3] = values[ALPHA];
+        mesh->colors[i][3] = (float)values[ALPHA];
     }
 }
 
@@ -366,7 +370,8 @@ static void read_vertices(struct ply *ply, const struct element *element)
     enum target targets[MOST_PROPERTIES];
     double scales[MOST_PROPERTIES];
     bool present[TARGETS + 1] = {false};
-    float values[TARGETS + 1] = {[ALPHA] = 1}, linear[256];
+    double values[TARGETS + 1] = {[ALPHA] = 1};
+    float linear[256];
     for (int i = 0; i < element->property_count; i++) {
         const struct property *property = &element->properties[i];
         targets[i] = property->count_type != TYPE_NONE ? UNUSED : target_of(property->name);
@@ -385,11 +390,13 @@ static void read_vertices(struct ply *ply, const struct element *element)
             if (targets[i] == UNUSED) {
                 skip_property(ply, &element->properties[i]);
             } else {
-                values[targets[i]] = (float)(read_number(ply, element->properties[i].type) * scales[i]);
+                values[targets[i]] = read_number(ply, element->properties[i].type) * scales[i];
             }
         }
-        store_vertex(&ply->mesh, (uint32_t)ply->row, values, linear);
+        store_vertex(ply, (uint32_t)ply->row, values, linear);
     }
+    ply->mesh.positions =
+        scene_import_settle(ply->import, ply->read_positions, (size_t)element->count, ply->origin);
 }
 
 // Faces ---------------------------------------------------------------------------------------------
@@ -618,6 +625,7 @@ static uint32_t add_material(struct ply *ply)
 static void add_mesh(struct ply *ply, const struct scene_mesh *mesh, bool join)
 {
     *scene_import_add_mesh(ply->import) = *mesh;
+    scene_import_place_mesh(ply->import, ply->origin);
     struct scene_instance *instance = scene_import_add_instance(ply->import);
     instance->mesh = ply->import->model.mesh_count - 1;
     instance->object = instance->mesh + 1;

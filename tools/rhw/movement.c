@@ -122,15 +122,23 @@ static struct scene_model merge(struct scene_model *const *poses, int count, str
     all.mesh_count = all.instance_count = 0;
     for (int p = 0; p < count; p++) {
         const struct scene_model *const pose = poses[p];
+        double apart[3]; // from the origin of the first pose
+        for (int c = 0; c < 3; c++) {
+            apart[c] = pose->origin[c] - all.origin[c];
+        }
         for (uint32_t i = 0; i < pose->instance_count; i++) {
-            all.instances[all.instance_count] = pose->instances[i];
-            all.instances[all.instance_count++].mesh += all.mesh_count;
+            struct scene_instance *const instance = &all.instances[all.instance_count++];
+            *instance = pose->instances[i];
+            instance->mesh += all.mesh_count;
+            for (int c = 0; c < 3; c++) {
+                instance->world[12 + c] = (float)((double)instance->world[12 + c] + apart[c]);
+            }
         }
         memcpy(&all.meshes[all.mesh_count], pose->meshes, pose->mesh_count * sizeof *pose->meshes);
         all.mesh_count += pose->mesh_count;
         for (int c = 0; c < 3; c++) {
-            all.bounds_min[c] = fminf(all.bounds_min[c], pose->bounds_min[c]);
-            all.bounds_max[c] = fmaxf(all.bounds_max[c], pose->bounds_max[c]);
+            all.bounds_min[c] = fminf(all.bounds_min[c], (float)((double)pose->bounds_min[c] + apart[c]));
+            all.bounds_max[c] = fmaxf(all.bounds_max[c], (float)((double)pose->bounds_max[c] + apart[c]));
         }
     }
     return all;
@@ -151,9 +159,10 @@ static bool fit_to_all(struct cli_movement *movement, struct render *render, str
         const struct scene_model all = merge(poses, count, mesh_list, instance_list);
         const struct scene_subject subject = scene_subject_find(&all);
         for (int c = 0; c < 3; c++) {
-            movement->center[c] = subject.is_all
+            const double middle = subject.is_all
                                       ? 0.5 * ((double)all.bounds_min[c] + (double)all.bounds_max[c])
                                       : 0.5 * (subject.low[c] + subject.high[c]);
+            movement->center[c] = middle + all.origin[c];
         }
         const struct cli_render_job *const job = &render->job;
         const bool has_own = job->camera == CLI_CAMERA_AUTO && job->turntable == 0 &&

@@ -129,7 +129,7 @@ static void fit(struct view_session *s)
     for (int c = 0; c < 3; c++) {
         const double low = subject.is_all ? (double)s->model->bounds_min[c] : subject.low[c],
                      high = subject.is_all ? (double)s->model->bounds_max[c] : subject.high[c];
-        middle[c] = 0.5 * (low + high);
+        middle[c] = 0.5 * (low + high) + s->model->origin[c];
         radius2 += 0.25 * (high - low) * (high - low);
     }
     const double least = 1e-3 * s->extent, radius = sqrt(radius2); // a point has none

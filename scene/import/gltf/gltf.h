@@ -9,6 +9,7 @@
 #include <jansson.h>
 
 #include "import/builder/import.h"
+#include "import/builder/place.h"
 
 struct scene_gltf_buffer {
     const unsigned char *bytes; // NULL if not loaded yet
@@ -20,17 +21,16 @@ struct scene_gltf_decoded {
     const unsigned char *bytes; // NULL if nothing was decompressed
     size_t size, stride;
     uint32_t count; // number of elements, for an accessor
-    int type; // componentType, for an accessor
+    int type;       // componentType, for an accessor
 };
 
 struct scene_gltf_node {
-    float world[16];
+    struct scene_import_place world;
     uint32_t parent; // UINT32_MAX for a root
     bool placed;     // `world` is set
     bool in_scene, visited;
     // Values that an animation gives the node. NULL where the node's own hold.
-    const float *translation, *rotation, *scale,
-        *weights;
+    const float *translation, *rotation, *scale, *weights;
     size_t weight_count;
 };
 
@@ -51,7 +51,7 @@ struct scene_gltf {
     struct scene_gltf_node *nodes;
     struct scene_gltf_meshes *meshes;
     int32_t *materials; // index in the model by index in the glTF; −1 if not made yet
-    int32_t *images; // index in the model by index in the glTF; −1 if not added yet
+    int32_t *images;    // index in the model by index in the glTF; −1 if not added yet
     int32_t default_material;
     int64_t variant; // number of the variant of KHR_materials_variants; −1 if none is wanted
 };
@@ -65,7 +65,9 @@ bool scene_gltf_flag(struct scene_gltf *gltf, const json_t *object, const char *
 double scene_gltf_number(struct scene_gltf *gltf, const json_t *object, const char *key, double fallback);
 /// Read a whole number of 0 .. 2^53, or `fallback`, which may be −1.
 int64_t scene_gltf_integer(struct scene_gltf *gltf, const json_t *object, const char *key, int64_t fallback);
-/// Read exactly `count` numbers. Return false if the key is absent.
+/// Read exactly `count` numbers, 16 at most. Return false if the key is absent.
+bool scene_gltf_numbers(struct scene_gltf *gltf, const json_t *object, const char *key, double *values,
+                        size_t count);
 bool scene_gltf_floats(struct scene_gltf *gltf, const json_t *object, const char *key, float *values,
                        size_t count);
 /// Return the extension of this name that the object has. Return NULL if it has none.

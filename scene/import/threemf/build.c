@@ -5,7 +5,8 @@
 
 #include "import/builder/complete_mesh.h"
 #include "import/builder/normals.h"
-#include "import/builder/numbers.h"
+#include "import/builder/origin.h"
+#include "import/builder/place.h"
 #include "threemf.h"
 
 enum { DEEPEST = 64, MOST_INSTANCES = 1 << 20 };
@@ -69,6 +70,7 @@ static void add_mesh(struct scene_3mf *file, const struct scene_3mf_object *obje
     }
     const struct scene_material *material = &import->model.materials[patch->material];
     struct scene_mesh *mesh = scene_import_add_mesh(import);
+    scene_import_place_mesh(import, object->origin);
     mesh->name = object->name;
     mesh->material = patch->material;
     mesh->vertex_count = mesh->index_count = (uint32_t)patch->count;
@@ -97,6 +99,7 @@ static void add_beams(struct scene_3mf *file, const struct scene_3mf_object *obj
     const struct scene_3mf_paint paint = scene_3mf_find_paint(file, group, object->pindex);
     const uint32_t material = scene_3mf_material(file, &paint, paint.color[3] < 1);
     struct scene_mesh *mesh = scene_import_add_mesh(import);
+    scene_import_place_mesh(import, object->origin);
     mesh->name = object->name;
     mesh->primitive = SCENE_PRIMITIVE_LINES;
     mesh->material = material;
@@ -117,6 +120,8 @@ static void make_meshes(struct scene_3mf *file, struct scene_3mf_object *object)
     struct patches patches = {0};
     object->made = true;
     object->first_mesh = file->import->model.mesh_count; // meshes of beams come first
+    object->positions =
+        scene_import_settle(file->import, object->read_positions, object->position_count, object->origin);
     for (size_t i = 0; i < object->triangle_count; i++) {
         add_triangle(file, object, &patches, &object->triangles[i]);
     }
@@ -151,8 +156,8 @@ static struct scene_3mf_object *find_object(const struct scene_3mf *file, uint32
     return low < file->object_count && object->part == part && object->id == id ? object : NULL;
 }
 
-static void place(struct scene_3mf *file, const struct scene_3mf_component *component, const float parent[16],
-                  uint32_t number, int depth)
+static void place(struct scene_3mf *file, const struct scene_3mf_component *component,
+                  const struct scene_import_place *parent, uint32_t number, int depth)
 {
     struct scene_import *import = file->import;
     struct scene_3mf_object *object = find_object(file, component->part, component->id);
@@ -167,39 +172,36 @@ static void place(struct scene_3mf *file, const struct scene_3mf_component *comp
     if (!object->made) {
         make_meshes(file, object);
     }
-    float world[16];
-    scene_import_multiply(parent, component->transform, world);
+    const struct scene_import_place world = scene_import_place_multiply(parent, &component->transform);
     for (uint32_t i = 0; i < object->mesh_count; i++) {
         struct scene_instance *instance = scene_import_add_instance(import);
         instance->name = object->name;
         instance->mesh = object->first_mesh + i;
         instance->object = number;
-        memcpy(instance->world, world, sizeof world);
+        scene_import_place_instance(import, &world);
     }
     for (size_t i = 0; i < object->component_count; i++) {
         if (++file->placed > MOST_INSTANCES) {
             scene_import_fail(import, "its components stand for more than %d objects", MOST_INSTANCES);
         }
-        place(file, &file->components[object->first_component + i], world, number, depth + 1);
+        place(file, &file->components[object->first_component + i], &world, number, depth + 1);
     }
 }
 
 void scene_3mf_build(struct scene_3mf *file)
 {
-    float identity[16];
-    scene_import_identity(identity);
+    const struct scene_import_place identity = scene_import_place_identity();
     for (size_t i = 0; i < file->item_count; i++) {
-        place(file, &file->items[i], identity, (uint32_t)i + 1, 0);
+        place(file, &file->items[i], &identity, (uint32_t)i + 1, 0);
     }
     if (file->item_count > 0 || file->object_count == 0) {
         return;
     }
     scene_import_warn(file->import, "its build lists nothing: every object is drawn");
     for (size_t i = 0; i < file->object_count; i++) {
-        struct scene_3mf_component item = {file->objects[i].part, file->objects[i].id, {0}};
+        const struct scene_3mf_component item = {file->objects[i].part, file->objects[i].id, identity};
         if (file->objects[i].component_count == 0) {
-            scene_import_identity(item.transform);
-            place(file, &item, identity, (uint32_t)i + 1, 0);
+            place(file, &item, &identity, (uint32_t)i + 1, 0);
         }
     }
 }

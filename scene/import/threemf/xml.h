@@ -16,7 +16,7 @@ struct scene_3mf_xml {
     uint32_t part; ///< number of the part being read
     int depth;
     int places[SCENE_3MF_DEEPEST]; ///< places of the reader, as `enum place` of threemf/xml.c has them
-    unsigned skipped; ///< number of elements open below one that is passed over
+    unsigned skipped;              ///< number of elements open below one that is passed over
 };
 
 _Noreturn void scene_3mf_refuse(const struct scene_3mf_xml *xml, const char *problem);
@@ -38,6 +38,6 @@ bool scene_3mf_next_number(const char **text, double *value);
 void scene_3mf_list(struct scene_3mf_xml *xml, const char *text, size_t *first, size_t *count);
 /// Read #RRGGBB or #RRGGBBAA, which are sRGB.
 bool scene_3mf_color(const char *text, float color[4]);
-void scene_3mf_transform(const struct scene_3mf_xml *xml, const char **attributes, float matrix[16]);
+struct scene_import_place scene_3mf_transform(const struct scene_3mf_xml *xml, const char **attributes);
 
 #endif
