@@ -2,6 +2,7 @@
 // See file.h.
 #include "file.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,6 +16,25 @@ int system_file_open(const char *path, enum system_file_use use)
     case SYSTEM_FILE_WRITE: return open(path, O_WRONLY | O_CLOEXEC);
     default: return open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     }
+}
+
+int system_file_open_regular(const char *path)
+{
+    struct stat status;
+    if (stat(path, &status) != 0) {
+        return -1;
+    }
+    if (!S_ISREG(status.st_mode)) {
+        errno = 0;
+        return -1;
+    }
+    const int descriptor = system_file_open(path, SYSTEM_FILE_READ);
+    if (descriptor >= 0 && (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))) {
+        close(descriptor); // it has been replaced meanwhile
+        errno = 0;
+        return -1;
+    }
+    return descriptor;
 }
 
 void system_file_permit_as(int descriptor, const char *path)

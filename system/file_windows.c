@@ -13,6 +13,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 static void set_errno(void)
 {
@@ -54,6 +56,25 @@ int system_file_open(const char *path, enum system_file_use use)
     case SYSTEM_FILE_WRITE: return _open(path, _O_WRONLY | _O_BINARY | _O_NOINHERIT);
     default: return create(path);
     }
+}
+
+int system_file_open_regular(const char *path)
+{
+    struct stat status;
+    if (stat(path, &status) != 0) {
+        return -1;
+    }
+    if (!S_ISREG(status.st_mode)) {
+        errno = 0;
+        return -1;
+    }
+    const int descriptor = system_file_open(path, SYSTEM_FILE_READ);
+    if (descriptor >= 0 && (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))) {
+        close(descriptor); // it has been replaced meanwhile
+        errno = 0;
+        return -1;
+    }
+    return descriptor;
 }
 
 void system_file_permit_as(int descriptor, const char *path)
