@@ -25,7 +25,7 @@ int system_file_open_regular(const char *path)
         return -1;
     }
     if (!S_ISREG(status.st_mode)) {
-        errno = 0;
+        errno = S_ISDIR(status.st_mode) ? EISDIR : 0;
         return -1;
     }
     const int descriptor = system_file_open(path, SYSTEM_FILE_READ);

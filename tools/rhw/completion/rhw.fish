@@ -89,6 +89,8 @@ complete -c rhw -n "$seen" -F
 complete -c rhw -n "$seen" -s d -l difference -r -F -d 'write a picture of the differences'
 complete -c rhw -n "$seen" -s t -l tolerance -x -d 'largest difference of a sample that still passes'
 complete -c rhw -n "$seen" -l json -d 'print the numbers as JSON'
+complete -c rhw -n "$seen" -l max-memory -x -a '512M 1G 2G 4G' -d 'fail when the pictures need more than this, each half of it'
+complete -c rhw -n "$seen" -l max-time -x -a '10 60 300' -d 'fail when it takes longer, 0.1..86400'
 complete -c rhw -n "$seen" -s h -l help -d 'print this and exit'
 
 set -l seen '__fish_seen_subcommand_from explain'
