@@ -11,11 +11,7 @@
 
 int system_file_open(const char *path, enum system_file_use use)
 {
-    switch (use) {
-    case SYSTEM_FILE_READ: return open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    case SYSTEM_FILE_WRITE: return open(path, O_WRONLY | O_CLOEXEC);
-    default: return open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    }
+    return open(path, (use == SYSTEM_FILE_READ ? O_RDONLY | O_NONBLOCK : O_WRONLY) | O_CLOEXEC);
 }
 
 int system_file_open_regular(const char *path)
@@ -43,11 +39,6 @@ void system_file_permit_as(int descriptor, const char *path)
     if (stat(path, &status) == 0) {
         (void)fchmod(descriptor, status.st_mode & 07777);
     }
-}
-
-bool system_file_replace(const char *from, const char *to)
-{
-    return rename(from, to) == 0;
 }
 
 char *system_file_resolve(const char *path)

@@ -71,7 +71,7 @@ check "no half picture" test "$(find slow -type f | wc -l)" = 0
 # A signal to thumbs and what it started leaves no temporary file.
 setsid "$rhw" thumbs late -o slow --size 4096 2>/dev/null &
 tries=0
-while [ -z "$(find slow -name '.rhw-*')" ] && [ $tries -lt 3000 ]; do
+while ! is_writing slow && [ $tries -lt 3000 ]; do
     sleep 0.02
     tries=$((tries + 1))
 done

@@ -145,7 +145,8 @@ static bool exists_in_some_case(const struct scene_import *import, char *path, s
     return is_file(import, path);
 }
 
-// Return the path of a file, in some case of its components, below `directory` and `folder`. Return NULL if there is none.
+// Return the path of a file, in some case of its components, below `directory` and `folder`. Return NULL if there is
+// none.
 static const char *find_below(struct scene_import *import, const char *directory, const char *folder,
                               const char *name)
 {
