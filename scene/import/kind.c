@@ -8,6 +8,7 @@
 #include <strings.h>
 #include <sys/stat.h>
 
+#include "file.h"
 #include "import/builder/readers.h"
 
 enum { LOOKED_AT = 512 };
@@ -51,9 +52,11 @@ static struct beginning look(struct scene_import *import)
 {
     struct beginning start = {.count = 0};
     struct stat status;
-    FILE *file = fopen(import->model.path, "rb");
+    const int descriptor = system_file_open_regular(import->model.path);
+    FILE *file = descriptor < 0 ? NULL : fdopen(descriptor, "rb");
     if (file == NULL) {
-        scene_import_fail(import, "cannot be opened: %s", strerror(errno));
+        scene_import_fail(import, "cannot be opened: %s",
+                          errno != 0 ? strerror(errno) : "not a regular file");
     }
     start.count = fread(start.bytes, 1, LOOKED_AT, file);
     start.file_size = fstat(fileno(file), &status) == 0 ? (uint64_t)status.st_size : 0;

@@ -425,8 +425,8 @@ static const struct aiScene *read_scene(struct scene_import *import)
     const uint64_t before = limit_memory(import);
     struct aiFileIO files = scene_assimp_files(import);
     const struct aiScene *scene = aiImportFileExWithProperties(
-        import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords,
-        import->confine != NULL ? &files : NULL, properties);
+        import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords, &files,
+        properties);
     system_memory_limit_restore(before);
     if (scene != NULL) {
         return scene;

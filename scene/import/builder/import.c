@@ -240,14 +240,14 @@ const char scene_import_no_memory[] = "outofmem"; // the words of stb_image
 
 void *scene_import_read_bytes(const char *path, size_t *size, const char **problem)
 {
-    const int descriptor = system_file_open(path, SYSTEM_FILE_READ);
+    const int descriptor = system_file_open_regular(path);
     if (descriptor < 0) {
-        *problem = strerror(errno);
+        *problem = errno != 0 ? strerror(errno) : "not a regular file";
         return NULL;
     }
     struct stat status;
-    if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
-        *problem = "not a regular file";
+    if (fstat(descriptor, &status) != 0) {
+        *problem = strerror(errno);
         close(descriptor);
         return NULL;
     }

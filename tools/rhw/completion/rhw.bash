@@ -77,8 +77,10 @@ _rhw_thumbs() { # CURRENT PREVIOUS
 _rhw_compare() { # CURRENT PREVIOUS
     case $2 in
     --difference | -d) _rhw_files "$1" ;;
+    --max-memory) _rhw_words "$1" 512M 1G 2G 4G ;;
+    --max-time) _rhw_words "$1" 10 60 300 ;;
     --tolerance | -t) ;;
-    *) _rhw_rest "$1" file --difference --tolerance --json --help ;;
+    *) _rhw_rest "$1" file --difference --tolerance --json --max-memory --max-time --help ;;
     esac
 }
 

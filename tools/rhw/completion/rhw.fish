@@ -80,7 +80,7 @@ complete -c rhw -n "$seen" -s j -l jobs -x -d 'models at a time, 1..64'
 complete -c rhw -n "$seen" -l max-memory -x -a '512M 1G 2G 4G' -d 'fail for a model that needs more than this'
 complete -c rhw -n "$seen" -l max-time -x -a '10 60 300' -d 'fail for a model that takes longer, 0.1..86400'
 complete -c rhw -n "$seen" -l max-texture -x -a '1024 2048 4096 8192 16384' -d 'as for rhw render'
-complete -c rhw -n "$seen" -l confine -r -F -d 'read no file outside this folder that a model names'
+complete -c rhw -n "$seen" -l confine -r -F -d 'read no file outside this folder that a model names or a link leads to'
 complete -c rhw -n "$seen" -s q -l quiet -d 'no warnings, and no count at the end'
 complete -c rhw -n "$seen" -s h -l help -d 'print this and exit'
 
@@ -89,6 +89,8 @@ complete -c rhw -n "$seen" -F
 complete -c rhw -n "$seen" -s d -l difference -r -F -d 'write a picture of the differences'
 complete -c rhw -n "$seen" -s t -l tolerance -x -d 'largest difference of a sample that still passes'
 complete -c rhw -n "$seen" -l json -d 'print the numbers as JSON'
+complete -c rhw -n "$seen" -l max-memory -x -a '512M 1G 2G 4G' -d 'fail when the pictures need more than this, each half of it'
+complete -c rhw -n "$seen" -l max-time -x -a '10 60 300' -d 'fail when it takes longer, 0.1..86400'
 complete -c rhw -n "$seen" -s h -l help -d 'print this and exit'
 
 set -l seen '__fish_seen_subcommand_from explain'
