@@ -66,8 +66,8 @@ struct ply {
     struct ply_colors vertex_colors, face_colors, edge_colors;
     bool translucent;     // some vertex or face is
     uint32_t small_faces; // number of faces with fewer than three corners
-    bool has_rows;  // triangles have `rows`
-    uint32_t *rows; // row of each triangle, by which face_colors and face_textures know it
+    bool has_rows;        // triangles have `rows`
+    uint32_t *rows;       // row of each triangle, by which face_colors and face_textures know it
     uint32_t row_count;
     size_t row_capacity;
     int32_t *face_textures; // number of the texture of each row; NULL if the file has none

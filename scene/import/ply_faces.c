@@ -42,12 +42,12 @@ static enum use use_of(const struct property *property)
     const struct scene_word name = property->name;
     if (property->count_type != TYPE_NONE) {
         return scene_word_is(name, "vertex_indices") || scene_word_is(name, "vertex_index") ? USE_CORNERS
-               : scene_word_is(name, "texcoord")                                             ? USE_WEDGES
-                                                                                             : USE_NONE;
+               : scene_word_is(name, "texcoord")                                            ? USE_WEDGES
+                                                                                            : USE_NONE;
     }
-    return scene_word_is(name, "texnumber")        ? USE_TEXTURE
+    return scene_word_is(name, "texnumber")       ? USE_TEXTURE
            : scene_ply_target(property) != UNUSED ? USE_VALUE
-                                                   : USE_NONE;
+                                                  : USE_NONE;
 }
 
 // One row of an element.

@@ -125,8 +125,7 @@ static float full_of(enum type type, float found)
 
 bool scene_ply_decode_colors(struct ply_colors *colors)
 {
-    struct scene_color_scale scale =
-        scene_import_color_scale((const float(*)[4])colors->rows, colors->count);
+    struct scene_color_scale scale = scene_import_color_scale((const float(*)[4])colors->rows, colors->count);
     scale.color = full_of(colors->type, scale.color);
     scale.alpha = colors->alpha_type == TYPE_NONE ? 1 : full_of(colors->alpha_type, scale.alpha);
     return scene_import_decode_colors(colors->rows, colors->count, scale);

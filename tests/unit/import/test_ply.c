@@ -4,9 +4,9 @@
 
 #include <string.h>
 
-#define VERTICES "property float x\nproperty float y\nproperty float z\n"
+#define VERTICES     "property float x\nproperty float y\nproperty float z\n"
 #define COLORS(type) "property " type " red\nproperty " type " green\nproperty " type " blue\n"
-#define LIST "property list uchar int vertex_indices\n"
+#define LIST         "property list uchar int vertex_indices\n"
 
 static const float *color_at(const struct scene_model *model, uint32_t mesh, uint32_t corner)
 {
@@ -26,10 +26,10 @@ static bool is_unsupported(const struct scene_model *model, const char *part)
 static void test_face_colors(void **state)
 {
     (void)state;
-    struct scene_model *model =
-        load_text("f.ply", "ply\nformat ascii 1.0\nelement vertex 5\n" VERTICES "element face 2\n" LIST COLORS(
-                               "uchar") "end_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n4 0 1 2 3 255 0 0\n"
-                                        "3 0 1 4 0 128 255\n");
+    struct scene_model *model = load_text(
+        "f.ply", "ply\nformat ascii 1.0\nelement vertex 5\n" VERTICES "element face 2\n" LIST COLORS(
+                     "uchar") "end_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n4 0 1 2 3 255 0 0\n"
+                              "3 0 1 4 0 128 255\n");
     assert_int_equal(model->warning_count + model->unsupported_count, 0);
     for (uint32_t corner = 0; corner < 6; corner++) {
         assert_floats(color_at(model, 0, corner), (const float[]){1, 0, 0, 1}, 4, 0);
@@ -45,12 +45,12 @@ static void test_face_colors(void **state)
 static void test_binary_face_colors(void **state)
 {
     (void)state;
-    static const char head[] = "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty uchar x\n"
-                               "property uchar y\nproperty uchar z\nelement face 1\nproperty ushort red\n"
-                               "property ushort green\nproperty ushort blue\nproperty uchar alpha\n" LIST
-                               "end_header\n";
-    static const unsigned char data[] = {0, 0, 0,   1, 0, 0, 0, 1, 0, 0xff, 0xff, 0, 0, 0x80,
-                                         0, 51, 3, 0, 0, 0, 0, 0, 0, 0,    1,    0, 0, 0, 2};
+    static const char head[] =
+        "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty uchar x\n"
+        "property uchar y\nproperty uchar z\nelement face 1\nproperty ushort red\n"
+        "property ushort green\nproperty ushort blue\nproperty uchar alpha\n" LIST "end_header\n";
+    static const unsigned char data[] = {0,  0, 0, 1, 0, 0, 0, 1, 0, 0xff, 0xff, 0, 0, 0x80, 0,
+                                         51, 3, 0, 0, 0, 0, 0, 0, 0, 1,    0,    0, 0, 2};
     unsigned char bytes[512];
     memcpy(bytes, head, sizeof head - 1);
     memcpy(bytes + sizeof head - 1, data, sizeof data);
@@ -77,7 +77,8 @@ static void test_vertex_colors(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         const char *type = cases[i].type;
         write_format("v.ply",
-                     "ply\nformat ascii 1.0\nelement vertex 3\n" VERTICES "property %s red\nproperty %s green\n"
+                     "ply\nformat ascii 1.0\nelement vertex 3\n" VERTICES
+                     "property %s red\nproperty %s green\n"
                      "property %s blue\nelement face 1\n" LIST "end_header\n"
                      "0 0 0 %s\n1 0 0 %s\n0 1 0 %s\n3 0 1 2\n",
                      type, type, type, cases[i].color, cases[i].color, cases[i].color);
@@ -92,10 +93,11 @@ static void test_all_colors(void **state)
 {
     (void)state;
     struct scene_model *model = load_text(
-        "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n" VERTICES COLORS("uchar") "element face 1\n" LIST COLORS(
-                     "uchar") "element edge 1\nproperty int vertex1\nproperty int vertex2\n" COLORS("uchar") //
-                 "element camera 1\nproperty float view_px\nend_header\n"
-                 "0 0 0 0 255 0\n1 0 0 0 255 0\n0 1 0 0 255 0\n3 0 1 2 255 0 0\n0 1 0 0 255\n7\n");
+        "a.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\n" VERTICES COLORS("uchar") "element face 1\n" LIST COLORS(
+            "uchar") "element edge 1\nproperty int vertex1\nproperty int vertex2\n" COLORS("uchar") //
+        "element camera 1\nproperty float view_px\nend_header\n"
+        "0 0 0 0 255 0\n1 0 0 0 255 0\n0 1 0 0 255 0\n3 0 1 2 255 0 0\n0 1 0 0 255\n7\n");
     assert_true(is_unsupported(model, "colours of faces (PLY): not drawn"));
     assert_true(is_unsupported(model, "element \"camera\" (PLY): not drawn"));
     assert_int_equal(model->meshes[0].primitive, SCENE_PRIMITIVE_LINES);
@@ -111,12 +113,12 @@ static void test_textures(void **state)
     static const unsigned char texel[] = {[2] = 2, [12] = 1, [14] = 1, [16] = 24, [18] = 0, 0, 255};
     write_bytes("one.tga", texel, sizeof texel);
     write_bytes("two.tga", texel, sizeof texel);
-    struct scene_model *model =
-        load_text("t.ply", "ply\nformat ascii 1.0\ncomment TextureFile one.tga\ncomment TextureFile two.tga\n"
-                           "element vertex 5\n" VERTICES "element face 3\n" LIST
-                           "property list uchar float texcoord\nproperty int texnumber\nend_header\n"
-                           "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n3 0 1 2 6 0 0 1 0 1 1 1\n3 0 1 3 6 0 0 1 0 1 1 0\n"
-                           "3 0 1 4 0 -1\n");
+    struct scene_model *model = load_text(
+        "t.ply", "ply\nformat ascii 1.0\ncomment TextureFile one.tga\ncomment TextureFile two.tga\n"
+                 "element vertex 5\n" VERTICES "element face 3\n" LIST
+                 "property list uchar float texcoord\nproperty int texnumber\nend_header\n"
+                 "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n3 0 1 2 6 0 0 1 0 1 1 1\n3 0 1 3 6 0 0 1 0 1 1 0\n"
+                 "3 0 1 4 0 -1\n");
     assert_int_equal(model->warning_count, 0);
     assert_int_equal(model->mesh_count, 3);
     static const char *const names[] = {NULL, "one.tga", "two.tga"};
