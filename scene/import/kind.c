@@ -162,6 +162,8 @@ void scene_import_read(struct scene_import *import)
         scene_import_3mf(import);
     } else if (ends_in(import, "stl") || (nameless && looks_like_stl(&start))) {
         scene_import_stl(import);
+    } else if (ends_in(import, "off") || scene_import_is_off(start.bytes, start.count)) {
+        scene_import_off(import);
     } else {
         refuse_unread(import, &start);
         if (ends_in(import, "fbx")) {
