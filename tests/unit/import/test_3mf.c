@@ -477,6 +477,48 @@ static void test_claims(void **state)
     assert_true((double)(clock() - start) / CLOCKS_PER_SEC < 0.5);
 }
 
+// Rewrites the archive x.3mf so that its central directory has all sizes and places in extra fields (ZIP64), behind
+// another extra field.
+static void widen(void)
+{
+    static unsigned char old[16384], bytes[32768];
+    static const unsigned char head[] = {0x99, 0x99, 1, 0, 7, 1, 0, 24, 0};
+    const size_t size = read_package(old, sizeof old), end = size - 22;
+    const size_t first = old[end + 16] | (size_t)old[end + 17] << 8;
+    size_t at = first, out = first;
+    memcpy(bytes, old, first);
+    while (memcmp(old + at, "PK\1\2", 4) == 0) {
+        const size_t length = 46u + old[at + 28];
+        memcpy(bytes + out, old + at, length);
+        bytes[out + 30] = sizeof head + 24;
+        memcpy(bytes + out + length, head, sizeof head);
+        static const int fields[] = {24, 20, 42};
+        for (size_t i = 0; i < 3; i++) {
+            memset(bytes + out + fields[i], 0xff, 4);
+            memcpy(bytes + out + length + sizeof head + 8 * i, old + at + fields[i], 4);
+            memset(bytes + out + length + sizeof head + 8 * i + 4, 0, 4);
+        }
+        out += length + sizeof head + 24;
+        at += length;
+    }
+    memcpy(bytes + out, old + end, 22);
+    bytes[out + 12] = (unsigned char)(out - first);
+    bytes[out + 13] = (unsigned char)((out - first) >> 8);
+    write_bytes("x.3mf", bytes, out + 22);
+}
+
+static void test_zip64(void **state)
+{
+    (void)state;
+    write_textured("", "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"4\" p1=\"0\" p2=\"1\" p3=\"2\"/>");
+    widen();
+    struct scene_model *model = load("x.3mf");
+    assert_int_equal(model->warning_count, 0);
+    assert_int_equal(model->triangles_drawn, 1);
+    assert_int_equal(model->images[0].width, 2);
+    scene_model_free(model);
+}
+
 // Cut anywhere, it is one line.
 static void test_cut(void **state)
 {
@@ -515,6 +557,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_bad_xml),
     cmocka_unit_test(test_doctype),
     cmocka_unit_test(test_claims),
+    cmocka_unit_test(test_zip64),
     cmocka_unit_test(test_cut),
 };
 
