@@ -1,83 +1,11 @@
 // SPDX-License-Identifier: MIT
 // 3MF: packages written here, and what becomes of their colours, textures, components and parts. Values by hand.
-#include "model_files.h"
+#include "package_3mf.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-
-#include <minizip/zip.h>
-
-static const char relationships[] =
-    "<?xml version=\"1.0\"?><Relationships "
-    "xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
-    "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
-    "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>";
-
-#define MESH(triangles)                                                                                  \
-    "<mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/><vertex x=\"0\" " \
-    "y=\"1\" "                                                                                           \
-    "z=\"0\"/><vertex x=\"1\" y=\"1\" z=\"0\"/></vertices><triangles>" triangles "</triangles></mesh>"
-
-static zipFile begin_package(const char *name)
-{
-    zipFile zip = zipOpen64(path_of(name), APPEND_STATUS_CREATE);
-    assert_non_null(zip);
-    return zip;
-}
-
-static void add_entry(zipFile zip, const char *name, const void *bytes, size_t size)
-{
-    const zip_fileinfo info = {.dosDate = 1};
-    assert_int_equal(zipOpenNewFileInZip(zip, name, &info, NULL, 0, NULL, 0, NULL, Z_DEFLATED, 6), ZIP_OK);
-    assert_int_equal(zipWriteInFileInZip(zip, bytes, (unsigned)size), ZIP_OK);
-    assert_int_equal(zipCloseFileInZip(zip), ZIP_OK);
-}
-
-// A package with one model: its resources and the items of its build.
-static void add_model(zipFile zip, const char *part, const char *resources, const char *build)
-{
-    char text[32768];
-    snprintf(text, sizeof text,
-             "<?xml version=\"1.0\"?><model unit=\"millimeter\" "
-             "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
-             "xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\" "
-             "xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\">"
-             "<metadata name=\"Title\">x<b/></metadata><resources>%s</resources><build>%s</build></model>",
-             resources, build);
-    add_entry(zip, part, text, strlen(text));
-}
-
-static void write_package(const char *name, const char *resources, const char *build)
-{
-    zipFile zip = begin_package(name);
-    add_entry(zip, "_rels/.rels", relationships, strlen(relationships));
-    add_model(zip, "3D/3dmodel.model", resources, build);
-    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
-}
-
-static struct scene_model *load_package(const char *resources, const char *build)
-{
-    write_package("x.3mf", resources, build);
-    return load("x.3mf");
-}
-
-// The mesh of the only instance with this many triangles.
-static const struct scene_mesh *mesh_of(const struct scene_model *model, uint32_t instance)
-{
-    assert_true(instance < model->instance_count);
-    return &model->meshes[model->instances[instance].mesh];
-}
-
-static bool is_unsupported(const struct scene_model *model, const char *part)
-{
-    bool found = false;
-    for (uint32_t i = 0; i < model->unsupported_count; i++) {
-        found = found || strstr(model->unsupported[i], part) != NULL;
-    }
-    return found;
-}
 
 // Colours -------------------------------------------------------------------------------------------
 
@@ -85,7 +13,7 @@ static bool is_unsupported(const struct scene_model *model, const char *part)
 static void test_colors(void **state)
 {
     (void)state;
-    struct scene_model *model = load_package(
+    struct scene_model *model = package_load(
         "<basematerials id=\"1\"><base name=\"a\" displaycolor=\"#FF0000\"/><base name=\"b\" "
         "displaycolor=\"#00FF0080\"/></basematerials><m:colorgroup id=\"2\"><m:color color=\"#0000ff\"/>"
         "<m:color color=\"#808080\"/></m:colorgroup><object id=\"3\" pid=\"1\" pindex=\"0\" "
@@ -117,7 +45,7 @@ static void test_plain(void **state)
 {
     (void)state;
     struct scene_model *model =
-        load_package("<object id=\"3\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+        package_load("<object id=\"3\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
                      "<item objectid=\"3\"/>");
     const struct scene_material *material = &model->materials[mesh_of(model, 0)->material];
     assert_floats(material->base_color, (const float[]){0.6f, 0.6f, 0.6f, 1}, 4, 0);
@@ -127,7 +55,7 @@ static void test_plain(void **state)
 static void test_metal_and_composites(void **state)
 {
     (void)state;
-    struct scene_model *model = load_package(
+    struct scene_model *model = package_load(
         "<basematerials id=\"1\"><base displaycolor=\"#FF0000\" displaypropertiesid=\"9\"/><base "
         "displaycolor=\"#0000FF\"/></basematerials>"
         "<m:compositematerials id=\"2\" matid=\"1\" matindices=\"0 1\"><m:composite values=\"1 3\"/>"
@@ -174,15 +102,15 @@ static void write_textured(const char *properties, const char *triangle)
         "<m:tex2coord u=\"0.25\" v=\"0.125\"/><m:tex2coord u=\"1\" v=\"0\"/><m:tex2coord u=\"0\" v=\"1\"/>"
         "</m:texture2dgroup>%s<object id=\"7\">" MESH("%s") "</object>",
         properties, triangle);
-    zipFile zip = begin_package("x.3mf");
-    add_entry(zip, "_rels/.rels", relationships, strlen(relationships));
-    add_model(zip, "3D/3dmodel.model", resources, "<item objectid=\"7\"/>");
+    zipFile zip = package_begin("x.3mf");
+    package_add_relationships(zip);
+    package_add_model(zip, "3D/3dmodel.model", resources, "<item objectid=\"7\"/>");
     // Opaque green and transparent; half blue.
     size_t size = make_tga(tga, 2, (const unsigned char[]){0, 255, 0, 255, 0, 255, 0, 0});
-    add_entry(zip, "3d/textures/a.tga", tga, size);
+    package_add(zip, "3d/textures/a.tga", tga, size);
     size = make_tga(tga, 1, (const unsigned char[]){255, 0, 0, 128});
-    add_entry(zip, "3D/Textures/b.tga", tga, size);
-    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
+    package_add(zip, "3D/Textures/b.tga", tga, size);
+    package_end(zip);
 }
 
 static void test_texture(void **state)
@@ -271,15 +199,15 @@ static void test_moved_texture(void **state)
     (void)state;
     unsigned char tga[64];
     const size_t size = make_tga(tga, 1, (const unsigned char[]){255, 0, 0, 128});
-    zipFile zip = begin_package("x.3mf");
-    add_model(zip, "3D/3dmodel.model",
-              "<m:texture2d id=\"2\" path=\"./Textures/a.tga\"/><m:texture2dgroup id=\"4\" "
-              "texid=\"2\"><m:tex2coord u=\"0\" "
-              "v=\"0\"/></m:texture2dgroup><object id=\"3\" pid=\"4\" pindex=\"0\">" MESH(
-                  "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
-              "<item objectid=\"3\"/>");
-    add_entry(zip, "3D/Textures/A.TGA", tga, size);
-    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
+    zipFile zip = package_begin("x.3mf");
+    package_add_model(zip, "3D/3dmodel.model",
+                      "<m:texture2d id=\"2\" path=\"./Textures/a.tga\"/><m:texture2dgroup id=\"4\" "
+                      "texid=\"2\"><m:tex2coord u=\"0\" "
+                      "v=\"0\"/></m:texture2dgroup><object id=\"3\" pid=\"4\" pindex=\"0\">" MESH(
+                          "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+                      "<item objectid=\"3\"/>");
+    package_add(zip, "3D/Textures/A.TGA", tga, size);
+    package_end(zip);
     struct scene_model *model = load("x.3mf");
     assert_int_equal(model->warning_count, 0);
     assert_int_equal(model->images[0].width, 1);
@@ -290,7 +218,7 @@ static void test_missing_texture(void **state)
 {
     (void)state;
     struct scene_model *model =
-        load_package("<m:texture2d id=\"2\" path=\"/3D/none.png\"/><m:texture2dgroup id=\"4\" "
+        package_load("<m:texture2d id=\"2\" path=\"/3D/none.png\"/><m:texture2dgroup id=\"4\" "
                      "texid=\"2\"><m:tex2coord u=\"0\" "
                      "v=\"0\"/></m:texture2dgroup><object id=\"3\" pid=\"4\" pindex=\"0\">" MESH(
                          "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
@@ -305,18 +233,19 @@ static void test_missing_texture(void **state)
 static void test_components(void **state)
 {
     (void)state;
-    zipFile zip = begin_package("x.3mf");
-    add_entry(zip, "_rels/.rels", relationships, strlen(relationships));
-    add_model(zip, "3D/3dmodel.model",
-              "<object id=\"2\"><components><component p:path=\"/3D/Objects/part.model\" objectid=\"1\" "
-              "transform=\"2 0 0 0 2 0 0 0 2 1 0 0\"/><component objectid=\"3\"/></components></object>"
-              "<object id=\"3\"><components><component p:path=\"/3D/Objects/part.model\" objectid=\"1\"/>"
-              "</components></object>",
-              "<item objectid=\"2\" transform=\"0 1 0 -1 0 0 0 0 1 0 0 5\"/>");
-    add_model(zip, "3D/Objects/part.model",
-              "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
-              "<item objectid=\"1\"/>"); // what another part builds is not built
-    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
+    zipFile zip = package_begin("x.3mf");
+    package_add_relationships(zip);
+    package_add_model(
+        zip, "3D/3dmodel.model",
+        "<object id=\"2\"><components><component p:path=\"/3D/Objects/part.model\" objectid=\"1\" "
+        "transform=\"2 0 0 0 2 0 0 0 2 1 0 0\"/><component objectid=\"3\"/></components></object>"
+        "<object id=\"3\"><components><component p:path=\"/3D/Objects/part.model\" objectid=\"1\"/>"
+        "</components></object>",
+        "<item objectid=\"2\" transform=\"0 1 0 -1 0 0 0 0 1 0 0 5\"/>");
+    package_add_model(zip, "3D/Objects/part.model",
+                      "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+                      "<item objectid=\"1\"/>"); // what another part builds is not built
+    package_end(zip);
     struct scene_model *model = load("x.3mf");
     assert_int_equal(model->instance_count, 2);
     assert_int_equal(model->mesh_count, 1);
@@ -332,7 +261,7 @@ static void test_components(void **state)
 static void test_circle(void **state)
 {
     (void)state;
-    write_package("x.3mf", "<object id=\"1\"><components><component objectid=\"1\"/></components></object>",
+    package_write("x.3mf", "<object id=\"1\"><components><component objectid=\"1\"/></components></object>",
                   "<item objectid=\"1\"/>");
     expect_refused("x.3mf", "object 1: its components are nested too deeply or in a circle");
 }
@@ -341,7 +270,7 @@ static void test_circle(void **state)
 static void test_two_of_one_id(void **state)
 {
     (void)state;
-    write_package(
+    package_write(
         "x.3mf",
         "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>"
                                                                            "<object id=\"1\">" MESH(
@@ -354,12 +283,12 @@ static void test_two_of_one_id(void **state)
 static void test_empty_relationships(void **state)
 {
     (void)state;
-    zipFile zip = begin_package("x.3mf");
-    add_entry(zip, "_rels/.rels", "", 0);
-    add_model(zip, "3D/3dmodel.model",
-              "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
-              "<item objectid=\"1\"/>");
-    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
+    zipFile zip = package_begin("x.3mf");
+    package_add(zip, "_rels/.rels", "", 0);
+    package_add_model(zip, "3D/3dmodel.model",
+                      "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+                      "<item objectid=\"1\"/>");
+    package_end(zip);
     struct scene_model *model = load("x.3mf");
     assert_int_equal(model->instance_count, 1);
     scene_model_free(model);
@@ -376,14 +305,14 @@ static void test_too_many(void **state)
                 "</components></object>",
                 i, i - 1, i - 1);
     }
-    write_package("x.3mf", resources, "<item objectid=\"41\"/>");
+    package_write("x.3mf", resources, "<item objectid=\"41\"/>");
     expect_refused("x.3mf", "stand for more than 1048576 objects");
 }
 
 static void test_beams(void **state)
 {
     (void)state;
-    struct scene_model *model = load_package(
+    struct scene_model *model = package_load(
         "<object id=\"1\"><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/>"
         "</vertices><triangles/><b:beamlattice><b:beams><b:beam v1=\"0\" "
         "v2=\"1\"/></b:beams></b:beamlattice></mesh>"
@@ -399,7 +328,7 @@ static void test_no_build(void **state)
 {
     (void)state;
     struct scene_model *model =
-        load_package("<object id=\"3\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>", "");
+        package_load("<object id=\"3\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>", "");
     assert_int_equal(model->instance_count, 1);
     assert_true(has_warning(model, "its build lists nothing"));
     scene_model_free(model);
@@ -423,7 +352,7 @@ static void test_bad_xml(void **state)
         {"<object>", "\"3D/3dmodel.model\", line 1: mismatched tag"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        write_package("x.3mf", cases[i].resources, "<item objectid=\"1\"/>");
+        package_write("x.3mf", cases[i].resources, "<item objectid=\"1\"/>");
         expect_refused("x.3mf", cases[i].cause);
     }
 }
@@ -433,9 +362,9 @@ static void test_doctype(void **state)
     (void)state;
     static const char bomb[] =
         "<!DOCTYPE model [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]><model>&b;</model>";
-    zipFile zip = begin_package("x.3mf");
-    add_entry(zip, "3D/3dmodel.model", bomb, strlen(bomb)); // found without relationships
-    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
+    zipFile zip = package_begin("x.3mf");
+    package_add(zip, "3D/3dmodel.model", bomb, strlen(bomb)); // found without relationships
+    package_end(zip);
     expect_refused("x.3mf", "a document type is not allowed");
 }
 
@@ -454,7 +383,7 @@ static void test_claims(void **state)
     (void)state;
     static unsigned char bytes[16384];
     const clock_t start = clock();
-    write_package("x.3mf", "<object id=\"1\"></object>", "");
+    package_write("x.3mf", "<object id=\"1\"></object>", "");
     const size_t size = read_package(bytes, sizeof bytes);
     size_t entry = 0; // the last of the central directory
     for (size_t i = 0; i + 4 < size; i++) {
@@ -524,7 +453,7 @@ static void test_cut(void **state)
 {
     (void)state;
     static unsigned char bytes[16384];
-    write_package("x.3mf", "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+    package_write("x.3mf", "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
                   "<item objectid=\"1\"/>");
     const size_t size = read_package(bytes, sizeof bytes);
     for (size_t cut = 1; cut < size; cut += 37) {
