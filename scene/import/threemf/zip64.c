@@ -7,7 +7,15 @@
 
 #include <string.h>
 
-enum { CENTRAL = 46, COMPRESSED = 20, UNCOMPRESSED = 24, NAME = 28, EXTRA = 30, LOCAL = 42, MOST_EXTRA = 65535 };
+enum {
+    CENTRAL = 46,
+    COMPRESSED = 20,
+    UNCOMPRESSED = 24,
+    NAME = 28,
+    EXTRA = 30,
+    LOCAL = 42,
+    MOST_EXTRA = 65535
+};
 static const uint32_t elsewhere = UINT32_MAX;
 
 // Four bytes of the file that are read as others.
@@ -118,7 +126,8 @@ static void add_patches(struct archive *archive, voidpf stream, uint64_t place)
     }
     const size_t extra_size = number(header + EXTRA, 2);
     size_t size = 0, used = 0;
-    const bool is_read = read_at(archive, stream, place + CENTRAL + number(header + NAME, 2), extra, extra_size);
+    const bool is_read =
+        read_at(archive, stream, place + CENTRAL + number(header + NAME, 2), extra, extra_size);
     const unsigned char *data = is_read ? find_field(extra, extra_size, &size) : NULL;
     const size_t first = archive->count;
     for (int i = 0; i < 3 && data != NULL; i++) {

@@ -40,6 +40,47 @@ static void test_colors(void **state)
     scene_model_free(model);
 }
 
+// CAD programs export opaque parts with an alpha of 00. A corner that fades to nothing stays as it is.
+static void test_alpha_zero(void **state)
+{
+    (void)state;
+    struct scene_model *model = package_load(
+        "<basematerials id=\"1\"><base displaycolor=\"#FF000000\"/></basematerials>"
+        "<m:colorgroup id=\"2\"><m:color color=\"#0000ff00\"/><m:color color=\"#0000ffff\"/></m:colorgroup>"
+        "<object id=\"3\" pid=\"1\" pindex=\"0\">" MESH(
+            "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>"
+                                                      "<object id=\"4\">" MESH(
+                                                          "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"2\" "
+                                                          "p1=\"0\" p2=\"1\" p3=\"0\"/>") "</object>",
+        "<item objectid=\"3\"/><item objectid=\"4\"/>");
+    assert_int_equal(model->warning_count, 1);
+    assert_true(has_warning(model, "object 3 has a wholly transparent colour: drawn opaque"));
+    assert_floats(mesh_of(model, 0)->colors[0], (const float[]){1, 0, 0, 1}, 4, 0);
+    assert_int_equal(model->materials[mesh_of(model, 0)->material].alpha_mode, SCENE_ALPHA_OPAQUE);
+    assert_floats(mesh_of(model, 1)->colors[0], (const float[]){0, 0, 1, 0}, 4, 0);
+    assert_int_equal(model->materials[mesh_of(model, 1)->material].alpha_mode, SCENE_ALPHA_BLEND);
+    scene_model_free(model);
+}
+
+// An extension that the file requires and nobody here knows.
+static void test_required(void **state)
+{
+    (void)state;
+    zipFile zip = package_begin("x.3mf");
+    package_add_text(
+        zip, "3D/3dmodel.model",
+        "<model xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\" "
+        "xmlns:i=\"http://example.org/implicit\" requiredextensions=\"p i\"><resources><object "
+        "id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object></resources><build><item "
+                                                                   "objectid=\"1\"/></build></model>");
+    package_end(zip);
+    struct scene_model *model = load("x.3mf");
+    assert_int_equal(model->unsupported_count, 1);
+    assert_true(is_unsupported(
+        model, "the extension \"http://example.org/implicit\" (3MF), which the file requires"));
+    scene_model_free(model);
+}
+
 // Without a property, what is not described anywhere: a light grey.
 static void test_plain(void **state)
 {
@@ -468,6 +509,8 @@ static void test_cut(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_colors),
+    cmocka_unit_test(test_alpha_zero),
+    cmocka_unit_test(test_required),
     cmocka_unit_test(test_plain),
     cmocka_unit_test(test_metal_and_composites),
     cmocka_unit_test(test_texture),
