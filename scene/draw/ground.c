@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See ground.h. Light from above at some 40 degrees throws shadows a good model's height long: the ground is whole as far
-// as that, and gone at two and a half times as far.
+// See ground.h. Light from above at some 40 degrees throws shadows that are a little longer than the model is high. The
+// ground is whole within this distance, and gone at two and a half times the distance.
 #include "ground.h"
 
 #include <string.h>

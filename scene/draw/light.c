@@ -21,7 +21,7 @@ static const double key_direction[3] = {-0.50, 0.62, 0.60};
 static const double key_color[3] = {0.56, 0.535, 0.50}; // radiance of white that faces it
 static const double key_size = 0.012;
 static const double key_softness = 0.12, lamp_softness = 0.02;
-static const double widest_cosine = 0.1; // of the half angle within which a spot casts shadows
+static const double widest_cosine = 0.1; // cosine of the widest half angle within which a spot casts shadows
 static const double sky_color[3] = {0.31, 0.33, 0.36};
 static const double ground_color[3] = {0.18, 0.17, 0.16};
 static const double lobe_sharpness = 9.0;

@@ -20,7 +20,7 @@ struct scene_surface_pass {
     bool shadow;                     ///< depth alone, of what casts a shadow
     bool solid;                      ///< without what light passes through
     enum scene_surface_part part;
-    const struct scene_triangle_order *order; ///< of the triangles of blended surfaces; NULL: the model's
+    const struct scene_triangle_order *order; ///< order of the triangles of blended surfaces; NULL: the model's
     struct scene_draw_log *log;               ///< gets what each draw draws; NULL: nothing does
     bool unmapped; ///< normals of a data pass are those of the mesh, without normal maps
     enum rhw_qualifier interpolate;
@@ -72,7 +72,7 @@ void scene_surface_pipelines_destroy(rhw_context *context, struct scene_surface_
 struct scene_surface_item {
     uint32_t instance;
     bool blended;
-    double distance; ///< of the middle of its box along the view
+    double distance; ///< distance of the middle of its box along the view
 };
 
 /// The instances of the model that draw anything, in drawing order: opaque ones from front to back, then

@@ -419,8 +419,8 @@ static const struct aiScene *read_scene(struct scene_import *import)
 {
     struct aiPropertyStore *properties = aiCreatePropertyStore();
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
-    // The matrices that a node of an FBX is made of, each in a node of its own: where assimp 5.2.5 multiplies them, it turns
-    // what exporters aim cameras and lights with the wrong way.
+    // The matrices that a node of an FBX is made of stay nodes of their own: where assimp 5.2.5 multiplies them, it
+    // turns the matrix that exporters aim cameras and lights with the wrong way.
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 1);
     const uint64_t before = limit_memory(import);
     struct aiFileIO files = scene_assimp_files(import);

@@ -23,22 +23,22 @@ enum scene_3mf_kind {
 struct scene_3mf_property {
     /// By the kind of the group: linear RGBA, or u and v, or metallicness and roughness.
     float value[4];
-    uint32_t display; ///< id of display properties; 0 if there are none
+    uint32_t display;    ///< id of display properties; 0 if there are none
     uint32_t list_count; ///< number of a composite's shares or a multiproperty's indices
-    size_t list; ///< first of the list, in scene_3mf.lists
+    size_t list;         ///< first of the list, in scene_3mf.lists
 };
 
 /// A resource other than an object. Its id is one of the ids of its part of the package.
 struct scene_3mf_group {
     uint32_t part, id;
     enum scene_3mf_kind kind;
-    uint32_t display; ///< id of display properties; 0 if there are none
-    uint32_t refers; ///< texid, or matid of composites
+    uint32_t display;        ///< id of display properties; 0 if there are none
+    uint32_t refers;         ///< texid, or matid of composites
     size_t list, list_count; ///< pids of multiproperties, or indices of the materials of composites
     /// Bit k is set if layer k + 1 of multiproperties multiplies what lies below it.
     uint64_t multiplied;
     size_t first, count; ///< range of the group's properties
-    const char *path; ///< path of a texture
+    const char *path;    ///< path of a texture
     enum rhw_address address_u, address_v;
     enum rhw_filter filter;
     int32_t image; ///< image of a texture; −1 until it is used
@@ -65,7 +65,7 @@ struct scene_3mf_object {
     uint32_t *beams; ///< two vertices for each beam of a lattice
     size_t beam_count, beam_capacity;
     size_t first_component, component_count; ///< range in scene_3mf.components
-    uint32_t first_mesh, mesh_count; ///< range of the model's meshes, once `made`
+    uint32_t first_mesh, mesh_count;         ///< range of the model's meshes, once `made`
     bool made;
 };
 
@@ -110,7 +110,7 @@ struct scene_3mf {
     struct scene_3mf_look *looks;
     size_t look_count, look_capacity;
     int layered_count; ///< looks with an image of their own, made of a texture over a colour
-    uint32_t placed; ///< number of components that were followed
+    uint32_t placed;   ///< number of components that were followed
 };
 
 /// Read one part of the package. Parts that it names are added to the list.

@@ -15,7 +15,7 @@ enum place {
     MODEL,
     RESOURCES,
     BUILD,
-    GROUP, // of properties
+    GROUP, // a group of properties
     OBJECT,
     MESH,
     VERTICES,
@@ -343,7 +343,8 @@ static void XMLCALL end_element(void *user, const XML_Char *name)
     }
 }
 
-// A document type can define what its text means, a gigabyte of it in a line; the specification forbids it (Core, 2.3.3).
+// A document type can define what its text means, a gigabyte of it in a line. The specification forbids document types
+// (Core, 2.3.3).
 static void XMLCALL start_doctype(void *user, const XML_Char *name, const XML_Char *system,
                                   const XML_Char *public, int subset)
 {

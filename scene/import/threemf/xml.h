@@ -16,7 +16,7 @@ struct scene_3mf_xml {
     uint32_t part; ///< number of the part being read
     int depth;
     int places[SCENE_3MF_DEEPEST]; ///< places of the reader, as `enum place` of threemf/xml.c has them
-    unsigned skipped; ///< number of elements open below one that is passed over
+    unsigned skipped;              ///< number of elements open below one that is passed over
 };
 
 _Noreturn void scene_3mf_refuse(const struct scene_3mf_xml *xml, const char *problem);
