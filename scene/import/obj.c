@@ -507,6 +507,21 @@ static void decode_colors(struct obj *obj)
     }
 }
 
+// Take z for up if a comment names a program that has z up and writes its numbers as they are.
+static void read_comment(struct obj *obj, struct scene_line line)
+{
+    static const char *const upright[] = {"FreeCAD", "OpenSCAD", "Max2Obj"};
+    struct scene_word word;
+    while (scene_text_word(&line, &word)) {
+        for (size_t i = 0; i < sizeof upright / sizeof *upright; i++) {
+            if (scene_word_is(word, upright[i])) {
+                obj->import->model.up = SCENE_AXIS_Z;
+                obj->import->up_is_open = false;
+            }
+        }
+    }
+}
+
 void scene_import_obj(struct scene_import *import)
 {
     struct obj obj = {.import = import, .smoothing = SMOOTHING_NOT_SAID, .libraries_complete = true};
@@ -517,7 +532,7 @@ void scene_import_obj(struct scene_import *import)
         scene_import_fail(import, "cannot be read: %s", problem);
     }
     import->model.format = "Wavefront OBJ";
-    import->up_is_open = true;
+    import->up_is_open = import->up_is_agreed = true;
     obj.text = scene_text_open(import, bytes, size);
     obj.material = scene_mtl_find(import, &obj.mtl, "");
     start_object(&obj, "");
@@ -526,6 +541,8 @@ void scene_import_obj(struct scene_import *import)
     while (scene_text_line(&obj.text, true, &line)) {
         if (scene_text_word(&line, &key) && key.start[0] != '#') {
             read_line(&obj, key, line);
+        } else if (obj.position_count == 0) {
+            read_comment(&obj, line);
         }
     }
     if (obj.position_count == 0) {

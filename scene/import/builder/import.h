@@ -73,6 +73,8 @@ struct scene_import {
     const char *missing;             // why scene_import_find_file returned NULL last
     // model.up is what is usual in the format, and the model's shape decides.
     bool up_is_open;
+    // With up_is_open: nearly all programs that write the format have what is usual.
+    bool up_is_agreed;
     // Nothing in the format says which side of a surface is the front.
     bool sides_are_open;
     struct system_child *child; // child that reads; its reply is what the parent gets
