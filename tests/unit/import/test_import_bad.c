@@ -159,6 +159,24 @@ static void test_pointers(void **state)
     expect_refused("lfs.gltf", "buffers[0]: \"pointer.bin\": is a Git LFS pointer");
 }
 
+// A node with two parents, and one that stands twice among the children of its parent, are drawn once.
+static void test_two_parents(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_text(
+        "parents.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[2,3,3,3,3,3,3,3,3]},{\"children\":["
+        "2],\"translation\":[5,0,0]},{\"mesh\":0},{\"mesh\":0}],\"meshes\":[{\"primitives\":[{"
+        "\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\","
+        "\"count\":3}]}");
+    assert_int_equal(model->instance_count, 2);
+    assert_true(model->instances[0].world[12] == 0);
+    assert_true(has_warning(
+        model, "nodes[2] has two parents, nodes[0] and nodes[1]: drawn once, as a child of the first"));
+    assert_true(has_warning(model, "nodes[3] has two parents, nodes[0] and nodes[0]"));
+    scene_model_free(model);
+}
+
 static void test_no_files(void **state)
 {
     (void)state;
@@ -278,7 +296,7 @@ static void test_memory_limit(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_pointers),
+    cmocka_unit_test(test_pointers),        cmocka_unit_test(test_two_parents),
 
     cmocka_unit_test(test_bad_files),       cmocka_unit_test(test_no_files),
     cmocka_unit_test(test_pipe_as_texture), cmocka_unit_test(test_not_finite),
