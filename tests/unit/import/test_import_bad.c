@@ -177,6 +177,43 @@ static void test_two_parents(void **state)
     scene_model_free(model);
 }
 
+// Writes a GLB whose JSON has no multiple of four bytes; the next chunk follows at once or behind padding.
+static void write_unaligned(bool is_padded)
+{
+    static const char json[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{"
+        "\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"bufferView\":0,"
+        "\"componentType\":5126,\"type\":\"VEC3\",\"count\":3}],\"bufferViews\":[{\"buffer\":0,"
+        "\"byteLength\":36}],\"buffers\":[{\"byteLength\":36}]}";
+    const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    unsigned char bytes[1024] = "glTF\2";
+    const uint32_t length = (uint32_t)strlen(json) + (strlen(json) % 4 == 0), size = 36;
+    const size_t next = 20 + (is_padded ? (length + 3) / 4 * 4 : length);
+    const uint32_t whole = (uint32_t)next + 8 + size;
+    memset(bytes + 20, ' ', 900);
+    memcpy(bytes + 20, json, strlen(json));
+    memcpy(bytes + 8, &whole, 4);
+    memcpy(bytes + 12, &length, 4);
+    memcpy(bytes + 16, "JSON", 4);
+    memcpy(bytes + next, &size, 4);
+    memcpy(bytes + next + 4, "BIN", 4);
+    memcpy(bytes + next + 8, corners, sizeof corners);
+    write_bytes("unaligned.glb", bytes, whole);
+}
+
+static void test_unaligned_chunk(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        write_unaligned(i == 1);
+        struct scene_model *model = load("unaligned.glb");
+        assert_int_equal(model->triangles_drawn, 1);
+        assert_true(has_warning(model, "the JSON chunk of the GLB has "));
+        assert_true(has_warning(model, " bytes, which is no multiple of 4"));
+        scene_model_free(model);
+    }
+}
+
 static void test_no_files(void **state)
 {
     (void)state;
@@ -297,11 +334,11 @@ static void test_memory_limit(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_pointers),        cmocka_unit_test(test_two_parents),
-
-    cmocka_unit_test(test_bad_files),       cmocka_unit_test(test_no_files),
-    cmocka_unit_test(test_pipe_as_texture), cmocka_unit_test(test_not_finite),
-    cmocka_unit_test(test_nothing_to_draw), cmocka_unit_test(test_deep_tree),
-    cmocka_unit_test(test_limits),          cmocka_unit_test(test_memory_limit),
+    cmocka_unit_test(test_unaligned_chunk), cmocka_unit_test(test_bad_files),
+    cmocka_unit_test(test_no_files),        cmocka_unit_test(test_pipe_as_texture),
+    cmocka_unit_test(test_not_finite),      cmocka_unit_test(test_nothing_to_draw),
+    cmocka_unit_test(test_deep_tree),       cmocka_unit_test(test_limits),
+    cmocka_unit_test(test_memory_limit),
 };
 
 const struct unit_tests test_import_bad = UNIT_TESTS(tests, make_directory, remove_directory);
