@@ -214,6 +214,22 @@ static void test_unaligned_chunk(void **state)
     }
 }
 
+static void test_index_zero(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_text(
+        "zero.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1 2 3\nf 0 1 2\nl 1 0\np 0\nf 3//1 2 0/1\n");
+    assert_int_equal(model->instance_count, 1);
+    assert_int_equal(model->triangles_drawn, 1);
+    assert_true(has_warning(model, "faces, lines and points with an index of 0 are left out, 4 of them"));
+    scene_model_free(model);
+    model = load_text("other.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/0 2/1 3/1\n");
+    assert_int_equal(model->triangles_drawn, 1);
+    assert_null(model->meshes[0].uvs[0]);
+    assert_true(has_warning(model, "texture coordinates and normals with an index of 0 are left out"));
+    scene_model_free(model);
+}
+
 static void test_no_files(void **state)
 {
     (void)state;
@@ -334,11 +350,11 @@ static void test_memory_limit(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_pointers),        cmocka_unit_test(test_two_parents),
-    cmocka_unit_test(test_unaligned_chunk), cmocka_unit_test(test_bad_files),
-    cmocka_unit_test(test_no_files),        cmocka_unit_test(test_pipe_as_texture),
-    cmocka_unit_test(test_not_finite),      cmocka_unit_test(test_nothing_to_draw),
-    cmocka_unit_test(test_deep_tree),       cmocka_unit_test(test_limits),
-    cmocka_unit_test(test_memory_limit),
+    cmocka_unit_test(test_unaligned_chunk), cmocka_unit_test(test_index_zero),
+    cmocka_unit_test(test_bad_files),       cmocka_unit_test(test_no_files),
+    cmocka_unit_test(test_pipe_as_texture), cmocka_unit_test(test_not_finite),
+    cmocka_unit_test(test_nothing_to_draw), cmocka_unit_test(test_deep_tree),
+    cmocka_unit_test(test_limits),          cmocka_unit_test(test_memory_limit),
 };
 
 const struct unit_tests test_import_bad = UNIT_TESTS(tests, make_directory, remove_directory);
