@@ -147,8 +147,7 @@ static void use_position(struct scene_surface *s, struct scene_surface_key *key)
     key->position_number = key->varying_count;
 }
 
-// The plane of a fragment, in which shadows are looked up, follows from the derivatives of its position; what a facet
-// stands for from the tangent planes of its corners.
+// What a facet stands for, as shadows are looked up, follows from the tangent planes of its corners.
 static void use_shadows(struct scene_surface *s, struct scene_surface_key *key,
                         const struct scene_frame *frame)
 {
@@ -156,7 +155,6 @@ static void use_shadows(struct scene_surface *s, struct scene_surface_key *key,
         s->shadowed = s->shadowed || frame->lights[i].map_count > 0;
     }
     if (s->shadowed && s->is_triangle) {
-        key->position_derivatives = true;
         s->varying_support = add_varying(key, 1);
     }
 }
@@ -235,6 +233,7 @@ static void lay_out_color(struct scene_surface *s, struct scene_surface_key *key
         use_position(s, key);
         use_normal(s, key, mesh);
         use_shadows(s, key, def->frame);
+        key->position_derivatives = s->is_triangle; // from which the plane of a fragment follows
         key->uses |= def->frame->guide.occlusion ? RHW_USE_COORD : 0;
     }
     if (mapped) {

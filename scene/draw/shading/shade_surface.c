@@ -203,7 +203,7 @@ ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface 
     struct scene_reflector reflector;
     const rhw_float *position = &f->varying[s->varying_position];
     view_direction(frame, position, reflector.view);
-    seen_normal(f, s, mapped, false, texels, reflector.view, reflector.normal);
+    seen_normal(f, s, mapped, texels, reflector.view, reflector.normal);
     scene_reflector_set(&reflector, base, metallic, roughness);
     if (frame->guide.occlusion) {
         occlusion = rhw_min(occlusion, ambient_open(f, frame, position));

@@ -534,6 +534,55 @@ static void test_corner(void **state)
     scene_pictures_free(&without);
 }
 
+static void set_normals(struct tiny *t, float x, float z)
+{
+    for (int i = 0; i < 4; i++) {
+        t->normals[i][0] = x;
+        t->normals[i][1] = 0;
+        t->normals[i][2] = z;
+    }
+}
+
+// Return the red light of the middle of a square that is turned by 60 degrees, if its normals are (x, 0, z) in the world
+// and a lamp shines from the side and behind.
+static double light_of_normal(float x, float z)
+{
+    const float sine = 0.8660254f, cosine = 0.5f;
+    struct tiny t;
+    tiny_make(&t);
+    t.material.unlit = false;
+    t.material.roughness = 0.2f;
+    float *m = t.instances[0].world;
+    tiny_identity(m);
+    m[0] = m[10] = cosine;
+    m[8] = sine;
+    m[2] = -sine;
+    set_normals(&t, cosine * x - sine * z, sine * x + cosine * z);
+    t.model.light_count = 1;
+    t.light = (struct scene_model_light){
+        .type = SCENE_LIGHT_DIRECTIONAL, .direction = {-0.96f, 0, 0.28f}, .color = {1, 1, 1}, .intensity = 9};
+    struct scene_view view = tiny_view(&t, 32);
+    view.outputs = SCENE_OUTPUT_LINEAR;
+    view.shadows = view.ambient_occlusion = false;
+    struct scene_pictures pictures = tiny_draw(&t, &view);
+    const double light = brightness(&pictures, 0, 0);
+    scene_pictures_free(&pictures);
+    return light;
+}
+
+// A normal that leans away from the eye is lit as one whose surface is just seen, with n·v = 0.02: no highlight is of what
+// lies behind. A normal on the other side of its facet is lit as it is, from behind.
+static void test_normals_that_lean_away(void **state)
+{
+    (void)state;
+    const double expected = light_of_normal(0.9998f, 0.02f);
+    const float leaning[][2] = {{1, 0}, {0.9950f, -0.1f}, {0.96f, -0.28f}};
+    for (int i = 0; i < 3; i++) {
+        tiny_assert_close(light_of_normal(leaning[i][0], leaning[i][1]), expected, 0.01 * expected);
+    }
+    assert_true(light_of_normal(0.28f, -0.96f) < 0.7 * expected);
+}
+
 // A square by itself has nothing above it.
 static void test_open_square(void **state)
 {
@@ -634,6 +683,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_a_waist_of_few_facets_does_not_shade_itself),
     cmocka_unit_test(test_contact),
     cmocka_unit_test(test_corner),
+    cmocka_unit_test(test_normals_that_lean_away),
     cmocka_unit_test(test_open_square),
     cmocka_unit_test(test_open_floor),
 };
