@@ -22,7 +22,7 @@ struct scene_surface_pass {
     enum scene_surface_part part;
     const struct scene_triangle_order *order; ///< of the triangles of blended surfaces; NULL: the model's
     struct scene_draw_log *log;               ///< gets what each draw draws; NULL: nothing does
-    bool unmapped; ///< normals of a data pass are those of the mesh, without normal maps
+    bool guide; ///< a data pass of scene_guide: distances, and the normals of mesh and facets
     enum rhw_qualifier interpolate;
     enum scene_wireframe wireframe;
     enum rhw_format formats[RHW_MAX_COLOR_ATTACHMENTS];

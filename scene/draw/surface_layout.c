@@ -284,7 +284,7 @@ static void lay_out_data(struct scene_surface *s, struct scene_surface_key *key,
     const uint32_t outputs = def->data_outputs;
     const bool normal = (outputs & SCENE_OUTPUT_NORMAL) && mesh->normal >= 0;
     const bool mapped =
-        normal && !def->unmapped && mesh->tangent >= 0 && material->slots[SCENE_SLOT_NORMAL].image >= 0;
+        normal && !def->guide && mesh->tangent >= 0 && material->slots[SCENE_SLOT_NORMAL].image >= 0;
     use_position(s, key);
     if (normal) {
         use_normal(s, key, mesh);
@@ -310,7 +310,8 @@ static void lay_out_data(struct scene_surface *s, struct scene_surface_key *key,
             s->uv_varying = use_stream(s, key, mesh, 0, identity);
         }
     }
-    key->fragment = SCENE_FRAGMENT_DATA;
+    key->fragment = def->guide ? SCENE_FRAGMENT_GUIDE : SCENE_FRAGMENT_DATA;
+    key->position_derivatives = def->guide && s->is_triangle;
     key->counts = outputs == SCENE_OUTPUT_OVERDRAW;
     key->uses |= outputs & (SCENE_OUTPUT_DEPTH | SCENE_OUTPUT_DISTANCE) ? RHW_USE_COORD : 0;
     key->uses |= outputs & SCENE_OUTPUT_TRIANGLE ? RHW_USE_IDS : 0;

@@ -220,6 +220,7 @@ enum scene_fragment_kind {
     SCENE_FRAGMENT_GROUND,  // ground, of which only the shadow on it shows
     SCENE_FRAGMENT_LAYERED, // extensions of the material, and any textures
     SCENE_FRAGMENT_DATA,
+    SCENE_FRAGMENT_GUIDE,  // distance, and normals of the guide
     SCENE_FRAGMENT_SHADOW, // fragments that cast no shadow are discarded
     SCENE_FRAGMENT_KINDS,
     SCENE_FRAGMENT_NONE = -1
