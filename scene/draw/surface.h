@@ -10,8 +10,15 @@
 
 struct scene_lighting;
 
-/// PEELED: blended surfaces without blending, of each pixel the farthest that is nearer than `peeled`.
-enum scene_surface_part { SCENE_SURFACES_ALL, SCENE_SURFACES_OPAQUE, SCENE_SURFACES_PEELED };
+/// PEELED: blended surfaces without blending, of each pixel the farthest that is nearer than `peeled`. GLASS: the same of
+/// surfaces that light passes through. BLENDED: blended surfaces.
+enum scene_surface_part {
+    SCENE_SURFACES_ALL,
+    SCENE_SURFACES_OPAQUE,
+    SCENE_SURFACES_BLENDED,
+    SCENE_SURFACES_PEELED,
+    SCENE_SURFACES_GLASS
+};
 
 /// What a pass wants of every surface.
 struct scene_surface_pass {
@@ -32,7 +39,7 @@ struct scene_surface_pass {
     rhw_sampler environment_sampler;
     rhw_texture backdrop; ///< what is seen through surfaces, with levels; null: none is
     rhw_sampler backdrop_sampler;
-    rhw_texture peeled; ///< with frame->peel_samples: what fragments must be nearer than
+    rhw_texture peeled; ///< with frame->peel_samples: what fragments must be nearer than, or behind
     rhw_sampler peeled_sampler;
 };
 

@@ -266,9 +266,9 @@ static void lay_out_color(struct scene_surface *s, struct scene_surface_key *key
                     : textured          ? SCENE_FRAGMENT_TEXTURED
                                         : SCENE_FRAGMENT_LIT;
     const bool blended = material->alpha_mode == SCENE_ALPHA_BLEND && !plain;
-    key->blend = blended && def->part != SCENE_SURFACES_PEELED;
-    key->peel = blended && def->part == SCENE_SURFACES_PEELED;
-    if (key->peel) {
+    key->peel = def->part == SCENE_SURFACES_PEELED || def->part == SCENE_SURFACES_GLASS;
+    key->blend = blended && !key->peel;
+    if (def->frame->peel_samples > 0) {
         key->uses |= RHW_USE_COORD | RHW_USE_DISCARD | (def->frame->peel_samples > 1 ? RHW_USE_SAMPLE : 0);
     }
     if (def->wireframe != SCENE_WIREFRAME_NONE && s->is_triangle) {
@@ -376,7 +376,10 @@ void scene_surface_lay_out(const struct scene_upload *upload, const struct scene
     key->vertex = (int32_t)mesh->kind;
     key->stride = (int32_t)mesh->stride;
     key->interpolate = (int32_t)def->interpolate;
-    key->cull = s->double_sided || !s->is_triangle ? RHW_CULL_NONE : RHW_CULL_BACK;
+    // The thickness of a volume takes its far side in already.
+    const bool is_volume = def->part == SCENE_SURFACES_GLASS && material->layers.thickness > 0.0f;
+    const bool has_back = (s->double_sided && !is_volume) || !s->is_triangle;
+    key->cull = has_back ? RHW_CULL_NONE : RHW_CULL_BACK;
     key->front = instance->mirrored ? RHW_CLOCKWISE : RHW_COUNTER_CLOCKWISE;
     key->format_count = def->format_count;
     for (int i = 0; i < def->format_count; i++) {

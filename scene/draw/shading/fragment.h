@@ -59,7 +59,9 @@ ALWAYS_INLINE void base_color(struct rhw_fragment *f, const struct scene_surface
     if (s->frame->peel_samples > 0) {
         rhw_float behind[4];
         fetch_here(f, s->peel_unit, s->frame->peel_samples, behind);
-        f->mask = f->mask & rhw_less(behind[0], f->coord[2]);
+        const rhw_int nearer = rhw_less(behind[0], f->coord[2]);
+        const rhw_int farther = rhw_less(f->coord[2], behind[0]) | rhw_equal(behind[0], 0.0f);
+        f->mask = f->mask & (s->frame->peel_behind ? farther : nearer);
     }
     for (int c = 0; c < 4; c++) {
         color[c] = rhw_splat(s->base_color[c]);
