@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the built-in shader makes of light at a fragment, told light by light: the normal that it takes, how far the surface
-// faces the light, and how much of that is in shadow. Asked of the shader's own functions, so that it is what they gave.
+// faces the light, how much of that is in shadow, and what ambient occlusion leaves. Asked of the shader's own functions, so that it is what they gave.
 #ifndef SCENE_EXPLAIN_LIGHT_H
 #define SCENE_EXPLAIN_LIGHT_H
 
@@ -25,7 +25,9 @@ struct scene_light_looks {
     float normal[3];     ///< unit, of the side that is seen
     int count, left_out; ///< lights that are told, and those beyond SCENE_LIGHT_LOOKS
     struct scene_light_look lights[SCENE_LIGHT_LOOKS];
-    float sum[3]; ///< of what arrives, of all lights
+    float sum[3];       ///< of what arrives, of all lights
+    bool has_occlusion; ///< there is ambient occlusion
+    float around;       ///< the part of what comes from all around that ambient occlusion leaves, 0..1
 };
 
 /// Of a surface's shaded fragment, while that is told.
