@@ -95,7 +95,7 @@ static enum rhw_result draw_light(struct draw *draw)
         scene_draw_guide,     // distances and normals
         scene_draw_occlusion, // how much of the surroundings each pixel's surface sees
         scene_draw_shadows,   // shadow maps
-        sort_triangles,       // of blended surfaces, from back to front
+        sort_triangles,       // sorts blended surfaces from back to front
         scene_draw_backdrop,  // what is seen through surfaces
     };
     const double start = scene_milliseconds();

@@ -27,7 +27,7 @@ struct scene_surface_pass {
     bool shadow;                     ///< depth alone, of what casts a shadow
     bool solid;                      ///< without what light passes through
     enum scene_surface_part part;
-    const struct scene_triangle_order *order; ///< of the triangles of blended surfaces; NULL: the model's
+    const struct scene_triangle_order *order; ///< order of the triangles of blended surfaces; NULL: the model's
     struct scene_draw_log *log;               ///< gets what each draw draws; NULL: nothing does
     bool guide; ///< a data pass of scene_guide: distances, and the normals of mesh and facets
     enum rhw_qualifier interpolate;
@@ -79,7 +79,7 @@ void scene_surface_pipelines_destroy(rhw_context *context, struct scene_surface_
 struct scene_surface_item {
     uint32_t instance;
     bool blended;
-    double distance; ///< of the middle of its box along the view
+    double distance; ///< distance of the middle of its box along the view
 };
 
 /// The instances of the model that draw anything, in drawing order: opaque ones from front to back, then

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a draw binds follows from three things alone: what the pass wants, what the material has and what the mesh carries;
-// attributes and varyings that nobody reads are left out.
+// What a draw binds follows from three things alone: what the pass wants, what the material has and what the mesh
+// carries. Attributes and varyings that nobody reads are left out.
 #include "surface_layout.h"
 
 #include "elementary.h"

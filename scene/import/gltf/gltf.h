@@ -20,17 +20,17 @@ struct scene_gltf_decoded {
     const unsigned char *bytes; // NULL if nothing was decompressed
     size_t size, stride;
     uint32_t count; // number of elements, for an accessor
-    int type; // componentType, for an accessor
+    int type;       // componentType, for an accessor
 };
 
 struct scene_gltf_node {
     float world[16];
+    uint32_t place;  ///< where it stands among the children of its parent
     uint32_t parent; // UINT32_MAX for a root
     bool placed;     // `world` is set
     bool in_scene, visited;
     // Values that an animation gives the node. NULL where the node's own hold.
-    const float *translation, *rotation, *scale,
-        *weights;
+    const float *translation, *rotation, *scale, *weights;
     size_t weight_count;
 };
 
@@ -51,7 +51,7 @@ struct scene_gltf {
     struct scene_gltf_node *nodes;
     struct scene_gltf_meshes *meshes;
     int32_t *materials; // index in the model by index in the glTF; −1 if not made yet
-    int32_t *images; // index in the model by index in the glTF; −1 if not added yet
+    int32_t *images;    // index in the model by index in the glTF; −1 if not added yet
     int32_t default_material;
     int64_t variant; // number of the variant of KHR_materials_variants; −1 if none is wanted
 };

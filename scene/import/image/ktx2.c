@@ -25,7 +25,7 @@ struct ktx2 {
     uint32_t format; // VkFormat; 0 for the format that the descriptor says
     uint32_t width, height, levels, scheme;
     struct scene_span level; // bytes of the first level
-    uint64_t level_bytes; // bytes of the first level, unpacked
+    uint64_t level_bytes;    // bytes of the first level, unpacked
     struct scene_span descriptor, pairs, global;
     // The descriptor's model, its number of samples, and the channels that its first two samples hold.
     uint32_t model, samples, channel[2];
