@@ -29,8 +29,7 @@ static double subject_radius(const struct scene_model *model)
     const struct scene_subject subject = scene_subject_find(model);
     double square = 0.0;
     for (int c = 0; c < 3; c++) {
-        const double side = subject.is_all ? (double)model->bounds_max[c] - (double)model->bounds_min[c]
-                                           : subject.high[c] - subject.low[c];
+        const double side = subject.box.high[c] - subject.box.low[c];
         square += side * side;
     }
     return 0.5 * __builtin_sqrt(square);

@@ -160,8 +160,9 @@ struct scene_surface {
 };
 
 // Uniforms of the background. `top`, linear and premultiplied, is all of the background if it is even. Between two sRGB
-// codes the background is dithered, because the codes between are too few for a smooth run.
+// codes the background is dithered in 8 bits, because the codes between are too few for a smooth run there.
 struct scene_backdrop {
+    int32_t smooth; // the picture has more than 8 bits, so that the background is not dithered
     float top[4];
     float codes[2][3];    // codes of the first and the last row, 0..255
     float inverse_height; // 1 / height of the picture

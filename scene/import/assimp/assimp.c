@@ -517,8 +517,7 @@ static void set_up(struct scene_import *import, const struct aiScene *scene)
         const int axis = fbx_up_axis(scene);
         import->model.up = axis == 2 ? SCENE_AXIS_Z : axis == 0 ? SCENE_AXIS_X : SCENE_AXIS_Y;
     }
-    import->up_is_open = strcasecmp(import->ending, "off") == 0 || strcasecmp(import->ending, "xgl") == 0 ||
-                         strcasecmp(import->ending, "zgl") == 0;
+    import->up_is_open = strcasecmp(import->ending, "xgl") == 0 || strcasecmp(import->ending, "zgl") == 0;
 }
 
 void scene_import_assimp(struct scene_import *import)

@@ -127,6 +127,30 @@ static void test_a_fold_does_not_shade_itself(void **state)
     }
 }
 
+// A wall that leans over a floor from x = 0 on, and keeps the light from it: there is no bright line where they meet,
+// although the penumbra is wide away from there and the map is empty beyond the corner.
+static void test_no_light_along_an_inner_corner(void **state)
+{
+    (void)state;
+    const double slopes[] = {1, 4, 16};
+    for (size_t i = 0; i < sizeof slopes / sizeof *slopes; i++) {
+        const struct scene_shadow_map maps[] = {parallel_map(0.12f), perspective_map(0.12f)};
+        for (int m = 0; m < 2; m++) {
+            const struct plane floor = {0.1, 0.2, -2}, wall = {0.1 + slopes[i], 0.2, -2};
+            for (int y = 0; y < SIZE; y++) {
+                for (int x = 0; x < SIZE; x++) {
+                    const double depth = plane_depth(&maps[m], &wall, x + 0.5, y + 0.5);
+                    texels[y * SIZE + x] = x < SIZE / 2 ? 0.0f : (float)depth;
+                }
+            }
+            // A texel of the floor is 1/64 wide, or 1/32.
+            for (double x = 0.02; x < 0.2; x += 0.003) {
+                tiny_assert_close((double)look(&maps[m], &floor, x, 0.1, 0.0)[0], 0.0, 0.001);
+            }
+        }
+    }
+}
+
 // A half plane of height z = −1 over x < 0 above a floor at z = −2: the penumbra is as wide as softness · 1 on either side
 // of the edge, and half of the light arrives below the edge itself.
 static void test_penumbra(void **state)
@@ -615,3 +639,4 @@ static const struct CMUnitTest tests[] = {
 };
 
 const struct unit_tests test_shadow = UNIT_TESTS(tests, NULL, NULL);
+cmocka_unit_test(test_no_light_along_an_inner_corner),
