@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// See coverage.h. Triangles are clipped at the near and the far plane and scanned row by row. A line covers the cells of
-// points along it, and a point covers its own.
+// See coverage.h. Triangles are clipped at the near and the far plane and scanned row by row. A line covers the cells
+// of points along it, and a point covers its own.
 #include "coverage.h"
 
 #include <string.h>
 
 #include "camera_math.h"
 
-// A plane adds a corner to a convex polygon, so two leave a triangle five. The room for a sixth is what compilers prove.
+// A plane adds a corner to a convex polygon, so two leave a triangle five. Compilers can only prove six.
 enum { MOST_CORNERS = 6 };
 
 struct grid {

@@ -4,7 +4,8 @@
 #include "coverage.h"
 #include "subject.h"
 
-static const uint32_t largest_ratio = 100; // of the pixels that the model covers fitted
+// The model may cover so many times fewer pixels than it covers when it is fitted.
+static const uint32_t largest_ratio = 100;
 
 static bool is_inside(const struct scene_model *model, const double eye[3])
 {
