@@ -8,7 +8,8 @@
 
 struct scene_mtl_material {
     struct scene_phong phong;
-    int32_t made[2]; ///< index in the model, without and with vertex colours; −1 if not used yet
+    const char *ambient; ///< name of the ambient texture; NULL if there is none
+    int32_t made[2];     ///< index in the model, without and with vertex colours; −1 if not used yet
 };
 
 struct scene_mtl {

@@ -5,20 +5,11 @@
 #include <string.h>
 
 #define SQUARE "0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
-#define FACE "4 0 1 2 3"
+#define FACE   "4 0 1 2 3"
 
 static const float *color_at(const struct scene_model *model, uint32_t corner)
 {
     return model->meshes[0].colors[model->meshes[0].indices[corner]];
-}
-
-static bool is_unsupported(const struct scene_model *model, const char *part)
-{
-    bool found = false;
-    for (uint32_t i = 0; i < model->unsupported_count; i++) {
-        found = found || strstr(model->unsupported[i], part) != NULL;
-    }
-    return found;
 }
 
 // Load a square that must have no warning, whose bounds are those of SQUARE.
@@ -43,7 +34,8 @@ static void test_layouts(void **state)
     static const char *const texts[] = {
         "OFF\n4 1 0\n" SQUARE FACE "\n",
         "OFF\r\n4 1 0\r\n0 0 0\r\n1 0 0\r\n1 1 0\r\n0 1 0\r\n4 0 1 2 3",
-        "# by hand\n\n  # twice\nOFF # a square\n4\n1 # faces\n\n0\n0 0 0#first\n1 0 0 1\n1 0 0 1 0\n4 0\n1\t2\n# almost\n3",
+        "# by hand\n\n  # twice\nOFF # a square\n4\n1 # faces\n\n0\n0 0 0#first\n1 0 0 1\n1 0 0 1 0\n4 "
+        "0\n1\t2\n# almost\n3",
         "OFF 4 1 4 0 0 0 1 0 0 1 1 0 0 1 0 4 0 1 2 3",
         "OFF4 1 0\n" SQUARE FACE,
         "4 1 0\n" SQUARE FACE,
@@ -71,9 +63,11 @@ static void test_face_colors(void **state)
         const char *color;
         float expected[4];
     } cases[] = {
-        {"255 0 0", {1, 0, 0, 1}},       {"255 0 0 # red", {1, 0, 0, 1}},  {"1 0 0", {1, 0, 0, 1}},
-        {"0.5 0 1.0", {0.21404f, 0, 1, 1}}, {"0 255 0 51", {0, 1, 0, 0.2f}}, {"0.0 1.0 0.0 0.2", {0, 1, 0, 0.2f}},
-        {"0 255 0 1", {0, 1, 0, 1}},     {"255.0 0.0 0.0", {1, 0, 0, 1}}, {"1e0 0 0", {1, 0, 0, 1}},
+        {"255 0 0", {1, 0, 0, 1}},       {"255 0 0 # red", {1, 0, 0, 1}},
+        {"1 0 0", {1, 0, 0, 1}},         {"0.5 0 1.0", {0.21404f, 0, 1, 1}},
+        {"0 255 0 51", {0, 1, 0, 0.2f}}, {"0.0 1.0 0.0 0.2", {0, 1, 0, 0.2f}},
+        {"0 255 0 1", {0, 1, 0, 1}},     {"255.0 0.0 0.0", {1, 0, 0, 1}},
+        {"1e0 0 0", {1, 0, 0, 1}},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         write_format("c.off", "OFF\n4 1 0\n" SQUARE FACE " %s\n", cases[i].color);
@@ -93,8 +87,9 @@ static void test_face_colors(void **state)
 static void test_mixed_face_colors(void **state)
 {
     (void)state;
-    struct scene_model *model = load_text("m.off", "OFF\n4 4 0\n" SQUARE "3 0 1 2 255 0 0\n3 0 1 3 0.5 0.5 1.0\n"
-                                                   "3 1 2 3\n3 0 2 3 1 1 0\n");
+    struct scene_model *model =
+        load_text("m.off", "OFF\n4 4 0\n" SQUARE "3 0 1 2 255 0 0\n3 0 1 3 0.5 0.5 1.0\n"
+                           "3 1 2 3\n3 0 2 3 1 1 0\n");
     assert_floats(color_at(model, 0), (const float[]){1, 0, 0, 1}, 4, 0);
     assert_floats(color_at(model, 3), (const float[]){0.21404f, 0.21404f, 1, 1}, 4, 1e-5f);
     assert_floats(color_at(model, 6), (const float[]){0.40109f, 0.40109f, 0.40109f, 1}, 4, 1e-4f);
@@ -133,7 +128,8 @@ static void test_two_vertices_per_line(void **state)
 {
     (void)state;
     scene_model_free(load_square("OFF\n4 1 0\n0 0 0 1 0 0\n1 1 0 0 1 0\n" FACE));
-    struct scene_model *model = load_text("p.off", "OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1 0\n5 0 1 2 3 0\n5 3 2 1 0 3\n");
+    struct scene_model *model =
+        load_text("p.off", "OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1 0\n5 0 1 2 3 0\n5 3 2 1 0 3\n");
     assert_null(model->meshes[0].colors);
     scene_model_free(model);
 }
@@ -160,7 +156,8 @@ static void test_told(void **state)
         const char *text, *line;
     } cases[] = {
         {"OFF\n4 1 0\n" SQUARE FACE " 7\n", "by their number in Geomview's map: not drawn"},
-        {"nOFF 5\n4 1 0\n0 0 0 1 1\n1 0 0 1 1\n1 1 0 1 1\n0 1 0 1 1\n" FACE, "dimensions after the third: not drawn"},
+        {"nOFF 5\n4 1 0\n0 0 0 1 1\n1 0 0 1 1\n1 1 0 1 1\n0 1 0 1 1\n" FACE,
+         "dimensions after the third: not drawn"},
         {"COFF\n4 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n1 1 0 1 0 0 1\n0 1 0 1 0 0 1\n" FACE " 0 0 255\n",
          "colours of faces (OFF): not drawn"},
     };
@@ -183,7 +180,8 @@ static void test_told(void **state)
 static void test_lines_and_points(void **state)
 {
     (void)state;
-    struct scene_model *model = load_text("l.off", "OFF\n4 3 0\n" SQUARE "3 0 1 2 1 0 0\n2 2 3 0 1 0\n1 1 0 0 1\n");
+    struct scene_model *model =
+        load_text("l.off", "OFF\n4 3 0\n" SQUARE "3 0 1 2 1 0 0\n2 2 3 0 1 0\n1 1 0 0 1\n");
     assert_int_equal(model->instance_count, 3);
     assert_int_equal(model->meshes[1].primitive, SCENE_PRIMITIVE_LINES);
     assert_floats(model->meshes[1].colors[0], (const float[]){0, 1, 0, 1}, 4, 0);
@@ -254,7 +252,8 @@ static void test_refused(void **state)
         {"OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 ", "is cut: 4 vertices and 1 faces do not fit into it"},
         {"OFF\n400 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2", "is cut: 400 vertices and 1 faces do not fit into it"},
         {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3", "face 1 of 1 refers to vertex 3; it has 3, from 0 on"},
-        {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -2", "face 1 of 1 has -2 where a whole number from 0 on must be"},
+        {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -2",
+         "face 1 of 1 has -2 where a whole number from 0 on must be"},
         {"OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2", "line 4: \"zero\" is not a number"},
         {"OFF\n0 0 0\n", "is no OFF model: it has no vertices"},
         {"appearance { +edge }\nOFF\n0 0 0\n", "is no OFF model: it begins with \"appearance\""},
@@ -277,11 +276,16 @@ static void test_kind(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_layouts),          cmocka_unit_test(test_face_colors),
-    cmocka_unit_test(test_mixed_face_colors), cmocka_unit_test(test_vertex_colors),
-    cmocka_unit_test(test_two_vertices_per_line), cmocka_unit_test(test_normals),
-    cmocka_unit_test(test_told),             cmocka_unit_test(test_lines_and_points),
-    cmocka_unit_test(test_binary),           cmocka_unit_test(test_refused),
+    cmocka_unit_test(test_layouts),
+    cmocka_unit_test(test_face_colors),
+    cmocka_unit_test(test_mixed_face_colors),
+    cmocka_unit_test(test_vertex_colors),
+    cmocka_unit_test(test_two_vertices_per_line),
+    cmocka_unit_test(test_normals),
+    cmocka_unit_test(test_told),
+    cmocka_unit_test(test_lines_and_points),
+    cmocka_unit_test(test_binary),
+    cmocka_unit_test(test_refused),
     cmocka_unit_test(test_kind),
 };
 
