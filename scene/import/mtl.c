@@ -19,14 +19,22 @@ static bool key_is(struct scene_word word, const char *key)
 
 size_t scene_mtl_find(struct scene_import *import, struct scene_mtl *mtl, const char *name)
 {
-    for (size_t i = 0; i < mtl->count; i++) {
-        if (strcmp(mtl->materials[i].phong.name, name) == 0) {
-            return i;
-        }
+    const uint32_t hash = scene_hash_bytes(name, strlen(name));
+    size_t place = SIZE_MAX;
+    uint32_t found = scene_hash_next(&mtl->names, hash, &place);
+    while (found != UINT32_MAX && strcmp(mtl->materials[found].phong.name, name) != 0) {
+        found = scene_hash_next(&mtl->names, hash, &place);
+    }
+    if (found != UINT32_MAX) {
+        return found;
+    }
+    if (mtl->count >= INT32_MAX) {
+        scene_import_fail(import, "has too many materials");
     }
     scene_import_reserve(import, &mtl->materials, &mtl->capacity, mtl->count + 1, sizeof *mtl->materials);
     mtl->materials[mtl->count] = (struct scene_mtl_material){scene_phong_default(), NULL, {-1, -1}};
     mtl->materials[mtl->count].phong.name = name;
+    scene_hash_add(import, &mtl->names, hash, (uint32_t)mtl->count);
     return mtl->count++;
 }
 

@@ -3,6 +3,7 @@
 #ifndef SCENE_IMPORT_MTL_H
 #define SCENE_IMPORT_MTL_H
 
+#include "import/builder/hash_table.h"
 #include "import/builder/import.h"
 #include "import/builder/phong.h"
 
@@ -15,6 +16,7 @@ struct scene_mtl_material {
 struct scene_mtl {
     struct scene_mtl_material *materials;
     size_t count, capacity;
+    struct scene_hash_table names; ///< places of the materials by their names
 };
 
 /// Add the materials of a library. Return false, with a warning, if it cannot be read.

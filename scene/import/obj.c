@@ -11,6 +11,7 @@
 
 #include "import/builder/complete_mesh.h"
 #include "import/builder/find_file.h"
+#include "import/builder/hash_table.h"
 #include "import/builder/import.h"
 #include "import/builder/numbers.h"
 #include "import/builder/polygon.h"
@@ -57,7 +58,8 @@ struct obj {
     size_t object_count, object_capacity;
     size_t first_part; // first part of the current object
     struct part *parts;
-    size_t part_count, part_capacity;
+    size_t part_count, part_capacity, part; // part: the one of the face before
+    struct scene_hash_table part_table;     // parts by their keys
     struct scene_mtl mtl;
     bool libraries_complete; // all libraries that were named are there
     size_t material;
@@ -226,20 +228,42 @@ static struct corner read_corner(struct obj *obj, struct scene_word word)
     return corner;
 }
 
+static bool same_key(const struct part_key *a, const struct part_key *b)
+{
+    return a->object == b->object && a->material == b->material && a->smoothing == b->smoothing &&
+           a->primitive == b->primitive && a->has_uv == b->has_uv && a->has_normal == b->has_normal;
+}
+
+static uint32_t hash_key(const struct part_key *key)
+{
+    const uint64_t words[] = {key->object, key->material, (uint64_t)key->smoothing,
+                              (uint64_t)key->primitive << 2 | (uint64_t)key->has_uv << 1 | key->has_normal};
+    return scene_hash_bytes(words, sizeof words);
+}
+
 static struct part *find_part(struct obj *obj, const struct part_key *key)
 {
-    for (size_t i = obj->part_count; i > obj->first_part; i--) {
-        const struct part_key *other = &obj->parts[i - 1].key;
-        if (other->material == key->material && other->smoothing == key->smoothing &&
-            other->primitive == key->primitive && other->has_uv == key->has_uv &&
-            other->has_normal == key->has_normal) {
-            return &obj->parts[i - 1];
-        }
+    if (obj->part < obj->part_count && same_key(&obj->parts[obj->part].key, key)) {
+        return &obj->parts[obj->part]; // most faces follow one of their own part
     }
-    scene_import_reserve(obj->import, &obj->parts, &obj->part_capacity, obj->part_count + 1,
-                         sizeof *obj->parts);
-    obj->parts[obj->part_count] = (struct part){.key = *key};
-    return &obj->parts[obj->part_count++];
+    const uint32_t hash = hash_key(key);
+    size_t place = SIZE_MAX;
+    uint32_t found = scene_hash_next(&obj->part_table, hash, &place);
+    while (found != none && !same_key(&obj->parts[found].key, key)) {
+        found = scene_hash_next(&obj->part_table, hash, &place);
+    }
+    if (found == none) {
+        if (obj->part_count >= INT_MAX) {
+            refuse(obj, "has too many parts");
+        }
+        scene_import_reserve(obj->import, &obj->parts, &obj->part_capacity, obj->part_count + 1,
+                             sizeof *obj->parts);
+        found = (uint32_t)obj->part_count++;
+        obj->parts[found] = (struct part){.key = *key};
+        scene_hash_add(obj->import, &obj->part_table, hash, found);
+    }
+    obj->part = found;
+    return &obj->parts[found];
 }
 
 static void add_element(struct obj *obj, enum scene_primitive primitive, const struct corner *corners,

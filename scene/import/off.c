@@ -149,8 +149,8 @@ static void read_counts(struct off *off)
     // The first number of a text may stand on the line of the counts.
     const uint64_t numbers = (uint64_t)off->vertex_count * (unsigned)off->layout.dimension + off->face_count;
     if (numbers * least > left + (size_t)(off->source.line.end - off->source.line.cursor) + 1) {
-        scene_import_fail(off->import, "is cut: %u vertices and %u faces do not fit into it", off->vertex_count,
-                          off->face_count);
+        scene_import_fail(off->import, "is cut: %u vertices and %u faces do not fit into it",
+                          off->vertex_count, off->face_count);
     }
 }
 
@@ -161,7 +161,8 @@ static void look_at_lines(struct off *off)
 {
     struct off_layout *layout = &off->layout;
     struct off_source *source = &off->source;
-    const int sure = layout->dimension + layout->has_w + (layout->has_normal ? 3 : 0) + (layout->has_uv ? 2 : 0);
+    const int sure =
+        layout->dimension + layout->has_w + (layout->has_normal ? 3 : 0) + (layout->has_uv ? 2 : 0);
     struct off_source ahead = *source;
     struct scene_word word;
     if (source->binary || scene_off_word_of_line(&ahead, &word) ||
@@ -177,7 +178,8 @@ static void look_at_lines(struct off *off)
     layout->color_count = more == 3 || more == 4 ? more : more > 4 && !layout->color_guessed ? 4 : 0;
     layout->ignored = more - layout->color_count;
     if (layout->ignored > 0) {
-        scene_import_warn(off->import, "%d numbers after each vertex, which OFF gives no meaning, are ignored",
+        scene_import_warn(off->import,
+                          "%d numbers after each vertex, which OFF gives no meaning, are ignored",
                           layout->ignored);
     }
 }
@@ -292,7 +294,8 @@ static bool is_real(struct scene_word word)
     return found;
 }
 
-static void store_color(struct off *off, uint32_t face, const float numbers[COLOR_NUMBERS], int count, bool real)
+static void store_color(struct off *off, uint32_t face, const float numbers[COLOR_NUMBERS], int count,
+                        bool real)
 {
     if (count == 0) {
         return;
@@ -377,8 +380,8 @@ static void read_faces(struct off *off)
         for (uint32_t k = 0; k < count; k++) {
             const uint32_t corner = scene_off_whole(&off->source);
             if (corner >= off->vertex_count) {
-                scene_import_fail(off->import, "face %u of %u refers to vertex %u; it has %u, from 0 on", i + 1,
-                                  off->face_count, corner, off->vertex_count);
+                scene_import_fail(off->import, "face %u of %u refers to vertex %u; it has %u, from 0 on",
+                                  i + 1, off->face_count, corner, off->vertex_count);
             }
             scene_import_reserve(off->import, &off->corners, &off->corner_capacity, (size_t)k + 1,
                                  sizeof *off->corners);
@@ -419,13 +422,15 @@ static void use_face_colors(struct off *off)
 static void tell_of_colors(struct off *off)
 {
     if (off->has_indexed_colors) {
-        scene_import_unsupported(off->import, "colours of faces by their number in Geomview's map: not drawn");
+        scene_import_unsupported(off->import,
+                                 "colours of faces by their number in Geomview's map: not drawn");
     }
     if (off->has_odd_colors) {
         scene_import_warn(off->import, "colours of faces that have neither 3 nor 4 numbers are ignored");
     }
     if (off->colors != NULL && off->mesh.colors != NULL) {
-        scene_import_unsupported(off->import, "colours of faces (OFF): not drawn, as its vertices have colours");
+        scene_import_unsupported(off->import,
+                                 "colours of faces (OFF): not drawn, as its vertices have colours");
     }
 }
 
@@ -500,7 +505,8 @@ static void tell_of_rest(struct off *off)
         scene_import_warn(off->import, "%u faces without corners are left out", off->empty_faces);
     }
     if (off->layout.dimension > 3) {
-        scene_import_unsupported(off->import, "dimensions after the third: not drawn, of %d", off->layout.dimension);
+        scene_import_unsupported(off->import, "dimensions after the third: not drawn, of %d",
+                                 off->layout.dimension);
     }
     const struct off_source *source = &off->source;
     if (source->binary ? source->cursor != source->end : scene_off_word(&off->source, &word)) {

@@ -31,7 +31,8 @@ size_t scene_off_keyword(struct scene_word word, struct off_layout *layout)
     *layout = (struct off_layout){.dimension = 3};
     for (;;) {
         const size_t left = word.length - used;
-        if (left >= 3 && (memcmp(word.start + used, "OFF", 3) == 0 || memcmp(word.start + used, "off", 3) == 0)) {
+        if (left >= 3 &&
+            (memcmp(word.start + used, "OFF", 3) == 0 || memcmp(word.start + used, "off", 3) == 0)) {
             layout->w_first = layout->has_w && layout->dimension == 0;
             return used + 3;
         }
@@ -112,7 +113,8 @@ _Noreturn static void refuse(struct off_source *source, const char *problem)
     if (source->count == 0) {
         scene_import_fail(source->import, "its %s %s", source->part, problem);
     }
-    scene_import_fail(source->import, "%s %u of %u %s", source->part, source->index + 1, source->count, problem);
+    scene_import_fail(source->import, "%s %u of %u %s", source->part, source->index + 1, source->count,
+                      problem);
 }
 
 double scene_off_value(struct off_source *source, struct scene_word word)

@@ -47,29 +47,42 @@ static void assert_quiet(const struct scene_model *model)
 static void test_bambu_parts(void **state)
 {
     (void)state;
-    struct scene_model
-        *
-            model =
-                load_files(
-                    "<object id=\"1\">" MESH(
-                        "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>"
-                                                                  "<object id=\"2\">" MESH(
-                                                                      "<triangle v1=\"0\" v2=\"1\" "
-                                                                      "v3=\"2\"/>") "</object>"
-                                                                                    "<object id=\"3\" "
-                                                                                    "type=\"other\">" MESH(
-                                                                                        "<triangle v1=\"0\" "
-                                                                                        "v2=\"1\" v3=\"2\"/>") "</object>"
-                                                                                                               "<object id=\"4\"><components><component objectid=\"1\"/><component objectid=\"2\"/>"
-                                                                                                               "<component objectid=\"3\"/></components></object>",
-                    "<item objectid=\"4\"/><item objectid=\"1\"/>", "Metadata/model_settings.config",
-                    "<config><object id=\"4\"><metadata key=\"extruder\" value=\"2\"/>"
-                    "<part id=\"1\" subtype=\"normal_part\"/>"
-                    "<part id=\"2\" subtype=\"normal_part\"><metadata key=\"extruder\" value=\"3\"/></part>"
-                    "<part id=\"3\" subtype=\"modifier_part\"/></object>"
-                    "<plate><metadata key=\"extruder\" value=\"1\"/></plate></config>",
-                    "Metadata/project_settings.config",
-                    "{\"filament_colour\": [\"#FF0000\", \"#00FF00\", \"#0000FFFF\"]}");
+    struct scene_model *model = load_files(
+        "<object id=\"1\">" MESH(
+            "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>"
+                                                      "<object id=\"2\">" MESH(
+                                                          "<triangle v1=\"0\" v2=\"1\" "
+                                                          "v3=\"2\"/>") "</object>"
+                                                                        "<object id=\"3\" "
+                                                                        "type=\"other\">" MESH(
+                                                                            "<triangle v1=\"0\" "
+                                                                            "v2=\"1\" v3=\"2\"/>") "</object>"
+                                                                                                   "<object "
+                                                                                                   "id=\"4\">"
+                                                                                                   "<componen"
+                                                                                                   "ts><"
+                                                                                                   "component"
+                                                                                                   " objectid"
+                                                                                                   "=\"1\"/"
+                                                                                                   "><"
+                                                                                                   "component"
+                                                                                                   " objectid"
+                                                                                                   "=\"2\"/>"
+                                                                                                   "<componen"
+                                                                                                   "t "
+                                                                                                   "objectid="
+                                                                                                   "\"3\"/></"
+                                                                                                   "component"
+                                                                                                   "s></"
+                                                                                                   "object>",
+        "<item objectid=\"4\"/><item objectid=\"1\"/>", "Metadata/model_settings.config",
+        "<config><object id=\"4\"><metadata key=\"extruder\" value=\"2\"/>"
+        "<part id=\"1\" subtype=\"normal_part\"/>"
+        "<part id=\"2\" subtype=\"normal_part\"><metadata key=\"extruder\" value=\"3\"/></part>"
+        "<part id=\"3\" subtype=\"modifier_part\"/></object>"
+        "<plate><metadata key=\"extruder\" value=\"1\"/></plate></config>",
+        "Metadata/project_settings.config",
+        "{\"filament_colour\": [\"#FF0000\", \"#00FF00\", \"#0000FFFF\"]}");
     assert_int_equal(model->instance_count, 3);
     assert_color(model, 0, 0, green);
     assert_color(model, 1, 0, blue);

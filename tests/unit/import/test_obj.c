@@ -4,6 +4,7 @@
 #include "model_files.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n"
@@ -217,6 +218,27 @@ static void test_told(void **state)
     scene_model_free(model);
 }
 
+// Many materials take time by their number, not by its square, which would be more than the limit.
+static void test_many_materials(void **state)
+{
+    (void)state;
+    enum { COUNT = 40000, LINE = 32 };
+    char *text = malloc(COUNT * LINE + 64), error[256] = "", *end = text;
+    end += sprintf(end, "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    for (int i = 0; i < COUNT; i++) {
+        end += sprintf(end, "usemtl m%d\nf 1 2 3\n", i);
+    }
+    write_bytes("many.obj", text, (size_t)(end - text));
+    free(text);
+    const struct scene_model_options options = {.seconds = 4};
+    struct scene_model *model = scene_model_load(path_of("many.obj"), &options, error, sizeof error);
+    assert_string_equal(error, "");
+    assert_non_null(model);
+    assert_int_equal(model->material_count, COUNT);
+    assert_int_equal(model->mesh_count, COUNT);
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_surface_maps),
     cmocka_unit_test(test_layers),
@@ -228,6 +250,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_cut),
     cmocka_unit_test(test_vertex_colors),
     cmocka_unit_test(test_told),
+    cmocka_unit_test(test_many_materials),
 };
 
 const struct unit_tests test_obj = UNIT_TESTS(tests, make_directory, remove_directory);

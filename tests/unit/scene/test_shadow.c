@@ -639,4 +639,4 @@ static const struct CMUnitTest tests[] = {
 };
 
 const struct unit_tests test_shadow = UNIT_TESTS(tests, NULL, NULL);
-    cmocka_unit_test(test_no_light_along_an_inner_corner),
+cmocka_unit_test(test_no_light_along_an_inner_corner),
