@@ -53,15 +53,18 @@ static const char *find_unsupported(const struct decoder *decoder, const exr_att
     return NULL;
 }
 
-static bool make_planes(struct decoder *decoder, const exr_attr_chlist_t *list)
+static bool make_planes(struct decoder *decoder, const char *path, const exr_attr_chlist_t *list)
 {
     struct cli_loaded_image *image = decoder->image;
     image->width = decoder->window.max.x - decoder->window.min.x + 1;
     image->height = decoder->window.max.y - decoder->window.min.y + 1;
     const size_t plane = (size_t)image->width * (size_t)image->height * 4;
     image->channels = calloc((size_t)list->num_channels, sizeof *image->channels);
-    image->memory = calloc((size_t)list->num_channels, plane); // zeroed: chunks may be missing from the file
-    if (!image->channels || !image->memory) {
+    if (!image->channels) {
+        cli_error(path, "out of memory");
+        return false;
+    }
+    if (!cli_image_allocate(image, path, (size_t)list->num_channels, plane)) {
         return false;
     }
     image->channel_count = list->num_channels;
@@ -141,7 +144,8 @@ static exr_result_t decode_tiles(struct decoder *decoder)
     return result;
 }
 
-static exr_result_t decode(struct decoder *decoder, const char *path, const char **unsupported)
+// EXR_ERR_SUCCESS, or what is wrong with the file; after *told has become true a line says it.
+static exr_result_t decode(struct decoder *decoder, const char *path, const char **unsupported, bool *told)
 {
     exr_context_initializer_t initializer = EXR_DEFAULT_CONTEXT_INITIALIZER;
     initializer.error_handler_fn = ignore_message;
@@ -161,7 +165,8 @@ static exr_result_t decode(struct decoder *decoder, const char *path, const char
     if (*unsupported) {
         return EXR_ERR_FEATURE_NOT_IMPLEMENTED;
     }
-    if (!make_planes(decoder, list)) {
+    if (!make_planes(decoder, path, list)) {
+        *told = true;
         return EXR_ERR_OUT_OF_MEMORY;
     }
     exr_storage_t storage = EXR_STORAGE_SCANLINE;
@@ -176,7 +181,8 @@ bool cli_image_load_exr(struct cli_loaded_image *image, const char *path)
 {
     struct decoder decoder = {.image = image, .pipeline = EXR_DECODE_PIPELINE_INITIALIZER};
     const char *unsupported = NULL;
-    const exr_result_t result = decode(&decoder, path, &unsupported);
+    bool told = false;
+    const exr_result_t result = decode(&decoder, path, &unsupported, &told);
     if (decoder.started) {
         exr_decoding_destroy(decoder.context, &decoder.pipeline);
     }
@@ -185,7 +191,9 @@ bool cli_image_load_exr(struct cli_loaded_image *image, const char *path)
     }
     if (unsupported) {
         cli_error(path, "%s", unsupported);
-    } else if (result) {
+    } else if (result == EXR_ERR_OUT_OF_MEMORY && !told) {
+        cli_error(path, "out of memory");
+    } else if (result && !told) {
         cli_error(path, "not a valid EXR file: %s", exr_get_default_error_message(result));
     }
     return result == EXR_ERR_SUCCESS;

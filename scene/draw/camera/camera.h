@@ -92,6 +92,19 @@ bool scene_camera_shows_most(const struct scene_model *model, const struct scene
 bool scene_camera_is_believable(const struct scene_model *model, const struct scene_camera *camera,
                                 double aspect);
 
+/// What the first camera of a file sees of the model.
+enum scene_sight {
+    SCENE_SIGHT_ENOUGH,
+    /// Fitted, the model would cover more than 100 times as many pixels: a thumbnail would show more of it. A camera of
+    /// a format that many programs write wrongly must also be believable.
+    SCENE_SIGHT_NEXT_TO_NOTHING,
+    SCENE_SIGHT_NOTHING
+};
+
+/// Return what a camera sees, in a picture of a few hundred pixels.
+enum scene_sight scene_camera_sight(const struct scene_model *model, const struct scene_camera *camera,
+                                    double aspect);
+
 /// Return how many digits tell the place of a camera. There are more far from the origin, so that the same is seen when
 /// they are read.
 int scene_camera_digits(const double eye[3], const double target[3]);

@@ -12,11 +12,10 @@
 
 #include "file.h"
 
-static bool is_file(const char *path)
-{
-    struct stat status;
-    return stat(path, &status) == 0 && S_ISREG(status.st_mode);
-}
+enum {
+    LONGEST = 4096, // bytes of a path; no system opens longer ones
+    DEEPEST = 32    // parts at the end of a path of another machine that are looked for beside the model
+};
 
 bool scene_import_within(const struct scene_import *import, const char *path)
 {
@@ -30,6 +29,13 @@ bool scene_import_within(const struct scene_import *import, const char *path)
                         (is_root || resolved[length] == '/');
     free(resolved);
     return within;
+}
+
+// A file that may not be read counts as none, so that a model cannot be used to ask what else there is.
+static bool is_file(const struct scene_import *import, const char *path)
+{
+    struct stat status;
+    return stat(path, &status) == 0 && S_ISREG(status.st_mode) && scene_import_within(import, path);
 }
 
 static int hex_digit(char c)
@@ -47,6 +53,39 @@ static void decode_percent(char *text)
         const int high = in[0] == '%' ? hex_digit(in[1]) : -1, low = high >= 0 ? hex_digit(in[2]) : -1;
         *out = low > 0 || high > 0 ? (char)(high * 16 + low) : *in;
         in += low > 0 || high > 0 ? 3 : 1;
+    }
+    *out = 0;
+}
+
+// Return true if the component before `end`, which is behind its slash, is a name that ".." takes back. `start` is then
+// where it begins.
+static bool find_parent(const char *path, const char *end, size_t *start)
+{
+    size_t at = (size_t)(end - path);
+    at -= at > 0;
+    const size_t stop = at;
+    while (at > 0 && path[at - 1] != '/') {
+        at--;
+    }
+    *start = at;
+    return stop > at && !(stop - at == 2 && memcmp(path + at, "..", 2) == 0);
+}
+
+// Take "name/.." out of a path: whether there is a folder of that name is nothing a confined model may ask.
+static void drop_detours(char *path)
+{
+    char *out = path;
+    for (const char *in = path; *in != 0;) {
+        const size_t length = strcspn(in, "/"), step = length + (in[length] == '/');
+        const bool is_nothing = (length == 0 && out != path) || (length == 1 && *in == '.');
+        size_t parent;
+        if (length == 2 && memcmp(in, "..", 2) == 0 && find_parent(path, out, &parent)) {
+            out = path + parent;
+        } else if (!is_nothing) {
+            memmove(out, in, step);
+            out += step;
+        }
+        in += step;
     }
     *out = 0;
 }
@@ -83,9 +122,9 @@ static bool match_case(char *path, const char *component)
 
 // Return true if `path` is a file, or becomes one when the case of its components changes. Its first `known` bytes, the
 // directory of the model, stay.
-static bool exists_in_some_case(char *path, size_t known)
+static bool exists_in_some_case(const struct scene_import *import, char *path, size_t known)
 {
-    if (is_file(path)) {
+    if (is_file(import, path)) {
         return true;
     }
     for (char *component = path + known; component != NULL && *component != 0;) {
@@ -103,7 +142,21 @@ static bool exists_in_some_case(char *path, size_t known)
         }
         component = slash == NULL ? NULL : slash + 1;
     }
-    return is_file(path);
+    return is_file(import, path);
+}
+
+// Return the path of a file, in some case of its components, below `directory` and `folder`. Return NULL if there is
+// none.
+static const char *find_below(struct scene_import *import, const char *directory, const char *folder,
+                              const char *name)
+{
+    char *base = join(import, directory, folder), *path = join(import, base, name);
+    free(base);
+    if (exists_in_some_case(import, path, strlen(directory))) {
+        return path;
+    }
+    free(path);
+    return NULL;
 }
 
 // Return the file that a path of another machine means, on which the model was made. As much of the path's end as
@@ -112,21 +165,40 @@ static const char *find_moved(struct scene_import *import, const char *directory
 {
     static const char *const folders[] = {"textures/", "texture/",     "tex/",        "maps/",
                                           "images/",   "../textures/", "../texture/", "../images/"};
-    const char *file = name;
-    for (const char *slash = strchr(name, '/'); slash != NULL; slash = strchr(slash + 1, '/')) {
+    size_t deeper = 0;
+    for (const char *c = name; *c != 0; c++) {
+        deeper += *c == '/';
+    }
+    const char *file = name, *path = NULL;
+    for (const char *slash = strchr(name, '/'); slash != NULL && path == NULL;
+         slash = strchr(slash + 1, '/')) {
         file = slash + 1;
-        char *path = join(import, directory, file);
-        if (exists_in_some_case(path, strlen(directory))) {
-            return path;
+        if (--deeper < DEEPEST && *file != '/') {
+            path = find_below(import, directory, "", file);
         }
     }
-    for (size_t i = 0; i < sizeof folders / sizeof folders[0]; i++) {
-        char *path = join(import, join(import, directory, folders[i]), file);
-        if (exists_in_some_case(path, strlen(directory))) {
-            return path;
-        }
+    for (size_t i = 0; i < sizeof folders / sizeof folders[0] && path == NULL; i++) {
+        path = find_below(import, directory, folders[i], file);
     }
+    return path;
+}
+
+// Return the file of one form of a name, relative or not. Return NULL if there is none.
+static const char *find_plainly(struct scene_import *import, const char *directory, const char *name)
+{
+    char *path = join(import, name[0] == '/' ? "" : directory, name);
+    if (is_file(import, path)) {
+        return path;
+    }
+    free(path);
     return NULL;
+}
+
+static void turn_slashes(char *name)
+{
+    for (char *c = name; *c != 0; c++) {
+        *c = *c == '\\' ? '/' : *c;
+    }
 }
 
 static const char *find_anywhere(struct scene_import *import, const char *name)
@@ -138,37 +210,37 @@ static const char *find_anywhere(struct scene_import *import, const char *name)
     if (strncmp(name, "//", 2) == 0) {
         name += 2;
     }
-    const char *directory = import->directory[0] != 0 ? import->directory : "./";
+    const char *directory = import->directory[0] != 0 ? import->directory : "./", *path = NULL;
     char *plain = join(import, "", name), *decoded = join(import, "", name);
     decode_percent(decoded);
-    for (int round = 0; round < 2; round++) {
+    for (int round = 0; round < 2 && path == NULL; round++) {
         char *const names[] = {plain, decoded};
-        for (int i = 0; i < 2; i++) {
-            char *path = names[i][0] == '/' ? names[i] : join(import, directory, names[i]);
-            if (is_file(path)) {
-                return path;
+        for (int i = 0; i < 2 && path == NULL; i++) {
+            if (import->confine != NULL) {
+                drop_detours(names[i]);
             }
+            path = find_plainly(import, directory, names[i]);
         }
-        for (int i = 0; i < 2; i++) {
-            for (char *c = names[i]; *c != 0; c++) {
-                *c = *c == '\\' ? '/' : *c;
-            }
-        }
+        turn_slashes(plain);
+        turn_slashes(decoded);
     }
-    char *path = join(import, directory, decoded);
-    if (exists_in_some_case(path, strlen(directory))) {
-        return path;
+    if (path == NULL && import->confine != NULL) {
+        drop_detours(decoded);
     }
-    return find_moved(import, directory, decoded);
+    path = path != NULL ? path : find_below(import, directory, "", decoded);
+    path = path != NULL ? path : find_moved(import, directory, decoded);
+    free(plain);
+    free(decoded);
+    return path;
 }
 
 const char *scene_import_find_file(struct scene_import *import, const char *name)
 {
-    const char *path = find_anywhere(import, name);
-    import->missing = "No such file or directory";
-    if (path != NULL && !scene_import_within(import, path)) {
-        import->missing = "lies outside the folder that may be read (--confine)";
-        path = NULL;
+    if (strlen(name) >= LONGEST) {
+        import->missing = "the name is longer than that of a file can be";
+        return NULL;
     }
-    return path;
+    import->missing = import->confine != NULL ? "is not a file of the folder that may be read (--confine)"
+                                              : "No such file or directory";
+    return find_anywhere(import, name);
 }

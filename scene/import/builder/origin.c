@@ -60,8 +60,8 @@ struct scene_import_spread scene_import_spread_find(struct scene_import *import,
     }
     spread.size = spread.size > 0.0 ? spread.size : whole;
     // A single point has no size that could be lost.
-    spread.is_far = spread.size > 0.0 && spread.size <= DBL_MAX / 2 &&
-                    spread.distance > SCENE_IMPORT_FAR * spread.size;
+    spread.is_far =
+        spread.size > 0.0 && spread.size <= DBL_MAX / 2 && spread.distance > SCENE_IMPORT_FAR * spread.size;
     const double unit = spread.is_far ? power_above(spread.size) : 0.0;
     for (int c = 0; c < 3 && spread.is_far; c++) {
         spread.middle[c] = floor(spread.middle[c] / unit + 0.5) * unit;

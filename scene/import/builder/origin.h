@@ -12,9 +12,8 @@
 struct scene_import_spread {
     double middle[3]; ///< the median, rounded to a multiple of about `size`
     double size;      ///< the longest side of what half of the points take up
-    double distance;  ///< of the median from the origin, along the axis where it is longest
-    /// The distance is above SCENE_IMPORT_FAR sizes.
-    bool is_far;
+    double distance;  ///< how far the median is from the origin, along the axis where that is furthest
+    bool is_far;      ///< the distance is above SCENE_IMPORT_FAR sizes
 };
 
 /// At 256 sizes from the origin floats have 16 bits left for a model: steps of a tenth of a pixel in a picture of 4096.
@@ -24,8 +23,8 @@ enum { SCENE_IMPORT_FAR = 256 };
 struct scene_import_spread scene_import_spread_find(struct scene_import *import, const double (*points)[3],
                                                     size_t count);
 
-/// Make floats of an array from scene_import_allocate or scene_import_reserve, in its own memory. If the points are far,
-/// subtract their middle and write it to `origin`, which is 0 otherwise.
+/// Make floats of an array from scene_import_allocate or scene_import_reserve, in its own memory. If the points are
+/// far, subtract their middle and write it to `origin`, which is 0 otherwise.
 float (*scene_import_settle(struct scene_import *import, double (*points)[3], size_t count,
                             double origin[3]))[3];
 

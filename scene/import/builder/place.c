@@ -61,7 +61,8 @@ static void set_last(const struct scene_import_exact *list, const double exact[1
 
 void scene_import_place_instance(struct scene_import *import, const struct scene_import_place *place)
 {
-    memcpy(import->model.instances[import->model.instance_count - 1].world, place->world, sizeof place->world);
+    memcpy(import->model.instances[import->model.instance_count - 1].world, place->world,
+           sizeof place->world);
     set_last(&import->exact_instances, place->exact);
 }
 

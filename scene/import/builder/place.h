@@ -16,7 +16,8 @@ struct scene_import_place scene_import_place_of(const float matrix[16]);
 struct scene_import_place scene_import_place_multiply(const struct scene_import_place *a,
                                                       const struct scene_import_place *b);
 /// Write the matrix of a place that is counted from `origin`. If that is 0, it is the place's floats.
-void scene_import_place_from(const struct scene_import_place *place, const double origin[3], float matrix[16]);
+void scene_import_place_from(const struct scene_import_place *place, const double origin[3],
+                             float matrix[16]);
 /// Put the instance that was added last at a place. Its floats are in the model's struct from then on.
 void scene_import_place_instance(struct scene_import *import, const struct scene_import_place *place);
 /// Say exactly where the camera or the light stands that was added last. Of a light the last column counts.

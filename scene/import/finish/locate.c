@@ -70,7 +70,8 @@ static struct scene_import_spread find_spread(struct scene_import *import)
     return spread;
 }
 
-// Return true if an instance brings its mesh a long way, measured in sizes of the model. A shader would do so in floats.
+// Return true if an instance brings its mesh a long way, measured in sizes of the model. A shader would lose what the
+// floats of the mesh have.
 static bool moves_far(const struct scene_import *import, uint32_t number, double size)
 {
     const struct scene_mesh *const mesh = &import->model.meshes[import->model.instances[number].mesh];
@@ -78,7 +79,8 @@ static bool moves_far(const struct scene_import *import, uint32_t number, double
     find_place(import, number, matrix);
     for (int row = 0; row < 3 && mesh->vertex_count > 0; row++) {
         const float *const p = mesh->positions[0];
-        const double way = matrix[row] * (double)p[0] + matrix[4 + row] * (double)p[1] + matrix[8 + row] * (double)p[2];
+        const double way =
+            matrix[row] * (double)p[0] + matrix[4 + row] * (double)p[1] + matrix[8 + row] * (double)p[2];
         square += way * way;
     }
     return size > 0 && square > (SCENE_IMPORT_FAR * size) * (SCENE_IMPORT_FAR * size);
@@ -103,8 +105,8 @@ static void settle_mesh(struct scene_import *import, uint32_t number)
     }
 }
 
-// Let the model's origin be that of a mesh among its vertices. The instances of such a mesh then have a matrix without a
-// movement, as in the file.
+// Let the model's origin be that of a mesh among its vertices. The instances of such a mesh then have a matrix without
+// a movement, as in the file.
 static void choose_origin(const struct scene_import *import, const struct scene_import_spread *spread,
                           double origin[3])
 {
@@ -140,8 +142,7 @@ static void place_cameras_and_lights(struct scene_import *import)
     for (uint32_t i = 0; i < model->camera_count; i++) {
         const double *const exact = import->exact_cameras.matrices[i];
         for (int k = 0; k < 16; k++) {
-            model->cameras[i].world[k] =
-                (float)(exact[k] - (k >= 12 && k < 15 ? model->origin[k - 12] : 0));
+            model->cameras[i].world[k] = (float)(exact[k] - (k >= 12 && k < 15 ? model->origin[k - 12] : 0));
         }
     }
     for (uint32_t i = 0; i < model->light_count; i++) {

@@ -8,7 +8,6 @@
 
 #include <jansson.h>
 
-#include "import/builder/import.h"
 #include "import/builder/place.h"
 
 struct scene_gltf_buffer {
@@ -26,6 +25,7 @@ struct scene_gltf_decoded {
 
 struct scene_gltf_node {
     struct scene_import_place world;
+    uint32_t place;  ///< where it stands among the children of its parent
     uint32_t parent; // UINT32_MAX for a root
     bool placed;     // `world` is set
     bool in_scene, visited;

@@ -42,7 +42,7 @@ static void assert_one_shape(const char *name, write_function *write)
     assert_int_equal(here->instance_count, there->instance_count);
     for (uint32_t i = 0; i < here->instance_count; i++) {
         const struct scene_mesh *const a = &here->meshes[here->instances[i].mesh],
-                                *const b = &there->meshes[there->instances[i].mesh];
+                                       *const b = &there->meshes[there->instances[i].mesh];
         assert_int_equal(a->vertex_count, b->vertex_count);
         for (uint32_t v = 0; v < a->vertex_count; v++) {
             double p[3], q[3];
@@ -120,23 +120,40 @@ static void write_stl(const double place[3])
     write_text("x.stl", text);
 }
 
+static void write_off(const double place[3])
+{
+    strcpy(text, "OFF\n5 6 0\n");
+    for (int i = 0; i < CORNERS; i++) {
+        append_corner("", place, i);
+    }
+    for (int i = 0; i < FACES; i++) {
+        append("3 %d %d %d\n", faces[i][0], faces[i][1], faces[i][2]);
+    }
+    write_text("x.off", text);
+}
+
 // A node of an assimp format; its vertices are near it.
 static void write_dae(const double place[3])
 {
-    strcpy(text, "<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\"><asset><up_axis>Y_UP"
-                 "</up_axis></asset><library_geometries><geometry id=\"m\"><mesh><source id=\"p\"><float_array "
-                 "id=\"a\" count=\"15\">");
+    strcpy(text,
+           "<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
+           "version=\"1.4.1\"><asset><up_axis>Y_UP"
+           "</up_axis></asset><library_geometries><geometry id=\"m\"><mesh><source id=\"p\"><float_array "
+           "id=\"a\" count=\"15\">");
     for (int i = 0; i < CORNERS; i++) {
         append_corner(" ", near, i);
     }
-    append("</float_array><technique_common><accessor source=\"#a\" count=\"5\" stride=\"3\"><param name=\"X\" "
-           "type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/></accessor>"
-           "</technique_common></source><vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>"
-           "<triangles count=\"6\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>");
+    append(
+        "</float_array><technique_common><accessor source=\"#a\" count=\"5\" stride=\"3\"><param name=\"X\" "
+        "type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/></accessor>"
+        "</technique_common></source><vertices id=\"v\"><input semantic=\"POSITION\" "
+        "source=\"#p\"/></vertices>"
+        "<triangles count=\"6\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>");
     for (int i = 0; i < FACES; i++) {
         append("%d %d %d ", faces[i][0], faces[i][1], faces[i][2]);
     }
-    append("</p></triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene id=\"s\">"
+    append("</p></triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene "
+           "id=\"s\">"
            "<node><translate>%.9f %.9f %.9f</translate><instance_geometry url=\"#m\"/></node></visual_scene>"
            "</library_visual_scenes><scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>",
            place[0], place[1], place[2]);
@@ -149,6 +166,7 @@ static void test_text_formats(void **state)
     assert_one_shape("x.obj", write_obj);
     assert_one_shape("x.ply", write_ply);
     assert_one_shape("x.stl", write_stl);
+    assert_one_shape("x.off", write_off);
 }
 
 // assimp keeps floats: of the place of a node it has a multiple of 4 here.
@@ -186,17 +204,18 @@ static void write_shape(const char *nodes, const char *more, const double inside
     for (int i = 0; i < 3 * FACES; i++) {
         bytes.indices[i] = (uint16_t)faces[i / 3][i % 3];
     }
-    write_format("x.gltf",
-                 "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],%s,\"nodes\":[%s],"
-                 "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":5,\"type\":\"VEC3\"},"
-                 "{\"bufferView\":2,\"componentType\":5123,\"count\":18,\"type\":\"SCALAR\"},"
-                 "{\"bufferView\":1,\"componentType\":5126,\"count\":5,\"type\":\"VEC4\"},"
-                 "{\"bufferView\":1,\"componentType\":5126,\"count\":1,\"type\":\"VEC3\"},"
-                 "{\"componentType\":5121,\"count\":5,\"type\":\"VEC4\"}],"
-                 "\"bufferViews\":[{\"buffer\":0,\"byteLength\":60},{\"buffer\":0,\"byteOffset\":60,"
-                 "\"byteLength\":80},{\"buffer\":0,\"byteOffset\":140,\"byteLength\":36}],"
-                 "\"buffers\":[{\"byteLength\":176,\"uri\":\"%s\"}]}",
-                 more, nodes, data_uri(&bytes, sizeof bytes));
+    write_format(
+        "x.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],%s,\"nodes\":[%s],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":5,\"type\":\"VEC3\"},"
+        "{\"bufferView\":2,\"componentType\":5123,\"count\":18,\"type\":\"SCALAR\"},"
+        "{\"bufferView\":1,\"componentType\":5126,\"count\":5,\"type\":\"VEC4\"},"
+        "{\"bufferView\":1,\"componentType\":5126,\"count\":1,\"type\":\"VEC3\"},"
+        "{\"componentType\":5121,\"count\":5,\"type\":\"VEC4\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":60},{\"buffer\":0,\"byteOffset\":60,"
+        "\"byteLength\":80},{\"buffer\":0,\"byteOffset\":140,\"byteLength\":36}],"
+        "\"buffers\":[{\"byteLength\":176,\"uri\":\"%s\"}]}",
+        more, nodes, data_uri(&bytes, sizeof bytes));
 }
 
 #define MESH "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}]"
@@ -206,7 +225,8 @@ static void write_children(const double place[3])
 {
     char nodes[512];
     snprintf(nodes, sizeof nodes,
-             "{\"children\":[1],\"rotation\":[1,0,0,0],\"translation\":[1,2,3]},{\"mesh\":0,\"rotation\":[1,0,0,0],"
+             "{\"children\":[1],\"rotation\":[1,0,0,0],\"translation\":[1,2,3]},{\"mesh\":0,\"rotation\":[1,"
+             "0,0,0],"
              "\"translation\":[%.9f,%.9f,%.9f]}",
              place[0] - 1, 2 - place[1], 3 - place[2]);
     write_shape(nodes, MESH, near, NULL);
@@ -215,8 +235,8 @@ static void write_children(const double place[3])
 static void write_matrix(const double place[3])
 {
     char nodes[512];
-    snprintf(nodes, sizeof nodes, "{\"mesh\":0,\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,%.9f,%.9f,%.9f,1]}", place[0],
-             place[1], place[2]);
+    snprintf(nodes, sizeof nodes, "{\"mesh\":0,\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,%.9f,%.9f,%.9f,1]}",
+             place[0], place[1], place[2]);
     write_shape(nodes, MESH, near, NULL);
 }
 
@@ -232,7 +252,8 @@ static void write_many(const double place[3])
              "{\"mesh\":0,\"translation\":[%.9f,%.9f,%.9f],\"extensions\":{\"EXT_mesh_gpu_instancing\":"
              "{\"attributes\":{\"TRANSLATION\":3}}}}",
              place[0] - (double)moves[0][0], place[1] - (double)moves[0][1], place[2] - (double)moves[0][2]);
-    write_shape(nodes, MESH ",\"extensionsUsed\":[\"EXT_mesh_gpu_instancing\"]", near, (const float(*)[4])moves);
+    write_shape(nodes, MESH ",\"extensionsUsed\":[\"EXT_mesh_gpu_instancing\"]", near,
+                (const float(*)[4])moves);
 }
 
 // Every vertex follows the one joint.
@@ -240,8 +261,9 @@ static void write_skin(const double place[3])
 {
     char nodes[512];
     const float weights[CORNERS][4] = {{1}, {1}, {1}, {1}, {1}};
-    snprintf(nodes, sizeof nodes, "{\"mesh\":0,\"skin\":0,\"children\":[1]},{\"translation\":[%.9f,%.9f,%.9f]}",
-             place[0], place[1], place[2]);
+    snprintf(nodes, sizeof nodes,
+             "{\"mesh\":0,\"skin\":0,\"children\":[1]},{\"translation\":[%.9f,%.9f,%.9f]}", place[0],
+             place[1], place[2]);
     write_shape(nodes,
                 "\"skins\":[{\"joints\":[1]}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,"
                 "\"JOINTS_0\":4,\"WEIGHTS_0\":2},\"indices\":1}]}]",
@@ -275,10 +297,11 @@ static void test_camera_and_light(void **state)
 {
     (void)state;
     char nodes[512];
-    snprintf(nodes, sizeof nodes,
-             "{\"children\":[1,2,3],\"translation\":[%.9f,%.9f,%.9f]},{\"mesh\":0},{\"camera\":0,\"translation\":"
-             "[0.25,0.5,4]},{\"translation\":[1,2,3],\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}}",
-             far[0], far[1], far[2]);
+    snprintf(
+        nodes, sizeof nodes,
+        "{\"children\":[1,2,3],\"translation\":[%.9f,%.9f,%.9f]},{\"mesh\":0},{\"camera\":0,\"translation\":"
+        "[0.25,0.5,4]},{\"translation\":[1,2,3],\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}}",
+        far[0], far[1], far[2]);
     write_shape(nodes,
                 MESH ",\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":0.5,\"znear\":0.1}}],"
                      "\"extensionsUsed\":[\"KHR_lights_punctual\"],\"extensions\":{\"KHR_lights_punctual\":"
