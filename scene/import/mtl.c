@@ -20,13 +20,13 @@ static bool key_is(struct scene_word word, const char *key)
 size_t scene_mtl_find(struct scene_import *import, struct scene_mtl *mtl, const char *name)
 {
     for (size_t i = 0; i < mtl->count; i++) {
-        if (strcmp(mtl->materials[i].phong.name, name) == 0) {
+        if (strcmp(mtl->materials[i].name, name) == 0) {
             return i;
         }
     }
     scene_import_reserve(import, &mtl->materials, &mtl->capacity, mtl->count + 1, sizeof *mtl->materials);
-    mtl->materials[mtl->count] = (struct scene_mtl_material){scene_phong_default(), {-1, -1}};
-    mtl->materials[mtl->count].phong.name = name;
+    mtl->materials[mtl->count] = (struct scene_mtl_material){name, scene_phong_default(), {-1, -1}};
+    mtl->materials[mtl->count].phong.name = scene_import_string(import, name, strlen(name));
     return mtl->count++;
 }
 
@@ -75,8 +75,8 @@ static void note_unused_option(struct scene_import *import, struct scene_word wo
     }
 }
 
-// Read the options in front of a file name. The rest of the line is the name.
-static void read_texture(struct scene_import *import, struct scene_line line,
+// Read the options in front of a file name. The rest of the line is the name. `folder` is that of the library.
+static void read_texture(struct scene_import *import, const char *folder, struct scene_line line,
                          struct scene_phong_texture *texture, float *multiplier)
 {
     float offset[3] = {0, 0, 0}, scale[3] = {1, 1, 1}, ignored[3];
@@ -107,7 +107,7 @@ static void read_texture(struct scene_import *import, struct scene_line line,
     *texture = scene_phong_texture_default();
     texture->name = scene_word_string(import, name);
     texture->channel = channel;
-    texture->source.file = scene_import_find_file(import, texture->name);
+    texture->source.file = scene_import_find_image(import, folder, scene_word_bytes(import, name));
     texture->source.problem = import->missing;
     if (clamp) {
         texture->slot.address_u = texture->slot.address_v = RHW_ADDRESS_CLAMP;
@@ -119,8 +119,8 @@ static void read_texture(struct scene_import *import, struct scene_line line,
     }
 }
 
-static bool read_map(struct scene_import *import, struct scene_word key, struct scene_line line,
-                     struct scene_phong *phong)
+static bool read_map(struct scene_import *import, const char *folder, struct scene_word key,
+                     struct scene_line line, struct scene_phong *phong)
 {
     const struct {
         const char *key;
@@ -142,7 +142,7 @@ static bool read_map(struct scene_import *import, struct scene_word key, struct 
     for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
         if (key_is(key, maps[i].key)) {
             float multiplier;
-            read_texture(import, line, maps[i].texture, &multiplier);
+            read_texture(import, folder, line, maps[i].texture, &multiplier);
             const bool relief = maps[i].texture == &phong->height || maps[i].texture == &phong->normal;
             phong->normal_scale =
                 relief && scene_import_finite(&multiplier, 1) ? multiplier : phong->normal_scale;
@@ -236,6 +236,14 @@ static void read_value(struct scene_word key, struct scene_line line, struct sce
     }
 }
 
+// Return the part of a path up to its last slash. A path without a slash has none.
+static const char *folder_of(struct scene_import *import, const char *path)
+{
+    const char *const slash = strrchr(path, '/');
+    const size_t length = slash == NULL ? 0 : (size_t)(slash - path) + 1;
+    return memcpy(scene_import_allocate(import, length + 1, 1), path, length);
+}
+
 bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const char *name)
 {
     const char *path = scene_import_find_file(import, name), *problem = import->missing;
@@ -246,6 +254,7 @@ bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const ch
         return false;
     }
     struct scene_text text = scene_text_open(import, bytes, size);
+    const char *const folder = folder_of(import, path);
     struct scene_line line;
     struct scene_word key;
     size_t current = SIZE_MAX;
@@ -255,7 +264,7 @@ bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const ch
             continue;
         }
         if (key_is(key, "newmtl")) {
-            current = scene_mtl_find(import, mtl, scene_word_string(import, scene_text_rest(line)));
+            current = scene_mtl_find(import, mtl, scene_word_bytes(import, scene_text_rest(line)));
             dissolve = false;
             continue;
         }
@@ -263,7 +272,7 @@ bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const ch
             continue;
         }
         struct scene_phong *phong = &mtl->materials[current].phong;
-        if (!read_map(import, key, line, phong)) {
+        if (!read_map(import, folder, key, line, phong)) {
             note_unused_map(import, key);
             read_value(key, line, phong, &dissolve);
         }

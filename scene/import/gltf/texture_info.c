@@ -11,7 +11,9 @@
 
 float scene_gltf_limited(double value, double least, double most)
 {
-    return (float)(value >= least && value <= most ? value : value > most ? most : least); // NaN gives `least`
+    return (float)(value >= least && value <= most ? value
+                   : value > most                  ? most
+                                                   : least); // NaN gives `least`
 }
 
 void scene_gltf_limit_color(float color[4])
@@ -37,7 +39,7 @@ static int32_t add_image(struct scene_gltf *gltf, int64_t index)
     }
     if (uri != NULL && !data) {
         name = scene_import_string(import, uri, strlen(uri));
-        source.file = scene_import_find_file(import, uri);
+        source.file = scene_import_find_image(import, NULL, uri);
         source.problem = import->missing;
     } else if (data) {
         source.bytes = scene_gltf_data_uri(gltf, uri, &source.size);
