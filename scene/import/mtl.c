@@ -107,8 +107,7 @@ static void read_texture(struct scene_import *import, const char *folder, struct
     *texture = scene_phong_texture_default();
     texture->name = scene_word_string(import, name);
     texture->channel = channel;
-    texture->source.file = scene_import_find_image(import, folder, scene_word_bytes(import, name));
-    texture->source.problem = import->missing;
+    scene_import_find_image(import, folder, scene_word_bytes(import, name), &texture->source);
     if (clamp) {
         texture->slot.address_u = texture->slot.address_v = RHW_ADDRESS_CLAMP;
     }

@@ -609,9 +609,8 @@ static uint32_t add_material(struct ply *ply)
     phong.colored = ply->mesh.colors != NULL;
     if (ply->texture.length > 0 && (ply->mesh.uvs[0] != NULL || ply->wedges != NULL)) {
         phong.color.name = scene_word_string(ply->import, ply->texture);
-        phong.color.source.file =
-            scene_import_find_image(ply->import, NULL, scene_word_bytes(ply->import, ply->texture));
-        phong.color.source.problem = ply->import->missing;
+        scene_import_find_image(ply->import, NULL, scene_word_bytes(ply->import, ply->texture),
+                                &phong.color.source);
     }
     return scene_phong_add(ply->import, &phong);
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "data_uri.h"
 #include "file.h"
 #include "folder.h"
 #include "name_forms.h"
@@ -231,7 +232,14 @@ const char *scene_import_find_file(struct scene_import *import, const char *name
     return find(import, NULL, name, false);
 }
 
-const char *scene_import_find_image(struct scene_import *import, const char *folder, const char *name)
+void scene_import_find_image(struct scene_import *import, const char *folder, const char *name,
+                             struct scene_import_source *source)
 {
-    return find(import, folder, name, true);
+    if (scene_data_uri_is(name)) {
+        source->bytes = scene_data_uri_decode(import, name, &source->size);
+        source->problem = "its data URI is not valid base64";
+        return;
+    }
+    source->file = find(import, folder, name, true);
+    source->problem = import->missing;
 }

@@ -110,9 +110,9 @@ static bool match_case(struct scene_import *import, char *path, char *component)
 
 // Endings of images: those that can be read, the likeliest first, and behind them those of older programs.
 static const char *const endings[] = {
-    "png", "jpg",  "jpeg", "tga", "dds", "tif",  "tiff", "bmp", "webp", "ktx2", "psd", "gif", "avif", "hdr",
-    "exr", "jpe",  "jfif", "ppm", "pgm", "pnm",  "dib",  "rgb", "rgba", "sgi",  "iff", "pcx", "pic",  "pct",
-    "jp2", "pict", "rle",  "icb", "vda", "jps",  "cel",  "vtf", "blp",  "tx",   "svg",
+    "png", "jpg", "jpeg", "tga",  "dds", "tif", "tiff", "bmp", "webp", "ktx2", "psd", "gif", "avif",
+    "hdr", "exr", "jpe",  "jfif", "ppm", "pgm", "pnm",  "dib", "rgb",  "rgba", "sgi", "iff", "pcx",
+    "pic", "pct", "jp2",  "pict", "rle", "icb", "vda",  "jps", "cel",  "vtf",  "blp", "tx",  "svg",
 };
 enum { ENDINGS = sizeof endings / sizeof endings[0], READ_ENDINGS = 21 };
 
@@ -131,8 +131,8 @@ static int ending_of(const char *name)
 static bool match_ending(struct scene_import *import, char *path, char *component)
 {
     const struct scene_import_folder *const folder = folder_of(import, path, component);
-    const size_t length = ending_of(component) < ENDINGS ? (size_t)(strrchr(component, '.') - component)
-                                                         : strlen(component);
+    const size_t length =
+        ending_of(component) < ENDINGS ? (size_t)(strrchr(component, '.') - component) : strlen(component);
     const char *found = NULL;
     int least = READ_ENDINGS;
     for (size_t i = 0; folder != NULL && i < folder->count; i++) {

@@ -172,6 +172,34 @@ static void test_material_code_pages(void **state)
     scene_model_free(model);
 }
 
+// Images within the model, by any format that names one: broken into lines, encoded as a URI is, and with a query.
+static void test_data_uris(void **state)
+{
+    (void)state;
+    static const char *const uris[] = {
+        "data:image/x-tga;base64,AAACAAAAAAAAAAAAAQABABgA////",
+        "data:;base64,AAACAAAAAAAAAAAAAQABABgA%2f%2F//?v=3",
+        "DATA:image/x-tga;BASE64,AAACAAAA AAAAAAAA AQABABgA%0A____#texel",
+        "data:image/x-tga;base64,AAACAAAAAAAA\\r\\n  AAAAAQABABgA\\n////\\n",
+    };
+    for (size_t i = 0; i < sizeof uris / sizeof uris[0]; i++) {
+        write_format(
+            "m.gltf",
+            "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
+            "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},"
+            "\"material\":0}]}],\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\",\"count\":3}],"
+            "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
+            "\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"%s\"}]}",
+            uris[i]);
+        struct scene_model *model = load("m.gltf");
+        assert_int_equal(model->image_count, 1);
+        assert_false(model->images[0].missing);
+        assert_memory_equal(model->images[0].texels, ((const uint8_t[]){255, 255, 255, 255}), 4);
+        scene_model_free(model);
+        assert_true(i == 3 || is_found("m.obj", uris[i]));
+    }
+}
+
 // A path of many components is followed from its end, in no memory to speak of.
 static void test_many_slashes(void **state)
 {
@@ -245,7 +273,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_stand_in),       cmocka_unit_test(test_gazebo),
     cmocka_unit_test(test_beside_library), cmocka_unit_test(test_written_otherwise),
     cmocka_unit_test(test_code_pages),     cmocka_unit_test(test_material_code_pages),
-    cmocka_unit_test(test_many_slashes),
+    cmocka_unit_test(test_many_slashes),   cmocka_unit_test(test_data_uris),
 };
 
 const struct unit_tests test_resources = UNIT_TESTS(tests, make_directory, remove_directory);
