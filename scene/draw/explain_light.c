@@ -33,7 +33,7 @@ static void look_at_normal(const struct rhw_fragment *f, const struct scene_surf
     rhw_float view[3];
     sample_shared(f, 1, s, &texels);
     view_direction(s->frame, &f->varying[s->varying_position], view);
-    seen_normal(f, s, s->varying_tangent >= 0, s->layers != NULL, texels, view, normal);
+    seen_normal(f, s, s->varying_tangent >= 0, texels, view, normal);
 }
 
 static void look_at_light(const struct rhw_fragment *f, const struct scene_surface *s,

@@ -249,7 +249,7 @@ bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const ch
     size_t size = 0;
     char *bytes = path == NULL ? NULL : scene_import_read_file(import, path, &size, &problem);
     if (bytes == NULL) {
-        scene_import_warn(import, "material library \"%s\": %s", name, problem);
+        scene_import_warn(import, "material library \"%.200s\": %s", name, problem);
         return false;
     }
     struct scene_text text = scene_text_open(import, bytes, size);

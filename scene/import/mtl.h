@@ -17,7 +17,8 @@ struct scene_mtl {
     size_t count, capacity;
 };
 
-/// Add the materials of a library, whose name is in the bytes of the file. Return false, with a warning, if it cannot be read.
+/// Add the materials of a library, whose name is in the bytes of the file. Return false, with a warning, if it cannot be
+/// read.
 bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const char *name);
 /// Return the place of the material with this name, in the bytes of the file. If there is none, a plain one is added.
 size_t scene_mtl_find(struct scene_import *import, struct scene_mtl *mtl, const char *name);

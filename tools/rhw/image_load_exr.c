@@ -32,17 +32,33 @@ static bool take_channels(struct cli_loaded_image *image, const struct scene_exr
     return true;
 }
 
+// The picture whose memory is allocated.
+struct memory {
+    struct cli_loaded_image *image;
+    const char *path;
+    bool told; // a line says why there is none
+};
+
+static void *allocate(void *user, size_t count, size_t size)
+{
+    struct memory *const memory = user;
+    memory->told = !cli_image_allocate(memory->image, memory->path, count, size);
+    return memory->image->memory;
+}
+
 bool cli_image_load_exr(struct cli_loaded_image *image, const char *path)
 {
     struct scene_exr exr;
-    const char *detail = NULL, *problem = scene_exr_read_file(path, &exr, &detail);
-    if (problem == NULL && take_channels(image, &exr)) {
-        image->memory = exr.memory;
-        exr.memory = NULL;
-    } else if (problem == NULL) {
+    struct memory memory = {image, path, false};
+    const char *detail = NULL, *problem = scene_exr_read_file(path, allocate, &memory, &exr, &detail);
+    if (problem == scene_exr_no_memory || (problem == NULL && !take_channels(image, &exr))) {
         problem = "out of memory";
     }
+    exr.memory = NULL; // the picture has it
     scene_exr_free(&exr);
+    if (memory.told) {
+        return false;
+    }
     if (detail != NULL) {
         cli_error(path, "%s: %s", problem, detail);
     } else if (problem != NULL) {

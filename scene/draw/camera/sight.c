@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What a camera has in its picture.
 #include "camera.h"
+#include "subject.h"
 
 static bool is_inside(const struct scene_model *model, const double eye[3])
 {
+    const struct scene_box frame = scene_subject_frame(model);
     bool inside = true;
     for (int i = 0; i < 3; i++) {
-        inside = inside && eye[i] > (double)model->bounds_min[i] && eye[i] < (double)model->bounds_max[i];
+        inside = inside && eye[i] > frame.low[i] && eye[i] < frame.high[i];
     }
     return inside;
 }
@@ -35,6 +37,9 @@ static double seen_share(const struct scene_model *model, const struct scene_cam
         const struct scene_instance *const instance = &model->instances[i];
         const struct scene_mesh *const mesh = &model->meshes[instance->mesh];
         double world[16], matrix[16];
+        if (instance->unseen) {
+            continue;
+        }
         for (int k = 0; k < 16; k++) {
             world[k] = (double)instance->world[k];
         }

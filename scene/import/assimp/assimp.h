@@ -22,7 +22,7 @@ bool scene_assimp_is_skinned(const struct scene_import *import, const struct aiM
 /// Brings the vertices of a skinned mesh there.
 void scene_assimp_skin(struct scene_import *import, const struct aiScene *scene, unsigned index,
                        struct scene_mesh *mesh);
-/// What opens files within import->confine and the model itself; it lives as long as `import`.
+/// What opens regular files within import->confine, and the model itself; it lives as long as `import`.
 struct aiFileIO scene_assimp_files(struct scene_import *import);
 
 #endif

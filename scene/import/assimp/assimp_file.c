@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The files that assimp opens while it reads a model, where import->confine sets bounds.
+// The files that assimp opens while it reads a model: regular ones, within the bounds that import->confine sets.
 #include <assimp/cfileio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "assimp.h"
-#include "import/builder/find_file.h"
+#include "file.h"
+#include "import/builder/confine.h"
 
 static FILE *stream_of(struct aiFile *file)
 {
@@ -54,8 +56,12 @@ static struct aiFile *open_file(struct aiFileIO *files, const char *path, const 
 {
     const struct scene_import *const import = (const struct scene_import *)(void *)files->UserData;
     const bool is_model = strcmp(path, import->model.path) == 0;
-    FILE *const stream =
-        mode[0] == 'r' && (is_model || scene_import_within(import, path)) ? fopen(path, "rb") : NULL;
+    const bool may_read = mode[0] == 'r' && (is_model || scene_import_within(import, path));
+    const int descriptor = may_read ? system_file_open_regular(path) : -1;
+    FILE *const stream = descriptor >= 0 ? fdopen(descriptor, "rb") : NULL;
+    if (stream == NULL && descriptor >= 0) {
+        close(descriptor);
+    }
     struct aiFile *const file = stream != NULL ? malloc(sizeof *file) : NULL;
     if (file == NULL) {
         if (stream != NULL) {

@@ -5,10 +5,9 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
+#include "confine.h"
 #include "data_uri.h"
-#include "file.h"
 #include "folder.h"
 #include "name_forms.h"
 
@@ -26,26 +25,6 @@ struct search {
     size_t room;
 };
 
-static bool is_file(const char *path)
-{
-    struct stat status;
-    return stat(path, &status) == 0 && S_ISREG(status.st_mode);
-}
-
-bool scene_import_within(const struct scene_import *import, const char *path)
-{
-    if (import->confine == NULL) {
-        return true;
-    }
-    char *const resolved = system_file_resolve(path); // a resolved path has no links that lead elsewhere
-    const size_t length = strlen(import->confine);
-    const bool is_root = length > 0 && import->confine[length - 1] == '/';
-    const bool within = resolved != NULL && strncmp(resolved, import->confine, length) == 0 &&
-                        (is_root || resolved[length] == '/');
-    free(resolved);
-    return within;
-}
-
 // Return true if there is a file in a folder, below `inside`, in any case or, if it may, with any ending.
 static bool try_folder(const struct search *search, const char *folder, const char *inside, const char *name,
                        bool any_ending)
@@ -58,7 +37,7 @@ static bool find_as_named(const struct search *search, const char *name)
 {
     for (int i = 0; i < search->folder_count; i++) {
         snprintf(search->path, search->room, "%s%s", name[0] == '/' ? "" : search->folders[i], name);
-        if (is_file(search->path)) {
+        if (scene_import_is_file(search->import, search->path)) {
             return true;
         }
     }
@@ -206,24 +185,21 @@ static const char *find(struct scene_import *import, const char *folder, const c
         search.folders[0] = folder;
         search.folder_count = 2;
     }
-    if (strlen(name) > LONGEST) {
-        import->missing = "its name is longer than that of any file";
+    if (strlen(name) >= LONGEST) {
+        import->missing = "the name is longer than that of a file can be";
         return NULL;
     }
     enum { LONGER = 16 }; // a byte of the name is up to four bytes in another code page, and these again
     search.room = strlen(search.folders[0]) + strlen(own) + sizeof search.stem + 64 + LONGER * strlen(name);
     search.path = scene_import_allocate(import, search.room, 1);
     set_stem(&search);
-    import->missing = "No such file or directory";
+    import->missing = import->confine != NULL ? "is not a file of the folder that may be read (--confine)"
+                                              : "No such file or directory";
     const char *path = NULL;
     if (find_anywhere(&search, name, is_image)) {
         path = strcpy(scene_import_allocate(import, strlen(search.path) + 1, 1), search.path);
     }
     free(search.path);
-    if (path != NULL && !scene_import_within(import, path)) {
-        import->missing = "lies outside the folder that may be read (--confine)";
-        path = NULL;
-    }
     return path;
 }
 

@@ -7,8 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/stat.h>
 #include <unistd.h>
+
+#include "confine.h"
 
 // Limits that no honest model reaches. What is beyond them is found by its exact name alone.
 enum { MOST_FOLDERS = 1024, MOST_NAMES = 1 << 17 };
@@ -150,12 +151,6 @@ static bool match_ending(struct scene_import *import, char *path, char *componen
     return found != NULL;
 }
 
-static bool is_file(const char *path)
-{
-    struct stat status;
-    return stat(path, &status) == 0 && S_ISREG(status.st_mode);
-}
-
 // Make `path` exist up to the end of its last component.
 static bool match(struct scene_import *import, char *path, char *component, bool any_ending)
 {
@@ -182,5 +177,5 @@ bool scene_folder_find(struct scene_import *import, char *path, size_t known, bo
         }
         component = slash == NULL ? NULL : slash + 1;
     }
-    return is_file(path);
+    return scene_import_is_file(import, path);
 }

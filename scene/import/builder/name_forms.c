@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "code_page.h"
+#include "confine.h"
 
 static char *copy(struct scene_import *import, const char *text, size_t length)
 {
@@ -17,6 +18,9 @@ static char *copy(struct scene_import *import, const char *text, size_t length)
 // Add a name, which the forms own from then on.
 static void add(struct scene_import *import, struct scene_name_forms *forms, char *name)
 {
+    if (import->confine != NULL) {
+        scene_import_drop_detours(name);
+    }
     bool known = name[0] == 0;
     for (size_t i = 0; i < forms->count && !known; i++) {
         known = strcmp(forms->names[i], name) == 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines, words and numbers of text formats (OBJ, MTL, PLY), read from memory without copies.
+// Lines, words and numbers of text formats (OBJ, MTL, OFF, PLY), read from memory without copies.
 #ifndef SCENE_TEXT_LINES_H
 #define SCENE_TEXT_LINES_H
 

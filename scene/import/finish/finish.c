@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "decode_images.h"
+#include "frame.h"
 #include "import/builder/normals.h"
 #include "import/builder/numbers.h"
 #include "model_up.h"
@@ -113,6 +114,14 @@ static void warn_of_no_area(struct scene_import *import)
     }
 }
 
+static void find_frame(struct scene_import *import)
+{
+    struct scene_seen_mesh *seen = scene_seen_find(import);
+    scene_seen_mark(&import->model, seen);
+    scene_frame_find(import, seen);
+    scene_seen_free(seen, &import->model);
+}
+
 static void mark_image_uses(struct scene_model *model)
 {
     for (uint32_t i = 0; i < model->image_count; i++) {
@@ -163,9 +172,10 @@ void scene_import_run(struct scene_import *import)
     }
     keep_drawable_instances(import);
     warn_of_no_area(import);
+    find_frame(import);
     if (import->up_is_open) {
         const enum scene_axis usual = model->up;
-        model->up = scene_model_guess_up(model, usual);
+        model->up = scene_model_guess_up(model, usual, import->up_is_agreed);
         model->up_guessed = model->up != usual;
     }
     scene_import_dress_points(import);

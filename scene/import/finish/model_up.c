@@ -6,7 +6,7 @@
 #include "draw/camera/camera_math.h"
 
 static const double slab = 0.02; // part of the model's extent that is lowest
-static const double least_share = 0.1, ratio = 8, flat = 0.06;
+static const double least_share = 0.1, ratio = 8, flat = 0.06, thin = 0.2;
 
 struct rectangle {
     double low[2], high[2];
@@ -44,7 +44,20 @@ static double standing_share(const struct scene_model *model, int axis)
     return width > 0 && height > 0 && covered > 0 ? covered / (width * height) : 0;
 }
 
-enum scene_axis scene_model_guess_up(const struct scene_model *model, enum scene_axis usual)
+// Return true if a model of these sides may be taken to stand along an axis. `is_agreed` is as in
+// scene_model_guess_up.
+static bool may_stand(const double side[3], int axis, bool is_agreed)
+{
+    double longest = side[0], shortest = side[0];
+    for (int i = 1; i < 3; i++) {
+        longest = side[i] > longest ? side[i] : longest;
+        shortest = side[i] < shortest ? side[i] : shortest;
+    }
+    return side[axis] > flat * longest &&
+           (!is_agreed || (side[axis] >= longest && shortest > thin * longest));
+}
+
+enum scene_axis scene_model_guess_up(const struct scene_model *model, enum scene_axis usual, bool is_agreed)
 {
     double side[3];
     for (int i = 0; i < 3; i++) {
@@ -52,9 +65,7 @@ enum scene_axis scene_model_guess_up(const struct scene_model *model, enum scene
     }
     const enum scene_axis other = usual == SCENE_AXIS_Y ? SCENE_AXIS_Z : SCENE_AXIS_Y;
     const int usual_axis = usual == SCENE_AXIS_Y ? 1 : 2, other_axis = 3 - usual_axis;
-    const double longest =
-        side[0] > side[1] ? (side[0] > side[2] ? side[0] : side[2]) : (side[1] > side[2] ? side[1] : side[2]);
-    if (!(side[other_axis] > flat * longest)) {
+    if (!may_stand(side, other_axis, is_agreed)) {
         return usual;
     }
     const double as_usual = standing_share(model, usual_axis), as_other = standing_share(model, other_axis);

@@ -33,7 +33,7 @@ static void load_buffer(struct scene_gltf *gltf, int64_t index, struct scene_glt
             buffer->bytes = scene_import_read_file(import, path, &buffer->size, &problem);
         }
         if (buffer->bytes == NULL) {
-            scene_import_fail(import, "buffers[%d]: \"%s\": %s", number, uri, problem);
+            scene_import_fail(import, "buffers[%d]: \"%.200s\": %s", number, uri, problem);
         }
     }
     if (buffer->size < (uint64_t)length) {

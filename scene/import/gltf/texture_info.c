@@ -12,9 +12,8 @@
 
 float scene_gltf_limited(double value, double least, double most)
 {
-    return (float)(value >= least && value <= most ? value
-                   : value > most                  ? most
-                                                   : least); // NaN gives `least`
+    // NaN gives `least`.
+    return (float)(value >= least && value <= most ? value : value > most ? most : least);
 }
 
 void scene_gltf_limit_color(float color[4])

@@ -20,6 +20,8 @@ struct decoder {
     bool started;                // the pipeline
     const struct source *source; // NULL for a file on disk
     bool colors_alone;           // the channels R, G, B, A and Y are wanted, not all
+    scene_exr_allocate *allocate;
+    void *user; // of `allocate`
     struct scene_exr *exr;
     exr_attr_box2i_t window;
 };
@@ -92,8 +94,9 @@ static bool make_planes(struct decoder *decoder, const exr_attr_chlist_t *list)
         wanted += is_wanted(decoder, list->entries[i].name.str);
     }
     exr->channels = calloc((size_t)list->num_channels, sizeof *exr->channels);
-    exr->memory = calloc(wanted > 0 ? wanted : 1, plane); // zeroed: chunks may be missing from the file
-    if (!exr->channels || !exr->memory) {
+    // Chunks may be missing from the file, so the memory is zeroed.
+    exr->memory = exr->channels ? decoder->allocate(decoder->user, wanted > 0 ? wanted : 1, plane) : NULL;
+    if (!exr->memory) {
         return false;
     }
     exr->channel_count = list->num_channels;
@@ -224,6 +227,7 @@ static exr_result_t decode(struct decoder *decoder, const char *path, const char
     return storage == EXR_STORAGE_TILED ? decode_tiles(decoder) : decode_scan_lines(decoder);
 }
 
+const char scene_exr_no_memory[] = "outofmem"; // the words of stb_image
 static const char invalid[] = "not a valid EXR file";
 
 static const char *read_exr(struct decoder *decoder, const char *path, const char **detail)
@@ -241,13 +245,17 @@ static const char *read_exr(struct decoder *decoder, const char *path, const cha
     if (unsupported != NULL || result == EXR_ERR_SUCCESS) {
         return unsupported;
     }
+    if (result == EXR_ERR_OUT_OF_MEMORY) {
+        return scene_exr_no_memory;
+    }
     *detail = exr_get_default_error_message(result);
     return invalid;
 }
 
-const char *scene_exr_read_file(const char *path, struct scene_exr *exr, const char **detail)
+const char *scene_exr_read_file(const char *path, scene_exr_allocate *allocate, void *user,
+                                struct scene_exr *exr, const char **detail)
 {
-    struct decoder decoder = {.exr = exr};
+    struct decoder decoder = {.allocate = allocate, .user = user, .exr = exr};
     return read_exr(&decoder, path, detail);
 }
 
@@ -294,7 +302,7 @@ static const char *put_colors(const struct scene_exr *exr, struct scene_image *i
     image->size = (size_t)image->width * image->height * 4 * sizeof(float);
     image->texels = malloc(image->size);
     if (image->texels == NULL) {
-        return "outofmem";
+        return scene_exr_no_memory;
     }
     for (int c = 0; c < 4; c++) {
         put_channel(exr, c < 3 && !colored ? grey : channels[c], c == 3 ? 1 : 0, (float *)image->texels + c);
@@ -302,11 +310,18 @@ static const char *put_colors(const struct scene_exr *exr, struct scene_image *i
     return NULL;
 }
 
+static void *allocate_plainly(void *user, size_t count, size_t size)
+{
+    (void)user;
+    return calloc(count, size);
+}
+
 const char *scene_image_decode_exr(const unsigned char *bytes, size_t size, struct scene_image *image)
 {
     const struct source source = {bytes, size};
     struct scene_exr exr;
-    struct decoder decoder = {.source = &source, .colors_alone = true, .exr = &exr};
+    struct decoder decoder = {
+        .source = &source, .colors_alone = true, .allocate = allocate_plainly, .exr = &exr};
     struct scene_image made = *image;
     const char *detail = NULL, *problem = read_exr(&decoder, "texture", &detail);
     if (problem == NULL) {
