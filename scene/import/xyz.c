@@ -152,8 +152,7 @@ static void set_colors(const struct cloud *cloud, int column, struct scene_mesh 
         memcpy(mesh->colors[i], cloud->extras + i * (size_t)cloud->extra_count + column, 3 * sizeof(float));
         mesh->colors[i][3] = 1.0f;
     }
-    struct scene_color_scale scale =
-        scene_import_color_scale((const float(*)[4])mesh->colors, cloud->count);
+    struct scene_color_scale scale = scene_import_color_scale((const float(*)[4])mesh->colors, cloud->count);
     scale.alpha = 1.0f;
     scene_import_decode_colors(mesh->colors, cloud->count, scale);
 }
@@ -196,7 +195,8 @@ static void find_meaning(const struct cloud *cloud, struct scene_mesh *mesh)
         column++;
     }
     if (has_intensity || column < cloud->extra_count) {
-        scene_import_unsupported(cloud->import, "numbers of points that are neither colours nor normals: not drawn");
+        scene_import_unsupported(cloud->import,
+                                 "numbers of points that are neither colours nor normals: not drawn");
     }
 }
 

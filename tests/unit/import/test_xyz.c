@@ -22,7 +22,8 @@ static void test_columns(void **state)
         uint32_t unsupported;
     } cases[] = {
         {"a.xyz", "1 2 3\n4 5 6\n", false, false, 0},
-        {"b.xyz", "# of a scanner\n//X Y Z R G B\nX,Y,Z,R,G,B\n1,2,3,255,0,0\n4;5;6;0;0;255\n", true, false, 0},
+        {"b.xyz", "# of a scanner\n//X Y Z R G B\nX,Y,Z,R,G,B\n1,2,3,255,0,0\n4;5;6;0;0;255\n", true, false,
+         0},
         {"c.xyz", "1 2 3 0.6 0 0.8\n4 5 6 0 -1 0\n", false, true, 0},
         {"d.xyz", "1 2 3 255 0 0 0.6 0 0.8\n4 5 6 0 0 255 0 0 -1\n", true, true, 0},
         {"e.xyz", "1 2 3 0.6 0 0.8 255 0 0\n4 5 6 0 0 -1 0 0 255\n", true, true, 0},
@@ -31,7 +32,10 @@ static void test_columns(void **state)
         {"g.xyz", "1 2 3 -12\n4 5 6 -7\n", false, false, 1},
         {"h.pts", "2\n1 2 3 -1500 255 0 0\n4 5 6 -1000 0 0 255\n", true, false, 1},
         {"i.pts", "1\r\n1 2 3 255 0 0\r\n1\r\n4 5 6 0 0 255\r\n", true, false, 0},
-        {"j.xyz", "\xef\xbb\xbf" "1 2 3 1 0 0\n4 5 6 0 0 1", true, false, 0},
+        {"j.xyz",
+         "\xef\xbb\xbf"
+         "1 2 3 1 0 0\n4 5 6 0 0 1",
+         true, false, 0},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct scene_model *model = load_text(cases[i].name, cases[i].text);
@@ -59,7 +63,8 @@ static void test_refused(void **state)
     static const struct {
         const char *name, *text, *cause;
     } cases[] = {
-        {"water.xyz", "3\nwater\nO 0 0 0\nH 1 0 0\nH 0 1 0\n", "lists atoms (XYZ of chemistry), which are not supported"},
+        {"water.xyz", "3\nwater\nO 0 0 0\nH 1 0 0\nH 0 1 0\n",
+         "lists atoms (XYZ of chemistry), which are not supported"},
         {"cut.pts", "3\n1 2 3\n4 5 6\n", "is cut: it has 2 of 3 points"},
         {"words.xyz", "no point at all\n", "is no cloud of points: no line has three numbers"},
         {"short.xyz", "1 2 3\n4 5\n", "line 2: a point needs three numbers"},
