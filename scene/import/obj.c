@@ -353,7 +353,7 @@ static const char *library_name(struct obj *obj, struct scene_word word)
             *out++ = word.start[i];
         }
     }
-    return scene_import_string(obj->import, name, word.length);
+    return name;
 }
 
 // Read a library. If it is not there, read the one that is called as the model is: who renames one file renames both.
@@ -368,8 +368,7 @@ static bool read_library(struct obj *obj, const char *name)
         scene_import_find_file(obj->import, own) == NULL) {
         return scene_mtl_read(obj->import, &obj->mtl, name);
     }
-    scene_import_warn(obj->import, "material library \"%s\" is not there; \"%s\" is read", name,
-                      scene_import_string(obj->import, own, sizeof own));
+    scene_import_warn(obj->import, "material library \"%s\" is not there; \"%s\" is read", name, own);
     return scene_mtl_read(obj->import, &obj->mtl, own);
 }
 
@@ -393,7 +392,7 @@ static void read_libraries(struct obj *obj, struct scene_line line)
 
 static void read_material(struct obj *obj, struct scene_line line)
 {
-    const char *name = scene_word_string(obj->import, scene_text_rest(line));
+    const char *name = scene_word_bytes(obj->import, scene_text_rest(line));
     const size_t known = obj->mtl.count;
     obj->material = scene_mtl_find(obj->import, &obj->mtl, name);
     if (obj->mtl.count > known && obj->libraries_complete) {
