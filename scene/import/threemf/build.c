@@ -57,6 +57,24 @@ static void add_piece(struct scene_3mf *file, struct patches *patches,
     }
 }
 
+// Add a triangle, cut where a painting cuts the triangles beside it.
+static void add_beside(struct scene_3mf *file, struct patches *patches,
+                       const struct scene_3mf_corner corners[3], const struct scene_3mf_paint *paint,
+                       int depth)
+{
+    for (int k = 0; k < 3 && depth < DEEPEST; k++) {
+        const struct scene_3mf_corner *a = &corners[k], *b = &corners[(k + 1) % 3],
+                                      *c = &corners[(k + 2) % 3];
+        if (scene_3mf_has_edge(file, a->position, b->position)) {
+            const struct scene_3mf_corner middle = scene_3mf_middle(a, b);
+            add_beside(file, patches, (const struct scene_3mf_corner[3]){*a, middle, *c}, paint, depth + 1);
+            add_beside(file, patches, (const struct scene_3mf_corner[3]){middle, *b, *c}, paint, depth + 1);
+            return;
+        }
+    }
+    add_piece(file, patches, corners, paint);
+}
+
 // CAD programs export opaque parts with an alpha of 00.
 static void show_invisible(struct scene_3mf *file, const struct scene_3mf_object *object,
                            struct scene_3mf_corner *corners, size_t count)
@@ -85,7 +103,7 @@ static void add_pieces(struct scene_3mf *file, const struct scene_3mf_object *ob
             memcpy(piece->corners[k].uv, own.uv, sizeof own.uv);
         }
         show_invisible(file, object, piece->corners, 3);
-        add_piece(file, patches, piece->corners, &own);
+        add_beside(file, patches, piece->corners, &own, 0);
     }
 }
 
@@ -107,7 +125,7 @@ static void add_triangle(struct scene_3mf *file, const struct scene_3mf_object *
         memcpy(corners[k].uv, paints[k].uv, sizeof corners[k].uv);
     }
     if (triangle->painting > 0) {
-        if (scene_3mf_cut(file, file->paintings[triangle->painting - 1], corners, &file->pieces)) {
+        if (scene_3mf_cut(file, file->paintings[triangle->painting - 1], corners)) {
             add_pieces(file, object, patches, &paints[0]);
             return;
         }
@@ -115,7 +133,22 @@ static void add_triangle(struct scene_3mf *file, const struct scene_3mf_object *
                           object->id);
     }
     show_invisible(file, object, corners, 3);
-    add_piece(file, patches, corners, &paints[0]);
+    add_beside(file, patches, corners, &paints[0], 0);
+}
+
+// Find the edges of an object that paintings cut.
+static void find_cuts(struct scene_3mf *file, const struct scene_3mf_object *object)
+{
+    for (size_t i = 0; i < object->triangle_count; i++) {
+        const struct scene_3mf_triangle *triangle = &object->triangles[i];
+        struct scene_3mf_corner corners[3] = {{.uv = {0}}};
+        for (int k = 0; k < 3 && triangle->painting > 0; k++) {
+            memcpy(corners[k].position, object->positions[triangle->vertices[k]], sizeof corners[k].position);
+        }
+        if (triangle->painting > 0) {
+            scene_3mf_find_cuts(file, file->paintings[triangle->painting - 1], corners);
+        }
+    }
 }
 
 static void add_mesh(struct scene_3mf *file, const struct scene_3mf_object *object, struct patch *patch)
@@ -181,6 +214,7 @@ static void add_triangles(struct scene_3mf *file, const struct scene_3mf_object 
                           const struct scene_3mf_setting *setting, struct patches *patches)
 {
     const bool is_item = object->part == 0 && object->id == setting->object;
+    find_cuts(file, object);
     for (size_t i = 0; i < object->triangle_count; i++) {
         const struct scene_3mf_volume *volume =
             is_item ? scene_3mf_find_volume(file, object->id, SCENE_3MF_TRIANGLES, (uint32_t)i) : NULL;
@@ -191,6 +225,7 @@ static void add_triangles(struct scene_3mf *file, const struct scene_3mf_object 
             volume != NULL && volume->filament > 0 ? volume->filament : setting->filament;
         add_triangle(file, object, filament, patches, &object->triangles[i]);
     }
+    scene_3mf_clear_edges(file);
 }
 
 // Return the meshes of an object, which are made when it is placed for the first time. Where a slicer says something of

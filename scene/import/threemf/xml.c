@@ -170,7 +170,11 @@ static void add_vertex(struct scene_3mf_xml *xml, const char **attributes)
 // Return the index of what a slicer painted on a triangle. Return 0 if none did. Neighbours often have the same.
 static uint32_t add_painting(struct scene_3mf_xml *xml, const char **attributes)
 {
+    enum { VERTICES_ALONE = 6 }; // names and values of v1, v2 and v3
     struct scene_3mf *file = xml->file;
+    if (XML_GetSpecifiedAttributeCount(xml->parser) <= VERTICES_ALONE) {
+        return 0;
+    }
     const char *bambu = scene_3mf_attribute(attributes, "paint_color");
     const char *text = bambu != NULL ? bambu : scene_3mf_attribute(attributes, "mmu_segmentation");
     if (text == NULL || text[0] == 0) {
