@@ -346,6 +346,47 @@ done
 succeed explain floor.obj --at 80,100 $look --supersample 4 --sample 6
 check "names the one that is drawn" grep -q '^It is the mean of 2x2 pixels. This is about (161, 200) of 320x240 that are drawn, sample 2 of 4\.$' "$folder/log/out"
 check "the mean" grep -q ' of sRGB: #[0-9a-f]*, the mean of what is drawn for it\.$' "$folder/log/out"
+
+# Without perspective.
+for option in --ortho "--ortho --camera 0,0,4,0,0,0,0,1,0,3"; do
+    succeed explain cube.obj --at 32,32 --size 64 $option --picture parallel.svg
+    check "every W is 1: $option" grep -q '^Without perspective every W is 1, so that a, b, c are r, s, t' "$folder/log/out"
+    check "nothing of perspective: $option" sh -c "! grep -q '1/W\|in perspective\|flat to the eye\|infinity' '$folder/log/out'"
+    check "naive is right: $option" grep -q 't I_2, which is right without perspective;' "$folder/log/out"
+    check "the pipeline's b: $option" grep -Eq '^    b = s = ([0-9.]+)      the pipeline has ' "$folder/log/out"
+    check "the drawing: $option" grep -q 'Without perspective every W is 1: a, b, c are r, s, t' parallel.svg
+    succeed explain cube.obj --at 32,32 --size 64 --json $option
+    check "JSON: $option" grep -q '"orthographic": true' "$folder/log/out"
+done
+succeed explain cube.obj --at 32,32 --size 64
+check "with perspective" grep -q '^Seen in perspective the triangle is not flat to the eye' "$folder/log/out"
+
+# Every key of the JSON stands in docs/outputs.md and in the types of the npm package, and no type speaks of another.
+if command -v python3 >/dev/null 2>&1; then
+    i=0
+    for options in "tile.obj --at 80,100 $look" "tile.obj --at 80,100 $look --supersample 4" "cube.obj --at 0,0 --size 64" \
+        "cube.obj --at 32,32 --size 64 --ortho"; do
+        i=$((i + 1))
+        succeed explain $options --json
+        cp "$folder/log/out" keys$i.json
+    done
+    check "keys" python3 - "$root" keys*.json <<'PY'
+import json, re, sys
+def keys(value):
+    if isinstance(value, dict):
+        return set(value) | keys(list(value.values()))
+    return set().union(*map(keys, value)) if isinstance(value, list) else set()
+written = set().union(*(keys(json.load(open(name))) for name in sys.argv[2:]))
+types = open(sys.argv[1] + "/web/npm/index.d.ts").read()
+types = types[types.index("export interface ExplainedFragment"):types.index("// Triangles without a model")]
+typed = set(re.findall(r"^ *(\w+)\??:", types, re.M)) - {"text"}
+page = open(sys.argv[1] + "/docs/outputs.md").read()
+page = page[page.index("\n## What is told of a pixel"):page.index("\n## What is drawn")]
+told = set(re.findall(r"`(\w+)`", page))
+assert written == typed, (written - typed, typed - written)
+assert written <= told, written - told
+PY
+fi
 succeed explain --help
 check "help" grep -q -- '--at X,Y' "$folder/log/out"
 

@@ -314,6 +314,10 @@ equal front.png fit.png && fail "--camera-index does not show"
 run render cameras.gltf $view -o first.png
 check "a camera that sees nothing is not taken" equal first.png fit.png
 check "and said so" grep -q "^rhw: cameras.gltf: warning: its camera sees nothing" "$folder/log/err"
+sed 's/\[0, 0, -5\]/[0.3, 0.3, 90]/' cameras.gltf >dot.gltf
+run render dot.gltf $view -o dot.png
+check "a camera in which the model is a dot is not taken" equal dot.png fit.png
+check "and said so" grep -q "^rhw: dot.gltf: warning: its camera sees next to nothing" "$folder/log/err"
 run render cameras.gltf $view -o first.png --camera-index 0
 check "unless it was asked for" grep -q "^rhw: cameras.gltf: warning: nothing of the model is in" "$folder/log/err"
 
@@ -497,9 +501,9 @@ kids 0
 AC
 run render dummy.ac $view -o x.png
 check "a dummy texture is none: $(cat "$folder/log/err")" test ! -s "$folder/log/err"
-sed 's/.texture_dummy.bmp/other.bmp/' dummy.ac >other.ac
+sed 's/.texture_dummy.bmp/nowhere.bmp/' dummy.ac >other.ac
 run render other.ac $view -o x.png
-check "another is" grep -q 'other.bmp.*drawn in magenta' "$folder/log/err"
+check "another is" grep -q 'nowhere.bmp.*drawn in magenta' "$folder/log/err"
 run render cube.obj $view -o x.png --camera 0,0,9,0,0,18,0,1,0,30
 check "nothing in view is a warning" grep -q "^rhw: cube.obj: warning: nothing of the model is in the picture" "$folder/log/err"
 printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >thin.obj
