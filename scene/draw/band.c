@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Large pictures are drawn in bands of rows, so that samples never take more than BAND_BYTES; the pipeline promises that
-// moving a triangle by whole pixels changes nothing, hence bands do not show.
+// A large picture is drawn in bands of rows, so that its samples never take more than BAND_BYTES. Bands do not show,
+// because the pipeline promises that moving a triangle by whole pixels changes nothing.
 #include "drawing.h"
 
 #include "rhw/transfer.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The colour passes. Colour is tone-mapped in the fragment function and blended as displayed light, as viewers on the web
-// do: the background then keeps the colour it was given, unlit surfaces keep theirs, and a sample is four bytes.
+// The colour passes. Colour is tone-mapped in the fragment function and blended as displayed light, as viewers on the
+// web do it: the background and unlit surfaces keep the colour that they were given, and a sample has four bytes.
 #include "drawing.h"
 
 #include "explain_sample.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The data pass: what is nearest at the centre of every pixel, in as many targets as were asked for; and a pass of its own,
-// without depth, that counts what there is at all.
+// The data pass finds what is nearest at the centre of every pixel, in as many targets as were asked for. The pass that
+// counts all surfaces of a pixel has no depth.
 #include "drawing.h"
 
 #include "screen.h"

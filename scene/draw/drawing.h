@@ -21,6 +21,14 @@ struct scene_peel {
     rhw_query any;
 };
 
+// What is seen through surfaces that light passes through, kept from draw to draw. Zeroed: nothing.
+struct scene_seen_through {
+    struct scene_target picture; // light, with a chain of levels
+    struct scene_target layer, depths[2];
+    rhw_sampler sampler;
+    rhw_query any;
+};
+
 struct scene {
     struct scene_upload upload;
     struct scene_surface_pipelines pipelines;
@@ -29,10 +37,10 @@ struct scene {
     struct scene_ground ground; // with view.ground
     struct scene_shadows shadows;
     struct scene_surroundings surroundings;
-    struct scene_target backdrop;
+    struct scene_seen_through backdrop;
     struct scene_peel peel;
     struct scene_triangle_order order; // of the draw under way
-    rhw_sampler nearest, backdrop_sampler;
+    rhw_sampler nearest;
     double upload_ms;
 };
 
@@ -48,10 +56,10 @@ struct draw {
     struct scene_lighting lighting;
     struct scene_frame frame;
     double view_projection[16];
-    int side;                         // of the sample grid
-    int band_rows, first_row;         // of the picture
-    enum rhw_format color_formats[2]; // of the targets of colour, as it is displayed and as light
-    int color_count;                  // of those that are drawn to
+    int side;                         // side of the sample grid
+    int band_rows, first_row;         // rows of the picture
+    enum rhw_format color_formats[2]; // formats of the targets of displayed colour and of light
+    int color_count;                  // number of the targets that are drawn to
     uint32_t data_pass;               // the outputs of the data pass under way
 };
 
@@ -75,11 +83,12 @@ void scene_draw_set_samples(struct draw *draw, int side);
 void scene_draw_add_stats(struct draw *draw, const struct rhw_stats *pass);
 
 // prepare_light.c: what light needs of the whole picture. A step that the view does not want does nothing.
-enum rhw_result scene_draw_surround(struct draw *draw);  // a panorama takes the studio's place
-enum rhw_result scene_draw_ground(struct draw *draw);    // makes it, to be drawn with the surfaces
-enum rhw_result scene_draw_guide(struct draw *draw);     // distances and normals of what is nearest
-enum rhw_result scene_draw_occlusion(struct draw *draw); // of the surroundings' light, from the guide
-enum rhw_result scene_draw_shadows(struct draw *draw);   // maps of the lights, fitted to the guide
+enum rhw_result scene_draw_surround(struct draw *draw); // a panorama takes the studio's place
+enum rhw_result scene_draw_ground(struct draw *draw);   // makes it, to be drawn with the surfaces
+enum rhw_result scene_draw_guide(struct draw *draw);    // distances and normals of what is nearest
+enum rhw_result scene_draw_occlusion(
+    struct draw *draw); // how much of the surroundings' light arrives, by the guide
+enum rhw_result scene_draw_shadows(struct draw *draw); // maps of the lights, fitted to the guide
 
 // background.c
 struct scene_background_pass {
@@ -91,17 +100,19 @@ void scene_background_set(const struct draw *draw, int side, int first_row,
                           struct scene_background_pass *background);
 // Whether it takes more than a clear.
 bool scene_background_is_drawn(const struct draw *draw);
-// Records it as colour 0 of a pass that has these formats, as it is displayed or as light. It must live until the pass ends.
+// Records the background as colour 0 of a pass that has these formats, as it is displayed or as light. The background
+// must live until the pass ends.
 enum rhw_result scene_background_record(const struct draw *draw, rhw_pass pass, bool as_light,
                                         const enum rhw_format *formats, int format_count,
                                         const struct scene_background_pass *background);
 
 // backdrop.c: what is seen through surfaces that light passes through.
 enum rhw_result scene_draw_backdrop(struct draw *draw);
+void scene_backdrop_destroy(rhw_context *context, struct scene_seen_through *backdrop);
 
 // peel.c: samples of the band whose transparent surfaces lie as they do, whatever their order.
 bool scene_peel_wanted(const struct draw *draw);
-// That a pixel of the samples takes.
+// Return the bytes that a pixel of the samples takes.
 size_t scene_peel_bytes(const struct draw *draw, int format_count);
 enum rhw_result scene_peel_opaque(struct draw *draw);  // background, ground, opaque surfaces
 enum rhw_result scene_peel_blended(struct draw *draw); // above them, from the farthest layer to the nearest

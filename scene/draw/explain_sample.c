@@ -41,7 +41,8 @@ const char *scene_slot_name(enum scene_slot slot)
     return slot < SCENE_BASE_SLOTS ? names[slot] : "a layer";
 }
 
-// The four texels of a level around u, v, as the sampler's address mode finds them: what it gives at the middle of each.
+// Take the four texels of a level around u, v, as the sampler's address mode finds them: a sample at the middle of each
+// gives the texel.
 static void look_around(const struct rhw_explained_fragment *fragment, int unit, const float uv[2], int level,
                         float texels[4][4])
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The history of a sample of a picture, fragment by fragment, with what the library does not know: which instance of the
-// model each one is of, and what its varyings mean.
+// The history of a sample of a picture, fragment by fragment, with what the library does not know: which instance of
+// the model each fragment belongs to, and what its varyings mean.
 #ifndef SCENE_EXPLAIN_SAMPLE_H
 #define SCENE_EXPLAIN_SAMPLE_H
 
@@ -11,7 +11,7 @@ enum { SCENE_DRAWN_BACKGROUND = -1, SCENE_DRAWN_GROUND = -2 };
 
 /// What a draw of the colour pass draws.
 struct scene_drawn {
-    int32_t instance; ///< of the model, or one of those above
+    int32_t instance; ///< instance of the model, or one of the constants above
     struct scene_surface surface;
 };
 
@@ -19,12 +19,12 @@ struct scene_drawn {
 struct scene_texture_look {
     enum scene_slot slot;
     float uv[2];
-    float step[2][2]; ///< of u and v to the pixel on the right, and to the one below
+    float step[2][2]; ///< steps of u and v to the pixel on the right and to the one below
     float lod; ///< λ of the Vulkan specification, which follows from the steps; the levels there are bound it
-    float level;      ///< that is read, between two of them with a fraction
+    float level;      ///< level that is read; with a fraction it lies between two levels
     bool is_enlarged; ///< a texel is at least as wide as a pixel: the magnification filter is that which counts
-    int base_width, base_height; ///< of level 0
-    int width, height;           ///< of the finer of the two
+    int base_width, base_height; ///< texels of level 0
+    int width, height;           ///< texels of the finer of the two levels
     float place[2];              ///< in its texels, from the middle of the first: those around it are mixed
     float texels
         [2][4]
@@ -33,8 +33,8 @@ struct scene_texture_look {
 };
 
 struct scene_explain {
-    int x, y;   ///< of the pixels that are drawn: `supersample` of them are one of the picture's
-    int sample; ///< of the pixel, 0..samples − 1
+    int x, y;   ///< place in the pixels that are drawn: `supersample` of them are one pixel of the picture
+    int sample; ///< sample of the pixel, 0..samples − 1
     /// Is called while the view is drawn, in order. The fragment's places are those of a target that begins with
     /// row `first_row` of the pixels that are drawn.
     void (*fragment)(void *user, const struct rhw_explained_fragment *fragment,

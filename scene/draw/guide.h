@@ -13,7 +13,7 @@
 struct scene_guide {
     int width, height; ///< the picture's, or where that is large a whole part of it
     struct scene_plane distance, occlusion, scratch;
-    struct scene_target normal; ///< world, unit
+    struct scene_target normal; ///< of the mesh and of the facet, in the world, as guide_normal.h folds them
 };
 
 /// Draws the guide of a view. `frame` and `view_projection` are those of scene_frame_look.
@@ -23,8 +23,8 @@ enum rhw_result scene_guide_draw(struct scene_guide *guide, const struct scene_u
                                  const struct scene_view *view, const struct scene_frame *frame,
                                  const double view_projection[16]);
 
-/// Fills the plane of ambient occlusion: the part of its hemisphere that a pixel's surface sees open within `radius` of the
-/// world, weighted by the cosine; 1 where nothing is.
+/// Fills the plane of ambient occlusion: the part of its hemisphere that a pixel's surface sees open within `radius`
+/// units of the world, weighted by the cosine; 1 where nothing is.
 enum rhw_result scene_guide_occlude(struct scene_guide *guide, rhw_context *context, rhw_sampler nearest,
                                     const struct scene_view *view, double radius);
 

@@ -13,8 +13,8 @@ struct scene_lighting {
     struct scene_environment environment;
 };
 
-/// The lights of the model, or the studio where it has none or `default_lights` says so; its sky is where `up` says. `exposure` in
-/// stops is multiplied into everything. False when memory runs out.
+/// Takes the lights of the model, or the studio where the model has none or `default_lights` says so. The studio's sky
+/// is in the direction `up`. `exposure` in stops is multiplied into everything. Returns false when memory runs out.
 ///
 /// Studio: a key light from above the viewer's left shoulder, soft boxes above, to the right and behind, a
 /// sky and a ground. The boxes turn with the camera, so that no view is of the dark side; sky and ground do not.

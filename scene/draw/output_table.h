@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pictures of a draw, and the table of outputs: the program, the Python package and the web read there what they say
-// of one.
+// The pictures of a draw, and the table of outputs, in which the program, the Python package and the web read what they
+// say of an output.
 #ifndef SCENE_OUTPUT_TABLE_H
 #define SCENE_OUTPUT_TABLE_H
 
@@ -46,12 +46,12 @@ struct scene_output_row {
     const char *name; ///< in the Python and the npm package; the command line knows it too
     const char *word; ///< on the command line and in names of files; NULL: none
     enum scene_output output;
-    enum rhw_format format; ///< of the picture
+    enum rhw_format format; ///< format of the picture
     float empty;            ///< the first channel where nothing is; the others are 0
     bool is_of_work;        ///< tells how the picture was drawn, not what is seen
     size_t member;          ///< offset of the picture in struct scene_pictures
     const char *layer[4];   ///< channels of an EXR, NULL after the last
-    const char *meaning;    ///< of the numbers
+    const char *meaning;    ///< meaning of the numbers
     const char *shown;      ///< what a PNG makes of them, as --help says it; NULL where there is no word
 };
 

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Light from a picture of all that surrounds: a panorama in equirectangular projection, as .hdr and .exr files of skies and
-// studios are.
+// SPDX-License-Identifier: MIT Light from a picture of all that surrounds the model: a panorama in equirectangular
+// projection, as .hdr and .exr files of skies and studios are.
 #ifndef SCENE_PANORAMA_H
 #define SCENE_PANORAMA_H
 
@@ -27,9 +26,9 @@ struct scene_surroundings {
     double rotation;
 };
 
-/// Makes the surroundings from a panorama that outlives them, unless they are made of it already. They are scaled so that
-/// the mean of their light is 0.75: a file's numbers are rarely in a unit. Degrees of rotation turn them about what is up,
-/// against the clock as seen from there.
+/// Makes the surroundings from a panorama that outlives them, unless they are made of it already. They are scaled so
+/// that the mean of their light is 0.75: a file's numbers are rarely in a unit. Degrees of rotation turn them about the
+/// up direction, against the clock as seen from above.
 enum rhw_result scene_surroundings_make(struct scene_surroundings *surroundings, rhw_context *context,
                                         const struct scene_panorama *panorama, enum scene_axis up,
                                         double rotation);

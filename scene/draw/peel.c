@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Exact transparency: the blended surfaces of every sample from the farthest to the nearest, one layer after the other
-// (C. Everitt, Interactive Order-Independent Transparency, 2001, from behind). Opaque surfaces are drawn first. A layer is,
-// of each sample, the farthest fragment that is nearer than the layer before; it is drawn apart and then laid over what is
-// there. Fragments are shaded at every sample. Of two at the same depth one is drawn.
+// Exact transparency draws the blended surfaces of every sample from the farthest to the nearest, one layer after the
+// other (C. Everitt, Interactive Order-Independent Transparency, 2001, from behind). Opaque surfaces are drawn first. A
+// layer has of each sample the farthest fragment that is nearer than the layer before; it is drawn apart and then laid
+// over what is there. Fragments are shaded at every sample. Of two fragments at the same depth one is drawn.
 #include "drawing.h"
 
 #include "screen.h"

@@ -15,10 +15,10 @@ struct scene_target {
 /// Makes the texture anew unless it is of that format and size already.
 enum rhw_result scene_target_get(rhw_context *context, struct scene_target *target, enum rhw_format format,
                                  int width, int height);
-/// The same with a whole chain of levels.
+/// Gets a target as scene_target_get does, with a whole chain of levels.
 enum rhw_result scene_target_get_levels(rhw_context *context, struct scene_target *target,
                                         enum rhw_format format, int width, int height);
-/// The same with several samples of each texel; 1: as scene_target_get.
+/// Gets a target as scene_target_get does, with several samples of each texel; 1 is allowed.
 enum rhw_result scene_target_get_samples(rhw_context *context, struct scene_target *target,
                                          enum rhw_format format, int width, int height, int samples);
 void scene_target_destroy(rhw_context *context, struct scene_target *target);

@@ -25,7 +25,7 @@ enum scene_output {
         256, ///< R32_UINT: 1 + number of the triangle (line, point), instances in their order
     SCENE_OUTPUT_BARYCENTRIC = 512, ///< RGBA32F: perspective-correct a, b, c; w as above
     SCENE_OUTPUT_DISPLAY = 1024,    ///< RGBA32F: COLOR before it is sRGB encoded and rounded to 8 bits
-    SCENE_OUTPUT_ALL = 2047,        ///< of what is seen; those below are of the work
+    SCENE_OUTPUT_ALL = 2047,        ///< all outputs of what is seen; those below tell of the work
     SCENE_OUTPUT_OVERDRAW =
         2048, ///< R32F: how many surfaces lie above each other at the pixel's centre, seen or not
     SCENE_OUTPUT_TILES = 4096, ///< R32_UINT: triangles that the pixel's tile has in the colour pass
@@ -60,14 +60,15 @@ struct scene_view {
     int samples; ///< per pixel for colour: 1, 2, 4, 8 or 16, at each of which surfaces are tested, not shaded
     int supersample; ///< pixels drawn and shaded for one of the picture: 1, 4, 9 or 16, a regular grid
     struct scene_camera camera;
-    enum scene_axis up;             ///< where the sky of the studio is
-    enum rhw_qualifier interpolate; ///< of all varyings: SMOOTH; NOPERSPECTIVE shows what is wrong with it
+    enum scene_axis up; ///< where the sky of the studio is
+    enum rhw_qualifier
+        interpolate; ///< qualifier of all varyings: SMOOTH; NOPERSPECTIVE shows what is wrong with it
     enum scene_wireframe wireframe;
     enum scene_background background;
     uint8_t background_color[3]; ///< sRGB, for SCENE_BACKGROUND_COLOR
     bool default_lights;         ///< leave the lights of the file off
     bool no_lights;              ///< with default_lights: the surroundings alone
-    bool shadows;                ///< of the lights
+    bool shadows;                ///< whether the lights cast shadows
     bool ground;                 ///< below the model, of which only the shadow on it shows, in colour outputs
     bool ambient_occlusion;      ///< what stands near dims the light of the surroundings
     const struct scene_panorama
@@ -77,7 +78,7 @@ struct scene_view {
     enum scene_tone tone; ///< how light becomes a picture
     double exposure;      ///< stops, added to what is chosen for the lights; −20..20
     uint32_t outputs;     ///< scene_output, at least one
-    /// Whose history is told while colour is drawn; NULL: none. Without supersampling, and SORTED.
+    /// Sample whose history is told while colour is drawn, without supersampling and SORTED; NULL: none.
     const struct scene_explain *explain;
     /// Asked all the while, on the thread that draws; false: the draw is given up (RHW_ERROR_GIVEN_UP). NULL: nobody is
     /// asked.

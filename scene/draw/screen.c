@@ -10,7 +10,7 @@ static enum rhw_result record(rhw_context *context, rhw_pass pass, const struct 
         rhw_pass_set_pipeline(context, pass, pipeline);
         rhw_pass_set_uniforms(context, pass, uniforms, def->program.uniform_size);
         rhw_pass_draw(context, pass, 0, 3, 0, 1);
-        rhw_pipeline_destroy(context, pipeline); // which waits for the pass
+        rhw_pipeline_destroy(context, pipeline); // waits for the pass
     }
     return result;
 }

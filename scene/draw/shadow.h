@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Shadow maps of a scene's lights.
 //
-// A directional light's map covers what is in the picture and nothing else, so that its texels are as fine as they can be
-// (A. Lauritzen, M. Salvi, A. Lefohn, "Sample distribution shadow maps", I3D 2011). A spot has one in perspective, a point
-// light six. What casts a shadow is what a camera in the light's place would see: faces that are culled cast none.
+// A directional light's map covers what is in the picture and nothing else, so that its texels are as fine as they can
+// be (A. Lauritzen, M. Salvi, A. Lefohn, "Sample distribution shadow maps", I3D 2011). A spot has one map in
+// perspective, a point light has six. What casts a shadow is what a camera in the light's place would see: faces that
+// are culled cast none.
 #ifndef SCENE_SHADOW_H
 #define SCENE_SHADOW_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See triangle_order.h. Distances become integers that sort as they do; a radix sort takes them in three steps and keeps the
-// order of equal ones.
+// See triangle_order.h. Distances become integers that sort as the distances do. A radix sort takes them in three steps
+// and keeps the order of equal ones.
 #include "triangle_order.h"
 
 #include <stdlib.h>
@@ -48,8 +48,8 @@ static void sort_by_digit(struct sorting *sorting, int digit)
     sorting->spare_triangles = triangles;
 }
 
-// Thrice the distance of each triangle's middle along the view; where the mesh stands is left out, which is the same for
-// all of them.
+// Set thrice the distance of each triangle's middle along the view. The place of the mesh is left out, which is the
+// same for all triangles.
 static void set_keys(struct sorting *sorting, const struct scene_mesh *mesh, const float world[16],
                      const float forward[3])
 {

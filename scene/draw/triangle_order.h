@@ -9,15 +9,15 @@
 /// Index buffers by instance, null for instances that keep theirs. Zeroed: none.
 struct scene_triangle_order {
     rhw_buffer *indices;
-    uint32_t count; // of instances
+    uint32_t count; // number of instances
 };
 
-/// The indices of a mesh of triangles, from back to front as seen along `forward`; equal ones keep their order. False: no
-/// memory.
+/// Sorts the indices of a mesh of triangles from back to front as seen along `forward`. Triangles at equal distances
+/// keep their order. Returns false when out of memory.
 bool scene_triangle_order_sort(const struct scene_mesh *mesh, const float world[16], const float forward[3],
                                uint32_t *sorted);
-/// Sorts the triangles of all instances with a material that blends by the distance of their middles along the view; equal
-/// ones keep their order.
+/// Sorts the triangles of all instances with a material that blends by the distance of their middles along the view.
+/// Triangles at equal distances keep their order.
 enum rhw_result scene_triangle_order_make(struct scene_triangle_order *order,
                                           const struct scene_upload *upload, const struct scene_frame *frame);
 void scene_triangle_order_destroy(rhw_context *context, struct scene_triangle_order *order);

@@ -40,14 +40,14 @@ struct scene_upload {
     struct scene_uploaded_image *images;
     struct scene_uploaded_material *materials;
     struct scene_combined_images combined;
-    uint32_t *first_triangle; // of each instance: 1 + triangles, lines and points of those before it
+    uint32_t *first_triangle; // for each instance 1 + triangles, lines and points of the instances before it
 };
 
 /// On failure everything is released again.
 enum rhw_result scene_upload_create(rhw_context *context, const struct scene_model *model,
                                     struct scene_upload *upload);
-/// Takes meshes and instances from another pose of the same model, which then must outlive the upload; materials and images
-/// stay. On failure the upload is as good as empty, to be destroyed.
+/// Takes meshes and instances from another pose of the same model, which then must outlive the upload. Materials and
+/// images stay. On failure the upload is as good as empty, to be destroyed.
 enum rhw_result scene_upload_pose(struct scene_upload *upload, const struct scene_model *pose);
 void scene_upload_destroy(struct scene_upload *upload);
 

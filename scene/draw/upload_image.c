@@ -162,7 +162,7 @@ enum rhw_result scene_upload_combined(rhw_context *context, const struct scene_m
     *next = (struct scene_combined_image){rough, occlusion, mips, {0}};
     const enum rhw_result result =
         combine(context, &model->images[rough], &model->images[occlusion], mips, &next->texture);
-    combined->count++; // also of one that is there without its mips
+    combined->count++; // counts a texture that is there without its mips, too
     *texture = next->texture;
     return result;
 }

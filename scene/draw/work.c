@@ -21,8 +21,8 @@ bool scene_work_begin(const struct draw *draw, rhw_pass pass, struct scene_work 
     return true;
 }
 
-// Without the background, which is one triangle over the whole picture, without a depth test: it goes backwards, which what
-// tests depth never does.
+// Return a report without the background, which is one triangle over the whole picture without a depth test. It alone
+// goes backwards in depth: what tests depth never does.
 static struct rhw_tile_report of_the_model(const struct draw *draw, const struct rhw_tile_report *report)
 {
     struct rhw_tile_report model = *report;

@@ -10,6 +10,7 @@ import shutil
 import pytest
 
 from dataset_runs import files, manifest, run
+from rhw import _files
 from rhw.dataset import plan, work
 from rhw.dataset.cameras import Sphere
 from rhw.dataset.errors import Failure
@@ -168,6 +169,7 @@ def test_two_requests_at_once(tmp_path, monkeypatch, links):
 
     if not links:
         monkeypatch.setattr(os, "link", refuse)
+        monkeypatch.setattr(_files, "_open_unnamed", lambda folder: None)
     look = plan._refuse_strangers
 
     def look_and_wait(folder, path):

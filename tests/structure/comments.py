@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Finds comments of include/ and src/ that lean on their neighbour, and lines that are too wide.
+"""Finds comments of include/, src/ and scene/ that lean on their neighbour, and lines that are too wide.
 
 A comment is read where it stands, without the one above it, so none begins with a word that points there: "Does so …",
 "The same …", "Those …", "Likewise …", "And …". Lines have at most 120 columns; clang-format holds code to 110.
@@ -12,7 +12,7 @@ from collections import Counter
 from pathlib import Path
 
 WIDTH = 120
-SOURCES = ("include", "src")
+SOURCES = ("include", "src", "scene")
 
 # Words with which a comment leans on its neighbour, or on the line that it stands behind.
 LEANING = re.compile(

@@ -75,7 +75,7 @@ static bool load_exr(struct scene_panorama *p, const char *path)
     static const char *const names[3] = {"R", "G", "B"};
     struct cli_loaded_image image;
     int channels[3];
-    if (!cli_image_load(&image, path)) {
+    if (!cli_image_load(&image, path, CLI_IMAGE_MOST)) {
         return false;
     }
     *p = (struct scene_panorama){image.width, image.height, NULL};

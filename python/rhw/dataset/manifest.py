@@ -8,7 +8,6 @@ are.
 from __future__ import annotations
 
 import contextlib
-import filecmp
 import json
 import os
 from dataclasses import asdict
@@ -66,8 +65,7 @@ def write(folder: str, plan: Plan, paths: Sequence[str], skipped: Dict[int, str]
     target = store.manifest_path(folder)
     with contextlib.suppress(_Same), _files.replacing(target) as file:
         _write(file, folder, plan, kept)
-        file.flush()
-        if os.path.exists(target) and filecmp.cmp(file.name, target, shallow=False):
+        if _files.equals(file, target):
             raise _Same
     return f": {target}"
 

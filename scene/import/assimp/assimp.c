@@ -419,20 +419,23 @@ static const struct aiScene *read_scene(struct scene_import *import)
 {
     struct aiPropertyStore *properties = aiCreatePropertyStore();
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
-    // The matrices that a node of an FBX is made of, each in a node of its own: where assimp 5.2.5 multiplies them, it turns
-    // what exporters aim cameras and lights with the wrong way.
+    // The matrices that a node of an FBX is made of stay nodes of their own: where assimp 5.2.5 multiplies them, it
+    // turns the matrix that exporters aim cameras and lights with the wrong way.
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 1);
     const uint64_t before = limit_memory(import);
     struct aiFileIO files = scene_assimp_files(import);
     const struct aiScene *scene = aiImportFileExWithProperties(
-        import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords,
-        import->confine != NULL ? &files : NULL, properties);
+        import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords, &files,
+        properties);
     system_memory_limit_restore(before);
     if (scene != NULL) {
         return scene;
     }
     const char *error = aiGetErrorString();
-    if (strncmp(error, "No suitable reader", 18) == 0) {
+    scene_assimp_refuse_blender(import, true);
+    // The second guess is made at files of no format.
+    if (strncmp(error, "No suitable reader", 18) == 0 ||
+        strncmp(error, "Failed to determine STL storage", 31) == 0) {
         scene_import_fail(import, "is not a model in a format that can be read");
     }
     if (strstr(error, "bad_alloc") != NULL) {
@@ -517,12 +520,12 @@ static void set_up(struct scene_import *import, const struct aiScene *scene)
         const int axis = fbx_up_axis(scene);
         import->model.up = axis == 2 ? SCENE_AXIS_Z : axis == 0 ? SCENE_AXIS_X : SCENE_AXIS_Y;
     }
-    import->up_is_open = strcasecmp(import->ending, "off") == 0 || strcasecmp(import->ending, "xgl") == 0 ||
-                         strcasecmp(import->ending, "zgl") == 0;
+    import->up_is_open = strcasecmp(import->ending, "xgl") == 0 || strcasecmp(import->ending, "zgl") == 0;
 }
 
 void scene_import_assimp(struct scene_import *import)
 {
+    scene_assimp_refuse_blender(import, false);
     const struct aiScene *scene = read_scene(import);
     struct reader reader = {.import = import, .scene = scene};
     import->model.format = format_of(import, scene);

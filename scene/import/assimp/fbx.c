@@ -5,7 +5,7 @@
 
 #include "import/builder/readers.h"
 
-static const char magic[] = "Kaydara FBX Binary  "; // and its 0
+static const char magic[] = "Kaydara FBX Binary  "; // with the 0 at its end
 enum { VERSION_AT = 23, HEADER = 27, WIDE_SINCE = 7500, END_MARK = 16 };
 
 static uint64_t read_number(const unsigned char *bytes, size_t size)

@@ -10,6 +10,8 @@ void scene_import_gltf(struct scene_import *import);
 void scene_import_obj(struct scene_import *import);
 bool scene_import_is_ply(const char *path, const unsigned char *start, size_t size);
 void scene_import_ply(struct scene_import *import);
+bool scene_import_is_off(const unsigned char *start, size_t size);
+void scene_import_off(struct scene_import *import);
 void scene_import_3mf(struct scene_import *import);
 void scene_import_stl(struct scene_import *import);
 /// Fail the import if an FBX is cut. assimp reads it.

@@ -20,17 +20,17 @@ struct scene_gltf_decoded {
     const unsigned char *bytes; // NULL if nothing was decompressed
     size_t size, stride;
     uint32_t count; // number of elements, for an accessor
-    int type; // componentType, for an accessor
+    int type;       // componentType, for an accessor
 };
 
 struct scene_gltf_node {
     float world[16];
+    uint32_t place;  ///< where it stands among the children of its parent
     uint32_t parent; // UINT32_MAX for a root
     bool placed;     // `world` is set
     bool in_scene, visited;
     // Values that an animation gives the node. NULL where the node's own hold.
-    const float *translation, *rotation, *scale,
-        *weights;
+    const float *translation, *rotation, *scale, *weights;
     size_t weight_count;
 };
 
@@ -51,7 +51,7 @@ struct scene_gltf {
     struct scene_gltf_node *nodes;
     struct scene_gltf_meshes *meshes;
     int32_t *materials; // index in the model by index in the glTF; −1 if not made yet
-    int32_t *images; // index in the model by index in the glTF; −1 if not added yet
+    int32_t *images;    // index in the model by index in the glTF; −1 if not added yet
     int32_t default_material;
     int64_t variant; // number of the variant of KHR_materials_variants; −1 if none is wanted
 };
@@ -81,8 +81,6 @@ const char *scene_gltf_name(struct scene_gltf *gltf, const json_t *object);
 size_t scene_gltf_count(struct scene_gltf *gltf, const char *list);
 json_t *scene_gltf_item(struct scene_gltf *gltf, const char *list, int64_t index);
 
-/// Return the bytes of a data URI. Return NULL if it is none that can be read.
-unsigned char *scene_gltf_data_uri(struct scene_gltf *gltf, const char *uri, size_t *size);
 /// Return the bytes that "buffer", "byteOffset" and "byteLength" of an object name. `what` names the object in
 /// messages.
 const unsigned char *scene_gltf_range(struct scene_gltf *gltf, const json_t *object, const char *what,

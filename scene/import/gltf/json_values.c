@@ -108,8 +108,7 @@ json_t *scene_gltf_extension(struct scene_gltf *gltf, const json_t *object, cons
 const char *scene_gltf_name(struct scene_gltf *gltf, const json_t *object)
 {
     // A name is of no consequence, so a wrong one is never an error.
-    const char *name =
-        json_string_value(json_object_get(object, "name"));
+    const char *name = json_string_value(json_object_get(object, "name"));
     return scene_import_string(gltf->import, name, name == NULL ? 0 : strlen(name));
 }
 

@@ -22,7 +22,7 @@ enum { FROM_LEFT, FROM_ABOVE, FROM_ABOVE_LEFT, BY_DIFFERENCE };
 
 struct endpoint {
     uint8_t color[3]; // 5 bits for each channel
-    uint8_t table; // number of the table of steps, 3 bits
+    uint8_t table;    // number of the table of steps, 3 bits
 };
 
 struct scene_etc1s {
@@ -162,8 +162,8 @@ struct reader {
     // Endpoints of the row of blocks above, and of this row up to the block that is read.
     uint16_t *endpoint;
     uint8_t *prediction; // predictions of pairs of blocks, for the odd rows
-    uint32_t corner; // endpoint that stood above the block to the left
-    uint32_t left; // endpoint that was used last
+    uint32_t corner;     // endpoint that stood above the block to the left
+    uint32_t left;       // endpoint that was used last
     uint32_t last_prediction, prediction_run;
     uint32_t selector_run;
     struct history history;

@@ -55,7 +55,7 @@ uint32_t scene_huffman_take(struct scene_bits *bits, const struct scene_huffman 
 {
     uint32_t value = 0, first = 0,
              // The code up to here, the first code of its length, and the index of that first one.
-             index = 0;
+        index = 0;
     for (int length = 1; length < SCENE_HUFFMAN_LENGTHS; length++) {
         value |= scene_bits_take(bits, 1);
         const uint32_t count = code->count[length];

@@ -13,8 +13,8 @@
 struct scene_bits {
     const uint8_t *bytes;
     size_t size, next; // next: place of the byte that comes into `window`
-    uint64_t window; // bits that are not taken yet, from the lowest on
-    unsigned count; // number of bits in `window`
+    uint64_t window;   // bits that are not taken yet, from the lowest on
+    unsigned count;    // number of bits in `window`
     bool failed;
 };
 
@@ -26,7 +26,7 @@ enum { SCENE_HUFFMAN_LENGTHS = 17, SCENE_HUFFMAN_SYMBOLS = 1 << 14 };
 
 /// A canonical code as RFC 1951 defines it.
 struct scene_huffman {
-    uint16_t count[SCENE_HUFFMAN_LENGTHS]; // number of codes of each length
+    uint16_t count[SCENE_HUFFMAN_LENGTHS];   // number of codes of each length
     uint16_t symbols[SCENE_HUFFMAN_SYMBOLS]; // symbols by length, and by number within a length
 };
 

@@ -12,9 +12,9 @@ struct scene_reducer {
     struct scene_image *image;
     bool is_color;
     uint32_t light[256]; ///< light of each code, with is_color
-    uint32_t *columns; ///< texel of the reduced row that takes each texel of a row
-    uint32_t *counts; ///< number of texels of a row that each reduced texel takes
-    uint64_t *sums; ///< four sums for each texel of the reduced row under way
+    uint32_t *columns;   ///< texel of the reduced row that takes each texel of a row
+    uint32_t *counts;    ///< number of texels of a row that each reduced texel takes
+    uint64_t *sums;      ///< four sums for each texel of the reduced row under way
     uint32_t row, rows_summed;
 };
 

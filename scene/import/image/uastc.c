@@ -13,7 +13,7 @@ enum {
     RGBA = 4,
     MOST_SUBSETS = 3,
     MOST_VALUES = 18, // most numbers of endpoints in a block
-    ONE_COLOR = 8, // mode of blocks of one colour
+    ONE_COLOR = 8,    // mode of blocks of one colour
     RESERVED = 19,
     LUMINANCE_ALPHA = 2, // channels of a mode with luminance and alpha
     NEVER = -1
@@ -57,9 +57,9 @@ static const struct {
 struct mode {
     uint8_t hints; // number of bits that are skipped
     uint8_t subsets;
-    uint8_t channels; // 2 for luminance and alpha, 3 for opaque colours, 4 for all
-    bool planes; // each texel has two weights, and one channel has the second
-    uint8_t base; // base of the digits of endpoints: 3 (trits), 5 (quints), 1 (none)
+    uint8_t channels;      // 2 for luminance and alpha, 3 for opaque colours, 4 for all
+    bool planes;           // each texel has two weights, and one channel has the second
+    uint8_t base;          // base of the digits of endpoints: 3 (trits), 5 (quints), 1 (none)
     uint8_t endpoint_bits; // bits below the digit of an endpoint
     uint8_t weight_bits;
 };

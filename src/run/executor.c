@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// See executor.h. Memory is made when a pass needs it first, and released with the executor.
+#include "executor.h"
+
+#include <string.h>
+
+#include "context/context.h"
+#include "kernels/geometry/geometry_scratch.h"
+#include "kernels/tile_work.h"
+
+// Set the scratch to zero, except for the table of lanes and what an empty queue says of its groups.
+static void init_tile_scratch(struct rhw_tile_scratch *scratch)
+{
+    memset(scratch, 0, sizeof *scratch);
+    scratch->queue.only_full_rows = true;
+    for (int bits = 0; bits < 256; bits++) {
+        int count = 0;
+        for (int lane = 0; lane < 8; lane++) {
+            scratch->collected.set_lanes[bits][count] = (uint8_t)lane;
+            count += bits >> lane & 1;
+        }
+    }
+}
+
+// Give the worker memory for all samples of a tile but the first. Memory that a pass does not draw into is never
+// touched. Return false when out of memory.
+static bool sample_tiles_ready(const struct rhw_executor *executor, struct rhw_worker *worker)
+{
+    struct rhw_memory *const memory = &executor->context->memory;
+    const int wanted = executor->wave.target.pattern->count - 1;
+    if (worker->sample_tile_count < wanted) {
+        rhw_memory_release(memory, worker->sample_tiles,
+                           (size_t)worker->sample_tile_count * sizeof *worker->sample_tiles);
+        worker->sample_tile_count = 0;
+        worker->sample_tiles =
+            rhw_memory_allocate_zeroed(memory, (size_t)wanted * sizeof *worker->sample_tiles, 4096);
+        if (!worker->sample_tiles) {
+            return false;
+        }
+        worker->sample_tile_count = wanted;
+    }
+    worker->tile->sample_tiles = worker->sample_tiles;
+    return true;
+}
+
+// Set what stays from frame to frame: an empty table of vertices, and where groups of vertices have their distances.
+static void init_geometry_scratch(struct rhw_geometry_scratch *scratch)
+{
+    memset(scratch->cache, 0, sizeof scratch->cache);
+    scratch->stamp = 1;
+    for (int g = 0; g < RHW_VERTEX_GROUPS; g++) {
+        scratch->groups[g].clip_distance = scratch->distances[g];
+        scratch->groups[g].mask = rhw_splat_int(-1);
+        scratch->groups[g].cull_distance = scratch->distances[g] + RHW_MAX_CLIP_DISTANCES;
+    }
+}
+
+// Make the workers, with nothing but their arenas. Return false when out of memory.
+static bool make_workers(struct rhw_executor *executor)
+{
+    struct rhw_memory *const memory = &executor->context->memory;
+    const size_t threads = (size_t)executor->context->threads;
+    if (!executor->shares) {
+        executor->shares = rhw_memory_allocate(memory, threads * sizeof *executor->shares, RHW_CACHE_LINE);
+    }
+    struct rhw_worker *const workers =
+        executor->shares ? rhw_memory_allocate(memory, threads * sizeof *workers, RHW_CACHE_LINE) : NULL;
+    if (!workers) {
+        return false;
+    }
+    memset(workers, 0, threads * sizeof *workers);
+    for (size_t i = 0; i < threads; i++) {
+        rhw_arena_init(&workers[i].arena, memory);
+    }
+    executor->wave.workers = workers;
+    return true;
+}
+
+// Give a worker the memory that the wave's pass needs. Return false when out of memory.
+static bool worker_ready(const struct rhw_executor *executor, struct rhw_worker *worker)
+{
+    struct rhw_memory *const memory = &executor->context->memory;
+    if (!worker->geometry) {
+        worker->geometry = rhw_memory_allocate(memory, sizeof *worker->geometry, 4096);
+        if (!worker->geometry) {
+            return false;
+        }
+        init_geometry_scratch(worker->geometry);
+    }
+    if (!worker->tile) {
+        worker->tile = rhw_memory_allocate(memory, sizeof *worker->tile, 4096);
+        if (!worker->tile) {
+            return false;
+        }
+        init_tile_scratch(worker->tile);
+    }
+    worker->counters = (struct rhw_counters){0};
+    return sample_tiles_ready(executor, worker);
+}
+
+bool rhw_executor_workers_ready(struct rhw_executor *executor)
+{
+    bool ready = executor->wave.workers || make_workers(executor);
+    for (int i = 0; ready && i < executor->context->threads; i++) {
+        ready = worker_ready(executor, &executor->wave.workers[i]);
+    }
+    return ready;
+}
+
+struct rhw_executor *rhw_executor_create(struct rhw_context *context)
+{
+    struct rhw_executor *const executor =
+        rhw_memory_allocate(&context->memory, sizeof *executor, RHW_CACHE_LINE);
+    if (executor) {
+        memset(executor, 0, sizeof *executor);
+        executor->context = context;
+    }
+    return executor;
+}
+
+static void release_worker(struct rhw_memory *memory, struct rhw_worker *worker)
+{
+    rhw_arena_destroy(&worker->arena);
+    rhw_memory_release(memory, worker->geometry, sizeof *worker->geometry);
+    rhw_memory_release(memory, worker->tile, sizeof *worker->tile);
+    rhw_memory_release(memory, worker->sample_tiles,
+                       (size_t)worker->sample_tile_count * sizeof *worker->sample_tiles);
+}
+
+static void release_transient(struct rhw_memory *memory, struct transient *transient)
+{
+    rhw_memory_release(memory, transient->plane.texels, transient->size);
+}
+
+void rhw_executor_destroy(struct rhw_executor *executor)
+{
+    if (!executor) {
+        return;
+    }
+    struct rhw_memory *const memory = &executor->context->memory;
+    struct rhw_wave *const wave = &executor->wave;
+    const size_t threads = (size_t)executor->context->threads;
+    for (size_t i = 0; wave->workers && i < threads; i++) {
+        release_worker(memory, &wave->workers[i]);
+    }
+    rhw_memory_release(memory, wave->workers, threads * sizeof *wave->workers);
+    rhw_memory_release(memory, executor->shares, threads * sizeof *executor->shares);
+    rhw_memory_release(memory, wave->chunks, (size_t)executor->chunk_capacity * sizeof *wave->chunks);
+    for (int i = 0; i < RHW_MAX_COLOR_ATTACHMENTS; i++) {
+        release_transient(memory, &executor->colors[i]);
+    }
+    release_transient(memory, &executor->depth);
+    release_transient(memory, &executor->stencil);
+    rhw_memory_release(memory, executor, sizeof *executor);
+}
+
+// Make memory for an attachment without a texture. It is needed only when a second wave must find the texels again. An
+// attachment that is left out needs none, because nobody reads it. Return false when out of memory.
+static bool transient_ready(struct rhw_executor *executor, struct rhw_attachment *attachment,
+                            struct transient *transient)
+{
+    const struct rhw_target *const target = &executor->wave.target;
+    struct rhw_memory *const memory = &executor->context->memory;
+    if (attachment->target || attachment->is_read_only || attachment->is_left_out) {
+        return true;
+    }
+    const size_t row = (size_t)target->width * attachment->texel_size;
+    const size_t pitch = (row + RHW_CACHE_LINE - 1) & ~(size_t)(RHW_CACHE_LINE - 1);
+    const uint64_t plane = (uint64_t)pitch * (uint64_t)target->height,
+                   slice = plane * (uint64_t)target->pattern->count;
+    const uint64_t all = slice * (uint64_t)target->layers;
+    if (all > SIZE_MAX) {
+        return false;
+    }
+    const size_t size = (size_t)all;
+    if (transient->size < size) {
+        rhw_memory_release(memory, transient->plane.texels, transient->size);
+        *transient = (struct transient){.plane.texels = rhw_memory_allocate(memory, size, RHW_CACHE_LINE)};
+        if (!transient->plane.texels) {
+            return false;
+        }
+        transient->size = size;
+    }
+    transient->plane.row_pitch = pitch;
+    transient->plane.slice_pitch = (size_t)slice;
+    attachment->target = &transient->plane;
+    attachment->sample_stride = target->pattern->count > 1 ? (size_t)plane : 0;
+    return true;
+}
+
+bool rhw_executor_transients_ready(struct rhw_executor *executor)
+{
+    struct rhw_target *const target = &executor->wave.target;
+    bool ready = true;
+    for (int i = 0; i < target->color_count; i++) {
+        ready = ready && transient_ready(executor, &target->colors[i], &executor->colors[i]);
+    }
+    return ready && (!target->has_depth || transient_ready(executor, &target->depth, &executor->depth)) &&
+           (!target->has_stencil || transient_ready(executor, &target->stencil, &executor->stencil));
+}

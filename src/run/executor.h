@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The structure of an executor, and the memory that it keeps from pass to pass. run.h has what other rooms see.
+#ifndef RHW_EXECUTOR_H
+#define RHW_EXECUTOR_H
+
+#include "base/thread.h"
+#include "draw/wave.h"
+#include "run.h"
+
+// A transient keeps an attachment without a texture between waves.
+struct transient {
+    struct rhw_mip plane;
+    size_t size; // bytes that plane.texels has
+};
+
+// These are the tiles that a worker begins with. The worker writes them, and so do others that have no tiles left of
+// their own. The structure is padded so that no two workers share a cache line.
+struct tile_share {
+    _Alignas(RHW_CACHE_LINE) _Atomic int next;
+    int end; // exclusive
+};
+
+struct rhw_executor {
+    struct rhw_context *context;
+    struct rhw_wave wave; // the wave under way
+    int chunk_capacity;
+    uint64_t chunk_size;       // most triangles of a chunk
+    struct tile_share *shares; // a share for each worker
+    struct transient colors[RHW_MAX_COLOR_ATTACHMENTS], depth, stencil;
+
+    // Workers write these members for every chunk, and read them when they look for the next chunk.
+    _Alignas(RHW_CACHE_LINE) _Atomic size_t geometry; // bytes that the wave's chunks took
+    _Atomic int wave_end;                             // first chunk that waits for the next wave
+    _Atomic bool failed;                              // a worker ran out of memory
+};
+
+// Give every worker the memory that the wave's pass needs. Return false when out of memory.
+bool rhw_executor_workers_ready(struct rhw_executor *executor);
+// Give attachments without a texture memory that keeps them until the next wave. Return false when out of memory.
+bool rhw_executor_transients_ready(struct rhw_executor *executor);
+
+#endif
