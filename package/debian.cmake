@@ -49,6 +49,10 @@ if(RHW_PROGRAM)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME rhw)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+  if(RHW_AVIF_NAME) # opened when there is an AVIF, which dpkg-shlibdeps does not see
+    string(REGEX REPLACE "[.]so[.]" "" avif ${RHW_AVIF_NAME})
+    set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS ${avif})
+  endif()
   set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "rhw draws glTF, OBJ, PLY, STL, FBX and other model files and writes the
 picture, or depth, normals, positions, ids and whatever else is known about
 every pixel. It makes thumbnails of folders, compares pictures and tells what

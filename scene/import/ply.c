@@ -191,8 +191,8 @@ static uint32_t add_material(struct ply *ply, const struct scene_mesh *mesh, int
     phong.colored = mesh->colors != NULL;
     if (texture >= 0 && texture < ply->texture_count && mesh->uvs[0] != NULL) {
         phong.color.name = scene_word_string(ply->import, ply->textures[texture]);
-        phong.color.source.file = scene_import_find_file(ply->import, phong.color.name);
-        phong.color.source.problem = ply->import->missing;
+        scene_import_find_image(ply->import, NULL, scene_word_bytes(ply->import, ply->textures[texture]),
+                                &phong.color.source);
     }
     const uint32_t material = scene_phong_add(ply->import, &phong);
     if (translucent) {

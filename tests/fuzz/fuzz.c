@@ -64,10 +64,10 @@ static const char *extension(const char *path)
     return dot != NULL && (slash == NULL || dot > slash) ? dot : "";
 }
 
-static bool ends_in(const char *path, const char *const endings[3])
+static bool ends_in(const char *path, const char *const endings[])
 {
     bool found = false;
-    for (int i = 0; i < 3 && endings[i] != NULL; i++) {
+    for (int i = 0; endings[i] != NULL; i++) {
         found = found || strcmp(extension(path), endings[i]) == 0;
     }
     return found;
@@ -75,13 +75,14 @@ static bool ends_in(const char *path, const char *const endings[3])
 
 static bool is_image(const char *path)
 {
-    static const char *const endings[3] = {".png", ".ktx2", ".webp"};
+    static const char *const endings[] = {".png", ".ktx2", ".webp", ".dds", ".tif",
+                                          ".gif", ".avif", ".jpg",  NULL};
     return ends_in(path, endings);
 }
 
 static bool is_panorama(const char *path)
 {
-    static const char *const endings[3] = {".hdr", ".exr"};
+    static const char *const endings[] = {".hdr", ".exr", NULL};
     return ends_in(path, endings);
 }
 
@@ -318,7 +319,7 @@ static bool check_image(struct fuzz *fuzz, const char *image)
     return fine;
 }
 
-// A square in the light of the panorama.
+// A square in the light of the panorama, and one that wears it.
 static bool check_panorama(struct fuzz *fuzz, const char *panorama)
 {
     static const char square[] = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n";
@@ -327,7 +328,7 @@ static bool check_panorama(struct fuzz *fuzz, const char *panorama)
     save("../square.obj", square, sizeof square - 1);
     const bool fine = check_model(fuzz, "../square.obj", panorama, option);
     unlink("../square.obj");
-    return fine;
+    return fine && check_image(fuzz, panorama);
 }
 
 static void replay(struct fuzz *fuzz)

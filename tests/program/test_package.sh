@@ -97,6 +97,8 @@ check "nothing names the build" sh -c "! grep -rl '$build' $usr/lib $usr/share"
 if [ -x "$usr/bin/rhw" ]; then
     says rhw Section '^graphics$'
     says rhw Depends 'libc6 .*libspng0'
+    says rhw Depends 'libtiff6'
+    says rhw Recommends '^libavif[0-9]+$'
     has rhw bin/rhw share/man/man1/rhw.1.gz share/bash-completion/completions/rhw share/zsh/vendor-completions/_rhw \
         share/fish/vendor_completions.d/rhw.fish share/thumbnailers/rhw.thumbnailer share/mime/packages/rhw-models.xml
     mkdir work

@@ -501,9 +501,9 @@ kids 0
 AC
 run render dummy.ac $view -o x.png
 check "a dummy texture is none: $(cat "$folder/log/err")" test ! -s "$folder/log/err"
-sed 's/.texture_dummy.bmp/other.bmp/' dummy.ac >other.ac
+sed 's/.texture_dummy.bmp/nowhere.bmp/' dummy.ac >other.ac
 run render other.ac $view -o x.png
-check "another is" grep -q 'other.bmp.*drawn in magenta' "$folder/log/err"
+check "another is" grep -q 'nowhere.bmp.*drawn in magenta' "$folder/log/err"
 run render cube.obj $view -o x.png --camera 0,0,9,0,0,18,0,1,0,30
 check "nothing in view is a warning" grep -q "^rhw: cube.obj: warning: nothing of the model is in the picture" "$folder/log/err"
 printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >thin.obj

@@ -148,8 +148,7 @@ static void read_texture(const struct reader *reader, enum aiTextureType type,
     } else if (inside != NULL) {
         raw_texels(reader->import, inside, &texture->source);
     } else {
-        texture->source.file = scene_import_find_file(reader->import, path.data);
-        texture->source.problem = reader->import->missing;
+        scene_import_find_image(reader->import, NULL, path.data, &texture->source);
     }
     texture->slot.uv_set = set < SCENE_UV_SETS ? set : 0;
     texture->slot.address_u = address(modes[0]);

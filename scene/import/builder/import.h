@@ -44,6 +44,7 @@ struct scene_import_channels {
 };
 
 struct scene_import;
+struct scene_import_folder;
 struct system_child;
 /// Fill the model from what import->model.path or import->arrays name.
 typedef void scene_import_reader(struct scene_import *import);
@@ -69,8 +70,9 @@ struct scene_import {
     uint32_t texture_side; // texture_side of the options
     // The folder of the options, resolved. NULL if nothing is out of bounds.
     const char *confine;
-    struct scene_progress *progress; // progress of the options
-    const char *missing;             // why scene_import_find_file returned NULL last
+    struct scene_progress *progress;     // progress of the options
+    const char *missing;                 // why scene_import_find_file returned NULL last
+    struct scene_import_folder *folders; // folders whose names were read (folder.c)
     // model.up is what is usual in the format, and the model's shape decides.
     bool up_is_open;
     // With up_is_open: nearly all programs that write the format have what is usual.
@@ -105,8 +107,8 @@ void *scene_import_read_file(struct scene_import *import, const char *path, size
 /// `problem`, if it cannot be read. The reason is scene_import_no_memory where memory is missing.
 void *scene_import_read_bytes(const char *path, size_t *size, const char **problem);
 extern const char scene_import_no_memory[];
-/// Return what is wrong with a file that a version control wrote in the place of a large one. Return NULL if it is none.
-/// A 0 follows the bytes.
+/// Return what is wrong with a file that Git LFS or git-annex put in the place of a large one. Return NULL if it is no
+/// such file. A 0 follows the bytes.
 const char *scene_import_pointer_problem(const void *bytes, size_t size);
 
 // Add an element to the model. The pointer is valid until the next element of its kind is added.

@@ -120,6 +120,11 @@ const char *scene_word_string(struct scene_import *import, struct scene_word wor
     return scene_import_string(import, word.start, word.length);
 }
 
+const char *scene_word_bytes(struct scene_import *import, struct scene_word word)
+{
+    return memcpy(scene_import_allocate(import, word.length + 1, 1), word.start, word.length);
+}
+
 // Numbers -------------------------------------------------------------------------------------------
 
 // Return value · 10^exponent for a number that plain arithmetic does not give exactly. `digits` has no exponent part.

@@ -81,8 +81,6 @@ const char *scene_gltf_name(struct scene_gltf *gltf, const json_t *object);
 size_t scene_gltf_count(struct scene_gltf *gltf, const char *list);
 json_t *scene_gltf_item(struct scene_gltf *gltf, const char *list, int64_t index);
 
-/// Return the bytes of a data URI. Return NULL if it is none that can be read.
-unsigned char *scene_gltf_data_uri(struct scene_gltf *gltf, const char *uri, size_t *size);
 /// Return the bytes that "buffer", "byteOffset" and "byteLength" of an object name. `what` names the object in
 /// messages.
 const unsigned char *scene_gltf_range(struct scene_gltf *gltf, const json_t *object, const char *what,

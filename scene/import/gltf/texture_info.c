@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "elementary.h"
+#include "import/builder/data_uri.h"
 #include "import/builder/find_file.h"
 #include "import/builder/numbers.h"
 
@@ -30,19 +31,14 @@ static int32_t add_image(struct scene_gltf *gltf, int64_t index)
     const json_t *image = scene_gltf_item(gltf, "images", index);
     const char *uri = scene_gltf_text(gltf, image, "uri");
     const char *name = scene_gltf_name(gltf, image);
-    const bool data = uri != NULL && strncmp(uri, "data:", 5) == 0;
     struct scene_import_source source = {.opacity_image = -1};
     size_t stride = 0;
     if (gltf->images[index] >= 0) {
         return gltf->images[index];
     }
-    if (uri != NULL && !data) {
-        name = scene_import_string(import, uri, strlen(uri));
-        source.file = scene_import_find_file(import, uri);
-        source.problem = import->missing;
-    } else if (data) {
-        source.bytes = scene_gltf_data_uri(gltf, uri, &source.size);
-        source.problem = "its data URI is not valid base64";
+    if (uri != NULL) {
+        name = scene_data_uri_is(uri) ? name : scene_import_string(import, uri, strlen(uri));
+        scene_import_find_image(import, NULL, uri, &source);
     } else if (json_object_get(image, "bufferView") != NULL) {
         source.bytes =
             scene_gltf_view(gltf, scene_gltf_integer(gltf, image, "bufferView", -1), &source.size, &stride);
