@@ -100,7 +100,6 @@ static struct scene_surface_pass surfaces_of(const struct draw *draw, const stru
                                           .format_count = 1,
                                           .environment = scene->surroundings.cube,
                                           .environment_sampler = scene->surroundings.cube_sampler,
-                                          .backdrop = scene->backdrop.picture.texture,
                                           .backdrop_sampler = scene->backdrop.sampler,
                                           .peeled_sampler = scene->nearest};
     memcpy(surfaces.view_projection, draw->view_projection, sizeof surfaces.view_projection);
@@ -193,6 +192,7 @@ static enum rhw_result draw_layer(struct draw *draw, const struct scene_target *
     struct scene_frame frame = frame_of(draw);
     frame.peel_samples = SAMPLES;
     struct scene_surface_pass surfaces = surfaces_of(draw, &frame, SCENE_SURFACES_GLASS);
+    surfaces.backdrop = backdrop->picture.texture;
     surfaces.peeled = behind->texture;
     struct rhw_pass_def def = pass_def(&backdrop->layer, depth, RHW_LOAD_LOAD);
     def.colors[0].load = RHW_LOAD_CLEAR;

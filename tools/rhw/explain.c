@@ -156,6 +156,7 @@ int cli_explain(int argc, char **argv)
     int status = CLI_USAGE;
     if (parse(&question, &render.job, argc, argv, &words, &status) && check(&question, &render.job)) {
         status = CLI_FAILED;
+        render.job.offers_time = true;
         if (cli_render_prepare(&render)) {
             status = cli_render_open(&render, render.job.model_paths[0]);
         }

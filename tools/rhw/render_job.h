@@ -52,6 +52,7 @@ struct cli_render_job {
     enum scene_background background;
     uint8_t background_color[3];
     bool default_lights, no_lights, shadows, ground, ambient_occlusion, quiet;
+    bool offers_time; // who asked has a --time
     float exposure;
     const char *environment; ///< a file; NULL: the studio
     float environment_rotation;

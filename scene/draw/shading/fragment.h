@@ -175,9 +175,16 @@ ALWAYS_INLINE void face_normal(const struct rhw_fragment *f, const struct scene_
     }
 }
 
+// Tell whether a normal is on the other side of its facet: further from the facet's than interpolation leads, by 120
+// degrees or more.
+ALWAYS_INLINE rhw_int is_other_side(const rhw_float normal[3], const rhw_float face[3])
+{
+    return rhw_less(rhw_dot3(normal, face), -0.5f);
+}
+
 // Bend a normal that leans away from the eye until its surface is just seen. Interpolation and normal maps may lean a
-// surface away, which no surface that is seen does. Its highlight and its mirror would be of what is behind it. A normal
-// on the other side of its facet is the file's word, which stays: the surface is shaded as from behind.
+// surface away, which no surface that is seen does. Its highlight and its mirror would be of what is behind it. A mesh
+// whose normals are on the other side of its facets is the file's word, which stays: it is shaded as from behind.
 ALWAYS_INLINE void bend_to_view(const struct rhw_fragment *f, const struct scene_surface *s,
                                 const rhw_float view[3], rhw_float normal[3])
 {
@@ -186,9 +193,10 @@ ALWAYS_INLINE void bend_to_view(const struct rhw_fragment *f, const struct scene
     if (!rhw_any(leans)) {
         return;
     }
-    rhw_float face[3], bent[3];
+    rhw_float face[3], own[3], bent[3];
     face_normal(f, s, view, face);
-    leans &= rhw_less(0.0f, rhw_dot3(normal, face));
+    surface_normal(f, s, false, NULL, own);
+    leans &= ~is_other_side(own, face);
     for (int c = 0; c < 3; c++) {
         bent[c] = normal[c] + view[c] * lacking;
     }

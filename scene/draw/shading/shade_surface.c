@@ -427,8 +427,8 @@ static void guide_fragment(struct rhw_fragment *groups, int count)
         view_direction(s->frame, position, view);
         face_normal(f, s, view, face);
         if (s->varying_normal >= 0) {
-            rhw_normalize3(&f->varying[s->varying_normal], normal);
-            const rhw_int turn = rhw_less(rhw_dot3(normal, face), 0.0f);
+            surface_normal(f, s, false, texels, normal);
+            const rhw_int turn = is_other_side(normal, face);
             for (int c = 0; c < 3; c++) {
                 normal[c] = (rhw_float)((rhw_int)normal[c] ^ (turn & INT32_MIN));
             }

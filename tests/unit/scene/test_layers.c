@@ -363,6 +363,15 @@ static void test_blended_beside_glass(void **state)
         tiny_assert_close(light[0], 1.0, 0.01);
         tiny_assert_close(light[1], 0.5, 0.01);
     }
+    // Neither is what has layers, but lets no light through.
+    set_distance(&t.instances[1], -1.0f);
+    materials[1].unlit = false;
+    materials[1].alpha_mode = SCENE_ALPHA_OPAQUE;
+    materials[1].layers = plain_layers();
+    materials[1].layers.clearcoat = 1;
+    double light[3];
+    draw_light(&t, &view, light);
+    assert_true(light[0] > 0.2 && light[1] < 0.2);
 }
 
 // A slab bends what is behind it aside: behind a square that is tilted the edge of another moves.
