@@ -234,7 +234,7 @@ class Model:
         """Draws the model. The arrays hold the numbers that `rhw render` with the same options writes.
 
         size: (width, height), or one number for both, 1 to 16384.
-        camera: see Camera; None: the first one of the file or, where it has none that shows the model, Camera.fit().
+        camera: see Camera; None: the first one of the file or, where there is none or the model is a dot in it, Camera.fit().
         outputs: names of pictures, see Pictures: 'color', 'depth', 'distance', 'normal', 'position', 'uv', 'object',
           'triangle', 'barycentric', 'linear', 'display'.
         samples: of a pixel, 1, 2, 4, 8 or 16. supersample: pixels that are drawn for one, 1, 4, 9 or 16.
@@ -274,10 +274,13 @@ class Model:
         return Pictures(arrays, (width, height), View(seen_by, width, height), self, look.transparent, threads)
 
     def _first_camera(self, fitted: Tuple[Any, ...], width: int, height: int) -> Tuple[Tuple[Any, ...], bool]:
-        """The file's first camera, unless it is of a format whose cameras are often wrong and sees next to nothing."""
+        """The file's first camera, unless it sees less of the model than a thumbnail would show."""
         numbers = _rhw.camera_of_file(self._model, width / height, 0)
-        believable = _rhw.camera_is_believable(self._model, numbers, width / height)
-        return (numbers, True) if believable else (fitted, False)
+        sight = _rhw.camera_sight(self._model, numbers, width / height)
+        if sight == "enough":
+            return numbers, True
+        warnings.warn(f"{self.path}: its camera sees {sight} of the model, which is fitted instead", stacklevel=3)
+        return fitted, False
 
     def _scene(self, context: Optional[_rhw.Context]) -> Tuple[Any, int]:
         """The model in a context's memory; a thread keeps the last one."""

@@ -5,7 +5,7 @@
 #include "draw/camera/subject.h"
 
 // Of the subject's radius: how far things occlude each other.
-static const double occlusion_reach = 0.12;
+static const double occlusion_reach = 0.2;
 
 enum rhw_result scene_draw_surround(struct draw *draw)
 {

@@ -19,14 +19,22 @@ static bool key_is(struct scene_word word, const char *key)
 
 size_t scene_mtl_find(struct scene_import *import, struct scene_mtl *mtl, const char *name)
 {
-    for (size_t i = 0; i < mtl->count; i++) {
-        if (strcmp(mtl->materials[i].phong.name, name) == 0) {
-            return i;
-        }
+    const uint32_t hash = scene_hash_bytes(name, strlen(name));
+    size_t place = SIZE_MAX;
+    uint32_t found = scene_hash_next(&mtl->names, hash, &place);
+    while (found != UINT32_MAX && strcmp(mtl->materials[found].phong.name, name) != 0) {
+        found = scene_hash_next(&mtl->names, hash, &place);
+    }
+    if (found != UINT32_MAX) {
+        return found;
+    }
+    if (mtl->count >= INT32_MAX) {
+        scene_import_fail(import, "has too many materials");
     }
     scene_import_reserve(import, &mtl->materials, &mtl->capacity, mtl->count + 1, sizeof *mtl->materials);
-    mtl->materials[mtl->count] = (struct scene_mtl_material){scene_phong_default(), {-1, -1}};
+    mtl->materials[mtl->count] = (struct scene_mtl_material){scene_phong_default(), NULL, {-1, -1}};
     mtl->materials[mtl->count].phong.name = name;
+    scene_hash_add(import, &mtl->names, hash, (uint32_t)mtl->count);
     return mtl->count++;
 }
 
@@ -164,6 +172,22 @@ static void note_unused_map(struct scene_import *import, struct scene_word key)
     for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
         if (key_is(key, maps[i].key)) {
             scene_import_unsupported(import, "%s textures: not used", maps[i].name);
+            return;
+        }
+    }
+    // map_aat is no texture but asks for anti-aliasing.
+    if (key.length > 4 && strncasecmp(key.start, "map_", 4) == 0 && !key_is(key, "map_aat")) {
+        scene_import_unsupported(import, "textures of %s (MTL): not used", scene_word_string(import, key));
+    }
+}
+
+// Tell of ambient textures that are not the colour's as well, as most are.
+static void note_ambient_maps(struct scene_import *import, const struct scene_mtl *mtl)
+{
+    for (size_t i = 0; i < mtl->count; i++) {
+        const char *ambient = mtl->materials[i].ambient, *color = mtl->materials[i].phong.color.name;
+        if (ambient != NULL && (color == NULL || strcmp(ambient, color) != 0)) {
+            scene_import_unsupported(import, "ambient textures: not used");
         }
     }
 }
@@ -206,6 +230,27 @@ static bool read_color(struct scene_line line, float color[3])
         color[c] = values[count == 3 ? c : 0];
     }
     return true;
+}
+
+// Tell of values that would change how a surface looks.
+static void note_unused_value(struct scene_import *import, struct scene_word key, struct scene_line line)
+{
+    struct scene_line rest = line;
+    struct scene_word word;
+    float filter[3];
+    const bool any = scene_text_word(&rest, &word);
+    const bool color = key_is(key, "Kd") || key_is(key, "Ks") || key_is(key, "Ke");
+    if (color && any && (key_is(word, "spectral") || key_is(word, "xyz"))) {
+        scene_import_unsupported(import, "colours as \"%s\" (MTL): not used",
+                                 key_is(word, "xyz") ? "xyz" : "spectral");
+    }
+    if (key_is(key, "d") && any && key_is(word, "-halo")) {
+        scene_import_unsupported(import, "d -halo (MTL): not used");
+    }
+    if (key_is(key, "Tf") && scene_text_numbers(&line, filter, 3) == 3 &&
+        (filter[0] != filter[1] || filter[1] != filter[2])) {
+        scene_import_unsupported(import, "colours of transmitted light (Tf): not used");
+    }
 }
 
 static void read_value(struct scene_word key, struct scene_line line, struct scene_phong *phong,
@@ -263,11 +308,18 @@ bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const ch
             continue;
         }
         struct scene_phong *phong = &mtl->materials[current].phong;
-        if (!read_map(import, key, line, phong)) {
+        if (key_is(key, "map_Ka")) {
+            struct scene_phong_texture ambient = scene_phong_texture_default();
+            float multiplier;
+            read_texture(import, line, &ambient, &multiplier);
+            mtl->materials[current].ambient = ambient.name;
+        } else if (!read_map(import, key, line, phong)) {
             note_unused_map(import, key);
+            note_unused_value(import, key, line);
             read_value(key, line, phong, &dissolve);
         }
     }
+    note_ambient_maps(import, mtl);
     free(bytes);
     return true;
 }

@@ -3,17 +3,20 @@
 #ifndef SCENE_IMPORT_MTL_H
 #define SCENE_IMPORT_MTL_H
 
+#include "import/builder/hash_table.h"
 #include "import/builder/import.h"
 #include "import/builder/phong.h"
 
 struct scene_mtl_material {
     struct scene_phong phong;
-    int32_t made[2]; ///< index in the model, without and with vertex colours; −1 if not used yet
+    const char *ambient; ///< name of the ambient texture; NULL if there is none
+    int32_t made[2];     ///< index in the model, without and with vertex colours; −1 if not used yet
 };
 
 struct scene_mtl {
     struct scene_mtl_material *materials;
     size_t count, capacity;
+    struct scene_hash_table names; ///< places of the materials by their names
 };
 
 /// Add the materials of a library. Return false, with a warning, if it cannot be read.

@@ -11,14 +11,18 @@
 
 #include "import/builder/complete_mesh.h"
 #include "import/builder/find_file.h"
+#include "import/builder/hash_table.h"
 #include "import/builder/import.h"
 #include "import/builder/numbers.h"
 #include "import/builder/polygon.h"
 #include "import/builder/readers.h"
+#include "import/builder/stored_colors.h"
 #include "import/builder/text_lines.h"
 #include "mtl.h"
 
 static const uint32_t none = UINT32_MAX;
+// Stands for white until it is known whether 1 or 255 is. No file has it, as colours are not below 0.
+static const float white = -1;
 enum { SMOOTHING_NOT_SAID = -1, SMOOTHING_OFF = 0 };
 
 struct corner {
@@ -44,15 +48,18 @@ struct part {
 struct obj {
     struct scene_import *import;
     struct scene_text text;
-    float (*positions)[3], (*colors)[3], (*uvs)[2], (*normals)[3];
-    size_t position_count, position_capacity, color_capacity, uv_count, uv_capacity, normal_count,
-        normal_capacity;
+    float (*positions)[3], (*colors)[4], (*uvs)[2], (*normals)[3];
+    size_t position_count, position_capacity, color_capacity, painted_count, uv_count, uv_capacity,
+        normal_count, normal_capacity;
     bool colored;
+    float (*painted)[4]; // colours of ZBrush, which stand in comments
+    size_t painted_capacity;
     const char **objects; // names of the objects
     size_t object_count, object_capacity;
     size_t first_part; // first part of the current object
     struct part *parts;
-    size_t part_count, part_capacity;
+    size_t part_count, part_capacity, part; // part: the one of the face before
+    struct scene_hash_table part_table;     // parts by their keys
     struct scene_mtl mtl;
     bool libraries_complete; // all libraries that were named are there
     size_t material;
@@ -100,7 +107,8 @@ static void read_position(struct obj *obj, struct scene_line line)
                          sizeof *obj->colors);
     // Vertices before the first one with a colour are white.
     for (size_t i = obj->colored ? index : 0; i <= index; i++) {
-        obj->colors[i][0] = obj->colors[i][1] = obj->colors[i][2] = 1;
+        obj->colors[i][0] = obj->colors[i][1] = obj->colors[i][2] = white;
+        obj->colors[i][3] = 1;
     }
     obj->colored = true;
     for (int c = 0; c < 3 && count >= 6; c++) {
@@ -128,6 +136,52 @@ static void read_normal(struct obj *obj, struct scene_line line)
     scene_import_reserve(obj->import, &obj->normals, &obj->normal_capacity, obj->normal_count + 1,
                          sizeof *obj->normals);
     memcpy(obj->normals[obj->normal_count++], values, sizeof values);
+}
+
+static int hex_digit(char c)
+{
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : 0;
+}
+
+// Read a comment that begins with #MRGB: ZBrush writes there the colours of the vertices, in their order, each as four
+// bytes, which are a mask, red, green and blue.
+static void read_paint(struct obj *obj, struct scene_line line)
+{
+    enum { DIGITS = 8 };
+    struct scene_word word;
+    while (scene_text_word(&line, &word)) {
+        for (size_t at = 0; at + DIGITS <= word.length; at += DIGITS) {
+            scene_import_reserve(obj->import, &obj->painted, &obj->painted_capacity, obj->painted_count + 1,
+                                 sizeof *obj->painted);
+            float *color = obj->painted[obj->painted_count++];
+            for (size_t c = 0; c < 3; c++) {
+                const char *digits = word.start + at + 2 + 2 * c;
+                color[c] = (float)(16 * hex_digit(digits[0]) + hex_digit(digits[1]));
+            }
+            color[3] = 1;
+        }
+    }
+}
+
+// Use the painted colours, if each vertex has one and none of its own.
+static void use_paint(struct obj *obj)
+{
+    const struct scene_color_scale bytes = {255, 1};
+    if (obj->painted_count == 0) {
+        return;
+    }
+    if (obj->colored || obj->painted_count != obj->position_count) {
+        scene_import_unsupported(
+            obj->import, "%zu colours in comments (#MRGB): not drawn, as %s", obj->painted_count,
+            obj->colored ? "its vertices have colours" : "it has another number of vertices");
+        return;
+    }
+    scene_import_decode_colors(obj->painted, obj->painted_count, bytes);
+    obj->colors = obj->painted;
+    obj->colored = true;
 }
 
 // Elements ------------------------------------------------------------------------------------------
@@ -179,20 +233,42 @@ static struct corner read_corner(struct obj *obj, struct scene_word word)
     return corner;
 }
 
+static bool same_key(const struct part_key *a, const struct part_key *b)
+{
+    return a->object == b->object && a->material == b->material && a->smoothing == b->smoothing &&
+           a->primitive == b->primitive && a->has_uv == b->has_uv && a->has_normal == b->has_normal;
+}
+
+static uint32_t hash_key(const struct part_key *key)
+{
+    const uint64_t words[] = {key->object, key->material, (uint64_t)key->smoothing,
+                              (uint64_t)key->primitive << 2 | (uint64_t)key->has_uv << 1 | key->has_normal};
+    return scene_hash_bytes(words, sizeof words);
+}
+
 static struct part *find_part(struct obj *obj, const struct part_key *key)
 {
-    for (size_t i = obj->part_count; i > obj->first_part; i--) {
-        const struct part_key *other = &obj->parts[i - 1].key;
-        if (other->material == key->material && other->smoothing == key->smoothing &&
-            other->primitive == key->primitive && other->has_uv == key->has_uv &&
-            other->has_normal == key->has_normal) {
-            return &obj->parts[i - 1];
-        }
+    if (obj->part < obj->part_count && same_key(&obj->parts[obj->part].key, key)) {
+        return &obj->parts[obj->part]; // most faces follow one of their own part
     }
-    scene_import_reserve(obj->import, &obj->parts, &obj->part_capacity, obj->part_count + 1,
-                         sizeof *obj->parts);
-    obj->parts[obj->part_count] = (struct part){.key = *key};
-    return &obj->parts[obj->part_count++];
+    const uint32_t hash = hash_key(key);
+    size_t place = SIZE_MAX;
+    uint32_t found = scene_hash_next(&obj->part_table, hash, &place);
+    while (found != none && !same_key(&obj->parts[found].key, key)) {
+        found = scene_hash_next(&obj->part_table, hash, &place);
+    }
+    if (found == none) {
+        if (obj->part_count >= INT_MAX) {
+            refuse(obj, "has too many parts");
+        }
+        scene_import_reserve(obj->import, &obj->parts, &obj->part_capacity, obj->part_count + 1,
+                             sizeof *obj->parts);
+        found = (uint32_t)obj->part_count++;
+        obj->parts[found] = (struct part){.key = *key};
+        scene_hash_add(obj->import, &obj->part_table, hash, found);
+    }
+    obj->part = found;
+    return &obj->parts[found];
 }
 
 static void add_element(struct obj *obj, enum scene_primitive primitive, const struct corner *corners,
@@ -332,9 +408,27 @@ static void read_smoothing(struct obj *obj, struct scene_line line)
     obj->smoothing = number && group >= 0 && group < 1e9f ? (int)group : SMOOTHING_OFF;
 }
 
+// Tell of statements that would draw something, or draw it otherwise.
+static void tell_of_statement(struct obj *obj, struct scene_word key)
+{
+    static const struct {
+        const char *key, *what;
+    } statements[] = {
+        {"curv", "free-form curves and surfaces"}, {"curv2", "free-form curves and surfaces"},
+        {"surf", "free-form curves and surfaces"}, {"cstype", "free-form curves and surfaces"},
+        {"bsp", "free-form curves and surfaces"},  {"bzp", "free-form curves and surfaces"},
+        {"cdc", "free-form curves and surfaces"},  {"cdp", "free-form curves and surfaces"},
+        {"call", "other files, which call names"}, {"usemap", "texture maps (usemap)"},
+    };
+    for (size_t i = 0; i < sizeof statements / sizeof statements[0]; i++) {
+        if (scene_word_is(key, statements[i].key)) {
+            scene_import_unsupported(obj->import, "%s: not drawn", statements[i].what);
+        }
+    }
+}
+
 static void read_line(struct obj *obj, struct scene_word key, struct scene_line line)
 {
-    static const char *const free_form[] = {"curv", "curv2", "surf", "cstype"};
     if (scene_word_is(key, "v")) {
         read_position(obj, line);
     } else if (scene_word_is(key, "vt")) {
@@ -355,11 +449,8 @@ static void read_line(struct obj *obj, struct scene_word key, struct scene_line 
         read_libraries(obj, line);
     } else if (scene_word_is(key, "s")) {
         read_smoothing(obj, line);
-    }
-    for (size_t i = 0; i < sizeof free_form / sizeof free_form[0]; i++) {
-        if (scene_word_is(key, free_form[i])) {
-            scene_import_unsupported(obj->import, "free-form curves and surfaces: not drawn");
-        }
+    } else {
+        tell_of_statement(obj, key);
     }
 }
 
@@ -411,11 +502,8 @@ static void copy_corners(struct obj *obj, const struct part *part, struct scene_
         if (mesh->normals != NULL) {
             memcpy(mesh->normals[i], obj->normals[corner->normal], sizeof mesh->normals[i]);
         }
-        for (int c = 0; c < 3 && mesh->colors != NULL; c++) {
-            mesh->colors[i][c] = obj->colors[corner->position][c];
-        }
         if (mesh->colors != NULL) {
-            mesh->colors[i][3] = 1;
+            memcpy(mesh->colors[i], obj->colors[corner->position], sizeof mesh->colors[i]);
         }
     }
 }
@@ -509,13 +597,17 @@ static void warn_of_cut(struct obj *obj)
     }
 }
 
+// Make the colours linear. Some programs write 0 to 255. A vertex without a colour among others with one is white.
 static void decode_colors(struct obj *obj)
 {
-    for (size_t i = 0; i < obj->position_count && obj->colored; i++) {
+    const size_t count = obj->colored ? obj->position_count : 0;
+    const struct scene_color_scale scale = scene_import_color_scale((const float(*)[4])obj->colors, count);
+    for (size_t i = 0; i < count; i++) {
         for (int c = 0; c < 3; c++) {
-            obj->colors[i][c] = scene_import_from_srgb(obj->colors[i][c]);
+            obj->colors[i][c] = obj->colors[i][c] == white ? scale.color : obj->colors[i][c];
         }
     }
+    scene_import_decode_colors(obj->colors, count, scale);
 }
 
 // Take z for up if a comment names a program that has z up and writes its numbers as they are.
@@ -554,6 +646,8 @@ void scene_import_obj(struct scene_import *import)
             read_line(&obj, key, line);
         } else if (obj.position_count == 0) {
             read_comment(&obj, line);
+        } else if (scene_word_is(key, "#MRGB")) {
+            read_paint(&obj, line);
         }
     }
     if (obj.position_count == 0) {
@@ -576,6 +670,7 @@ void scene_import_obj(struct scene_import *import)
         add_all_points(&obj);
     }
     decode_colors(&obj);
+    use_paint(&obj);
     for (size_t i = 0; i < obj.part_count; i++) {
         add_part(&obj, &obj.parts[i]);
     }

@@ -128,6 +128,8 @@ static void print_light(const struct scene_light_looks *looks)
     printf(",\n   \"light\": {\"normal_mapped\": %s", looks->is_mapped ? "true" : "false");
     print_floats("normal", looks->normal, 3);
     print_floats("sum", looks->sum, 3);
+    printf(", \"ambient_open\": ");
+    cli_json_number(stdout, looks->has_occlusion ? (double)looks->around : 1.0);
     printf(", \"lights\": [");
     for (int i = 0; i < looks->count; i++) {
         const struct scene_light_look *const light = &looks->lights[i];

@@ -319,6 +319,13 @@ static void print_light(FILE *out, int number, const struct scene_light_look *li
     fprintf(out, "\n");
 }
 
+static void print_occlusion(FILE *out, const char *indent, const struct scene_light_looks *looks)
+{
+    if (looks->has_occlusion) {
+        fprintf(out, ",\n%sof which ambient occlusion leaves %.4g %%", indent, 100.0 * (double)looks->around);
+    }
+}
+
 static void print_lights(FILE *out, const struct scene_light_looks *looks)
 {
     if (!looks->is_lit) {
@@ -328,7 +335,9 @@ static void print_lights(FILE *out, const struct scene_light_looks *looks)
             looks->is_mapped ? ", which the normal map has turned," : "");
     print_triple(out, looks->normal);
     if (looks->count == 0) {
-        fprintf(out, ". No light is set;\nwhat there is comes from all around.\n");
+        fprintf(out, ". No light is set;\nwhat there is comes from all around");
+        print_occlusion(out, "", looks);
+        fprintf(out, ".\n");
         return;
     }
     fprintf(out,
@@ -342,7 +351,9 @@ static void print_lights(FILE *out, const struct scene_light_looks *looks)
     }
     fprintf(out, "    together ");
     print_triple(out, looks->sum);
-    fprintf(out, ", beside what comes from all around\n");
+    fprintf(out, ", beside what comes from all around");
+    print_occlusion(out, "    ", looks);
+    fprintf(out, "\n");
 }
 
 // From there on it is the shader and the target.

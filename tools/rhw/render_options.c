@@ -179,9 +179,9 @@ static const char notes[] =
     "which --stats tells.\nNumbers stay those of the "
     "file.\n\n"
     "MODEL may be '-', standard input; files that it names are looked for in the current folder.\n\n"
-    "Without --fit, --orbit or --camera the file's first camera is taken; where there is none, or it sees "
-    "nothing of\n"
-    "the model, the model is fitted into the picture.\n"
+    "Without --fit, --orbit or --camera the file's first camera is taken; where there is none, or the "
+    "model is nothing but\n"
+    "a dot in it, the model is fitted into the picture.\n"
     "A file appears whole or not at all.\n\n"
     "Exit status: 0, 1 when the work failed, 2 for a wrong command line.";
 

@@ -148,7 +148,8 @@ export interface RenderOptions {
     supersample?: 1 | 4 | 9 | 16;
     /**
      * A camera, or one of the file by its number or name. Without it, {@link RenderOptions.orbit} and
-     * {@link RenderOptions.fit} the file's first camera is taken, or else the model is fitted into the picture.
+     * {@link RenderOptions.fit} the file's first camera is taken; where there is none, or the model is nothing but a
+     * dot in it, the model is fitted into the picture.
      */
     camera?: Camera | number | string;
     /**

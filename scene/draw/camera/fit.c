@@ -147,37 +147,19 @@ static void instance_rows(const struct scene_instance *instance, const double ax
     }
 }
 
-// Return true if a vertex lies in a box.
-static bool is_within(const struct scene_box *box, const struct scene_instance *instance, const float p[3])
+static bool is_framed(const struct scene_model *model, const struct scene_instance *instance,
+                      const float p[3])
 {
-    double q[3];
-    bool inside = true;
-    scene_place_point(instance->world, p, q);
-    for (int c = 0; c < 3; c++) {
-        inside = inside && q[c] >= box->low[c] && q[c] <= box->high[c];
+    double place[3];
+    if (model->is_framed) {
+        scene_place_point(instance->world, p, place);
     }
-    return inside;
-}
-
-// Return the model's frame with room for rounding, as a vertex was placed in float when it was found.
-static struct scene_box roomy_frame(const struct scene_model *model)
-{
-    struct scene_box frame = scene_subject_frame(model);
-    double longest = 0.0;
-    for (int c = 0; c < 3; c++) {
-        longest = larger(longest, frame.high[c] - frame.low[c]);
-    }
-    for (int c = 0; c < 3; c++) {
-        frame.low[c] -= 1e-4 * longest;
-        frame.high[c] += 1e-4 * longest;
-    }
-    return frame;
+    return !model->is_framed || scene_subject_frames(model, place);
 }
 
 static void fit_model(const struct scene_model *model, const double axes[3][3], bool whole, struct fit *fit)
 {
     const struct scene_subject subject = scene_subject_find(model);
-    const struct scene_box frame = roomy_frame(model);
     for (uint32_t i = 0; i < model->instance_count; i++) {
         const struct scene_instance *instance = &model->instances[i];
         const struct scene_mesh *mesh = &model->meshes[instance->mesh];
@@ -196,7 +178,7 @@ static void fit_model(const struct scene_model *model, const double axes[3][3], 
                 q[r] = rows[r][0] * (double)p[0] + rows[r][1] * (double)p[1] + rows[r][2] * (double)p[2] +
                        rows[r][3];
             }
-            used = used && (whole || !model->is_framed || is_within(&frame, instance, p));
+            used = used && (whole || is_framed(model, instance, p));
             if (used && scene_finite3(q) && fit->turns) {
                 fit_circle(fit, q);
             } else if (used && scene_finite3(q)) {

@@ -18,6 +18,22 @@ struct scene_box scene_subject_frame(const struct scene_model *model)
     return box;
 }
 
+bool scene_subject_frames(const struct scene_model *model, const double point[3])
+{
+    const struct scene_box frame = scene_subject_frame(model);
+    double longest = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const double side = frame.high[i] - frame.low[i];
+        longest = side > longest ? side : longest;
+    }
+    bool inside = true;
+    for (int i = 0; i < 3 && model->is_framed; i++) {
+        const double room = 1e-4 * longest;
+        inside = inside && point[i] >= frame.low[i] - room && point[i] <= frame.high[i] + room;
+    }
+    return inside;
+}
+
 // Return the box around the corners of the mesh's own box, in the world.
 static struct scene_box find_box(const struct scene_model *model, uint32_t number)
 {

@@ -13,6 +13,9 @@ struct scene_box {
 /// Return the model's frame.
 struct scene_box scene_subject_frame(const struct scene_model *model);
 
+/// Return true if a point lies within the model's frame, but for rounding.
+bool scene_subject_frames(const struct scene_model *model, const double point[3]);
+
 /// Write the box of an instance to `box`. Return the axis in which it is thinner than a fiftieth of its longest side.
 /// Return −1 if there is none.
 int scene_subject_thin_axis(const struct scene_model *model, uint32_t instance, struct scene_box *box);

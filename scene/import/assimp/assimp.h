@@ -24,5 +24,10 @@ void scene_assimp_skin(struct scene_import *import, const struct aiScene *scene,
                        struct scene_mesh *mesh);
 /// What opens regular files within import->confine, and the model itself; it lives as long as `import`.
 struct aiFileIO scene_assimp_files(struct scene_import *import);
+/// Move the white space at the ends of a document's texts into its tags. A 0 follows the text.
+void scene_assimp_collapse_texts(char *text, size_t size);
+/// Fail the import by its version if it is a Blender file that is too new for assimp. With `is_tried` fail it also for
+/// the versions of which assimp reads some files.
+void scene_assimp_refuse_blender(struct scene_import *import, bool is_tried);
 
 #endif

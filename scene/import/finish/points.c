@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "draw/camera/camera_math.h"
 #include "draw/camera/subject.h"
 #include "import/builder/numbers.h"
 
@@ -66,12 +67,9 @@ static void find_bounds(const struct scene_model *model, const struct scene_mesh
     memcpy(high, mesh->bounds_max, 3 * sizeof *high);
     bool is_first = true;
     for (uint32_t i = 0; i < mesh->vertex_count && model->is_framed; i++) {
-        float place[3];
-        bool inside = true;
-        scene_import_transform(world, mesh->positions[i], place);
-        for (int c = 0; c < 3; c++) {
-            inside = inside && place[c] >= model->frame_min[c] && place[c] <= model->frame_max[c];
-        }
+        double place[3];
+        scene_place_point(world, mesh->positions[i], place);
+        const bool inside = scene_subject_frames(model, place);
         for (int c = 0; c < 3 && inside; c++) {
             const float at = mesh->positions[i][c];
             low[c] = is_first || at < low[c] ? at : low[c];

@@ -71,12 +71,3 @@ const struct scene_mesh *mesh_of(const struct scene_model *model, uint32_t insta
     assert_true(instance < model->instance_count);
     return &model->meshes[model->instances[instance].mesh];
 }
-
-bool is_unsupported(const struct scene_model *model, const char *part)
-{
-    bool found = false;
-    for (uint32_t i = 0; i < model->unsupported_count; i++) {
-        found = found || strstr(model->unsupported[i], part) != NULL;
-    }
-    return found;
-}

@@ -28,6 +28,5 @@ void package_write(const char *name, const char *resources, const char *build);
 struct scene_model *package_load(const char *resources, const char *build);
 
 const struct scene_mesh *mesh_of(const struct scene_model *model, uint32_t instance);
-bool is_unsupported(const struct scene_model *model, const char *part);
 
 #endif

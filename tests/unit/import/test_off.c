@@ -12,15 +12,6 @@ static const float *color_at(const struct scene_model *model, uint32_t corner)
     return model->meshes[0].colors[model->meshes[0].indices[corner]];
 }
 
-static bool is_unsupported(const struct scene_model *model, const char *part)
-{
-    bool found = false;
-    for (uint32_t i = 0; i < model->unsupported_count; i++) {
-        found = found || strstr(model->unsupported[i], part) != NULL;
-    }
-    return found;
-}
-
 // Load a square that must have no warning, whose bounds are those of SQUARE.
 static struct scene_model *load_square(const char *text)
 {

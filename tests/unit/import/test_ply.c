@@ -13,15 +13,6 @@ static const float *color_at(const struct scene_model *model, uint32_t mesh, uin
     return model->meshes[mesh].colors[model->meshes[mesh].indices[corner]];
 }
 
-static bool is_unsupported(const struct scene_model *model, const char *part)
-{
-    bool found = false;
-    for (uint32_t i = 0; i < model->unsupported_count; i++) {
-        found = found || strstr(model->unsupported[i], part) != NULL;
-    }
-    return found;
-}
-
 // Each triangle of a face has the colour of its face, sRGB decoded; 128 of 255 is 0.21586 linear.
 static void test_face_colors(void **state)
 {

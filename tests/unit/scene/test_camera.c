@@ -290,6 +290,45 @@ static void test_what_a_camera_must_show(void **state)
     assert_false(scene_camera_is_believable(&t.model, &camera, 1.0));
 }
 
+// A camera from which the model is a tenth as large as it is when fitted is the limit, of surfaces, lines and points. A
+// model covers a picture also where none of its corners is in it.
+static void test_a_camera_shows_more_than_a_thumbnail(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    const double up[3] = {0, 1, 0}, middle[3] = {0, 0, 0};
+    const struct {
+        enum scene_primitive primitive;
+        double distance; // times that of the fit
+        enum scene_sight sight;
+    } cases[] = {
+        {SCENE_PRIMITIVE_TRIANGLES, 1, SCENE_SIGHT_ENOUGH},
+        {SCENE_PRIMITIVE_TRIANGLES, 0.01, SCENE_SIGHT_ENOUGH},
+        {SCENE_PRIMITIVE_TRIANGLES, 9, SCENE_SIGHT_ENOUGH},
+        {SCENE_PRIMITIVE_TRIANGLES, 11, SCENE_SIGHT_NEXT_TO_NOTHING},
+        {SCENE_PRIMITIVE_TRIANGLES, 2000, SCENE_SIGHT_NEXT_TO_NOTHING},
+        {SCENE_PRIMITIVE_TRIANGLES, -1, SCENE_SIGHT_NOTHING},
+        {SCENE_PRIMITIVE_LINES, 9, SCENE_SIGHT_ENOUGH},
+        {SCENE_PRIMITIVE_LINES, 300, SCENE_SIGHT_NEXT_TO_NOTHING},
+        {SCENE_PRIMITIVE_POINTS, 9, SCENE_SIGHT_ENOUGH},
+        {SCENE_PRIMITIVE_POINTS, -1, SCENE_SIGHT_NOTHING},
+    };
+    const double fit = scene_camera_fit(&t.model, (struct scene_orbit){0}, 0.5, 1.5).eye[2];
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const double eye[3] = {0, 0, (cases[i].distance < 0 ? 1 : cases[i].distance) * fit};
+        const double *target = cases[i].distance < 0 ? (const double[]){0, 0, 9 * fit} : middle;
+        struct scene_camera camera;
+        char error[200];
+        t.mesh.primitive = cases[i].primitive;
+        assert_true(scene_camera_look(&camera, &t.model, eye, target, up, 0.5, error, sizeof error));
+        const enum scene_sight sight = scene_camera_sight(&t.model, &camera, 1.5);
+        if (sight != cases[i].sight) {
+            fail_msg("case %zu: %d instead of %d", i, sight, cases[i].sight);
+        }
+    }
+}
+
 static void test_look_refuses_what_is_no_camera(void **state)
 {
     (void)state;
@@ -409,6 +448,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_fit_leaves_a_vast_ground_out),
     cmocka_unit_test(test_fit_is_about_the_frame),
     cmocka_unit_test(test_what_a_camera_must_show),
+    cmocka_unit_test(test_a_camera_shows_more_than_a_thumbnail),
     cmocka_unit_test(test_look_refuses_what_is_no_camera),
     cmocka_unit_test(test_projection_against_formulas),
     cmocka_unit_test(test_file_camera_in_a_narrow_picture),
