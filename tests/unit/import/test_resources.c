@@ -149,6 +149,9 @@ static void test_code_pages(void **state)
         {"T\u00fcr.tga", "T\xfcr.tga"},
         {"T\u00fcr.tga", "t\xfcr.png"},
         {"\u0434\u043e\u043c.tga", "\xe4\xee\xec.tga"},
+        {"\u0434\u043e\u043c.tga", "\xc4\xcf\xcd.tga"}, // KOI8-R
+        {"T\u00fcr.tga", "T\x9fr.tga"},                 // of a Macintosh
+        {"\u8868.tga", "\xc9\xbd.tga"},                 // EUC-JP
         {"T\xfcr.tga", "T\u00fcr.tga"},
         {"\u2560\u2219\u2550\u255d.tga", "\u8d34\u56fe.tga"}, // unpacked as if it were of DOS
     };
