@@ -147,7 +147,8 @@ static void use_position(struct scene_surface *s, struct scene_surface_key *key)
     key->position_number = key->varying_count;
 }
 
-// What a facet stands for, as shadows are looked up, follows from the tangent planes of its corners.
+// The plane of a fragment, in which shadows are looked up, follows from the derivatives of its position. What a facet
+// stands for follows from the tangent planes of its corners.
 static void use_shadows(struct scene_surface *s, struct scene_surface_key *key,
                         const struct scene_frame *frame)
 {
@@ -155,6 +156,7 @@ static void use_shadows(struct scene_surface *s, struct scene_surface_key *key,
         s->shadowed = s->shadowed || frame->lights[i].map_count > 0;
     }
     if (s->shadowed && s->is_triangle) {
+        key->position_derivatives = true;
         s->varying_support = add_varying(key, 1);
     }
 }
@@ -233,7 +235,6 @@ static void lay_out_color(struct scene_surface *s, struct scene_surface_key *key
         use_position(s, key);
         use_normal(s, key, mesh);
         use_shadows(s, key, def->frame);
-        key->position_derivatives = s->is_triangle; // from which the plane of a fragment follows
         key->uses |= def->frame->guide.occlusion ? RHW_USE_COORD : 0;
     }
     if (mapped) {
@@ -362,6 +363,7 @@ void scene_surface_lay_out(const struct scene_upload *upload, const struct scene
     }
     s->peel_unit = SCENE_BASE_SLOTS;
     s->is_triangle = mesh->kind == SCENE_VERTEX_SURFACE;
+    s->inside_out = mesh->inside_out;
     s->triangles_per_id = s->is_triangle ? 1 : 2;
     s->object = instance->object;
     s->first_triangle = upload->first_triangle[instance_index];

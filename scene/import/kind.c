@@ -54,6 +54,7 @@ static const struct {
     {"las", "LAS (point cloud)"},
     {"laz", "LAZ (point cloud)"},
     {"e57", "E57 (point cloud)"},
+    {"ptx", "PTX (point cloud)"},
     {"abc", "Alembic"},
     {"vdb", "OpenVDB"},
     {"vox", "MagicaVoxel"},
@@ -259,6 +260,8 @@ void scene_import_read(struct scene_import *import)
         scene_import_3mf(import);
     } else if (ends_in(import, "stl") || (nameless && looks_like_stl(&start))) {
         scene_import_stl(import);
+    } else if (ends_in(import, "xyz") || ends_in(import, "pts")) {
+        scene_import_xyz(import);
     } else if (ends_in(import, "off") || scene_import_is_off(start.bytes, start.count)) {
         scene_import_off(import);
     } else {

@@ -635,7 +635,8 @@ static double light_of_normal(float x, float z)
 }
 
 // A normal that leans away from the eye is lit as one whose surface is just seen, with n·v = 0.02: no highlight is of what
-// lies behind. A normal on the other side of its facet is lit as it is, from behind.
+// lies behind. A mesh whose normals are on the other side of its facets is
+// lit as it is, from behind.
 static void test_normals_that_lean_away(void **state)
 {
     (void)state;
