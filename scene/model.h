@@ -155,6 +155,7 @@ struct scene_instance {
     uint32_t object; ///< counts from 1, one number for each node that draws
     float world[16];
     bool mirrored; ///< the determinant of `world` is negative
+    bool unseen;   ///< nothing of it is seen from anywhere: its surfaces have no area or an alpha of 0
 };
 
 /// A camera looks along its own −Z with +Y up.
@@ -228,6 +229,10 @@ struct scene_model {
     struct scene_model_extension *extensions;
     /// The bounds of all instances in the world. The minimum exceeds the maximum if there is nothing to draw.
     float bounds_min[3], bounds_max[3];
+    /// The bounds hold more than what a picture is about: parts that are never seen, or specks far away. The frame is
+    /// the box of the rest. Without `is_framed` the bounds are the frame, and nothing else of this is read.
+    bool is_framed;
+    float frame_min[3], frame_max[3];
     uint64_t triangles_stored, triangles_drawn; ///< triangles in the meshes, and triangles of all instances
     uint32_t warning_count, unsupported_count, variant_count;
     const char **warnings;    ///< what was wrong with the file and how it was met, one line each

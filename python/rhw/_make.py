@@ -7,13 +7,14 @@ from dataclasses import dataclass, replace
 from typing import Any, List, Optional, Sequence, Tuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _arrays, _rhw
 
 _ALPHAS = ("opaque", "mask", "blend")
 
 
-def _linear(colors: Any, name: str, rows: int) -> np.ndarray:
+def _linear(colors: Any, name: str, rows: int) -> NDArray[Any]:
     """(rows, 4) linear float32 of colours: uint8 are sRGB, alpha is linear."""
     array = _arrays.read(colors, name)
     if array.ndim != 2 or array.shape[0] != rows or array.shape[1] not in (3, 4):
@@ -55,7 +56,7 @@ class Surface:
     alpha: Optional[str]
     double_sided: bool
     unlit: bool
-    texture: Optional[np.ndarray] = None
+    texture: Optional[NDArray[Any]] = None
 
     def textured(self, texture: Any) -> "Surface":
         return self if texture is None else replace(self, texture=_arrays.texels(texture, "texture"))
@@ -88,7 +89,7 @@ class Geometry:
         if count == 0:
             raise ValueError("vertices: there are none")
         self.corners = 3
-        self.faces: Optional[np.ndarray] = None
+        self.faces: Optional[NDArray[Any]] = None
         if faces is not None:
             faces = _arrays.read(faces, "faces")
             shape = faces.shape
@@ -124,7 +125,7 @@ class Geometry:
                 self.faces)
 
 
-def _smooth_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+def _smooth_normals(vertices: NDArray[Any], faces: NDArray[Any]) -> NDArray[Any]:
     """The mean of the normals around each vertex, by area."""
     corners = vertices.astype(np.float64)[faces]
     areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -145,7 +146,7 @@ class Arrays:
         self._images: List[Tuple[Any, ...]] = []
         self._instances: List[Tuple[Any, ...]] = []
 
-    def place(self, mesh: int, world: np.ndarray, name: str) -> None:
+    def place(self, mesh: int, world: NDArray[Any], name: str) -> None:
         matrix = np.ascontiguousarray(_arrays.matrix(world, "world").T.astype(np.float32))
         self._instances.append((name, mesh, matrix))
 
@@ -160,10 +161,10 @@ class Arrays:
         self._materials.append(surface.row(name, image))
         return len(self._meshes) - 1
 
-    def add(self, geometry: Geometry, surface: Surface, world: np.ndarray, name: str) -> None:
+    def add(self, geometry: Geometry, surface: Surface, world: NDArray[Any], name: str) -> None:
         self.place(self.add_mesh(geometry, surface, name), world, name)
 
-    def add_trimesh(self, mesh: Any, surface: Surface, smooth: bool, world: np.ndarray) -> None:
+    def add_trimesh(self, mesh: Any, surface: Surface, smooth: bool, world: NDArray[Any]) -> None:
         geometry, painted = _from_trimesh(mesh, surface, smooth)
         self.add(geometry, painted, world, self._name)
 
@@ -184,7 +185,7 @@ class Arrays:
                          tuple(self._instances))
 
 
-def _texture_of(material: Any) -> Optional[np.ndarray]:
+def _texture_of(material: Any) -> Optional[NDArray[Any]]:
     for name in ("baseColorTexture", "image"):
         image = getattr(material, name, None)
         if image is not None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Tuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _arrays, _files, _rhw
 from .camera import View
@@ -35,7 +36,7 @@ OUTPUTS = {name: row.bit for name, row in TABLE.items()}
 _FILE_KINDS = tuple(row.name for row in _ROWS if row.kind >= 0)
 
 
-class Pictures(Dict[str, np.ndarray]):
+class Pictures(Dict[str, NDArray[Any]]):
     """The pictures of one render: a dictionary of arrays, rows from top to bottom, on the memory they were drawn to.
 
     color        (H, W, 4) uint8    what a screen shows: sRGB, straight alpha
@@ -56,7 +57,7 @@ class Pictures(Dict[str, np.ndarray]):
     size: (width, height). view: the camera, with its matrices. In a notebook the picture shows itself.
     """
 
-    def __init__(self, arrays: Dict[str, np.ndarray], size: Tuple[int, int], view: View, model: Any,
+    def __init__(self, arrays: Dict[str, NDArray[Any]], size: Tuple[int, int], view: View, model: Any,
                  transparent: bool, threads: int):
         super().__init__(arrays)
         self.size = size
@@ -65,7 +66,7 @@ class Pictures(Dict[str, np.ndarray]):
         self._transparent = transparent
         self._threads = threads
 
-    def __missing__(self, output: str) -> np.ndarray:
+    def __missing__(self, output: str) -> NDArray[Any]:
         raise KeyError(f"{output!r} was not drawn; render(outputs=…) says what is: here {', '.join(self)}")
 
     def png(self, output: str = "color", bits: Optional[int] = None) -> bytes:
@@ -116,7 +117,7 @@ class Pictures(Dict[str, np.ndarray]):
         else:
             raise ValueError(f"{name}: must end in .png or .exr")
 
-    def _checked(self) -> Dict[str, np.ndarray]:
+    def _checked(self) -> Dict[str, NDArray[Any]]:
         return {name: _arrays.packed(_arrays.read(array, name), None) for name, array in self.items() if name in OUTPUTS}
 
     def __repr__(self) -> str:

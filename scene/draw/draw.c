@@ -57,12 +57,9 @@ void scene_destroy(struct scene *scene)
     scene_ground_destroy(&scene->ground);
     scene_shadows_destroy(context, &scene->shadows);
     scene_surroundings_destroy(context, &scene->surroundings);
-    scene_target_destroy(context, &scene->backdrop);
+    scene_backdrop_destroy(context, &scene->backdrop);
     scene_peel_destroy(context, &scene->peel);
     scene_triangle_order_destroy(context, &scene->order);
-    if (scene->backdrop_sampler.generation) {
-        rhw_sampler_destroy(context, scene->backdrop_sampler);
-    }
     rhw_sampler_destroy(context, scene->nearest);
     scene_upload_destroy(&scene->upload);
     free(scene);

@@ -147,8 +147,7 @@ static void use_position(struct scene_surface *s, struct scene_surface_key *key)
     key->position_number = key->varying_count;
 }
 
-// The plane of a fragment, in which shadows are looked up, follows from the derivatives of its position; what a facet
-// stands for from the tangent planes of its corners.
+// What a facet stands for, as shadows are looked up, follows from the tangent planes of its corners.
 static void use_shadows(struct scene_surface *s, struct scene_surface_key *key,
                         const struct scene_frame *frame)
 {
@@ -156,7 +155,6 @@ static void use_shadows(struct scene_surface *s, struct scene_surface_key *key,
         s->shadowed = s->shadowed || frame->lights[i].map_count > 0;
     }
     if (s->shadowed && s->is_triangle) {
-        key->position_derivatives = true;
         s->varying_support = add_varying(key, 1);
     }
 }
@@ -235,6 +233,7 @@ static void lay_out_color(struct scene_surface *s, struct scene_surface_key *key
         use_position(s, key);
         use_normal(s, key, mesh);
         use_shadows(s, key, def->frame);
+        key->position_derivatives = s->is_triangle; // from which the plane of a fragment follows
         key->uses |= def->frame->guide.occlusion ? RHW_USE_COORD : 0;
     }
     if (mapped) {
@@ -267,9 +266,9 @@ static void lay_out_color(struct scene_surface *s, struct scene_surface_key *key
                     : textured          ? SCENE_FRAGMENT_TEXTURED
                                         : SCENE_FRAGMENT_LIT;
     const bool blended = material->alpha_mode == SCENE_ALPHA_BLEND && !plain;
-    key->blend = blended && def->part != SCENE_SURFACES_PEELED;
-    key->peel = blended && def->part == SCENE_SURFACES_PEELED;
-    if (key->peel) {
+    key->peel = def->part == SCENE_SURFACES_PEELED || def->part == SCENE_SURFACES_GLASS;
+    key->blend = blended && !key->peel;
+    if (def->frame->peel_samples > 0) {
         key->uses |= RHW_USE_COORD | RHW_USE_DISCARD | (def->frame->peel_samples > 1 ? RHW_USE_SAMPLE : 0);
     }
     if (def->wireframe != SCENE_WIREFRAME_NONE && s->is_triangle) {
@@ -285,7 +284,7 @@ static void lay_out_data(struct scene_surface *s, struct scene_surface_key *key,
     const uint32_t outputs = def->data_outputs;
     const bool normal = (outputs & SCENE_OUTPUT_NORMAL) && mesh->normal >= 0;
     const bool mapped =
-        normal && !def->unmapped && mesh->tangent >= 0 && material->slots[SCENE_SLOT_NORMAL].image >= 0;
+        normal && !def->guide && mesh->tangent >= 0 && material->slots[SCENE_SLOT_NORMAL].image >= 0;
     use_position(s, key);
     if (normal) {
         use_normal(s, key, mesh);
@@ -311,7 +310,8 @@ static void lay_out_data(struct scene_surface *s, struct scene_surface_key *key,
             s->uv_varying = use_stream(s, key, mesh, 0, identity);
         }
     }
-    key->fragment = SCENE_FRAGMENT_DATA;
+    key->fragment = def->guide ? SCENE_FRAGMENT_GUIDE : SCENE_FRAGMENT_DATA;
+    key->position_derivatives = def->guide && s->is_triangle;
     key->counts = outputs == SCENE_OUTPUT_OVERDRAW;
     key->uses |= outputs & (SCENE_OUTPUT_DEPTH | SCENE_OUTPUT_DISTANCE) ? RHW_USE_COORD : 0;
     key->uses |= outputs & SCENE_OUTPUT_TRIANGLE ? RHW_USE_IDS : 0;
@@ -376,7 +376,10 @@ void scene_surface_lay_out(const struct scene_upload *upload, const struct scene
     key->vertex = (int32_t)mesh->kind;
     key->stride = (int32_t)mesh->stride;
     key->interpolate = (int32_t)def->interpolate;
-    key->cull = s->double_sided || !s->is_triangle ? RHW_CULL_NONE : RHW_CULL_BACK;
+    // The thickness of a volume takes its far side in already.
+    const bool is_volume = def->part == SCENE_SURFACES_GLASS && material->layers.thickness > 0.0f;
+    const bool has_back = (s->double_sided && !is_volume) || !s->is_triangle;
+    key->cull = has_back ? RHW_CULL_NONE : RHW_CULL_BACK;
     key->front = instance->mirrored ? RHW_CLOCKWISE : RHW_COUNTER_CLOCKWISE;
     key->format_count = def->format_count;
     for (int i = 0; i < def->format_count; i++) {

@@ -66,7 +66,9 @@ struct obj {
     int smoothing;
     struct corner *polygon; // corners of the polygon being read
     size_t polygon_capacity;
-    uint32_t small_faces; // number of faces with fewer than three corners
+    uint32_t small_faces;   // number of faces with fewer than three corners
+    uint32_t zero_elements; // number of faces, lines and points with an index of 0
+    bool has_zero_others;   // a texture coordinate or a normal has the index 0
 };
 
 static bool ends_within_line(const struct obj *obj)
@@ -184,8 +186,8 @@ static void use_paint(struct obj *obj)
 
 // Elements ------------------------------------------------------------------------------------------
 
-// Read a one-based or, if negative, backward index at `*c`. Return false where there is none. Whether it lies beyond
-// the end is known when the whole file is read.
+// Read a one-based or, if negative, backward index at `*c`. Return false where there is none. The index is `none` if it
+// is 0. Whether it lies beyond the end is known when the whole file is read.
 static bool read_index(struct obj *obj, const char **c, const char *end, size_t count, uint32_t *index)
 {
     const bool negative = *c < end && **c == '-';
@@ -199,7 +201,8 @@ static bool read_index(struct obj *obj, const char **c, const char *end, size_t 
     }
     *c = digit;
     if (value == 0) {
-        refuse(obj, "indices start at 1");
+        *index = none;
+        return true;
     }
     if (negative && (uint64_t)value > count) {
         refuse(obj, "an index reaches back before the first vertex");
@@ -216,10 +219,12 @@ static struct corner read_corner(struct obj *obj, struct scene_word word)
     bool good = read_index(obj, &c, end, obj->position_count, &corner.position);
     if (good && c < end && *c == '/') {
         c++;
-        read_index(obj, &c, end, obj->uv_count, &corner.uv);
+        const bool is_there = read_index(obj, &c, end, obj->uv_count, &corner.uv);
+        obj->has_zero_others = obj->has_zero_others || (is_there && corner.uv == none);
         if (c < end && *c == '/') {
             c++;
-            read_index(obj, &c, end, obj->normal_count, &corner.normal);
+            const bool has_normal = read_index(obj, &c, end, obj->normal_count, &corner.normal);
+            obj->has_zero_others = obj->has_zero_others || (has_normal && corner.normal == none);
         }
     }
     if (!good || c != end) {
@@ -295,10 +300,16 @@ static void read_element(struct obj *obj, enum scene_primitive primitive, struct
 {
     struct scene_word word;
     uint32_t count = 0;
+    bool has_zero = false;
     while (scene_text_word(&line, &word) && word.start[0] != '#') {
         scene_import_reserve(obj->import, &obj->polygon, &obj->polygon_capacity, count + (size_t)1,
                              sizeof *obj->polygon);
-        obj->polygon[count++] = read_corner(obj, word);
+        obj->polygon[count] = read_corner(obj, word);
+        has_zero = has_zero || obj->polygon[count++].position == none;
+    }
+    if (has_zero) {
+        obj->zero_elements++;
+        return;
     }
     if (primitive == SCENE_PRIMITIVE_TRIANGLES && count >= 3) {
         add_element(obj, primitive, obj->polygon, count);
@@ -644,6 +655,14 @@ void scene_import_obj(struct scene_import *import)
     }
     if (obj.small_faces > 0) {
         scene_import_warn(import, "%u faces of fewer than three corners are left out", obj.small_faces);
+    }
+    if (obj.zero_elements > 0) {
+        scene_import_warn(
+            import, "faces, lines and points with an index of 0 are left out, %u of them; indices start at 1",
+            obj.zero_elements);
+    }
+    if (obj.has_zero_others) {
+        scene_import_warn(import, "texture coordinates and normals with an index of 0 are left out");
     }
     warn_of_cut(&obj);
     free(bytes);

@@ -310,9 +310,10 @@ static void read_text(struct scene_import *import, char *bytes, size_t size)
     }
 }
 
-// Skip blanks and comments.
+// Skip the mark of UTF-8, blanks and comments.
 static const char *first_word(const char *text)
 {
+    text += strncmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
     text += strspn(text, " \t\r\n");
     while (*text == '#') {
         text += strcspn(text, "\r\n");
@@ -327,6 +328,9 @@ static bool is_text(const char *bytes, size_t size)
 {
     enum { LOOKED_AT = 512 };
     const size_t end = size < LOOKED_AT ? size : LOOKED_AT;
+    if (size >= 4 && (memcmp(bytes, "\xff\xfes\0", 4) == 0 || memcmp(bytes, "\xfe\xff\0s", 4) == 0)) {
+        return true; // UTF-16
+    }
     if (strncasecmp(first_word(bytes), "solid", 5) != 0) {
         return false;
     }

@@ -314,6 +314,10 @@ equal front.png fit.png && fail "--camera-index does not show"
 run render cameras.gltf $view -o first.png
 check "a camera that sees nothing is not taken" equal first.png fit.png
 check "and said so" grep -q "^rhw: cameras.gltf: warning: its camera sees nothing" "$folder/log/err"
+sed 's/\[0, 0, -5\]/[0.3, 0.3, 90]/' cameras.gltf >dot.gltf
+run render dot.gltf $view -o dot.png
+check "a camera in which the model is a dot is not taken" equal dot.png fit.png
+check "and said so" grep -q "^rhw: dot.gltf: warning: its camera sees next to nothing" "$folder/log/err"
 run render cameras.gltf $view -o first.png --camera-index 0
 check "unless it was asked for" grep -q "^rhw: cameras.gltf: warning: nothing of the model is in" "$folder/log/err"
 

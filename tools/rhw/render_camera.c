@@ -106,11 +106,13 @@ bool cli_camera_choose(const struct cli_render_job *job, const struct scene_mode
     }
     const double aspect = (double)job->width / (double)job->height;
     *camera = found ? scene_camera_from_model(found, aspect) : cli_camera_fit(job, model);
-    if (found && job->camera == CLI_CAMERA_AUTO && model->doubts_cameras &&
-        !scene_camera_is_believable(model, camera, aspect)) {
+    const enum scene_sight sight = found && job->camera == CLI_CAMERA_AUTO
+                                       ? scene_camera_sight(model, camera, aspect)
+                                       : SCENE_SIGHT_ENOUGH;
+    if (sight != SCENE_SIGHT_ENOUGH) {
         if (!job->quiet) {
-            cli_warning(job->model_path,
-                        "its camera sees next to nothing of the model, which is fitted instead");
+            cli_warning(job->model_path, "its camera sees %s of the model, which is fitted instead",
+                        sight == SCENE_SIGHT_NOTHING ? "nothing" : "next to nothing");
         }
         *camera = cli_camera_fit(job, model);
         *distrusted = true;

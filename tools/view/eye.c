@@ -2,6 +2,8 @@
 // See eye.h.
 #include "eye.h"
 
+#include "draw/camera/subject.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -78,9 +80,10 @@ static void round_all(struct view_eye *eye)
 // the eye when that turns around it. An eye that stands within the model stays, since it cuts that open.
 static void step_back(struct view_eye *eye, const double ahead[3], const struct scene_model *model)
 {
+    const struct scene_box frame = scene_subject_frame(model);
     double nearest = 0.0, size2 = 0.0;
     for (int c = 0; c < 3; c++) {
-        const double low = (double)model->bounds_min[c], high = (double)model->bounds_max[c];
+        const double low = frame.low[c], high = frame.high[c];
         nearest += ((ahead[c] > 0.0 ? low : high) - eye->eye[c]) * ahead[c];
         size2 += (high - low) * (high - low);
     }
@@ -99,8 +102,9 @@ void view_eye_set(struct view_eye *eye, const struct scene_camera *camera, const
     memcpy(eye->up, camera->up, sizeof eye->up);
     axes_of(eye, axes);
     memcpy(eye->up, axes[1], sizeof eye->up);
+    const struct scene_box frame = scene_subject_frame(model);
     for (int c = 0; c < 3; c++) {
-        const double low = (double)model->bounds_min[c], high = (double)model->bounds_max[c];
+        const double low = frame.low[c], high = frame.high[c];
         center[c] = 0.5 * (low + high) - camera->eye[c];
         size[c] = high - low;
     }

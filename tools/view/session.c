@@ -3,6 +3,7 @@
 // a picture.
 #include "session.h"
 
+#include "draw/camera/subject.h"
 #include "options.h"
 
 #include <math.h>
@@ -59,9 +60,10 @@ static void take_model(struct view_session *s)
     s->job.variant = read.job.variant;
     s->first = (struct view_moment){read.job.is_posed, read.job.time, read.job.animation};
     view_session_rewind(s);
+    const struct scene_box frame = scene_subject_frame(read.model);
     double size2 = 0.0;
     for (int c = 0; c < 3; c++) {
-        const double size = (double)read.model->bounds_max[c] - (double)read.model->bounds_min[c];
+        const double size = frame.high[c] - frame.low[c];
         size2 += size * size;
         s->vertical[c] = c == 1;
     }

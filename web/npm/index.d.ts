@@ -148,7 +148,8 @@ export interface RenderOptions {
     supersample?: 1 | 4 | 9 | 16;
     /**
      * A camera, or one of the file by its number or name. Without it, {@link RenderOptions.orbit} and
-     * {@link RenderOptions.fit} the file's first camera is taken, or else the model is fitted into the picture.
+     * {@link RenderOptions.fit} the file's first camera is taken; where there is none, or the model is nothing but a
+     * dot in it, the model is fitted into the picture.
      */
     camera?: Camera | number | string;
     /**
@@ -320,6 +321,9 @@ export interface ModelInfo {
 /** Three numbers, one for each vertex. */
 export type Triple = [number, number, number];
 
+/** How a coordinate goes on beyond 0..1. */
+export type ExplainedAddress = 'repeat' | 'mirror' | 'clamp' | 'border' | 'mirror once';
+
 /** A fragment that came to the sample. The notation is that of rhw's docs/exactness.md. */
 export interface ExplainedFragment {
     /** The draw of the pass, from 0. */
@@ -346,17 +350,21 @@ export interface ExplainedFragment {
     clipped: boolean;
     /** Where the vertices were snapped to, 1/256 pixel; absent where one cannot be. */
     snapped?: [number, number][];
-    /** The sample, 1/256 pixel. */
+    /** Where the sample lies, in 1/256 pixel from the top left of what is drawn. */
     sample: [number, number];
-    /** Where values are taken, pixels: the middle of the pixel, mostly. What follows is of there. */
+    /** Where values are taken, in whole pixels from there, with fractions: the middle of the pixel, mostly. What follows is of there. */
     at?: [number, number];
     /** r, s, t: the weights on the screen; with `inverse_w`, 1/W, and `space`, a, b, c, where its shader ran. */
     screen?: Triple;
     inverse_w?: [number];
     space?: Triple;
+    /** Those that its shader read; empty where that did not run. */
     textures: {
-        slot: string;
+        /** What it is for. */
+        slot: 'base color' | 'metallic-roughness' | 'normal map' | 'occlusion' | 'emission' | 'a layer';
+        /** Of the mip levels: the whole part is the finer one that was read, the fraction the share of the next. */
         level: number;
+        /** Texels of the finer one, and of level 0. */
         level_size: [number, number];
         base_size: [number, number];
         /** The level of detail, log2 of the longer step in texels of level 0, before the levels there are bound it. */
@@ -365,7 +373,15 @@ export interface ExplainedFragment {
         /** What u and v are more by at the pixel on the right, and at the one below. */
         uv_dx: [number | null, number | null];
         uv_dy: [number | null, number | null];
+        /** u and v in texels of the level, from the middle of the first: times its size, less a half. */
         place: [number, number];
+        /** How u and v go on beyond 0..1. Absent, as are `inside` and `filter`, where no material says it. */
+        address?: [ExplainedAddress, ExplainedAddress];
+        /** `place` where those have brought it: of a whole number i on, less than i + 1, texels i and i + 1 are read. */
+        inside?: [number, number];
+        /** `linear` mixes the four texels, `nearest` takes one. */
+        filter?: 'linear' | 'nearest';
+        /** What was read: red, green, blue, alpha, linear. */
         texel: [number, number, number, number];
         /** The four around the place, top left, top right, below, of this level and, by its fraction, of the next. */
         texels: [number, number, number, number][][];
@@ -418,8 +434,11 @@ export interface Explanation {
     model: string;
     size: [width: number, height: number];
     pixel: [x: number, y: number];
+    /** Which of the samples of the pixel that is drawn, and how many it has. */
     sample: number;
     samples: number;
+    /** Seen without perspective: every W is 1, and a, b, c are r, s, t. */
+    orthographic: boolean;
     /** With `supersample`: the pixels that are drawn, and which of them is told about; places of fragments are theirs. */
     drawn_size?: [width: number, height: number];
     drawn_pixel?: [x: number, y: number];

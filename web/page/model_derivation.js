@@ -115,7 +115,7 @@ function subjectOf({ instance, node, triangle, front_facing: front }) {
   };
 }
 
-function showHistory(parent, fragments) {
+function showHistory(parent, { fragments, orthographic }) {
   const block = section(parent, TITLES.history);
   const rows = fragments.map((fragment, i) => [
     String(i + 1),
@@ -127,8 +127,8 @@ function showHistory(parent, fragments) {
   table(block, ['', { en: 'what', zh: '内容' }, { en: 'depth', zh: '深度' }, { en: 'what became of it', zh: '结果' },
                 { en: 'colour then', zh: '之后的颜色' }], rows);
   note(block, {
-    en: 'Depth is reversed: 1 at the near plane, 0 at infinity, and the greater one is seen. Colours are linear: red, green, blue, alpha.',
-    zh: '深度是反向的：近平面为 1，无穷远为 0，较大者可见。颜色为线性值：红、绿、蓝、透明度。',
+    en: `Depth is reversed: 1 at the near plane, 0 at ${orthographic ? 'the far one' : 'infinity'}, and the greater one is seen. Colours are linear: red, green, blue, alpha.`,
+    zh: `深度是反向的：近平面为 1，${orthographic ? '远平面' : '无穷远'}为 0，较大者可见。颜色为线性值：红、绿、蓝、透明度。`,
   });
 }
 
@@ -237,5 +237,5 @@ export function showModelDerivation(steps, tables, explanation) {
     showValues(tables, seen);
     showTextures(tables, seen);
   }
-  showHistory(tables, explanation.fragments);
+  showHistory(tables, explanation);
 }

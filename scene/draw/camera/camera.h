@@ -87,6 +87,19 @@ bool scene_camera_shows_most(const struct scene_model *model, const struct scene
 bool scene_camera_is_believable(const struct scene_model *model, const struct scene_camera *camera,
                                 double aspect);
 
+/// What the first camera of a file sees of the model.
+enum scene_sight {
+    SCENE_SIGHT_ENOUGH,
+    /// Fitted, the model would cover more than 100 times as many pixels: a thumbnail would show more of it. A camera of
+    /// a format that many programs write wrongly must also be believable.
+    SCENE_SIGHT_NEXT_TO_NOTHING,
+    SCENE_SIGHT_NOTHING
+};
+
+/// Return what a camera sees, in a picture of a few hundred pixels.
+enum scene_sight scene_camera_sight(const struct scene_model *model, const struct scene_camera *camera,
+                                    double aspect);
+
 /// Write the matrix from the world to camera space, which looks along −Z.
 void scene_camera_view(const struct scene_camera *camera, double matrix[16]);
 /// Write the matrix from camera space to clip space. In NDC y is up, and depth is 0 at znear and 1 at zfar.

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
 // What a camera has in its picture.
 #include "camera.h"
+#include "coverage.h"
+#include "subject.h"
+
+// The model may cover so many times fewer pixels than it covers when it is fitted.
+static const uint32_t largest_ratio = 100;
 
 static bool is_inside(const struct scene_model *model, const double eye[3])
 {
+    const struct scene_box frame = scene_subject_frame(model);
     bool inside = true;
     for (int i = 0; i < 3; i++) {
-        inside = inside && eye[i] > (double)model->bounds_min[i] && eye[i] < (double)model->bounds_max[i];
+        inside = inside && eye[i] > frame.low[i] && eye[i] < frame.high[i];
     }
     return inside;
 }
@@ -35,6 +41,9 @@ static double seen_share(const struct scene_model *model, const struct scene_cam
         const struct scene_instance *const instance = &model->instances[i];
         const struct scene_mesh *const mesh = &model->meshes[instance->mesh];
         double world[16], matrix[16];
+        if (instance->unseen) {
+            continue;
+        }
         for (int k = 0; k < 16; k++) {
             world[k] = (double)instance->world[k];
         }
@@ -57,4 +66,33 @@ bool scene_camera_is_believable(const struct scene_model *model, const struct sc
                                 double aspect)
 {
     return seen_share(model, camera, aspect) >= (is_inside(model, camera->eye) ? 0.2 : 0.01);
+}
+
+// Return what a camera that gives way sees. `covered` is a number of pixels of the model.
+static enum scene_sight poor_sight(const struct scene_model *model, const struct scene_camera *camera,
+                                   double aspect, uint32_t covered)
+{
+    return covered > 0 || seen_share(model, camera, aspect) > 0 ? SCENE_SIGHT_NEXT_TO_NOTHING
+                                                                : SCENE_SIGHT_NOTHING;
+}
+
+enum scene_sight scene_camera_sight(const struct scene_model *model, const struct scene_camera *camera,
+                                    double aspect)
+{
+    if (model->doubts_cameras && !scene_camera_is_believable(model, camera, aspect)) {
+        return poor_sight(model, camera, aspect, scene_coverage_count(model, camera, aspect, 1));
+    }
+    // A model covers a whole picture at most.
+    const uint32_t ample = scene_coverage_cells(aspect) / largest_ratio + 1;
+    const uint32_t covered = scene_coverage_count(model, camera, aspect, ample);
+    if (covered >= ample) {
+        return SCENE_SIGHT_ENOUGH;
+    }
+    const struct scene_camera fitted = scene_camera_fit(model, scene_camera_default_orbit(model, model->up),
+                                                        scene_camera_default_yfov(), aspect);
+    const uint32_t much = covered * largest_ratio + 1;
+    if (scene_coverage_count(model, &fitted, aspect, much) < much) {
+        return SCENE_SIGHT_ENOUGH;
+    }
+    return poor_sight(model, camera, aspect, covered);
 }

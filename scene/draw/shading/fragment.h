@@ -59,7 +59,9 @@ ALWAYS_INLINE void base_color(struct rhw_fragment *f, const struct scene_surface
     if (s->frame->peel_samples > 0) {
         rhw_float behind[4];
         fetch_here(f, s->peel_unit, s->frame->peel_samples, behind);
-        f->mask = f->mask & rhw_less(behind[0], f->coord[2]);
+        const rhw_int nearer = rhw_less(behind[0], f->coord[2]);
+        const rhw_int farther = rhw_less(f->coord[2], behind[0]) | rhw_equal(behind[0], 0.0f);
+        f->mask = f->mask & (s->frame->peel_behind ? farther : nearer);
     }
     for (int c = 0; c < 4; c++) {
         color[c] = rhw_splat(s->base_color[c]);
@@ -152,16 +154,49 @@ ALWAYS_INLINE void surface_normal(const struct rhw_fragment *f, const struct sce
     face_seen_side(f, s, normal);
 }
 
-// Bend a normal that leans away from the eye until its surface is just seen. A normal map may lean its surface away,
-// which no surface that is seen does, and a mirror there would show what is behind it.
-ALWAYS_INLINE void bend_to_view(const rhw_float view[3], rhw_float normal[3])
+// Find the unit normal of the facet on the side that is seen, towards the eye. A line or a point faces the eye.
+ALWAYS_INLINE void face_normal(const struct rhw_fragment *f, const struct scene_surface *s,
+                               const rhw_float view[3], rhw_float face[3])
+{
+    if (!s->is_triangle) {
+        for (int c = 0; c < 3; c++) {
+            face[c] = view[c];
+        }
+        return;
+    }
+    rhw_float across[3], down[3];
+    rhw_normalize3(&f->ddx[s->varying_position], across);
+    rhw_normalize3(&f->ddy[s->varying_position], down);
+    rhw_cross(across, down, face);
+    rhw_normalize3(face, face);
+    const rhw_int turn = rhw_less(rhw_dot3(face, view), 0.0f);
+    for (int c = 0; c < 3; c++) {
+        face[c] = (rhw_float)((rhw_int)face[c] ^ (turn & INT32_MIN));
+    }
+}
+
+// Tell whether a normal is on the other side of its facet: further from the facet's than interpolation leads, by 120
+// degrees or more.
+ALWAYS_INLINE rhw_int is_other_side(const rhw_float normal[3], const rhw_float face[3])
+{
+    return rhw_less(rhw_dot3(normal, face), -0.5f);
+}
+
+// Bend a normal that leans away from the eye until its surface is just seen. Interpolation and normal maps may lean a
+// surface away, which no surface that is seen does. Its highlight and its mirror would be of what is behind it. A mesh
+// whose normals are on the other side of its facets is the file's word, which stays: it is shaded as from behind.
+ALWAYS_INLINE void bend_to_view(const struct rhw_fragment *f, const struct scene_surface *s,
+                                const rhw_float view[3], rhw_float normal[3])
 {
     const rhw_float lacking = 0.02f - rhw_dot3(normal, view);
-    const rhw_int leans = rhw_less(0.0f, lacking);
+    rhw_int leans = rhw_less(0.0f, lacking);
     if (!rhw_any(leans)) {
         return;
     }
-    rhw_float bent[3];
+    rhw_float face[3], own[3], bent[3];
+    face_normal(f, s, view, face);
+    surface_normal(f, s, false, NULL, own);
+    leans &= ~is_other_side(own, face);
     for (int c = 0; c < 3; c++) {
         bent[c] = normal[c] + view[c] * lacking;
     }
@@ -171,14 +206,12 @@ ALWAYS_INLINE void bend_to_view(const rhw_float view[3], rhw_float normal[3])
     }
 }
 
-// Find the normal that light is summed with. Layers mirror as maps do, so their surfaces are bent too, mapped or not.
+// Find the normal that light is summed with.
 ALWAYS_INLINE void seen_normal(const struct rhw_fragment *f, const struct scene_surface *s, bool mapped,
-                               bool layered, slot_texels texels, const rhw_float view[3], rhw_float normal[3])
+                               slot_texels texels, const rhw_float view[3], rhw_float normal[3])
 {
     surface_normal(f, s, mapped, texels, normal);
-    if (mapped || layered) {
-        bend_to_view(view, normal);
-    }
+    bend_to_view(f, s, view, normal);
 }
 
 // Draw the lines of the wireframe. The distance to an edge in pixels is its barycentric weight over the weight's

@@ -100,6 +100,7 @@ struct scene_frame {
     int32_t plain;                       // the wireframe is over an even surface
     // The samples of the texture of depths that fragments must be nearer than. It is 0 if there is no texture.
     int32_t peel_samples;
+    int32_t peel_behind; // fragments must be farther than these depths instead, wherever there is one
     int32_t output_slot
         [SCENE_DATA_OUTPUTS]; // colour attachment of each enum scene_data_output; −1 if it is not wanted
 };
@@ -220,6 +221,7 @@ enum scene_fragment_kind {
     SCENE_FRAGMENT_GROUND,  // ground, of which only the shadow on it shows
     SCENE_FRAGMENT_LAYERED, // extensions of the material, and any textures
     SCENE_FRAGMENT_DATA,
+    SCENE_FRAGMENT_GUIDE,  // distance, and normals of the guide
     SCENE_FRAGMENT_SHADOW, // fragments that cast no shadow are discarded
     SCENE_FRAGMENT_KINDS,
     SCENE_FRAGMENT_NONE = -1

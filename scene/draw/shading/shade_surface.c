@@ -2,6 +2,7 @@
 // The built-in shaders of surfaces, lines and points, compiled once per instruction set. One inlined body serves all
 // lit variants. Its constant arguments drop what a variant does not need.
 #include "fragment.h"
+#include "guide_normal.h"
 
 // Vertices ------------------------------------------------------------------------------------------
 
@@ -203,7 +204,7 @@ ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface 
     struct scene_reflector reflector;
     const rhw_float *position = &f->varying[s->varying_position];
     view_direction(frame, position, reflector.view);
-    seen_normal(f, s, mapped, false, texels, reflector.view, reflector.normal);
+    seen_normal(f, s, mapped, texels, reflector.view, reflector.normal);
     scene_reflector_set(&reflector, base, metallic, roughness);
     if (frame->guide.occlusion) {
         occlusion = rhw_min(occlusion, ambient_open(f, frame, position));
@@ -409,6 +410,36 @@ static void data_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
+// Write the distance and both normals for scene_guide. The shading normal is turned to the side of the facet that is
+// seen, and towards the eye, since occlusion is of that side.
+static void guide_fragment(struct rhw_fragment *groups, int count)
+{
+    const struct scene_surface *s = groups->uniforms;
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *f = &groups[g];
+        const rhw_float *position = &f->varying[s->varying_position];
+        slot_texels texels;
+        if (s->alpha_cutoff > 0.0f || s->varying_disc >= 0) {
+            rhw_float color[4];
+            base_color(f, s, true, texels, color);
+        }
+        rhw_float view[3], face[3], normal[3];
+        view_direction(s->frame, position, view);
+        face_normal(f, s, view, face);
+        if (s->varying_normal >= 0) {
+            surface_normal(f, s, false, texels, normal);
+            const rhw_int turn = is_other_side(normal, face);
+            for (int c = 0; c < 3; c++) {
+                normal[c] = (rhw_float)((rhw_int)normal[c] ^ (turn & INT32_MIN));
+            }
+            bend_to_view(f, s, view, normal);
+        }
+        f->color[0][0] = view_distance(f, s->frame, position);
+        scene_normal_fold(s->varying_normal >= 0 ? normal : face, &f->color[1][0]);
+        scene_normal_fold(face, &f->color[1][2]);
+    }
+}
+
 const struct scene_surface_shaders RHW_ISA_NAME(scene_surface_shaders) = {
     .vertex = {[SCENE_VERTEX_SURFACE] = surface_vertex,
                [SCENE_VERTEX_LINE] = line_vertex,
@@ -419,5 +450,6 @@ const struct scene_surface_shaders RHW_ISA_NAME(scene_surface_shaders) = {
                  [SCENE_FRAGMENT_UNLIT] = unlit_fragment,
                  [SCENE_FRAGMENT_GROUND] = ground_fragment,
                  [SCENE_FRAGMENT_DATA] = data_fragment,
+                 [SCENE_FRAGMENT_GUIDE] = guide_fragment,
                  [SCENE_FRAGMENT_SHADOW] = shadow_fragment},
 };

@@ -441,7 +441,10 @@ static const struct aiScene *read_scene(struct scene_import *import)
         return scene;
     }
     const char *error = aiGetErrorString();
-    if (strncmp(error, "No suitable reader", 18) == 0) {
+    scene_assimp_refuse_blender(import, true);
+    // The second guess is made at files of no format.
+    if (strncmp(error, "No suitable reader", 18) == 0 ||
+        strncmp(error, "Failed to determine STL storage", 31) == 0) {
         scene_import_fail(import, "is not a model in a format that can be read");
     }
     if (strstr(error, "bad_alloc") != NULL) {
@@ -531,6 +534,7 @@ static void set_up(struct scene_import *import, const struct aiScene *scene)
 
 void scene_import_assimp(struct scene_import *import)
 {
+    scene_assimp_refuse_blender(import, false);
     scene_assimp_listen(import);
     const struct aiScene *scene = read_scene(import);
     scene_assimp_find_gaps(import);

@@ -28,5 +28,10 @@ void scene_assimp_listen(struct scene_import *import);
 void scene_assimp_find_gaps(struct scene_import *import);
 /// What opens regular files within import->confine, and the model itself; it lives as long as `import`.
 struct aiFileIO scene_assimp_files(struct scene_import *import);
+/// Move the white space at the ends of a document's texts into its tags. A 0 follows the text.
+void scene_assimp_collapse_texts(char *text, size_t size);
+/// Fail the import by its version if it is a Blender file that is too new for assimp. With `is_tried` fail it also for
+/// the versions of which assimp reads some files.
+void scene_assimp_refuse_blender(struct scene_import *import, bool is_tried);
 
 #endif

@@ -126,8 +126,8 @@ void scene_assimp_pose(struct scene_import *import, const struct aiScene *scene)
         return;
     }
     if (!import->is_posed) {
-        scene_import_unsupported(import, "%u animation%s: drawn at rest; --time shows another moment",
-                                 scene->mNumAnimations, scene->mNumAnimations == 1 ? "" : "s");
+        scene_import_unsupported(import, "%u animation%s: drawn at rest", scene->mNumAnimations,
+                                 scene->mNumAnimations == 1 ? "" : "s");
         return;
     }
     const int64_t index = scene_import_find_animation(import);

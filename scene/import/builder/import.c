@@ -236,6 +236,19 @@ int32_t scene_import_add_image(struct scene_import *import, const char *name,
     return (int32_t)(import->model.image_count - 1);
 }
 
+const char *scene_import_pointer_problem(const void *bytes, size_t size)
+{
+    enum { MOST = 2048 }; // pointers are shorter than 1024 bytes
+    const char *text = bytes;
+    if (size < MOST && strncmp(text, "version http", 12) == 0 && strstr(text, "\noid sha256:") != NULL) {
+        return "is a Git LFS pointer, not the file (git lfs pull)";
+    }
+    if (size < MOST && strncmp(text, "/annex/objects/", 15) == 0) {
+        return "is a git-annex pointer, not the file (git annex get)";
+    }
+    return NULL;
+}
+
 const char scene_import_no_memory[] = "outofmem"; // the words of stb_image
 
 void *scene_import_read_bytes(const char *path, size_t *size, const char **problem)
@@ -272,8 +285,9 @@ void *scene_import_read_bytes(const char *path, size_t *size, const char **probl
         done += (size_t)step;
     }
     close(descriptor);
-    if (done < *size) {
-        *problem = "could not be read to its end";
+    const char *pointer = scene_import_pointer_problem(bytes, *size);
+    if (done < *size || pointer != NULL) {
+        *problem = pointer != NULL ? pointer : "could not be read to its end";
         free(bytes);
         return NULL;
     }

@@ -105,6 +105,9 @@ void *scene_import_read_file(struct scene_import *import, const char *path, size
 /// `problem`, if it cannot be read. The reason is scene_import_no_memory where memory is missing.
 void *scene_import_read_bytes(const char *path, size_t *size, const char **problem);
 extern const char scene_import_no_memory[];
+/// Return what is wrong with a file that Git LFS or git-annex put in the place of a large one. Return NULL if it is no
+/// such file. A 0 follows the bytes.
+const char *scene_import_pointer_problem(const void *bytes, size_t size);
 
 // Add an element to the model. The pointer is valid until the next element of its kind is added.
 struct scene_mesh *scene_import_add_mesh(struct scene_import *import);

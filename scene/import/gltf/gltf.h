@@ -25,6 +25,7 @@ struct scene_gltf_decoded {
 
 struct scene_gltf_node {
     float world[16];
+    uint32_t place;  ///< where it stands among the children of its parent
     uint32_t parent; // UINT32_MAX for a root
     bool placed;     // `world` is set
     bool in_scene, visited;

@@ -40,9 +40,14 @@ static void find_parents(struct scene_gltf *gltf)
         {
             const uint32_t child = node_index(gltf, value, "children");
             if (gltf->nodes[child].parent != no_parent) {
-                scene_import_fail(gltf->import, "nodes[%u] has two parents", child);
+                scene_import_warn(gltf->import,
+                                  "nodes[%u] has two parents, nodes[%u] and nodes[%zu]: drawn once, "
+                                  "as a child of the first",
+                                  child, gltf->nodes[child].parent, i);
+                continue;
             }
             gltf->nodes[child].parent = (uint32_t)i;
+            gltf->nodes[child].place = (uint32_t)k;
         }
     }
 }
@@ -62,12 +67,15 @@ static void local_matrix(struct scene_gltf *gltf, const json_t *node, const stru
                          place->scale != NULL ? place->scale : s, matrix);
 }
 
-// Push the children of a node, the first on top.
+// Push the children of a node, the first on top. A child that another node or place has, too, is pushed once.
 static void push_children(struct scene_gltf *gltf, struct stack *stack, uint32_t node)
 {
     const json_t *children = scene_gltf_array(gltf, scene_gltf_item(gltf, "nodes", node), "children");
     for (size_t i = json_array_size(children); i > 0; i--) {
-        stack->nodes[stack->count++] = node_index(gltf, json_array_get(children, i - 1), "children");
+        const uint32_t child = node_index(gltf, json_array_get(children, i - 1), "children");
+        if (gltf->nodes[child].parent == node && gltf->nodes[child].place == i - 1) {
+            stack->nodes[stack->count++] = child;
+        }
     }
 }
 

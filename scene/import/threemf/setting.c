@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What slicers write into an object of the model itself: Slic3r ranges of triangles, Cura settings. A setting of Cura is
-// an attribute and a text, and what it says holds for the whole object.
+// What slicers write into an object of the model itself: Slic3r writes ranges of triangles, Cura settings. A setting of
+// Cura is an attribute and a text, and what it says holds for the whole object.
 #include <string.h>
 #include <strings.h>
 
