@@ -12,7 +12,9 @@
 #include "import/builder/complete_mesh.h"
 #include "import/builder/find_file.h"
 #include "import/builder/numbers.h"
+#include "import/builder/origin.h"
 #include "import/builder/phong.h"
+#include "import/builder/place.h"
 #include "import/builder/readers.h"
 #include "import/builder/stored_colors.h"
 #include "import/builder/vertices.h"
@@ -58,7 +60,7 @@ static void allocate_vertices(struct ply *ply, const bool present[TARGETS], uint
         scene_import_fail(ply->import, "its vertices have no positions");
     }
     mesh->vertex_count = count;
-    mesh->positions = scene_import_allocate(ply->import, count, sizeof *mesh->positions);
+    ply->read_positions = scene_import_allocate(ply->import, count, sizeof *ply->read_positions);
     if (present[NX] && present[NY] && present[NZ]) {
         mesh->normals = scene_import_allocate(ply->import, count, sizeof *mesh->normals);
     }
@@ -67,10 +69,10 @@ static void allocate_vertices(struct ply *ply, const bool present[TARGETS], uint
     }
 }
 
-static void store_vertex(struct ply *ply, uint32_t i, const float values[TARGETS])
+static void store_vertex(struct ply *ply, uint32_t i, const double place[3], const float values[TARGETS])
 {
     struct scene_mesh *mesh = &ply->mesh;
-    memcpy(mesh->positions[i], values + X, sizeof mesh->positions[i]);
+    memcpy(ply->read_positions[i], place, sizeof ply->read_positions[i]);
     if (mesh->normals != NULL) {
         memcpy(mesh->normals[i], values + NX, sizeof mesh->normals[i]);
     }
@@ -88,6 +90,7 @@ static void read_vertices(struct ply *ply, const struct element *element)
     enum target targets[MOST_PROPERTIES];
     bool present[TARGETS + 1] = {false};
     float values[TARGETS + 1] = {0};
+    double place[3];
     for (int i = 0; i < element->property_count; i++) {
         targets[i] = scene_ply_target(&element->properties[i]);
         present[targets[i]] = true;
@@ -103,11 +106,17 @@ static void read_vertices(struct ply *ply, const struct element *element)
             if (targets[i] == UNUSED) {
                 scene_ply_skip(ply, &element->properties[i]);
             } else {
-                values[targets[i]] = (float)scene_ply_number(ply, element->properties[i].type);
+                const double number = scene_ply_number(ply, element->properties[i].type);
+                values[targets[i]] = (float)number;
+                if (targets[i] <= Z) {
+                    place[targets[i] - X] = number;
+                }
             }
         }
-        store_vertex(ply, (uint32_t)ply->row, values);
+        store_vertex(ply, (uint32_t)ply->row, place, values);
     }
+    ply->mesh.positions =
+        scene_import_settle(ply->import, ply->read_positions, (size_t)element->count, ply->origin);
 }
 
 // Elements ------------------------------------------------------------------------------------------
@@ -206,6 +215,7 @@ static uint32_t add_material(struct ply *ply, const struct scene_mesh *mesh, int
 static void add_mesh(struct ply *ply, const struct scene_mesh *mesh, bool join)
 {
     *scene_import_add_mesh(ply->import) = *mesh;
+    scene_import_place_mesh(ply->import, ply->origin);
     struct scene_instance *instance = scene_import_add_instance(ply->import);
     instance->mesh = ply->import->model.mesh_count - 1;
     instance->object = instance->mesh + 1;

@@ -5,7 +5,8 @@
 
 #include "import/builder/complete_mesh.h"
 #include "import/builder/normals.h"
-#include "import/builder/numbers.h"
+#include "import/builder/origin.h"
+#include "import/builder/place.h"
 #include "threemf.h"
 
 enum { DEEPEST = 64, MOST_INSTANCES = 1 << 20 };
@@ -158,6 +159,7 @@ static void add_mesh(struct scene_3mf *file, const struct scene_3mf_object *obje
     }
     const struct scene_material *material = &import->model.materials[patch->material];
     struct scene_mesh *mesh = scene_import_add_mesh(import);
+    scene_import_place_mesh(import, object->origin);
     mesh->name = object->name;
     mesh->material = patch->material;
     mesh->vertex_count = mesh->index_count = (uint32_t)patch->count;
@@ -192,6 +194,7 @@ static void add_beams(struct scene_3mf *file, const struct scene_3mf_object *obj
     show_invisible(file, object, &corner, 1);
     const uint32_t material = scene_3mf_material(file, &paint, corner.color[3] < 1);
     struct scene_mesh *mesh = scene_import_add_mesh(import);
+    scene_import_place_mesh(import, object->origin);
     mesh->name = object->name;
     mesh->primitive = SCENE_PRIMITIVE_LINES;
     mesh->material = material;
@@ -238,6 +241,11 @@ static struct scene_3mf_shape find_shape(struct scene_3mf *file, struct scene_3m
             return *shape;
         }
     }
+    if (object->read_positions != NULL) {
+        object->positions =
+            scene_import_settle(file->import, object->read_positions, object->position_count, object->origin);
+        object->read_positions = NULL;
+    }
     struct patches patches = {0};
     struct scene_3mf_shape shape = {key, file->import->model.mesh_count, 0}; // meshes of beams come first
     add_triangles(file, object, setting, &patches);
@@ -278,8 +286,9 @@ static struct scene_3mf_object *find_object(const struct scene_3mf *file, uint32
     return low < file->object_count && object->part == part && object->id == id ? object : NULL;
 }
 
-static void place(struct scene_3mf *file, const struct scene_3mf_component *component, const float parent[16],
-                  struct scene_3mf_setting setting, uint32_t number, int depth)
+static void place(struct scene_3mf *file, const struct scene_3mf_component *component,
+                  const struct scene_import_place *parent, struct scene_3mf_setting setting, uint32_t number,
+                  int depth)
 {
     struct scene_import *import = file->import;
     struct scene_3mf_object *object = find_object(file, component->part, component->id);
@@ -299,35 +308,33 @@ static void place(struct scene_3mf *file, const struct scene_3mf_component *comp
     }
     setting.filament = volume != NULL && volume->filament > 0 ? volume->filament : setting.filament;
     const struct scene_3mf_shape shape = find_shape(file, object, &setting);
-    float world[16];
-    scene_import_multiply(parent, component->transform, world);
+    const struct scene_import_place world = scene_import_place_multiply(parent, &component->transform);
     for (uint32_t i = 0; i < shape.mesh_count; i++) {
         struct scene_instance *instance = scene_import_add_instance(import);
         instance->name = object->name;
         instance->mesh = shape.first_mesh + i;
         instance->object = number;
-        memcpy(instance->world, world, sizeof world);
+        scene_import_place_instance(import, &world);
     }
     for (size_t i = 0; i < object->component_count; i++) {
         if (++file->placed > MOST_INSTANCES) {
             scene_import_fail(import, "its components stand for more than %d objects", MOST_INSTANCES);
         }
-        place(file, &file->components[object->first_component + i], world, setting, number, depth + 1);
+        place(file, &file->components[object->first_component + i], &world, setting, number, depth + 1);
     }
 }
 
 // Place an object that is not a component of another.
 static void place_item(struct scene_3mf *file, const struct scene_3mf_component *item, uint32_t number)
 {
-    float identity[16];
-    scene_import_identity(identity);
+    const struct scene_import_place identity = scene_import_place_identity();
     const uint32_t object = item->part == 0 ? item->id : 0;
     const struct scene_3mf_volume *whole = scene_3mf_find_volume(file, object, SCENE_3MF_WHOLE, 0);
     struct scene_3mf_setting setting = {.object = object, .filament = whole != NULL ? whole->filament : 0};
     if (setting.filament == 0 && file->filament_count > 0) {
         setting.filament = 1;
     }
-    place(file, item, identity, setting, number, 0);
+    place(file, item, &identity, setting, number, 0);
 }
 
 void scene_3mf_build(struct scene_3mf *file)
@@ -340,9 +347,9 @@ void scene_3mf_build(struct scene_3mf *file)
     }
     scene_import_warn(file->import, "its build lists nothing: every object is drawn");
     for (size_t i = 0; i < file->object_count; i++) {
-        struct scene_3mf_component item = {file->objects[i].part, file->objects[i].id, {0}};
+        const struct scene_3mf_component item = {file->objects[i].part, file->objects[i].id,
+                                                 scene_import_place_identity()};
         if (file->objects[i].component_count == 0) {
-            scene_import_identity(item.transform);
             place_item(file, &item, (uint32_t)i + 1);
         }
     }

@@ -7,7 +7,7 @@
 #ifndef SCENE_THREEMF_H
 #define SCENE_THREEMF_H
 
-#include "import/builder/import.h"
+#include "import/builder/place.h"
 
 enum scene_3mf_kind {
     SCENE_3MF_BASES,      ///< basematerials
@@ -82,7 +82,7 @@ struct scene_3mf_setting {
 
 struct scene_3mf_component {
     uint32_t part, id; ///< part and id of the object
-    float transform[16];
+    struct scene_import_place transform;
 };
 
 /// The meshes that an object became.
@@ -94,7 +94,9 @@ struct scene_3mf_shape {
 struct scene_3mf_object {
     uint32_t part, id, pid, pindex;
     const char *name;
+    double (*read_positions)[3]; ///< until the object is made
     float (*positions)[3];
+    double origin[3]; ///< what was subtracted from the positions
     size_t position_count, position_capacity;
     struct scene_3mf_triangle *triangles;
     size_t triangle_count, triangle_capacity;
