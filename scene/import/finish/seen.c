@@ -142,8 +142,8 @@ static void cross_edges(double corners[3][3], double product[3])
     scene_cross(a, b, product);
 }
 
-// Return true if a triangle has an area, and its corners are apart by more than the rounding of their places. A joint of
-// scale 0 brings all corners to one place, but for rounding.
+// Return true if a triangle has an area, and its corners are apart by more than the rounding of their places. A joint
+// of scale 0 brings all corners to one place, but for rounding.
 static bool has_area(const struct scene_mesh *mesh, const uint32_t *indices)
 {
     const double rounding = 4e-7;
