@@ -299,6 +299,8 @@ export interface ModelInfo {
     objects: number;
     draws: number;
     bounds: { empty: true } | { empty: false; min: [number, number, number]; max: [number, number, number] };
+    /** What a fitted picture is about: the bounds without what nobody can see, and without specks far away. */
+    frame: { empty: true } | { empty: false; min: [number, number, number]; max: [number, number, number] };
     /** Of lengths, for example `metre`; empty where the file does not say. */
     unit: string;
     up: 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
