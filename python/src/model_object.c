@@ -252,10 +252,10 @@ static PyObject *describe(PyObject *module, PyObject *self)
         return NULL;
     }
     return Py_BuildValue(
-        "{s:s,s:s,s:s,s:i,s:(fff),s:(fff),s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N}", "path", m->path,
-        "format", m->format, "unit", m->unit, "up", (int)m->up, "bounds_min", m->bounds_min[0],
-        m->bounds_min[1], m->bounds_min[2], "bounds_max", m->bounds_max[0], m->bounds_max[1],
-        m->bounds_max[2], "meshes",
+        "{s:s,s:s,s:s,s:i,s:(ddd),s:(fff),s:(fff),s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N}", "path", m->path,
+        "format", m->format, "unit", m->unit, "up", (int)m->up, "origin", m->origin[0], m->origin[1],
+        m->origin[2], "bounds_min", m->bounds_min[0], m->bounds_min[1], m->bounds_min[2], "bounds_max",
+        m->bounds_max[0], m->bounds_max[1], m->bounds_max[2], "meshes",
         describe_all(self, m->meshes, m->mesh_count, sizeof *m->meshes, describe_mesh), "materials",
         describe_all(self, ALL(material), describe_material), "images",
         describe_all(self, ALL(image), describe_image), "nodes",

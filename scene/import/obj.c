@@ -14,6 +14,8 @@
 #include "import/builder/hash_table.h"
 #include "import/builder/import.h"
 #include "import/builder/numbers.h"
+#include "import/builder/origin.h"
+#include "import/builder/place.h"
 #include "import/builder/polygon.h"
 #include "import/builder/readers.h"
 #include "import/builder/stored_colors.h"
@@ -48,6 +50,8 @@ struct part {
 struct obj {
     struct scene_import *import;
     struct scene_text text;
+    double (*read_positions)[3]; // until all are read
+    double origin[3];            // what was subtracted from the positions
     float (*positions)[3], (*colors)[4], (*uvs)[2], (*normals)[3];
     size_t position_count, position_capacity, color_capacity, painted_count, uv_count, uv_capacity,
         normal_count, normal_capacity;
@@ -88,8 +92,8 @@ _Noreturn static void refuse(struct obj *obj, const char *problem)
 // Read v x y z [w] or v x y z [w] r g b. The number w weights free-form curves and says nothing about polygons.
 static void read_position(struct obj *obj, struct scene_line line)
 {
-    float values[7];
-    const int count = scene_text_numbers(&line, values, 7);
+    double values[7];
+    const int count = scene_text_doubles(&line, values, 7);
     if (count < 3) {
         refuse(obj, "a vertex needs three numbers");
     }
@@ -97,9 +101,9 @@ static void read_position(struct obj *obj, struct scene_line line)
         refuse(obj, "has too many vertices");
     }
     const size_t index = obj->position_count++;
-    scene_import_reserve(obj->import, &obj->positions, &obj->position_capacity, index + 1,
-                         sizeof *obj->positions);
-    memcpy(obj->positions[index], values, sizeof obj->positions[index]);
+    scene_import_reserve(obj->import, &obj->read_positions, &obj->position_capacity, index + 1,
+                         sizeof *obj->read_positions);
+    memcpy(obj->read_positions[index], values, sizeof obj->read_positions[index]);
     if (count < 6 && !obj->colored) {
         return;
     }
@@ -112,7 +116,7 @@ static void read_position(struct obj *obj, struct scene_line line)
     }
     obj->colored = true;
     for (int c = 0; c < 3 && count >= 6; c++) {
-        obj->colors[index][c] = values[count - 3 + c];
+        obj->colors[index][c] = (float)values[count - 3 + c];
     }
 }
 
@@ -353,7 +357,7 @@ static const char *library_name(struct obj *obj, struct scene_word word)
             *out++ = word.start[i];
         }
     }
-    return scene_import_string(obj->import, name, word.length);
+    return name;
 }
 
 // Read a library. If it is not there, read the one that is called as the model is: who renames one file renames both.
@@ -368,8 +372,7 @@ static bool read_library(struct obj *obj, const char *name)
         scene_import_find_file(obj->import, own) == NULL) {
         return scene_mtl_read(obj->import, &obj->mtl, name);
     }
-    scene_import_warn(obj->import, "material library \"%s\" is not there; \"%s\" is read", name,
-                      scene_import_string(obj->import, own, sizeof own));
+    scene_import_warn(obj->import, "material library \"%s\" is not there; \"%s\" is read", name, own);
     return scene_mtl_read(obj->import, &obj->mtl, own);
 }
 
@@ -393,7 +396,7 @@ static void read_libraries(struct obj *obj, struct scene_line line)
 
 static void read_material(struct obj *obj, struct scene_line line)
 {
-    const char *name = scene_word_string(obj->import, scene_text_rest(line));
+    const char *name = scene_word_bytes(obj->import, scene_text_rest(line));
     const size_t known = obj->mtl.count;
     obj->material = scene_mtl_find(obj->import, &obj->mtl, name);
     if (obj->mtl.count > known && obj->libraries_complete) {
@@ -557,6 +560,7 @@ static void add_part(struct obj *obj, struct part *part)
     free(part->sizes);
     mesh.material = scene_mtl_use(import, &obj->mtl, part->key.material, obj->colored);
     *scene_import_add_mesh(import) = mesh;
+    scene_import_place_mesh(import, obj->origin);
     struct scene_instance *instance = scene_import_add_instance(import);
     instance->name = name;
     instance->mesh = import->model.mesh_count - 1;
@@ -676,6 +680,7 @@ void scene_import_obj(struct scene_import *import)
     }
     decode_colors(&obj);
     use_paint(&obj);
+    obj.positions = scene_import_settle(import, obj.read_positions, obj.position_count, obj.origin);
     for (size_t i = 0; i < obj.part_count; i++) {
         add_part(&obj, &obj.parts[i]);
     }

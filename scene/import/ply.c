@@ -12,14 +12,18 @@
 #include "import/builder/complete_mesh.h"
 #include "import/builder/find_file.h"
 #include "import/builder/numbers.h"
+#include "import/builder/origin.h"
 #include "import/builder/phong.h"
+#include "import/builder/place.h"
 #include "import/builder/readers.h"
 #include "import/builder/stored_colors.h"
 #include "import/builder/vertices.h"
 
 static bool has_magic(const unsigned char *start, size_t size)
 {
-    return size >= 4 && memcmp(start, "ply", 3) == 0 && (start[3] == '\n' || start[3] == '\r');
+    const size_t mark = size >= 3 && memcmp(start, "\xef\xbb\xbf", 3) == 0 ? 3 : 0; // of UTF-8
+    const unsigned char *word = start + mark;
+    return size >= mark + 4 && memcmp(word, "ply", 3) == 0 && (word[3] == '\n' || word[3] == '\r');
 }
 
 bool scene_import_is_ply(const char *path, const unsigned char *start, size_t size)
@@ -56,7 +60,7 @@ static void allocate_vertices(struct ply *ply, const bool present[TARGETS], uint
         scene_import_fail(ply->import, "its vertices have no positions");
     }
     mesh->vertex_count = count;
-    mesh->positions = scene_import_allocate(ply->import, count, sizeof *mesh->positions);
+    ply->read_positions = scene_import_allocate(ply->import, count, sizeof *ply->read_positions);
     if (present[NX] && present[NY] && present[NZ]) {
         mesh->normals = scene_import_allocate(ply->import, count, sizeof *mesh->normals);
     }
@@ -65,10 +69,10 @@ static void allocate_vertices(struct ply *ply, const bool present[TARGETS], uint
     }
 }
 
-static void store_vertex(struct ply *ply, uint32_t i, const float values[TARGETS])
+static void store_vertex(struct ply *ply, uint32_t i, const double place[3], const float values[TARGETS])
 {
     struct scene_mesh *mesh = &ply->mesh;
-    memcpy(mesh->positions[i], values + X, sizeof mesh->positions[i]);
+    memcpy(ply->read_positions[i], place, sizeof ply->read_positions[i]);
     if (mesh->normals != NULL) {
         memcpy(mesh->normals[i], values + NX, sizeof mesh->normals[i]);
     }
@@ -86,6 +90,7 @@ static void read_vertices(struct ply *ply, const struct element *element)
     enum target targets[MOST_PROPERTIES];
     bool present[TARGETS + 1] = {false};
     float values[TARGETS + 1] = {0};
+    double place[3];
     for (int i = 0; i < element->property_count; i++) {
         targets[i] = scene_ply_target(&element->properties[i]);
         present[targets[i]] = true;
@@ -101,11 +106,17 @@ static void read_vertices(struct ply *ply, const struct element *element)
             if (targets[i] == UNUSED) {
                 scene_ply_skip(ply, &element->properties[i]);
             } else {
-                values[targets[i]] = (float)scene_ply_number(ply, element->properties[i].type);
+                const double number = scene_ply_number(ply, element->properties[i].type);
+                values[targets[i]] = (float)number;
+                if (targets[i] <= Z) {
+                    place[targets[i] - X] = number;
+                }
             }
         }
-        store_vertex(ply, (uint32_t)ply->row, values);
+        store_vertex(ply, (uint32_t)ply->row, place, values);
     }
+    ply->mesh.positions =
+        scene_import_settle(ply->import, ply->read_positions, (size_t)element->count, ply->origin);
 }
 
 // Elements ------------------------------------------------------------------------------------------
@@ -191,8 +202,8 @@ static uint32_t add_material(struct ply *ply, const struct scene_mesh *mesh, int
     phong.colored = mesh->colors != NULL;
     if (texture >= 0 && texture < ply->texture_count && mesh->uvs[0] != NULL) {
         phong.color.name = scene_word_string(ply->import, ply->textures[texture]);
-        phong.color.source.file = scene_import_find_file(ply->import, phong.color.name);
-        phong.color.source.problem = ply->import->missing;
+        scene_import_find_image(ply->import, NULL, scene_word_bytes(ply->import, ply->textures[texture]),
+                                &phong.color.source);
     }
     const uint32_t material = scene_phong_add(ply->import, &phong);
     if (translucent) {
@@ -204,6 +215,7 @@ static uint32_t add_material(struct ply *ply, const struct scene_mesh *mesh, int
 static void add_mesh(struct ply *ply, const struct scene_mesh *mesh, bool join, uint32_t *polygons)
 {
     *scene_import_add_mesh(ply->import) = *mesh;
+    scene_import_place_mesh(ply->import, ply->origin);
     struct scene_instance *instance = scene_import_add_instance(ply->import);
     instance->mesh = ply->import->model.mesh_count - 1;
     instance->object = instance->mesh + 1;

@@ -59,6 +59,8 @@ struct ply {
     const struct element *element; // element being read, for messages
     int64_t row;
     struct scene_mesh mesh;
+    double (*read_positions)[3]; // until all are read
+    double origin[3];            // what was subtracted from the positions
     size_t index_capacity, index_count;
     uint32_t *edges;
     size_t edge_capacity, edge_count;

@@ -277,6 +277,8 @@ succeed render cube.obj $view -o a.png --environment other.exr
 succeed render cube.obj $view -o a.png
 refuse 1 "nowhere.hdr: cannot be opened: No such file" render cube.obj -o a.png --environment nowhere.hdr
 refuse 1 "a.png: an environment must be a Radiance HDR or an OpenEXR picture" render cube.obj -o b.png --environment a.png
+printf 'version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n' > pointer.hdr
+refuse 1 "pointer.hdr: is a Git LFS pointer, not the file (git lfs pull)" render cube.obj -o b.png --environment pointer.hdr
 refuse 1 "cube.mtl: an environment must be a Radiance HDR or an OpenEXR picture" render cube.obj -o b.png --environment cube.mtl
 : >empty.hdr
 refuse 1 "empty.hdr: the file is empty" render cube.obj -o b.png --environment empty.hdr
@@ -501,9 +503,9 @@ kids 0
 AC
 run render dummy.ac $view -o x.png
 check "a dummy texture is none: $(cat "$folder/log/err")" test ! -s "$folder/log/err"
-sed 's/.texture_dummy.bmp/other.bmp/' dummy.ac >other.ac
+sed 's/.texture_dummy.bmp/nowhere.bmp/' dummy.ac >other.ac
 run render other.ac $view -o x.png
-check "another is" grep -q 'other.bmp.*drawn in magenta' "$folder/log/err"
+check "another is" grep -q 'nowhere.bmp.*drawn in magenta' "$folder/log/err"
 run render cube.obj $view -o x.png --camera 0,0,9,0,0,18,0,1,0,30
 check "nothing in view is a warning" grep -q "^rhw: cube.obj: warning: nothing of the model is in the picture" "$folder/log/err"
 printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >thin.obj

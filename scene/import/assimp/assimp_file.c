@@ -8,7 +8,7 @@
 
 #include "assimp.h"
 #include "file.h"
-#include "import/builder/find_file.h"
+#include "import/builder/confine.h"
 
 static FILE *stream_of(struct aiFile *file)
 {

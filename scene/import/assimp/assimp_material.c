@@ -148,8 +148,7 @@ static void read_texture(const struct reader *reader, enum aiTextureType type,
     } else if (inside != NULL) {
         raw_texels(reader->import, inside, &texture->source);
     } else {
-        texture->source.file = scene_import_find_file(reader->import, path.data);
-        texture->source.problem = reader->import->missing;
+        scene_import_find_image(reader->import, NULL, path.data, &texture->source);
     }
     if (set >= SCENE_UV_SETS) {
         scene_import_unsupported(reader->import, "texture coordinate set %u: set 0 is read instead", set);

@@ -10,7 +10,8 @@
 enum { MAYBE_UNREAD = 290, UNREAD = 400 };
 
 // Return the version times 100 of a header. Return 0 if it is none. Before version 5 the header is BLENDER, a letter
-// each for the size of pointers and the order of bytes, and three digits. Since then it is BLENDER17-01v and four digits.
+// each for the size of pointers and the order of bytes, and three digits. Since then it is BLENDER17-01v and four
+// digits.
 static unsigned find_version(const char *header)
 {
     if (strncmp(header, "BLENDER", 7) != 0) {

@@ -32,6 +32,20 @@ static float texel_alpha(const struct scene_image *image, size_t texel)
     return 1;
 }
 
+// Return the largest alpha of a rectangle of texels. An opaque one ends the search.
+static float largest_alpha(const struct scene_image *image, size_t left, size_t right, size_t top,
+                           size_t bottom)
+{
+    float largest = 0;
+    for (size_t y = top; y < bottom && largest < 1; y++) {
+        for (size_t x = left; x < right && largest < 1; x++) {
+            const float alpha = texel_alpha(image, y * image->width + x);
+            largest = alpha > largest ? alpha : largest;
+        }
+    }
+    return largest;
+}
+
 static struct alpha_grid *find_grid(struct search *search, uint32_t index)
 {
     const struct scene_image *image = &search->import->model.images[index];
@@ -46,13 +60,7 @@ static struct alpha_grid *find_grid(struct search *search, uint32_t index)
         for (size_t column = 0; column < GRID; column++) {
             const size_t left = column * image->width / GRID,
                          right = ((column + 1) * image->width + GRID - 1) / GRID;
-            float *largest = &grid->largest[row][column];
-            for (size_t y = top; y < bottom; y++) {
-                for (size_t x = left; x < right; x++) {
-                    const float alpha = texel_alpha(image, y * image->width + x);
-                    *largest = alpha > *largest ? alpha : *largest;
-                }
-            }
+            grid->largest[row][column] = largest_alpha(image, left, right, top, bottom);
         }
     }
     return grid;

@@ -403,6 +403,26 @@ static void test_webp(void **state)
     WebPFree(encoded);
 }
 
+// Images of other formats count where there is no other one.
+static void test_other_images(void **state)
+{
+    (void)state;
+    const uint8_t texel[21] = {[2] = 2, [12] = 1, [14] = 1, [16] = 24};
+    static const char *const names[] = {"EXT_texture_avif", "MSFT_texture_dds"};
+    for (int i = 0; i < 2; i++) {
+        for (int beside = 0; beside < 2; beside++) {
+            char texture[160];
+            snprintf(texture, sizeof texture, "{%s\"extensions\":{\"%s\":{\"source\":%d}}}",
+                     beside ? "\"source\":1," : "", names[i], beside ? 0 : 1);
+            write_textured("other.gltf", texture, texel, sizeof texel);
+            struct scene_model *model = load("other.gltf");
+            assert_int_equal(model->images[0].width, 1);
+            assert_false(model->images[0].missing);
+            scene_model_free(model);
+        }
+    }
+}
+
 // Nodes ---------------------------------------------------------------------------------------------
 
 #define TRIANGLE                                                                                     \
@@ -670,6 +690,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_draco),
     cmocka_unit_test(test_draco_refused),
     cmocka_unit_test(test_webp),
+    cmocka_unit_test(test_other_images),
     cmocka_unit_test(test_instancing),
     cmocka_unit_test(test_visibility),
     cmocka_unit_test(test_root_and_child),
