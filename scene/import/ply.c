@@ -100,6 +100,10 @@ static void read_vertices(struct ply *ply, const struct element *element)
         scene_import_fail(ply->import, "has two lists of vertices");
     }
     scene_ply_find_colors(element, &ply->vertex_colors);
+    if (ply->vertex_colors.present) {
+        scene_import_reserve(ply->import, &ply->vertex_colors.rows, &ply->vertex_colors.capacity,
+                             (size_t)element->count, sizeof *ply->vertex_colors.rows);
+    }
     allocate_vertices(ply, present, (uint32_t)element->count);
     for (ply->row = 0; ply->row < element->count; ply->row++) {
         for (int i = 0; i < element->property_count; i++) {
