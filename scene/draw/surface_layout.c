@@ -134,6 +134,8 @@ static void set_material(struct scene_surface *s, const struct scene_surface_pas
     s->occlusion_strength = material->occlusion_strength;
     s->double_sided = material->double_sided;
     s->alpha_mode = (int32_t)material->alpha_mode;
+    s->casts = !material->is_ground && !scene_material_transmits(material) &&
+               material->alpha_mode != SCENE_ALPHA_BLEND;
     if (material->alpha_mode == SCENE_ALPHA_MASK) {
         s->alpha_cutoff = material->alpha_cutoff;
     } else if (material->alpha_mode == SCENE_ALPHA_BLEND && (def->data_outputs || def->shadow)) {

@@ -21,7 +21,9 @@
 
 static bool has_magic(const unsigned char *start, size_t size)
 {
-    return size >= 4 && memcmp(start, "ply", 3) == 0 && (start[3] == '\n' || start[3] == '\r');
+    const size_t mark = size >= 3 && memcmp(start, "\xef\xbb\xbf", 3) == 0 ? 3 : 0; // of UTF-8
+    const unsigned char *word = start + mark;
+    return size >= mark + 4 && memcmp(word, "ply", 3) == 0 && (word[3] == '\n' || word[3] == '\r');
 }
 
 bool scene_import_is_ply(const char *path, const unsigned char *start, size_t size)

@@ -131,6 +131,22 @@ struct palette {
     float common[4];
 };
 
+// Tell of what the head of Materialise Magics says beside its colour.
+static void tell_of_head(struct scene_import *import, const unsigned char *bytes)
+{
+    static const char color[] = "COLOR=", material[] = "MATERIAL=";
+    for (size_t i = 0; i + sizeof material <= 80; i++) {
+        const unsigned char alpha = bytes[i + sizeof color - 1 + 3];
+        if (memcmp(bytes + i, material, sizeof material - 1) == 0) {
+            scene_import_unsupported(import,
+                                     "the material in its head (STL): its colours of facets alone are drawn");
+        }
+        if (memcmp(bytes + i, color, sizeof color - 1) == 0 && alpha > 0 && alpha < 255) {
+            scene_import_unsupported(import, "the translucency in its head (STL): drawn opaque");
+        }
+    }
+}
+
 static struct palette find_palette(const unsigned char *bytes, size_t facets)
 {
     struct palette palette = {.common = {1, 1, 1, 1}};
@@ -191,6 +207,7 @@ static void read_binary(struct scene_import *import, const unsigned char *bytes,
     }
     const size_t count = count_facets(import, bytes, size);
     const struct palette palette = find_palette(bytes, count);
+    tell_of_head(import, bytes);
     struct solid solid = {.name = "", .corners = 3 * count};
     solid.positions = scene_import_allocate(import, solid.corners, sizeof *solid.positions);
     solid.normals = scene_import_allocate(import, solid.corners, sizeof *solid.normals);
@@ -303,6 +320,8 @@ static void read_line(struct reader *reader, struct scene_word key, struct scene
         reader->in_solid = true;
     } else if (key_is(key, "endsolid")) {
         end_solid(reader);
+    } else if (key_is(key, "color")) {
+        scene_import_unsupported(reader->import, "colours in text (STL): not drawn");
     }
 }
 

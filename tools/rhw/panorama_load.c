@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "image_load.h"
+#include "import/builder/import.h"
 #include "import/image/read.h"
 #include "import/image/signature.h"
 #include "message.h"
@@ -109,16 +110,16 @@ static bool load_exr(struct scene_panorama *p, const char *path)
     return ok;
 }
 
-// Load a file that begins with `magic`.
-static bool load_kind(struct scene_panorama *p, const char *path, FILE *stream, const unsigned char *magic,
+// Load a file that begins with `size` bytes at `start`, and zeros.
+static bool load_kind(struct scene_panorama *p, const char *path, FILE *stream, const char *start,
                       size_t size)
 {
     const char *refusal = NULL;
-    const enum scene_image_format format = scene_image_format(magic, size, &refusal);
+    const enum scene_image_format format = scene_image_format((const unsigned char *)start, size, &refusal);
     if (format == SCENE_FORMAT_EXR) {
         return load_exr(p, path);
     }
-    if (memcmp(magic, "#?", 2) == 0 || format == SCENE_FORMAT_TIFF || format == SCENE_FORMAT_DDS ||
+    if (memcmp(start, "#?", 2) == 0 || format == SCENE_FORMAT_TIFF || format == SCENE_FORMAT_DDS ||
         format == SCENE_FORMAT_KTX2) {
         rewind(stream);
         return load_image(p, path, stream);
@@ -129,20 +130,24 @@ static bool load_kind(struct scene_panorama *p, const char *path, FILE *stream, 
 
 bool cli_panorama_load(struct scene_panorama *panorama, const char *path)
 {
-    unsigned char magic[12] = {0}; // as many bytes as tell all formats
+    enum { LOOKED_AT = 1024 }; // a pointer of Git LFS is shorter
+    char start[LOOKED_AT + 1] = "";
     FILE *stream = fopen(path, "rb");
     if (stream == NULL) {
         cli_error(path, "cannot be opened: %s", strerror(errno));
         return false;
     }
     bool loaded = false;
-    const size_t got = fread(magic, 1, sizeof magic, stream);
+    const size_t got = fread(start, 1, LOOKED_AT, stream);
+    const char *pointer = scene_import_pointer_problem(start, got);
     if (ferror(stream)) {
         cli_error(path, "%s", strerror(errno));
     } else if (got == 0) {
         cli_error(path, "the file is empty");
+    } else if (pointer != NULL) {
+        cli_error(path, "%s", pointer);
     } else {
-        loaded = load_kind(panorama, path, stream, magic, got);
+        loaded = load_kind(panorama, path, stream, start, got);
     }
     fclose(stream);
     if (loaded) {

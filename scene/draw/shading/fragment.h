@@ -273,8 +273,9 @@ ALWAYS_INLINE void shadow_irradiance(const struct rhw_fragment *f, const struct 
         curve.support = &f->varying[s->varying_support];
         curve.turn = s->double_sided ? ~f->front_facing : rhw_splat_int(0);
     }
-    const rhw_float open = scene_shadow(light, &f->varying[at], plane ? &f->ddx[at] : NULL,
-                                        plane ? &f->ddy[at] : NULL, plane ? &curve : NULL, f->mask & facing);
+    const rhw_float open =
+        scene_shadow(light, &f->varying[at], plane ? &f->ddx[at] : NULL, plane ? &f->ddy[at] : NULL,
+                     plane ? &curve : NULL, s->casts, f->mask & facing);
     for (int c = 0; c < 3; c++) {
         irradiance[c] = irradiance[c] * open;
     }

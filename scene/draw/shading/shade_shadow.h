@@ -10,7 +10,8 @@
 // beside it. Planes that meet in a fold therefore do not shade each other.
 //
 // That allowance would leave a bright line along an inner corner whose one side keeps the light from the other: what
-// casts the shadow touches what it falls on. But a plane that the light reaches is in the map itself. Where none of the
+// casts the shadow touches what it falls on. But the plane of what casts shadows itself is in the map where the light
+// reaches it. Where none of the
 // four texels around a fragment lies in its plane and some lie before it, the fragment is hidden. The allowance is not
 // made there, taps beyond the end of the plane do not count, and no light arrives where the penumbra of what hides the
 // fragment is narrower than a texel. Folds stay lit: the other side of a fold begins beyond a line that passes the fragment, and no such side holds all four corners
@@ -58,6 +59,7 @@ struct scene_shadow_point {
     rhw_float distance;  // distance from the light
     rhw_int inside;      // the map reaches the fragment
     rhw_int away;        // the light sees the plane's other side
+    bool casts;          // the map has the fragment's surface, where the light reaches it
 };
 
 /// What a facet stands for, from interpolated values.
@@ -350,7 +352,10 @@ static inline rhw_float scene_shadow_look(const struct scene_shadow_map *map,
     const rhw_int partly = rhw_less(0.0f, radius) & mine;
     rhw_float open = rhw_select(rhw_equal(radius, -2.0f), 0.0f, 1.0f);
     if (rhw_any(partly)) {
-        const struct scene_shadow_cover cover = scene_shadow_cover_at(map, p);
+        struct scene_shadow_cover cover = {rhw_splat_int(0), rhw_splat(0.0f)};
+        if (p->casts) {
+            cover = scene_shadow_cover_at(map, p);
+        }
         const rhw_int touched = cover.hidden & rhw_less(cover.height * map->softness, 1.0f);
         struct scene_shadow_disc disc = {
             .radius = rhw_max(radius, 1.0f),
@@ -409,15 +414,17 @@ static inline void scene_shadow_choose(struct scene_shadow_point *p, rhw_int mas
 }
 
 /// Return the part of a light that arrives at the lanes `mask`. Each lane takes the first of the maps around a point
-/// light that has it well within. If `curve` is NULL, the facet stands for itself.
+/// light that has it well within. If `curve` is NULL, the facet stands for itself. `casts` tells
+/// whether the surface casts shadows, and so is in the maps.
 static inline rhw_float scene_shadow(const struct scene_shader_light *light, const rhw_float position[3],
                                      const rhw_float ddx[3], const rhw_float ddy[3],
-                                     const struct scene_shadow_curve *curve, rhw_int mask)
+                                     const struct scene_shadow_curve *curve, bool casts, rhw_int mask)
 {
     rhw_float open = rhw_splat(1.0f);
     for (int m = 0; m < light->map_count && rhw_any(mask); m++) {
         const struct scene_shadow_map *map = &light->maps[m];
         struct scene_shadow_point p = scene_shadow_place(map, position, ddx, ddy);
+        p.casts = casts;
         if (curve && rhw_any(p.away & mask)) {
             const struct scene_shadow_point curved =
                 scene_shadow_place_curved(map, curve, position, ddx, ddy);

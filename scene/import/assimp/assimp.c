@@ -138,11 +138,17 @@ static void make_points(struct reader *reader, struct scene_mesh *mesh)
 }
 
 // An alpha that is 0 everywhere means a format without alpha, not an invisible mesh.
-static void fix_alpha(struct scene_mesh *mesh)
+static void fix_alpha(struct scene_import *import, struct scene_mesh *mesh)
 {
-    bool visible = false;
+    bool visible = false, translucent = false;
     for (uint32_t i = 0; mesh->colors != NULL && i < mesh->vertex_count; i++) {
         visible = visible || mesh->colors[i][3] > 0;
+        translucent = translucent || mesh->colors[i][3] < 1;
+    }
+    // Some programs keep weights there, so that nothing says that it is meant to be seen through. assimp itself gives
+    // some colours of DXF an alpha.
+    if (visible && translucent && strcasecmp(import->ending, "dxf") != 0) {
+        scene_import_unsupported(import, "alpha of vertex colours: not used");
     }
     for (uint32_t i = 0; mesh->colors != NULL && i < mesh->vertex_count && !visible; i++) {
         mesh->colors[i][3] = 1;
@@ -168,7 +174,10 @@ static void add_mesh(struct reader *reader, uint32_t index)
     mesh.uvs[0] = copy_uvs(import, source->mTextureCoords[0], count);
     mesh.uvs[1] = copy_uvs(import, source->mTextureCoords[1], count);
     mesh.colors = copy_colors(import, source->mColors[0], count);
-    fix_alpha(&mesh);
+    fix_alpha(import, &mesh);
+    if (source->mColors[1] != NULL) {
+        scene_import_unsupported(import, "vertex colours beyond the first set: ignored");
+    }
     copy_indices(reader, source, &mesh);
     if (mesh.index_count == 0) {
         make_points(reader, &mesh);
@@ -534,7 +543,9 @@ static void set_up(struct scene_import *import, const struct aiScene *scene)
 void scene_import_assimp(struct scene_import *import)
 {
     scene_assimp_refuse_blender(import, false);
+    scene_assimp_listen(import);
     const struct aiScene *scene = read_scene(import);
+    scene_assimp_find_gaps(import);
     struct reader reader = {.import = import, .scene = scene};
     import->model.format = format_of(import, scene);
     import->model.doubts_cameras = true;

@@ -23,6 +23,10 @@ bool scene_assimp_is_skinned(const struct scene_import *import, const struct aiM
 /// Brings the vertices of a skinned mesh there, less `origin`, which is not 0 if that is far away.
 void scene_assimp_skin(struct scene_import *import, const struct aiScene *scene, unsigned index,
                        struct scene_mesh *mesh, double origin[3]);
+/// Tells the user what assimp says that it leaves out, from now to the end of the process.
+void scene_assimp_listen(struct scene_import *import);
+/// Tells the user what assimp leaves out without a word, as the file has it.
+void scene_assimp_find_gaps(struct scene_import *import);
 /// What opens regular files within import->confine, and the model itself; it lives as long as `import`.
 struct aiFileIO scene_assimp_files(struct scene_import *import);
 /// Move the white space at the ends of a document's texts into its tags. A 0 follows the text.

@@ -131,7 +131,7 @@ static void read_topology(struct primitive *primitive)
     const int64_t mode = primitive->is_draco
                              ? MODE_TRIANGLES
                              : scene_gltf_integer(primitive->gltf, primitive->object, "mode", MODE_TRIANGLES);
-    if (mode > MODE_FAN) {
+    if (mode < 0 || mode > MODE_FAN) {
         refuse(primitive, "has a mode that does not exist");
     }
     mesh->primitive = mode == MODE_POINTS       ? SCENE_PRIMITIVE_POINTS
@@ -187,6 +187,11 @@ static void apply_morphs(struct primitive *primitive, struct weights weights)
         free(positions);
         free(normals);
         free(tangents);
+        if (json_object_get(target, "COLOR_0") != NULL || json_object_get(target, "TEXCOORD_0") != NULL ||
+            json_object_get(target, "TEXCOORD_1") != NULL) {
+            scene_import_unsupported(primitive->gltf->import,
+                                     "morph targets of colours and texture coordinates: left as at rest");
+        }
     }
 }
 
@@ -348,6 +353,7 @@ static bool make_primitive(struct primitive *primitive, const char *name, struct
                           primitive->mesh_number, primitive->number);
         return false;
     }
+    scene_gltf_note_extensions(gltf, primitive->object);
     const json_t *draco = scene_gltf_extension(gltf, primitive->object, "KHR_draco_mesh_compression");
     primitive->is_draco = draco != NULL;
     if (draco != NULL) {

@@ -316,7 +316,13 @@ static void push_scene(struct scene_gltf *gltf, struct stack *stack)
         }
         return;
     }
-    const json_t *scene = scene_gltf_item(gltf, "scenes", scene_gltf_integer(gltf, gltf->root, "scene", 0));
+    const size_t scenes = scene_gltf_count(gltf, "scenes");
+    const int64_t drawn = scene_gltf_integer(gltf, gltf->root, "scene", 0);
+    const json_t *scene = scene_gltf_item(gltf, "scenes", drawn);
+    if (scenes > 1) {
+        scene_import_unsupported(gltf->import, "scenes[%lld] alone is drawn, of %zu scenes", (long long)drawn,
+                                 scenes);
+    }
     const json_t *roots = scene_gltf_array(gltf, scene, "nodes");
     for (size_t i = json_array_size(roots); i > 0; i--) {
         const uint32_t root = node_index(gltf, json_array_get(roots, i - 1), "scenes");

@@ -140,6 +140,8 @@ void scene_gltf_slot(struct scene_gltf *gltf, const json_t *info, struct scene_t
     if (transform != NULL) {
         read_transform(gltf, transform, slot);
     }
+    scene_gltf_note_extensions(gltf, texture);
+    scene_gltf_note_extensions(gltf, info);
     if (set < SCENE_UV_SETS) {
         slot->uv_set = (uint32_t)set;
     } else {

@@ -29,7 +29,8 @@ static struct scene_3mf_edge make_edge(const float a[3], const float b[3])
 }
 
 // Return the place of an edge, or the free place where it belongs.
-static struct scene_3mf_edge *find_place(const struct scene_3mf_edges *edges, const struct scene_3mf_edge *edge)
+static struct scene_3mf_edge *find_place(const struct scene_3mf_edges *edges,
+                                         const struct scene_3mf_edge *edge)
 {
     unsigned char bytes[sizeof edge->ends];
     uint64_t hash = 14695981039346656037u; // FNV-1a
@@ -37,7 +38,8 @@ static struct scene_3mf_edge *find_place(const struct scene_3mf_edges *edges, co
     for (size_t i = 0; i < sizeof bytes; i++) {
         hash = (hash ^ bytes[i]) * 1099511628211u;
     }
-    for (size_t at = (size_t)(hash ^ hash >> 32) & (edges->capacity - 1);; at = (at + 1) & (edges->capacity - 1)) {
+    for (size_t at = (size_t)(hash ^ hash >> 32) & (edges->capacity - 1);;
+         at = (at + 1) & (edges->capacity - 1)) {
         struct scene_3mf_edge *place = &edges->items[at];
         if (!place->used || memcmp(place->ends, edge->ends, sizeof edge->ends) == 0) {
             return place;

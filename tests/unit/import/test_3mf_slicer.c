@@ -172,7 +172,7 @@ static void test_slic3r_and_cura(void **state)
     assert_int_equal(model->unsupported_count, 3);
     assert_true(is_unsupported(model, "modifiers of slicers"));
     assert_true(is_unsupported(model, "blockers of supports"));
-    assert_true(is_unsupported(model, "colours of Cura's extruders (3MF): not drawn"));
+    assert_true(is_unsupported(model, "colours of Cura's materials (3MF): not drawn"));
     scene_model_free(model);
 }
 
@@ -326,6 +326,8 @@ static void test_files(void **state)
     } cases[] = {
         {"Metadata/slice_info.config",
          "<config><plate><filament id=\"1\" color=\"#0000FF\"/></plate></config>", NULL, NULL},
+        {"Materials/pla.xml.fdm_material", "<fdmmaterial/>", "colours of Cura's materials (3MF): not drawn",
+         NULL},
         {"Metadata/custom_gcode_per_layer.xml",
          "<a><plate><layer top_z=\"2\" type=\"2\" gcode=\"tool_change\"/></plate></a>",
          "changes of the filament by height (3MF): not drawn", NULL},

@@ -656,6 +656,32 @@ static void test_layers(void **state)
     scene_model_free(model);
 }
 
+// What is not drawn is told: other scenes, morph targets of colours, and extensions that the file does not list, of a
+// primitive and of a texture.
+static void test_told(void **state)
+{
+    (void)state;
+    const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    write_format(
+        "told.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":1,\"scenes\":[{},{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}"
+        "],"
+        "\"meshes\":[{\"weights\":[1],\"primitives\":[{\"attributes\":{\"POSITION\":0},\"material\":0,"
+        "\"targets\":[{\"COLOR_0\":0}],\"extensions\":{\"EXT_of_primitives\":{}}}]}],"
+        "\"materials\":[{\"emissiveTexture\":{\"index\":0}}],\"textures\":[{\"extensions\":{\"EXT_of_"
+        "textures\":{}}}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"buffers\":[{\"byteLength\":36,\"uri\":\"%s\"}]"
+        "}",
+        data_uri(positions, sizeof positions));
+    struct scene_model *model = load("told.gltf");
+    assert_true(is_unsupported(model, "scenes[1] alone is drawn, of 2 scenes"));
+    assert_true(is_unsupported(model, "morph targets of colours and texture coordinates: left as at rest"));
+    assert_true(is_unsupported(model, "EXT_of_primitives"));
+    assert_true(is_unsupported(model, "EXT_of_textures"));
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_forgiven),
     cmocka_unit_test(test_meshopt_filters),
@@ -670,6 +696,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_root_and_child),
     cmocka_unit_test(test_variants),
     cmocka_unit_test(test_layers),
+    cmocka_unit_test(test_told),
 };
 
 const struct unit_tests test_gltf_extensions = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -60,6 +60,13 @@ static void test_magics(void **state)
     assert_floats(color_of(model, 0), (const float[]){1, 0, 0, 1}, 4, 0);
     assert_floats(color_of(model, 1), (const float[]){0, 0, 1, 1}, 4, 0);
     assert_floats(color_of(model, 2), (const float[]){0.2158605f, 1, 0.000303527f, 1}, 4, 1e-6f);
+    assert_int_equal(model->unsupported_count, 0);
+    scene_model_free(model);
+    const char rich[] = "COLOR=\x80\xff\x01\x80,MATERIAL=\x80\xff\x01\xff";
+    write_bytes("x.stl", bytes, make_binary(bytes, rich, 3, 3, words));
+    model = load("x.stl");
+    assert_true(is_unsupported(model, "the material in its head"));
+    assert_true(is_unsupported(model, "the translucency in its head"));
     scene_model_free(model);
 }
 
