@@ -25,7 +25,7 @@ SYSTEM = re.compile(r"(ld-linux.*|linux-vdso|libc|libm|libdl|librt|libpthread|li
 
 def version() -> str:
     text = (ROOT / "include/rhw/base.h").read_text()
-    return ".".join(re.search(rf"RHW_VERSION_{part} (\d+)", text).group(1) for part in ("MAJOR", "MINOR", "PATCH"))
+    return ".".join(re.findall(r"RHW_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", text))
 
 
 def libraries(extension: Path) -> dict:

@@ -9,15 +9,15 @@
 enum system_file_use {
     SYSTEM_FILE_READ,  ///< opening a pipe does not wait for who writes into it
     SYSTEM_FILE_WRITE, ///< what is there already
-    SYSTEM_FILE_CREATE, ///< a new file, which can be removed while it is open; that it is there already is EEXIST
 };
 
 /// A descriptor of bytes as they are, which programs that are started do not get; −1 with errno.
 int system_file_open(const char *path, enum system_file_use use);
+/// A descriptor for reading a regular file; −1 with errno. Anything else, of which a pipe would be waited for and a device
+/// may do something, is not opened: errno is then 0.
+int system_file_open_regular(const char *path);
 /// Gives an open file the permissions of another, as far as it may have them. Windows has those of its folder.
 void system_file_permit_as(int descriptor, const char *path);
-/// Gives a file another name in its folder, at once, whether or not there is a file of that name. False with errno.
-bool system_file_replace(const char *from, const char *to);
 
 /// The whole path without links and with slashes, to be freed; NULL with errno.
 char *system_file_resolve(const char *path);

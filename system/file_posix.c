@@ -2,6 +2,7 @@
 // See file.h.
 #include "file.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,11 +11,26 @@
 
 int system_file_open(const char *path, enum system_file_use use)
 {
-    switch (use) {
-    case SYSTEM_FILE_READ: return open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    case SYSTEM_FILE_WRITE: return open(path, O_WRONLY | O_CLOEXEC);
-    default: return open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    return open(path, (use == SYSTEM_FILE_READ ? O_RDONLY | O_NONBLOCK : O_WRONLY) | O_CLOEXEC);
+}
+
+int system_file_open_regular(const char *path)
+{
+    struct stat status;
+    if (stat(path, &status) != 0) {
+        return -1;
     }
+    if (!S_ISREG(status.st_mode)) {
+        errno = S_ISDIR(status.st_mode) ? EISDIR : 0;
+        return -1;
+    }
+    const int descriptor = system_file_open(path, SYSTEM_FILE_READ);
+    if (descriptor >= 0 && (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))) {
+        close(descriptor); // it has been replaced meanwhile
+        errno = 0;
+        return -1;
+    }
+    return descriptor;
 }
 
 void system_file_permit_as(int descriptor, const char *path)
@@ -23,11 +39,6 @@ void system_file_permit_as(int descriptor, const char *path)
     if (stat(path, &status) == 0) {
         (void)fchmod(descriptor, status.st_mode & 07777);
     }
-}
-
-bool system_file_replace(const char *from, const char *to)
-{
-    return rename(from, to) == 0;
 }
 
 char *system_file_resolve(const char *path)

@@ -13,6 +13,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 static void set_errno(void)
 {
@@ -29,45 +31,34 @@ static void set_errno(void)
     }
 }
 
-// The C library opens files so that nobody can remove them.
-static int create(const char *path)
-{
-    const DWORD share = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
-    HANDLE const handle =
-        CreateFileA(path, GENERIC_WRITE, share, NULL, CREATE_NEW, FILE_ATTRIBUTE_NORMAL, NULL);
-    if (handle == INVALID_HANDLE_VALUE) {
-        set_errno();
-        return -1;
-    }
-    const int descriptor = _open_osfhandle((intptr_t)handle, _O_WRONLY | _O_BINARY);
-    if (descriptor < 0) {
-        CloseHandle(handle);
-        (void)DeleteFileA(path);
-    }
-    return descriptor;
-}
-
 int system_file_open(const char *path, enum system_file_use use)
 {
-    switch (use) {
-    case SYSTEM_FILE_READ: return _open(path, _O_RDONLY | _O_BINARY | _O_NOINHERIT);
-    case SYSTEM_FILE_WRITE: return _open(path, _O_WRONLY | _O_BINARY | _O_NOINHERIT);
-    default: return create(path);
+    const int access = use == SYSTEM_FILE_READ ? _O_RDONLY : _O_WRONLY;
+    return _open(path, access | _O_BINARY | _O_NOINHERIT);
+}
+
+int system_file_open_regular(const char *path)
+{
+    struct stat status;
+    if (stat(path, &status) != 0) {
+        return -1;
     }
+    if (!S_ISREG(status.st_mode)) {
+        errno = S_ISDIR(status.st_mode) ? EISDIR : 0;
+        return -1;
+    }
+    const int descriptor = system_file_open(path, SYSTEM_FILE_READ);
+    if (descriptor >= 0 && (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))) {
+        close(descriptor); // it has been replaced meanwhile
+        errno = 0;
+        return -1;
+    }
+    return descriptor;
 }
 
 void system_file_permit_as(int descriptor, const char *path)
 {
     (void)descriptor, (void)path;
-}
-
-bool system_file_replace(const char *from, const char *to)
-{
-    if (MoveFileExA(from, to, MOVEFILE_REPLACE_EXISTING)) {
-        return true;
-    }
-    set_errno();
-    return false;
 }
 
 // To ask about; INVALID_HANDLE_VALUE with errno.

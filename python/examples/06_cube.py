@@ -38,7 +38,8 @@ def views(count):
     return tensor(projection @ world)
 
 
-def draw(matrices, corners, colors, size):
+def draw(matrices, mesh, size):
+    corners, colors = mesh
     pos = torch.cat([corners, torch.ones(8, 1)], 1) @ matrices.transpose(1, 2)
     rast, _ = dr.rasterize(glctx, pos, TRI, resolution=[size, size])
     color, _ = dr.interpolate(colors[None], rast, TRI)
@@ -49,14 +50,14 @@ wanted = tensor(CORNERS), tensor(CORNERS + 0.5)
 found = [tensor(CORNERS + random.uniform(-0.4, 0.4, CORNERS.shape)), tensor(random.uniform(0, 1, CORNERS.shape))]
 show = views(1)
 with torch.no_grad():
-    pictures = [draw(show, *found, LARGE)]
+    pictures = [draw(show, found, LARGE)]
 for values in found:
     values.requires_grad_()
 optimizer = torch.optim.Adam(found, lr=2e-2)
 scheduler = torch.optim.lr_scheduler.LambdaLR(optimizer, lambda step: 0.02**(step / STEPS))
 for step in range(STEPS + 1):
     matrices = views(VIEWS)
-    loss = torch.mean((draw(matrices, *found, SMALL) - draw(matrices, *wanted, SMALL))**2)
+    loss = torch.mean((draw(matrices, found, SMALL) - draw(matrices, wanted, SMALL))**2)
     off = torch.mean(torch.linalg.norm(found[0].detach() - wanted[0], dim=1)).item()
     if step % 50 == 0:
         print(f"step {step}: loss {loss.item():.6f}, corners {off:.4f} off")
@@ -67,8 +68,8 @@ for step in range(STEPS + 1):
 assert off < 0.02
 
 with torch.no_grad():
-    small = draw(show, *wanted, SMALL).repeat_interleave(LARGE // SMALL, 1).repeat_interleave(LARGE // SMALL, 2)
-    pictures += [draw(show, *found, LARGE), draw(show, *wanted, LARGE), small]
+    small = draw(show, wanted, SMALL).repeat_interleave(LARGE // SMALL, 1).repeat_interleave(LARGE // SMALL, 2)
+    pictures += [draw(show, found, LARGE), draw(show, wanted, LARGE), small]
 picture = torch.cat(pictures, dim=2)[0].flip(0).numpy()  # row 0 is the lowest
 rgb = np.rint(255 * np.clip(picture, 0, 1)).astype(np.uint8)
 rhw.write_png(sys.argv[1], np.concatenate([rgb, np.full_like(rgb[..., :1], 255)], -1))

@@ -7,6 +7,7 @@ import os
 from typing import Any, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _rhw
 
@@ -16,17 +17,23 @@ MOST = _rhw.max_target_size
 Size = Union[int, Tuple[int, int]]
 
 
-def _of_dlpack(value: Any, name: str) -> np.ndarray:
+def _of_dlpack(value: Any, name: str) -> NDArray[Any]:
     cpu = 1  # kDLCPU of dlpack.h
     if tuple(value.__dlpack_device__())[:1] != (cpu,):
         raise TypeError(f"{name}: must lie in main memory, not on a device")
     return np.from_dlpack(value)
 
 
-def read(value: Any, name: str) -> np.ndarray:
+def _is_masked(value: Any) -> bool:
+    return isinstance(value, np.ma.MaskedArray) and bool(np.any(np.ma.getmaskarray(value)))  # type: ignore[no-untyped-call]
+
+
+def read(value: Any, name: str) -> NDArray[Any]:
     """The array of an argument: NumPy's own, a buffer, or by DLPack one of another library that lies in main memory."""
+    if any(map(_is_masked, value)) if isinstance(value, (list, tuple)) else _is_masked(value):
+        raise ValueError(f"{name}: must have no masked elements; the method filled of a masked array gives them numbers")
     if isinstance(value, np.ndarray):
-        return np.asarray(value)  # of what looks different, as masked arrays do, what it is
+        return np.asarray(value)  # of what looks different what it is
     try:
         if hasattr(value, "__dlpack__") and not hasattr(value, "__array__"):
             return _of_dlpack(value, name)
@@ -36,7 +43,7 @@ def read(value: Any, name: str) -> np.ndarray:
         raise TypeError(told if told.startswith(f"{name}: ") else f"{name}: cannot be read as an array: {line(told)}") from error
 
 
-def packed(array: np.ndarray, dtype: Any) -> np.ndarray:
+def packed(array: NDArray[Any], dtype: Any) -> NDArray[Any]:
     """The array with elements of that type one behind the other, where the processor wants them: the same one if it has."""
     return np.require(array, dtype, ["C_CONTIGUOUS", "ALIGNED"])
 
@@ -46,31 +53,36 @@ def _shape_text(shape: Sequence[Optional[int]]) -> str:
     return f"({inner},)" if len(shape) == 1 else f"({inner})"
 
 
-def _check_shape(array: np.ndarray, name: str, shape: Sequence[Optional[int]]) -> None:
+def _check_shape(array: NDArray[Any], name: str, shape: Sequence[Optional[int]]) -> None:
     fits = array.ndim == len(shape) and all(
         wanted is None or wanted == got for wanted, got in zip(shape, array.shape))
     if not fits:
         raise ValueError(f"{name}: must have the shape {_shape_text(shape)}, not {array.shape}")
 
 
-def floats(value: Any, name: str, shape: Sequence[Optional[int]], dtype: Any = np.float32) -> np.ndarray:
-    """A contiguous array of finite floats; None in `shape` is any extent."""
+def any_floats(value: Any, name: str, shape: Sequence[Optional[int]], dtype: Any = np.float32) -> NDArray[Any]:
+    """A contiguous array of floats, NaN and infinity among them; None in `shape` is any extent."""
     array = read(value, name)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{name}: must be of numbers, not {array.dtype}")
     _check_shape(array, name, shape)
     with np.errstate(over="ignore"):
-        return finite(packed(array, dtype), name)
+        return packed(array, dtype)
 
 
-def finite(array: np.ndarray, name: str) -> np.ndarray:
-    """The array, where every number of it is one."""
-    if not np.isfinite(array).all():
+def floats(value: Any, name: str, shape: Sequence[Optional[int]], dtype: Any = np.float32) -> NDArray[Any]:
+    """A contiguous array of finite floats."""
+    return finite(any_floats(value, name, shape, dtype), name)
+
+
+def finite(array: NDArray[Any], name: str) -> NDArray[Any]:
+    """A contiguous array of integers, float32 or float64, where every number of it is one."""
+    if array.dtype.kind == "f" and not _rhw.is_finite(array.reshape(-1)):
         raise ValueError(f"{name}: every number must be finite, as {array.dtype} too")
     return array
 
 
-def converted(array: np.ndarray, name: str, kind: np.dtype) -> np.ndarray:
+def converted(array: NDArray[Any], name: str, kind: np.dtype[Any]) -> NDArray[Any]:
     """The same numbers in another type: integers that it has, or floats as near as it has them."""
     if kind.kind == "f":
         with np.errstate(over="ignore"):
@@ -85,7 +97,7 @@ def converted(array: np.ndarray, name: str, kind: np.dtype) -> np.ndarray:
     return array.astype(kind)
 
 
-def indices(value: Any, name: str, shape: Sequence[Optional[int]], count: int) -> np.ndarray:
+def indices(value: Any, name: str, shape: Sequence[Optional[int]], count: int) -> NDArray[Any]:
     """A contiguous array of uint32, each below `count`."""
     array = read(value, name)
     if array.dtype.kind not in "iu":
@@ -97,7 +109,12 @@ def indices(value: Any, name: str, shape: Sequence[Optional[int]], count: int) -
     return packed(array, np.uint32)
 
 
-def texels(value: Any, name: str) -> np.ndarray:
+def empty(shape: Tuple[int, ...]) -> NDArray[Any]:
+    """A contiguous array of float32 with any numbers, on memory of a former one where there is some."""
+    return np.asarray(_rhw.empty(shape))
+
+
+def texels(value: Any, name: str) -> NDArray[Any]:
     """A contiguous (H, W, 4) array of uint8 of an image with 1, 3 or 4 channels."""
     if isinstance(value, (str, bytes)):
         raise TypeError(f"{name}: must be an array of uint8, not the path {value!r}")
@@ -115,7 +132,7 @@ def texels(value: Any, name: str) -> np.ndarray:
     return full
 
 
-def is_image(array: np.ndarray, channels: Sequence[int]) -> bool:
+def is_image(array: NDArray[Any], channels: Sequence[int]) -> bool:
     """Whether it has the shape (H, W, C), with so many channels, and as many rows and columns as pictures may have."""
     return array.ndim == 3 and array.shape[2] in channels and 1 <= min(array.shape[:2]) <= max(array.shape[:2]) <= MOST
 
@@ -156,8 +173,14 @@ def is_whole(value: Any) -> bool:
     return isinstance(value, (int, np.integer)) and not isinstance(value, bool)
 
 
+def _scalar(value: Any) -> Any:
+    """The number of an array or a tensor without extents; what is none stays as it is."""
+    return value.item() if getattr(value, "shape", None) == () and not _is_masked(value) else value
+
+
 def whole(value: Any, name: str, least: int, most: int) -> int:
     """A whole number in a range, both ends included."""
+    value = _scalar(value)
     if not is_whole(value):
         raise TypeError(f"{name}: must be a whole number, not {text(value)}")
     if not least <= value <= most:
@@ -167,6 +190,7 @@ def whole(value: Any, name: str, least: int, most: int) -> int:
 
 def one_of(value: Any, name: str, choices: Sequence[int]) -> int:
     """A whole number of a few."""
+    value = _scalar(value)
     if not is_whole(value) or value not in choices:
         listed = ", ".join(map(str, choices[:-1])) + f" or {choices[-1]}"
         raise ValueError(f"{name}: must be {listed}, not {text(value)}")
@@ -218,8 +242,8 @@ def listed(value: Any, name: str, what: str) -> List[Any]:
 
 def size(value: Any) -> Tuple[int, int]:
     """(width, height), or one number for both."""
-    is_pair = isinstance(value, (tuple, list)) or (isinstance(value, np.ndarray) and value.ndim == 1)
-    pair = tuple(value) if is_pair else (value, value)
+    is_pair = isinstance(value, (tuple, list)) or getattr(value, "ndim", None) == 1
+    pair = tuple(map(_scalar, value)) if is_pair else (_scalar(value),) * 2
     if len(pair) != 2 or not all(map(is_whole, pair)):
         raise TypeError(f"size: must be (width, height) or one number, not {text(value)}")
     width, height = int(pair[0]), int(pair[1])
@@ -228,7 +252,7 @@ def size(value: Any) -> Tuple[int, int]:
     return width, height
 
 
-def matrix(value: Any, name: str) -> np.ndarray:
+def matrix(value: Any, name: str) -> NDArray[Any]:
     """A (4, 4) matrix of float64 for column vectors; (3, 4) gets its last row."""
     array = read(value, name)
     if array.shape != (3, 4):
@@ -236,9 +260,9 @@ def matrix(value: Any, name: str) -> np.ndarray:
     return np.vstack([floats(array, name, (3, 4), np.float64), [0, 0, 0, 1]])
 
 
-def product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+def product(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
     """a @ b of (4, 4) matrices, summed in a fixed order: libraries for linear algebra choose theirs by the machine."""
-    total: np.ndarray = a[:, 0, None] * b[None, 0, :]
+    total: NDArray[Any] = a[:, 0, None] * b[None, 0, :]
     for k in range(1, 4):
         total = total + a[:, k, None] * b[None, k, :]
     return total

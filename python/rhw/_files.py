@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import filecmp
 import os
 import secrets
-from typing import BinaryIO, Iterator, Union
+from typing import BinaryIO, Iterator, Optional, Union
 
 Path = Union[str, "os.PathLike[str]"]
 
@@ -32,32 +33,92 @@ def _put_in_place(temporary: str, target: str) -> None:
         os.unlink(temporary)
 
 
+_DESCRIPTORS = "/proc/self/fd"  #: where files without a name can be found, to give them one
+
+
+def _open_unnamed(folder: str) -> Optional[BinaryIO]:
+    """A new file that vanishes with the process until it gets a name. None where the system or the folder has none."""
+    try:
+        return open(os.open(folder, os.O_TMPFILE | os.O_WRONLY, 0o666), "wb") if os.path.isdir(_DESCRIPTORS) else None
+    except (AttributeError, OSError):
+        return None
+
+
+def _name(file: BinaryIO, name: str) -> None:
+    """Gives it a name that is free."""
+    folder = os.open(_DESCRIPTORS, os.O_RDONLY)
+    try:
+        os.link(str(file.fileno()), name, src_dir_fd=folder, follow_symlinks=True)
+    finally:
+        os.close(folder)
+
+
+def _replace(temporary: str, target: str) -> None:
+    try:
+        os.replace(temporary, target)
+    except BaseException:
+        os.unlink(temporary)
+        raise
+
+
+def _name_whole(file: BinaryIO, target: str, temporary: str, new: bool) -> None:
+    file.flush()
+    try:
+        _name(file, target)
+    except FileExistsError:
+        if new:
+            raise
+        _name(file, temporary)
+        _replace(temporary, target)
+
+
+@contextlib.contextmanager
+def _named(target: str, temporary: str, new: bool) -> Iterator[BinaryIO]:
+    # What others may do with it is the system's to say: to ask for the process's mask is to change it for other threads.
+    file = open(temporary, "xb")
+    try:
+        with file:
+            yield file
+        if new:
+            _put_in_place(temporary, target)
+        else:
+            os.replace(temporary, target)
+    except BaseException:
+        with contextlib.suppress(FileNotFoundError):
+            os.unlink(temporary)
+        raise
+
+
 @contextlib.contextmanager
 def replacing(path: Path, new: bool = False) -> Iterator[BinaryIO]:
     """A file beside a place, which gets its name at the end of the block. It is gone where that is left by an exception.
+
+    Where the system has files without a name, nothing is left of it either when the process is killed.
 
     new: FileExistsError where another has the name by then.
     """
     target = os.path.realpath(path)  # a link stays one
     temporary = os.path.join(os.path.dirname(target), TEMPORARY + secrets.token_hex(8))
     try:
-        # What others may do with it is the system's to say: to ask for the process's mask is to change it for other threads.
-        file = open(temporary, "xb")
-        try:
-            with file:
+        unnamed = _open_unnamed(os.path.dirname(target))
+        if unnamed is None:
+            with _named(target, temporary, new) as file:
                 yield file
-            if new:
-                _put_in_place(temporary, target)
-            else:
-                os.replace(temporary, target)
-        except BaseException:
-            with contextlib.suppress(FileNotFoundError):
-                os.unlink(temporary)
-            raise
+        else:
+            with unnamed as file:
+                yield file
+                _name_whole(file, target, temporary, new)
     except OSError as error:
         if error.errno is None:
             raise
         raise OSError(error.errno, error.strerror, os.fspath(path)) from None  # not the name of today
+
+
+def equals(file: BinaryIO, path: str) -> bool:
+    """Whether a file of `replacing` has so far the bytes of another, if that is there."""
+    file.flush()
+    name = file.name if isinstance(file.name, str) else os.path.join(_DESCRIPTORS, str(file.fileno()))
+    return os.path.exists(path) and filecmp.cmp(name, path, shallow=False)
 
 
 def write(path: Path, data: bytes) -> None:

@@ -7,13 +7,14 @@ from dataclasses import dataclass, replace
 from typing import Any, List, Optional, Sequence, Tuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _arrays, _rhw
 
 _ALPHAS = ("opaque", "mask", "blend")
 
 
-def _linear(colors: Any, name: str, rows: int) -> np.ndarray:
+def _linear(colors: Any, name: str, rows: int) -> NDArray[Any]:
     """(rows, 4) linear float32 of colours: uint8 are sRGB, alpha is linear."""
     array = _arrays.read(colors, name)
     if array.ndim != 2 or array.shape[0] != rows or array.shape[1] not in (3, 4):
@@ -55,7 +56,7 @@ class Surface:
     alpha: Optional[str]
     double_sided: bool
     unlit: bool
-    texture: Optional[np.ndarray] = None
+    texture: Optional[NDArray[Any]] = None
 
     def textured(self, texture: Any) -> "Surface":
         return self if texture is None else replace(self, texture=_arrays.texels(texture, "texture"))
@@ -83,12 +84,13 @@ class Geometry:
 
     def __init__(self, vertices: Any, faces: Any, normals: Any, uv: Any, colors: Any, face_colors: Any, smooth: bool):
         self.smooth = _arrays.flag(smooth, "smooth")
-        self.vertices = _arrays.floats(vertices, "vertices", (None, 3))
+        _arrays.floats(vertices, "vertices", (None, 3))  # numbers that float32 has
+        self.vertices = _arrays.floats(vertices, "vertices", (None, 3), np.float64)
         count = len(self.vertices)
         if count == 0:
             raise ValueError("vertices: there are none")
         self.corners = 3
-        self.faces: Optional[np.ndarray] = None
+        self.faces: Optional[NDArray[Any]] = None
         if faces is not None:
             faces = _arrays.read(faces, "faces")
             shape = faces.shape
@@ -124,9 +126,12 @@ class Geometry:
                 self.faces)
 
 
-def _smooth_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+def _smooth_normals(vertices: NDArray[Any], faces: NDArray[Any]) -> NDArray[Any]:
     """The mean of the normals around each vertex, by area."""
-    corners = vertices.astype(np.float64)[faces]
+    # Near the origin as float32 has them, which is what is drawn; far from it, that would be nothing.
+    middle, size = np.median(vertices, axis=0), np.ptp(vertices, axis=0).max()
+    rounded = vertices if np.abs(middle).max() > 256 * size else vertices.astype(np.float32).astype(np.float64)
+    corners = rounded[faces]
     areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     sums = np.zeros((len(vertices), 3))
     for corner in range(3):
@@ -145,8 +150,8 @@ class Arrays:
         self._images: List[Tuple[Any, ...]] = []
         self._instances: List[Tuple[Any, ...]] = []
 
-    def place(self, mesh: int, world: np.ndarray, name: str) -> None:
-        matrix = np.ascontiguousarray(_arrays.matrix(world, "world").T.astype(np.float32))
+    def place(self, mesh: int, world: NDArray[Any], name: str) -> None:
+        matrix = np.ascontiguousarray(_arrays.matrix(world, "world").T)
         self._instances.append((name, mesh, matrix))
 
     def add_mesh(self, geometry: Geometry, surface: Surface, name: str) -> int:
@@ -160,10 +165,10 @@ class Arrays:
         self._materials.append(surface.row(name, image))
         return len(self._meshes) - 1
 
-    def add(self, geometry: Geometry, surface: Surface, world: np.ndarray, name: str) -> None:
+    def add(self, geometry: Geometry, surface: Surface, world: NDArray[Any], name: str) -> None:
         self.place(self.add_mesh(geometry, surface, name), world, name)
 
-    def add_trimesh(self, mesh: Any, surface: Surface, smooth: bool, world: np.ndarray) -> None:
+    def add_trimesh(self, mesh: Any, surface: Surface, smooth: bool, world: NDArray[Any]) -> None:
         geometry, painted = _from_trimesh(mesh, surface, smooth)
         self.add(geometry, painted, world, self._name)
 
@@ -184,7 +189,7 @@ class Arrays:
                          tuple(self._instances))
 
 
-def _texture_of(material: Any) -> Optional[np.ndarray]:
+def _texture_of(material: Any) -> Optional[NDArray[Any]]:
     for name in ("baseColorTexture", "image"):
         image = getattr(material, name, None)
         if image is not None:

@@ -7,6 +7,7 @@ import math
 from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence, Tuple, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _arrays, _rhw
 
@@ -43,7 +44,7 @@ class View:
         self.matrix = _arrays.product(self.projection, self.view)
 
     @property
-    def eye(self) -> np.ndarray:
+    def eye(self) -> NDArray[Any]:
         """(3,) float64: where the camera stands."""
         return np.array(self.numbers[0])
 
@@ -195,7 +196,7 @@ class Camera:
         return cls(_planes(lens, near, far), f"intrinsics({fx:g}, {fy:g}, {cx:g}, {cy:g})")
 
 
-def _check_turn(matrix: np.ndarray, name: str) -> None:
+def _check_turn(matrix: NDArray[Any], name: str) -> None:
     turn = matrix[:3, :3]
     if np.abs(turn @ turn.T - np.eye(3)).max() > 1e-3 or np.linalg.det(turn) < 0:
         raise ValueError(f"{name}: must turn and move, not scale, shear or mirror")

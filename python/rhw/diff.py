@@ -11,7 +11,8 @@ The operations, shapes and conventions are those of nvdiffrast; rhw.torch has th
     >>> to_pos += rhw.diff.rasterize_grad(pos, tri, rast, to_rast)
 
 B images of H rows and W columns are drawn at once. Positions are clip coordinates as in OpenGL: x, y and z from -w to w, y
-upwards, and row 0 is the lowest. Arrays are float32 and finite: NaN and infinity are refused. Indices are whole numbers.
+upwards, and row 0 is the lowest. Arrays are float32, and indices are whole numbers. NaN and infinity are refused, but for
+pixels that see no triangle: there a gradient that is not finite counts as 0. Coordinates of textures may be anything.
 `pos` of the shape (B, V, 4) has the vertices of every image; (V, 4) is one set for all, and `ranges` (B, 2) then says which
 triangles an image has, by the first and their number.
 
@@ -22,23 +23,24 @@ work. The interpreter's lock is released meanwhile; Ctrl-C ends a call within a 
 
 from __future__ import annotations
 
-from typing import Any, List, Optional, Sequence, Tuple
+from typing import Any, Callable, List, Optional, Sequence, Tuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _rhw, _threads
-from ._arrays import MOST, choice, flag, floats, indices, listed, read, text, whole
+from ._arrays import MOST, any_floats, choice, empty, flag, floats, indices, listed, read, text, whole
 
 
 def _size(resolution: Any) -> Tuple[int, int]:
     try:
-        height, width = resolution
+        height, width = tuple(resolution)
     except (TypeError, ValueError):
         raise TypeError(f"resolution: must be (height, width), not {text(resolution)}") from None
     return whole(height, "resolution", 1, MOST), whole(width, "resolution", 1, MOST)
 
 
-def _batched(value: Any, name: str, columns: Optional[int], images: Optional[int] = None) -> Tuple[np.ndarray, bool]:
+def _batched(value: Any, name: str, columns: Optional[int], images: Optional[int] = None) -> Tuple[NDArray[Any], bool]:
     """An array (B, N, columns), or (N, columns) with True; (1, N, columns) is shared where there are more images."""
     array = read(value, name)
     array = floats(array, name, (None, columns) if array.ndim == 2 else (None, None, columns))
@@ -51,24 +53,43 @@ def _batched(value: Any, name: str, columns: Optional[int], images: Optional[int
     return array, images is not None and array.shape[0] == 1
 
 
-def _rast(value: Any, name: str = "rast") -> np.ndarray:
+def _rast(value: Any, name: str = "rast") -> NDArray[Any]:
     array = floats(value, name, (None, None, None, 4))
     if array.size == 0 or max(array.shape[1:3]) > MOST:
         raise ValueError(f"{name}: must have at least one pixel and at most {MOST} rows and columns, not {array.shape}")
     return array
 
 
-def _like(value: Any, name: str, array: np.ndarray) -> np.ndarray:
+def _like(value: Any, name: str, array: NDArray[Any]) -> NDArray[Any]:
     return floats(value, name, array.shape)
 
 
-def _mesh(tri: np.ndarray, vertices: int, shape: Sequence[int], context: Optional[_rhw.Context]) -> Tuple[Any, ...]:
+def _seen(rast: NDArray[Any]) -> Callable[[], NDArray[Any]]:
+    return lambda: rast[..., 3:] >= 1
+
+
+def _gradient(value: Any, name: str, shape: Sequence[int], used: Callable[[], NDArray[Any]],
+              channels: Optional[int] = None) -> NDArray[Any]:
+    """The gradient of what pixels have. Where it is not finite, and nothing depends on it, it counts as 0.
+
+    used: which pixels anything depends on, (B, H, W, 1); channels: how many of theirs, None: all.
+    """
+    array = any_floats(value, name, shape)
+    if _rhw.is_finite(array):
+        return array
+    wild = ~np.isfinite(array)
+    if (wild[..., :channels] & used()).any():
+        raise ValueError(f"{name}: every number must be finite where something is drawn")
+    return np.where(wild, np.float32(0), array)
+
+
+def _mesh(tri: NDArray[Any], vertices: int, shape: Sequence[int], context: Optional[_rhw.Context]) -> Tuple[Any, ...]:
     images, height, width = shape[:3]
     # A copy, which nobody changes once its numbers were checked.
     return tri.copy(), vertices, images, height, width, _threads.chosen(context).threads
 
 
-def _ranges(ranges: Any, triangles: int) -> np.ndarray:
+def _ranges(ranges: Any, triangles: int) -> NDArray[Any]:
     array = indices(ranges, "ranges", (None, 2), triangles + 1)
     if len(array) == 0 or (array.sum(axis=1, dtype=np.int64) > triangles).any():
         raise ValueError(f"ranges: there must be one, and each end at or before {triangles}, the number of triangles")
@@ -79,7 +100,7 @@ def _ranges(ranges: Any, triangles: int) -> np.ndarray:
 
 
 def _rasterize(pos: Any, tri: Any, resolution: Any, ranges: Any, context: Optional[_rhw.Context],
-               before: Optional[np.ndarray], depths: bool) -> Tuple[np.ndarray, np.ndarray, Optional[np.ndarray]]:
+               before: Optional[NDArray[Any]], depths: bool) -> Tuple[NDArray[Any], NDArray[Any], Optional[NDArray[Any]]]:
     size = _size(resolution)
     pos, shared = _batched(pos, "pos", 4)
     if shared and ranges is None:
@@ -88,17 +109,18 @@ def _rasterize(pos: Any, tri: Any, resolution: Any, ranges: Any, context: Option
     whole(len(tri), "tri: number of triangles", 0, 2**24)  # what a float counts to
     ranges = _ranges(ranges, len(tri)) if shared else None
     shape = (len(ranges) if shared else len(pos), *size)
-    rast, rast_db = np.zeros(shape + (4,), np.float32), np.zeros(shape + (4,), np.float32)
+    is_drawn = len(tri) > 0 and shape[0] > 0
+    rast, rast_db = (empty(shape + (4,)) if is_drawn else np.zeros(shape + (4,), np.float32) for _ in range(2))
     found = np.ones(shape, np.float32) if depths else None
-    if len(tri) and shape[0]:
+    if is_drawn:
         context = _threads.chosen(context)
         _rhw.diff_rasterize(context, _mesh(tri, pos.shape[-2], shape, context), pos, shared, ranges, rast, rast_db, before,
                             found)
     return rast, rast_db, found
 
 
-def rasterize(pos: Any, tri: Any, resolution: Sequence[int], ranges: Any = None, *,
-              context: Optional[_rhw.Context] = None) -> Tuple[np.ndarray, np.ndarray]:
+def rasterize(pos: Any, tri: Any, resolution: Any, ranges: Any = None, *,
+              context: Optional[_rhw.Context] = None) -> Tuple[NDArray[Any], NDArray[Any]]:
     """What every pixel sees.
 
     pos: (B, V, 4), or (V, 4) with `ranges`; tri: (T, 3); resolution: (H, W)
@@ -112,7 +134,7 @@ def rasterize(pos: Any, tri: Any, resolution: Sequence[int], ranges: Any = None,
 
 
 def rasterize_grad(pos: Any, tri: Any, rast: Any, to_rast: Any, to_rast_db: Any = None, *,
-                   context: Optional[_rhw.Context] = None) -> np.ndarray:
+                   context: Optional[_rhw.Context] = None) -> NDArray[Any]:
     """The gradient of `pos` from those of `rast` and, where given, `rast_db`.
 
     As in nvdiffrast, z/w and the triangle's number have none, nor has z. Positions are taken as they are, not rounded.
@@ -122,10 +144,10 @@ def rasterize_grad(pos: Any, tri: Any, rast: Any, to_rast: Any, to_rast_db: Any 
     if not shared and len(pos) != len(rast):
         raise ValueError(f"pos: must have {len(rast)} images, as rast has, not {len(pos)}")
     tri = indices(tri, "tri", (None, 3), pos.shape[-2])
-    result: np.ndarray = np.empty_like(pos)
+    result: NDArray[Any] = empty(pos.shape)
     _rhw.diff_rasterize_grad(_mesh(tri, pos.shape[-2], rast.shape, context), pos, shared, rast,
-                             _like(to_rast, "to_rast", rast),
-                             None if to_rast_db is None else _like(to_rast_db, "to_rast_db", rast), result)
+                             _gradient(to_rast, "to_rast", rast.shape, _seen(rast), 2),
+                             None if to_rast_db is None else _gradient(to_rast_db, "to_rast_db", rast.shape, _seen(rast)), result)
     return result
 
 
@@ -139,10 +161,10 @@ class DepthPeeler:
     The arguments are those of rasterize. What lies at the depth of the layer before is left out.
     """
 
-    def __init__(self, pos: Any, tri: Any, resolution: Sequence[int], ranges: Any = None, *,
+    def __init__(self, pos: Any, tri: Any, resolution: Any, ranges: Any = None, *,
                  context: Optional[_rhw.Context] = None) -> None:
         self._arguments = pos, tri, resolution, ranges, context
-        self._depths: Optional[np.ndarray] = None
+        self._depths: Optional[NDArray[Any]] = None
 
     def __enter__(self) -> "DepthPeeler":
         return self
@@ -150,7 +172,7 @@ class DepthPeeler:
     def __exit__(self, *exception: Any) -> None:
         self._depths = None
 
-    def rasterize_next_layer(self) -> Tuple[np.ndarray, np.ndarray]:
+    def rasterize_next_layer(self) -> Tuple[NDArray[Any], NDArray[Any]]:
         """As rasterize, of the next layer."""
         rast, rast_db, self._depths = _rasterize(*self._arguments, self._depths, True)
         return rast, rast_db
@@ -160,11 +182,11 @@ class DepthPeeler:
 
 
 # What _rhw.diff_interpolate takes, but for its results.
-_Interpolation = Tuple[Tuple[Any, ...], np.ndarray, int, bool, np.ndarray, Optional[np.ndarray], np.ndarray]
+_Interpolation = Tuple[Tuple[Any, ...], NDArray[Any], int, bool, NDArray[Any], Optional[NDArray[Any]], NDArray[Any]]
 
 
 def _interpolation(attr: Any, rast: Any, tri: Any, rast_db: Any, diff_attrs: Any,
-                   context: Optional[_rhw.Context]) -> Tuple[np.ndarray, bool, np.ndarray, _Interpolation]:
+                   context: Optional[_rhw.Context]) -> Tuple[NDArray[Any], bool, NDArray[Any], _Interpolation]:
     """What the calls of both directions begin with."""
     rast = _rast(rast)
     attr, shared = _batched(attr, "attr", None, len(rast))
@@ -187,7 +209,7 @@ def _interpolation(attr: Any, rast: Any, tri: Any, rast_db: Any, diff_attrs: Any
 
 
 def interpolate(attr: Any, rast: Any, tri: Any, rast_db: Any = None, diff_attrs: Any = None, *,
-                context: Optional[_rhw.Context] = None) -> Tuple[np.ndarray, np.ndarray]:
+                context: Optional[_rhw.Context] = None) -> Tuple[NDArray[Any], NDArray[Any]]:
     """Attributes of vertices at pixels, and their slopes.
 
     attr: (B, V, A), or (1, V, A) or (V, A) for all images; diff_attrs: those whose slopes are wanted, or "all"
@@ -195,25 +217,25 @@ def interpolate(attr: Any, rast: Any, tri: Any, rast_db: Any = None, diff_attrs:
     Returns (B, H, W, A), and (B, H, W, 2 D) with d/dX and d/dY per pixel of each of the D in `diff_attrs`.
     """
     _, _, rast, arguments = _interpolation(attr, rast, tri, rast_db, diff_attrs, context)
-    values = np.empty(rast.shape[:3] + (arguments[2],), np.float32)
-    slopes = np.empty(rast.shape[:3] + (2 * len(arguments[6]),), np.float32)
+    values = empty(rast.shape[:3] + (arguments[2],))
+    slopes = empty(rast.shape[:3] + (2 * len(arguments[6]),))
     _rhw.diff_interpolate(*arguments, values, slopes)
     return values, slopes
 
 
 def interpolate_grad(attr: Any, rast: Any, tri: Any, to_values: Any, rast_db: Any = None, to_slopes: Any = None,
                      diff_attrs: Any = None, *, context: Optional[_rhw.Context] = None,
-                     ) -> Tuple[np.ndarray, np.ndarray, Optional[np.ndarray]]:
+                     ) -> Tuple[NDArray[Any], NDArray[Any], Optional[NDArray[Any]]]:
     """The gradients of `attr`, `rast` and, with slopes, `rast_db`, from those of what interpolate gives."""
     attr, _, rast, arguments = _interpolation(attr, rast, tri, rast_db, diff_attrs, context)
     slopes = 2 * len(arguments[6])
-    to_values = floats(to_values, "to_values", rast.shape[:3] + (arguments[2],))
+    to_values = _gradient(to_values, "to_values", rast.shape[:3] + (arguments[2],), _seen(rast))
     if slopes:
-        to_slopes = floats(to_slopes, "to_slopes", rast.shape[:3] + (slopes,))
+        to_slopes = _gradient(to_slopes, "to_slopes", rast.shape[:3] + (slopes,), _seen(rast))
     else:
         to_slopes = np.empty(rast.shape[:3] + (0,), np.float32)
-    to_attr, to_rast = np.empty_like(attr), np.empty_like(rast)
-    to_rast_db = np.empty_like(rast) if slopes else None
+    to_attr, to_rast = empty(attr.shape), empty(rast.shape)
+    to_rast_db = empty(rast.shape) if slopes else None
     _rhw.diff_interpolate_grad((*arguments, to_values, to_slopes), to_attr, to_rast, to_rast_db)
     return to_attr, to_rast, to_rast_db
 
@@ -224,7 +246,7 @@ _FILTERS = ("nearest", "linear", "linear-mipmap-nearest", "linear-mipmap-linear"
 _BOUNDARIES = ("cube", "wrap", "clamp", "zero")
 
 
-def _texels(value: Any, name: str, cube: bool) -> np.ndarray:
+def _texels(value: Any, name: str, cube: bool) -> NDArray[Any]:
     array = floats(value, name, (None,) * (5 if cube else 4))
     sides = array.shape[-3:-1]
     if array.size == 0 or max(array.shape[-3:]) > MOST or (cube and (array.shape[1] != 6 or sides[0] != sides[1])):
@@ -232,7 +254,7 @@ def _texels(value: Any, name: str, cube: bool) -> np.ndarray:
     return array
 
 
-def _halved(texels: np.ndarray) -> np.ndarray:
+def _halved(texels: NDArray[Any]) -> NDArray[Any]:
     """The next level: means of 2 by 2 texels, or of two where the level is one texel high or wide."""
     for axis in (-3, -2):
         extent = texels.shape[axis]
@@ -244,7 +266,7 @@ def _halved(texels: np.ndarray) -> np.ndarray:
     return texels
 
 
-def texture_construct_mip(tex: Any, max_mip_level: Optional[int] = None, cube_mode: bool = False) -> List[np.ndarray]:
+def texture_construct_mip(tex: Any, max_mip_level: Optional[int] = None, cube_mode: bool = False) -> List[NDArray[Any]]:
     """The levels above `tex`, each the mean of the one before, down to one texel or `max_mip_level`."""
     levels = [_texels(tex, "tex", flag(cube_mode, "cube_mode"))]
     most = MOST if max_mip_level is None else whole(max_mip_level, "max_mip_level", 0, MOST)
@@ -253,11 +275,11 @@ def texture_construct_mip(tex: Any, max_mip_level: Optional[int] = None, cube_mo
     return levels[1:]
 
 
-def _level_shape(tex: np.ndarray, level: int) -> Tuple[int, ...]:
+def _level_shape(tex: NDArray[Any], level: int) -> Tuple[int, ...]:
     return tex.shape[:-3] + tuple(max(side >> level, 1) for side in tex.shape[-3:-1]) + tex.shape[-1:]
 
 
-def texture_construct_mip_grad(to_tex: Any, to_mip: Sequence[Any]) -> np.ndarray:
+def texture_construct_mip_grad(to_tex: Any, to_mip: Sequence[Any]) -> NDArray[Any]:
     """The gradient of the texture from its own and those of the levels that were made of it."""
     to_tex = read(to_tex, "to_tex")
     to_tex = floats(to_tex, "to_tex", (None,) * (5 if to_tex.ndim == 5 else 4))
@@ -267,7 +289,7 @@ def texture_construct_mip_grad(to_tex: Any, to_mip: Sequence[Any]) -> np.ndarray
     return _collected(levels)
 
 
-def _collected(levels: List[np.ndarray]) -> np.ndarray:
+def _collected(levels: List[NDArray[Any]]) -> NDArray[Any]:
     gradient = levels.pop()
     while levels:
         below = levels.pop()
@@ -279,18 +301,18 @@ def _collected(levels: List[np.ndarray]) -> np.ndarray:
 
 
 # What _rhw.diff_texture takes, but for its result.
-_Sampling = Tuple[Tuple[Any, ...], np.ndarray, Optional[np.ndarray], Optional[np.ndarray]]
+_Sampling = Tuple[Tuple[Any, ...], NDArray[Any], Optional[NDArray[Any]], Optional[NDArray[Any]]]
 
 
 def _sampling(tex: Any, uv: Any, uv_da: Any, mip_level_bias: Any, mip: Any, filter_mode: str, boundary_mode: str,
               max_mip_level: Optional[int], context: Optional[_rhw.Context],
-              ) -> Tuple[Tuple[np.ndarray, ...], _Sampling, Tuple[int, ...]]:
+              ) -> Tuple[Tuple[NDArray[Any], ...], _Sampling, Tuple[int, ...]]:
     """Levels, the first arguments of the extension, and the shape of what is read."""
     filtering, boundary = choice(filter_mode, "filter_mode", (*_FILTERS, "auto")), choice(boundary_mode, "boundary_mode", _BOUNDARIES)
     if filtering == len(_FILTERS):
         filtering = 1 if uv_da is None and mip_level_bias is None else 3
     cube = boundary_mode == "cube"
-    tex, uv = _texels(tex, "tex", cube), floats(uv, "uv", (None, None, None, 3 if cube else 2))
+    tex, uv = _texels(tex, "tex", cube), any_floats(uv, "uv", (None, None, None, 3 if cube else 2))
     if uv.size == 0 or uv.shape[1] * uv.shape[2] > 2**31:
         raise ValueError(f"uv: must have at least one pixel, not {uv.shape}")
     if tex.shape[0] not in (1, len(uv)):
@@ -298,9 +320,9 @@ def _sampling(tex: Any, uv: Any, uv_da: Any, mip_level_bias: Any, mip: Any, filt
     if filtering >= 2 and uv_da is None and mip_level_bias is None:
         raise ValueError(f"uv_da, mip_level_bias: one of them must be given for {_FILTERS[filtering]}")
     if uv_da is not None:
-        uv_da = floats(uv_da, "uv_da", uv.shape[:3] + (2 * uv.shape[3],))
+        uv_da = any_floats(uv_da, "uv_da", uv.shape[:3] + (2 * uv.shape[3],))
     if mip_level_bias is not None:
-        mip_level_bias = floats(mip_level_bias, "mip_level_bias", uv.shape[:3])
+        mip_level_bias = any_floats(mip_level_bias, "mip_level_bias", uv.shape[:3])
     levels = [tex]
     if filtering >= 2:
         most = None if max_mip_level is None else whole(max_mip_level, "max_mip_level", 0, MOST)
@@ -316,7 +338,7 @@ def _sampling(tex: Any, uv: Any, uv_da: Any, mip_level_bias: Any, mip: Any, filt
 
 def texture(tex: Any, uv: Any, uv_da: Any = None, mip_level_bias: Any = None, mip: Optional[Sequence[Any]] = None,
             filter_mode: str = "auto", boundary_mode: str = "wrap", max_mip_level: Optional[int] = None, *,
-            context: Optional[_rhw.Context] = None) -> np.ndarray:
+            context: Optional[_rhw.Context] = None) -> NDArray[Any]:
     """A texture at coordinates.
 
     tex: (B or 1, H, W, C), of a cube (B or 1, 6, N, N, C) with the faces +x, -x, +y, -y, +z, -z
@@ -327,10 +349,11 @@ def texture(tex: Any, uv: Any, uv_da: Any = None, mip_level_bias: Any = None, mi
         nothing chooses levels
     boundary_mode: 'wrap', 'clamp', 'zero' or 'cube'
 
-    Returns (B, h, w, C). Directions of length 0 read 0, and have no gradient.
+    Returns (B, h, w, C). Where `uv` or `mip_level_bias` is not finite, and where a direction has the length 0, it is 0 and
+    has no gradient. Slopes that are NaN choose level 0, infinite ones the last level.
     """
     _, arguments, shape = _sampling(tex, uv, uv_da, mip_level_bias, mip, filter_mode, boundary_mode, max_mip_level, context)
-    values = np.empty(shape, np.float32)
+    values = empty(shape)
     _rhw.diff_texture(*arguments, values)
     return values
 
@@ -338,17 +361,25 @@ def texture(tex: Any, uv: Any, uv_da: Any = None, mip_level_bias: Any = None, mi
 def texture_grad(tex: Any, uv: Any, to_values: Any, uv_da: Any = None, mip_level_bias: Any = None,
                  mip: Optional[Sequence[Any]] = None, filter_mode: str = "auto", boundary_mode: str = "wrap",
                  max_mip_level: Optional[int] = None, *, context: Optional[_rhw.Context] = None,
-                 ) -> Tuple[np.ndarray, np.ndarray, Optional[np.ndarray], Optional[np.ndarray], List[np.ndarray]]:
+                 ) -> Tuple[NDArray[Any], NDArray[Any], Optional[NDArray[Any]], Optional[NDArray[Any]], List[NDArray[Any]]]:
     """The gradients of `tex`, `uv`, `uv_da`, `mip_level_bias` and `mip` from that of what texture gives.
 
     Where `mip` is None, what its levels would have got is in that of `tex`. Choices of a nearest texel or level have none.
     """
     levels, arguments, shape = _sampling(tex, uv, uv_da, mip_level_bias, mip, filter_mode, boundary_mode, max_mip_level,
                                          context)
-    to_levels = tuple(np.empty_like(level) for level in levels)
-    to_uv = np.empty_like(arguments[1])
-    to_uv_da, to_bias = (None if array is None else np.empty_like(array) for array in arguments[2:])
-    _rhw.diff_texture_grad((*arguments, floats(to_values, "to_values", shape)), to_levels, to_uv, to_uv_da, to_bias)
+    to_levels = tuple(empty(level.shape) for level in levels)
+    to_uv = empty(arguments[1].shape)
+    to_uv_da, to_bias = (None if array is None else empty(array.shape) for array in arguments[2:])
+    _, uv, _, bias = arguments
+
+    def used() -> NDArray[Any]:
+        finite: NDArray[Any] = np.isfinite(uv).all(axis=-1, keepdims=True)
+        if bias is not None:
+            finite &= np.isfinite(bias)[..., None]
+        return finite
+
+    _rhw.diff_texture_grad((*arguments, _gradient(to_values, "to_values", shape, used)), to_levels, to_uv, to_uv_da, to_bias)
     to_tex, to_mip = to_levels[0], list(to_levels[1:])
     if mip is None:
         to_tex, to_mip = _collected(list(to_levels)), []
@@ -358,7 +389,7 @@ def texture_grad(tex: Any, uv: Any, to_values: Any, uv_da: Any = None, mip_level
 # Silhouettes -----------------------------------------------------------------------------------------------------------
 
 
-def antialias_construct_topology_hash(tri: Any) -> np.ndarray:
+def antialias_construct_topology_hash(tri: Any) -> NDArray[Any]:
     """Which vertex lies beyond each edge: (T, 3) uint32, of the edge across from each corner; 2^32 - 1 where none does.
 
     Where more than two triangles share an edge, each has the next one's vertex.
@@ -381,7 +412,7 @@ def antialias_construct_topology_hash(tri: Any) -> np.ndarray:
 
 
 # What _rhw.diff_antialias takes, but for its result.
-_Silhouettes = Tuple[Tuple[Any, ...], np.ndarray, int, np.ndarray, np.ndarray, bool, np.ndarray]
+_Silhouettes = Tuple[Tuple[Any, ...], NDArray[Any], int, NDArray[Any], NDArray[Any], bool, NDArray[Any]]
 
 
 def _silhouettes(color: Any, rast: Any, pos: Any, tri: Any, topology_hash: Any,
@@ -400,7 +431,7 @@ def _silhouettes(color: Any, rast: Any, pos: Any, tri: Any, topology_hash: Any,
 
 
 def antialias(color: Any, rast: Any, pos: Any, tri: Any, topology_hash: Any = None, *,
-              context: Optional[_rhw.Context] = None) -> np.ndarray:
+              context: Optional[_rhw.Context] = None) -> NDArray[Any]:
     """A picture whose silhouettes lie where the triangles end, and not at the next pixel: they move with `pos`.
 
     color: (B, H, W, C); rast, pos, tri: of rasterize; topology_hash: of antialias_construct_topology_hash
@@ -409,15 +440,15 @@ def antialias(color: Any, rast: Any, pos: Any, tri: Any, topology_hash: Any = No
     behind the eye are left as they are.
     """
     arguments = _silhouettes(color, rast, pos, tri, topology_hash, context)
-    result = np.empty_like(arguments[1])
+    result = empty(arguments[1].shape)
     _rhw.diff_antialias(*arguments, result)
     return result
 
 
 def antialias_grad(color: Any, rast: Any, pos: Any, tri: Any, to_result: Any, topology_hash: Any = None, *,
-                   context: Optional[_rhw.Context] = None) -> Tuple[np.ndarray, np.ndarray]:
+                   context: Optional[_rhw.Context] = None) -> Tuple[NDArray[Any], NDArray[Any]]:
     """The gradients of `color` and `pos` from that of what antialias gives; that of z is 0."""
     arguments = _silhouettes(color, rast, pos, tri, topology_hash, context)
-    to_color, to_pos = np.empty_like(arguments[1]), np.empty_like(arguments[4])
-    _rhw.diff_antialias_grad((*arguments, _like(to_result, "to_result", to_color)), to_color, to_pos)
+    to_color, to_pos = empty(arguments[1].shape), empty(arguments[4].shape)
+    _rhw.diff_antialias_grad((*arguments, _gradient(to_result, "to_result", to_color.shape, _seen(arguments[3]))), to_color, to_pos)
     return to_color, to_pos

@@ -7,6 +7,7 @@ import os
 from typing import Any, Optional, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _arrays, _rhw
 
@@ -23,9 +24,9 @@ class Environment:
     texels: (H, W, 4) float32, read-only: what is used of it.
     """
 
-    def __init__(self, light: Union[str, "os.PathLike[str]", np.ndarray]):
+    def __init__(self, light: Union[str, "os.PathLike[str]", NDArray[Any]]):
         self._panorama = _panorama(light, "light")
-        self.texels: np.ndarray = np.asarray(_rhw.panorama_texels(self._panorama))
+        self.texels: NDArray[Any] = np.asarray(_rhw.panorama_texels(self._panorama))
 
     def __repr__(self) -> str:
         return f"<rhw.Environment: {self.texels.shape[1]} x {self.texels.shape[0]}>"

@@ -10,17 +10,21 @@ from dataclasses import dataclass
 from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _arrays, _look, _rhw, _threads
 from ._arrays import Size
 from .camera import AXES, Camera, View
 from .environment import Environment
-from .pictures import OUTPUTS, Pictures
+from .pictures import OUTPUTS, Pictures, in_file
 
 
 @dataclass(frozen=True)
 class Mesh:
     """One kind of primitive and one material. Arrays are read-only views of the model's memory; None: there are none.
+
+    vertices are in the mesh's own space, which `Node.world` brings into the coordinates of the file. Of a model far from
+    the origin they count from a place among them, also where the file's do not.
 
     vertices (N, 3), normals (N, 3), tangents (N, 4), uv and uv2 (N, 2), colors (N, 4): float32. uv: u right, v down.
     colors: linear RGBA, which multiply the material's. faces (M, 3), of lines (M, 2), of points (M, 1): uint32.
@@ -29,13 +33,13 @@ class Mesh:
 
     name: str
     material: int
-    vertices: np.ndarray
-    faces: np.ndarray
-    normals: Optional[np.ndarray]
-    tangents: Optional[np.ndarray]
-    uv: Optional[np.ndarray]
-    uv2: Optional[np.ndarray]
-    colors: Optional[np.ndarray]
+    vertices: NDArray[Any]
+    faces: NDArray[Any]
+    normals: Optional[NDArray[Any]]
+    tangents: Optional[NDArray[Any]]
+    uv: Optional[NDArray[Any]]
+    uv2: Optional[NDArray[Any]]
+    colors: Optional[NDArray[Any]]
 
 
 @dataclass(frozen=True)
@@ -62,19 +66,20 @@ class Image:
     """texels: (H, W, 4) uint8, uint16 or float32. missing: it could not be read, and this stands in its place."""
 
     name: str
-    texels: np.ndarray
+    texels: NDArray[Any]
     missing: bool
 
 
 @dataclass(frozen=True)
 class Node:
     """A mesh in the world. `object` is the number that the output `object` shows; a node whose mesh has several
-    materials is here several times with the same one. world: (4, 4) float32 for column vectors."""
+    materials is here several times with the same one. world: (4, 4) float32 for column vectors; float64 of a model far from the
+    origin (Model.origin)."""
 
     name: str
     mesh: int
     object: int
-    world: np.ndarray
+    world: NDArray[Any]
 
 
 @dataclass(frozen=True)
@@ -82,7 +87,7 @@ class ModelCamera:
     """A camera of the file, which looks along its own -z with +y up. yfov: radians; zfar 0: infinitely far."""
 
     name: str
-    world: np.ndarray
+    world: NDArray[Any]
     orthographic: bool
     yfov: float
     aspect: float
@@ -115,7 +120,7 @@ class Animation:
     seconds: float
 
 
-def _view(memory: Any) -> Optional[np.ndarray]:
+def _view(memory: Any) -> Optional[NDArray[Any]]:
     return None if memory is None else np.asarray(memory)
 
 
@@ -125,8 +130,21 @@ def _mesh(about: Dict[str, Any]) -> Mesh:
     return Mesh(name=about["name"], material=about["material"], **arrays)
 
 
-def _placed(about: Dict[str, Any]) -> Dict[str, Any]:
-    return {**about, "world": np.asarray(about["world"]).T}
+Place = Tuple[float, float, float]
+
+
+def _moved(place: Sequence[float], origin: Place) -> Place:
+    x, y, z = (a + b for a, b in zip(place, origin))
+    return x, y, z
+
+
+def _placed(about: Dict[str, Any], origin: Place) -> Dict[str, Any]:
+    world = np.asarray(about["world"]).T
+    if any(origin):
+        world = world.astype(np.float64)
+        world[:3, 3] += origin
+        world.flags.writeable = False
+    return {**about, "world": world}
 
 
 class Model:
@@ -153,11 +171,14 @@ class Model:
     up: what is up in the world, 'y', 'z', ...
 
     Triangle k of `faces` is k + 1 in the output `triangle`. Arrays are copied. A Model may be drawn by several
-    threads at once: each draws it in its own context.
+    threads at once: each draws it in its own context. A pickle of it has all of it, for processes of the same version of
+    rhw; read no pickle from elsewhere.
 
     Attributes, all read-only: meshes, materials, images, nodes, cameras, lights, animations (tuples); variants,
     warnings, unsupported (tuples of str); path, format, unit, up (str); bounds ((2, 3) float32, least and most in the
-    world).
+    world); origin ((x, y, z), 0 unless the model is over 256 times its size away from the file's origin: what is drawn
+    is then counted from there, `bounds`, `Node.world` and the output `position` are float64, and all of them stay in the
+    coordinates of the file).
     """
 
     def __init__(self, vertices: Any, faces: Any = None, *, normals: Any = None, uv: Any = None, colors: Any = None,
@@ -194,19 +215,30 @@ class Model:
         self.materials = tuple(Material(**each) for each in about["materials"])
         self.images = tuple(Image(each["name"], np.asarray(each["texels"]), each["missing"])
                             for each in about["images"])
-        self.nodes = tuple(Node(**_placed(each)) for each in about["nodes"])
-        self.cameras = tuple(ModelCamera(**_placed(each)) for each in about["cameras"])
-        self.lights = tuple(Light(**each) for each in about["lights"])
+        self.origin: Place = about["origin"]
+        self.nodes = tuple(Node(**_placed(each, self.origin)) for each in about["nodes"])
+        self.cameras = tuple(ModelCamera(**_placed(each, self.origin)) for each in about["cameras"])
+        self.lights = tuple(Light(**{**each, "position": _moved(each["position"], self.origin)})
+                            for each in about["lights"])
         self.animations = tuple(Animation(**each) for each in about["animations"])
         self.variants: Tuple[str, ...] = about["variants"]
         self.warnings: Tuple[str, ...] = about["warnings"]
         self.unsupported: Tuple[str, ...] = about["unsupported"]
         self._bounds = (about["bounds_min"], about["bounds_max"])
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _unpickle, (_rhw.version, _rhw.to_bytes(self._model))
+
+    def __copy__(self) -> "Model":
+        return self  # nothing of it changes
+
+    def __deepcopy__(self, memo: Dict[int, Any]) -> "Model":
+        return self
+
     @property
-    def bounds(self) -> np.ndarray:
-        """(2, 3) float32: the least and the greatest corner of all nodes, in the world."""
-        return np.array(self._bounds, np.float32)
+    def bounds(self) -> NDArray[Any]:
+        """(2, 3) float32: the least and the greatest corner of all nodes, in the world. float64 with an `origin`."""
+        return np.array(self._bounds) + self.origin if any(self.origin) else np.array(self._bounds, np.float32)
 
     def __repr__(self) -> str:
         triangles = sum(len(self.meshes[node.mesh].faces) for node in self.nodes)
@@ -217,13 +249,13 @@ class Model:
                background: Union[str, Sequence[int]] = "default", lights: str = "file", shadows: bool = True,
                ground: bool = False, ambient_occlusion: bool = True, tone: str = "neutral", exposure: float = 0.0,
                transparency: str = "sorted", wireframe: str = "none", interpolate: str = "smooth",
-               environment: Union[None, Environment, str, "os.PathLike[str]", np.ndarray] = None,
+               environment: Union[None, Environment, str, "os.PathLike[str]", NDArray[Any]] = None,
                environment_rotation: float = 0.0, up: Optional[str] = None,
                context: Optional[_rhw.Context] = None) -> Pictures:
         """Draws the model. The arrays hold the numbers that `rhw render` with the same options writes.
 
         size: (width, height), or one number for both, 1 to 16384.
-        camera: see Camera; None: the first one of the file or, where it has none that shows the model, Camera.fit().
+        camera: see Camera; None: the first one of the file or, where there is none or the model is a dot in it, Camera.fit().
         outputs: names of pictures, see Pictures: 'color', 'depth', 'distance', 'normal', 'position', 'uv', 'object',
           'triangle', 'barycentric', 'linear', 'display'.
         samples: of a pixel, 1, 2, 4, 8 or 16. supersample: pixels that are drawn for one, 1, 4, 9 or 16.
@@ -260,13 +292,18 @@ class Model:
         elif rasterized == 0:
             warnings.warn(f"{self.path}: nothing of the model is in the picture", stacklevel=2)
         arrays = {each: np.asarray(drawn[each]) for each in names}
+        if "position" in arrays:
+            arrays["position"] = in_file(arrays["position"], self.origin)
         return Pictures(arrays, (width, height), View(seen_by, width, height), self, look.transparent, threads)
 
     def _first_camera(self, fitted: Tuple[Any, ...], width: int, height: int) -> Tuple[Tuple[Any, ...], bool]:
-        """The file's first camera, unless it is of a format whose cameras are often wrong and sees next to nothing."""
+        """The file's first camera, unless it sees less of the model than a thumbnail would show."""
         numbers = _rhw.camera_of_file(self._model, width / height, 0)
-        believable = _rhw.camera_is_believable(self._model, numbers, width / height)
-        return (numbers, True) if believable else (fitted, False)
+        sight = _rhw.camera_sight(self._model, numbers, width / height)
+        if sight == "enough":
+            return numbers, True
+        warnings.warn(f"{self.path}: its camera sees {sight} of the model, which is fitted instead", stacklevel=3)
+        return fitted, False
 
     def _scene(self, context: Optional[_rhw.Context]) -> Tuple[Any, int]:
         """The model in a context's memory; a thread keeps the last one."""
@@ -278,6 +315,14 @@ class Model:
 
     def _repr_png_(self) -> bytes:
         return self.render((640, 480)).png()
+
+
+def _unpickle(version: str, data: bytes) -> Model:
+    if version != _rhw.version:
+        raise ValueError(f"pickle: the model is of rhw {version}, and here is rhw {_rhw.version}")
+    model = Model.__new__(Model)
+    model._take(_rhw.from_bytes(data))
+    return model
 
 
 def _draw(scene: _rhw.Scene, size: Tuple[int, int], camera: Tuple[Any, ...], names: List[str],

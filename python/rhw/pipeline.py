@@ -20,6 +20,7 @@ from types import TracebackType
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Type, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _arrays, _rhw, _threads
 from ._arrays import Size
@@ -75,7 +76,7 @@ class Buffer:
         self._context = _threads.chosen(context)
         self._resource = _rhw.buffer(self._context, count * kind.itemsize)
         memory = np.asarray(self._resource.memory)
-        self.array: np.ndarray = memory[:count * kind.itemsize].view(kind).reshape(shape)
+        self.array: NDArray[Any] = memory[:count * kind.itemsize].view(kind).reshape(shape)
         if not is_shape:
             np.copyto(self.array, source)
 
@@ -109,7 +110,7 @@ class Texture:
         item = np.dtype(kind).itemsize
         shape: Tuple[int, ...] = (height, width) if channels == 1 else (height, width, channels)
         strides = (pitch, channels * item, item)[:len(shape)]
-        self.array: np.ndarray = np.ndarray(shape, kind, np.asarray(self._resource.memory), 0, strides)
+        self.array: NDArray[Any] = NDArray[Any](shape, kind, np.asarray(self._resource.memory), 0, strides)
 
     @classmethod
     def of(cls, image: Any, *, srgb: bool = True, context: Optional[_rhw.Context] = None) -> "Texture":
@@ -372,7 +373,7 @@ class Pass:
         return array.size, faces
 
 
-def _typed(value: Any, name: str, kind: Any) -> np.ndarray:
+def _typed(value: Any, name: str, kind: Any) -> NDArray[Any]:
     array = _arrays.read(value, name)
     if array.dtype.kind not in "fiu" or (kind is np.uint8 and array.dtype != np.uint8):
         raise TypeError(f"{name}: must be of {np.dtype(kind)}, not {array.dtype}")
@@ -382,7 +383,7 @@ def _typed(value: Any, name: str, kind: Any) -> np.ndarray:
         return _arrays.finite(_arrays.packed(array, kind), name)
 
 
-def _type_of(dtype: Any) -> np.dtype:
+def _type_of(dtype: Any) -> np.dtype[Any]:
     try:
         return np.dtype(dtype).newbyteorder("=")
     except Exception as error:
@@ -422,7 +423,7 @@ def _clear_of(value: _Clear, name: str, form: str) -> Tuple[Tuple[float, ...], b
     return tuple(numbers + [0.0] * (4 - channels)), is_integer
 
 
-def _matrices(matrix: Any, world: Any, color: Sequence[float]) -> np.ndarray:
+def _matrices(matrix: Any, world: Any, color: Sequence[float]) -> NDArray[Any]:
     """45 floats: positions to clip space and to the world, normals to the world, column by column, and the colour."""
     clip = np.eye(4) if matrix is None else _arrays.matrix(matrix, "matrix")
     place = np.eye(4) if world is None else _arrays.matrix(world, "world")
@@ -437,6 +438,6 @@ def _matrices(matrix: Any, world: Any, color: Sequence[float]) -> np.ndarray:
     return _arrays.finite(numbers, "matrix" if world is None else "matrix, world")
 
 
-def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    product: np.ndarray = a[[1, 2, 0]] * b[[2, 0, 1]] - a[[2, 0, 1]] * b[[1, 2, 0]]
+def _cross(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
+    product: NDArray[Any] = a[[1, 2, 0]] * b[[2, 0, 1]] - a[[2, 0, 1]] * b[[1, 2, 0]]
     return product

@@ -5,20 +5,23 @@
 
 A program written for that runs on the CPU, once its tensors are made there: torch without CUDA knows no 'cuda'. Tensors on
 another device are copied here and results back. What the operations do, and what shapes they have, is in help(rhw.diff);
-gradients are theirs, to the last bit the same for any number of threads.
+gradients are theirs, to the last bit the same for any number of threads. Gradients have no gradients of their own: to ask
+for a second derivative is an error.
 """
 
 # torch's Function says nothing of its subclasses' arguments and results.
-# mypy: disable-error-code="override, no-any-return"
+# mypy: disable-error-code="override, no-any-return, misc, no-untyped-call"
 from __future__ import annotations
 
 from typing import Any, Callable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
+from numpy.typing import NDArray
 import torch
 from torch.autograd import Function
+from torch.autograd.function import once_differentiable
 
-from . import _rhw, diff
+from . import _arrays, _rhw, diff
 
 __all__ = ["DepthPeeler", "RasterizeContext", "RasterizeCudaContext", "RasterizeGLContext", "antialias",
            "antialias_construct_topology_hash", "get_log_level", "interpolate", "rasterize", "set_log_level", "texture",
@@ -66,11 +69,11 @@ class RasterizeGLContext(RasterizeContext):
     """RasterizeContext."""
 
 
-def _array(tensor: Optional[torch.Tensor]) -> Optional[np.ndarray]:
+def _array(tensor: Optional[torch.Tensor]) -> Optional[NDArray[Any]]:
     return None if tensor is None else tensor.detach().cpu().numpy()
 
 
-def _tensor(array: Optional[np.ndarray], like: torch.Tensor) -> Optional[torch.Tensor]:
+def _tensor(array: Optional[NDArray[Any]], like: torch.Tensor) -> Optional[torch.Tensor]:
     return None if array is None else torch.from_numpy(array).to(like.device)
 
 
@@ -80,12 +83,26 @@ def _check(**tensors: Any) -> None:
             raise TypeError(f"{name}: must be a torch.Tensor, not {type(tensor).__name__}")
 
 
+def _check_optional(**tensors: Any) -> None:
+    _check(**{name: tensor for name, tensor in tensors.items() if tensor is not None})
+
+
+def _check_context(glctx: Any) -> None:
+    if not isinstance(glctx, RasterizeContext):
+        raise TypeError(f"glctx: must be a RasterizeContext, not {type(glctx).__name__}")
+
+
+def _plain(value: Any) -> Any:
+    """A tensor as the array, else what it is."""
+    return _array(value) if isinstance(value, torch.Tensor) else value
+
+
 # Rasterization ---------------------------------------------------------------------------------------------------------
 
 
 class _Rasterize(Function):
     @staticmethod
-    def forward(ctx: Any, draw: Callable[[], Tuple[np.ndarray, np.ndarray]], context: _rhw.Context, pos: torch.Tensor,
+    def forward(ctx: Any, draw: Callable[[], Tuple[NDArray[Any], NDArray[Any]]], context: _rhw.Context, pos: torch.Tensor,
                 tri: torch.Tensor, grad_db: bool) -> Tuple[Any, ...]:
         rast, rast_db = (_tensor(array, pos) for array in draw())
         ctx.save_for_backward(pos, tri, rast)
@@ -93,6 +110,7 @@ class _Rasterize(Function):
         return rast, rast_db
 
     @staticmethod
+    @once_differentiable
     def backward(ctx: Any, to_rast: torch.Tensor, to_rast_db: torch.Tensor) -> Tuple[Any, ...]:
         pos, tri, rast = ctx.saved_tensors
         gradient = diff.rasterize_grad(_array(pos), _array(tri), _array(rast), _array(to_rast),
@@ -100,14 +118,16 @@ class _Rasterize(Function):
         return None, None, _tensor(gradient, pos), None, None
 
 
-def rasterize(glctx: RasterizeContext, pos: torch.Tensor, tri: torch.Tensor, resolution: Sequence[int],
+def rasterize(glctx: RasterizeContext, pos: torch.Tensor, tri: torch.Tensor, resolution: Union[Sequence[int], torch.Tensor],
               ranges: Optional[torch.Tensor] = None, grad_db: bool = True) -> Tuple[torch.Tensor, torch.Tensor]:
     """rhw.diff.rasterize; without `grad_db` the slopes give no gradient to `pos`."""
+    _check_context(glctx)
     _check(pos=pos, tri=tri)
+    _check_optional(ranges=ranges)
     if glctx.active_depth_peeler is not None:
         raise RuntimeError("rasterize: the context peels depth; call rasterize_next_layer, or leave the DepthPeeler first")
 
-    def draw() -> Tuple[np.ndarray, np.ndarray]:
+    def draw() -> Tuple[NDArray[Any], NDArray[Any]]:
         return diff.rasterize(_array(pos), _array(tri), resolution, _array(ranges), context=glctx.context)
 
     return _Rasterize.apply(draw, glctx.context, pos, tri, grad_db)
@@ -116,9 +136,11 @@ def rasterize(glctx: RasterizeContext, pos: torch.Tensor, tri: torch.Tensor, res
 class DepthPeeler:
     """rhw.diff.DepthPeeler, with the arguments of rasterize. A context has one at a time."""
 
-    def __init__(self, glctx: RasterizeContext, pos: torch.Tensor, tri: torch.Tensor, resolution: Sequence[int],
-                 ranges: Optional[torch.Tensor] = None, grad_db: bool = True) -> None:
+    def __init__(self, glctx: RasterizeContext, pos: torch.Tensor, tri: torch.Tensor,
+                 resolution: Union[Sequence[int], torch.Tensor], ranges: Optional[torch.Tensor] = None, grad_db: bool = True) -> None:
+        _check_context(glctx)
         _check(pos=pos, tri=tri)
+        _check_optional(ranges=ranges)
         self._glctx, self._pos, self._tri, self._grad_db = glctx, pos, tri, grad_db
         self._peeler = diff.DepthPeeler(_array(pos), _array(tri), resolution, _array(ranges), context=glctx.context)
 
@@ -152,6 +174,7 @@ class _Interpolate(Function):
         return _tensor(values, attr), _tensor(slopes, attr)
 
     @staticmethod
+    @once_differentiable
     def backward(ctx: Any, to_values: torch.Tensor, to_slopes: torch.Tensor) -> Tuple[Any, ...]:
         attr, rast, tri, rast_db = ctx.saved_tensors
         to_attr, to_rast, to_rast_db = diff.interpolate_grad(_array(attr), _array(rast), _array(tri), _array(to_values),
@@ -160,10 +183,11 @@ class _Interpolate(Function):
 
 
 def interpolate(attr: torch.Tensor, rast: torch.Tensor, tri: torch.Tensor, rast_db: Optional[torch.Tensor] = None,
-                diff_attrs: Union[None, str, Sequence[int]] = None) -> Tuple[torch.Tensor, torch.Tensor]:
+                diff_attrs: Union[None, str, Sequence[int], torch.Tensor] = None) -> Tuple[torch.Tensor, torch.Tensor]:
     """rhw.diff.interpolate."""
     _check(attr=attr, rast=rast, tri=tri)
-    return _Interpolate.apply(attr, rast, tri, rast_db, diff_attrs)
+    _check_optional(rast_db=rast_db)
+    return _Interpolate.apply(attr, rast, tri, rast_db, _plain(diff_attrs))
 
 
 # Textures --------------------------------------------------------------------------------------------------------------
@@ -171,7 +195,7 @@ def interpolate(attr: torch.Tensor, rast: torch.Tensor, tri: torch.Tensor, rast_
 
 class _Texture(Function):
     @staticmethod
-    def forward(ctx: Any, options: Any, made: Optional[List[np.ndarray]], tex: torch.Tensor, uv: torch.Tensor,
+    def forward(ctx: Any, options: Any, made: Optional[List[NDArray[Any]]], tex: torch.Tensor, uv: torch.Tensor,
                 uv_da: Optional[torch.Tensor], bias: Optional[torch.Tensor], *mip: torch.Tensor) -> Any:
         ctx.save_for_backward(tex, uv, uv_da, bias, *mip)
         ctx.options, ctx.made = options, made
@@ -179,6 +203,7 @@ class _Texture(Function):
         return _tensor(diff.texture(_array(tex), _array(uv), _array(uv_da), _array(bias), levels, *options), tex)
 
     @staticmethod
+    @once_differentiable
     def backward(ctx: Any, to_values: torch.Tensor) -> Tuple[Any, ...]:
         tex, uv, uv_da, bias, *mip = ctx.saved_tensors
         levels = [_array(level) for level in mip] if mip else ctx.made
@@ -193,7 +218,7 @@ class _Texture(Function):
 class _Mip:
     """Levels of a texture that stays as it is."""
 
-    def __init__(self, levels: List[np.ndarray]) -> None:
+    def __init__(self, levels: List[NDArray[Any]]) -> None:
         self.levels = levels
 
 
@@ -209,7 +234,9 @@ def texture(tex: torch.Tensor, uv: torch.Tensor, uv_da: Optional[torch.Tensor] =
     """rhw.diff.texture; `mip` is what texture_construct_mip gave, or a list of tensors, which get gradients of their own."""
     _check(tex=tex, uv=uv)
     made = mip.levels if isinstance(mip, _Mip) else None
-    stack = [] if mip is None or isinstance(mip, _Mip) else list(mip)
+    stack = [] if mip is None or made is not None else _arrays.listed(mip, "mip", "of texture_construct_mip, or a list of tensors")
+    _check_optional(uv_da=uv_da, mip_level_bias=mip_level_bias)
+    _check(**{f"mip[{k}]": level for k, level in enumerate(stack)})
     return _Texture.apply((filter_mode, boundary_mode, max_mip_level), made, tex, uv, uv_da, mip_level_bias, *stack)
 
 
@@ -219,28 +246,29 @@ def texture(tex: torch.Tensor, uv: torch.Tensor, uv_da: Optional[torch.Tensor] =
 class _Antialias(Function):
     @staticmethod
     def forward(ctx: Any, color: torch.Tensor, rast: torch.Tensor, pos: torch.Tensor, tri: torch.Tensor,
-                topology_hash: np.ndarray, boost: float) -> Any:
+                topology_hash: NDArray[Any], boost: float) -> Any:
         ctx.save_for_backward(color, rast, pos, tri)
         ctx.topology_hash, ctx.boost = topology_hash, boost
         return _tensor(diff.antialias(_array(color), _array(rast), _array(pos), _array(tri), topology_hash), color)
 
     @staticmethod
+    @once_differentiable
     def backward(ctx: Any, to_result: torch.Tensor) -> Tuple[Any, ...]:
         color, rast, pos, tri = map(_array, ctx.saved_tensors)
         to_color, to_pos = diff.antialias_grad(color, rast, pos, tri, _array(to_result), ctx.topology_hash)
         return _tensor(to_color, to_result), None, _tensor(to_pos, to_result) * ctx.boost, None, None, None
 
 
-def antialias_construct_topology_hash(tri: torch.Tensor) -> np.ndarray:
+def antialias_construct_topology_hash(tri: torch.Tensor) -> NDArray[Any]:
     """rhw.diff.antialias_construct_topology_hash: what the argument `topology_hash` of antialias takes."""
     _check(tri=tri)
     return diff.antialias_construct_topology_hash(_array(tri))
 
 
 def antialias(color: torch.Tensor, rast: torch.Tensor, pos: torch.Tensor, tri: torch.Tensor,
-              topology_hash: Optional[np.ndarray] = None, pos_gradient_boost: float = 1.0) -> torch.Tensor:
+              topology_hash: Union[None, NDArray[Any], torch.Tensor] = None, pos_gradient_boost: float = 1.0) -> torch.Tensor:
     """rhw.diff.antialias; gradients of `pos` are multiplied by `pos_gradient_boost`."""
     _check(color=color, rast=rast, pos=pos, tri=tri)
     if topology_hash is None:
         topology_hash = antialias_construct_topology_hash(tri)
-    return _Antialias.apply(color, rast, pos, tri, topology_hash, pos_gradient_boost)
+    return _Antialias.apply(color, rast, pos, tri, _plain(topology_hash), pos_gradient_boost)

@@ -81,7 +81,7 @@ static PyObject *camera_of_file(PyObject *module, PyObject *arguments)
         PyErr_SetString(PyExc_IndexError, "camera: the model has no such camera");
         return NULL;
     }
-    const struct scene_camera camera = scene_camera_from_model(&model->cameras[index], aspect);
+    const struct scene_camera camera = scene_camera_from_model(model, &model->cameras[index], aspect);
     return camera_tuple(&camera);
 }
 
@@ -121,19 +121,23 @@ static PyObject *camera_enclose(PyObject *module, PyObject *arguments)
     return camera_tuple(&camera);
 }
 
-// (model, camera, aspect): whether `rhw render` would take this camera of the file unasked
-static PyObject *camera_is_believable(PyObject *module, PyObject *arguments)
+// (model, camera, aspect): what this camera of the file sees, as `rhw render` judges it: "enough", "next to nothing" or
+// "nothing"
+static PyObject *camera_sight(PyObject *module, PyObject *arguments)
 {
     (void)module;
     PyObject *object, *tuple;
     double aspect;
     struct scene_camera camera;
     const struct scene_model *model;
-    if (!PyArg_ParseTuple(arguments, "OOd:camera_is_believable", &object, &tuple, &aspect) ||
+    if (!PyArg_ParseTuple(arguments, "OOd:camera_sight", &object, &tuple, &aspect) ||
         !(model = python_model_get(object)) || !python_camera_read(tuple, &camera)) {
         return NULL;
     }
-    return PyBool_FromLong(!model->doubts_cameras || scene_camera_is_believable(model, &camera, aspect));
+    static const char *const words[] = {[SCENE_SIGHT_ENOUGH] = "enough",
+                                        [SCENE_SIGHT_NEXT_TO_NOTHING] = "next to nothing",
+                                        [SCENE_SIGHT_NOTHING] = "nothing"};
+    return PyUnicode_FromString(words[scene_camera_sight(model, &camera, aspect)]);
 }
 
 // (camera, aspect): world to camera and camera to clip space, doubles, column major
@@ -200,7 +204,7 @@ PyMethodDef python_camera_functions[] = {{"camera_fit", camera_fit, METH_VARARGS
                                          {"camera_of_file", camera_of_file, METH_VARARGS, NULL},
                                          {"camera_look", camera_look, METH_VARARGS, NULL},
                                          {"camera_enclose", camera_enclose, METH_VARARGS, NULL},
-                                         {"camera_is_believable", camera_is_believable, METH_VARARGS, NULL},
+                                         {"camera_sight", camera_sight, METH_VARARGS, NULL},
                                          {"camera_matrices", camera_matrices, METH_VARARGS, NULL},
                                          {"lens_angle", lens_angle, METH_VARARGS, NULL},
                                          {"sin_cos_degrees", sin_cos_degrees, METH_O, NULL},

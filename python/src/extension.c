@@ -94,7 +94,8 @@ static int add_functions(PyObject *module)
                                    python_diff_rasterize_grad_functions,
                                    python_diff_interpolate_functions,
                                    python_diff_texture_functions,
-                                   python_diff_antialias_functions};
+                                   python_diff_antialias_functions,
+                                   python_array_functions};
     for (size_t i = 0; i < sizeof tables / sizeof *tables; i++) {
         if (PyModule_AddFunctions(module, tables[i]) < 0) {
             return -1;

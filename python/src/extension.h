@@ -43,7 +43,7 @@ int python_add_panoramas(PyObject *module);
 extern PyMethodDef python_model_functions[], python_camera_functions[], python_encode_functions[],
     python_panorama_functions[], python_resource_functions[], python_diff_rasterize_functions[],
     python_diff_rasterize_grad_functions[], python_diff_interpolate_functions[],
-    python_diff_texture_functions[], python_diff_antialias_functions[];
+    python_diff_texture_functions[], python_diff_antialias_functions[], python_array_functions[];
 
 /// Work without the interpreter's lock that looks for signals now and then.
 struct python_work {

@@ -4,6 +4,7 @@
 #include "memory_object.h"
 #include "model_make.h"
 #include "model_object.h"
+#include "model_bytes.h"
 
 #include "draw/shading/color.h"
 
@@ -75,6 +76,41 @@ static PyObject *load(PyObject *module, PyObject *arguments)
     }
     if (!model) {
         PyErr_Format(python_error, "%s: %s", name, error);
+        return NULL;
+    }
+    return python_model_take(model);
+}
+
+// Bytes for other processes, as pickle has them.
+static PyObject *to_bytes(PyObject *module, PyObject *self)
+{
+    (void)module;
+    const struct scene_model *const model = python_model_get(self);
+    if (!model) {
+        return NULL;
+    }
+    size_t size = 0;
+    PyThreadState *const state = PyEval_SaveThread();
+    void *const bytes = scene_model_write(model, &size);
+    PyEval_RestoreThread(state);
+    PyObject *const object = bytes ? PyBytes_FromStringAndSize(bytes, (Py_ssize_t)size) : PyErr_NoMemory();
+    free(bytes);
+    return object;
+}
+
+static PyObject *from_bytes(PyObject *module, PyObject *object)
+{
+    (void)module;
+    char *bytes, error[512];
+    Py_ssize_t size;
+    if (PyBytes_AsStringAndSize(object, &bytes, &size) < 0) {
+        return NULL;
+    }
+    PyThreadState *const state = PyEval_SaveThread();
+    struct scene_model *const model = scene_model_read(bytes, (size_t)size, error, sizeof error);
+    PyEval_RestoreThread(state);
+    if (!model) {
+        PyErr_Format(PyExc_ValueError, "model: %s", error);
         return NULL;
     }
     return python_model_take(model);
@@ -216,10 +252,10 @@ static PyObject *describe(PyObject *module, PyObject *self)
         return NULL;
     }
     return Py_BuildValue(
-        "{s:s,s:s,s:s,s:i,s:(fff),s:(fff),s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N}", "path", m->path,
-        "format", m->format, "unit", m->unit, "up", (int)m->up, "bounds_min", m->bounds_min[0],
-        m->bounds_min[1], m->bounds_min[2], "bounds_max", m->bounds_max[0], m->bounds_max[1],
-        m->bounds_max[2], "meshes",
+        "{s:s,s:s,s:s,s:i,s:(ddd),s:(fff),s:(fff),s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N}", "path", m->path,
+        "format", m->format, "unit", m->unit, "up", (int)m->up, "origin", m->origin[0], m->origin[1],
+        m->origin[2], "bounds_min", m->bounds_min[0], m->bounds_min[1], m->bounds_min[2], "bounds_max",
+        m->bounds_max[0], m->bounds_max[1], m->bounds_max[2], "meshes",
         describe_all(self, m->meshes, m->mesh_count, sizeof *m->meshes, describe_mesh), "materials",
         describe_all(self, ALL(material), describe_material), "images",
         describe_all(self, ALL(image), describe_image), "nodes",
@@ -246,6 +282,8 @@ static PyObject *srgb_light(PyObject *module, PyObject *nothing)
 
 PyMethodDef python_model_functions[] = {{"load", load, METH_VARARGS, NULL},
                                         {"make", python_model_make, METH_VARARGS, NULL},
+                                        {"to_bytes", to_bytes, METH_O, NULL},
+                                        {"from_bytes", from_bytes, METH_O, NULL},
                                         {"describe", describe, METH_O, NULL},
                                         {"srgb_light", srgb_light, METH_NOARGS, NULL},
                                         {0}};

@@ -17,8 +17,8 @@ void scene_color_surfaces(const struct draw *draw, const enum rhw_format *format
                                             .format_count = format_count,
                                             .environment = scene->surroundings.cube,
                                             .environment_sampler = scene->surroundings.cube_sampler,
-                                            .backdrop = scene->backdrop.texture,
-                                            .backdrop_sampler = scene->backdrop_sampler};
+                                            .backdrop = scene->backdrop.picture.texture,
+                                            .backdrop_sampler = scene->backdrop.sampler};
     memcpy(surfaces->formats, formats, (size_t)format_count * sizeof *formats);
     memcpy(surfaces->view_projection, draw->view_projection, sizeof surfaces->view_projection);
 }

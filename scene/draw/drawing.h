@@ -21,6 +21,14 @@ struct scene_peel {
     rhw_query any;
 };
 
+// What is seen through surfaces that light passes through, kept from draw to draw. Zeroed: nothing.
+struct scene_seen_through {
+    struct scene_target picture; // light, with a chain of levels
+    struct scene_target layer, depths[2];
+    rhw_sampler sampler;
+    rhw_query any;
+};
+
 struct scene {
     struct scene_upload upload;
     struct scene_surface_pipelines pipelines;
@@ -29,10 +37,10 @@ struct scene {
     struct scene_ground ground; // with view.ground
     struct scene_shadows shadows;
     struct scene_surroundings surroundings;
-    struct scene_target backdrop;
+    struct scene_seen_through backdrop;
     struct scene_peel peel;
-    struct scene_triangle_order order; // order of the draw under way
-    rhw_sampler nearest, backdrop_sampler;
+    struct scene_triangle_order order; // of the draw under way
+    rhw_sampler nearest;
     double upload_ms;
 };
 
@@ -100,6 +108,7 @@ enum rhw_result scene_background_record(const struct draw *draw, rhw_pass pass, 
 
 // backdrop.c: what is seen through surfaces that light passes through.
 enum rhw_result scene_draw_backdrop(struct draw *draw);
+void scene_backdrop_destroy(rhw_context *context, struct scene_seen_through *backdrop);
 
 // peel.c: samples of the band whose transparent surfaces lie as they do, whatever their order.
 bool scene_peel_wanted(const struct draw *draw);

@@ -12,9 +12,13 @@ struct lanes {
 
 static void spread(const struct rhw_explained_fragment *told, struct lanes *lanes)
 {
+    const float x = (float)(told->sample_x >> 8) + told->place[0],
+                y = (float)(told->sample_y >> 8) + told->place[1];
     *lanes = (struct lanes){.fragment = {.varying = lanes->varying,
                                          .ddx = lanes->ddx,
                                          .ddy = lanes->ddy,
+                                         .coord = {rhw_splat(x), rhw_splat(y), rhw_splat(told->depth),
+                                                   rhw_splat((float)told->inverse_w)},
                                          .bindings = told->bindings,
                                          .mask = rhw_splat_int(-1),
                                          .front_facing = rhw_splat_int(told->front_facing ? -1 : 0)}};
@@ -33,7 +37,7 @@ static void look_at_normal(const struct rhw_fragment *f, const struct scene_surf
     rhw_float view[3];
     sample_shared(f, 1, s, &texels);
     view_direction(s->frame, &f->varying[s->varying_position], view);
-    seen_normal(f, s, s->varying_tangent >= 0, s->layers != NULL, texels, view, normal);
+    seen_normal(f, s, s->varying_tangent >= 0, texels, view, normal);
 }
 
 static void look_at_light(const struct rhw_fragment *f, const struct scene_surface *s,
@@ -75,6 +79,11 @@ void scene_light_looks(const struct rhw_explained_fragment *fragment, const stru
     look_at_normal(&lanes.fragment, surface, normal);
     for (int c = 0; c < 3; c++) {
         looks->normal[c] = normal[c][0];
+    }
+    looks->has_occlusion = surface->frame->guide.occlusion != NULL;
+    if (looks->has_occlusion) {
+        const rhw_float *position = &lanes.fragment.varying[surface->varying_position];
+        looks->around = ambient_open(&lanes.fragment, surface->frame, position)[0];
     }
     for (int i = 0; i < surface->frame->light_count; i++) {
         struct scene_light_look look;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the built-in shader makes of light at a fragment is told light by light: the normal that it takes, how far the
-// surface faces the light, and how much of the light is in shadow. The shader's own functions are asked, so that their
-// answers are what the picture shows.
+// surface faces the light, and how much of the light is in shadow; and what ambient occlusion leaves of what comes from
+// all around. The shader's own functions are asked, so that their answers are what the picture shows.
 #ifndef SCENE_EXPLAIN_LIGHT_H
 #define SCENE_EXPLAIN_LIGHT_H
 
@@ -27,7 +27,9 @@ struct scene_light_looks {
     float normal[3];     ///< unit, of the side that is seen
     int count, left_out; ///< lights that are told, and those beyond SCENE_LIGHT_LOOKS
     struct scene_light_look lights[SCENE_LIGHT_LOOKS];
-    float sum[3]; ///< sum over all lights of what arrives
+    float sum[3];       ///< sum over all lights of what arrives
+    bool has_occlusion; ///< there is ambient occlusion
+    float around;       ///< part of what comes from all around that ambient occlusion leaves, 0..1
 };
 
 /// Of a surface's shaded fragment, while that is told.

@@ -55,8 +55,7 @@ static void lay_out(struct scene_ground *ground, const struct scene_model *model
     scene_axis_turn(axis, sides[0]);
     scene_axis_turn(axis, sides[1]);
     for (int c = 0; c < 3; c++) {
-        const double low = subject.is_all ? (double)model->bounds_min[c] : subject.low[c];
-        const double high = subject.is_all ? (double)model->bounds_max[c] : subject.high[c];
+        const double low = subject.box.low[c], high = subject.box.high[c];
         middle[c] = 0.5 * (low + high);
         half[c] = 0.5 * (high - low);
     }

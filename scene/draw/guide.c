@@ -99,12 +99,9 @@ enum rhw_result scene_guide_draw(struct scene_guide *guide, const struct scene_u
     own.samples = 1.0f;
     own.pixel[0] = (float)(2.0 * part / view->width);
     own.pixel[1] = (float)(2.0 * part / view->height);
-    for (int i = 0; i < SCENE_DATA_OUTPUTS; i++) {
-        own.output_slot[i] = i == SCENE_DATA_DISTANCE ? 0 : i == SCENE_DATA_NORMAL ? 1 : -1;
-    }
     struct scene_surface_pass surfaces = {.frame = &own,
                                           .data_outputs = SCENE_OUTPUT_DISTANCE | SCENE_OUTPUT_NORMAL,
-                                          .unmapped = true,
+                                          .guide = true,
                                           .formats = {RHW_FORMAT_R32_FLOAT, guide->normal.format},
                                           .format_count = 2};
     memcpy(surfaces.view_projection, view_projection, sizeof surfaces.view_projection);

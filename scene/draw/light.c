@@ -4,6 +4,7 @@
 // colour and one that faces the key light with all of it, so that the neutral tone mapping keeps colours.
 #include "light.h"
 
+#include "draw/camera/subject.h"
 #include "panorama.h"
 
 #include "rhw/shader.h"
@@ -106,9 +107,10 @@ static double luminance(const float color[3])
 // A light nearer than a quarter of the model's radius counts as if it stood there.
 static double reference_irradiance(const struct scene_model *model)
 {
+    const struct scene_box frame = scene_subject_frame(model);
     double middle[3], radius2 = 0.0, sum = 0.0;
     for (int i = 0; i < 3; i++) {
-        const double low = (double)model->bounds_min[i], high = (double)model->bounds_max[i];
+        const double low = frame.low[i], high = frame.high[i];
         middle[i] = 0.5 * (low + high);
         radius2 += 0.25 * (high - low) * (high - low);
     }
@@ -149,9 +151,10 @@ static void set_light(struct scene_shader_light *light, const struct scene_model
 
 static bool stands_within(const struct scene_model *model, const double eye[3])
 {
+    const struct scene_box frame = scene_subject_frame(model);
     bool within = true;
     for (int c = 0; c < 3; c++) {
-        within = within && eye[c] > (double)model->bounds_min[c] && eye[c] < (double)model->bounds_max[c];
+        within = within && eye[c] > frame.low[c] && eye[c] < frame.high[c];
     }
     return within;
 }

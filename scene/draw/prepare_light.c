@@ -5,7 +5,7 @@
 #include "draw/camera/subject.h"
 
 // Of the subject's radius: how far things occlude each other.
-static const double occlusion_reach = 0.12;
+static const double occlusion_reach = 0.2;
 
 enum rhw_result scene_draw_surround(struct draw *draw)
 {
@@ -29,8 +29,7 @@ static double subject_radius(const struct scene_model *model)
     const struct scene_subject subject = scene_subject_find(model);
     double square = 0.0;
     for (int c = 0; c < 3; c++) {
-        const double side = subject.is_all ? (double)model->bounds_max[c] - (double)model->bounds_min[c]
-                                           : subject.high[c] - subject.low[c];
+        const double side = subject.box.high[c] - subject.box.low[c];
         square += side * side;
     }
     return 0.5 * __builtin_sqrt(square);

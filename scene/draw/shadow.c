@@ -2,6 +2,7 @@
 #include "shadow.h"
 
 #include "draw/camera/camera_math.h"
+#include "draw/camera/subject.h"
 #include "screen.h"
 #include "draw/shading/shade_shadow.h"
 
@@ -116,15 +117,40 @@ static struct box2 find_seen(const struct scene_guide *guide, const struct scene
     return box;
 }
 
+static double diagonal(const struct scene_box *box)
+{
+    double square = 0.0;
+    for (int c = 0; c < 3; c++) {
+        const double side = box->high[c] - box->low[c];
+        square += side * side;
+    }
+    return __builtin_sqrt(square);
+}
+
+// Find the box of what casts shadows. Specks that are hundreds of times as far away as the model is large would leave
+// no precision to it.
+static struct scene_box find_casters(const struct scene_model *model)
+{
+    const struct scene_box frame = scene_subject_frame(model);
+    const double reach = 100.0 * diagonal(&frame);
+    struct scene_box box;
+    for (int c = 0; c < 3; c++) {
+        const double low = (double)model->bounds_min[c], high = (double)model->bounds_max[c];
+        box.low[c] = low > frame.low[c] - reach ? low : frame.low[c] - reach;
+        box.high[c] = high < frame.high[c] + reach ? high : frame.high[c] + reach;
+    }
+    return box;
+}
+
 // Where the model begins and ends along the light, with some room.
 static void find_range(const struct scene_model *model, const struct frame *f, double *near, double *far)
 {
+    const struct scene_box box = find_casters(model);
     *near = 1e300;
     *far = -1e300;
     for (int corner = 0; corner < 8; corner++) {
-        const double p[3] = {(double)(corner & 1 ? model->bounds_max : model->bounds_min)[0],
-                             (double)(corner & 2 ? model->bounds_max : model->bounds_min)[1],
-                             (double)(corner & 4 ? model->bounds_max : model->bounds_min)[2]};
+        const double p[3] = {(corner & 1 ? box.high : box.low)[0], (corner & 2 ? box.high : box.low)[1],
+                             (corner & 4 ? box.high : box.low)[2]};
         const double along = scene_dot(f->ahead, p);
         *near = along < *near ? along : *near;
         *far = along > *far ? along : *far;
@@ -132,16 +158,6 @@ static void find_range(const struct scene_model *model, const struct frame *f, d
     const double room = 0.01 * (*far - *near) + 1e-6;
     *near -= room;
     *far += room;
-}
-
-static double bounds_diagonal(const struct scene_model *model)
-{
-    double square = 0.0;
-    for (int c = 0; c < 3; c++) {
-        const double side = (double)model->bounds_max[c] - (double)model->bounds_min[c];
-        square += side * side;
-    }
-    return __builtin_sqrt(square);
 }
 
 // Drawing -------------------------------------------------------------------------------------------
@@ -227,7 +243,8 @@ static enum rhw_result cast(struct scene_shadows *shadows, const struct scene_up
                                           {{0, 1, 0}, {0, 0, 1}}, {{0, -1, 0}, {0, 0, 1}},
                                           {{0, 0, 1}, {0, 1, 0}}, {{0, 0, -1}, {0, 1, 0}}};
     struct scene_shadow_map map = {.size = SCENE_SHADOW_SIZE, .softness = light->softness};
-    const double nearest = 1e-3 * bounds_diagonal(upload->model);
+    const struct scene_box subject = scene_subject_frame(upload->model);
+    const double nearest = 1e-3 * diagonal(&subject);
     const double sign = light->type == SCENE_LIGHT_DIRECTIONAL ? -1.0 : 1.0;
     const double along[3] = {sign * (double)light->direction[0], sign * (double)light->direction[1],
                              sign * (double)light->direction[2]};
@@ -268,11 +285,12 @@ struct scene_shadow_map scene_shadow_cover(const struct scene_model *model,
     const double ahead[3] = {-(double)light->direction[0], -(double)light->direction[1],
                              -(double)light->direction[2]};
     const struct frame f = look(ahead, up);
+    const struct scene_box casters = find_casters(model);
     struct box2 box = {{1e300, 1e300}, {-1e300, -1e300}};
     for (int corner = 0; corner < 8; corner++) {
-        const double p[3] = {(double)(corner & 1 ? model->bounds_max : model->bounds_min)[0],
-                             (double)(corner & 2 ? model->bounds_max : model->bounds_min)[1],
-                             (double)(corner & 4 ? model->bounds_max : model->bounds_min)[2]};
+        const double p[3] = {(corner & 1 ? casters.high : casters.low)[0],
+                             (corner & 2 ? casters.high : casters.low)[1],
+                             (corner & 4 ? casters.high : casters.low)[2]};
         extend(&box, &f, p);
     }
     double near, far;

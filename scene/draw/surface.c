@@ -207,7 +207,7 @@ static enum rhw_result record_instance(const struct scene_upload *upload,
         rhw_pass_set_texture(context, pass, SCENE_SLOT_ENVIRONMENT, def->environment,
                              def->environment_sampler);
     }
-    if (key.peel) {
+    if (def->frame->peel_samples > 0) {
         rhw_pass_set_texture(context, pass, surface.peel_unit, def->peeled, def->peeled_sampler);
     }
     const rhw_buffer sorted = key.blend ? scene_triangle_order_of(def->order, instance) : (rhw_buffer){0};
@@ -234,6 +234,22 @@ static enum rhw_result record_instance(const struct scene_upload *upload,
     return RHW_OK;
 }
 
+// Whether a pass draws what is blended or not, and what light passes through or not.
+static bool is_of_part(const struct scene_surface_pass *def, enum scene_vertex_kind kind, bool blended,
+                       bool transmits)
+{
+    const bool is_surface = kind == SCENE_VERTEX_SURFACE;
+    if (def->part == SCENE_SURFACES_GLASS) {
+        return transmits && is_surface;
+    }
+    if ((def->part == SCENE_SURFACES_OPAQUE && blended) ||
+        ((def->part == SCENE_SURFACES_PEELED || def->part == SCENE_SURFACES_BLENDED) && !blended)) {
+        return false;
+    }
+    // Lines and points cast no shadow: they have no extent in the world.
+    return !(def->shadow && !is_surface) && !((def->shadow || def->solid) && transmits);
+}
+
 enum rhw_result scene_surfaces_record(const struct scene_upload *upload,
                                       struct scene_surface_pipelines *pipelines,
                                       const struct scene_surface_pass *def, rhw_pass pass)
@@ -248,18 +264,10 @@ enum rhw_result scene_surfaces_record(const struct scene_upload *upload,
     enum rhw_result result = RHW_OK;
     for (size_t i = 0; i < count && result == RHW_OK; i++) {
         const uint32_t mesh = model->instances[items[i].instance].mesh;
-        if (def->shadow && upload->meshes[mesh].kind != SCENE_VERTEX_SURFACE) {
-            continue; // lines and points have no extent in the world
+        const bool transmits = scene_material_transmits(&model->materials[model->meshes[mesh].material]);
+        if (is_of_part(def, upload->meshes[mesh].kind, items[i].blended, transmits)) {
+            result = record_instance(upload, pipelines, def, pass, items[i].instance);
         }
-        if ((def->part == SCENE_SURFACES_OPAQUE && items[i].blended) ||
-            (def->part == SCENE_SURFACES_PEELED && !items[i].blended)) {
-            continue;
-        }
-        if ((def->shadow || def->solid) &&
-            scene_material_transmits(&model->materials[model->meshes[mesh].material])) {
-            continue;
-        }
-        result = record_instance(upload, pipelines, def, pass, items[i].instance);
     }
     free(items);
     return result;

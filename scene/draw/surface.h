@@ -10,8 +10,15 @@
 
 struct scene_lighting;
 
-/// PEELED: blended surfaces without blending, of each pixel the farthest that is nearer than `peeled`.
-enum scene_surface_part { SCENE_SURFACES_ALL, SCENE_SURFACES_OPAQUE, SCENE_SURFACES_PEELED };
+/// PEELED: blended surfaces without blending, of each pixel the farthest that is nearer than `peeled`. GLASS: the same of
+/// surfaces that light passes through. BLENDED: blended surfaces.
+enum scene_surface_part {
+    SCENE_SURFACES_ALL,
+    SCENE_SURFACES_OPAQUE,
+    SCENE_SURFACES_BLENDED,
+    SCENE_SURFACES_PEELED,
+    SCENE_SURFACES_GLASS
+};
 
 /// What a pass wants of every surface.
 struct scene_surface_pass {
@@ -22,7 +29,7 @@ struct scene_surface_pass {
     enum scene_surface_part part;
     const struct scene_triangle_order *order; ///< order of the triangles of blended surfaces; NULL: the model's
     struct scene_draw_log *log;               ///< gets what each draw draws; NULL: nothing does
-    bool unmapped; ///< normals of a data pass are those of the mesh, without normal maps
+    bool guide; ///< a data pass of scene_guide: distances, and the normals of mesh and facets
     enum rhw_qualifier interpolate;
     enum scene_wireframe wireframe;
     enum rhw_format formats[RHW_MAX_COLOR_ATTACHMENTS];
@@ -32,7 +39,7 @@ struct scene_surface_pass {
     rhw_sampler environment_sampler;
     rhw_texture backdrop; ///< what is seen through surfaces, with levels; null: none is
     rhw_sampler backdrop_sampler;
-    rhw_texture peeled; ///< with frame->peel_samples: what fragments must be nearer than
+    rhw_texture peeled; ///< with frame->peel_samples: what fragments must be nearer than, or behind
     rhw_sampler peeled_sampler;
 };
 

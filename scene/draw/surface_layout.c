@@ -134,6 +134,8 @@ static void set_material(struct scene_surface *s, const struct scene_surface_pas
     s->occlusion_strength = material->occlusion_strength;
     s->double_sided = material->double_sided;
     s->alpha_mode = (int32_t)material->alpha_mode;
+    s->casts = !material->is_ground && !scene_material_transmits(material) &&
+               material->alpha_mode != SCENE_ALPHA_BLEND;
     if (material->alpha_mode == SCENE_ALPHA_MASK) {
         s->alpha_cutoff = material->alpha_cutoff;
     } else if (material->alpha_mode == SCENE_ALPHA_BLEND && (def->data_outputs || def->shadow)) {
@@ -147,8 +149,8 @@ static void use_position(struct scene_surface *s, struct scene_surface_key *key)
     key->position_number = key->varying_count;
 }
 
-// The plane of a fragment, in which shadows are looked up, follows from the derivatives of its position; what a facet
-// stands for from the tangent planes of its corners.
+// The plane of a fragment, in which shadows are looked up, follows from the derivatives of its position. What a facet
+// stands for follows from the tangent planes of its corners.
 static void use_shadows(struct scene_surface *s, struct scene_surface_key *key,
                         const struct scene_frame *frame)
 {
@@ -267,9 +269,9 @@ static void lay_out_color(struct scene_surface *s, struct scene_surface_key *key
                     : textured          ? SCENE_FRAGMENT_TEXTURED
                                         : SCENE_FRAGMENT_LIT;
     const bool blended = material->alpha_mode == SCENE_ALPHA_BLEND && !plain;
-    key->blend = blended && def->part != SCENE_SURFACES_PEELED;
-    key->peel = blended && def->part == SCENE_SURFACES_PEELED;
-    if (key->peel) {
+    key->peel = def->part == SCENE_SURFACES_PEELED || def->part == SCENE_SURFACES_GLASS;
+    key->blend = blended && !key->peel;
+    if (def->frame->peel_samples > 0) {
         key->uses |= RHW_USE_COORD | RHW_USE_DISCARD | (def->frame->peel_samples > 1 ? RHW_USE_SAMPLE : 0);
     }
     if (def->wireframe != SCENE_WIREFRAME_NONE && s->is_triangle) {
@@ -285,7 +287,7 @@ static void lay_out_data(struct scene_surface *s, struct scene_surface_key *key,
     const uint32_t outputs = def->data_outputs;
     const bool normal = (outputs & SCENE_OUTPUT_NORMAL) && mesh->normal >= 0;
     const bool mapped =
-        normal && !def->unmapped && mesh->tangent >= 0 && material->slots[SCENE_SLOT_NORMAL].image >= 0;
+        normal && !def->guide && mesh->tangent >= 0 && material->slots[SCENE_SLOT_NORMAL].image >= 0;
     use_position(s, key);
     if (normal) {
         use_normal(s, key, mesh);
@@ -311,7 +313,8 @@ static void lay_out_data(struct scene_surface *s, struct scene_surface_key *key,
             s->uv_varying = use_stream(s, key, mesh, 0, identity);
         }
     }
-    key->fragment = SCENE_FRAGMENT_DATA;
+    key->fragment = def->guide ? SCENE_FRAGMENT_GUIDE : SCENE_FRAGMENT_DATA;
+    key->position_derivatives = def->guide && s->is_triangle;
     key->counts = outputs == SCENE_OUTPUT_OVERDRAW;
     key->uses |= outputs & (SCENE_OUTPUT_DEPTH | SCENE_OUTPUT_DISTANCE) ? RHW_USE_COORD : 0;
     key->uses |= outputs & SCENE_OUTPUT_TRIANGLE ? RHW_USE_IDS : 0;
@@ -362,6 +365,7 @@ void scene_surface_lay_out(const struct scene_upload *upload, const struct scene
     }
     s->peel_unit = SCENE_BASE_SLOTS;
     s->is_triangle = mesh->kind == SCENE_VERTEX_SURFACE;
+    s->inside_out = mesh->inside_out;
     s->triangles_per_id = s->is_triangle ? 1 : 2;
     s->object = instance->object;
     s->first_triangle = upload->first_triangle[instance_index];
@@ -376,7 +380,10 @@ void scene_surface_lay_out(const struct scene_upload *upload, const struct scene
     key->vertex = (int32_t)mesh->kind;
     key->stride = (int32_t)mesh->stride;
     key->interpolate = (int32_t)def->interpolate;
-    key->cull = s->double_sided || !s->is_triangle ? RHW_CULL_NONE : RHW_CULL_BACK;
+    // The thickness of a volume takes its far side in already.
+    const bool is_volume = def->part == SCENE_SURFACES_GLASS && material->layers.thickness > 0.0f;
+    const bool has_back = (s->double_sided && !is_volume) || !s->is_triangle;
+    key->cull = has_back ? RHW_CULL_NONE : RHW_CULL_BACK;
     key->front = instance->mirrored ? RHW_CLOCKWISE : RHW_COUNTER_CLOCKWISE;
     key->format_count = def->format_count;
     for (int i = 0; i < def->format_count; i++) {

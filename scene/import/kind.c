@@ -8,9 +8,10 @@
 #include <strings.h>
 #include <sys/stat.h>
 
+#include "file.h"
 #include "import/builder/readers.h"
 
-enum { LOOKED_AT = 512 };
+enum { LOOKED_AT = 16384 }; // enough for the header of a STEP file
 
 struct beginning {
     unsigned char bytes[LOOKED_AT + 1]; // the bytes and a 0 behind them
@@ -26,6 +27,37 @@ static const struct {
     {"usda", "USD (text)"},
     {"usdc", "USD (binary)"},
     {"usdz", "USD (package)"},
+    {"stp", "STEP (CAD)"},
+    {"step", "STEP (CAD)"},
+    {"stpz", "STEP (CAD)"},
+    {"p21", "STEP (CAD)"},
+    {"brep", "BREP (CAD)"},
+    {"x_t", "Parasolid (CAD)"},
+    {"x_b", "Parasolid (CAD)"},
+    {"sat", "ACIS (CAD)"},
+    {"jt", "JT (CAD)"},
+    {"dwg", "DWG (CAD)"},
+    {"fcstd", "FreeCAD"},
+    {"f3d", "Fusion 360"},
+    {"ipt", "Inventor"},
+    {"catpart", "CATIA"},
+    {"scad", "OpenSCAD"},
+    {"wrl", "VRML"},
+    {"vrml", "VRML"},
+    {"wrz", "VRML"},
+    {"x3dv", "X3D (classic VRML)"},
+    {"x3db", "X3D (binary)"},
+    {"vtp", "VTK"},
+    {"vtk", "VTK"},
+    {"vtu", "VTK"},
+    {"pcd", "PCD (point cloud)"},
+    {"las", "LAS (point cloud)"},
+    {"laz", "LAZ (point cloud)"},
+    {"e57", "E57 (point cloud)"},
+    {"ptx", "PTX (point cloud)"},
+    {"abc", "Alembic"},
+    {"vdb", "OpenVDB"},
+    {"vox", "MagicaVoxel"},
     {"3dm", "Rhino 3DM"},
     {"skp", "SketchUp"},
     {"max", "3ds Max"},
@@ -37,6 +69,24 @@ static const struct {
     {"sldprt", "SolidWorks"},
     {"splat", "Gaussian splats"},
     {"spz", "Gaussian splats (SPZ)"},
+};
+
+// How files of formats that nothing here reads begin, whatever their names say.
+static const struct {
+    const char *mark, *name;
+} unread_marks[] = {
+    {"#usda", "USD (text)"},
+    {"PXR-USDC", "USD (binary)"},
+    {"#VRML V1", "VRML 1.0"},
+    {"#VRML V2", "VRML"},
+    {"#X3D V", "X3D (classic VRML)"},
+    {"# vtk DataFile", "VTK"},
+    {"<VTKFile", "VTK"},
+    {"# .PCD", "PCD (point cloud)"},
+    {"LASF", "LAS (point cloud)"},
+    {"ASTM-E57", "E57 (point cloud)"},
+    {"AC10", "DWG (CAD)"},
+    {"VOX ", "MagicaVoxel"},
 };
 
 // Files that are no model, whatever their names say. A reader would complain of details.
@@ -51,9 +101,11 @@ static struct beginning look(struct scene_import *import)
 {
     struct beginning start = {.count = 0};
     struct stat status;
-    FILE *file = fopen(import->model.path, "rb");
+    const int descriptor = system_file_open_regular(import->model.path);
+    FILE *file = descriptor < 0 ? NULL : fdopen(descriptor, "rb");
     if (file == NULL) {
-        scene_import_fail(import, "cannot be opened: %s", strerror(errno));
+        scene_import_fail(import, "cannot be opened: %s",
+                          errno != 0 ? strerror(errno) : "not a regular file");
     }
     start.count = fread(start.bytes, 1, LOOKED_AT, file);
     start.file_size = fstat(fileno(file), &status) == 0 ? (uint64_t)status.st_size : 0;
@@ -64,6 +116,14 @@ static struct beginning look(struct scene_import *import)
 static bool begins_with(const struct beginning *start, const char *mark)
 {
     return start->count >= strlen(mark) && memcmp(start->bytes, mark, strlen(mark)) == 0;
+}
+
+// Return the text of a file behind a byte order mark and white space.
+static const char *find_text(const struct beginning *start)
+{
+    const char *text = (const char *)start->bytes;
+    text += begins_with(start, "\xef\xbb\xbf") ? 3 : 0;
+    return text + strspn(text, " \t\r\n");
 }
 
 // Return the ending of the file's name. Return "fbx" for an FBX whose name has none: of the formats that assimp reads,
@@ -77,9 +137,7 @@ static const char *find_ending(const struct scene_import *import, const struct b
 // Return true for HTML, in any case and behind a byte order mark and white space.
 static bool looks_like_page(const struct beginning *start)
 {
-    const char *text = (const char *)start->bytes;
-    text += begins_with(start, "\xef\xbb\xbf") ? 3 : 0;
-    text += strspn(text, " \t\r\n");
+    const char *text = find_text(start);
     return strncasecmp(text, "<!doctype html", 14) == 0 || strncasecmp(text, "<html", 5) == 0;
 }
 
@@ -95,16 +153,59 @@ static void refuse_others(struct scene_import *import, const struct beginning *s
     }
 }
 
+// Return true for an exchange file of STEP that has no schema of IFC. Files of IFC look alike and are read.
+static bool is_step(const struct scene_import *import, const struct beginning *start)
+{
+    const char *text = find_text(start);
+    if (strncmp(text, "ISO-10303-21", 12) != 0) {
+        return false;
+    }
+    const char *schema = strstr(text, "FILE_SCHEMA"), *end = schema == NULL ? NULL : strchr(schema, ';');
+    bool is_ifc = schema == NULL && strcasecmp(import->ending, "ifc") == 0;
+    for (const char *c = schema; end != NULL && c < end && !is_ifc; c++) {
+        is_ifc = strncasecmp(c, "IFC", 3) == 0;
+    }
+    return !is_ifc;
+}
+
+static bool is_exchange_file(const struct beginning *start)
+{
+    return strncmp(find_text(start), "ISO-10303-21", 12) == 0;
+}
+
+_Noreturn static void refuse_by_name(struct scene_import *import, const char *name)
+{
+    scene_import_fail(import, "is %s, which is not supported", name);
+}
+
+// Refuse a file for what it begins with.
+static void refuse_marked(struct scene_import *import, const struct beginning *start)
+{
+    const char *pointer = scene_import_pointer_problem(start->bytes, start->count);
+    if (pointer != NULL) {
+        scene_import_fail(import, "%s", pointer);
+    }
+    if (is_step(import, start)) {
+        refuse_by_name(import, "STEP (CAD)");
+    }
+    if (begins_with(start, "\x28\xb5\x2f\xfd")) {
+        const bool is_blender = import->ending[0] == 0 || strncasecmp(import->ending, "blend", 5) == 0;
+        refuse_by_name(import, is_blender ? "a Blender file of 3.0 or later (zstd)" : "compressed by zstd");
+    }
+    for (size_t i = 0; i < sizeof unread_marks / sizeof unread_marks[0]; i++) {
+        if (strncmp(find_text(start), unread_marks[i].mark, strlen(unread_marks[i].mark)) == 0) {
+            refuse_by_name(import, unread_marks[i].name);
+        }
+    }
+}
+
+// Refuse a file for the ending of its name. An IFC may be called STEP.
 static void refuse_unread(struct scene_import *import, const struct beginning *start)
 {
-    const char *name = begins_with(start, "#usda")      ? "USD (text)"
-                       : begins_with(start, "PXR-USDC") ? "USD (binary)"
-                                                        : NULL;
-    for (size_t i = 0; i < sizeof unread / sizeof unread[0] && name == NULL; i++) {
-        name = strcasecmp(import->ending, unread[i].ending) == 0 ? unread[i].name : NULL;
-    }
-    if (name != NULL) {
-        scene_import_fail(import, "is %s, which is not supported", name);
+    for (size_t i = 0; i < sizeof unread / sizeof unread[0] && !is_exchange_file(start); i++) {
+        if (strcasecmp(import->ending, unread[i].ending) == 0) {
+            refuse_by_name(import, unread[i].name);
+        }
     }
 }
 
@@ -112,7 +213,7 @@ static void refuse_unread(struct scene_import *import, const struct beginning *s
 static bool looks_like_obj(const struct beginning *start)
 {
     static const char *const words[] = {"v ", "vn ", "vt ", "o ", "g ", "mtllib ", "usemtl ", "s "};
-    const char *line = (const char *)start->bytes;
+    const char *line = find_text(start);
     while (*line == '#' || *line == '\n' || *line == '\r') {
         const size_t length = strcspn(line, "\r\n");
         line += length + strspn(line + length, "\r\n");
@@ -126,15 +227,15 @@ static bool looks_like_obj(const struct beginning *start)
 
 static bool looks_like_json(const struct beginning *start)
 {
-    const char *text = (const char *)start->bytes;
-    return text[strspn(text, " \t\r\n")] == '{';
+    return *find_text(start) == '{';
 }
 
 static bool looks_like_stl(const struct beginning *start)
 {
     const unsigned char *b = start->bytes;
     const uint64_t facets = b[80] | (uint64_t)b[81] << 8 | (uint64_t)b[82] << 16 | (uint64_t)b[83] << 24;
-    return begins_with(start, "solid ") || (start->count > 84 && start->file_size == 84 + 50 * facets);
+    return strncmp(find_text(start), "solid ", 6) == 0 ||
+           (start->count > 84 && start->file_size == 84 + 50 * facets);
 }
 
 static bool ends_in(const struct scene_import *import, const char *ending)
@@ -148,6 +249,7 @@ void scene_import_read(struct scene_import *import)
     import->ending = find_ending(import, &start);
     const bool nameless = import->ending[0] == 0;
     refuse_others(import, &start);
+    refuse_marked(import, &start);
     if (scene_import_is_gltf(import->name, start.bytes, start.count) ||
         (nameless && looks_like_json(&start))) {
         scene_import_gltf(import);
@@ -159,6 +261,10 @@ void scene_import_read(struct scene_import *import)
         scene_import_3mf(import);
     } else if (ends_in(import, "stl") || (nameless && looks_like_stl(&start))) {
         scene_import_stl(import);
+    } else if (ends_in(import, "xyz") || ends_in(import, "pts")) {
+        scene_import_xyz(import);
+    } else if (ends_in(import, "off") || scene_import_is_off(start.bytes, start.count)) {
+        scene_import_off(import);
     } else {
         refuse_unread(import, &start);
         if (ends_in(import, "fbx")) {

@@ -19,14 +19,22 @@ static bool key_is(struct scene_word word, const char *key)
 
 size_t scene_mtl_find(struct scene_import *import, struct scene_mtl *mtl, const char *name)
 {
-    for (size_t i = 0; i < mtl->count; i++) {
-        if (strcmp(mtl->materials[i].phong.name, name) == 0) {
-            return i;
-        }
+    const uint32_t hash = scene_hash_bytes(name, strlen(name));
+    size_t place = SIZE_MAX;
+    uint32_t found = scene_hash_next(&mtl->names, hash, &place);
+    while (found != UINT32_MAX && strcmp(mtl->materials[found].name, name) != 0) {
+        found = scene_hash_next(&mtl->names, hash, &place);
+    }
+    if (found != UINT32_MAX) {
+        return found;
+    }
+    if (mtl->count >= INT32_MAX) {
+        scene_import_fail(import, "has too many materials");
     }
     scene_import_reserve(import, &mtl->materials, &mtl->capacity, mtl->count + 1, sizeof *mtl->materials);
-    mtl->materials[mtl->count] = (struct scene_mtl_material){scene_phong_default(), {-1, -1}};
-    mtl->materials[mtl->count].phong.name = name;
+    mtl->materials[mtl->count] = (struct scene_mtl_material){name, scene_phong_default(), NULL, {-1, -1}};
+    mtl->materials[mtl->count].phong.name = scene_import_string(import, name, strlen(name));
+    scene_hash_add(import, &mtl->names, hash, (uint32_t)mtl->count);
     return mtl->count++;
 }
 
@@ -75,8 +83,8 @@ static void note_unused_option(struct scene_import *import, struct scene_word wo
     }
 }
 
-// Read the options in front of a file name. The rest of the line is the name.
-static void read_texture(struct scene_import *import, struct scene_line line,
+// Read the options in front of a file name. The rest of the line is the name. `folder` is that of the library.
+static void read_texture(struct scene_import *import, const char *folder, struct scene_line line,
                          struct scene_phong_texture *texture, float *multiplier)
 {
     float offset[3] = {0, 0, 0}, scale[3] = {1, 1, 1}, ignored[3];
@@ -107,8 +115,7 @@ static void read_texture(struct scene_import *import, struct scene_line line,
     *texture = scene_phong_texture_default();
     texture->name = scene_word_string(import, name);
     texture->channel = channel;
-    texture->source.file = scene_import_find_file(import, texture->name);
-    texture->source.problem = import->missing;
+    scene_import_find_image(import, folder, scene_word_bytes(import, name), &texture->source);
     if (clamp) {
         texture->slot.address_u = texture->slot.address_v = RHW_ADDRESS_CLAMP;
     }
@@ -119,8 +126,8 @@ static void read_texture(struct scene_import *import, struct scene_line line,
     }
 }
 
-static bool read_map(struct scene_import *import, struct scene_word key, struct scene_line line,
-                     struct scene_phong *phong)
+static bool read_map(struct scene_import *import, const char *folder, struct scene_word key,
+                     struct scene_line line, struct scene_phong *phong)
 {
     const struct {
         const char *key;
@@ -142,7 +149,7 @@ static bool read_map(struct scene_import *import, struct scene_word key, struct 
     for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
         if (key_is(key, maps[i].key)) {
             float multiplier;
-            read_texture(import, line, maps[i].texture, &multiplier);
+            read_texture(import, folder, line, maps[i].texture, &multiplier);
             const bool relief = maps[i].texture == &phong->height || maps[i].texture == &phong->normal;
             phong->normal_scale =
                 relief && scene_import_finite(&multiplier, 1) ? multiplier : phong->normal_scale;
@@ -164,6 +171,22 @@ static void note_unused_map(struct scene_import *import, struct scene_word key)
     for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
         if (key_is(key, maps[i].key)) {
             scene_import_unsupported(import, "%s textures: not used", maps[i].name);
+            return;
+        }
+    }
+    // map_aat is no texture but asks for anti-aliasing.
+    if (key.length > 4 && strncasecmp(key.start, "map_", 4) == 0 && !key_is(key, "map_aat")) {
+        scene_import_unsupported(import, "textures of %s (MTL): not used", scene_word_string(import, key));
+    }
+}
+
+// Tell of ambient textures that are not the colour's as well, as most are.
+static void note_ambient_maps(struct scene_import *import, const struct scene_mtl *mtl)
+{
+    for (size_t i = 0; i < mtl->count; i++) {
+        const char *ambient = mtl->materials[i].ambient, *color = mtl->materials[i].phong.color.name;
+        if (ambient != NULL && (color == NULL || strcmp(ambient, color) != 0)) {
+            scene_import_unsupported(import, "ambient textures: not used");
         }
     }
 }
@@ -208,6 +231,27 @@ static bool read_color(struct scene_line line, float color[3])
     return true;
 }
 
+// Tell of values that would change how a surface looks.
+static void note_unused_value(struct scene_import *import, struct scene_word key, struct scene_line line)
+{
+    struct scene_line rest = line;
+    struct scene_word word;
+    float filter[3];
+    const bool any = scene_text_word(&rest, &word);
+    const bool color = key_is(key, "Kd") || key_is(key, "Ks") || key_is(key, "Ke");
+    if (color && any && (key_is(word, "spectral") || key_is(word, "xyz"))) {
+        scene_import_unsupported(import, "colours as \"%s\" (MTL): not used",
+                                 key_is(word, "xyz") ? "xyz" : "spectral");
+    }
+    if (key_is(key, "d") && any && key_is(word, "-halo")) {
+        scene_import_unsupported(import, "d -halo (MTL): not used");
+    }
+    if (key_is(key, "Tf") && scene_text_numbers(&line, filter, 3) == 3 &&
+        (filter[0] != filter[1] || filter[1] != filter[2])) {
+        scene_import_unsupported(import, "colours of transmitted light (Tf): not used");
+    }
+}
+
 static void read_value(struct scene_word key, struct scene_line line, struct scene_phong *phong,
                        bool *dissolve)
 {
@@ -236,16 +280,25 @@ static void read_value(struct scene_word key, struct scene_line line, struct sce
     }
 }
 
+// Return the part of a path up to its last slash. A path without a slash has none.
+static const char *folder_of(struct scene_import *import, const char *path)
+{
+    const char *const slash = strrchr(path, '/');
+    const size_t length = slash == NULL ? 0 : (size_t)(slash - path) + 1;
+    return memcpy(scene_import_allocate(import, length + 1, 1), path, length);
+}
+
 bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const char *name)
 {
     const char *path = scene_import_find_file(import, name), *problem = import->missing;
     size_t size = 0;
     char *bytes = path == NULL ? NULL : scene_import_read_file(import, path, &size, &problem);
     if (bytes == NULL) {
-        scene_import_warn(import, "material library \"%s\": %s", name, problem);
+        scene_import_warn(import, "material library \"%.200s\": %s", name, problem);
         return false;
     }
     struct scene_text text = scene_text_open(import, bytes, size);
+    const char *const folder = folder_of(import, path);
     struct scene_line line;
     struct scene_word key;
     size_t current = SIZE_MAX;
@@ -255,7 +308,7 @@ bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const ch
             continue;
         }
         if (key_is(key, "newmtl")) {
-            current = scene_mtl_find(import, mtl, scene_word_string(import, scene_text_rest(line)));
+            current = scene_mtl_find(import, mtl, scene_word_bytes(import, scene_text_rest(line)));
             dissolve = false;
             continue;
         }
@@ -263,11 +316,18 @@ bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const ch
             continue;
         }
         struct scene_phong *phong = &mtl->materials[current].phong;
-        if (!read_map(import, key, line, phong)) {
+        if (key_is(key, "map_Ka")) {
+            struct scene_phong_texture ambient = scene_phong_texture_default();
+            float multiplier;
+            read_texture(import, folder, line, &ambient, &multiplier);
+            mtl->materials[current].ambient = ambient.name;
+        } else if (!read_map(import, folder, key, line, phong)) {
             note_unused_map(import, key);
+            note_unused_value(import, key, line);
             read_value(key, line, phong, &dissolve);
         }
     }
+    note_ambient_maps(import, mtl);
     free(bytes);
     return true;
 }

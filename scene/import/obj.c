@@ -11,14 +11,20 @@
 
 #include "import/builder/complete_mesh.h"
 #include "import/builder/find_file.h"
+#include "import/builder/hash_table.h"
 #include "import/builder/import.h"
 #include "import/builder/numbers.h"
+#include "import/builder/origin.h"
+#include "import/builder/place.h"
 #include "import/builder/polygon.h"
 #include "import/builder/readers.h"
+#include "import/builder/stored_colors.h"
 #include "import/builder/text_lines.h"
 #include "mtl.h"
 
 static const uint32_t none = UINT32_MAX;
+// Stands for white until it is known whether 1 or 255 is. No file has it, as colours are not below 0.
+static const float white = -1;
 enum { SMOOTHING_NOT_SAID = -1, SMOOTHING_OFF = 0 };
 
 struct corner {
@@ -44,22 +50,29 @@ struct part {
 struct obj {
     struct scene_import *import;
     struct scene_text text;
-    float (*positions)[3], (*colors)[3], (*uvs)[2], (*normals)[3];
-    size_t position_count, position_capacity, color_capacity, uv_count, uv_capacity, normal_count,
-        normal_capacity;
+    double (*read_positions)[3]; // until all are read
+    double origin[3];            // what was subtracted from the positions
+    float (*positions)[3], (*colors)[4], (*uvs)[2], (*normals)[3];
+    size_t position_count, position_capacity, color_capacity, painted_count, uv_count, uv_capacity,
+        normal_count, normal_capacity;
     bool colored;
+    float (*painted)[4]; // colours of ZBrush, which stand in comments
+    size_t painted_capacity;
     const char **objects; // names of the objects
     size_t object_count, object_capacity;
     size_t first_part; // first part of the current object
     struct part *parts;
-    size_t part_count, part_capacity;
+    size_t part_count, part_capacity, part; // part: the one of the face before
+    struct scene_hash_table part_table;     // parts by their keys
     struct scene_mtl mtl;
     bool libraries_complete; // all libraries that were named are there
     size_t material;
     int smoothing;
     struct corner *polygon; // corners of the polygon being read
     size_t polygon_capacity;
-    uint32_t small_faces; // number of faces with fewer than three corners
+    uint32_t small_faces;   // number of faces with fewer than three corners
+    uint32_t zero_elements; // number of faces, lines and points with an index of 0
+    bool has_zero_others;   // a texture coordinate or a normal has the index 0
 };
 
 static bool ends_within_line(const struct obj *obj)
@@ -79,8 +92,8 @@ _Noreturn static void refuse(struct obj *obj, const char *problem)
 // Read v x y z [w] or v x y z [w] r g b. The number w weights free-form curves and says nothing about polygons.
 static void read_position(struct obj *obj, struct scene_line line)
 {
-    float values[7];
-    const int count = scene_text_numbers(&line, values, 7);
+    double values[7];
+    const int count = scene_text_doubles(&line, values, 7);
     if (count < 3) {
         refuse(obj, "a vertex needs three numbers");
     }
@@ -88,9 +101,9 @@ static void read_position(struct obj *obj, struct scene_line line)
         refuse(obj, "has too many vertices");
     }
     const size_t index = obj->position_count++;
-    scene_import_reserve(obj->import, &obj->positions, &obj->position_capacity, index + 1,
-                         sizeof *obj->positions);
-    memcpy(obj->positions[index], values, sizeof obj->positions[index]);
+    scene_import_reserve(obj->import, &obj->read_positions, &obj->position_capacity, index + 1,
+                         sizeof *obj->read_positions);
+    memcpy(obj->read_positions[index], values, sizeof obj->read_positions[index]);
     if (count < 6 && !obj->colored) {
         return;
     }
@@ -98,11 +111,12 @@ static void read_position(struct obj *obj, struct scene_line line)
                          sizeof *obj->colors);
     // Vertices before the first one with a colour are white.
     for (size_t i = obj->colored ? index : 0; i <= index; i++) {
-        obj->colors[i][0] = obj->colors[i][1] = obj->colors[i][2] = 1;
+        obj->colors[i][0] = obj->colors[i][1] = obj->colors[i][2] = white;
+        obj->colors[i][3] = 1;
     }
     obj->colored = true;
     for (int c = 0; c < 3 && count >= 6; c++) {
-        obj->colors[index][c] = values[count - 3 + c];
+        obj->colors[index][c] = (float)values[count - 3 + c];
     }
 }
 
@@ -128,10 +142,56 @@ static void read_normal(struct obj *obj, struct scene_line line)
     memcpy(obj->normals[obj->normal_count++], values, sizeof values);
 }
 
+static int hex_digit(char c)
+{
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : 0;
+}
+
+// Read a comment that begins with #MRGB: ZBrush writes there the colours of the vertices, in their order, each as four
+// bytes, which are a mask, red, green and blue.
+static void read_paint(struct obj *obj, struct scene_line line)
+{
+    enum { DIGITS = 8 };
+    struct scene_word word;
+    while (scene_text_word(&line, &word)) {
+        for (size_t at = 0; at + DIGITS <= word.length; at += DIGITS) {
+            scene_import_reserve(obj->import, &obj->painted, &obj->painted_capacity, obj->painted_count + 1,
+                                 sizeof *obj->painted);
+            float *color = obj->painted[obj->painted_count++];
+            for (size_t c = 0; c < 3; c++) {
+                const char *digits = word.start + at + 2 + 2 * c;
+                color[c] = (float)(16 * hex_digit(digits[0]) + hex_digit(digits[1]));
+            }
+            color[3] = 1;
+        }
+    }
+}
+
+// Use the painted colours, if each vertex has one and none of its own.
+static void use_paint(struct obj *obj)
+{
+    const struct scene_color_scale bytes = {255, 1};
+    if (obj->painted_count == 0) {
+        return;
+    }
+    if (obj->colored || obj->painted_count != obj->position_count) {
+        scene_import_unsupported(
+            obj->import, "%zu colours in comments (#MRGB): not drawn, as %s", obj->painted_count,
+            obj->colored ? "its vertices have colours" : "it has another number of vertices");
+        return;
+    }
+    scene_import_decode_colors(obj->painted, obj->painted_count, bytes);
+    obj->colors = obj->painted;
+    obj->colored = true;
+}
+
 // Elements ------------------------------------------------------------------------------------------
 
-// Read a one-based or, if negative, backward index at `*c`. Return false where there is none. Whether it lies beyond
-// the end is known when the whole file is read.
+// Read a one-based or, if negative, backward index at `*c`. Return false where there is none. The index is `none` if it
+// is 0. Whether it lies beyond the end is known when the whole file is read.
 static bool read_index(struct obj *obj, const char **c, const char *end, size_t count, uint32_t *index)
 {
     const bool negative = *c < end && **c == '-';
@@ -145,7 +205,8 @@ static bool read_index(struct obj *obj, const char **c, const char *end, size_t 
     }
     *c = digit;
     if (value == 0) {
-        refuse(obj, "indices start at 1");
+        *index = none;
+        return true;
     }
     if (negative && (uint64_t)value > count) {
         refuse(obj, "an index reaches back before the first vertex");
@@ -162,10 +223,12 @@ static struct corner read_corner(struct obj *obj, struct scene_word word)
     bool good = read_index(obj, &c, end, obj->position_count, &corner.position);
     if (good && c < end && *c == '/') {
         c++;
-        read_index(obj, &c, end, obj->uv_count, &corner.uv);
+        const bool is_there = read_index(obj, &c, end, obj->uv_count, &corner.uv);
+        obj->has_zero_others = obj->has_zero_others || (is_there && corner.uv == none);
         if (c < end && *c == '/') {
             c++;
-            read_index(obj, &c, end, obj->normal_count, &corner.normal);
+            const bool has_normal = read_index(obj, &c, end, obj->normal_count, &corner.normal);
+            obj->has_zero_others = obj->has_zero_others || (has_normal && corner.normal == none);
         }
     }
     if (!good || c != end) {
@@ -174,20 +237,42 @@ static struct corner read_corner(struct obj *obj, struct scene_word word)
     return corner;
 }
 
+static bool same_key(const struct part_key *a, const struct part_key *b)
+{
+    return a->object == b->object && a->material == b->material && a->smoothing == b->smoothing &&
+           a->primitive == b->primitive && a->has_uv == b->has_uv && a->has_normal == b->has_normal;
+}
+
+static uint32_t hash_key(const struct part_key *key)
+{
+    const uint64_t words[] = {key->object, key->material, (uint64_t)key->smoothing,
+                              (uint64_t)key->primitive << 2 | (uint64_t)key->has_uv << 1 | key->has_normal};
+    return scene_hash_bytes(words, sizeof words);
+}
+
 static struct part *find_part(struct obj *obj, const struct part_key *key)
 {
-    for (size_t i = obj->part_count; i > obj->first_part; i--) {
-        const struct part_key *other = &obj->parts[i - 1].key;
-        if (other->material == key->material && other->smoothing == key->smoothing &&
-            other->primitive == key->primitive && other->has_uv == key->has_uv &&
-            other->has_normal == key->has_normal) {
-            return &obj->parts[i - 1];
-        }
+    if (obj->part < obj->part_count && same_key(&obj->parts[obj->part].key, key)) {
+        return &obj->parts[obj->part]; // most faces follow one of their own part
     }
-    scene_import_reserve(obj->import, &obj->parts, &obj->part_capacity, obj->part_count + 1,
-                         sizeof *obj->parts);
-    obj->parts[obj->part_count] = (struct part){.key = *key};
-    return &obj->parts[obj->part_count++];
+    const uint32_t hash = hash_key(key);
+    size_t place = SIZE_MAX;
+    uint32_t found = scene_hash_next(&obj->part_table, hash, &place);
+    while (found != none && !same_key(&obj->parts[found].key, key)) {
+        found = scene_hash_next(&obj->part_table, hash, &place);
+    }
+    if (found == none) {
+        if (obj->part_count >= INT_MAX) {
+            refuse(obj, "has too many parts");
+        }
+        scene_import_reserve(obj->import, &obj->parts, &obj->part_capacity, obj->part_count + 1,
+                             sizeof *obj->parts);
+        found = (uint32_t)obj->part_count++;
+        obj->parts[found] = (struct part){.key = *key};
+        scene_hash_add(obj->import, &obj->part_table, hash, found);
+    }
+    obj->part = found;
+    return &obj->parts[found];
 }
 
 static void add_element(struct obj *obj, enum scene_primitive primitive, const struct corner *corners,
@@ -219,10 +304,16 @@ static void read_element(struct obj *obj, enum scene_primitive primitive, struct
 {
     struct scene_word word;
     uint32_t count = 0;
+    bool has_zero = false;
     while (scene_text_word(&line, &word) && word.start[0] != '#') {
         scene_import_reserve(obj->import, &obj->polygon, &obj->polygon_capacity, count + (size_t)1,
                              sizeof *obj->polygon);
-        obj->polygon[count++] = read_corner(obj, word);
+        obj->polygon[count] = read_corner(obj, word);
+        has_zero = has_zero || obj->polygon[count++].position == none;
+    }
+    if (has_zero) {
+        obj->zero_elements++;
+        return;
     }
     if (primitive == SCENE_PRIMITIVE_TRIANGLES && count >= 3) {
         add_element(obj, primitive, obj->polygon, count);
@@ -266,7 +357,7 @@ static const char *library_name(struct obj *obj, struct scene_word word)
             *out++ = word.start[i];
         }
     }
-    return scene_import_string(obj->import, name, word.length);
+    return name;
 }
 
 // Read a library. If it is not there, read the one that is called as the model is: who renames one file renames both.
@@ -281,8 +372,7 @@ static bool read_library(struct obj *obj, const char *name)
         scene_import_find_file(obj->import, own) == NULL) {
         return scene_mtl_read(obj->import, &obj->mtl, name);
     }
-    scene_import_warn(obj->import, "material library \"%s\" is not there; \"%s\" is read", name,
-                      scene_import_string(obj->import, own, sizeof own));
+    scene_import_warn(obj->import, "material library \"%s\" is not there; \"%s\" is read", name, own);
     return scene_mtl_read(obj->import, &obj->mtl, own);
 }
 
@@ -306,7 +396,7 @@ static void read_libraries(struct obj *obj, struct scene_line line)
 
 static void read_material(struct obj *obj, struct scene_line line)
 {
-    const char *name = scene_word_string(obj->import, scene_text_rest(line));
+    const char *name = scene_word_bytes(obj->import, scene_text_rest(line));
     const size_t known = obj->mtl.count;
     obj->material = scene_mtl_find(obj->import, &obj->mtl, name);
     if (obj->mtl.count > known && obj->libraries_complete) {
@@ -321,9 +411,27 @@ static void read_smoothing(struct obj *obj, struct scene_line line)
     obj->smoothing = number && group >= 0 && group < 1e9f ? (int)group : SMOOTHING_OFF;
 }
 
+// Tell of statements that would draw something, or draw it otherwise.
+static void tell_of_statement(struct obj *obj, struct scene_word key)
+{
+    static const struct {
+        const char *key, *what;
+    } statements[] = {
+        {"curv", "free-form curves and surfaces"}, {"curv2", "free-form curves and surfaces"},
+        {"surf", "free-form curves and surfaces"}, {"cstype", "free-form curves and surfaces"},
+        {"bsp", "free-form curves and surfaces"},  {"bzp", "free-form curves and surfaces"},
+        {"cdc", "free-form curves and surfaces"},  {"cdp", "free-form curves and surfaces"},
+        {"call", "other files, which call names"}, {"usemap", "texture maps (usemap)"},
+    };
+    for (size_t i = 0; i < sizeof statements / sizeof statements[0]; i++) {
+        if (scene_word_is(key, statements[i].key)) {
+            scene_import_unsupported(obj->import, "%s: not drawn", statements[i].what);
+        }
+    }
+}
+
 static void read_line(struct obj *obj, struct scene_word key, struct scene_line line)
 {
-    static const char *const free_form[] = {"curv", "curv2", "surf", "cstype"};
     if (scene_word_is(key, "v")) {
         read_position(obj, line);
     } else if (scene_word_is(key, "vt")) {
@@ -344,11 +452,8 @@ static void read_line(struct obj *obj, struct scene_word key, struct scene_line 
         read_libraries(obj, line);
     } else if (scene_word_is(key, "s")) {
         read_smoothing(obj, line);
-    }
-    for (size_t i = 0; i < sizeof free_form / sizeof free_form[0]; i++) {
-        if (scene_word_is(key, free_form[i])) {
-            scene_import_unsupported(obj->import, "free-form curves and surfaces: not drawn");
-        }
+    } else {
+        tell_of_statement(obj, key);
     }
 }
 
@@ -400,11 +505,8 @@ static void copy_corners(struct obj *obj, const struct part *part, struct scene_
         if (mesh->normals != NULL) {
             memcpy(mesh->normals[i], obj->normals[corner->normal], sizeof mesh->normals[i]);
         }
-        for (int c = 0; c < 3 && mesh->colors != NULL; c++) {
-            mesh->colors[i][c] = obj->colors[corner->position][c];
-        }
         if (mesh->colors != NULL) {
-            mesh->colors[i][3] = 1;
+            memcpy(mesh->colors[i], obj->colors[corner->position], sizeof mesh->colors[i]);
         }
     }
 }
@@ -455,6 +557,7 @@ static void add_part(struct obj *obj, struct part *part)
     free(part->sizes);
     mesh.material = scene_mtl_use(import, &obj->mtl, part->key.material, obj->colored);
     *scene_import_add_mesh(import) = mesh;
+    scene_import_place_mesh(import, obj->origin);
     struct scene_instance *instance = scene_import_add_instance(import);
     instance->name = name;
     instance->mesh = import->model.mesh_count - 1;
@@ -498,11 +601,30 @@ static void warn_of_cut(struct obj *obj)
     }
 }
 
+// Make the colours linear. Some programs write 0 to 255. A vertex without a colour among others with one is white.
 static void decode_colors(struct obj *obj)
 {
-    for (size_t i = 0; i < obj->position_count && obj->colored; i++) {
+    const size_t count = obj->colored ? obj->position_count : 0;
+    const struct scene_color_scale scale = scene_import_color_scale((const float(*)[4])obj->colors, count);
+    for (size_t i = 0; i < count; i++) {
         for (int c = 0; c < 3; c++) {
-            obj->colors[i][c] = scene_import_from_srgb(obj->colors[i][c]);
+            obj->colors[i][c] = obj->colors[i][c] == white ? scale.color : obj->colors[i][c];
+        }
+    }
+    scene_import_decode_colors(obj->colors, count, scale);
+}
+
+// Take z for up if a comment names a program that has z up and writes its numbers as they are.
+static void read_comment(struct obj *obj, struct scene_line line)
+{
+    static const char *const upright[] = {"FreeCAD", "OpenSCAD", "Max2Obj"};
+    struct scene_word word;
+    while (scene_text_word(&line, &word)) {
+        for (size_t i = 0; i < sizeof upright / sizeof *upright; i++) {
+            if (scene_word_is(word, upright[i])) {
+                obj->import->model.up = SCENE_AXIS_Z;
+                obj->import->up_is_open = false;
+            }
         }
     }
 }
@@ -517,7 +639,7 @@ void scene_import_obj(struct scene_import *import)
         scene_import_fail(import, "cannot be read: %s", problem);
     }
     import->model.format = "Wavefront OBJ";
-    import->up_is_open = true;
+    import->up_is_open = import->up_is_agreed = true;
     obj.text = scene_text_open(import, bytes, size);
     obj.material = scene_mtl_find(import, &obj.mtl, "");
     start_object(&obj, "");
@@ -526,6 +648,10 @@ void scene_import_obj(struct scene_import *import)
     while (scene_text_line(&obj.text, true, &line)) {
         if (scene_text_word(&line, &key) && key.start[0] != '#') {
             read_line(&obj, key, line);
+        } else if (obj.position_count == 0) {
+            read_comment(&obj, line);
+        } else if (scene_word_is(key, "#MRGB")) {
+            read_paint(&obj, line);
         }
     }
     if (obj.position_count == 0) {
@@ -534,12 +660,22 @@ void scene_import_obj(struct scene_import *import)
     if (obj.small_faces > 0) {
         scene_import_warn(import, "%u faces of fewer than three corners are left out", obj.small_faces);
     }
+    if (obj.zero_elements > 0) {
+        scene_import_warn(
+            import, "faces, lines and points with an index of 0 are left out, %u of them; indices start at 1",
+            obj.zero_elements);
+    }
+    if (obj.has_zero_others) {
+        scene_import_warn(import, "texture coordinates and normals with an index of 0 are left out");
+    }
     warn_of_cut(&obj);
     free(bytes);
     if (obj.part_count == 0) {
         add_all_points(&obj);
     }
     decode_colors(&obj);
+    use_paint(&obj);
+    obj.positions = scene_import_settle(import, obj.read_positions, obj.position_count, obj.origin);
     for (size_t i = 0; i < obj.part_count; i++) {
         add_part(&obj, &obj.parts[i]);
     }

@@ -193,15 +193,15 @@ static bool child_finished(const struct system_child_result *result, unsigned se
            refuse(error, error_size, "import crashed (exit status %d)", result->number);
 }
 
-static struct scene_model *map_model(const struct system_memory_file *reply, char *error, size_t error_size)
+struct scene_model *scene_import_map(const struct system_memory_file *file, char *error, size_t error_size)
 {
     struct stat status;
-    if (fstat(fileno(reply->stream), &status) != 0 || status.st_size < (off_t)sizeof(struct scene_model)) {
-        refuse(error, error_size, "import sent no model");
+    if (fstat(fileno(file->stream), &status) != 0 || status.st_size < (off_t)sizeof(struct scene_model)) {
+        refuse(error, error_size, "no model was sent");
         return NULL;
     }
     size_t size;
-    void *const mapping = system_memory_file_map(reply, &size);
+    void *const mapping = system_memory_file_map(file, &size);
     if (mapping == NULL) {
         refuse(error, error_size, "there is not enough memory for the model");
         return NULL;
@@ -209,7 +209,7 @@ static struct scene_model *map_model(const struct system_memory_file *reply, cha
     struct scene_model *model = scene_blob_read(mapping, size);
     if (model == NULL) {
         system_memory_file_unmap(mapping, size);
-        refuse(error, error_size, "import sent a damaged model");
+        refuse(error, error_size, "the model was damaged on its way");
         return NULL;
     }
     model->size = size;
@@ -238,7 +238,7 @@ struct scene_model *scene_import_start(const struct scene_import *import,
     struct system_child_result result = system_child_run(&work);
     struct scene_model *model = NULL;
     if (child_finished(&result, seconds, error, error_size)) {
-        model = map_model(&result.reply, error, error_size);
+        model = scene_import_map(&result.reply, error, error_size);
     }
     system_memory_file_close(&result.reply);
     return model;

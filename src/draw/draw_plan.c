@@ -144,10 +144,8 @@ static enum rhw_fragment_test choose_test(const struct rhw_draw_plan *plan,
         plan->early.open != RHW_OPEN_IGNORED) {
         return RHW_TEST_STENCIL;
     }
-    if (samples == 1 && tests_whole_blocks(plan, def, depth_stencil)) {
-        return RHW_TEST_WHOLE_BLOCKS;
-    }
-    return samples == 1 && depth_stencil->rejects_by_stencil ? RHW_TEST_STENCIL_FIRST : RHW_TEST_MASKS;
+    return samples == 1 && tests_whole_blocks(plan, def, depth_stencil) ? RHW_TEST_WHOLE_BLOCKS
+                                                                        : RHW_TEST_MASKS;
 }
 
 static void plan_depth(struct rhw_draw_plan *plan, const struct rhw_pipeline_def *def,

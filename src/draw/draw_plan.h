@@ -52,14 +52,13 @@ enum rhw_fragment_test {
     RHW_TEST_DEPTH, // depth alone, which is a float (kernels/depth/depth_test.h), or nothing
     RHW_TEST_STENCIL, // the general stencil test: depth bounds, stencil and depth (kernels/depth/stencil_test.h)
     RHW_TEST_MASKS, // stencil and depth by masks of a block, before shading (kernels/depth/stencil_block.h)
-    RHW_TEST_STENCIL_FIRST, // stencil before the triangle's depth is known, as most fragments fail there
     RHW_TEST_WHOLE_BLOCKS // depth stays, and stencil follows the depth test alone (kernels/depth/depth_range.h)
 };
 
 // Return true if what a test does can be done by masks of a block.
 static inline bool rhw_test_has_masks(enum rhw_fragment_test test)
 {
-    return test == RHW_TEST_MASKS || test == RHW_TEST_STENCIL_FIRST || test == RHW_TEST_WHOLE_BLOCKS;
+    return test == RHW_TEST_MASKS || test == RHW_TEST_WHOLE_BLOCKS;
 }
 
 struct rhw_depth_rule {

@@ -38,14 +38,9 @@ static float kept_above(double depth_steps)
     return depth_steps == 0 ? -INFINITY : depth_steps == 0xffffff ? 0.5f : INFINITY;
 }
 
-static bool keeps_stencil(const struct rhw_stencil_rule *rule)
-{
-    return rule->write_mask == 0 || rule->fail == RHW_STENCIL_KEEP;
-}
-
 static bool keeps_failed(const struct rhw_stencil_rule *rule)
 {
-    return rule->write_mask == 0 || (keeps_stencil(rule) && rule->depth_fail == RHW_STENCIL_KEEP);
+    return rule->write_mask == 0 || (rule->fail == RHW_STENCIL_KEEP && rule->depth_fail == RHW_STENCIL_KEEP);
 }
 
 // Return true if a topology has polygons. Points and lines have no depth bias; polygons that are drawn as points or
@@ -86,9 +81,6 @@ void rhw_depth_stencil_init(struct rhw_depth_stencil_state *state, const struct 
     }
     state->rejects_early =
         !state->tests_stencil || (keeps_failed(&state->face[0]) && keeps_failed(&state->face[1]));
-    state->rejects_by_stencil =
-        state->tests_stencil && keeps_stencil(&state->face[0]) && keeps_stencil(&state->face[1]) &&
-        (state->face[0].compare != RHW_COMPARE_ALWAYS || state->face[1].compare != RHW_COMPARE_ALWAYS);
     state->bounds_least = setting->bounds_least;
     state->bounds_most = setting->bounds_most;
     state->bias = setting->has_bias ? setting->bias : def->depth_bias;

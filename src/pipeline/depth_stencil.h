@@ -31,8 +31,6 @@ struct rhw_depth_stencil_state {
     float depth_margin;
     // Depths above this, up to 1, are what rounding makes of them.
     float kept_above;
-    // Fragments that fail the stencil test change nothing, and some may fail.
-    bool rejects_by_stencil;
     bool is_biased;
     struct rhw_depth_bias bias;
     bool counts; // samples that pass are counted, for queries

@@ -64,10 +64,10 @@ static const char *extension(const char *path)
     return dot != NULL && (slash == NULL || dot > slash) ? dot : "";
 }
 
-static bool ends_in(const char *path, const char *const endings[3])
+static bool ends_in(const char *path, const char *const endings[])
 {
     bool found = false;
-    for (int i = 0; i < 3 && endings[i] != NULL; i++) {
+    for (int i = 0; endings[i] != NULL; i++) {
         found = found || strcmp(extension(path), endings[i]) == 0;
     }
     return found;
@@ -75,13 +75,14 @@ static bool ends_in(const char *path, const char *const endings[3])
 
 static bool is_image(const char *path)
 {
-    static const char *const endings[3] = {".png", ".ktx2", ".webp"};
+    static const char *const endings[] = {".png", ".ktx2", ".webp", ".dds", ".tif",
+                                          ".gif", ".avif", ".jpg",  NULL};
     return ends_in(path, endings);
 }
 
 static bool is_panorama(const char *path)
 {
-    static const char *const endings[3] = {".hdr", ".exr"};
+    static const char *const endings[] = {".hdr", ".exr", NULL};
     return ends_in(path, endings);
 }
 
@@ -296,6 +297,19 @@ static bool check_model(struct fuzz *fuzz, const char *model, const char *name, 
     return false;
 }
 
+// The picture beside itself: `rhw compare` has decoders of its own.
+static bool check_compare(struct fuzz *fuzz, const char *picture)
+{
+    const char *const compare[] = {fuzz->rhw, "compare", picture, picture, "--max-memory=512M", NULL};
+    char problem[1024] = "";
+    if (check_run(fuzz, compare, false, problem, sizeof problem)) {
+        return true;
+    }
+    fuzz->failures++;
+    printf("%s: compared: %s\n", picture, problem);
+    return false;
+}
+
 // A square that wears the image, whose bytes tell what it is: hostile images reach the program as textures.
 static bool check_image(struct fuzz *fuzz, const char *image)
 {
@@ -311,23 +325,24 @@ static bool check_image(struct fuzz *fuzz, const char *image)
     save("../square.obj", square, sizeof square - 1);
     free(data);
     const bool fine = check_model(fuzz, "../square.obj", image, NULL) &&
-                      check_model(fuzz, "../square.obj", image, "--max-texture=3");
+                      check_model(fuzz, "../square.obj", image, "--max-texture=3") &&
+                      check_compare(fuzz, image);
     unlink("../image.png");
     unlink("../square.mtl");
     unlink("../square.obj");
     return fine;
 }
 
-// A square in the light of the panorama.
+// A square in the light of the panorama, and one that wears it.
 static bool check_panorama(struct fuzz *fuzz, const char *panorama)
 {
     static const char square[] = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n";
     char option[1200];
     snprintf(option, sizeof option, "--environment=%s", panorama);
     save("../square.obj", square, sizeof square - 1);
-    const bool fine = check_model(fuzz, "../square.obj", panorama, option);
+    const bool fine = check_model(fuzz, "../square.obj", panorama, option) && check_compare(fuzz, panorama);
     unlink("../square.obj");
-    return fine;
+    return fine && check_image(fuzz, panorama);
 }
 
 static void replay(struct fuzz *fuzz)

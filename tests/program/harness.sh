@@ -68,6 +68,11 @@ no_temporary_files() {
     [ -z "$(find . -name '.rhw-*')" ] || fail "left behind: $(find . -name '.rhw-*')"
 }
 
+# Whether a process writes a file below a folder, with a name or still without one.
+is_writing() { # FOLDER
+    [ -n "$(find "$1" -name '.rhw-*')" ] || ls -l /proc/*/fd 2>/dev/null | grep -q " $(realpath "$1")/.*(deleted)\$"
+}
+
 finish() {
     echo "$checks checks, $failures failed"
     [ "$failures" = 0 ]

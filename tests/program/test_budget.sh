@@ -71,7 +71,7 @@ check "no half picture" test "$(find slow -type f | wc -l)" = 0
 # A signal to thumbs and what it started leaves no temporary file.
 setsid "$rhw" thumbs late -o slow --size 4096 2>/dev/null &
 tries=0
-while [ -z "$(find slow -name '.rhw-*')" ] && [ $tries -lt 3000 ]; do
+while ! is_writing slow && [ $tries -lt 3000 ]; do
     sleep 0.02
     tries=$((tries + 1))
 done
@@ -92,27 +92,28 @@ mkdir -p shop/stock
 cp wide.png shop
 sed 's,"triangle.bin","../triangle.bin",' wide.gltf >shop/outside.gltf
 cp wide.gltf shop/stock/inside.gltf
-sed 's,"wide.png","../wide.png",' wide.gltf >shop/stock/above.gltf
+cp wide.png shop/above.png
+sed 's,"wide.png","../above.png",' wide.gltf >shop/stock/above.gltf
 cp triangle.bin wide.png shop/stock
 succeed render shop/outside.gltf -o free.png --size 32
-refuse 1 'shop/outside.gltf: buffers\[0\]: "../triangle.bin": lies outside the folder that may be read' \
+refuse 1 'shop/outside.gltf: buffers\[0\]: "../triangle.bin": is not a file of the folder that may be read' \
     render shop/outside.gltf -o a.png --confine
-refuse 1 'shop/outside.gltf: buffers\[0\]: "../triangle.bin": lies outside' render shop/outside.gltf -o a.png \
+refuse 1 'shop/outside.gltf: buffers\[0\]: "../triangle.bin": is not a file of' render shop/outside.gltf -o a.png \
     --confine=shop
 succeed render shop/outside.gltf -o b.png --size 32 --confine=.
 run render shop/stock/above.gltf -o c.png --size 32 --confine
-check "a texture outside is missing" grep -q 'texture "../wide.png": lies outside the folder' "$folder/log/err"
+check "a texture outside is missing" grep -q 'texture "../above.png": is not a file of the folder' "$folder/log/err"
 succeed render shop/stock/above.gltf -o d.png --size 32 --confine=shop
 ln -s ../triangle.bin shop/link.bin
 sed 's,"triangle.bin","link.bin",' wide.gltf >shop/link.gltf
-refuse 1 'shop/link.gltf: buffers\[0\]: "link.bin": lies outside' render shop/link.gltf -o a.png --confine
+refuse 1 'shop/link.gltf: buffers\[0\]: "link.bin": is not a file of' render shop/link.gltf -o a.png --confine
 for place in "$PWD/triangle.bin" "file://$PWD/triangle.bin"; do
     sed "s,\"triangle.bin\",\"$place\"," wide.gltf >shop/absolute.gltf
-    refuse 1 'shop/absolute.gltf: .*lies outside' render shop/absolute.gltf -o a.png --confine
+    refuse 1 'shop/absolute.gltf: .*is not a file of' render shop/absolute.gltf -o a.png --confine
 done
 sed 's,^mtllib.*,mtllib ../cube.mtl,' cube.obj >shop/cube.obj
 run render shop/cube.obj -o e.png --size 32 --confine
-check "a material library outside" grep -q 'material library "../cube.mtl": lies outside' "$folder/log/err"
+check "a material library outside" grep -q 'material library "../cube.mtl": is not a file of' "$folder/log/err"
 refuse 1 "cube.obj: the folder nowhere, which it may read: No such file or directory" render cube.obj -o a.png \
     --confine=nowhere
 # assimp opens files itself: a scene of LightWave names its objects.
@@ -121,6 +122,55 @@ printf 'LWSC\n3\nLoadObjectLayer 1 %s/secret.obj\n' "$PWD" >shop/scene.lws
 run render shop/scene.lws -o f.png --size 32
 check "assimp opens files" test "$status" = 0
 refuse 1 "shop/scene.lws: the file has nothing to draw" render shop/scene.lws -o a.png --size 32 --confine
+
+# Who made a model does not learn what there is outside, by what is said or by what is drawn.
+refusal_of() { # NAME
+    sed "s,\"triangle.bin\",\"$1\"," wide.gltf >shop/asks.gltf
+    refuse 1 "shop/asks.gltf: buffers" render shop/asks.gltf -o a.png --confine
+    sed 's/"[^"]*"/NAME/' "$folder/log/err"
+}
+there=$(refusal_of ../triangle.bin)
+for name in ../none.bin "$PWD/triangle.bin" /none/none.bin link.bin ../late/none.bin; do
+    check "one refusal, $name" test "$(refusal_of "$name")" = "$there"
+done
+cp wide.png shop/near.png
+sed 's,"triangle.bin","stock/triangle.bin",' wide.gltf >shop/inside.gltf
+for name in ../late/../shop/near.png ../none/../shop/near.png late/../near.png; do
+    sed "s,\"wide.png\",\"$name\"," shop/inside.gltf >shop/asks.gltf
+    succeed render shop/asks.gltf -o a.png --size 32 --confine
+done
+rm a.png
+
+# A pipe that a model names would be waited for, and a device may do something: neither is opened.
+mkdir pipes
+mkfifo pipes/pipe.bin pipes/pipe.png pipes/pipe.mtl pipes/pipe.obj
+cp triangle.bin wide.png cube.mtl pipes
+sed 's,"triangle.bin","pipe.bin",' wide.gltf >pipes/buffer.gltf
+sed 's,"wide.png","pipe.png",' wide.gltf >pipes/texture.gltf
+sed 's,^mtllib.*,mtllib pipe.mtl,' cube.obj >pipes/library.obj
+{ cat cube.mtl && echo "map_Kd pipe.png"; } >pipes/textured.mtl
+sed 's,^mtllib.*,mtllib textured.mtl,' cube.obj >pipes/textured.obj
+printf 'LWSC\n3\nLoadObjectLayer 1 pipe.obj\n' >pipes/scene.lws
+for confine in --samples=1 --confine; do
+    refuse 1 'pipes/buffer.gltf: buffers\[0\]: "pipe.bin": ' render pipes/buffer.gltf -o a.png --max-time 20 $confine
+    refuse 1 'pipes/scene.lws: the file has nothing to draw' render pipes/scene.lws -o a.png --max-time 20 $confine
+    for name in texture.gltf library.obj textured.obj; do
+        run render pipes/$name -o a.png --size 16 --max-time 20 $confine
+        check "$name, which names a pipe: $(cat "$folder/log/err")" test "$status" = 0
+        check "$name: it says so" grep -q '"pipe\.[a-z]*": ' "$folder/log/err"
+    done
+    rm a.png
+done
+
+# A name with a slash at every other byte costs no more than another.
+slashes=$(printf '%040000d' 0 | sed 's,00,a/,g')
+for length in 3000 40000; do
+    sed "s,\"wide.png\",\"$(printf %.${length}s "$slashes")\"," wide.gltf >slashes.gltf
+    run render slashes.gltf -o a.png --size 32 --max-memory 300M --max-time 20
+    check "a texture of $length bytes' name is left out: $status" test "$status" = 0
+    check "for its name or because it is not there" grep -Eq 'a/": (No such file|the name is longer than)' "$folder/log/err"
+done
+rm a.png
 
 # thumbs confines to its folder.
 run thumbs shop -o thumbs --size 16

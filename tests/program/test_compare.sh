@@ -64,7 +64,7 @@ refuse 1 "none.png: cannot be opened: No such file or directory" compare a.png n
 refuse 1 "a.png: is one of the pictures; name another file for the difference" compare a.png a.png -d a.png
 refuse 1 "./a.ppm: is one of the pictures" compare a.png a.ppm -d ./a.ppm
 mkdir folder
-refuse 1 "folder: Is a directory" compare folder a.png
+refuse 1 "folder: cannot be opened: Is a directory" compare folder a.png
 : >empty.png
 refuse 1 "empty.png: the file is empty" compare empty.png a.png
 echo hello >words.png
@@ -102,5 +102,60 @@ printf 'P6\n1 1\n7\n\000\010\000' >range.ppm
 refuse 1 "range.ppm: a sample of the PPM file is out of range" compare range.ppm a.ppm
 printf 'P5\n1 1\n300\n\001\055' >range.pgm
 refuse 1 "range.pgm: a sample of the PPM file is out of range" compare range.pgm a.ppm
+
+# What a picture may take. 8192 pixels each way of 16 channels are 4 GiB, of which a file of a few bytes can speak.
+mkfifo pipe.png
+refuse 1 "pipe.png: cannot be opened: it is no regular file" compare pipe.png a.png
+words() { # NUMBER...: little endian, of 32 bits
+    for number; do
+        printf "\\$(printf %o $((number % 256)))\\$(printf %o $((number / 256 % 256)))\\$(printf %o $((number / 65536)))\\0"
+    done
+}
+attribute() { # NAME TYPE SIZE
+    printf '%s\0%s\0' "$1" "$2"
+    words "$3"
+}
+large_exr() { # SIDE
+    printf '\166\057\061\001\002\0\0\0'
+    attribute channels chlist 305
+    for channel in a b c d e f g h i j k l m n o p; do
+        printf '%s\0' $channel && words 2 0 1 1
+    done
+    printf '\0'
+    attribute compression compression 1 && printf '\003'
+    attribute dataWindow box2i 16 && words 0 0 $(($1 - 1)) $(($1 - 1))
+    attribute displayWindow box2i 16 && words 0 0 $(($1 - 1)) $(($1 - 1))
+    attribute lineOrder lineOrder 1 && printf '\0'
+    attribute pixelAspectRatio float 4 && printf '\0\0\200\077'
+    attribute screenWindowCenter v2f 8 && words 0 0
+    attribute screenWindowWidth float 4 && printf '\0\0\200\077\0'
+    head -c 100000 /dev/zero
+}
+large_exr 8192 >large.exr
+refuse 1 "large.exr: takes 4096 MiB of memory, more than the 2048 MiB that a picture may" compare large.exr large.exr
+refuse 1 "large.exr: takes 4096 MiB of memory, more than the 2048 MiB" render cube.obj --environment large.exr -o b.png
+large_exr 1024 >large.exr
+refuse 1 "large.exr: takes 64 MiB of memory, more than the 32 MiB" compare large.exr large.exr --max-memory 64M
+refuse 1 "large.exr: not a valid EXR file" compare large.exr large.exr
+printf 'P5\n16384 16384\n255\n' >large.pgm
+refuse 1 "large.pgm: takes 256 MiB of memory, more than the 32 MiB" compare large.pgm a.png --max-memory 64M
+refuse 2 "--max-memory: '1k' is not a size" compare a.png a.png --max-memory 1k
+refuse 2 "--max-time: '0' is not" compare a.png a.png --max-time 0
+succeed compare a.png a.png --max-memory 4G --max-time 60
+
+# A chunk of text, too, may become a thousand times as large as it is.
+python3 - <<'PY'
+import struct, zlib
+def chunk(kind, data):
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+zeros = zlib.compressobj(9)
+packed = b"".join(zeros.compress(bytes(1 << 20)) for i in range(70)) + zeros.flush()
+picture = open("a.png", "rb").read()
+for name, kind, before in (("text", b"zTXt", b"k\0\0"), ("profile", b"iCCP", b"k\0\0")):
+    open(name + ".png", "wb").write(picture[:33] + chunk(kind, before + packed) + picture[33:])
+PY
+for name in text profile; do
+    refuse 1 "$name.png: not a valid PNG file: reached chunk/cache limits" compare a.png $name.png
+done
 
 finish

@@ -6,6 +6,11 @@
 man=$root/docs/rhw.1
 completion=$root/tools/rhw/completion/rhw.bash
 
+bash_says() { # WORD...: how bash completes the last one
+    bash -c '. "$0"; COMP_WORDS=(rhw "$@"); COMP_CWORD=$#; _rhw; printf "%s\n" "${COMPREPLY[@]}"' "$completion" "$@" |
+        sed 's/=$//' | sort | tr '\n' ' '
+}
+
 for verb in render thumbs compare explain view info bench; do
     succeed $verb --help
     options=$(grep -oE '^  (-.,|   ) --[a-z-]+' "$folder/log/out" | grep -oE -- '--[a-z-]+')
@@ -14,14 +19,26 @@ for verb in render thumbs compare explain view info bench; do
         escaped=$(echo "$option" | sed 's/-/\\\\-/g')
         check "man page: $verb $option" grep -Eq -- "^\.B[RI]* (.* )?$escaped([^a-z\\]|\$)" "$man"
     done
-    completed=$(bash -c ". '$completion'; COMP_WORDS=(rhw $verb --); COMP_CWORD=2; _rhw; printf '%s\n' \"\${COMPREPLY[@]}\"" |
-        sed 's/=$//' | sort | tr '\n' ' ')
-    check "completion of $verb" test "$completed" = "$(echo "$options" | sort | tr '\n' ' ')"
+    completed=$(bash_says $verb --)
+    case $verb in
+    explain | view) # they have options of rhw render too
+        for option in $options --size --samples --camera --orbit --environment --time --max-texture; do
+            check "completion of $verb: $option" test "${completed#*"$option "}" != "$completed"
+        done
+        for option in $completed; do
+            run $verb none.obj --at=0,0 "$option="
+            check "$verb knows $option" sh -c "! grep -Eq -e '$option: (no such|cannot)' '$folder/log/err'"
+        done
+        ;;
+    *) check "completion of $verb" test "$completed" = "$(echo "$options" | sort | tr '\n' ' ')" ;;
+    esac
 done
-verbs=$(bash -c ". '$completion'; COMP_WORDS=(rhw ''); COMP_CWORD=1; _rhw; printf '%s ' \"\${COMPREPLY[@]}\"")
-check "completion of verbs" test "$verbs" = "render thumbs compare explain view info bench --help --version "
-outputs=$(bash -c ". '$completion'; COMP_WORDS=(rhw render --output depth,n); COMP_CWORD=3; _rhw; printf '%s ' \"\${COMPREPLY[@]}\"")
-check "completion within a list" test "$outputs" = "depth,normal "
+verbs="render thumbs compare explain view info bench"
+check "completion of verbs" test "$(bash_says '')" = "$(printf '%s\n' $verbs help --help --version | sort | tr '\n' ' ')"
+check "completion of help" test "$(bash_says help '')" = "$(printf '%s\n' $verbs | sort | tr '\n' ' ')"
+check "completion of a beginning" test "$(bash_says he)$(bash_says explain --si)$(bash_says view --full)" = "help --size --fullscreen "
+check "completion of a value" test "$(bash_says explain --samples 1)" = "1 16 "
+check "completion within a list" test "$(bash_says render --output depth,n)" = "depth,normal "
 mkdir made
 check "completions are made" "$root/script/completions" "$rhw" made
 for file in rhw.bash _rhw rhw.fish; do
@@ -36,8 +53,10 @@ if command -v fish >/dev/null 2>&1; then
     fish_says() { # WORDS: how fish completes them, a line each
         fish --no-config -c "source $root/tools/rhw/completion/rhw.fish; complete -C '$1'" | cut -f 1 | tr '\n' ' '
     }
-    check "fish: verbs" test "$(fish_says 'rhw ')" = "bench compare explain info render thumbs view "
+    check "fish: verbs" test "$(fish_says 'rhw ')" = "bench compare explain help info render thumbs view "
     check "fish: options" test "$(fish_says 'rhw info --')" = "--help --json "
+    check "fish: options of render" test "$(fish_says 'rhw explain --siz')" = "--size "
+    check "fish: verbs of help" test "$(fish_says 'rhw help ')" = "bench compare explain info render thumbs view "
     check "fish: within a list" test "$(fish_says 'rhw render --output depth,n')" = "depth,normal "
 fi
 succeed --version

@@ -154,13 +154,34 @@ check "no light" grep -q '^what there is comes from all around.$' "$folder/log/o
 succeed explain shaded.obj --at 40,40 $above --json
 check "where it shines from" grep -Eq '"direction": \[-0.[0-9]*, 0.[0-9]*, 0.[0-9]*\], "has_shadows"' "$folder/log/out"
 check "the same as JSON" grep -q '"has_shadows": true, "open": 0,' "$folder/log/out"
+# A wall stands on the floor from x = 0 on: beside it half of what comes from all around is left, and a quarter of the
+# other half.
+cat >wall.obj <<'OBJ'
+v -4 -4 0
+v 4 -4 0
+v 4 4 0
+v -4 4 0
+v 0 -4 0
+v 0 4 0
+v 0 4 8
+v 0 -4 8
+f 1 2 3 4
+f 5 6 7 8
+OBJ
+beside="--size 81 --camera -3,0,10,-3,0,0,0,1,0,40"
+succeed explain wall.obj --at 73,40 $beside
+check "ambient occlusion beside a wall" grep -Eq '^    of which ambient occlusion leaves (6[2-9]|7[0-9])\.[0-9]* %$' "$folder/log/out"
+succeed explain wall.obj --at 35,40 $beside --lights none
+check "and far from it" grep -Eq '^of which ambient occlusion leaves (100|99\.[0-9]*) %\.$' "$folder/log/out"
+succeed explain wall.obj --at 73,40 $beside --json
+check "as JSON too" grep -Eq '"ambient_open": 0\.[67]' "$folder/log/out"
 check "the help names textures and light" sh -c "'$rhw' explain --help | grep -q 'texture.* light'"
 # A hidden side comes last and is not shaded.
 succeed explain cube.obj --at 100,100 --size 200 --samples 1 --json
 check "a side that is hidden" grep -q '"fate": "failed_early"' "$folder/log/out"
 check "has no light" test "$(sed -n 's/.*"light": \(.\).*/\1/p' "$folder/log/out" | tr -d '\n')" = 'n{n'
-# Normals that lean away from the eye are bent to it, as the shader bends them: under layers, mapped or not, and where a
-# map turns them; the texel of this one is (1, 0, -0.5). Of nine lights that shine from the eye eight are told.
+# Normals that lean away from the eye are bent to it, as the shader bends them: as they are, under layers, and where a map
+# turns them; the texel of this one is (1, 0, -0.5). Of nine lights that shine from the eye eight are told.
 triangle() { # EXTENSIONS-USED MATERIAL ATTRIBUTES NORMALS
     cat <<GLTF
 {"asset": {"version": "2.0"}, "extensionsUsed": [$1], "extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional"}]}},
@@ -198,9 +219,8 @@ told() { # DESCRIPTION FILE PATTERN: what is told of the middle pixel has that l
     succeed explain "$2" $eye
     check "$1" grep -Eq "$3" "$folder/log/out"
 }
-told "what leans away without a map or layers is left" leaning.gltf 'normal n is \(0.9798, 0, -0.2'
-told "and no light reaches it" leaning.gltf '^    light 8, directional +l is \(0, 0, 1\), n·l -0.2: the surface faces away from it$'
-told "what leans away under a layer is bent" coat.gltf 'normal n is \(0.9998, 0, 0.020'
+told "what leans away is bent" leaning.gltf 'normal n is \(0.9998, 0, 0.020'
+told "under a layer too" coat.gltf 'normal n is \(0.9998, 0, 0.020'
 told "and faces the light" coat.gltf '^    light 8, directional +l is \(0, 0, 1\), n·l 0.0204[0-9]*: without shadows, of \('
 told "eight lights are told" coat.gltf '^    and 1 more$'
 told "the map's is bent" mapped.gltf 'normal n, which the normal map has turned, is \(0.99'
@@ -307,11 +327,12 @@ for sample in 1 2 3; do
     check "sample $sample" grep -q "sample $sample of 4" "$folder/log/out"
 done
 
-# Of a grid of pixels for each one of the picture: the numbers of the larger picture but for colors, as the background and
-# the shading know of the picture's size. That of 9216 rows is drawn in two bands, as the one of 2304 is; the
+# Of a grid of pixels for each one of the picture: the numbers of the larger picture but for colors and occlusion, as the
+# background and the shading know of the picture's size. That of 9216 rows is drawn in two bands, as the one of 2304 is; the
 # pixel lies in the second.
 without_colors() {
-    sed 's/, "\(color_before\|color_after\|output\)": \[[^]]*\]//g; 1,/fragments/d' "$folder/log/out"
+    sed 's/, "\(color_before\|color_after\|output\)": \[[^]]*\]//g; s/, "ambient_open": [0-9.]*//; 1,/fragments/d' \
+        "$folder/log/out"
 }
 for case in "80x60 40,50 2 4 3 81,101" "80x60 40,50 4 16 6 162,201" "1024x2304 512,2100 4 16 9 2049,8402"; do
     set -- $case
@@ -325,6 +346,47 @@ done
 succeed explain floor.obj --at 80,100 $look --supersample 4 --sample 6
 check "names the one that is drawn" grep -q '^It is the mean of 2x2 pixels. This is about (161, 200) of 320x240 that are drawn, sample 2 of 4\.$' "$folder/log/out"
 check "the mean" grep -q ' of sRGB: #[0-9a-f]*, the mean of what is drawn for it\.$' "$folder/log/out"
+
+# Without perspective.
+for option in --ortho "--ortho --camera 0,0,4,0,0,0,0,1,0,3"; do
+    succeed explain cube.obj --at 32,32 --size 64 $option --picture parallel.svg
+    check "every W is 1: $option" grep -q '^Without perspective every W is 1, so that a, b, c are r, s, t' "$folder/log/out"
+    check "nothing of perspective: $option" sh -c "! grep -q '1/W\|in perspective\|flat to the eye\|infinity' '$folder/log/out'"
+    check "naive is right: $option" grep -q 't I_2, which is right without perspective;' "$folder/log/out"
+    check "the pipeline's b: $option" grep -Eq '^    b = s = ([0-9.]+)      the pipeline has ' "$folder/log/out"
+    check "the drawing: $option" grep -q 'Without perspective every W is 1: a, b, c are r, s, t' parallel.svg
+    succeed explain cube.obj --at 32,32 --size 64 --json $option
+    check "JSON: $option" grep -q '"orthographic": true' "$folder/log/out"
+done
+succeed explain cube.obj --at 32,32 --size 64
+check "with perspective" grep -q '^Seen in perspective the triangle is not flat to the eye' "$folder/log/out"
+
+# Every key of the JSON stands in docs/outputs.md and in the types of the npm package, and no type speaks of another.
+if command -v python3 >/dev/null 2>&1; then
+    i=0
+    for options in "tile.obj --at 80,100 $look" "tile.obj --at 80,100 $look --supersample 4" "cube.obj --at 0,0 --size 64" \
+        "cube.obj --at 32,32 --size 64 --ortho"; do
+        i=$((i + 1))
+        succeed explain $options --json
+        cp "$folder/log/out" keys$i.json
+    done
+    check "keys" python3 - "$root" keys*.json <<'PY'
+import json, re, sys
+def keys(value):
+    if isinstance(value, dict):
+        return set(value) | keys(list(value.values()))
+    return set().union(*map(keys, value)) if isinstance(value, list) else set()
+written = set().union(*(keys(json.load(open(name))) for name in sys.argv[2:]))
+types = open(sys.argv[1] + "/web/npm/index.d.ts").read()
+types = types[types.index("export interface ExplainedFragment"):types.index("// Triangles without a model")]
+typed = set(re.findall(r"^ *(\w+)\??:", types, re.M)) - {"text"}
+page = open(sys.argv[1] + "/docs/outputs.md").read()
+page = page[page.index("\n## What is told of a pixel"):page.index("\n## What is drawn")]
+told = set(re.findall(r"`(\w+)`", page))
+assert written == typed, (written - typed, typed - written)
+assert written <= told, written - told
+PY
+fi
 succeed explain --help
 check "help" grep -q -- '--at X,Y' "$folder/log/out"
 

@@ -19,6 +19,18 @@ done
 check "it moves" sh -c '! cmp -s f-0000.png f-0003.png'
 succeed render move.gltf -o rest.png --animation rest --size 60 --camera $look
 check "another animation" cmp -s rest.png f-0000.png
+# Who draws it at rest is told what else there is, where there is a way to it.
+for verb in "render -o hint.png" "explain --at 1,1"; do
+    run $verb move.gltf --size 8
+    check "$verb: the way to another moment" grep -q '^rhw: move.gltf: warning: 2 animations: drawn at rest; --time shows another moment$' "$folder/log/err"
+done
+mkdir hints
+cp move.gltf move.bin hints
+run thumbs hints -o hinted --size 8
+check "thumbs has no --time" grep -q '^rhw: hints/move.gltf: warning: 2 animations: drawn at rest$' "$folder/log/err"
+run info move.gltf
+check "info has none either" grep -q '^ *2 animations: drawn at rest$' "$folder/log/out"
+rm -r hints hinted hint.png
 succeed render move.gltf -o end.png --time 9 --size 60 --camera $look
 succeed render move.gltf -o one.png --time 1 --size 60 --camera $look
 check "after the last key" cmp -s end.png one.png

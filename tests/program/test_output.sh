@@ -134,9 +134,9 @@ check "a new file obeys umask" test "$(stat -c %a masked.png)" = 640
 
 # Signals while a file is being written: the old file stays, the temporary one goes.
 # (Not SIGINT: a shell starts background jobs with it ignored, and rhw then leaves it ignored.)
-tries="TERM:png TERM:exr HUP:png"
+tries="TERM:png TERM:exr KILL:png HUP:png"
 if sh -c 'kill -HUP $$' 2>/dev/null; then
-    tries="TERM:png TERM:exr" # nohup started this
+    tries="TERM:png TERM:exr KILL:png" # nohup started this
 fi
 for try in $tries; do
     signal=${try%:*}
@@ -145,12 +145,12 @@ for try in $tries; do
     "$rhw" render cube.obj --size 1600x1600 --output all -o $slow 2>"$folder/log/err" &
     process=$!
     waited=0
-    while [ -z "$(find . -name '.rhw-*')" ] && kill -0 $process 2>/dev/null && [ $waited -lt 1200 ]; do
+    while ! is_writing . && kill -0 $process 2>/dev/null && [ $waited -lt 1200 ]; do
         sleep 0.05
         waited=$((waited + 1))
     done
     checks=$((checks + 1))
-    [ -n "$(find . -name '.rhw-*')" ] || fail "SIG$signal: never saw the temporary file of $slow"
+    is_writing . || fail "SIG$signal: never saw the temporary file of $slow"
     kill -$signal $process
     status=0
     wait $process 2>/dev/null || status=$?

@@ -55,9 +55,7 @@ for package in $packages; do
     says "$package" Description "^ This package has "
     has "$package" "share/doc/$package/copyright" "share/doc/$package/changelog.gz"
     if command -v lintian >/dev/null 2>&1; then
-        # Who maintains it is said by who builds it; what pkg-config gives beside -I and -D is what equal bytes want.
-        check "lintian" lintian --allow-root --fail-on error --suppress-tags \
-            bogus-mail-host,bogus-mail-host-in-debian-changelog,pkg-config-bad-directive,dir-or-file-in-opt \
+        check "lintian" lintian --allow-root --fail-on error,warning --suppress-tags dir-or-file-in-opt \
             "$(ls "$package"_*.deb)"
     fi
 done
@@ -97,6 +95,8 @@ check "nothing names the build" sh -c "! grep -rl '$build' $usr/lib $usr/share"
 if [ -x "$usr/bin/rhw" ]; then
     says rhw Section '^graphics$'
     says rhw Depends 'libc6 .*libspng0'
+    says rhw Depends 'libtiff6'
+    says rhw Recommends '^libavif[0-9]+$'
     has rhw bin/rhw share/man/man1/rhw.1.gz share/bash-completion/completions/rhw share/zsh/vendor-completions/_rhw \
         share/fish/vendor_completions.d/rhw.fish share/thumbnailers/rhw.thumbnailer share/mime/packages/rhw-models.xml
     mkdir work

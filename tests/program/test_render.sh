@@ -56,13 +56,20 @@ succeed render cube.obj $view --format png -o plain
 check "--format names the format" cmp -s a.png plain
 succeed render $view -o again.png cube.obj
 check "options stand anywhere" cmp -s a.png again.png
-succeed render cube.obj $view -o c16.png --bits 16 --samples 1
-succeed render cube.obj $view -o one.png --samples 1
+succeed render cube.obj $view -o c16.png --bits 16 --samples 1 --background white
+succeed render cube.obj $view -o one.png --samples 1 --background white
 check "16 bit colour" test "$(bytes c16.png 24 2)" = "16 2"
 check "16 bit colour rounds to the 8 bit one" "$rhw" compare one.png c16.png --tolerance 0.501/255 >"$folder/log/compare"
 if equal one.png c16.png; then
     fail "16 bit colour has no more precision than 8 bits"
 fi
+
+# The background has 16 bits too: a run of the code 257 · (134 − 68 (row + ½) / 64) without dither.
+succeed render cube.obj $view -o c16.ppm --bits 16
+tail -c 36864 c16.ppm | od -A n -v -t u1 -w576 | awk '
+    { code = 257 * (134 - 68 * (NR - 0.5) / 64); red = 256 * $1 + $2
+      if (red < code - 1 || red > code + 1 || red != 256 * $7 + $8) print NR, red, code }' >uneven
+check "the background has 16 bits" test ! -s uneven
 
 # Any number of threads, any instruction set, the same bytes.
 succeed render cube.obj $view -o all.exr --output all
@@ -270,6 +277,8 @@ succeed render cube.obj $view -o a.png --environment other.exr
 succeed render cube.obj $view -o a.png
 refuse 1 "nowhere.hdr: cannot be opened: No such file" render cube.obj -o a.png --environment nowhere.hdr
 refuse 1 "a.png: an environment must be a Radiance HDR or an OpenEXR picture" render cube.obj -o b.png --environment a.png
+printf 'version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n' > pointer.hdr
+refuse 1 "pointer.hdr: is a Git LFS pointer, not the file (git lfs pull)" render cube.obj -o b.png --environment pointer.hdr
 refuse 1 "cube.mtl: an environment must be a Radiance HDR or an OpenEXR picture" render cube.obj -o b.png --environment cube.mtl
 : >empty.hdr
 refuse 1 "empty.hdr: the file is empty" render cube.obj -o b.png --environment empty.hdr
@@ -307,6 +316,10 @@ equal front.png fit.png && fail "--camera-index does not show"
 run render cameras.gltf $view -o first.png
 check "a camera that sees nothing is not taken" equal first.png fit.png
 check "and said so" grep -q "^rhw: cameras.gltf: warning: its camera sees nothing" "$folder/log/err"
+sed 's/\[0, 0, -5\]/[0.3, 0.3, 90]/' cameras.gltf >dot.gltf
+run render dot.gltf $view -o dot.png
+check "a camera in which the model is a dot is not taken" equal dot.png fit.png
+check "and said so" grep -q "^rhw: dot.gltf: warning: its camera sees next to nothing" "$folder/log/err"
 run render cameras.gltf $view -o first.png --camera-index 0
 check "unless it was asked for" grep -q "^rhw: cameras.gltf: warning: nothing of the model is in" "$folder/log/err"
 
@@ -490,9 +503,9 @@ kids 0
 AC
 run render dummy.ac $view -o x.png
 check "a dummy texture is none: $(cat "$folder/log/err")" test ! -s "$folder/log/err"
-sed 's/.texture_dummy.bmp/other.bmp/' dummy.ac >other.ac
+sed 's/.texture_dummy.bmp/nowhere.bmp/' dummy.ac >other.ac
 run render other.ac $view -o x.png
-check "another is" grep -q 'other.bmp.*drawn in magenta' "$folder/log/err"
+check "another is" grep -q 'nowhere.bmp.*drawn in magenta' "$folder/log/err"
 run render cube.obj $view -o x.png --camera 0,0,9,0,0,18,0,1,0,30
 check "nothing in view is a warning" grep -q "^rhw: cube.obj: warning: nothing of the model is in the picture" "$folder/log/err"
 printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >thin.obj

@@ -146,4 +146,27 @@ run thumbs none -o none-out
 check "no model: status" test "$status" = 1
 check "no model: says so" grep -q '^rhw: none: has no file whose name is that of a model$' "$folder/log/err"
 
+# A link of a model out of the folder may lead to what is nobody's business; --confine names where it may lead.
+mkdir -p links/in/sub elsewhere
+cp cube.obj cube.mtl elsewhere
+cp cube.obj cube.mtl links/in/sub
+cp cube.mtl links/in
+ln -s sub/cube.obj links/in/near.obj
+ln -s "$PWD/elsewhere/cube.obj" links/in/far.obj
+ln -s ../../../elsewhere/cube.obj links/in/sub/far.obj
+run thumbs links/in -o far --size 16
+check "links out: status $status" test "$status" = 0
+check "no picture of a link out" test ! -e far/far.obj.png -a ! -e far/sub/far.obj.png
+check "a link within" test -s far/near.obj.png -a -s far/sub/cube.obj.png
+for name in far sub/far; do
+    check "$name is said" grep -q "^rhw: links/in/$name.obj: warning: is a link out of links/in, and is left out; see --confine$" \
+        "$folder/log/err"
+done
+succeed thumbs links/in -o quiet --size 16 --quiet
+succeed thumbs links/in -o far --size 16 --confine .
+check "links that may be followed" test -s far/far.obj.png -a -s far/sub/far.obj.png
+rm links/in/near.obj links/in/sub/cube.obj
+run thumbs links/in -o none --size 16
+check "nothing but links out" grep -q "^0 drawn, 0 kept, 0 failed$" "$folder/log/out"
+
 finish

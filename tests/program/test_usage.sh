@@ -175,11 +175,30 @@ refuse 2 "--bits: an EXR file always holds 32 bits" render cube.obj -o a.exr --b
 refuse 2 "--stats: standard output takes the picture" render cube.obj -o - --stats
 refuse 2 "--output: standard output takes one output" render cube.obj -o - --output color,depth
 
-for missing in "" =; do
-    refuse 2 "--at: needs X,Y, a pixel; see 'rhw explain --help'" explain cube.obj --at$missing
-    refuse 2 "--sample: needs N, the number of a sample; see" explain cube.obj --at 1,1 --sample$missing
-    refuse 2 "--picture: needs FILE, the name of a .svg file; see" explain cube.obj --at 1,1 --picture$missing
+for option in --at --sample --picture; do
+    refuse 2 "$option: needs an argument; see 'rhw explain --help'" explain cube.obj --at 1,1 $option
+    refuse 2 "$option: '' is not " explain cube.obj --at 1,1 $option=
 done
+# The verbs that draw as rhw render does have its options and their own: what is short of both is neither, and an option
+# that there is not is said before one that is missing.
+refuse 2 "--sampl: more than one option begins so; see 'rhw explain --help'" explain cube.obj --at 1,1 --sampl 1
+refuse 2 "--p: more than one option begins so" explain cube.obj --at 1,1 --p=a.svg
+refuse 2 "--att: no such option; see 'rhw explain --help'" explain cube.obj --att 3,3
+refuse 2 "--fullscreen: no such option; see 'rhw explain --help'" explain cube.obj --at 1,1 --fullscreen
+refuse 2 "--json: takes no argument" explain cube.obj --at 1,1 --json=yes
+succeed explain cube.obj --siz 8 --js --at 4,4
+if [ -x "${rhw%/*}/rhw-view" ]; then
+    refuse 2 "--f: more than one option begins so; see 'rhw view --help'" view cube.obj --f
+    refuse 2 "--at: no such option; see 'rhw view --help'" view cube.obj --at 1,1
+    refuse 2 "--full-screen: no such option" view cube.obj --full-screen
+    refuse 2 "--fullscreen: takes no argument" view cube.obj --fullscreen=yes
+    for verb in view explain; do
+        run $verb --help
+        check "help of $verb: its own options" grep -q '^Usage: rhw '$verb "$folder/log/out"
+        check "help of $verb: not those of render" sh -c "! grep -q -e --turntable '$folder/log/out'"
+    done
+    check "keys" sh -c "'$rhw' view --help | grep -q F12"
+fi
 
 refuse 2 "scene: one argument too many" bench scene
 refuse 2 "--scene: there is no scene 'fil_flat'" bench --scene fill_color,fil_flat

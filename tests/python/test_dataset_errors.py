@@ -10,6 +10,7 @@ import shutil
 import pytest
 
 from dataset_runs import files, manifest, run
+from rhw import _files
 from rhw.dataset import plan, work
 from rhw.dataset.cameras import Sphere
 from rhw.dataset.errors import Failure
@@ -168,6 +169,7 @@ def test_two_requests_at_once(tmp_path, monkeypatch, links):
 
     if not links:
         monkeypatch.setattr(os, "link", refuse)
+        monkeypatch.setattr(_files, "_open_unnamed", lambda folder: None)
     look = plan._refuse_strangers
 
     def look_and_wait(folder, path):
@@ -251,14 +253,24 @@ def test_a_damaged_folder(boxes, tmp_path, capsys, name, line):
         assert say(capsys, "--verify", out)[1].count("\n") == 1
 
 
-@pytest.mark.parametrize("name, text", [(".rhw/plan.json", '{"format": "rhw.dataset 1"}'), (".rhw/boxes/0000.json", "{}"),
-                                        (".rhw/boxes/0000.json", '{"fx": 1.0, "files": {}}')])
-def test_damaged_parts_of_a_folder(boxes, tmp_path, capsys, name, text):
+def test_a_damaged_plan(boxes, tmp_path, capsys):
     asked = (boxes, "--views", 1, "--size", 20, "--out", tmp_path / "set")
     run(*asked)
-    (tmp_path / "set" / name).write_text(text)
+    (tmp_path / "set/.rhw/plan.json").write_text('{"format": "rhw.dataset 1"}')
     status, said = say(capsys, *asked)
-    assert status == 1 and said.startswith(f"rhw.dataset: {tmp_path}/set/{name}: is damaged") and said.count("\n") == 1
+    assert status == 1 and said.startswith(f"rhw.dataset: {tmp_path}/set/.rhw/plan.json: is damaged") and said.count("\n") == 1
+
+
+@pytest.mark.parametrize("text", ["", "{}", '{"fx": 1.0, "files": {}}', "[1]", "\0"])
+def test_a_damaged_record(boxes, tmp_path, capsys, text):
+    """Its view is drawn again, so that it is there again."""
+    asked = (boxes, "--views", 1, "--size", 20, "--out", tmp_path / "set")
+    run(*asked)
+    path = tmp_path / "set/.rhw/boxes/0000.json"
+    before = path.read_bytes()
+    path.write_text(text)
+    assert say(capsys, *asked) == (0, f"rhw.dataset: {path}: is not what was drawn, and is drawn again\n")
+    assert path.read_bytes() == before
 
 
 def test_names_of_models(tmp_path, capsys):

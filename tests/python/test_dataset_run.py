@@ -66,6 +66,30 @@ def test_what_is_missing_is_drawn(whole, boxes, tmp_path):
     assert {name for name in whole if after[name] != before[name]} <= {".rhw/boxes/0003.json", "boxes/0005.npz", "manifest.json"}
 
 
+def test_what_has_changed_is_drawn_again(boxes, tmp_path):
+    """Pictures and records, of a data set that is finished and of one that is not."""
+    folder, asked = tmp_path / "set", (boxes, "--views", 6, "--size", 32)
+    run(*asked, "--out", folder)
+    before = files(folder)
+    pictures, (*_, record, other) = sorted((folder / "boxes").glob("*.png")), sorted(records(folder))
+    pictures[0].write_bytes(pictures[0].read_bytes()[:-9] + b"X" * 9)
+    pictures[1].write_bytes(b"")
+    record.write_text("{")
+    other.write_text(other.read_text().replace('"sha256": {', '"sha256": {}, "other": {'))
+    (folder / "boxes" / "transforms.json").write_text("{}")
+    (folder / "manifest.json").write_text("{}")
+    said = run(*asked, "--out", folder)
+    assert sorted(said.splitlines()) == sorted(
+        f"rhw.dataset: {path}: is not what was drawn, and is drawn again" for path in (*pictures[:2], record, other))
+    assert files(folder) == before
+
+    pictures[2].write_bytes(b"no picture")
+    (folder / "manifest.json").unlink()
+    assert run(*asked, "--out", folder, "--quiet") == "" and files(folder) == before
+    seen = marks(folder)
+    assert run(*asked, "--out", folder) == "" and marks(folder) == seen
+
+
 @pytest.mark.parametrize("threads", [1, 2, 5])
 def test_any_number_of_threads(whole, boxes, tmp_path, threads):
     run(boxes, *SLOW, "--out", tmp_path / "set", "-j", threads)

@@ -200,3 +200,26 @@ def test_nothing_is_drawn_of_nothing():
     nonsense = np.full((1, 4, 4, 4), 1e9, np.float32)
     assert not dr.interpolate(np.ones((3, 2)), nonsense, [[0, 1, 2]])[0].any()
     assert not dr.rasterize_grad(GOOD["pos"], [[0, 1, 2]], nonsense, nonsense).any()
+
+
+def test_gradients_that_are_not_finite_count_where_something_is_drawn_alone():
+    pos, tri = soup(3)
+    rast, rast_db = dr.rasterize(pos, tri, (8, 8))
+    seen = rast[..., 3:] > 0
+    tame = np.random.default_rng(3).normal(size=rast.shape)
+    wild = np.where(seen, tame, [np.nan, np.inf, -np.inf, 1e300])
+    beside = wild.copy()
+    beside[..., 2:] = np.nan  # z/w and the triangle's number have no gradient
+    tame = np.where(seen, tame, 0)
+    calls = [
+        ("to_rast", lambda given: dr.rasterize_grad(pos, tri, rast, given, tame)),
+        ("to_rast_db", lambda given: dr.rasterize_grad(pos, tri, rast, tame, given)),
+        ("to_values", lambda given: dr.interpolate_grad(pos, rast, tri, given)[0]),
+        ("to_slopes", lambda given: dr.interpolate_grad(pos, rast, tri, tame, rast_db, given, [1, 2])[2]),
+        ("to_result", lambda given: dr.antialias_grad(tame, rast, pos, tri, given)[1]),
+        ("to_result", lambda given: dr.antialias_grad(tame, rast, pos, tri, given)[0])]
+    for name, call in calls:
+        assert call(tame).any() and np.array_equal(call(wild), call(tame))
+        with pytest.raises(ValueError, match=f"^{name}: every number must be finite where something is drawn$"):
+            call(np.where(seen, np.nan, tame))
+    assert np.array_equal(calls[0][1](beside), calls[0][1](tame))

@@ -216,7 +216,6 @@ def test_a_million_pixels_add_to_a_texel():
 
 @pytest.mark.parametrize("boundary", ["cube", "wrap"])
 def test_slopes_that_are_no_numbers_have_no_gradient(boundary):
-    """rhw.diff refuses them; an array that another thread writes to may have some nevertheless."""
     tex, uv, uv_da, bias = scene(5, cube=boundary == "cube", shared=True)
     tex = tex[:1].copy()
     broken = np.zeros(uv.shape[:3], bool)
@@ -224,15 +223,31 @@ def test_slopes_that_are_no_numbers_have_no_gradient(boundary):
     for wrong in (np.nan, np.inf):
         uv_da[broken, 1] = wrong
         bias[broken] = 64.5  # so that a level between two is read even where the slopes say the least there is
-        with pytest.raises(ValueError, match="^uv_da: every number must be finite"):
-            dr.texture_grad(tex, uv, np.zeros(uv.shape[:3] + (3,)), uv_da, bias, boundary_mode=boundary)
-        levels = (tex, *dr.texture_construct_mip(tex, cube_mode=boundary == "cube"))
-        to_values = np.ones(uv.shape[:3] + (3,), np.float32)
-        description = (levels, 1, *tex.shape[-3:], 3, ["cube", "wrap"].index(boundary), 2, 99, 2)
-        results = [np.full_like(level, 7) for level in levels], *(np.full_like(a, 7) for a in (uv, uv_da, bias))
-        _rhw.diff_texture_grad((description, uv, uv_da, bias, to_values), tuple(results[0]), *results[1:])
+        results = dr.texture_grad(tex, uv, np.ones(uv.shape[:3] + (3,)), uv_da, bias, boundary_mode=boundary)
         assert np.isfinite(results[1]).all() and results[1].any() and not results[2][broken].any()
-        assert np.isfinite(results[3]).all() and all(np.isfinite(level).all() for level in results[0])
+        assert np.isfinite(results[3]).all() and np.isfinite(results[0]).all()
+
+
+@pytest.mark.parametrize("boundary", ["cube", "wrap", "clamp", "zero"])
+def test_coordinates_that_are_no_numbers_read_nothing(boundary):
+    tex, uv, uv_da, bias = scene(5, cube=boundary == "cube", shared=True)
+    to_values = np.ones(uv.shape[:3] + tex.shape[-1:], np.float32)
+    whole = dr.texture_grad(tex, uv, to_values, uv_da, bias, boundary_mode=boundary)
+    for wrong, broken in ((np.nan, uv[:, ::4, :, 0]), (-np.inf, uv[:, 1::4, :, -1]), (np.nan, bias[:, 2::4])):
+        broken[:] = wrong
+    nothing = ~(np.isfinite(uv).all(-1) & np.isfinite(bias))
+    values = dr.texture(tex, uv, uv_da, bias, boundary_mode=boundary)
+    assert not values[nothing].any() and values[~nothing].any() and np.isfinite(values).all()
+
+    to_values[nothing] = np.nan
+    results = dr.texture_grad(tex, uv, to_values, uv_da, bias, boundary_mode=boundary)
+    to_values[nothing] = 0
+    for result, same in zip(results[:4], dr.texture_grad(tex, uv, to_values, uv_da, bias, boundary_mode=boundary)):
+        assert np.array_equal(result, same) and np.isfinite(result).all()
+    assert not np.array_equal(results[0], whole[0])
+    to_values[~nothing] = np.inf
+    with pytest.raises(ValueError, match="^to_values: every number must be finite where something is drawn$"):
+        dr.texture_grad(tex, uv, to_values, uv_da, bias, boundary_mode=boundary)
 
 
 @pytest.mark.parametrize("wrong, line", [

@@ -96,3 +96,77 @@ def test_mistakes_are_told(scene):
         dr.interpolate(uv, dr.rasterize(dr.RasterizeContext(), pos, tri, SIZE)[0], tri, diff_attrs="all")
     dr.set_log_level(0)
     assert dr.get_log_level() == 0
+
+
+def one_triangle():
+    pos = torch.tensor([[[-.8, -.8, .2, 1], [.8, -.8, .2, 1], [-.8, .8, .2, 1]]], requires_grad=True)
+    return dr.RasterizeCudaContext(), pos, torch.tensor([[0, 1, 2]], dtype=torch.int32)
+
+
+def test_what_is_not_finite_where_nothing_is_drawn_is_ignored():
+    """As in nvdiffrast: a division by what is 0 there gives NaN on the way there, and on the way back."""
+    glctx, pos, tri = one_triangle()
+    tex = torch.rand(1, 8, 8, 3, requires_grad=True)
+
+    def gradients(mask):
+        pos.grad = tex.grad = None
+        rast, _ = dr.rasterize(glctx, pos, tri, SIZE)
+        at, _ = dr.interpolate(pos, rast, tri)
+        seen = rast[..., 3:] > 0
+        w = at[..., 3:] if mask is None else torch.where(seen, at[..., 3:], torch.ones(()))
+        color = dr.texture(tex, at[..., :2] / w, filter_mode="linear") / w
+        color = torch.where(seen, color, torch.zeros(()))
+        if mask is None:
+            color.register_hook(lambda gradient: torch.where(seen, gradient, gradient / 0))
+        image = dr.antialias(color, rast.detach(), pos, tri)
+        (image * torch.linspace(0, 1, SIZE[1])[:, None]).sum().backward()
+        return pos.grad.clone(), tex.grad.clone()
+
+    for wild, tame in zip(gradients(None), gradients("mask")):
+        assert torch.isfinite(wild).all() and wild.any() and torch.allclose(wild, tame, rtol=1e-5, atol=1e-6)
+
+
+def test_tensors_are_taken_for_numbers():
+    glctx, pos, tri = one_triangle()
+    size = torch.tensor(SIZE)
+    rast, rast_db = dr.rasterize(glctx, pos, tri, size)
+    assert torch.equal(rast, dr.rasterize(glctx, pos, tri, tuple(size))[0])
+    assert torch.equal(rast, dr.rasterize(glctx, pos[0], tri, SIZE, ranges=torch.tensor([[0, 1]]))[0])
+    slopes = dr.interpolate(pos, rast, tri, rast_db, [1, 2])[1]
+    for some in (torch.tensor([1, 2]), [torch.tensor(1), torch.tensor(2)], np.array([1, 2])):
+        assert torch.equal(dr.interpolate(pos, rast, tri, rast_db, some)[1], slopes)
+    tex, uv = torch.rand(1, 8, 8, 3), torch.rand(1, 4, 4, 2)
+    limited = dr.texture(tex, uv, uv_da=torch.ones(1, 4, 4, 4), max_mip_level=torch.tensor(1))
+    assert torch.equal(limited, dr.texture(tex, uv, uv_da=torch.ones(1, 4, 4, 4), max_mip_level=1))
+
+
+@pytest.mark.parametrize("told, call", [
+    ("glctx: must be a RasterizeContext, not NoneType", lambda c, p, t: dr.rasterize(None, p, t, SIZE)),
+    ("glctx: must be a RasterizeContext, not NoneType", lambda c, p, t: dr.DepthPeeler(None, p, t, SIZE)),
+    ("ranges: must be a torch.Tensor, not list", lambda c, p, t: dr.rasterize(c, p[0], t, SIZE, ranges=[[0, 1]])),
+    ("rast_db: must be a torch.Tensor, not list", lambda c, p, t: dr.interpolate(p, dr.rasterize(c, p, t, SIZE)[0], t, [1], [1])),
+    ("uv_da: must be a torch.Tensor, not list", lambda c, p, t: dr.texture(p[None], p[None, ..., :2], uv_da=[1])),
+    (r"mip\[0\]: must be a torch.Tensor, not int", lambda c, p, t: dr.texture(p[None], p[None, ..., :2], mip=[1])),
+    ("resolution: must be a whole number, not True", lambda c, p, t: dr.rasterize(c, p, t, torch.tensor([True, True]))),
+])
+def test_what_is_no_tensor_is_told(told, call):
+    with pytest.raises(TypeError, match=f"^{told}$"):
+        call(*one_triangle())
+
+
+def test_a_second_derivative_is_refused():
+    glctx, pos, tri = one_triangle()
+    scale = torch.ones((), requires_grad=True)
+
+    def outputs():
+        rast, _ = dr.rasterize(glctx, pos * scale, tri, SIZE)
+        yield rast[..., 0]
+        at, _ = dr.interpolate(pos * scale, rast, tri)
+        yield at
+        yield dr.texture(pos[None, ...] * scale, at[..., :2])
+        yield dr.antialias(at.detach(), rast.detach(), pos * scale, tri)
+
+    for output in outputs():
+        (gradient,) = torch.autograd.grad(output.square().sum(), pos, create_graph=True)
+        with pytest.raises(RuntimeError, match="differentiate twice"):
+            gradient.square().sum().backward()

@@ -11,7 +11,7 @@ import pytest
 
 import rhw
 from conftest import SANITIZED
-from rhw import _threads
+from rhw import _files, _threads
 
 V = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)
 F = np.array([[0, 1, 2], [0, 2, 3]])
@@ -90,6 +90,39 @@ def test_one_line(call, kind, line, tmp_path, monkeypatch):
         call()
     assert "\n" not in str(caught.value)
     assert os.listdir(tmp_path) == []
+
+
+@pytest.mark.parametrize("is_named", (False, True))
+def test_a_file_takes_its_place_whole(tmp_path, monkeypatch, is_named):
+    """Also where the system has no files without a name."""
+    if is_named:
+        monkeypatch.setattr(_files, "_open_unnamed", lambda folder: None)
+    place = tmp_path / "file"
+    for text in (b"first", b"second"):
+        with _files.replacing(place) as file:
+            file.write(text)
+            assert not place.exists() or place.read_bytes() == b"first"
+        assert place.read_bytes() == text
+    with pytest.raises(FileExistsError), _files.replacing(place, new=True) as file:
+        file.write(b"third")
+    with pytest.raises(KeyError), _files.replacing(place) as file:
+        raise KeyError
+    assert place.read_bytes() == b"second" and list(tmp_path.iterdir()) == [place]
+
+
+def test_a_killed_process_leaves_no_file(tmp_path):
+    unnamed = _files._open_unnamed(os.fspath(tmp_path))
+    if unnamed is None:
+        pytest.skip("this system has no files without a name")
+    unnamed.close()
+    child = os.fork()
+    if child == 0:
+        with _files.replacing(tmp_path / "file") as file:
+            file.write(b"half")
+            file.flush()
+            os.kill(os.getpid(), signal.SIGKILL)
+    assert os.WTERMSIG(os.waitpid(child, 0)[1]) == signal.SIGKILL
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_full_place_keeps_the_older_file(tmp_path):

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Models from arrays and from what looks like trimesh."""
 
+import copy
+import multiprocessing
+import pickle
+
 import numpy as np
 import pytest
 
@@ -203,3 +207,44 @@ def test_arrays_of_others(square):
         rhw.Model(Speaker(writable, device=2), faces)
     torch = pytest.importorskip("torch", reason="torch is not installed")
     assert rhw.Model(torch.from_numpy(writable), torch.from_numpy(faces)).render(30, FRONT).png() == wanted
+
+
+def test_a_pickle_is_the_model(boxes, tmp_path):
+    """For multiprocessing: what another process reads is drawn as the model is, wherever its files are by then."""
+    picture = np.arange(48, dtype=np.uint8).reshape(4, 4, 3)
+    vertices, faces, uv = sphere(6, 8)
+    for model in (rhw.load(boxes), rhw.Model(vertices, faces, uv=uv, texture=picture, name="ball")):
+        text = pickle.dumps(model)
+        again = pickle.loads(text)
+        assert again.path == model.path and again.warnings == model.warnings and repr(again) == repr(model)
+        assert again.materials == model.materials and np.array_equal(again.bounds, model.bounds)
+        assert again.render(64).png() == model.render(64).png()
+        assert copy.copy(model) is model and copy.deepcopy([model])[0] is model
+        drawn = pickle.loads(pickle.dumps(again.render(32, outputs=("color", "depth"))))
+        assert np.array_equal(drawn["depth"], model.render(32, outputs="depth")["depth"])
+        with multiprocessing.get_context("spawn").Pool(1) as pool:
+            assert np.array_equal(pool.apply(rhw.Model.render, (model, 32))["color"], model.render(32)["color"])
+
+
+def test_a_pickle_that_is_damaged_is_refused(square):
+    make, (version, data) = rhw.Model(*square).__reduce__()
+    with pytest.raises(ValueError, match="^pickle: the model is of rhw 0.0.1, and here is rhw "):
+        make("0.0.1", data)
+    for damaged in (b"", data[:-1], data + b"x", data[:len(data) // 2], bytes(len(data)), b"\xff" * len(data)):
+        with pytest.raises(ValueError, match="^model: "):
+            make(version, damaged)
+
+
+def test_masked_arrays(square):
+    """What is masked has no number: one that nobody meant would be drawn."""
+    vertices, faces = square
+    masked = np.ma.masked_array(vertices, vertices > 5)
+    assert rhw.Model(masked, faces).render(32).png() == rhw.Model(vertices, faces).render(32).png()
+    masked[0, 0] = np.ma.masked
+    for call in (lambda: rhw.Model(masked, faces), lambda: rhw.Model(list(masked), faces),
+                 lambda: rhw.Model(vertices, faces, colors=np.ma.masked_less(vertices, 0.5)),
+                 lambda: rhw.write_png("never.png", np.ma.masked_less(np.zeros((2, 2, 3), np.uint8), 1)),
+                 lambda: rhw.Environment(np.ma.masked_less(np.zeros((2, 2, 3), np.float32), 1)),
+                 lambda: rhw.pipeline.Buffer(masked), lambda: rhw.Camera.look_at((1, 2, 3), np.ma.masked_less([0., 1, 2], 1))):
+        with pytest.raises(ValueError, match="^[a-z]+: must have no masked elements; "):
+            call()

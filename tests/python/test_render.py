@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Pictures of models: the bytes of `rhw render`, in the shapes that are promised."""
 
+import base64
+import json
 import math
 import threading
 
@@ -57,6 +59,28 @@ def test_camera_and_textures_of_a_file(program):
     assert model.render((120, 70)).png() == program(path, "y.png", "--size", "120x70")
     second = model.render((120, 70), rhw.Camera.of_model(1))
     assert second.png() == program(path, "z.png", "--size", "120x70", "--camera-index", "1")
+
+
+def test_what_is_seen_is_framed(program, tmp_path):
+    """A camera in which the model is a dot, and a speck far away: warnings, and the picture that is fitted."""
+    vertices = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.float32)
+    scene = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
+             "nodes": [{"mesh": 0}, {"mesh": 0, "translation": [900, 0, 0], "scale": [.01, .01, .01]},
+                       {"camera": 0, "translation": [0, 0, 90]}],
+             "cameras": [{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.1}}],
+             "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+             "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0],
+                            "max": [1, 1, 0]}], "bufferViews": [{"buffer": 0, "byteLength": 36}],
+             "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,"
+                                                   + base64.b64encode(vertices).decode()}]}
+    path = tmp_path / "dot.gltf"
+    path.write_text(json.dumps(scene))
+    model = rhw.load(path)
+    assert any("specks far away" in each for each in model.warnings)
+    with pytest.warns(UserWarning, match="sees next to nothing of the model"):
+        pictures = model.render(64, outputs=("color", "object"))
+    assert pictures.png() == program(path, "x.png", "--size", "64") == program(path, "y.png", "--size", "64", "--fit")
+    assert (pictures["object"] == 1).mean() > 0.3
 
 
 def test_shapes(box_obj):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // rhw compare: how two pictures differ, per channel in numbers and as a picture. Everything is computed in
 // double from the stored samples, row by row, so that equal files give exactly 0 and ids compare as integers.
+#include "budget.h"
 #include "elementary.h"
 #include "file.h"
 #include "image_load.h"
@@ -23,6 +24,9 @@ static const struct cli_option options[] = {
     {"tolerance", OPTION_TOLERANCE, "T",
      "largest difference of a sample that still passes; default 0.\nA number or a fraction such as 2/255"},
     {"json", OPTION_JSON, NULL, "print the numbers as JSON"},
+    {"max-memory", CLI_BUDGET_MEMORY, "SIZE",
+     "fail when the pictures need more than this, each half of it; default 4G"},
+    {"max-time", CLI_BUDGET_TIME, "SECONDS", "fail when it takes longer, 0.1..86400; default 300"},
 };
 
 static const char notes[] =
@@ -67,6 +71,7 @@ struct comparison {
     int worst_x, worst_y;
     uint64_t pixels, differing; // differing in any channel
     double tolerance;
+    struct cli_budget budget;
     const char *difference_path; // NULL: no picture
     bool json;
     float *heat; // largest difference of the pixel as a fraction of the channel's peak; NULL: no picture
@@ -318,8 +323,9 @@ static bool load_and_compare(struct comparison *comparison)
     if (path && !cli_output_file_check(path)) {
         return false;
     }
-    if (!cli_image_load(&comparison->a, comparison->path_a) ||
-        !cli_image_load(&comparison->b, comparison->path_b)) {
+    const size_t most = comparison->budget.memory > 0 ? comparison->budget.memory / 2 : CLI_IMAGE_MOST;
+    if (!cli_image_load(&comparison->a, comparison->path_a, most) ||
+        !cli_image_load(&comparison->b, comparison->path_b, most)) {
         return false;
     }
     return check_comparable(comparison) && match_channels(comparison) && compare_pixels(comparison) &&
@@ -364,13 +370,15 @@ static bool parse_option(struct comparison *comparison, int id, const char *argu
         }
         cli_error("--tolerance", "'%s' is not a number or a fraction, 0 or above", argument);
         return false;
+    case CLI_BUDGET_MEMORY:
+    case CLI_BUDGET_TIME: return cli_parse_budget(&comparison->budget, id, argument);
     default: comparison->json = true; return true;
     }
 }
 
 int cli_compare(int argc, char **argv)
 {
-    struct comparison comparison = {0};
+    struct comparison comparison = {.budget = {.seconds = 300.0}};
     struct cli_parser parser;
     cli_parser_start(&parser, &verb, argc, argv);
     int id;
@@ -389,6 +397,7 @@ int cli_compare(int argc, char **argv)
     comparison.path_a = parser.operands[0];
     comparison.path_b = parser.operands[1];
     int status = CLI_FAILED;
+    cli_budget_apply(&comparison.budget, comparison.path_a);
     if (load_and_compare(&comparison)) {
         if (comparison.json) {
             print_json(&comparison);

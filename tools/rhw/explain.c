@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPTION_AT = 256, OPTION_SAMPLE, OPTION_JSON, OPTION_PICTURE };
+enum { OPTION_AT = CLI_ASKED_OPTION, OPTION_SAMPLE, OPTION_JSON, OPTION_PICTURE };
 
 static const struct cli_option options[] = {
     {"at", OPTION_AT, "X,Y", "the pixel, from the top left of the picture"},
@@ -42,110 +42,77 @@ static const struct cli_verb verb = {.name = "explain",
 
 struct question {
     int x, y, sample;
-    bool has_place, is_json, wants_help;
+    bool has_place, is_json;
     const char *picture; // a file; NULL: none
-    int argc;            // what is left for rhw render
-    char **argv;
 };
 
-// The argument of `name`, which is that option of argv[*i] or the word behind it, or "" where there is none; NULL: it is
-// another.
-static const char *argument_of(const char *name, int argc, char **argv, int *i)
+static bool take_place(struct question *q, const char *argument)
 {
-    const size_t length = strlen(name);
-    if (strncmp(argv[*i], name, length) != 0 || (argv[*i][length] != '\0' && argv[*i][length] != '=')) {
-        return NULL;
-    }
-    if (argv[*i][length] == '=') {
-        return argv[*i] + length + 1;
-    }
-    return *i + 1 < argc ? argv[++*i] : "";
-}
-
-// Reports where there is no argument. `what` it has to be.
-static bool has_argument(const char *argument, const char *name, const char *what)
-{
-    if (*argument == '\0') {
-        cli_error(name, "needs %s; see 'rhw explain --help'", what);
-    }
-    return *argument != '\0';
-}
-
-static bool take_option(struct question *q, int argc, char **argv, int *i, bool *taken)
-{
-    const char *argument;
     double place[2];
     int count;
-    *taken = true;
-    if ((argument = argument_of("--at", argc, argv, i))) {
-        if (!has_argument(argument, "--at", "X,Y, a pixel")) {
-            return false;
-        }
-        q->has_place = cli_parse_numbers(argument, 2, 2, place, &count) && place[0] >= 0 && place[1] >= 0 &&
-                       place[0] < RHW_MAX_TARGET_SIZE && place[1] < RHW_MAX_TARGET_SIZE &&
-                       place[0] == (int)place[0] && place[1] == (int)place[1];
-        if (!q->has_place) {
-            cli_error("--at", "'%s' is not the X,Y of a pixel, from 0,0 on", argument);
-            return false;
-        }
-        q->x = (int)place[0];
-        q->y = (int)place[1];
-    } else if ((argument = argument_of("--sample", argc, argv, i))) {
-        if (!has_argument(argument, "--sample", "N, the number of a sample")) {
-            return false;
-        }
-        if (!cli_parse_int(argument, 0, 255, &q->sample)) {
-            cli_error("--sample", "'%s' is not a number of 0 to 255", argument);
-            return false;
-        }
-    } else if ((argument = argument_of("--picture", argc, argv, i))) {
-        if (!has_argument(argument, "--picture", "FILE, the name of a .svg file")) {
-            return false;
-        }
-        const size_t length = strlen(argument);
-        if (length < 5 || strcmp(argument + length - 4, ".svg") != 0) {
-            cli_error("--picture", "'%s' is not the name of a .svg file", argument);
-            return false;
-        }
-        q->picture = argument;
-    } else if (strcmp(argv[*i], "--json") == 0) {
-        q->is_json = true;
-    } else if (strcmp(argv[*i], "--help") == 0 || strcmp(argv[*i], "-h") == 0) {
-        q->wants_help = true;
-    } else {
-        *taken = false;
+    q->has_place = cli_parse_numbers(argument, 2, 2, place, &count) && place[0] >= 0 && place[1] >= 0 &&
+                   place[0] < RHW_MAX_TARGET_SIZE && place[1] < RHW_MAX_TARGET_SIZE &&
+                   place[0] == (int)place[0] && place[1] == (int)place[1];
+    if (!q->has_place) {
+        cli_error("--at", "'%s' is not the X,Y of a pixel, from 0,0 on", argument);
+        return false;
+    }
+    q->x = (int)place[0];
+    q->y = (int)place[1];
+    return true;
+}
+
+static bool take_picture(struct question *q, const char *argument)
+{
+    const size_t length = strlen(argument);
+    q->picture = argument;
+    if (length < 5 || strcmp(argument + length - 4, ".svg") != 0) {
+        cli_error("--picture", "'%s' is not the name of a .svg file", argument);
+        return false;
     }
     return true;
 }
 
-// What is not explain's own goes on to rhw render, which writes nothing here.
-static bool parse(struct question *q, int argc, char **argv)
+static bool take_option(void *user, int id, const char *argument)
+{
+    struct question *const q = user;
+    switch (id) {
+    case OPTION_AT: return take_place(q, argument);
+    case OPTION_PICTURE: return take_picture(q, argument);
+    case OPTION_SAMPLE:
+        if (cli_parse_int(argument, 0, 255, &q->sample)) {
+            return true;
+        }
+        cli_error("--sample", "'%s' is not a number of 0 to 255", argument);
+        return false;
+    default: q->is_json = true; return true;
+    }
+}
+
+// Fills the question and the job; the latter points into *words, to be freed. False where `*status` is what to return.
+static bool parse(struct question *q, struct cli_render_job *job, int argc, char **argv, char ***words,
+                  int *status)
 {
     static char render[] = "render", out[] = "--out=-", format[] = "--format=png";
-    *q = (struct question){.argv = calloc((size_t)argc + 4, sizeof *q->argv)};
-    if (!q->argv) {
+    const struct cli_render_asked asked = {.verb = &verb, .take = take_option, .user = q};
+    *words = calloc((size_t)argc + 3, sizeof **words);
+    if (!*words) {
         cli_error("explain", "out of memory");
+        *status = CLI_FAILED;
         return false;
     }
-    q->argv[q->argc++] = render;
-    q->argv[q->argc++] = out;
-    q->argv[q->argc++] = format;
-    bool is_operand = false;
-    for (int i = 1; i < argc; i++) {
-        bool taken = false;
-        is_operand = is_operand || strcmp(argv[i], "--") == 0;
-        if (!is_operand && !take_option(q, argc, argv, &i, &taken)) {
-            return false;
-        }
-        if (!taken) {
-            q->argv[q->argc++] = argv[i];
-        }
+    (*words)[0] = render;
+    (*words)[1] = out; // it writes nothing
+    (*words)[2] = format;
+    memcpy(*words + 3, argv + 1, (size_t)(argc - 1) * sizeof **words);
+    if (!cli_render_job_parse(job, &asked, argc + 2, *words, status)) {
+        return false;
     }
-    if (!q->wants_help && !q->has_place) {
+    if (!q->has_place) {
         cli_error("explain", "--at X,Y is missing: which pixel?");
-        return false;
     }
-    return true;
+    *status = CLI_USAGE;
+    return q->has_place;
 }
 
 // What rhw render would do and explain does not.
@@ -183,21 +150,13 @@ static bool tell(const struct question *q, struct render *render)
 
 int cli_explain(int argc, char **argv)
 {
-    struct question question;
+    struct question question = {0};
     struct render render = {0};
+    char **words;
     int status = CLI_USAGE;
-    if (!parse(&question, argc, argv)) {
-        free(question.argv);
-        return status;
-    }
-    if (question.wants_help) {
-        cli_print_help(&verb);
-        free(question.argv);
-        return CLI_OK;
-    }
-    if (cli_render_job_parse(&render.job, &verb, question.argc, question.argv, &status) &&
-        check(&question, &render.job)) {
+    if (parse(&question, &render.job, argc, argv, &words, &status) && check(&question, &render.job)) {
         status = CLI_FAILED;
+        render.job.offers_time = true;
         if (cli_render_prepare(&render)) {
             status = cli_render_open(&render, render.job.model_paths[0]);
         }
@@ -207,6 +166,6 @@ int cli_explain(int argc, char **argv)
         cli_render_forget_model(&render);
         free(render.panorama.texels);
     }
-    free(question.argv);
+    free(words);
     return status;
 }

@@ -84,7 +84,8 @@ bool cli_explain_draw(struct render *render, int x, int y, int sample, struct cl
                                             .drawn_height = side * render->view.height,
                                             .sample = explain.sample,
                                             .samples = samples,
-                                            .picture = render->pictures.color};
+                                            .picture = render->pictures.color,
+                                            .is_orthographic = render->view.camera.orthographic};
     find_nearest(render->pictures.object, explanation);
     return true;
 }

@@ -128,6 +128,8 @@ static void print_light(const struct scene_light_looks *looks)
     printf(",\n   \"light\": {\"normal_mapped\": %s", looks->is_mapped ? "true" : "false");
     print_floats("normal", looks->normal, 3);
     print_floats("sum", looks->sum, 3);
+    printf(", \"ambient_open\": ");
+    cli_json_number(stdout, looks->has_occlusion ? (double)looks->around : 1.0);
     printf(", \"lights\": [");
     for (int i = 0; i < looks->count; i++) {
         const struct scene_light_look *const light = &looks->lights[i];
@@ -198,8 +200,13 @@ void cli_explain_json(const struct cli_explanation *e)
     const uint8_t *const c = cli_explained_color(e);
     printf("{\"model\": ");
     cli_json_string(stdout, e->model_path);
-    printf(", \"size\": [%d, %d], \"pixel\": [%d, %d], \"sample\": %d, \"samples\": %d,\n", e->width,
-           e->height, e->x, e->y, e->sample, e->samples);
+    printf(", \"size\": [%d, %d], \"pixel\": [%d, %d], \"sample\": %d, \"samples\": %d, "
+           "\"orthographic\": %s,\n",
+           e->width, e->height, e->x, e->y, e->sample, e->samples, e->is_orthographic ? "true" : "false");
+    if (scene_origin_is_far(e->model->origin)) {
+        const double *const origin = e->model->origin;
+        printf(" \"origin\": [%.17g, %.17g, %.17g],\n", origin[0], origin[1], origin[2]);
+    }
     if (e->side > 1) {
         printf(" \"drawn_size\": [%d, %d], \"drawn_pixel\": [%d, %d],\n", e->drawn_width, e->drawn_height,
                e->drawn_x, e->drawn_y);

@@ -174,7 +174,7 @@ static struct panel_map map_of_all(const struct rhw_explained_fragment *f)
                               (least[1] + most[1]) / 2 - PANEL / 2.0 / scale, RIGHT};
 }
 
-static void write_numbers(FILE *out, const struct rhw_explained_fragment *f,
+static void write_numbers(FILE *out, const struct cli_explanation *e, const struct rhw_explained_fragment *f,
                           const struct cli_exact_weights *w)
 {
     static const char *const screen = "rst", *const space = "abc";
@@ -185,6 +185,11 @@ static void write_numbers(FILE *out, const struct rhw_explained_fragment *f,
                 "<tspan x='%d'>%c = %c W/W_%d = %.9f</tspan></text>\n",
                 TOP + PANEL + 40 + 24 * i, colors[i], LEFT, i, w->edge[i], LEFT + 220, screen[i],
                 mpq_get_d(w->screen[i]), LEFT + 400, space[i], screen[i], i, mpq_get_d(w->space[i]));
+    }
+    if (e->is_orthographic) {
+        fprintf(out, "<text x='%d' y='%d'>Without perspective every W is 1: a, b, c are r, s, t</text>\n",
+                LEFT, TOP + PANEL + 40 + 24 * 3);
+        return;
     }
     fprintf(out, "<text x='%d' y='%d'>1/W = r/W_0 + s/W_1 + t/W_2 = %.9g, so W = %.9g</text>\n", LEFT,
             TOP + PANEL + 40 + 24 * 3, mpq_get_d(w->inverse_w), 1.0 / f->inverse_w);
@@ -211,7 +216,7 @@ static bool write_svg(FILE *out, const struct cli_explanation *e, const struct r
     draw_shares(out, f, &all, place[0], place[1]);
     draw_place(out, &all, place[0], place[1]);
     draw_vertices(out, f, &all);
-    write_numbers(out, f, w);
+    write_numbers(out, e, f, w);
     return fprintf(out, "</svg>\n") > 0;
 }
 

@@ -31,15 +31,14 @@ static void print_history(FILE *out, const struct cli_explanation *e)
 {
     const int count = e->history->count;
     const uint8_t *const c = cli_explained_color(e);
-    fprintf(
-        out,
-        "%d fragment%s came here, in the order of drawing. Depth is reversed: 1 at the near plane, 0 at\n"
-        "infinity, and the greater one is seen. Triangles are counted from 0, those of `--output triangle`\n"
-        "from 1. Colors are linear light, which the picture has in 8 bits of sRGB: #%02x%02x%02x%s.\n\n",
-        count, count == 1 ? "" : "s", c[0], c[1], c[2],
-        e->side > 1      ? ", the mean of what is drawn for it"
-        : e->samples > 1 ? ", the mean of the samples"
-                         : "");
+    fprintf(out,
+            "%d fragment%s came here, in the order of drawing. Depth is reversed: 1 at the near plane, 0 at\n"
+            "%s, and the greater one is seen. Triangles are counted from 0, those of `--output triangle`\n"
+            "from 1. Colors are linear light, which the picture has in 8 bits of sRGB: #%02x%02x%02x%s.\n\n",
+            count, count == 1 ? "" : "s", e->is_orthographic ? "the far one" : "infinity", c[0], c[1], c[2],
+            e->side > 1      ? ", the mean of what is drawn for it"
+            : e->samples > 1 ? ", the mean of the samples"
+                             : "");
     if (count == 0) {
         fprintf(
             out,
@@ -111,6 +110,20 @@ static void print_edges(FILE *out, const struct rhw_explained_fragment *f, const
     }
 }
 
+static void print_space(FILE *out, const struct rhw_explained_fragment *f, const struct cli_exact_weights *w,
+                        const char *const formulas[3])
+{
+    fprintf(out, "So in space P lies at\n\n");
+    for (int i = 0; i < 3; i++) {
+        fprintf(out, "    %s = %.9g", formulas[i], mpq_get_d(w->space[i]));
+        if (i > 0) {
+            fprintf(out, "      the pipeline has %.9g\n", (double)f->weights[i]);
+        } else {
+            fprintf(out, "      the pipeline leaves it out: a = 1 - b - c\n");
+        }
+    }
+}
+
 static void print_perspective(FILE *out, const struct rhw_explained_fragment *f,
                               const struct cli_exact_weights *w)
 {
@@ -124,32 +137,33 @@ static void print_perspective(FILE *out, const struct rhw_explained_fragment *f,
         mpq_get_d(w->screen[0]), (double)f->position[0][3], mpq_get_d(w->screen[1]),
         (double)f->position[1][3], mpq_get_d(w->screen[2]), (double)f->position[2][3],
         mpq_get_d(w->inverse_w), f->inverse_w, 1.0 / f->inverse_w);
-    static const char *const names = "abc", *const screen = "rst";
-    fprintf(out, "So in space P lies at\n\n");
-    for (int i = 0; i < 3; i++) {
-        fprintf(out, "    %c = %c W_P/W_%d = %.9g", names[i], screen[i], i, mpq_get_d(w->space[i]));
-        if (i > 0) {
-            fprintf(out, "      the pipeline has %.9g\n", (double)f->weights[i]);
-        } else {
-            fprintf(out, "      the pipeline leaves it out: a = 1 - b - c\n");
-        }
-    }
+    print_space(out, f, w, (const char *const[3]){"a = r W_P/W_0", "b = s W_P/W_1", "c = t W_P/W_2"});
     if (f->component_count > 0 && f->qualifiers[0] == RHW_NOPERSPECTIVE) {
         fprintf(out, "\nThis picture's varyings are noperspective: they take r, s, t, and nothing of 1/W.\n");
     }
 }
 
-static void print_components(FILE *out, const struct cli_past_fragment *past,
+static void print_parallel(FILE *out, const struct rhw_explained_fragment *f,
+                           const struct cli_exact_weights *w)
+{
+    fprintf(out,
+            "\nWithout perspective every W is 1, so that a, b, c are r, s, t: what is linear in space is "
+            "linear on the\nscreen.\n\n");
+    print_space(out, f, w, (const char *const[3]){"a = r", "b = s", "c = t"});
+}
+
+static void print_components(FILE *out, const struct cli_explanation *e, const struct cli_past_fragment *past,
                              const struct cli_exact_weights *w)
 {
     static const char *const qualifiers[] = {"a I_0 + b I_1 + c I_2", "r I_0 + s I_1 + t I_2", "flat"};
     const struct rhw_explained_fragment *const f = &past->told;
     double worst = 0.0;
     fprintf(out,
-            "\nEvery varying three ways. Naive is r I_0 + s I_1 + t I_2, as if the triangle were flat to the "
-            "eye;\n"
+            "\nEvery varying three ways. Naive is r I_0 + s I_1 + t I_2, %s;\n"
             "exact is %s in rational arithmetic; the error is that of the pipeline, in ULP of the\n"
             "largest of the three vertex values.\n\n",
+            e->is_orthographic ? "which is right without perspective"
+                               : "as if the triangle were flat to the eye",
             f->component_count > 0 ? qualifiers[f->qualifiers[0]] : "the formula");
     fprintf(out, "    %-24s %13s %13s %13s   %15s %15s %15s  %6s\n", "", "I_0", "I_1", "I_2", "naive",
             "exact", "pipeline", "error");
@@ -305,6 +319,13 @@ static void print_light(FILE *out, int number, const struct scene_light_look *li
     fprintf(out, "\n");
 }
 
+static void print_occlusion(FILE *out, const char *indent, const struct scene_light_looks *looks)
+{
+    if (looks->has_occlusion) {
+        fprintf(out, ",\n%sof which ambient occlusion leaves %.4g %%", indent, 100.0 * (double)looks->around);
+    }
+}
+
 static void print_lights(FILE *out, const struct scene_light_looks *looks)
 {
     if (!looks->is_lit) {
@@ -314,7 +335,9 @@ static void print_lights(FILE *out, const struct scene_light_looks *looks)
             looks->is_mapped ? ", which the normal map has turned," : "");
     print_triple(out, looks->normal);
     if (looks->count == 0) {
-        fprintf(out, ". No light is set;\nwhat there is comes from all around.\n");
+        fprintf(out, ". No light is set;\nwhat there is comes from all around");
+        print_occlusion(out, "", looks);
+        fprintf(out, ".\n");
         return;
     }
     fprintf(out,
@@ -328,7 +351,9 @@ static void print_lights(FILE *out, const struct scene_light_looks *looks)
     }
     fprintf(out, "    together ");
     print_triple(out, looks->sum);
-    fprintf(out, ", beside what comes from all around\n");
+    fprintf(out, ", beside what comes from all around");
+    print_occlusion(out, "    ", looks);
+    fprintf(out, "\n");
 }
 
 // From there on it is the shader and the target.
@@ -392,7 +417,11 @@ static void print_derivation(FILE *out, const struct cli_explanation *e, const s
     }
     if (weights.is_snapped) {
         print_edges(out, f, &weights);
-        print_perspective(out, f, &weights);
+        if (e->is_orthographic) {
+            print_parallel(out, f, &weights);
+        } else {
+            print_perspective(out, f, &weights);
+        }
     } else {
         print_homogeneous(out, f, &weights);
     }
@@ -401,7 +430,14 @@ static void print_derivation(FILE *out, const struct cli_explanation *e, const s
             "The output\n"
             "depth is 1 - Z/W, in the middle of the pixel.\n",
             f->sample_x / 256.0, f->sample_y / 256.0, (double)f->depth);
-    print_components(out, past, &weights);
+    print_components(out, e, past, &weights);
+    if (scene_origin_is_far(e->model->origin)) {
+        const double *const origin = e->model->origin;
+        fprintf(
+            out,
+            "\nThe model is far from the origin of its file: positions count from (%.15g, %.15g, %.15g).\n",
+            origin[0], origin[1], origin[2]);
+    }
     print_textures(out, past, e->model);
     print_lights(out, &past->light);
     print_color_made(out, past);

@@ -18,6 +18,7 @@ struct cli_explanation {
     int drawn_x, drawn_y, drawn_width, drawn_height; ///< the one that is explained, and all
     int sample, samples;                             ///< of each that is drawn
     const uint8_t *picture;                          ///< [height][width][4], sRGB
+    bool is_orthographic;                            ///< seen without perspective: every W is 1
     bool has_nearest; ///< where the model is seen; else it is seen nowhere in the picture
     int nearest_x, nearest_y;
 };

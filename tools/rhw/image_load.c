@@ -3,6 +3,7 @@
 // image_load_webp.c. libspng expands every kind of PNG to RGBA; spng's choices for palettes and key colours are thus ours.
 #include "image_load.h"
 
+#include "file.h"
 #include "image_load_exr.h"
 #include "image_load_webp.h"
 #include "message.h"
@@ -44,11 +45,37 @@ static bool describe_rgba(struct cli_loaded_image *image, int samples, enum cli_
     return true;
 }
 
-static int decode_png(struct cli_loaded_image *image, spng_ctx *context, FILE *stream)
+bool cli_image_allocate(struct cli_loaded_image *image, const char *path, size_t count, size_t size)
+{
+    const size_t megabyte = 1 << 20;
+    if (count > image->most / size) {
+        cli_error(path, "takes %zu MiB of memory, more than the %zu MiB that a picture may",
+                  count / megabyte * size + count % megabyte * size / megabyte, image->most / megabyte);
+        return false;
+    }
+    image->memory = calloc(count, size);
+    if (!image->memory) {
+        cli_error(path, "out of memory");
+    }
+    return image->memory != NULL;
+}
+
+// What is not the picture, but colour profiles and texts, may take a small part of the memory: a compressed chunk can become
+// a thousand times as large.
+static int limit_png(spng_ctx *context)
+{
+    const size_t chunk = 64 << 20, all = 128 << 20;
+    const int result = spng_set_image_limits(context, RHW_MAX_TARGET_SIZE, RHW_MAX_TARGET_SIZE);
+    return result ? result : spng_set_chunk_limits(context, chunk, all);
+}
+
+// SPNG_OK, or what is wrong with the file; after *told has become true a line says it.
+static int decode_png(struct cli_loaded_image *image, spng_ctx *context, const char *path, FILE *stream,
+                      bool *told)
 {
     struct spng_ihdr header;
     size_t size = 0;
-    int result = spng_set_image_limits(context, RHW_MAX_TARGET_SIZE, RHW_MAX_TARGET_SIZE);
+    int result = limit_png(context);
     if (!result) {
         result = spng_set_png_file(context, stream);
     }
@@ -64,8 +91,8 @@ static int decode_png(struct cli_loaded_image *image, spng_ctx *context, FILE *s
     if (result) {
         return result;
     }
-    image->memory = malloc(size);
-    if (!image->memory) {
+    if (!cli_image_allocate(image, path, size, 1)) {
+        *told = true;
         return SPNG_EMEM;
     }
     result = spng_decode_image(context, image->memory, size, format, SPNG_DECODE_TRNS);
@@ -81,9 +108,13 @@ static int decode_png(struct cli_loaded_image *image, spng_ctx *context, FILE *s
 
 static bool load_png(struct cli_loaded_image *image, const char *path, FILE *stream)
 {
+    bool told = false;
     spng_ctx *context = spng_ctx_new(0);
-    const int result = context ? decode_png(image, context, stream) : SPNG_EMEM;
+    const int result = context ? decode_png(image, context, path, stream, &told) : SPNG_EMEM;
     spng_ctx_free(context);
+    if (told) {
+        return false;
+    }
     if (result == SPNG_EUSER_WIDTH || result == SPNG_EUSER_HEIGHT) {
         cli_error(path, "larger than %d pixels", RHW_MAX_TARGET_SIZE);
     } else if (result == SPNG_IO_EOF || result == SPNG_EIDAT_TOO_SHORT) {
@@ -161,8 +192,10 @@ static bool load_ppm(struct cli_loaded_image *image, const char *path, FILE *str
     const enum cli_sample_type type = most > 255 ? CLI_SAMPLE_U16 : CLI_SAMPLE_U8;
     const size_t count = (size_t)image->width * (size_t)image->height * (size_t)samples;
     image->full_scale = most;
-    image->memory = malloc(count * sample_size(type));
-    if (!image->memory || !describe_rgba(image, samples, type)) {
+    if (!cli_image_allocate(image, path, count, sample_size(type))) {
+        return false;
+    }
+    if (!describe_rgba(image, samples, type)) {
         cli_error(path, "out of memory");
         return false;
     }
@@ -220,12 +253,13 @@ static bool load_stream(struct cli_loaded_image *image, const char *path, FILE *
     return false;
 }
 
-bool cli_image_load(struct cli_loaded_image *image, const char *path)
+bool cli_image_load(struct cli_loaded_image *image, const char *path, size_t most)
 {
-    *image = (struct cli_loaded_image){.full_scale = 1.0};
-    FILE *stream = fopen(path, "rb");
+    *image = (struct cli_loaded_image){.full_scale = 1.0, .most = most};
+    const int descriptor = system_file_open_regular(path);
+    FILE *const stream = descriptor >= 0 ? fdopen(descriptor, "rb") : NULL;
     if (!stream) {
-        cli_error(path, "cannot be opened: %s", strerror(errno));
+        cli_error(path, "cannot be opened: %s", errno ? strerror(errno) : "it is no regular file");
         return false;
     }
     const bool loaded = load_stream(image, path, stream);

@@ -26,11 +26,20 @@ struct cli_loaded_image {
     struct cli_image_channel *channels;
     int channel_count;
     void *memory;
+    size_t most; ///< bytes that may be allocated for `memory`
 };
 
-/// Reads a picture whatever its name ends in: its first bytes tell. Reports failure in one line.
-bool cli_image_load(struct cli_loaded_image *image, const char *path);
+/// Bytes of memory that a picture may take where nobody says otherwise: 16384 pixels each way of 16 bit colours.
+#define CLI_IMAGE_MOST ((size_t)2 << 30)
+
+/// Reads a picture whatever its name ends in: its first bytes tell. One that would take more than `most` bytes of memory
+/// is refused before it does. Reports failure in one line.
+bool cli_image_load(struct cli_loaded_image *image, const char *path, size_t most);
 void cli_image_unload(struct cli_loaded_image *image);
+
+/// For the decoders: allocates `count` elements of `size` bytes, zeroed, as `memory`, within image->most. Reports failure
+/// in one line.
+bool cli_image_allocate(struct cli_loaded_image *image, const char *path, size_t count, size_t size);
 
 /// One row of one channel; `row` has image->width elements.
 void cli_image_row(const struct cli_loaded_image *image, int channel, int y, double *row);

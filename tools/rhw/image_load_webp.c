@@ -10,14 +10,14 @@
 #include <webp/decode.h>
 
 // All of the stream, which begins at its start; NULL after a line on stderr.
-static uint8_t *read_all(const char *path, FILE *stream, size_t *size)
+static uint8_t *read_all(const struct cli_loaded_image *image, const char *path, FILE *stream, size_t *size)
 {
     const long length = fseek(stream, 0, SEEK_END) == 0 ? ftell(stream) : -1;
     if (length < 0 || fseek(stream, 0, SEEK_SET) != 0) {
         cli_error(path, "%s", strerror(errno));
         return NULL;
     }
-    uint8_t *const bytes = malloc((size_t)length + 1);
+    uint8_t *const bytes = (size_t)length < image->most ? malloc((size_t)length + 1) : NULL;
     if (!bytes) {
         cli_error(path, "out of memory");
         return NULL;
@@ -42,9 +42,7 @@ static bool decode(struct cli_loaded_image *image, const char *path, const uint8
     image->width = features.width;
     image->height = features.height;
     const size_t row = (size_t)features.width * 4, total = row * (size_t)features.height;
-    image->memory = malloc(total);
-    if (!image->memory) {
-        cli_error(path, "out of memory");
+    if (!cli_image_allocate(image, path, total, 1)) {
         return false;
     }
     if (!WebPDecodeRGBAInto(bytes, size, image->memory, total, (int)row)) {
@@ -57,7 +55,7 @@ static bool decode(struct cli_loaded_image *image, const char *path, const uint8
 bool cli_image_load_webp(struct cli_loaded_image *image, const char *path, FILE *stream)
 {
     size_t size = 0;
-    uint8_t *const bytes = read_all(path, stream, &size);
+    uint8_t *const bytes = read_all(image, path, stream, &size);
     const bool loaded = bytes && decode(image, path, bytes, size);
     free(bytes);
     return loaded;

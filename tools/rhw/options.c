@@ -116,7 +116,7 @@ static bool is_asked_for(const struct cli_option *option, int argc, char **argv)
 
 void cli_parser_start(struct cli_parser *parser, const struct cli_verb *verb, int argc, char **argv)
 {
-    *parser = (struct cli_parser){.verb = verb, .argc = argc, .argv = argv};
+    *parser = (struct cli_parser){.helped = verb, .verb = verb, .argc = argc, .argv = argv};
     char *letter = parser->shorts;
     *letter++ = ':'; // tells a missing argument from an unknown option
     const int count = verb->option_count < CLI_OPTIONS_MAX ? verb->option_count : CLI_OPTIONS_MAX;
@@ -154,7 +154,7 @@ int cli_parser_next(struct cli_parser *parser)
         return CLI_OPTION_END;
     }
     if (id == HELP_ID) {
-        cli_print_help(parser->verb);
+        cli_print_help(parser->helped);
         parser->status = CLI_OK;
         return CLI_OPTION_STOP;
     }

@@ -38,7 +38,7 @@ struct cli_verb {
     const char *notes;         ///< paragraphs after the options, or NULL
 };
 
-enum { CLI_OPTIONS_MAX = 60 };
+enum { CLI_OPTIONS_MAX = 80 };
 
 /// State of a walk over the options; fields below the line belong to the parser.
 struct cli_parser {
@@ -46,6 +46,7 @@ struct cli_parser {
     int status;           ///< what to return after CLI_OPTION_STOP
     char **operands;      ///< after CLI_OPTION_END: what stood between the options
     int operand_count;
+    const struct cli_verb *helped; ///< what --help prints; the start makes it the verb
     // ---
     const struct cli_verb *verb;
     int argc;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Temporary file beside the target, renamed at the end; see output_file.h. Signals need the one piece of
+// Temporary file beside the target, which gets its name at the end; see output_file.h. Signals need the one piece of
 // process-wide state in the program: a fixed list of names that the handler, which may call nothing but
 // async-signal-safe functions, can walk and unlink. Files may be open in several threads.
 #include "output_file.h"
@@ -8,12 +8,14 @@
 #include "file.h"
 #include "folder.h"
 #include "message.h"
+#include "temporary_file.h"
 
 #include <errno.h>
 #include <libgen.h>
 #include <pthread.h>
 #include <signal.h>
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -29,8 +31,7 @@ static struct {
     const char *volatile names[PENDING_MAX]; // NULL: free; the strings outlive their entry
     volatile sig_atomic_t dying;
     char late[512];       // what is said at the deadline
-    pthread_mutex_t lock; // of what follows, and of taking an entry
-    unsigned long created;
+    pthread_mutex_t lock; // of taking an entry
 } pending = {.lock = PTHREAD_MUTEX_INITIALIZER};
 
 static void remove_pending(void)
@@ -141,58 +142,101 @@ static char *resolve(const char *path)
     return resolved ? resolved : errno == ENOENT ? strdup(path) : NULL;
 }
 
-// Takes an entry of the list for DIRECTORY/.rhw-PID-N.tmp; false where none is free. `name` then holds that.
-static bool take_entry(struct cli_output_file *file, char *name, size_t size, const char *directory)
+// DIRECTORY/.rhw-TARGET-N.tmp with the name of the target as a number (FNV-1a, 32 bits), so that it is not too long.
+// NULL where there is no memory.
+static char *name_of(const char *target, int number)
+{
+    char *const directory = directory_of(target);
+    const size_t size = directory ? strlen(directory) + 64 : 0;
+    char *const name = directory ? malloc(size) : NULL;
+    uint32_t hash = 2166136261u;
+    for (const char *c = base_of(target); *c; c++) {
+        hash = (hash ^ (unsigned char)*c) * 16777619u;
+    }
+    if (name) {
+        snprintf(name, size, "%s/.rhw-%08x-%d.tmp", directory, (unsigned)hash, number);
+    }
+    free(directory);
+    return name;
+}
+
+// Makes a file of a name that no other process writes; 0 or above with its name, −1 with errno.
+static int make_named(const char *target, int (*make)(const char *name, int descriptor), int descriptor,
+                      char **name)
+{
+    int made = -1;
+    errno = EEXIST;
+    for (int number = 0; number < NAME_ATTEMPTS && made < 0 && errno == EEXIST; number++) {
+        *name = name_of(target, number);
+        if (!*name) {
+            errno = ENOMEM;
+            return -1;
+        }
+        (void)system_temporary_file_remove(*name);
+        made = make(*name, descriptor);
+        if (made < 0) {
+            const int cause = errno;
+            free(*name);
+            *name = NULL;
+            errno = cause;
+        }
+    }
+    return made;
+}
+
+static int create(const char *name, int descriptor)
+{
+    (void)descriptor;
+    return system_temporary_file_create(name);
+}
+
+static int give_name(const char *name, int descriptor)
+{
+    return system_temporary_file_name(descriptor, name) ? 0 : -1;
+}
+
+// From now on a signal removes the file. False where too many are open.
+static bool guard(struct cli_output_file *file)
 {
     pthread_mutex_lock(&pending.lock);
-    file->pending = -1;
     for (int i = 0; i < PENDING_MAX && file->pending < 0; i++) {
         file->pending = pending.names[i] ? -1 : i;
     }
     if (file->pending >= 0) {
-        snprintf(name, size, "%s/.rhw-%ld-%lu.tmp", directory, (long)getpid(), pending.created++);
-        pending.names[file->pending] = name;
+        pending.names[file->pending] = file->temporary;
     }
     pthread_mutex_unlock(&pending.lock);
+    if (file->pending < 0 || pending.dying) {
+        unlink(file->temporary); // the handler may have been here
+    }
     return file->pending >= 0;
 }
 
-// The name is in the list before the file is there, so that the handler knows every file that exists.
-static int create_guarded(struct cli_output_file *file, char *name, size_t size, const char *directory)
+static void forget_temporary(struct cli_output_file *file)
 {
-    int descriptor = -1;
-    errno = EEXIST; // one that a process of this number left behind
-    for (int attempt = 0; attempt < NAME_ATTEMPTS && descriptor < 0 && errno == EEXIST; attempt++) {
-        if (!take_entry(file, name, size, directory)) {
-            errno = EMFILE;
-            return -1;
-        }
-        descriptor = system_file_open(name, SYSTEM_FILE_CREATE);
-        if (descriptor < 0) {
-            pending.names[file->pending] = NULL;
-        }
+    if (file->pending >= 0) {
+        pending.names[file->pending] = NULL;
+        file->pending = -1;
     }
-    if (descriptor >= 0 && pending.dying) {
-        unlink(name); // the handler has been here
-    }
-    return descriptor;
+    free(file->temporary);
+    file->temporary = NULL;
 }
 
-static int open_temporary(struct cli_output_file *file)
+static bool open_temporary(struct cli_output_file *file)
 {
-    char *directory = directory_of(file->target);
-    const size_t size = directory ? strlen(directory) + 64 : 0;
-    char *name = directory ? malloc(size) : NULL;
-    const int descriptor = name ? create_guarded(file, name, size, directory) : -1;
-    const int cause = errno;
-    if (descriptor >= 0) {
-        file->temporary = name;
-    } else {
-        free(name);
-    }
+    char *const directory = directory_of(file->target);
+    file->descriptor = directory ? system_temporary_file_open(directory) : -1;
     free(directory);
-    errno = cause;
-    return descriptor;
+    if (file->descriptor >= 0) {
+        return true;
+    }
+    file->descriptor = make_named(file->target, create, -1, &file->temporary);
+    if (file->descriptor >= 0 && !guard(file)) {
+        forget_temporary(file);
+        errno = EMFILE;
+        return false;
+    }
+    return file->descriptor >= 0;
 }
 
 static int open_target(struct cli_output_file *file)
@@ -211,16 +255,18 @@ static int open_target(struct cli_output_file *file)
     if (!file->target) {
         return -1;
     }
-    const int descriptor = open_temporary(file);
-    if (descriptor >= 0 && exists) {
-        system_file_permit_as(descriptor, file->path); // as a copy would
+    if (!open_temporary(file)) {
+        return -1;
     }
-    return descriptor;
+    if (exists) {
+        system_file_permit_as(file->descriptor, file->path); // as a copy would
+    }
+    return dup(file->descriptor);
 }
 
 bool cli_output_file_open(struct cli_output_file *file, const char *path)
 {
-    *file = (struct cli_output_file){.path = path, .seekable = true, .pending = -1};
+    *file = (struct cli_output_file){.path = path, .seekable = true, .descriptor = -1, .pending = -1};
     const int descriptor = open_target(file);
     file->stream = descriptor >= 0 ? fdopen(descriptor, "wb") : NULL;
     if (!file->stream) {
@@ -250,21 +296,28 @@ bool cli_output_file_finish(struct cli_output_file *file)
     return report(file->path);
 }
 
+// Without a name a file can take one that is free alone: in the place of another it comes by a temporary one.
+static bool take_name(struct cli_output_file *file)
+{
+    if (!file->temporary && system_temporary_file_name(file->descriptor, file->target)) {
+        return true;
+    }
+    if (!file->temporary &&
+        (errno != EEXIST || make_named(file->target, give_name, file->descriptor, &file->temporary) < 0)) {
+        return false;
+    }
+    const bool replaced = system_temporary_file_replace(&file->descriptor, file->temporary, file->target);
+    if (replaced) {
+        forget_temporary(file);
+    }
+    return replaced;
+}
+
 bool cli_output_file_commit(struct cli_output_file *file)
 {
-    bool renamed = true;
-    if (file->temporary) {
-        renamed = system_file_replace(file->temporary, file->target);
-        if (renamed) {
-            pending.names[file->pending] = NULL;
-            free(file->temporary);
-            file->temporary = NULL;
-        } else {
-            report(file->path);
-        }
-    }
+    const bool named = !file->target || take_name(file) || report(file->path);
     cli_output_file_discard(file);
-    return renamed;
+    return named;
 }
 
 void cli_output_file_discard(struct cli_output_file *file)
@@ -274,10 +327,13 @@ void cli_output_file_discard(struct cli_output_file *file)
     }
     if (file->temporary) {
         unlink(file->temporary);
-        pending.names[file->pending] = NULL;
+        forget_temporary(file);
     }
-    free(file->temporary);
+    if (file->descriptor >= 0) {
+        close(file->descriptor);
+    }
     free(file->target);
     file->stream = NULL;
-    file->temporary = file->target = NULL;
+    file->target = NULL;
+    file->descriptor = -1;
 }

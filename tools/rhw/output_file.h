@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A file that appears whole or not at all. Data goes to a temporary file in the target's directory, which
 // takes the target's name only after everything was written; whatever goes wrong before that, an error, a
-// signal, a full disk, removes the temporary file and leaves an older target as it was.
+// signal, a full disk, removes the temporary file and leaves an older target as it was. Where the system can, the
+// temporary file has no name, so that nothing is left even of a process that was killed. Elsewhere its name follows from
+// that of the target, and who next writes the target removes what is left.
 #ifndef CLI_OUTPUT_FILE_H
 #define CLI_OUTPUT_FILE_H
 
@@ -13,8 +15,10 @@ struct cli_output_file {
     const char *path; ///< as the user gave it; names the file in error lines
     bool seekable;    ///< false for a pipe or a device, which is written directly
     // ---
-    char *target, *temporary; ///< NULL: written directly
-    int pending;              ///< entry in the list of files that a signal removes
+    char *target;    ///< NULL: written directly
+    char *temporary; ///< NULL: written directly, or the file has no name yet
+    int descriptor;  ///< of the temporary file, which keeps it locked; −1: written directly
+    int pending;     ///< entry in the list of files that a signal removes; −1: none
 };
 
 /// Makes SIGINT, SIGTERM, SIGHUP and SIGPIPE remove the temporary files before they end the process, and a

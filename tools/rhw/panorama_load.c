@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "image_load.h"
+#include "import/builder/import.h"
 #include "import/image/read.h"
 #include "message.h"
 
@@ -75,7 +76,7 @@ static bool load_exr(struct scene_panorama *p, const char *path)
     static const char *const names[3] = {"R", "G", "B"};
     struct cli_loaded_image image;
     int channels[3];
-    if (!cli_image_load(&image, path)) {
+    if (!cli_image_load(&image, path, CLI_IMAGE_MOST)) {
         return false;
     }
     *p = (struct scene_panorama){image.width, image.height, NULL};
@@ -106,22 +107,26 @@ static bool load_exr(struct scene_panorama *p, const char *path)
 bool cli_panorama_load(struct scene_panorama *panorama, const char *path)
 {
     static const char exr_magic[] = {0x76, 0x2F, 0x31, 0x01};
-    char magic[sizeof exr_magic] = {0};
+    enum { LOOKED_AT = 1024 }; // a pointer of Git LFS is shorter
+    char start[LOOKED_AT + 1] = "";
     FILE *stream = fopen(path, "rb");
     if (stream == NULL) {
         cli_error(path, "cannot be opened: %s", strerror(errno));
         return false;
     }
     bool loaded = false;
-    const size_t got = fread(magic, 1, sizeof magic, stream);
+    const size_t got = fread(start, 1, LOOKED_AT, stream);
+    const char *pointer = scene_import_pointer_problem(start, got);
     if (ferror(stream)) {
         cli_error(path, "%s", strerror(errno));
     } else if (got == 0) {
         cli_error(path, "the file is empty");
-    } else if (memcmp(magic, "#?", 2) == 0) {
+    } else if (pointer != NULL) {
+        cli_error(path, "%s", pointer);
+    } else if (memcmp(start, "#?", 2) == 0) {
         rewind(stream);
         loaded = load_radiance(panorama, path, stream);
-    } else if (memcmp(magic, exr_magic, sizeof exr_magic) == 0) {
+    } else if (memcmp(start, exr_magic, sizeof exr_magic) == 0) {
         loaded = load_exr(panorama, path);
     } else {
         cli_error(path, "an environment must be a Radiance HDR or an OpenEXR picture");

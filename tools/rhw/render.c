@@ -174,6 +174,7 @@ int cli_render(int argc, char **argv)
     if (!cli_render_job_parse(&render.job, NULL, argc, argv, &status)) {
         return status;
     }
+    render.job.offers_time = !render.job.thumb_mark;
     if (!cli_render_prepare(&render)) {
         return CLI_FAILED;
     }

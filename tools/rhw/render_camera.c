@@ -105,12 +105,14 @@ bool cli_camera_choose(const struct cli_render_job *job, const struct scene_mode
         return report_missing_camera(job, model);
     }
     const double aspect = (double)job->width / (double)job->height;
-    *camera = found ? scene_camera_from_model(found, aspect) : cli_camera_fit(job, model);
-    if (found && job->camera == CLI_CAMERA_AUTO && model->doubts_cameras &&
-        !scene_camera_is_believable(model, camera, aspect)) {
+    *camera = found ? scene_camera_from_model(model, found, aspect) : cli_camera_fit(job, model);
+    const enum scene_sight sight = found && job->camera == CLI_CAMERA_AUTO
+                                       ? scene_camera_sight(model, camera, aspect)
+                                       : SCENE_SIGHT_ENOUGH;
+    if (sight != SCENE_SIGHT_ENOUGH) {
         if (!job->quiet) {
-            cli_warning(job->model_path,
-                        "its camera sees next to nothing of the model, which is fitted instead");
+            cli_warning(job->model_path, "its camera sees %s of the model, which is fitted instead",
+                        sight == SCENE_SIGHT_NOTHING ? "nothing" : "next to nothing");
         }
         *camera = cli_camera_fit(job, model);
         *distrusted = true;
@@ -120,10 +122,11 @@ bool cli_camera_choose(const struct cli_render_job *job, const struct scene_mode
 
 void cli_camera_print(const struct scene_camera *camera)
 {
+    const int digits = scene_camera_digits(camera->eye, camera->target);
     printf("%s--camera ", camera->orthographic ? "--ortho " : "");
     for (int i = 0; i < 9; i++) {
         const double *vector = i < 3 ? camera->eye : i < 6 ? camera->target : camera->up;
-        printf("%.9g,", vector[i % 3]);
+        printf("%.*g,", i < 6 ? digits : 9, vector[i % 3]);
     }
     printf("%.9g\n", camera->orthographic ? 2.0 * camera->ymag : camera->yfov / degree);
 }

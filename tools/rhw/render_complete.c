@@ -74,9 +74,7 @@ static bool choose_out(struct cli_render_job *job)
         cli_error("render", "-o OUT is missing: where should the picture go?");
         return false;
     }
-    FILE *there = fopen(job->own_out, "rb");
-    if (there) {
-        fclose(there);
+    if (access(job->own_out, F_OK) == 0) {
         cli_error(job->own_out, "is there already; name the picture by -o OUT");
         return false;
     }

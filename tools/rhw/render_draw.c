@@ -11,15 +11,24 @@
 
 enum { WARNINGS_SHOWN = 32 };
 
+// What the user can do about what a line says; "" where there is nothing, or where the surface has no such means.
+static const char *advice_on(const struct render *render, const char *line)
+{
+    const uint32_t count = render->model->animation_count;
+    char rest[64];
+    snprintf(rest, sizeof rest, "%u animation%s: drawn at rest", (unsigned)count, count == 1 ? "" : "s");
+    return render->job.offers_time && strcmp(line, rest) == 0 ? "; --time shows another moment" : "";
+}
+
 // What was wrong with the file, and what of it is not drawn. Returns how many lines there are.
 static uint32_t warn(const struct render *render)
 {
     const struct scene_model *model = render->model;
     const uint32_t count = model->warning_count + model->unsupported_count;
     for (uint32_t i = 0; i < count && i < WARNINGS_SHOWN && !render->job.quiet; i++) {
-        cli_warning(render->job.model_path, "%s",
-                    i < model->warning_count ? model->warnings[i]
-                                             : model->unsupported[i - model->warning_count]);
+        const char *const line =
+            i < model->warning_count ? model->warnings[i] : model->unsupported[i - model->warning_count];
+        cli_warning(render->job.model_path, "%s%s", line, advice_on(render, line));
     }
     if (count > WARNINGS_SHOWN && !render->job.quiet) {
         cli_warning(render->job.model_path, "%u more warnings; rhw info prints them all",

@@ -52,6 +52,7 @@ struct cli_render_job {
     enum scene_background background;
     uint8_t background_color[3];
     bool default_lights, no_lights, shadows, ground, ambient_occlusion, quiet;
+    bool offers_time; // who asked has a --time
     float exposure;
     const char *environment; ///< a file; NULL: the studio
     float environment_rotation;
@@ -84,10 +85,19 @@ struct cli_render_times {
     double import_ms, encode_ms, total_ms;
 };
 
-/// Fills the job from the command line of `asked`, a verb that draws one model as rhw render would; NULL: of rhw render
-/// itself, which takes several. True to go on; else `*status` is what to return.
-bool cli_render_job_parse(struct cli_render_job *job, const struct cli_verb *asked, int argc, char **argv,
-                          int *status);
+/// A verb that draws one model as rhw render would, and so has its options beside those of its own.
+struct cli_render_asked {
+    const struct cli_verb *verb; ///< what it has beyond rhw render; ids are CLI_ASKED_OPTION and up
+    bool (*take)(void *user, int id, const char *argument); ///< an option of its own; reports what is wrong
+    void *user;
+};
+
+enum { CLI_ASKED_OPTION = 900 };
+
+/// Fills the job from the command line of `asked`; NULL: of rhw render itself, which takes several models. True to go on;
+/// else `*status` is what to return, CLI_OK after the help was printed.
+bool cli_render_job_parse(struct cli_render_job *job, const struct cli_render_asked *asked, int argc,
+                          char **argv, int *status);
 /// Whether there are several pictures that follow one another.
 static inline bool cli_render_moves(const struct cli_render_job *job)
 {

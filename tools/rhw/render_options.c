@@ -175,13 +175,14 @@ static const char notes[] =
     "(light before tone mapping, premultiplied, without background), depth.Z, distance.Z, normal.XYZA,\n"
     "position.XYZA, uv.UV, object.id, triangle.id (integers, 0 is nothing), bary.abc.\n\n"
     "What is up matters to a fitted camera and to the sky. glTF has y; 3MF, AMF, Blender, COB, HMP and SMD "
-    "z; FBX says it;\nSTL has z, OBJ, PLY, OFF and XGL y, unless the model clearly stands on another side, "
+    "z; FBX says it;\nSTL, XYZ and PTS have z, OBJ, PLY, OFF and XGL y, unless the model stands on another "
+    "side, "
     "which --stats tells.\nNumbers stay those of the "
     "file.\n\n"
     "MODEL may be '-', standard input; files that it names are looked for in the current folder.\n\n"
-    "Without --fit, --orbit or --camera the file's first camera is taken; where there is none, or it sees "
-    "nothing of\n"
-    "the model, the model is fitted into the picture.\n"
+    "Without --fit, --orbit or --camera the file's first camera is taken; where there is none, or the "
+    "model is nothing but\n"
+    "a dot in it, the model is fitted into the picture.\n"
     "A file appears whole or not at all.\n\n"
     "Exit status: 0, 1 when the work failed, 2 for a wrong command line.";
 
@@ -476,8 +477,27 @@ static bool parse_option(struct cli_render_job *job, int id, const char *argumen
     }
 }
 
-bool cli_render_job_parse(struct cli_render_job *job, const struct cli_verb *asked, int argc, char **argv,
-                          int *status)
+// The options are ours and those of `asked`, the messages and the help speak of the verb that was typed.
+static void start_parser(struct cli_parser *parser, struct cli_verb *spoken,
+                         struct cli_option all[CLI_OPTIONS_MAX], const struct cli_render_asked *asked,
+                         int argc, char **argv)
+{
+    *spoken = verb;
+    if (asked) {
+        const int own = asked->verb->option_count;
+        memcpy(all, asked->verb->options, (size_t)own * sizeof *all);
+        memcpy(all + own, options, sizeof options);
+        spoken->name = asked->verb->name;
+        spoken->operands = asked->verb->operands;
+        spoken->options = all;
+        spoken->option_count = own + verb.option_count;
+    }
+    cli_parser_start(parser, spoken, argc, argv);
+    parser->helped = asked ? asked->verb : spoken;
+}
+
+bool cli_render_job_parse(struct cli_render_job *job, const struct cli_render_asked *asked, int argc,
+                          char **argv, int *status)
 {
     *job = (struct cli_render_job){.shadows = true,
                                    .ambient_occlusion = true,
@@ -491,17 +511,15 @@ bool cli_render_job_parse(struct cli_render_job *job, const struct cli_verb *ask
                                    .interpolate = RHW_SMOOTH,
                                    .kinds = 1u << SCENE_KIND_COLOR,
                                    .isa = RHW_ISA_COUNT};
-    struct cli_verb spoken = verb; // the options are ours, the messages speak of the verb that was typed
-    if (asked) {
-        spoken.name = asked->name;
-        spoken.operands = asked->operands;
-    }
+    struct cli_option all[CLI_OPTIONS_MAX];
+    struct cli_verb spoken;
     struct cli_parser parser;
-    cli_parser_start(&parser, &spoken, argc, argv);
+    start_parser(&parser, &spoken, all, asked, argc, argv);
     *status = CLI_USAGE;
     int id;
     while ((id = cli_parser_next(&parser)) > 0) {
-        if (!parse_option(job, id, parser.argument)) {
+        if (asked && id >= CLI_ASKED_OPTION ? !asked->take(asked->user, id, parser.argument)
+                                            : !parse_option(job, id, parser.argument)) {
             return false;
         }
     }

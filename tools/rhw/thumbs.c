@@ -55,7 +55,8 @@ static const struct cli_option options[] = {
      "among the models at a time"},
     {"max-time", OPTION_TIME, "SECONDS", "fail for a model that takes longer, 0.1..86400; default 120"},
     {"max-texture", OPTION_TEXTURE, "N", "as for rhw render"},
-    {"confine", OPTION_CONFINE, "FOLDER", "read no file outside this folder that a model names; default DIR"},
+    {"confine", OPTION_CONFINE, "FOLDER",
+     "read no file outside this folder that a model names or a link leads to;\ndefault DIR"},
     {"quiet", OPTION_QUIET, NULL, "no warnings, and no count at the end"},
 };
 
@@ -91,7 +92,7 @@ struct thumbs {
     char mark[CLI_THUMB_MARK_SIZE - 32]; // what is said of every model
     int levels; // of folders above DIR that files may be read in; negative: they may elsewhere
     char confine[PATH_SIZE + 16];
-    int running, drawn, kept, failed;
+    int running, drawn, kept, failed, left_out;
 };
 
 static bool is_model(const char *name)
@@ -223,6 +224,55 @@ static bool join(char path[PATH_SIZE], const char *folder, const char *name, con
     return false;
 }
 
+// That no model may read out of.
+static const char *folder_of(const struct thumbs *t)
+{
+    return t->budget.folder ? t->budget.folder : t->in;
+}
+
+// Whether a path without links lies in a folder; `length`: of the folder, without a slash at its end.
+static bool lies_in(const char *path, const char *folder, size_t *length)
+{
+    *length = strlen(folder);
+    *length -= *length > 0 && folder[*length - 1] == '/'; // of the root
+    return strncmp(path, folder, *length) == 0 && (path[*length] == '/' || path[*length] == '\0');
+}
+
+// How many folders --confine lies above DIR, or −1: it lies elsewhere. A path would make the bytes of pictures depend on
+// where the models lie.
+static int count_levels(const struct thumbs *t)
+{
+    char *const in = system_file_resolve(t->in), *const bounds = system_file_resolve(folder_of(t));
+    size_t length = 0;
+    int levels = -1;
+    if (in && bounds && lies_in(in, bounds, &length)) {
+        levels = 0;
+        for (const char *c = in + length; *c; c++) {
+            levels += *c == '/' && c[1] != '\0';
+        }
+    }
+    free(in);
+    free(bounds);
+    return levels;
+}
+
+// Whether a link leads to a file neither of DIR nor of the folder that may be read: who packed the models may have meant
+// a file that is none of theirs.
+static bool leads_out(const struct thumbs *t, const char *link)
+{
+    char *const target = system_file_resolve(link);
+    const char *const folders[] = {t->in, folder_of(t)};
+    bool within = false;
+    for (size_t i = 0; target && i < sizeof folders / sizeof *folders && !within; i++) {
+        char *const folder = system_file_resolve(folders[i]);
+        size_t length;
+        within = folder && lies_in(target, folder, &length);
+        free(folder);
+    }
+    free(target);
+    return !within;
+}
+
 static bool walk(struct thumbs *t, const char *in, const char *out, int depth);
 
 // False: nothing more can be done.
@@ -242,6 +292,13 @@ static bool visit(struct thumbs *t, const char *in, const char *out, const char 
     }
     const bool is_folder = S_ISDIR(status.st_mode);
     if (!is_folder && (!S_ISREG(status.st_mode) || !is_model(name))) {
+        return true;
+    }
+    if (!is_folder && system_file_is_link(model) && leads_out(t, model)) {
+        t->left_out++;
+        if (!t->quiet) {
+            cli_warning(model, "is a link out of %s, and is left out; see --confine", t->in);
+        }
         return true;
     }
     if (is_folder && depth >= DEEPEST) {
@@ -380,12 +437,6 @@ static bool parse_option(struct thumbs *t, int id, const char *argument)
     }
 }
 
-// That no model may read out of.
-static const char *folder_of(const struct thumbs *t)
-{
-    return t->budget.folder ? t->budget.folder : t->in;
-}
-
 // What each process is told; cli_parse_budget has looked at the values.
 static bool share_budget(struct thumbs *t)
 {
@@ -403,25 +454,6 @@ static bool share_budget(struct thumbs *t)
     }
     cli_error(folder, "its path is longer than %d bytes", PATH_SIZE);
     return false;
-}
-
-// How many folders --confine lies above DIR, or −1: it lies elsewhere. A path would make the bytes of pictures depend on
-// where the models lie.
-static int count_levels(const struct thumbs *t)
-{
-    char *const in = system_file_resolve(t->in), *const bounds = system_file_resolve(folder_of(t));
-    size_t length = bounds ? strlen(bounds) : 0;
-    length -= length > 0 && bounds[length - 1] == '/'; // of the root
-    int levels = -1;
-    if (in && bounds && strncmp(in, bounds, length) == 0 && (in[length] == '/' || in[length] == '\0')) {
-        levels = 0;
-        for (const char *c = in + length; *c; c++) {
-            levels += *c == '/' && c[1] != '\0';
-        }
-    }
-    free(in);
-    free(bounds);
-    return levels;
 }
 
 // What other pictures follow from, in one form however it is written.
@@ -482,7 +514,7 @@ int cli_thumbs(int argc, char **argv)
     while (t.running > 0) {
         reap(&t);
     }
-    if (complete && t.drawn + t.kept + t.failed == 0) {
+    if (complete && t.drawn + t.kept + t.failed + t.left_out == 0) {
         cli_error(t.in, "has no file whose name is that of a model");
         return CLI_FAILED;
     }

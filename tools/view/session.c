@@ -3,6 +3,7 @@
 // a picture.
 #include "session.h"
 
+#include "draw/camera/subject.h"
 #include "options.h"
 
 #include <math.h>
@@ -11,9 +12,10 @@
 #include <string.h>
 
 enum {
-    REST_MS = 150,  // after the last movement a picture is drawn in full
-    FRAME_MS = 15,  // between two looks at what moves
-    NOTICE_MS = 200 // between two looks at what does not
+    REST_MS = 150,         // after the last movement a picture is drawn in full
+    FRAME_MS = 15,         // between two looks at what moves
+    NOTICE_MS = 200,       // between two looks at what does not
+    LARGE_CORNERS = 300000 // of triangles
 };
 
 static Uint32 wake_event;
@@ -42,6 +44,16 @@ static void read_model(struct view_session *s, const char *path, const struct cl
     s->has_failed = !s->loader && !s->model;
 }
 
+// Whether a picture of it in full is waited for.
+static bool is_large(const struct scene_model *model)
+{
+    uint64_t corners = 0;
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        corners += model->meshes[model->instances[i].mesh].index_count;
+    }
+    return corners > LARGE_CORNERS;
+}
+
 // What is shown from now on, and where from.
 static void take_model(struct view_session *s)
 {
@@ -59,9 +71,10 @@ static void take_model(struct view_session *s)
     s->job.variant = read.job.variant;
     s->first = (struct view_moment){read.job.is_posed, read.job.time, read.job.animation};
     view_session_rewind(s);
+    const struct scene_box frame = scene_subject_frame(read.model);
     double size2 = 0.0;
     for (int c = 0; c < 3; c++) {
-        const double size = (double)read.model->bounds_max[c] - (double)read.model->bounds_min[c];
+        const double size = frame.high[c] - frame.low[c];
         size2 += size * size;
         s->vertical[c] = c == 1;
     }
@@ -77,7 +90,8 @@ static void take_model(struct view_session *s)
         view_session_note(s, "Space plays the animation%s",
                           read.model->animation_count > 1 ? "; N: the next one" : "");
     }
-    view_session_touch(s, false);
+    view_session_touch(
+        s, is_large(read.model)); // its first picture is coarse, so that there is something to see
 }
 
 // Of another model there are no variants, animations or cameras that the command line could have named.

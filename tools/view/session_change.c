@@ -127,9 +127,8 @@ static void fit(struct view_session *s)
     const struct scene_subject subject = scene_subject_find(s->model);
     double middle[3], radius2 = 0.0;
     for (int c = 0; c < 3; c++) {
-        const double low = subject.is_all ? (double)s->model->bounds_min[c] : subject.low[c],
-                     high = subject.is_all ? (double)s->model->bounds_max[c] : subject.high[c];
-        middle[c] = 0.5 * (low + high);
+        const double low = subject.box.low[c], high = subject.box.high[c];
+        middle[c] = 0.5 * (low + high) + s->model->origin[c];
         radius2 += 0.25 * (high - low) * (high - low);
     }
     const double least = 1e-3 * s->extent, radius = sqrt(radius2); // a point has none

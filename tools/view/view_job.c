@@ -10,7 +10,7 @@
 #include <string.h>
 
 static const struct cli_option options[] = {
-    {"fullscreen", 256, NULL, "fill the screen; F11 does it too"},
+    {"fullscreen", CLI_ASKED_OPTION, NULL, "fill the screen; F11 does it too"},
 };
 
 static const char notes[] =
@@ -22,7 +22,9 @@ static const char notes[] =
     "A file dragged into the window is opened. While the view moves, pictures are drawn as coarsely as it "
     "takes "
     "to be\n"
-    "fast; at rest they are those of rhw render, byte for byte.\n\n"
+    "fast, where that gains time, as is the first one of a large model; at rest they are those of rhw "
+    "render,\n"
+    "byte for byte.\n\n"
     "Exit status: 0, 1 when the work failed, 2 for a wrong command line.";
 
 static const struct cli_verb verb = {.name = "view",
@@ -52,36 +54,33 @@ static bool check(const struct cli_render_job *job)
     return true;
 }
 
+static bool take_fullscreen(void *user, int id, const char *argument)
+{
+    struct view_job *const job = user;
+    (void)id, (void)argument;
+    job->is_fullscreen = true;
+    return true;
+}
+
 bool view_job_parse(struct view_job *job, int argc, char **argv, int *status)
 {
     static char render[] = "render", out[] = "--out={name}.png", texture[] = "--max-texture=16384";
-    *job = (struct view_job){.argv = calloc((size_t)argc + 4, sizeof *job->argv)};
+    const struct cli_render_asked asked = {.verb = &verb, .take = take_fullscreen, .user = job};
+    *job = (struct view_job){.argv = calloc((size_t)argc + 3, sizeof *job->argv)};
     *status = CLI_FAILED;
     if (!job->argv) {
         cli_error("view", "out of memory");
         return false;
     }
-    int count = 0;
-    job->argv[count++] = render;
-    job->argv[count++] = out;
-    job->argv[count++] = texture;
-    bool is_operand = false;
-    for (int i = 1; i < argc; i++) {
-        is_operand = is_operand || strcmp(argv[i], "--") == 0;
-        if (!is_operand && (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0)) {
-            cli_print_help(&verb);
+    job->argv[0] = render;
+    job->argv[1] = out;
+    job->argv[2] = texture;
+    memcpy(job->argv + 3, argv + 1, (size_t)(argc - 1) * sizeof *job->argv);
+    if (!cli_render_job_parse(&job->render, &asked, argc + 2, job->argv, status)) {
+        if (*status == CLI_OK) {
             putchar('\n');
             view_keys_print(stdout);
-            *status = CLI_OK;
-            return false;
         }
-        if (!is_operand && strcmp(argv[i], "--fullscreen") == 0) {
-            job->is_fullscreen = true;
-        } else {
-            job->argv[count++] = argv[i];
-        }
-    }
-    if (!cli_render_job_parse(&job->render, &verb, count, job->argv, status)) {
         return false;
     }
     *status = CLI_USAGE;

@@ -21,6 +21,18 @@ export class RhwError extends Error {
 /** The bytes of a file. */
 export type Bytes = ArrayBuffer | ArrayBufferView;
 
+// The arrays that pictures are in: on memory of their own, as `ImageData` and `Blob` want it. Compilers before TypeScript 5.7
+// know no other.
+type Color8 = ReturnType<Uint8ClampedArrayConstructor['from']>;
+type Numbers32 = ReturnType<Uint32ArrayConstructor['from']>;
+type Floats32 = ReturnType<Float32ArrayConstructor['from']>;
+
+/**
+ * A model: the bytes of its file, or its address, from which the files that it names are fetched too. An address is relative to
+ * the page or, in node, to the folder of the process.
+ */
+export type Source = Bytes | string | URL;
+
 /** Three numbers: a place or a direction in the world of the model. */
 export type Vector = readonly [x: number, y: number, z: number];
 
@@ -59,50 +71,54 @@ export interface LoadOptions {
      * always 1. The picture is the same. With several, a scene takes longer to open.
      */
     threads?: number;
+    /**
+     * Gives up, and rejects with the reason of the signal: what is fetched, at once; what is read or drawn, when that is done.
+     */
+    signal?: AbortSignal;
 }
 
 /**
  * Reads a model: glTF 2.0 (.glb, and .gltf with its files; Draco, meshopt, WebP and KTX2 included), OBJ, PLY, STL or
  * 3MF. A file that makes the reader crash does no harm to anything else.
  *
- * @param model the bytes of the file; they are copied
+ * @param model the bytes of the file, which are copied, or its address
  * @returns a scene, to be drawn as often as one likes
  */
-export function load(model: Bytes, options?: LoadOptions): Promise<Scene>;
+export function load(model: Source, options?: LoadOptions): Promise<Scene>;
 
 // Pictures --------------------------------------------------------------------------------------------------------
 
 /** Pictures of several kinds can be drawn at a time. Rows run from top to bottom, pixels from left to right. */
 export interface Outputs {
     /** RGBA, sRGB encoded, alpha not multiplied in: what `ImageData` takes. */
-    color: Uint8ClampedArray;
+    color: Color8;
     /** RGBA of light before tone mapping, linear, premultiplied, without the background. */
-    linear: Float32Array;
+    linear: Floats32;
     /** 0 at the near plane to 1 at the far plane, linear on the screen; 1 where nothing is. */
-    depth: Float32Array;
+    depth: Floats32;
     /** Along the view, in the units of the model; `Infinity` where nothing is. */
-    distance: Float32Array;
+    distance: Floats32;
     /** x, y, z in the world, of length 1, turned to the viewer, then 1; four zeros where nothing is. */
-    normal: Float32Array;
+    normal: Floats32;
     /** x, y, z in the world, then 1; four zeros where nothing is. */
-    position: Float32Array;
+    position: Floats32;
     /** u, v of the first set, 0, then 1; four zeros where nothing is. v runs down. */
-    uv: Float32Array;
+    uv: Floats32;
     /** The number of the node that is seen, from 1; 0 where nothing is. */
-    object: Uint32Array;
+    object: Numbers32;
     /** 1 + the number of the triangle, line or point that is seen; 0 where nothing is. */
-    triangle: Uint32Array;
+    triangle: Numbers32;
     /** a, b, c: the weights of the three vertices in space, then 1; four zeros where nothing is. */
-    barycentric: Float32Array;
+    barycentric: Floats32;
     /** How many surfaces lie above each other at the centre of the pixel, seen or not. */
-    overdraw: Float32Array;
+    overdraw: Floats32;
     /** How many triangles the pixel's tile has: where the work is. */
-    tiles: Uint32Array;
+    tiles: Numbers32;
     /**
      * How the model was drawn in that tile: 1 in order, 2 depth first, 4 from the last triangle on, or several of them
      * added up; 0 where none of it is.
      */
-    plan: Uint32Array;
+    plan: Numbers32;
 }
 
 /** The name of an output. */
@@ -116,6 +132,8 @@ export interface Camera {
     up?: Vector;
     /** The whole angle of view from the bottom to the top of the picture, degrees, 0.01 to 179. The default is 30. */
     fovy?: number;
+    /** `fovy` by another name. */
+    fov?: number;
     /** Without perspective: `height` says then how much is seen, not `fovy`. */
     orthographic?: boolean;
     /** Of the whole picture in the world; of an orthographic camera. */
@@ -148,7 +166,8 @@ export interface RenderOptions {
     supersample?: 1 | 4 | 9 | 16;
     /**
      * A camera, or one of the file by its number or name. Without it, {@link RenderOptions.orbit} and
-     * {@link RenderOptions.fit} the file's first camera is taken, or else the model is fitted into the picture.
+     * {@link RenderOptions.fit} the file's first camera is taken; where there is none, or the model is nothing but a
+     * dot in it, the model is fitted into the picture.
      */
     camera?: Camera | number | string;
     /**
@@ -171,12 +190,17 @@ export interface RenderOptions {
     ortho?: boolean;
     /** The vertical angle of view of a fitted camera, degrees. The default is 30. */
     fovy?: number;
+    /** `fovy` by another name. */
+    fov?: number;
     /** `noperspective` shows what is wrong with values that are mixed on the screen. */
     interpolate?: 'smooth' | 'noperspective';
     /** Edges over the shaded surface (`true`, `over`) or over a plain one. */
     wireframe?: boolean | 'over' | 'plain';
-    /** `rrggbb` or `rgb` in hexadecimal, the name of a colour, `transparent`, or `default`, a soft gradient. */
-    background?: string;
+    /**
+     * A colour as style sheets write it: `#f80`, `#ff8800`, `rgb(255 136 0)`, `hsl(32 100% 50%)`, `darkorange`; or as a number,
+     * `0xff8800`; `transparent`; or `default`, a soft gradient.
+     */
+    background?: string | number;
     /** Those of the file, if it has any; the default ones; or none but the surroundings. */
     lights?: 'file' | 'default' | 'none';
     /** Of the lights. The default is `true`. */
@@ -200,6 +224,8 @@ export interface RenderOptions {
      * meanwhile; it may look into shared memory here.
      */
     goesOn?: () => boolean;
+    /** What was aborted before is not drawn: the reason of the signal is thrown. {@link RenderOptions.goesOn} ends a picture. */
+    signal?: AbortSignal;
 }
 
 /** What is drawn in one go: the pictures that were asked for, and the view. */
@@ -216,11 +242,11 @@ export type Picture<Name extends OutputName = 'color'> = Pick<Outputs, Name> & {
 /**
  * Reads a model and draws it: the bytes of `rhw render` with the same options.
  *
- * @param model the bytes of the file, see {@link load}
+ * @param model the bytes of the file or its address, see {@link load}
  * @param options with `outputs`, the pictures that are wanted; the default is `['color']`
  */
 export function render<Name extends OutputName = 'color'>(
-    model: Bytes,
+    model: Source,
     options?: LoadOptions & RenderOptions & { outputs?: readonly Name[] },
 ): Promise<Picture<Name>>;
 
@@ -320,6 +346,9 @@ export interface ModelInfo {
 /** Three numbers, one for each vertex. */
 export type Triple = [number, number, number];
 
+/** How a coordinate goes on beyond 0..1. */
+export type ExplainedAddress = 'repeat' | 'mirror' | 'clamp' | 'border' | 'mirror once';
+
 /** A fragment that came to the sample. The notation is that of rhw's docs/exactness.md. */
 export interface ExplainedFragment {
     /** The draw of the pass, from 0. */
@@ -346,17 +375,21 @@ export interface ExplainedFragment {
     clipped: boolean;
     /** Where the vertices were snapped to, 1/256 pixel; absent where one cannot be. */
     snapped?: [number, number][];
-    /** The sample, 1/256 pixel. */
+    /** Where the sample lies, in 1/256 pixel from the top left of what is drawn. */
     sample: [number, number];
-    /** Where values are taken, pixels: the middle of the pixel, mostly. What follows is of there. */
+    /** Where values are taken, in whole pixels from there, with fractions: the middle of the pixel, mostly. What follows is of there. */
     at?: [number, number];
     /** r, s, t: the weights on the screen; with `inverse_w`, 1/W, and `space`, a, b, c, where its shader ran. */
     screen?: Triple;
     inverse_w?: [number];
     space?: Triple;
+    /** Those that its shader read; empty where that did not run. */
     textures: {
-        slot: string;
+        /** What it is for. */
+        slot: 'base color' | 'metallic-roughness' | 'normal map' | 'occlusion' | 'emission' | 'a layer';
+        /** Of the mip levels: the whole part is the finer one that was read, the fraction the share of the next. */
         level: number;
+        /** Texels of the finer one, and of level 0. */
         level_size: [number, number];
         base_size: [number, number];
         /** The level of detail, log2 of the longer step in texels of level 0, before the levels there are bound it. */
@@ -365,7 +398,15 @@ export interface ExplainedFragment {
         /** What u and v are more by at the pixel on the right, and at the one below. */
         uv_dx: [number | null, number | null];
         uv_dy: [number | null, number | null];
+        /** u and v in texels of the level, from the middle of the first: times its size, less a half. */
         place: [number, number];
+        /** How u and v go on beyond 0..1. Absent, as are `inside` and `filter`, where no material says it. */
+        address?: [ExplainedAddress, ExplainedAddress];
+        /** `place` where those have brought it: of a whole number i on, less than i + 1, texels i and i + 1 are read. */
+        inside?: [number, number];
+        /** `linear` mixes the four texels, `nearest` takes one. */
+        filter?: 'linear' | 'nearest';
+        /** What was read: red, green, blue, alpha, linear. */
         texel: [number, number, number, number];
         /** The four around the place, top left, top right, below, of this level and, by its fraction, of the next. */
         texels: [number, number, number, number][][];
@@ -418,8 +459,11 @@ export interface Explanation {
     model: string;
     size: [width: number, height: number];
     pixel: [x: number, y: number];
+    /** Which of the samples of the pixel that is drawn, and how many it has. */
     sample: number;
     samples: number;
+    /** Seen without perspective: every W is 1, and a, b, c are r, s, t. */
+    orthographic: boolean;
     /** With `supersample`: the pixels that are drawn, and which of them is told about; places of fragments are theirs. */
     drawn_size?: [width: number, height: number];
     drawn_pixel?: [x: number, y: number];
@@ -468,14 +512,14 @@ export interface Fragments {
     width: number;
     height: number;
     /** 1 + the number of the triangle; 0 where there is none. [height × width] */
-    ids: Uint32Array;
+    ids: Numbers32;
     /** 0 near to 1 far; 1 where there is none. [height × width] */
-    depth: Float32Array;
+    depth: Floats32;
     /**
      * a, b, c: the weights of its vertices in space, right in perspective, then 0; zeros where there is none.
      * [height × width × 4]
      */
-    barycentric: Float32Array;
+    barycentric: Floats32;
     /** That drew. */
     threads: number;
 }

@@ -8,7 +8,6 @@ are.
 from __future__ import annotations
 
 import contextlib
-import filecmp
 import json
 import os
 from dataclasses import asdict
@@ -66,8 +65,7 @@ def write(folder: str, plan: Plan, paths: Sequence[str], skipped: Dict[int, str]
     target = store.manifest_path(folder)
     with contextlib.suppress(_Same), _files.replacing(target) as file:
         _write(file, folder, plan, kept)
-        file.flush()
-        if os.path.exists(target) and filecmp.cmp(file.name, target, shallow=False):
+        if _files.equals(file, target):
             raise _Same
     return f": {target}"
 
@@ -93,15 +91,9 @@ def _records(folder: str, plan: Plan, number: int) -> Iterator[Dict[str, Any]]:
             raise Failure(f"{folder}: view {plan.view_name(view)} of {name} is missing; the same command draws it")
         path = os.path.join(store.places(folder, name)[1], names.record)
         record = store.read(path)
-        if not _is_record(record):
+        if not store.is_record(record):
             raise Failure(f"{path}: is damaged; without it, the same command draws the view again")
         yield record
-
-
-def _is_record(record: Dict[str, Any]) -> bool:
-    numbers = all(isinstance(record.get(key), float) for key in ("fx", "fy", "cx", "cy"))
-    tables = all(isinstance(record.get(key), dict) and record[key] for key in ("files", "sha256"))
-    return numbers and tables and "camera_to_world" in record and "name" in record
 
 
 def _write(file: BinaryIO, folder: str, plan: Plan, kept: List[int]) -> None:

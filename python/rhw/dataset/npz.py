@@ -10,14 +10,15 @@ from __future__ import annotations
 import io
 import struct
 import zipfile
-from typing import Dict
+from typing import Any, Dict
 
 import numpy as np
+from numpy.typing import NDArray
 
 _EPOCH = (1980, 1, 1, 0, 0, 0)  # the first day that a ZIP file can name
 
 
-def encode(arrays: Dict[str, np.ndarray]) -> bytes:
+def encode(arrays: Dict[str, NDArray[Any]]) -> bytes:
     file = io.BytesIO()
     with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
         for name, array in arrays.items():
@@ -28,7 +29,7 @@ def encode(arrays: Dict[str, np.ndarray]) -> bytes:
     return file.getvalue()
 
 
-def _npy(array: np.ndarray) -> bytes:
+def _npy(array: NDArray[Any]) -> bytes:
     """Version 1.0 of numpy's format, in little endian, its numbers on a multiple of 64."""
     little = np.ascontiguousarray(array, array.dtype.newbyteorder("<"))
     about = f"{{'descr': {little.dtype.str!r}, 'fortran_order': False, 'shape': {little.shape}, }}"

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""From a plan to a data set: what is not finished is drawn, and when everything is there the manifest is written."""
+"""From a plan to a data set: what is not finished, or has changed since, is drawn, and when everything is there the manifest
+is written.
+"""
 
 from __future__ import annotations
 
+import concurrent.futures
 import contextlib
 import os
 import secrets
 from dataclasses import dataclass
-from typing import Dict, Generator, List, Optional, Tuple
+from typing import Dict, Generator, Iterator, List, Optional, Tuple
 
 from . import cluster, local, manifest, plan as plans, store
 from .errors import Failure
@@ -36,11 +39,13 @@ def make(folder: str, asked: Plan, how: How) -> int:
     folder = os.path.abspath(folder)
     plan = plans.begin(folder, asked)
     part = plans.shard(plan, *how.shard) if how.shard else list(plan.all_views())
-    pending = _pending(folder, plan, part)
+    pending, changed = _pending(folder, plan, part, how.threads)
     paths = [os.path.abspath(path) for _, path in asked.models]
     lit_by = os.path.abspath(asked.light.path) if asked.light else None
     tasks = _tasks(folder, pending, paths, lit_by, how)
     progress = Progress(sum(len(task.views) for task in tasks), how.quiet)
+    for path in changed:
+        progress.warn(f"{path}: is not what was drawn, and is drawn again")
     drawn, broken = _draw(tasks, progress, how)
     progress.clear()
     if broken and not how.skip_failed:
@@ -58,17 +63,36 @@ def _count(number: int, what: str) -> str:
     return f"{number} {what}" if number == 1 else f"{number} {what}s"
 
 
-def _pending(folder: str, plan: Plan, part: List[Tuple[int, int]]) -> Dict[int, List[int]]:
-    """By the numbers of models, the views of that part which are not finished."""
+def _pending(folder: str, plan: Plan, part: List[Tuple[int, int]], threads: int) -> Tuple[Dict[int, List[int]], List[str]]:
+    """By the numbers of models, the views of that part which are not finished or have changed; and the files that have."""
     pending: Dict[int, List[int]] = {}
+    changed: List[str] = []
     listed, there = -1, set()  # type: int, set[str]
+    finished: List[bool] = []
     for model, view in part:
         if model != listed:
             listed, there = model, store.listing(folder, plan.models[model][0])
         files, record = plan.names(view)
-        if not there.issuperset([record, *files]):
+        finished.append(there.issuperset([record, *files]))
+    for (model, view), is_finished, faults in zip(part, finished, _faults(folder, plan, part, finished, threads)):
+        changed += faults
+        if faults or not is_finished:
             pending.setdefault(model, []).append(view)
-    return pending
+    return pending, changed
+
+
+def _faults(folder: str, plan: Plan, part: List[Tuple[int, int]], finished: List[bool], threads: int) -> Iterator[List[str]]:
+    """Of each view the files that have changed. Hashes are most of the work, for which threads need no lock."""
+    pool = concurrent.futures.ThreadPoolExecutor(threads)
+
+    def look(of_view: Tuple[int, int], is_finished: bool) -> List[str]:
+        model, view = of_view
+        return store.changed(folder, plan.models[model][0], plan.names(view)) if is_finished else []
+
+    try:
+        yield from pool.map(look, part, finished)
+    finally:
+        pool.shutdown(cancel_futures=True)
 
 
 def _tasks(folder: str, pending: Dict[int, List[int]], paths: List[str], lit_by: Optional[str], how: How) -> List[Task]:

@@ -118,6 +118,27 @@ def has(folder: str, name: str, view: ViewNames) -> bool:
         os.path.exists(os.path.join(place, file)) for file in view.files)
 
 
+def is_record(record: Dict[str, Any]) -> bool:
+    """Whether it has what a record has."""
+    numbers = all(isinstance(record.get(key), float) for key in ("fx", "fy", "cx", "cy"))
+    tables = all(isinstance(record.get(key), dict) and record[key] for key in ("files", "sha256"))
+    return numbers and tables and "camera_to_world" in record and "name" in record
+
+
+def changed(folder: str, name: str, view: ViewNames) -> List[str]:
+    """The files of a finished view that are not what its record says; the record, where it is none."""
+    place, records = places(folder, name)
+    try:
+        record = read(os.path.join(records, view.record))
+    except Failure:
+        record = {}
+    if not is_record(record):
+        return [os.path.join(records, view.record)]
+    paths = {file: os.path.join(place, file) for file in view.files}
+    return [path for file, path in paths.items()
+            if not os.path.isfile(path) or digest(path) != record["sha256"].get(f"{name}/{file}")]
+
+
 def sweep(folder: str, names: Iterable[str]) -> None:
     """Removes what killed runs had begun to write."""
     for place in (folder, os.path.join(folder, RECORDS), *(place for name in names for place in places(folder, name))):

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .. import _rhw, _threads
 from ..environment import Environment
@@ -84,7 +85,8 @@ def draw(task: Task) -> Done:
         model, about = shop.models.get(task.model, task.path)
         for view in task.views:
             # Another worker may have had this task before, and have been lost at its end.
-            if not store.has(task.folder, shop.plan.models[task.model][0], shop.plan.names(view)):
+            of_view = task.folder, shop.plan.models[task.model][0], shop.plan.names(view)
+            if not store.has(*of_view) or store.changed(*of_view):
                 _draw_view(task, shop, model, view)
                 drawn += 1
     except Broken as error:
@@ -129,7 +131,7 @@ def _encode(file: str, outputs: Sequence[str], pictures: Pictures) -> bytes:
     return pictures.png(output, 8 if output == "color" else 16)
 
 
-def _rows(matrix: np.ndarray) -> List[List[float]]:
+def _rows(matrix: NDArray[Any]) -> List[List[float]]:
     return [[value + 0.0 for value in row] for row in matrix.tolist()]  # no -0
 
 

@@ -8,6 +8,7 @@
 
 #include "camera_math.h"
 #include "elementary.h"
+#include "subject.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -64,6 +65,28 @@ static void camera_axes(const struct scene_camera *camera, double right[3], doub
     scene_cross(back, right, up);
 }
 
+struct range {
+    double nearest, furthest;
+};
+
+// Extend a range of distances from the eye to a point, or to all places that it has while it turns.
+static void extend_to_point(struct range *range, const double point[3], double eye, const double back[3],
+                            const struct scene_turn *turn)
+{
+    double middle, reach = 0.0;
+    if (!scene_finite3(point)) {
+        return;
+    }
+    if (turn) {
+        scene_turn_range(turn, point, back, &middle, &reach);
+    } else {
+        middle = scene_dot(back, point);
+    }
+    const double distance = eye - middle;
+    range->nearest = distance - reach < range->nearest ? distance - reach : range->nearest;
+    range->furthest = distance + reach > range->furthest ? distance + reach : range->furthest;
+}
+
 // Put the near and far planes around the model's boxes. Something behind the eye puts the near plane at a small part of
 // the distance of the far one. The drawing code reverses depth, so the ratio costs no precision. `turn` is NULL if the
 // model stands still.
@@ -72,33 +95,35 @@ static void enclose(struct scene_camera *camera, const struct scene_model *model
 {
     double axes[3][3];
     camera_axes(camera, axes[0], axes[1], axes[2]);
-    const double eye = scene_dot(axes[2], camera->eye);
-    double nearest = DBL_MAX, furthest = -DBL_MAX;
+    const struct scene_camera own = scene_camera_from_origin(camera, model->origin);
+    const double eye = scene_dot(axes[2], own.eye);
+    const struct scene_box frame = scene_subject_frame(model);
+    struct range all = {DBL_MAX, -DBL_MAX}, framed = {DBL_MAX, -DBL_MAX};
+    for (int corner = 0; corner < 8; corner++) {
+        const double q[3] = {(corner & 1 ? frame.high : frame.low)[0],
+                             (corner & 2 ? frame.high : frame.low)[1],
+                             (corner & 4 ? frame.high : frame.low)[2]};
+        extend_to_point(&framed, q, eye, axes[2], turn);
+    }
     for (uint32_t i = 0; i < model->instance_count; i++) {
         const struct scene_mesh *mesh = &model->meshes[model->instances[i].mesh];
         for (int corner = 0; corner < 8; corner++) {
             const float p[3] = {(corner & 1 ? mesh->bounds_max : mesh->bounds_min)[0],
                                 (corner & 2 ? mesh->bounds_max : mesh->bounds_min)[1],
                                 (corner & 4 ? mesh->bounds_max : mesh->bounds_min)[2]};
-            double q[3], middle, reach = 0.0;
+            double q[3];
             scene_place_point(model->instances[i].world, p, q);
-            if (!scene_finite3(q)) {
-                continue;
-            }
-            if (turn) {
-                scene_turn_range(turn, q, axes[2], &middle, &reach);
-            } else {
-                middle = scene_dot(axes[2], q);
-            }
-            const double distance = eye - middle;
-            nearest = distance - reach < nearest ? distance - reach : nearest;
-            furthest = distance + reach > furthest ? distance + reach : furthest;
+            extend_to_point(&all, q, eye, axes[2], turn);
         }
     }
     const double fallback = 1.0;
-    camera->zfar = furthest > 0.0 ? furthest * 1.001 : fallback;
-    const double closest = camera->zfar / 8192.0;
-    camera->znear = nearest * 0.999 > closest && nearest <= furthest ? nearest * 0.999 : closest;
+    camera->zfar = all.furthest > 0.0 ? all.furthest * 1.001 : fallback;
+    double closest = camera->zfar / 8192.0;
+    if (model->is_framed && framed.nearest > 0.0 && framed.nearest * 0.999 < closest) {
+        closest = framed.nearest * 0.999; // what is far away must not cut the frame
+    }
+    camera->znear =
+        all.nearest * 0.999 > closest && all.nearest <= all.furthest ? all.nearest * 0.999 : closest;
 }
 
 void scene_camera_enclose(struct scene_camera *camera, const struct scene_model *model)
@@ -110,7 +135,9 @@ void scene_camera_enclose_turn(struct scene_camera *camera, const struct scene_m
                                const struct scene_orbit *orbit)
 {
     struct scene_turn turn = {.axis = {0.0, 1.0, 0.0}};
-    memcpy(turn.center, orbit->turn_center, sizeof turn.center);
+    for (int i = 0; i < 3; i++) {
+        turn.center[i] = orbit->turn_center[i] - model->origin[i];
+    }
     scene_axis_turn(orbit->up, turn.axis);
     enclose(camera, model, &turn);
 }
@@ -174,11 +201,22 @@ bool scene_camera_look_orthographic(struct scene_camera *camera, const struct sc
                 has_height ? NULL : "the height of what is seen must be above 0", error, error_size);
 }
 
-struct scene_camera scene_camera_from_model(const struct scene_model_camera *source, double aspect)
+struct scene_camera scene_camera_from_origin(const struct scene_camera *camera, const double origin[3])
+{
+    struct scene_camera moved = *camera;
+    for (int i = 0; i < 3; i++) {
+        moved.eye[i] -= origin[i];
+        moved.target[i] -= origin[i];
+    }
+    return moved;
+}
+
+struct scene_camera scene_camera_from_model(const struct scene_model *model,
+                                            const struct scene_model_camera *source, double aspect)
 {
     struct scene_camera camera = {.orthographic = source->orthographic};
     for (int i = 0; i < 3; i++) {
-        camera.eye[i] = (double)source->world[12 + i];
+        camera.eye[i] = (double)source->world[12 + i] + model->origin[i];
         camera.up[i] = (double)source->world[4 + i];
         camera.target[i] = camera.eye[i] - (double)source->world[8 + i];
     }

@@ -64,11 +64,12 @@ static bool faces_back(const struct scene_model *model, enum scene_axis up, int 
 struct scene_orbit scene_camera_default_orbit(const struct scene_model *model, enum scene_axis up)
 {
     const double flat = 0.06;
+    const struct scene_box frame = scene_subject_frame(model);
     double extent[3], largest = 0.0;
     for (int i = 0; i < 3; i++) {
         bool against;
         const int world = turned_axis(up, i, &against);
-        extent[i] = (double)model->bounds_max[world] - (double)model->bounds_min[world];
+        extent[i] = frame.high[world] - frame.low[world];
         largest = extent[i] > largest ? extent[i] : largest;
     }
     struct scene_orbit orbit = {.azimuth = 30.0, .elevation = 20.0, .up = up};
@@ -146,6 +147,16 @@ static void instance_rows(const struct scene_instance *instance, const double ax
     }
 }
 
+static bool is_framed(const struct scene_model *model, const struct scene_instance *instance,
+                      const float p[3])
+{
+    double place[3];
+    if (model->is_framed) {
+        scene_place_point(instance->world, p, place);
+    }
+    return !model->is_framed || scene_subject_frames(model, place);
+}
+
 static void fit_model(const struct scene_model *model, const double axes[3][3], bool whole, struct fit *fit)
 {
     const struct scene_subject subject = scene_subject_find(model);
@@ -153,7 +164,7 @@ static void fit_model(const struct scene_model *model, const double axes[3][3], 
         const struct scene_instance *instance = &model->instances[i];
         const struct scene_mesh *mesh = &model->meshes[instance->mesh];
         double rows[3][4];
-        if (!whole && !scene_subject_has(&subject, model, i)) {
+        if (instance->unseen || (!whole && !scene_subject_has(&subject, model, i))) {
             continue;
         }
         instance_rows(instance, axes, rows);
@@ -167,6 +178,7 @@ static void fit_model(const struct scene_model *model, const double axes[3][3], 
                 q[r] = rows[r][0] * (double)p[0] + rows[r][1] * (double)p[1] + rows[r][2] * (double)p[2] +
                        rows[r][3];
             }
+            used = used && (whole || is_framed(model, instance, p));
             if (used && scene_finite3(q) && fit->turns) {
                 fit_circle(fit, q);
             } else if (used && scene_finite3(q)) {
@@ -208,10 +220,13 @@ struct scene_camera scene_camera_fit(const struct scene_model *model, struct sce
                       .z_min = DBL_MAX,
                       .z_max = -DBL_MAX,
                       .turns = orbit.turns};
-    double vertical[3] = {0.0, 1.0, 0.0};
+    double vertical[3] = {0.0, 1.0, 0.0}, center[3];
     scene_axis_turn(orbit.up, vertical);
     for (int i = 0; i < 3; i++) {
-        fit.turn.center[i] = scene_dot(axes[i], orbit.turn_center);
+        center[i] = orbit.turn_center[i] - model->origin[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        fit.turn.center[i] = scene_dot(axes[i], center);
         fit.turn.axis[i] = scene_dot(axes[i], vertical);
     }
     fit_model(model, axes, orbit.whole, &fit);
@@ -240,7 +255,7 @@ struct scene_camera scene_camera_fit(const struct scene_model *model, struct sce
         }
     }
     for (int i = 0; i < 3; i++) {
-        camera.eye[i] = right[i] * place[0] + up[i] * place[1] + back[i] * place[2];
+        camera.eye[i] = right[i] * place[0] + up[i] * place[1] + back[i] * place[2] + model->origin[i];
         camera.target[i] = camera.eye[i] - back[i] * distance;
         camera.up[i] = up[i];
     }

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: MIT
 // What a camera has in its picture.
 #include "camera.h"
+#include "coverage.h"
+#include "subject.h"
 
-static bool is_inside(const struct scene_model *model, const double eye[3])
+// The model may cover so many times fewer pixels than it covers when it is fitted.
+static const uint32_t largest_ratio = 100;
+
+static bool is_inside(const struct scene_model *model, const struct scene_camera *camera)
 {
+    const struct scene_box frame = scene_subject_frame(model);
     bool inside = true;
     for (int i = 0; i < 3; i++) {
-        inside = inside && eye[i] > (double)model->bounds_min[i] && eye[i] < (double)model->bounds_max[i];
+        const double eye = camera->eye[i] - model->origin[i];
+        inside = inside && eye > frame.low[i] && eye < frame.high[i];
     }
     return inside;
 }
@@ -27,7 +34,8 @@ static bool is_seen(const double matrix[16], const float p[3])
 static double seen_share(const struct scene_model *model, const struct scene_camera *camera, double aspect)
 {
     double view[16], projection[16], both[16];
-    scene_camera_view(camera, view);
+    const struct scene_camera own = scene_camera_from_origin(camera, model->origin);
+    scene_camera_view(&own, view);
     scene_camera_projection(camera, aspect, projection);
     scene_matrix_multiply(projection, view, both);
     uint64_t seen = 0, all = 0;
@@ -35,6 +43,9 @@ static double seen_share(const struct scene_model *model, const struct scene_cam
         const struct scene_instance *const instance = &model->instances[i];
         const struct scene_mesh *const mesh = &model->meshes[instance->mesh];
         double world[16], matrix[16];
+        if (instance->unseen) {
+            continue;
+        }
         for (int k = 0; k < 16; k++) {
             world[k] = (double)instance->world[k];
         }
@@ -47,14 +58,54 @@ static double seen_share(const struct scene_model *model, const struct scene_cam
     return all == 0 ? 1 : (double)seen / (double)all;
 }
 
+int scene_camera_digits(const double eye[3], const double target[3])
+{
+    const double far = 1000.0;
+    double distance2 = 0.0, eye2 = 0.0;
+    for (int i = 0; i < 3; i++) {
+        distance2 += (eye[i] - target[i]) * (eye[i] - target[i]);
+        eye2 += eye[i] * eye[i];
+    }
+    return eye2 > far * far * distance2 ? 15 : 9;
+}
+
 bool scene_camera_shows_most(const struct scene_model *model, const struct scene_camera *camera,
                              double aspect)
 {
-    return !is_inside(model, camera->eye) && seen_share(model, camera, aspect) >= 0.5;
+    return !is_inside(model, camera) && seen_share(model, camera, aspect) >= 0.5;
 }
 
 bool scene_camera_is_believable(const struct scene_model *model, const struct scene_camera *camera,
                                 double aspect)
 {
-    return seen_share(model, camera, aspect) >= (is_inside(model, camera->eye) ? 0.2 : 0.01);
+    return seen_share(model, camera, aspect) >= (is_inside(model, camera) ? 0.2 : 0.01);
+}
+
+// Return what a camera that gives way sees. `covered` is a number of pixels of the model.
+static enum scene_sight poor_sight(const struct scene_model *model, const struct scene_camera *camera,
+                                   double aspect, uint32_t covered)
+{
+    return covered > 0 || seen_share(model, camera, aspect) > 0 ? SCENE_SIGHT_NEXT_TO_NOTHING
+                                                                : SCENE_SIGHT_NOTHING;
+}
+
+enum scene_sight scene_camera_sight(const struct scene_model *model, const struct scene_camera *camera,
+                                    double aspect)
+{
+    if (model->doubts_cameras && !scene_camera_is_believable(model, camera, aspect)) {
+        return poor_sight(model, camera, aspect, scene_coverage_count(model, camera, aspect, 1));
+    }
+    // A model covers a whole picture at most.
+    const uint32_t ample = scene_coverage_cells(aspect) / largest_ratio + 1;
+    const uint32_t covered = scene_coverage_count(model, camera, aspect, ample);
+    if (covered >= ample) {
+        return SCENE_SIGHT_ENOUGH;
+    }
+    const struct scene_camera fitted = scene_camera_fit(model, scene_camera_default_orbit(model, model->up),
+                                                        scene_camera_default_yfov(), aspect);
+    const uint32_t much = covered * largest_ratio + 1;
+    if (scene_coverage_count(model, &fitted, aspect, much) < much) {
+        return SCENE_SIGHT_ENOUGH;
+    }
+    return poor_sight(model, camera, aspect, covered);
 }

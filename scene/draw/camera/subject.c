@@ -6,16 +6,40 @@
 
 static const double thinnest = 0.02, largest_ratio = 100;
 
-struct box {
-    double low[3], high[3];
-};
+struct scene_box scene_subject_frame(const struct scene_model *model)
+{
+    const float *low = model->is_framed ? model->frame_min : model->bounds_min;
+    const float *high = model->is_framed ? model->frame_max : model->bounds_max;
+    struct scene_box box;
+    for (int i = 0; i < 3; i++) {
+        box.low[i] = (double)low[i];
+        box.high[i] = (double)high[i];
+    }
+    return box;
+}
+
+bool scene_subject_frames(const struct scene_model *model, const double point[3])
+{
+    const struct scene_box frame = scene_subject_frame(model);
+    double longest = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const double side = frame.high[i] - frame.low[i];
+        longest = side > longest ? side : longest;
+    }
+    bool inside = true;
+    for (int i = 0; i < 3 && model->is_framed; i++) {
+        const double room = 1e-4 * longest;
+        inside = inside && point[i] >= frame.low[i] - room && point[i] <= frame.high[i] + room;
+    }
+    return inside;
+}
 
 // Return the box around the corners of the mesh's own box, in the world.
-static struct box find_box(const struct scene_model *model, uint32_t number)
+static struct scene_box find_box(const struct scene_model *model, uint32_t number)
 {
     const struct scene_instance *instance = &model->instances[number];
     const struct scene_mesh *mesh = &model->meshes[instance->mesh];
-    struct box box = {{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
+    struct scene_box box = {{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
     for (int corner = 0; corner < 8; corner++) {
         const float p[3] = {(corner & 1 ? mesh->bounds_max : mesh->bounds_min)[0],
                             (corner & 2 ? mesh->bounds_max : mesh->bounds_min)[1],
@@ -30,9 +54,9 @@ static struct box find_box(const struct scene_model *model, uint32_t number)
     return box;
 }
 
-// Return the axis in which a box is thin. Return −1 if there is none.
-static int thin_axis(const struct box *box)
+int scene_subject_thin_axis(const struct scene_model *model, uint32_t instance, struct scene_box *box)
 {
+    *box = find_box(model, instance);
     double longest = 0;
     int thinnest_axis = 0;
     for (int i = 0; i < 3; i++) {
@@ -45,25 +69,46 @@ static int thin_axis(const struct box *box)
     return box->high[thinnest_axis] - box->low[thinnest_axis] < thinnest * longest ? thinnest_axis : -1;
 }
 
-static double area_along(const double low[3], const double high[3], int axis)
+static double area_along(const struct scene_box *box, int axis)
 {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    return (high[u] - low[u]) * (high[v] - low[v]);
+    return (box->high[u] - box->low[u]) * (box->high[v] - box->low[v]);
+}
+
+bool scene_subject_is_ground(const struct scene_box *box, int axis, const struct scene_box *other)
+{
+    return axis >= 0 && area_along(box, axis) > largest_ratio * area_along(other, axis);
+}
+
+// Cut a box to the frame. Return false if nothing is left.
+static bool cut_to_frame(const struct scene_model *model, struct scene_box *box)
+{
+    const struct scene_box frame = scene_subject_frame(model);
+    bool is_left = true;
+    for (int i = 0; i < 3 && model->is_framed; i++) {
+        box->low[i] = box->low[i] > frame.low[i] ? box->low[i] : frame.low[i];
+        box->high[i] = box->high[i] < frame.high[i] ? box->high[i] : frame.high[i];
+        is_left = is_left && box->low[i] <= box->high[i];
+    }
+    return is_left;
 }
 
 struct scene_subject scene_subject_find(const struct scene_model *model)
 {
-    struct scene_subject subject = {{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}, true};
+    struct scene_subject subject = {scene_subject_frame(model), true};
     for (uint32_t i = 0; i < model->instance_count; i++) {
-        const struct box box = find_box(model, i);
-        if (thin_axis(&box) >= 0) {
+        struct scene_box box;
+        if (model->instances[i].unseen || scene_subject_thin_axis(model, i, &box) >= 0 ||
+            !cut_to_frame(model, &box)) {
             continue;
         }
-        subject.is_all = false;
         for (int k = 0; k < 3; k++) {
-            subject.low[k] = box.low[k] < subject.low[k] ? box.low[k] : subject.low[k];
-            subject.high[k] = box.high[k] > subject.high[k] ? box.high[k] : subject.high[k];
+            subject.box.low[k] =
+                box.low[k] < subject.box.low[k] || subject.is_all ? box.low[k] : subject.box.low[k];
+            subject.box.high[k] =
+                box.high[k] > subject.box.high[k] || subject.is_all ? box.high[k] : subject.box.high[k];
         }
+        subject.is_all = false;
     }
     return subject;
 }
@@ -71,9 +116,8 @@ struct scene_subject scene_subject_find(const struct scene_model *model)
 bool scene_subject_has(const struct scene_subject *subject, const struct scene_model *model,
                        uint32_t instance)
 {
-    const struct box box = find_box(model, instance);
-    const int axis = thin_axis(&box);
-    return subject->is_all || axis < 0 ||
-           area_along(box.low, box.high, axis) <=
-               largest_ratio * area_along(subject->low, subject->high, axis);
+    struct scene_box box;
+    const int axis = scene_subject_thin_axis(model, instance, &box);
+    return !model->instances[instance].unseen &&
+           (subject->is_all || !scene_subject_is_ground(&box, axis, &subject->box));
 }

@@ -6,16 +6,32 @@
 
 #include "model.h"
 
-/// The box of everything that is not flat. A thing is flat if it is thinner along one axis than a fiftieth of its
-/// longest side.
-struct scene_subject {
+struct scene_box {
     double low[3], high[3];
-    bool is_all; ///< everything is flat
+};
+
+/// Return the model's frame.
+struct scene_box scene_subject_frame(const struct scene_model *model);
+
+/// Return true if a point lies within the model's frame, but for rounding.
+bool scene_subject_frames(const struct scene_model *model, const double point[3]);
+
+/// Write the box of an instance to `box`. Return the axis in which it is thinner than a fiftieth of its longest side.
+/// Return −1 if there is none.
+int scene_subject_thin_axis(const struct scene_model *model, uint32_t instance, struct scene_box *box);
+
+/// Return true if a box, which is thin along an axis, covers more than 100 times what another one covers, seen along
+/// that axis. An axis of −1 is none.
+bool scene_subject_is_ground(const struct scene_box *box, int axis, const struct scene_box *other);
+
+/// The box of everything within the frame that is seen and is not thin, or the frame if everything is thin.
+struct scene_subject {
+    struct scene_box box;
+    bool is_all; ///< everything is thin
 };
 
 struct scene_subject scene_subject_find(const struct scene_model *model);
-/// Return true if an instance belongs to the subject. All instances belong to it but flat ones that cover more than 100
-/// times what the others cover, seen along the axis in which they are thin.
+/// Return true if an instance belongs to the subject. All that are seen do, but those that are a ground for it.
 bool scene_subject_has(const struct scene_subject *subject, const struct scene_model *model,
                        uint32_t instance);
 

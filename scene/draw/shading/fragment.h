@@ -59,7 +59,9 @@ ALWAYS_INLINE void base_color(struct rhw_fragment *f, const struct scene_surface
     if (s->frame->peel_samples > 0) {
         rhw_float behind[4];
         fetch_here(f, s->peel_unit, s->frame->peel_samples, behind);
-        f->mask = f->mask & rhw_less(behind[0], f->coord[2]);
+        const rhw_int nearer = rhw_less(behind[0], f->coord[2]);
+        const rhw_int farther = rhw_less(f->coord[2], behind[0]) | rhw_equal(behind[0], 0.0f);
+        f->mask = f->mask & (s->frame->peel_behind ? farther : nearer);
     }
     for (int c = 0; c < 4; c++) {
         color[c] = rhw_splat(s->base_color[c]);
@@ -152,13 +154,14 @@ ALWAYS_INLINE void surface_normal(const struct rhw_fragment *f, const struct sce
     face_seen_side(f, s, normal);
 }
 
-// Bend a normal that leans away from the eye until its surface is just seen. A normal map may lean its surface away,
-// which no surface that is seen does, and a mirror there would show what is behind it.
-ALWAYS_INLINE void bend_to_view(const rhw_float view[3], rhw_float normal[3])
+// Bend a normal that leans away from the eye until its surface is just seen. Interpolation and normal maps may lean a
+// surface away, which no surface that is seen does. Its highlight and its mirror would be of what is behind it. A mesh
+// whose normals are on the other side of its facets is the file's word, which stays: it is shaded as from behind.
+ALWAYS_INLINE void bend_to_view(const struct scene_surface *s, const rhw_float view[3], rhw_float normal[3])
 {
     const rhw_float lacking = 0.02f - rhw_dot3(normal, view);
     const rhw_int leans = rhw_less(0.0f, lacking);
-    if (!rhw_any(leans)) {
+    if (!rhw_any(leans) || s->inside_out) {
         return;
     }
     rhw_float bent[3];
@@ -171,14 +174,12 @@ ALWAYS_INLINE void bend_to_view(const rhw_float view[3], rhw_float normal[3])
     }
 }
 
-// Find the normal that light is summed with. Layers mirror as maps do, so their surfaces are bent too, mapped or not.
+// Find the normal that light is summed with.
 ALWAYS_INLINE void seen_normal(const struct rhw_fragment *f, const struct scene_surface *s, bool mapped,
-                               bool layered, slot_texels texels, const rhw_float view[3], rhw_float normal[3])
+                               slot_texels texels, const rhw_float view[3], rhw_float normal[3])
 {
     surface_normal(f, s, mapped, texels, normal);
-    if (mapped || layered) {
-        bend_to_view(view, normal);
-    }
+    bend_to_view(s, view, normal);
 }
 
 // Draw the lines of the wireframe. The distance to an edge in pixels is its barycentric weight over the weight's
@@ -272,8 +273,9 @@ ALWAYS_INLINE void shadow_irradiance(const struct rhw_fragment *f, const struct 
         curve.support = &f->varying[s->varying_support];
         curve.turn = s->double_sided ? ~f->front_facing : rhw_splat_int(0);
     }
-    const rhw_float open = scene_shadow(light, &f->varying[at], plane ? &f->ddx[at] : NULL,
-                                        plane ? &f->ddy[at] : NULL, plane ? &curve : NULL, f->mask & facing);
+    const rhw_float open =
+        scene_shadow(light, &f->varying[at], plane ? &f->ddx[at] : NULL, plane ? &f->ddy[at] : NULL,
+                     plane ? &curve : NULL, s->casts, f->mask & facing);
     for (int c = 0; c < 3; c++) {
         irradiance[c] = irradiance[c] * open;
     }

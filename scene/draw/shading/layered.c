@@ -137,7 +137,7 @@ static void set_coat(struct scene_layered *m, const struct rhw_fragment *f, cons
         layer_factor(f, s, l->clearcoat_roughness, SCENE_SLOT_CLEARCOAT_ROUGHNESS, 1), 0.045f, 1.0f);
     map_normal(f, s, mapped ? texel : NULL, l->clearcoat_normal_scale, m->coat_normal);
     face_seen_side(f, s, m->coat_normal);
-    bend_to_view(m->view, m->coat_normal);
+    bend_to_view(s, m->view, m->coat_normal);
     m->coat_n_dot_v = rhw_clamp(rhw_dot3(m->coat_normal, m->view), 1.0f / 1024.0f, 1.0f);
     m->under_coat = 1.0f - m->coat * scene_schlick(rhw_splat(0.04f), rhw_splat(1.0f), m->coat_n_dot_v);
 }
@@ -207,7 +207,7 @@ ALWAYS_INLINE void shade(struct rhw_fragment *f, const struct scene_surface *s)
     m.has_sheen = l->sheen_color[0] > 0.0f || l->sheen_color[1] > 0.0f || l->sheen_color[2] > 0.0f;
     m.has_coat = l->clearcoat > 0.0f;
     view_direction(frame, position, m.view);
-    seen_normal(f, s, mapped, true, texels, m.view, m.normal);
+    seen_normal(f, s, mapped, texels, m.view, m.normal);
     m.n_dot_v = rhw_clamp(rhw_dot3(m.normal, m.view), 1.0f / 1024.0f, 1.0f);
     set_body(&m, f, s, base);
     if (l->iridescence > 0.0f) {

@@ -6,9 +6,15 @@
 // Directions and steps follow a pattern of 4 × 4 pixels, so that 16 pixels together look along 32 directions. A blur of
 // just that width, which does not mix surfaces, makes them even. A surface under an open sky is to come out as 1 all
 // over, since flat ground gets bands otherwise. Directions are therefore spread evenly around the line of sight, not
-// over the screen. What lies in the surface's own plane is no horizon of it, although it may be sampled a little beside
-// the direction asked for. Two directions may see more than 1, of which the other pixels take their part.
-#include "rhw/shader.h"
+// over the screen. Two directions may see more than 1, of which the other pixels take their part.
+//
+// The hemisphere stands on the shading normal, so that facets that stand for a curve do not show. What is a horizon is
+// told by the facet: whatever does not stand above its plane is none, although it may stand above the plane across a
+// shading normal that leans far from the facet.
+//
+// What occludes is no black body. It is lit itself, and sends back a part of the light that it keeps away, so that no
+// crease is black.
+#include "guide_normal.h"
 #include "scene_shaders.h"
 
 #define ALWAYS_INLINE static inline __attribute__((always_inline))
@@ -17,14 +23,17 @@ enum { SLICES = 2, STEPS = 5 };
 
 static const float pi = 3.14159265358979f;
 
-// A thing stands over a surface if it is higher above the surface's plane, in parts of how far away it is, than the
+// A thing stands over a surface if it is higher above the facet's plane, in parts of how far away it is, than the
 // rounding of normals in 16 bits.
 static const float least_height = 1e-3f;
+
+// Part of the light that what occludes sends back.
+static const float sent_back = 0.25f;
 
 // A pixel's surface, in view space.
 struct seen_surface {
     rhw_float coord[2];
-    rhw_float point[3], normal[3];
+    rhw_float point[3], normal[3], face[3];
     rhw_float view[3];            // unit vector to the eye
     rhw_float right[3], above[3]; // unit vectors across `view`
     rhw_float slope[2];           // slope of the line of sight, by depth
@@ -54,22 +63,21 @@ ALWAYS_INLINE rhw_int texel_index(const struct scene_ambient *o, rhw_float x, rh
     return row * o->pitch + column;
 }
 
-// Find the unit normal of the pixel in view space. It is 0, 0, 1 where nothing is.
-ALWAYS_INLINE void view_normal(const struct rhw_fragment *f, const struct scene_ambient *o,
-                               rhw_float normal[3])
+// Fetch the folded normals of the pixel: of the mesh, and of the facet.
+ALWAYS_INLINE void fetch_normals(const struct rhw_fragment *f, rhw_float folded[4])
 {
     const rhw_int at[2] = {rhw_int_from_float_unchecked(f->coord[0]),
                            rhw_int_from_float_unchecked(f->coord[1])};
-    rhw_float world[4];
-    rhw_sample_fetch(f->bindings, 0, at, NULL, world);
+    rhw_sample_fetch(f->bindings, 0, at, NULL, folded);
+}
+
+// Find a unit normal in view space.
+ALWAYS_INLINE void view_normal(const struct scene_ambient *o, const rhw_float folded[2], rhw_float normal[3])
+{
+    rhw_float world[3];
+    scene_normal_unfold(folded, world);
     for (int r = 0; r < 3; r++) {
         normal[r] = world[0] * o->axes[r][0] + world[1] * o->axes[r][1] + world[2] * o->axes[r][2];
-    }
-    const rhw_float length2 = rhw_dot3(normal, normal);
-    const rhw_int some = rhw_less(0.25f, length2);
-    const rhw_float inverse = rhw_rsqrt(rhw_select(some, length2, 1.0f));
-    for (int c = 0; c < 3; c++) {
-        normal[c] = rhw_select(some, normal[c] * inverse, c == 2 ? 1.0f : 0.0f);
     }
 }
 
@@ -109,7 +117,7 @@ ALWAYS_INLINE rhw_float horizon(const struct scene_ambient *o, const struct seen
         const rhw_float length2 = rhw_dot3(other, other);
         const rhw_float inverse = rhw_rsqrt(rhw_max(length2, 1e-30f));
         const rhw_float weight = rhw_saturate(1.0f - length2 * inverse_radius2);
-        const rhw_float height = rhw_dot3(other, p->normal) * inverse;
+        const rhw_float height = rhw_dot3(other, p->face) * inverse;
         const rhw_int real =
             rhw_less(distance, 1e30f) & rhw_less(0.0f, weight) & rhw_less(least_height, height);
         const rhw_float faded = rhw_mix(lowest, rhw_dot3(other, p->view) * inverse, weight);
@@ -166,7 +174,10 @@ static void occlusion_fragment(struct rhw_fragment *groups, int count)
         const rhw_float held = rhw_select(some, distance, 1.0f);
         rhw_float sum = rhw_splat(0.0f);
         place(o, p.coord[0], p.coord[1], held, p.point);
-        view_normal(f, o, p.normal);
+        rhw_float folded[4];
+        fetch_normals(f, folded);
+        view_normal(o, &folded[0], p.normal);
+        view_normal(o, &folded[2], p.face);
         look_along(o, held, &p);
         // 16 directions, and 4 places along them, are spread over 4 × 4 pixels.
         const rhw_int column = rhw_int_from_float_unchecked(x), row = rhw_int_from_float_unchecked(y);
@@ -206,7 +217,9 @@ static void blur_fragment(struct rhw_fragment *groups, int count)
         rhw_float point[3], normal[3], sum = rhw_splat(0.0f), weights = rhw_splat(0.0f);
         const rhw_float held = rhw_select(some, distance, 1.0f);
         place(o, coord[0], coord[1], held, point);
-        view_normal(f, o, normal);
+        rhw_float folded[4];
+        fetch_normals(f, folded);
+        view_normal(o, &folded[2], normal);
         const rhw_float tolerance = o->radius * (0.08f + 2.0f / radius_texels(o, held));
         for (int k = -2; k <= 2; k++) {
             const rhw_float x = upright ? coord[0] : within(coord[0] + (float)k, (float)o->width),
@@ -226,8 +239,8 @@ static void blur_fragment(struct rhw_fragment *groups, int count)
             weights += rhw_select(real, weight, 0.0f);
         }
         const rhw_float even = sum / weights;
-        f->color[0][0] =
-            rhw_select(some & rhw_less(0.0f, weights), upright ? rhw_min(even, 1.0f) : even, 1.0f);
+        const rhw_float open = upright ? rhw_mix(sent_back, 1.0f, rhw_clamp(even, 0.0f, 1.0f)) : even;
+        f->color[0][0] = rhw_select(some & rhw_less(0.0f, weights), open, 1.0f);
     }
 }
 

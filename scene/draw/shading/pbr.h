@@ -17,7 +17,8 @@ static const float scene_inverse_pi = 0.31830988618f;
 /// What one fragment reflects, before any light is looked at. Vectors are unit and point away from the surface.
 struct scene_reflector {
     rhw_float normal[3], view[3];
-    rhw_float n_dot_v;    // at least 1/1024
+    rhw_float facing;     // n·v, below 0 where the normal leans away from the eye
+    rhw_float n_dot_v;    // `facing`, but at least 1/1024
     rhw_float alpha;      // roughness squared
     rhw_float diffuse[3]; // base colour of what is not metal
     rhw_float f0[3];      // reflectance head on
@@ -47,7 +48,8 @@ static inline void scene_reflector_set(struct scene_reflector *reflector, const 
     // Below 0.045 the highlight of a light without extent is smaller than a pixel and flickers.
     const rhw_float rough = rhw_clamp(roughness, 0.045f, 1.0f);
     reflector->alpha = rough * rough;
-    reflector->n_dot_v = rhw_clamp(rhw_dot3(reflector->normal, reflector->view), 1.0f / 1024.0f, 1.0f);
+    reflector->facing = rhw_dot3(reflector->normal, reflector->view);
+    reflector->n_dot_v = rhw_clamp(reflector->facing, 1.0f / 1024.0f, 1.0f);
 }
 
 /// Add the light that arrives from `to_light` (unit) to `sum`: irradiance · n·l · ((1 − F) diffuse / π + F D V).
@@ -59,7 +61,9 @@ static inline void scene_reflect_light(const struct scene_reflector *r, const rh
     const rhw_float l_dot_v = rhw_dot3(to_light, r->view);
     // |l + v|² = 2 + 2 l·v gives the cosines of the half vector without the vector.
     const rhw_float h_dot_v = rhw_sqrt(rhw_max(0.5f + 0.5f * l_dot_v, 1e-6f));
-    const rhw_float n_dot_h = rhw_min((n_dot_l + r->n_dot_v) / (2.0f * h_dot_v), 1.0f);
+    // A normal that leans away from the eye leans away from the half vector too. With n·v held above 0, n·h would come
+    // out too large there, up to the peak of the highlight.
+    const rhw_float n_dot_h = rhw_clamp((n_dot_l + r->facing) / (2.0f * h_dot_v), 0.0f, 1.0f);
     const rhw_float alpha = rhw_min(r->alpha + size, 1.0f);
     const rhw_float alpha2 = alpha * alpha;
     const rhw_float base = 1.0f - n_dot_h * n_dot_h * (1.0f - alpha2);

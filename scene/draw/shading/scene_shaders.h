@@ -100,6 +100,7 @@ struct scene_frame {
     int32_t plain;                       // the wireframe is over an even surface
     // The samples of the texture of depths that fragments must be nearer than. It is 0 if there is no texture.
     int32_t peel_samples;
+    int32_t peel_behind; // fragments must be farther than these depths instead, wherever there is one
     int32_t output_slot
         [SCENE_DATA_OUTPUTS]; // colour attachment of each enum scene_data_output; −1 if it is not wanted
 };
@@ -150,7 +151,9 @@ struct scene_surface {
     int32_t alpha_mode; // enum scene_alpha_mode
     float alpha_cutoff; // fragments with less alpha are discarded; at 0 none is
     int32_t double_sided, wireframe;
-    int32_t shadowed; // some light has a shadow map
+    int32_t inside_out; // the normals of the mesh are on the other side of its facets
+    int32_t shadowed;   // some light has a shadow map
+    int32_t casts;      // the surface casts shadows
 
     uint32_t object, first_triangle;
     uint32_t triangles_per_id; // 2 where a quad stands for a line or a point, and 1 elsewhere
@@ -160,8 +163,9 @@ struct scene_surface {
 };
 
 // Uniforms of the background. `top`, linear and premultiplied, is all of the background if it is even. Between two sRGB
-// codes the background is dithered, because the codes between are too few for a smooth run.
+// codes the background is dithered in 8 bits, because the codes between are too few for a smooth run there.
 struct scene_backdrop {
+    int32_t smooth; // the picture has more than 8 bits, so that the background is not dithered
     float top[4];
     float codes[2][3];    // codes of the first and the last row, 0..255
     float inverse_height; // 1 / height of the picture
@@ -219,6 +223,7 @@ enum scene_fragment_kind {
     SCENE_FRAGMENT_GROUND,  // ground, of which only the shadow on it shows
     SCENE_FRAGMENT_LAYERED, // extensions of the material, and any textures
     SCENE_FRAGMENT_DATA,
+    SCENE_FRAGMENT_GUIDE,  // distance, and normals of the guide
     SCENE_FRAGMENT_SHADOW, // fragments that cast no shadow are discarded
     SCENE_FRAGMENT_KINDS,
     SCENE_FRAGMENT_NONE = -1

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The built-in shaders that cover the whole picture: the background and the resolve of samples to pixels.
-#include "rhw/shader.h"
+#include "color.h"
 #include "scene_shaders.h"
 
 #include <string.h>
@@ -39,7 +39,8 @@ static void backdrop_fragment(struct rhw_fragment *groups, int count)
         for (int c = 0; c < 3; c++) {
             const rhw_float code = b->codes[0][c] + (b->codes[1][c] - b->codes[0][c]) * down;
             const rhw_int whole = rhw_int_from_float_unchecked(rhw_floor(code + threshold));
-            groups[g].color[0][c] = rhw_gather(b->decode, 256, whole);
+            groups[g].color[0][c] =
+                b->smooth ? scene_color_decode8(code * (1.0f / 255.0f)) : rhw_gather(b->decode, 256, whole);
         }
         groups[g].color[0][3] = rhw_splat(1.0f);
     }

@@ -9,6 +9,14 @@
 // only what is nearer than the fragment can shade it, and it must be the higher above the fragment the farther it is
 // beside it. Planes that meet in a fold therefore do not shade each other.
 //
+// That allowance would leave a bright line along an inner corner whose one side keeps the light from the other: what
+// casts the shadow touches what it falls on. But the plane of what casts shadows itself is in the map where the light
+// reaches it. Where none of the
+// four texels around a fragment lies in its plane and some lie before it, the fragment is hidden. The allowance is not
+// made there, taps beyond the end of the plane do not count, and no light arrives where the penumbra of what hides the
+// fragment is narrower than a texel. Folds stay lit: the other side of a fold begins beyond a line that passes the fragment, and no such side holds all four corners
+// of a square without what is inside of the square.
+//
 // Facets that stand for a curved surface and are turned away from the light lie in the shadow of the facets before
 // them, while the normals of their corners still face the light. The result is dark triangles along the limit of light.
 // What the facets stand for is looked up in their place: the point that the tangent planes of the corners suggest, and
@@ -34,6 +42,9 @@ static const float scene_shadow_wide = 5.0f;    // radius above which a filter t
 // search for what casts a shadow follows none that is steeper than scene_shadow_gentle. What rises less than a fold
 // above a plane does not shade it.
 static const float scene_shadow_steepest = 32.0f, scene_shadow_gentle = 8.0f, scene_shadow_fold = 2.0f;
+// Depth in widths of a texel: what is nearer than scene_shadow_near before a plane, or scene_shadow_near_behind behind
+// it, may be the plane itself.
+static const float scene_shadow_near = 0.25f, scene_shadow_near_behind = 2.0f;
 // Texels by which the thing that a facet stands for is brought nearer to the light.
 static const float scene_shadow_lift = 6.0f;
 
@@ -48,6 +59,7 @@ struct scene_shadow_point {
     rhw_float distance;  // distance from the light
     rhw_int inside;      // the map reaches the fragment
     rhw_int away;        // the light sees the plane's other side
+    bool casts;          // the map has the fragment's surface, where the light reaches it
 };
 
 /// What a facet stands for, from interpolated values.
@@ -225,18 +237,28 @@ static inline rhw_float scene_shadow_penumbra(const struct scene_shadow_map *map
     return rhw_select(some, rhw_select(all, -2.0f, radius), -1.0f);
 }
 
-// Return the part of a tap that the light reaches. A tap is a linear filter of four texels at a place of the disc.
-static inline rhw_float scene_shadow_tap(const struct scene_shadow_map *map,
-                                         const struct scene_shadow_point *p, const float seed[3],
-                                         rhw_float radius)
+// A filter around a fragment, and what its taps have summed up.
+struct scene_shadow_disc {
+    rhw_float radius; // texels
+    rhw_float fold;   // what rises less than this above the plane, in depth per width, shades nothing
+    rhw_int ends; // the plane may end within the disc: what lies farther than `drop` behind it does not count
+    bool some_end; // some lane of `ends` is set
+    rhw_float drop;
+    rhw_float lit, count; // the part of the taps that the light reaches, and the part that counts
+};
+
+// Add a tap, which is a linear filter of four texels at a place of the disc.
+static inline void scene_shadow_tap(const struct scene_shadow_map *map, const struct scene_shadow_point *p,
+                                    const float seed[3], struct scene_shadow_disc *disc)
 {
-    const rhw_float bias = p->step * (0.7f + (seed[2] * scene_shadow_fold) * radius);
+    const rhw_float radius = disc->radius, width = p->step * (seed[2] * radius);
+    const rhw_float bias = p->step * 0.7f + width * disc->fold;
+    const rhw_float drop = disc->some_end ? disc->drop + width * (2.0f * scene_shadow_fold) + bias : bias;
     const rhw_float x = p->column + seed[0] * radius - 0.5f, y = p->row + seed[1] * radius - 0.5f;
     const rhw_float left = rhw_floor(x), top = rhw_floor(y);
     const rhw_float corner =
         p->depth + p->slope[0] * (left + 0.5f - p->column) + p->slope[1] * (top + 0.5f - p->row) + bias;
     const rhw_float own = p->own + bias;
-    rhw_float sum = rhw_splat(0.0f);
     for (int i = 0; i < 4; i++) {
         const rhw_int column = scene_shadow_texel(map, left + (float)(i & 1));
         const rhw_int row = scene_shadow_texel(map, top + (float)(i >> 1));
@@ -244,31 +266,78 @@ static inline rhw_float scene_shadow_tap(const struct scene_shadow_map *map,
         const rhw_float share = (i & 1 ? x - left : 1.0f - (x - left)) * (i & 2 ? y - top : 1.0f - (y - top));
         const rhw_float along = i & 1 ? corner + p->slope[0] : corner;
         const rhw_float plane = i & 2 ? along + p->slope[1] : along;
-        sum += rhw_select(rhw_less_equal(depth, rhw_max(plane, own)), share, 0.0f);
+        const rhw_int lit = rhw_less_equal(depth, rhw_max(plane, own));
+        if (disc->some_end) {
+            const rhw_float counts = rhw_select(rhw_less_equal(plane - drop, depth), share, 0.0f);
+            disc->count += counts;
+            disc->lit += rhw_select(lit, counts, 0.0f);
+        } else {
+            disc->lit += rhw_select(lit, share, 0.0f);
+        }
     }
-    return sum;
 }
 
-/// Return the part of the light that arrives, by a filter of `radius` texels.
-static inline rhw_float scene_shadow_filter(const struct scene_shadow_map *map,
-                                            const struct scene_shadow_point *p, rhw_float radius, rhw_int who)
+// Return what is lit of the taps so far, of which there are `taps`.
+static inline rhw_float scene_shadow_mean(const struct scene_shadow_disc *disc, int taps)
 {
-    rhw_float sum = rhw_splat(0.0f);
+    const rhw_float mean = disc->lit * (1.0f / (float)taps);
+    return disc->some_end ? rhw_select(disc->ends, disc->lit / rhw_max(disc->count, 1e-6f), mean) : mean;
+}
+
+// What hides a fragment, as the four texels around it tell.
+struct scene_shadow_cover {
+    rhw_int hidden;   // the fragment's plane is not in the map, and something before it is
+    rhw_float height; // height of that above the plane, in widths of a texel
+};
+
+static inline struct scene_shadow_cover scene_shadow_cover_at(const struct scene_shadow_map *map,
+                                                              const struct scene_shadow_point *p)
+{
+    const rhw_float left = rhw_floor(p->column - 0.5f), top = rhw_floor(p->row - 0.5f);
+    const rhw_float corner =
+        p->depth + p->slope[0] * (left + 0.5f - p->column) + p->slope[1] * (top + 0.5f - p->row);
+    const rhw_float near = p->step * scene_shadow_near, behind = p->step * -scene_shadow_near_behind;
+    rhw_int seen = rhw_splat_int(0), some = rhw_splat_int(0);
+    rhw_float highest = rhw_splat(0.0f);
+    for (int i = 0; i < 4; i++) {
+        const rhw_int column = scene_shadow_texel(map, left + (float)(i & 1));
+        const rhw_int row = scene_shadow_texel(map, top + (float)(i >> 1));
+        const rhw_float depth = rhw_gather(map->depth, map->pitch * map->size, row * map->pitch + column);
+        const rhw_float along = i & 1 ? corner + p->slope[0] : corner;
+        const rhw_float height = depth - (i & 2 ? along + p->slope[1] : along);
+        const rhw_int before = rhw_less(near, height);
+        some |= before;
+        seen |= ~before & rhw_less_equal(behind, height);
+        highest = rhw_max(highest, height);
+    }
+    // Neither a plane that stands for a curve nor one that is too steep is where the map has its surface.
+    const rhw_int exact =
+        ~p->away & rhw_equal(p->slope[0], p->gentle[0]) & rhw_equal(p->slope[1], p->gentle[1]);
+    const struct scene_shadow_cover cover = {exact & some & ~seen, highest / p->step};
+    return cover;
+}
+
+/// Return the part of the light that arrives, by a filter whose radius, fold and drop are set.
+static inline rhw_float scene_shadow_filter(const struct scene_shadow_map *map,
+                                            const struct scene_shadow_point *p,
+                                            struct scene_shadow_disc *disc, rhw_int who)
+{
+    disc->lit = disc->count = rhw_splat(0.0f);
     float seed[3];
     for (int n = 0; n < SCENE_SHADOW_TAPS; n++) {
         scene_shadow_seed(n, SCENE_SHADOW_TAPS, seed);
-        sum += scene_shadow_tap(map, p, seed, radius);
+        scene_shadow_tap(map, p, seed, disc);
     }
-    const rhw_float few = sum * (1.0f / SCENE_SHADOW_TAPS);
-    const rhw_int wide = rhw_less(scene_shadow_wide, radius);
+    const rhw_float few = scene_shadow_mean(disc, SCENE_SHADOW_TAPS);
+    const rhw_int wide = rhw_less(scene_shadow_wide, disc->radius);
     if (!rhw_any(wide & who)) {
         return few;
     }
     for (int n = 0; n < SCENE_SHADOW_FINE; n++) {
         scene_shadow_seed_between(n, SCENE_SHADOW_FINE, seed);
-        sum += scene_shadow_tap(map, p, seed, radius);
+        scene_shadow_tap(map, p, seed, disc);
     }
-    return rhw_select(wide, sum * (1.0f / (SCENE_SHADOW_TAPS + SCENE_SHADOW_FINE)), few);
+    return rhw_select(wide, scene_shadow_mean(disc, SCENE_SHADOW_TAPS + SCENE_SHADOW_FINE), few);
 }
 
 /// Return the part of the light, 0..1, that arrives at the lanes of `who` that lie in the map. Return 1 elsewhere.
@@ -283,7 +352,19 @@ static inline rhw_float scene_shadow_look(const struct scene_shadow_map *map,
     const rhw_int partly = rhw_less(0.0f, radius) & mine;
     rhw_float open = rhw_select(rhw_equal(radius, -2.0f), 0.0f, 1.0f);
     if (rhw_any(partly)) {
-        open = rhw_select(partly, scene_shadow_filter(map, p, rhw_max(radius, 1.0f), partly), open);
+        struct scene_shadow_cover cover = {rhw_splat_int(0), rhw_splat(0.0f)};
+        if (p->casts) {
+            cover = scene_shadow_cover_at(map, p);
+        }
+        const rhw_int touched = cover.hidden & rhw_less(cover.height * map->softness, 1.0f);
+        struct scene_shadow_disc disc = {
+            .radius = rhw_max(radius, 1.0f),
+            .fold = rhw_select(cover.hidden, 0.0f, scene_shadow_fold),
+            .ends = cover.hidden,
+            .some_end = rhw_any(partly & cover.hidden & ~touched),
+            .drop = rhw_select(cover.hidden, p->step * scene_shadow_near_behind, 1e30f)};
+        const rhw_float filtered = scene_shadow_filter(map, p, &disc, partly & ~touched);
+        open = rhw_select(partly, rhw_select(touched, 0.0f, filtered), open);
     }
     return rhw_select(mine, open, 1.0f);
 }
@@ -333,15 +414,17 @@ static inline void scene_shadow_choose(struct scene_shadow_point *p, rhw_int mas
 }
 
 /// Return the part of a light that arrives at the lanes `mask`. Each lane takes the first of the maps around a point
-/// light that has it well within. If `curve` is NULL, the facet stands for itself.
+/// light that has it well within. If `curve` is NULL, the facet stands for itself. `casts` tells
+/// whether the surface casts shadows, and so is in the maps.
 static inline rhw_float scene_shadow(const struct scene_shader_light *light, const rhw_float position[3],
                                      const rhw_float ddx[3], const rhw_float ddy[3],
-                                     const struct scene_shadow_curve *curve, rhw_int mask)
+                                     const struct scene_shadow_curve *curve, bool casts, rhw_int mask)
 {
     rhw_float open = rhw_splat(1.0f);
     for (int m = 0; m < light->map_count && rhw_any(mask); m++) {
         const struct scene_shadow_map *map = &light->maps[m];
         struct scene_shadow_point p = scene_shadow_place(map, position, ddx, ddy);
+        p.casts = casts;
         if (curve && rhw_any(p.away & mask)) {
             const struct scene_shadow_point curved =
                 scene_shadow_place_curved(map, curve, position, ddx, ddy);

@@ -2,6 +2,7 @@
 // The built-in shaders of surfaces, lines and points, compiled once per instruction set. One inlined body serves all
 // lit variants. Its constant arguments drop what a variant does not need.
 #include "fragment.h"
+#include "guide_normal.h"
 
 // Vertices ------------------------------------------------------------------------------------------
 
@@ -203,7 +204,7 @@ ALWAYS_INLINE void shade_lit(struct rhw_fragment *f, const struct scene_surface 
     struct scene_reflector reflector;
     const rhw_float *position = &f->varying[s->varying_position];
     view_direction(frame, position, reflector.view);
-    seen_normal(f, s, mapped, false, texels, reflector.view, reflector.normal);
+    seen_normal(f, s, mapped, texels, reflector.view, reflector.normal);
     scene_reflector_set(&reflector, base, metallic, roughness);
     if (frame->guide.occlusion) {
         occlusion = rhw_min(occlusion, ambient_open(f, frame, position));
@@ -409,6 +410,56 @@ static void data_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
+// Find the unit normal of the facet on the side that is seen, towards the eye. A line or a point faces the eye.
+ALWAYS_INLINE void face_normal(const struct rhw_fragment *f, const struct scene_surface *s,
+                               const rhw_float view[3], rhw_float face[3])
+{
+    if (!s->is_triangle) {
+        for (int c = 0; c < 3; c++) {
+            face[c] = view[c];
+        }
+        return;
+    }
+    rhw_float across[3], down[3];
+    rhw_normalize3(&f->ddx[s->varying_position], across);
+    rhw_normalize3(&f->ddy[s->varying_position], down);
+    rhw_cross(across, down, face);
+    rhw_normalize3(face, face);
+    const rhw_int turn = rhw_less(rhw_dot3(face, view), 0.0f);
+    for (int c = 0; c < 3; c++) {
+        face[c] = (rhw_float)((rhw_int)face[c] ^ (turn & INT32_MIN));
+    }
+}
+
+// Write the distance and both normals for scene_guide. The shading normal is that of the side that is seen, and bent
+// towards the eye, since occlusion is of that side.
+static void guide_fragment(struct rhw_fragment *groups, int count)
+{
+    const struct scene_surface *s = groups->uniforms;
+    for (int g = 0; g < count; g++) {
+        struct rhw_fragment *f = &groups[g];
+        const rhw_float *position = &f->varying[s->varying_position];
+        slot_texels texels;
+        if (s->alpha_cutoff > 0.0f || s->varying_disc >= 0) {
+            rhw_float color[4];
+            base_color(f, s, true, texels, color);
+        }
+        rhw_float view[3], face[3], normal[3];
+        view_direction(s->frame, position, view);
+        face_normal(f, s, view, face);
+        if (s->varying_normal >= 0) {
+            surface_normal(f, s, false, texels, normal);
+            for (int c = 0; c < 3; c++) {
+                normal[c] = s->inside_out ? -normal[c] : normal[c];
+            }
+            bend_to_view(s, view, normal);
+        }
+        f->color[0][0] = view_distance(f, s->frame, position);
+        scene_normal_fold(s->varying_normal >= 0 ? normal : face, &f->color[1][0]);
+        scene_normal_fold(face, &f->color[1][2]);
+    }
+}
+
 const struct scene_surface_shaders RHW_ISA_NAME(scene_surface_shaders) = {
     .vertex = {[SCENE_VERTEX_SURFACE] = surface_vertex,
                [SCENE_VERTEX_LINE] = line_vertex,
@@ -419,5 +470,6 @@ const struct scene_surface_shaders RHW_ISA_NAME(scene_surface_shaders) = {
                  [SCENE_FRAGMENT_UNLIT] = unlit_fragment,
                  [SCENE_FRAGMENT_GROUND] = ground_fragment,
                  [SCENE_FRAGMENT_DATA] = data_fragment,
+                 [SCENE_FRAGMENT_GUIDE] = guide_fragment,
                  [SCENE_FRAGMENT_SHADOW] = shadow_fragment},
 };

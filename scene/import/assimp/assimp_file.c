@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The files that assimp opens while it reads a model, where import->confine sets bounds.
+// The files that assimp opens while it reads a model: regular ones, within the bounds that import->confine sets.
 #include <assimp/cfileio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
+#include <unistd.h>
 
 #include "assimp.h"
-#include "import/builder/find_file.h"
+#include "file.h"
+#include "import/builder/confine.h"
 
 static FILE *stream_of(struct aiFile *file)
 {
@@ -50,12 +53,104 @@ static void flush(struct aiFile *file)
     (void)file;
 }
 
+// Files in memory ------------------------------------------------------------------------------------
+
+struct memory {
+    char *bytes;
+    size_t size, place;
+};
+
+static struct memory *memory_of(struct aiFile *file)
+{
+    return (struct memory *)(void *)file->UserData;
+}
+
+static size_t read_memory(struct aiFile *file, char *buffer, size_t size, size_t count)
+{
+    struct memory *const memory = memory_of(file);
+    const size_t whole = size == 0 ? 0 : (memory->size - memory->place) / size;
+    const size_t read = count < whole ? count : whole;
+    memcpy(buffer, memory->bytes + memory->place, read * size);
+    memory->place += read * size;
+    return read;
+}
+
+static size_t tell_memory(struct aiFile *file)
+{
+    return memory_of(file)->place;
+}
+
+static enum aiReturn seek_memory(struct aiFile *file, size_t offset, enum aiOrigin origin)
+{
+    struct memory *const memory = memory_of(file);
+    const size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? memory->place : memory->size;
+    const size_t place = base + offset; // an offset below 0 wraps around
+    if (place > memory->size) {
+        return aiReturn_FAILURE;
+    }
+    memory->place = place;
+    return aiReturn_SUCCESS;
+}
+
+static size_t size_of_memory(struct aiFile *file)
+{
+    return memory_of(file)->size;
+}
+
+// Return true for a file that may be Collada, by the ending of its name.
+static bool may_be_collada(const struct scene_import *import)
+{
+    const char *const ending = import->ending;
+    return ending[0] == 0 || strcasecmp(ending, "dae") == 0 || strcasecmp(ending, "xml") == 0;
+}
+
+// Open a Collada file with its texts collapsed. Return NULL if it is none.
+static struct aiFile *open_collada(const char *path)
+{
+    const char *problem = NULL;
+    struct memory memory = {0};
+    memory.bytes = scene_import_read_bytes(path, &memory.size, &problem);
+    const char *const mark = memory.bytes == NULL ? NULL : strstr(memory.bytes, "<COLLADA");
+    struct aiFile *const file = mark == NULL ? NULL : malloc(sizeof *file);
+    struct memory *const kept = file == NULL ? NULL : malloc(sizeof *kept);
+    if (kept == NULL) {
+        free(file);
+        free(memory.bytes);
+        return NULL;
+    }
+    scene_assimp_collapse_texts(memory.bytes, memory.size);
+    *kept = memory;
+    *file = (struct aiFile){.ReadProc = read_memory,
+                            .WriteProc = write_nothing,
+                            .TellProc = tell_memory,
+                            .FileSizeProc = size_of_memory,
+                            .SeekProc = seek_memory,
+                            .FlushProc = flush,
+                            .UserData = (aiUserData)(void *)kept};
+    return file;
+}
+
+static void close_memory(struct aiFile *file)
+{
+    free(memory_of(file)->bytes);
+    free(memory_of(file));
+    free(file);
+}
+
 static struct aiFile *open_file(struct aiFileIO *files, const char *path, const char *mode)
 {
     const struct scene_import *const import = (const struct scene_import *)(void *)files->UserData;
     const bool is_model = strcmp(path, import->model.path) == 0;
-    FILE *const stream =
-        mode[0] == 'r' && (is_model || scene_import_within(import, path)) ? fopen(path, "rb") : NULL;
+    const bool may_read = mode[0] == 'r' && (is_model || scene_import_within(import, path));
+    struct aiFile *const collada = may_read && is_model && may_be_collada(import) ? open_collada(path) : NULL;
+    if (collada != NULL) {
+        return collada;
+    }
+    const int descriptor = may_read ? system_file_open_regular(path) : -1;
+    FILE *const stream = descriptor >= 0 ? fdopen(descriptor, "rb") : NULL;
+    if (stream == NULL && descriptor >= 0) {
+        close(descriptor);
+    }
     struct aiFile *const file = stream != NULL ? malloc(sizeof *file) : NULL;
     if (file == NULL) {
         if (stream != NULL) {
@@ -76,6 +171,10 @@ static struct aiFile *open_file(struct aiFileIO *files, const char *path, const 
 static void close_file(struct aiFileIO *files, struct aiFile *file)
 {
     (void)files;
+    if (file->ReadProc == read_memory) {
+        close_memory(file);
+        return;
+    }
     fclose(stream_of(file));
     free(file);
 }

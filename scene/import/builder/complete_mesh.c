@@ -113,7 +113,12 @@ void scene_import_complete_mesh(struct scene_import *import, uint32_t index,
     if (mesh->vertex_count == 0) {
         mesh->index_count = 0;
     }
-    mesh->index_count -= mesh->index_count % corners_of(mesh);
+    const uint32_t rest = mesh->index_count % corners_of(mesh);
+    if (rest > 0) {
+        scene_import_warn(import, "mesh \"%s\": its last %u corners make no whole %s and are left out",
+                          mesh->name, rest, mesh->primitive == SCENE_PRIMITIVE_LINES ? "line" : "triangle");
+    }
+    mesh->index_count -= rest;
     if (mesh->index_count > 0) {
         drop_infinite_primitives(import, mesh);
     }

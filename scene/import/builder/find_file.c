@@ -1,136 +1,150 @@
 // SPDX-License-Identifier: MIT
 // The file that a model means by a name, either as it is written or as people move files about, and whether it may be
-// read.
+// read. The places are gone through for each form of the name (name_forms.h).
 #include "find_file.h"
 
-#include <dirent.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include "file.h"
+#include "confine.h"
+#include "data_uri.h"
+#include "folder.h"
+#include "name_forms.h"
 
-static bool is_file(const char *path)
+enum {
+    LONGEST = 4096,      // bytes of a name, as long as Linux lets a path be
+    MOST_COMPONENTS = 64 // components at the end of a path that are looked for beside the model
+};
+
+struct search {
+    struct scene_import *import;
+    const char *folders[2]; // that of the file that has the name, and the model's, with slashes at their ends
+    int folder_count;
+    char stem[256]; // name of the model without its ending
+    char *path;     // path under trial
+    size_t room;
+};
+
+// Return true if there is a file in a folder, below `inside`, in any case or, if it may, with any ending.
+static bool try_folder(const struct search *search, const char *folder, const char *inside, const char *name,
+                       bool any_ending)
 {
-    struct stat status;
-    return stat(path, &status) == 0 && S_ISREG(status.st_mode);
+    snprintf(search->path, search->room, "%s%s%s", folder, inside, name);
+    return scene_folder_find(search->import, search->path, strlen(folder), any_ending);
 }
 
-bool scene_import_within(const struct scene_import *import, const char *path)
+static bool find_as_named(const struct search *search, const char *name)
 {
-    if (import->confine == NULL) {
-        return true;
-    }
-    char *const resolved = system_file_resolve(path); // a resolved path has no links that lead elsewhere
-    const size_t length = strlen(import->confine);
-    const bool is_root = length > 0 && import->confine[length - 1] == '/';
-    const bool within = resolved != NULL && strncmp(resolved, import->confine, length) == 0 &&
-                        (is_root || resolved[length] == '/');
-    free(resolved);
-    return within;
-}
-
-static int hex_digit(char c)
-{
-    return c >= '0' && c <= '9'   ? c - '0'
-           : c >= 'a' && c <= 'f' ? c - 'a' + 10
-           : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                  : -1;
-}
-
-static void decode_percent(char *text)
-{
-    char *out = text;
-    for (const char *in = text; *in != 0; out++) {
-        const int high = in[0] == '%' ? hex_digit(in[1]) : -1, low = high >= 0 ? hex_digit(in[2]) : -1;
-        *out = low > 0 || high > 0 ? (char)(high * 16 + low) : *in;
-        in += low > 0 || high > 0 ? 3 : 1;
-    }
-    *out = 0;
-}
-
-static char *join(struct scene_import *import, const char *directory, const char *name)
-{
-    const size_t length = strlen(directory) + strlen(name) + 1;
-    char *path = scene_import_allocate(import, length, 1);
-    snprintf(path, length, "%s%s", directory, name);
-    return path;
-}
-
-// Replace the last component of `path` by an entry of its directory that differs in case alone.
-static bool match_case(char *path, const char *component)
-{
-    const size_t length = strlen(component);
-    path[component - path - 1] = 0;
-    DIR *directory = opendir(component - 1 == path ? "/" : path);
-    path[component - path - 1] = '/';
-    if (directory == NULL) {
-        return false;
-    }
-    bool found = false;
-    for (const struct dirent *entry = readdir(directory); entry != NULL && !found;
-         entry = readdir(directory)) {
-        if (strlen(entry->d_name) == length && strcasecmp(entry->d_name, component) == 0) {
-            memcpy(path + (component - path), entry->d_name, length);
-            found = true;
+    for (int i = 0; i < search->folder_count; i++) {
+        snprintf(search->path, search->room, "%s%s", name[0] == '/' ? "" : search->folders[i], name);
+        if (scene_import_is_file(search->import, search->path)) {
+            return true;
         }
     }
-    closedir(directory);
-    return found;
+    return false;
 }
 
-// Return true if `path` is a file, or becomes one when the case of its components changes. Its first `known` bytes, the
-// directory of the model, stay.
-static bool exists_in_some_case(char *path, size_t known)
+// Return the part of a path that has at most MOST_COMPONENTS components.
+static const char *end_of_path(const char *name)
 {
-    if (is_file(path)) {
-        return true;
+    const char *end = name + strlen(name);
+    for (int slashes = 0; end > name; end--) {
+        slashes += end[-1] == '/';
+        if (slashes > MOST_COMPONENTS) {
+            break;
+        }
     }
-    for (char *component = path + known; component != NULL && *component != 0;) {
-        char *slash = strchr(component, '/');
-        if (slash != NULL) {
-            *slash = 0;
-        }
-        const bool dots = strcmp(component, ".") == 0 || strcmp(component, "..") == 0 || *component == 0;
-        const bool there = dots || access(path, F_OK) == 0 || match_case(path, component);
-        if (slash != NULL) {
-            *slash = '/';
-        }
-        if (!there) {
-            return false;
-        }
-        component = slash == NULL ? NULL : slash + 1;
-    }
-    return is_file(path);
+    return end;
 }
 
-// Return the file that a path of another machine means, on which the model was made. As much of the path's end as
-// stands beside the model is meant, or the file alone in one of the folders that archives of models have.
-static const char *find_moved(struct scene_import *import, const char *directory, const char *name)
+// Find the file that a path of another machine means, on which the model was made. As much of the path's end as stands
+// in the folder is meant.
+static bool find_end_of_path(const struct search *search, const char *name, bool any_ending)
 {
-    static const char *const folders[] = {"textures/", "texture/",     "tex/",        "maps/",
-                                          "images/",   "../textures/", "../texture/", "../images/"};
-    const char *file = name;
-    for (const char *slash = strchr(name, '/'); slash != NULL; slash = strchr(slash + 1, '/')) {
-        file = slash + 1;
-        char *path = join(import, directory, file);
-        if (exists_in_some_case(path, strlen(directory))) {
-            return path;
+    for (const char *end = end_of_path(name); end != NULL; end = strchr(end, '/')) {
+        end += *end == '/';
+        for (int i = 0; i < search->folder_count; i++) {
+            if (try_folder(search, search->folders[i], "", end, any_ending)) {
+                return true;
+            }
         }
     }
-    for (size_t i = 0; i < sizeof folders / sizeof folders[0]; i++) {
-        char *path = join(import, join(import, directory, folders[i]), file);
-        if (exists_in_some_case(path, strlen(directory))) {
-            return path;
-        }
-    }
-    return NULL;
+    return false;
 }
 
-static const char *find_anywhere(struct scene_import *import, const char *name)
+// Find a file in one of the folders that archives of models have. Gazebo and ROS keep meshes/ or meshes/visual/ beside
+// materials/textures/, and the libraries of FBX unpack images into MODEL.fbm/.
+static bool find_in_usual_folder(const struct search *search, const char *name, bool any_ending)
 {
+    static const char *const folders[] = {
+        "textures/",
+        "texture/",
+        "tex/",
+        "maps/",
+        "images/",
+        "../textures/",
+        "../texture/",
+        "../images/",
+        "../tex/",
+        "../maps/",
+        "materials/",
+        "materials/textures/",
+        "../materials/",
+        "../materials/textures/",
+        "../../materials/textures/",
+        "../../textures/",
+    };
+    static const char *const own[] = {".fbm/", "/"};
+    const char *const slash = strrchr(name, '/'), *const file = slash == NULL ? name : slash + 1;
+    char inside[sizeof search->stem + 8];
+    for (int i = 0; i < search->folder_count; i++) {
+        for (size_t k = 0; k < sizeof folders / sizeof folders[0]; k++) {
+            if (try_folder(search, search->folders[i], folders[k], file, any_ending)) {
+                return true;
+            }
+        }
+        for (size_t k = 0; k < sizeof own / sizeof own[0] && search->stem[0] != 0; k++) {
+            snprintf(inside, sizeof inside, "%s%s", search->stem, own[k]);
+            if (try_folder(search, search->folders[i], inside, file, any_ending)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+static bool find_moved(const struct search *search, const char *name, bool any_ending)
+{
+    return find_end_of_path(search, name, any_ending) || find_in_usual_folder(search, name, any_ending);
+}
+
+// Find a file by the forms from `first` on.
+static bool find_forms(const struct search *search, const struct scene_name_forms *forms, size_t first)
+{
+    for (size_t i = first; i < forms->count; i++) {
+        if (find_as_named(search, forms->names[i])) {
+            return true;
+        }
+    }
+    for (size_t i = first; i < forms->count; i++) {
+        if (find_moved(search, forms->names[i], false)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_ascii(const char *name)
+{
+    while (*name != 0 && (unsigned char)*name < 0x80) {
+        name++;
+    }
+    return *name == 0;
+}
+
+static bool find_anywhere(const struct search *search, const char *name, bool is_image)
+{
+    struct scene_name_forms forms = {0};
     if (strncmp(name, "file://", 7) == 0) {
         name += 7;
     }
@@ -138,37 +152,70 @@ static const char *find_anywhere(struct scene_import *import, const char *name)
     if (strncmp(name, "//", 2) == 0) {
         name += 2;
     }
-    const char *directory = import->directory[0] != 0 ? import->directory : "./";
-    char *plain = join(import, "", name), *decoded = join(import, "", name);
-    decode_percent(decoded);
-    for (int round = 0; round < 2; round++) {
-        char *const names[] = {plain, decoded};
-        for (int i = 0; i < 2; i++) {
-            char *path = names[i][0] == '/' ? names[i] : join(import, directory, names[i]);
-            if (is_file(path)) {
-                return path;
-            }
-        }
-        for (int i = 0; i < 2; i++) {
-            for (char *c = names[i]; *c != 0; c++) {
-                *c = *c == '\\' ? '/' : *c;
-            }
-        }
+    scene_name_forms_add(search->import, &forms, name);
+    bool found = find_forms(search, &forms, 0);
+    if (!found && !is_ascii(name)) {
+        const size_t first = forms.count;
+        scene_name_forms_add_code_pages(search->import, &forms, name);
+        found = find_forms(search, &forms, first);
     }
-    char *path = join(import, directory, decoded);
-    if (exists_in_some_case(path, strlen(directory))) {
-        return path;
+    for (size_t i = 0; i < forms.count && !found && is_image; i++) {
+        found = find_moved(search, forms.names[i], true);
     }
-    return find_moved(import, directory, decoded);
+    scene_name_forms_free(&forms);
+    return found;
+}
+
+// Set the name of the model without its folder and its ending. It stays empty if there is none.
+static void set_stem(struct search *search)
+{
+    const char *const name = search->import->name, *const slash = strrchr(name, '/'),
+                      *const file = slash == NULL ? name : slash + 1, *const dot = strrchr(file, '.');
+    const size_t length = dot == NULL ? 0 : (size_t)(dot - file);
+    if (length < sizeof search->stem) {
+        memcpy(search->stem, file, length);
+    }
+}
+
+static const char *find(struct scene_import *import, const char *folder, const char *name, bool is_image)
+{
+    const char *const own = import->directory[0] != 0 ? import->directory : "./";
+    struct search search = {.import = import, .folders = {own, own}, .folder_count = 1};
+    if (folder != NULL && folder[0] != 0 && strcmp(folder, own) != 0) {
+        search.folders[0] = folder;
+        search.folder_count = 2;
+    }
+    if (strlen(name) >= LONGEST) {
+        import->missing = "the name is longer than that of a file can be";
+        return NULL;
+    }
+    enum { LONGER = 16 }; // a byte of the name is up to four bytes in another code page, and these again
+    search.room = strlen(search.folders[0]) + strlen(own) + sizeof search.stem + 64 + LONGER * strlen(name);
+    search.path = scene_import_allocate(import, search.room, 1);
+    set_stem(&search);
+    import->missing = import->confine != NULL ? "is not a file of the folder that may be read (--confine)"
+                                              : "No such file or directory";
+    const char *path = NULL;
+    if (find_anywhere(&search, name, is_image)) {
+        path = strcpy(scene_import_allocate(import, strlen(search.path) + 1, 1), search.path);
+    }
+    free(search.path);
+    return path;
 }
 
 const char *scene_import_find_file(struct scene_import *import, const char *name)
 {
-    const char *path = find_anywhere(import, name);
-    import->missing = "No such file or directory";
-    if (path != NULL && !scene_import_within(import, path)) {
-        import->missing = "lies outside the folder that may be read (--confine)";
-        path = NULL;
+    return find(import, NULL, name, false);
+}
+
+void scene_import_find_image(struct scene_import *import, const char *folder, const char *name,
+                             struct scene_import_source *source)
+{
+    if (scene_data_uri_is(name)) {
+        source->bytes = scene_data_uri_decode(import, name, &source->size);
+        source->problem = "its data URI is not valid base64";
+        return;
     }
-    return path;
+    source->file = find(import, folder, name, true);
+    source->problem = import->missing;
 }

@@ -72,6 +72,11 @@ static void *grow(struct scene_import *import, void *array, uint32_t *count, uin
     return element;
 }
 
+static void grow_exact(struct scene_import *import, struct scene_import_exact *exact)
+{
+    grow(import, &exact->matrices, &exact->count, &exact->capacity, sizeof *exact->matrices);
+}
+
 // Return the number of bytes of the well-formed UTF-8 character at `text` (RFC 3629). Return 0 if there is none.
 static size_t utf8_length(const unsigned char *text, size_t left)
 {
@@ -154,6 +159,7 @@ struct scene_mesh *scene_import_add_mesh(struct scene_import *import)
     struct scene_mesh *mesh =
         grow(import, &import->model.meshes, &import->model.mesh_count, &import->mesh_capacity, sizeof *mesh);
     mesh->name = "";
+    grow_exact(import, &import->exact_meshes);
     return mesh;
 }
 
@@ -205,6 +211,7 @@ struct scene_instance *scene_import_add_instance(struct scene_import *import)
     struct scene_instance *instance = grow(import, &import->model.instances, &import->model.instance_count,
                                            &import->instance_capacity, sizeof *instance);
     instance->name = "";
+    grow_exact(import, &import->exact_instances);
     return instance;
 }
 
@@ -213,11 +220,13 @@ struct scene_model_camera *scene_import_add_camera(struct scene_import *import)
     struct scene_model_camera *camera = grow(import, &import->model.cameras, &import->model.camera_count,
                                              &import->camera_capacity, sizeof *camera);
     camera->name = "";
+    grow_exact(import, &import->exact_cameras);
     return camera;
 }
 
 struct scene_model_light *scene_import_add_light(struct scene_import *import)
 {
+    grow_exact(import, &import->exact_lights);
     struct scene_model_light *light = grow(import, &import->model.lights, &import->model.light_count,
                                            &import->light_capacity, sizeof *light);
     light->name = "";
@@ -236,18 +245,31 @@ int32_t scene_import_add_image(struct scene_import *import, const char *name,
     return (int32_t)(import->model.image_count - 1);
 }
 
+const char *scene_import_pointer_problem(const void *bytes, size_t size)
+{
+    enum { MOST = 2048 }; // pointers are shorter than 1024 bytes
+    const char *text = bytes;
+    if (size < MOST && strncmp(text, "version http", 12) == 0 && strstr(text, "\noid sha256:") != NULL) {
+        return "is a Git LFS pointer, not the file (git lfs pull)";
+    }
+    if (size < MOST && strncmp(text, "/annex/objects/", 15) == 0) {
+        return "is a git-annex pointer, not the file (git annex get)";
+    }
+    return NULL;
+}
+
 const char scene_import_no_memory[] = "outofmem"; // the words of stb_image
 
 void *scene_import_read_bytes(const char *path, size_t *size, const char **problem)
 {
-    const int descriptor = system_file_open(path, SYSTEM_FILE_READ);
+    const int descriptor = system_file_open_regular(path);
     if (descriptor < 0) {
-        *problem = strerror(errno);
+        *problem = errno != 0 ? strerror(errno) : "not a regular file";
         return NULL;
     }
     struct stat status;
-    if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
-        *problem = "not a regular file";
+    if (fstat(descriptor, &status) != 0) {
+        *problem = strerror(errno);
         close(descriptor);
         return NULL;
     }
@@ -272,8 +294,9 @@ void *scene_import_read_bytes(const char *path, size_t *size, const char **probl
         done += (size_t)step;
     }
     close(descriptor);
-    if (done < *size) {
-        *problem = "could not be read to its end";
+    const char *pointer = scene_import_pointer_problem(bytes, *size);
+    if (done < *size || pointer != NULL) {
+        *problem = pointer != NULL ? pointer : "could not be read to its end";
         free(bytes);
         return NULL;
     }

@@ -43,7 +43,15 @@ struct scene_import_channels {
     int roughness_channel, metallic_channel;
 };
 
+/// What floats cannot hold of the places of a model that stands far from the origin (place.h): a matrix for each
+/// element of a list. A matrix of zeros says that the model's own floats are all that there is.
+struct scene_import_exact {
+    double (*matrices)[16];
+    uint32_t count, capacity;
+};
+
 struct scene_import;
+struct scene_import_folder;
 struct system_child;
 /// Fill the model from what import->model.path or import->arrays name.
 typedef void scene_import_reader(struct scene_import *import);
@@ -59,6 +67,9 @@ struct scene_import {
         light_capacity, warning_capacity, unsupported_capacity, source_capacity;
     struct scene_import_source *sources; // one for each image
     uint32_t source_count;
+    /// One matrix for each mesh, instance, camera and light. That of a mesh moves its positions to where the file has
+    /// them.
+    struct scene_import_exact exact_meshes, exact_instances, exact_cameras, exact_lights;
     const char *name;      // name of the options, or the path of the model
     const char *ending;    // ending of the name, without its point; "" if it has none
     const char *directory; // directory of the name, with a trailing slash; "" for the current one
@@ -69,10 +80,13 @@ struct scene_import {
     uint32_t texture_side; // texture_side of the options
     // The folder of the options, resolved. NULL if nothing is out of bounds.
     const char *confine;
-    struct scene_progress *progress; // progress of the options
-    const char *missing;             // why scene_import_find_file returned NULL last
+    struct scene_progress *progress;     // progress of the options
+    const char *missing;                 // why scene_import_find_file returned NULL last
+    struct scene_import_folder *folders; // folders whose names were read (folder.c)
     // model.up is what is usual in the format, and the model's shape decides.
     bool up_is_open;
+    // With up_is_open: nearly all programs that write the format have what is usual.
+    bool up_is_agreed;
     // Nothing in the format says which side of a surface is the front.
     bool sides_are_open;
     struct system_child *child; // child that reads; its reply is what the parent gets
@@ -103,6 +117,9 @@ void *scene_import_read_file(struct scene_import *import, const char *path, size
 /// `problem`, if it cannot be read. The reason is scene_import_no_memory where memory is missing.
 void *scene_import_read_bytes(const char *path, size_t *size, const char **problem);
 extern const char scene_import_no_memory[];
+/// Return what is wrong with a file that Git LFS or git-annex put in the place of a large one. Return NULL if it is no
+/// such file. A 0 follows the bytes.
+const char *scene_import_pointer_problem(const void *bytes, size_t size);
 
 // Add an element to the model. The pointer is valid until the next element of its kind is added.
 struct scene_mesh *scene_import_add_mesh(struct scene_import *import);

@@ -120,6 +120,11 @@ const char *scene_word_string(struct scene_import *import, struct scene_word wor
     return scene_import_string(import, word.start, word.length);
 }
 
+const char *scene_word_bytes(struct scene_import *import, struct scene_word word)
+{
+    return memcpy(scene_import_allocate(import, word.length + 1, 1), word.start, word.length);
+}
+
 // Numbers -------------------------------------------------------------------------------------------
 
 // Return value · 10^exponent for a number that plain arithmetic does not give exactly. `digits` has no exponent part.
@@ -203,18 +208,26 @@ bool scene_word_number(struct scene_word word, double *value, size_t *length)
     return true;
 }
 
-int scene_text_numbers(struct scene_line *line, float *values, int most)
+int scene_text_doubles(struct scene_line *line, double *values, int most)
 {
     for (int count = 0; count < most; count++) {
         const struct scene_line before = *line;
         struct scene_word word;
-        double value = 0;
         size_t length = 0;
-        if (!scene_text_word(line, &word) || !scene_word_number(word, &value, &length)) {
+        if (!scene_text_word(line, &word) || !scene_word_number(word, &values[count], &length)) {
             *line = before;
             return count;
         }
-        values[count] = (float)value;
     }
     return most;
+}
+
+int scene_text_numbers(struct scene_line *line, float *values, int most)
+{
+    double value;
+    int count = 0;
+    while (count < most && scene_text_doubles(line, &value, 1) == 1) {
+        values[count++] = (float)value;
+    }
+    return count;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines, words and numbers of text formats (OBJ, MTL, PLY), read from memory without copies.
+// Lines, words and numbers of text formats (OBJ, MTL, OFF, PLY), read from memory without copies.
 #ifndef SCENE_TEXT_LINES_H
 #define SCENE_TEXT_LINES_H
 
@@ -38,6 +38,9 @@ bool scene_word_is(struct scene_word word, const char *text); ///< case matters
 bool scene_word_number(struct scene_word word, double *value, size_t *length);
 /// Read up to `most` numbers from a line, and stop at a word that is none. Return how many were read.
 int scene_text_numbers(struct scene_line *line, float *values, int most);
+int scene_text_doubles(struct scene_line *line, double *values, int most);
 const char *scene_word_string(struct scene_import *import, struct scene_word word);
+/// Return the bytes of a word as they are, for names of files and what else is compared with bytes.
+const char *scene_word_bytes(struct scene_import *import, struct scene_word word);
 
 #endif

@@ -300,7 +300,7 @@ void scene_import_decode_images(struct scene_import *import)
             scene_import_fail(import, "needs more memory than there is for texture \"%s\"",
                               model->images[i].name);
         }
-        scene_import_warn(import, "texture \"%s\": %s; %s", model->images[i].name, decoding.problems[i],
+        scene_import_warn(import, "texture \"%.200s\": %s; %s", model->images[i].name, decoding.problems[i],
                           colors_something(model, i) ? "drawn in magenta" : "left out");
         if (!scene_image_stand_in(&model->images[i])) {
             scene_import_fail(import, "needs more memory than there is");

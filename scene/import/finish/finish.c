@@ -2,12 +2,15 @@
 // The end of an import: images are decoded, totals are made, and what cannot be drawn is left out.
 #include "finish.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "decode_images.h"
+#include "frame.h"
 #include "import/builder/normals.h"
 #include "import/builder/numbers.h"
+#include "locate.h"
 #include "model_up.h"
 #include "points.h"
 
@@ -113,6 +116,14 @@ static void warn_of_no_area(struct scene_import *import)
     }
 }
 
+static void find_frame(struct scene_import *import)
+{
+    struct scene_seen_mesh *seen = scene_seen_find(import);
+    scene_seen_mark(&import->model, seen);
+    scene_frame_find(import, seen);
+    scene_seen_free(seen, &import->model);
+}
+
 static void mark_image_uses(struct scene_model *model)
 {
     for (uint32_t i = 0; i < model->image_count; i++) {
@@ -139,11 +150,57 @@ static void set_directory(struct scene_import *import)
     import->directory = directory;
 }
 
+// Return true if nothing of what was read can be seen, by what is known before images are decoded.
+static bool shows_nothing(struct scene_import *import)
+{
+    struct scene_seen_mesh *seen = scene_seen_find(import);
+    const bool shows = scene_seen_mark(&import->model, seen);
+    scene_seen_free(seen, &import->model);
+    return import->model.instance_count > 0 && !shows;
+}
+
+// Read the model as an animation has it. Return true if something is seen.
+static bool read_moment(struct scene_import *import, uint32_t animation, double time)
+{
+    char *number = scene_import_allocate(import, 1, 16);
+    snprintf(number, 16, "%u", animation);
+    import->is_posed = true;
+    import->animation = number;
+    import->time = time;
+    import->read(import);
+    return !shows_nothing(import);
+}
+
+// Read the model. Where it shows nothing at rest, as some that grow or appear do, read it as its first animation has it
+// at the beginning, or else in the middle or at the end. An animation that shows nothing gives way to the next.
+static void read_what_shows(struct scene_import *import)
+{
+    enum { ANIMATIONS = 4, MOMENTS = 3 };
+    const struct scene_import start = *import;
+    import->read(import);
+    if (import->is_posed || import->model.animation_count == 0 || !shows_nothing(import)) {
+        return;
+    }
+    const struct scene_import rest = *import;
+    for (uint32_t i = 0; i < MOMENTS * ANIMATIONS && i / MOMENTS < rest.model.animation_count; i++) {
+        const struct scene_model_animation *animation = &rest.model.animations[i / MOMENTS];
+        const double time = 0.5 * (double)(i % MOMENTS) * (double)animation->seconds;
+        *import = start;
+        if (read_moment(import, i / MOMENTS, time)) {
+            scene_import_warn(import,
+                              "nothing is seen at rest: drawn as animation %u \"%s\" has it at %.3g s",
+                              i / MOMENTS, animation->name, time);
+            return;
+        }
+    }
+    *import = rest;
+}
+
 void scene_import_run(struct scene_import *import)
 {
     struct scene_model *model = &import->model;
     set_directory(import);
-    import->read(import);
+    read_what_shows(import);
     if (import->variant != NULL && model->variant_count == 0) {
         scene_import_fail(import, "has no variants of its materials");
     }
@@ -155,6 +212,7 @@ void scene_import_run(struct scene_import *import)
     // An image that is missing is not used.
     mark_image_uses(model);
     warn_of_missing_uvs(import);
+    scene_import_locate(import);
     for (uint32_t i = 0; i < model->mesh_count; i++) {
         bound_mesh(&model->meshes[i]);
         if (model->meshes[i].primitive == SCENE_PRIMITIVE_TRIANGLES) {
@@ -163,9 +221,10 @@ void scene_import_run(struct scene_import *import)
     }
     keep_drawable_instances(import);
     warn_of_no_area(import);
+    find_frame(import);
     if (import->up_is_open) {
         const enum scene_axis usual = model->up;
-        model->up = scene_model_guess_up(model, usual);
+        model->up = scene_model_guess_up(model, usual, import->up_is_agreed);
         model->up_guessed = model->up != usual;
     }
     scene_import_dress_points(import);

@@ -4,9 +4,10 @@
 #include "model_up.h"
 
 #include "draw/camera/camera_math.h"
+#include "draw/camera/subject.h"
 
 static const double slab = 0.02; // part of the model's extent that is lowest
-static const double least_share = 0.1, ratio = 8, flat = 0.06;
+static const double least_share = 0.1, ratio = 8, flat = 0.06, thin = 0.2;
 
 struct rectangle {
     double low[2], high[2];
@@ -24,37 +25,49 @@ static void extend(struct rectangle *r, double u, double v)
 static double standing_share(const struct scene_model *model, int axis)
 {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const double low = (double)model->bounds_min[axis], high = (double)model->bounds_max[axis];
+    const struct scene_box frame = scene_subject_frame(model);
+    const double low = frame.low[axis], high = frame.high[axis];
     const double limit = low + slab * (high - low);
     struct rectangle lowest = {{1e300, 1e300}, {-1e300, -1e300}};
     for (uint32_t i = 0; i < model->instance_count; i++) {
         const struct scene_instance *instance = &model->instances[i];
         const struct scene_mesh *mesh = &model->meshes[instance->mesh];
-        for (uint32_t k = 0; k < mesh->vertex_count; k++) {
+        for (uint32_t k = 0; k < mesh->vertex_count && !instance->unseen; k++) {
             double p[3];
             scene_place_point(instance->world, mesh->positions[k], p);
-            if (p[axis] <= limit) {
+            if (p[axis] <= limit && scene_subject_frames(model, p)) {
                 extend(&lowest, p[u], p[v]);
             }
         }
     }
-    const double width = (double)model->bounds_max[u] - (double)model->bounds_min[u],
-                 height = (double)model->bounds_max[v] - (double)model->bounds_min[v];
+    const double width = frame.high[u] - frame.low[u], height = frame.high[v] - frame.low[v];
     const double covered = (lowest.high[0] - lowest.low[0]) * (lowest.high[1] - lowest.low[1]);
     return width > 0 && height > 0 && covered > 0 ? covered / (width * height) : 0;
 }
 
-enum scene_axis scene_model_guess_up(const struct scene_model *model, enum scene_axis usual)
+// Return true if a model of these sides may be taken to stand along an axis. `is_agreed` is as in
+// scene_model_guess_up.
+static bool may_stand(const double side[3], int axis, bool is_agreed)
 {
+    double longest = side[0], shortest = side[0];
+    for (int i = 1; i < 3; i++) {
+        longest = side[i] > longest ? side[i] : longest;
+        shortest = side[i] < shortest ? side[i] : shortest;
+    }
+    return side[axis] > flat * longest &&
+           (!is_agreed || (side[axis] >= longest && shortest > thin * longest));
+}
+
+enum scene_axis scene_model_guess_up(const struct scene_model *model, enum scene_axis usual, bool is_agreed)
+{
+    const struct scene_box frame = scene_subject_frame(model);
     double side[3];
     for (int i = 0; i < 3; i++) {
-        side[i] = (double)model->bounds_max[i] - (double)model->bounds_min[i];
+        side[i] = frame.high[i] - frame.low[i];
     }
     const enum scene_axis other = usual == SCENE_AXIS_Y ? SCENE_AXIS_Z : SCENE_AXIS_Y;
     const int usual_axis = usual == SCENE_AXIS_Y ? 1 : 2, other_axis = 3 - usual_axis;
-    const double longest =
-        side[0] > side[1] ? (side[0] > side[2] ? side[0] : side[2]) : (side[1] > side[2] ? side[1] : side[2]);
-    if (!(side[other_axis] > flat * longest)) {
+    if (!may_stand(side, other_axis, is_agreed)) {
         return usual;
     }
     const double as_usual = standing_share(model, usual_axis), as_other = standing_share(model, other_axis);

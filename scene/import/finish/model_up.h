@@ -11,6 +11,10 @@
 /// taken where its share is a tenth at least and more than 8 times the usual axis' share. An axis along which the model
 /// is flat is never taken, as a picture is flat that faces the viewer. Of 25 scans and models from elsewhere, the rule
 /// was right about all that have a right way up.
-enum scene_axis scene_model_guess_up(const struct scene_model *model, enum scene_axis usual);
+///
+/// A banner, a shelf or a lamp on a wall has a broad back, which looks like a foot, and a key or an arrow is thin. If
+/// `is_agreed`, nearly all programs write the usual axis. The other one is taken then only where the model is longest
+/// along it, and no side is shorter than a fifth of that.
+enum scene_axis scene_model_guess_up(const struct scene_model *model, enum scene_axis usual, bool is_agreed);
 
 #endif

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "draw/camera/camera_math.h"
+#include "draw/camera/subject.h"
 #include "import/builder/numbers.h"
 
 // Fewer points than LEAST_POINTS are drawn as single points. Discs of radius_per_spacing spacings overlap, even where
@@ -14,7 +16,8 @@ enum { LEAST_POINTS = 64, FINEST_GRID = 512, LEAST_GRID = 64, POINTS_PER_CELL = 
 static const float radius_per_spacing = 1.2f, most_of_cloud = 0.03f;
 
 // Count the cells of a grid over the mesh that hold a point. `bits` has room for all cells.
-static size_t count_cells(const struct scene_mesh *mesh, float cell, int cells, uint64_t *bits)
+static size_t count_cells(const struct scene_mesh *mesh, const float low[3], float cell, int cells,
+                          uint64_t *bits)
 {
     const size_t all = (size_t)cells * (size_t)cells * (size_t)cells;
     memset(bits, 0, (all + 63) / 64 * sizeof *bits);
@@ -22,8 +25,8 @@ static size_t count_cells(const struct scene_mesh *mesh, float cell, int cells, 
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         size_t place = 0;
         for (int c = 0; c < 3; c++) {
-            const int at = (int)((mesh->positions[i][c] - mesh->bounds_min[c]) / cell);
-            place = place * (size_t)cells + (size_t)(at < 0 ? 0 : at < cells ? at : cells - 1);
+            const float at = (mesh->positions[i][c] - low[c]) / cell, last = (float)(cells - 1);
+            place = place * (size_t)cells + (size_t)(at > 0 ? at < last ? at : last : 0);
         }
         const uint64_t bit = (uint64_t)1 << place % 64;
         occupied += (bits[place / 64] & bit) == 0;
@@ -34,7 +37,8 @@ static size_t count_cells(const struct scene_mesh *mesh, float cell, int cells, 
 
 // Find how far the points of a surface are apart. The finest grid whose cells hold several points each covers the
 // surface as scales do, and tells its area.
-static float find_spacing(struct scene_import *import, const struct scene_mesh *mesh, float extent)
+static float find_spacing(struct scene_import *import, const struct scene_mesh *mesh, const float low[3],
+                          float extent)
 {
     int finest = FINEST_GRID;
     while (finest > LEAST_GRID && (uint32_t)finest / 2 >= mesh->vertex_count) {
@@ -46,7 +50,7 @@ static float find_spacing(struct scene_import *import, const struct scene_mesh *
     float spacing = 0;
     for (int cells = finest; cells > 0 && spacing == 0; cells /= 2) {
         const float cell = extent / (float)cells;
-        const size_t occupied = count_cells(mesh, cell, cells, bits);
+        const size_t occupied = count_cells(mesh, low, cell, cells, bits);
         if (occupied * POINTS_PER_CELL <= mesh->vertex_count) {
             spacing = cell * __builtin_sqrtf((float)occupied / (float)mesh->vertex_count);
         }
@@ -55,17 +59,38 @@ static float find_spacing(struct scene_import *import, const struct scene_mesh *
     return spacing;
 }
 
-static void set_radius(struct scene_import *import, struct scene_mesh *mesh)
+// Find the bounds of the points of a mesh that lie within the model's frame.
+static void find_bounds(const struct scene_model *model, const struct scene_mesh *mesh, const float world[16],
+                        float low[3], float high[3])
 {
-    float extent = 0;
+    memcpy(low, mesh->bounds_min, 3 * sizeof *low);
+    memcpy(high, mesh->bounds_max, 3 * sizeof *high);
+    bool is_first = true;
+    for (uint32_t i = 0; i < mesh->vertex_count && model->is_framed; i++) {
+        double place[3];
+        scene_place_point(world, mesh->positions[i], place);
+        const bool inside = scene_subject_frames(model, place);
+        for (int c = 0; c < 3 && inside; c++) {
+            const float at = mesh->positions[i][c];
+            low[c] = is_first || at < low[c] ? at : low[c];
+            high[c] = is_first || at > high[c] ? at : high[c];
+        }
+        is_first = is_first && !inside;
+    }
+}
+
+static void set_radius(struct scene_import *import, struct scene_mesh *mesh, const float world[16])
+{
+    float low[3], high[3], extent = 0;
+    find_bounds(&import->model, mesh, world, low, high);
     for (int c = 0; c < 3; c++) {
-        const float side = mesh->bounds_max[c] - mesh->bounds_min[c];
+        const float side = high[c] - low[c];
         extent = side > extent ? side : extent;
     }
     if (!(extent > 1e-30f && extent < 1e30f)) {
         return;
     }
-    const float radius = radius_per_spacing * find_spacing(import, mesh, extent);
+    const float radius = radius_per_spacing * find_spacing(import, mesh, low, extent);
     mesh->point_radius = radius < most_of_cloud * extent ? radius : most_of_cloud * extent;
 }
 
@@ -98,7 +123,8 @@ static void set_colors(struct scene_import *import, struct scene_mesh *mesh, con
     for (int i = 0; i < 15; i++) {
         stops[i / 3][i % 3] = scene_import_from_srgb(encoded[i / 3][i % 3]);
     }
-    const float low = import->model.bounds_min[axis], high = import->model.bounds_max[axis];
+    const struct scene_box frame = scene_subject_frame(&import->model);
+    const float low = (float)frame.low[axis], high = (float)frame.high[axis];
     if (!(high > low)) {
         return;
     }
@@ -138,7 +164,7 @@ void scene_import_dress_points(struct scene_import *import)
             mesh->point_radius > 0) {
             continue; // an instance before may have dressed it
         }
-        set_radius(import, mesh);
+        set_radius(import, mesh, instance->world);
         if (mesh->colors == NULL && is_plain(&model->materials[mesh->material])) {
             set_colors(import, mesh, instance->world);
             mesh->material = mesh->colors != NULL ? white_material(import, mesh->material) : mesh->material;

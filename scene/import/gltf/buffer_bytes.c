@@ -2,45 +2,8 @@
 // The bytes of buffers (§3.6.1), from the file itself, from other files, and from data URIs.
 #include "gltf.h"
 
-#include <string.h>
-
+#include "import/builder/data_uri.h"
 #include "import/builder/find_file.h"
-
-static int base64_digit(int c)
-{
-    return c >= 'A' && c <= 'Z'   ? c - 'A'
-           : c >= 'a' && c <= 'z' ? c - 'a' + 26
-           : c >= '0' && c <= '9' ? c - '0' + 52
-           : c == '+' || c == '-' ? 62
-           : c == '/' || c == '_' ? 63
-                                  : -1;
-}
-
-unsigned char *scene_gltf_data_uri(struct scene_gltf *gltf, const char *uri, size_t *size)
-{
-    const char *comma = strchr(uri, ',');
-    if (comma == NULL || comma - uri < 7 || memcmp(comma - 7, ";base64", 7) != 0) {
-        return NULL;
-    }
-    const char *digits = comma + 1;
-    unsigned char *bytes = scene_import_allocate(gltf->import, strlen(digits) / 4 * 3 + 3, 1);
-    uint32_t bits = 0;
-    int held = 0;
-    *size = 0;
-    for (; *digits != 0 && *digits != '='; digits++) {
-        const int digit = base64_digit((unsigned char)*digits);
-        if (digit < 0) {
-            return NULL;
-        }
-        bits = bits << 6 | (uint32_t)digit;
-        held += 6;
-        if (held >= 8) {
-            held -= 8;
-            bytes[(*size)++] = (unsigned char)(bits >> held);
-        }
-    }
-    return bytes;
-}
 
 static void load_buffer(struct scene_gltf *gltf, int64_t index, struct scene_gltf_buffer *buffer)
 {
@@ -58,8 +21,8 @@ static void load_buffer(struct scene_gltf *gltf, int64_t index, struct scene_glt
         }
         buffer->bytes = gltf->binary;
         buffer->size = gltf->binary_size;
-    } else if (strncmp(uri, "data:", 5) == 0) {
-        buffer->bytes = scene_gltf_data_uri(gltf, uri, &buffer->size);
+    } else if (scene_data_uri_is(uri)) {
+        buffer->bytes = scene_data_uri_decode(import, uri, &buffer->size);
         if (buffer->bytes == NULL) {
             scene_import_fail(import, "buffers[%d]: its data URI is not valid base64", number);
         }
@@ -70,7 +33,7 @@ static void load_buffer(struct scene_gltf *gltf, int64_t index, struct scene_glt
             buffer->bytes = scene_import_read_file(import, path, &buffer->size, &problem);
         }
         if (buffer->bytes == NULL) {
-            scene_import_fail(import, "buffers[%d]: \"%s\": %s", number, uri, problem);
+            scene_import_fail(import, "buffers[%d]: \"%.200s\": %s", number, uri, problem);
         }
     }
     if (buffer->size < (uint64_t)length) {

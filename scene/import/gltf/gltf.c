@@ -48,6 +48,11 @@ static void parse_json(struct scene_gltf *gltf, const unsigned char *text, size_
     }
 }
 
+static bool is_binary_chunk(const unsigned char *bytes, size_t size, size_t at)
+{
+    return at <= size && size - at >= GLB_CHUNK && little_endian(bytes + at + 4) == GLB_BIN;
+}
+
 // Parse a GLB: a header of 12 bytes, a JSON chunk, and an optional BIN chunk (§4.4).
 static void parse_binary(struct scene_gltf *gltf, const unsigned char *bytes, size_t size)
 {
@@ -70,8 +75,13 @@ static void parse_binary(struct scene_gltf *gltf, const unsigned char *bytes, si
         scene_import_fail(gltf->import, "the JSON chunk of the GLB is longer than the file");
     }
     parse_json(gltf, bytes + json_start, json_size);
-    const size_t next = json_start + (json_size + 3) / 4 * 4;
-    if (next > size || size - next < GLB_CHUNK || little_endian(bytes + next + 4) != GLB_BIN) {
+    size_t next = json_start + json_size;
+    if (json_size % 4 != 0) {
+        scene_import_warn(gltf->import, "the JSON chunk of the GLB has %zu bytes, which is no multiple of 4",
+                          json_size);
+        next = is_binary_chunk(bytes, size, next) ? next : json_start + (json_size + 3) / 4 * 4;
+    }
+    if (!is_binary_chunk(bytes, size, next)) {
         return;
     }
     const size_t binary_size = little_endian(bytes + next);

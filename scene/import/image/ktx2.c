@@ -53,11 +53,14 @@ static bool cut(struct scene_span whole, uint64_t offset, uint64_t size, struct 
     return true;
 }
 
-bool scene_image_is_ktx2(const unsigned char *bytes, size_t size)
+bool scene_ktx2_size(const unsigned char *bytes, size_t size, uint32_t *width, uint32_t *height)
 {
-    static const uint8_t identifier[IDENTIFIER] = {0xab, 'K',  'T',  'X',  ' ',  '2',
-                                                   '0',  0xbb, '\r', '\n', 0x1a, '\n'};
-    return size >= IDENTIFIER && memcmp(bytes, identifier, IDENTIFIER) == 0;
+    if (size < HEADER) {
+        return false;
+    }
+    *width = read_32(bytes + IDENTIFIER + 8);
+    *height = read_32(bytes + IDENTIFIER + 12);
+    return true;
 }
 
 // Read the descriptor. Only its first block counts. Samples of 16 bytes stand behind 28 bytes that say what they have

@@ -5,7 +5,8 @@
 
 #include "model.h"
 
-bool scene_image_is_ktx2(const unsigned char *bytes, size_t size);
+/// Set the width and height that the header says. Return false if the file ends before it says them.
+bool scene_ktx2_size(const unsigned char *bytes, size_t size, uint32_t *width, uint32_t *height);
 /// Decode a KTX2 file as scene_image_decode does, but leave has_alpha alone. Of the levels the first one is read,
 /// because the others are made of it anyway.
 const char *scene_image_decode_ktx2(const unsigned char *bytes, size_t size, struct scene_image *image);

@@ -39,7 +39,12 @@ static int decode(spng_ctx *png, const unsigned char *bytes, size_t size, uint32
                   struct scene_image *image)
 {
     struct spng_ihdr header;
+    // What is not the picture, but colour profiles and texts, may be compressed a thousandfold.
+    const size_t chunk = 64 << 20, all = 128 << 20;
     int result = spng_set_image_limits(png, RHW_MAX_TARGET_SIZE, RHW_MAX_TARGET_SIZE);
+    if (result == 0) {
+        result = spng_set_chunk_limits(png, chunk, all);
+    }
     if (result == 0) {
         result = spng_set_crc_action(png, SPNG_CRC_USE, SPNG_CRC_USE);
     }

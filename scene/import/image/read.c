@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Image files are read through stb_image, through libwebp, and by ktx2.c. The size is read first, so that a small file
-// cannot ask for more memory than the largest texture takes. GIF and PIC are left out: no model format that is read
-// here uses them, and their decoders are where stb_image's known faults lie.
+// Image files are read by the file of their format beside this one, through libwebp, or through stb_image. The size is read
+// first, so that a small file cannot ask for more memory than the largest texture takes. stb_image's decoders of GIF and PIC
+// are left out, because its known faults lie there.
 #include "read.h"
 
 #include <limits.h>
@@ -9,11 +9,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "avif.h"
+#include "dds.h"
 #include "elementary.h"
+#include "exr.h"
+#include "gif.h"
+#include "jpeg.h"
 #include "ktx2.h"
 #include "png.h"
 #include "radiance.h"
 #include "reduce.h"
+#include "signature.h"
+#include "tiff.h"
 
 // stb_image declares a function that it never defines. gcc says so at the end of the file.
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -44,8 +51,13 @@ void scene_image_find_alpha(struct scene_image *image)
         for (size_t i = 0; i < texels && !found; i++) {
             found = alpha[4 * i] != UINT16_MAX;
         }
+    } else {
+        const float *alpha = (const float *)image->texels + 3;
+        for (size_t i = 0; i < texels && !found; i++) {
+            found = alpha[4 * i] < 1;
+        }
     }
-    image->has_alpha = found; // Radiance HDR has no alpha
+    image->has_alpha = found;
 }
 
 // Bytes that stb_image asks for as it goes. Only in this way can it be told that there were too few.
@@ -101,12 +113,16 @@ static float *decode_radiance(const void *bytes, size_t size, int *width, int *h
     return texels;
 }
 
-static bool is_webp(const unsigned char *bytes, size_t size)
+static bool webp_size(const unsigned char *bytes, size_t size, uint32_t *width, uint32_t *height)
 {
-    return size >= 12 && memcmp(bytes, "RIFF", 4) == 0 && memcmp(bytes + 8, "WEBP", 4) == 0;
+    int across = 0, down = 0;
+    const bool known = WebPGetInfo(bytes, size, &across, &down) != 0;
+    *width = (uint32_t)across;
+    *height = (uint32_t)down;
+    return known;
 }
 
-static const char *decode_webp(const void *bytes, size_t size, struct scene_image *image)
+static const char *decode_webp(const unsigned char *bytes, size_t size, struct scene_image *image)
 {
     WebPBitstreamFeatures features;
     if (WebPGetFeatures(bytes, size, &features) != VP8_STATUS_OK) { // WebP has at most 16383 texels each way
@@ -127,27 +143,18 @@ static const char *decode_webp(const void *bytes, size_t size, struct scene_imag
         free(image->texels);
         return "damaged WebP";
     }
-    scene_image_find_alpha(image);
     return NULL;
 }
 
-const char *scene_image_decode(const void *bytes, size_t size, struct scene_image *image)
+// Decode what stb_image reads.
+static const char *decode_other(const unsigned char *bytes, size_t size, struct scene_image *image)
 {
-    if (size == 0) {
-        return "the file is empty";
-    }
-    if (is_webp(bytes, size)) {
-        return decode_webp(bytes, size, image);
-    }
-    if (scene_image_is_ktx2(bytes, size)) {
-        const char *const problem = scene_image_decode_ktx2(bytes, size, image);
-        if (problem == NULL) {
-            scene_image_find_alpha(image);
-        }
-        return problem;
-    }
     if (size > INT_MAX) {
         return "the file is too large";
+    }
+    const char *const jpeg_problem = scene_jpeg_problem(bytes, size);
+    if (jpeg_problem != NULL) {
+        return jpeg_problem;
     }
     const int length = (int)size;
     int width = 0, height = 0, channels = 0;
@@ -184,19 +191,75 @@ const char *scene_image_decode(const void *bytes, size_t size, struct scene_imag
     image->height = (uint32_t)height;
     image->size = (size_t)width * (size_t)height * texel;
     image->texels = texels;
-    scene_image_find_alpha(image);
     return NULL;
+}
+
+static bool other_size(const unsigned char *bytes, size_t size, uint32_t *width, uint32_t *height)
+{
+    int across = 0, down = 0, channels;
+    const bool known = size <= INT_MAX && scene_jpeg_problem(bytes, size) == NULL &&
+                       stbi_info_from_memory(bytes, (int)size, &across, &down, &channels) != 0;
+    *width = (uint32_t)across;
+    *height = (uint32_t)down;
+    return known;
+}
+
+// What reads a format. There is no `decode` where the build lacks the library of the format, and no `measure` where an
+// image is best decoded alone, whatever its size.
+struct reader {
+    const char *lacking; // refusal of a build without the library
+    const char *(*decode)(const unsigned char *bytes, size_t size, struct scene_image *image);
+    bool (*measure)(const unsigned char *bytes, size_t size, uint32_t *width, uint32_t *height);
+};
+
+static const struct reader *reader_of(const unsigned char *bytes, size_t size, const char **refusal)
+{
+    static const struct reader readers[] = {
+        [SCENE_FORMAT_OTHER] = {NULL, decode_other, other_size},
+        [SCENE_FORMAT_WEBP] = {NULL, decode_webp, webp_size},
+        [SCENE_FORMAT_KTX2] = {NULL, scene_image_decode_ktx2, scene_ktx2_size},
+        [SCENE_FORMAT_DDS] = {NULL, scene_image_decode_dds, scene_dds_size},
+        [SCENE_FORMAT_TIFF] = {"a TIFF image, which this build does not read",
+                               SCENE_TIFF ? scene_image_decode_tiff : NULL,
+                               SCENE_TIFF ? scene_tiff_size : NULL},
+        [SCENE_FORMAT_EXR] = {"an EXR image, which this build does not read",
+                              SCENE_EXR ? scene_image_decode_exr : NULL, NULL},
+        [SCENE_FORMAT_GIF] = {"a GIF image, which this build does not read",
+                              SCENE_GIF ? scene_image_decode_gif : NULL, SCENE_GIF ? scene_gif_size : NULL},
+        [SCENE_FORMAT_AVIF] = {"an AVIF image, which this build does not read",
+                               SCENE_AVIF ? scene_image_decode_avif : NULL, NULL},
+        [SCENE_FORMAT_UNREAD] = {NULL, NULL, NULL},
+    };
+    const struct reader *const reader = &readers[scene_image_format(bytes, size, refusal)];
+    if (reader->lacking != NULL) {
+        *refusal = reader->lacking;
+    }
+    return reader;
+}
+
+const char *scene_image_decode(const void *bytes, size_t size, struct scene_image *image)
+{
+    if (size == 0) {
+        return "the file is empty";
+    }
+    const char *refusal = NULL;
+    const struct reader *const reader = reader_of(bytes, size, &refusal);
+    const char *const problem = reader->decode != NULL ? reader->decode(bytes, size, image) : refusal;
+    if (problem == NULL) {
+        scene_image_find_alpha(image);
+    }
+    return problem;
 }
 
 size_t scene_image_texels(const void *bytes, size_t size)
 {
-    int width = 0, height = 0, channels;
-    if (is_webp(bytes, size)) {
-        WebPGetInfo(bytes, size, &width, &height);
-    } else if (size <= INT_MAX) {
-        stbi_info_from_memory(bytes, (int)size, &width, &height, &channels);
+    uint32_t width = 0, height = 0;
+    const char *refusal = NULL;
+    const struct reader *const reader = reader_of(bytes, size, &refusal);
+    if (reader->measure == NULL) {
+        return reader->decode != NULL ? SIZE_MAX : 0;
     }
-    return width > 0 && height > 0 ? (size_t)width * (size_t)height : 0;
+    return reader->measure(bytes, size, &width, &height) ? (size_t)width * height : 0;
 }
 
 const char *scene_image_decode_within(const void *bytes, size_t size, uint32_t side, bool is_color,

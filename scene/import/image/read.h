@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Decoding of image files that models use as textures: PNG, JPEG, WebP, KTX2, TGA, BMP, PSD, PNM and
-// Radiance HDR.
+// Decoding of image files that models use as textures: PNG, JPEG, WebP, KTX2, DDS, TIFF, OpenEXR, GIF, AVIF, TGA, BMP, PSD,
+// PNM and Radiance HDR.
 #ifndef SCENE_IMAGE_READ_H
 #define SCENE_IMAGE_READ_H
 
@@ -14,7 +14,8 @@ const char *scene_image_decode(const void *bytes, size_t size, struct scene_imag
 /// leaves its size alone. With `is_color` the means are of light.
 const char *scene_image_decode_within(const void *bytes, size_t size, uint32_t side, bool is_color,
                                       struct scene_image *image);
-/// Return how many texels an image has, by its header. Return 0 if the header does not say.
+/// Return how many texels an image has, by its header. Return 0 if the header does not say, and SIZE_MAX if it takes a
+/// library to read the header.
 size_t scene_image_texels(const void *bytes, size_t size);
 /// Set has_alpha from the texels.
 void scene_image_find_alpha(struct scene_image *image);

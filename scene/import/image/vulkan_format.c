@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A texture of the format decodes the texels, and a blit converts them where the format is not one that images have.
-// Numbers are those of Vulkan 1.3, VkFormat. Signed formats are left out: images hold 0..1, or light.
+// Numbers are those of Vulkan 1.3, VkFormat. Images hold 0..1, or light: signed numbers of −1..1 become 0..1, which is how
+// an unsigned normal map has them.
 #include "vulkan_format.h"
 
 #include <stdlib.h>
@@ -32,10 +33,16 @@ static enum rhw_format format_of(uint32_t format)
     case 44: return RHW_FORMAT_BGRA8_UNORM;
     case 50: return RHW_FORMAT_BGRA8_SRGB;
     case 70: return RHW_FORMAT_R16_UNORM;
+    case 76: return RHW_FORMAT_R16_FLOAT;
     case 77: return RHW_FORMAT_RG16_UNORM;
+    case 83: return RHW_FORMAT_RG16_FLOAT;
     case 91: return RHW_FORMAT_RGBA16_UNORM;
     case 97: return RHW_FORMAT_RGBA16_FLOAT;
+    case 100: return RHW_FORMAT_R32_FLOAT;
+    case 103: return RHW_FORMAT_RG32_FLOAT;
     case 109: return RHW_FORMAT_RGBA32_FLOAT;
+    case 122: return RHW_FORMAT_RG11B10_FLOAT;
+    case 123: return RHW_FORMAT_RGB9E5_FLOAT;
     default: return RHW_FORMAT_NONE;
     }
 }
@@ -66,15 +73,21 @@ static enum rhw_format image_format(enum rhw_format format)
     case RHW_FORMAT_BC5_UNORM:
     case RHW_FORMAT_EAC_R11_UNORM:
     case RHW_FORMAT_EAC_RG11_UNORM: return RHW_FORMAT_RGBA16_UNORM;
+    case RHW_FORMAT_R16_FLOAT:
+    case RHW_FORMAT_RG16_FLOAT:
     case RHW_FORMAT_RGBA16_FLOAT:
+    case RHW_FORMAT_R32_FLOAT:
+    case RHW_FORMAT_RG32_FLOAT:
     case RHW_FORMAT_RGBA32_FLOAT:
+    case RHW_FORMAT_RG11B10_FLOAT:
+    case RHW_FORMAT_RGB9E5_FLOAT:
     case RHW_FORMAT_BC6H_UFLOAT:
-    case RHW_FORMAT_BC6H_SFLOAT: return RHW_FORMAT_RGBA32_FLOAT;
-    case RHW_FORMAT_NONE:
+    case RHW_FORMAT_BC6H_SFLOAT:
     case RHW_FORMAT_BC4_SNORM:
     case RHW_FORMAT_BC5_SNORM:
     case RHW_FORMAT_EAC_R11_SNORM:
-    case RHW_FORMAT_EAC_RG11_SNORM: return RHW_FORMAT_NONE;
+    case RHW_FORMAT_EAC_RG11_SNORM: return RHW_FORMAT_RGBA32_FLOAT;
+    case RHW_FORMAT_NONE: return RHW_FORMAT_NONE;
     default: return format; // read as RGBA8
     }
 }
@@ -98,6 +111,27 @@ static void widen_rgb(const uint8_t *from, struct scene_image *image)
         memcpy(to + 4 * i, from + 3 * i, 3);
         to[4 * i + 3] = UINT8_MAX;
     }
+}
+
+static bool is_signed(enum rhw_format format)
+{
+    return format == RHW_FORMAT_BC4_SNORM || format == RHW_FORMAT_BC5_SNORM ||
+           format == RHW_FORMAT_EAC_R11_SNORM || format == RHW_FORMAT_EAC_RG11_SNORM;
+}
+
+// Move floats of −1..1 to 16 bits of 0..1, in place. Alpha is 1 already.
+static void make_unsigned(struct scene_image *image)
+{
+    const size_t count = (size_t)image->width * image->height * 4;
+    uint8_t *const bytes = image->texels; // a number is written where all before it were read
+    for (size_t i = 0; i < count; i++) {
+        float number;
+        memcpy(&number, bytes + i * sizeof number, sizeof number);
+        const uint16_t code = (uint16_t)((i % 4 == 3 ? number : number * 0.5f + 0.5f) * 65535.0f + 0.5f);
+        memcpy(bytes + i * sizeof code, &code, sizeof code);
+    }
+    image->type = SCENE_IMAGE_RGBA16;
+    image->size = count * sizeof(uint16_t);
 }
 
 static enum rhw_result make_texture(rhw_context *context, enum rhw_format format,
@@ -155,6 +189,9 @@ const char *scene_vulkan_decode(uint32_t format, const void *bytes, struct scene
         free(image->texels);
         image->texels = NULL;
         return "outofmem";
+    }
+    if (is_signed(known)) {
+        make_unsigned(image);
     }
     return NULL;
 }

@@ -83,6 +83,8 @@ void scene_import_3mf(struct scene_import *import)
     for (uint32_t part = 0; part < file.part_count; part++) {
         scene_3mf_read_part(&file, part);
     }
+    scene_3mf_read_slicer(&file);
+    scene_3mf_sort_volumes(&file);
     if (file.group_count > 0) {
         qsort(file.groups, file.group_count, sizeof *file.groups, compare_groups);
     }

@@ -2,11 +2,12 @@
 // 3MF between the parts of its reader: what its XML says, and what becomes of it.
 //
 // Names are those of the specifications: 3MF Core 1.3, Materials and Properties 1.2 (colours, textures, metals),
-// Production 1.1 (objects in other parts of the package).
+// Production 1.1 (objects in other parts of the package). What slicers add in files of their own is called a volume and
+// a filament, as PrusaSlicer does.
 #ifndef SCENE_THREEMF_H
 #define SCENE_THREEMF_H
 
-#include "import/builder/import.h"
+#include "import/builder/place.h"
 
 enum scene_3mf_kind {
     SCENE_3MF_BASES,      ///< basematerials
@@ -48,25 +49,63 @@ struct scene_3mf_triangle {
     uint32_t vertices[3];
     uint32_t pid; ///< 0 if the pid of the object holds
     uint32_t properties[3];
+    uint32_t painting; ///< index into scene_3mf.paintings; 0 if no slicer painted it
+};
+
+/// What an object or a part of it is for.
+enum scene_3mf_role {
+    SCENE_3MF_PRINTED,
+    SCENE_3MF_MODIFIER, ///< where it is, settings are others
+    SCENE_3MF_NEGATIVE, ///< what is cut out of the others
+    SCENE_3MF_SUPPORT,  ///< where there are supports, and where there are none
+    SCENE_3MF_OTHER     ///< by its type (Core, 4.1)
+};
+
+/// What a slicer says of an object, or of a part of it.
+struct scene_3mf_volume {
+    uint32_t object; ///< id of the object, which is in the first part of the package
+    enum {
+        SCENE_3MF_WHOLE,     ///< the object
+        SCENE_3MF_TRIANGLES, ///< some of its triangles
+        SCENE_3MF_COMPONENT  ///< one of its components
+    } kind;
+    uint32_t first, last; ///< the triangles from first to last; of a component both are its object's id
+    enum scene_3mf_role role;
+    uint32_t filament; ///< from 1; 0 if that of what is around it holds
+};
+
+/// What holds for an object where it is built.
+struct scene_3mf_setting {
+    uint32_t object; ///< id of the item's object, which volumes are looked for by; 0 if there is none
+    uint32_t filament;
 };
 
 struct scene_3mf_component {
     uint32_t part, id; ///< part and id of the object
-    float transform[16];
+    struct scene_import_place transform;
+};
+
+/// The meshes that an object became.
+struct scene_3mf_shape {
+    struct scene_3mf_setting setting; ///< what held for it
+    uint32_t first_mesh, mesh_count;  ///< range of the model's meshes
 };
 
 struct scene_3mf_object {
     uint32_t part, id, pid, pindex;
     const char *name;
+    double (*read_positions)[3]; ///< until the object is made
     float (*positions)[3];
+    double origin[3]; ///< what was subtracted from the positions
     size_t position_count, position_capacity;
     struct scene_3mf_triangle *triangles;
     size_t triangle_count, triangle_capacity;
     uint32_t *beams; ///< two vertices for each beam of a lattice
     size_t beam_count, beam_capacity;
     size_t first_component, component_count; ///< range in scene_3mf.components
-    uint32_t first_mesh, mesh_count;         ///< range of the model's meshes, once `made`
-    bool made;
+    enum scene_3mf_role role;
+    struct scene_3mf_shape *shapes;
+    size_t shape_count, shape_capacity;
 };
 
 /// What a corner of a triangle looks like.
@@ -80,6 +119,28 @@ struct scene_3mf_paint {
     bool layered;
     struct scene_3mf_group *below;
     float ground[3];
+};
+
+/// A corner of a triangle that is drawn.
+struct scene_3mf_corner {
+    float position[3], color[4], uv[2];
+};
+
+/// A piece of a triangle.
+struct scene_3mf_piece {
+    struct scene_3mf_corner corners[3];
+    uint32_t filament; ///< 0 if it is not painted
+};
+
+struct scene_3mf_pieces {
+    struct scene_3mf_piece *items;
+    size_t count, capacity;
+};
+
+/// A set of edges (edges.c).
+struct scene_3mf_edges {
+    struct scene_3mf_edge *items;
+    size_t count, capacity;
 };
 
 /// What a material of the model was made for.
@@ -111,6 +172,14 @@ struct scene_3mf {
     size_t look_count, look_capacity;
     int layered_count; ///< looks with an image of their own, made of a texture over a colour
     uint32_t placed;   ///< number of components that were followed
+    const char **paintings;
+    size_t painting_count, painting_capacity;
+    float (*filaments)[4]; ///< linear colours; alpha −1 where the file names none
+    size_t filament_count, filament_capacity;
+    struct scene_3mf_volume *volumes; ///< sorted by object, kind and first when all is read
+    size_t volume_count, volume_capacity;
+    struct scene_3mf_pieces pieces; ///< pieces of the triangle under way
+    struct scene_3mf_edges edges;   ///< edges of the object under way that paintings cut
 };
 
 /// Read one part of the package. Parts that it names are added to the list.
@@ -125,6 +194,35 @@ struct scene_3mf_paint scene_3mf_find_paint(const struct scene_3mf *file, const 
 /// Return the material for a triangle whose first corner looks like `paint`. `blended` says that colours are not
 /// opaque.
 uint32_t scene_3mf_material(struct scene_3mf *file, const struct scene_3mf_paint *paint, bool blended);
+
+/// Read what slicers add in files of their own: colours of filaments, and roles and filaments of parts.
+void scene_3mf_read_slicer(struct scene_3mf *file);
+/// Read the colours of filaments.
+void scene_3mf_read_filaments(struct scene_3mf *file);
+/// Set the colour of a filament, which counts from 1. Nothing happens where `text` is no colour.
+void scene_3mf_set_filament(struct scene_3mf *file, uint32_t filament, const char *text);
+/// Return what a filament looks like.
+struct scene_3mf_paint scene_3mf_filament_paint(struct scene_3mf *file, uint32_t filament);
+void scene_3mf_add_volume(struct scene_3mf *file, const struct scene_3mf_volume *volume);
+void scene_3mf_sort_volumes(struct scene_3mf *file);
+/// Return the volume of an object that holds triangle `number`, or the component whose object has this id. Return NULL
+/// if there is none.
+const struct scene_3mf_volume *scene_3mf_find_volume(const struct scene_3mf *file, uint32_t object, int kind,
+                                                     uint32_t number);
+/// Tell of what is left out for its role. Return false if it is printed, and drawn.
+bool scene_3mf_leave_out(struct scene_3mf *file, enum scene_3mf_role role);
+
+/// Cut a triangle into the pieces that a slicer painted. They are in file->pieces then. Return false if the painting is
+/// damaged.
+bool scene_3mf_cut(struct scene_3mf *file, const char *painting, const struct scene_3mf_corner corners[3]);
+/// Add the edges that a painting cuts to file->edges.
+void scene_3mf_find_cuts(struct scene_3mf *file, const char *painting,
+                         const struct scene_3mf_corner corners[3]);
+struct scene_3mf_corner scene_3mf_middle(const struct scene_3mf_corner *a, const struct scene_3mf_corner *b);
+
+void scene_3mf_add_edge(struct scene_3mf *file, const float a[3], const float b[3]);
+bool scene_3mf_has_edge(const struct scene_3mf *file, const float a[3], const float b[3]);
+void scene_3mf_clear_edges(struct scene_3mf *file);
 
 /// Add the meshes and their instances to the model.
 void scene_3mf_build(struct scene_3mf *file);

@@ -23,6 +23,10 @@ enum place {
     COMPONENTS,
     LATTICE,
     BEAMS,
+    SETTINGS, // settings of Cura
+    VOLUMES,  // volumes of Slic3r
+    VOLUME,
+    CURA_SETTING,
     LEAF
 };
 
@@ -133,6 +137,7 @@ static struct scene_3mf_object *current_object(const struct scene_3mf_xml *xml)
 static void begin_object(struct scene_3mf_xml *xml, const char **attributes)
 {
     struct scene_3mf *file = xml->file;
+    const char *type = scene_3mf_attribute(attributes, "type");
     scene_import_reserve(xml->file->import, &file->objects, &file->object_capacity, file->object_count + 1,
                          sizeof *file->objects);
     file->objects[file->object_count++] = (struct scene_3mf_object){
@@ -142,6 +147,7 @@ static void begin_object(struct scene_3mf_xml *xml, const char **attributes)
         .pindex = scene_3mf_index(xml, attributes, "pindex", 0),
         .name = scene_3mf_string(xml, attributes, "name", ""),
         .first_component = file->component_count,
+        .role = type != NULL && strcmp(type, "other") == 0 ? SCENE_3MF_OTHER : SCENE_3MF_PRINTED,
     };
 }
 
@@ -149,17 +155,41 @@ static void add_vertex(struct scene_3mf_xml *xml, const char **attributes)
 {
     static const char *const names[] = {"x", "y", "z"};
     struct scene_3mf_object *object = current_object(xml);
-    scene_import_reserve(xml->file->import, &object->positions, &object->position_capacity,
-                         object->position_count + 1, sizeof *object->positions);
+    scene_import_reserve(xml->file->import, &object->read_positions, &object->position_capacity,
+                         object->position_count + 1, sizeof *object->read_positions);
     for (int c = 0; c < 3; c++) {
         const char *text = scene_3mf_attribute(attributes, names[c]);
-        double value;
-        if (text == NULL || !scene_3mf_next_number(&text, &value)) {
+        double *const value = &object->read_positions[object->position_count][c];
+        if (text == NULL || !scene_3mf_next_number(&text, value)) {
             scene_3mf_refuse(xml, "a vertex needs x, y and z");
         }
-        object->positions[object->position_count][c] = (float)value;
     }
     object->position_count++;
+}
+
+// Return the index of what a slicer painted on a triangle. Return 0 if none did. Neighbours often have the same.
+static uint32_t add_painting(struct scene_3mf_xml *xml, const char **attributes)
+{
+    enum { VERTICES_ALONE = 6 }; // names and values of v1, v2 and v3
+    struct scene_3mf *file = xml->file;
+    if (XML_GetSpecifiedAttributeCount(xml->parser) <= VERTICES_ALONE) {
+        return 0;
+    }
+    const char *bambu = scene_3mf_attribute(attributes, "paint_color");
+    const char *text = bambu != NULL ? bambu : scene_3mf_attribute(attributes, "mmu_segmentation");
+    if (text == NULL || text[0] == 0) {
+        return 0;
+    }
+    if (file->painting_count > 0 && strcmp(file->paintings[file->painting_count - 1], text) == 0) {
+        return (uint32_t)file->painting_count;
+    }
+    if (file->painting_count == UINT32_MAX) {
+        scene_3mf_refuse(xml, "too many triangles are painted");
+    }
+    scene_import_reserve(file->import, &file->paintings, &file->painting_capacity, file->painting_count + 1,
+                         sizeof *file->paintings);
+    file->paintings[file->painting_count++] = scene_import_string(file->import, text, strlen(text));
+    return (uint32_t)file->painting_count;
 }
 
 static void add_triangle(struct scene_3mf_xml *xml, const char **attributes)
@@ -174,6 +204,7 @@ static void add_triangle(struct scene_3mf_xml *xml, const char **attributes)
         .pid = p1 == none ? 0 : scene_3mf_index(xml, attributes, "pid", object->pid),
         .properties = {p1, scene_3mf_index(xml, attributes, "p2", p1),
                        scene_3mf_index(xml, attributes, "p3", p1)},
+        .painting = add_painting(xml, attributes),
     };
     for (int k = 0; k < 3; k++) {
         if (triangle.vertices[k] >= object->position_count) {
@@ -209,7 +240,7 @@ static struct scene_3mf_component read_component(struct scene_3mf_xml *xml, cons
     if (path != NULL) {
         component.part = scene_3mf_part(xml->file, path);
     }
-    scene_3mf_transform(xml, attributes, component.transform);
+    component.transform = scene_3mf_transform(xml, attributes);
     return component;
 }
 
@@ -235,8 +266,42 @@ static void add_item(struct scene_3mf_xml *xml, const char **attributes)
     file->items[file->item_count++] = item;
 }
 
+// Tell of an extension that the file requires and that is not known. Its prefix stands for its name.
+static void check_required(const struct scene_3mf_xml *xml, const char **attributes, const char *prefix,
+                           size_t length)
+{
+    static const char *const known[] = {
+        "http://schemas.microsoft.com/3dmanufacturing/core/2015/02",
+        "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
+        "http://schemas.microsoft.com/3dmanufacturing/production/2015/06",
+        "http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02",
+    };
+    for (int i = 0; attributes[i] != NULL; i += 2) {
+        const char *name = attributes[i], *uri = attributes[i + 1];
+        if (strncmp(name, "xmlns:", 6) != 0 || strlen(name + 6) != length ||
+            memcmp(name + 6, prefix, length) != 0) {
+            continue;
+        }
+        bool is_known = false;
+        for (size_t k = 0; k < sizeof known / sizeof known[0]; k++) {
+            is_known = is_known || strcmp(uri, known[k]) == 0;
+        }
+        if (!is_known) {
+            scene_import_unsupported(xml->file->import, "the extension \"%s\" (3MF), which the file requires",
+                                     uri);
+        }
+    }
+}
+
 static void begin_model(struct scene_3mf_xml *xml, const char **attributes)
 {
+    const char *required = scene_3mf_attribute(attributes, "requiredextensions");
+    for (const char *word = required == NULL ? "" : required; *word != 0;) {
+        word += strspn(word, " \t\n\r");
+        const size_t length = strcspn(word, " \t\n\r");
+        check_required(xml, attributes, word, length);
+        word += length;
+    }
     if (xml->part == 0) {
         xml->file->import->model.unit = scene_3mf_string(xml, attributes, "unit", "millimeter");
     }
@@ -263,6 +328,13 @@ static const struct rule rules[] = {
     {OBJECT, "mesh", MESH, NULL, 0},
     {OBJECT, "components", COMPONENTS, NULL, 0},
     {COMPONENTS, "component", LEAF, add_component, 0},
+    {OBJECT, "metadatagroup", SETTINGS, NULL, 0},
+    {OBJECT, "settings", SETTINGS, NULL, 0},
+    {SETTINGS, "metadata", CURA_SETTING, scene_3mf_begin_cura_setting, 0},
+    {SETTINGS, "setting", CURA_SETTING, scene_3mf_begin_cura_setting, 0},
+    {MESH, "volumes", VOLUMES, NULL, 0},
+    {VOLUMES, "volume", VOLUME, scene_3mf_begin_slic3r_volume, 0},
+    {VOLUME, "metadata", LEAF, scene_3mf_read_slic3r_setting, 0},
     {MESH, "vertices", VERTICES, NULL, 0},
     {MESH, "triangles", TRIANGLES, NULL, 0},
     {MESH, "beamlattice", LATTICE, NULL, 0},
@@ -289,7 +361,11 @@ static void note_unused(struct scene_3mf_xml *xml, const char *name)
         {"pbspeculartexturedisplayproperties", "textures of specular colour and glossiness (3MF)"},
         {"displacementmesh", "displacement meshes (3MF)"},
         {"levelset", "implicit and volumetric shapes (3MF)"},
+        {"volumedata", "colours and materials of volumes (3MF)"},
         {"booleans", "boolean shapes (3MF)"},
+        {"booleanshape", "boolean shapes (3MF)"},
+        {"slicestack", "slices (3MF)"},
+        {"balls", "balls of lattices (3MF)"},
     };
     for (size_t i = 0; i < sizeof elements / sizeof elements[0]; i++) {
         if (strcmp(name, elements[i].name) == 0) {
@@ -338,9 +414,12 @@ static void XMLCALL end_element(void *user, const XML_Char *name)
     (void)name;
     if (xml->skipped > 0) {
         xml->skipped--;
-    } else {
-        xml->depth--;
+        return;
     }
+    if (xml->places[xml->depth] == CURA_SETTING) {
+        scene_3mf_end_cura_setting(xml);
+    }
+    xml->depth--;
 }
 
 // A document type can define what its text means, a gigabyte of it in a line. The specification forbids document types

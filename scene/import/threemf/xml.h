@@ -8,7 +8,7 @@
 
 #include "threemf.h"
 
-enum { SCENE_3MF_DEEPEST = 8 }; // a vertex is the fifth below the outermost
+enum { SCENE_3MF_DEEPEST = 8 }; // a setting of Slic3r's is the seventh
 
 struct scene_3mf_xml {
     struct scene_3mf *file;
@@ -17,7 +17,15 @@ struct scene_3mf_xml {
     int depth;
     int places[SCENE_3MF_DEEPEST]; ///< places of the reader, as `enum place` of threemf/xml.c has them
     unsigned skipped;              ///< number of elements open below one that is passed over
+    char setting[64],
+        text[64]; ///< name and text of the setting of Cura that is open, cut where they are longer
 };
+
+// What slicers write into objects (setting.c).
+void scene_3mf_begin_slic3r_volume(struct scene_3mf_xml *xml, const char **attributes);
+void scene_3mf_read_slic3r_setting(struct scene_3mf_xml *xml, const char **attributes);
+void scene_3mf_begin_cura_setting(struct scene_3mf_xml *xml, const char **attributes);
+void scene_3mf_end_cura_setting(struct scene_3mf_xml *xml);
 
 _Noreturn void scene_3mf_refuse(const struct scene_3mf_xml *xml, const char *problem);
 /// Return a name without its prefix.
@@ -38,6 +46,6 @@ bool scene_3mf_next_number(const char **text, double *value);
 void scene_3mf_list(struct scene_3mf_xml *xml, const char *text, size_t *first, size_t *count);
 /// Read #RRGGBB or #RRGGBBAA, which are sRGB.
 bool scene_3mf_color(const char *text, float color[4]);
-void scene_3mf_transform(const struct scene_3mf_xml *xml, const char **attributes, float matrix[16]);
+struct scene_import_place scene_3mf_transform(const struct scene_3mf_xml *xml, const char **attributes);
 
 #endif

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// ZIP by minizip: stored and deflated entries, with 64-bit sizes.
+// ZIP by minizip: stored and deflated entries.
 #include "zip.h"
 
-#include <minizip/unzip.h>
 #include <string.h>
 #include <strings.h>
+
+#include "zip64.h"
 
 struct scene_zip {
     struct scene_import *import;
@@ -22,7 +23,7 @@ struct scene_zip *scene_zip_open(struct scene_import *import)
 {
     struct scene_zip *zip = scene_import_allocate(import, 1, sizeof *zip);
     zip->import = import;
-    zip->file = unzOpen64(import->model.path);
+    zip->file = scene_zip64_open(import, import->model.path);
     if (zip->file == NULL) {
         scene_import_fail(import, "is cut or no ZIP archive: it has no list of its files at the end");
     }

@@ -94,18 +94,17 @@ RHW_INLINE uint64_t test_depth_rows(const struct block_pixels *block, const stru
 }
 
 // Test the pixels of a block before shading. Rounding keeps the block's depths, and nothing but stencil and depth is
-// tested. `face` is 0 for the front. `stencil_is_tested` says that the pixels have passed the stencil test. No depth
-// has to be held to 1: depths of a triangle that may leave the viewport's range have been held to it (depth_rows).
+// tested. `face` is 0 for the front. No depth has to be held to 1: depths of a triangle that may leave the viewport's
+// range have been held to it (depth_rows).
 static __attribute__((noinline)) uint64_t test_block_masks(const struct block_pixels *block,
-                                                           const struct rhw_depth_rule rule, int face,
-                                                           bool stencil_is_tested)
+                                                           const struct rhw_depth_rule rule, int face)
 {
     struct tile_depth *const depth = block->depth;
     const struct rhw_depth_stencil_state *const state = depth->state;
     const struct rhw_stencil_rule *const rules = &state->face[face];
     const int x = block->x, y = block->y;
     uint64_t unfailed = block->mask;
-    if (!stencil_is_tested && rules->compare != RHW_COMPARE_ALWAYS) {
+    if (rules->compare != RHW_COMPARE_ALWAYS) {
         unfailed &= compare_stencil_block(depth, x, y, rules);
         change_stencil_block(depth, x, y, block->mask & ~unfailed, rules, rules->fail);
     }
@@ -123,11 +122,10 @@ static __attribute__((noinline)) uint64_t test_block_masks(const struct block_pi
 
 // Test the pixels of a block before shading, by the fastest path that is open to them.
 RHW_INLINE uint64_t test_block_early_stencil(const struct block_pixels *block,
-                                             const struct rhw_draw_plan *plan, int face,
-                                             bool stencil_is_tested)
+                                             const struct rhw_draw_plan *plan, int face)
 {
     return rhw_test_has_masks(plan->test) && keeps_depths(block->depth->state, block->z)
-               ? test_block_masks(block, plan->early, face, stencil_is_tested)
+               ? test_block_masks(block, plan->early, face)
                : test_block_stencil(block, plan->early, face);
 }
 

@@ -22,12 +22,6 @@ RHW_INLINE int face_of(const struct triangle_work *triangle)
     return triangle->t->flags & RHW_TRIANGLE_BACK ? 1 : 0;
 }
 
-// Return true if stencil is tested before the triangle's planes are made.
-RHW_INLINE bool tests_stencil_first(const struct tile_work *work)
-{
-    return work->plan.test == RHW_TEST_STENCIL_FIRST;
-}
-
 // Test a block's pixels set in `mask` before shading. Return the pixels that pass.
 RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_work *triangle,
                                const struct block *block, uint64_t mask)
@@ -37,7 +31,7 @@ RHW_INLINE uint64_t test_depth(struct tile_work *work, const struct triangle_wor
     const bool is_whole = mask == ~(uint64_t)0;
     if (work->plan.test != RHW_TEST_DEPTH) {
         const struct block_pixels pixels = {depth, block->z, block->x, block->y, mask};
-        return test_block_early_stencil(&pixels, &work->plan, face_of(triangle), tests_stencil_first(work));
+        return test_block_early_stencil(&pixels, &work->plan, face_of(triangle));
     }
     mask = test_block_early(depth, block->z, block->x, block->y, mask, &work->plan);
     // Blocks of spans start anywhere; only blocks at multiples of 8 have a bound.
@@ -116,9 +110,6 @@ RHW_INLINE void draw_block(struct tile_work *work, struct triangle_work *triangl
         mask = claim_backwards(depth, x, y, mask);
     } else if (plan->early_name == RHW_RULE_CLAIM) {
         mask &= block_bits(&depth->open[y], x);
-    }
-    if (tests_stencil_first(work)) {
-        mask &= compare_stencil_block(depth, x, y, &work->state->depth_stencil.face[face_of(triangle)]);
     }
     if (mask == 0) {
         return;

@@ -88,7 +88,7 @@ static void test_samples(struct tile_work *work, const struct triangle_work *tri
         struct tile_depth *const depth = depth_of_sample(work->scratch, s);
         const struct block_pixels pixels = {depth, block->z[s], block->x, block->y, block->mask[s]};
         block->mask[s] = work->plan.test != RHW_TEST_DEPTH
-                             ? test_block_early_stencil(&pixels, &work->plan, face, false)
+                             ? test_block_early_stencil(&pixels, &work->plan, face)
                              : test_early(&work->plan, test_block, &pixels);
     }
     if (covers) {

@@ -105,6 +105,16 @@ bool has_warning(const struct scene_model *model, const char *part)
     return false;
 }
 
+bool is_unsupported(const struct scene_model *model, const char *part)
+{
+    for (uint32_t i = 0; i < model->unsupported_count; i++) {
+        if (strstr(model->unsupported[i], part) != NULL) {
+            return true;
+        }
+    }
+    return false;
+}
+
 const char *data_uri(const void *bytes, size_t size)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

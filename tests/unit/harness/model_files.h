@@ -21,6 +21,7 @@ struct scene_model *load_text(const char *name, const char *text);
 /// Loads a file that must not load and checks that the line holds `cause`.
 void expect_refused(const char *name, const char *cause);
 bool has_warning(const struct scene_model *model, const char *part);
+bool is_unsupported(const struct scene_model *model, const char *part);
 
 /// Bytes as a data URI; valid until the next call but three.
 const char *data_uri(const void *bytes, size_t size);

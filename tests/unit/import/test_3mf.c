@@ -1,83 +1,11 @@
 // SPDX-License-Identifier: MIT
 // 3MF: packages written here, and what becomes of their colours, textures, components and parts. Values by hand.
-#include "model_files.h"
+#include "package_3mf.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-
-#include <minizip/zip.h>
-
-static const char relationships[] =
-    "<?xml version=\"1.0\"?><Relationships "
-    "xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
-    "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
-    "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>";
-
-#define MESH(triangles)                                                                                  \
-    "<mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/><vertex x=\"0\" " \
-    "y=\"1\" "                                                                                           \
-    "z=\"0\"/><vertex x=\"1\" y=\"1\" z=\"0\"/></vertices><triangles>" triangles "</triangles></mesh>"
-
-static zipFile begin_package(const char *name)
-{
-    zipFile zip = zipOpen64(path_of(name), APPEND_STATUS_CREATE);
-    assert_non_null(zip);
-    return zip;
-}
-
-static void add_entry(zipFile zip, const char *name, const void *bytes, size_t size)
-{
-    const zip_fileinfo info = {.dosDate = 1};
-    assert_int_equal(zipOpenNewFileInZip(zip, name, &info, NULL, 0, NULL, 0, NULL, Z_DEFLATED, 6), ZIP_OK);
-    assert_int_equal(zipWriteInFileInZip(zip, bytes, (unsigned)size), ZIP_OK);
-    assert_int_equal(zipCloseFileInZip(zip), ZIP_OK);
-}
-
-// A package with one model: its resources and the items of its build.
-static void add_model(zipFile zip, const char *part, const char *resources, const char *build)
-{
-    char text[32768];
-    snprintf(text, sizeof text,
-             "<?xml version=\"1.0\"?><model unit=\"millimeter\" "
-             "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
-             "xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\" "
-             "xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\">"
-             "<metadata name=\"Title\">x<b/></metadata><resources>%s</resources><build>%s</build></model>",
-             resources, build);
-    add_entry(zip, part, text, strlen(text));
-}
-
-static void write_package(const char *name, const char *resources, const char *build)
-{
-    zipFile zip = begin_package(name);
-    add_entry(zip, "_rels/.rels", relationships, strlen(relationships));
-    add_model(zip, "3D/3dmodel.model", resources, build);
-    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
-}
-
-static struct scene_model *load_package(const char *resources, const char *build)
-{
-    write_package("x.3mf", resources, build);
-    return load("x.3mf");
-}
-
-// The mesh of the only instance with this many triangles.
-static const struct scene_mesh *mesh_of(const struct scene_model *model, uint32_t instance)
-{
-    assert_true(instance < model->instance_count);
-    return &model->meshes[model->instances[instance].mesh];
-}
-
-static bool is_unsupported(const struct scene_model *model, const char *part)
-{
-    bool found = false;
-    for (uint32_t i = 0; i < model->unsupported_count; i++) {
-        found = found || strstr(model->unsupported[i], part) != NULL;
-    }
-    return found;
-}
 
 // Colours -------------------------------------------------------------------------------------------
 
@@ -85,7 +13,7 @@ static bool is_unsupported(const struct scene_model *model, const char *part)
 static void test_colors(void **state)
 {
     (void)state;
-    struct scene_model *model = load_package(
+    struct scene_model *model = package_load(
         "<basematerials id=\"1\"><base name=\"a\" displaycolor=\"#FF0000\"/><base name=\"b\" "
         "displaycolor=\"#00FF0080\"/></basematerials><m:colorgroup id=\"2\"><m:color color=\"#0000ff\"/>"
         "<m:color color=\"#808080\"/></m:colorgroup><object id=\"3\" pid=\"1\" pindex=\"0\" "
@@ -112,12 +40,53 @@ static void test_colors(void **state)
     scene_model_free(model);
 }
 
+// CAD programs export opaque parts with an alpha of 00. A corner that fades to nothing stays as it is.
+static void test_alpha_zero(void **state)
+{
+    (void)state;
+    struct scene_model *model = package_load(
+        "<basematerials id=\"1\"><base displaycolor=\"#FF000000\"/></basematerials>"
+        "<m:colorgroup id=\"2\"><m:color color=\"#0000ff00\"/><m:color color=\"#0000ffff\"/></m:colorgroup>"
+        "<object id=\"3\" pid=\"1\" pindex=\"0\">" MESH(
+            "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>"
+                                                      "<object id=\"4\">" MESH(
+                                                          "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"2\" "
+                                                          "p1=\"0\" p2=\"1\" p3=\"0\"/>") "</object>",
+        "<item objectid=\"3\"/><item objectid=\"4\"/>");
+    assert_int_equal(model->warning_count, 1);
+    assert_true(has_warning(model, "object 3 has a wholly transparent colour: drawn opaque"));
+    assert_floats(mesh_of(model, 0)->colors[0], (const float[]){1, 0, 0, 1}, 4, 0);
+    assert_int_equal(model->materials[mesh_of(model, 0)->material].alpha_mode, SCENE_ALPHA_OPAQUE);
+    assert_floats(mesh_of(model, 1)->colors[0], (const float[]){0, 0, 1, 0}, 4, 0);
+    assert_int_equal(model->materials[mesh_of(model, 1)->material].alpha_mode, SCENE_ALPHA_BLEND);
+    scene_model_free(model);
+}
+
+// An extension that the file requires and nobody here knows.
+static void test_required(void **state)
+{
+    (void)state;
+    zipFile zip = package_begin("x.3mf");
+    package_add_text(
+        zip, "3D/3dmodel.model",
+        "<model xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\" "
+        "xmlns:i=\"http://example.org/implicit\" requiredextensions=\"p i\"><resources><object "
+        "id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object></resources><build><item "
+                                                                   "objectid=\"1\"/></build></model>");
+    package_end(zip);
+    struct scene_model *model = load("x.3mf");
+    assert_int_equal(model->unsupported_count, 1);
+    assert_true(is_unsupported(
+        model, "the extension \"http://example.org/implicit\" (3MF), which the file requires"));
+    scene_model_free(model);
+}
+
 // Without a property, what is not described anywhere: a light grey.
 static void test_plain(void **state)
 {
     (void)state;
     struct scene_model *model =
-        load_package("<object id=\"3\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+        package_load("<object id=\"3\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
                      "<item objectid=\"3\"/>");
     const struct scene_material *material = &model->materials[mesh_of(model, 0)->material];
     assert_floats(material->base_color, (const float[]){0.6f, 0.6f, 0.6f, 1}, 4, 0);
@@ -127,7 +96,7 @@ static void test_plain(void **state)
 static void test_metal_and_composites(void **state)
 {
     (void)state;
-    struct scene_model *model = load_package(
+    struct scene_model *model = package_load(
         "<basematerials id=\"1\"><base displaycolor=\"#FF0000\" displaypropertiesid=\"9\"/><base "
         "displaycolor=\"#0000FF\"/></basematerials>"
         "<m:compositematerials id=\"2\" matid=\"1\" matindices=\"0 1\"><m:composite values=\"1 3\"/>"
@@ -174,15 +143,15 @@ static void write_textured(const char *properties, const char *triangle)
         "<m:tex2coord u=\"0.25\" v=\"0.125\"/><m:tex2coord u=\"1\" v=\"0\"/><m:tex2coord u=\"0\" v=\"1\"/>"
         "</m:texture2dgroup>%s<object id=\"7\">" MESH("%s") "</object>",
         properties, triangle);
-    zipFile zip = begin_package("x.3mf");
-    add_entry(zip, "_rels/.rels", relationships, strlen(relationships));
-    add_model(zip, "3D/3dmodel.model", resources, "<item objectid=\"7\"/>");
+    zipFile zip = package_begin("x.3mf");
+    package_add_relationships(zip);
+    package_add_model(zip, "3D/3dmodel.model", resources, "<item objectid=\"7\"/>");
     // Opaque green and transparent; half blue.
     size_t size = make_tga(tga, 2, (const unsigned char[]){0, 255, 0, 255, 0, 255, 0, 0});
-    add_entry(zip, "3d/textures/a.tga", tga, size);
+    package_add(zip, "3d/textures/a.tga", tga, size);
     size = make_tga(tga, 1, (const unsigned char[]){255, 0, 0, 128});
-    add_entry(zip, "3D/Textures/b.tga", tga, size);
-    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
+    package_add(zip, "3D/Textures/b.tga", tga, size);
+    package_end(zip);
 }
 
 static void test_texture(void **state)
@@ -265,32 +234,38 @@ static void test_multiplied(void **state)
     scene_model_free(model);
 }
 
-// A path that is wrong but for its end.
+// A path that is wrong but for its end, or is written as other formats write it.
 static void test_moved_texture(void **state)
 {
     (void)state;
+    static const char *const paths[] = {"./Textures/a b.tga", "\\3D\\Textures\\a b.tga",
+                                        "/3D/Textures/a%20b.tga", "Textures/a%20b.tga?v=3"};
     unsigned char tga[64];
     const size_t size = make_tga(tga, 1, (const unsigned char[]){255, 0, 0, 128});
-    zipFile zip = begin_package("x.3mf");
-    add_model(zip, "3D/3dmodel.model",
-              "<m:texture2d id=\"2\" path=\"./Textures/a.tga\"/><m:texture2dgroup id=\"4\" "
-              "texid=\"2\"><m:tex2coord u=\"0\" "
-              "v=\"0\"/></m:texture2dgroup><object id=\"3\" pid=\"4\" pindex=\"0\">" MESH(
-                  "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
-              "<item objectid=\"3\"/>");
-    add_entry(zip, "3D/Textures/A.TGA", tga, size);
-    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
-    struct scene_model *model = load("x.3mf");
-    assert_int_equal(model->warning_count, 0);
-    assert_int_equal(model->images[0].width, 1);
-    scene_model_free(model);
+    for (size_t i = 0; i < sizeof paths / sizeof paths[0]; i++) {
+        char resources[1024];
+        zipFile zip = package_begin("x.3mf");
+        snprintf(
+            resources, sizeof resources,
+            "<m:texture2d id=\"2\" path=\"%s\"/><m:texture2dgroup id=\"4\" texid=\"2\"><m:tex2coord u=\"0\" "
+            "v=\"0\"/></m:texture2dgroup><object id=\"3\" pid=\"4\" pindex=\"0\">" MESH(
+                "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+            paths[i]);
+        package_add_model(zip, "3D/3dmodel.model", resources, "<item objectid=\"3\"/>");
+        package_add(zip, "3D/Textures/A B.TGA", tga, size);
+        package_end(zip);
+        struct scene_model *model = load("x.3mf");
+        assert_int_equal(model->warning_count, 0);
+        assert_int_equal(model->images[0].width, 1);
+        scene_model_free(model);
+    }
 }
 
 static void test_missing_texture(void **state)
 {
     (void)state;
     struct scene_model *model =
-        load_package("<m:texture2d id=\"2\" path=\"/3D/none.png\"/><m:texture2dgroup id=\"4\" "
+        package_load("<m:texture2d id=\"2\" path=\"/3D/none.png\"/><m:texture2dgroup id=\"4\" "
                      "texid=\"2\"><m:tex2coord u=\"0\" "
                      "v=\"0\"/></m:texture2dgroup><object id=\"3\" pid=\"4\" pindex=\"0\">" MESH(
                          "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
@@ -305,18 +280,19 @@ static void test_missing_texture(void **state)
 static void test_components(void **state)
 {
     (void)state;
-    zipFile zip = begin_package("x.3mf");
-    add_entry(zip, "_rels/.rels", relationships, strlen(relationships));
-    add_model(zip, "3D/3dmodel.model",
-              "<object id=\"2\"><components><component p:path=\"/3D/Objects/part.model\" objectid=\"1\" "
-              "transform=\"2 0 0 0 2 0 0 0 2 1 0 0\"/><component objectid=\"3\"/></components></object>"
-              "<object id=\"3\"><components><component p:path=\"/3D/Objects/part.model\" objectid=\"1\"/>"
-              "</components></object>",
-              "<item objectid=\"2\" transform=\"0 1 0 -1 0 0 0 0 1 0 0 5\"/>");
-    add_model(zip, "3D/Objects/part.model",
-              "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
-              "<item objectid=\"1\"/>"); // what another part builds is not built
-    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
+    zipFile zip = package_begin("x.3mf");
+    package_add_relationships(zip);
+    package_add_model(
+        zip, "3D/3dmodel.model",
+        "<object id=\"2\"><components><component p:path=\"/3D/Objects/part.model\" objectid=\"1\" "
+        "transform=\"2 0 0 0 2 0 0 0 2 1 0 0\"/><component objectid=\"3\"/></components></object>"
+        "<object id=\"3\"><components><component p:path=\"/3D/Objects/part.model\" objectid=\"1\"/>"
+        "</components></object>",
+        "<item objectid=\"2\" transform=\"0 1 0 -1 0 0 0 0 1 0 0 5\"/>");
+    package_add_model(zip, "3D/Objects/part.model",
+                      "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+                      "<item objectid=\"1\"/>"); // what another part builds is not built
+    package_end(zip);
     struct scene_model *model = load("x.3mf");
     assert_int_equal(model->instance_count, 2);
     assert_int_equal(model->mesh_count, 1);
@@ -332,7 +308,7 @@ static void test_components(void **state)
 static void test_circle(void **state)
 {
     (void)state;
-    write_package("x.3mf", "<object id=\"1\"><components><component objectid=\"1\"/></components></object>",
+    package_write("x.3mf", "<object id=\"1\"><components><component objectid=\"1\"/></components></object>",
                   "<item objectid=\"1\"/>");
     expect_refused("x.3mf", "object 1: its components are nested too deeply or in a circle");
 }
@@ -341,7 +317,7 @@ static void test_circle(void **state)
 static void test_two_of_one_id(void **state)
 {
     (void)state;
-    write_package(
+    package_write(
         "x.3mf",
         "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>"
                                                                            "<object id=\"1\">" MESH(
@@ -354,12 +330,12 @@ static void test_two_of_one_id(void **state)
 static void test_empty_relationships(void **state)
 {
     (void)state;
-    zipFile zip = begin_package("x.3mf");
-    add_entry(zip, "_rels/.rels", "", 0);
-    add_model(zip, "3D/3dmodel.model",
-              "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
-              "<item objectid=\"1\"/>");
-    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
+    zipFile zip = package_begin("x.3mf");
+    package_add(zip, "_rels/.rels", "", 0);
+    package_add_model(zip, "3D/3dmodel.model",
+                      "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+                      "<item objectid=\"1\"/>");
+    package_end(zip);
     struct scene_model *model = load("x.3mf");
     assert_int_equal(model->instance_count, 1);
     scene_model_free(model);
@@ -376,14 +352,14 @@ static void test_too_many(void **state)
                 "</components></object>",
                 i, i - 1, i - 1);
     }
-    write_package("x.3mf", resources, "<item objectid=\"41\"/>");
+    package_write("x.3mf", resources, "<item objectid=\"41\"/>");
     expect_refused("x.3mf", "stand for more than 1048576 objects");
 }
 
 static void test_beams(void **state)
 {
     (void)state;
-    struct scene_model *model = load_package(
+    struct scene_model *model = package_load(
         "<object id=\"1\"><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/>"
         "</vertices><triangles/><b:beamlattice><b:beams><b:beam v1=\"0\" "
         "v2=\"1\"/></b:beams></b:beamlattice></mesh>"
@@ -399,7 +375,7 @@ static void test_no_build(void **state)
 {
     (void)state;
     struct scene_model *model =
-        load_package("<object id=\"3\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>", "");
+        package_load("<object id=\"3\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>", "");
     assert_int_equal(model->instance_count, 1);
     assert_true(has_warning(model, "its build lists nothing"));
     scene_model_free(model);
@@ -423,7 +399,7 @@ static void test_bad_xml(void **state)
         {"<object>", "\"3D/3dmodel.model\", line 1: mismatched tag"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        write_package("x.3mf", cases[i].resources, "<item objectid=\"1\"/>");
+        package_write("x.3mf", cases[i].resources, "<item objectid=\"1\"/>");
         expect_refused("x.3mf", cases[i].cause);
     }
 }
@@ -433,9 +409,9 @@ static void test_doctype(void **state)
     (void)state;
     static const char bomb[] =
         "<!DOCTYPE model [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]><model>&b;</model>";
-    zipFile zip = begin_package("x.3mf");
-    add_entry(zip, "3D/3dmodel.model", bomb, strlen(bomb)); // found without relationships
-    assert_int_equal(zipClose(zip, NULL), ZIP_OK);
+    zipFile zip = package_begin("x.3mf");
+    package_add(zip, "3D/3dmodel.model", bomb, strlen(bomb)); // found without relationships
+    package_end(zip);
     expect_refused("x.3mf", "a document type is not allowed");
 }
 
@@ -454,7 +430,7 @@ static void test_claims(void **state)
     (void)state;
     static unsigned char bytes[16384];
     const clock_t start = clock();
-    write_package("x.3mf", "<object id=\"1\"></object>", "");
+    package_write("x.3mf", "<object id=\"1\"></object>", "");
     const size_t size = read_package(bytes, sizeof bytes);
     size_t entry = 0; // the last of the central directory
     for (size_t i = 0; i + 4 < size; i++) {
@@ -477,12 +453,54 @@ static void test_claims(void **state)
     assert_true((double)(clock() - start) / CLOCKS_PER_SEC < 0.5);
 }
 
+// Rewrites the archive x.3mf so that its central directory has all sizes and places in extra fields (ZIP64), behind
+// another extra field.
+static void widen(void)
+{
+    static unsigned char old[16384], bytes[32768];
+    static const unsigned char head[] = {0x99, 0x99, 1, 0, 7, 1, 0, 24, 0};
+    const size_t size = read_package(old, sizeof old), end = size - 22;
+    const size_t first = old[end + 16] | (size_t)old[end + 17] << 8;
+    size_t at = first, out = first;
+    memcpy(bytes, old, first);
+    while (memcmp(old + at, "PK\1\2", 4) == 0) {
+        const size_t length = 46u + old[at + 28];
+        memcpy(bytes + out, old + at, length);
+        bytes[out + 30] = sizeof head + 24;
+        memcpy(bytes + out + length, head, sizeof head);
+        static const int fields[] = {24, 20, 42};
+        for (size_t i = 0; i < 3; i++) {
+            memset(bytes + out + fields[i], 0xff, 4);
+            memcpy(bytes + out + length + sizeof head + 8 * i, old + at + fields[i], 4);
+            memset(bytes + out + length + sizeof head + 8 * i + 4, 0, 4);
+        }
+        out += length + sizeof head + 24;
+        at += length;
+    }
+    memcpy(bytes + out, old + end, 22);
+    bytes[out + 12] = (unsigned char)(out - first);
+    bytes[out + 13] = (unsigned char)((out - first) >> 8);
+    write_bytes("x.3mf", bytes, out + 22);
+}
+
+static void test_zip64(void **state)
+{
+    (void)state;
+    write_textured("", "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"4\" p1=\"0\" p2=\"1\" p3=\"2\"/>");
+    widen();
+    struct scene_model *model = load("x.3mf");
+    assert_int_equal(model->warning_count, 0);
+    assert_int_equal(model->triangles_drawn, 1);
+    assert_int_equal(model->images[0].width, 2);
+    scene_model_free(model);
+}
+
 // Cut anywhere, it is one line.
 static void test_cut(void **state)
 {
     (void)state;
     static unsigned char bytes[16384];
-    write_package("x.3mf", "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+    package_write("x.3mf", "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
                   "<item objectid=\"1\"/>");
     const size_t size = read_package(bytes, sizeof bytes);
     for (size_t cut = 1; cut < size; cut += 37) {
@@ -497,6 +515,8 @@ static void test_cut(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_colors),
+    cmocka_unit_test(test_alpha_zero),
+    cmocka_unit_test(test_required),
     cmocka_unit_test(test_plain),
     cmocka_unit_test(test_metal_and_composites),
     cmocka_unit_test(test_texture),
@@ -515,6 +535,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_bad_xml),
     cmocka_unit_test(test_doctype),
     cmocka_unit_test(test_claims),
+    cmocka_unit_test(test_zip64),
     cmocka_unit_test(test_cut),
 };
 

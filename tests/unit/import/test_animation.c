@@ -216,6 +216,48 @@ static void test_other_formats(void **state)
     expect_refused_pose("move.x", "walk", "has no animation 'walk'");
 }
 
+// What shows nothing at rest is drawn as the first animation has it that shows something: at its beginning, or where it
+// grows in its middle.
+static void test_nothing_at_rest(void **state)
+{
+    (void)state;
+    static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, times[2] = {1, 3};
+    for (int grows = 0; grows < 2; grows++) {
+        for (int is_flat = 0; is_flat < 2; is_flat++) { // flat scales leave no area either
+            const float least = grows ? 0 : 2, scales[6] = {least, least, least, 4, 4, 4};
+            unsigned char bytes[68];
+            memcpy(bytes, positions, 36);
+            memcpy(bytes + 36, times, 8);
+            memcpy(bytes + 44, scales, 24);
+            write_format(
+                "grow.gltf",
+                "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,"
+                "\"scale\":[0,%d,%d]}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+                "\"buffers\":[{\"byteLength\":68,\"uri\":\"%s\"}],"
+                "\"bufferViews\":[{\"buffer\":0,\"byteLength\":68}],"
+                "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"
+                "{\"bufferView\":0,\"byteOffset\":36,\"componentType\":5126,\"count\":2,"
+                "\"type\":\"SCALAR\",\"min\":[1],\"max\":[3]},"
+                "{\"bufferView\":0,\"byteOffset\":44,\"componentType\":5126,\"count\":2,\"type\":\"VEC3\"}],"
+                "\"animations\":[{\"name\":\"empty\",\"samplers\":[],\"channels\":[]},{\"name\":\"grow\","
+                "\"samplers\":[{\"input\":1,\"output\":2}],\"channels\":[{\"sampler\":0,"
+                "\"target\":{\"node\":0,\"path\":\"scale\"}}]}]}",
+                is_flat, is_flat, data_uri(bytes, sizeof bytes));
+            struct scene_model *model = load("grow.gltf");
+            // In the middle of 3 s, a quarter of the way between the keys at 1 s and 3 s.
+            const float width = grows ? 1 : 2;
+            assert_floats(&model->bounds_max[0], &width, 1, 1e-6f);
+            assert_true(!model->instances[0].unseen && model->animation_count == 2);
+            assert_true(has_warning(model, grows ? "animation 1 \"grow\" has it at 1.5 s"
+                                                 : "animation 1 \"grow\" has it at 0 s"));
+            scene_model_free(model);
+            model = pose_of("grow.gltf", "empty", 1); // who asks gets it
+            assert_true(model->bounds_max[0] == 0 && !has_warning(model, "nothing is seen"));
+            scene_model_free(model);
+        }
+    }
+}
+
 static void test_bad_files(void **state)
 {
     (void)state;
@@ -259,9 +301,10 @@ static void test_bad_files(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_translation),   cmocka_unit_test(test_cubic),
-    cmocka_unit_test(test_rotation),      cmocka_unit_test(test_scale_and_weights),
-    cmocka_unit_test(test_other_formats), cmocka_unit_test(test_bad_files),
+    cmocka_unit_test(test_translation),     cmocka_unit_test(test_cubic),
+    cmocka_unit_test(test_rotation),        cmocka_unit_test(test_scale_and_weights),
+    cmocka_unit_test(test_other_formats),   cmocka_unit_test(test_bad_files),
+    cmocka_unit_test(test_nothing_at_rest),
 };
 
 const struct unit_tests test_animation = UNIT_TESTS(tests, make_directory, remove_directory);

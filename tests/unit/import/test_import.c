@@ -631,6 +631,32 @@ static void test_up(void **state)
         assert_int_equal(model->up, tenth ? SCENE_AXIS_Z : SCENE_AXIS_Y);
         scene_model_free(model);
     }
+    // Broad backs and thin things look as if they stood along z, and do not: a lamp on a wall, an arrow, a banner.
+    static const char *const lying[] = {
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .5 -.5 .9\nv .5 -.6 .9\nf 4 3 2 1\nf 1 2 6\nf 2 3 5\nf 3 4 "
+        "5\nf 4 1 5\n",
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .5 -.1 6\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n",
+        "v 0 0 0\nv 1 0 0\nv 1 2 0\nv 0 2 0\nv .5 -.1 .2\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n",
+    };
+    for (size_t i = 0; i < sizeof lying / sizeof *lying; i++) {
+        model = load_text("lying.obj", lying[i]);
+        assert_int_equal(model->up, SCENE_AXIS_Y);
+        scene_model_free(model);
+        // The program that wrote it says more than the shape.
+        char text[256];
+        snprintf(text, sizeof text, "# made by\n# FreeCAD v0.19\n%s", lying[i]);
+        model = load_text("cad.obj", text);
+        assert_int_equal(model->up, SCENE_AXIS_Z);
+        assert_false(model->up_guessed);
+        scene_model_free(model);
+    }
+    // A speck far below is not what it stands on.
+    model =
+        load_text("speck.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .5 -.1 2\nv 0 -900 0\nv .01 -900 0\n"
+                               "v 0 -900 .01\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 6 7 8\n");
+    assert_true(model->is_framed);
+    assert_int_equal(model->up, SCENE_AXIS_Z);
+    scene_model_free(model);
     // Nothing to stand on, neither way: what is usual.
     model = load_text("tip.obj", "v 0 0 0\nv 1 3 3\nv 3 2 1\nv 1 2 4\nf 1 2 3\nf 1 3 4\n");
     assert_int_equal(model->up, SCENE_AXIS_Y);

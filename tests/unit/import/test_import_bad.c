@@ -9,6 +9,10 @@
 #include <time.h>
 #include <unistd.h>
 
+#define LFS                                                   \
+    "version https://git-lfs.github.com/spec/v1\noid sha256:" \
+    "0000000000000000000000000000000000000000000000000000000000000000\nsize 123456\n"
+
 static const struct {
     const char *name, *text, *cause;
 } bad_files[] = {
@@ -32,8 +36,6 @@ static const struct {
      "the node graph has a cycle"},
     {"self.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[0]}]}",
      "the node graph has a cycle"},
-    {"parents.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[2]},{\"children\":[2]},{}]}",
-     "nodes[2] has two parents"},
     {"child.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[7]}]}",
      "a node that does not exist"},
     {"mesh.gltf", "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":3}]}", "meshes[3], but there are 0"},
@@ -86,7 +88,6 @@ static const struct {
      "bin\"}]}",
      "\"gone?.bin\": No such file"},
     {"short.glb", "glTF\2", "truncated"},
-    {"zero.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "line 4: indices start at 1"},
     {"far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "vertex 4 of 3"},
     {"back.obj", "v 0 0 0\nf -1 -2 -3\n", "line 2: an index reaches back"},
     {"huge.obj", "v 0 0 0\nf 1 1 99999999999999999999\n", "of 1"},
@@ -103,6 +104,35 @@ static const struct {
      "face 0 refers to vertex -1 of 1"},
     {"text.xyzzy", "not a model\n", "is not a model in a format that can be read"},
     {"solid.stl", "solid", "is no STL model: it has no facets"},
+    {"part.step", "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\n",
+     "is STEP (CAD), which"},
+    {"part.ifc", "ISO-10303-21;\nHEADER;\nFILE_SCHEMA (('CONFIG_CONTROL_DESIGN'));\n",
+     "is STEP (CAD), which"},
+    {"part", "\xef\xbb\xbf\nISO-10303-21;\nHEADER;\n", "is STEP (CAD), which"},
+    {"part.stp", "something else", "is STEP (CAD), which"},
+    {"box.wrl", "#VRML V2.0 utf8\nShape { geometry Box { } }\n", "is VRML, which is not supported"},
+    {"box.obj", "#VRML V1.0 ascii\n", "is VRML 1.0, which is not supported"},
+    {"box.x3dv", "#X3D V3.0 utf8\n", "is X3D (classic VRML), which"},
+    {"new.blend", "\x28\xb5\x2f\xfd data",
+     "is a Blender file of 3.0 or later (zstd), which is not supported"},
+    {"new", "\x28\xb5\x2f\xfd data", "is a Blender file of 3.0 or later (zstd), which"},
+    {"new.blend1", "\x28\xb5\x2f\xfd data", "is a Blender file of 3.0 or later (zstd), which"},
+    {"new.obj", "\x28\xb5\x2f\xfd data", "is compressed by zstd, which is not supported"},
+    {"later.blend", "BLENDER_v293RENDH", "is a Blender file of version 2.93, which is not supported"},
+    {"four.blend", "BLENDER-v400REND", "is a Blender file of version 4.0, which"},
+    {"five.blend", "BLENDER17-01v0502REND", "is a Blender file of version 5.2, which"},
+    {"old.blend", "BLENDER-v279REND", "cannot be read: "},
+    {"README", "facet solid outer\n", "is not a model in a format that can be read"},
+    {"mesh.vtp", "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\">", "is VTK, which"},
+    {"mesh", "# vtk DataFile Version 3.0\n", "is VTK, which"},
+    {"cloud.pcd", "VERSION .7\n", "is PCD (point cloud), which"},
+    {"scan.txt", "LASF", "is LAS (point cloud), which"},
+    {"pointer.glb", LFS, "is a Git LFS pointer, not the file (git lfs pull)"},
+    {"pointer.stl", LFS, "is a Git LFS pointer"},
+    {"pointer.usdz", LFS, "is a Git LFS pointer"},
+    {"pointer", LFS, "is a Git LFS pointer"},
+    {"annex.fbx", "/annex/objects/SHA256E-s1--00.fbx\n",
+     "is a git-annex pointer, not the file (git annex get)"},
 };
 
 static void test_bad_files(void **state)
@@ -112,6 +142,100 @@ static void test_bad_files(void **state)
         write_text(bad_files[i].name, bad_files[i].text);
         expect_refused(bad_files[i].name, bad_files[i].cause);
     }
+}
+
+// What stands in the place of a texture, a library or a buffer.
+static void test_pointers(void **state)
+{
+    (void)state;
+    write_text("pointer.png", LFS);
+    write_text("pointer.mtl", LFS);
+    write_text("map.mtl", "newmtl m\nmap_Kd pointer.png\n");
+    struct scene_model *model =
+        load_text("lfs.obj", "mtllib map.mtl\nmtllib pointer.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\n"
+                             "v 0 1 0\nf 1 2 3\n");
+    assert_true(
+        has_warning(model, "texture \"pointer.png\": is a Git LFS pointer, not the file (git lfs pull)"));
+    assert_true(has_warning(model, "material library \"pointer.mtl\": is a Git LFS pointer"));
+    scene_model_free(model);
+    write_text("pointer.bin", LFS);
+    write_text("lfs.gltf",
+               "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{"
+               "\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"bufferView\":0,\"componentType\":"
+               "5126,\"type\":\"VEC3\",\"count\":1}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":12}],"
+               "\"buffers\":[{\"byteLength\":12,\"uri\":\"pointer.bin\"}]}");
+    expect_refused("lfs.gltf", "buffers[0]: \"pointer.bin\": is a Git LFS pointer");
+}
+
+// A node with two parents, and one that stands twice among the children of its parent, are drawn once.
+static void test_two_parents(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_text(
+        "parents.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[2,3,3,3,3,3,3,3,3]},{\"children\":["
+        "2],\"translation\":[5,0,0]},{\"mesh\":0},{\"mesh\":0}],\"meshes\":[{\"primitives\":[{"
+        "\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\","
+        "\"count\":3}]}");
+    assert_int_equal(model->instance_count, 2);
+    assert_true(model->instances[0].world[12] == 0);
+    assert_true(has_warning(
+        model, "nodes[2] has two parents, nodes[0] and nodes[1]: drawn once, as a child of the first"));
+    assert_true(has_warning(model, "nodes[3] has two parents, nodes[0] and nodes[0]"));
+    scene_model_free(model);
+}
+
+// Writes a GLB whose JSON has no multiple of four bytes; the next chunk follows at once or behind padding.
+static void write_unaligned(bool is_padded)
+{
+    static const char json[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{"
+        "\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"bufferView\":0,"
+        "\"componentType\":5126,\"type\":\"VEC3\",\"count\":3}],\"bufferViews\":[{\"buffer\":0,"
+        "\"byteLength\":36}],\"buffers\":[{\"byteLength\":36}]}";
+    const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    unsigned char bytes[1024] = "glTF\2";
+    const uint32_t length = (uint32_t)strlen(json) + (strlen(json) % 4 == 0), size = 36;
+    const size_t next = 20 + (is_padded ? (length + 3) / 4 * 4 : length);
+    const uint32_t whole = (uint32_t)next + 8 + size;
+    memset(bytes + 20, ' ', 900);
+    memcpy(bytes + 20, json, strlen(json));
+    memcpy(bytes + 8, &whole, 4);
+    memcpy(bytes + 12, &length, 4);
+    memcpy(bytes + 16, "JSON", 4);
+    memcpy(bytes + next, &size, 4);
+    memcpy(bytes + next + 4, "BIN", 4);
+    memcpy(bytes + next + 8, corners, sizeof corners);
+    write_bytes("unaligned.glb", bytes, whole);
+}
+
+static void test_unaligned_chunk(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        write_unaligned(i == 1);
+        struct scene_model *model = load("unaligned.glb");
+        assert_int_equal(model->triangles_drawn, 1);
+        assert_true(has_warning(model, "the JSON chunk of the GLB has "));
+        assert_true(has_warning(model, " bytes, which is no multiple of 4"));
+        scene_model_free(model);
+    }
+}
+
+static void test_index_zero(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_text(
+        "zero.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1 2 3\nf 0 1 2\nl 1 0\np 0\nf 3//1 2 0/1\n");
+    assert_int_equal(model->instance_count, 1);
+    assert_int_equal(model->triangles_drawn, 1);
+    assert_true(has_warning(model, "faces, lines and points with an index of 0 are left out, 4 of them"));
+    scene_model_free(model);
+    model = load_text("other.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/0 2/1 3/1\n");
+    assert_int_equal(model->triangles_drawn, 1);
+    assert_null(model->meshes[0].uvs[0]);
+    assert_true(has_warning(model, "texture coordinates and normals with an index of 0 are left out"));
+    scene_model_free(model);
 }
 
 static void test_no_files(void **state)
@@ -233,6 +357,8 @@ static void test_memory_limit(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_pointers),        cmocka_unit_test(test_two_parents),
+    cmocka_unit_test(test_unaligned_chunk), cmocka_unit_test(test_index_zero),
     cmocka_unit_test(test_bad_files),       cmocka_unit_test(test_no_files),
     cmocka_unit_test(test_pipe_as_texture), cmocka_unit_test(test_not_finite),
     cmocka_unit_test(test_nothing_to_draw), cmocka_unit_test(test_deep_tree),

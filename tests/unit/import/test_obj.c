@@ -4,6 +4,7 @@
 #include "model_files.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n"
@@ -29,15 +30,6 @@ static struct scene_model *load_material(const char *lines)
 static const struct scene_material *material_of(const struct scene_model *model)
 {
     return &model->materials[model->meshes[0].material];
-}
-
-static bool is_unsupported(const struct scene_model *model, const char *part)
-{
-    bool found = false;
-    for (uint32_t i = 0; i < model->unsupported_count; i++) {
-        found = found || strstr(model->unsupported[i], part) != NULL;
-    }
-    return found;
 }
 
 // Roughness from the green channel of one file, metallic from the other: each takes the place of its number.
@@ -172,6 +164,81 @@ static void test_cut(void **state)
     scene_model_free(model);
 }
 
+#define FACE "f 1 2 3\n"
+
+// Colours of 0 to 1, of 0 to 255, behind a weight, and of ZBrush's comments. 128 of 255 is 0.21586 linear.
+static void test_vertex_colors(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "v 0 0 0 1 0.50196078 0\nv 1 0 0 1 0.50196078 0\nv 0 1 0 1 0.50196078 0\n" FACE,
+        "v 0 0 0 255 128 0\nv 1 0 0 255 128 0\nv 0 1 0 255 128 0\n" FACE,
+        "v 0 0 0 1.0 255 128 0\nv 1 0 0 1.0 255 128 0\nv 0 1 0 1.0 255 128 0\n" FACE,
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\n#MRGB ffff8000FFFF8000\n#MRGB 00ff8000\n" FACE,
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        struct scene_model *model = load_text("c.obj", texts[i]);
+        assert_int_equal(model->warning_count + model->unsupported_count, 0);
+        for (uint32_t v = 0; v < 3; v++) {
+            assert_floats(model->meshes[0].colors[v], (const float[]){1, 0.2158605f, 0, 1}, 4, 1e-6f);
+        }
+        assert_floats(material_of(model)->base_color, (const float[]){1, 1, 1, 1}, 4, 0);
+        scene_model_free(model);
+    }
+    // A vertex without a colour is white, and the black of bytes stays black.
+    struct scene_model *model = load_text("c.obj", "v 0 0 0\nv 1 0 0 0 0 1\nv 0 1 0 255 0 0\n" FACE);
+    assert_floats(model->meshes[0].colors[0], (const float[]){1, 1, 1, 1}, 4, 0);
+    assert_floats(model->meshes[0].colors[1], (const float[]){0, 0, 0.0003035f, 1}, 4, 1e-6f);
+    scene_model_free(model);
+}
+
+// What is not drawn is told, each by its name.
+static void test_told(void **state)
+{
+    (void)state;
+    static const char *const materials[][2] = {
+        {"map_Ka other.tga\nmap_Kd rough.tga\n", "ambient textures"},
+        {"map_Tr rough.tga\n", "textures of map_Tr (MTL)"},
+        {"Kd spectral curve.rfl\n", "colours as \"spectral\""},
+        {"d -halo 0.5\n", "d -halo"},
+        {"Tf 1 0.5 0.5\n", "colours of transmitted light (Tf)"},
+    };
+    for (size_t i = 0; i < sizeof materials / sizeof materials[0]; i++) {
+        struct scene_model *model = load_material(materials[i][0]);
+        assert_true(is_unsupported(model, materials[i][1]));
+        scene_model_free(model);
+    }
+    struct scene_model *model = load_material("Tf 1 1 1\nmap_aat on\nmap_Ka rough.tga\nmap_Kd rough.tga\n");
+    assert_int_equal(model->unsupported_count, 0);
+    scene_model_free(model);
+    model = load_text("t.obj", TRIANGLE "call other.obj\ncstype bezier\n#MRGB ffff8000\n");
+    assert_true(is_unsupported(model, "other files, which call names: not drawn"));
+    assert_true(is_unsupported(model, "free-form curves and surfaces: not drawn"));
+    assert_true(is_unsupported(model, "1 colours in comments (#MRGB): not drawn"));
+    scene_model_free(model);
+}
+
+// Many materials take time by their number, not by its square, which would be more than the limit.
+static void test_many_materials(void **state)
+{
+    (void)state;
+    enum { COUNT = 40000, LINE = 32 };
+    char *text = malloc(COUNT * LINE + 64), error[256] = "", *end = text;
+    end += sprintf(end, "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    for (int i = 0; i < COUNT; i++) {
+        end += sprintf(end, "usemtl m%d\nf 1 2 3\n", i);
+    }
+    write_bytes("many.obj", text, (size_t)(end - text));
+    free(text);
+    const struct scene_model_options options = {.seconds = 4};
+    struct scene_model *model = scene_model_load(path_of("many.obj"), &options, error, sizeof error);
+    assert_string_equal(error, "");
+    assert_non_null(model);
+    assert_int_equal(model->material_count, COUNT);
+    assert_int_equal(model->mesh_count, COUNT);
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_surface_maps),
     cmocka_unit_test(test_layers),
@@ -181,6 +248,9 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_factors),
     cmocka_unit_test(test_comments),
     cmocka_unit_test(test_cut),
+    cmocka_unit_test(test_vertex_colors),
+    cmocka_unit_test(test_told),
+    cmocka_unit_test(test_many_materials),
 };
 
 const struct unit_tests test_obj = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -57,8 +57,179 @@ static void test_folders(void **state)
     assert_true(is_found("source/m.obj", "roof.tga"));
     unlink(path_of("source/m.obj"));
     rmdir(path_of("source"));
+    // The folder that the libraries of FBX unpack into.
+    assert_int_equal(mkdir(path_of("m.fbm"), 0700), 0);
+    write_picture("m.fbm/door.tga");
+    assert_true(is_found("m.obj", "C:\\old\\door.tga"));
+    assert_false(is_found("other.obj", "C:\\old\\door.tga"));
+    unlink(path_of("m.fbm/door.tga"));
+    rmdir(path_of("m.fbm"));
     unlink(path_of("Textures/Roof.tga"));
     rmdir(path_of("Textures"));
+}
+
+// Gazebo and ROS keep a model in meshes/ or meshes/visual/, and its textures in materials/textures/.
+static void test_gazebo(void **state)
+{
+    (void)state;
+    static const char *const folders[] = {"materials", "materials/textures", "meshes", "meshes/visual"};
+    for (int i = 0; i < 4; i++) {
+        assert_int_equal(mkdir(path_of(folders[i]), 0700), 0);
+    }
+    write_picture("materials/textures/hull.tga");
+    assert_true(is_found("m.obj", "hull.tga"));
+    assert_true(is_found("meshes/m.obj", "hull.tga"));
+    assert_true(is_found("meshes/m.obj", "model://ship/materials/textures/hull.tga"));
+    write_text("meshes/m.mtl", "newmtl m\nmap_Kd package://ship/hull.tga\n");
+    struct scene_model *model =
+        load_text("meshes/visual/m.obj", "mtllib ../m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
+                                         "vt 0 0\nusemtl m\nf 1/1 2/1 3/1\n");
+    assert_int_equal(model->warning_count, 0);
+    scene_model_free(model);
+    static const char *const files[] = {"materials/textures/hull.tga", "meshes/m.obj", "meshes/m.mtl",
+                                        "meshes/visual/m.obj"};
+    for (int i = 0; i < 4; i++) {
+        unlink(path_of(files[i]));
+    }
+    for (int i = 3; i >= 0; i--) {
+        rmdir(path_of(folders[i]));
+    }
+}
+
+// A library in a folder of its own names files beside itself. Where it has none the model's folder counts.
+static void test_beside_library(void **state)
+{
+    (void)state;
+    const unsigned char two[24] = {[2] = 2, [12] = 2, [14] = 1, [16] = 24};
+    static const char model_text[] = "mtllib mats/m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl m\n"
+                                     "f 1/1 2/1 3/1\n";
+    assert_int_equal(mkdir(path_of("mats"), 0700), 0);
+    write_picture("x.tga");
+    write_text("mats/m.mtl", "newmtl m\nmap_Kd x.tga\n");
+    struct scene_model *model = load_text("m.obj", model_text);
+    assert_int_equal(model->images[0].width, 1);
+    assert_int_equal(model->warning_count, 0);
+    scene_model_free(model);
+    write_bytes("mats/x.tga", two, sizeof two);
+    model = load_text("m.obj", model_text);
+    assert_int_equal(model->images[0].width, 2);
+    scene_model_free(model);
+    unlink(path_of("mats/x.tga"));
+    unlink(path_of("mats/m.mtl"));
+    rmdir(path_of("mats"));
+    unlink(path_of("x.tga"));
+}
+
+// Names as exporters write them: in quotation marks, with the query of a URI, or with the ending of the file that
+// somebody converted.
+static void test_written_otherwise(void **state)
+{
+    (void)state;
+    write_picture("my roof.tga");
+    assert_true(is_found("m.obj", "\"my roof.tga\""));
+    assert_true(is_found("m.obj", "-s 1 1 1 'my roof.tga'"));
+    assert_true(is_found("m.obj", "\"C:\\old\\my roof.tga\""));
+    assert_true(is_found("m.obj", "my%20roof.tga?v=3"));
+    assert_true(is_found("m.obj", "my%20roof.tga#top"));
+    assert_true(is_found("m.obj", "my roof.PNG"));
+    assert_true(is_found("m.obj", "maps/my roof.dds"));
+    assert_true(is_found("m.obj", "my roof"));
+    write_text("my roof.webp", "no picture"); // a less likely ending
+    assert_true(is_found("m.obj", "my roof.png"));
+    unlink(path_of("my roof.webp"));
+    assert_false(is_found("m.obj", "my roof.3.tga"));
+    assert_false(is_found("m.obj", "my roo.tga"));
+    write_picture("what?.tga"); // a question mark that is part of the name
+    assert_true(is_found("m.obj", "what?.tga"));
+    unlink(path_of("what?.tga"));
+    unlink(path_of("my roof.tga"));
+}
+
+// Names in a code page, of files that were unpacked as UTF-8, and the other way round. \xce\xc6\xc0\xed is GBK, and what
+// follows it Shift JIS, whose second byte is a backslash, and Windows' Latin.
+static void test_code_pages(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *file, *name;
+    } pairs[] = {
+        {"\u7eb9\u7406 1.tga", "\xce\xc6\xc0\xed 1.tga"},
+        {"\u8868 1.tga", "\x95\x5c 1.tga"},
+        {"\u8868 1.tga", "C:\\old\\\x95\x5c 1.tga"},
+        {"T\u00fcr.tga", "T\xfcr.tga"},
+        {"T\u00fcr.tga", "t\xfcr.png"},
+        {"\u0434\u043e\u043c.tga", "\xe4\xee\xec.tga"},
+        {"\u0434\u043e\u043c.tga", "\xc4\xcf\xcd.tga"}, // KOI8-R
+        {"T\u00fcr.tga", "T\x9fr.tga"},                 // of a Macintosh
+        {"\u8868.tga", "\xc9\xbd.tga"},                 // EUC-JP
+        {"T\xfcr.tga", "T\u00fcr.tga"},
+        {"\u2560\u2219\u2550\u255d.tga", "\u8d34\u56fe.tga"}, // unpacked as if it were of DOS
+    };
+    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
+        write_picture(pairs[i].file);
+        assert_true(is_found("m.obj", pairs[i].name));
+        unlink(path_of(pairs[i].file));
+        assert_false(is_found("m.obj", pairs[i].name));
+    }
+}
+
+// Materials whose names are as long as each other in an unknown code page are two.
+static void test_material_code_pages(void **state)
+{
+    (void)state;
+    write_text("m.mtl", "newmtl \xc4\xbe\nKd 1 0 0\nnewmtl \xcc\xfa\nKd 0 1 0\n");
+    struct scene_model *model =
+        load_text("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl \xcc\xfa\nf 1 2 3\n");
+    assert_int_equal(model->warning_count, 0);
+    assert_floats(model->materials[model->meshes[0].material].base_color, (const float[]){0, 1, 0, 1}, 4, 0);
+    scene_model_free(model);
+}
+
+// Images within the model, by any format that names one: broken into lines, encoded as a URI is, and with a query.
+static void test_data_uris(void **state)
+{
+    (void)state;
+    static const char *const uris[] = {
+        "data:image/x-tga;base64,AAACAAAAAAAAAAAAAQABABgA////",
+        "data:;base64,AAACAAAAAAAAAAAAAQABABgA%2f%2F//?v=3",
+        "DATA:image/x-tga;BASE64,AAACAAAA AAAAAAAA AQABABgA%0A____#texel",
+        "data:image/x-tga;base64,AAACAAAAAAAA\\r\\n  AAAAAQABABgA\\n////\\n",
+    };
+    for (size_t i = 0; i < sizeof uris / sizeof uris[0]; i++) {
+        write_format(
+            "m.gltf",
+            "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
+            "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},"
+            "\"material\":0}]}],\"accessors\":[{\"componentType\":5126,\"type\":\"VEC3\",\"count\":3}],"
+            "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
+            "\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"%s\"}]}",
+            uris[i]);
+        struct scene_model *model = load("m.gltf");
+        assert_int_equal(model->image_count, 1);
+        assert_false(model->images[0].missing);
+        assert_memory_equal(model->images[0].texels, ((const uint8_t[]){255, 255, 255, 255}), 4);
+        scene_model_free(model);
+        assert_true(i == 3 || is_found("m.obj", uris[i]));
+    }
+}
+
+// A path of many components is followed from its end, in no memory to speak of.
+static void test_many_slashes(void **state)
+{
+    (void)state;
+    static char name[120001];
+    for (size_t i = 0; i < 60000; i++) {
+        memcpy(name + 2 * i, "a/", 2);
+    }
+    write_format("m.mtl", "newmtl m\nmap_Kd %s\n", name);
+    struct scene_model *model =
+        load_text("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1\n");
+    assert_true(has_warning(model, "a/\": the name is longer than that of a file can be; drawn in magenta"));
+    scene_model_free(model);
+    write_picture("x.tga");
+    memcpy(name + 3000, "x.tga", 6);
+    assert_true(is_found("m.obj", name));
+    unlink(path_of("x.tga"));
 }
 
 // Of two files of one name, the one in the folder that the path ends with.
@@ -110,8 +281,12 @@ static void test_stand_in(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_beside),  cmocka_unit_test(test_folders),  cmocka_unit_test(test_longest_end),
-    cmocka_unit_test(test_renamed), cmocka_unit_test(test_stand_in),
+    cmocka_unit_test(test_beside),         cmocka_unit_test(test_folders),
+    cmocka_unit_test(test_longest_end),    cmocka_unit_test(test_renamed),
+    cmocka_unit_test(test_stand_in),       cmocka_unit_test(test_gazebo),
+    cmocka_unit_test(test_beside_library), cmocka_unit_test(test_written_otherwise),
+    cmocka_unit_test(test_code_pages),     cmocka_unit_test(test_material_code_pages),
+    cmocka_unit_test(test_many_slashes),   cmocka_unit_test(test_data_uris),
 };
 
 const struct unit_tests test_resources = UNIT_TESTS(tests, make_directory, remove_directory);

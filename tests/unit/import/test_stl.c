@@ -60,6 +60,13 @@ static void test_magics(void **state)
     assert_floats(color_of(model, 0), (const float[]){1, 0, 0, 1}, 4, 0);
     assert_floats(color_of(model, 1), (const float[]){0, 0, 1, 1}, 4, 0);
     assert_floats(color_of(model, 2), (const float[]){0.2158605f, 1, 0.000303527f, 1}, 4, 1e-6f);
+    assert_int_equal(model->unsupported_count, 0);
+    scene_model_free(model);
+    const char rich[] = "COLOR=\x80\xff\x01\x80,MATERIAL=\x80\xff\x01\xff";
+    write_bytes("x.stl", bytes, make_binary(bytes, rich, 3, 3, words));
+    model = load("x.stl");
+    assert_true(is_unsupported(model, "the material in its head"));
+    assert_true(is_unsupported(model, "the translucency in its head"));
     scene_model_free(model);
 }
 
@@ -174,6 +181,32 @@ static void test_normals_that_oppose_corners(void **state)
     scene_model_free(model);
 }
 
+// A byte order mark before "solid": of UTF-8, and of UTF-16 in both orders.
+static void test_marks(void **state)
+{
+    (void)state;
+    static const char text[] = "solid a\n" FACET_TEXT "endloop\nendfacet\nendsolid\n";
+    static const char *const names[] = {"x.stl", "nameless"};
+    for (int i = 0; i < 4; i++) {
+        size_t size = 0;
+        if (i < 2) {
+            size = (size_t)sprintf((char *)bytes, "\xef\xbb\xbf%s", text);
+        } else {
+            memcpy(bytes, i == 2 ? "\xff\xfe" : "\xfe\xff", 2);
+            memset(bytes + 2, 0, 2 * sizeof text);
+            for (size = 2; size / 2 - 1 < strlen(text); size += 2) {
+                bytes[size + (i == 3)] = (unsigned char)text[size / 2 - 1];
+            }
+        }
+        write_bytes(names[i == 1], bytes, size);
+        struct scene_model *model = load(names[i == 1]);
+        assert_int_equal(model->warning_count, 0);
+        assert_int_equal(model->triangles_drawn, 1);
+        assert_string_equal(model->instances[0].name, "a");
+        scene_model_free(model);
+    }
+}
+
 static void test_cut_text(void **state)
 {
     (void)state;
@@ -199,6 +232,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_odd_normals),
     cmocka_unit_test(test_one_lacks_a_normal),
     cmocka_unit_test(test_normals_that_oppose_corners),
+    cmocka_unit_test(test_marks),
     cmocka_unit_test(test_cut_text),
 };
 

@@ -239,6 +239,38 @@ static void test_fit_leaves_a_vast_ground_out(void **state)
     assert_true(scene_camera_fit(&t.model, orbit, 0.5, 1.0).eye[2] > 20);
 }
 
+// What is not seen, and what lies outside the frame, moves no camera. What is far away does not cut off what is near.
+static void test_fit_is_about_the_frame(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    t.positions[0][2] = t.positions[2][2] = 1.0f; // not flat
+    tiny_set_bounds(&t);
+    const struct scene_orbit orbit = {.azimuth = 30, .elevation = 20},
+                             whole = {.azimuth = 30, .elevation = 20, .whole = true};
+    const struct scene_camera alone = scene_camera_fit(&t.model, orbit, 0.5, 1.0);
+    t.model.instance_count = 2;
+    t.instances[1].world[12] = t.instances[1].world[14] = -1e6f;
+    t.model.bounds_min[0] = t.model.bounds_min[2] = -1e6f - 1;
+    for (int unseen = 0; unseen < 2; unseen++) {
+        t.instances[1].unseen = unseen;
+        t.model.is_framed = true;
+        memcpy(t.model.frame_min, t.mesh.bounds_min, sizeof t.model.frame_min);
+        memcpy(t.model.frame_max, t.mesh.bounds_max, sizeof t.model.frame_max);
+        const struct scene_camera camera = scene_camera_fit(&t.model, orbit, 0.5, 1.0);
+        const struct scene_camera all = scene_camera_fit(&t.model, whole, 0.5, 1.0);
+        for (int c = 0; c < 3; c++) {
+            tiny_assert_close(camera.eye[c], alone.eye[c], 0.0);
+        }
+        tiny_assert_close(camera.znear, alone.znear, 1e-3);
+        assert_true(camera.zfar > 1e6);
+        assert_true(unseen ? all.eye[2] == alone.eye[2] : all.eye[2] > 1e5);
+        t.model.is_framed = false;
+        assert_true((scene_camera_fit(&t.model, orbit, 0.5, 1.0).eye[2] > 1e5) == (unseen == 0));
+    }
+}
+
 // Of 8 vertices one is in the picture: enough from outside, not from within.
 static void test_what_a_camera_must_show(void **state)
 {
@@ -260,6 +292,45 @@ static void test_what_a_camera_must_show(void **state)
     assert_true(
         scene_camera_look(&camera, &t.model, before, (double[]){1, 1, 30}, up, 0.02, error, sizeof error));
     assert_false(scene_camera_is_believable(&t.model, &camera, 1.0));
+}
+
+// A camera from which the model is a tenth as large as it is when fitted is the limit, of surfaces, lines and points. A
+// model covers a picture also where none of its corners is in it.
+static void test_a_camera_shows_more_than_a_thumbnail(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    const double up[3] = {0, 1, 0}, middle[3] = {0, 0, 0};
+    const struct {
+        enum scene_primitive primitive;
+        double distance; // times that of the fit
+        enum scene_sight sight;
+    } cases[] = {
+        {SCENE_PRIMITIVE_TRIANGLES, 1, SCENE_SIGHT_ENOUGH},
+        {SCENE_PRIMITIVE_TRIANGLES, 0.01, SCENE_SIGHT_ENOUGH},
+        {SCENE_PRIMITIVE_TRIANGLES, 9, SCENE_SIGHT_ENOUGH},
+        {SCENE_PRIMITIVE_TRIANGLES, 11, SCENE_SIGHT_NEXT_TO_NOTHING},
+        {SCENE_PRIMITIVE_TRIANGLES, 2000, SCENE_SIGHT_NEXT_TO_NOTHING},
+        {SCENE_PRIMITIVE_TRIANGLES, -1, SCENE_SIGHT_NOTHING},
+        {SCENE_PRIMITIVE_LINES, 9, SCENE_SIGHT_ENOUGH},
+        {SCENE_PRIMITIVE_LINES, 300, SCENE_SIGHT_NEXT_TO_NOTHING},
+        {SCENE_PRIMITIVE_POINTS, 9, SCENE_SIGHT_ENOUGH},
+        {SCENE_PRIMITIVE_POINTS, -1, SCENE_SIGHT_NOTHING},
+    };
+    const double fit = scene_camera_fit(&t.model, (struct scene_orbit){0}, 0.5, 1.5).eye[2];
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const double eye[3] = {0, 0, (cases[i].distance < 0 ? 1 : cases[i].distance) * fit};
+        const double *target = cases[i].distance < 0 ? (const double[]){0, 0, 9 * fit} : middle;
+        struct scene_camera camera;
+        char error[200];
+        t.mesh.primitive = cases[i].primitive;
+        assert_true(scene_camera_look(&camera, &t.model, eye, target, up, 0.5, error, sizeof error));
+        const enum scene_sight sight = scene_camera_sight(&t.model, &camera, 1.5);
+        if (sight != cases[i].sight) {
+            fail_msg("case %zu: %d instead of %d", i, sight, cases[i].sight);
+        }
+    }
 }
 
 static void test_look_refuses_what_is_no_camera(void **state)
@@ -330,17 +401,18 @@ static void test_file_camera_in_a_narrow_picture(void **state)
 {
     (void)state;
     struct scene_model_camera source = {.yfov = 0.8f, .aspect = 2.0f, .znear = 0.1f, .zfar = 100.0f};
+    const struct scene_model near = {0};
     tiny_identity(source.world);
     for (double aspect = 0.01; aspect < 2.0; aspect *= 1.7) {
-        const struct scene_camera camera = scene_camera_from_model(&source, aspect);
+        const struct scene_camera camera = scene_camera_from_model(&near, &source, aspect);
         tiny_assert_close(tan(camera.yfov / 2.0) * aspect, tan((double)source.yfov / 2.0) * 2.0, 1e-9);
     }
-    tiny_assert_close(scene_camera_from_model(&source, 3.0).yfov, (double)source.yfov, 0.0);
+    tiny_assert_close(scene_camera_from_model(&near, &source, 3.0).yfov, (double)source.yfov, 0.0);
     source.orthographic = true;
     source.xmag = 3.0f;
     source.ymag = 1.0f;
-    tiny_assert_close(scene_camera_from_model(&source, 1.0).ymag, 3.0, 0.0);
-    tiny_assert_close(scene_camera_from_model(&source, 6.0).ymag, 1.0, 0.0);
+    tiny_assert_close(scene_camera_from_model(&near, &source, 1.0).ymag, 3.0, 0.0);
+    tiny_assert_close(scene_camera_from_model(&near, &source, 6.0).ymag, 1.0, 0.0);
 }
 
 // A normal stays perpendicular to what lies in the surface, and on its outer side, under any matrix.
@@ -371,6 +443,42 @@ static void test_normal_matrix(void **state)
     }
 }
 
+// A model that is counted from an origin far away is seen from there as it is without: by a fitted camera, by one of the
+// file, with the planes of both, and in the same picture.
+static void test_far_from_the_origin(void **state)
+{
+    (void)state;
+    const double far[3] = {5e7, -1.25e7, 3e6};
+    struct tiny t;
+    tiny_make(&t);
+    const struct scene_orbit orbit = {.azimuth = 35.0, .elevation = 15.0};
+    struct scene_view view = tiny_view(&t, 32);
+    view.outputs = SCENE_OUTPUT_COLOR | SCENE_OUTPUT_POSITION;
+    view.camera = scene_camera_fit(&t.model, orbit, 0.5, 1.0);
+    struct scene_pictures here = tiny_draw(&t, &view);
+    memcpy(t.model.origin, far, sizeof far);
+    const struct scene_camera camera = scene_camera_fit(&t.model, orbit, 0.5, 1.0);
+    for (int c = 0; c < 3; c++) {
+        tiny_assert_close(camera.eye[c] - far[c], view.camera.eye[c], 1e-7);
+        tiny_assert_close(camera.target[c] - far[c], view.camera.target[c], 1e-7);
+    }
+    tiny_assert_close(camera.znear, view.camera.znear, 1e-6);
+    tiny_assert_close(camera.zfar, view.camera.zfar, 1e-6);
+    assert_true(scene_camera_shows_most(&t.model, &camera, 1.0));
+    assert_false(scene_camera_shows_most(&t.model, &view.camera, 1.0));
+    view.camera = camera;
+    struct scene_pictures there = tiny_draw(&t, &view);
+    assert_memory_equal(there.color, here.color, 32 * 32 * 4);
+    for (int i = 0; i < 4 * 32 * 32; i++) {
+        tiny_assert_close((double)there.position[i], (double)here.position[i], 1e-6);
+    }
+    assert_memory_equal(there.origin, far, sizeof far);
+    scene_pictures_free(&here);
+    scene_pictures_free(&there);
+    assert_int_equal(scene_camera_digits(camera.eye, camera.target), 15);
+    assert_int_equal(scene_camera_digits((const double[]){1, 2, 3}, (const double[]){0, 0, 0}), 9);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_fit_touches_the_margin),
     cmocka_unit_test(test_fit_of_what_turns),
@@ -379,10 +487,13 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_default_orbit_faces_flat_models),
     cmocka_unit_test(test_fit_turns_with_up),
     cmocka_unit_test(test_fit_leaves_a_vast_ground_out),
+    cmocka_unit_test(test_fit_is_about_the_frame),
     cmocka_unit_test(test_what_a_camera_must_show),
+    cmocka_unit_test(test_a_camera_shows_more_than_a_thumbnail),
     cmocka_unit_test(test_look_refuses_what_is_no_camera),
     cmocka_unit_test(test_projection_against_formulas),
     cmocka_unit_test(test_file_camera_in_a_narrow_picture),
+    cmocka_unit_test(test_far_from_the_origin),
     cmocka_unit_test(test_normal_matrix),
 };
 

@@ -284,6 +284,96 @@ static void test_transmission(void **state)
     assert_true(light[1] > 0.02);
 }
 
+// Glass that has no own light: its colour alone, with the index of air.
+static void make_glass(struct scene_material *material)
+{
+    material->roughness = 0;
+    material->layers = plain_layers();
+    material->layers.transmission = 1;
+    material->layers.ior = 1;
+    material->layers.specular = 0;
+}
+
+static void set_distance(struct scene_instance *instance, float z)
+{
+    tiny_identity(instance->world);
+    instance->world[14] = z;
+}
+
+// A pane is seen through another, whichever the file has first, and through both sides of itself. A volume, whose
+// thickness is that of its whole, is not.
+static void test_glass_behind_glass(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    struct scene_view view = light_view(&t);
+    view.default_lights = true;
+    memcpy(view.background_color, (const uint8_t[]){255, 255, 255}, 3);
+    make_glass(&t.material);
+    t.material.base_color[1] = 0.5f;
+    t.model.instance_count = 2;
+    double light[3];
+    for (int first = 0; first < 2; first++) {
+        set_distance(&t.instances[first], -1.0f);
+        set_distance(&t.instances[1 - first], 0.0f);
+        draw_light(&t, &view, light);
+        tiny_assert_close(light[0], 1.0, 0.01);
+        tiny_assert_close(light[1], 0.25, 0.01);
+    }
+    // The farther pane shows its back.
+    t.instances[1].world[0] = t.instances[1].world[10] = -1.0f;
+    draw_light(&t, &view, light);
+    tiny_assert_close(light[1], 0.5, 0.01);
+    t.material.double_sided = true;
+    draw_light(&t, &view, light);
+    tiny_assert_close(light[1], 0.25, 0.01);
+    t.material.layers.thickness = 1;
+    t.material.layers.attenuation_distance = 1e30f;
+    draw_light(&t, &view, light);
+    tiny_assert_close(light[1], 0.5, 0.01);
+}
+
+// What is blended shows through glass that is before it, and counts once where it is before the glass.
+static void test_blended_beside_glass(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    struct scene_view view = light_view(&t);
+    view.default_lights = true;
+    memcpy(view.background_color, (const uint8_t[]){255, 255, 255}, 3);
+    make_glass(&t.material);
+    struct scene_material materials[2] = {t.material, t.material};
+    materials[1].layers.used = false;
+    materials[1].unlit = true;
+    materials[1].alpha_mode = SCENE_ALPHA_BLEND;
+    memcpy(materials[1].base_color, (const float[]){1, 0, 0, 0.5f}, sizeof materials[1].base_color);
+    struct scene_mesh meshes[2] = {t.mesh, t.mesh};
+    meshes[1].material = 1;
+    t.model.meshes = meshes;
+    t.model.materials = materials;
+    t.model.mesh_count = t.model.material_count = 2;
+    t.model.instance_count = 2;
+    t.instances[1].mesh = 1;
+    for (int before = 0; before < 2; before++) {
+        set_distance(&t.instances[1], before ? 1.0f : -1.0f);
+        double light[3];
+        draw_light(&t, &view, light);
+        tiny_assert_close(light[0], 1.0, 0.01);
+        tiny_assert_close(light[1], 0.5, 0.01);
+    }
+    // Neither is what has layers, but lets no light through.
+    set_distance(&t.instances[1], -1.0f);
+    materials[1].unlit = false;
+    materials[1].alpha_mode = SCENE_ALPHA_OPAQUE;
+    materials[1].layers = plain_layers();
+    materials[1].layers.clearcoat = 1;
+    double light[3];
+    draw_light(&t, &view, light);
+    assert_true(light[0] > 0.2 && light[1] < 0.2);
+}
+
 // A slab bends what is behind it aside: behind a square that is tilted the edge of another moves.
 static void test_refraction(void **state)
 {
@@ -365,6 +455,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_every_layer_shows),
     cmocka_unit_test(test_coat_dims),
     cmocka_unit_test(test_transmission),
+    cmocka_unit_test(test_glass_behind_glass),
+    cmocka_unit_test(test_blended_beside_glass),
     cmocka_unit_test(test_refraction),
     cmocka_unit_test(test_gloss),
 };

@@ -69,8 +69,8 @@ static void fill(const struct scene_shadow_map *map, const struct plane *p)
 }
 
 // Of the light at 8 points of a plane beside each other from x on, with derivatives as a screen would have.
-static rhw_float look(const struct scene_shadow_map *map, const struct plane *p, double x, double y,
-                      double step)
+static rhw_float look_at(const struct scene_shadow_map *map, const struct plane *p, double x, double y,
+                         double step, bool casts)
 {
     rhw_float position[3], ddx[3], ddy[3];
     for (int i = 0; i < RHW_LANES; i++) {
@@ -85,7 +85,13 @@ static rhw_float look(const struct scene_shadow_map *map, const struct plane *p,
     ddy[1] = rhw_splat(-0.01f);
     ddy[2] = rhw_splat((float)(-0.002 * p->x - 0.01 * p->y));
     const struct scene_shader_light light = {.map_count = 1, .maps = map};
-    return scene_shadow(&light, position, ddx, ddy, NULL, rhw_splat_int(-1));
+    return scene_shadow(&light, position, ddx, ddy, NULL, casts, rhw_splat_int(-1));
+}
+
+static rhw_float look(const struct scene_shadow_map *map, const struct plane *p, double x, double y,
+                      double step)
+{
+    return look_at(map, p, x, y, step, true);
 }
 
 static void test_a_plane_does_not_shade_itself(void **state)
@@ -127,23 +133,46 @@ static void test_a_fold_does_not_shade_itself(void **state)
     }
 }
 
-// A half plane of height z = −1 over x < 0 above a floor at z = −2: the penumbra is as wide as softness · 1 on either side
-// of the edge, and half of the light arrives below the edge itself.
-static void test_penumbra(void **state)
+// A wall that leans over a floor from x = 0 on, and keeps the light from it: there is no bright line where they meet,
+// although the penumbra is wide away from there and the map is empty beyond the corner.
+static void test_no_light_along_an_inner_corner(void **state)
 {
     (void)state;
+    const double slopes[] = {1, 4, 16};
+    for (size_t i = 0; i < sizeof slopes / sizeof *slopes; i++) {
+        const struct scene_shadow_map maps[] = {parallel_map(0.12f), perspective_map(0.12f)};
+        for (int m = 0; m < 2; m++) {
+            const struct plane floor = {0.1, 0.2, -2}, wall = {0.1 + slopes[i], 0.2, -2};
+            for (int y = 0; y < SIZE; y++) {
+                for (int x = 0; x < SIZE; x++) {
+                    const double depth = plane_depth(&maps[m], &wall, x + 0.5, y + 0.5);
+                    texels[y * SIZE + x] = x < SIZE / 2 ? 0.0f : (float)depth;
+                }
+            }
+            // A texel of the floor is 1/64 wide, or 1/32.
+            for (double x = 0.02; x < 0.2; x += 0.003) {
+                tiny_assert_close((double)look(&maps[m], &floor, x, 0.1, 0.0)[0], 0.0, 0.001);
+            }
+        }
+    }
+}
+
+// A half plane of height z = −1 over x < 0 above a floor at z = −2: the penumbra is as wide as softness · 1 on either side
+// of the edge, and half of the light arrives below the edge itself. So it is on a ground, which the map does not have.
+static void check_penumbra(bool casts)
+{
     const float softness = 0.2f;
     const struct scene_shadow_map map = parallel_map(softness);
     const struct plane floor = {0, 0, -2}, block = {0, 0, -1};
     fill(&map, &block);
     for (int y = 0; y < SIZE; y++) {
         for (int x = SIZE / 2; x < SIZE; x++) {
-            texels[y * SIZE + x] = (float)plane_depth(&map, &floor, x + 0.5, y + 0.5);
+            texels[y * SIZE + x] = casts ? (float)plane_depth(&map, &floor, x + 0.5, y + 0.5) : 0.0f;
         }
     }
     double before = -1.0;
     for (double x = -0.4; x < 0.4; x += 0.01) {
-        const double open = (double)look(&map, &floor, x, 0.1, 0.0)[0];
+        const double open = (double)look_at(&map, &floor, x, 0.1, 0.0, casts)[0];
         // A disc of light behind a straight edge: the part of a circle beyond a chord at t radii.
         const double t = fmax(-1.0, fmin(1.0, x / (double)softness));
         const double expected = 0.5 + (t * sqrt(1.0 - t * t) + asin(t)) / 3.14159265358979;
@@ -151,8 +180,15 @@ static void test_penumbra(void **state)
         assert_true(open >= before - 1e-6);
         before = open;
     }
-    tiny_assert_close((double)look(&map, &floor, -0.3, 0.0, 0.0)[0], 0.0, 0.0);
-    tiny_assert_close((double)look(&map, &floor, 0.3, 0.0, 0.0)[0], 1.0, 0.0);
+    tiny_assert_close((double)look_at(&map, &floor, -0.3, 0.0, 0.0, casts)[0], 0.0, 0.0);
+    tiny_assert_close((double)look_at(&map, &floor, 0.3, 0.0, 0.0, casts)[0], 1.0, 0.0);
+}
+
+static void test_penumbra(void **state)
+{
+    (void)state;
+    check_penumbra(true);
+    check_penumbra(false);
 }
 
 static void test_beyond_the_map_is_light(void **state)
@@ -457,11 +493,14 @@ static void test_contact(void **state)
 
 // Ambient occlusion ---------------------------------------------------------------------------------
 
-// Two squares that meet in a right angle along the line x = 0: there each sees half of its cosine-weighted hemisphere, far
-// from it nearly all.
-static void test_corner(void **state)
+// Two squares of side 4 that meet along the line x = 0 and lean away from it, `angle` from the line of sight each, in the
+// light of the surroundings alone: what is left of it with ambient occlusion.
+struct corner {
+    struct scene_pictures with, without;
+};
+
+static struct corner draw_corner(double angle)
 {
-    (void)state;
     struct tiny t;
     tiny_make(&t);
     t.material.unlit = false;
@@ -469,45 +508,156 @@ static void test_corner(void **state)
     t.material.base_color[0] = 1;
     t.model.instance_count = 2;
     t.material.double_sided = true;
-    const float half = (float)sqrt(0.5);
+    const float across = (float)sin(angle), along = (float)cos(angle);
     for (int i = 0; i < 2; i++) {
-        // Roofs turned upside down, at 45 degrees to either side.
         const float side = i ? 1.0f : -1.0f;
         float *m = t.instances[i].world;
         tiny_identity(m);
-        m[0] = half * 2;
-        m[2] = side * half * 2;
+        m[0] = across * 2;
+        m[2] = side * along * 2;
         m[5] = 4;
-        m[8] = -side * half * 2;
-        m[10] = half * 2;
-        m[12] = side * half * 2;
-        m[14] = half * 2;
+        m[8] = -side * along * 2;
+        m[10] = across * 2;
+        m[12] = side * across * 2;
+        m[14] = along * 2;
     }
     for (int c = 0; c < 3; c++) {
-        t.model.bounds_min[c] = c == 2 ? 0.0f : c == 1 ? -4.0f : -4 * half;
-        t.model.bounds_max[c] = c == 2 ? 4 * half : c == 1 ? 4.0f : 4 * half;
+        t.model.bounds_min[c] = c == 2 ? 0.0f : c == 1 ? -4.0f : -4 * across;
+        t.model.bounds_max[c] = c == 2 ? 4 * along : c == 1 ? 4.0f : 4 * across;
     }
     struct scene_view view = tiny_view(&t, 256);
     view.outputs = SCENE_OUTPUT_LINEAR;
     view.shadows = false;
     view.camera.zfar = 100;
-    // The lamp shines from behind: the surroundings alone are left.
-    t.model.light_count = 1;
+    t.model.light_count = 1; // a lamp that shines from behind
     t.light = (struct scene_model_light){
         .type = SCENE_LIGHT_DIRECTIONAL, .direction = {0, 0, 1}, .color = {1, 1, 1}, .intensity = 1};
     view.ambient_occlusion = true;
-    struct scene_pictures with = tiny_draw(&t, &view);
+    struct corner corner = {.with = tiny_draw(&t, &view)};
     view.ambient_occlusion = false;
-    struct scene_pictures without = tiny_draw(&t, &view);
-    // The reach is 0.12 of half the diagonal of the bounds, which is 0.6 here.
-    const double at_corner = brightness(&with, 0.02, 0) / brightness(&without, 0.02, 0);
-    const double far = brightness(&with, 1.6, 0) / brightness(&without, 1.6, 0);
-    const double between = brightness(&with, 0.25, 0) / brightness(&without, 0.25, 0);
-    tiny_assert_close(far, 1.0, 0.002);
-    assert_true(at_corner > 0.5 && at_corner < 0.75);
-    assert_true(between > at_corner + 0.2 && between < far);
-    scene_pictures_free(&with);
-    scene_pictures_free(&without);
+    corner.without = tiny_draw(&t, &view);
+    return corner;
+}
+
+static double left_of_light(const struct corner *corner, double x)
+{
+    return brightness(&corner->with, x, 0) / brightness(&corner->without, x, 0);
+}
+
+static void free_corner(struct corner *corner)
+{
+    scene_pictures_free(&corner->with);
+    scene_pictures_free(&corner->without);
+}
+
+// In a right angle each square sees half of its cosine-weighted hemisphere, and gets a quarter of the light of the other
+// half back; far from the corner nearly all. The reach is 0.2 of half the diagonal of the bounds, which is 1.0 here.
+static void test_corner(void **state)
+{
+    (void)state;
+    struct corner corner = draw_corner(0.25 * 3.14159265358979);
+    const double at_corner = left_of_light(&corner, 0.02), between = left_of_light(&corner, 0.25);
+    tiny_assert_close(left_of_light(&corner, 1.6), 1.0, 0.002);
+    assert_true(at_corner > 0.625 && at_corner < 0.75); // blurred with what is beside
+    assert_true(between > at_corner + 0.1 && between < 1.0);
+    free_corner(&corner);
+}
+
+// In narrow wedges, of 30 degrees and 12, light falls gradually to the edge, and is not gone there.
+static void test_no_crease_is_black(void **state)
+{
+    (void)state;
+    const double angles[] = {15.0, 6.0};
+    for (int i = 0; i < 2; i++) {
+        struct corner corner = draw_corner(angles[i] / 180.0 * 3.14159265358979);
+        const double end = 4.0 * sin(angles[i] / 180.0 * 3.14159265358979) - 0.03;
+        const double at_edge = left_of_light(&corner, 0.01);
+        assert_true(at_edge > 0.25 && at_edge < 0.6);
+        double before = at_edge;
+        for (double x = 0.02; x < end; x += 1.0 / 64.0) {
+            const double left = left_of_light(&corner, x);
+            assert_true(left > before - 0.02 && left < before + 0.3);
+            before = left;
+        }
+        free_corner(&corner);
+    }
+}
+
+static void set_normals(struct tiny *t, float x, float z)
+{
+    for (int i = 0; i < 4; i++) {
+        t->normals[i][0] = x;
+        t->normals[i][1] = 0;
+        t->normals[i][2] = z;
+    }
+}
+
+// Normals that lean far from a square in which they are, each way and apart, are no reason for it to occlude itself.
+static void test_leaning_normals_do_not_occlude(void **state)
+{
+    (void)state;
+    for (int apart = 0; apart < 2; apart++) {
+        struct tiny t;
+        tiny_make(&t);
+        t.material.unlit = false;
+        set_normals(&t, 0.96f, 0.28f);
+        for (int i = 0; i < 4 && apart; i++) {
+            t.normals[i][0] *= t.positions[i][0];
+        }
+        struct scene_view view = tiny_view(&t, 128);
+        view.outputs = SCENE_OUTPUT_LINEAR;
+        view.shadows = false;
+        view.ambient_occlusion = true;
+        struct scene_pictures with = tiny_draw(&t, &view);
+        view.ambient_occlusion = false;
+        struct scene_pictures without = tiny_draw(&t, &view);
+        for (size_t i = 0; i < 4 * 128 * 128; i++) {
+            tiny_assert_close((double)with.linear[i], (double)without.linear[i], 0.01);
+        }
+        scene_pictures_free(&with);
+        scene_pictures_free(&without);
+    }
+}
+
+// Return the red light of the middle of a square that is turned by 60 degrees, if its normals are (x, 0, z) in the world
+// and a lamp shines from the side and behind.
+static double light_of_normal(float x, float z)
+{
+    const float sine = 0.8660254f, cosine = 0.5f;
+    struct tiny t;
+    tiny_make(&t);
+    t.material.unlit = false;
+    t.material.roughness = 0.2f;
+    float *m = t.instances[0].world;
+    tiny_identity(m);
+    m[0] = m[10] = cosine;
+    m[8] = sine;
+    m[2] = -sine;
+    set_normals(&t, cosine * x - sine * z, sine * x + cosine * z);
+    t.model.light_count = 1;
+    t.light = (struct scene_model_light){
+        .type = SCENE_LIGHT_DIRECTIONAL, .direction = {-0.96f, 0, 0.28f}, .color = {1, 1, 1}, .intensity = 9};
+    struct scene_view view = tiny_view(&t, 32);
+    view.outputs = SCENE_OUTPUT_LINEAR;
+    view.shadows = view.ambient_occlusion = false;
+    struct scene_pictures pictures = tiny_draw(&t, &view);
+    const double light = brightness(&pictures, 0, 0);
+    scene_pictures_free(&pictures);
+    return light;
+}
+
+// A normal that leans away from the eye is lit as one whose surface is just seen, with n·v = 0.02: no highlight is of what
+// lies behind. A mesh whose normals are on the other side of its facets is
+// lit as it is, from behind.
+static void test_normals_that_lean_away(void **state)
+{
+    (void)state;
+    const double expected = light_of_normal(0.9998f, 0.02f);
+    const float leaning[][2] = {{1, 0}, {0.9950f, -0.1f}, {0.96f, -0.28f}};
+    for (int i = 0; i < 3; i++) {
+        tiny_assert_close(light_of_normal(leaning[i][0], leaning[i][1]), expected, 0.01 * expected);
+    }
+    assert_true(light_of_normal(-0.1f, -0.995f) < 0.7 * expected);
 }
 
 // A square by itself has nothing above it.
@@ -601,6 +751,7 @@ static void test_open_floor(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_a_plane_does_not_shade_itself),
     cmocka_unit_test(test_a_fold_does_not_shade_itself),
+    cmocka_unit_test(test_no_light_along_an_inner_corner),
     cmocka_unit_test(test_penumbra),
     cmocka_unit_test(test_beyond_the_map_is_light),
     cmocka_unit_test(test_shadow_of_a_sun),
@@ -610,6 +761,9 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_a_waist_of_few_facets_does_not_shade_itself),
     cmocka_unit_test(test_contact),
     cmocka_unit_test(test_corner),
+    cmocka_unit_test(test_no_crease_is_black),
+    cmocka_unit_test(test_leaning_normals_do_not_occlude),
+    cmocka_unit_test(test_normals_that_lean_away),
     cmocka_unit_test(test_open_square),
     cmocka_unit_test(test_open_floor),
 };

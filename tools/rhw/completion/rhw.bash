@@ -77,22 +77,59 @@ _rhw_thumbs() { # CURRENT PREVIOUS
 _rhw_compare() { # CURRENT PREVIOUS
     case $2 in
     --difference | -d) _rhw_files "$1" ;;
+    --max-memory) _rhw_words "$1" 512M 1G 2G 4G ;;
+    --max-time) _rhw_words "$1" 10 60 300 ;;
     --tolerance | -t) ;;
-    *) _rhw_rest "$1" file --difference --tolerance --json --help ;;
+    *) _rhw_rest "$1" file --difference --tolerance --json --max-memory --max-time --help ;;
     esac
 }
 
 _rhw_explain() { # CURRENT PREVIOUS
     case $2 in
     --picture) _rhw_files "$1" ;;
-    --at | --sample) ;;
-    *) _rhw_rest "$1" file --at --sample --json --picture --help ;;
+    --size | -s) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
+    --samples) _rhw_words "$1" 1 2 4 8 16 ;;
+    --supersample) _rhw_words "$1" 1 4 9 16 ;;
+    --up) _rhw_words "$1" x y z -x -y -z ;;
+    --interpolate) _rhw_words "$1" smooth noperspective ;;
+    --background) _rhw_words "$1" default transparent environment black grey white red skyblue ;;
+    --lights) _rhw_words "$1" file default none ;;
+    --shadows) _rhw_words "$1" on off ;;
+    --ambient-occlusion) _rhw_words "$1" on off ;;
+    --environment) _rhw_files "$1" ;;
+    --tone-map) _rhw_words "$1" neutral aces agx none ;;
+    --isa) _rhw_words "$1" baseline avx2 avx512 ;;
+    --paths) _rhw_words "$1" all in-order general ;;
+    --max-memory) _rhw_words "$1" 512M 1G 2G 4G ;;
+    --max-time) _rhw_words "$1" 10 60 300 ;;
+    --max-texture) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
+    --at | --sample | --zoom | --margin | --orbit | --camera | --camera-index | --camera-name | --fovy | --variant | --animation | --time | --environment-rotation | --exposure | --threads | -j) ;;
+    *) _rhw_rest "$1" file --at --sample --json --picture --size --samples --supersample --fit --up --zoom --margin --ortho --orbit --camera --camera-index --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --exposure --threads --isa --paths --max-memory --max-time --max-texture --confine --quiet --help ;;
     esac
 }
 
 _rhw_view() { # CURRENT PREVIOUS
     case $2 in
-    *) _rhw_rest "$1" file --fullscreen --help ;;
+    --size | -s) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
+    --samples) _rhw_words "$1" 1 2 4 8 16 ;;
+    --supersample) _rhw_words "$1" 1 4 9 16 ;;
+    --output) _rhw_list "$1" color depth distance normal position uv object triangle bary overdraw tiles plan all ;;
+    --bits) _rhw_words "$1" 8 16 ;;
+    --up) _rhw_words "$1" x y z -x -y -z ;;
+    --interpolate) _rhw_words "$1" smooth noperspective ;;
+    --background) _rhw_words "$1" default transparent environment black grey white red skyblue ;;
+    --lights) _rhw_words "$1" file default none ;;
+    --shadows) _rhw_words "$1" on off ;;
+    --ambient-occlusion) _rhw_words "$1" on off ;;
+    --environment) _rhw_files "$1" ;;
+    --tone-map) _rhw_words "$1" neutral aces agx none ;;
+    --transparency) _rhw_words "$1" sorted exact ;;
+    --isa) _rhw_words "$1" baseline avx2 avx512 ;;
+    --paths) _rhw_words "$1" all in-order general ;;
+    --max-memory) _rhw_words "$1" 512M 1G 2G 4G ;;
+    --max-texture) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
+    --zoom | --margin | --orbit | --camera | --camera-index | --camera-name | --fovy | --variant | --animation | --time | --environment-rotation | --exposure | --threads | -j) ;;
+    *) _rhw_rest "$1" file --fullscreen --size --samples --supersample --output --bits --fit --up --zoom --margin --ortho --orbit --camera --camera-index --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --threads --isa --paths --max-memory --max-texture --confine --quiet --help ;;
     esac
 }
 
@@ -118,10 +155,11 @@ _rhw() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     COMPREPLY=()
     if ((COMP_CWORD == 1)); then
-        _rhw_words "$current" render thumbs compare explain view info bench --help --version
+        _rhw_words "$current" render thumbs compare explain view info bench help --help --version
         return
     fi
     case ${COMP_WORDS[1]} in
+    help) _rhw_words "$current" render thumbs compare explain view info bench ;;
     render | thumbs | compare | explain | view | info | bench) "_rhw_${COMP_WORDS[1]}" "$current" "$previous" ;;
     esac
 }

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The names in a folder, for files that are called in other letters or end otherwise than a model says.
+#ifndef SCENE_IMPORT_FOLDER_H
+#define SCENE_IMPORT_FOLDER_H
+
+#include "import.h"
+
+/// Return true if `path` is a file, or becomes one by other letters of its components (capital, small). Its first
+/// `known` bytes stay. With `any_ending` the file may be an image that ends otherwise. `path` has room for
+/// SCENE_FOLDER_ENDING bytes more and becomes the path of the file.
+bool scene_folder_find(struct scene_import *import, char *path, size_t known, bool any_ending);
+
+enum { SCENE_FOLDER_ENDING = 8 };
+
+#endif

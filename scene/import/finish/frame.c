@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: MIT
+// See frame.h. The search for specks begins with the box around the middle of all area. The box grows by what lies near
+// until a gap is around it, or nothing is left.
+#include "frame.h"
+
+#include <stdlib.h>
+
+#include "draw/camera/camera_math.h"
+#include "draw/camera/subject.h"
+
+static const double gap = 16, largest_speck = 0.1, largest_share = 0.02, tail = 0.1;
+enum { BINS = 256, GAP_BINS = 64, ROUNDS = 4, GROWTHS = 64 };
+
+// A triangle, line or point in the world. Its weight is an area, or 1 for a line and a point.
+struct unit {
+    struct scene_box box;
+    double weight;
+    bool is_area;
+};
+
+struct search {
+    const struct scene_model *model;
+    const struct scene_seen_mesh *seen;
+    bool takes_flat;      // flat instances are searched too, as there are no others
+    struct scene_box all; // what lies outside is left out already
+    double area, count;   // weights of all units
+    double bins[3][BINS]; // shares of the weights along each axis
+    struct scene_box core, near, grown;
+    double left_area, left_count, left_length;
+    bool is_left;
+};
+
+typedef void visit(struct search *search, const struct unit *unit);
+
+// Boxes -----------------------------------------------------------------------------------------------
+
+static struct scene_box empty_box(void)
+{
+    return (struct scene_box){{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
+}
+
+static void extend(struct scene_box *box, const struct scene_box *by)
+{
+    for (int c = 0; c < 3; c++) {
+        box->low[c] = by->low[c] < box->low[c] ? by->low[c] : box->low[c];
+        box->high[c] = by->high[c] > box->high[c] ? by->high[c] : box->high[c];
+    }
+}
+
+static void extend_to_point(struct scene_box *box, const double point[3])
+{
+    const struct scene_box by = {{point[0], point[1], point[2]}, {point[0], point[1], point[2]}};
+    extend(box, &by);
+}
+
+static double longest_side(const struct scene_box *box)
+{
+    double longest = 0;
+    for (int c = 0; c < 3; c++) {
+        const double side = box->high[c] - box->low[c];
+        longest = side > longest ? side : longest;
+    }
+    return longest;
+}
+
+static bool overlaps(const struct scene_box *a, const struct scene_box *b)
+{
+    bool meets = true;
+    for (int c = 0; c < 3; c++) {
+        meets = meets && a->low[c] <= b->high[c] && a->high[c] >= b->low[c];
+    }
+    return meets;
+}
+
+static bool holds(const struct scene_box *box, const struct scene_box *inner)
+{
+    bool inside = true;
+    for (int c = 0; c < 3; c++) {
+        inside = inside && inner->low[c] >= box->low[c] && inner->high[c] <= box->high[c];
+    }
+    return inside;
+}
+
+// Units -----------------------------------------------------------------------------------------------
+
+static uint32_t corner_count(const struct scene_mesh *mesh)
+{
+    return mesh->primitive == SCENE_PRIMITIVE_TRIANGLES ? 3
+           : mesh->primitive == SCENE_PRIMITIVE_LINES   ? 2
+                                                        : 1;
+}
+
+static double triangle_area(double corners[3][3])
+{
+    double a[3], b[3], product[3];
+    for (int c = 0; c < 3; c++) {
+        a[c] = corners[1][c] - corners[0][c];
+        b[c] = corners[2][c] - corners[0][c];
+    }
+    scene_cross(a, b, product);
+    return 0.5 * __builtin_sqrt(scene_dot(product, product));
+}
+
+static void visit_instance(struct search *search, const struct scene_instance *instance, visit *visitor)
+{
+    const struct scene_mesh *mesh = &search->model->meshes[instance->mesh];
+    const bool *seen = search->seen[instance->mesh].vertices;
+    const uint32_t count = corner_count(mesh);
+    for (uint32_t i = 0; i + count <= mesh->index_count; i += count) {
+        struct unit unit = {.box = empty_box(), .weight = 1, .is_area = count == 3};
+        double corners[3][3];
+        bool shows = true;
+        for (uint32_t k = 0; k < count; k++) {
+            const uint32_t vertex = mesh->indices[i + k];
+            scene_place_point(instance->world, mesh->positions[vertex], corners[k]);
+            extend_to_point(&unit.box, corners[k]);
+            shows = shows && (seen == NULL || seen[vertex]);
+        }
+        if (count == 3) {
+            unit.weight = triangle_area(corners);
+        }
+        if (shows && unit.weight > 0 && holds(&search->all, &unit.box)) {
+            visitor(search, &unit);
+        }
+    }
+}
+
+static bool is_searched(const struct search *search, uint32_t number)
+{
+    struct scene_box box;
+    return !search->model->instances[number].unseen &&
+           (search->takes_flat || scene_subject_thin_axis(search->model, number, &box) < 0);
+}
+
+static void visit_all(struct search *search, visit *visitor)
+{
+    for (uint32_t i = 0; i < search->model->instance_count; i++) {
+        if (is_searched(search, i)) {
+            visit_instance(search, &search->model->instances[i], visitor);
+        }
+    }
+}
+
+// The search ------------------------------------------------------------------------------------------
+
+static bool sees_all(const struct search *search)
+{
+    bool all = true;
+    for (uint32_t i = 0; i < search->model->instance_count && all; i++) {
+        const struct scene_instance *instance = &search->model->instances[i];
+        all = !instance->unseen && search->seen[instance->mesh].vertices == NULL;
+    }
+    return all;
+}
+
+// Find the bounds of all vertices that are seen.
+static struct scene_box seen_box(const struct search *search)
+{
+    struct scene_box box = empty_box();
+    if (sees_all(search)) {
+        for (int c = 0; c < 3; c++) {
+            box.low[c] = (double)search->model->bounds_min[c];
+            box.high[c] = (double)search->model->bounds_max[c];
+        }
+        return box;
+    }
+    for (uint32_t i = 0; i < search->model->instance_count; i++) {
+        const struct scene_instance *instance = &search->model->instances[i];
+        const struct scene_mesh *mesh = &search->model->meshes[instance->mesh];
+        const bool *seen = search->seen[instance->mesh].vertices;
+        for (uint32_t v = 0; v < mesh->vertex_count && !instance->unseen; v++) {
+            double point[3];
+            scene_place_point(instance->world, mesh->positions[v], point);
+            if (seen == NULL || seen[v]) {
+                extend_to_point(&box, point);
+            }
+        }
+    }
+    return box;
+}
+
+static int find_bin(const struct search *search, int axis, double at, int bins)
+{
+    const double low = search->all.low[axis], side = search->all.high[axis] - low;
+    const double place = side > 0 ? (at - low) / side * bins : 0;
+    return place > 0 ? place < bins ? (int)place : bins - 1 : 0;
+}
+
+// Return the length of the longest run of bins without vertices along any axis.
+static int widest_gap(bool used[3][GAP_BINS])
+{
+    int widest = 0;
+    for (int c = 0; c < 3; c++) {
+        for (int bin = 0, empty = 0; bin < GAP_BINS; bin++) {
+            empty = used[c][bin] ? 0 : empty + 1;
+            widest = empty > widest ? empty : widest;
+        }
+    }
+    return widest;
+}
+
+// Mark the bins of vertices from `first` on, of some thousands at most. Return the number of the vertex after them.
+static uint32_t use_bins(const struct search *search, const struct scene_instance *instance, uint32_t first,
+                         bool used[3][GAP_BINS])
+{
+    enum { SOME = 2048 };
+    const struct scene_mesh *mesh = &search->model->meshes[instance->mesh];
+    const uint32_t end = mesh->vertex_count - first < SOME ? mesh->vertex_count : first + SOME;
+    for (uint32_t v = first; v < end; v++) {
+        struct scene_box point = empty_box();
+        double place[3];
+        scene_place_point(instance->world, mesh->positions[v], place);
+        extend_to_point(&point, place);
+        for (int c = 0; c < 3 && holds(&search->all, &point); c++) {
+            used[c][find_bin(search, c, place[c], GAP_BINS)] = true;
+        }
+    }
+    return end;
+}
+
+// Return true if a quarter of the extent along an axis is without vertices. Hardly a model has so wide a gap, so this
+// spares the rest of the search, and some of its vertices tell.
+static bool has_gap(const struct search *search)
+{
+    bool used[3][GAP_BINS] = {{false}};
+    for (uint32_t i = 0; i < search->model->instance_count; i++) {
+        const struct scene_instance *instance = &search->model->instances[i];
+        const uint32_t count =
+            is_searched(search, i) ? search->model->meshes[instance->mesh].vertex_count : 0;
+        for (uint32_t v = 0; v < count;) {
+            v = use_bins(search, instance, v, used);
+            if (widest_gap(used) < GAP_BINS / 4) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static void weigh(struct search *search, const struct unit *unit)
+{
+    *(unit->is_area ? &search->area : &search->count) += unit->weight;
+}
+
+static void fill_bins(struct search *search, const struct unit *unit)
+{
+    const double share = unit->weight / (unit->is_area ? search->area : search->count);
+    for (int c = 0; c < 3; c++) {
+        const double middle = 0.5 * (unit->box.low[c] + unit->box.high[c]);
+        search->bins[c][find_bin(search, c, middle, BINS)] += share;
+    }
+}
+
+static void grow_middle(struct search *search, const struct unit *unit)
+{
+    struct scene_box middle;
+    for (int c = 0; c < 3; c++) {
+        middle.low[c] = middle.high[c] = 0.5 * (unit->box.low[c] + unit->box.high[c]);
+    }
+    if (overlaps(&search->near, &middle)) {
+        extend(&search->grown, &unit->box);
+    }
+}
+
+static void grow(struct search *search, const struct unit *unit)
+{
+    if (overlaps(&search->near, &unit->box)) {
+        extend(&search->grown, &unit->box);
+        return;
+    }
+    const double length = longest_side(&unit->box);
+    *(unit->is_area ? &search->left_area : &search->left_count) += unit->weight;
+    search->left_length = length > search->left_length ? length : search->left_length;
+    search->is_left = true;
+}
+
+// Set the core to the bounds of what has its middle among the weight that is left without a tenth at each end of each
+// axis. Return false if there is nothing.
+static bool find_middle(struct search *search)
+{
+    search->area = search->count = 0;
+    visit_all(search, weigh);
+    const double whole = (search->area > 0) + (search->count > 0);
+    for (int c = 0; c < 3; c++) {
+        for (int bin = 0; bin < BINS; bin++) {
+            search->bins[c][bin] = 0;
+        }
+    }
+    visit_all(search, fill_bins);
+    for (int c = 0; c < 3; c++) {
+        const double low = search->all.low[c], side = search->all.high[c] - low;
+        int first = 0, last = BINS - 1;
+        for (double sum = search->bins[c][first]; first < last && sum <= tail * whole;
+             sum += search->bins[c][first]) {
+            first++;
+        }
+        for (double sum = search->bins[c][last]; last > first && sum <= tail * whole;
+             sum += search->bins[c][last]) {
+            last--;
+        }
+        search->near.low[c] = low + side * first / BINS;
+        search->near.high[c] = low + side * (last + 1) / BINS;
+    }
+    search->grown = empty_box();
+    visit_all(search, grow_middle);
+    search->core = search->grown;
+    return search->core.low[0] <= search->core.high[0];
+}
+
+// Let the core grow until a gap is around it. Return true if what is left are specks.
+static bool find_specks(struct search *search)
+{
+    for (int i = 0; i < GROWTHS; i++) {
+        const double reach = gap * longest_side(&search->core);
+        search->grown = search->core;
+        search->left_area = search->left_count = search->left_length = 0;
+        search->is_left = false;
+        for (int c = 0; c < 3; c++) {
+            search->near.low[c] = search->core.low[c] - reach;
+            search->near.high[c] = search->core.high[c] + reach;
+        }
+        visit_all(search, grow);
+        if (holds(&search->core, &search->grown)) {
+            return search->is_left && search->left_area <= largest_share * search->area &&
+                   search->left_count <= largest_share * search->count &&
+                   search->left_length <= largest_speck * longest_side(&search->core);
+        }
+        search->core = search->grown;
+    }
+    return false;
+}
+
+// Add the flat instances to what was found. Return false if one of them stands far away and is no speck. What is
+// hundreds of times as large is a ground and no part of a picture's subject.
+static bool add_flat(const struct search *search, struct scene_box *frame)
+{
+    const double length = longest_side(frame), reach = gap * length;
+    struct scene_box near = *frame;
+    for (int c = 0; c < 3; c++) {
+        near.low[c] -= reach;
+        near.high[c] += reach;
+    }
+    for (uint32_t i = 0; i < search->model->instance_count; i++) {
+        struct scene_box box;
+        if (search->model->instances[i].unseen || is_searched(search, i)) {
+            continue;
+        }
+        const int axis = scene_subject_thin_axis(search->model, i, &box);
+        if (scene_subject_is_ground(&box, axis, &search->core)) {
+            continue;
+        }
+        if (overlaps(&near, &box)) {
+            extend(frame, &box);
+        } else if (longest_side(&box) > largest_speck * length) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Leave specks out of the frame. Return true if there were any.
+static bool leave_specks(struct search *search, struct scene_box *frame)
+{
+    search->takes_flat = true;
+    for (uint32_t i = 0; i < search->model->instance_count && search->takes_flat; i++) {
+        struct scene_box box;
+        search->takes_flat =
+            search->model->instances[i].unseen || scene_subject_thin_axis(search->model, i, &box) >= 0;
+    }
+    bool found = false;
+    for (int round = 0; round < ROUNDS; round++) {
+        if (!has_gap(search) || !find_middle(search) || !find_specks(search)) {
+            break;
+        }
+        search->all = search->core;
+        found = true;
+    }
+    struct scene_box all = search->all;
+    search->core = all;
+    if (!found || !add_flat(search, &all)) {
+        return false;
+    }
+    *frame = all;
+    return true;
+}
+
+void scene_frame_find(struct scene_import *import, const struct scene_seen_mesh *seen)
+{
+    struct scene_model *model = &import->model;
+    struct search *search = scene_import_allocate(import, 1, sizeof *search);
+    *search = (struct search){.model = model, .seen = seen};
+    struct scene_box frame = seen_box(search);
+    const double before = longest_side(&frame);
+    search->all = frame;
+    for (int c = 0; c < 3; c++) { // the bounds are rounded
+        search->all.low[c] -= 1e-5 * before;
+        search->all.high[c] += 1e-5 * before;
+    }
+    if (leave_specks(search, &frame)) {
+        scene_import_warn(import, "specks far away from all else are outside a fitted picture; "
+                                  "--fit=all shows them");
+    }
+    free(search);
+    if (!(frame.low[0] <= frame.high[0])) {
+        return;
+    }
+    const double rounding = 1e-5 * before;
+    for (int c = 0; c < 3; c++) {
+        model->frame_min[c] = (float)frame.low[c];
+        model->frame_max[c] = (float)frame.high[c];
+        model->is_framed = model->is_framed || frame.low[c] > (double)model->bounds_min[c] + rounding ||
+                           frame.high[c] < (double)model->bounds_max[c] - rounding;
+    }
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Markers are those of ITU-T T.81, annex B. Between segments, and in the data of a scan, every byte that is no marker is
+// skipped, as stb_image skips some of them.
+#include "jpeg.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { FILL = 0xff, START = 0xd8, HUFFMAN_TABLES = 0xc4, MOST_CODES = 256, TABLE_HEADER = 17 };
+
+// Go to what follows the next marker that a segment belongs to. Return the marker, or −1 at the end.
+static int next_marker(const unsigned char *bytes, size_t size, size_t *at)
+{
+    while (*at < size) {
+        if (bytes[(*at)++] != FILL) {
+            continue;
+        }
+        while (*at < size && bytes[*at] == FILL) {
+            ++*at;
+        }
+        const int marker = *at < size ? bytes[(*at)++] : 0;
+        const bool stands_alone = marker <= 1 || (marker >= 0xd0 && marker <= 0xd9);
+        if (!stands_alone) {
+            return marker;
+        }
+    }
+    return -1;
+}
+
+// Return true if the tables of a segment have no more codes than they may. What the last table has beyond the segment
+// counts, because stb_image reads all of it. It reads zeros behind the end of the file.
+static bool check_tables(const unsigned char *bytes, size_t length, size_t left)
+{
+    for (size_t at = 2; at < length && at < left;) {
+        unsigned codes = 0;
+        for (size_t i = 1; i < TABLE_HEADER && at + i < left; i++) {
+            codes += bytes[at + i];
+        }
+        if (codes > MOST_CODES) {
+            return false;
+        }
+        at += TABLE_HEADER + codes;
+    }
+    return true;
+}
+
+const char *scene_jpeg_problem(const unsigned char *bytes, size_t size)
+{
+    size_t at = 0;
+    while (at < size && bytes[at] == FILL) {
+        at++;
+    }
+    if (at == 0 || at == size || bytes[at] != START) {
+        return NULL;
+    }
+    for (int marker = next_marker(bytes, size, &at); marker >= 0; marker = next_marker(bytes, size, &at)) {
+        const size_t left = size - at, length = left < 2 ? left : (size_t)bytes[at] << 8 | bytes[at + 1];
+        if (marker == HUFFMAN_TABLES && !check_tables(bytes + at, length, left)) {
+            return "damaged JPEG: a Huffman table of more than 256 codes";
+        }
+        at += length < left ? length : left;
+    }
+    return NULL;
+}
