@@ -140,7 +140,8 @@ static enum rhw_result upload_quads(rhw_context *context, const struct scene_mes
     return result;
 }
 
-// Whether the normals of a facet's corners lie on its other side: further away than interpolation leads, by 120 degrees.
+// Return true if the normals of a facet's corners lie on its other side, further away than interpolation leads: by 120
+// degrees.
 static bool is_turned(const struct scene_mesh *mesh, uint32_t triangle)
 {
     const uint32_t *const corner = &mesh->indices[3 * (size_t)triangle];
