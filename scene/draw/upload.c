@@ -140,7 +140,8 @@ static enum rhw_result upload_quads(rhw_context *context, const struct scene_mes
     return result;
 }
 
-// Whether the normals of a facet's corners lie on its other side: further away than interpolation leads, by 120 degrees.
+// Return true if the normals of a facet's corners lie on its other side, further away than interpolation leads: by 120
+// degrees.
 static bool is_turned(const struct scene_mesh *mesh, uint32_t triangle)
 {
     const uint32_t *const corner = &mesh->indices[3 * (size_t)triangle];
@@ -266,8 +267,8 @@ enum rhw_result scene_upload_create(rhw_context *context, const struct scene_mod
     if (upload->images && upload->materials && upload->combined.images) {
         result = upload_shape(upload);
     }
-    for (uint32_t i = 0; i < model->image_count && result == RHW_OK; i++) {
-        result = scene_upload_image(context, model, i, &upload->images[i]);
+    if (result == RHW_OK) {
+        result = scene_upload_images(context, model, upload->images);
     }
     for (uint32_t i = 0; i < model->material_count && result == RHW_OK; i++) {
         result = upload_material(upload, i);

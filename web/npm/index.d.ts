@@ -43,7 +43,7 @@ export type Vector = readonly [x: number, y: number, z: number];
 export interface LoadOptions {
     /**
      * What the file is called. Its ending tells the format where its content does not, and messages name it. Without
-     * a name the format is told from the content alone, which suffices for .glb, .gltf, .ply, .stl, .3mf and most
+     * a name the format is told from the content alone, which suffices for .glb, .gltf, .ply, .off, .stl, .3mf and most
      * .obj.
      */
     name?: string;
@@ -79,8 +79,8 @@ export interface LoadOptions {
 }
 
 /**
- * Reads a model: glTF 2.0 (.glb, and .gltf with its files; Draco, meshopt, WebP and KTX2 included), OBJ, PLY, STL or
- * 3MF. A file that makes the reader crash does no harm to anything else.
+ * Reads a model: glTF 2.0 (.glb, and .gltf with its files; Draco, meshopt, WebP and KTX2 included), OBJ, PLY, OFF, STL
+ * or 3MF. A file that makes the reader crash does no harm to anything else.
  *
  * @param model the bytes of the file, which are copied, or its address
  * @returns a scene, to be drawn as often as one likes
@@ -299,6 +299,8 @@ export interface ModelInfo {
     objects: number;
     draws: number;
     bounds: { empty: true } | { empty: false; min: [number, number, number]; max: [number, number, number] };
+    /** What a fitted picture is about: the bounds without what nobody can see, and without specks far away. */
+    frame: { empty: true } | { empty: false; min: [number, number, number]; max: [number, number, number] };
     /** Of lengths, for example `metre`; empty where the file does not say. */
     unit: string;
     up: 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
