@@ -470,6 +470,8 @@ export interface Explanation {
     samples: number;
     /** Seen without perspective: every W is 1, and a, b, c are r, s, t. */
     orthographic: boolean;
+    /** Of a model far from the origin of its file: what the varying `position` counts from. */
+    origin?: [x: number, y: number, z: number];
     /** With `supersample`: the pixels that are drawn, and which of them is told about; places of fragments are theirs. */
     drawn_size?: [width: number, height: number];
     drawn_pixel?: [x: number, y: number];
