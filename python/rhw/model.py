@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 import threading
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -138,6 +138,11 @@ def _moved(place: Sequence[float], origin: Place) -> Place:
     return x, y, z
 
 
+def _light(about: Dict[str, Any], origin: Place) -> Light:
+    light = Light(**about)
+    return replace(light, position=_moved(light.position, origin))
+
+
 def _placed(about: Dict[str, Any], origin: Place) -> Dict[str, Any]:
     world = np.asarray(about["world"]).T
     if any(origin):
@@ -218,8 +223,7 @@ class Model:
         self.origin: Place = about["origin"]
         self.nodes = tuple(Node(**_placed(each, self.origin)) for each in about["nodes"])
         self.cameras = tuple(ModelCamera(**_placed(each, self.origin)) for each in about["cameras"])
-        self.lights = tuple(Light(**{**each, "position": _moved(each["position"], self.origin)})
-                            for each in about["lights"])
+        self.lights = tuple(_light(each, self.origin) for each in about["lights"])
         self.animations = tuple(Animation(**each) for each in about["animations"])
         self.variants: Tuple[str, ...] = about["variants"]
         self.warnings: Tuple[str, ...] = about["warnings"]

@@ -511,7 +511,8 @@ static void copy_corners(struct obj *obj, const struct part *part, struct scene_
     }
 }
 
-static void make_indices(struct obj *obj, const struct part *part, struct scene_mesh *mesh)
+static void make_indices(struct obj *obj, const struct part *part, struct scene_mesh *mesh,
+                         struct scene_polygons *polygons)
 {
     const bool triangles = part->key.primitive == SCENE_PRIMITIVE_TRIANGLES;
     size_t count = 0;
@@ -538,6 +539,7 @@ static void make_indices(struct obj *obj, const struct part *part, struct scene_
             continue;
         }
         scene_import_triangulate((const float(*)[3])mesh->positions, polygon, size, next);
+        scene_polygons_add(obj->import, polygons, (size_t)(next - mesh->indices) / 3, size - 2);
         for (uint32_t k = 0; k < 3 * (size - 2); k++) {
             *next++ += first;
         }
@@ -552,7 +554,8 @@ static void add_part(struct obj *obj, struct part *part)
     struct scene_mesh mesh = {.name = name, .primitive = part->key.primitive};
     check_corners(obj, part);
     copy_corners(obj, part, &mesh);
-    make_indices(obj, part, &mesh);
+    struct scene_polygons polygons = {.count = 0};
+    make_indices(obj, part, &mesh, &polygons);
     free(part->corners);
     free(part->sizes);
     mesh.material = scene_mtl_use(import, &obj->mtl, part->key.material, obj->colored);
@@ -564,7 +567,9 @@ static void add_part(struct obj *obj, struct part *part)
     instance->object = part->key.object + 1;
     scene_import_identity(instance->world);
     const bool flat = part->key.smoothing == SMOOTHING_OFF;
-    scene_import_complete_mesh(import, instance->mesh, flat ? SCENE_IMPORT_FLAT : SCENE_IMPORT_SMOOTH, true);
+    scene_import_complete_polygons(import, instance->mesh, flat ? SCENE_IMPORT_FLAT : SCENE_IMPORT_SMOOTH,
+                                   true, polygons.of_triangle);
+    free(polygons.of_triangle);
 }
 
 // Make a cloud of points of a file that has vertices alone.

@@ -479,7 +479,8 @@ static void add_mesh(struct off *off, enum scene_primitive primitive)
     instance->mesh = off->import->model.mesh_count - 1;
     instance->object = instance->mesh + 1;
     scene_import_identity(instance->world);
-    scene_import_complete_mesh(off->import, instance->mesh, SCENE_IMPORT_SMOOTH, face_colors);
+    scene_import_complete_polygons(off->import, instance->mesh, SCENE_IMPORT_SMOOTH, face_colors,
+                                   primitive == SCENE_PRIMITIVE_TRIANGLES ? list->faces : NULL);
 }
 
 // Add what the faces have become. Vertices without faces are a cloud of points.

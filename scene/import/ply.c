@@ -21,7 +21,8 @@
 
 static bool has_magic(const unsigned char *start, size_t size)
 {
-    const size_t mark = size >= 3 && memcmp(start, "\xef\xbb\xbf", 3) == 0 ? 3 : 0; // of UTF-8
+    const size_t mark =
+        size >= 3 && memcmp(start, "\xef\xbb\xbf", 3) == 0 ? 3 : 0; // a byte order mark is skipped
     const unsigned char *word = start + mark;
     return size >= mark + 4 && memcmp(word, "ply", 3) == 0 && (word[3] == '\n' || word[3] == '\r');
 }
@@ -100,6 +101,10 @@ static void read_vertices(struct ply *ply, const struct element *element)
         scene_import_fail(ply->import, "has two lists of vertices");
     }
     scene_ply_find_colors(element, &ply->vertex_colors);
+    if (ply->vertex_colors.present) {
+        scene_import_reserve(ply->import, &ply->vertex_colors.rows, &ply->vertex_colors.capacity,
+                             (size_t)element->count, sizeof *ply->vertex_colors.rows);
+    }
     allocate_vertices(ply, present, (uint32_t)element->count);
     for (ply->row = 0; ply->row < element->count; ply->row++) {
         for (int i = 0; i < element->property_count; i++) {
@@ -212,7 +217,7 @@ static uint32_t add_material(struct ply *ply, const struct scene_mesh *mesh, int
     return material;
 }
 
-static void add_mesh(struct ply *ply, const struct scene_mesh *mesh, bool join)
+static void add_mesh(struct ply *ply, const struct scene_mesh *mesh, bool join, uint32_t *polygons)
 {
     *scene_import_add_mesh(ply->import) = *mesh;
     scene_import_place_mesh(ply->import, ply->origin);
@@ -220,7 +225,7 @@ static void add_mesh(struct ply *ply, const struct scene_mesh *mesh, bool join)
     instance->mesh = ply->import->model.mesh_count - 1;
     instance->object = instance->mesh + 1;
     scene_import_identity(instance->world);
-    scene_import_complete_mesh(ply->import, instance->mesh, SCENE_IMPORT_SMOOTH, join);
+    scene_import_complete_polygons(ply->import, instance->mesh, SCENE_IMPORT_SMOOTH, join, polygons);
 }
 
 static void *copy_array(struct ply *ply, const void *array, size_t size)
@@ -259,7 +264,7 @@ static void add_lines(struct ply *ply)
         scene_import_color_primitives(ply->import, &lines, (const float(*)[4])ply->edge_colors.rows, NULL);
     }
     lines.material = add_material(ply, &lines, -1, translucent);
-    add_mesh(ply, &lines, false);
+    add_mesh(ply, &lines, false, NULL);
 }
 
 // Give each corner its own vertex, because texture coordinates belong to it.
@@ -290,17 +295,25 @@ static void add_textured(struct ply *ply, int texture, bool join)
 {
     struct scene_mesh part = copy_vertices(ply);
     part.indices = scene_import_allocate(ply->import, ply->mesh.index_count, sizeof *part.indices);
+    uint32_t *polygons =
+        ply->polygons.of_triangle == NULL
+            ? NULL
+            : scene_import_allocate(ply->import, ply->mesh.index_count / 3, sizeof *polygons);
     for (uint32_t i = 0; i < ply->mesh.index_count; i += 3) {
         const int32_t number = ply->face_textures[ply->rows[i / 3]];
         if ((number < ply->texture_count ? number : -1) == texture) {
+            if (polygons != NULL) {
+                polygons[part.index_count / 3] = ply->polygons.of_triangle[i / 3];
+            }
             memcpy(part.indices + part.index_count, ply->mesh.indices + i, 3 * sizeof *part.indices);
             part.index_count += 3;
         }
     }
     if (part.index_count > 0) {
         part.material = add_material(ply, &part, texture, ply->translucent);
-        add_mesh(ply, &part, join);
+        add_mesh(ply, &part, join, polygons);
     }
+    free(polygons);
 }
 
 static void add_triangles(struct ply *ply)
@@ -317,7 +330,7 @@ static void add_triangles(struct ply *ply)
     }
     if (ply->texture_count <= 1) {
         mesh->material = add_material(ply, mesh, 0, ply->translucent);
-        add_mesh(ply, mesh, join);
+        add_mesh(ply, mesh, join, ply->polygons.of_triangle);
         return;
     }
     for (int texture = -1; texture < ply->texture_count; texture++) {
@@ -335,7 +348,7 @@ static void add_points(struct ply *ply)
         mesh->indices[i] = i;
     }
     mesh->material = add_material(ply, mesh, 0, ply->translucent);
-    add_mesh(ply, mesh, false);
+    add_mesh(ply, mesh, false, NULL);
 }
 
 // Entry ---------------------------------------------------------------------------------------------
