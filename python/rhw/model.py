@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 import threading
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -138,6 +138,11 @@ def _moved(place: Sequence[float], origin: Place) -> Place:
     return x, y, z
 
 
+def _light(about: Dict[str, Any], origin: Place) -> Light:
+    light = Light(**about)
+    return replace(light, position=_moved(light.position, origin))
+
+
 def _placed(about: Dict[str, Any], origin: Place) -> Dict[str, Any]:
     world = np.asarray(about["world"]).T
     if any(origin):
@@ -176,7 +181,7 @@ class Model:
 
     Attributes, all read-only: meshes, materials, images, nodes, cameras, lights, animations (tuples); variants,
     warnings, unsupported (tuples of str); path, format, unit, up (str); bounds ((2, 3) float32, least and most in the
-    world); origin ((x, y, z), 0 unless the model is over 256 times its size away from the file's origin: what is drawn
+    world); frame (likewise, of what a fitted picture is about); origin ((x, y, z), 0 unless the model is over 256 times its size away from the file's origin: what is drawn
     is then counted from there, `bounds`, `Node.world` and the output `position` are float64, and all of them stay in the
     coordinates of the file).
     """
@@ -218,13 +223,13 @@ class Model:
         self.origin: Place = about["origin"]
         self.nodes = tuple(Node(**_placed(each, self.origin)) for each in about["nodes"])
         self.cameras = tuple(ModelCamera(**_placed(each, self.origin)) for each in about["cameras"])
-        self.lights = tuple(Light(**{**each, "position": _moved(each["position"], self.origin)})
-                            for each in about["lights"])
+        self.lights = tuple(_light(each, self.origin) for each in about["lights"])
         self.animations = tuple(Animation(**each) for each in about["animations"])
         self.variants: Tuple[str, ...] = about["variants"]
         self.warnings: Tuple[str, ...] = about["warnings"]
         self.unsupported: Tuple[str, ...] = about["unsupported"]
         self._bounds = (about["bounds_min"], about["bounds_max"])
+        self._frame = (about["frame_min"], about["frame_max"])
 
     def __reduce__(self) -> Tuple[Any, ...]:
         return _unpickle, (_rhw.version, _rhw.to_bytes(self._model))
@@ -239,6 +244,11 @@ class Model:
     def bounds(self) -> NDArray[Any]:
         """(2, 3) float32: the least and the greatest corner of all nodes, in the world. float64 with an `origin`."""
         return np.array(self._bounds) + self.origin if any(self.origin) else np.array(self._bounds, np.float32)
+
+    @property
+    def frame(self) -> np.ndarray:
+        """The bounds without what nobody can see, and without specks far away: what a fitted picture is about."""
+        return np.array(self._frame) + self.origin if any(self.origin) else np.array(self._frame, np.float32)
 
     def __repr__(self) -> str:
         triangles = sum(len(self.meshes[node.mesh].faces) for node in self.nodes)

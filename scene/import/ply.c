@@ -21,7 +21,8 @@
 
 static bool has_magic(const unsigned char *start, size_t size)
 {
-    const size_t mark = size >= 3 && memcmp(start, "\xef\xbb\xbf", 3) == 0 ? 3 : 0; // of UTF-8
+    const size_t mark =
+        size >= 3 && memcmp(start, "\xef\xbb\xbf", 3) == 0 ? 3 : 0; // a byte order mark is skipped
     const unsigned char *word = start + mark;
     return size >= mark + 4 && memcmp(word, "ply", 3) == 0 && (word[3] == '\n' || word[3] == '\r');
 }

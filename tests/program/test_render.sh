@@ -272,6 +272,22 @@ done
 succeed render cube.obj $view -o a.png --environment sky.hdr
 differs "--environment-rotation" --environment sky.hdr --environment-rotation 90
 differs "--background environment" --environment sky.hdr --background environment
+# The same light as a DDS of floats.
+{
+    printf 'DDS \174\000\000\000\007\020\000\000\002\000\000\000\004\000\000\000'
+    head -c 56 /dev/zero
+    printf '\040\000\000\000\004\000\000\000DX10'
+    head -c 40 /dev/zero
+    printf '\002\000\000\000\003\000\000\000\000\000\000\000\001\000\000\000\000\000\000\000'
+    for texel in red red blue blue red red blue blue; do
+        [ $texel = red ] || printf '\000\000\000\077\000\000\000\077\000\000\377\077\000\000\200\077'
+        [ $texel = blue ] || printf '\000\000\377\077\000\000\000\077\000\000\000\077\000\000\200\077'
+    done
+} >sky.dds
+succeed render cube.obj $view -o a.png --environment sky.hdr
+succeed render cube.obj $view -o b.png --environment sky.dds
+check "an environment of DDS" cmp -s a.png b.png
+rm b.png
 succeed render cube.obj $view -o other.exr --environment sky.hdr
 succeed render cube.obj $view -o a.png --environment other.exr
 succeed render cube.obj $view -o a.png

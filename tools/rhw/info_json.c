@@ -217,6 +217,20 @@ static void json_lines(const char *key, const char **lines, uint32_t count)
     printf("]");
 }
 
+static void json_box(const struct scene_model *model, const char *key, const float low[3],
+                     const float high[3])
+{
+    printf(",\n  \"%s\": ", key);
+    if (cli_info_draws_anything(model)) {
+        printf("{\"empty\": false");
+        json_places(model, "min", low, 3);
+        json_places(model, "max", high, 3);
+        printf("}");
+    } else {
+        printf("{\"empty\": true}");
+    }
+}
+
 void cli_info_print_json(const struct scene_model *model)
 {
     printf("{\n  \"file\": ");
@@ -226,15 +240,10 @@ void cli_info_print_json(const struct scene_model *model)
     printf(",\n  \"triangles_drawn\": %" PRIu64 ",\n  \"triangles_stored\": %" PRIu64
            ",\n  \"objects\": %" PRIu32 ",\n  \"draws\": %" PRIu32,
            model->triangles_drawn, model->triangles_stored, cli_info_objects(model), model->instance_count);
-    printf(",\n  \"bounds\": ");
-    if (cli_info_draws_anything(model)) {
-        printf("{\"empty\": false");
-        json_places(model, "min", model->bounds_min, 3);
-        json_places(model, "max", model->bounds_max, 3);
-        printf("}");
-    } else {
-        printf("{\"empty\": true}");
-    }
+    const bool is_framed = model->is_framed;
+    json_box(model, "bounds", model->bounds_min, model->bounds_max);
+    json_box(model, "frame", is_framed ? model->frame_min : model->bounds_min,
+             is_framed ? model->frame_max : model->bounds_max);
     printf(",\n  \"unit\": ");
     cli_json_string(stdout, model->unit);
     printf(",\n  \"up\": \"%s\",\n  \"up_from\": \"%s\",\n  \"mesh_bytes\": %" PRIu64

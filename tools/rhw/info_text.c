@@ -198,6 +198,13 @@ void cli_info_print_text(const struct scene_model *model)
         printf("\n");
         printf("size:      %.6g x %.6g x %.6g\n", (double)most[0] - (double)least[0],
                (double)most[1] - (double)least[1], (double)most[2] - (double)least[2]);
+        if (model->is_framed) {
+            printf("framed:   ");
+            print_place(model, model->frame_min, 6);
+            printf(" to");
+            print_place(model, model->frame_max, 6);
+            printf("\n");
+        }
     } else {
         printf("bounds:    none, there is nothing to draw\n");
     }

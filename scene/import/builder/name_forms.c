@@ -85,7 +85,8 @@ void scene_name_forms_add(struct scene_import *import, struct scene_name_forms *
     }
 }
 
-// Add the forms of a name after its conversion. Return what it is converted to, to be freed. Return NULL if it cannot be.
+// Add the forms of a name after its conversion. Return what it is converted to, to be freed. Return NULL if it cannot
+// be.
 static char *add_converted(struct scene_import *import, struct scene_name_forms *forms, const char *name,
                            int from, int to)
 {

@@ -106,8 +106,8 @@ static void read_transform(struct scene_gltf *gltf, const json_t *extension, str
     }
 }
 
-// Return the index of the image. A WebP or KTX2 image comes first; `source` may be there for programs that cannot read it.
-// An AVIF or DDS image comes last, because not every build reads the one, and the other is often of less quality.
+// Return the index of the image. A WebP or KTX2 image comes first; `source` may be there for programs that cannot read
+// it. An AVIF or DDS image comes last, because not every build reads the one, and the other is often of less quality.
 static int64_t find_image(struct scene_gltf *gltf, const json_t *texture)
 {
     const json_t *avif = scene_gltf_extension(gltf, texture, "EXT_texture_avif");

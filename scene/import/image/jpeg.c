@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Markers are those of ITU-T T.81, annex B. Between segments, and in the data of a scan, every byte that is no marker is
-// skipped, as stb_image skips some of them.
+// Markers are those of ITU-T T.81, annex B. Between segments, and in the data of a scan, every byte that is no marker
+// is skipped, as stb_image skips some of them.
 #include "jpeg.h"
 
 #include <stdbool.h>

@@ -346,7 +346,8 @@ static void swap_texels(struct scene_image *image, size_t a, size_t b)
     memcpy(texels + b * texel, held, texel);
 }
 
-// Turn a picture whose rows were stored from the bottom or from the right. One that was stored by columns stays as it is.
+// Turn a picture whose rows were stored from the bottom or from the right. One that was stored by columns stays as it
+// is.
 static void turn(struct scene_image *image, uint16_t orientation)
 {
     const bool from_right = orientation == ORIENTATION_TOPRIGHT || orientation == ORIENTATION_BOTRIGHT,

@@ -364,12 +364,26 @@ static void test_files(void **state)
     }
 }
 
+// A package without a model says why there is none.
+static void test_nothing_drawn(void **state)
+{
+    (void)state;
+    package_write("s.3mf", "<object id=\"1\" type=\"other\">" MESH(TWO) "</object>",
+                  "<item objectid=\"1\"/>");
+    expect_refused("s.3mf", "has nothing that can be drawn: objects of type \"other\" (3MF): left out");
+    zipFile zip = package_begin("s.3mf");
+    package_add_model(zip, "3D/3dmodel.model", "", "");
+    package_add_text(zip, "Metadata/plate_1.gcode", "G28\n");
+    package_end(zip);
+    expect_refused("s.3mf", "holds G-code for a printer, and no model");
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_bambu_parts),   cmocka_unit_test(test_bambu_roles),
     cmocka_unit_test(test_prusa_volumes), cmocka_unit_test(test_slic3r_and_cura),
     cmocka_unit_test(test_painted),       cmocka_unit_test(test_cuts),
     cmocka_unit_test(test_cuts_beside),   cmocka_unit_test(test_told),
-    cmocka_unit_test(test_files),
+    cmocka_unit_test(test_files),         cmocka_unit_test(test_nothing_drawn),
 };
 
 const struct unit_tests test_3mf_slicer = UNIT_TESTS(tests, make_directory, remove_directory);

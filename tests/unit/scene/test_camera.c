@@ -168,6 +168,10 @@ static void test_default_orbit_faces_flat_models(void **state)
     t.indices[4] = 3;
     t.indices[5] = 2;
     tiny_assert_close(scene_camera_default_orbit(&t.model, SCENE_AXIS_Y).azimuth, 180.0, 0.0);
+    // A mirrored instance turns its triangles round, and is drawn by their other side.
+    t.instances[0].world[0] = -1;
+    t.instances[0].mirrored = true;
+    tiny_assert_close(scene_camera_default_orbit(&t.model, SCENE_AXIS_Y).azimuth, 180.0, 0.0);
 }
 
 // A model whose up is another axis is one with y up, turned: the same picture of it.
