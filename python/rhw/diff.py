@@ -18,7 +18,7 @@ triangles an image has, by the first and their number.
 
 Nothing depends on how many threads work, gradients neither: where many pixels add to one vertex or texel, they do so one
 after the other in the order of the picture, in double precision. `context` says how many threads there are, else all cores
-work. The interpreter's lock is released meanwhile; Ctrl-C ends a call within a moment, and rasterize after an image.
+work. The interpreter's lock is released meanwhile; Ctrl-C ends a call within a moment.
 """
 
 from __future__ import annotations
