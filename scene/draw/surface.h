@@ -10,8 +10,8 @@
 
 struct scene_lighting;
 
-/// PEELED: blended surfaces without blending, of each pixel the farthest that is nearer than `peeled`. GLASS: the same of
-/// surfaces that light passes through. BLENDED: blended surfaces.
+/// PEELED: blended surfaces without blending, of each pixel the farthest that is nearer than `peeled`. GLASS: surfaces
+/// that light passes through, drawn as PEELED. BLENDED: blended surfaces.
 enum scene_surface_part {
     SCENE_SURFACES_ALL,
     SCENE_SURFACES_OPAQUE,

@@ -134,6 +134,8 @@ static void set_material(struct scene_surface *s, const struct scene_surface_pas
     s->occlusion_strength = material->occlusion_strength;
     s->double_sided = material->double_sided;
     s->alpha_mode = (int32_t)material->alpha_mode;
+    s->casts = !material->is_ground && !scene_material_transmits(material) &&
+               material->alpha_mode != SCENE_ALPHA_BLEND;
     if (material->alpha_mode == SCENE_ALPHA_MASK) {
         s->alpha_cutoff = material->alpha_cutoff;
     } else if (material->alpha_mode == SCENE_ALPHA_BLEND && (def->data_outputs || def->shadow)) {
@@ -147,7 +149,8 @@ static void use_position(struct scene_surface *s, struct scene_surface_key *key)
     key->position_number = key->varying_count;
 }
 
-// What a facet stands for, as shadows are looked up, follows from the tangent planes of its corners.
+// The plane of a fragment, in which shadows are looked up, follows from the derivatives of its position. What a facet
+// stands for follows from the tangent planes of its corners.
 static void use_shadows(struct scene_surface *s, struct scene_surface_key *key,
                         const struct scene_frame *frame)
 {
@@ -155,6 +158,7 @@ static void use_shadows(struct scene_surface *s, struct scene_surface_key *key,
         s->shadowed = s->shadowed || frame->lights[i].map_count > 0;
     }
     if (s->shadowed && s->is_triangle) {
+        key->position_derivatives = true;
         s->varying_support = add_varying(key, 1);
     }
 }
@@ -233,7 +237,6 @@ static void lay_out_color(struct scene_surface *s, struct scene_surface_key *key
         use_position(s, key);
         use_normal(s, key, mesh);
         use_shadows(s, key, def->frame);
-        key->position_derivatives = s->is_triangle; // from which the plane of a fragment follows
         key->uses |= def->frame->guide.occlusion ? RHW_USE_COORD : 0;
     }
     if (mapped) {
@@ -362,6 +365,7 @@ void scene_surface_lay_out(const struct scene_upload *upload, const struct scene
     }
     s->peel_unit = SCENE_BASE_SLOTS;
     s->is_triangle = mesh->kind == SCENE_VERTEX_SURFACE;
+    s->inside_out = mesh->inside_out;
     s->triangles_per_id = s->is_triangle ? 1 : 2;
     s->object = instance->object;
     s->first_triangle = upload->first_triangle[instance_index];

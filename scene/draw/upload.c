@@ -6,6 +6,8 @@
 // would, but instances of 4 vertices leave half of every group of 8 lanes empty.
 #include "upload.h"
 
+#include "draw/camera/camera_math.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -138,6 +140,40 @@ static enum rhw_result upload_quads(rhw_context *context, const struct scene_mes
     return result;
 }
 
+// Return true if the normals of a facet's corners lie on its other side, further away than interpolation leads: by 120
+// degrees.
+static bool is_turned(const struct scene_mesh *mesh, uint32_t triangle)
+{
+    const uint32_t *const corner = &mesh->indices[3 * (size_t)triangle];
+    double edge[2][3], sum[3], across[3];
+    for (int c = 0; c < 3; c++) {
+        const double first = (double)mesh->positions[corner[0]][c];
+        edge[0][c] = (double)mesh->positions[corner[1]][c] - first;
+        edge[1][c] = (double)mesh->positions[corner[2]][c] - first;
+        sum[c] = (double)mesh->normals[corner[0]][c] + (double)mesh->normals[corner[1]][c] +
+                 (double)mesh->normals[corner[2]][c];
+    }
+    scene_cross(edge[0], edge[1], across);
+    const double along = scene_dot(sum, across), third = along / 3.0;
+    return along < 0.0 && third * third > 0.25 * scene_dot(across, across);
+}
+
+// Some facets, spread over the mesh, speak for all.
+static bool is_inside_out(const struct scene_mesh *mesh)
+{
+    enum { ASKED = 256 };
+    if (mesh->primitive != SCENE_PRIMITIVE_TRIANGLES || !mesh->normals) {
+        return false;
+    }
+    const uint32_t count = mesh->index_count / 3, step = count / ASKED + 1;
+    uint32_t turned = 0, asked = 0;
+    for (uint32_t triangle = 0; triangle < count; triangle += step) {
+        turned += is_turned(mesh, triangle);
+        asked++;
+    }
+    return turned > asked / 2;
+}
+
 static enum rhw_result upload_mesh(rhw_context *context, const struct scene_mesh *source,
                                    struct scene_uploaded_mesh *mesh)
 {
@@ -145,6 +181,7 @@ static enum rhw_result upload_mesh(rhw_context *context, const struct scene_mesh
                                                    [SCENE_PRIMITIVE_LINES] = SCENE_VERTEX_LINE,
                                                    [SCENE_PRIMITIVE_POINTS] = SCENE_VERTEX_POINT};
     mesh->kind = kinds[source->primitive];
+    mesh->inside_out = is_inside_out(source);
     lay_out(mesh, source);
     if (source->vertex_count == 0 || source->index_count == 0) {
         return RHW_OK; // index_count stays 0: nothing is drawn
@@ -230,8 +267,8 @@ enum rhw_result scene_upload_create(rhw_context *context, const struct scene_mod
     if (upload->images && upload->materials && upload->combined.images) {
         result = upload_shape(upload);
     }
-    for (uint32_t i = 0; i < model->image_count && result == RHW_OK; i++) {
-        result = scene_upload_image(context, model, i, &upload->images[i]);
+    if (result == RHW_OK) {
+        result = scene_upload_images(context, model, upload->images);
     }
     for (uint32_t i = 0; i < model->material_count && result == RHW_OK; i++) {
         result = upload_material(upload, i);

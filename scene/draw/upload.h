@@ -15,6 +15,7 @@ struct scene_uploaded_mesh {
     rhw_buffer vertices, indices; // one interleaved vertex buffer; 32-bit indices of a triangle list
     uint32_t index_count;
     enum scene_vertex_kind kind;
+    bool inside_out; // most normals are on the other side of their facets, by 120 degrees or more
     struct rhw_attribute attributes[SCENE_MESH_ATTRIBUTES];
     int attribute_count;
     uint32_t stride;

@@ -251,6 +251,15 @@ async function checkErrors(checks, rhw, read, data) {
     checks.that('a warning', warnings.length === 1 && /^rhw: a\.obj: warning: .*no\.mtl/.test(warnings[0]), warnings);
     await checks.fails('a warning with strict', rhw.render(obj, { name: 'a.obj', strict: true }),
                        /^rhw: a\.obj: is not drawn as /);
+    const far = new TextEncoder().encode('v 5e6 0 4e6\nv 5000001.5 0 4e6\nv 5e6 1.25 4e6\nf 1 2 3\n');
+    const { position, color } = await rhw.render(far, { name: 'far.obj', size: 8, outputs: ['position', 'color'] });
+    const hit = position.findIndex((value, i) => i % 4 === 3 && value === 1) - 3;
+    checks.that('positions far from the origin', position instanceof Float64Array && hit >= 0 &&
+                position[hit] > 5e6 && position[hit] < 5000001.5 && position[hit + 2] === 4e6, [...position]);
+    const near = new TextEncoder().encode('v 0 0 0\nv 1.5 0 0\nv 0 1.25 0\nf 1 2 3\n');
+    const same = await rhw.render(near, { name: 'near.obj', size: 8, outputs: ['position', 'color'] });
+    checks.same('a picture far from the origin', [...color], [...same.color]);
+    checks.that('positions near the origin', same.position instanceof Float32Array);
 }
 
 async function checkTriangles(checks, rhw, threads) {

@@ -26,8 +26,8 @@ static uint32_t warn(const struct render *render)
     const struct scene_model *model = render->model;
     const uint32_t count = model->warning_count + model->unsupported_count;
     for (uint32_t i = 0; i < count && i < WARNINGS_SHOWN && !render->job.quiet; i++) {
-        const char *const line = i < model->warning_count ? model->warnings[i]
-                                                          : model->unsupported[i - model->warning_count];
+        const char *const line =
+            i < model->warning_count ? model->warnings[i] : model->unsupported[i - model->warning_count];
         cli_warning(render->job.model_path, "%s%s", line, advice_on(render, line));
     }
     if (count > WARNINGS_SHOWN && !render->job.quiet) {

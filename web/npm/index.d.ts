@@ -26,6 +26,7 @@ export type Bytes = ArrayBuffer | ArrayBufferView;
 type Color8 = ReturnType<Uint8ClampedArrayConstructor['from']>;
 type Numbers32 = ReturnType<Uint32ArrayConstructor['from']>;
 type Floats32 = ReturnType<Float32ArrayConstructor['from']>;
+type Floats64 = ReturnType<Float64ArrayConstructor['from']>;
 
 /**
  * A model: the bytes of its file, or its address, from which the files that it names are fetched too. An address is relative to
@@ -42,7 +43,7 @@ export type Vector = readonly [x: number, y: number, z: number];
 export interface LoadOptions {
     /**
      * What the file is called. Its ending tells the format where its content does not, and messages name it. Without
-     * a name the format is told from the content alone, which suffices for .glb, .gltf, .ply, .stl, .3mf and most
+     * a name the format is told from the content alone, which suffices for .glb, .gltf, .ply, .off, .stl, .3mf and most
      * .obj.
      */
     name?: string;
@@ -78,8 +79,8 @@ export interface LoadOptions {
 }
 
 /**
- * Reads a model: glTF 2.0 (.glb, and .gltf with its files; Draco, meshopt, WebP and KTX2 included), OBJ, PLY, STL or
- * 3MF. A file that makes the reader crash does no harm to anything else.
+ * Reads a model: glTF 2.0 (.glb, and .gltf with its files; Draco, meshopt, WebP and KTX2 included), OBJ, PLY, OFF, STL
+ * or 3MF. A file that makes the reader crash does no harm to anything else.
  *
  * @param model the bytes of the file, which are copied, or its address
  * @returns a scene, to be drawn as often as one likes
@@ -100,8 +101,11 @@ export interface Outputs {
     distance: Floats32;
     /** x, y, z in the world, of length 1, turned to the viewer, then 1; four zeros where nothing is. */
     normal: Floats32;
-    /** x, y, z in the world, then 1; four zeros where nothing is. */
-    position: Floats32;
+    /**
+     * x, y, z in the world, then 1; four zeros where nothing is. In double where the model stands over 256 times its
+     * size away from the origin.
+     */
+    position: Floats32 | Floats64;
     /** u, v of the first set, 0, then 1; four zeros where nothing is. v runs down. */
     uv: Floats32;
     /** The number of the node that is seen, from 1; 0 where nothing is. */
@@ -295,6 +299,8 @@ export interface ModelInfo {
     objects: number;
     draws: number;
     bounds: { empty: true } | { empty: false; min: [number, number, number]; max: [number, number, number] };
+    /** What a fitted picture is about: the bounds without what nobody can see, and without specks far away. */
+    frame: { empty: true } | { empty: false; min: [number, number, number]; max: [number, number, number] };
     /** Of lengths, for example `metre`; empty where the file does not say. */
     unit: string;
     up: 'x' | 'y' | 'z' | '-x' | '-y' | '-z';

@@ -115,6 +115,16 @@ export async function render(model, options = {}) {
     }
 }
 
+// Positions that count from a model's origin, in the coordinates of its file; they need no more than floats where these
+// are the same.
+function inFile(positions, origin) {
+    if (origin.every((number) => number === 0)) {
+        return positions;
+    }
+    const moved = [...origin, 0];
+    return Float64Array.from(positions, (value, i) => value + (positions[i | 3] > 0 ? moved[i % 4] : 0));
+}
+
 // Scenes ---------------------------------------------------------------------------------------------------------
 
 function checkOutputs(outputs, names) {
@@ -151,7 +161,7 @@ export class Scene {
 
     view(options = {}) {
         this.#ask('_web_scene_look', drawingWords(options));
-        return this.#view();
+        return this.#view().view;
     }
 
     render(options = {}) {
@@ -160,11 +170,12 @@ export class Scene {
         checkOutputs(outputs, names);
         const bits = names.reduce((sum, name) => sum | outputs[name].bit, 0);
         this.#askWhile(options, () => this.#ask('_web_scene_render', drawingWords(options), bits));
-        const view = this.#view();
+        const { view, origin } = this.#view();
         const pixels = view.width * view.height;
         const pictures = names.map((name) => {
             const { bit, Type, count } = outputs[name];
-            return [name, this.#instance.copyOut(Type, this.#call('_web_scene_picture', bit), pixels * count)];
+            const picture = this.#instance.copyOut(Type, this.#call('_web_scene_picture', bit), pixels * count);
+            return [name, name === 'position' ? inFile(picture, origin) : picture];
         });
         const threads = this.#call('_web_scene_threads');
         return { ...view, ...Object.fromEntries(pictures), threads, warnings: this.#instance.messages() };
@@ -230,20 +241,17 @@ export class Scene {
 
     // The one that was chosen last; the numbers are those of web_scene_view.
     #view() {
-        const [width, height, ...n] = this.#instance.copyOut(Float64Array, this.#call('_web_scene_view'), 16);
-        const [orthographic, fovy, halfHeight, near, far] = n.slice(9);
-        return {
-            width,
-            height,
-            camera: {
-                eye: n.slice(0, 3),
-                target: n.slice(3, 6),
-                up: n.slice(6, 9),
-                ...(orthographic ? { orthographic: true, height: 2 * halfHeight } : { fovy }),
-                near,
-                far: far === 0 ? Infinity : far,
-            },
+        const [width, height, ...n] = this.#instance.copyOut(Float64Array, this.#call('_web_scene_view'), 19);
+        const [orthographic, fovy, halfHeight, near, far, ...origin] = n.slice(9);
+        const camera = {
+            eye: n.slice(0, 3),
+            target: n.slice(3, 6),
+            up: n.slice(6, 9),
+            ...(orthographic ? { orthographic: true, height: 2 * halfHeight } : { fovy }),
+            near,
+            far: far === 0 ? Infinity : far,
         };
+        return { view: { width, height, camera }, origin };
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Files that were dropped or chosen, folders too, as a model and the files beside it.
 
-const MODELS = [/\.(glb|gltf)$/i, /\.(obj|ply|stl|3mf)$/i]; // of several in a folder, the better described first
+const MODELS = [/\.(glb|gltf)$/i, /\.(obj|ply|off|stl|3mf)$/i]; // of several in a folder, the better described first
 
 const depthOf = (path) => path.split('/').length;
 const folderOf = (path) => path.slice(0, path.lastIndexOf('/') + 1);

@@ -154,49 +154,17 @@ ALWAYS_INLINE void surface_normal(const struct rhw_fragment *f, const struct sce
     face_seen_side(f, s, normal);
 }
 
-// Find the unit normal of the facet on the side that is seen, towards the eye. A line or a point faces the eye.
-ALWAYS_INLINE void face_normal(const struct rhw_fragment *f, const struct scene_surface *s,
-                               const rhw_float view[3], rhw_float face[3])
-{
-    if (!s->is_triangle) {
-        for (int c = 0; c < 3; c++) {
-            face[c] = view[c];
-        }
-        return;
-    }
-    rhw_float across[3], down[3];
-    rhw_normalize3(&f->ddx[s->varying_position], across);
-    rhw_normalize3(&f->ddy[s->varying_position], down);
-    rhw_cross(across, down, face);
-    rhw_normalize3(face, face);
-    const rhw_int turn = rhw_less(rhw_dot3(face, view), 0.0f);
-    for (int c = 0; c < 3; c++) {
-        face[c] = (rhw_float)((rhw_int)face[c] ^ (turn & INT32_MIN));
-    }
-}
-
-// Tell whether a normal is on the other side of its facet: further from the facet's than interpolation leads, by 120
-// degrees or more.
-ALWAYS_INLINE rhw_int is_other_side(const rhw_float normal[3], const rhw_float face[3])
-{
-    return rhw_less(rhw_dot3(normal, face), -0.5f);
-}
-
 // Bend a normal that leans away from the eye until its surface is just seen. Interpolation and normal maps may lean a
 // surface away, which no surface that is seen does. Its highlight and its mirror would be of what is behind it. A mesh
 // whose normals are on the other side of its facets is the file's word, which stays: it is shaded as from behind.
-ALWAYS_INLINE void bend_to_view(const struct rhw_fragment *f, const struct scene_surface *s,
-                                const rhw_float view[3], rhw_float normal[3])
+ALWAYS_INLINE void bend_to_view(const struct scene_surface *s, const rhw_float view[3], rhw_float normal[3])
 {
     const rhw_float lacking = 0.02f - rhw_dot3(normal, view);
-    rhw_int leans = rhw_less(0.0f, lacking);
-    if (!rhw_any(leans)) {
+    const rhw_int leans = rhw_less(0.0f, lacking);
+    if (!rhw_any(leans) || s->inside_out) {
         return;
     }
-    rhw_float face[3], own[3], bent[3];
-    face_normal(f, s, view, face);
-    surface_normal(f, s, false, NULL, own);
-    leans &= ~is_other_side(own, face);
+    rhw_float bent[3];
     for (int c = 0; c < 3; c++) {
         bent[c] = normal[c] + view[c] * lacking;
     }
@@ -211,7 +179,7 @@ ALWAYS_INLINE void seen_normal(const struct rhw_fragment *f, const struct scene_
                                slot_texels texels, const rhw_float view[3], rhw_float normal[3])
 {
     surface_normal(f, s, mapped, texels, normal);
-    bend_to_view(f, s, view, normal);
+    bend_to_view(s, view, normal);
 }
 
 // Draw the lines of the wireframe. The distance to an edge in pixels is its barycentric weight over the weight's
@@ -305,8 +273,9 @@ ALWAYS_INLINE void shadow_irradiance(const struct rhw_fragment *f, const struct 
         curve.support = &f->varying[s->varying_support];
         curve.turn = s->double_sided ? ~f->front_facing : rhw_splat_int(0);
     }
-    const rhw_float open = scene_shadow(light, &f->varying[at], plane ? &f->ddx[at] : NULL,
-                                        plane ? &f->ddy[at] : NULL, plane ? &curve : NULL, f->mask & facing);
+    const rhw_float open =
+        scene_shadow(light, &f->varying[at], plane ? &f->ddx[at] : NULL, plane ? &f->ddy[at] : NULL,
+                     plane ? &curve : NULL, s->casts, f->mask & facing);
     for (int c = 0; c < 3; c++) {
         irradiance[c] = irradiance[c] * open;
     }

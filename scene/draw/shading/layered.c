@@ -137,7 +137,7 @@ static void set_coat(struct scene_layered *m, const struct rhw_fragment *f, cons
         layer_factor(f, s, l->clearcoat_roughness, SCENE_SLOT_CLEARCOAT_ROUGHNESS, 1), 0.045f, 1.0f);
     map_normal(f, s, mapped ? texel : NULL, l->clearcoat_normal_scale, m->coat_normal);
     face_seen_side(f, s, m->coat_normal);
-    bend_to_view(f, s, m->view, m->coat_normal);
+    bend_to_view(s, m->view, m->coat_normal);
     m->coat_n_dot_v = rhw_clamp(rhw_dot3(m->coat_normal, m->view), 1.0f / 1024.0f, 1.0f);
     m->under_coat = 1.0f - m->coat * scene_schlick(rhw_splat(0.04f), rhw_splat(1.0f), m->coat_n_dot_v);
 }

@@ -151,7 +151,9 @@ struct scene_surface {
     int32_t alpha_mode; // enum scene_alpha_mode
     float alpha_cutoff; // fragments with less alpha are discarded; at 0 none is
     int32_t double_sided, wireframe;
-    int32_t shadowed; // some light has a shadow map
+    int32_t inside_out; // the normals of the mesh are on the other side of its facets
+    int32_t shadowed;   // some light has a shadow map
+    int32_t casts;      // the surface casts shadows
 
     uint32_t object, first_triangle;
     uint32_t triangles_per_id; // 2 where a quad stands for a line or a point, and 1 elsewhere

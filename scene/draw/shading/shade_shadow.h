@@ -10,11 +10,12 @@
 // beside it. Planes that meet in a fold therefore do not shade each other.
 //
 // That allowance would leave a bright line along an inner corner whose one side keeps the light from the other: what
-// casts the shadow touches what it falls on. But a plane that the light reaches is in the map itself. Where none of the
-// four texels around a fragment lies in its plane and some lie before it, the fragment is hidden. The allowance is not
-// made there, taps beyond the end of the plane do not count, and no light arrives where the penumbra of what hides the
-// fragment is narrower than a texel. Folds stay lit: the other side of a fold begins beyond a line that passes the fragment, and no such side holds all four corners
-// of a square without what is inside of the square.
+// casts the shadow touches what it falls on. But the plane of what casts shadows itself is in the map where the light
+// reaches it. Where none of the four texels around a fragment lies in its plane and some lie before it, the fragment is
+// hidden. The allowance is not made there, taps beyond the end of the plane do not count, and no light arrives where
+// the penumbra of what hides the fragment is narrower than a texel. Folds stay lit: the other side of a fold begins
+// beyond a line that passes the fragment, and no such side holds all four corners of a square without what is inside of
+// the square.
 //
 // Facets that stand for a curved surface and are turned away from the light lie in the shadow of the facets before
 // them, while the normals of their corners still face the light. The result is dark triangles along the limit of light.
@@ -58,6 +59,7 @@ struct scene_shadow_point {
     rhw_float distance;  // distance from the light
     rhw_int inside;      // the map reaches the fragment
     rhw_int away;        // the light sees the plane's other side
+    bool casts;          // the map has the fragment's surface, where the light reaches it
 };
 
 /// What a facet stands for, from interpolated values.
@@ -237,9 +239,11 @@ static inline rhw_float scene_shadow_penumbra(const struct scene_shadow_map *map
 
 // A filter around a fragment, and what its taps have summed up.
 struct scene_shadow_disc {
-    rhw_float radius;     // texels
-    rhw_float fold;       // what rises less than this above the plane, in depth per width, shades nothing
-    rhw_float drop;       // what lies farther than this behind the plane does not count
+    rhw_float radius; // texels
+    rhw_float fold;   // what rises less than this above the plane, in depth per width, shades nothing
+    rhw_int ends; // the plane may end within the disc: what lies farther than `drop` behind it does not count
+    bool some_end; // some lane of `ends` is set
+    rhw_float drop;
     rhw_float lit, count; // the part of the taps that the light reaches, and the part that counts
 };
 
@@ -249,7 +253,7 @@ static inline void scene_shadow_tap(const struct scene_shadow_map *map, const st
 {
     const rhw_float radius = disc->radius, width = p->step * (seed[2] * radius);
     const rhw_float bias = p->step * 0.7f + width * disc->fold;
-    const rhw_float drop = disc->drop + width * (2.0f * scene_shadow_fold) + bias;
+    const rhw_float drop = disc->some_end ? disc->drop + width * (2.0f * scene_shadow_fold) + bias : bias;
     const rhw_float x = p->column + seed[0] * radius - 0.5f, y = p->row + seed[1] * radius - 0.5f;
     const rhw_float left = rhw_floor(x), top = rhw_floor(y);
     const rhw_float corner =
@@ -262,10 +266,22 @@ static inline void scene_shadow_tap(const struct scene_shadow_map *map, const st
         const rhw_float share = (i & 1 ? x - left : 1.0f - (x - left)) * (i & 2 ? y - top : 1.0f - (y - top));
         const rhw_float along = i & 1 ? corner + p->slope[0] : corner;
         const rhw_float plane = i & 2 ? along + p->slope[1] : along;
-        const rhw_float counts = rhw_select(rhw_less_equal(plane - drop, depth), share, 0.0f);
-        disc->count += counts;
-        disc->lit += rhw_select(rhw_less_equal(depth, rhw_max(plane, own)), counts, 0.0f);
+        const rhw_int lit = rhw_less_equal(depth, rhw_max(plane, own));
+        if (disc->some_end) {
+            const rhw_float counts = rhw_select(rhw_less_equal(plane - drop, depth), share, 0.0f);
+            disc->count += counts;
+            disc->lit += rhw_select(lit, counts, 0.0f);
+        } else {
+            disc->lit += rhw_select(lit, share, 0.0f);
+        }
     }
+}
+
+// Return what is lit of the taps so far, of which there are `taps`.
+static inline rhw_float scene_shadow_mean(const struct scene_shadow_disc *disc, int taps)
+{
+    const rhw_float mean = disc->lit * (1.0f / (float)taps);
+    return disc->some_end ? rhw_select(disc->ends, disc->lit / rhw_max(disc->count, 1e-6f), mean) : mean;
 }
 
 // What hides a fragment, as the four texels around it tell.
@@ -312,7 +328,7 @@ static inline rhw_float scene_shadow_filter(const struct scene_shadow_map *map,
         scene_shadow_seed(n, SCENE_SHADOW_TAPS, seed);
         scene_shadow_tap(map, p, seed, disc);
     }
-    const rhw_float few = disc->lit / rhw_max(disc->count, 1e-6f);
+    const rhw_float few = scene_shadow_mean(disc, SCENE_SHADOW_TAPS);
     const rhw_int wide = rhw_less(scene_shadow_wide, disc->radius);
     if (!rhw_any(wide & who)) {
         return few;
@@ -321,7 +337,7 @@ static inline rhw_float scene_shadow_filter(const struct scene_shadow_map *map,
         scene_shadow_seed_between(n, SCENE_SHADOW_FINE, seed);
         scene_shadow_tap(map, p, seed, disc);
     }
-    return rhw_select(wide, disc->lit / rhw_max(disc->count, 1e-6f), few);
+    return rhw_select(wide, scene_shadow_mean(disc, SCENE_SHADOW_TAPS + SCENE_SHADOW_FINE), few);
 }
 
 /// Return the part of the light, 0..1, that arrives at the lanes of `who` that lie in the map. Return 1 elsewhere.
@@ -336,11 +352,16 @@ static inline rhw_float scene_shadow_look(const struct scene_shadow_map *map,
     const rhw_int partly = rhw_less(0.0f, radius) & mine;
     rhw_float open = rhw_select(rhw_equal(radius, -2.0f), 0.0f, 1.0f);
     if (rhw_any(partly)) {
-        const struct scene_shadow_cover cover = scene_shadow_cover_at(map, p);
+        struct scene_shadow_cover cover = {rhw_splat_int(0), rhw_splat(0.0f)};
+        if (p->casts) {
+            cover = scene_shadow_cover_at(map, p);
+        }
         const rhw_int touched = cover.hidden & rhw_less(cover.height * map->softness, 1.0f);
         struct scene_shadow_disc disc = {
             .radius = rhw_max(radius, 1.0f),
             .fold = rhw_select(cover.hidden, 0.0f, scene_shadow_fold),
+            .ends = cover.hidden,
+            .some_end = rhw_any(partly & cover.hidden & ~touched),
             .drop = rhw_select(cover.hidden, p->step * scene_shadow_near_behind, 1e30f)};
         const rhw_float filtered = scene_shadow_filter(map, p, &disc, partly & ~touched);
         open = rhw_select(partly, rhw_select(touched, 0.0f, filtered), open);
@@ -393,15 +414,17 @@ static inline void scene_shadow_choose(struct scene_shadow_point *p, rhw_int mas
 }
 
 /// Return the part of a light that arrives at the lanes `mask`. Each lane takes the first of the maps around a point
-/// light that has it well within. If `curve` is NULL, the facet stands for itself.
+/// light that has it well within. If `curve` is NULL, the facet stands for itself. `casts` tells
+/// whether the surface casts shadows, and so is in the maps.
 static inline rhw_float scene_shadow(const struct scene_shader_light *light, const rhw_float position[3],
                                      const rhw_float ddx[3], const rhw_float ddy[3],
-                                     const struct scene_shadow_curve *curve, rhw_int mask)
+                                     const struct scene_shadow_curve *curve, bool casts, rhw_int mask)
 {
     rhw_float open = rhw_splat(1.0f);
     for (int m = 0; m < light->map_count && rhw_any(mask); m++) {
         const struct scene_shadow_map *map = &light->maps[m];
         struct scene_shadow_point p = scene_shadow_place(map, position, ddx, ddy);
+        p.casts = casts;
         if (curve && rhw_any(p.away & mask)) {
             const struct scene_shadow_point curved =
                 scene_shadow_place_curved(map, curve, position, ddx, ddy);

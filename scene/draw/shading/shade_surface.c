@@ -410,8 +410,29 @@ static void data_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// Write the distance and both normals for scene_guide. The shading normal is turned to the side of the facet that is
-// seen, and towards the eye, since occlusion is of that side.
+// Find the unit normal of the facet on the side that is seen, towards the eye. A line or a point faces the eye.
+ALWAYS_INLINE void face_normal(const struct rhw_fragment *f, const struct scene_surface *s,
+                               const rhw_float view[3], rhw_float face[3])
+{
+    if (!s->is_triangle) {
+        for (int c = 0; c < 3; c++) {
+            face[c] = view[c];
+        }
+        return;
+    }
+    rhw_float across[3], down[3];
+    rhw_normalize3(&f->ddx[s->varying_position], across);
+    rhw_normalize3(&f->ddy[s->varying_position], down);
+    rhw_cross(across, down, face);
+    rhw_normalize3(face, face);
+    const rhw_int turn = rhw_less(rhw_dot3(face, view), 0.0f);
+    for (int c = 0; c < 3; c++) {
+        face[c] = (rhw_float)((rhw_int)face[c] ^ (turn & INT32_MIN));
+    }
+}
+
+// Write the distance and both normals for scene_guide. The shading normal is that of the side that is seen, and bent
+// towards the eye, since occlusion is of that side.
 static void guide_fragment(struct rhw_fragment *groups, int count)
 {
     const struct scene_surface *s = groups->uniforms;
@@ -428,11 +449,10 @@ static void guide_fragment(struct rhw_fragment *groups, int count)
         face_normal(f, s, view, face);
         if (s->varying_normal >= 0) {
             surface_normal(f, s, false, texels, normal);
-            const rhw_int turn = is_other_side(normal, face);
             for (int c = 0; c < 3; c++) {
-                normal[c] = (rhw_float)((rhw_int)normal[c] ^ (turn & INT32_MIN));
+                normal[c] = s->inside_out ? -normal[c] : normal[c];
             }
-            bend_to_view(f, s, view, normal);
+            bend_to_view(s, view, normal);
         }
         f->color[0][0] = view_distance(f, s->frame, position);
         scene_normal_fold(s->varying_normal >= 0 ? normal : face, &f->color[1][0]);

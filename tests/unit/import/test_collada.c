@@ -5,23 +5,26 @@
 #include <string.h>
 
 #define DOCUMENT                                                                                             \
-    "<?xml version=\"1.0\"?><!-- a <color> 1 --><COLLADA version=\"1.4.1\"><asset><up_axis>[Z_UP]</up_axis>"  \
+    "<?xml version=\"1.0\"?><!-- a <color> 1 --><COLLADA version=\"1.4.1\"><asset><up_axis>[Z_UP]</up_axis>" \
     "</asset><library_images><image id=\"i\"><init_from>[gone.png]</init_from></image></library_images>"     \
-    "<library_effects><effect id=\"e\"><profile_COMMON><newparam sid=\"f\"><surface type=\"2D\"><init_from>"  \
+    "<library_effects><effect id=\"e\"><profile_COMMON><newparam sid=\"f\"><surface type=\"2D\"><init_from>" \
     "[i]</init_from></surface></newparam><newparam sid=\"s\"><sampler2D><source>[f]</source></sampler2D>"    \
-    "</newparam><technique sid=\"c\"><phong><emission><color>[0.5 0 0 1]</color></emission><diffuse><texture " \
-    "texture=\"s\" texcoord=\"UV\"/></diffuse><specular><color>[1 1 1 1]</color></specular><shininess><float>" \
+    "</newparam><technique sid=\"c\"><phong><emission><color>[0.5 0 0 "                                      \
+    "1]</color></emission><diffuse><texture "                                                                \
+    "texture=\"s\" texcoord=\"UV\"/></diffuse><specular><color>[1 1 1 "                                      \
+    "1]</color></specular><shininess><float>"                                                                \
     "[0]</float></shininess></phong></technique></profile_COMMON></effect></library_effects>"                \
     "<library_materials><material id=\"m\" name=\"a> b\"><instance_effect url=\"#e\"/></material>"           \
-    "</library_materials><library_geometries><geometry id=\"g\"><mesh><source id=\"p\"><float_array "         \
-    "id=\"pa\" count=\"9\">[0 0 0 1 0 0 0 1 0]</float_array><technique_common><accessor source=\"#pa\" "      \
-    "count=\"3\" stride=\"3\"><param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/><param "    \
-    "name=\"Z\" type=\"float\"/></accessor></technique_common></source><vertices id=\"v\"><input "            \
-    "semantic=\"POSITION\" source=\"#p\"/></vertices><triangles count=\"1\" material=\"s\"><input "           \
+    "</library_materials><library_geometries><geometry id=\"g\"><mesh><source id=\"p\"><float_array "        \
+    "id=\"pa\" count=\"9\">[0 0 0 1 0 0 0 1 0]</float_array><technique_common><accessor source=\"#pa\" "     \
+    "count=\"3\" stride=\"3\"><param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/><param "   \
+    "name=\"Z\" type=\"float\"/></accessor></technique_common></source><vertices id=\"v\"><input "           \
+    "semantic=\"POSITION\" source=\"#p\"/></vertices><triangles count=\"1\" material=\"s\"><input "          \
     "semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>[0 1 2]</p></triangles></mesh></geometry>"           \
-    "</library_geometries><library_visual_scenes><visual_scene id=\"s0\"><node><translate>[1 2 3]</translate>" \
-    "<instance_geometry url=\"#g\"><bind_material><technique_common><instance_material symbol=\"s\" "         \
-    "target=\"#m\"/></technique_common></bind_material></instance_geometry></node></visual_scene>"            \
+    "</library_geometries><library_visual_scenes><visual_scene id=\"s0\"><node><translate>[1 2 "             \
+    "3]</translate>"                                                                                         \
+    "<instance_geometry url=\"#g\"><bind_material><technique_common><instance_material symbol=\"s\" "        \
+    "target=\"#m\"/></technique_common></bind_material></instance_geometry></node></visual_scene>"           \
     "</library_visual_scenes><scene><instance_visual_scene url=\"#s0\"/></scene></COLLADA>"
 
 // Writes the document with `blanks` at both ends of its texts.
@@ -49,7 +52,8 @@ static void test_blanks(void **state)
         struct scene_model *model = load("x.dae");
         assert_int_equal(model->triangles_drawn, 1);
         assert_true(has_warning(model, "texture \"gone.png\": No such file"));
-        const struct scene_material *material = &model->materials[model->meshes[model->instances[0].mesh].material];
+        const struct scene_material *material =
+            &model->materials[model->meshes[model->instances[0].mesh].material];
         assert_string_equal(material->name, "a> b");
         assert_floats(material->emissive, (const float[]){0.21404114f, 0, 0}, 3, 1e-6f);
         const float *world = model->instances[0].world; // assimp turns z upward to y

@@ -69,8 +69,8 @@ static void fill(const struct scene_shadow_map *map, const struct plane *p)
 }
 
 // Of the light at 8 points of a plane beside each other from x on, with derivatives as a screen would have.
-static rhw_float look(const struct scene_shadow_map *map, const struct plane *p, double x, double y,
-                      double step)
+static rhw_float look_at(const struct scene_shadow_map *map, const struct plane *p, double x, double y,
+                         double step, bool casts)
 {
     rhw_float position[3], ddx[3], ddy[3];
     for (int i = 0; i < RHW_LANES; i++) {
@@ -85,7 +85,13 @@ static rhw_float look(const struct scene_shadow_map *map, const struct plane *p,
     ddy[1] = rhw_splat(-0.01f);
     ddy[2] = rhw_splat((float)(-0.002 * p->x - 0.01 * p->y));
     const struct scene_shader_light light = {.map_count = 1, .maps = map};
-    return scene_shadow(&light, position, ddx, ddy, NULL, rhw_splat_int(-1));
+    return scene_shadow(&light, position, ddx, ddy, NULL, casts, rhw_splat_int(-1));
+}
+
+static rhw_float look(const struct scene_shadow_map *map, const struct plane *p, double x, double y,
+                      double step)
+{
+    return look_at(map, p, x, y, step, true);
 }
 
 static void test_a_plane_does_not_shade_itself(void **state)
@@ -152,22 +158,21 @@ static void test_no_light_along_an_inner_corner(void **state)
 }
 
 // A half plane of height z = −1 over x < 0 above a floor at z = −2: the penumbra is as wide as softness · 1 on either side
-// of the edge, and half of the light arrives below the edge itself.
-static void test_penumbra(void **state)
+// of the edge, and half of the light arrives below the edge itself. So it is on a ground, which the map does not have.
+static void check_penumbra(bool casts)
 {
-    (void)state;
     const float softness = 0.2f;
     const struct scene_shadow_map map = parallel_map(softness);
     const struct plane floor = {0, 0, -2}, block = {0, 0, -1};
     fill(&map, &block);
     for (int y = 0; y < SIZE; y++) {
         for (int x = SIZE / 2; x < SIZE; x++) {
-            texels[y * SIZE + x] = (float)plane_depth(&map, &floor, x + 0.5, y + 0.5);
+            texels[y * SIZE + x] = casts ? (float)plane_depth(&map, &floor, x + 0.5, y + 0.5) : 0.0f;
         }
     }
     double before = -1.0;
     for (double x = -0.4; x < 0.4; x += 0.01) {
-        const double open = (double)look(&map, &floor, x, 0.1, 0.0)[0];
+        const double open = (double)look_at(&map, &floor, x, 0.1, 0.0, casts)[0];
         // A disc of light behind a straight edge: the part of a circle beyond a chord at t radii.
         const double t = fmax(-1.0, fmin(1.0, x / (double)softness));
         const double expected = 0.5 + (t * sqrt(1.0 - t * t) + asin(t)) / 3.14159265358979;
@@ -175,8 +180,15 @@ static void test_penumbra(void **state)
         assert_true(open >= before - 1e-6);
         before = open;
     }
-    tiny_assert_close((double)look(&map, &floor, -0.3, 0.0, 0.0)[0], 0.0, 0.0);
-    tiny_assert_close((double)look(&map, &floor, 0.3, 0.0, 0.0)[0], 1.0, 0.0);
+    tiny_assert_close((double)look_at(&map, &floor, -0.3, 0.0, 0.0, casts)[0], 0.0, 0.0);
+    tiny_assert_close((double)look_at(&map, &floor, 0.3, 0.0, 0.0, casts)[0], 1.0, 0.0);
+}
+
+static void test_penumbra(void **state)
+{
+    (void)state;
+    check_penumbra(true);
+    check_penumbra(false);
 }
 
 static void test_beyond_the_map_is_light(void **state)
@@ -635,7 +647,8 @@ static double light_of_normal(float x, float z)
 }
 
 // A normal that leans away from the eye is lit as one whose surface is just seen, with n·v = 0.02: no highlight is of what
-// lies behind. A normal on the other side of its facet is lit as it is, from behind.
+// lies behind. A mesh whose normals are on the other side of its facets is
+// lit as it is, from behind.
 static void test_normals_that_lean_away(void **state)
 {
     (void)state;

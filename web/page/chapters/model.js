@@ -104,7 +104,7 @@ class ModelView {
       }
       const camera = { eye, target, up, fovy }; // in perspective, also where the file's is without
       Object.assign(this, { model: info, name });
-      this.middle = info.bounds.empty ? camera.target : info.bounds.min.map((low, i) => (low + info.bounds.max[i]) / 2);
+      this.middle = info.frame.empty ? camera.target : info.frame.min.map((low, i) => (low + info.frame.max[i]) / 2);
       this.camera = centered(camera, this.middle, info.up);
       this.#forget();
       this.#describe();
