@@ -2,7 +2,15 @@
 # What cpack makes of a build on Debian: rhw, the program; rhw-view, its window; librhw with its ABI in the name, the shared
 # library; and librhw-dev, the static one with headers, CMake and pkg-config packages. rhw-view needs rhw, and librhw-dev
 # the shared library, of the same build. script/package builds and calls it.
-set(RHW_MAINTAINER "the rhw authors <rhw@localhost>" CACHE STRING "Who stands in the Debian packages as their maintainer")
+# As Debian's own tools have it: DEBFULLNAME and DEBEMAIL of who builds them.
+set(maintainer "the rhw authors <rhw@localhost>")
+if(NOT "$ENV{DEBEMAIL}" STREQUAL "")
+  set(maintainer "the rhw authors <$ENV{DEBEMAIL}>")
+  if(NOT "$ENV{DEBFULLNAME}" STREQUAL "")
+    set(maintainer "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+  endif()
+endif()
+set(RHW_MAINTAINER "${maintainer}" CACHE STRING "Who stands in the Debian packages as their maintainer")
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME rhw)
 set(CPACK_PACKAGE_CONTACT "${RHW_MAINTAINER}")

@@ -19,6 +19,21 @@ foreach(pair IN LISTS CPACK_RHW_PACKAGES)
   if(EXISTS ${share}/zsh/site-functions)
     file(RENAME ${share}/zsh/site-functions ${share}/zsh/vendor-completions)
   endif()
+  # What lintian asks of packages that Debian itself distributes, and what it takes for a mistake.
+  file(WRITE ${share}/lintian/overrides/${package} "# Nobody has asked for it in Debian's list of bugs.
+${package}: initial-upload-closes-no-bugs
+")
+  if(CPACK_PACKAGE_CONTACT MATCHES "@localhost>$")
+    file(APPEND ${share}/lintian/overrides/${package} "# Built without DEBEMAIL, for the machine that builds it.
+${package}: bogus-mail-host
+${package}: bogus-mail-host-in-debian-changelog
+")
+  endif()
+  if(package STREQUAL librhw-dev)
+    file(APPEND ${share}/lintian/overrides/${package} "# Without it gcc warns of every function of the shaders' header, which takes vectors by value.
+${package}: pkg-config-bad-directive
+")
+  endif()
   file(GLOB pages ${share}/man/man*/*.[0-9])
   set(doc ${share}/doc/${package})
   file(MAKE_DIRECTORY ${doc})

@@ -227,6 +227,10 @@ struct scene_model {
     struct scene_model_light *lights;
     struct scene_model_animation *animations;
     struct scene_model_extension *extensions;
+    /// Where the origin of the world is in the coordinates of the file: 0,0,0 unless the model stands so far away that
+    /// floats would not tell its parts apart. The places of instances, cameras, lights and bounds are counted from it.
+    /// Cameras of scene_view.h, the output of positions and all that users read are in the coordinates of the file.
+    double origin[3];
     /// The bounds of all instances in the world. The minimum exceeds the maximum if there is nothing to draw.
     float bounds_min[3], bounds_max[3];
     /// The bounds hold more than what a picture is about: parts that are never seen, or specks far away. The frame is
@@ -240,6 +244,12 @@ struct scene_model {
     const char **variants;    ///< names of the choices of materials that the file offers
     size_t size;              ///< bytes of the one allocation that holds the whole model
 };
+
+/// Return true if the places of a model with this origin are not those of its file.
+static inline bool scene_origin_is_far(const double origin[3])
+{
+    return origin[0] != 0.0 || origin[1] != 0.0 || origin[2] != 0.0;
+}
 
 /// How far an import is. Another thread may read it by the __atomic built-ins while the import is under way. The caller
 /// zeroes it before, in memory that forked processes share (system_child_share).

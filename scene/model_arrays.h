@@ -15,7 +15,7 @@ struct scene_array_mesh {
     enum scene_primitive primitive;
     enum scene_arrays_normals shading;
     uint32_t material, vertex_count, index_count;
-    const float (*positions)[3]; ///< never NULL
+    const double (*positions)[3]; ///< never NULL
     const float (*normals)[3];
     const float (*uvs)[2];
     const float (*colors)[4]; ///< linear
@@ -40,7 +40,7 @@ struct scene_array_material {
 struct scene_array_instance {
     const char *name;
     uint32_t mesh;
-    float world[16]; ///< column major
+    double world[16]; ///< column major
 };
 
 struct scene_arrays {

@@ -8,24 +8,38 @@
 #include <stdlib.h>
 #include <string.h>
 
-static iconv_t open_conversion(int from, int to)
+// Set the name that iconv has for a code page.
+static void name_page(int page, char name[32])
 {
-    char names[2][32];
-    const int pages[2] = {to, from};
-    for (int i = 0; i < 2; i++) {
-        if (pages[i] == SYSTEM_CODE_PAGE_UTF8) {
-            strcpy(names[i], "UTF-8");
-        } else {
-            snprintf(names[i], sizeof names[i], "CP%d", pages[i]);
+    static const struct {
+        int page;
+        const char *name;
+    } names[] = {
+        {SYSTEM_CODE_PAGE_UTF8, "UTF-8"},
+        {10000, "MACINTOSH"},
+        {10007, "MAC-CYRILLIC"},
+        {20866, "KOI8-R"},
+        {28592, "ISO-8859-2"},
+        {28595, "ISO-8859-5"},
+        {28605, "ISO-8859-15"},
+        {51932, "EUC-JP"},
+        {54936, "GB18030"},
+    };
+    snprintf(name, 32, "CP%d", page);
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        if (names[i].page == page) {
+            snprintf(name, 32, "%s", names[i].name);
         }
     }
-    return iconv_open(names[0], names[1]);
 }
 
 char *system_code_page_convert(int from, int to, const char *text)
 {
     enum { MOST = 4 }; // bytes that a byte becomes: three in UTF-8, from a code page of single bytes
-    const iconv_t conversion = open_conversion(from, to);
+    char old_name[32], new_name[32];
+    name_page(from, old_name);
+    name_page(to, new_name);
+    const iconv_t conversion = iconv_open(new_name, old_name);
     if (conversion == (iconv_t)-1) {
         return NULL;
     }

@@ -84,7 +84,8 @@ class Geometry:
 
     def __init__(self, vertices: Any, faces: Any, normals: Any, uv: Any, colors: Any, face_colors: Any, smooth: bool):
         self.smooth = _arrays.flag(smooth, "smooth")
-        self.vertices = _arrays.floats(vertices, "vertices", (None, 3))
+        _arrays.floats(vertices, "vertices", (None, 3))  # numbers that float32 has
+        self.vertices = _arrays.floats(vertices, "vertices", (None, 3), np.float64)
         count = len(self.vertices)
         if count == 0:
             raise ValueError("vertices: there are none")
@@ -127,7 +128,10 @@ class Geometry:
 
 def _smooth_normals(vertices: NDArray[Any], faces: NDArray[Any]) -> NDArray[Any]:
     """The mean of the normals around each vertex, by area."""
-    corners = vertices.astype(np.float64)[faces]
+    # Near the origin as float32 has them, which is what is drawn; far from it, that would be nothing.
+    middle, size = np.median(vertices, axis=0), np.ptp(vertices, axis=0).max()
+    rounded = vertices if np.abs(middle).max() > 256 * size else vertices.astype(np.float32).astype(np.float64)
+    corners = rounded[faces]
     areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     sums = np.zeros((len(vertices), 3))
     for corner in range(3):
@@ -147,7 +151,7 @@ class Arrays:
         self._instances: List[Tuple[Any, ...]] = []
 
     def place(self, mesh: int, world: NDArray[Any], name: str) -> None:
-        matrix = np.ascontiguousarray(_arrays.matrix(world, "world").T.astype(np.float32))
+        matrix = np.ascontiguousarray(_arrays.matrix(world, "world").T)
         self._instances.append((name, mesh, matrix))
 
     def add_mesh(self, geometry: Geometry, surface: Surface, name: str) -> int:

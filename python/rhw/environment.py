@@ -18,9 +18,10 @@ class Environment:
     >>> sky = rhw.Environment("studio.hdr")
     >>> model.render(640, environment=sky, environment_rotation=90, background="environment")
 
-    light: the path of a Radiance HDR or OpenEXR file, or (H, W, 3) or (H, W, 4) floats of linear light, rows from
-      straight up to straight down; the middle column looks along +x, the one a quarter further along +z. Its numbers
-      may be of any unit: they are scaled. What no light can be, as negative numbers, becomes black.
+    light: the path of a Radiance HDR or OpenEXR file, or of a TIFF, DDS or KTX2 of floats; or (H, W, 3) or (H, W, 4)
+      floats of linear light, rows from straight up to straight down; the middle column looks along +x, the one a
+      quarter further along +z. Its numbers may be of any unit: they are scaled. What no light can be, as negative
+      numbers, becomes black.
     texels: (H, W, 4) float32, read-only: what is used of it.
     """
 

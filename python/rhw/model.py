@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 import threading
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -16,12 +16,15 @@ from . import _arrays, _look, _rhw, _threads
 from ._arrays import Size
 from .camera import AXES, Camera, View
 from .environment import Environment
-from .pictures import OUTPUTS, Pictures
+from .pictures import OUTPUTS, Pictures, in_file
 
 
 @dataclass(frozen=True)
 class Mesh:
     """One kind of primitive and one material. Arrays are read-only views of the model's memory; None: there are none.
+
+    vertices are in the mesh's own space, which `Node.world` brings into the coordinates of the file. Of a model far from
+    the origin they count from a place among them, also where the file's do not.
 
     vertices (N, 3), normals (N, 3), tangents (N, 4), uv and uv2 (N, 2), colors (N, 4): float32. uv: u right, v down.
     colors: linear RGBA, which multiply the material's. faces (M, 3), of lines (M, 2), of points (M, 1): uint32.
@@ -70,7 +73,8 @@ class Image:
 @dataclass(frozen=True)
 class Node:
     """A mesh in the world. `object` is the number that the output `object` shows; a node whose mesh has several
-    materials is here several times with the same one. world: (4, 4) float32 for column vectors."""
+    materials is here several times with the same one. world: (4, 4) float32 for column vectors; float64 of a model far from the
+    origin (Model.origin)."""
 
     name: str
     mesh: int
@@ -126,8 +130,26 @@ def _mesh(about: Dict[str, Any]) -> Mesh:
     return Mesh(name=about["name"], material=about["material"], **arrays)
 
 
-def _placed(about: Dict[str, Any]) -> Dict[str, Any]:
-    return {**about, "world": np.asarray(about["world"]).T}
+Place = Tuple[float, float, float]
+
+
+def _moved(place: Sequence[float], origin: Place) -> Place:
+    x, y, z = (a + b for a, b in zip(place, origin))
+    return x, y, z
+
+
+def _light(about: Dict[str, Any], origin: Place) -> Light:
+    light = Light(**about)
+    return replace(light, position=_moved(light.position, origin))
+
+
+def _placed(about: Dict[str, Any], origin: Place) -> Dict[str, Any]:
+    world = np.asarray(about["world"]).T
+    if any(origin):
+        world = world.astype(np.float64)
+        world[:3, 3] += origin
+        world.flags.writeable = False
+    return {**about, "world": world}
 
 
 class Model:
@@ -159,7 +181,9 @@ class Model:
 
     Attributes, all read-only: meshes, materials, images, nodes, cameras, lights, animations (tuples); variants,
     warnings, unsupported (tuples of str); path, format, unit, up (str); bounds ((2, 3) float32, least and most in the
-    world).
+    world); frame (likewise, of what a fitted picture is about); origin ((x, y, z), 0 unless the model is over 256 times its size away from the file's origin: what is drawn
+    is then counted from there, `bounds`, `Node.world` and the output `position` are float64, and all of them stay in the
+    coordinates of the file).
     """
 
     def __init__(self, vertices: Any, faces: Any = None, *, normals: Any = None, uv: Any = None, colors: Any = None,
@@ -196,14 +220,16 @@ class Model:
         self.materials = tuple(Material(**each) for each in about["materials"])
         self.images = tuple(Image(each["name"], np.asarray(each["texels"]), each["missing"])
                             for each in about["images"])
-        self.nodes = tuple(Node(**_placed(each)) for each in about["nodes"])
-        self.cameras = tuple(ModelCamera(**_placed(each)) for each in about["cameras"])
-        self.lights = tuple(Light(**each) for each in about["lights"])
+        self.origin: Place = about["origin"]
+        self.nodes = tuple(Node(**_placed(each, self.origin)) for each in about["nodes"])
+        self.cameras = tuple(ModelCamera(**_placed(each, self.origin)) for each in about["cameras"])
+        self.lights = tuple(_light(each, self.origin) for each in about["lights"])
         self.animations = tuple(Animation(**each) for each in about["animations"])
         self.variants: Tuple[str, ...] = about["variants"]
         self.warnings: Tuple[str, ...] = about["warnings"]
         self.unsupported: Tuple[str, ...] = about["unsupported"]
         self._bounds = (about["bounds_min"], about["bounds_max"])
+        self._frame = (about["frame_min"], about["frame_max"])
 
     def __reduce__(self) -> Tuple[Any, ...]:
         return _unpickle, (_rhw.version, _rhw.to_bytes(self._model))
@@ -216,8 +242,13 @@ class Model:
 
     @property
     def bounds(self) -> NDArray[Any]:
-        """(2, 3) float32: the least and the greatest corner of all nodes, in the world."""
-        return np.array(self._bounds, np.float32)
+        """(2, 3) float32: the least and the greatest corner of all nodes, in the world. float64 with an `origin`."""
+        return np.array(self._bounds) + self.origin if any(self.origin) else np.array(self._bounds, np.float32)
+
+    @property
+    def frame(self) -> np.ndarray:
+        """The bounds without what nobody can see, and without specks far away: what a fitted picture is about."""
+        return np.array(self._frame) + self.origin if any(self.origin) else np.array(self._frame, np.float32)
 
     def __repr__(self) -> str:
         triangles = sum(len(self.meshes[node.mesh].faces) for node in self.nodes)
@@ -271,6 +302,8 @@ class Model:
         elif rasterized == 0:
             warnings.warn(f"{self.path}: nothing of the model is in the picture", stacklevel=2)
         arrays = {each: np.asarray(drawn[each]) for each in names}
+        if "position" in arrays:
+            arrays["position"] = in_file(arrays["position"], self.origin)
         return Pictures(arrays, (width, height), View(seen_by, width, height), self, look.transparent, threads)
 
     def _first_camera(self, fitted: Tuple[Any, ...], width: int, height: int) -> Tuple[Tuple[Any, ...], bool]:

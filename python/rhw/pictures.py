@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Tuple
+from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,6 +36,15 @@ OUTPUTS = {name: row.bit for name, row in TABLE.items()}
 _FILE_KINDS = tuple(row.name for row in _ROWS if row.kind >= 0)
 
 
+def in_file(position: NDArray[Any], origin: Sequence[float]) -> NDArray[Any]:
+    """Positions that count from a model's origin, in the coordinates of its file: float64, unless these are the same."""
+    if not any(origin):
+        return position
+    moved = position.astype(np.float64)
+    moved[..., :3] += np.where(position[..., 3:] > 0, origin, 0)
+    return moved
+
+
 class Pictures(Dict[str, NDArray[Any]]):
     """The pictures of one render: a dictionary of arrays, rows from top to bottom, on the memory they were drawn to.
 
@@ -45,7 +54,7 @@ class Pictures(Dict[str, NDArray[Any]]):
     depth        (H, W)    float32  0 near to 1 far; 1 where nothing is
     distance     (H, W)    float32  along the view, in units of the model; infinity where nothing is
     normal       (H, W, 4) float32  unit, in the world, turned to the viewer; then 1. All 0 where nothing is
-    position     (H, W, 4) float32  in the world; then 1. All 0 where nothing is
+    position     (H, W, 4) float32  in the world; then 1. All 0 where nothing is. float64 far from it (Model.origin)
     uv           (H, W, 4) float32  u, v, 0, 1. All 0 where nothing is
     barycentric  (H, W, 4) float32  weights of the triangle's vertices; then 1. All 0 where nothing is
     object       (H, W)    uint32   `Node.object`; 0 where nothing is
@@ -118,7 +127,11 @@ class Pictures(Dict[str, NDArray[Any]]):
             raise ValueError(f"{name}: must end in .png or .exr")
 
     def _checked(self) -> Dict[str, NDArray[Any]]:
-        return {name: _arrays.packed(_arrays.read(array, name), None) for name, array in self.items() if name in OUTPUTS}
+        arrays = {name: _arrays.packed(_arrays.read(array, name), None) for name, array in self.items() if name in OUTPUTS}
+        if "position" in arrays and any(self._model.origin):
+            back = [-each for each in self._model.origin]
+            arrays["position"] = np.ascontiguousarray(in_file(arrays["position"], back), np.float32)
+        return arrays
 
     def __repr__(self) -> str:
         return f"<rhw.Pictures {self.size[0]} x {self.size[1]}: {', '.join(self)}>"

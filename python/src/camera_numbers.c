@@ -81,7 +81,7 @@ static PyObject *camera_of_file(PyObject *module, PyObject *arguments)
         PyErr_SetString(PyExc_IndexError, "camera: the model has no such camera");
         return NULL;
     }
-    const struct scene_camera camera = scene_camera_from_model(&model->cameras[index], aspect);
+    const struct scene_camera camera = scene_camera_from_model(model, &model->cameras[index], aspect);
     return camera_tuple(&camera);
 }
 

@@ -226,11 +226,14 @@ static PyObject *encode_exr(PyObject *module, PyObject *arguments)
     }
     if (has_pictures(&exr.pictures, cli_outputs_needed(kinds, CLI_PICTURE_EXR, 0))) {
         const double aspect = (double)exr.pictures.width / exr.pictures.height;
-        exr.channel_count = cli_outputs_exr_channels(&exr.pictures, kinds, exr.channels);
-        bytes = cli_outputs_exr_describe(model, &camera, aspect, &exr.about)
+        float *positions;
+        memcpy(exr.pictures.origin, model->origin, sizeof exr.pictures.origin);
+        exr.channel_count = cli_outputs_exr_channels(&exr.pictures, kinds, exr.channels, &positions);
+        bytes = exr.channel_count > 0 && cli_outputs_exr_describe(model, &camera, aspect, &exr.about)
                     ? encode(&(struct encoding){write_exr, &exr}, name)
                     : PyErr_NoMemory();
         free(exr.about.objects);
+        free(positions);
     }
     Py_DECREF(kept);
     return bytes;

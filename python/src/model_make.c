@@ -35,7 +35,7 @@ static bool read_mesh(PyObject *tuple, void *element)
     int corners, smooth;
     if (!PyArg_ParseTuple(tuple, "sipIOOOOO", &mesh->name, &corners, &smooth, &mesh->material, &objects[0],
                           &objects[1], &objects[2], &objects[3], &objects[4]) ||
-        !python_array_read(objects[0], "vertices", "<f4", &vertices) ||
+        !python_array_read(objects[0], "vertices", "<f8", &vertices) ||
         !python_array_read_optional(objects[1], "normals", "<f4", &normals) ||
         !python_array_read_optional(objects[2], "uv", "<f4", &uv) ||
         !python_array_read_optional(objects[3], "colors", "<f4", &colors) ||
@@ -113,7 +113,7 @@ static bool read_instance(PyObject *tuple, void *element)
     PyObject *object;
     struct python_array world;
     if (!PyArg_ParseTuple(tuple, "sIO", &instance->name, &instance->mesh, &object) ||
-        !python_array_read(object, "world", "<f4", &world) || !has_rows(&world, "world", 4, 4)) {
+        !python_array_read(object, "world", "<f8", &world) || !has_rows(&world, "world", 4, 4)) {
         return false;
     }
     memcpy(instance->world, world.data, sizeof instance->world);

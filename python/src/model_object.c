@@ -6,6 +6,7 @@
 #include "model_object.h"
 #include "model_bytes.h"
 
+#include "draw/camera/subject.h"
 #include "draw/shading/color.h"
 
 #include <stdlib.h>
@@ -251,11 +252,13 @@ static PyObject *describe(PyObject *module, PyObject *self)
     if (!m) {
         return NULL;
     }
+    const struct scene_box frame = scene_subject_frame(m);
     return Py_BuildValue(
-        "{s:s,s:s,s:s,s:i,s:(fff),s:(fff),s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N}", "path", m->path,
-        "format", m->format, "unit", m->unit, "up", (int)m->up, "bounds_min", m->bounds_min[0],
-        m->bounds_min[1], m->bounds_min[2], "bounds_max", m->bounds_max[0], m->bounds_max[1],
-        m->bounds_max[2], "meshes",
+        "{s:s,s:s,s:s,s:i,s:(ddd),s:(fff),s:(fff),s:(ddd),s:(ddd),s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N,s:N}",
+        "path", m->path, "format", m->format, "unit", m->unit, "up", (int)m->up, "origin", m->origin[0],
+        m->origin[1], m->origin[2], "bounds_min", m->bounds_min[0], m->bounds_min[1], m->bounds_min[2],
+        "bounds_max", m->bounds_max[0], m->bounds_max[1], m->bounds_max[2], "frame_min", frame.low[0],
+        frame.low[1], frame.low[2], "frame_max", frame.high[0], frame.high[1], frame.high[2], "meshes",
         describe_all(self, m->meshes, m->mesh_count, sizeof *m->meshes, describe_mesh), "materials",
         describe_all(self, ALL(material), describe_material), "images",
         describe_all(self, ALL(image), describe_image), "nodes",

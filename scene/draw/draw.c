@@ -7,6 +7,7 @@
 #include "draw/shading/color.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 // Scene ---------------------------------------------------------------------------------------------
 
@@ -169,14 +170,19 @@ static enum rhw_result draw_picture(struct draw *draw)
 enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
                            struct scene_pictures *pictures, struct scene_draw_stats *stats)
 {
+    const struct scene_model *const model = scene->upload.model;
     *pictures = (struct scene_pictures){.width = view->width, .height = view->height};
+    memcpy(pictures->origin, model->origin, sizeof pictures->origin);
+    // All that is drawn is counted from the model's origin, where floats are dense.
+    struct scene_view own = *view;
+    own.camera = scene_camera_from_origin(&view->camera, model->origin);
     struct draw draw = {
-        .scene = scene, .view = view, .pictures = pictures, .side = scene_view_grid_side(view)};
+        .scene = scene, .view = &own, .pictures = pictures, .side = scene_view_grid_side(view)};
     draw.stats.upload_ms = scene->upload_ms;
     enum rhw_result result = RHW_ERROR_OUT_OF_MEMORY;
     rhw_context_set_goes_on(scene->upload.context, view->goes_on, view->user);
-    if (scene_lighting_create(&draw.lighting, scene->upload.model, &view->camera, view->up,
-                              view->default_lights, view->exposure)) {
+    if (scene_lighting_create(&draw.lighting, model, &own.camera, view->up, view->default_lights,
+                              view->exposure)) {
         draw.lighting.count = view->no_lights ? 0 : draw.lighting.count;
         result = draw_picture(&draw);
     }

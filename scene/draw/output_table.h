@@ -18,6 +18,8 @@ struct scene_pictures {
     uint32_t *object, *triangle;
     float *overdraw;
     uint32_t *tiles, *plan;
+    /// What `position` is counted from, in the coordinates of the file: the model's origin.
+    double origin[3];
 };
 
 void scene_pictures_free(struct scene_pictures *pictures);

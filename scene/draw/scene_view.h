@@ -18,7 +18,7 @@ enum scene_output {
     SCENE_OUTPUT_DEPTH = 4,    ///< R32F: NDC depth, 0 near to 1 far; 1 where nothing is
     SCENE_OUTPUT_DISTANCE = 8, ///< R32F: world units along the view axis; +infinity where nothing is
     SCENE_OUTPUT_NORMAL = 16, ///< RGBA32F: unit world normal as shaded, turned to the viewer; w 1; else all 0
-    SCENE_OUTPUT_POSITION = 32, ///< RGBA32F: world position; w as above
+    SCENE_OUTPUT_POSITION = 32, ///< RGBA32F: world position, from the origin of the pictures; w as above
     SCENE_OUTPUT_UV = 64,       ///< RGBA32F: first texture coordinate set u, v, then 0; w as above
     SCENE_OUTPUT_OBJECT = 128,  ///< R32_UINT: scene_instance.object; 0 where nothing is
     SCENE_OUTPUT_TRIANGLE =

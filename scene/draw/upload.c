@@ -266,8 +266,8 @@ enum rhw_result scene_upload_create(rhw_context *context, const struct scene_mod
     if (upload->images && upload->materials && upload->combined.images) {
         result = upload_shape(upload);
     }
-    for (uint32_t i = 0; i < model->image_count && result == RHW_OK; i++) {
-        result = scene_upload_image(context, model, i, &upload->images[i]);
+    if (result == RHW_OK) {
+        result = scene_upload_images(context, model, upload->images);
     }
     for (uint32_t i = 0; i < model->material_count && result == RHW_OK; i++) {
         result = upload_material(upload, i);

@@ -89,31 +89,27 @@ struct image_wants {
     bool color, data, mips;
 };
 
-static struct image_wants wants_of(const struct scene_model *model, uint32_t image)
+// Adds what a material wants to what is wanted of each image.
+static void add_wants(const struct scene_model *model, const struct scene_material *material,
+                      struct image_wants *wants)
 {
-    struct image_wants wants = {false, false, false};
-    for (uint32_t m = 0; m < model->material_count; m++) {
-        const struct scene_material *const material = &model->materials[m];
-        const bool combined = scene_occlusion_of(model, material) == SCENE_OCCLUSION_COMBINED;
-        for (int s = 0; s < SCENE_SLOT_COUNT; s++) {
-            const struct scene_texture_slot *const slot = &material->slots[s];
-            if (slot->image != (int32_t)image ||
-                (combined && (s == SCENE_SLOT_METALLIC_ROUGHNESS || s == SCENE_SLOT_OCCLUSION))) {
-                continue;
-            }
-            bool *const wanted = scene_slot_is_color((enum scene_slot)s) ? &wants.color : &wants.data;
-            *wanted = true;
-            wants.mips = wants.mips || slot->mip_filter != RHW_MIP_FILTER_NONE;
+    const bool combined = scene_occlusion_of(model, material) == SCENE_OCCLUSION_COMBINED;
+    for (int s = 0; s < SCENE_SLOT_COUNT; s++) {
+        const struct scene_texture_slot *const slot = &material->slots[s];
+        if (slot->image < 0 ||
+            (combined && (s == SCENE_SLOT_METALLIC_ROUGHNESS || s == SCENE_SLOT_OCCLUSION))) {
+            continue;
         }
+        struct image_wants *const of_image = &wants[slot->image];
+        bool *const wanted = scene_slot_is_color((enum scene_slot)s) ? &of_image->color : &of_image->data;
+        *wanted = true;
+        of_image->mips = of_image->mips || slot->mip_filter != RHW_MIP_FILTER_NONE;
     }
-    return wants;
 }
 
-enum rhw_result scene_upload_image(rhw_context *context, const struct scene_model *model, uint32_t i,
-                                   struct scene_uploaded_image *uploaded)
+static enum rhw_result upload_image(rhw_context *context, const struct scene_image *image,
+                                    struct image_wants wants, struct scene_uploaded_image *uploaded)
 {
-    const struct scene_image *const image = &model->images[i];
-    const struct image_wants wants = wants_of(model, i);
     enum rhw_result result = RHW_OK;
     if (wants.color) {
         result = upload_texture(context, image, true, wants.mips, &uploaded->color);
@@ -121,6 +117,21 @@ enum rhw_result scene_upload_image(rhw_context *context, const struct scene_mode
     if (wants.data && result == RHW_OK) {
         result = upload_texture(context, image, false, wants.mips, &uploaded->data);
     }
+    return result;
+}
+
+enum rhw_result scene_upload_images(rhw_context *context, const struct scene_model *model,
+                                    struct scene_uploaded_image *uploaded)
+{
+    struct image_wants *const wants = calloc((size_t)model->image_count + 1, sizeof *wants);
+    enum rhw_result result = wants ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
+    for (uint32_t m = 0; m < model->material_count && wants; m++) {
+        add_wants(model, &model->materials[m], wants);
+    }
+    for (uint32_t i = 0; i < model->image_count && result == RHW_OK; i++) {
+        result = upload_image(context, &model->images[i], wants[i], &uploaded[i]);
+    }
+    free(wants);
     return result;
 }
 

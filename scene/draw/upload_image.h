@@ -35,9 +35,9 @@ enum scene_occlusion {
 enum scene_occlusion scene_occlusion_of(const struct scene_model *model,
                                         const struct scene_material *material);
 
-/// What the materials want of image `i`.
-enum rhw_result scene_upload_image(rhw_context *context, const struct scene_model *model, uint32_t i,
-                                   struct scene_uploaded_image *uploaded);
+/// What the materials want of each image; `uploaded` has a place for every one of the model.
+enum rhw_result scene_upload_images(rhw_context *context, const struct scene_model *model,
+                                    struct scene_uploaded_image *uploaded);
 
 /// The texture of a material with SCENE_OCCLUSION_COMBINED, new or of an earlier one; it belongs to `combined`.
 enum rhw_result scene_upload_combined(rhw_context *context, const struct scene_model *model,

@@ -7,6 +7,8 @@
 
 #include "import/builder/complete_mesh.h"
 #include "import/builder/import.h"
+#include "import/builder/origin.h"
+#include "import/builder/place.h"
 #include "reader_process.h"
 
 static void *copy(struct scene_import *import, const void *array, size_t count, size_t size)
@@ -71,6 +73,7 @@ static void read_indices(struct scene_import *import, const struct scene_array_m
 static void read_mesh(struct scene_import *import, const struct scene_array_mesh *from)
 {
     struct scene_mesh *mesh = scene_import_add_mesh(import);
+    double origin[3];
     mesh->name = copy_name(import, from->name);
     mesh->primitive = from->primitive;
     mesh->material = from->material;
@@ -79,7 +82,10 @@ static void read_mesh(struct scene_import *import, const struct scene_array_mesh
         scene_import_fail(import, "mesh \"%s\" has material %u of %u", mesh->name, mesh->material,
                           import->arrays->material_count);
     }
-    mesh->positions = copy(import, from->positions, mesh->vertex_count, sizeof *from->positions);
+    mesh->positions = scene_import_settle(
+        import, copy(import, from->positions, mesh->vertex_count, sizeof *from->positions),
+        mesh->vertex_count, origin);
+    scene_import_place_mesh(import, origin);
     mesh->normals = copy(import, from->normals, mesh->vertex_count, sizeof *from->normals);
     mesh->uvs[0] = copy(import, from->uvs, mesh->vertex_count, sizeof *from->uvs);
     mesh->colors = copy(import, from->colors, mesh->vertex_count, sizeof *from->colors);
@@ -99,7 +105,12 @@ static void read_instance(struct scene_import *import, const struct scene_array_
     instance->name = copy_name(import, from->name);
     instance->mesh = from->mesh;
     instance->object = import->model.instance_count;
-    memcpy(instance->world, from->world, sizeof instance->world);
+    struct scene_import_place place;
+    for (int i = 0; i < 16; i++) {
+        place.exact[i] = from->world[i];
+        place.world[i] = (float)from->world[i];
+    }
+    scene_import_place_instance(import, &place);
 }
 
 static void read_arrays(struct scene_import *import)

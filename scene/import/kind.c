@@ -54,6 +54,7 @@ static const struct {
     {"las", "LAS (point cloud)"},
     {"laz", "LAZ (point cloud)"},
     {"e57", "E57 (point cloud)"},
+    {"ptx", "PTX (point cloud)"},
     {"abc", "Alembic"},
     {"vdb", "OpenVDB"},
     {"vox", "MagicaVoxel"},
@@ -187,8 +188,9 @@ static void refuse_marked(struct scene_import *import, const struct beginning *s
     if (is_step(import, start)) {
         refuse_by_name(import, "STEP (CAD)");
     }
-    if (begins_with(start, "\x28\xb5\x2f\xfd") && strcasecmp(import->ending, "blend") == 0) {
-        refuse_by_name(import, "a Blender file of 3.0 or later (zstd)");
+    if (begins_with(start, "\x28\xb5\x2f\xfd")) {
+        const bool is_blender = import->ending[0] == 0 || strncasecmp(import->ending, "blend", 5) == 0;
+        refuse_by_name(import, is_blender ? "a Blender file of 3.0 or later (zstd)" : "compressed by zstd");
     }
     for (size_t i = 0; i < sizeof unread_marks / sizeof unread_marks[0]; i++) {
         if (strncmp(find_text(start), unread_marks[i].mark, strlen(unread_marks[i].mark)) == 0) {
@@ -259,6 +261,8 @@ void scene_import_read(struct scene_import *import)
         scene_import_3mf(import);
     } else if (ends_in(import, "stl") || (nameless && looks_like_stl(&start))) {
         scene_import_stl(import);
+    } else if (ends_in(import, "xyz") || ends_in(import, "pts")) {
+        scene_import_xyz(import);
     } else if (ends_in(import, "off") || scene_import_is_off(start.bytes, start.count)) {
         scene_import_off(import);
     } else {

@@ -20,8 +20,8 @@ struct scene_mtl {
     struct scene_hash_table names; ///< places of the materials by their names
 };
 
-/// Add the materials of a library, whose name is in the bytes of the file. Return false, with a warning, if it cannot be
-/// read.
+/// Add the materials of a library, whose name is in the bytes of the file. Return false, with a warning, if it cannot
+/// be read.
 bool scene_mtl_read(struct scene_import *import, struct scene_mtl *mtl, const char *name);
 /// Return the place of the material with this name, in the bytes of the file. If there is none, a plain one is added.
 size_t scene_mtl_find(struct scene_import *import, struct scene_mtl *mtl, const char *name);

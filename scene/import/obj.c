@@ -14,6 +14,8 @@
 #include "import/builder/hash_table.h"
 #include "import/builder/import.h"
 #include "import/builder/numbers.h"
+#include "import/builder/origin.h"
+#include "import/builder/place.h"
 #include "import/builder/polygon.h"
 #include "import/builder/readers.h"
 #include "import/builder/stored_colors.h"
@@ -48,6 +50,8 @@ struct part {
 struct obj {
     struct scene_import *import;
     struct scene_text text;
+    double (*read_positions)[3]; // until all are read
+    double origin[3];            // what was subtracted from the positions
     float (*positions)[3], (*colors)[4], (*uvs)[2], (*normals)[3];
     size_t position_count, position_capacity, color_capacity, painted_count, uv_count, uv_capacity,
         normal_count, normal_capacity;
@@ -88,8 +92,8 @@ _Noreturn static void refuse(struct obj *obj, const char *problem)
 // Read v x y z [w] or v x y z [w] r g b. The number w weights free-form curves and says nothing about polygons.
 static void read_position(struct obj *obj, struct scene_line line)
 {
-    float values[7];
-    const int count = scene_text_numbers(&line, values, 7);
+    double values[7];
+    const int count = scene_text_doubles(&line, values, 7);
     if (count < 3) {
         refuse(obj, "a vertex needs three numbers");
     }
@@ -97,9 +101,9 @@ static void read_position(struct obj *obj, struct scene_line line)
         refuse(obj, "has too many vertices");
     }
     const size_t index = obj->position_count++;
-    scene_import_reserve(obj->import, &obj->positions, &obj->position_capacity, index + 1,
-                         sizeof *obj->positions);
-    memcpy(obj->positions[index], values, sizeof obj->positions[index]);
+    scene_import_reserve(obj->import, &obj->read_positions, &obj->position_capacity, index + 1,
+                         sizeof *obj->read_positions);
+    memcpy(obj->read_positions[index], values, sizeof obj->read_positions[index]);
     if (count < 6 && !obj->colored) {
         return;
     }
@@ -112,7 +116,7 @@ static void read_position(struct obj *obj, struct scene_line line)
     }
     obj->colored = true;
     for (int c = 0; c < 3 && count >= 6; c++) {
-        obj->colors[index][c] = values[count - 3 + c];
+        obj->colors[index][c] = (float)values[count - 3 + c];
     }
 }
 
@@ -507,7 +511,8 @@ static void copy_corners(struct obj *obj, const struct part *part, struct scene_
     }
 }
 
-static void make_indices(struct obj *obj, const struct part *part, struct scene_mesh *mesh)
+static void make_indices(struct obj *obj, const struct part *part, struct scene_mesh *mesh,
+                         struct scene_polygons *polygons)
 {
     const bool triangles = part->key.primitive == SCENE_PRIMITIVE_TRIANGLES;
     size_t count = 0;
@@ -534,6 +539,7 @@ static void make_indices(struct obj *obj, const struct part *part, struct scene_
             continue;
         }
         scene_import_triangulate((const float(*)[3])mesh->positions, polygon, size, next);
+        scene_polygons_add(obj->import, polygons, (size_t)(next - mesh->indices) / 3, size - 2);
         for (uint32_t k = 0; k < 3 * (size - 2); k++) {
             *next++ += first;
         }
@@ -548,18 +554,22 @@ static void add_part(struct obj *obj, struct part *part)
     struct scene_mesh mesh = {.name = name, .primitive = part->key.primitive};
     check_corners(obj, part);
     copy_corners(obj, part, &mesh);
-    make_indices(obj, part, &mesh);
+    struct scene_polygons polygons = {.count = 0};
+    make_indices(obj, part, &mesh, &polygons);
     free(part->corners);
     free(part->sizes);
     mesh.material = scene_mtl_use(import, &obj->mtl, part->key.material, obj->colored);
     *scene_import_add_mesh(import) = mesh;
+    scene_import_place_mesh(import, obj->origin);
     struct scene_instance *instance = scene_import_add_instance(import);
     instance->name = name;
     instance->mesh = import->model.mesh_count - 1;
     instance->object = part->key.object + 1;
     scene_import_identity(instance->world);
     const bool flat = part->key.smoothing == SMOOTHING_OFF;
-    scene_import_complete_mesh(import, instance->mesh, flat ? SCENE_IMPORT_FLAT : SCENE_IMPORT_SMOOTH, true);
+    scene_import_complete_polygons(import, instance->mesh, flat ? SCENE_IMPORT_FLAT : SCENE_IMPORT_SMOOTH,
+                                   true, polygons.of_triangle);
+    free(polygons.of_triangle);
 }
 
 // Make a cloud of points of a file that has vertices alone.
@@ -670,6 +680,7 @@ void scene_import_obj(struct scene_import *import)
     }
     decode_colors(&obj);
     use_paint(&obj);
+    obj.positions = scene_import_settle(import, obj.read_positions, obj.position_count, obj.origin);
     for (size_t i = 0; i < obj.part_count; i++) {
         add_part(&obj, &obj.parts[i]);
     }

@@ -15,7 +15,9 @@
 
 #include "import/builder/complete_mesh.h"
 #include "import/builder/numbers.h"
+#include "import/builder/origin.h"
 #include "import/builder/phong.h"
+#include "import/builder/place.h"
 #include "import/builder/polygon.h"
 #include "import/builder/readers.h"
 #include "import/builder/stored_colors.h"
@@ -37,6 +39,7 @@ struct off {
     struct off_layout layout;
     uint32_t vertex_count, face_count;
     struct scene_mesh mesh;
+    double origin[3]; // what was subtracted from the positions
     struct primitives primitives[PRIMITIVES];
     float (*colors)[4];      // colour of each face; NULL if none has one
     unsigned char *knowns;   // what is known of it
@@ -188,7 +191,6 @@ static void allocate_vertices(struct off *off)
 {
     struct scene_mesh *mesh = &off->mesh;
     mesh->vertex_count = off->vertex_count;
-    mesh->positions = scene_import_allocate(off->import, off->vertex_count, sizeof *mesh->positions);
     if (off->layout.has_normal) {
         mesh->normals = scene_import_allocate(off->import, off->vertex_count, sizeof *mesh->normals);
     }
@@ -201,7 +203,7 @@ static void allocate_vertices(struct off *off)
 }
 
 // Read a position. A homogeneous coordinate divides the others; what it puts at infinity is left out later.
-static void read_position(struct off *off, float position[3])
+static void read_position(struct off *off, double position[3])
 {
     const struct off_layout *layout = &off->layout;
     double w = 1, values[3] = {0, 0, 0};
@@ -218,7 +220,7 @@ static void read_position(struct off *off, float position[3])
         w = scene_off_real(&off->source);
     }
     for (int c = 0; c < 3; c++) {
-        position[c] = w != 0 ? (float)(values[c] / w) : (float)INFINITY;
+        position[c] = w != 0 ? values[c] / w : (double)INFINITY;
     }
 }
 
@@ -233,11 +235,12 @@ static void read_vertices(struct off *off)
 {
     const struct off_layout *layout = &off->layout;
     struct scene_mesh *mesh = &off->mesh;
+    double(*positions)[3] = scene_import_allocate(off->import, off->vertex_count, sizeof *positions);
     off->source.part = "vertex";
     off->source.count = off->vertex_count;
     for (uint32_t i = 0; i < off->vertex_count; i++) {
         off->source.index = i;
-        read_position(off, mesh->positions[i]);
+        read_position(off, positions[i]);
         if (layout->has_normal) {
             read_numbers(off, mesh->normals[i], 3);
         }
@@ -253,6 +256,7 @@ static void read_vertices(struct off *off)
             scene_off_real(&off->source);
         }
     }
+    mesh->positions = scene_import_settle(off->import, positions, off->vertex_count, off->origin);
 }
 
 // Make the colours of vertices linear. Three numbers that the keyword is silent of, and of which some are negative, are
@@ -469,12 +473,14 @@ static void add_mesh(struct off *off, enum scene_primitive primitive)
         off->import->model.materials[mesh.material].alpha_mode = SCENE_ALPHA_BLEND;
     }
     *scene_import_add_mesh(off->import) = mesh;
+    scene_import_place_mesh(off->import, off->origin);
     struct scene_instance *instance = scene_import_add_instance(off->import);
     instance->name = "";
     instance->mesh = off->import->model.mesh_count - 1;
     instance->object = instance->mesh + 1;
     scene_import_identity(instance->world);
-    scene_import_complete_mesh(off->import, instance->mesh, SCENE_IMPORT_SMOOTH, face_colors);
+    scene_import_complete_polygons(off->import, instance->mesh, SCENE_IMPORT_SMOOTH, face_colors,
+                                   primitive == SCENE_PRIMITIVE_TRIANGLES ? list->faces : NULL);
 }
 
 // Add what the faces have become. Vertices without faces are a cloud of points.

@@ -12,14 +12,19 @@
 #include "import/builder/complete_mesh.h"
 #include "import/builder/find_file.h"
 #include "import/builder/numbers.h"
+#include "import/builder/origin.h"
 #include "import/builder/phong.h"
+#include "import/builder/place.h"
 #include "import/builder/readers.h"
 #include "import/builder/stored_colors.h"
 #include "import/builder/vertices.h"
 
 static bool has_magic(const unsigned char *start, size_t size)
 {
-    return size >= 4 && memcmp(start, "ply", 3) == 0 && (start[3] == '\n' || start[3] == '\r');
+    const size_t mark =
+        size >= 3 && memcmp(start, "\xef\xbb\xbf", 3) == 0 ? 3 : 0; // a byte order mark is skipped
+    const unsigned char *word = start + mark;
+    return size >= mark + 4 && memcmp(word, "ply", 3) == 0 && (word[3] == '\n' || word[3] == '\r');
 }
 
 bool scene_import_is_ply(const char *path, const unsigned char *start, size_t size)
@@ -56,7 +61,7 @@ static void allocate_vertices(struct ply *ply, const bool present[TARGETS], uint
         scene_import_fail(ply->import, "its vertices have no positions");
     }
     mesh->vertex_count = count;
-    mesh->positions = scene_import_allocate(ply->import, count, sizeof *mesh->positions);
+    ply->read_positions = scene_import_allocate(ply->import, count, sizeof *ply->read_positions);
     if (present[NX] && present[NY] && present[NZ]) {
         mesh->normals = scene_import_allocate(ply->import, count, sizeof *mesh->normals);
     }
@@ -65,10 +70,10 @@ static void allocate_vertices(struct ply *ply, const bool present[TARGETS], uint
     }
 }
 
-static void store_vertex(struct ply *ply, uint32_t i, const float values[TARGETS])
+static void store_vertex(struct ply *ply, uint32_t i, const double place[3], const float values[TARGETS])
 {
     struct scene_mesh *mesh = &ply->mesh;
-    memcpy(mesh->positions[i], values + X, sizeof mesh->positions[i]);
+    memcpy(ply->read_positions[i], place, sizeof ply->read_positions[i]);
     if (mesh->normals != NULL) {
         memcpy(mesh->normals[i], values + NX, sizeof mesh->normals[i]);
     }
@@ -86,6 +91,7 @@ static void read_vertices(struct ply *ply, const struct element *element)
     enum target targets[MOST_PROPERTIES];
     bool present[TARGETS + 1] = {false};
     float values[TARGETS + 1] = {0};
+    double place[3];
     for (int i = 0; i < element->property_count; i++) {
         targets[i] = scene_ply_target(&element->properties[i]);
         present[targets[i]] = true;
@@ -95,17 +101,27 @@ static void read_vertices(struct ply *ply, const struct element *element)
         scene_import_fail(ply->import, "has two lists of vertices");
     }
     scene_ply_find_colors(element, &ply->vertex_colors);
+    if (ply->vertex_colors.present) {
+        scene_import_reserve(ply->import, &ply->vertex_colors.rows, &ply->vertex_colors.capacity,
+                             (size_t)element->count, sizeof *ply->vertex_colors.rows);
+    }
     allocate_vertices(ply, present, (uint32_t)element->count);
     for (ply->row = 0; ply->row < element->count; ply->row++) {
         for (int i = 0; i < element->property_count; i++) {
             if (targets[i] == UNUSED) {
                 scene_ply_skip(ply, &element->properties[i]);
             } else {
-                values[targets[i]] = (float)scene_ply_number(ply, element->properties[i].type);
+                const double number = scene_ply_number(ply, element->properties[i].type);
+                values[targets[i]] = (float)number;
+                if (targets[i] <= Z) {
+                    place[targets[i] - X] = number;
+                }
             }
         }
-        store_vertex(ply, (uint32_t)ply->row, values);
+        store_vertex(ply, (uint32_t)ply->row, place, values);
     }
+    ply->mesh.positions =
+        scene_import_settle(ply->import, ply->read_positions, (size_t)element->count, ply->origin);
 }
 
 // Elements ------------------------------------------------------------------------------------------
@@ -201,14 +217,15 @@ static uint32_t add_material(struct ply *ply, const struct scene_mesh *mesh, int
     return material;
 }
 
-static void add_mesh(struct ply *ply, const struct scene_mesh *mesh, bool join)
+static void add_mesh(struct ply *ply, const struct scene_mesh *mesh, bool join, uint32_t *polygons)
 {
     *scene_import_add_mesh(ply->import) = *mesh;
+    scene_import_place_mesh(ply->import, ply->origin);
     struct scene_instance *instance = scene_import_add_instance(ply->import);
     instance->mesh = ply->import->model.mesh_count - 1;
     instance->object = instance->mesh + 1;
     scene_import_identity(instance->world);
-    scene_import_complete_mesh(ply->import, instance->mesh, SCENE_IMPORT_SMOOTH, join);
+    scene_import_complete_polygons(ply->import, instance->mesh, SCENE_IMPORT_SMOOTH, join, polygons);
 }
 
 static void *copy_array(struct ply *ply, const void *array, size_t size)
@@ -247,7 +264,7 @@ static void add_lines(struct ply *ply)
         scene_import_color_primitives(ply->import, &lines, (const float(*)[4])ply->edge_colors.rows, NULL);
     }
     lines.material = add_material(ply, &lines, -1, translucent);
-    add_mesh(ply, &lines, false);
+    add_mesh(ply, &lines, false, NULL);
 }
 
 // Give each corner its own vertex, because texture coordinates belong to it.
@@ -278,17 +295,25 @@ static void add_textured(struct ply *ply, int texture, bool join)
 {
     struct scene_mesh part = copy_vertices(ply);
     part.indices = scene_import_allocate(ply->import, ply->mesh.index_count, sizeof *part.indices);
+    uint32_t *polygons =
+        ply->polygons.of_triangle == NULL
+            ? NULL
+            : scene_import_allocate(ply->import, ply->mesh.index_count / 3, sizeof *polygons);
     for (uint32_t i = 0; i < ply->mesh.index_count; i += 3) {
         const int32_t number = ply->face_textures[ply->rows[i / 3]];
         if ((number < ply->texture_count ? number : -1) == texture) {
+            if (polygons != NULL) {
+                polygons[part.index_count / 3] = ply->polygons.of_triangle[i / 3];
+            }
             memcpy(part.indices + part.index_count, ply->mesh.indices + i, 3 * sizeof *part.indices);
             part.index_count += 3;
         }
     }
     if (part.index_count > 0) {
         part.material = add_material(ply, &part, texture, ply->translucent);
-        add_mesh(ply, &part, join);
+        add_mesh(ply, &part, join, polygons);
     }
+    free(polygons);
 }
 
 static void add_triangles(struct ply *ply)
@@ -305,7 +330,7 @@ static void add_triangles(struct ply *ply)
     }
     if (ply->texture_count <= 1) {
         mesh->material = add_material(ply, mesh, 0, ply->translucent);
-        add_mesh(ply, mesh, join);
+        add_mesh(ply, mesh, join, ply->polygons.of_triangle);
         return;
     }
     for (int texture = -1; texture < ply->texture_count; texture++) {
@@ -323,7 +348,7 @@ static void add_points(struct ply *ply)
         mesh->indices[i] = i;
     }
     mesh->material = add_material(ply, mesh, 0, ply->translucent);
-    add_mesh(ply, mesh, false);
+    add_mesh(ply, mesh, false, NULL);
 }
 
 // Entry ---------------------------------------------------------------------------------------------

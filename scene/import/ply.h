@@ -4,6 +4,7 @@
 #define SCENE_PLY_H
 
 #include "import/builder/import.h"
+#include "import/builder/polygon.h"
 #include "import/builder/text_lines.h"
 
 enum type {
@@ -58,6 +59,8 @@ struct ply {
     const struct element *element; // element being read, for messages
     int64_t row;
     struct scene_mesh mesh;
+    double (*read_positions)[3]; // until all are read
+    double origin[3];            // what was subtracted from the positions
     size_t index_capacity, index_count;
     uint32_t *edges;
     size_t edge_capacity, edge_count;
@@ -66,8 +69,9 @@ struct ply {
     struct ply_colors vertex_colors, face_colors, edge_colors;
     bool translucent;     // some vertex or face is
     uint32_t small_faces; // number of faces with fewer than three corners
-    bool has_rows;        // triangles have `rows`
-    uint32_t *rows;       // row of each triangle, by which face_colors and face_textures know it
+    struct scene_polygons polygons;
+    bool has_rows;  // triangles have `rows`
+    uint32_t *rows; // row of each triangle, by which face_colors and face_textures know it
     uint32_t row_count;
     size_t row_capacity;
     int32_t *face_textures; // number of the texture of each row; NULL if the file has none

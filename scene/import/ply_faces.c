@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "import/builder/polygon.h"
 #include "ply.h"
 
 static uint32_t checked_index(struct ply *ply, double index)
@@ -151,6 +150,7 @@ static void add_face(struct ply *ply, struct face *face)
                          sizeof *face->triangles);
     scene_import_triangulate((const float(*)[3])ply->mesh.positions, face->corners, count, face->triangles);
     reserve_indices(ply, corners);
+    scene_polygons_add(ply->import, &ply->polygons, ply->index_count / 3, count - 2);
     const bool wedged = face->wedge_count >= 2 * face->count;
     if (wedged || ply->wedges != NULL) {
         const size_t before = ply->wedge_capacity;
@@ -205,6 +205,7 @@ static void read_strip(struct ply *ply, const struct property *property)
         const uint32_t index = checked_index(ply, value);
         if (length >= 2) {
             reserve_indices(ply, 3);
+            scene_polygons_add(ply->import, &ply->polygons, ply->index_count / 3, 1);
             uint32_t *out = ply->mesh.indices + ply->index_count;
             out[0] = last[length % 2];
             out[1] = last[1 - length % 2];

@@ -11,7 +11,9 @@
 #include "import/builder/complete_mesh.h"
 #include "import/builder/import.h"
 #include "import/builder/numbers.h"
+#include "import/builder/origin.h"
 #include "import/builder/phong.h"
+#include "import/builder/place.h"
 #include "import/builder/readers.h"
 #include "import/builder/text_lines.h"
 
@@ -20,36 +22,11 @@ enum { HEADER = 84, FACET = 50 }; // bytes of a binary file's head with its coun
 // The facets of one solid.
 struct solid {
     const char *name;
-    float (*positions)[3], (*normals)[3], (*colors)[4]; // for each corner; colors may be NULL
+    double (*positions)[3];
+    float (*normals)[3], (*colors)[4]; // for each corner, as positions; colors may be NULL
     size_t corners, position_capacity, normal_capacity;
     bool has_normals; // at least one facet has a normal
 };
-
-static void add_solid(struct scene_import *import, struct solid *solid)
-{
-    if (solid->corners > UINT32_MAX) {
-        scene_import_fail(import, "has too many facets");
-    }
-    struct scene_phong phong = scene_phong_default();
-    phong.colored = solid->colors != NULL;
-    struct scene_mesh *mesh = scene_import_add_mesh(import);
-    mesh->name = solid->name;
-    mesh->vertex_count = mesh->index_count = (uint32_t)solid->corners;
-    mesh->positions = solid->positions;
-    mesh->normals = solid->has_normals ? solid->normals : NULL;
-    mesh->colors = solid->colors;
-    mesh->indices = scene_import_allocate(import, solid->corners, sizeof *mesh->indices);
-    for (uint32_t i = 0; i < mesh->index_count; i++) {
-        mesh->indices[i] = i;
-    }
-    mesh->material = scene_phong_add(import, &phong);
-    struct scene_instance *instance = scene_import_add_instance(import);
-    instance->name = solid->name;
-    instance->mesh = import->model.mesh_count - 1;
-    instance->object = import->model.instance_count;
-    scene_import_identity(instance->world);
-    scene_import_complete_mesh(import, instance->mesh, SCENE_IMPORT_SMOOTH, solid->corners > 3);
-}
 
 static bool is_normal(const float v[3])
 {
@@ -76,19 +53,60 @@ static void find_normal(const float (*corners)[3], float normal[3])
     }
 }
 
-// Set the normal of a facet for its three corners, which are there. Where the file gives zeros, as programs write for
-// facets without an area, the normal is made from the corners.
+// Keep the normal of a facet for its three corners, which are there. Programs write zeros for facets without an area.
 static void set_normal(struct solid *solid, size_t first, const float given[3])
 {
-    float normal[3] = {given[0], given[1], given[2]};
-    if (is_normal(given)) {
-        solid->has_normals = true;
-    } else {
-        find_normal((const float(*)[3])solid->positions + first, normal);
-    }
+    const bool good = is_normal(given);
+    solid->has_normals = solid->has_normals || good;
     for (size_t k = 0; k < 3; k++) {
-        memcpy(solid->normals[first + k], normal, sizeof solid->normals[first + k]);
+        memset(solid->normals[first + k], 0, sizeof solid->normals[first + k]);
+        if (good) {
+            memcpy(solid->normals[first + k], given, sizeof solid->normals[first + k]);
+        }
     }
+}
+
+// Make the normals that the file does not give of the corners.
+static void complete_normals(struct scene_mesh *mesh)
+{
+    for (uint32_t i = 0; i < mesh->vertex_count; i += 3) {
+        if (!is_normal(mesh->normals[i])) {
+            find_normal((const float(*)[3])mesh->positions + i, mesh->normals[i]);
+            memcpy(mesh->normals[i + 1], mesh->normals[i], sizeof mesh->normals[i]);
+            memcpy(mesh->normals[i + 2], mesh->normals[i], sizeof mesh->normals[i]);
+        }
+    }
+}
+
+static void add_solid(struct scene_import *import, struct solid *solid)
+{
+    if (solid->corners > UINT32_MAX) {
+        scene_import_fail(import, "has too many facets");
+    }
+    double origin[3];
+    struct scene_phong phong = scene_phong_default();
+    phong.colored = solid->colors != NULL;
+    struct scene_mesh *mesh = scene_import_add_mesh(import);
+    mesh->name = solid->name;
+    mesh->vertex_count = mesh->index_count = (uint32_t)solid->corners;
+    mesh->positions = scene_import_settle(import, solid->positions, solid->corners, origin);
+    scene_import_place_mesh(import, origin);
+    mesh->normals = solid->has_normals ? solid->normals : NULL;
+    mesh->colors = solid->colors;
+    if (solid->has_normals) {
+        complete_normals(mesh);
+    }
+    mesh->indices = scene_import_allocate(import, solid->corners, sizeof *mesh->indices);
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        mesh->indices[i] = i;
+    }
+    mesh->material = scene_phong_add(import, &phong);
+    struct scene_instance *instance = scene_import_add_instance(import);
+    instance->name = solid->name;
+    instance->mesh = import->model.mesh_count - 1;
+    instance->object = import->model.instance_count;
+    scene_import_identity(instance->world);
+    scene_import_complete_mesh(import, instance->mesh, SCENE_IMPORT_SMOOTH, solid->corners > 3);
 }
 
 // Binary --------------------------------------------------------------------------------------------
@@ -112,6 +130,22 @@ struct palette {
     bool colored, magics;
     float common[4];
 };
+
+// Tell of what the head of Materialise Magics says beside its colour.
+static void tell_of_head(struct scene_import *import, const unsigned char *bytes)
+{
+    static const char color[] = "COLOR=", material[] = "MATERIAL=";
+    for (size_t i = 0; i + sizeof material <= 80; i++) {
+        const unsigned char alpha = bytes[i + sizeof color - 1 + 3];
+        if (memcmp(bytes + i, material, sizeof material - 1) == 0) {
+            scene_import_unsupported(import,
+                                     "the material in its head (STL): its colours of facets alone are drawn");
+        }
+        if (memcmp(bytes + i, color, sizeof color - 1) == 0 && alpha > 0 && alpha < 255) {
+            scene_import_unsupported(import, "the translucency in its head (STL): drawn opaque");
+        }
+    }
+}
 
 static struct palette find_palette(const unsigned char *bytes, size_t facets)
 {
@@ -173,6 +207,7 @@ static void read_binary(struct scene_import *import, const unsigned char *bytes,
     }
     const size_t count = count_facets(import, bytes, size);
     const struct palette palette = find_palette(bytes, count);
+    tell_of_head(import, bytes);
     struct solid solid = {.name = "", .corners = 3 * count};
     solid.positions = scene_import_allocate(import, solid.corners, sizeof *solid.positions);
     solid.normals = scene_import_allocate(import, solid.corners, sizeof *solid.normals);
@@ -185,7 +220,7 @@ static void read_binary(struct scene_import *import, const unsigned char *bytes,
         for (int c = 0; c < 3; c++) {
             normal[c] = read_float(facet + 4 * c);
             for (int k = 0; k < 3; k++) {
-                solid.positions[3 * i + (size_t)k][c] = read_float(facet + 12 + 12 * k + 4 * c);
+                solid.positions[3 * i + (size_t)k][c] = (double)read_float(facet + 12 + 12 * k + 4 * c);
             }
         }
         set_normal(&solid, 3 * i, normal);
@@ -202,7 +237,8 @@ struct reader {
     struct scene_import *import;
     struct scene_text text;
     struct solid solid;
-    float normal[3], corners[3][3];
+    float normal[3];
+    double corners[3][3];
     int corner_count; // corners of the facet that is open; a facet may have more than 3
     bool in_solid, in_facet;
     size_t facets;
@@ -234,8 +270,8 @@ static void add_facet(struct reader *reader)
 // Read a corner. The fourth corner and each after it make a triangle with the first corner and the one before.
 static void read_vertex(struct reader *reader, struct scene_line line)
 {
-    float position[3];
-    if (scene_text_numbers(&line, position, 3) < 3) {
+    double position[3];
+    if (scene_text_doubles(&line, position, 3) < 3) {
         refuse(reader, "a vertex needs three numbers");
     }
     if (reader->corner_count >= 3) {
@@ -284,6 +320,8 @@ static void read_line(struct reader *reader, struct scene_word key, struct scene
         reader->in_solid = true;
     } else if (key_is(key, "endsolid")) {
         end_solid(reader);
+    } else if (key_is(key, "color")) {
+        scene_import_unsupported(reader->import, "colours in text (STL): not drawn");
     }
 }
 

@@ -297,6 +297,19 @@ static bool check_model(struct fuzz *fuzz, const char *model, const char *name, 
     return false;
 }
 
+// The picture beside itself: `rhw compare` has decoders of its own.
+static bool check_compare(struct fuzz *fuzz, const char *picture)
+{
+    const char *const compare[] = {fuzz->rhw, "compare", picture, picture, "--max-memory=512M", NULL};
+    char problem[1024] = "";
+    if (check_run(fuzz, compare, false, problem, sizeof problem)) {
+        return true;
+    }
+    fuzz->failures++;
+    printf("%s: compared: %s\n", picture, problem);
+    return false;
+}
+
 // A square that wears the image, whose bytes tell what it is: hostile images reach the program as textures.
 static bool check_image(struct fuzz *fuzz, const char *image)
 {
@@ -312,7 +325,8 @@ static bool check_image(struct fuzz *fuzz, const char *image)
     save("../square.obj", square, sizeof square - 1);
     free(data);
     const bool fine = check_model(fuzz, "../square.obj", image, NULL) &&
-                      check_model(fuzz, "../square.obj", image, "--max-texture=3");
+                      check_model(fuzz, "../square.obj", image, "--max-texture=3") &&
+                      check_compare(fuzz, image);
     unlink("../image.png");
     unlink("../square.mtl");
     unlink("../square.obj");
@@ -326,7 +340,7 @@ static bool check_panorama(struct fuzz *fuzz, const char *panorama)
     char option[1200];
     snprintf(option, sizeof option, "--environment=%s", panorama);
     save("../square.obj", square, sizeof square - 1);
-    const bool fine = check_model(fuzz, "../square.obj", panorama, option);
+    const bool fine = check_model(fuzz, "../square.obj", panorama, option) && check_compare(fuzz, panorama);
     unlink("../square.obj");
     return fine && check_image(fuzz, panorama);
 }

@@ -391,7 +391,7 @@ void golden_gallery_draw(rhw_context *context, int number, struct golden_images 
     view.camera =
         number < 2 || number > 3
             ? scene_camera_fit(model, (struct scene_orbit){.azimuth = 25, .elevation = 15}, 0.5, aspect)
-            : scene_camera_from_model(&camera, aspect);
+            : scene_camera_from_model(model, &camera, aspect);
     if (number == 1) {
         view.default_lights = true;
         view.wireframe = SCENE_WIREFRAME_OVER;

@@ -6,6 +6,7 @@ display.py serve SCREEN    does what each line of its input says, and answers wi
 
     seen PICTURE SECONDS      waits until the top left of the screen is the PPM or PGM
     unseen PICTURE SECONDS    until it is something else
+    beside PICTURE MASK SECONDS   until there is something else, but only where the mask is black
     explained PICTURE X Y     the picture stands beside an explanation of that pixel, smaller, with a mark; prints the
                               width and height that it has there
     grab WIDTH HEIGHT OUT     writes the top left of the screen as a PPM
@@ -59,6 +60,20 @@ def wait(path, wanted, seconds, is_seen):
     end = time.monotonic() + seconds
     while (screen(path, drawn.width, drawn.height).data == drawn.data) != is_seen:
         assert time.monotonic() < end, f"{wanted} is {'not seen' if is_seen else 'still seen'}"
+        time.sleep(0.01)
+
+
+def wait_beside(path, wanted, mask, seconds):
+    drawn, kept = picture(wanted), picture(mask)
+    assert any(kept.data), f"{mask} is black"
+    end = time.monotonic() + seconds
+    while True:
+        seen = screen(path, drawn.width, drawn.height).data
+        pixels = [slice(i, i + 3) for i in range(0, len(seen), 3)]
+        other = [i for i in pixels if seen[i] != drawn.data[i]]
+        if other and not any(any(kept.data[i]) for i in other):
+            return
+        assert time.monotonic() < end, f"{len(other)} pixels are not those of {wanted}"
         time.sleep(0.01)
 
 
@@ -118,6 +133,8 @@ def freeze(parent):
 def answer(display, verb, *arguments):
     if verb in ("seen", "unseen"):
         wait(display, arguments[0], float(arguments[1]), verb == "seen")
+    elif verb == "beside":
+        wait_beside(display, arguments[0], arguments[1], float(arguments[2]))
     elif verb == "explained":
         return explained(display, arguments[0], int(arguments[1]), int(arguments[2]))
     else:

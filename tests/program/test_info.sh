@@ -35,6 +35,7 @@ check "no layers" grep -q "^ *2  $usual  \"plain\"$" "$folder/log/out"
 check "the unit" grep -q "^unit:      metre$" "$folder/log/out"
 check "the size" grep -q "^size:      1 x 1 x 0$" "$folder/log/out"
 check "what is up" grep -q "^up:        y, by its format$" "$folder/log/out"
+grep -q "^framed:" "$folder/log/out" && fail "a frame that is the bounds is told of"
 check "memory: 3 of each mesh's vertices of 24 bytes, 3 indices" grep -q "^memory:    0.0 MiB of meshes, 0.0 MiB of textures$" \
     "$folder/log/out"
 check "extensions" grep -q "^  KHR_materials_sheen: drawn$" "$folder/log/out"
@@ -47,6 +48,15 @@ check "JSON of bytes" grep -q '"mesh_bytes": 252,$' "$folder/log/out"
 check "JSON" grep -q '"double_sided": false, "clearcoat": 0.5, "sheen_color": \[0.5, 0.25, 0\], "sheen_roughness": 0.75}' \
     "$folder/log/out"
 check "JSON without layers" grep -q '"plain".*"double_sided": false}' "$folder/log/out"
+
+# What a picture is about, where it is less than the bounds.
+sed 's/\[{"mesh": 0}\]/[{"mesh": 0}, {"mesh": 0, "scale": [0, 0, 0], "translation": [9, 0, 0]}]/; s/"nodes": \[0\]/"nodes": [0, 1]/' \
+    layers.gltf >framed.gltf
+run info framed.gltf
+check "the bounds" grep -q "^bounds:    0 0 0 to 9 1 0$" "$folder/log/out"
+check "the frame" grep -q "^framed:    0 0 0 to 1 1 0$" "$folder/log/out"
+run info --json framed.gltf
+check "JSON of the frame" grep -q '"frame": {"empty": false, "min": \[0, 0, 0\], "max": \[1, 1, 0\]},$' "$folder/log/out"
 
 # Samplers, where they are not linear and repeating.
 printf 'P6\n1 1\n255\nabc' >dot.ppm

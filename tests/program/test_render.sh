@@ -272,11 +272,29 @@ done
 succeed render cube.obj $view -o a.png --environment sky.hdr
 differs "--environment-rotation" --environment sky.hdr --environment-rotation 90
 differs "--background environment" --environment sky.hdr --background environment
+# The same light as a DDS of floats.
+{
+    printf 'DDS \174\000\000\000\007\020\000\000\002\000\000\000\004\000\000\000'
+    head -c 56 /dev/zero
+    printf '\040\000\000\000\004\000\000\000DX10'
+    head -c 40 /dev/zero
+    printf '\002\000\000\000\003\000\000\000\000\000\000\000\001\000\000\000\000\000\000\000'
+    for texel in red red blue blue red red blue blue; do
+        [ $texel = red ] || printf '\000\000\000\077\000\000\000\077\000\000\377\077\000\000\200\077'
+        [ $texel = blue ] || printf '\000\000\377\077\000\000\000\077\000\000\000\077\000\000\200\077'
+    done
+} >sky.dds
+succeed render cube.obj $view -o a.png --environment sky.hdr
+succeed render cube.obj $view -o b.png --environment sky.dds
+check "an environment of DDS" cmp -s a.png b.png
+rm b.png
 succeed render cube.obj $view -o other.exr --environment sky.hdr
 succeed render cube.obj $view -o a.png --environment other.exr
 succeed render cube.obj $view -o a.png
 refuse 1 "nowhere.hdr: cannot be opened: No such file" render cube.obj -o a.png --environment nowhere.hdr
 refuse 1 "a.png: an environment must be a Radiance HDR or an OpenEXR picture" render cube.obj -o b.png --environment a.png
+printf 'version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n' > pointer.hdr
+refuse 1 "pointer.hdr: is a Git LFS pointer, not the file (git lfs pull)" render cube.obj -o b.png --environment pointer.hdr
 refuse 1 "cube.mtl: an environment must be a Radiance HDR or an OpenEXR picture" render cube.obj -o b.png --environment cube.mtl
 : >empty.hdr
 refuse 1 "empty.hdr: the file is empty" render cube.obj -o b.png --environment empty.hdr

@@ -453,4 +453,16 @@ check "nothing was said: $(cat complained)" test ! -s complained
 closes 0
 kill $feeder
 
+# What is said of the picture leaves the model free, wherever that stands.
+for target in 2,1.2,0 -2,1.2,0; do
+    view cube.obj --samples 1 --camera 0,0,12,$target,0,1,0,32
+    shows_model
+    seen "the cube in a corner, $target"
+    # shellcheck disable=SC2086
+    "$rhw" $asked --output object -o mask.ppm
+    press Tab
+    check "the text beside the cube, $target" display beside want.ppm mask.ppm $PATIENCE
+    closes 0
+done
+
 finish

@@ -40,7 +40,7 @@ done
 # The types of the outputs, of which the package gives all but `display`.
 rows=$(awk -F'"' '/\.name = /{ name = $2 }
     /\.format = /{ sub(/.*RHW_FORMAT_/, ""); sub(/,.*/, ""); print name ":" \
-        ($0 ~ /_UINT/ ? "Uint32Array" : $0 ~ /FLOAT/ ? "Float32Array" : "Uint8ClampedArray") }' \
+        ($0 ~ /_UINT/ ? "Numbers32" : $0 ~ /FLOAT/ ? "Floats32" : "Color8") }' \
     "$root/scene/draw/output_table.c" | grep -v '^display:' | sort)
 typed=$(sed -n '/^export interface Outputs/,/^}/s/^    \([a-z]*\): \([A-Za-z0-9]*\);/\1:\2/p' "$types" | sort)
 check "the types have the outputs of the table" test -n "$rows" -a "$rows" = "$typed"

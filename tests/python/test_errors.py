@@ -69,6 +69,7 @@ model = rhw.Model(V, F)
     (lambda: rhw.Camera.from_matrix(2 * np.eye(4)), ValueError, "pose: must turn and move"),
     (lambda: rhw.Camera.from_matrix(np.eye(4)[[0, 1, 2, 0]]), ValueError, r"pose: its last row must be 0, 0, 0, 1, not \[1.0, 0"),
     (lambda: rhw.Camera.from_matrix(np.eye(4), near=5, far=2), ValueError, "near: must be less than far, 2, not 5"),
+    (lambda: rhw.Camera.from_matrix(np.eye(4), near=5, far=5), ValueError, "near: must be less than far, 5, not 5"),
     (lambda: model.render(9, rhw.Camera.from_matrix(np.eye(4), near=1e9)), ValueError, "near: must be less than far"),
     (lambda: rhw.Camera.fit(fov=3), TypeError, r"^Camera.fit\(\) got an unexpected keyword argument 'fov'"),
     (lambda: rhw.Camera.fit().at("chair.glb", 9), TypeError, "model: must be an rhw.Model, not 'chair.glb'"),

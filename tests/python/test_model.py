@@ -55,6 +55,56 @@ def test_same_as_from_a_file(tmp_path, program):
     assert model.render(100).png() == program(tmp_path / "s.gltf", "s.png", "--size", "100")
 
 
+def test_far_from_the_origin(tmp_path, program):
+    """Arrays of doubles that float32 would make one point of look as at the origin, and what is told is where they are."""
+    vertices = np.array([(0, 0, 0), (0.75, 0.125, 0), (0.25, 0.875, 0.0625), (0.125, 0.25, 0.6875)])
+    faces = np.array([(0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 2, 1)])
+    place = np.array([54598150.375, -43210987.25, 12345678.625])
+    look = dict(outputs=("color", "depth", "position"), ground=True)
+    near, far = rhw.Model(vertices, faces), rhw.Model(vertices + place, faces)
+    assert not any(near.origin) and near.bounds.dtype == np.float32 and near.nodes[0].world.dtype == np.float32
+    assert np.array_equal(far.bounds - place, near.bounds)
+    mesh, world = far.meshes[0], far.nodes[0].world
+    assert np.array_equal(mesh.vertices[mesh.faces] + world[:3, 3], (vertices + place)[faces])
+    a, b = near.render(64, **look), far.render(64, **look)
+    assert np.array_equal(a["color"], b["color"]) and np.allclose(a["depth"], b["depth"], rtol=0, atol=1e-6)
+    assert a["position"].dtype == np.float32 and b["position"].dtype == np.float64
+    hit = a["position"][..., 3] > 0
+    assert np.allclose(b["position"][hit] - (*place, 0), a["position"][hit], atol=1e-6) and not b["position"][~hit].any()
+    camera = rhw.Camera.look_at(b.view.eye, place + 0.25, fovy=30)
+    assert np.array_equal(near.render(64, rhw.Camera.look_at(b.view.eye - place, (0.25, 0.25, 0.25), fovy=30))["color"],
+                          far.render(64, camera)["color"])
+    assert a.png("position") != b.png("position")  # the text says where
+    world = np.eye(4)
+    world[:3, 3] = place
+    again = _placed(vertices, faces, world)
+    assert np.array_equal(again.render(64, **look)["color"], a["color"])
+    obj = tmp_path / "far.obj"
+    obj.write_text("".join(f"v {x:.6f} {y:.6f} {z:.6f}\n" for x, y, z in vertices + place) +
+                   "".join(f"f {i} {j} {k}\n" for i, j, k in faces + 1))
+    exr = program(obj, "far.exr", "--output", "position", "--size", "64")
+    assert b"positionFromOrigin.X" in exr and b"originToCamera" in exr
+    assert rhw.load(obj).render(64, outputs="position").exr() == exr
+
+
+def _placed(vertices, faces, world):
+    """A scene as those of trimesh are, with one node."""
+    class Graph:
+        nodes_geometry = ["node"]
+
+        def __getitem__(self, node):
+            return world, "mesh"
+
+    class Mesh:
+        def __init__(self):
+            self.vertices, self.faces = vertices, faces
+
+    class Scene:
+        geometry, graph = {"mesh": Mesh()}, Graph()
+
+    return rhw.Model(Scene())
+
+
 def test_colors(square):
     vertices, faces = square
     unlit = dict(unlit=True, color=(1, 1, 1))

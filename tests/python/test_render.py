@@ -77,6 +77,7 @@ def test_what_is_seen_is_framed(program, tmp_path):
     path.write_text(json.dumps(scene))
     model = rhw.load(path)
     assert any("specks far away" in each for each in model.warnings)
+    assert model.bounds[1][0] > 900 and model.frame.tolist() == [[0, 0, 0], [1, 1, 0]]
     with pytest.warns(UserWarning, match="sees next to nothing of the model"):
         pictures = model.render(64, outputs=("color", "object"))
     assert pictures.png() == program(path, "x.png", "--size", "64") == program(path, "y.png", "--size", "64", "--fit")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the package promises, checked wherever modules run: check(rhw, read, threads) takes the package, a function
-// that gives the bytes of a file of prepare.js, and how many threads should draw, and returns how many checks there
-// were and a line for each that failed.
+// that gives the bytes of a file of prepare.js, how many threads should draw, and a function that gives the address of a
+// file, and returns how many checks there were and a line for each that failed.
 
 const decoder = new TextDecoder();
 
@@ -59,6 +59,67 @@ async function checkPictures(checks, rhw, read, cases) {
         checks.same(`${name}: size`, [drawn.width, drawn.height], [width, height]);
         checks.samples(`${name}: pixels`, withoutAlpha(drawn.color), samples);
     }
+}
+
+// Of a model by its address, with the files that it names.
+async function checkAddresses(checks, rhw, read, cases, address) {
+    for (const { name, model, options, picture } of cases.filter(({ files }) => files.length > 0)) {
+        const drawn = await rhw.render(address(model), options);
+        const { samples } = samplesOf(await read(picture));
+        checks.samples(`${name}, by its address: pixels`, withoutAlpha(drawn.color), samples);
+    }
+    const box = cases[0].model;
+    const scene = await rhw.load(new URL(address(box), globalThis.location?.href));
+    checks.same('the name of an address', scene.info().file, 'BoxTextured.glb');
+    scene.close();
+    await checks.fails('no such address', rhw.load(`${address(box)}x`), /^rhw: .*BoxTextured\.glbx: (404|no such file)/);
+}
+
+async function checkSignals(checks, rhw, box, address) {
+    const reasons = await Promise.all([
+        rhw.render(box, { signal: AbortSignal.abort('late') }),
+        rhw.load(address, { signal: AbortSignal.abort('late') }),
+        ...[1, 20].map((wait) => {
+            const controller = new AbortController();
+            setTimeout(() => controller.abort('late'), wait);
+            return rhw.load(address, { signal: controller.signal }).then((scene) => {
+                scene.close();
+                return 'loaded';
+            });
+        }),
+    ].map((promise) => promise.then(() => 'drawn', (reason) => reason)));
+    checks.same('aborted', reasons.slice(0, 3), ['late', 'late', 'late']);
+    const scene = await rhw.load(box, { signal: new AbortController().signal });
+    let thrown;
+    try {
+        scene.render({ signal: AbortSignal.abort('late') });
+    } catch (error) {
+        thrown = error;
+    }
+    checks.same('aborted before it is drawn', thrown, 'late');
+    scene.close();
+}
+
+async function checkColors(checks, rhw, box) {
+    const scene = await rhw.load(box);
+    const corner = (background) => [...scene.render({ size: 8, zoom: 0.1, samples: 1, background }).color.slice(0, 4)];
+    const orange = [255, 136, 0, 255];
+    for (const color of ['ff8800', '#f80', '#FF8800', '#ff8800ff', '#f80f', 0xff8800, 'rgb(255, 136, 0)', ' rgb(255 136 0) ',
+                         'rgba(255,136,0,1)', 'rgb(100% 53.33% 0% / 100%)', 'hsl(32 100% 50%)', 'hsla(32deg, 100%, 50%, 1)']) {
+        checks.same(`background ${color}`, corner(color), orange);
+    }
+    checks.same('a name of style sheets', [corner('rebeccapurple'), corner('Tomato')], [[102, 51, 153, 255], [255, 99, 71, 255]]);
+    checks.same('nothing', [corner('transparent'), corner('#12345600'), corner('rgb(1 2 3 / 0)')].map((color) => color[3]), [0, 0, 0]);
+    for (const [color, pattern] of [['#12345680', /'#12345680' is seen through in part/], [-1, /'-1' is not a number from 0/],
+                                    ['rgb(1, 2)', /'rgb\(1, 2\)' is not a colour/], ['tomatoe', /'tomatoe' is not a colour/]]) {
+        await checks.fails(`background ${color}`, (async () => corner(color))(), new RegExp(`^rhw: background: ${pattern.source}`));
+    }
+    const view = (options) => JSON.stringify(scene.view({ size: 8, ...options }));
+    const camera = { eye: [0, 0, 9], target: [0, 0, 0] };
+    checks.same('fov', [view({ fov: 50 }), view({ camera: { ...camera, fov: 50 } })],
+                [view({ fovy: 50 }), view({ camera: { ...camera, fovy: 50 } })]);
+    await checks.fails('fov and fovy', (async () => view({ fov: 50, fovy: 50 }))(), /^rhw: fov: is fovy by another name/);
+    scene.close();
 }
 
 async function checkScene(checks, rhw, read, data, threads) {
@@ -160,7 +221,7 @@ function checkData(checks, scene, normals) {
 async function checkErrors(checks, rhw, read, data) {
     const box = await read(data.cases[0].model);
     await checks.fails('no model', rhw.load(new Uint8Array(0), { name: 'a.glb' }), /^rhw: a\.glb: /);
-    await checks.fails('a model that is no bytes', rhw.load('box.glb'), /^rhw: model: must be a Uint8Array/);
+    await checks.fails('a model that is no bytes', rhw.load(7), /^rhw: model: must be a Uint8Array/);
     await checks.fails('a cut model', rhw.load(box.subarray(0, 1000), { name: 'cut.glb' }), /^rhw: cut\.glb: .+/);
     await checks.fails('a format that is not read', rhw.load(box.subarray(20), { name: 'a.fbx' }),
                        /^rhw: a\.fbx: is FBX, which is not read here; glTF, OBJ, PLY, STL and 3MF are$/);
@@ -190,6 +251,15 @@ async function checkErrors(checks, rhw, read, data) {
     checks.that('a warning', warnings.length === 1 && /^rhw: a\.obj: warning: .*no\.mtl/.test(warnings[0]), warnings);
     await checks.fails('a warning with strict', rhw.render(obj, { name: 'a.obj', strict: true }),
                        /^rhw: a\.obj: is not drawn as /);
+    const far = new TextEncoder().encode('v 5e6 0 4e6\nv 5000001.5 0 4e6\nv 5e6 1.25 4e6\nf 1 2 3\n');
+    const { position, color } = await rhw.render(far, { name: 'far.obj', size: 8, outputs: ['position', 'color'] });
+    const hit = position.findIndex((value, i) => i % 4 === 3 && value === 1) - 3;
+    checks.that('positions far from the origin', position instanceof Float64Array && hit >= 0 &&
+                position[hit] > 5e6 && position[hit] < 5000001.5 && position[hit + 2] === 4e6, [...position]);
+    const near = new TextEncoder().encode('v 0 0 0\nv 1.5 0 0\nv 0 1.25 0\nf 1 2 3\n');
+    const same = await rhw.render(near, { name: 'near.obj', size: 8, outputs: ['position', 'color'] });
+    checks.same('a picture far from the origin', [...color], [...same.color]);
+    checks.that('positions near the origin', same.position instanceof Float32Array);
 }
 
 async function checkTriangles(checks, rhw, threads) {
@@ -244,10 +314,14 @@ async function checkTriangles(checks, rhw, threads) {
     await bad('a word', { cull: 'both' }, /^rhw: cull: 'both' is not one of none, front, back$/);
 }
 
-export async function check(rhw, read, threads) {
+export async function check(rhw, read, threads, address) {
     const checks = new Checks();
     const data = JSON.parse(decoder.decode(await read('data.json')));
     await checkPictures(checks, rhw, read, data.cases);
+    await checkAddresses(checks, rhw, read, data.cases, address);
+    const box = data.cases[0].model;
+    await checkSignals(checks, rhw, await read(box), address(box));
+    await checkColors(checks, rhw, await read(box));
     await checkScene(checks, rhw, read, data, threads);
     await checkErrors(checks, rhw, read, data);
     await checkTriangles(checks, rhw, threads);

@@ -31,7 +31,7 @@ import { check } from '/checks.js';
 const read = async (name) => new Uint8Array(await (await fetch('/data/' + name)).arrayBuffer());
 const threads = crossOriginIsolated ? navigator.hardwareConcurrency : 1;
 const fail = (error) => postMessage({ count: 1, failures: [String(error?.stack ?? error)] });
-check(rhw, read, threads).then(postMessage, fail);`;
+check(rhw, read, threads, (name) => '/data/' + name).then(postMessage, fail);`;
 
 async function contentOf(path) {
     const made = { '/': page, '/worker.js': worker }[path];

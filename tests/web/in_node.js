@@ -3,6 +3,7 @@
 import { readFile } from 'node:fs/promises';
 import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { isMainThread, parentPort, Worker, workerData } from 'node:worker_threads';
 
 import * as rhw from 'rhw';
@@ -10,7 +11,8 @@ import * as rhw from 'rhw';
 import { check } from './checks.js';
 
 function checkHere(folder) {
-    return check(rhw, async (name) => new Uint8Array(await readFile(join(folder, name))), availableParallelism());
+    const read = async (name) => new Uint8Array(await readFile(join(folder, name)));
+    return check(rhw, read, availableParallelism(), (name) => pathToFileURL(join(folder, name)).href);
 }
 
 function checkInWorker(folder) {

@@ -5,6 +5,7 @@
 usage: page.py PAGE-FOLDER STAGE_REPLAY SCREENSHOT-FOLDER
 """
 import base64
+import functools
 import os
 import re
 import struct
@@ -30,8 +31,13 @@ sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "web"))
 import serve  # noqa: E402: it stands beside the page
 
 
-def start_server(folder, isolated=True):
+def start_server(folder, isolated=True, types=None):
+    """types: of files by their endings, where they are others."""
     server = serve.make_server(folder, isolated=isolated)
+    if types:
+        handler = server.RequestHandlerClass
+        wrong = type("WrongHandler", (handler.func,), {"extensions_map": {**handler.func.extensions_map, **types}})
+        server.RequestHandlerClass = functools.partial(wrong, **handler.keywords)
     threading.Thread(target=server.serve_forever, daemon=True).start()
     return f"http://127.0.0.1:{server.server_port}/index.html"
 
@@ -471,6 +477,90 @@ class Page(unittest.TestCase):
             self.wait("document.querySelector('#model .state').textContent.includes('rhw: ')", 60)
 
     # Speed: printed, and not held to what a busy machine may not reach.
+
+    def drop(self, files, folder):
+        """Drops a folder with files, {path: URL of the page's or None: it cannot be read}, as a browser does."""
+        self.script("""
+            const [files, folder] = arguments;
+            const entry = (name, inside) => inside instanceof Object ? {
+              name, isFile: false, createReader() {
+                let portions = [Object.entries(inside).map((pair) => entry(...pair)), []];
+                return { readEntries: (done) => done(portions.shift()) };
+              } } : { name, isFile: true, async file(done) {
+                const file = new File([inside ? await (await fetch(inside)).arrayBuffer() : ''], name);
+                if (inside === null) {
+                  file.arrayBuffer = () => Promise.reject(new DOMException('gone', 'NotFoundError'));
+                }
+                done(file);
+              } };
+            const event = new Event('drop', { cancelable: true });
+            event.dataTransfer = { files: [{}], items: [{ kind: 'file', webkitGetAsEntry: () => entry(folder, files) }] };
+            document.dispatchEvent(event);""", files, folder)
+
+    def test_a_folder_is_dropped(self):
+        self.show("model")
+        self.wait("rhw.views.model")
+        box = "data:text/plain," + "%0A".join(["mtllib m/box.mtl", "v 0 0 0", "v 1 0 0", "v 0 1 0", "vt 0 0", "usemtl a", "f 1/1 2/1 3/1"])
+        self.drop({"readme.txt": "data:,text", "inner": {"box.obj": box, "m": {"box.mtl": "data:text/plain,newmtl%20a%0AKd%201%200%200"}}}, "things")
+        self.wait("rhw.views.model.name === 'box.obj' && rhw.views.model.figure.dataset.drawn === 'still'")
+        self.assertEqual(self.script("return document.querySelector('#model .state').textContent"), "")
+        self.drop({"box.obj": box, "gone.png": None}, "things")
+        self.wait("document.querySelector('#model .state').textContent.startsWith('things/gone.png: cannot be read. Drop the folder')")
+        self.drop({}, "things")
+        self.wait("document.querySelector('#model .state').textContent === 'There is no file in this folder.'")
+
+    def test_a_server_that_does_not_know_the_types(self):
+        self.browser.get(start_server(sys.argv[1], types={".wasm": "application/octet-stream"}))
+        self.wait("window.rhw?.views.first?.figure.dataset.drawn === 'still'")
+
+    def test_opened_as_a_file(self):
+        self.browser.get("file://" + os.path.abspath(os.path.join(sys.argv[1], "index.html")))
+        self.wait("document.querySelector('#first .view').dataset.error?.includes('python3 -m http.server')")
+        self.browser.get_log("browser")  # that modules are refused
+
+    def test_chapters_are_there_when_the_network_goes(self):
+        self.wait("rhw.views.model && rhw.views.depth")  # which nobody has come to
+        self.browser.execute_cdp_cmd("Network.enable", {})
+        self.browser.execute_cdp_cmd("Network.emulateNetworkConditions", {"offline": True, "latency": 0, "downloadThroughput": 0,
+                                                                         "uploadThroughput": 0})
+        try:
+            for name in ("steps", "depth"):
+                self.show(name)
+            self.show("model")
+            self.node("#model .sample").click()
+            self.wait("document.querySelector('#model .state').textContent.startsWith('models/box.glb: ')")
+        finally:
+            self.browser.execute_cdp_cmd("Network.emulateNetworkConditions", {"offline": False, "latency": 0,
+                                                                             "downloadThroughput": -1, "uploadThroughput": -1})
+        self.browser.get_log("browser")
+        self.node("#model .sample").click()
+        self.wait("rhw.views.model.figure.dataset.drawn === 'still'")
+
+    def test_what_a_screen_reader_hears(self):
+        self.wait("rhw.views.model && rhw.views.depth")
+        nodes = self.browser.execute_cdp_cmd("Accessibility.getFullAXTree", {})["nodes"]
+        roles = [(node.get("role", {}).get("value"), node.get("name", {}).get("value")) for node in nodes if not node.get("ignored")]
+        names = [name for role, name in roles if role in ("Canvas", "canvas", "application")]
+        self.assertEqual(len(names), 7)
+        self.assertTrue(all(name and name.startswith("Picture: ") for name in names) and len(set(names)) == 7, names)
+        for name in CHAPTERS:
+            self.show(name)
+        self.assertEqual(self.script("return [...document.querySelectorAll('th')].filter((cell) => !cell.textContent).length"), 0)
+        levels = self.script("return [...document.querySelectorAll('h1, h2, h3, h4')].map((head) => Number(head.tagName[1]))")
+        self.assertTrue(all(after <= before + 1 for before, after in zip(levels, levels[1:])), levels)
+
+        slider = self.node("#first .divider")
+        self.script("document.querySelector('#first .divider').focus()")
+        for key, text in ((Keys.HOME, "left 0 % naive, right divided by w"), (Keys.END, "left 100 % naive, right divided by w"),
+                          (Keys.ARROW_LEFT, "left 98 % naive, right divided by w")):
+            self.browser.switch_to.active_element.send_keys(key)
+            self.wait(f"document.querySelector('#first .divider').getAttribute('aria-valuetext') === '{text}'")
+        self.assertEqual(slider.get_attribute("aria-valuemax"), "100")
+        heard = "document.querySelector('#first .heard').textContent"
+        self.wait(f"{heard}.startsWith('u: naive ') && document.querySelector('#first .heard').ariaLive === 'polite'")
+        before = self.script(f"return {heard}")
+        self.node("#first canvas").send_keys(Keys.ARROW_LEFT)
+        self.wait(f"{heard} !== {before!r}")
 
     def test_speed(self):
         first = self.script("return rhw.views.first.drawnAt") / 1000

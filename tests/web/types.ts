@@ -9,6 +9,12 @@ const color: Uint8ClampedArray = plain.color;
 // @ts-expect-error only what was asked for is there
 plain.depth;
 
+const image = new ImageData(plain.color, plain.width, plain.height), blob: Blob = new Blob([plain.color]);
+const fetched: Picture = await render('models/chair.gltf', { signal: new AbortController().signal, background: 0xff8800, fov: 45 });
+await render(new URL('file:///chair.glb'), { camera: { eye: [0, 0, 1], target: [0, 0, 0], fov: 45 }, background: '#f80' });
+// @ts-expect-error a model is none
+await render(7);
+
 const data = await render(bytes.buffer, { size: [64, 32], outputs: ['depth', 'triangle'], camera: 0, time: 1.5 });
 const depth: Float32Array = data.depth, triangles: Uint32Array = data.triangle;
 // @ts-expect-error color was not
@@ -37,4 +43,4 @@ const { ids } = await rasterize({ size: 4, positions: new Float32Array(12), cull
 await rasterize({ size: 4, positions: [0, 0, 0, 1] });
 const message: string = new RhwError('rhw: a: b').message;
 
-export const used = [color, depth, triangles, text, fate, low, ids, message];
+export const used = [image, blob, fetched, color, depth, triangles, text, fate, low, ids, message];

@@ -53,7 +53,10 @@ struct cli_exr_channel {
 /// What an EXR file says beside its channels: the standard attributes worldToCamera and worldToNDC, and objectNames.
 struct cli_exr_about {
     double world_to_camera[16], world_to_ndc[16]; ///< column major, for column vectors
-    const char **objects;                         ///< names of the ids from 1 on
+    /// Of a model far from the origin: where its own origin is, and the matrices for what is counted from there.
+    bool is_far;
+    double origin[3], origin_to_camera[16], origin_to_ndc[16];
+    const char **objects; ///< names of the ids from 1 on
     int object_count;
 };
 

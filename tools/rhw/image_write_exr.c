@@ -160,12 +160,26 @@ static exr_result_t set_matrix(const struct encoder *encoder, int part, const ch
     return exr_attr_set_m44f(encoder->context, part, name, &value);
 }
 
+static exr_result_t set_origin(const struct encoder *encoder, int part)
+{
+    const struct cli_exr_about *const about = encoder->about;
+    const exr_attr_v3d_t origin = {.x = about->origin[0], .y = about->origin[1], .z = about->origin[2]};
+    exr_result_t result = exr_attr_set_v3d(encoder->context, part, "origin", &origin);
+    if (!result) {
+        result = set_matrix(encoder, part, "originToCamera", about->origin_to_camera);
+    }
+    return result ? result : set_matrix(encoder, part, "originToNDC", about->origin_to_ndc);
+}
+
 static exr_result_t set_about(const struct encoder *encoder, int part)
 {
     const struct cli_exr_about *const about = encoder->about;
     exr_result_t result = set_matrix(encoder, part, "worldToCamera", about->world_to_camera);
     if (!result) {
         result = set_matrix(encoder, part, "worldToNDC", about->world_to_ndc);
+    }
+    if (!result && about->is_far) {
+        result = set_origin(encoder, part);
     }
     if (!result && about->object_count > 0) {
         result = exr_attr_set_string_vector(encoder->context, part, "objectNames", about->object_count,

@@ -2,6 +2,8 @@
 // What both forms of rhw info count and call alike; see info_print.h.
 #include "info_print.h"
 
+#include <math.h>
+
 const char *const cli_primitive_names[] = {"triangles", "lines", "points"};
 const char *const cli_image_type_names[] = {"RGBA8", "RGBA16", "RGBA32F"};
 const char *const cli_alpha_names[] = {"opaque", "mask", "blend"};
@@ -48,6 +50,20 @@ uint32_t cli_info_elements(const struct scene_mesh *mesh)
 {
     static const uint32_t corners[] = {3, 2, 1};
     return mesh->index_count / corners[mesh->primitive];
+}
+
+int cli_info_digits(const struct scene_model *model, int near)
+{
+    double size = 0.0, distance = 0.0;
+    for (int c = 0; c < 3; c++) {
+        size = fmax(size, (double)model->bounds_max[c] - (double)model->bounds_min[c]);
+        distance = fmax(distance, fabs(model->origin[c]));
+    }
+    int digits = near;
+    for (; digits < 17 && distance > size; distance /= 10.0) {
+        digits++;
+    }
+    return digits;
 }
 
 bool cli_info_draws_anything(const struct scene_model *model)

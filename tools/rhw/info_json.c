@@ -30,6 +30,23 @@ static void json_floats(const char *key, const float *values, int count)
     printf("]");
 }
 
+// Values whose last three are a place, in the coordinates of the file.
+static void json_places(const struct scene_model *model, const char *key, const float *values, int count)
+{
+    const int place = count >= 12 ? 12 : 0;
+    printf(", \"%s\": [", key);
+    for (int i = 0; i < count; i++) {
+        const double moved = i >= place && i < place + 3 ? model->origin[i - place] : 0.0;
+        printf(i > 0 ? ", " : "");
+        if (scene_origin_is_far(model->origin)) {
+            printf("%.*g", cli_info_digits(model, 9), (double)values[i] + moved);
+        } else {
+            cli_json_number(stdout, (double)values[i]);
+        }
+    }
+    printf("]");
+}
+
 static void json_float(const char *key, float value)
 {
     printf(", \"%s\": ", key);
@@ -141,7 +158,7 @@ static void json_cameras(const struct scene_model *model)
         }
         json_float("near", camera->znear);
         json_float("far", camera->zfar);
-        json_floats("world", camera->world, 16);
+        json_places(model, "world", camera->world, 16);
         printf("}");
     }
     printf("]");
@@ -155,7 +172,7 @@ static void json_lights(const struct scene_model *model)
         json_next(i);
         json_named(light->name);
         printf(", \"type\": \"%s\"", cli_light_names[light->type]);
-        json_floats("position", light->position, 3);
+        json_places(model, "position", light->position, 3);
         json_floats("direction", light->direction, 3);
         json_floats("color", light->color, 3);
         json_float("intensity", light->intensity);
@@ -200,6 +217,20 @@ static void json_lines(const char *key, const char **lines, uint32_t count)
     printf("]");
 }
 
+static void json_box(const struct scene_model *model, const char *key, const float low[3],
+                     const float high[3])
+{
+    printf(",\n  \"%s\": ", key);
+    if (cli_info_draws_anything(model)) {
+        printf("{\"empty\": false");
+        json_places(model, "min", low, 3);
+        json_places(model, "max", high, 3);
+        printf("}");
+    } else {
+        printf("{\"empty\": true}");
+    }
+}
+
 void cli_info_print_json(const struct scene_model *model)
 {
     printf("{\n  \"file\": ");
@@ -209,15 +240,10 @@ void cli_info_print_json(const struct scene_model *model)
     printf(",\n  \"triangles_drawn\": %" PRIu64 ",\n  \"triangles_stored\": %" PRIu64
            ",\n  \"objects\": %" PRIu32 ",\n  \"draws\": %" PRIu32,
            model->triangles_drawn, model->triangles_stored, cli_info_objects(model), model->instance_count);
-    printf(",\n  \"bounds\": ");
-    if (cli_info_draws_anything(model)) {
-        printf("{\"empty\": false");
-        json_floats("min", model->bounds_min, 3);
-        json_floats("max", model->bounds_max, 3);
-        printf("}");
-    } else {
-        printf("{\"empty\": true}");
-    }
+    const bool is_framed = model->is_framed;
+    json_box(model, "bounds", model->bounds_min, model->bounds_max);
+    json_box(model, "frame", is_framed ? model->frame_min : model->bounds_min,
+             is_framed ? model->frame_max : model->bounds_max);
     printf(",\n  \"unit\": ");
     cli_json_string(stdout, model->unit);
     printf(",\n  \"up\": \"%s\",\n  \"up_from\": \"%s\",\n  \"mesh_bytes\": %" PRIu64

@@ -23,6 +23,9 @@ extern const char *const cli_address_names[];
 uint32_t cli_info_objects(const struct scene_model *model);
 /// Lines, points or triangles.
 uint32_t cli_info_elements(const struct scene_mesh *mesh);
+/// Digits for places of the model in the coordinates of its file: `near`, and far from the origin as many more as the
+/// distance takes.
+int cli_info_digits(const struct scene_model *model, int near);
 bool cli_info_draws_anything(const struct scene_model *model);
 /// Bytes of vertices and indices, and of textures with their mip chains, when they are drawn.
 uint64_t cli_info_mesh_bytes(const struct scene_model *model);

@@ -108,6 +108,14 @@ static void print_images(const struct scene_model *model)
     }
 }
 
+// Print a place in the coordinates of the file, with so many digits, or with all that a place far from the origin has.
+static void print_place(const struct scene_model *model, const float place[3], int digits)
+{
+    for (int c = 0; c < 3; c++) {
+        printf(" %.*g", cli_info_digits(model, digits), (double)place[c] + model->origin[c]);
+    }
+}
+
 static void print_cameras_and_lights(const struct scene_model *model)
 {
     if (model->camera_count > 0) {
@@ -115,8 +123,9 @@ static void print_cameras_and_lights(const struct scene_model *model)
     }
     for (uint32_t i = 0; i < model->camera_count; i++) {
         const struct scene_model_camera *camera = &model->cameras[i];
-        const float *eye = camera->world + 12;
-        printf("  %3" PRIu32 "  at %.4g %.4g %.4g, ", i, (double)eye[0], (double)eye[1], (double)eye[2]);
+        printf("  %3" PRIu32 "  at", i);
+        print_place(model, camera->world + 12, 4);
+        printf(", ");
         if (camera->orthographic) {
             printf("orthographic %.4g x %.4g", 2 * (double)camera->xmag, 2 * (double)camera->ymag);
         } else {
@@ -182,10 +191,20 @@ void cli_info_print_text(const struct scene_model *model)
            model->triangles_stored);
     printf("objects:   %" PRIu32 " (%" PRIu32 " draws)\n", cli_info_objects(model), model->instance_count);
     if (cli_info_draws_anything(model)) {
-        printf("bounds:    %.6g %.6g %.6g to %.6g %.6g %.6g\n", (double)least[0], (double)least[1],
-               (double)least[2], (double)most[0], (double)most[1], (double)most[2]);
+        printf("bounds:   ");
+        print_place(model, least, 6);
+        printf(" to");
+        print_place(model, most, 6);
+        printf("\n");
         printf("size:      %.6g x %.6g x %.6g\n", (double)most[0] - (double)least[0],
                (double)most[1] - (double)least[1], (double)most[2] - (double)least[2]);
+        if (model->is_framed) {
+            printf("framed:   ");
+            print_place(model, model->frame_min, 6);
+            printf(" to");
+            print_place(model, model->frame_max, 6);
+            printf("\n");
+        }
     } else {
         printf("bounds:    none, there is nothing to draw\n");
     }

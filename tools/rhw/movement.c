@@ -136,17 +136,25 @@ static struct scene_model merge(struct scene_model *const *poses, int count, str
     for (int p = 0; p < count; p++) {
         const struct scene_model *const pose = poses[p];
         const struct scene_box frame = scene_subject_frame(pose);
+        double apart[3]; // from the origin of the first pose
+        for (int c = 0; c < 3; c++) {
+            apart[c] = pose->origin[c] - all.origin[c];
+        }
         for (uint32_t i = 0; i < pose->instance_count; i++) {
-            all.instances[all.instance_count] = pose->instances[i];
-            all.instances[all.instance_count++].mesh += all.mesh_count;
+            struct scene_instance *const instance = &all.instances[all.instance_count++];
+            *instance = pose->instances[i];
+            instance->mesh += all.mesh_count;
+            for (int c = 0; c < 3; c++) {
+                instance->world[12 + c] = (float)((double)instance->world[12 + c] + apart[c]);
+            }
         }
         memcpy(&all.meshes[all.mesh_count], pose->meshes, pose->mesh_count * sizeof *pose->meshes);
         all.mesh_count += pose->mesh_count;
         for (int c = 0; c < 3; c++) {
-            all.bounds_min[c] = fminf(all.bounds_min[c], pose->bounds_min[c]);
-            all.bounds_max[c] = fmaxf(all.bounds_max[c], pose->bounds_max[c]);
-            all.frame_min[c] = fminf(all.frame_min[c], (float)frame.low[c]);
-            all.frame_max[c] = fmaxf(all.frame_max[c], (float)frame.high[c]);
+            all.bounds_min[c] = fminf(all.bounds_min[c], (float)((double)pose->bounds_min[c] + apart[c]));
+            all.bounds_max[c] = fmaxf(all.bounds_max[c], (float)((double)pose->bounds_max[c] + apart[c]));
+            all.frame_min[c] = fminf(all.frame_min[c], (float)(frame.low[c] + apart[c]));
+            all.frame_max[c] = fmaxf(all.frame_max[c], (float)(frame.high[c] + apart[c]));
         }
     }
     return all;
@@ -167,7 +175,7 @@ static bool fit_to_all(struct cli_movement *movement, struct render *render, str
         const struct scene_model all = merge(poses, count, mesh_list, instance_list);
         const struct scene_subject subject = scene_subject_find(&all);
         for (int c = 0; c < 3; c++) {
-            movement->center[c] = 0.5 * (subject.box.low[c] + subject.box.high[c]);
+            movement->center[c] = 0.5 * (subject.box.low[c] + subject.box.high[c]) + all.origin[c];
         }
         const struct cli_render_job *const job = &render->job;
         const bool has_own = job->camera == CLI_CAMERA_AUTO && job->turntable == 0 &&

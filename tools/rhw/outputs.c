@@ -295,6 +295,18 @@ static void set_vector(struct cli_output_raster *output, const float *floats, co
              (double)low[1], (double)high[1], (double)low[2], (double)high[2]);
 }
 
+static void set_position(struct cli_output_raster *output, const float low[3], const float high[3])
+{
+    const double *const o = output->pictures->origin;
+    set_vector(output, output->pictures->position, low, high);
+    if (scene_origin_is_far(o)) {
+        snprintf(output->raster.comment, sizeof output->raster.comment,
+                 "0 to full: x %.15g to %.15g, y %.15g to %.15g, z %.15g to %.15g", o[0] + (double)low[0],
+                 o[0] + (double)high[0], o[1] + (double)low[1], o[1] + (double)high[1], o[2] + (double)low[2],
+                 o[2] + (double)high[2]);
+    }
+}
+
 static void set_color(struct cli_output_raster *output, bool transparent)
 {
     output->raster.channels = transparent ? 4 : 3;
@@ -374,7 +386,7 @@ void cli_output_rasterize(struct cli_output_raster *output, const struct scene_p
         set_grey(output, "distance along the view");
         break;
     case SCENE_KIND_NORMAL: set_vector(output, pictures->normal, minus_one, one); break;
-    case SCENE_KIND_POSITION: set_vector(output, pictures->position, bounds_min, bounds_max); break;
+    case SCENE_KIND_POSITION: set_position(output, bounds_min, bounds_max); break;
     case SCENE_KIND_UV:
         output->floats = pictures->uv;
         output->raster.row = uv_row;
@@ -391,22 +403,57 @@ void cli_output_rasterize(struct cli_output_raster *output, const struct scene_p
 
 // EXR -----------------------------------------------------------------------------------------------
 
-int cli_outputs_exr_channels(const struct scene_pictures *pictures, unsigned kinds,
-                             struct cli_exr_channel channels[CLI_EXR_CHANNELS_MAX])
+// The positions in the coordinates of the file, as far as floats go. NULL without memory.
+static float *make_positions(const struct scene_pictures *pictures)
+{
+    const size_t pixels = (size_t)pictures->width * (size_t)pictures->height;
+    float *const positions = malloc(4 * pixels * sizeof *positions);
+    for (size_t i = 0; i < pixels && positions; i++) {
+        const float *const from = pictures->position + 4 * i;
+        for (size_t c = 0; c < 4; c++) {
+            const double moved = c < 3 && from[3] > 0.0f ? pictures->origin[c] : 0.0;
+            positions[4 * i + c] = (float)((double)from[c] + moved);
+        }
+    }
+    return positions;
+}
+
+static int add_channels(const char *const layer[4], enum scene_output_kind kind, const void *picture,
+                        struct cli_exr_channel *channels)
 {
     int count = 0;
+    for (; count < 4 && layer[count]; count++) {
+        channels[count] =
+            (struct cli_exr_channel){.name = layer[count],
+                                     .integer = scene_output_element(kind) == SCENE_ELEMENT_UINT32,
+                                     .first = (const uint8_t *)picture + 4 * count,
+                                     .pixel_stride = 4 * scene_output_channels(kind)};
+    }
+    return count;
+}
+
+int cli_outputs_exr_channels(const struct scene_pictures *pictures, unsigned kinds,
+                             struct cli_exr_channel channels[CLI_EXR_CHANNELS_MAX], float **positions)
+{
+    static const char *const from_origin[4] = {"positionFromOrigin.X", "positionFromOrigin.Y",
+                                               "positionFromOrigin.Z", NULL};
+    int count = 0;
+    *positions = NULL;
+    if (kinds >> SCENE_KIND_POSITION & 1 && scene_origin_is_far(pictures->origin)) {
+        *positions = make_positions(pictures);
+        if (!*positions) {
+            return 0;
+        }
+        count = add_channels(from_origin, SCENE_KIND_POSITION, pictures->position, channels);
+    }
     for (int i = 0; i < CLI_OUTPUT_KINDS; i++) {
         // The colour of an EXR is light.
         const enum scene_output_kind kind =
             i == SCENE_KIND_COLOR ? SCENE_KIND_LINEAR : (enum scene_output_kind)i;
-        const char *const *const layer = scene_outputs[kind].layer;
-        for (int c = 0; c < 4 && layer[c] && kinds >> i & 1; c++) {
-            channels[count++] =
-                (struct cli_exr_channel){.name = layer[c],
-                                         .integer = scene_output_element(kind) == SCENE_ELEMENT_UINT32,
-                                         .first = (const uint8_t *)scene_picture_get(pictures, kind) + 4 * c,
-                                         .pixel_stride = 4 * scene_output_channels(kind)};
-        }
+        const void *const picture =
+            i == SCENE_KIND_POSITION && *positions ? *positions : scene_picture_get(pictures, kind);
+        count +=
+            kinds >> i & 1 ? add_channels(scene_outputs[kind].layer, kind, picture, channels + count) : 0;
     }
     return count;
 }
@@ -428,9 +475,14 @@ bool cli_outputs_exr_describe(const struct scene_model *model, const struct scen
     }
     *about = (struct cli_exr_about){.object_count = (int)largest,
                                     .objects = calloc((size_t)largest + 1, sizeof *about->objects)};
-    scene_camera_view(camera, about->world_to_camera);
+    const struct scene_camera from_origin = scene_camera_from_origin(camera, model->origin);
+    memcpy(about->origin, model->origin, sizeof about->origin);
+    about->is_far = scene_origin_is_far(model->origin);
     scene_camera_projection(camera, aspect, projection);
+    scene_camera_view(camera, about->world_to_camera);
     scene_matrix_multiply(projection, about->world_to_camera, about->world_to_ndc);
+    scene_camera_view(&from_origin, about->origin_to_camera);
+    scene_matrix_multiply(projection, about->origin_to_camera, about->origin_to_ndc);
     for (uint32_t i = 0; about->objects && i < model->instance_count; i++) {
         about->objects[model->instances[i].object - 1] = object_name(model, &model->instances[i]);
     }

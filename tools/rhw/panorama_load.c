@@ -7,7 +7,9 @@
 #include <string.h>
 
 #include "image_load.h"
+#include "import/builder/import.h"
 #include "import/image/read.h"
+#include "import/image/signature.h"
 #include "message.h"
 
 static const float most_light = 60000.0f;
@@ -51,7 +53,12 @@ static void *read_all(FILE *stream, size_t *size)
     return bytes;
 }
 
-static bool load_radiance(struct scene_panorama *p, const char *path, FILE *stream)
+static const char not_of_light[] =
+    "an environment must be a Radiance HDR or an OpenEXR picture, or a TIFF, DDS or KTX2 of "
+    "floats";
+
+// Load what textures of floats are read from.
+static bool load_image(struct scene_panorama *p, const char *path, FILE *stream)
 {
     size_t size;
     struct scene_image image = {0};
@@ -60,7 +67,7 @@ static bool load_radiance(struct scene_panorama *p, const char *path, FILE *stre
     free(bytes);
     if (problem == NULL && image.type != SCENE_IMAGE_RGBA32F) {
         free(image.texels);
-        problem = "not a Radiance HDR picture";
+        problem = not_of_light;
     }
     if (problem != NULL) {
         cli_error(path, "%s", problem);
@@ -103,28 +110,44 @@ static bool load_exr(struct scene_panorama *p, const char *path)
     return ok;
 }
 
+// Load a file that begins with `size` bytes at `start`, and zeros.
+static bool load_kind(struct scene_panorama *p, const char *path, FILE *stream, const char *start,
+                      size_t size)
+{
+    const char *refusal = NULL;
+    const enum scene_image_format format = scene_image_format((const unsigned char *)start, size, &refusal);
+    if (format == SCENE_FORMAT_EXR) {
+        return load_exr(p, path);
+    }
+    if (memcmp(start, "#?", 2) == 0 || format == SCENE_FORMAT_TIFF || format == SCENE_FORMAT_DDS ||
+        format == SCENE_FORMAT_KTX2) {
+        rewind(stream);
+        return load_image(p, path, stream);
+    }
+    cli_error(path, "%s", not_of_light);
+    return false;
+}
+
 bool cli_panorama_load(struct scene_panorama *panorama, const char *path)
 {
-    static const char exr_magic[] = {0x76, 0x2F, 0x31, 0x01};
-    char magic[sizeof exr_magic] = {0};
+    enum { LOOKED_AT = 1024 }; // a pointer of Git LFS is shorter
+    char start[LOOKED_AT + 1] = "";
     FILE *stream = fopen(path, "rb");
     if (stream == NULL) {
         cli_error(path, "cannot be opened: %s", strerror(errno));
         return false;
     }
     bool loaded = false;
-    const size_t got = fread(magic, 1, sizeof magic, stream);
+    const size_t got = fread(start, 1, LOOKED_AT, stream);
+    const char *pointer = scene_import_pointer_problem(start, got);
     if (ferror(stream)) {
         cli_error(path, "%s", strerror(errno));
     } else if (got == 0) {
         cli_error(path, "the file is empty");
-    } else if (memcmp(magic, "#?", 2) == 0) {
-        rewind(stream);
-        loaded = load_radiance(panorama, path, stream);
-    } else if (memcmp(magic, exr_magic, sizeof exr_magic) == 0) {
-        loaded = load_exr(panorama, path);
+    } else if (pointer != NULL) {
+        cli_error(path, "%s", pointer);
     } else {
-        cli_error(path, "an environment must be a Radiance HDR or an OpenEXR picture");
+        loaded = load_kind(panorama, path, stream, start, got);
     }
     fclose(stream);
     if (loaded) {

@@ -105,7 +105,7 @@ bool cli_camera_choose(const struct cli_render_job *job, const struct scene_mode
         return report_missing_camera(job, model);
     }
     const double aspect = (double)job->width / (double)job->height;
-    *camera = found ? scene_camera_from_model(found, aspect) : cli_camera_fit(job, model);
+    *camera = found ? scene_camera_from_model(model, found, aspect) : cli_camera_fit(job, model);
     const enum scene_sight sight = found && job->camera == CLI_CAMERA_AUTO
                                        ? scene_camera_sight(model, camera, aspect)
                                        : SCENE_SIGHT_ENOUGH;
@@ -122,10 +122,11 @@ bool cli_camera_choose(const struct cli_render_job *job, const struct scene_mode
 
 void cli_camera_print(const struct scene_camera *camera)
 {
+    const int digits = scene_camera_digits(camera->eye, camera->target);
     printf("%s--camera ", camera->orthographic ? "--ortho " : "");
     for (int i = 0; i < 9; i++) {
         const double *vector = i < 3 ? camera->eye : i < 6 ? camera->target : camera->up;
-        printf("%.9g,", vector[i % 3]);
+        printf("%.*g,", i < 6 ? digits : 9, vector[i % 3]);
     }
     printf("%.9g\n", camera->orthographic ? 2.0 * camera->ymag : camera->yfov / degree);
 }

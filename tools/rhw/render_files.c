@@ -124,10 +124,12 @@ bool cli_render_files_name(struct render *render, const char *path)
 static bool encode_exr(struct render *render, struct cli_output_file *file)
 {
     struct cli_exr_channel channels[CLI_EXR_CHANNELS_MAX];
-    const int count = cli_outputs_exr_channels(&render->pictures, render->job.kinds, channels);
+    float *positions;
+    const int count = cli_outputs_exr_channels(&render->pictures, render->job.kinds, channels, &positions);
     struct cli_exr_about about;
     const double aspect = (double)render->view.width / render->view.height;
-    if (!cli_outputs_exr_describe(render->model, &render->view.camera, aspect, &about)) {
+    if (count == 0 || !cli_outputs_exr_describe(render->model, &render->view.camera, aspect, &about)) {
+        free(positions);
         cli_error(file->path, "out of memory");
         return false;
     }
@@ -135,6 +137,7 @@ static bool encode_exr(struct render *render, struct cli_output_file *file)
     const bool written = cli_exr_write(file, render->pictures.width, render->pictures.height, channels, count,
                                        is_sheet ? NULL : &about, rhw_context_threads(render->context));
     free(about.objects);
+    free(positions);
     return written;
 }
 

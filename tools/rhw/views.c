@@ -110,6 +110,7 @@ static void *make_empty(int kind, size_t pixels)
 bool cli_sheet_create(struct scene_pictures *sheet, const struct scene_pictures *cell, int columns, int rows)
 {
     *sheet = (struct scene_pictures){.width = cell->width * columns, .height = cell->height * rows};
+    memcpy(sheet->origin, cell->origin, sizeof sheet->origin);
     const size_t pixels = (size_t)sheet->width * (size_t)sheet->height;
     bool complete = true;
     for (int kind = 0; kind < SCENE_KIND_COUNT && complete; kind++) {

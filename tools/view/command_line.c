@@ -123,8 +123,9 @@ char *view_command_line(const struct cli_render_job *job)
     fputs("rhw render ", out);
     put_model(out, job);
     fputs(job->orthographic ? " --ortho --camera " : " --camera ", out);
+    const int digits = scene_camera_digits(job->look, job->look + 3);
     for (int i = 0; i < 10; i++) {
-        fprintf(out, "%s%.9g", i > 0 ? "," : "", job->look[i]);
+        fprintf(out, "%s%.*g", i > 0 ? "," : "", i < 6 ? digits : 9, job->look[i]);
     }
     fprintf(out, " --size %dx%d --samples %d", job->width, job->height, job->samples);
     if (job->supersample > 1) {

@@ -58,22 +58,23 @@ static double half_height(const struct view_eye *eye, double distance)
     return eye->orthographic ? 0.5 * eye->height : distance * tan(0.5 * eye->fovy * degree);
 }
 
-static double to_nine_digits(double number)
+static double to_digits(double number, int digits)
 {
     char text[32];
-    snprintf(text, sizeof text, "%.9g", number);
+    snprintf(text, sizeof text, "%.*g", digits, number);
     return strtod(text, NULL);
 }
 
 static void round_all(struct view_eye *eye)
 {
+    const int digits = scene_camera_digits(eye->eye, eye->target);
     for (int c = 0; c < 3; c++) {
-        eye->eye[c] = to_nine_digits(eye->eye[c]);
-        eye->target[c] = to_nine_digits(eye->target[c]);
-        eye->up[c] = to_nine_digits(eye->up[c]);
+        eye->eye[c] = to_digits(eye->eye[c], digits);
+        eye->target[c] = to_digits(eye->target[c], digits);
+        eye->up[c] = to_digits(eye->up[c], 9);
     }
-    eye->fovy = to_nine_digits(eye->fovy);
-    eye->height = to_nine_digits(eye->height);
+    eye->fovy = to_digits(eye->fovy, 9);
+    eye->height = to_digits(eye->height, 9);
 }
 
 // Without perspective nobody sees from where: as far back as the model is large, so that nothing of it comes to lie behind
@@ -84,7 +85,8 @@ static void step_back(struct view_eye *eye, const double ahead[3], const struct 
     double nearest = 0.0, size2 = 0.0;
     for (int c = 0; c < 3; c++) {
         const double low = frame.low[c], high = frame.high[c];
-        nearest += ((ahead[c] > 0.0 ? low : high) - eye->eye[c]) * ahead[c];
+        const double own = eye->eye[c] - model->origin[c];
+        nearest += ((ahead[c] > 0.0 ? low : high) - own) * ahead[c];
         size2 += (high - low) * (high - low);
     }
     if (nearest >= 0.0) {
@@ -105,7 +107,7 @@ void view_eye_set(struct view_eye *eye, const struct scene_camera *camera, const
     const struct scene_box frame = scene_subject_frame(model);
     for (int c = 0; c < 3; c++) {
         const double low = frame.low[c], high = frame.high[c];
-        center[c] = 0.5 * (low + high) - camera->eye[c];
+        center[c] = 0.5 * (low + high) - (camera->eye[c] - model->origin[c]);
         size[c] = high - low;
     }
     const double ahead = dot(center, axes[2]), least = 0.05 * sqrt(dot(size, size));

@@ -12,12 +12,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum {
-    SLOW_MS = 50,   // a picture of something that moves takes no longer, or the next is coarser
-    QUICK_MS = 12,  // or the next is finer
-    LEVEL_LAST = 5, // see coarsen
-    LEAST_SIDE = 16 // pixels
-};
+enum { LEAST_SIDE = 16 }; // pixels
 
 // The model on the screen ----------------------------------------------------------------------------
 
@@ -59,7 +54,7 @@ void view_painting_adopt(struct view_painting *p, const struct render *read)
     p->render.model = p->base = read->model;
     p->render.input = read->input;
     p->base_moment = moment_of(&read->job);
-    p->level = 0;
+    p->coarseness = view_coarseness_start();
 }
 
 static bool is_same_moment(struct view_moment a, struct view_moment b)
@@ -121,30 +116,33 @@ static bool open_scene(struct view_painting *p, const struct cli_render_job *job
 
 // Drawing --------------------------------------------------------------------------------------------
 
-// What a picture of something that moves can do without, step by step.
+// Leaves out what a picture of something that moves can do without.
 static void coarsen(struct cli_render_job *job, int level)
 {
-    static const int divisors[LEVEL_LAST + 1] = {1, 1, 2, 2, 4, 8};
-    if (level > 0) {
+    const struct view_coarse_look look = view_coarseness_look(level);
+    if (look.one_sample) {
         job->samples = job->supersample = 1;
     }
-    if (level > 2) {
+    if (look.plain) {
         job->shadows = job->ambient_occlusion = false;
     }
-    job->width = job->width / divisors[level] > LEAST_SIDE ? job->width / divisors[level] : LEAST_SIDE;
-    job->height = job->height / divisors[level] > LEAST_SIDE ? job->height / divisors[level] : LEAST_SIDE;
+    job->width = job->width / look.divisor > LEAST_SIDE ? job->width / look.divisor : LEAST_SIDE;
+    job->height = job->height / look.divisor > LEAST_SIDE ? job->height / look.divisor : LEAST_SIDE;
 }
 
-// Of the next picture in a hurry, after what the last one took. Each level takes a third of the one before, or so.
-static void choose_level(struct view_painting *p, bool hurried)
+// Marks the cells of the picture in which something of the model is.
+static void find_covered(const struct scene_pictures *pictures, uint16_t covered[VIEW_CELLS])
 {
-    int level = hurried ? p->level : 0;
-    double expected_ms = p->drawn_ms;
-    while (expected_ms > SLOW_MS && level < LEVEL_LAST) {
-        expected_ms /= 3.0;
-        level++;
+    memset(covered, 0, VIEW_CELLS * sizeof *covered);
+    enum { STEP = 2 }; // pixels from one that is looked at to the next
+    for (int y = 0; y < pictures->height; y += STEP) {
+        const uint32_t *const row = pictures->object + (size_t)y * (size_t)pictures->width;
+        uint16_t *const cells = &covered[y * VIEW_CELLS / pictures->height];
+        for (int x = 0; x < pictures->width; x += STEP) {
+            const int cell = x * VIEW_CELLS / pictures->width;
+            *cells = (uint16_t)(*cells | (row[x] != 0) << cell);
+        }
     }
-    p->level = hurried && p->drawn_ms < QUICK_MS && level > 0 ? level - 1 : level;
 }
 
 // A transparent pixel over fields, as it is usual.
@@ -200,28 +198,37 @@ static bool draw(struct view_painting *p, const struct cli_render_job *job, int 
     p->say(p->user, "Drawing");
     coarsen(&render->job, level);
     const double start = cli_milliseconds();
-    const bool drawn = cli_render_set_view(render) && cli_render_draw(render);
+    bool drawn = cli_render_set_view(render);
+    if (job->kinds == 1u << SCENE_KIND_COLOR) {
+        render->view.outputs |= SCENE_OUTPUT_OBJECT; // tells where there is room for other things
+    }
+    drawn = drawn && cli_render_draw(render);
     p->drawn_ms = cli_milliseconds() - start;
+    if (drawn && render->pictures.object) {
+        find_covered(&render->pictures, p->covered);
+    }
     return drawn;
 }
 
 struct view_picture view_painting_draw(struct view_painting *p, const struct view_order *order)
 {
-    const int level = order->hurries ? p->level : 0;
+    const int level = order->hurries ? p->coarseness.level : 0;
     if (!draw(p, &order->job, level)) {
         return (struct view_picture){.version = order->version};
     }
     const struct render *const render = &p->render;
-    choose_level(p, order->hurries);
-    return (struct view_picture){.pixels = make_pixels(render),
-                                 .width = render->pictures.width,
-                                 .height = render->pictures.height,
-                                 .is_coarse = level > 0,
-                                 .version = order->version,
-                                 .ms = p->drawn_ms,
-                                 .triangles = render->stats.pipeline.triangles_in,
-                                 .threads = rhw_context_threads(render->context),
-                                 .isa = rhw_context_isa(render->context)};
+    view_coarseness_learn(&p->coarseness, level, order->hurries, p->drawn_ms);
+    struct view_picture picture = {.pixels = make_pixels(render),
+                                   .width = render->pictures.width,
+                                   .height = render->pictures.height,
+                                   .is_coarse = level > 0,
+                                   .version = order->version,
+                                   .ms = p->drawn_ms,
+                                   .triangles = render->stats.pipeline.triangles_in,
+                                   .threads = rhw_context_threads(render->context),
+                                   .isa = rhw_context_isa(render->context)};
+    memcpy(picture.covered, p->covered, sizeof picture.covered);
+    return picture;
 }
 
 // Errands --------------------------------------------------------------------------------------------

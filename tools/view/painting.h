@@ -3,7 +3,10 @@
 #ifndef VIEW_PAINTING_H
 #define VIEW_PAINTING_H
 
+#include "coarseness.h"
 #include "render_state.h"
+
+enum { VIEW_CELLS = 16 }; ///< each way, of a picture: where the model is
 
 /// What a picture of the window is to show.
 struct view_order {
@@ -18,7 +21,9 @@ struct view_picture {
     int width, height;
     bool is_coarse; ///< fewer samples or pixels than were ordered
     int version;    ///< of its order
-    double ms;      ///< what it took to draw
+    /// A bit for each cell, from the left, of each row of them, from the top: the model is there. Zeros where that is not known.
+    uint16_t covered[VIEW_CELLS];
+    double ms; ///< what it took to draw
     uint64_t triangles;
     int threads;
     enum rhw_isa isa;
@@ -41,8 +46,9 @@ struct view_painting {
     struct scene_model *base, *pose; // as it was read; NULL, or as it is posed now
     struct view_moment base_moment, pose_moment;
     double drawn_ms; // what the last picture took
-    int level;       // of coarseness
-    int saved;       // files
+    struct view_coarseness coarseness;
+    uint16_t covered[VIEW_CELLS]; // see view_picture
+    int saved;                    // files
 };
 
 /// With those three set; `panorama` is that of the job's environment and outlives it.

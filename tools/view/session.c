@@ -12,9 +12,10 @@
 #include <string.h>
 
 enum {
-    REST_MS = 150,  // after the last movement a picture is drawn in full
-    FRAME_MS = 15,  // between two looks at what moves
-    NOTICE_MS = 200 // between two looks at what does not
+    REST_MS = 150,         // after the last movement a picture is drawn in full
+    FRAME_MS = 15,         // between two looks at what moves
+    NOTICE_MS = 200,       // between two looks at what does not
+    LARGE_CORNERS = 300000 // of triangles
 };
 
 static Uint32 wake_event;
@@ -41,6 +42,16 @@ static void read_model(struct view_session *s, const char *path, const struct cl
     view_loader_stop(s->loader);
     s->loader = view_loader_start(&fitted, path, wake);
     s->has_failed = !s->loader && !s->model;
+}
+
+// Whether a picture of it in full is waited for.
+static bool is_large(const struct scene_model *model)
+{
+    uint64_t corners = 0;
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        corners += model->meshes[model->instances[i].mesh].index_count;
+    }
+    return corners > LARGE_CORNERS;
 }
 
 // What is shown from now on, and where from.
@@ -79,7 +90,8 @@ static void take_model(struct view_session *s)
         view_session_note(s, "Space plays the animation%s",
                           read.model->animation_count > 1 ? "; N: the next one" : "");
     }
-    view_session_touch(s, false);
+    view_session_touch(
+        s, is_large(read.model)); // its first picture is coarse, so that there is something to see
 }
 
 // Of another model there are no variants, animations or cameras that the command line could have named.

@@ -6,6 +6,7 @@
 #include "eye.h"
 #include "loader.h"
 #include "painter.h"
+#include "panel.h"
 #include "view_job.h"
 #include "window.h"
 
@@ -40,6 +41,7 @@ struct view_session {
     struct view_picture shown; // without its pixels; width 0: none
     struct view_explanation explanation;
     int help_line;
+    enum view_corner info_corner;
     char notice[512]; // the last that there was to say
     double noticed_at;
     pthread_mutex_t notice_lock;

@@ -128,7 +128,7 @@ static void fit(struct view_session *s)
     double middle[3], radius2 = 0.0;
     for (int c = 0; c < 3; c++) {
         const double low = subject.box.low[c], high = subject.box.high[c];
-        middle[c] = 0.5 * (low + high);
+        middle[c] = 0.5 * (low + high) + s->model->origin[c];
         radius2 += 0.25 * (high - low) * (high - low);
     }
     const double least = 1e-3 * s->extent, radius = sqrt(radius2); // a point has none

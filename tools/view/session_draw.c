@@ -17,8 +17,40 @@ static void append(char *line, size_t size, const char *text)
     snprintf(line + used, size - used, "%s", text);
 }
 
-// What is seen, and below it what that takes.
-static void draw_info(const struct view_session *s)
+// How many cells of the picture have something of the model under a part of the window.
+static int count_covered(const struct view_session *s, SDL_Rect part)
+{
+    const SDL_Rect picture = s->window.place;
+    int count = 0;
+    for (int y = 0; y < VIEW_CELLS; y++) {
+        for (int x = 0; x < VIEW_CELLS; x++) {
+            const int left = picture.x + x * picture.w / VIEW_CELLS,
+                      top = picture.y + y * picture.h / VIEW_CELLS;
+            const SDL_Rect cell = {left, top, picture.x + (x + 1) * picture.w / VIEW_CELLS - left,
+                                   picture.y + (y + 1) * picture.h / VIEW_CELLS - top};
+            count += (s->shown.covered[y] >> x & 1) != 0 && SDL_HasIntersection(&cell, &part);
+        }
+    }
+    return count;
+}
+
+// The corner where the text hides least of the model. It stays where it is as long as no other is better.
+static enum view_corner free_corner(const struct view_session *s, const char *text)
+{
+    static const enum view_corner corners[] = {VIEW_BOTTOM_LEFT, VIEW_BOTTOM_RIGHT, VIEW_TOP_LEFT,
+                                               VIEW_TOP_RIGHT};
+    enum view_corner best = s->info_corner;
+    int least = count_covered(s, view_panel_place(&s->window, best, text));
+    for (size_t i = 0; i < sizeof corners / sizeof *corners && least > 0; i++) {
+        const int covered = count_covered(s, view_panel_place(&s->window, corners[i], text));
+        best = covered < least ? corners[i] : best;
+        least = covered < least ? covered : least;
+    }
+    return best;
+}
+
+// What is seen, and below it what that takes: short lines, as models leave more room beside them than below.
+static void draw_info(struct view_session *s)
 {
     static const char *const wires[] = {"", ", wireframe", ", plain wireframe"};
     const struct view_picture *const shown = &s->shown;
@@ -28,25 +60,26 @@ static void draw_info(const struct view_session *s)
         return;
     }
     const double rate = shown->ms > 0.0 ? (double)shown->triangles / shown->ms * 1e-3 : 0.0;
-    snprintf(line, sizeof line, "%s%s%s  %dx%d%s  %d sample%s\n%.1f ms  %.2f M triangles/s  %d thread%s  %s",
+    snprintf(line, sizeof line, "%s%s%s\n%dx%d%s  %d sample%s\n%.1f ms  %.2f M triangles/s\n%d thread%s  %s",
              scene_outputs[kind].word, kind == SCENE_KIND_COLOR ? wires[s->job.wireframe] : "",
              s->job.interpolate == RHW_NOPERSPECTIVE ? ", noperspective" : "", shown->width, shown->height,
              shown->is_coarse ? " coarse" : "", shown->is_coarse ? 1 : s->job.samples,
              shown->is_coarse || s->job.samples == 1 ? "" : "s", shown->ms, rate, shown->threads,
              shown->threads == 1 ? "" : "s", rhw_isa_name(shown->isa));
     if (s->job.is_posed) {
-        snprintf(more, sizeof more, "  %s %.2f of %.2f s", s->plays ? "plays" : "at", s->job.time,
+        snprintf(more, sizeof more, "\n%s %.2f of %.2f s", s->plays ? "plays" : "at", s->job.time,
                  s->duration);
         append(line, sizeof line, more);
     }
     double ms;
     const char *const doing = view_painter_doing(s->painter, &ms);
     if (doing && ms > PATIENCE_MS) {
-        snprintf(more, sizeof more, "  %s: %.1f s", doing, ms / 1e3);
+        snprintf(more, sizeof more, "\n%s: %.1f s", doing, ms / 1e3);
         append(line, sizeof line, more);
     }
     append(line, sizeof line, "  H: help");
-    view_panel_draw(&s->window, VIEW_BOTTOM_LEFT, line, 0);
+    s->info_corner = free_corner(s, line);
+    view_panel_draw(&s->window, s->info_corner, line, 0);
 }
 
 static bool print_help(char *text, size_t size, bool in_one_column)

@@ -22,7 +22,9 @@ static const char notes[] =
     "A file dragged into the window is opened. While the view moves, pictures are drawn as coarsely as it "
     "takes "
     "to be\n"
-    "fast; at rest they are those of rhw render, byte for byte.\n\n"
+    "fast, where that gains time, as is the first one of a large model; at rest they are those of rhw "
+    "render,\n"
+    "byte for byte.\n\n"
     "Exit status: 0, 1 when the work failed, 2 for a wrong command line.";
 
 static const struct cli_verb verb = {.name = "view",

@@ -49,8 +49,8 @@ bool web_scene_render(struct web_scene *scene, char *words, size_t size, uint32_
 /// The picture of one scene_output that was drawn last, or NULL; valid until the scene draws again or is closed.
 const void *web_scene_picture(const struct web_scene *scene, uint32_t output);
 /// Of the view that was chosen last: width, height; eye, target and up; 1 for an orthographic camera, the vertical
-/// angle of view in degrees, half the height of an orthographic picture; near and far plane.
-enum { WEB_VIEW_NUMBERS = 16 };
+/// angle of view in degrees, half the height of an orthographic picture; near and far plane; what positions count from.
+enum { WEB_VIEW_NUMBERS = 19 };
 const double *web_scene_view(struct web_scene *scene);
 /// That drew last.
 int web_scene_threads(const struct web_scene *scene);

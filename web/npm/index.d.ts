@@ -21,6 +21,19 @@ export class RhwError extends Error {
 /** The bytes of a file. */
 export type Bytes = ArrayBuffer | ArrayBufferView;
 
+// The arrays that pictures are in: on memory of their own, as `ImageData` and `Blob` want it. Compilers before TypeScript 5.7
+// know no other.
+type Color8 = ReturnType<Uint8ClampedArrayConstructor['from']>;
+type Numbers32 = ReturnType<Uint32ArrayConstructor['from']>;
+type Floats32 = ReturnType<Float32ArrayConstructor['from']>;
+type Floats64 = ReturnType<Float64ArrayConstructor['from']>;
+
+/**
+ * A model: the bytes of its file, or its address, from which the files that it names are fetched too. An address is relative to
+ * the page or, in node, to the folder of the process.
+ */
+export type Source = Bytes | string | URL;
+
 /** Three numbers: a place or a direction in the world of the model. */
 export type Vector = readonly [x: number, y: number, z: number];
 
@@ -30,7 +43,7 @@ export type Vector = readonly [x: number, y: number, z: number];
 export interface LoadOptions {
     /**
      * What the file is called. Its ending tells the format where its content does not, and messages name it. Without
-     * a name the format is told from the content alone, which suffices for .glb, .gltf, .ply, .stl, .3mf and most
+     * a name the format is told from the content alone, which suffices for .glb, .gltf, .ply, .off, .stl, .3mf and most
      * .obj.
      */
     name?: string;
@@ -59,50 +72,57 @@ export interface LoadOptions {
      * always 1. The picture is the same. With several, a scene takes longer to open.
      */
     threads?: number;
+    /**
+     * Gives up, and rejects with the reason of the signal: what is fetched, at once; what is read or drawn, when that is done.
+     */
+    signal?: AbortSignal;
 }
 
 /**
- * Reads a model: glTF 2.0 (.glb, and .gltf with its files; Draco, meshopt, WebP and KTX2 included), OBJ, PLY, STL or
- * 3MF. A file that makes the reader crash does no harm to anything else.
+ * Reads a model: glTF 2.0 (.glb, and .gltf with its files; Draco, meshopt, WebP and KTX2 included), OBJ, PLY, OFF, STL
+ * or 3MF. A file that makes the reader crash does no harm to anything else.
  *
- * @param model the bytes of the file; they are copied
+ * @param model the bytes of the file, which are copied, or its address
  * @returns a scene, to be drawn as often as one likes
  */
-export function load(model: Bytes, options?: LoadOptions): Promise<Scene>;
+export function load(model: Source, options?: LoadOptions): Promise<Scene>;
 
 // Pictures --------------------------------------------------------------------------------------------------------
 
 /** Pictures of several kinds can be drawn at a time. Rows run from top to bottom, pixels from left to right. */
 export interface Outputs {
     /** RGBA, sRGB encoded, alpha not multiplied in: what `ImageData` takes. */
-    color: Uint8ClampedArray;
+    color: Color8;
     /** RGBA of light before tone mapping, linear, premultiplied, without the background. */
-    linear: Float32Array;
+    linear: Floats32;
     /** 0 at the near plane to 1 at the far plane, linear on the screen; 1 where nothing is. */
-    depth: Float32Array;
+    depth: Floats32;
     /** Along the view, in the units of the model; `Infinity` where nothing is. */
-    distance: Float32Array;
+    distance: Floats32;
     /** x, y, z in the world, of length 1, turned to the viewer, then 1; four zeros where nothing is. */
-    normal: Float32Array;
-    /** x, y, z in the world, then 1; four zeros where nothing is. */
-    position: Float32Array;
+    normal: Floats32;
+    /**
+     * x, y, z in the world, then 1; four zeros where nothing is. In double where the model stands over 256 times its
+     * size away from the origin.
+     */
+    position: Floats32 | Floats64;
     /** u, v of the first set, 0, then 1; four zeros where nothing is. v runs down. */
-    uv: Float32Array;
+    uv: Floats32;
     /** The number of the node that is seen, from 1; 0 where nothing is. */
-    object: Uint32Array;
+    object: Numbers32;
     /** 1 + the number of the triangle, line or point that is seen; 0 where nothing is. */
-    triangle: Uint32Array;
+    triangle: Numbers32;
     /** a, b, c: the weights of the three vertices in space, then 1; four zeros where nothing is. */
-    barycentric: Float32Array;
+    barycentric: Floats32;
     /** How many surfaces lie above each other at the centre of the pixel, seen or not. */
-    overdraw: Float32Array;
+    overdraw: Floats32;
     /** How many triangles the pixel's tile has: where the work is. */
-    tiles: Uint32Array;
+    tiles: Numbers32;
     /**
      * How the model was drawn in that tile: 1 in order, 2 depth first, 4 from the last triangle on, or several of them
      * added up; 0 where none of it is.
      */
-    plan: Uint32Array;
+    plan: Numbers32;
 }
 
 /** The name of an output. */
@@ -116,6 +136,8 @@ export interface Camera {
     up?: Vector;
     /** The whole angle of view from the bottom to the top of the picture, degrees, 0.01 to 179. The default is 30. */
     fovy?: number;
+    /** `fovy` by another name. */
+    fov?: number;
     /** Without perspective: `height` says then how much is seen, not `fovy`. */
     orthographic?: boolean;
     /** Of the whole picture in the world; of an orthographic camera. */
@@ -172,12 +194,17 @@ export interface RenderOptions {
     ortho?: boolean;
     /** The vertical angle of view of a fitted camera, degrees. The default is 30. */
     fovy?: number;
+    /** `fovy` by another name. */
+    fov?: number;
     /** `noperspective` shows what is wrong with values that are mixed on the screen. */
     interpolate?: 'smooth' | 'noperspective';
     /** Edges over the shaded surface (`true`, `over`) or over a plain one. */
     wireframe?: boolean | 'over' | 'plain';
-    /** `rrggbb` or `rgb` in hexadecimal, the name of a colour, `transparent`, or `default`, a soft gradient. */
-    background?: string;
+    /**
+     * A colour as style sheets write it: `#f80`, `#ff8800`, `rgb(255 136 0)`, `hsl(32 100% 50%)`, `darkorange`; or as a number,
+     * `0xff8800`; `transparent`; or `default`, a soft gradient.
+     */
+    background?: string | number;
     /** Those of the file, if it has any; the default ones; or none but the surroundings. */
     lights?: 'file' | 'default' | 'none';
     /** Of the lights. The default is `true`. */
@@ -201,6 +228,8 @@ export interface RenderOptions {
      * meanwhile; it may look into shared memory here.
      */
     goesOn?: () => boolean;
+    /** What was aborted before is not drawn: the reason of the signal is thrown. {@link RenderOptions.goesOn} ends a picture. */
+    signal?: AbortSignal;
 }
 
 /** What is drawn in one go: the pictures that were asked for, and the view. */
@@ -217,11 +246,11 @@ export type Picture<Name extends OutputName = 'color'> = Pick<Outputs, Name> & {
 /**
  * Reads a model and draws it: the bytes of `rhw render` with the same options.
  *
- * @param model the bytes of the file, see {@link load}
+ * @param model the bytes of the file or its address, see {@link load}
  * @param options with `outputs`, the pictures that are wanted; the default is `['color']`
  */
 export function render<Name extends OutputName = 'color'>(
-    model: Bytes,
+    model: Source,
     options?: LoadOptions & RenderOptions & { outputs?: readonly Name[] },
 ): Promise<Picture<Name>>;
 
@@ -270,6 +299,8 @@ export interface ModelInfo {
     objects: number;
     draws: number;
     bounds: { empty: true } | { empty: false; min: [number, number, number]; max: [number, number, number] };
+    /** What a fitted picture is about: the bounds without what nobody can see, and without specks far away. */
+    frame: { empty: true } | { empty: false; min: [number, number, number]; max: [number, number, number] };
     /** Of lengths, for example `metre`; empty where the file does not say. */
     unit: string;
     up: 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
@@ -487,14 +518,14 @@ export interface Fragments {
     width: number;
     height: number;
     /** 1 + the number of the triangle; 0 where there is none. [height × width] */
-    ids: Uint32Array;
+    ids: Numbers32;
     /** 0 near to 1 far; 1 where there is none. [height × width] */
-    depth: Float32Array;
+    depth: Floats32;
     /**
      * a, b, c: the weights of its vertices in space, right in perspective, then 0; zeros where there is none.
      * [height × width × 4]
      */
-    barycentric: Float32Array;
+    barycentric: Floats32;
     /** That drew. */
     threads: number;
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// rhw for node, pages and workers: see index.d.ts, which has the documentation, and README.md, which has examples.
+// rhw for pages and workers, and by node.js for node: see index.d.ts, which has the documentation, and README.md, which has
+// examples.
 import { RhwError } from './error.js';
 import { bytesOf, Instance, mostThreads } from './instance.js';
+import { checkSignal, openSource, throwIfAborted } from './source.js';
 import { allWords, drawingOptions, drawingWords, readingWords } from './words.js';
 
 export { RhwError };
@@ -16,8 +18,28 @@ function writeFile(fs, name, bytes) {
     fs.writeFile(path, bytesOf(bytes, name));
 }
 
-// The model in an instance of its own, as the bytes that a scene stands on.
-async function read(model, name, files, words) {
+// Files below the model's folder that were looked for and are not there.
+function listMissing(fs) {
+    const missing = new Set();
+    for (const call of ['open', 'stat']) {
+        const plain = fs[call];
+        fs[call] = (path, ...values) => {
+            try {
+                return plain(path, ...values);
+            } catch (error) {
+                const inside = typeof path === 'string' && new URL(encodeURI(path), `file://${folder}/`).pathname;
+                if (inside && inside.startsWith(`${folder}/`)) {
+                    missing.add(decodeURI(inside).slice(folder.length + 1));
+                }
+                throw error;
+            }
+        };
+    }
+    return missing;
+}
+
+// The model in an instance of its own: what the reader said, and the files that it missed.
+async function readOnce(model, name, files, words) {
     const reader = await Instance.create();
     const { FS: fs } = reader.module;
     for (const [path, bytes] of Object.entries(files)) {
@@ -25,15 +47,34 @@ async function read(model, name, files, words) {
     }
     writeFile(fs, name, model);
     fs.chdir(folder);
+    const missing = listMissing(fs);
     const status = reader.withWords(words, (...place) => reader.call(name, '_web_read', ...place));
-    if (status !== 0) {
-        throw reader.error();
-    }
-    return fs.readFile('/reply');
+    return { reader, status, missing };
 }
 
-async function threadsOf({ threads }) {
-    const most = await mostThreads();
+// The model as the bytes that a scene stands on. What it names is fetched where there is something to fetch it from: what these
+// files name in turn is known when they are read, as an .obj names an .mtl and that its textures.
+async function read({ bytes, name, fetchBeside }, given, words, signal) {
+    const files = { ...given };
+    const asked = new Set();
+    for (;;) {
+        const { reader, status, missing } = await readOnce(bytes, name, files, words);
+        const wanted = fetchBeside ? [...missing].filter((path) => !asked.has(path)) : [];
+        wanted.forEach((path) => asked.add(path));
+        const found = (await Promise.all(wanted.map(async (path) => [path, await fetchBeside(path)]))).filter(([, file]) => file);
+        await checkSignal(signal);
+        if (found.length > 0) {
+            Object.assign(files, Object.fromEntries(found));
+        } else if (status !== 0) {
+            throw reader.error();
+        } else {
+            return reader.module.FS.readFile('/reply');
+        }
+    }
+}
+
+function threadsOf({ threads }) {
+    const most = mostThreads();
     if (threads !== undefined && (!Number.isInteger(threads) || threads < 1)) {
         throw new RhwError(`rhw: threads: '${threads}' is not a number from 1`);
     }
@@ -41,11 +82,13 @@ async function threadsOf({ threads }) {
 }
 
 async function open(model, options, words) {
-    const { files = {} } = options;
-    const threads = await threadsOf(options);
-    const name = (options.name ?? 'model').replace(/^\/+/, ''); // its place is in the module's memory
+    const { files = {}, signal } = options;
+    throwIfAborted(signal);
+    const threads = threadsOf(options);
+    const source = await openSource(model, options);
+    const name = source.name.replace(/^\/+/, ''); // its place is in the module's memory
     const all = [...words, '--', name];
-    const bytes = await read(model, name, files, all);
+    const bytes = await read({ ...source, name }, files, all, signal);
     const instance = await Instance.create(threads);
     const address = instance.copyIn(bytes);
     const handle = instance.withWords(all, (...place) =>
@@ -64,11 +107,22 @@ export async function load(model, options = {}) {
 export async function render(model, options = {}) {
     const scene = await open(model, options, allWords(options));
     try {
+        await checkSignal(options.signal);
         const picture = scene.render(drawingOptions(options));
         return { ...picture, warnings: [...scene.warnings, ...picture.warnings] };
     } finally {
         scene.close();
     }
+}
+
+// Positions that count from a model's origin, in the coordinates of its file; they need no more than floats where these
+// are the same.
+function inFile(positions, origin) {
+    if (origin.every((number) => number === 0)) {
+        return positions;
+    }
+    const moved = [...origin, 0];
+    return Float64Array.from(positions, (value, i) => value + (positions[i | 3] > 0 ? moved[i % 4] : 0));
 }
 
 // Scenes ---------------------------------------------------------------------------------------------------------
@@ -107,7 +161,7 @@ export class Scene {
 
     view(options = {}) {
         this.#ask('_web_scene_look', drawingWords(options));
-        return this.#view();
+        return this.#view().view;
     }
 
     render(options = {}) {
@@ -115,12 +169,13 @@ export class Scene {
         const outputs = this.#held().outputs();
         checkOutputs(outputs, names);
         const bits = names.reduce((sum, name) => sum | outputs[name].bit, 0);
-        this.#askWhile(options.goesOn, () => this.#ask('_web_scene_render', drawingWords(options), bits));
-        const view = this.#view();
+        this.#askWhile(options, () => this.#ask('_web_scene_render', drawingWords(options), bits));
+        const { view, origin } = this.#view();
         const pixels = view.width * view.height;
         const pictures = names.map((name) => {
             const { bit, Type, count } = outputs[name];
-            return [name, this.#instance.copyOut(Type, this.#call('_web_scene_picture', bit), pixels * count)];
+            const picture = this.#instance.copyOut(Type, this.#call('_web_scene_picture', bit), pixels * count);
+            return [name, name === 'position' ? inFile(picture, origin) : picture];
         });
         const threads = this.#call('_web_scene_threads');
         return { ...view, ...Object.fromEntries(pictures), threads, warnings: this.#instance.messages() };
@@ -162,12 +217,14 @@ export class Scene {
     }
 
     // Draws as long as `goesOn()` is true. What it throws goes to the caller, not through the module.
-    #askWhile(goesOn, draw) {
+    #askWhile({ goesOn, signal }, draw) {
         const { module } = this.#held();
         let failure;
+        throwIfAborted(signal);
         module.goesOn = goesOn && (() => {
             try {
                 failure = goesOn() ? undefined : new RhwError('rhw: given up, as goesOn returned false');
+                throwIfAborted(signal);
             } catch (error) {
                 failure = error;
             }
@@ -184,20 +241,17 @@ export class Scene {
 
     // The one that was chosen last; the numbers are those of web_scene_view.
     #view() {
-        const [width, height, ...n] = this.#instance.copyOut(Float64Array, this.#call('_web_scene_view'), 16);
-        const [orthographic, fovy, halfHeight, near, far] = n.slice(9);
-        return {
-            width,
-            height,
-            camera: {
-                eye: n.slice(0, 3),
-                target: n.slice(3, 6),
-                up: n.slice(6, 9),
-                ...(orthographic ? { orthographic: true, height: 2 * halfHeight } : { fovy }),
-                near,
-                far: far === 0 ? Infinity : far,
-            },
+        const [width, height, ...n] = this.#instance.copyOut(Float64Array, this.#call('_web_scene_view'), 19);
+        const [orthographic, fovy, halfHeight, near, far, ...origin] = n.slice(9);
+        const camera = {
+            eye: n.slice(0, 3),
+            target: n.slice(3, 6),
+            up: n.slice(6, 9),
+            ...(orthographic ? { orthographic: true, height: 2 * halfHeight } : { fovy }),
+            near,
+            far: far === 0 ? Infinity : far,
         };
+        return { view: { width, height, camera }, origin };
     }
 }
 
@@ -285,8 +339,8 @@ export async function rasterize(triangles) {
         checkArray('matrix', matrix, Float32Array, 'of 16 numbers, column by column', (length) => length === 16);
     }
     const rules = [choose('cull', cull, culls), choose('depthRange', depthRange, depthRanges)];
-    const threads = await threadsOf(triangles);
-    const instance = await rasterizerInstance(threads === 1 ? 1 : await mostThreads());
+    const threads = threadsOf(triangles);
+    const instance = await rasterizerInstance(threads === 1 ? 1 : mostThreads());
     const lent = new Lent(instance);
     try {
         const vertices = positions.length / components;

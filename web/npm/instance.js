@@ -2,48 +2,20 @@
 // Instances of the WebAssembly modules (web/module/web_module.h), each with memory of its own, and what goes in and
 // out of them. Either module, for one thread or for several, is loaded when it is first wanted, once.
 import { RhwError } from './error.js';
+import { platform } from './platform.js';
 import { inOptions } from './words.js';
 
-async function fetchModule(url) {
-    if (url.protocol === 'file:' && typeof process === 'object') {
-        const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ 'node:fs/promises');
-        return WebAssembly.compile(await readFile(url));
-    }
-    const response = await fetch(url);
-    if (!response.ok) {
-        throw new RhwError(`rhw: ${url}: ${response.status} ${response.statusText}`);
-    }
-    return response.headers.get('content-type') === 'application/wasm'
-        ? WebAssembly.compileStreaming(response)
-        : WebAssembly.compile(await response.arrayBuffer());
-}
-
-// Addresses in the form that bundlers look for.
+// Addresses in the form that bundlers look for. Threads load the script anew, from a file: in a bundle it is none.
 const single = { url: new URL('./rhw.wasm', import.meta.url), script: () => import('./rhw.js') };
-const threaded = { url: new URL('./rhw-threads.wasm', import.meta.url), script: () => import('./rhw-threads.js') };
-
-const isNode = typeof process === 'object' && typeof process.versions?.node === 'string' && typeof window === 'undefined';
+const threaded = {
+    url: new URL('./rhw-threads.wasm', import.meta.url),
+    script: () => import('./rhw-threads.js'),
+    file: new URL('./rhw-threads.js', import.meta.url).href,
+};
 
 async function loadKind(kind) {
-    const [module, { default: create }] = await Promise.all([fetchModule(kind.url), kind.script()]);
+    const [module, { default: create }] = await Promise.all([platform.compile(kind.url), kind.script()]);
     return { module, create };
-}
-
-// Node has threads, but no Worker, which the module makes some of while it is called: it finds one then alone.
-async function withWorkers(create, options) {
-    if (!isNode || options.helpThreads === 0) {
-        return create(options);
-    }
-    const { NodeWorker } = await import(/* webpackIgnore: true */ /* @vite-ignore */ './node_worker.js');
-    const before = Object.getOwnPropertyDescriptor(globalThis, 'Worker');
-    Object.defineProperty(globalThis, 'Worker', { value: NodeWorker, configurable: true });
-    let made;
-    try {
-        made = create(options);
-    } finally {
-        before ? Object.defineProperty(globalThis, 'Worker', before) : delete globalThis.Worker;
-    }
-    return made;
 }
 
 function loaded(kind) {
@@ -54,18 +26,10 @@ function loaded(kind) {
     return kind.loading;
 }
 
-async function cores() {
-    if (isNode) {
-        const { availableParallelism, cpus } = await import(/* webpackIgnore: true */ /* @vite-ignore */ 'node:os');
-        return availableParallelism?.() ?? cpus().length;
-    }
-    return globalThis.crossOriginIsolated && typeof Worker === 'function' ? navigator.hardwareConcurrency : 1;
-}
-
 /** How many threads can draw here: they share memory, which pages may do where they are cross-origin isolated. */
-export async function mostThreads() {
+export function mostThreads() {
     const most = 64; // RHW_MAX_THREADS
-    return Math.min(await cores(), most);
+    return Math.min(platform.cores(), most);
 }
 
 /** The bytes of an ArrayBuffer or a view of one. `what` names them where they are none. */
@@ -82,13 +46,15 @@ export function bytesOf(source, what) {
 export class Instance {
     /** @param threads that its contexts will have at most */
     static async create(threads = 1) {
-        const { module, create } = await loaded(threads > 1 ? threaded : single);
+        const kind = threads > 1 ? threaded : single;
+        const { module, create } = await loaded(kind);
         const instance = new Instance();
         instance.said = [];
         instance.complaints = [];
         instance.crashed = false;
-        instance.module = await withWorkers(create, {
-            cores: await mostThreads(),
+        const options = {
+            cores: mostThreads(),
+            mainScriptUrlOrBlob: kind.file,
             helpThreads: threads - 1, // beside the one that calls; web/CMakeLists.txt makes workers for them
             instantiateWasm(imports, done) {
                 WebAssembly.instantiate(module, imports).then((made) => done(made, module));
@@ -96,7 +62,8 @@ export class Instance {
             },
             print: (line) => instance.said.push(line),
             printErr: (line) => instance.complaints.push(line), // of libraries; rhw's own lines are messages()
-        });
+        };
+        instance.module = await (kind === threaded ? platform.withWorkers(() => create(options)) : create(options));
         return instance;
     }
 

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Options as the words of rhw render's command line, which the module gives to the program's own parser: names,
 // defaults, limits and messages are the program's.
+import { colorWord } from './color.js';
 import { RhwError } from './error.js';
 
 const asIs = (name) => (value) => [`--${name}=${value}`];
 const onOff = (name) => (value) => [`--${name}=${value ? 'on' : 'off'}`];
 const flag = (name) => (value) => (value ? [`--${name}`] : []);
 const list = (name) => (value) => [`--${name}=${[value].flat().join(',')}`];
+
+// Degrees, by the name that the program has or by that of other libraries.
+function angle(value, options) {
+    if (options.fovy !== undefined && options.fov !== undefined) {
+        throw new RhwError('rhw: fov: is fovy by another name, and both are given');
+    }
+    return [`--fovy=${value}`];
+}
 
 // true: the option without its argument.
 const optional = (name) => (value) => (value === true ? [`--${name}`] : value === false ? [] : [`--${name}=${value}`]);
@@ -31,7 +40,10 @@ function camera(value, options) {
             throw new RhwError(`rhw: camera: ${name} is not three numbers`);
         }
     }
-    const lens = value.orthographic ? value.height : (value.fovy ?? 30);
+    if (value.fovy !== undefined && value.fov !== undefined) {
+        throw new RhwError('rhw: camera: fov is fovy by another name, and both are given');
+    }
+    const lens = value.orthographic ? value.height : (value.fovy ?? value.fov ?? 30);
     const numbers = [...Object.values(places).flatMap((place) => [...place]), lens].join(',');
     return [...(value.orthographic ? ['--ortho'] : []), `--camera=${numbers}`];
 }
@@ -55,10 +67,11 @@ const drawing = {
     zoom: asIs('zoom'),
     margin: asIs('margin'),
     ortho: flag('ortho'),
-    fovy: asIs('fovy'),
+    fovy: angle,
+    fov: angle,
     interpolate: asIs('interpolate'),
     wireframe: optional('wireframe'),
-    background: asIs('background'),
+    background: (value) => [`--background=${colorWord(value)}`],
     lights: asIs('lights'),
     shadows: onOff('shadows'),
     ground: flag('ground'),
@@ -69,7 +82,7 @@ const drawing = {
 };
 
 // Names of options that are no words.
-const others = { reading: ['name', 'files', 'threads'], drawing: ['outputs', 'goesOn'] };
+const others = { reading: ['name', 'files', 'threads', 'signal'], drawing: ['outputs', 'goesOn', 'signal'] };
 
 // What the program calls otherwise than the options and arguments here.
 const renamed = { 'camera-index': 'camera', 'camera-name': 'camera', at: 'explain', sample: 'sample' };
@@ -91,7 +104,7 @@ function wordsOf(options, table, known) {
             return [];
         }
         if (!Object.hasOwn(table, name)) {
-            const names = [...known, ...Object.keys(table)];
+            const names = [...new Set([...known, ...Object.keys(table)])];
             throw new RhwError(`rhw: '${name}' is no option; there are ${names.join(', ')}`);
         }
         const words = table[name](value, options);

@@ -78,7 +78,8 @@ const number = (term, terms) => ({ text: term, values: { [term]: short(terms[ter
 /** A part of a derivation with its heading, {en, zh}. */
 export function section(parent, title) {
   const block = parent.appendChild(document.createElement('section'));
-  const head = block.appendChild(document.createElement('h4'));
+  const level = parent.closest('.chapter').querySelector('h1') ? 'h2' : 'h3'; // one below that of the chapter
+  const head = block.appendChild(document.createElement(level));
   head.textContent = say(title);
   return block;
 }
@@ -213,8 +214,21 @@ function valueSection(parent, n, name, size) {
   tableRow(table, { en: 'rhw wrote', zh: 'rhw 的结果' }, say(how), digits(written), 'written');
   const note = block.appendChild(document.createElement('p'));
   note.className = 'note';
+  hear(parent, `${symbol}: ${[...table.rows].map(({ cells }) => `${cells[0].textContent} ${cells[2].textContent}`).join(', ')}`);
   const direct = threeWaysOf(n, name, size).error;
   note.textContent = say(byWorld ? notes.world(error, direct) : notes.direct(error));
+}
+
+// What a screen reader says when the numbers change: it hears of what stays on the page alone, and panels are filled anew.
+function hear(panel, text) {
+  let heard = panel.parentElement.querySelector('.heard');
+  if (!heard) {
+    heard = document.createElement('p');
+    heard.className = 'heard';
+    heard.setAttribute('aria-live', 'polite');
+    panel.after(heard);
+  }
+  heard.textContent = text;
 }
 
 /** Fills `panel` with the derivation of a pixel's value `name`, u or green; numbers null: says what to do. `size`: the picture's. */

@@ -5,7 +5,17 @@ import { typeset } from './math.js';
 import { Stage } from './stage.js';
 import { startTips } from './tips.js';
 
-const compiled = WebAssembly.compileStreaming(fetch('stage.wasm'));
+// Of a server that does not know the type of the file, too.
+async function compile(path) {
+  const response = await fetch(path);
+  if (!response.ok) {
+    throw new Error(`${path}: ${response.status} ${response.statusText}`);
+  }
+  const isKnown = response.headers.get('content-type') === 'application/wasm';
+  return isKnown ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}
+
+const compiled = compile('stage.wasm');
 
 function keep(name, value) {
   try {
@@ -60,22 +70,51 @@ function tryThreads(stage) {
   }
 }
 
-function startChapter(section, stage) {
+const begun = new Set(); // names of chapters
+
+/** Starts a chapter, once. What could not be fetched is tried again when the network is back. */
+function startChapter(section, stage, tries = 0) {
   const name = section.id;
-  import(`./chapters/${name}.js`)
+  if (begun.has(name) && tries === 0) {
+    return;
+  }
+  begun.add(name);
+  import(`./chapters/${name}.js${tries > 0 ? `?${tries}` : ''}`) // a browser may keep what failed
     .then(({ start }) => {
+      delete viewOf(section).dataset.error;
       const view = start(section, stage);
       window.rhw.views[name] = view;
       whenLanguage(() => view?.retell());
       if (name === 'first') {
-        whenDrawn(view, () => tryThreads(stage));
+        whenDrawn(view, () => {
+          tryThreads(stage);
+          startOthers(stage);
+        });
       }
     })
-    .catch((error) => fail(section, error));
+    .catch((error) => {
+      fail(section, error);
+      addEventListener('online', () => startChapter(section, stage, tries + 1), { once: true });
+    });
 }
 
+// The chapters further down, one after the other when there is nothing else to do: the network may go before they are come to.
+function startOthers(stage) {
+  const next = window.requestIdleCallback ?? ((callback) => setTimeout(callback, 50));
+  const waiting = [...document.querySelectorAll('section.chapter')];
+  const startNext = () => {
+    startChapter(waiting.shift(), stage);
+    if (waiting.length > 0) {
+      next(startNext);
+    }
+  };
+  next(startNext);
+}
+
+const viewOf = (section) => section.querySelector('.view') ?? section.appendChild(document.createElement('figure'));
+
 function fail(section, error) {
-  const note = section.querySelector('.view') ?? section.appendChild(document.createElement('figure'));
+  const note = viewOf(section);
   note.classList.add('view');
   note.dataset.error = error.message;
   console.error(error);

@@ -124,7 +124,7 @@ function showHistory(parent, { fragments, orthographic }) {
     FATES[fragment.fate],
     fragment.fate === 'written' ? swatch(fragment.color_after) : '',
   ]);
-  table(block, ['', { en: 'what', zh: '内容' }, { en: 'depth', zh: '深度' }, { en: 'what became of it', zh: '结果' },
+  table(block, [{ en: 'no.', zh: '序号' }, { en: 'what', zh: '内容' }, { en: 'depth', zh: '深度' }, { en: 'what became of it', zh: '结果' },
                 { en: 'colour then', zh: '之后的颜色' }], rows);
   note(block, {
     en: `Depth is reversed: 1 at the near plane, 0 at ${orthographic ? 'the far one' : 'infinity'}, and the greater one is seen. Colours are linear: red, green, blue, alpha.`,
@@ -142,7 +142,7 @@ function showCorners(parent, fragment) {
     ...(snapped?.[i] ?? []).map((place) => long(Number((place / STEP).toFixed(2)))),
   ]);
   const places = snapped ? [{ en: 'column', zh: '列' }, { en: 'row', zh: '行' }] : [];
-  table(block, ['', ...heads, ...places], rows);
+  table(block, [{ en: 'corner', zh: '顶点' }, ...heads, ...places], rows);
   if (clipped) {
     note(block, {
       en: 'It is clipped: what it covers is the polygon that the view leaves of it.',
@@ -160,7 +160,7 @@ function showValues(parent, { varyings }) {
     ...[naive, exact, pipeline].map(number),
     error === null ? '–' : error.toFixed(2),
   ]);
-  table(block, ['', ...CORNERS.map((name) => formula(`I_${name}`)), { en: 'naive', zh: '未校正' }, { en: 'correct', zh: '正确' },
+  table(block, [{ en: 'value', zh: '值' }, ...CORNERS.map((name) => formula(`I_${name}`)), { en: 'naive', zh: '未校正' }, { en: 'correct', zh: '正确' },
                 { en: 'rhw wrote', zh: 'rhw 的结果' }, 'ULP'], rows);
   note(block, {
     en: 'Naive is r, s, t times the corners’ values, correct a, b, c times them, in exact arithmetic. ULP is the error of what rhw wrote, in units of the last place of the largest corner value; it promises 8 at most.',

@@ -31,9 +31,9 @@ const KEYS = {
 
 /**
  * Lets a node be dragged by mouse, pen and one finger: `move(dx, dy, event)` in CSS pixels; and by keys: `step(dx, dy, deeper)`
- * for arrows, page up and down. A finger that drags does not scroll the page, unless `scrolls`.
+ * for arrows, page up and down; and `ends(part)` for home, 0, and end, 1, where there are some. A finger that drags does not scroll the page, unless `scrolls`.
  */
-export function draggable(node, { move, step, scrolls = false }) {
+export function draggable(node, { move, step, ends, scrolls = false }) {
   if (!scrolls) {
     // touch-action is for elements of HTML and whole drawings, not for parts of them.
     node.addEventListener('touchstart', (event) => event.preventDefault(), { passive: false });
@@ -64,6 +64,9 @@ export function draggable(node, { move, step, scrolls = false }) {
       event.preventDefault();
       event.stopPropagation();
       step(...KEYS[event.key]);
+    } else if (ends && (event.key === 'Home' || event.key === 'End')) {
+      event.preventDefault();
+      ends(event.key === 'Home' ? 0 : 1);
     }
   });
 }

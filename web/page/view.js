@@ -4,12 +4,20 @@
 import { nextFrame } from './frame.js';
 import { say, whenLanguage } from './language.js';
 import { onScreen, Overlay } from './overlay.js';
+import { namePicture } from './naming.js';
 import { draggable, set, svg } from './svg.js';
 import { add, basis, clamp } from './vector.js';
 
 const MAX_PIXELS = 1280; // across
 const LAST = 0.999999; // of a picture's width or height
 const REST = 160; // ms without a change until the picture is refined
+
+// How far the line between two ways of drawing is, for those who do not see it.
+function sliderAt(split) {
+  const percent = Math.round(100 * split);
+  const text = say({ en: `left ${percent} % naive, right divided by w`, zh: `左 ${percent} % 未校正，右边除以 w` });
+  return { 'aria-valuemin': 0, 'aria-valuemax': 100, 'aria-valuenow': percent, 'aria-valuetext': text };
+}
 
 export class View {
   /**
@@ -23,6 +31,8 @@ export class View {
     this.figure = figure;
     this.canvas = document.createElement('canvas');
     this.canvas.tabIndex = 0;
+    this.canvas.setAttribute('role', 'application');
+    namePicture(this.canvas, figure.closest('section'));
     this.overlay = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     figure.prepend(this.canvas, this.overlay);
     this.pixel = null; // by parts of the picture, so that it stays where it was when the size changes
@@ -63,7 +73,8 @@ export class View {
     };
     draggable(this.divider, {
       move: (dx) => to(this.scene.split + dx / this.figure.clientWidth),
-      step: (dx) => to(this.scene.split + dx / 50),
+      step: (dx, dy, deeper) => to(this.scene.split + (dx - dy) / 50 + deeper / 10),
+      ends: (part) => to(part),
     });
   }
 
@@ -242,7 +253,7 @@ export class View {
     });
     if (this.divider) {
       const x = this.scene.split * width;
-      set(this.divider, { transform: `translate(${x},0)`, 'aria-valuenow': Math.round(100 * this.scene.split) });
+      set(this.divider, { transform: `translate(${x},0)`, ...sliderAt(this.scene.split) });
       this.divider.querySelectorAll('line').forEach((line) => set(line, { y2: height }));
       set(this.divider.querySelector('rect'), { y: height - 48 });
       set(this.divider.querySelector('path'), { transform: `translate(0,${height - 33})` });

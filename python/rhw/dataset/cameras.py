@@ -124,7 +124,7 @@ def _place(azimuth: float, height: float) -> Tuple[Vector, Vector, Vector]:
 
 
 def _corners(model: Model) -> Tuple[List[float], List[float]]:
-    low, high = model.bounds.tolist()
+    low, high = model.frame.tolist()
     return low, high
 
 

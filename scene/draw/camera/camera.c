@@ -95,7 +95,8 @@ static void enclose(struct scene_camera *camera, const struct scene_model *model
 {
     double axes[3][3];
     camera_axes(camera, axes[0], axes[1], axes[2]);
-    const double eye = scene_dot(axes[2], camera->eye);
+    const struct scene_camera own = scene_camera_from_origin(camera, model->origin);
+    const double eye = scene_dot(axes[2], own.eye);
     const struct scene_box frame = scene_subject_frame(model);
     struct range all = {DBL_MAX, -DBL_MAX}, framed = {DBL_MAX, -DBL_MAX};
     for (int corner = 0; corner < 8; corner++) {
@@ -134,7 +135,9 @@ void scene_camera_enclose_turn(struct scene_camera *camera, const struct scene_m
                                const struct scene_orbit *orbit)
 {
     struct scene_turn turn = {.axis = {0.0, 1.0, 0.0}};
-    memcpy(turn.center, orbit->turn_center, sizeof turn.center);
+    for (int i = 0; i < 3; i++) {
+        turn.center[i] = orbit->turn_center[i] - model->origin[i];
+    }
     scene_axis_turn(orbit->up, turn.axis);
     enclose(camera, model, &turn);
 }
@@ -198,11 +201,22 @@ bool scene_camera_look_orthographic(struct scene_camera *camera, const struct sc
                 has_height ? NULL : "the height of what is seen must be above 0", error, error_size);
 }
 
-struct scene_camera scene_camera_from_model(const struct scene_model_camera *source, double aspect)
+struct scene_camera scene_camera_from_origin(const struct scene_camera *camera, const double origin[3])
+{
+    struct scene_camera moved = *camera;
+    for (int i = 0; i < 3; i++) {
+        moved.eye[i] -= origin[i];
+        moved.target[i] -= origin[i];
+    }
+    return moved;
+}
+
+struct scene_camera scene_camera_from_model(const struct scene_model *model,
+                                            const struct scene_model_camera *source, double aspect)
 {
     struct scene_camera camera = {.orthographic = source->orthographic};
     for (int i = 0; i < 3; i++) {
-        camera.eye[i] = (double)source->world[12 + i];
+        camera.eye[i] = (double)source->world[12 + i] + model->origin[i];
         camera.up[i] = (double)source->world[4 + i];
         camera.target[i] = camera.eye[i] - (double)source->world[8 + i];
     }

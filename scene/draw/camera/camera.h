@@ -8,7 +8,7 @@
 
 #include "model.h"
 
-/// A camera looks from `eye` to `target`. `up` need not be perpendicular to the view. If it is parallel, another
+/// A camera looks from `eye` to `target`, both in the coordinates of the file. `up` need not be perpendicular to the view. If it is parallel, another
 /// direction takes its place.
 struct scene_camera {
     double eye[3], target[3], up[3];
@@ -30,7 +30,7 @@ struct scene_orbit {
     /// What is no part of the subject (subject.h) is brought into the picture too
     bool whole;
     /// The model will turn around the vertical line through `turn_center`. What it sweeps is brought into the picture,
-    /// and the line into the middle.
+    /// and the line into the middle. `turn_center` is in the coordinates of the file.
     bool turns;
     double turn_center[3];
 };
@@ -73,9 +73,14 @@ void scene_camera_enclose(struct scene_camera *camera, const struct scene_model 
 void scene_camera_enclose_turn(struct scene_camera *camera, const struct scene_model *model,
                                const struct scene_orbit *orbit);
 
+/// Return the camera with its place counted from `origin`: with that of a model, in the coordinates that the model has
+/// in memory.
+struct scene_camera scene_camera_from_origin(const struct scene_camera *camera, const double origin[3]);
+
 /// Return a camera of the file. If the picture's aspect ratio differs from the camera's, all of what the camera frames
 /// stays in the picture.
-struct scene_camera scene_camera_from_model(const struct scene_model_camera *camera, double aspect);
+struct scene_camera scene_camera_from_model(const struct scene_model *model,
+                                            const struct scene_model_camera *camera, double aspect);
 
 /// Return true if the camera stands outside the model's bounds and has at least half of the model's vertices in the
 /// picture.
@@ -99,6 +104,10 @@ enum scene_sight {
 /// Return what a camera sees, in a picture of a few hundred pixels.
 enum scene_sight scene_camera_sight(const struct scene_model *model, const struct scene_camera *camera,
                                     double aspect);
+
+/// Return how many digits tell the place of a camera. There are more far from the origin, so that the same is seen when
+/// they are read.
+int scene_camera_digits(const double eye[3], const double target[3]);
 
 /// Write the matrix from the world to camera space, which looks along −Z.
 void scene_camera_view(const struct scene_camera *camera, double matrix[16]);

@@ -160,7 +160,8 @@ uint32_t scene_coverage_count(const struct scene_model *model, const struct scen
                               double aspect, uint32_t enough)
 {
     double view[16], projection[16], both[16];
-    scene_camera_view(camera, view);
+    const struct scene_camera own = scene_camera_from_origin(camera, model->origin);
+    scene_camera_view(&own, view);
     scene_camera_projection(camera, aspect, projection);
     scene_matrix_multiply(projection, view, both);
     struct grid grid = {.enough = enough};

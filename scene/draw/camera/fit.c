@@ -220,10 +220,13 @@ struct scene_camera scene_camera_fit(const struct scene_model *model, struct sce
                       .z_min = DBL_MAX,
                       .z_max = -DBL_MAX,
                       .turns = orbit.turns};
-    double vertical[3] = {0.0, 1.0, 0.0};
+    double vertical[3] = {0.0, 1.0, 0.0}, center[3];
     scene_axis_turn(orbit.up, vertical);
     for (int i = 0; i < 3; i++) {
-        fit.turn.center[i] = scene_dot(axes[i], orbit.turn_center);
+        center[i] = orbit.turn_center[i] - model->origin[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        fit.turn.center[i] = scene_dot(axes[i], center);
         fit.turn.axis[i] = scene_dot(axes[i], vertical);
     }
     fit_model(model, axes, orbit.whole, &fit);
@@ -252,7 +255,7 @@ struct scene_camera scene_camera_fit(const struct scene_model *model, struct sce
         }
     }
     for (int i = 0; i < 3; i++) {
-        camera.eye[i] = right[i] * place[0] + up[i] * place[1] + back[i] * place[2];
+        camera.eye[i] = right[i] * place[0] + up[i] * place[1] + back[i] * place[2] + model->origin[i];
         camera.target[i] = camera.eye[i] - back[i] * distance;
         camera.up[i] = up[i];
     }

@@ -7,12 +7,13 @@
 // The model may cover so many times fewer pixels than it covers when it is fitted.
 static const uint32_t largest_ratio = 100;
 
-static bool is_inside(const struct scene_model *model, const double eye[3])
+static bool is_inside(const struct scene_model *model, const struct scene_camera *camera)
 {
     const struct scene_box frame = scene_subject_frame(model);
     bool inside = true;
     for (int i = 0; i < 3; i++) {
-        inside = inside && eye[i] > frame.low[i] && eye[i] < frame.high[i];
+        const double eye = camera->eye[i] - model->origin[i];
+        inside = inside && eye > frame.low[i] && eye < frame.high[i];
     }
     return inside;
 }
@@ -33,7 +34,8 @@ static bool is_seen(const double matrix[16], const float p[3])
 static double seen_share(const struct scene_model *model, const struct scene_camera *camera, double aspect)
 {
     double view[16], projection[16], both[16];
-    scene_camera_view(camera, view);
+    const struct scene_camera own = scene_camera_from_origin(camera, model->origin);
+    scene_camera_view(&own, view);
     scene_camera_projection(camera, aspect, projection);
     scene_matrix_multiply(projection, view, both);
     uint64_t seen = 0, all = 0;
@@ -56,16 +58,27 @@ static double seen_share(const struct scene_model *model, const struct scene_cam
     return all == 0 ? 1 : (double)seen / (double)all;
 }
 
+int scene_camera_digits(const double eye[3], const double target[3])
+{
+    const double far = 1000.0;
+    double distance2 = 0.0, eye2 = 0.0;
+    for (int i = 0; i < 3; i++) {
+        distance2 += (eye[i] - target[i]) * (eye[i] - target[i]);
+        eye2 += eye[i] * eye[i];
+    }
+    return eye2 > far * far * distance2 ? 15 : 9;
+}
+
 bool scene_camera_shows_most(const struct scene_model *model, const struct scene_camera *camera,
                              double aspect)
 {
-    return !is_inside(model, camera->eye) && seen_share(model, camera, aspect) >= 0.5;
+    return !is_inside(model, camera) && seen_share(model, camera, aspect) >= 0.5;
 }
 
 bool scene_camera_is_believable(const struct scene_model *model, const struct scene_camera *camera,
                                 double aspect)
 {
-    return seen_share(model, camera, aspect) >= (is_inside(model, camera->eye) ? 0.2 : 0.01);
+    return seen_share(model, camera, aspect) >= (is_inside(model, camera) ? 0.2 : 0.01);
 }
 
 // Return what a camera that gives way sees. `covered` is a number of pixels of the model.

@@ -138,11 +138,17 @@ static void make_points(struct reader *reader, struct scene_mesh *mesh)
 }
 
 // An alpha that is 0 everywhere means a format without alpha, not an invisible mesh.
-static void fix_alpha(struct scene_mesh *mesh)
+static void fix_alpha(struct scene_import *import, struct scene_mesh *mesh)
 {
-    bool visible = false;
+    bool visible = false, translucent = false;
     for (uint32_t i = 0; mesh->colors != NULL && i < mesh->vertex_count; i++) {
         visible = visible || mesh->colors[i][3] > 0;
+        translucent = translucent || mesh->colors[i][3] < 1;
+    }
+    // Some programs keep weights there, so that nothing says that it is meant to be seen through. assimp itself gives
+    // some colours of DXF an alpha.
+    if (visible && translucent && strcasecmp(import->ending, "dxf") != 0) {
+        scene_import_unsupported(import, "alpha of vertex colours: not used");
     }
     for (uint32_t i = 0; mesh->colors != NULL && i < mesh->vertex_count && !visible; i++) {
         mesh->colors[i][3] = 1;
@@ -168,13 +174,17 @@ static void add_mesh(struct reader *reader, uint32_t index)
     mesh.uvs[0] = copy_uvs(import, source->mTextureCoords[0], count);
     mesh.uvs[1] = copy_uvs(import, source->mTextureCoords[1], count);
     mesh.colors = copy_colors(import, source->mColors[0], count);
-    fix_alpha(&mesh);
+    fix_alpha(import, &mesh);
+    if (source->mColors[1] != NULL) {
+        scene_import_unsupported(import, "vertex colours beyond the first set: ignored");
+    }
     copy_indices(reader, source, &mesh);
     if (mesh.index_count == 0) {
         make_points(reader, &mesh);
     }
+    double origin[3] = {0, 0, 0};
     if (scene_assimp_is_skinned(import, source)) {
-        scene_assimp_skin(import, reader->scene, index, &mesh);
+        scene_assimp_skin(import, reader->scene, index, &mesh, origin);
     } else if (source->mNumBones > 0) {
         scene_import_unsupported(import, "skins: drawn in the pose the meshes are stored in");
     }
@@ -182,6 +192,7 @@ static void add_mesh(struct reader *reader, uint32_t index)
         scene_import_unsupported(import, "morph targets: drawn at rest");
     }
     *scene_import_add_mesh(import) = mesh;
+    scene_import_place_mesh(import, origin);
     reader->meshes[index] = import->model.mesh_count - 1;
     // Formats that list every corner of every face hold each vertex several times.
     const bool repeated = mesh.index_count == count && count > 3;
@@ -190,13 +201,14 @@ static void add_mesh(struct reader *reader, uint32_t index)
 
 // Nodes ---------------------------------------------------------------------------------------------
 
-static void add_node(struct reader *reader, const struct aiNode *node, const float parent[16])
+static void add_node(struct reader *reader, const struct aiNode *node,
+                     const struct scene_import_place *parent)
 {
     enum { DEEPEST = 4096 };
     struct scene_import *import = reader->import;
-    float world[16];
-    scene_assimp_matrix(&node->mTransformation, world);
-    scene_import_multiply(parent, world, world);
+    const struct scene_import_place identity = scene_import_place_identity();
+    const struct scene_import_place local = scene_assimp_place(&node->mTransformation);
+    const struct scene_import_place world = scene_import_place_multiply(parent, &local);
     if (++reader->depth > DEEPEST) {
         scene_import_fail(import, "its nodes are nested too deeply");
     }
@@ -211,45 +223,41 @@ static void add_node(struct reader *reader, const struct aiNode *node, const flo
         instance->name = scene_assimp_string(import, &node->mName);
         instance->mesh = reader->meshes[node->mMeshes[i]];
         instance->object = reader->objects;
-        memcpy(instance->world, world, sizeof world);
-        if (scene_assimp_is_skinned(import, reader->scene->mMeshes[node->mMeshes[i]])) {
-            scene_import_identity(instance->world);
-        }
+        const bool skinned = scene_assimp_is_skinned(import, reader->scene->mMeshes[node->mMeshes[i]]);
+        scene_import_place_instance(import, skinned ? &identity : &world);
     }
     for (uint32_t i = 0; i < node->mNumChildren; i++) {
         if (node->mChildren[i] != NULL) { // the reader of RAW files leaves gaps
-            add_node(reader, node->mChildren[i], world);
+            add_node(reader, node->mChildren[i], &world);
         }
     }
     reader->depth--;
 }
 
-// World matrix of the node with this name; the identity where there is none.
-static bool find_node(const struct aiNode *node, const struct aiString *name, const float parent[16],
-                      float world[16])
+// Find the place of the node with this name in the world. Return false where there is none.
+static bool find_node(const struct aiNode *node, const struct aiString *name,
+                      const struct scene_import_place *parent, struct scene_import_place *world)
 {
-    float here[16];
-    scene_assimp_matrix(&node->mTransformation, here);
-    scene_import_multiply(parent, here, here);
+    const struct scene_import_place local = scene_assimp_place(&node->mTransformation);
+    const struct scene_import_place here = scene_import_place_multiply(parent, &local);
     if (strcmp(node->mName.data, name->data) == 0) {
-        memcpy(world, here, sizeof here);
+        *world = here;
         return true;
     }
     for (uint32_t i = 0; i < node->mNumChildren; i++) {
-        if (node->mChildren[i] != NULL && find_node(node->mChildren[i], name, here, world)) {
+        if (node->mChildren[i] != NULL && find_node(node->mChildren[i], name, &here, world)) {
             return true;
         }
     }
     return false;
 }
 
-static void place(const struct reader *reader, const struct aiString *name, float world[16])
+static struct scene_import_place place(const struct reader *reader, const struct aiString *name)
 {
-    float identity[16];
-    scene_import_identity(identity);
-    if (!find_node(reader->scene->mRootNode, name, identity, world)) {
-        memcpy(world, identity, sizeof identity);
-    }
+    const struct scene_import_place identity = scene_import_place_identity();
+    struct scene_import_place world = identity;
+    find_node(reader->scene->mRootNode, name, &identity, &world);
+    return world;
 }
 
 // Cameras and lights --------------------------------------------------------------------------------
@@ -289,8 +297,10 @@ static void add_camera(struct reader *reader, const struct aiCamera *source)
     memcpy(local + 4, up, sizeof up);
     memcpy(local + 8, back, sizeof back);
     memcpy(local + 12, &source->mPosition, sizeof(float[3]));
-    place(reader, &source->mName, camera.world);
-    scene_import_multiply(camera.world, local, camera.world);
+    const struct scene_import_place node = place(reader, &source->mName);
+    const struct scene_import_place own = scene_import_place_of(local);
+    const struct scene_import_place world = scene_import_place_multiply(&node, &own);
+    memcpy(camera.world, world.world, sizeof camera.world);
     // assimp's importers store the whole horizontal angle, whatever its header says.
     const double aspect = source->mAspect > 0 ? (double)source->mAspect : 4.0 / 3.0;
     camera.aspect = source->mAspect > 0 ? source->mAspect : 0;
@@ -304,6 +314,7 @@ static void add_camera(struct reader *reader, const struct aiCamera *source)
     if (seen && upright && lens && scene_import_finite(camera.world, 16) &&
         scene_import_determinant(camera.world) != 0) {
         *scene_import_add_camera(import) = camera;
+        scene_import_place_camera(import, &world);
     } else {
         scene_import_warn(import, "camera \"%s\" is not valid: left out", camera.name);
     }
@@ -368,10 +379,10 @@ static void add_light(struct reader *reader, const struct aiLight *source, const
     light.type = source->mType == aiLightSource_DIRECTIONAL ? SCENE_LIGHT_DIRECTIONAL
                  : source->mType == aiLightSource_POINT     ? SCENE_LIGHT_POINT
                                                             : SCENE_LIGHT_SPOT;
-    float world[16];
+    const struct scene_import_place node = place(reader, &source->mName);
+    const float *const world = node.world;
     const float position[3] = {source->mPosition.x, source->mPosition.y, source->mPosition.z};
     const float direction[3] = {source->mDirection.x, source->mDirection.y, source->mDirection.z};
-    place(reader, &source->mName, world);
     scene_import_transform(world, position, light.position);
     for (int row = 0; row < 3; row++) {
         light.direction[row] =
@@ -397,6 +408,12 @@ static void add_light(struct reader *reader, const struct aiLight *source, const
                       light.color[0] + light.color[1] + light.color[2] > 0 && light.intensity > 0;
     if (good) {
         *scene_import_add_light(import) = light;
+        struct scene_import_place own = scene_import_place_identity();
+        for (int c = 0; c < 3; c++) {
+            own.exact[12 + c] = (double)position[c];
+        }
+        own = scene_import_place_multiply(&node, &own);
+        scene_import_place_light(import, &own);
     } else {
         scene_import_warn(import, "light \"%s\" gives no light: left out", light.name);
     }
@@ -526,7 +543,9 @@ static void set_up(struct scene_import *import, const struct aiScene *scene)
 void scene_import_assimp(struct scene_import *import)
 {
     scene_assimp_refuse_blender(import, false);
+    scene_assimp_listen(import);
     const struct aiScene *scene = read_scene(import);
+    scene_assimp_find_gaps(import);
     struct reader reader = {.import = import, .scene = scene};
     import->model.format = format_of(import, scene);
     import->model.doubts_cameras = true;
@@ -544,9 +563,9 @@ void scene_import_assimp(struct scene_import *import)
     for (uint32_t i = 0; i < scene->mNumMeshes; i++) {
         add_mesh(&reader, i);
     }
-    float identity[16], middle[3];
-    scene_import_identity(identity);
-    add_node(&reader, scene->mRootNode, identity);
+    const struct scene_import_place identity = scene_import_place_identity();
+    float middle[3];
+    add_node(&reader, scene->mRootNode, &identity);
     for (uint32_t i = 0; i < scene->mNumCameras; i++) {
         add_camera(&reader, scene->mCameras[i]);
     }

@@ -150,6 +150,16 @@ static void read_texture(const struct reader *reader, enum aiTextureType type,
     } else {
         scene_import_find_image(reader->import, NULL, path.data, &texture->source);
     }
+    if (set >= SCENE_UV_SETS) {
+        scene_import_unsupported(reader->import, "texture coordinate set %u: set 0 is read instead", set);
+    }
+    if (mapping != aiTextureMapping_UV) {
+        scene_import_unsupported(reader->import,
+                                 "textures without coordinates: not mapped as they are meant");
+    }
+    if (aiGetMaterialTextureCount(reader->source, type) > 1) {
+        scene_import_unsupported(reader->import, "textures above each other: the first alone is used");
+    }
     texture->slot.uv_set = set < SCENE_UV_SETS ? set : 0;
     texture->slot.address_u = address(modes[0]);
     texture->slot.address_v = address(modes[1]);
@@ -173,15 +183,25 @@ static void read_textures(const struct reader *reader, struct scene_phong *phong
         enum aiTextureType type;
         const char *name;
     } unused[] = {
-        {aiTextureType_SPECULAR, "specular"},
-        {aiTextureType_SHININESS, "shininess"},
-        {aiTextureType_REFLECTION, "reflection"},
-        {aiTextureType_DISPLACEMENT, "displacement"},
+        {aiTextureType_SPECULAR, "specular"},     {aiTextureType_SHININESS, "shininess"},
+        {aiTextureType_REFLECTION, "reflection"}, {aiTextureType_DISPLACEMENT, "displacement"},
+        {aiTextureType_LIGHTMAP, "light"},        {aiTextureType_SHEEN, "sheen"},
+        {aiTextureType_CLEARCOAT, "clearcoat"},   {aiTextureType_TRANSMISSION, "transmission"},
+        {aiTextureType_UNKNOWN, "other"},
     };
     for (size_t i = 0; i < sizeof unused / sizeof unused[0]; i++) {
         if (aiGetMaterialTextureCount(reader->source, unused[i].type) > 0) {
             scene_import_unsupported(reader->import, "%s textures: not used", unused[i].name);
         }
+    }
+    // Most ambient textures are the colour's as well.
+    struct aiString ambient;
+    if (aiGetMaterialTexture(reader->source, aiTextureType_AMBIENT, 0, &ambient, NULL, NULL, NULL, NULL, NULL,
+                             NULL) == aiReturn_SUCCESS &&
+        ambient.length > 0 && !is_dummy(ambient.data) &&
+        (phong->color.name == NULL ||
+         strcmp(phong->color.name, scene_assimp_string(reader->import, &ambient)) != 0)) {
+        scene_import_unsupported(reader->import, "ambient textures: not used");
     }
 }
 
@@ -206,6 +226,12 @@ uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene
     get_float(&reader, "$mat.shininess", &phong.shininess);
     get_float(&reader, "$mat.metallicFactor", &phong.metallic);
     get_float(&reader, "$mat.roughnessFactor", &phong.roughness);
+    if (get_integer(&reader, "$mat.blend", aiBlendMode_Default) == aiBlendMode_Additive) {
+        scene_import_unsupported(import, "additive blending: drawn as ordinary blending");
+    }
+    if (get_integer(&reader, "$mat.wireframe", 0) != 0) {
+        scene_import_unsupported(import, "wire frames: drawn as surfaces");
+    }
     const int shading = get_integer(&reader, "$mat.shadingm", aiShadingMode_Phong);
     phong.unlit = shading == aiShadingMode_NoShading;
     phong.dull = shading == aiShadingMode_Gouraud;

@@ -6,6 +6,7 @@
 
 #include "assimp.h"
 #include "import/builder/numbers.h"
+#include "import/builder/origin.h"
 #include "import/builder/pose.h"
 
 void scene_assimp_matrix(const struct aiMatrix4x4 *m, float matrix[16])
@@ -13,6 +14,13 @@ void scene_assimp_matrix(const struct aiMatrix4x4 *m, float matrix[16])
     const float columns[16] = {m->a1, m->b1, m->c1, m->d1, m->a2, m->b2, m->c2, m->d2,
                                m->a3, m->b3, m->c3, m->d3, m->a4, m->b4, m->c4, m->d4};
     memcpy(matrix, columns, sizeof columns);
+}
+
+struct scene_import_place scene_assimp_place(const struct aiMatrix4x4 *m)
+{
+    float matrix[16];
+    scene_assimp_matrix(m, matrix);
+    return scene_import_place_of(matrix);
 }
 
 static const double usual_rate = 25.0; // ticks a second where a file does not say
@@ -126,8 +134,8 @@ void scene_assimp_pose(struct scene_import *import, const struct aiScene *scene)
         return;
     }
     if (!import->is_posed) {
-        scene_import_unsupported(import, "%u animation%s: drawn at rest",
-                                 scene->mNumAnimations, scene->mNumAnimations == 1 ? "" : "s");
+        scene_import_unsupported(import, "%u animation%s: drawn at rest", scene->mNumAnimations,
+                                 scene->mNumAnimations == 1 ? "" : "s");
         return;
     }
     const int64_t index = scene_import_find_animation(import);
@@ -140,14 +148,14 @@ void scene_assimp_pose(struct scene_import *import, const struct aiScene *scene)
 
 // Skins ---------------------------------------------------------------------------------------------
 
-static void node_world(const struct aiNode *node, float world[16])
+static struct scene_import_place node_world(const struct aiNode *node)
 {
-    scene_import_identity(world);
+    struct scene_import_place world = scene_import_place_identity();
     for (; node != NULL; node = node->mParent) {
-        float local[16];
-        scene_assimp_matrix(&node->mTransformation, local);
-        scene_import_multiply(local, world, world);
+        const struct scene_import_place local = scene_assimp_place(&node->mTransformation);
+        world = scene_import_place_multiply(&local, &world);
     }
+    return world;
 }
 
 // The first node that holds the mesh.
@@ -168,25 +176,50 @@ bool scene_assimp_is_skinned(const struct scene_import *import, const struct aiM
     return import->is_posed && mesh->mNumBones > 0;
 }
 
+// The matrices that bring the vertices of a skinned mesh into the world, and the sums of their weights.
+struct blend {
+    float (*matrices)[16];
+    float *weights;
+};
+
 // Adds a bone's share to the matrices of the vertices that it moves.
 static void add_bone(struct scene_import *import, const struct aiScene *scene, const struct aiBone *bone,
-                     uint32_t vertex_count, float (*blended)[16], float *weights)
+                     uint32_t vertex_count, const double origin[3], const struct blend *blend)
 {
-    const struct aiNode *const node = find_node(scene->mRootNode, bone->mName.data);
-    float joint[16], bind[16];
-    node_world(node, joint);
-    scene_assimp_matrix(&bone->mOffsetMatrix, bind);
-    scene_import_multiply(joint, bind, joint);
+    const struct scene_import_place node = node_world(find_node(scene->mRootNode, bone->mName.data));
+    const struct scene_import_place bind = scene_assimp_place(&bone->mOffsetMatrix);
+    const struct scene_import_place place = scene_import_place_multiply(&node, &bind);
+    float joint[16];
+    scene_import_place_from(&place, origin, joint);
     for (unsigned i = 0; i < bone->mNumWeights; i++) {
         const struct aiVertexWeight *const weight = &bone->mWeights[i];
         if (weight->mVertexId >= vertex_count) {
             scene_import_fail(import, "a bone moves vertex %u of %u", weight->mVertexId, vertex_count);
         }
-        weights[weight->mVertexId] += weight->mWeight;
+        blend->weights[weight->mVertexId] += weight->mWeight;
         for (int m = 0; m < 16; m++) {
-            blended[weight->mVertexId][m] += weight->mWeight * joint[m];
+            blend->matrices[weight->mVertexId][m] += weight->mWeight * joint[m];
         }
     }
+}
+
+// Blends the matrices of a mesh, counted from `origin`. A vertex without bones gets that of the node.
+static struct blend blend_bones(struct scene_import *import, const struct aiScene *scene, unsigned index,
+                                uint32_t vertex_count, const double origin[3])
+{
+    const struct aiMesh *const source = scene->mMeshes[index];
+    const struct blend blend = {scene_import_allocate(import, vertex_count, sizeof *blend.matrices),
+                                scene_import_allocate(import, vertex_count, sizeof *blend.weights)};
+    const struct scene_import_place holder = node_world(find_holder(scene->mRootNode, index));
+    for (unsigned i = 0; i < source->mNumBones; i++) {
+        add_bone(import, scene, source->mBones[i], vertex_count, origin, &blend);
+    }
+    for (uint32_t v = 0; v < vertex_count; v++) {
+        if (!(blend.weights[v] > 0)) {
+            scene_import_place_from(&holder, origin, blend.matrices[v]);
+        }
+    }
+    return blend;
 }
 
 static void rotate(const float matrix[16], float vector[3])
@@ -199,19 +232,18 @@ static void rotate(const float matrix[16], float vector[3])
 }
 
 void scene_assimp_skin(struct scene_import *import, const struct aiScene *scene, unsigned index,
-                       struct scene_mesh *mesh)
+                       struct scene_mesh *mesh, double origin[3])
 {
-    const struct aiMesh *const source = scene->mMeshes[index];
-    float(*const blended)[16] = scene_import_allocate(import, mesh->vertex_count, sizeof *blended);
-    float *const weights = scene_import_allocate(import, mesh->vertex_count, sizeof *weights);
-    float holder[16];
-    node_world(find_holder(scene->mRootNode, index), holder);
-    for (unsigned i = 0; i < source->mNumBones; i++) {
-        add_bone(import, scene, source->mBones[i], mesh->vertex_count, blended, weights);
+    struct blend blend = blend_bones(import, scene, index, mesh->vertex_count, origin);
+    scene_import_skin_origin(import, mesh, (const float(*)[16])blend.matrices, origin);
+    if (scene_origin_is_far(origin)) {
+        free(blend.matrices);
+        free(blend.weights);
+        blend = blend_bones(import, scene, index, mesh->vertex_count, origin);
     }
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-        const float *const matrix = weights[v] > 0 ? blended[v] : holder;
-        const float share = weights[v] > 0 ? 1 / weights[v] : 1; // exporters round
+        const float *const matrix = blend.matrices[v];
+        const float share = blend.weights[v] > 0 ? 1 / blend.weights[v] : 1; // exporters round
         float point[3];
         scene_import_transform(matrix, mesh->positions[v], point);
         for (int c = 0; c < 3; c++) {
@@ -221,6 +253,6 @@ void scene_assimp_skin(struct scene_import *import, const struct aiScene *scene,
             rotate(matrix, mesh->normals[v]);
         }
     }
-    free(blended);
-    free(weights);
+    free(blend.matrices);
+    free(blend.weights);
 }

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Blender files that assimp 5.2.5 cannot read. It reads most files up to version 2.8 and some up to 3.1, so these are
-// refused by their version only where assimp gives up. It finds nothing in files of version 4, or crashes.
+// refused by their version only where assimp gives up. It finds nothing in files of version 4, or crashes. Files may be
+// compressed, by gzip before version 3 and by zstd since then.
 #include "assimp.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <zlib.h>
 
 enum { MAYBE_UNREAD = 290, UNREAD = 400 };
 
 // Return the version times 100 of a header. Return 0 if it is none. Before version 5 the header is BLENDER, a letter
-// each for the size of pointers and the order of bytes, and three digits. Since then it is BLENDER17-01v and four digits.
+// each for the size of pointers and the order of bytes, and three digits. Since then it is BLENDER17-01v and four
+// digits.
 static unsigned find_version(const char *header)
 {
     if (strncmp(header, "BLENDER", 7) != 0) {
@@ -23,12 +25,13 @@ static unsigned find_version(const char *header)
 void scene_assimp_refuse_blender(struct scene_import *import, bool is_tried)
 {
     char header[18] = "";
-    FILE *file = fopen(import->model.path, "rb");
+    const gzFile file = gzopen(import->model.path, "rb"); // it also reads what is not compressed
     if (file == NULL) {
         return;
     }
-    const size_t count = fread(header, 1, sizeof header - 1, file);
-    fclose(file);
+    const int read = gzread(file, header, sizeof header - 1);
+    const size_t count = read < 0 ? 0 : (size_t)read;
+    gzclose(file);
     const size_t digits = strncmp(header, "BLENDER17", 9) == 0 ? 17 : 12;
     header[count < digits ? count : digits] = 0;
     const unsigned version = find_version(header);

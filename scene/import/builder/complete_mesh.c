@@ -14,7 +14,7 @@ static uint32_t corners_of(const struct scene_mesh *mesh)
                                                         : 1;
 }
 
-static void drop_infinite_primitives(struct scene_import *import, struct scene_mesh *mesh)
+static void drop_infinite_primitives(struct scene_import *import, struct scene_mesh *mesh, uint32_t *polygons)
 {
     if (scene_import_finite(mesh->positions[0], 3 * (size_t)mesh->vertex_count)) {
         return;
@@ -25,6 +25,9 @@ static void drop_infinite_primitives(struct scene_import *import, struct scene_m
         bool finite = true;
         for (uint32_t k = 0; k < corners; k++) {
             finite = finite && scene_import_finite(mesh->positions[mesh->indices[i + k]], 3);
+        }
+        if (finite && polygons != NULL) {
+            polygons[kept / corners] = polygons[i / corners];
         }
         for (uint32_t k = 0; k < corners && finite; k++) {
             mesh->indices[kept++] = mesh->indices[i + k];
@@ -109,13 +112,24 @@ static const struct scene_texture_slot *find_tangent_slot(const struct scene_mat
 void scene_import_complete_mesh(struct scene_import *import, uint32_t index,
                                 enum scene_import_normals normals, bool join)
 {
+    scene_import_complete_polygons(import, index, normals, join, NULL);
+}
+
+void scene_import_complete_polygons(struct scene_import *import, uint32_t index,
+                                    enum scene_import_normals normals, bool join, uint32_t *polygons)
+{
     struct scene_mesh *mesh = &import->model.meshes[index];
     if (mesh->vertex_count == 0) {
         mesh->index_count = 0;
     }
-    mesh->index_count -= mesh->index_count % corners_of(mesh);
+    const uint32_t rest = mesh->index_count % corners_of(mesh);
+    if (rest > 0) {
+        scene_import_warn(import, "mesh \"%s\": its last %u corners make no whole %s and are left out",
+                          mesh->name, rest, mesh->primitive == SCENE_PRIMITIVE_LINES ? "line" : "triangle");
+    }
+    mesh->index_count -= rest;
     if (mesh->index_count > 0) {
-        drop_infinite_primitives(import, mesh);
+        drop_infinite_primitives(import, mesh, polygons);
     }
     scene_import_drop_unused_vertices(import, mesh);
     if (mesh->vertex_count == 0) {
@@ -135,7 +149,7 @@ void scene_import_complete_mesh(struct scene_import *import, uint32_t index,
     }
     const bool has_normals = mesh->normals != NULL;
     if (!has_normals) {
-        scene_import_make_normals(import, mesh, normals);
+        scene_import_make_normals(import, mesh, normals, polygons);
         if (normals == SCENE_IMPORT_FLAT) {
             scene_import_join_vertices(import,
                                        // The triangles of one flat face share their vertices again.

@@ -6,8 +6,9 @@
 #include "import.h"
 
 bool scene_data_uri_is(const char *name);
-/// Return the bytes of a data URI. Line breaks and blanks in it are skipped, digits may be encoded by percent signs, and what
-/// follows a question mark or a number sign is left out. Return NULL if the URI is not of base64, or not valid.
+/// Return the bytes of a data URI. Line breaks and blanks in it are skipped, digits may be encoded by percent signs,
+/// and what follows a question mark or a number sign is left out. Return NULL if the URI is not of base64, or not
+/// valid.
 unsigned char *scene_data_uri_decode(struct scene_import *import, const char *uri, size_t *size);
 
 #endif

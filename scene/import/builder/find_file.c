@@ -18,7 +18,8 @@ enum {
 
 struct search {
     struct scene_import *import;
-    const char *folders[2]; // that of the file that has the name, and the model's, with slashes at their ends
+    // Folders with slashes at their ends: the folder of the file that has the name, and the model's.
+    const char *folders[2];
     int folder_count;
     char stem[256]; // name of the model without its ending
     char *path;     // path under trial

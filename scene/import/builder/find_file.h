@@ -7,12 +7,12 @@
 
 /// Find the file that a model means by `name`, in the bytes of the model's file. It may be relative, quoted,
 /// percent-encoded, with backslashes, in other case or in another code page. Return NULL if there is none that may be
-/// read; import->missing then says why. It says the same of a file that is not there and of one that import->confine keeps
-/// out.
+/// read; import->missing then says why. It says the same of a file that is not there and of one that import->confine
+/// keeps out.
 const char *scene_import_find_file(struct scene_import *import, const char *name);
 /// Set where the image comes from that a model means by `name`. A file is found as scene_import_find_file does, and
-/// otherwise one that is called as it is up to the ending. `folder` has the file that names it, as import->directory has
-/// the model, and is where it is looked for first; NULL is the model's own. A data URI gives the bytes themselves.
+/// otherwise one that is called as it is up to the ending. `folder` has the file that names it, as import->directory
+/// has the model, and is where it is looked for first; NULL is the model's own. A data URI gives the bytes themselves.
 void scene_import_find_image(struct scene_import *import, const char *folder, const char *name,
                              struct scene_import_source *source);
 

@@ -72,6 +72,11 @@ static void *grow(struct scene_import *import, void *array, uint32_t *count, uin
     return element;
 }
 
+static void grow_exact(struct scene_import *import, struct scene_import_exact *exact)
+{
+    grow(import, &exact->matrices, &exact->count, &exact->capacity, sizeof *exact->matrices);
+}
+
 // Return the number of bytes of the well-formed UTF-8 character at `text` (RFC 3629). Return 0 if there is none.
 static size_t utf8_length(const unsigned char *text, size_t left)
 {
@@ -154,6 +159,7 @@ struct scene_mesh *scene_import_add_mesh(struct scene_import *import)
     struct scene_mesh *mesh =
         grow(import, &import->model.meshes, &import->model.mesh_count, &import->mesh_capacity, sizeof *mesh);
     mesh->name = "";
+    grow_exact(import, &import->exact_meshes);
     return mesh;
 }
 
@@ -205,6 +211,7 @@ struct scene_instance *scene_import_add_instance(struct scene_import *import)
     struct scene_instance *instance = grow(import, &import->model.instances, &import->model.instance_count,
                                            &import->instance_capacity, sizeof *instance);
     instance->name = "";
+    grow_exact(import, &import->exact_instances);
     return instance;
 }
 
@@ -213,11 +220,13 @@ struct scene_model_camera *scene_import_add_camera(struct scene_import *import)
     struct scene_model_camera *camera = grow(import, &import->model.cameras, &import->model.camera_count,
                                              &import->camera_capacity, sizeof *camera);
     camera->name = "";
+    grow_exact(import, &import->exact_cameras);
     return camera;
 }
 
 struct scene_model_light *scene_import_add_light(struct scene_import *import)
 {
+    grow_exact(import, &import->exact_lights);
     struct scene_model_light *light = grow(import, &import->model.lights, &import->model.light_count,
                                            &import->light_capacity, sizeof *light);
     light->name = "";

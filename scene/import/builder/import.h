@@ -43,6 +43,13 @@ struct scene_import_channels {
     int roughness_channel, metallic_channel;
 };
 
+/// What floats cannot hold of the places of a model that stands far from the origin (place.h): a matrix for each
+/// element of a list. A matrix of zeros says that the model's own floats are all that there is.
+struct scene_import_exact {
+    double (*matrices)[16];
+    uint32_t count, capacity;
+};
+
 struct scene_import;
 struct scene_import_folder;
 struct system_child;
@@ -60,6 +67,9 @@ struct scene_import {
         light_capacity, warning_capacity, unsupported_capacity, source_capacity;
     struct scene_import_source *sources; // one for each image
     uint32_t source_count;
+    /// One matrix for each mesh, instance, camera and light. That of a mesh moves its positions to where the file has
+    /// them.
+    struct scene_import_exact exact_meshes, exact_instances, exact_cameras, exact_lights;
     const char *name;      // name of the options, or the path of the model
     const char *ending;    // ending of the name, without its point; "" if it has none
     const char *directory; // directory of the name, with a trailing slash; "" for the current one

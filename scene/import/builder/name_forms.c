@@ -85,7 +85,8 @@ void scene_name_forms_add(struct scene_import *import, struct scene_name_forms *
     }
 }
 
-// Add the forms of a name after its conversion. Return what it is converted to, to be freed. Return NULL if it cannot be.
+// Add the forms of a name after its conversion. Return what it is converted to, to be freed. Return NULL if it cannot
+// be.
 static char *add_converted(struct scene_import *import, struct scene_name_forms *forms, const char *name,
                            int from, int to)
 {
@@ -99,8 +100,9 @@ static char *add_converted(struct scene_import *import, struct scene_name_forms 
 void scene_name_forms_add_code_pages(struct scene_import *import, struct scene_name_forms *forms,
                                      const char *name)
 {
-    static const int pages[] = {936,  932,  949,  950,  1252, 1251, 1250, 1253, 1254,
-                                1255, 1256, 1257, 1258, 874,  437,  850,  852,  866};
+    static const int pages[] = {936,  932,  949, 950, 1252, 1251,  1250,  1253,  1254,  1255,  1256,
+                                1257, 1258, 874, 437, 850,  852,   866,   20866, 10000, 10007, 855,
+                                857,  862,  737, 775, 1361, 28592, 28595, 28605, 51932, 54936};
     // Code pages that programs take the names in an archive for.
     static const int unpacked[] = {437, 850, 1252};
     const size_t page_count = sizeof pages / sizeof pages[0];

@@ -12,6 +12,10 @@
 // Neighbours on anything modelled as round meet at less; the faces of boxes and the rims of pipes meet at more.
 static const double crease_cosine = 0.5;
 
+// The cosine of 30°. Programs that make quads of triangles in pairs make some across an edge that is meant to be seen.
+// Quads of round surfaces are folded by less.
+static const double fold_cosine = 0.8660254037844387;
+
 // The most faces around one point that are compared pair by pair. Where more meet, as only a hostile file has it, all
 // are averaged.
 enum { MOST_FACES = 256 };
@@ -89,9 +93,11 @@ static void make_flat(struct scene_import *import, struct scene_mesh *mesh)
 
 struct smoothing {
     const struct scene_mesh *mesh;
-    double (*faces)[3]; // unit normals
-    double *weights;    // weight of each corner
-    uint32_t *start;    // corners around point p are start[p] .. start[p + 1]
+    double (*faces)[3];       // unit normals
+    double *weights;          // weight of each corner
+    const uint32_t *polygons; // polygon of each face; NULL if no face was cut from one
+    bool *folded;             // faces next to a fold of their polygon; NULL if there are no polygons
+    uint32_t *start;          // corners around point p are start[p] .. start[p + 1]
     uint32_t *corners;
     uint32_t *point;  // point of each vertex; vertices at one place have one point
     uint32_t *source; // vertex from which each new vertex was made
@@ -196,6 +202,27 @@ static bool all_within(const struct smoothing *smoothing, struct faces faces, co
     return near == faces.count;
 }
 
+// Return true if two faces are of one polygon, which is folded between them.
+static bool are_folded(const struct smoothing *smoothing, uint32_t a, uint32_t b)
+{
+    return smoothing->polygons != NULL && smoothing->polygons[a] == smoothing->polygons[b] &&
+           dot(smoothing->faces[a], smoothing->faces[b]) < fold_cosine;
+}
+
+// Mark the faces next to folds. Faces of one polygon follow each other.
+static void find_folds(struct scene_import *import, struct smoothing *smoothing, const uint32_t *polygons)
+{
+    const uint32_t count = smoothing->mesh->index_count / 3;
+    smoothing->polygons = polygons;
+    smoothing->folded =
+        polygons == NULL ? NULL : scene_import_allocate(import, count, sizeof *smoothing->folded);
+    for (uint32_t i = 1; polygons != NULL && i < count; i++) {
+        if (are_folded(smoothing, i - 1, i)) {
+            smoothing->folded[i - 1] = smoothing->folded[i] = true;
+        }
+    }
+}
+
 // Return true if the faces of two corners at one point share an edge there that is no crease.
 static bool are_joined(const struct smoothing *smoothing, uint32_t a, uint32_t b)
 {
@@ -209,7 +236,8 @@ static bool are_joined(const struct smoothing *smoothing, uint32_t a, uint32_t b
     }
     const bool meet = ends[0][0] == ends[1][0] || ends[0][0] == ends[1][1] || ends[0][1] == ends[1][0] ||
                       ends[0][1] == ends[1][1];
-    return meet && dot(face_of(smoothing, a), face_of(smoothing, b)) >= crease_cosine;
+    return meet && !are_folded(smoothing, a / 3, b / 3) &&
+           dot(face_of(smoothing, a), face_of(smoothing, b)) >= crease_cosine;
 }
 
 // Reorder the corners so that corners whose faces are joined, one with the next, stand together. Return how many there
@@ -229,11 +257,16 @@ static uint32_t gather_group(const struct smoothing *smoothing, uint32_t *corner
     return grouped;
 }
 
-// Return true if all faces lie within 30° of one axis. No two are a crease apart then, so that no pairs are compared.
-// This is the common case.
+// Return true if all faces lie within 30° of one axis and none is next to a fold. No two are a crease apart then, so
+// that no pairs are compared. This is the common case.
 static bool are_even(const struct smoothing *smoothing, struct faces faces)
 {
     double axis[3];
+    for (uint32_t i = 0; i < faces.count && smoothing->folded != NULL; i++) {
+        if (smoothing->folded[faces.corners[i] / 3]) {
+            return false;
+        }
+    }
     sum_faces(smoothing, faces, NULL, axis);
     unit(axis);
     return all_within(smoothing, faces, axis, 0.8660254037844387);
@@ -294,7 +327,7 @@ static void sort_corners(struct scene_import *import, struct smoothing *smoothin
     }
 }
 
-static void make_smooth(struct scene_import *import, struct scene_mesh *mesh)
+static void make_smooth(struct scene_import *import, struct scene_mesh *mesh, const uint32_t *polygons)
 {
     struct smoothing smoothing = {.mesh = mesh};
     smoothing.faces = scene_import_allocate(import, mesh->index_count / 3, sizeof *smoothing.faces);
@@ -302,6 +335,7 @@ static void make_smooth(struct scene_import *import, struct scene_mesh *mesh)
     for (uint32_t i = 0; i < mesh->index_count; i += 3) {
         weigh_face(&smoothing, i);
     }
+    find_folds(import, &smoothing, polygons);
     sort_corners(import, &smoothing);
     smoothing.source = scene_import_allocate(import, mesh->index_count, sizeof *smoothing.source);
     smoothing.normals = scene_import_allocate(import, mesh->index_count, sizeof *smoothing.normals);
@@ -316,6 +350,7 @@ static void make_smooth(struct scene_import *import, struct scene_mesh *mesh)
     mesh->indices = place;
     free(smoothing.faces);
     free(smoothing.weights);
+    free(smoothing.folded);
     free(smoothing.start);
     free(smoothing.corners);
     free(smoothing.point);
@@ -323,12 +358,12 @@ static void make_smooth(struct scene_import *import, struct scene_mesh *mesh)
 }
 
 void scene_import_make_normals(struct scene_import *import, struct scene_mesh *mesh,
-                               enum scene_import_normals kind)
+                               enum scene_import_normals kind, const uint32_t *polygons)
 {
     if (kind == SCENE_IMPORT_FLAT) {
         make_flat(import, mesh);
     } else {
-        make_smooth(import, mesh);
+        make_smooth(import, mesh, polygons);
     }
 }
 

@@ -2,7 +2,6 @@
 // Polygons become triangles, concave ones too, by cutting ears off (Meisters, Polygons have ears, 1975).
 #include "polygon.h"
 
-#include <stdbool.h>
 #include <string.h>
 
 // The most corners of a polygon whose ears are cut, which takes time in the square of them. A polygon with more is
@@ -133,4 +132,22 @@ void scene_import_triangulate(const float (*positions)[3], const uint32_t *corne
         next += 3;
     }
     emit(triangles + next, polygon.ring[0], polygon.ring[1], polygon.ring[2]);
+}
+
+void scene_polygons_add(struct scene_import *import, struct scene_polygons *polygons, size_t triangles_before,
+                        size_t triangles)
+{
+    if (polygons->of_triangle == NULL && triangles <= 1) {
+        return;
+    }
+    const bool is_first = polygons->of_triangle == NULL;
+    scene_import_reserve(import, &polygons->of_triangle, &polygons->capacity, triangles_before + triangles,
+                         sizeof *polygons->of_triangle);
+    for (size_t i = 0; i < triangles_before && is_first; i++) {
+        polygons->of_triangle[i] = polygons->count++;
+    }
+    for (size_t i = 0; i < triangles; i++) {
+        polygons->of_triangle[triangles_before + i] = polygons->count;
+    }
+    polygons->count++;
 }

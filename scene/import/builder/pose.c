@@ -64,3 +64,23 @@ void scene_import_compose(const float t[3], const float q[4], const float s[3], 
     }
     memcpy(matrix + 12, t, 3 * sizeof *t);
 }
+
+void scene_import_compose_exact(const double t[3], const double q[4], const double s[3], double matrix[16])
+{
+    const double square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+    const double scale = square > 0 ? 1 / __builtin_sqrt(square) : 0;
+    const double x = q[0] * scale, y = q[1] * scale, z = q[2] * scale, w = square > 0 ? q[3] * scale : 1;
+    const double rotation[9] = {
+        1 - 2 * (y * y + z * z), 2 * (x * y + z * w),     2 * (x * z - y * w),
+        2 * (x * y - z * w),     1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
+        2 * (x * z + y * w),     2 * (y * z - x * w),     1 - 2 * (x * x + y * y),
+    };
+    for (int column = 0; column < 3; column++) {
+        for (int row = 0; row < 3; row++) {
+            matrix[4 * column + row] = rotation[3 * column + row] * s[column];
+        }
+        matrix[12 + column] = t[column];
+        matrix[4 * column + 3] = 0.0;
+    }
+    matrix[15] = 1.0;
+}

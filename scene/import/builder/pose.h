@@ -13,5 +13,7 @@ void scene_import_slerp(const float from[4], const float to[4], double part, flo
 /// Make the matrix that scales, turns by a quaternion of any length, and moves, in this order.
 void scene_import_compose(const float translation[3], const float rotation[4], const float scale[3],
                           float matrix[16]);
+void scene_import_compose_exact(const double translation[3], const double rotation[4], const double scale[3],
+                                double matrix[16]);
 
 #endif

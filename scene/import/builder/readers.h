@@ -14,6 +14,7 @@ bool scene_import_is_off(const unsigned char *start, size_t size);
 void scene_import_off(struct scene_import *import);
 void scene_import_3mf(struct scene_import *import);
 void scene_import_stl(struct scene_import *import);
+void scene_import_xyz(struct scene_import *import);
 /// Fail the import if an FBX is cut. assimp reads it.
 void scene_import_check_fbx(struct scene_import *import);
 void scene_import_assimp(struct scene_import *import);

@@ -208,18 +208,26 @@ bool scene_word_number(struct scene_word word, double *value, size_t *length)
     return true;
 }
 
-int scene_text_numbers(struct scene_line *line, float *values, int most)
+int scene_text_doubles(struct scene_line *line, double *values, int most)
 {
     for (int count = 0; count < most; count++) {
         const struct scene_line before = *line;
         struct scene_word word;
-        double value = 0;
         size_t length = 0;
-        if (!scene_text_word(line, &word) || !scene_word_number(word, &value, &length)) {
+        if (!scene_text_word(line, &word) || !scene_word_number(word, &values[count], &length)) {
             *line = before;
             return count;
         }
-        values[count] = (float)value;
     }
     return most;
+}
+
+int scene_text_numbers(struct scene_line *line, float *values, int most)
+{
+    double value;
+    int count = 0;
+    while (count < most && scene_text_doubles(line, &value, 1) == 1) {
+        values[count++] = (float)value;
+    }
+    return count;
 }

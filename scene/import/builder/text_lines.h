@@ -38,6 +38,7 @@ bool scene_word_is(struct scene_word word, const char *text); ///< case matters
 bool scene_word_number(struct scene_word word, double *value, size_t *length);
 /// Read up to `most` numbers from a line, and stop at a word that is none. Return how many were read.
 int scene_text_numbers(struct scene_line *line, float *values, int most);
+int scene_text_doubles(struct scene_line *line, double *values, int most);
 const char *scene_word_string(struct scene_import *import, struct scene_word word);
 /// Return the bytes of a word as they are, for names of files and what else is compared with bytes.
 const char *scene_word_bytes(struct scene_import *import, struct scene_word word);

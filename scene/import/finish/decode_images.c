@@ -211,14 +211,18 @@ static void choose_alpha_modes(struct scene_import *import)
     }
 }
 
-// Return true if a material takes its base colour from the image.
-static bool colors_something(const struct scene_model *model, uint32_t image)
+// Return, for each image, whether a material takes its base colour from it.
+static bool *find_colors(struct scene_import *import)
 {
-    bool found = false;
-    for (uint32_t i = 0; i < model->material_count && !found; i++) {
-        found = model->materials[i].slots[SCENE_SLOT_BASE_COLOR].image == (int32_t)image;
+    const struct scene_model *const model = &import->model;
+    bool *const colors = scene_import_allocate(import, model->image_count, sizeof *colors);
+    for (uint32_t i = 0; i < model->material_count; i++) {
+        const int32_t image = model->materials[i].slots[SCENE_SLOT_BASE_COLOR].image;
+        if (image >= 0) {
+            colors[image] = true;
+        }
     }
-    return found;
+    return colors;
 }
 
 // Show a checker with hard edges in plain magenta: nothing else of the material darkens, tints or thins it.
@@ -292,6 +296,7 @@ void scene_import_decode_images(struct scene_import *import)
     for (int i = 0; i < started; i++) {
         pthread_join(helpers[i], NULL);
     }
+    const bool *const colors = find_colors(import);
     for (uint32_t i = 0; i < model->image_count; i++) {
         if (decoding.problems[i] == NULL) {
             continue;
@@ -301,7 +306,7 @@ void scene_import_decode_images(struct scene_import *import)
                               model->images[i].name);
         }
         scene_import_warn(import, "texture \"%.200s\": %s; %s", model->images[i].name, decoding.problems[i],
-                          colors_something(model, i) ? "drawn in magenta" : "left out");
+                          colors[i] ? "drawn in magenta" : "left out");
         if (!scene_image_stand_in(&model->images[i])) {
             scene_import_fail(import, "needs more memory than there is");
         }

@@ -10,6 +10,7 @@
 #include "frame.h"
 #include "import/builder/normals.h"
 #include "import/builder/numbers.h"
+#include "locate.h"
 #include "model_up.h"
 #include "points.h"
 
@@ -211,6 +212,7 @@ void scene_import_run(struct scene_import *import)
     // An image that is missing is not used.
     mark_image_uses(model);
     warn_of_missing_uvs(import);
+    scene_import_locate(import);
     for (uint32_t i = 0; i < model->mesh_count; i++) {
         bound_mesh(&model->meshes[i]);
         if (model->meshes[i].primitive == SCENE_PRIMITIVE_TRIANGLES) {

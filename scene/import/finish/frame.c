@@ -182,27 +182,13 @@ static struct scene_box seen_box(const struct search *search)
 static int find_bin(const struct search *search, int axis, double at, int bins)
 {
     const double low = search->all.low[axis], side = search->all.high[axis] - low;
-    const int bin = side > 0 ? (int)((at - low) / side * bins) : 0;
-    return bin < 0 ? 0 : bin < bins ? bin : bins - 1;
+    const double place = side > 0 ? (at - low) / side * bins : 0;
+    return place > 0 ? place < bins ? (int)place : bins - 1 : 0;
 }
 
-// Return true if a quarter of the extent along an axis is without vertices. Hardly a model has so wide a gap, so this
-// spares the rest of the search.
-static bool has_gap(const struct search *search)
+// Return the length of the longest run of bins without vertices along any axis.
+static int widest_gap(bool used[3][GAP_BINS])
 {
-    bool used[3][GAP_BINS] = {{false}};
-    for (uint32_t i = 0; i < search->model->instance_count; i++) {
-        const struct scene_instance *instance = &search->model->instances[i];
-        const struct scene_mesh *mesh = &search->model->meshes[instance->mesh];
-        const uint32_t vertex_count = is_searched(search, i) ? mesh->vertex_count : 0;
-        for (uint32_t v = 0; v < vertex_count; v++) {
-            double point[3];
-            scene_place_point(instance->world, mesh->positions[v], point);
-            for (int c = 0; c < 3; c++) {
-                used[c][find_bin(search, c, point[c], GAP_BINS)] = true;
-            }
-        }
-    }
     int widest = 0;
     for (int c = 0; c < 3; c++) {
         for (int bin = 0, empty = 0; bin < GAP_BINS; bin++) {
@@ -210,7 +196,45 @@ static bool has_gap(const struct search *search)
             widest = empty > widest ? empty : widest;
         }
     }
-    return widest >= GAP_BINS / 4;
+    return widest;
+}
+
+// Mark the bins of vertices from `first` on, of some thousands at most. Return the number of the vertex after them.
+static uint32_t use_bins(const struct search *search, const struct scene_instance *instance, uint32_t first,
+                         bool used[3][GAP_BINS])
+{
+    enum { SOME = 2048 };
+    const struct scene_mesh *mesh = &search->model->meshes[instance->mesh];
+    const uint32_t end = mesh->vertex_count - first < SOME ? mesh->vertex_count : first + SOME;
+    for (uint32_t v = first; v < end; v++) {
+        struct scene_box point = empty_box();
+        double place[3];
+        scene_place_point(instance->world, mesh->positions[v], place);
+        extend_to_point(&point, place);
+        for (int c = 0; c < 3 && holds(&search->all, &point); c++) {
+            used[c][find_bin(search, c, place[c], GAP_BINS)] = true;
+        }
+    }
+    return end;
+}
+
+// Return true if a quarter of the extent along an axis is without vertices. Hardly a model has so wide a gap, so this
+// spares the rest of the search, and some of its vertices tell.
+static bool has_gap(const struct search *search)
+{
+    bool used[3][GAP_BINS] = {{false}};
+    for (uint32_t i = 0; i < search->model->instance_count; i++) {
+        const struct scene_instance *instance = &search->model->instances[i];
+        const uint32_t count =
+            is_searched(search, i) ? search->model->meshes[instance->mesh].vertex_count : 0;
+        for (uint32_t v = 0; v < count;) {
+            v = use_bins(search, instance, v, used);
+            if (widest_gap(used) < GAP_BINS / 4) {
+                return false;
+            }
+        }
+    }
+    return true;
 }
 
 static void weigh(struct search *search, const struct unit *unit)

@@ -32,6 +32,20 @@ static float texel_alpha(const struct scene_image *image, size_t texel)
     return 1;
 }
 
+// Return the largest alpha of a rectangle of texels. An opaque one ends the search.
+static float largest_alpha(const struct scene_image *image, size_t left, size_t right, size_t top,
+                           size_t bottom)
+{
+    float largest = 0;
+    for (size_t y = top; y < bottom && largest < 1; y++) {
+        for (size_t x = left; x < right && largest < 1; x++) {
+            const float alpha = texel_alpha(image, y * image->width + x);
+            largest = alpha > largest ? alpha : largest;
+        }
+    }
+    return largest;
+}
+
 static struct alpha_grid *find_grid(struct search *search, uint32_t index)
 {
     const struct scene_image *image = &search->import->model.images[index];
@@ -46,13 +60,7 @@ static struct alpha_grid *find_grid(struct search *search, uint32_t index)
         for (size_t column = 0; column < GRID; column++) {
             const size_t left = column * image->width / GRID,
                          right = ((column + 1) * image->width + GRID - 1) / GRID;
-            float *largest = &grid->largest[row][column];
-            for (size_t y = top; y < bottom; y++) {
-                for (size_t x = left; x < right; x++) {
-                    const float alpha = texel_alpha(image, y * image->width + x);
-                    *largest = alpha > *largest ? alpha : *largest;
-                }
-            }
+            grid->largest[row][column] = largest_alpha(image, left, right, top, bottom);
         }
     }
     return grid;
@@ -134,16 +142,23 @@ static void cross_edges(double corners[3][3], double product[3])
     scene_cross(a, b, product);
 }
 
+// Return true if a triangle has an area, and its corners are apart by more than the rounding of their places. A joint
+// of scale 0 brings all corners to one place, but for rounding.
 static bool has_area(const struct scene_mesh *mesh, const uint32_t *indices)
 {
-    double corners[3][3], product[3];
+    const double rounding = 4e-7;
+    double corners[3][3], product[3], largest = 0, longest = 0;
     for (int k = 0; k < 3; k++) {
         for (int c = 0; c < 3; c++) {
             corners[k][c] = (double)mesh->positions[indices[k]][c];
+            const double size = __builtin_fabs(corners[k][c]),
+                         side = __builtin_fabs(corners[k][c] - corners[0][c]);
+            largest = size > largest ? size : largest;
+            longest = side > longest ? side : longest;
         }
     }
     cross_edges(corners, product);
-    return product[0] != 0 || product[1] != 0 || product[2] != 0;
+    return longest > rounding * largest && (product[0] != 0 || product[1] != 0 || product[2] != 0);
 }
 
 // Return true if a triangle, line or point reaches the alpha that its material asks.
@@ -168,25 +183,33 @@ static bool has_alpha(struct search *search, const struct scene_mesh *mesh,
     return alpha >= least;
 }
 
+// Return true if each triangle, line and point of an opaque mesh is seen, which nearly every mesh has.
+static bool is_seen_whole(const struct scene_mesh *mesh, const struct scene_material *material)
+{
+    bool whole = material->alpha_mode == SCENE_ALPHA_OPAQUE || scene_material_transmits(material);
+    for (uint32_t i = 0; i + 3 <= mesh->index_count && whole && corner_count(mesh) == 3; i += 3) {
+        whole = has_area(mesh, mesh->indices + i);
+    }
+    return whole;
+}
+
 static struct scene_seen_mesh see_mesh(struct search *search, const struct scene_mesh *mesh)
 {
     const struct scene_material *material = &search->import->model.materials[mesh->material];
     const uint32_t count = corner_count(mesh);
-    const bool is_whole = material->alpha_mode == SCENE_ALPHA_OPAQUE || scene_material_transmits(material);
-    struct scene_seen_mesh seen = {0};
-    if (!is_whole) {
-        seen.vertices = scene_import_allocate(search->import, mesh->vertex_count, sizeof *seen.vertices);
+    struct scene_seen_mesh seen = {.shows = mesh->index_count > 0};
+    if (is_seen_whole(mesh, material)) {
+        return seen;
     }
-    for (uint32_t i = 0; i + count <= mesh->index_count && !(is_whole && seen.shows); i += count) {
+    const bool is_opaque = material->alpha_mode == SCENE_ALPHA_OPAQUE || scene_material_transmits(material);
+    seen.shows = false;
+    seen.vertices = scene_import_allocate(search->import, mesh->vertex_count, sizeof *seen.vertices);
+    for (uint32_t i = 0; i + count <= mesh->index_count; i += count) {
         const uint32_t *corners = mesh->indices + i;
-        if (count == 3 && !has_area(mesh, corners)) {
-            continue;
-        }
-        if (is_whole || has_alpha(search, mesh, material, corners, count)) {
-            seen.shows = true;
-            for (uint32_t k = 0; k < count && !is_whole; k++) {
-                seen.vertices[corners[k]] = true;
-            }
+        const bool shows = (count < 3 || has_area(mesh, corners)) &&
+                           (is_opaque || has_alpha(search, mesh, material, corners, count));
+        for (uint32_t k = 0; k < count && shows; k++) {
+            seen.vertices[corners[k]] = seen.shows = true;
         }
     }
     return seen;

@@ -193,8 +193,7 @@ void scene_gltf_animate(struct scene_gltf *gltf)
     const uint32_t count = import->model.animation_count;
     if (!import->is_posed) {
         if (count > 0) {
-            scene_import_unsupported(import, "%u animation%s: drawn at rest",
-                                     count, count == 1 ? "" : "s");
+            scene_import_unsupported(import, "%u animation%s: drawn at rest", count, count == 1 ? "" : "s");
         }
         return;
     }

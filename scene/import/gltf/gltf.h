@@ -8,7 +8,7 @@
 
 #include <jansson.h>
 
-#include "import/builder/import.h"
+#include "import/builder/place.h"
 
 struct scene_gltf_buffer {
     const unsigned char *bytes; // NULL if not loaded yet
@@ -24,7 +24,7 @@ struct scene_gltf_decoded {
 };
 
 struct scene_gltf_node {
-    float world[16];
+    struct scene_import_place world;
     uint32_t place;  ///< where it stands among the children of its parent
     uint32_t parent; // UINT32_MAX for a root
     bool placed;     // `world` is set
@@ -65,7 +65,9 @@ bool scene_gltf_flag(struct scene_gltf *gltf, const json_t *object, const char *
 double scene_gltf_number(struct scene_gltf *gltf, const json_t *object, const char *key, double fallback);
 /// Read a whole number of 0 .. 2^53, or `fallback`, which may be −1.
 int64_t scene_gltf_integer(struct scene_gltf *gltf, const json_t *object, const char *key, int64_t fallback);
-/// Read exactly `count` numbers. Return false if the key is absent.
+/// Read exactly `count` numbers, 16 at most. Return false if the key is absent.
+bool scene_gltf_numbers(struct scene_gltf *gltf, const json_t *object, const char *key, double *values,
+                        size_t count);
 bool scene_gltf_floats(struct scene_gltf *gltf, const json_t *object, const char *key, float *values,
                        size_t count);
 /// Return the extension of this name that the object has. Return NULL if it has none.

@@ -8,6 +8,7 @@
 #include "import/builder/complete_mesh.h"
 #include "import/builder/normals.h"
 #include "import/builder/numbers.h"
+#include "import/builder/origin.h"
 
 enum { MODE_POINTS, MODE_LINES, MODE_LINE_LOOP, MODE_LINE_STRIP, MODE_TRIANGLES, MODE_STRIP, MODE_FAN };
 
@@ -17,6 +18,7 @@ struct primitive {
     int mesh_number, number;
     bool is_draco; // its indices are of triangles, whatever its mode was before
     struct scene_mesh mesh;
+    double origin[3]; // what was subtracted from the positions
 };
 
 _Noreturn static void refuse(const struct primitive *primitive, const char *problem)
@@ -129,7 +131,7 @@ static void read_topology(struct primitive *primitive)
     const int64_t mode = primitive->is_draco
                              ? MODE_TRIANGLES
                              : scene_gltf_integer(primitive->gltf, primitive->object, "mode", MODE_TRIANGLES);
-    if (mode > MODE_FAN) {
+    if (mode < 0 || mode > MODE_FAN) {
         refuse(primitive, "has a mode that does not exist");
     }
     mesh->primitive = mode == MODE_POINTS       ? SCENE_PRIMITIVE_POINTS
@@ -185,6 +187,11 @@ static void apply_morphs(struct primitive *primitive, struct weights weights)
         free(positions);
         free(normals);
         free(tangents);
+        if (json_object_get(target, "COLOR_0") != NULL || json_object_get(target, "TEXCOORD_0") != NULL ||
+            json_object_get(target, "TEXCOORD_1") != NULL) {
+            scene_import_unsupported(primitive->gltf->import,
+                                     "morph targets of colours and texture coordinates: left as at rest");
+        }
     }
 }
 
@@ -198,7 +205,8 @@ static void rotate(const float matrix[16], float vector[3])
 }
 
 // Return the joint matrices of a skin: world matrix of the joint × inverse bind matrix (§3.7.3.1).
-static float (*joint_matrices(struct scene_gltf *gltf, int64_t skin_index, size_t *count))[16]
+static float (*joint_matrices(struct scene_gltf *gltf, int64_t skin_index, const double origin[3],
+                              size_t *count))[16]
 {
     const json_t *skin = scene_gltf_item(gltf, "skins", skin_index);
     const json_t *joints = scene_gltf_array(gltf, skin, "joints");
@@ -217,11 +225,12 @@ static float (*joint_matrices(struct scene_gltf *gltf, int64_t skin_index, size_
             scene_import_fail(gltf->import, "skins[%lld] has a joint that does not exist",
                               (long long)skin_index);
         }
+        struct scene_import_place place = gltf->nodes[(size_t)node].world;
         if (i < bind_count) {
-            scene_import_multiply(gltf->nodes[(size_t)node].world, binds + 16 * i, matrices[i]);
-        } else {
-            memcpy(matrices[i], gltf->nodes[(size_t)node].world, sizeof matrices[i]);
+            const struct scene_import_place bind = scene_import_place_of(binds + 16 * i);
+            place = scene_import_place_multiply(&place, &bind);
         }
+        scene_import_place_from(&place, origin, matrices[i]);
     }
     free(binds);
     return matrices;
@@ -264,20 +273,35 @@ static bool blend_joints(struct primitive *primitive, int set, const float (*joi
     return true;
 }
 
-// Bring a primitive of a skinned node into the world. A primitive without joints is brought there by the node's own
-// matrix.
-static void apply_skin(struct primitive *primitive, int64_t skin, const float world[16])
+// Return the matrix that brings each vertex of a skinned node into the world, counted from the primitive's origin. A
+// primitive without joints is brought there by the node's own matrix.
+static float (*blend_matrices(struct primitive *primitive, int64_t skin,
+                              const struct scene_import_place *world))[16]
 {
-    struct scene_mesh *mesh = &primitive->mesh;
+    struct scene_gltf *const gltf = primitive->gltf;
+    const uint32_t vertices = primitive->mesh.vertex_count;
     size_t joint_count = 0;
-    float(*joints)[16] = joint_matrices(primitive->gltf, skin, &joint_count);
-    float(*blended)[16] = scene_import_allocate(primitive->gltf->import, mesh->vertex_count, sizeof *blended);
+    float(*joints)[16] = joint_matrices(gltf, skin, primitive->origin, &joint_count);
+    float(*blended)[16] = scene_import_allocate(gltf->import, vertices, sizeof *blended);
     int sets = 0;
     while (blend_joints(primitive, sets, (const float(*)[16])joints, joint_count, blended)) {
         sets++;
     }
-    for (uint32_t i = 0; i < mesh->vertex_count && sets == 0; i++) {
-        memcpy(blended[i], world, sizeof blended[i]);
+    for (uint32_t i = 0; i < vertices && sets == 0; i++) {
+        scene_import_place_from(world, primitive->origin, blended[i]);
+    }
+    free(joints);
+    return blended;
+}
+
+static void apply_skin(struct primitive *primitive, int64_t skin, const struct scene_import_place *world)
+{
+    struct scene_mesh *mesh = &primitive->mesh;
+    float(*blended)[16] = blend_matrices(primitive, skin, world);
+    scene_import_skin_origin(primitive->gltf->import, mesh, (const float(*)[16])blended, primitive->origin);
+    if (scene_origin_is_far(primitive->origin)) {
+        free(blended);
+        blended = blend_matrices(primitive, skin, world);
     }
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         float point[3];
@@ -291,7 +315,6 @@ static void apply_skin(struct primitive *primitive, int64_t skin, const float wo
             rotate(blended[i], mesh->tangents[i]);
         }
     }
-    free(joints);
     free(blended);
 }
 
@@ -318,7 +341,7 @@ static int64_t find_material(const struct primitive *primitive)
 // Entry ---------------------------------------------------------------------------------------------
 
 static bool make_primitive(struct primitive *primitive, const char *name, struct weights weights,
-                           int64_t skin, const float world[16])
+                           int64_t skin, const struct scene_import_place *world)
 {
     struct scene_gltf *gltf = primitive->gltf;
     if (!json_is_object(primitive->object)) {
@@ -330,6 +353,7 @@ static bool make_primitive(struct primitive *primitive, const char *name, struct
                           primitive->mesh_number, primitive->number);
         return false;
     }
+    scene_gltf_note_extensions(gltf, primitive->object);
     const json_t *draco = scene_gltf_extension(gltf, primitive->object, "KHR_draco_mesh_compression");
     primitive->is_draco = draco != NULL;
     if (draco != NULL) {
@@ -346,6 +370,7 @@ static bool make_primitive(struct primitive *primitive, const char *name, struct
     primitive->mesh.name = name;
     primitive->mesh.material = scene_gltf_material(gltf, find_material(primitive));
     *scene_import_add_mesh(gltf->import) = primitive->mesh;
+    scene_import_place_mesh(gltf->import, primitive->origin);
     scene_import_complete_mesh(gltf->import, gltf->import->model.mesh_count - 1, SCENE_IMPORT_FLAT, false);
     return true;
 }
@@ -387,7 +412,7 @@ struct scene_gltf_meshes scene_gltf_mesh(struct scene_gltf *gltf, const json_t *
     {
         struct primitive primitive = {
             .gltf = gltf, .object = part, .mesh_number = (int)index, .number = (int)i};
-        meshes.count += make_primitive(&primitive, name, weights, skin, place->world);
+        meshes.count += make_primitive(&primitive, name, weights, skin, &place->world);
     }
     if (shared) {
         gltf->meshes[index] = meshes;

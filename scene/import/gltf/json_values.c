@@ -80,8 +80,8 @@ int64_t scene_gltf_integer(struct scene_gltf *gltf, const json_t *object, const 
     return (int64_t)number;
 }
 
-bool scene_gltf_floats(struct scene_gltf *gltf, const json_t *object, const char *key, float *values,
-                       size_t count)
+bool scene_gltf_numbers(struct scene_gltf *gltf, const json_t *object, const char *key, double *values,
+                        size_t count)
 {
     const json_t *array = scene_gltf_array(gltf, object, key);
     if (array == NULL) {
@@ -95,7 +95,21 @@ bool scene_gltf_floats(struct scene_gltf *gltf, const json_t *object, const char
         if (!json_is_number(value)) {
             scene_import_fail(gltf->import, "\"%s\" must hold numbers", key);
         }
-        values[i] = (float)json_number_value(value);
+        values[i] = json_number_value(value);
+    }
+    return true;
+}
+
+bool scene_gltf_floats(struct scene_gltf *gltf, const json_t *object, const char *key, float *values,
+                       size_t count)
+{
+    enum { MOST = 16 };
+    double numbers[MOST];
+    if (!scene_gltf_numbers(gltf, object, key, numbers, count)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        values[i] = (float)numbers[i];
     }
     return true;
 }

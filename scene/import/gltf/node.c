@@ -52,19 +52,43 @@ static void find_parents(struct scene_gltf *gltf)
     }
 }
 
-static void local_matrix(struct scene_gltf *gltf, const json_t *node, const struct scene_gltf_node *place,
-                         float matrix[16])
+// Read one of a node's properties, or take it from an animation.
+static void read_property(struct scene_gltf *gltf, const json_t *node, const char *key, const float *animated,
+                          int count, double *values)
 {
-    float t[3] = {0, 0, 0}, q[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1};
-    if (scene_gltf_floats(gltf, node, "matrix", matrix, 16)) {
-        return;
+    scene_gltf_numbers(gltf, node, key, values, (size_t)count);
+    for (int i = 0; i < count && animated != NULL; i++) {
+        values[i] = (double)animated[i];
     }
-    scene_gltf_floats(gltf, node, "translation", t, 3);
-    scene_gltf_floats(gltf, node, "rotation", q, 4);
-    scene_gltf_floats(gltf, node, "scale", s, 3);
-    scene_import_compose(place->translation != NULL ? place->translation : t,
-                         place->rotation != NULL ? place->rotation : q,
-                         place->scale != NULL ? place->scale : s, matrix);
+}
+
+// Compose a place of numbers in both of its forms. Floats are composed of floats.
+static struct scene_import_place compose(const double t[3], const double q[4], const double s[3])
+{
+    struct scene_import_place place;
+    const float translation[3] = {(float)t[0], (float)t[1], (float)t[2]};
+    const float rotation[4] = {(float)q[0], (float)q[1], (float)q[2], (float)q[3]};
+    const float scale[3] = {(float)s[0], (float)s[1], (float)s[2]};
+    scene_import_compose(translation, rotation, scale, place.world);
+    scene_import_compose_exact(t, q, s, place.exact);
+    return place;
+}
+
+static struct scene_import_place local_place(struct scene_gltf *gltf, const json_t *node,
+                                             const struct scene_gltf_node *animated)
+{
+    double t[3] = {0, 0, 0}, q[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1};
+    struct scene_import_place place;
+    if (scene_gltf_numbers(gltf, node, "matrix", place.exact, 16)) {
+        for (int i = 0; i < 16; i++) {
+            place.world[i] = (float)place.exact[i];
+        }
+        return place;
+    }
+    read_property(gltf, node, "translation", animated->translation, 3, t);
+    read_property(gltf, node, "rotation", animated->rotation, 4, q);
+    read_property(gltf, node, "scale", animated->scale, 3, s);
+    return compose(t, q, s);
 }
 
 // Push the children of a node, the first on top. A child that another node or place has, too, is pushed once.
@@ -90,9 +114,9 @@ static void place_nodes(struct scene_gltf *gltf, struct stack *stack)
     while (stack->count > 0) {
         const uint32_t index = stack->nodes[--stack->count];
         struct scene_gltf_node *node = &gltf->nodes[index];
-        local_matrix(gltf, scene_gltf_item(gltf, "nodes", index), node, node->world);
+        node->world = local_place(gltf, scene_gltf_item(gltf, "nodes", index), node);
         if (node->parent != no_parent) {
-            scene_import_multiply(gltf->nodes[node->parent].world, node->world, node->world);
+            node->world = scene_import_place_multiply(&gltf->nodes[node->parent].world, &node->world);
         }
         node->placed = true;
         push_children(gltf, stack, index);
@@ -107,7 +131,7 @@ static void place_nodes(struct scene_gltf *gltf, struct stack *stack)
 // What a node holds ---------------------------------------------------------------------------------
 
 static void add_instance(struct scene_gltf *gltf, const json_t *node, struct scene_gltf_meshes meshes,
-                         const float world[16], uint32_t object)
+                         const struct scene_import_place *world, uint32_t object)
 {
     const char *name = scene_gltf_name(gltf, node);
     for (uint32_t i = 0; i < meshes.count; i++) {
@@ -115,7 +139,7 @@ static void add_instance(struct scene_gltf *gltf, const json_t *node, struct sce
         instance->name = name;
         instance->mesh = meshes.first + i;
         instance->object = object;
-        memcpy(instance->world, world, sizeof instance->world);
+        scene_import_place_instance(gltf->import, world);
     }
 }
 
@@ -138,11 +162,18 @@ static float *instance_attribute(struct scene_gltf *gltf, const json_t *attribut
     return values;
 }
 
+// Take an element of an attribute that may be absent.
+static void take(const float *attribute, uint32_t element, uint32_t width, double *values)
+{
+    for (uint32_t i = 0; i < width && attribute != NULL; i++) {
+        values[i] = (double)attribute[(size_t)element * width + i];
+    }
+}
+
 // Add the node's mesh many times, each time as an object of its own (EXT_mesh_gpu_instancing).
 static void add_many(struct scene_gltf *gltf, const json_t *node, struct scene_gltf_meshes meshes,
-                     const float world[16], uint32_t *objects)
+                     const struct scene_import_place *world, uint32_t *objects)
 {
-    static const float no_move[3] = {0, 0, 0}, no_turn[4] = {0, 0, 0, 1}, no_scale[3] = {1, 1, 1};
     const json_t *extension = scene_gltf_extension(gltf, node, "EXT_mesh_gpu_instancing");
     const json_t *attributes = scene_gltf_object(gltf, extension, "attributes");
     uint32_t count = 0;
@@ -150,12 +181,13 @@ static void add_many(struct scene_gltf *gltf, const json_t *node, struct scene_g
     float *turns = instance_attribute(gltf, attributes, "ROTATION", 4, &count);
     float *scales = instance_attribute(gltf, attributes, "SCALE", 3, &count);
     for (uint32_t i = 0; i < count; i++) {
-        float place[16];
-        scene_import_compose(moves != NULL ? moves + 3 * (size_t)i : no_move,
-                             turns != NULL ? turns + 4 * (size_t)i : no_turn,
-                             scales != NULL ? scales + 3 * (size_t)i : no_scale, place);
-        scene_import_multiply(world, place, place);
-        add_instance(gltf, node, meshes, place, ++*objects);
+        double t[3] = {0, 0, 0}, q[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1};
+        take(moves, i, 3, t);
+        take(turns, i, 4, q);
+        take(scales, i, 3, s);
+        const struct scene_import_place local = compose(t, q, s);
+        const struct scene_import_place place = scene_import_place_multiply(world, &local);
+        add_instance(gltf, node, meshes, &place, ++*objects);
     }
     free(moves);
     free(turns);
@@ -165,21 +197,20 @@ static void add_many(struct scene_gltf *gltf, const json_t *node, struct scene_g
 static void add_instances(struct scene_gltf *gltf, const json_t *node, const struct scene_gltf_node *place,
                           uint32_t *objects)
 {
-    const float *const world = place->world;
     const struct scene_gltf_meshes meshes = scene_gltf_mesh(gltf, node, place);
-    float identity[16];
     if (meshes.in_world) {
-        scene_import_identity(identity);
-        add_instance(gltf, node, meshes, identity, ++*objects);
+        const struct scene_import_place identity = scene_import_place_identity();
+        add_instance(gltf, node, meshes, &identity, ++*objects);
     } else if (scene_gltf_extension(gltf, node, "EXT_mesh_gpu_instancing") != NULL) {
-        add_many(gltf, node, meshes, world, objects);
+        add_many(gltf, node, meshes, &place->world, objects);
     } else {
-        add_instance(gltf, node, meshes, world, ++*objects);
+        add_instance(gltf, node, meshes, &place->world, ++*objects);
     }
 }
 
-static void add_camera(struct scene_gltf *gltf, const json_t *node, const float world[16])
+static void add_camera(struct scene_gltf *gltf, const json_t *node, const struct scene_import_place *place)
 {
+    const float *const world = place->world;
     const json_t *object = scene_gltf_item(gltf, "cameras", scene_gltf_integer(gltf, node, "camera", -1));
     const json_t *perspective = scene_gltf_object(gltf, object, "perspective");
     const json_t *orthographic = scene_gltf_object(gltf, object, "orthographic");
@@ -203,13 +234,15 @@ static void add_camera(struct scene_gltf *gltf, const json_t *node, const float 
                   (camera.zfar == 0 || camera.zfar > camera.znear);
     if (good && scene_import_finite(world, 16) && scene_import_determinant(world) != 0) {
         *scene_import_add_camera(gltf->import) = camera;
+        scene_import_place_camera(gltf->import, place);
     } else {
         scene_import_warn(gltf->import, "camera \"%s\" is not valid: left out", camera.name);
     }
 }
 
-static void add_light(struct scene_gltf *gltf, int64_t index, const float world[16])
+static void add_light(struct scene_gltf *gltf, int64_t index, const struct scene_import_place *place)
 {
+    const float *const world = place->world;
     const json_t *list =
         scene_gltf_array(gltf, scene_gltf_extension(gltf, gltf->root, "KHR_lights_punctual"), "lights");
     const json_t *object = json_array_get(list, (size_t)index);
@@ -242,6 +275,7 @@ static void add_light(struct scene_gltf *gltf, int64_t index, const float world[
     }
     if (good) {
         *scene_import_add_light(gltf->import) = light;
+        scene_import_place_light(gltf->import, place);
     } else {
         scene_import_warn(gltf->import, "light \"%s\" is not valid: left out", light.name);
     }
@@ -257,7 +291,7 @@ static bool is_visible(struct scene_gltf *gltf, uint32_t index)
 static void visit(struct scene_gltf *gltf, uint32_t index, uint32_t *objects)
 {
     const json_t *node = scene_gltf_item(gltf, "nodes", index);
-    const float *world = gltf->nodes[index].world;
+    const struct scene_import_place *world = &gltf->nodes[index].world;
     const json_t *light = scene_gltf_extension(gltf, node, "KHR_lights_punctual");
     scene_gltf_note_extensions(gltf, node);
     if (json_object_get(node, "mesh") != NULL) {
@@ -282,7 +316,13 @@ static void push_scene(struct scene_gltf *gltf, struct stack *stack)
         }
         return;
     }
-    const json_t *scene = scene_gltf_item(gltf, "scenes", scene_gltf_integer(gltf, gltf->root, "scene", 0));
+    const size_t scenes = scene_gltf_count(gltf, "scenes");
+    const int64_t drawn = scene_gltf_integer(gltf, gltf->root, "scene", 0);
+    const json_t *scene = scene_gltf_item(gltf, "scenes", drawn);
+    if (scenes > 1) {
+        scene_import_unsupported(gltf->import, "scenes[%lld] alone is drawn, of %zu scenes", (long long)drawn,
+                                 scenes);
+    }
     const json_t *roots = scene_gltf_array(gltf, scene, "nodes");
     for (size_t i = json_array_size(roots); i > 0; i--) {
         const uint32_t root = node_index(gltf, json_array_get(roots, i - 1), "scenes");

@@ -106,13 +106,17 @@ static void read_transform(struct scene_gltf *gltf, const json_t *extension, str
     }
 }
 
-// Return the index of the image. An image in a format that glTF itself has not comes first; `source` may be there for
-// programs that cannot read it.
+// Return the index of the image. A WebP or KTX2 image comes first; `source` may be there for programs that cannot read
+// it. An AVIF or DDS image comes last, because not every build reads the one, and the other is often of less quality.
 static int64_t find_image(struct scene_gltf *gltf, const json_t *texture)
 {
+    const json_t *avif = scene_gltf_extension(gltf, texture, "EXT_texture_avif");
+    const json_t *dds = scene_gltf_extension(gltf, texture, "MSFT_texture_dds");
     const json_t *webp = scene_gltf_extension(gltf, texture, "EXT_texture_webp");
     const json_t *basis = scene_gltf_extension(gltf, texture, "KHR_texture_basisu");
-    const int64_t plain = scene_gltf_integer(gltf, texture, "source", -1);
+    const int64_t rare =
+        scene_gltf_integer(gltf, dds, "source", scene_gltf_integer(gltf, avif, "source", -1));
+    const int64_t plain = scene_gltf_integer(gltf, texture, "source", rare);
     const int64_t source = scene_gltf_integer(gltf, webp, "source", plain);
     return scene_gltf_integer(gltf, basis, "source", source);
 }
@@ -136,6 +140,8 @@ void scene_gltf_slot(struct scene_gltf *gltf, const json_t *info, struct scene_t
     if (transform != NULL) {
         read_transform(gltf, transform, slot);
     }
+    scene_gltf_note_extensions(gltf, texture);
+    scene_gltf_note_extensions(gltf, info);
     if (set < SCENE_UV_SETS) {
         slot->uv_set = (uint32_t)set;
     } else {

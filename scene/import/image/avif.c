@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// libavif is opened when there is an AVIF, because it brings every encoder and decoder of AV1 that Debian has. What it is
-// asked for is of the version that it was compiled with here, which SCENE_AVIF_LIBRARY names.
+// libavif is opened when there is an AVIF, because it brings every encoder and decoder of AV1 that Debian has. What it
+// is asked for is of the version that it was compiled with here, which SCENE_AVIF_LIBRARY names.
 #include "avif.h"
 
 #include <avif/avif.h>

@@ -5,7 +5,8 @@
 
 #include "model.h"
 
-/// Decode an AVIF file as scene_image_decode does, but leave has_alpha alone. Of an animation the first picture is read.
+/// Decode an AVIF file as scene_image_decode does, but leave has_alpha alone. Of an animation the first picture is
+/// read.
 const char *scene_image_decode_avif(const unsigned char *bytes, size_t size, struct scene_image *image);
 
 #endif

@@ -204,8 +204,8 @@ bool scene_dds_size(const unsigned char *bytes, size_t size, uint32_t *width, ui
 
 static const char *open_file(const unsigned char *bytes, size_t size, struct dds *dds)
 {
-    enum { CUBE = 0x200, VOLUME = 0x200000 };    // of dwCaps2
-    enum { EXTENDED_CUBE = 4, EXTENDED_2D = 3 }; // of miscFlag and resourceDimension
+    enum { CUBE = 0x200, VOLUME = 0x200000 };    // bits of dwCaps2
+    enum { EXTENDED_CUBE = 4, EXTENDED_2D = 3 }; // a bit of miscFlag, and a resourceDimension
     *dds = (struct dds){0};
     if (!scene_dds_size(bytes, size, &dds->width, &dds->height)) {
         return cut;

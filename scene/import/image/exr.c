@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files of one flat part are read, in scan lines or tiles (level 0), whatever the compression. Every channel becomes a plane
-// of 4-byte samples: half widens to float without loss.
+// Files of one flat part are read, in scan lines or tiles (level 0), whatever the compression. Every channel becomes a
+// plane of 4-byte samples: half widens to float without loss.
 #include "exr.h"
 
 #include <openexr.h>
@@ -21,7 +21,7 @@ struct decoder {
     const struct source *source; // NULL for a file on disk
     bool colors_alone;           // the channels R, G, B, A and Y are wanted, not all
     scene_exr_allocate *allocate;
-    void *user; // of `allocate`
+    void *user; // what `allocate` is called with
     struct scene_exr *exr;
     exr_attr_box2i_t window;
 };

@@ -23,16 +23,16 @@ struct scene_exr {
 /// Return zeroed memory for `count` elements of `size` bytes, which free() takes. Return NULL if they are too many.
 typedef void *scene_exr_allocate(void *user, size_t count, size_t size);
 
-/// Read a file by its path, with all channels, whose memory `allocate` gives. Return NULL on success. Return a short reason
-/// (static storage) if not, which is scene_exr_no_memory where memory is missing, and set `detail` to what the library says
-/// of a file that is not valid. scene_exr_free takes `exr` in either case.
+/// Read a file by its path, with all channels, whose memory `allocate` gives. Return NULL on success. Return a short
+/// reason (static storage) if not, which is scene_exr_no_memory where memory is missing, and set `detail` to what the
+/// library says of a file that is not valid. scene_exr_free takes `exr` in either case.
 const char *scene_exr_read_file(const char *path, scene_exr_allocate *allocate, void *user,
                                 struct scene_exr *exr, const char **detail);
 extern const char scene_exr_no_memory[];
 void scene_exr_free(struct scene_exr *exr);
 
-/// Decode an EXR file in memory as scene_image_decode does, but leave has_alpha alone: from the channels R, G, B and A, or
-/// Y for grey.
+/// Decode an EXR file in memory as scene_image_decode does, but leave has_alpha alone: from the channels R, G, B and A,
+/// or Y for grey.
 const char *scene_image_decode_exr(const unsigned char *bytes, size_t size, struct scene_image *image);
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Markers are those of ITU-T T.81, annex B. Between segments, and in the data of a scan, every byte that is no marker is
-// skipped, as stb_image skips some of them.
+// Markers are those of ITU-T T.81, annex B. Between segments, and in the data of a scan, every byte that is no marker
+// is skipped, as stb_image skips some of them.
 #include "jpeg.h"
 
 #include <stdbool.h>
@@ -27,13 +27,13 @@ static int next_marker(const unsigned char *bytes, size_t size, size_t *at)
     return -1;
 }
 
-// Return true if the tables of a segment have no more codes than they may. The last table counts with what it has beyond
-// the segment, because stb_image reads all of it.
+// Return true if the tables of a segment have no more codes than they may. What the last table has beyond the segment
+// counts, because stb_image reads all of it. It reads zeros behind the end of the file.
 static bool check_tables(const unsigned char *bytes, size_t length, size_t left)
 {
-    for (size_t at = 2; at < length && at + TABLE_HEADER <= left;) {
+    for (size_t at = 2; at < length && at < left;) {
         unsigned codes = 0;
-        for (size_t i = 1; i < TABLE_HEADER; i++) {
+        for (size_t i = 1; i < TABLE_HEADER && at + i < left; i++) {
             codes += bytes[at + i];
         }
         if (codes > MOST_CODES) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Image files are read by the file of their format beside this one, through libwebp, or through stb_image. The size is read
-// first, so that a small file cannot ask for more memory than the largest texture takes. stb_image's decoders of GIF and PIC
-// are left out, because its known faults lie there.
+// Image files are read by the file of their format beside this one, through libwebp, or through stb_image. The size is
+// read first, so that a small file cannot ask for more memory than the largest texture takes. stb_image's decoders of
+// GIF and PIC are left out, because its known faults lie there.
 #include "read.h"
 
 #include <limits.h>

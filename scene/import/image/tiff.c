@@ -179,8 +179,17 @@ static void put_sample(const struct picture *picture, const uint8_t *sample, siz
     }
 }
 
+static void put_opaque(const struct scene_image *image, size_t texel)
+{
+    switch (image->type) {
+    case SCENE_IMAGE_RGBA8: ((uint8_t *)image->texels)[4 * texel + 3] = UINT8_MAX; break;
+    case SCENE_IMAGE_RGBA16: ((uint16_t *)image->texels)[4 * texel + 3] = UINT16_MAX; break;
+    case SCENE_IMAGE_RGBA32F: ((float *)image->texels)[4 * texel + 3] = 1; break;
+    }
+}
+
 // Write a sample of a pixel into the channels that it is for. Grey is for three of them. Samples behind alpha have no
-// place in a texture.
+// place in a texture. Alpha comes behind the first sample, if it comes.
 static void put(const struct picture *picture, const uint8_t *sample, size_t texel, uint32_t number)
 {
     const uint32_t colors = is_grey(picture) ? 1 : 3;
@@ -190,6 +199,9 @@ static void put(const struct picture *picture, const uint8_t *sample, size_t tex
     if (number == colors) {
         put_sample(picture, sample, texel, 3);
         return;
+    }
+    if (number == 0) {
+        put_opaque(picture->image, texel);
     }
     put_sample(picture, sample, texel, (int)number);
     for (int c = 1; c < 3 && colors == 1; c++) {
@@ -262,16 +274,6 @@ static bool read_tiles(const struct picture *picture, uint32_t plane)
 
 // Pictures -----------------------------------------------------------------------------------------------
 
-// Make all texels opaque.
-static void fill(struct scene_image *image)
-{
-    const size_t count = (size_t)image->width * image->height;
-    memset(image->texels, UINT8_MAX, image->size);
-    for (size_t i = 0; i < count && image->type == SCENE_IMAGE_RGBA32F; i++) {
-        ((float *)image->texels)[4 * i + 3] = 1;
-    }
-}
-
 // Divide colours by the alpha that they were multiplied with.
 static void unmultiply(struct scene_image *image)
 {
@@ -302,7 +304,6 @@ static const char *read_direct(const struct picture *picture)
 {
     const bool is_tiled = TIFFIsTiled(picture->tiff) != 0;
     const uint32_t planes = picture->is_planar ? picture->samples : 1;
-    fill(picture->image);
     for (uint32_t plane = 0; plane < planes; plane++) {
         if (!(is_tiled ? read_tiles(picture, plane) : read_rows(picture, plane))) {
             return damaged;
@@ -345,7 +346,8 @@ static void swap_texels(struct scene_image *image, size_t a, size_t b)
     memcpy(texels + b * texel, held, texel);
 }
 
-// Turn a picture whose rows were stored from the bottom or from the right. One that was stored by columns stays as it is.
+// Turn a picture whose rows were stored from the bottom or from the right. One that was stored by columns stays as it
+// is.
 static void turn(struct scene_image *image, uint16_t orientation)
 {
     const bool from_right = orientation == ORIENTATION_TOPRIGHT || orientation == ORIENTATION_BOTRIGHT,
@@ -382,7 +384,7 @@ static const char *read_picture(struct picture *picture)
                                                                   : SCENE_IMAGE_RGBA8;
     const size_t texel = image->type == SCENE_IMAGE_RGBA8 ? 4 : image->type == SCENE_IMAGE_RGBA16 ? 8 : 16;
     image->size = (size_t)image->width * image->height * texel;
-    image->texels = malloc(image->size);
+    image->texels = calloc(image->size, 1); // what a damaged file does not fill takes no memory
     if (image->texels == NULL) {
         return "outofmem";
     }

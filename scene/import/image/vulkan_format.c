@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A texture of the format decodes the texels, and a blit converts them where the format is not one that images have.
-// Numbers are those of Vulkan 1.3, VkFormat. Images hold 0..1, or light: signed numbers of −1..1 become 0..1, which is how
-// an unsigned normal map has them.
+// Numbers are those of Vulkan 1.3, VkFormat. Images hold 0..1, or light: signed numbers of −1..1 become 0..1, which is
+// how an unsigned normal map has them.
 #include "vulkan_format.h"
 
 #include <stdlib.h>

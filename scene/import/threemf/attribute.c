@@ -115,17 +115,18 @@ bool scene_3mf_color(const char *text, float color[4])
 
 // Read four columns of three numbers. The format multiplies a point from the left, so its rows are the model's columns
 // (Core, 3.3).
-void scene_3mf_transform(const struct scene_3mf_xml *xml, const char **attributes, float matrix[16])
+struct scene_import_place scene_3mf_transform(const struct scene_3mf_xml *xml, const char **attributes)
 {
     const char *text = scene_3mf_attribute(attributes, "transform");
-    scene_import_identity(matrix);
+    struct scene_import_place place = scene_import_place_identity();
     for (int i = 0; i < 12 && text != NULL; i++) {
-        double value;
-        if (!scene_3mf_next_number(&text, &value)) {
+        const int at = i / 3 * 4 + i % 3;
+        if (!scene_3mf_next_number(&text, &place.exact[at])) {
             scene_3mf_refuse(xml, "a transform needs 12 numbers");
         }
-        matrix[i / 3 * 4 + i % 3] = (float)value;
+        place.world[at] = (float)place.exact[at];
     }
+    return place;
 }
 
 uint32_t scene_3mf_part(struct scene_3mf *file, const char *name)

@@ -5,7 +5,8 @@
 
 #include "import/builder/complete_mesh.h"
 #include "import/builder/normals.h"
-#include "import/builder/numbers.h"
+#include "import/builder/origin.h"
+#include "import/builder/place.h"
 #include "threemf.h"
 
 enum { DEEPEST = 64, MOST_INSTANCES = 1 << 20 };
@@ -56,6 +57,24 @@ static void add_piece(struct scene_3mf *file, struct patches *patches,
     }
 }
 
+// Add a triangle, cut where a painting cuts the triangles beside it.
+static void add_beside(struct scene_3mf *file, struct patches *patches,
+                       const struct scene_3mf_corner corners[3], const struct scene_3mf_paint *paint,
+                       int depth)
+{
+    for (int k = 0; k < 3 && depth < DEEPEST; k++) {
+        const struct scene_3mf_corner *a = &corners[k], *b = &corners[(k + 1) % 3],
+                                      *c = &corners[(k + 2) % 3];
+        if (scene_3mf_has_edge(file, a->position, b->position)) {
+            const struct scene_3mf_corner middle = scene_3mf_middle(a, b);
+            add_beside(file, patches, (const struct scene_3mf_corner[3]){*a, middle, *c}, paint, depth + 1);
+            add_beside(file, patches, (const struct scene_3mf_corner[3]){middle, *b, *c}, paint, depth + 1);
+            return;
+        }
+    }
+    add_piece(file, patches, corners, paint);
+}
+
 // CAD programs export opaque parts with an alpha of 00.
 static void show_invisible(struct scene_3mf *file, const struct scene_3mf_object *object,
                            struct scene_3mf_corner *corners, size_t count)
@@ -84,7 +103,7 @@ static void add_pieces(struct scene_3mf *file, const struct scene_3mf_object *ob
             memcpy(piece->corners[k].uv, own.uv, sizeof own.uv);
         }
         show_invisible(file, object, piece->corners, 3);
-        add_piece(file, patches, piece->corners, &own);
+        add_beside(file, patches, piece->corners, &own, 0);
     }
 }
 
@@ -106,7 +125,7 @@ static void add_triangle(struct scene_3mf *file, const struct scene_3mf_object *
         memcpy(corners[k].uv, paints[k].uv, sizeof corners[k].uv);
     }
     if (triangle->painting > 0) {
-        if (scene_3mf_cut(file, file->paintings[triangle->painting - 1], corners, &file->pieces)) {
+        if (scene_3mf_cut(file, file->paintings[triangle->painting - 1], corners)) {
             add_pieces(file, object, patches, &paints[0]);
             return;
         }
@@ -114,7 +133,22 @@ static void add_triangle(struct scene_3mf *file, const struct scene_3mf_object *
                           object->id);
     }
     show_invisible(file, object, corners, 3);
-    add_piece(file, patches, corners, &paints[0]);
+    add_beside(file, patches, corners, &paints[0], 0);
+}
+
+// Find the edges of an object that paintings cut.
+static void find_cuts(struct scene_3mf *file, const struct scene_3mf_object *object)
+{
+    for (size_t i = 0; i < object->triangle_count; i++) {
+        const struct scene_3mf_triangle *triangle = &object->triangles[i];
+        struct scene_3mf_corner corners[3] = {{.uv = {0}}};
+        for (int k = 0; k < 3 && triangle->painting > 0; k++) {
+            memcpy(corners[k].position, object->positions[triangle->vertices[k]], sizeof corners[k].position);
+        }
+        if (triangle->painting > 0) {
+            scene_3mf_find_cuts(file, file->paintings[triangle->painting - 1], corners);
+        }
+    }
 }
 
 static void add_mesh(struct scene_3mf *file, const struct scene_3mf_object *object, struct patch *patch)
@@ -125,6 +159,7 @@ static void add_mesh(struct scene_3mf *file, const struct scene_3mf_object *obje
     }
     const struct scene_material *material = &import->model.materials[patch->material];
     struct scene_mesh *mesh = scene_import_add_mesh(import);
+    scene_import_place_mesh(import, object->origin);
     mesh->name = object->name;
     mesh->material = patch->material;
     mesh->vertex_count = mesh->index_count = (uint32_t)patch->count;
@@ -159,6 +194,7 @@ static void add_beams(struct scene_3mf *file, const struct scene_3mf_object *obj
     show_invisible(file, object, &corner, 1);
     const uint32_t material = scene_3mf_material(file, &paint, corner.color[3] < 1);
     struct scene_mesh *mesh = scene_import_add_mesh(import);
+    scene_import_place_mesh(import, object->origin);
     mesh->name = object->name;
     mesh->primitive = SCENE_PRIMITIVE_LINES;
     mesh->material = material;
@@ -178,6 +214,7 @@ static void add_triangles(struct scene_3mf *file, const struct scene_3mf_object 
                           const struct scene_3mf_setting *setting, struct patches *patches)
 {
     const bool is_item = object->part == 0 && object->id == setting->object;
+    find_cuts(file, object);
     for (size_t i = 0; i < object->triangle_count; i++) {
         const struct scene_3mf_volume *volume =
             is_item ? scene_3mf_find_volume(file, object->id, SCENE_3MF_TRIANGLES, (uint32_t)i) : NULL;
@@ -188,6 +225,7 @@ static void add_triangles(struct scene_3mf *file, const struct scene_3mf_object 
             volume != NULL && volume->filament > 0 ? volume->filament : setting->filament;
         add_triangle(file, object, filament, patches, &object->triangles[i]);
     }
+    scene_3mf_clear_edges(file);
 }
 
 // Return the meshes of an object, which are made when it is placed for the first time. Where a slicer says something of
@@ -202,6 +240,11 @@ static struct scene_3mf_shape find_shape(struct scene_3mf *file, struct scene_3m
         if (shape->setting.object == key.object && shape->setting.filament == key.filament) {
             return *shape;
         }
+    }
+    if (object->read_positions != NULL) {
+        object->positions =
+            scene_import_settle(file->import, object->read_positions, object->position_count, object->origin);
+        object->read_positions = NULL;
     }
     struct patches patches = {0};
     struct scene_3mf_shape shape = {key, file->import->model.mesh_count, 0}; // meshes of beams come first
@@ -243,8 +286,9 @@ static struct scene_3mf_object *find_object(const struct scene_3mf *file, uint32
     return low < file->object_count && object->part == part && object->id == id ? object : NULL;
 }
 
-static void place(struct scene_3mf *file, const struct scene_3mf_component *component, const float parent[16],
-                  struct scene_3mf_setting setting, uint32_t number, int depth)
+static void place(struct scene_3mf *file, const struct scene_3mf_component *component,
+                  const struct scene_import_place *parent, struct scene_3mf_setting setting, uint32_t number,
+                  int depth)
 {
     struct scene_import *import = file->import;
     struct scene_3mf_object *object = find_object(file, component->part, component->id);
@@ -264,35 +308,33 @@ static void place(struct scene_3mf *file, const struct scene_3mf_component *comp
     }
     setting.filament = volume != NULL && volume->filament > 0 ? volume->filament : setting.filament;
     const struct scene_3mf_shape shape = find_shape(file, object, &setting);
-    float world[16];
-    scene_import_multiply(parent, component->transform, world);
+    const struct scene_import_place world = scene_import_place_multiply(parent, &component->transform);
     for (uint32_t i = 0; i < shape.mesh_count; i++) {
         struct scene_instance *instance = scene_import_add_instance(import);
         instance->name = object->name;
         instance->mesh = shape.first_mesh + i;
         instance->object = number;
-        memcpy(instance->world, world, sizeof world);
+        scene_import_place_instance(import, &world);
     }
     for (size_t i = 0; i < object->component_count; i++) {
         if (++file->placed > MOST_INSTANCES) {
             scene_import_fail(import, "its components stand for more than %d objects", MOST_INSTANCES);
         }
-        place(file, &file->components[object->first_component + i], world, setting, number, depth + 1);
+        place(file, &file->components[object->first_component + i], &world, setting, number, depth + 1);
     }
 }
 
 // Place an object that is not a component of another.
 static void place_item(struct scene_3mf *file, const struct scene_3mf_component *item, uint32_t number)
 {
-    float identity[16];
-    scene_import_identity(identity);
+    const struct scene_import_place identity = scene_import_place_identity();
     const uint32_t object = item->part == 0 ? item->id : 0;
     const struct scene_3mf_volume *whole = scene_3mf_find_volume(file, object, SCENE_3MF_WHOLE, 0);
     struct scene_3mf_setting setting = {.object = object, .filament = whole != NULL ? whole->filament : 0};
     if (setting.filament == 0 && file->filament_count > 0) {
         setting.filament = 1;
     }
-    place(file, item, identity, setting, number, 0);
+    place(file, item, &identity, setting, number, 0);
 }
 
 void scene_3mf_build(struct scene_3mf *file)
@@ -305,9 +347,9 @@ void scene_3mf_build(struct scene_3mf *file)
     }
     scene_import_warn(file->import, "its build lists nothing: every object is drawn");
     for (size_t i = 0; i < file->object_count; i++) {
-        struct scene_3mf_component item = {file->objects[i].part, file->objects[i].id, {0}};
+        const struct scene_3mf_component item = {file->objects[i].part, file->objects[i].id,
+                                                 scene_import_place_identity()};
         if (file->objects[i].component_count == 0) {
-            scene_import_identity(item.transform);
             place_item(file, &item, (uint32_t)i + 1);
         }
     }

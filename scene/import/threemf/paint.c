@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "threemf.h"
+#include "import/builder/name_forms.h"
 #include "import/builder/phong.h"
 #include "zip.h"
 
@@ -158,18 +159,31 @@ struct scene_3mf_paint scene_3mf_find_paint(const struct scene_3mf *file, const 
 
 // Materials -----------------------------------------------------------------------------------------
 
+// Read the part of the archive that a path means. Return NULL if there is none.
+static void *read_part(struct scene_3mf *file, const char *path, size_t *size)
+{
+    path += path[0] == '/';
+    void *bytes = scene_zip_read_all(file->zip, path, size);
+    if (bytes == NULL && path[0] != 0) { // some writers give a path from the model's folder
+        const char *slash = strrchr(path, '/');
+        const char *moved = scene_zip_find_ending(file->zip, slash == NULL ? path : slash);
+        bytes = moved == NULL ? NULL : scene_zip_read_all(file->zip, moved, size);
+    }
+    return bytes;
+}
+
 // The image of a texture, which is read when the first triangle shows it.
 static int32_t find_image(struct scene_3mf *file, struct scene_3mf_group *texture)
 {
     if (texture->image < 0) {
         struct scene_import_source source = {.opacity_image = -1, .problem = "is not in the archive"};
         const char *path = texture->path[0] == '/' ? texture->path + 1 : texture->path;
-        source.bytes = scene_zip_read_all(file->zip, path, &source.size);
-        if (source.bytes == NULL && path[0] != 0) { // some writers give a path from the model's folder
-            const char *slash = strrchr(path, '/');
-            const char *moved = scene_zip_find_ending(file->zip, slash == NULL ? path : slash);
-            source.bytes = moved == NULL ? NULL : scene_zip_read_all(file->zip, moved, &source.size);
+        struct scene_name_forms forms = {.count = 0};
+        scene_name_forms_add(file->import, &forms, path);
+        for (size_t i = 0; i < forms.count && source.bytes == NULL; i++) {
+            source.bytes = read_part(file, forms.names[i], &source.size);
         }
+        scene_name_forms_free(&forms);
         texture->image = scene_import_add_image(file->import, path, &source);
     }
     return texture->image;

@@ -13,11 +13,13 @@
 // A painting whose triangles are so small that no float tells their corners apart is damaged.
 enum { DEEPEST = 32 };
 
+enum purpose { CHECK, FIND_EDGES, MAKE_PIECES };
+
 struct reader {
     struct scene_3mf *file;
     const char *text;
     size_t left; // digits that are not read yet
-    struct scene_3mf_pieces *pieces;
+    enum purpose purpose;
 };
 
 // Return the next digit's value. Return −1 if there is none.
@@ -32,7 +34,7 @@ static int next_digit(struct reader *reader)
     return found == NULL || digit == 0 ? -1 : (int)(found - digits);
 }
 
-static struct scene_3mf_corner middle(const struct scene_3mf_corner *a, const struct scene_3mf_corner *b)
+struct scene_3mf_corner scene_3mf_middle(const struct scene_3mf_corner *a, const struct scene_3mf_corner *b)
 {
     struct scene_3mf_corner corner;
     for (int c = 0; c < 3; c++) {
@@ -57,7 +59,10 @@ static bool add_leaf(struct reader *reader, const struct scene_3mf_corner corner
         }
         filament += (uint32_t)digit;
     }
-    struct scene_3mf_pieces *pieces = reader->pieces;
+    if (reader->purpose != MAKE_PIECES) {
+        return true;
+    }
+    struct scene_3mf_pieces *pieces = &reader->file->pieces;
     scene_import_reserve(reader->file->import, &pieces->items, &pieces->capacity, pieces->count + 1,
                          sizeof *pieces->items);
     struct scene_3mf_piece *piece = &pieces->items[pieces->count++];
@@ -76,6 +81,8 @@ static bool read_node(struct reader *reader, const struct scene_3mf_corner corne
         {{0, 3, 5}, {3, 1, 5}, {1, 2, 5}},
         {{0, 3, 5}, {3, 1, 4}, {4, 2, 5}, {3, 4, 5}},
     };
+    static const uint8_t cut_sides[4] = {0, 1 << 1, 1 << 0 | 1 << 2,
+                                         7}; // a bit each of the sides 01, 12 and 20
     const int code = next_digit(reader);
     const int sides = code & 3, first = code >> 2;
     if (code < 0 || depth > DEEPEST || (sides > 0 && first > 2)) {
@@ -89,7 +96,14 @@ static bool read_node(struct reader *reader, const struct scene_3mf_corner corne
         points[k] = corners[(first + k) % 3];
     }
     for (int k = 0; k < 3; k++) {
-        points[3 + k] = middle(&points[k], &points[(k + 1) % 3]);
+        points[3 + k] = scene_3mf_middle(&points[k], &points[(k + 1) % 3]);
+    }
+    for (int k = 0; k < 3 && reader->purpose == FIND_EDGES; k++) {
+        const float *a = points[k].position, *b = points[(k + 1) % 3].position, *m = points[3 + k].position;
+        const bool has_middle = memcmp(m, a, 3 * sizeof *a) != 0 && memcmp(m, b, 3 * sizeof *b) != 0;
+        if (cut_sides[sides] >> k & 1 && has_middle) {
+            scene_3mf_add_edge(reader->file, a, b);
+        }
     }
     for (int i = sides; i >= 0; i--) {
         const uint8_t *cut = cuts[sides][i];
@@ -101,10 +115,24 @@ static bool read_node(struct reader *reader, const struct scene_3mf_corner corne
     return true;
 }
 
-bool scene_3mf_cut(struct scene_3mf *file, const char *painting, const struct scene_3mf_corner corners[3],
-                   struct scene_3mf_pieces *pieces)
+// Read a whole painting. Return false if it is damaged.
+static bool read_painting(struct scene_3mf *file, const char *painting,
+                          const struct scene_3mf_corner corners[3], enum purpose purpose)
 {
-    struct reader reader = {.file = file, .text = painting, .left = strlen(painting), .pieces = pieces};
-    pieces->count = 0;
+    struct reader reader = {.file = file, .text = painting, .left = strlen(painting), .purpose = purpose};
     return read_node(&reader, corners, 0) && reader.left == 0;
+}
+
+void scene_3mf_find_cuts(struct scene_3mf *file, const char *painting,
+                         const struct scene_3mf_corner corners[3])
+{
+    if (read_painting(file, painting, corners, CHECK)) {
+        read_painting(file, painting, corners, FIND_EDGES);
+    }
+}
+
+bool scene_3mf_cut(struct scene_3mf *file, const char *painting, const struct scene_3mf_corner corners[3])
+{
+    file->pieces.count = 0;
+    return read_painting(file, painting, corners, MAKE_PIECES);
 }

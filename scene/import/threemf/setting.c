@@ -71,7 +71,7 @@ void scene_3mf_end_cura_setting(struct scene_3mf_xml *xml)
         }
     }
     if (strcmp(xml->setting, "extruder_nr") == 0 && xml->text[0] >= '1' && xml->text[0] <= '9') {
-        scene_import_unsupported(file->import, "colours of Cura's extruders (3MF): not drawn");
+        scene_import_unsupported(file->import, "colours of Cura's materials (3MF): not drawn");
     }
     XML_SetCharacterDataHandler(xml->parser, NULL);
 }

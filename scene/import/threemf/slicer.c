@@ -245,6 +245,9 @@ void scene_3mf_read_slicer(struct scene_3mf *file)
         "Metadata/layer_config_ranges.xml",
     };
     scene_3mf_read_filaments(file);
+    if (scene_zip_find_ending(file->zip, ".fdm_material") != NULL) {
+        scene_import_unsupported(file->import, "colours of Cura's materials (3MF): not drawn");
+    }
     if (file->filament_count == 0) {
         read_settings(file, "Metadata/slice_info.config");
     }

@@ -67,6 +67,22 @@ static void check_ids(const struct scene_3mf *file)
     }
 }
 
+// Say why there is nothing to draw, where the package tells it.
+static void check_drawn(const struct scene_3mf *file)
+{
+    struct scene_import *import = file->import;
+    const struct scene_model *model = &import->model;
+    if (model->instance_count > 0) {
+        return;
+    }
+    if (model->unsupported_count > 0) {
+        scene_import_fail(import, "has nothing that can be drawn: %s", model->unsupported[0]);
+    }
+    if (scene_zip_find_ending(file->zip, ".gcode") != NULL) {
+        scene_import_fail(import, "holds G-code for a printer, and no model");
+    }
+}
+
 void scene_import_3mf(struct scene_import *import)
 {
     struct scene_3mf file = {.import = import, .zip = scene_zip_open(import)};
@@ -93,4 +109,5 @@ void scene_import_3mf(struct scene_import *import)
     }
     check_ids(&file);
     scene_3mf_build(&file);
+    check_drawn(&file);
 }

@@ -7,7 +7,7 @@
 #ifndef SCENE_THREEMF_H
 #define SCENE_THREEMF_H
 
-#include "import/builder/import.h"
+#include "import/builder/place.h"
 
 enum scene_3mf_kind {
     SCENE_3MF_BASES,      ///< basematerials
@@ -82,7 +82,7 @@ struct scene_3mf_setting {
 
 struct scene_3mf_component {
     uint32_t part, id; ///< part and id of the object
-    float transform[16];
+    struct scene_import_place transform;
 };
 
 /// The meshes that an object became.
@@ -94,7 +94,9 @@ struct scene_3mf_shape {
 struct scene_3mf_object {
     uint32_t part, id, pid, pindex;
     const char *name;
+    double (*read_positions)[3]; ///< until the object is made
     float (*positions)[3];
+    double origin[3]; ///< what was subtracted from the positions
     size_t position_count, position_capacity;
     struct scene_3mf_triangle *triangles;
     size_t triangle_count, triangle_capacity;
@@ -135,6 +137,12 @@ struct scene_3mf_pieces {
     size_t count, capacity;
 };
 
+/// A set of edges (edges.c).
+struct scene_3mf_edges {
+    struct scene_3mf_edge *items;
+    size_t count, capacity;
+};
+
 /// What a material of the model was made for.
 struct scene_3mf_look {
     struct scene_3mf_paint paint; ///< `color` and `uv` of it are not used
@@ -171,6 +179,7 @@ struct scene_3mf {
     struct scene_3mf_volume *volumes; ///< sorted by object, kind and first when all is read
     size_t volume_count, volume_capacity;
     struct scene_3mf_pieces pieces; ///< pieces of the triangle under way
+    struct scene_3mf_edges edges;   ///< edges of the object under way that paintings cut
 };
 
 /// Read one part of the package. Parts that it names are added to the list.
@@ -203,9 +212,17 @@ const struct scene_3mf_volume *scene_3mf_find_volume(const struct scene_3mf *fil
 /// Tell of what is left out for its role. Return false if it is printed, and drawn.
 bool scene_3mf_leave_out(struct scene_3mf *file, enum scene_3mf_role role);
 
-/// Cut a triangle into the pieces that a slicer painted. Return false if the painting is damaged.
-bool scene_3mf_cut(struct scene_3mf *file, const char *painting, const struct scene_3mf_corner corners[3],
-                   struct scene_3mf_pieces *pieces);
+/// Cut a triangle into the pieces that a slicer painted. They are in file->pieces then. Return false if the painting is
+/// damaged.
+bool scene_3mf_cut(struct scene_3mf *file, const char *painting, const struct scene_3mf_corner corners[3]);
+/// Add the edges that a painting cuts to file->edges.
+void scene_3mf_find_cuts(struct scene_3mf *file, const char *painting,
+                         const struct scene_3mf_corner corners[3]);
+struct scene_3mf_corner scene_3mf_middle(const struct scene_3mf_corner *a, const struct scene_3mf_corner *b);
+
+void scene_3mf_add_edge(struct scene_3mf *file, const float a[3], const float b[3]);
+bool scene_3mf_has_edge(const struct scene_3mf *file, const float a[3], const float b[3]);
+void scene_3mf_clear_edges(struct scene_3mf *file);
 
 /// Add the meshes and their instances to the model.
 void scene_3mf_build(struct scene_3mf *file);

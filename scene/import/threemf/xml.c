@@ -155,15 +155,14 @@ static void add_vertex(struct scene_3mf_xml *xml, const char **attributes)
 {
     static const char *const names[] = {"x", "y", "z"};
     struct scene_3mf_object *object = current_object(xml);
-    scene_import_reserve(xml->file->import, &object->positions, &object->position_capacity,
-                         object->position_count + 1, sizeof *object->positions);
+    scene_import_reserve(xml->file->import, &object->read_positions, &object->position_capacity,
+                         object->position_count + 1, sizeof *object->read_positions);
     for (int c = 0; c < 3; c++) {
         const char *text = scene_3mf_attribute(attributes, names[c]);
-        double value;
-        if (text == NULL || !scene_3mf_next_number(&text, &value)) {
+        double *const value = &object->read_positions[object->position_count][c];
+        if (text == NULL || !scene_3mf_next_number(&text, value)) {
             scene_3mf_refuse(xml, "a vertex needs x, y and z");
         }
-        object->positions[object->position_count][c] = (float)value;
     }
     object->position_count++;
 }
@@ -171,7 +170,11 @@ static void add_vertex(struct scene_3mf_xml *xml, const char **attributes)
 // Return the index of what a slicer painted on a triangle. Return 0 if none did. Neighbours often have the same.
 static uint32_t add_painting(struct scene_3mf_xml *xml, const char **attributes)
 {
+    enum { VERTICES_ALONE = 6 }; // names and values of v1, v2 and v3
     struct scene_3mf *file = xml->file;
+    if (XML_GetSpecifiedAttributeCount(xml->parser) <= VERTICES_ALONE) {
+        return 0;
+    }
     const char *bambu = scene_3mf_attribute(attributes, "paint_color");
     const char *text = bambu != NULL ? bambu : scene_3mf_attribute(attributes, "mmu_segmentation");
     if (text == NULL || text[0] == 0) {
@@ -237,7 +240,7 @@ static struct scene_3mf_component read_component(struct scene_3mf_xml *xml, cons
     if (path != NULL) {
         component.part = scene_3mf_part(xml->file, path);
     }
-    scene_3mf_transform(xml, attributes, component.transform);
+    component.transform = scene_3mf_transform(xml, attributes);
     return component;
 }
 

@@ -46,6 +46,6 @@ bool scene_3mf_next_number(const char **text, double *value);
 void scene_3mf_list(struct scene_3mf_xml *xml, const char *text, size_t *first, size_t *count);
 /// Read #RRGGBB or #RRGGBBAA, which are sRGB.
 bool scene_3mf_color(const char *text, float color[4]);
-void scene_3mf_transform(const struct scene_3mf_xml *xml, const char **attributes, float matrix[16]);
+struct scene_import_place scene_3mf_transform(const struct scene_3mf_xml *xml, const char **attributes);
 
 #endif

@@ -371,6 +371,11 @@ static void test_astc_errors_are_magenta(void **state)
     put(one_color, 25, 13, 16);
     put(one_color, 51, 13, 1); // from 15 to 16, from 0 to 1
     expect_rgba(&rig, format, one_color, 35, (const unsigned char[4]){10, 20, 30, 40});
+    put(one_color, 25, 13, 15); // from 15 to 15: a rectangle of no width
+    expect_rgba(&rig, format, one_color, 35, magenta);
+    put(one_color, 25, 13, 16);
+    put(one_color, 51, 13, 0); // of no height
+    expect_rgba(&rig, format, one_color, 35, magenta);
     unsigned char block[16];
     make_luminance(block, 0, 255);
     put(block, 13, 4, 2); // endpoints of high dynamic range

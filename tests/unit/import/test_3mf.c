@@ -234,25 +234,31 @@ static void test_multiplied(void **state)
     scene_model_free(model);
 }
 
-// A path that is wrong but for its end.
+// A path that is wrong but for its end, or is written as other formats write it.
 static void test_moved_texture(void **state)
 {
     (void)state;
+    static const char *const paths[] = {"./Textures/a b.tga", "\\3D\\Textures\\a b.tga",
+                                        "/3D/Textures/a%20b.tga", "Textures/a%20b.tga?v=3"};
     unsigned char tga[64];
     const size_t size = make_tga(tga, 1, (const unsigned char[]){255, 0, 0, 128});
-    zipFile zip = package_begin("x.3mf");
-    package_add_model(zip, "3D/3dmodel.model",
-                      "<m:texture2d id=\"2\" path=\"./Textures/a.tga\"/><m:texture2dgroup id=\"4\" "
-                      "texid=\"2\"><m:tex2coord u=\"0\" "
-                      "v=\"0\"/></m:texture2dgroup><object id=\"3\" pid=\"4\" pindex=\"0\">" MESH(
-                          "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
-                      "<item objectid=\"3\"/>");
-    package_add(zip, "3D/Textures/A.TGA", tga, size);
-    package_end(zip);
-    struct scene_model *model = load("x.3mf");
-    assert_int_equal(model->warning_count, 0);
-    assert_int_equal(model->images[0].width, 1);
-    scene_model_free(model);
+    for (size_t i = 0; i < sizeof paths / sizeof paths[0]; i++) {
+        char resources[1024];
+        zipFile zip = package_begin("x.3mf");
+        snprintf(
+            resources, sizeof resources,
+            "<m:texture2d id=\"2\" path=\"%s\"/><m:texture2dgroup id=\"4\" texid=\"2\"><m:tex2coord u=\"0\" "
+            "v=\"0\"/></m:texture2dgroup><object id=\"3\" pid=\"4\" pindex=\"0\">" MESH(
+                "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+            paths[i]);
+        package_add_model(zip, "3D/3dmodel.model", resources, "<item objectid=\"3\"/>");
+        package_add(zip, "3D/Textures/A B.TGA", tga, size);
+        package_end(zip);
+        struct scene_model *model = load("x.3mf");
+        assert_int_equal(model->warning_count, 0);
+        assert_int_equal(model->images[0].width, 1);
+        scene_model_free(model);
+    }
 }
 
 static void test_missing_texture(void **state)

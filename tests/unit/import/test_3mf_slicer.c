@@ -172,7 +172,7 @@ static void test_slic3r_and_cura(void **state)
     assert_int_equal(model->unsupported_count, 3);
     assert_true(is_unsupported(model, "modifiers of slicers"));
     assert_true(is_unsupported(model, "blockers of supports"));
-    assert_true(is_unsupported(model, "colours of Cura's extruders (3MF): not drawn"));
+    assert_true(is_unsupported(model, "colours of Cura's materials (3MF): not drawn"));
     scene_model_free(model);
 }
 
@@ -254,10 +254,10 @@ static void test_cuts(void **state)
         {"480CA", 3, {{{0.1f, 0.8f}, red}, {{0.1f, 0.3f}, green}, {{0.5f, 0.1f}, blue}}},
         // Three sides, with a piece that is not painted.
         {"0840C3", 4, {{{0.3f, 0.3f}, blue}, {{0.1f, 0.8f}, red}, {{0.8f, 0.1f}, green}, {{0.1f, 0.1f}, red}}},
-        // A cut within a cut.
+        // A cut within a cut, and the piece beside it is cut, too.
         {"0C81840C3",
-         5,
-         {{{0.3f, 0.3f}, blue},
+         6,
+         {{{0.4f, 0.3f}, blue},
           {{0.1f, 0.8f}, red},
           {{0.8f, 0.1f}, green},
           {{0.25f, 0.08f}, blue},
@@ -273,6 +273,21 @@ static void test_cuts(void **state)
         }
         scene_model_free(model);
     }
+}
+
+// A triangle beside one that is cut has a corner where that is cut, once and once more.
+static void test_cuts_beside(void **state)
+{
+    (void)state;
+    struct scene_model *model =
+        load_files("<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\" paint_color=\"4881443\"/>"
+                                            "<triangle v1=\"1\" v2=\"3\" v3=\"2\"/>") "</object>",
+                   "<item objectid=\"1\"/>", "Metadata/project_settings.config", colors_of_three, NULL, NULL);
+    assert_int_equal(model->triangles_drawn, 5 + 3);
+    assert_floats(color_at(mesh_of(model, 0), (const float[]){0.8f, 0.9f}), red, 4, 0);
+    assert_floats(color_at(mesh_of(model, 0), (const float[]){0.95f, 0.1f}), red, 4, 0);
+    assert_floats(color_at(mesh_of(model, 0), (const float[]){0.85f, 0.1f}), green, 4, 0);
+    scene_model_free(model);
 }
 
 static void test_told(void **state)
@@ -311,6 +326,8 @@ static void test_files(void **state)
     } cases[] = {
         {"Metadata/slice_info.config",
          "<config><plate><filament id=\"1\" color=\"#0000FF\"/></plate></config>", NULL, NULL},
+        {"Materials/pla.xml.fdm_material", "<fdmmaterial/>", "colours of Cura's materials (3MF): not drawn",
+         NULL},
         {"Metadata/custom_gcode_per_layer.xml",
          "<a><plate><layer top_z=\"2\" type=\"2\" gcode=\"tool_change\"/></plate></a>",
          "changes of the filament by height (3MF): not drawn", NULL},
@@ -347,11 +364,26 @@ static void test_files(void **state)
     }
 }
 
+// A package without a model says why there is none.
+static void test_nothing_drawn(void **state)
+{
+    (void)state;
+    package_write("s.3mf", "<object id=\"1\" type=\"other\">" MESH(TWO) "</object>",
+                  "<item objectid=\"1\"/>");
+    expect_refused("s.3mf", "has nothing that can be drawn: objects of type \"other\" (3MF): left out");
+    zipFile zip = package_begin("s.3mf");
+    package_add_model(zip, "3D/3dmodel.model", "", "");
+    package_add_text(zip, "Metadata/plate_1.gcode", "G28\n");
+    package_end(zip);
+    expect_refused("s.3mf", "holds G-code for a printer, and no model");
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_bambu_parts),   cmocka_unit_test(test_bambu_roles),
     cmocka_unit_test(test_prusa_volumes), cmocka_unit_test(test_slic3r_and_cura),
     cmocka_unit_test(test_painted),       cmocka_unit_test(test_cuts),
-    cmocka_unit_test(test_told),          cmocka_unit_test(test_files),
+    cmocka_unit_test(test_cuts_beside),   cmocka_unit_test(test_told),
+    cmocka_unit_test(test_files),         cmocka_unit_test(test_nothing_drawn),
 };
 
 const struct unit_tests test_3mf_slicer = UNIT_TESTS(tests, make_directory, remove_directory);

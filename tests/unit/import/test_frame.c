@@ -99,6 +99,22 @@ static void test_parts_that_are_cut_away(void **state)
     }
 }
 
+// Corners that a joint of scale 0 has brought to one place draw nothing there.
+static void test_corners_at_one_place(void **state)
+{
+    (void)state;
+    static const char *const places[] = {"v 5 5 5\nv 5 5 5\nv 5 5 5\n",
+                                         "v 5 5 5\nv 5.0000005 5 5\nv 5 5.0000005 5\n",
+                                         "v 5 5 5\nv 5.0001 5 5\nv 5 5.0001 5\n"};
+    for (int i = 0; i < 3; i++) {
+        write_format("joint.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\n%sf 1 2 3\nf 4 5 6\n", places[i]);
+        struct scene_model *model = load("joint.obj");
+        assert_true(model->bounds_max[0] >= 5 && model->is_framed == (i < 2) && !model->instances[0].unseen);
+        assert_true(i == 2 || model->frame_max[0] == 1);
+        scene_model_free(model);
+    }
+}
+
 // Write a cube as eight vertices and twelve triangles after `count` vertices.
 static int add_cube(char *text, int length, int count, double x, double y, double side)
 {
@@ -175,6 +191,7 @@ static void test_a_point_in_the_sky(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_what_is_never_seen_sets_no_frame),
     cmocka_unit_test(test_parts_that_are_cut_away),
+    cmocka_unit_test(test_corners_at_one_place),
     cmocka_unit_test(test_specks_set_no_frame),
     cmocka_unit_test(test_a_point_in_the_sky),
 };

@@ -403,6 +403,26 @@ static void test_webp(void **state)
     WebPFree(encoded);
 }
 
+// Images of other formats count where there is no other one.
+static void test_other_images(void **state)
+{
+    (void)state;
+    const uint8_t texel[21] = {[2] = 2, [12] = 1, [14] = 1, [16] = 24};
+    static const char *const names[] = {"EXT_texture_avif", "MSFT_texture_dds"};
+    for (int i = 0; i < 2; i++) {
+        for (int beside = 0; beside < 2; beside++) {
+            char texture[160];
+            snprintf(texture, sizeof texture, "{%s\"extensions\":{\"%s\":{\"source\":%d}}}",
+                     beside ? "\"source\":1," : "", names[i], beside ? 0 : 1);
+            write_textured("other.gltf", texture, texel, sizeof texel);
+            struct scene_model *model = load("other.gltf");
+            assert_int_equal(model->images[0].width, 1);
+            assert_false(model->images[0].missing);
+            scene_model_free(model);
+        }
+    }
+}
+
 // Nodes ---------------------------------------------------------------------------------------------
 
 #define TRIANGLE                                                                                     \
@@ -636,6 +656,32 @@ static void test_layers(void **state)
     scene_model_free(model);
 }
 
+// What is not drawn is told: other scenes, morph targets of colours, and extensions that the file does not list, of a
+// primitive and of a texture.
+static void test_told(void **state)
+{
+    (void)state;
+    const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    write_format(
+        "told.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":1,\"scenes\":[{},{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}"
+        "],"
+        "\"meshes\":[{\"weights\":[1],\"primitives\":[{\"attributes\":{\"POSITION\":0},\"material\":0,"
+        "\"targets\":[{\"COLOR_0\":0}],\"extensions\":{\"EXT_of_primitives\":{}}}]}],"
+        "\"materials\":[{\"emissiveTexture\":{\"index\":0}}],\"textures\":[{\"extensions\":{\"EXT_of_"
+        "textures\":{}}}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"buffers\":[{\"byteLength\":36,\"uri\":\"%s\"}]"
+        "}",
+        data_uri(positions, sizeof positions));
+    struct scene_model *model = load("told.gltf");
+    assert_true(is_unsupported(model, "scenes[1] alone is drawn, of 2 scenes"));
+    assert_true(is_unsupported(model, "morph targets of colours and texture coordinates: left as at rest"));
+    assert_true(is_unsupported(model, "EXT_of_primitives"));
+    assert_true(is_unsupported(model, "EXT_of_textures"));
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_forgiven),
     cmocka_unit_test(test_meshopt_filters),
@@ -644,11 +690,13 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_draco),
     cmocka_unit_test(test_draco_refused),
     cmocka_unit_test(test_webp),
+    cmocka_unit_test(test_other_images),
     cmocka_unit_test(test_instancing),
     cmocka_unit_test(test_visibility),
     cmocka_unit_test(test_root_and_child),
     cmocka_unit_test(test_variants),
     cmocka_unit_test(test_layers),
+    cmocka_unit_test(test_told),
 };
 
 const struct unit_tests test_gltf_extensions = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -580,7 +580,7 @@ static void test_avif(void **state)
 
 // JPEG ---------------------------------------------------------------------------------------------------
 
-// A Huffman table of more codes than there are symbols, in a segment of its own, behind another table, and after a scan.
+// A Huffman table of more codes than there are symbols, at the end of a file, behind another table, and after a scan.
 static void test_jpeg_tables(void **state)
 {
     (void)state;
@@ -602,9 +602,12 @@ static void test_jpeg_tables(void **state)
         }
         put(&file, 0, 1);
         for (int i = 0; i < 16; i++) {
-            put(&file, i < 2 ? 129 - (place == 3) : 0, 1);
+            put(&file, i >= 2 ? 0 : place == 3 ? 128 : 129, 1);
+            if (place == 0 && i == 1) {
+                break; // stb_image reads zeros from here on
+            }
         }
-        file.size += 300;
+        file.size += place == 0 ? 0 : 300; // the first one ends within its codes
         if (place == 3) {
             struct scene_image image = {.width = 0};
             const char *const other = scene_image_decode(file.bytes, file.size, &image);

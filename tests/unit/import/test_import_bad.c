@@ -115,6 +115,9 @@ static const struct {
     {"box.x3dv", "#X3D V3.0 utf8\n", "is X3D (classic VRML), which"},
     {"new.blend", "\x28\xb5\x2f\xfd data",
      "is a Blender file of 3.0 or later (zstd), which is not supported"},
+    {"new", "\x28\xb5\x2f\xfd data", "is a Blender file of 3.0 or later (zstd), which"},
+    {"new.blend1", "\x28\xb5\x2f\xfd data", "is a Blender file of 3.0 or later (zstd), which"},
+    {"new.obj", "\x28\xb5\x2f\xfd data", "is compressed by zstd, which is not supported"},
     {"later.blend", "BLENDER_v293RENDH", "is a Blender file of version 2.93, which is not supported"},
     {"four.blend", "BLENDER-v400REND", "is a Blender file of version 4.0, which"},
     {"five.blend", "BLENDER17-01v0502REND", "is a Blender file of version 5.2, which"},
@@ -139,6 +142,23 @@ static void test_bad_files(void **state)
         write_text(bad_files[i].name, bad_files[i].text);
         expect_refused(bad_files[i].name, bad_files[i].cause);
     }
+}
+
+// A Blender file of version 2.93, compressed by gzip.
+static void test_compressed_blender(void **state)
+{
+    (void)state;
+    static const unsigned char head[] = {0x1f, 0x8b, 0x08, 0x00, 0x00, 0x00, 0x00, 0x00,
+                                         0x00, 0x03, 0x01, 0x11, 0x00, 0xee, 0xff},
+                               tail[] = {0xd6, 0x68, 0xe5, 0x84, 0x11, 0x00, 0x00, 0x00};
+    static const char text[] = "BLENDER_v293RENDH";
+    unsigned char bytes[64];
+    const size_t length = strlen(text);
+    memcpy(bytes, head, sizeof head);
+    memcpy(bytes + sizeof head, text, length);
+    memcpy(bytes + sizeof head + length, tail, sizeof tail);
+    write_bytes("gzip.blend", bytes, sizeof head + length + sizeof tail);
+    expect_refused("gzip.blend", "is a Blender file of version 2.93, which is not supported");
 }
 
 // What stands in the place of a texture, a library or a buffer.
@@ -354,12 +374,13 @@ static void test_memory_limit(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_pointers),        cmocka_unit_test(test_two_parents),
-    cmocka_unit_test(test_unaligned_chunk), cmocka_unit_test(test_index_zero),
-    cmocka_unit_test(test_bad_files),       cmocka_unit_test(test_no_files),
-    cmocka_unit_test(test_pipe_as_texture), cmocka_unit_test(test_not_finite),
-    cmocka_unit_test(test_nothing_to_draw), cmocka_unit_test(test_deep_tree),
-    cmocka_unit_test(test_limits),          cmocka_unit_test(test_memory_limit),
+    cmocka_unit_test(test_compressed_blender), cmocka_unit_test(test_pointers),
+    cmocka_unit_test(test_two_parents),        cmocka_unit_test(test_unaligned_chunk),
+    cmocka_unit_test(test_index_zero),         cmocka_unit_test(test_bad_files),
+    cmocka_unit_test(test_no_files),           cmocka_unit_test(test_pipe_as_texture),
+    cmocka_unit_test(test_not_finite),         cmocka_unit_test(test_nothing_to_draw),
+    cmocka_unit_test(test_deep_tree),          cmocka_unit_test(test_limits),
+    cmocka_unit_test(test_memory_limit),
 };
 
 const struct unit_tests test_import_bad = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -257,6 +257,34 @@ static void test_material(void **state)
     scene_model_free(model);
 }
 
+// The six values of minFilter, and what they say of texels and of levels.
+static void test_minification_filters(void **state)
+{
+    (void)state;
+    static const struct {
+        int number;
+        enum rhw_filter min;
+        enum rhw_mip_filter mip;
+    } filters[] = {
+        {9728, RHW_FILTER_NEAREST, RHW_MIP_FILTER_NONE},    {9729, RHW_FILTER_LINEAR, RHW_MIP_FILTER_NONE},
+        {9984, RHW_FILTER_NEAREST, RHW_MIP_FILTER_NEAREST}, {9985, RHW_FILTER_LINEAR, RHW_MIP_FILTER_NEAREST},
+        {9986, RHW_FILTER_NEAREST, RHW_MIP_FILTER_LINEAR},  {9987, RHW_FILTER_LINEAR, RHW_MIP_FILTER_LINEAR}};
+    for (size_t i = 0; i < sizeof filters / sizeof *filters; i++) {
+        char extra[512];
+        snprintf(extra, sizeof extra,
+                 ",\"textures\":[{\"source\":0,\"sampler\":0}],\"images\":[{\"uri\":\"%s\"}],"
+                 "\"samplers\":[{\"minFilter\":%d}]",
+                 data_uri(tga, sizeof tga), filters[i].number);
+        write_square("filters.gltf", "{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}",
+                     extra);
+        struct scene_model *const model = load("filters.gltf");
+        const struct scene_texture_slot *const slot = &model->materials[0].slots[SCENE_SLOT_BASE_COLOR];
+        assert_int_equal(slot->min_filter, filters[i].min);
+        assert_int_equal(slot->mip_filter, filters[i].mip);
+        scene_model_free(model);
+    }
+}
+
 static void test_missing_texture(void **state)
 {
     (void)state;
@@ -417,6 +445,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_attribute_formats),
     cmocka_unit_test(test_sparse),
     cmocka_unit_test(test_material),
+    cmocka_unit_test(test_minification_filters),
     cmocka_unit_test(test_missing_texture),
     cmocka_unit_test(test_tangents),
     cmocka_unit_test(test_cameras_and_lights),

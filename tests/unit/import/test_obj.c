@@ -218,6 +218,40 @@ static void test_told(void **state)
     scene_model_free(model);
 }
 
+// Check the normal that a mesh has at a corner of a triangle.
+static void assert_normal(const struct scene_model *model, uint32_t corner, const float expected[3])
+{
+    const struct scene_mesh *mesh = &model->meshes[0];
+    assert_floats(mesh->normals[mesh->indices[corner]], expected, 3, 1e-4f);
+}
+
+// A quad that is folded by 55° keeps its fold, and one that is folded by 20°, as round surfaces have it, is smooth. OFF
+// and PLY do as OBJ does.
+static void test_folded_quads(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"q.obj", "q.off", "q.ply"};
+    write_text("q.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 -1\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\n");
+    write_text("q.off", "OFF 6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 -1\n2 0 0\n2 1 0\n4 0 1 2 3\n4 1 4 5 2\n");
+    write_text("q.ply",
+               "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+               "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+               "0 0 0\n1 0 0\n1 1 0\n0 1 -1\n2 0 0\n2 1 0\n4 0 1 2 3\n4 1 4 5 2\n");
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        struct scene_model *model = load(names[i]);
+        for (uint32_t corner = 0; corner < 12; corner++) {
+            const bool up = corner < 3 || corner >= 6;
+            assert_normal(model, corner,
+                          up ? (const float[]){0, 0, 1} : (const float[]){-0.57735f, 0.57735f, 0.57735f});
+        }
+        scene_model_free(model);
+    }
+    struct scene_model *model = load_text("q.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 -0.25\nf 1 2 3 4\n");
+    const struct scene_mesh *mesh = &model->meshes[0];
+    assert_int_equal(mesh->vertex_count, 4);
+    scene_model_free(model);
+}
+
 // Many materials take time by their number, not by its square, which would be more than the limit.
 static void test_many_materials(void **state)
 {
@@ -250,6 +284,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_cut),
     cmocka_unit_test(test_vertex_colors),
     cmocka_unit_test(test_told),
+    cmocka_unit_test(test_folded_quads),
     cmocka_unit_test(test_many_materials),
 };
 

@@ -126,9 +126,29 @@ static void test_textures(void **state)
     scene_model_free(model);
 }
 
+// A byte order mark of UTF-8 before the first word.
+static void test_mark(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "\xef\xbb\xbfply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    static const char *const names[] = {"mark.ply", "mark"};
+    for (int i = 0; i < 2; i++) {
+        struct scene_model *model = load_text(names[i], text);
+        assert_int_equal(model->triangles_drawn, 1);
+        assert_int_equal(model->warning_count, 0);
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_face_colors),   cmocka_unit_test(test_binary_face_colors),
-    cmocka_unit_test(test_vertex_colors), cmocka_unit_test(test_all_colors),
+    cmocka_unit_test(test_mark),
+    cmocka_unit_test(test_face_colors),
+    cmocka_unit_test(test_binary_face_colors),
+    cmocka_unit_test(test_vertex_colors),
+    cmocka_unit_test(test_all_colors),
     cmocka_unit_test(test_textures),
 };
 

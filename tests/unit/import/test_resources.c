@@ -57,6 +57,13 @@ static void test_folders(void **state)
     assert_true(is_found("source/m.obj", "roof.tga"));
     unlink(path_of("source/m.obj"));
     rmdir(path_of("source"));
+    // The folder that the libraries of FBX unpack into.
+    assert_int_equal(mkdir(path_of("m.fbm"), 0700), 0);
+    write_picture("m.fbm/door.tga");
+    assert_true(is_found("m.obj", "C:\\old\\door.tga"));
+    assert_false(is_found("other.obj", "C:\\old\\door.tga"));
+    unlink(path_of("m.fbm/door.tga"));
+    rmdir(path_of("m.fbm"));
     unlink(path_of("Textures/Roof.tga"));
     rmdir(path_of("Textures"));
 }
@@ -127,6 +134,9 @@ static void test_written_otherwise(void **state)
     assert_true(is_found("m.obj", "my roof.PNG"));
     assert_true(is_found("m.obj", "maps/my roof.dds"));
     assert_true(is_found("m.obj", "my roof"));
+    write_text("my roof.webp", "no picture"); // a less likely ending
+    assert_true(is_found("m.obj", "my roof.png"));
+    unlink(path_of("my roof.webp"));
     assert_false(is_found("m.obj", "my roof.3.tga"));
     assert_false(is_found("m.obj", "my roo.tga"));
     write_picture("what?.tga"); // a question mark that is part of the name
@@ -149,6 +159,9 @@ static void test_code_pages(void **state)
         {"T\u00fcr.tga", "T\xfcr.tga"},
         {"T\u00fcr.tga", "t\xfcr.png"},
         {"\u0434\u043e\u043c.tga", "\xe4\xee\xec.tga"},
+        {"\u0434\u043e\u043c.tga", "\xc4\xcf\xcd.tga"}, // KOI8-R
+        {"T\u00fcr.tga", "T\x9fr.tga"},                 // of a Macintosh
+        {"\u8868.tga", "\xc9\xbd.tga"},                 // EUC-JP
         {"T\xfcr.tga", "T\u00fcr.tga"},
         {"\u2560\u2219\u2550\u255d.tga", "\u8d34\u56fe.tga"}, // unpacked as if it were of DOS
     };

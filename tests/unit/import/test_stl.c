@@ -60,6 +60,13 @@ static void test_magics(void **state)
     assert_floats(color_of(model, 0), (const float[]){1, 0, 0, 1}, 4, 0);
     assert_floats(color_of(model, 1), (const float[]){0, 0, 1, 1}, 4, 0);
     assert_floats(color_of(model, 2), (const float[]){0.2158605f, 1, 0.000303527f, 1}, 4, 1e-6f);
+    assert_int_equal(model->unsupported_count, 0);
+    scene_model_free(model);
+    const char rich[] = "COLOR=\x80\xff\x01\x80,MATERIAL=\x80\xff\x01\xff";
+    write_bytes("x.stl", bytes, make_binary(bytes, rich, 3, 3, words));
+    model = load("x.stl");
+    assert_true(is_unsupported(model, "the material in its head"));
+    assert_true(is_unsupported(model, "the translucency in its head"));
     scene_model_free(model);
 }
 
@@ -86,14 +93,21 @@ static void test_counts(void **state)
     write_bytes("x.stl", bytes, 83);
     expect_refused("x.stl", "is cut: it has 83 bytes, and the head of a binary STL has 84");
 
-    write_bytes("x.stl", bytes, make_binary(bytes, "", 0, 4, words));
-    struct scene_model *model = load("x.stl");
-    assert_int_equal(model->triangles_drawn, 4);
-    assert_true(has_warning(model, "says that it has 0 facets; the 4 that it has are drawn"));
-    scene_model_free(model);
+    // A writer that cannot go back leaves the count at 0 or at −1.
+    const char *const unsaid[] = {"0", "4294967295"};
+    for (int i = 0; i < 2; i++) {
+        write_bytes("x.stl", bytes, make_binary(bytes, "", i == 0 ? 0 : UINT32_MAX, 4, words));
+        struct scene_model *const model = load("x.stl");
+        char warning[80];
+        snprintf(warning, sizeof warning, "says that it has %s facets; the 4 that it has are drawn",
+                 unsaid[i]);
+        assert_int_equal(model->triangles_drawn, 4);
+        assert_true(has_warning(model, warning));
+        scene_model_free(model);
+    }
 
     write_bytes("x.stl", bytes, make_binary(bytes, "", 3, 4, words));
-    model = load("x.stl");
+    struct scene_model *const model = load("x.stl");
     assert_int_equal(model->triangles_drawn, 3);
     assert_true(has_warning(model, "50 bytes after its last facet are ignored"));
     scene_model_free(model);

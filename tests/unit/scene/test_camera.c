@@ -168,6 +168,10 @@ static void test_default_orbit_faces_flat_models(void **state)
     t.indices[4] = 3;
     t.indices[5] = 2;
     tiny_assert_close(scene_camera_default_orbit(&t.model, SCENE_AXIS_Y).azimuth, 180.0, 0.0);
+    // A mirrored instance turns its triangles round, and is drawn by their other side.
+    t.instances[0].world[0] = -1;
+    t.instances[0].mirrored = true;
+    tiny_assert_close(scene_camera_default_orbit(&t.model, SCENE_AXIS_Y).azimuth, 180.0, 0.0);
 }
 
 // A model whose up is another axis is one with y up, turned: the same picture of it.
@@ -397,17 +401,18 @@ static void test_file_camera_in_a_narrow_picture(void **state)
 {
     (void)state;
     struct scene_model_camera source = {.yfov = 0.8f, .aspect = 2.0f, .znear = 0.1f, .zfar = 100.0f};
+    const struct scene_model near = {0};
     tiny_identity(source.world);
     for (double aspect = 0.01; aspect < 2.0; aspect *= 1.7) {
-        const struct scene_camera camera = scene_camera_from_model(&source, aspect);
+        const struct scene_camera camera = scene_camera_from_model(&near, &source, aspect);
         tiny_assert_close(tan(camera.yfov / 2.0) * aspect, tan((double)source.yfov / 2.0) * 2.0, 1e-9);
     }
-    tiny_assert_close(scene_camera_from_model(&source, 3.0).yfov, (double)source.yfov, 0.0);
+    tiny_assert_close(scene_camera_from_model(&near, &source, 3.0).yfov, (double)source.yfov, 0.0);
     source.orthographic = true;
     source.xmag = 3.0f;
     source.ymag = 1.0f;
-    tiny_assert_close(scene_camera_from_model(&source, 1.0).ymag, 3.0, 0.0);
-    tiny_assert_close(scene_camera_from_model(&source, 6.0).ymag, 1.0, 0.0);
+    tiny_assert_close(scene_camera_from_model(&near, &source, 1.0).ymag, 3.0, 0.0);
+    tiny_assert_close(scene_camera_from_model(&near, &source, 6.0).ymag, 1.0, 0.0);
 }
 
 // A normal stays perpendicular to what lies in the surface, and on its outer side, under any matrix.
@@ -438,6 +443,42 @@ static void test_normal_matrix(void **state)
     }
 }
 
+// A model that is counted from an origin far away is seen from there as it is without: by a fitted camera, by one of the
+// file, with the planes of both, and in the same picture.
+static void test_far_from_the_origin(void **state)
+{
+    (void)state;
+    const double far[3] = {5e7, -1.25e7, 3e6};
+    struct tiny t;
+    tiny_make(&t);
+    const struct scene_orbit orbit = {.azimuth = 35.0, .elevation = 15.0};
+    struct scene_view view = tiny_view(&t, 32);
+    view.outputs = SCENE_OUTPUT_COLOR | SCENE_OUTPUT_POSITION;
+    view.camera = scene_camera_fit(&t.model, orbit, 0.5, 1.0);
+    struct scene_pictures here = tiny_draw(&t, &view);
+    memcpy(t.model.origin, far, sizeof far);
+    const struct scene_camera camera = scene_camera_fit(&t.model, orbit, 0.5, 1.0);
+    for (int c = 0; c < 3; c++) {
+        tiny_assert_close(camera.eye[c] - far[c], view.camera.eye[c], 1e-7);
+        tiny_assert_close(camera.target[c] - far[c], view.camera.target[c], 1e-7);
+    }
+    tiny_assert_close(camera.znear, view.camera.znear, 1e-6);
+    tiny_assert_close(camera.zfar, view.camera.zfar, 1e-6);
+    assert_true(scene_camera_shows_most(&t.model, &camera, 1.0));
+    assert_false(scene_camera_shows_most(&t.model, &view.camera, 1.0));
+    view.camera = camera;
+    struct scene_pictures there = tiny_draw(&t, &view);
+    assert_memory_equal(there.color, here.color, 32 * 32 * 4);
+    for (int i = 0; i < 4 * 32 * 32; i++) {
+        tiny_assert_close((double)there.position[i], (double)here.position[i], 1e-6);
+    }
+    assert_memory_equal(there.origin, far, sizeof far);
+    scene_pictures_free(&here);
+    scene_pictures_free(&there);
+    assert_int_equal(scene_camera_digits(camera.eye, camera.target), 15);
+    assert_int_equal(scene_camera_digits((const double[]){1, 2, 3}, (const double[]){0, 0, 0}), 9);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_fit_touches_the_margin),
     cmocka_unit_test(test_fit_of_what_turns),
@@ -452,6 +493,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_look_refuses_what_is_no_camera),
     cmocka_unit_test(test_projection_against_formulas),
     cmocka_unit_test(test_file_camera_in_a_narrow_picture),
+    cmocka_unit_test(test_far_from_the_origin),
     cmocka_unit_test(test_normal_matrix),
 };
 

@@ -22,7 +22,7 @@ function showCoordinates(table, terms) {
     }
     return line;
   };
-  row(['', ...['X', 'Y', 'Z', 'W'].map((axis) => formula(axis))], 'th');
+  row([say({ en: 'corner', zh: '顶点' }), ...['X', 'Y', 'Z', 'W'].map((axis) => formula(axis))], 'th');
   for (const name of ['A', 'B', 'C', 'P']) {
     const values = ['X', 'Y', 'Z', 'W'].map((axis) => `${axis}_${name}`);
     const line = row([name, ...values.map((term) => formula(term, { [term]: short(terms[term]) }))]);

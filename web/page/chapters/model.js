@@ -2,8 +2,10 @@
 // A model of one's own: dropped in, looked at from all sides, and explained pixel by pixel. The work is done in a worker.
 import { choice } from '../controls.js';
 import { termsOf } from '../derivation.js';
+import { chosenFiles, droppedFiles, modelOf } from '../dropped.js';
 import { say } from '../language.js';
 import { Library } from '../library.js';
+import { namePicture } from '../naming.js';
 import { numbersOf, seenIn, showModelDerivation } from '../model_derivation.js';
 import { Overlay } from '../overlay.js';
 import { centered, moved, panned, turned } from '../orbit.js';
@@ -15,7 +17,6 @@ const SAMPLE = 'models/box.glb';
 const AGREEABLE = 40; // ms for a picture while it moves
 const REST = 180; // ms until it is refined
 const CLICK = 4; // CSS pixels that a pointer may go and still have clicked
-const MODEL = /\.(gl[bt]f?|obj|ply|stl|3mf)$/i;
 
 class ModelView {
   #library = new Library();
@@ -34,6 +35,7 @@ class ModelView {
   constructor(section) {
     this.figure = section.querySelector('.view');
     this.canvas = section.querySelector('canvas');
+    namePicture(this.canvas, section);
     this.note = section.querySelector('.state');
     this.info = section.querySelector('.info');
     this.steps = section.querySelector('.derivation');
@@ -102,7 +104,7 @@ class ModelView {
       }
       const camera = { eye, target, up, fovy }; // in perspective, also where the file's is without
       Object.assign(this, { model: info, name });
-      this.middle = info.bounds.empty ? camera.target : info.bounds.min.map((low, i) => (low + info.bounds.max[i]) / 2);
+      this.middle = info.frame.empty ? camera.target : info.frame.min.map((low, i) => (low + info.frame.max[i]) / 2);
       this.camera = centered(camera, this.middle, info.up);
       this.#forget();
       this.#describe();
@@ -113,12 +115,35 @@ class ModelView {
     this.draw();
   }
 
-  /** Of several files one is the model; the others are those that it names. */
+  /** Opens the model of a promised list of [path, File]. */
   async openFiles(list) {
-    const read = await Promise.all([...list].map(async (file) => [file.name, await file.arrayBuffer()]));
-    const main = read.find(([name]) => MODEL.test(name)) ?? read[0];
-    if (main) {
-      await this.open(main[1], main[0], Object.fromEntries(read.filter((file) => file !== main)));
+    let model;
+    try {
+      model = await modelOf(await list);
+    } catch ({ message }) {
+      this.#tell({
+        en: `${message}: cannot be read. Drop the folder of the model, or all of its files.`,
+        zh: `${message}：无法读取。请拖入模型所在的文件夹，或其全部文件。`,
+      });
+      return;
+    }
+    if (model) {
+      await this.open(model.bytes, model.name, model.files);
+    } else {
+      this.#tell({ en: 'There is no file in this folder.', zh: '此文件夹中没有文件。' });
+    }
+  }
+
+  /** Opens a file of the page's. */
+  async openSample(path) {
+    try {
+      const response = await fetch(path);
+      if (!response.ok) {
+        throw new Error(`${response.status} ${response.statusText}`);
+      }
+      await this.open(await response.arrayBuffer(), path.split('/').at(-1));
+    } catch (error) {
+      this.#tell(`${path}: ${error.message}`);
     }
   }
 
@@ -246,14 +271,11 @@ class ModelView {
 function listenForFiles(section, view) {
   const input = section.querySelector('input[type="file"]');
   input.addEventListener('change', async () => {
-    await view.openFiles(input.files);
+    await view.openFiles(chosenFiles(input.files));
     input.value = ''; // the same file may have been mended
   });
   section.querySelector('.choose').addEventListener('click', () => input.click());
-  section.querySelector('.sample').addEventListener('click', async () => {
-    const response = await fetch(SAMPLE);
-    view.open(await response.arrayBuffer(), SAMPLE.split('/').at(-1));
-  });
+  section.querySelector('.sample').addEventListener('click', () => view.openSample(SAMPLE));
   // Wherever on the page: a browser would leave it for the file.
   for (const kind of ['dragover', 'dragleave', 'drop']) {
     document.addEventListener(kind, (event) => {
@@ -261,7 +283,7 @@ function listenForFiles(section, view) {
       view.figure.classList.toggle('over', kind === 'dragover');
       if (kind === 'drop' && event.dataTransfer.files.length > 0) {
         section.scrollIntoView();
-        view.openFiles(event.dataTransfer.files);
+        view.openFiles(droppedFiles(event.dataTransfer));
       }
     });
   }

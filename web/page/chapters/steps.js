@@ -77,7 +77,7 @@ function showTable(table, terms, step, polygon) {
     return line;
   };
   const names = STEPS[step].terms;
-  row(['', ...names.map((name) => formula(say(HEADS[name] ?? name)))], 'th');
+  row([say({ en: 'corner', zh: '顶点' }), ...names.map((name) => formula(say(HEADS[name] ?? name)))], 'th');
   const left = polygon.map(({ name }) => name);
   const all = { clip: [...new Set(['A', 'B', 'C', ...left])], divide: left }[step] ?? ['A', 'B', 'C'];
   for (const corner of [...all, 'P']) {

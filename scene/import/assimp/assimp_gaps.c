@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// What assimp leaves out. Part of it assimp says in its log, which is read here. Of the rest it says nothing: of
+// entities of DXF that it has no code for, and of frames after the first of models that move by frames. Marks in the
+// file tell of these.
+#include <assimp/cimport.h>
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "assimp.h"
+#include "import/builder/text_lines.h"
+
+// Log -----------------------------------------------------------------------------------------------
+
+// Return true if a text has one of some words, which are in lower case, in any case.
+static bool has_any(const char *text, const char *const *words, size_t count)
+{
+    bool found = false;
+    for (; *text != 0; text++) {
+        for (size_t i = 0; i < count; i++) {
+            found = found || strncasecmp(text, words[i], strlen(words[i])) == 0;
+        }
+    }
+    return found;
+}
+
+// Return true if a line of the log says that something is not in the scene. What concerns animations is told by other
+// lines, and what concerns no picture is not told.
+static bool tells_of_gap(const char *line)
+{
+    static const char *const gaps[] = {"unsupported", "not supported", "not currently supported",
+                                       "skip",        "ignor",         "not implemented",
+                                       "discard",     "dropped",       "neither material"};
+    static const char *const others[] = {
+        "format version",
+        "blenddna",
+        "animation",
+        "animator",
+        "keyframe",
+        "track",
+        "binormal",
+        "tangent",
+        "metadata",
+        "comment",
+        "importer settings",
+        "empty",
+        "property",
+        "thumbnail",
+        "dummy",
+        "zero length",
+        "length of texture",
+        "light source",
+        "plugin",
+        "chunk",
+        "eof",
+        "duplicate",
+        "transition code",
+        "weight channel",
+        "tcb",
+        "envelopes",
+        "degenerate",
+        "null geometry",
+    };
+    return has_any(line, gaps, sizeof gaps / sizeof *gaps) &&
+           !has_any(line, others, sizeof others / sizeof *others);
+}
+
+// Tell of a line of the log, without its numbers: lines that differ by them alone are one.
+static void read_log(const char *line, char *user)
+{
+    struct scene_import *import = (struct scene_import *)(void *)user;
+    const char *text = strstr(line, ": ");
+    char kept[256];
+    size_t length = 0;
+    if ((strncmp(line, "Warn", 4) != 0 && strncmp(line, "Error", 5) != 0) || text == NULL ||
+        !tells_of_gap(line)) {
+        return;
+    }
+    for (text += 2; *text != 0 && *text != '\n' && length + 1 < sizeof kept; text++) {
+        if (isdigit((unsigned char)*text) && !isalnum((unsigned char)text[-1])) {
+            kept[length++] = 'N';
+            text += strspn(text, "0123456789") - 1;
+        } else {
+            kept[length++] = *text;
+        }
+    }
+    scene_import_unsupported(import, "assimp leaves out: %s", scene_import_string(import, kept, length));
+}
+
+void scene_assimp_listen(struct scene_import *import)
+{
+    const struct aiLogStream stream = {read_log, (char *)(void *)import};
+    aiAttachLogStream(&stream);
+}
+
+// Marks ---------------------------------------------------------------------------------------------
+
+// Words of text formats, and of FBX, that stand for what assimp does not know.
+static void look_for_words(struct scene_import *import, const char *bytes, size_t size)
+{
+    static const struct {
+        const char *ending, *word, *what;
+    } words[] = {
+        {"dae", "<spline", "curves"},
+        {"dae", "<brep", "boundary representations"},
+        {"dae", "<nurbs", "NURBS"},
+        {"fbx", "NurbsSurface", "NURBS"},
+        {"fbx", "NurbsCurve", "NURBS"},
+        {"x3d", "<Text", "text"},
+        {"x3d", "<Nurbs", "NURBS"},
+        {"x3d", "<Geo", "geospatial nodes"},
+        {"x3d", "<HAnim", "humanoids"},
+        {"x3d", "<LOD", "levels of detail"},
+        {"x3d", "<PixelTexture", "textures in the file"},
+        {"x3d", "<MovieTexture", "films"},
+        {"x3d", "<MultiTexture", "textures above each other"},
+        {"x3d", "<Background", "the background"},
+        {"x3d", "<Fog", "fog"},
+        {"x3d", "<ParticleSystem", "particles"},
+        {"amf", "<composite", "composite materials"},
+        {"amf", "<edge", "curved edges"},
+    };
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        const size_t length = strlen(words[i].word);
+        if (strcasecmp(import->ending, words[i].ending) != 0) {
+            continue;
+        }
+        const char *place = bytes, *end = bytes + size;
+        while (place != NULL && (size_t)(end - place) >= length &&
+               memcmp(place, words[i].word, length) != 0) {
+            place = memchr(place + 1, words[i].word[0], (size_t)(end - place) - 1);
+        }
+        if (place != NULL && (size_t)(end - place) >= length) {
+            scene_import_unsupported(import, "%s: not drawn", words[i].what);
+        }
+    }
+}
+
+// Look for entities of a DXF, which stand on lines of their own behind a line with the code 0.
+static void look_for_entities(struct scene_import *import, char *bytes, size_t size)
+{
+    static const char *const entities[] = {
+        "3DSOLID", "ARC",        "ATTRIB",  "BODY",  "CIRCLE", "DIMENSION", "ELLIPSE", "HATCH",  "IMAGE",
+        "LEADER",  "LWPOLYLINE", "MESH",    "MLINE", "MTEXT",  "POINT",     "RAY",     "REGION", "SHAPE",
+        "SOLID",   "SPLINE",     "SURFACE", "TEXT",  "TRACE",  "WIPEOUT",   "XLINE",
+    };
+    struct scene_text text = scene_text_open(import, bytes, size);
+    struct scene_line line;
+    struct scene_word code, name;
+    while (scene_text_line(&text, false, &line)) {
+        const bool entity = scene_text_word(&line, &code) && scene_word_is(code, "0");
+        if (!scene_text_line(&text, false, &line) || !entity || !scene_text_word(&line, &name)) {
+            continue;
+        }
+        for (size_t i = 0; i < sizeof entities / sizeof *entities; i++) {
+            if (scene_word_is(name, entities[i])) {
+                scene_import_unsupported(import, "entities %s (DXF): not drawn", entities[i]);
+            }
+        }
+    }
+}
+
+// Tell of frames after the first, by the head of a model that moves by frames.
+static void look_for_frames(struct scene_import *import, const unsigned char *bytes, size_t size)
+{
+    static const struct {
+        const char *mark;
+        size_t count_at; // place of the number of frames
+    } heads[] = {{"IDP2", 40}, {"IDP3", 76}, {"IDPC", 76}, {"IDPO", 68}};
+    for (size_t i = 0; i < sizeof heads / sizeof heads[0]; i++) {
+        const unsigned char *count = bytes + heads[i].count_at;
+        if (size >= heads[i].count_at + 4 && memcmp(bytes, heads[i].mark, 4) == 0 &&
+            (count[0] > 1 || count[1] > 0 || count[2] > 0)) {
+            scene_import_unsupported(import, "frames after the first: not drawn");
+        }
+    }
+}
+
+void scene_assimp_find_gaps(struct scene_import *import)
+{
+    const char *problem = NULL;
+    size_t size = 0;
+    char *bytes = scene_import_read_file(import, import->model.path, &size, &problem);
+    if (bytes == NULL) {
+        scene_import_fail(import, "cannot be read: %s", problem);
+    }
+    look_for_words(import, bytes, size);
+    look_for_frames(import, (const unsigned char *)bytes, size);
+    if (strcasecmp(import->ending, "dxf") == 0) {
+        look_for_entities(import, bytes, size);
+    }
+    free(bytes);
+}

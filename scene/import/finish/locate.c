@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// A model that is near is left as its reader made it, by floats.
+#include "locate.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "import/builder/origin.h"
+#include "import/builder/place.h"
+
+enum { SAMPLE = 4096 }; // vertices of the model that are looked at
+
+static bool is_given(const double matrix[16])
+{
+    return matrix[15] != 0;
+}
+
+static void add_to_place(double matrix[16], const double offset[3])
+{
+    for (int row = 0; row < 3; row++) {
+        matrix[12 + row] +=
+            matrix[row] * offset[0] + matrix[4 + row] * offset[1] + matrix[8 + row] * offset[2];
+    }
+}
+
+// Find the matrix from the positions of an instance's mesh to the coordinates of the file.
+static void find_place(const struct scene_import *import, uint32_t number, double matrix[16])
+{
+    const struct scene_instance *const instance = &import->model.instances[number];
+    const double *const given = import->exact_instances.matrices[number];
+    for (int i = 0; i < 16; i++) {
+        matrix[i] = is_given(given) ? given[i] : (double)instance->world[i];
+    }
+    add_to_place(matrix, import->exact_meshes.matrices[instance->mesh] + 12);
+}
+
+static void sample_instance(const struct scene_import *import, uint32_t number, uint64_t step,
+                            uint64_t *skipped, double (*points)[3], size_t *count)
+{
+    const struct scene_mesh *const mesh = &import->model.meshes[import->model.instances[number].mesh];
+    double matrix[16];
+    find_place(import, number, matrix);
+    for (uint64_t v = *skipped; v < mesh->vertex_count && *count < SAMPLE; v += step) {
+        const float *const p = mesh->positions[v];
+        for (int row = 0; row < 3; row++) {
+            points[*count][row] = matrix[row] * (double)p[0] + matrix[4 + row] * (double)p[1] +
+                                  matrix[8 + row] * (double)p[2] + matrix[12 + row];
+        }
+        ++*count;
+    }
+    const uint64_t left = mesh->vertex_count > *skipped ? mesh->vertex_count - *skipped : 0;
+    *skipped = left > 0 ? (step - left % step) % step : *skipped - mesh->vertex_count;
+}
+
+static struct scene_import_spread find_spread(struct scene_import *import)
+{
+    const struct scene_model *const model = &import->model;
+    double(*const points)[3] = scene_import_allocate(import, SAMPLE, sizeof *points);
+    uint64_t all = 0, skipped = 0;
+    size_t count = 0;
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        all += model->meshes[model->instances[i].mesh].vertex_count;
+    }
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        sample_instance(import, i, all / SAMPLE + 1, &skipped, points, &count);
+    }
+    const struct scene_import_spread spread =
+        scene_import_spread_find(import, (const double(*)[3])points, count);
+    free(points);
+    return spread;
+}
+
+// Return true if an instance brings its mesh a long way, measured in sizes of the model. A shader would lose what the
+// floats of the mesh have.
+static bool moves_far(const struct scene_import *import, uint32_t number, double size)
+{
+    const struct scene_mesh *const mesh = &import->model.meshes[import->model.instances[number].mesh];
+    double matrix[16], square = 0;
+    find_place(import, number, matrix);
+    for (int row = 0; row < 3 && mesh->vertex_count > 0; row++) {
+        const float *const p = mesh->positions[0];
+        const double way =
+            matrix[row] * (double)p[0] + matrix[4 + row] * (double)p[1] + matrix[8 + row] * (double)p[2];
+        square += way * way;
+    }
+    return size > 0 && square > (SCENE_IMPORT_FAR * size) * (SCENE_IMPORT_FAR * size);
+}
+
+// Count the positions of a mesh from a place among them, if that is far from the mesh's own origin. They are floats, so
+// that nothing is lost of them.
+static void settle_mesh(struct scene_import *import, uint32_t number)
+{
+    struct scene_mesh *const mesh = &import->model.meshes[number];
+    double(*const points)[3] = scene_import_allocate(import, mesh->vertex_count, sizeof *points);
+    double offset[3];
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        for (int c = 0; c < 3; c++) {
+            points[v][c] = (double)mesh->positions[v][c];
+        }
+    }
+    free(mesh->positions);
+    mesh->positions = scene_import_settle(import, points, mesh->vertex_count, offset);
+    for (int c = 0; c < 3; c++) {
+        import->exact_meshes.matrices[number][12 + c] += offset[c];
+    }
+}
+
+// Let the model's origin be that of a mesh among its vertices. The instances of such a mesh then have a matrix without
+// a movement, as in the file.
+static void choose_origin(const struct scene_import *import, const struct scene_import_spread *spread,
+                          double origin[3])
+{
+    memcpy(origin, spread->middle, sizeof spread->middle);
+    for (uint32_t i = 0; i < import->model.instance_count; i++) {
+        double matrix[16];
+        bool is_among = true;
+        find_place(import, i, matrix);
+        for (int c = 0; c < 3; c++) {
+            const double distance = matrix[12 + c] - spread->middle[c];
+            is_among = is_among && distance <= 2 * spread->size && distance >= -2 * spread->size;
+        }
+        if (is_among) {
+            memcpy(origin, matrix + 12, sizeof spread->middle);
+            return;
+        }
+    }
+}
+
+static void place_instance(struct scene_import *import, uint32_t number)
+{
+    float *const world = import->model.instances[number].world;
+    double matrix[16];
+    find_place(import, number, matrix);
+    for (int i = 0; i < 16; i++) {
+        world[i] = (float)(matrix[i] - (i >= 12 && i < 15 ? import->model.origin[i - 12] : 0));
+    }
+}
+
+static void place_cameras_and_lights(struct scene_import *import)
+{
+    struct scene_model *const model = &import->model;
+    for (uint32_t i = 0; i < model->camera_count; i++) {
+        const double *const exact = import->exact_cameras.matrices[i];
+        for (int k = 0; k < 16; k++) {
+            model->cameras[i].world[k] = (float)(exact[k] - (k >= 12 && k < 15 ? model->origin[k - 12] : 0));
+        }
+    }
+    for (uint32_t i = 0; i < model->light_count; i++) {
+        const double *const exact = import->exact_lights.matrices[i];
+        for (int c = 0; c < 3; c++) {
+            model->lights[i].position[c] = (float)(exact[12 + c] - model->origin[c]);
+        }
+    }
+}
+
+void scene_import_locate(struct scene_import *import)
+{
+    struct scene_model *const model = &import->model;
+    const struct scene_import_spread spread = find_spread(import);
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        if (moves_far(import, i, spread.size)) {
+            settle_mesh(import, model->instances[i].mesh);
+        }
+    }
+    if (spread.is_far) {
+        choose_origin(import, &spread, model->origin);
+        place_cameras_and_lights(import);
+    }
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        const double *const moved = import->exact_meshes.matrices[model->instances[i].mesh] + 12;
+        if (spread.is_far || scene_origin_is_far(moved)) {
+            place_instance(import, i);
+        }
+    }
+}

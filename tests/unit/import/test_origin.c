@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: MIT
+// Models that stand millions of times their size away from the origin of their file. Each is read once more at the
+// origin, and both must be one shape.
+#include "model_files.h"
+
+#include "draw/camera/camera.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { CORNERS = 5, FACES = 6 };
+
+// Floats have all digits of the shape at the origin, and at `far` none that tell one corner from another.
+static const double shape[CORNERS][3] = {
+    {0, 0, 0}, {0.8125, 0.125, 0}, {0.25, 0.9375, 0.0625}, {0.125, 0.25, 0.71875}, {0.375, 0.5, -0.5}};
+static const int faces[FACES][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}};
+static const double near[3] = {0, 0, 0}, far[3] = {54598150.375, -43210987.25, 12345678.625};
+
+typedef void write_function(const double place[3]);
+
+// What is drawn of a vertex, in the coordinates of the file.
+static void find_vertex(const struct scene_model *model, uint32_t instance, uint32_t vertex, double point[3])
+{
+    const float *const world = model->instances[instance].world;
+    const float *const p = model->meshes[model->instances[instance].mesh].positions[vertex];
+    for (int c = 0; c < 3; c++) {
+        assert_true(fabsf(p[c]) < 16.0f && fabsf(world[12 + c]) < 16.0f); // so that floats are dense
+        point[c] = (double)world[c] * (double)p[0] + (double)world[4 + c] * (double)p[1] +
+                   (double)world[8 + c] * (double)p[2] + (double)world[12 + c] + model->origin[c];
+    }
+}
+
+static void assert_one_shape(const char *name, write_function *write)
+{
+    write(near);
+    struct scene_model *const here = load(name);
+    write(far);
+    struct scene_model *const there = load(name);
+    assert_false(scene_origin_is_far(here->origin));
+    assert_true(scene_origin_is_far(there->origin));
+    assert_int_equal(here->instance_count, there->instance_count);
+    for (uint32_t i = 0; i < here->instance_count; i++) {
+        const struct scene_mesh *const a = &here->meshes[here->instances[i].mesh],
+                                       *const b = &there->meshes[there->instances[i].mesh];
+        assert_int_equal(a->vertex_count, b->vertex_count);
+        for (uint32_t v = 0; v < a->vertex_count; v++) {
+            double p[3], q[3];
+            find_vertex(here, i, v, p);
+            find_vertex(there, i, v, q);
+            for (int c = 0; c < 3; c++) {
+                assert_true(fabs(q[c] - far[c] - p[c]) < 1e-6);
+            }
+            assert_floats(b->normals[v], a->normals[v], 3, 1e-6f);
+        }
+    }
+    scene_model_free(here);
+    scene_model_free(there);
+}
+
+// Text formats --------------------------------------------------------------------------------------
+
+static char text[8192];
+
+static void append(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+static void append(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    const size_t length = strlen(text);
+    vsnprintf(text + length, sizeof text - length, format, arguments);
+    va_end(arguments);
+}
+
+static void append_corner(const char *before, const double place[3], int corner)
+{
+    const double *const p = shape[corner];
+    append("%s%.9f %.9f %.9f\n", before, place[0] + p[0], place[1] + p[1], place[2] + p[2]);
+}
+
+// The vertex at 0 is in no face.
+static void write_obj(const double place[3])
+{
+    strcpy(text, "v 0 0 0\n");
+    for (int i = 0; i < CORNERS; i++) {
+        append_corner("v ", place, i);
+    }
+    for (int i = 0; i < FACES; i++) {
+        append("f %d %d %d\n", faces[i][0] + 2, faces[i][1] + 2, faces[i][2] + 2);
+    }
+    write_text("x.obj", text);
+}
+
+static void write_ply(const double place[3])
+{
+    strcpy(text, "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\n"
+                 "property double z\nelement face 6\nproperty list uchar int vertex_indices\nend_header\n");
+    for (int i = 0; i < CORNERS; i++) {
+        append_corner("", place, i);
+    }
+    for (int i = 0; i < FACES; i++) {
+        append("3 %d %d %d\n", faces[i][0], faces[i][1], faces[i][2]);
+    }
+    write_text("x.ply", text);
+}
+
+// Two of the facets have a normal, so that those of the others are made.
+static void write_stl(const double place[3])
+{
+    strcpy(text, "solid a\n");
+    for (int i = 0; i < FACES; i++) {
+        append("facet normal 0 0 %d\nouter loop\n", i < 2);
+        for (int k = 0; k < 3; k++) {
+            append_corner("vertex ", place, faces[i][k]);
+        }
+        append("endloop\nendfacet\n");
+    }
+    append("endsolid a\n");
+    write_text("x.stl", text);
+}
+
+static void write_off(const double place[3])
+{
+    strcpy(text, "OFF\n5 6 0\n");
+    for (int i = 0; i < CORNERS; i++) {
+        append_corner("", place, i);
+    }
+    for (int i = 0; i < FACES; i++) {
+        append("3 %d %d %d\n", faces[i][0], faces[i][1], faces[i][2]);
+    }
+    write_text("x.off", text);
+}
+
+// A node of an assimp format; its vertices are near it.
+static void write_dae(const double place[3])
+{
+    strcpy(text,
+           "<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
+           "version=\"1.4.1\"><asset><up_axis>Y_UP"
+           "</up_axis></asset><library_geometries><geometry id=\"m\"><mesh><source id=\"p\"><float_array "
+           "id=\"a\" count=\"15\">");
+    for (int i = 0; i < CORNERS; i++) {
+        append_corner(" ", near, i);
+    }
+    append(
+        "</float_array><technique_common><accessor source=\"#a\" count=\"5\" stride=\"3\"><param name=\"X\" "
+        "type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/></accessor>"
+        "</technique_common></source><vertices id=\"v\"><input semantic=\"POSITION\" "
+        "source=\"#p\"/></vertices>"
+        "<triangles count=\"6\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>");
+    for (int i = 0; i < FACES; i++) {
+        append("%d %d %d ", faces[i][0], faces[i][1], faces[i][2]);
+    }
+    append("</p></triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene "
+           "id=\"s\">"
+           "<node><translate>%.9f %.9f %.9f</translate><instance_geometry url=\"#m\"/></node></visual_scene>"
+           "</library_visual_scenes><scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>",
+           place[0], place[1], place[2]);
+    write_text("x.dae", text);
+}
+
+static void test_text_formats(void **state)
+{
+    (void)state;
+    assert_one_shape("x.obj", write_obj);
+    assert_one_shape("x.ply", write_ply);
+    assert_one_shape("x.stl", write_stl);
+    assert_one_shape("x.off", write_off);
+}
+
+// assimp keeps floats: of the place of a node it has a multiple of 4 here.
+static void test_assimp(void **state)
+{
+    (void)state;
+    const double rounded[3] = {54598148, -43210984, 12345678};
+    write_dae(rounded);
+    struct scene_model *model = load("x.dae");
+    for (int c = 0; c < 3; c++) {
+        assert_true(model->origin[c] + (double)model->instances[0].world[12 + c] == rounded[c]);
+    }
+    assert_true(model->bounds_max[0] - model->bounds_min[0] == 0.8125f);
+    scene_model_free(model);
+}
+
+// glTF ----------------------------------------------------------------------------------------------
+
+// Writes the shape, at `inside` of its mesh, under `nodes`; `more` are members of the file, and `views` follow the
+// shape's two in `extra`.
+static void write_shape(const char *nodes, const char *more, const double inside[3], const float (*extra)[4])
+{
+    struct {
+        float positions[CORNERS][3], extra[CORNERS][4];
+        uint16_t indices[3 * FACES];
+    } bytes = {0};
+    for (int i = 0; i < CORNERS; i++) {
+        for (int c = 0; c < 3; c++) {
+            bytes.positions[i][c] = (float)(shape[i][c] + inside[c]);
+        }
+    }
+    if (extra != NULL) {
+        memcpy(bytes.extra, extra, sizeof bytes.extra);
+    }
+    for (int i = 0; i < 3 * FACES; i++) {
+        bytes.indices[i] = (uint16_t)faces[i / 3][i % 3];
+    }
+    write_format(
+        "x.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],%s,\"nodes\":[%s],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":5,\"type\":\"VEC3\"},"
+        "{\"bufferView\":2,\"componentType\":5123,\"count\":18,\"type\":\"SCALAR\"},"
+        "{\"bufferView\":1,\"componentType\":5126,\"count\":5,\"type\":\"VEC4\"},"
+        "{\"bufferView\":1,\"componentType\":5126,\"count\":1,\"type\":\"VEC3\"},"
+        "{\"componentType\":5121,\"count\":5,\"type\":\"VEC4\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":60},{\"buffer\":0,\"byteOffset\":60,"
+        "\"byteLength\":80},{\"buffer\":0,\"byteOffset\":140,\"byteLength\":36}],"
+        "\"buffers\":[{\"byteLength\":176,\"uri\":\"%s\"}]}",
+        more, nodes, data_uri(&bytes, sizeof bytes));
+}
+
+#define MESH "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}]"
+
+// A child that is far within its parent, which stands on its head: a turn about x takes y to −y and z to −z.
+static void write_children(const double place[3])
+{
+    char nodes[512];
+    snprintf(nodes, sizeof nodes,
+             "{\"children\":[1],\"rotation\":[1,0,0,0],\"translation\":[1,2,3]},{\"mesh\":0,\"rotation\":[1,"
+             "0,0,0],"
+             "\"translation\":[%.9f,%.9f,%.9f]}",
+             place[0] - 1, 2 - place[1], 3 - place[2]);
+    write_shape(nodes, MESH, near, NULL);
+}
+
+static void write_matrix(const double place[3])
+{
+    char nodes[512];
+    snprintf(nodes, sizeof nodes, "{\"mesh\":0,\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,%.9f,%.9f,%.9f,1]}",
+             place[0], place[1], place[2]);
+    write_shape(nodes, MESH, near, NULL);
+}
+
+// EXT_mesh_gpu_instancing; a float has multiples of 4 of the place, the node has the rest.
+static void write_many(const double place[3])
+{
+    char nodes[512];
+    float moves[CORNERS][4] = {0};
+    for (int c = 0; c < 3; c++) {
+        moves[0][c] = (float)place[c];
+    }
+    snprintf(nodes, sizeof nodes,
+             "{\"mesh\":0,\"translation\":[%.9f,%.9f,%.9f],\"extensions\":{\"EXT_mesh_gpu_instancing\":"
+             "{\"attributes\":{\"TRANSLATION\":3}}}}",
+             place[0] - (double)moves[0][0], place[1] - (double)moves[0][1], place[2] - (double)moves[0][2]);
+    write_shape(nodes, MESH ",\"extensionsUsed\":[\"EXT_mesh_gpu_instancing\"]", near,
+                (const float(*)[4])moves);
+}
+
+// Every vertex follows the one joint.
+static void write_skin(const double place[3])
+{
+    char nodes[512];
+    const float weights[CORNERS][4] = {{1}, {1}, {1}, {1}, {1}};
+    snprintf(nodes, sizeof nodes,
+             "{\"mesh\":0,\"skin\":0,\"children\":[1]},{\"translation\":[%.9f,%.9f,%.9f]}", place[0],
+             place[1], place[2]);
+    write_shape(nodes,
+                "\"skins\":[{\"joints\":[1]}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,"
+                "\"JOINTS_0\":4,\"WEIGHTS_0\":2},\"indices\":1}]}]",
+                near, weights);
+}
+
+static void test_gltf(void **state)
+{
+    (void)state;
+    assert_one_shape("x.gltf", write_children);
+    assert_one_shape("x.gltf", write_matrix);
+    assert_one_shape("x.gltf", write_many);
+    assert_one_shape("x.gltf", write_skin);
+}
+
+// Positions that are far in the mesh and brought back by its node, as far as floats have them.
+static void test_brought_back(void **state)
+{
+    (void)state;
+    const double inside[3] = {65536, -32768, 131072};
+    write_shape("{\"mesh\":0,\"translation\":[-65536,32768,-131072]}", MESH, inside, NULL);
+    struct scene_model *model = load("x.gltf");
+    assert_false(scene_origin_is_far(model->origin));
+    double point[3];
+    find_vertex(model, 0, 1, point);
+    assert_true(fabs(point[0] - 0.8125) < 1e-6 && fabs(point[1] - 0.125) < 1e-6 && fabs(point[2]) < 1e-6);
+    scene_model_free(model);
+}
+
+static void test_camera_and_light(void **state)
+{
+    (void)state;
+    char nodes[512];
+    snprintf(
+        nodes, sizeof nodes,
+        "{\"children\":[1,2,3],\"translation\":[%.9f,%.9f,%.9f]},{\"mesh\":0},{\"camera\":0,\"translation\":"
+        "[0.25,0.5,4]},{\"translation\":[1,2,3],\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}}",
+        far[0], far[1], far[2]);
+    write_shape(nodes,
+                MESH ",\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":0.5,\"znear\":0.1}}],"
+                     "\"extensionsUsed\":[\"KHR_lights_punctual\"],\"extensions\":{\"KHR_lights_punctual\":"
+                     "{\"lights\":[{\"type\":\"point\"}]}}",
+                near, NULL);
+    struct scene_model *model = load("x.gltf");
+    const struct scene_camera camera = scene_camera_from_model(model, &model->cameras[0], 1.0);
+    const double eye[3] = {0.25, 0.5, 4}, light[3] = {1, 2, 3};
+    for (int c = 0; c < 3; c++) {
+        assert_true(camera.eye[c] == far[c] + eye[c]);
+        assert_true(model->origin[c] + (double)model->lights[0].position[c] == far[c] + light[c]);
+    }
+    scene_model_free(model);
+}
+
+// 256 times its size away and less, a model has the numbers of its file.
+static void test_how_far(void **state)
+{
+    (void)state;
+    write_text("x.obj", "v 250 0 0\nv 251 0 0\nv 250 1 0\nv 251 1 0\nf 1 2 3\nf 2 4 3");
+    struct scene_model *model = load("x.obj");
+    assert_false(scene_origin_is_far(model->origin));
+    assert_true(model->bounds_max[0] == 251.0f);
+    scene_model_free(model);
+    write_text("x.obj", "v 260 0 0\nv 261 0 0\nv 260 1 0\nv 261 1 0\nf 1 2 3\nf 2 4 3");
+    model = load("x.obj");
+    assert_true(model->origin[0] > 256 && model->origin[1] <= 1);
+    assert_true((double)model->bounds_max[0] + model->origin[0] == 261);
+    scene_model_free(model);
+    write_text("x.obj", "v 1e7 2e7 0\np 1\n"); // a point has no size
+    model = load("x.obj");
+    assert_false(scene_origin_is_far(model->origin));
+    scene_model_free(model);
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_text_formats),
+    cmocka_unit_test(test_assimp),
+    cmocka_unit_test(test_gltf),
+    cmocka_unit_test(test_brought_back),
+    cmocka_unit_test(test_camera_and_light),
+    cmocka_unit_test(test_how_far),
+};
+
+const struct unit_tests test_origin = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Files that were dropped or chosen, folders too, as a model and the files beside it.
+
+const MODELS = [/\.(glb|gltf)$/i, /\.(obj|ply|off|stl|3mf)$/i]; // of several in a folder, the better described first
+
+const depthOf = (path) => path.split('/').length;
+const folderOf = (path) => path.slice(0, path.lastIndexOf('/') + 1);
+
+// A folder tells of its entries in portions, of which the last is empty.
+async function entriesOf(folder) {
+  const reader = folder.createReader();
+  const entries = [];
+  for (;;) {
+    const portion = await new Promise((done, fail) => reader.readEntries(done, fail));
+    if (portion.length === 0) {
+      return entries;
+    }
+    entries.push(...portion);
+  }
+}
+
+// [path, File] of everything in an entry.
+async function filesOf(entry, path = '') {
+  if (entry.isFile) {
+    return [[path + entry.name, await new Promise((done, fail) => entry.file(done, fail))]];
+  }
+  const inside = await entriesOf(entry);
+  return (await Promise.all(inside.map((inner) => filesOf(inner, `${path}${entry.name}/`)))).flat();
+}
+
+/** [path, File] of all that was dropped. To be called while the event is handled: its items are gone after that. */
+export function droppedFiles({ items, files }) {
+  const entries = [...items].filter(({ kind }) => kind === 'file').map((item) => item.webkitGetAsEntry?.());
+  const areEntries = entries.length > 0 && entries.every(Boolean);
+  return areEntries ? Promise.all(entries.map((entry) => filesOf(entry))).then((all) => all.flat()) : chosenFiles(files);
+}
+
+/** The same of an input. */
+export const chosenFiles = async (files) => [...files].map((file) => [file.webkitRelativePath || file.name, file]);
+
+async function read([path, file]) {
+  try {
+    return [path, await file.arrayBuffer()];
+  } catch {
+    throw new Error(path);
+  }
+}
+
+/**
+ * {bytes, name, files}: of several files one is the model, the others are those that it may name, by their paths as seen from it.
+ * undefined where there is none. What cannot be read is an error whose message is its path.
+ */
+export async function modelOf(list) {
+  const kindOf = ([path]) => [...MODELS.map((kind) => kind.test(path)), true].indexOf(true);
+  const [main] = [...list].sort((a, b) => kindOf(a) - kindOf(b) || depthOf(a[0]) - depthOf(b[0]));
+  if (!main) {
+    return undefined;
+  }
+  const folder = folderOf(main[0]);
+  const beside = list.filter((file) => file !== main && file[0].startsWith(folder));
+  const [[name, bytes], ...others] = await Promise.all([main, ...beside].map(read));
+  const files = Object.fromEntries(others.map(([path, data]) => [path.slice(folder.length), data]));
+  return { bytes, name: name.slice(folder.length), files };
+}
