@@ -84,7 +84,7 @@ def write(source, places):
     for name, mutants in by_file.items():
         text = (ROOT / name).read_bytes()
         for place in sorted(mutants, key=lambda place: -place.start):
-            mutated = place.mutated.replace("{on}", f"rhw_mutant({place.number})")
+            mutated = place.mutated.replace("{on}", f"mutant({place.number})")
             text = text[: place.start] + mutated.encode() + text[place.end:]
         if name.endswith(".py"):
             text = python_places.imports(text.decode(), HERE).encode()

@@ -90,7 +90,7 @@ def imports(source, folder):
     lines = source.splitlines(keepends=True)
     for node in ast.parse(source).body:
         if isinstance(node, (ast.Import, ast.ImportFrom)) and getattr(node, "module", "") != "__future__":
-            switch = f"import sys; sys.path.append({str(folder)!r}); from rhw_mutant import rhw_mutant; "
+            switch = f"import sys; sys.path.append({str(folder)!r}); from mutant import mutant; "
             lines[node.lineno - 1] = switch + lines[node.lineno - 1]
             return "".join(lines)
     raise ValueError("the module imports nothing")

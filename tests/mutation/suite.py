@@ -8,7 +8,7 @@ import threading
 import time
 from dataclasses import dataclass, field
 
-MOST = 65536  # as RHW_MUTANTS_MOST in mutant.h
+MOST = 65536  # as MUTANTS_MOST in mutant.h
 MEMORY = 12 << 30  # bytes that a process may map: a mutant may ask for all there is
 # What cannot be told from the exit status of one command.
 NOT_ALONE = {"DEPENDS", "FIXTURES_REQUIRED", "PASS_REGULAR_EXPRESSION", "WILL_FAIL"}

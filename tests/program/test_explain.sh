@@ -363,9 +363,10 @@ check "with perspective" grep -q '^Seen in perspective the triangle is not flat 
 
 # Every key of the JSON stands in docs/outputs.md and in the types of the npm package, and no type speaks of another.
 if command -v python3 >/dev/null 2>&1; then
+    awk '$1 == "v" { $2 += 10000000 } { print }' OFMT=%.9g CONVFMT=%.9g cube.obj >far.obj
     i=0
     for options in "tile.obj --at 80,100 $look" "tile.obj --at 80,100 $look --supersample 4" "cube.obj --at 0,0 --size 64" \
-        "cube.obj --at 32,32 --size 64 --ortho"; do
+        "cube.obj --at 32,32 --size 64 --ortho" "far.obj --at 32,32 --size 64"; do
         i=$((i + 1))
         succeed explain $options --json
         cp "$folder/log/out" keys$i.json

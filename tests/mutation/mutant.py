@@ -10,7 +10,7 @@ if "RHW_MUTANTS_REACHED" in os.environ:
         _reached = mmap.mmap(_file.fileno(), 0)
 
 
-def rhw_mutant(number):
+def mutant(number):
     """Returns True if mutant `number` is on."""
     if _reached is not None:
         _reached[number] = 1
