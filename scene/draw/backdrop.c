@@ -1,10 +1,11 @@
-// SPDX-License-Identifier: MIT What is seen through surfaces that light passes through, as light before tone mapping,
-// with a chain of levels, of which rough surfaces read the blurred ones.
+// SPDX-License-Identifier: MIT
+// The backdrop is what is seen through surfaces that light passes through, as light before tone mapping, with a
+// chain of levels, of which rough surfaces read the blurred ones.
 //
-// First comes all that light does not pass through, without blended surfaces before the nearest glass. Then come the
-// layers of glass behind the nearest, from the farthest on, as peel.c peels blended ones: each reads the picture that
-// the layers behind it are in. The nearest layer of a pixel is left to the picture itself. Of more layers than
-// MOST_LAYERS the nearer ones are not seen through the nearest.
+// All that light does not pass through is drawn first, without blended surfaces before the nearest glass. The
+// layers of glass behind the nearest follow, from the farthest on, as peel.c peels blended ones. Each layer reads
+// the picture that the layers behind it are in. The nearest layer of a pixel is left to the picture itself. Of
+// more layers than MOST_LAYERS the nearer ones are not seen through the nearest.
 #include "drawing.h"
 
 #include "screen.h"

@@ -39,7 +39,7 @@ struct scene {
     struct scene_surroundings surroundings;
     struct scene_seen_through backdrop;
     struct scene_peel peel;
-    struct scene_triangle_order order; // order of the draw under way
+    struct scene_triangle_order order; // order of triangles of the draw under way
     rhw_sampler nearest;
     double upload_ms;
 };

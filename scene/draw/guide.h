@@ -13,7 +13,7 @@
 struct scene_guide {
     int width, height; ///< the picture's, or where that is large a whole part of it
     struct scene_plane distance, occlusion, scratch;
-    struct scene_target normal; ///< normals of mesh and facet, in the world, as guide_normal.h folds them
+    struct scene_target normal; ///< normals of mesh and facet in the world, folded by guide_normal.h
 };
 
 /// Draws the guide of a view. `frame` and `view_projection` are those of scene_frame_look.

@@ -10,8 +10,8 @@
 
 struct scene_lighting;
 
-/// PEELED: blended surfaces without blending, of each pixel the farthest that is nearer than `peeled`. GLASS: surfaces
-/// that light passes through, drawn as PEELED. BLENDED: blended surfaces.
+/// A pass of PEELED draws blended surfaces without blending, of each pixel the farthest that is nearer than `peeled`. A
+/// pass of GLASS draws surfaces that light passes through in the same way, and one of BLENDED draws blended surfaces.
 enum scene_surface_part {
     SCENE_SURFACES_ALL,
     SCENE_SURFACES_OPAQUE,

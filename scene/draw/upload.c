@@ -140,8 +140,8 @@ static enum rhw_result upload_quads(rhw_context *context, const struct scene_mes
     return result;
 }
 
-// Return true if the normals of a facet's corners lie on its other side, further away than interpolation leads: by 120
-// degrees.
+// Tell whether the normals of a facet's corners lie on its other side, 120 degrees or more from the facet's own, which
+// is further than interpolation leads.
 static bool is_turned(const struct scene_mesh *mesh, uint32_t triangle)
 {
     const uint32_t *const corner = &mesh->indices[3 * (size_t)triangle];
@@ -158,7 +158,7 @@ static bool is_turned(const struct scene_mesh *mesh, uint32_t triangle)
     return along < 0.0 && third * third > 0.25 * scene_dot(across, across);
 }
 
-// Some facets, spread over the mesh, speak for all.
+// Tell whether most facets are turned. Some facets, spread over the mesh, speak for all.
 static bool is_inside_out(const struct scene_mesh *mesh)
 {
     enum { ASKED = 256 };

@@ -422,6 +422,8 @@ export interface ExplainedFragment {
         /** A normal map has turned the normal. */
         normal_mapped: boolean;
         normal: Triple;
+        /** The part of the light from all around that ambient occlusion lets through, 0 to 1. */
+        ambient_open: number;
         /** The first 8; `sum` is what arrives of all of them. */
         lights: {
             type: 'directional' | 'point' | 'spot';

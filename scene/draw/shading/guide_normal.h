@@ -1,6 +1,7 @@
-// SPDX-License-Identifier: MIT The two normals of a texel of the guide, in four halves: the shading normal, and the
-// normal of the facet. Each is folded onto an octahedron, whose faces unfold into a square (Q. Meyer, J. Süßmuth, G.
-// Sußner, M. Stamminger, G. Greiner, "On floating-point normal vectors", 2010).
+// SPDX-License-Identifier: MIT
+// The guide keeps two normals of a texel in four halves: the shading normal, and the normal of the facet. Each is
+// folded onto an octahedron, whose faces unfold into a square (Q. Meyer, J. Süßmuth, G. Sußner, M. Stamminger, G.
+// Greiner, "On floating-point normal vectors", 2010).
 #ifndef SCENE_GUIDE_NORMAL_H
 #define SCENE_GUIDE_NORMAL_H
 

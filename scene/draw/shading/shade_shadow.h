@@ -14,8 +14,8 @@
 // reaches it. Where none of the four texels around a fragment lies in its plane and some lie before it, the fragment is
 // hidden. The allowance is not made there, taps beyond the end of the plane do not count, and no light arrives where
 // the penumbra of what hides the fragment is narrower than a texel. Folds stay lit: the other side of a fold begins
-// beyond a line that passes the fragment, and no such side holds all four corners of a square without what is inside of
-// the square.
+// beyond a line that passes the fragment, and no such side holds all four corners of a square without what is inside
+// of the square.
 //
 // Facets that stand for a curved surface and are turned away from the light lie in the shadow of the facets before
 // them, while the normals of their corners still face the light. The result is dark triangles along the limit of light.
