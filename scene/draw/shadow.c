@@ -155,7 +155,9 @@ static void find_range(const struct scene_model *model, const struct frame *f, d
         *near = along < *near ? along : *near;
         *far = along > *far ? along : *far;
     }
-    const double room = 0.01 * (*far - *near) + 1e-6;
+    // A millionth, or less for a model so small that this would be most of the map's depth.
+    const double some = 1e-6, part = 0.01 * diagonal(&box);
+    const double room = 0.01 * (*far - *near) + (part > 0.0 && part < some ? part : some);
     *near -= room;
     *far += room;
 }

@@ -87,6 +87,15 @@ def test_far_from_the_origin(tmp_path, program):
     assert rhw.load(obj).render(64, outputs="position").exr() == exr
 
 
+@pytest.mark.parametrize("size", [1e-6, 1e-12])
+def test_tiny(size):
+    """A model of any size has the shadows of its shape."""
+    vertices, faces, _ = sphere(8, 8)
+    usual = rhw.Model(vertices, faces, smooth=False).render(64)["color"].astype(int)
+    tiny = rhw.Model(vertices * size, faces, smooth=False).render(64)["color"].astype(int)
+    assert np.abs(tiny - usual).mean() < 0.1
+
+
 def _placed(vertices, faces, world):
     """A scene as those of trimesh are, with one node."""
     class Graph:
