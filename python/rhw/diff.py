@@ -256,7 +256,8 @@ def _texels(value: Any, name: str, cube: bool) -> NDArray[Any]:
 
 def _every_other(texels: NDArray[Any], axis: int) -> List[NDArray[Any]]:
     """The texels with even and with odd numbers along an axis."""
-    return [texels[(..., slice(k, None, 2)) + (slice(None),) * (-1 - axis)] for k in (0, 1)]
+    along = np.moveaxis(texels, axis, 0)
+    return [np.moveaxis(along[k::2], 0, axis) for k in (0, 1)]
 
 
 def _halved(texels: NDArray[Any]) -> NDArray[Any]:
