@@ -18,7 +18,7 @@ triangles an image has, by the first and their number.
 
 Nothing depends on how many threads work, gradients neither: where many pixels add to one vertex or texel, they do so one
 after the other in the order of the picture, in double precision. `context` says how many threads there are, else all cores
-work. The interpreter's lock is released meanwhile; Ctrl-C ends a call within a moment, and rasterize after an image.
+work. The interpreter's lock is released meanwhile; Ctrl-C ends a call within a moment.
 """
 
 from __future__ import annotations
@@ -254,6 +254,11 @@ def _texels(value: Any, name: str, cube: bool) -> NDArray[Any]:
     return array
 
 
+def _every_other(texels: NDArray[Any], axis: int) -> List[NDArray[Any]]:
+    """The texels with even and with odd numbers along an axis."""
+    return [texels[(..., slice(k, None, 2)) + (slice(None),) * (-1 - axis)] for k in (0, 1)]
+
+
 def _halved(texels: NDArray[Any]) -> NDArray[Any]:
     """The next level: means of 2 by 2 texels, or of two where the level is one texel high or wide."""
     for axis in (-3, -2):
@@ -261,8 +266,11 @@ def _halved(texels: NDArray[Any]) -> NDArray[Any]:
         if extent > 1:
             if extent % 2:
                 raise ValueError(f"tex: sides that are halved must be even, not {extent}; max_mip_level limits how often")
-            even, odd = (np.take(texels, range(k, extent, 2), axis) for k in (0, 1))
-            texels = even * np.float32(0.5) + odd * np.float32(0.5)
+            even, odd = _every_other(texels, axis)
+            mean, half = empty(even.shape), empty(even.shape)
+            np.multiply(even, np.float32(0.5), out=mean)
+            np.add(mean, np.multiply(odd, np.float32(0.5), out=half), out=mean)
+            texels = mean
     return texels
 
 
@@ -295,8 +303,11 @@ def _collected(levels: List[NDArray[Any]]) -> NDArray[Any]:
         below = levels.pop()
         for axis in (-2, -3):
             if below.shape[axis] > 1:
-                gradient = np.repeat(gradient, 2, axis) * np.float32(0.5)
-        gradient = below + gradient
+                wider = empty(gradient.shape[:axis] + (2 * gradient.shape[axis],) + gradient.shape[axis:][1:])
+                for part in _every_other(wider, axis):
+                    np.multiply(gradient, np.float32(0.5), out=part)
+                gradient = wider
+        gradient = np.add(below, gradient, out=empty(below.shape))
     return gradient
 
 

@@ -246,7 +246,7 @@ class Model:
         return np.array(self._bounds) + self.origin if any(self.origin) else np.array(self._bounds, np.float32)
 
     @property
-    def frame(self) -> np.ndarray:
+    def frame(self) -> NDArray[Any]:
         """The bounds without what nobody can see, and without specks far away: what a fitted picture is about."""
         return np.array(self._frame) + self.origin if any(self.origin) else np.array(self._frame, np.float32)
 

@@ -8,6 +8,7 @@
 // each ended there instead of half way. One of the two is changed: with d above 1/2 the other gets d − 1/2 of the
 // triangle's colour, else the triangle's pixel gets 1/2 − d of the other's.
 #include "diff_mesh.h"
+#include "picture_memory.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -280,7 +281,8 @@ static bool run(struct work *work)
     struct diff_mesh *const mesh = &work->mesh;
     const bool backwards = work->to_result != NULL;
     const size_t rows = mesh->images * mesh->height;
-    work->share = malloc(mesh->images * diff_mesh_pixels(mesh) * sizeof *work->share);
+    const size_t share_bytes = mesh->images * diff_mesh_pixels(mesh) * sizeof *work->share;
+    work->share = python_picture_allocate(share_bytes);
     work->sums = backwards ? diff_sums(mesh->images, 3 * mesh->vertices, &work->sum_pitch) : NULL;
     const bool good = work->share && (work->sums || !backwards);
     if (good) {
@@ -293,8 +295,8 @@ static bool run(struct work *work)
         }
         add_images(work);
     }
-    free(work->share);
-    free(work->sums);
+    python_picture_release(work->share, share_bytes);
+    diff_sums_free(work->sums, mesh->images, work->sum_pitch);
     return good;
 }
 

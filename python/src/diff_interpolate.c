@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Attributes of vertices at pixels, A = u A0 + v A1 + (1 − u − v) A2, with slopes by the chain rule, and both
-// backwards.
+// backwards. Backwards a triangle goes through its pixels once, for the gradients of all three corners and of the pixels;
+// then a vertex adds up what its corners got. Some images are worked on at a time, so that the sums of corners fit a
+// cache.
 #include "diff_mesh.h"
+#include "picture_memory.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -19,6 +22,9 @@ struct work {
     float *attribute_gradient, *rast_gradient, *rast_db_gradient;
     struct diff_corners corners;
     struct diff_pixels pixels;
+    size_t first_image, end_image; // that are worked on
+    double *corner_sums;           // [end_image − first_image][triangles][3][channels]
+    double *vertex_sums;           // [vertices][channels] of attributes that all images share; else NULL
 };
 
 static void find_corners(const struct work *work, size_t image, size_t triangle, const float *corner[3])
@@ -60,35 +66,6 @@ static void interpolate_pixel(const struct work *work, size_t image, size_t plac
     }
 }
 
-static void give_pixel(const struct work *work, size_t image, size_t place)
-{
-    const float *const values = work->to_values + place * work->channels;
-    const float *const slopes = work->to_slopes + 2 * place * work->slope_channels;
-    double to_uv[2] = {0}, to_db[4] = {0};
-    size_t triangle;
-    const float *corner[3];
-    if (diff_mesh_triangle(&work->mesh, work->rast[4 * place + 3], &triangle)) {
-        find_corners(work, image, triangle, corner);
-        for (size_t c = 0; c < work->channels; c++) {
-            to_uv[0] += (double)values[c] * (corner[0][c] - corner[2][c]);
-            to_uv[1] += (double)values[c] * (corner[1][c] - corner[2][c]);
-        }
-        for (size_t i = 0; i < work->slope_channels; i++) {
-            const size_t c = work->selected[i];
-            for (int k = 0; k < 4; k++) {
-                to_db[k] += (double)slopes[2 * i + (size_t)(k % 2)] * (corner[k / 2][c] - corner[2][c]);
-            }
-        }
-    }
-    float *const rast_gradient = work->rast_gradient + 4 * place;
-    rast_gradient[0] = (float)to_uv[0];
-    rast_gradient[1] = (float)to_uv[1];
-    rast_gradient[2] = rast_gradient[3] = 0.0f;
-    for (int k = 0; work->rast_db_gradient && k < 4; k++) {
-        work->rast_db_gradient[4 * place + (size_t)k] = (float)to_db[k];
-    }
-}
-
 static void interpolate_row(void *data, size_t row)
 {
     const struct work *work = data;
@@ -97,82 +74,197 @@ static void interpolate_row(void *data, size_t row)
     }
 }
 
-static void give_row(void *data, size_t row)
+enum { TRIANGLES_OF_JOB = 64, VERTICES_OF_JOB = 256, MAX_CHANNELS = 1024, MOST_SUM_BYTES = 1 << 23 };
+
+// A triangle in an image, while its pixels are gone through.
+struct facing {
+    double along_u[MAX_CHANNELS], along_v[MAX_CHANNELS]; // what its attributes grow by: differences of floats
+    double *sum; // [3][channels]: gradients of its corners' attributes
+};
+
+static void give_values(const struct work *work, const struct facing *facing, size_t place, double to_uv[2])
 {
-    const struct work *work = data;
-    for (size_t x = 0; x < work->mesh.width; x++) {
-        give_pixel(work, row / work->mesh.height, row * work->mesh.width + x);
+    const float *const rast = work->rast + 4 * place, *const values =
+                                                          work->to_values + place * work->channels;
+    const size_t channels = work->channels;
+    const double u = rast[0], v = rast[1], w = 1.0f - rast[0] - rast[1];
+    double *const sum = facing->sum, to_u = 0, to_v = 0;
+    for (size_t c = 0; c < channels; c++) {
+        const double value = values[c];
+        sum[c] += u * value;
+        sum[channels + c] += v * value;
+        sum[2 * channels + c] += w * value;
+        to_u += value * facing->along_u[c];
+        to_v += value * facing->along_v[c];
     }
+    to_uv[0] = to_u;
+    to_uv[1] = to_v;
 }
 
-// Adds what a pixel gives to corner k of its triangle.
-static void collect_pixel(const struct work *work, size_t place, size_t k, double *sum)
+static void give_slopes(const struct work *work, const struct facing *facing, size_t place, double to_db[4])
 {
-    const float *const rast = work->rast + 4 * place, *const db = slope_weights(work, place);
-    const float weights[3] = {rast[0], rast[1], 1.0f - rast[0] - rast[1]};
-    const float *const values = work->to_values + place * work->channels;
-    for (size_t c = 0; c < work->channels; c++) {
-        sum[c] += (double)weights[k] * values[c];
-    }
+    const float *const db = work->rast_db + 4 * place;
     for (size_t i = 0; i < work->slope_channels; i++) {
         const float *const slope = work->to_slopes + 2 * (place * work->slope_channels + i);
-        const float dx = k == 2 ? -db[0] - db[2] : db[2 * k], dy = k == 2 ? -db[1] - db[3] : db[2 * k + 1];
-        sum[work->selected[i]] += (double)dx * slope[0] + (double)dy * slope[1];
+        const size_t c = work->selected[i];
+        for (size_t k = 0; k < 3; k++) {
+            const float dx = k == 2 ? -db[0] - db[2] : db[2 * k],
+                        dy = k == 2 ? -db[1] - db[3] : db[2 * k + 1];
+            facing->sum[k * work->channels + c] += (double)dx * slope[0] + (double)dy * slope[1];
+        }
+        for (int k = 0; k < 4; k++) {
+            to_db[k] += (double)slope[k % 2] * (k < 2 ? facing->along_u : facing->along_v)[c];
+        }
     }
 }
 
-enum { VERTICES_OF_JOB = 256, MAX_CHANNELS = 1024 };
+static void give_pixel(const struct work *work, const struct facing *facing, size_t place)
+{
+    double to_uv[2], to_db[4] = {0};
+    give_values(work, facing, place, to_uv);
+    work->rast_gradient[4 * place] = (float)to_uv[0];
+    work->rast_gradient[4 * place + 1] = (float)to_uv[1];
+    if (work->rast_db) {
+        give_slopes(work, facing, place, to_db);
+    }
+    for (size_t k = 0; work->rast_db_gradient && k < 4; k++) {
+        work->rast_db_gradient[4 * place + k] = (float)to_db[k];
+    }
+}
 
-// Attributes that all images share collect from one image after the other.
-static void collect_vertex(const struct work *work, size_t vertex, size_t first_image, size_t end_image)
+static void give_triangle(const struct work *work, size_t image, size_t triangle, struct facing *facing)
 {
     const struct diff_mesh *const mesh = &work->mesh;
-    double sum[MAX_CHANNELS];
-    memset(sum, 0, work->channels * sizeof *sum);
-    for (size_t image = first_image; image < end_image; image++) {
-        const uint32_t *const first = work->pixels.first + image * (mesh->triangles + 2);
-        const uint32_t *const pixels = work->pixels.pixel + image * diff_mesh_pixels(mesh);
-        for (size_t i = work->corners.first[vertex]; i < work->corners.first[vertex + 1]; i++) {
-            const size_t triangle = work->corners.corner[i] / 3, k = work->corners.corner[i] % 3;
-            for (uint32_t j = first[triangle]; j < first[triangle + 1]; j++) {
-                collect_pixel(work, image * diff_mesh_pixels(mesh) + pixels[j], k, sum);
-            }
+    const size_t first_pixel = image * diff_mesh_pixels(mesh);
+    const uint32_t *const first = work->pixels.first + image * (mesh->triangles + 2) + triangle;
+    const uint32_t *const pixels = work->pixels.pixel + first_pixel;
+    const float *corner[3];
+    if (first[0] == first[1]) {
+        return;
+    }
+    find_corners(work, image, triangle, corner);
+    for (size_t c = 0; c < work->channels; c++) {
+        const float along_u = corner[0][c] - corner[2][c], along_v = corner[1][c] - corner[2][c];
+        facing->along_u[c] = along_u;
+        facing->along_v[c] = along_v;
+    }
+    for (uint32_t i = first[0]; i < first[1]; i++) {
+        give_pixel(work, facing, first_pixel + pixels[i]);
+    }
+}
+
+static size_t jobs_of(size_t count, size_t of_job)
+{
+    return (count + of_job - 1) / of_job;
+}
+
+static void give_triangles(void *data, size_t job)
+{
+    const struct work *work = data;
+    const size_t triangles = work->mesh.triangles, jobs = jobs_of(triangles, TRIANGLES_OF_JOB);
+    const size_t image = job / jobs, start = job % jobs * TRIANGLES_OF_JOB, next = start + TRIANGLES_OF_JOB;
+    const size_t end = next < triangles ? next : triangles, floats = 3 * work->channels;
+    double *const sums = work->corner_sums + image * triangles * floats;
+    struct facing facing;
+    memset(sums + start * floats, 0, (end - start) * floats * sizeof *sums);
+    for (size_t t = start; t < end; t++) {
+        facing.sum = sums + t * floats;
+        give_triangle(work, work->first_image + image, t, &facing);
+    }
+}
+
+// Pixels without a triangle have no gradient.
+static void clear_row(void *data, size_t row)
+{
+    const struct work *work = data;
+    const size_t floats = 4 * work->mesh.width;
+    memset(work->rast_gradient + row * floats, 0, floats * sizeof(float));
+    if (work->rast_db_gradient) {
+        memset(work->rast_db_gradient + row * floats, 0, floats * sizeof(float));
+    }
+}
+
+static void add_corners(const struct work *work, size_t image, size_t vertex, double *sum)
+{
+    const double *const sums =
+        work->corner_sums + (image - work->first_image) * work->mesh.triangles * 3 * work->channels;
+    for (size_t i = work->corners.first[vertex]; i < work->corners.first[vertex + 1]; i++) {
+        const double *const corner = sums + work->corners.corner[i] * work->channels;
+        for (size_t c = 0; c < work->channels; c++) {
+            sum[c] += corner[c];
         }
     }
-    float *const result =
-        work->attribute_gradient + first_image * work->attribute_stride + vertex * work->channels;
+}
+
+static void put_vertex(const struct work *work, size_t image, size_t vertex, const double *sum)
+{
+    float *const result = work->attribute_gradient + image * work->attribute_stride + vertex * work->channels;
     for (size_t c = 0; c < work->channels; c++) {
         result[c] = (float)sum[c];
     }
 }
 
-static size_t jobs_of_image(const struct work *work)
-{
-    return (work->mesh.vertices + VERTICES_OF_JOB - 1) / VERTICES_OF_JOB;
-}
-
+// Attributes that all images share collect from one image after the other.
 static void collect_vertices(void *data, size_t job)
 {
     const struct work *work = data;
-    const size_t image = job / jobs_of_image(work), start = job % jobs_of_image(work) * VERTICES_OF_JOB;
-    const size_t end_image = work->attribute_stride ? image + 1 : work->mesh.images;
-    for (size_t v = start; v < start + VERTICES_OF_JOB && v < work->mesh.vertices; v++) {
-        collect_vertex(work, v, image, end_image);
+    const size_t jobs = jobs_of(work->mesh.vertices, VERTICES_OF_JOB);
+    const size_t start = job % jobs * VERTICES_OF_JOB, end = start + VERTICES_OF_JOB;
+    const size_t first_image = work->first_image + job / jobs;
+    const size_t end_image = work->vertex_sums ? work->end_image : first_image + 1;
+    double own[MAX_CHANNELS];
+    for (size_t v = start; v < end && v < work->mesh.vertices; v++) {
+        double *const sum = work->vertex_sums ? work->vertex_sums + v * work->channels : own;
+        if (!work->vertex_sums) {
+            memset(own, 0, work->channels * sizeof *own);
+        }
+        for (size_t image = first_image; image < end_image; image++) {
+            add_corners(work, image, v, sum);
+        }
+        put_vertex(work, first_image * (work->vertex_sums == NULL), v, sum);
+    }
+}
+
+// How many images' sums are there at a time. It depends on sizes alone.
+static size_t images_at_once(const struct work *work, size_t sum_bytes)
+{
+    const size_t most = sum_bytes > 0 ? MOST_SUM_BYTES / sum_bytes : work->mesh.images;
+    return most < 1 ? 1 : most < work->mesh.images ? most : work->mesh.images;
+}
+
+static void give_images(struct work *work, size_t at_once)
+{
+    struct diff_mesh *const mesh = &work->mesh;
+    for (work->first_image = 0; work->first_image < mesh->images; work->first_image = work->end_image) {
+        const size_t left = mesh->images - work->first_image, count = left < at_once ? left : at_once;
+        work->end_image = work->first_image + count;
+        diff_jobs_run(&mesh->crew, count * jobs_of(mesh->triangles, TRIANGLES_OF_JOB), give_triangles, work);
+        diff_jobs_run(&mesh->crew, (work->vertex_sums ? 1 : count) * jobs_of(mesh->vertices, VERTICES_OF_JOB),
+                      collect_vertices, work);
     }
 }
 
 static bool run_backwards(struct work *work)
 {
     struct diff_mesh *const mesh = &work->mesh;
-    diff_jobs_run(&mesh->crew, mesh->images * mesh->height, give_row, work);
-    const bool good =
-        diff_corners_make(mesh, &work->corners) && diff_pixels_make(mesh, work->rast, &work->pixels);
+    const bool is_shared = work->attribute_stride == 0;
+    const size_t sums = diff_times(mesh->triangles, 3 * work->channels);
+    const size_t at_once = images_at_once(work, sums * sizeof(double));
+    diff_jobs_run(&mesh->crew, mesh->images * mesh->height, clear_row, work);
+    const size_t corner_bytes = (at_once * sums + 1) * sizeof *work->corner_sums;
+    const size_t vertex_bytes = mesh->vertices * work->channels * sizeof *work->vertex_sums;
+    work->corner_sums = python_picture_allocate(corner_bytes);
+    work->vertex_sums = is_shared ? python_picture_allocate_zeroed(vertex_bytes) : NULL;
+    const bool good = work->corner_sums && (work->vertex_sums || !is_shared) &&
+                      diff_corners_make(mesh, &work->corners) &&
+                      diff_pixels_make(mesh, work->rast, &work->pixels);
     if (good) {
-        const size_t copies = work->attribute_stride ? mesh->images : 1;
-        diff_jobs_run(&mesh->crew, copies * jobs_of_image(work), collect_vertices, work);
+        give_images(work, at_once);
     }
     diff_corners_free(&work->corners);
     diff_pixels_free(&work->pixels);
+    python_picture_release(work->corner_sums, corner_bytes);
+    python_picture_release(work->vertex_sums, vertex_bytes);
     return good;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "diff_jobs.h"
 
+#include "picture_memory.h"
+
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -85,9 +87,10 @@ double *diff_sums(size_t rows, size_t columns, size_t *pitch)
     if (*pitch == 0 || rows == 0 || *pitch > most / rows) {
         return NULL;
     }
-    double *const sums = aligned_alloc(CACHE_LINE, rows * *pitch * sizeof *sums);
-    if (sums) {
-        memset(sums, 0, rows * *pitch * sizeof *sums);
-    }
-    return sums;
+    return python_picture_allocate_zeroed(rows * *pitch * sizeof(double));
+}
+
+void diff_sums_free(double *sums, size_t rows, size_t pitch)
+{
+    python_picture_release(sums, rows * pitch * sizeof *sums);
 }

@@ -28,7 +28,8 @@ void diff_jobs_run(struct diff_crew *crew, size_t count, void (*function)(void *
                    void *data);
 
 /// Sums for jobs to add to, zeroed: so many rows, each of which begins on a cache line of its own, so that no two
-/// threads write to one. `*pitch`: doubles from row to row. Freed by free; NULL without memory.
+/// threads write to one. `*pitch`: doubles from row to row. Freed by diff_sums_free; NULL without memory.
 double *diff_sums(size_t rows, size_t columns, size_t *pitch);
+void diff_sums_free(double *sums, size_t rows, size_t pitch);
 
 #endif

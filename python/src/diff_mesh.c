@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "diff_mesh.h"
 
+#include "picture_memory.h"
+
 #include <stdlib.h>
 
 // Below 2^31 pixels in all, of at most 2^14 by 2^14 each, so that numbers of pixels fit 32 bits, and of floats size_t.
@@ -127,24 +129,26 @@ static void sort_image(void *data, size_t image)
 
 bool diff_pixels_make(struct diff_mesh *mesh, const float *rast, struct diff_pixels *pixels)
 {
-    pixels->first = calloc(mesh->images * (mesh->triangles + 2), sizeof *pixels->first);
-    pixels->pixel = malloc(mesh->images * diff_mesh_pixels(mesh) * sizeof *pixels->pixel);
-    struct sorting sorting = {mesh, rast, pixels,
-                              malloc(mesh->images * diff_mesh_pixels(mesh) * sizeof *sorting.triangle)};
+    pixels->first_bytes = mesh->images * (mesh->triangles + 2) * sizeof *pixels->first;
+    pixels->pixel_bytes = mesh->images * diff_mesh_pixels(mesh) * sizeof *pixels->pixel;
+    pixels->first = python_picture_allocate_zeroed(pixels->first_bytes);
+    pixels->pixel = python_picture_allocate(pixels->pixel_bytes);
+    struct sorting sorting = {mesh, rast, pixels, python_picture_allocate(pixels->pixel_bytes)};
     const bool good = pixels->first && pixels->pixel && sorting.triangle;
     if (good) {
         diff_jobs_run(&mesh->crew, mesh->images, sort_image, &sorting);
-    } else {
+    }
+    python_picture_release(sorting.triangle, pixels->pixel_bytes);
+    if (!good) {
         diff_pixels_free(pixels);
     }
-    free(sorting.triangle);
     return good;
 }
 
 void diff_pixels_free(struct diff_pixels *pixels)
 {
-    free(pixels->first);
-    free(pixels->pixel);
+    python_picture_release(pixels->first, pixels->first_bytes);
+    python_picture_release(pixels->pixel, pixels->pixel_bytes);
     *pixels = (struct diff_pixels){0};
 }
 

@@ -26,6 +26,7 @@ struct diff_corners {
 /// first[… + 1] − 1, numbered in the image and ascending.
 struct diff_pixels {
     uint32_t *first, *pixel;
+    size_t first_bytes, pixel_bytes;
 };
 
 /// (corners, vertices, images, height, width, threads). False with an exception.

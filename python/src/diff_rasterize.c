@@ -214,9 +214,12 @@ static PyObject *rasterize(PyObject *module, PyObject *arguments)
         return NULL;
     }
     diff_crew_begin(&work.mesh.crew);
+    rhw_context_set_goes_on(handle, python_work_goes_on, &work.mesh.crew.python);
     const enum rhw_result result = draw(handle, &work);
+    rhw_context_set_goes_on(handle, NULL, NULL);
     PyObject *const none = diff_crew_end(&work.mesh.crew, true);
-    if (!python_context_leave(context, result)) {
+    // Where a handler has raised an exception, that is told.
+    if (!python_context_leave(context, result == RHW_ERROR_GIVEN_UP ? RHW_OK : result)) {
         Py_XDECREF(none);
         return NULL;
     }

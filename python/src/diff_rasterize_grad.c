@@ -7,6 +7,7 @@
 //
 // First every pixel finds what it gives to its three corners, then every vertex adds up what it gets (diff_mesh.h).
 #include "diff_mesh.h"
+#include "picture_memory.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -158,7 +159,8 @@ static void collect_vertices(void *data, size_t job)
 static bool run(struct work *work)
 {
     struct diff_mesh *const mesh = &work->mesh;
-    work->given = malloc(diff_mesh_pixels(mesh) * sizeof *work->given);
+    const size_t given_bytes = diff_mesh_pixels(mesh) * sizeof *work->given;
+    work->given = python_picture_allocate(given_bytes);
     work->sums = calloc(mesh->vertices, sizeof *work->sums);
     const bool good = work->given && work->sums && diff_corners_make(mesh, &work->corners) &&
                       diff_pixels_make(mesh, work->rast, &work->pixels);
@@ -169,7 +171,7 @@ static bool run(struct work *work)
     }
     diff_corners_free(&work->corners);
     diff_pixels_free(&work->pixels);
-    free(work->given);
+    python_picture_release(work->given, given_bytes);
     free(work->sums);
     return good;
 }

@@ -191,7 +191,7 @@ static bool collect(struct work *work)
         diff_jobs_run(&work->crew, work->copies * level_rows(work, work->finished), finish_row, work);
     }
     for (int l = 0; l < levels; l++) {
-        free(work->sums[l]);
+        diff_sums_free(work->sums[l], work->copies * level_rows(work, l), work->sum_pitch[l]);
     }
     return good;
 }

@@ -8,7 +8,9 @@
 
 #include "import/builder/complete_mesh.h"
 #include "import/builder/numbers.h"
+#include "import/builder/origin.h"
 #include "import/builder/phong.h"
+#include "import/builder/place.h"
 #include "import/builder/readers.h"
 #include "import/builder/stored_colors.h"
 #include "import/builder/text_lines.h"
@@ -205,21 +207,19 @@ static void add_cloud(struct cloud *cloud)
     struct scene_import *import = cloud->import;
     struct scene_mesh mesh = {.name = "", .primitive = SCENE_PRIMITIVE_POINTS};
     mesh.vertex_count = mesh.index_count = (uint32_t)cloud->count;
-    mesh.positions = scene_import_allocate(import, cloud->count, sizeof *mesh.positions);
+    double origin[3];
+    mesh.positions = scene_import_settle(import, cloud->positions, cloud->count, origin);
     mesh.indices = scene_import_allocate(import, cloud->count, sizeof *mesh.indices);
     for (uint32_t i = 0; i < mesh.vertex_count; i++) {
         mesh.indices[i] = i;
-        for (int c = 0; c < 3; c++) {
-            mesh.positions[i][c] = (float)cloud->positions[i][c];
-        }
     }
     find_meaning(cloud, &mesh);
-    free(cloud->positions);
     free(cloud->extras);
     struct scene_phong phong = scene_phong_default();
     phong.colored = mesh.colors != NULL;
     mesh.material = scene_phong_add(import, &phong);
     *scene_import_add_mesh(import) = mesh;
+    scene_import_place_mesh(import, origin);
     struct scene_instance *instance = scene_import_add_instance(import);
     instance->mesh = import->model.mesh_count - 1;
     instance->object = 1;

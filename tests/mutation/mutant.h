@@ -13,7 +13,8 @@ extern "C" {
 char *rhw_mutant_getenv(const char *name) __asm__("getenv");
 int rhw_mutant_atoi(const char *text) __asm__("atoi");
 int rhw_mutant_open(const char *path, int flags, ...) __asm__("open");
-void *rhw_mutant_mmap(void *address, unsigned long size, int protection, int flags, int file, long offset) __asm__("mmap");
+void *rhw_mutant_mmap(void *address, unsigned long size, int protection, int flags, int file,
+                      long offset) __asm__("mmap");
 
 enum { RHW_MUTANTS_MOST = 65536 };
 
@@ -24,13 +25,15 @@ __attribute__((weak, visibility("hidden"))) unsigned char *rhw_mutants_reached =
 
 __attribute__((constructor, unused)) static void rhw_mutant_start(void)
 {
-    const char *const on = rhw_mutant_getenv("RHW_MUTANT"), *const reached = rhw_mutant_getenv("RHW_MUTANTS_REACHED");
+    const char *const on = rhw_mutant_getenv("RHW_MUTANT"), *const reached =
+                                                                rhw_mutant_getenv("RHW_MUTANTS_REACHED");
     if (on) {
         rhw_mutant_on = rhw_mutant_atoi(on);
     }
     if (reached && rhw_mutants_reached == rhw_mutants_unread) {
         const int file = rhw_mutant_open(reached, 02000002); // O_RDWR | O_CLOEXEC
-        void *const map = rhw_mutant_mmap(0, RHW_MUTANTS_MOST, 3, 1, file, 0); // PROT_READ | PROT_WRITE, MAP_SHARED
+        void *const map =
+            rhw_mutant_mmap(0, RHW_MUTANTS_MOST, 3, 1, file, 0); // PROT_READ | PROT_WRITE, MAP_SHARED
         if (map != (void *)-1) {
             rhw_mutants_reached = (unsigned char *)map;
         }

@@ -294,7 +294,7 @@ succeed render cube.obj $view -o a.png
 refuse 1 "nowhere.hdr: cannot be opened: No such file" render cube.obj -o a.png --environment nowhere.hdr
 refuse 1 "a.png: an environment must be a Radiance HDR or an OpenEXR picture" render cube.obj -o b.png --environment a.png
 printf 'version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n' > pointer.hdr
-refuse 1 "pointer.hdr: is a Git LFS pointer, not the file (git lfs pull)" render cube.obj -o b.png --environment pointer.hdr
+refuse 1 "pointer.hdr: is a Git LFS pointer, not the file \(git lfs pull\)" render cube.obj -o b.png --environment pointer.hdr
 refuse 1 "cube.mtl: an environment must be a Radiance HDR or an OpenEXR picture" render cube.obj -o b.png --environment cube.mtl
 : >empty.hdr
 refuse 1 "empty.hdr: the file is empty" render cube.obj -o b.png --environment empty.hdr

@@ -42,7 +42,7 @@ rows=$(awk -F'"' '/\.name = /{ name = $2 }
     /\.format = /{ sub(/.*RHW_FORMAT_/, ""); sub(/,.*/, ""); print name ":" \
         ($0 ~ /_UINT/ ? "Numbers32" : $0 ~ /FLOAT/ ? "Floats32" : "Color8") }' \
     "$root/scene/draw/output_table.c" | grep -v '^display:' | sort)
-typed=$(sed -n '/^export interface Outputs/,/^}/s/^    \([a-z]*\): \([A-Za-z0-9]*\);/\1:\2/p' "$types" | sort)
+typed=$(sed -n '/^export interface Outputs/,/^}/s/^    \([a-z]*\): \([A-Za-z0-9]*\)\( | Floats64\)\{0,1\};/\1:\2/p' "$types" | sort)
 check "the types have the outputs of the table" test -n "$rows" -a "$rows" = "$typed"
 
 exported=$(sed -n 's/^export \(async function\|class\|{\) \([A-Za-z]*\).*/\2/p' "$root/web/npm/index.js" | sort)

@@ -230,3 +230,10 @@ def test_after_a_fork():
     with os.fdopen(reading, "rb") as pipe:
         assert pipe.read() == model.render(20).png()
     assert os.waitpid(child, 0)[1] == 0
+
+
+def test_ctrl_c_while_rasterizing_with_gradients():
+    """Within an image, however long that takes."""
+    random = np.random.default_rng(0)
+    pos, tri = random.normal(size=(1, 3000, 4)), random.integers(0, 3000, (60000, 3))
+    assert interrupted(lambda: rhw.diff.rasterize(pos, tri, (1024, 1024)), 0.2) < 2

@@ -422,6 +422,8 @@ export interface ExplainedFragment {
         /** A normal map has turned the normal. */
         normal_mapped: boolean;
         normal: Triple;
+        /** The part of the light from all around that ambient occlusion lets through, 0 to 1. */
+        ambient_open: number;
         /** The first 8; `sum` is what arrives of all of them. */
         lights: {
             type: 'directional' | 'point' | 'spot';
@@ -470,6 +472,8 @@ export interface Explanation {
     samples: number;
     /** Seen without perspective: every W is 1, and a, b, c are r, s, t. */
     orthographic: boolean;
+    /** Of a model far from the origin of its file: what the varying `position` counts from. */
+    origin?: [x: number, y: number, z: number];
     /** With `supersample`: the pixels that are drawn, and which of them is told about; places of fragments are theirs. */
     drawn_size?: [width: number, height: number];
     drawn_pixel?: [x: number, y: number];

@@ -8,8 +8,8 @@
 
 #include "model.h"
 
-/// A camera looks from `eye` to `target`, both in the coordinates of the file. `up` need not be perpendicular to the view. If it is parallel, another
-/// direction takes its place.
+/// A camera looks from `eye` to `target`, both in the coordinates of the file. `up` need not be perpendicular to the
+/// view. If it is parallel, another direction takes its place.
 struct scene_camera {
     double eye[3], target[3], up[3];
     bool orthographic;

@@ -549,6 +549,7 @@ void scene_import_assimp(struct scene_import *import)
     struct reader reader = {.import = import, .scene = scene};
     import->model.format = format_of(import, scene);
     import->model.doubts_cameras = true;
+    import->has_floats_alone = true;
     set_up(import, scene);
     set_unit(import, scene);
     if (scene->mRootNode == NULL) {

@@ -87,6 +87,8 @@ struct scene_import {
     bool up_is_open;
     // With up_is_open: nearly all programs that write the format have what is usual.
     bool up_is_agreed;
+    // Positions of meshes came from a library as floats, whatever the file has.
+    bool has_floats_alone;
     // Nothing in the format says which side of a surface is the front.
     bool sides_are_open;
     struct system_child *child; // child that reads; its reply is what the parent gets

@@ -2,6 +2,7 @@
 // A model that is near is left as its reader made it, by floats.
 #include "locate.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -100,6 +101,13 @@ static void settle_mesh(struct scene_import *import, uint32_t number)
     }
     free(mesh->positions);
     mesh->positions = scene_import_settle(import, points, mesh->vertex_count, offset);
+    if (import->has_floats_alone && scene_origin_is_far(offset)) {
+        const double distance = fmax(fabs(offset[0]), fmax(fabs(offset[1]), fabs(offset[2])));
+        scene_import_warn(import,
+                          "stands far from the origin, where its format is read as floats: positions are "
+                          "%.2g apart at least",
+                          distance / (1 << 23));
+    }
     for (int c = 0; c < 3; c++) {
         import->exact_meshes.matrices[number][12 + c] += offset[c];
     }

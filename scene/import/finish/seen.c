@@ -142,23 +142,16 @@ static void cross_edges(double corners[3][3], double product[3])
     scene_cross(a, b, product);
 }
 
-// Return true if a triangle has an area, and its corners are apart by more than the rounding of their places. A joint
-// of scale 0 brings all corners to one place, but for rounding.
 static bool has_area(const struct scene_mesh *mesh, const uint32_t *indices)
 {
-    const double rounding = 4e-7;
-    double corners[3][3], product[3], largest = 0, longest = 0;
+    double corners[3][3], product[3];
     for (int k = 0; k < 3; k++) {
         for (int c = 0; c < 3; c++) {
             corners[k][c] = (double)mesh->positions[indices[k]][c];
-            const double size = __builtin_fabs(corners[k][c]),
-                         side = __builtin_fabs(corners[k][c] - corners[0][c]);
-            largest = size > largest ? size : largest;
-            longest = side > longest ? side : longest;
         }
     }
     cross_edges(corners, product);
-    return longest > rounding * largest && (product[0] != 0 || product[1] != 0 || product[2] != 0);
+    return product[0] != 0 || product[1] != 0 || product[2] != 0;
 }
 
 // Return true if a triangle, line or point reaches the alpha that its material asks.

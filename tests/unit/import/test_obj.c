@@ -264,7 +264,7 @@ static void test_many_materials(void **state)
     }
     write_bytes("many.obj", text, (size_t)(end - text));
     free(text);
-    const struct scene_model_options options = {.seconds = 4};
+    const struct scene_model_options options = {.seconds = 8};
     struct scene_model *model = scene_model_load(path_of("many.obj"), &options, error, sizeof error);
     assert_string_equal(error, "");
     assert_non_null(model);

@@ -57,6 +57,22 @@ static void test_columns(void **state)
     }
 }
 
+// A survey: floats would hold halves of a metre there, and all distances are 1/8.
+static void test_far(void **state)
+{
+    (void)state;
+    struct scene_model *model =
+        load_text("far.xyz", "665187.5 5648349.125 241\n665187.625 5648349.25 241.125\n"
+                             "665187.75 5648349.375 241.25\n");
+    const struct scene_mesh *mesh = only_mesh(model, 3);
+    for (int i = 0; i < 2; i++) {
+        for (int c = 0; c < 3; c++) {
+            assert_true(mesh->positions[i + 1][c] - mesh->positions[i][c] == 0.125f);
+        }
+    }
+    scene_model_free(model);
+}
+
 static void test_refused(void **state)
 {
     (void)state;
@@ -80,6 +96,7 @@ static void test_refused(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_columns),
+    cmocka_unit_test(test_far),
     cmocka_unit_test(test_refused),
 };
 
