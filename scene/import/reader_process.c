@@ -20,6 +20,7 @@
 #include "kind.h"
 #include "blob.h"
 #include "machine.h"
+#include "memory_file.h"
 
 enum {
     DEFAULT_SECONDS = 60,

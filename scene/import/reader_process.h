@@ -4,7 +4,8 @@
 #define SCENE_READER_PROCESS_H
 
 #include "import/builder/import.h"
-#include "memory_file.h"
+
+struct system_memory_file;
 
 /// Run import->read in a child process, as scene_model_load does.
 struct scene_model *scene_import_start(const struct scene_import *import,

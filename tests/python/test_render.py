@@ -143,7 +143,7 @@ def test_a_part_of_a_larger_picture():
         return model.render(size, rhw.Camera.intrinsics(170, 160, cx, cy, extrinsic), background=(0, 0, 0))["color"]
 
     whole, part = colors((192, 144), 95.5, 71.5), colors((96, 72), 31.5, 23.5)
-    assert np.abs(whole[48:120, 64:160].astype(int) - part).mean() < 0.6  # occlusion is sampled by a pattern
+    assert np.abs(whole[48:120, 64:160].astype(int) - part).mean() < 0.7  # occlusion is sampled by a pattern
 
 
 def test_pose_and_look_at_agree(box_obj):
