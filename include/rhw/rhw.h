@@ -36,7 +36,8 @@ static inline enum rhw_result rhw_context_create(const struct rhw_context_def *d
     return rhw_context_create_probed(def, debug, context);
 }
 
-/// Destroy the context and everything in it. `context` may be NULL. It is misuse while a pass is recorded.
+/// Destroy the context and everything in it. `context` may be NULL. It is misuse while a pass is recorded. A child of
+/// fork destroys a copy of its own.
 RHW_API void rhw_context_destroy(rhw_context *context);
 
 /// Return the number of threads that draw, the calling thread included.

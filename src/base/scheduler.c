@@ -46,7 +46,8 @@ struct rhw_scheduler {
     void *user;
     uint32_t count;
     int threads;
-    bool crowded; // more threads than cores
+    bool crowded;      // more threads than cores
+    uintptr_t process; // the process that has the workers
     _Atomic bool quit;
     _Atomic uint32_t sleepers;
     _Atomic bool caller_sleeps;
@@ -176,6 +177,13 @@ static void wake_workers(struct rhw_scheduler *scheduler, uint32_t wanted)
     rhw_mutex_unlock(&scheduler->mutex);
 }
 
+// Return true in the process that has the workers. A child that fork made has the calling thread alone (POSIX.1-2017,
+// fork), and a lock that a worker of its parent held stays locked in it.
+static bool has_workers(const struct rhw_scheduler *scheduler)
+{
+    return scheduler->threads > 1 && scheduler->process == rhw_process_id();
+}
+
 // Join the first `started` workers.
 static void stop_workers(struct rhw_scheduler *scheduler, int started)
 {
@@ -233,7 +241,8 @@ enum rhw_result rhw_scheduler_create(struct rhw_memory *memory, int threads, int
     if (created == NULL) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    *created = (struct rhw_scheduler){.threads = threads, .crowded = threads > cores};
+    *created =
+        (struct rhw_scheduler){.threads = threads, .crowded = threads > cores, .process = rhw_process_id()};
     if (!init_locks(created)) {
         rhw_memory_release(memory, created, scheduler_size(threads));
         return RHW_ERROR_THREAD;
@@ -252,8 +261,10 @@ void rhw_scheduler_destroy(struct rhw_memory *memory, struct rhw_scheduler *sche
     if (scheduler == NULL) {
         return;
     }
-    stop_workers(scheduler, scheduler->threads - 1);
-    destroy_locks(scheduler);
+    if (scheduler->threads == 1 || has_workers(scheduler)) {
+        stop_workers(scheduler, scheduler->threads - 1);
+        destroy_locks(scheduler);
+    }
     rhw_memory_release(memory, scheduler, scheduler_size(scheduler->threads));
 }
 
@@ -279,7 +290,7 @@ uint64_t rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *t
     atomic_store_explicit(&scheduler->caller, rhw_thread_id(), memory_order_relaxed);
     const uint64_t environment = rhw_cpu_float_enter();
     uint64_t busy_ns;
-    if (scheduler->threads == 1 || count == 1) {
+    if (count == 1 || !has_workers(scheduler)) {
         const uint64_t start = rhw_time_ns();
         for (int i = 0; i < count; i++) {
             task(user, i, 0);

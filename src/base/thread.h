@@ -54,6 +54,9 @@ void rhw_thread_join(struct rhw_thread *thread);
 // Return a number that tells the calling thread from all others that run. It is never 0.
 uintptr_t rhw_thread_id(void);
 
+// Return a number that tells the process from its children.
+uintptr_t rhw_process_id(void);
+
 // Give the core to another thread.
 void rhw_thread_yield(void);
 

@@ -6,6 +6,7 @@
 #include <sched.h>
 #include <signal.h>
 #include <time.h>
+#include <unistd.h>
 
 // Bytes. Shaders are the user's code and run here, so the stack has room for them on every libc (musl's default is 128
 // KiB). Only pages that are touched cost memory.
@@ -116,6 +117,11 @@ void rhw_thread_join(struct rhw_thread *thread)
 uintptr_t rhw_thread_id(void)
 {
     return (uintptr_t)pthread_self();
+}
+
+uintptr_t rhw_process_id(void)
+{
+    return (uintptr_t)getpid();
 }
 
 void rhw_thread_yield(void)

@@ -105,6 +105,11 @@ uintptr_t rhw_thread_id(void)
     return GetCurrentThreadId();
 }
 
+uintptr_t rhw_process_id(void)
+{
+    return GetCurrentProcessId();
+}
+
 void rhw_thread_yield(void)
 {
     SwitchToThread();

@@ -7,6 +7,10 @@
 #include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
+#if defined(__unix__)
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
 
 static void test_version(void **state)
 {
@@ -272,6 +276,33 @@ static void test_ids_of_many_objects(void **state)
     rig_close(&rig);
 }
 
+#if defined(__unix__) && !defined(__EMSCRIPTEN__)
+// A child that fork made has none of the context's workers: it draws the same on its own, and destroys what it got.
+static void test_a_child_draws_and_destroys(void **state)
+{
+    (void)state;
+    static const float value[4] = {1, 2, 3, 4};
+    struct rig rig;
+    rig_open(&rig, 300, 200);
+    struct rig_vertex vertices[6];
+    rig_cover(&rig, 0.5f, value, vertices);
+    rig_draw_once(&rig, vertices, 6);
+    const pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        alarm(20);
+        rig_draw_once(&rig, vertices, 6);
+        const bool is_drawn = memcmp(rig_read_float4(&rig)[300 * 200 - 1], value, sizeof value) == 0;
+        rhw_context_destroy(rig.context);
+        _exit(is_drawn ? 0 : 1);
+    }
+    int status;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    rig_close(&rig);
+}
+#endif
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_version),
     cmocka_unit_test(test_results_are_sentences),
@@ -282,6 +313,9 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_contexts_run_in_parallel),
     cmocka_unit_test(test_many_contexts_one_after_the_other),
     cmocka_unit_test(test_ids_of_many_objects),
+#if defined(__unix__) && !defined(__EMSCRIPTEN__)
+    cmocka_unit_test(test_a_child_draws_and_destroys),
+#endif
 };
 
 const struct unit_tests test_contexts = UNIT_TESTS(tests, NULL, NULL);
