@@ -25,11 +25,12 @@
 #include "binding/validation/validation.h"
 
 // Return true if nothing of a first draw can be seen: it asks for greater depth, as reversed depth does, and depth was
-// cleared to 1 because a zeroed definition gives no value.
+// cleared to 1 because a zeroed definition gives no value. It is legal, so a context that validates alone is asked.
 static bool faces_unset_depth(const struct rhw_encoder *encoder)
 {
     const struct rhw_pipeline_def *const def = &encoder->pending.pipeline->def;
-    return encoder->depth_by_default && encoder->pass->draws.count == 0 && def->depth_test &&
+    return encoder->context->validation && encoder->depth_by_default && encoder->pass->draws.count == 0 &&
+           def->depth_test &&
            (def->depth_compare == RHW_COMPARE_GREATER || def->depth_compare == RHW_COMPARE_GREATER_EQUAL);
 }
 

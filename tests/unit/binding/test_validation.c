@@ -256,6 +256,22 @@ static void test_warnings(void **state)
     }
 }
 
+// Depth that a zeroed definition clears to 1 lets nothing greater pass.
+static void test_greater_than_default_depth(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_validated(&rig, 1);
+    rig.pass.depth = (struct rhw_depth_attachment){.enabled = true, .store = RHW_STORE_DISCARD};
+    rig.pipeline.depth_test = true;
+    rig.pipeline.depth_compare = RHW_COMPARE_GREATER;
+    struct rig_vertex corners[6];
+    rig_cover(&rig, 0.5f, red, corners);
+    rig_draw_once(&rig, corners, 6);
+    rig_expect_misuse(&rig, "rhw_pass_draw: the first draw asks for greater depth");
+    rig_close(&rig);
+}
+
 // Vertex functions ------------------------------------------------------------------------------------
 
 enum {
@@ -535,6 +551,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_fragment_functions),
     cmocka_unit_test(test_blending_reads_alpha),
     cmocka_unit_test(test_nothing_is_told_without),
+    cmocka_unit_test(test_greater_than_default_depth),
     cmocka_unit_test(test_warnings),
     cmocka_unit_test(test_vertex_functions),
     cmocka_unit_test(test_draws_stay_within_their_buffers),
