@@ -33,9 +33,9 @@ RHW_INLINE struct triangle_names8 names_of_slice(const struct run_slice *slice, 
     f32x8_load_columns(places, column);
     struct triangle_names8 names;
     for (int i = 0; i < 3; i++) {
-        names.vertex[i] = (i32x8)column[i] - i32x8_splat((int32_t)first_slot);
+        names.vertex[i] = (i32x8)((u32x8)column[i] - (u32x8)i32x8_splat((int32_t)first_slot));
     }
-    names.primitive = i32x8_splat((int32_t)slice->first_primitive) + rhw_lane_index;
+    names.primitive = (i32x8)((u32x8)i32x8_splat((int32_t)slice->first_primitive) + (u32x8)rhw_lane_index);
     names.segment = i32x8_splat((int32_t)slice->run);
     return names;
 }

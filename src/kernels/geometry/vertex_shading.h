@@ -144,7 +144,9 @@ static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_s
     }
     group->attribute = (const f32x8(*)[4])scratch->attributes[g];
     group->vertex_index = i32x8_load(element);
-    group->instance_index = i32x8_load(instances) + i32x8_splat((int32_t)segment->draw->first_instance);
+    // Instances are counted modulo 2^32, as they are in Vulkan.
+    group->instance_index =
+        (i32x8)((u32x8)i32x8_load(instances) + (u32x8)i32x8_splat((int32_t)segment->draw->first_instance));
     group->uniforms = segment->draw->uniforms;
     group->user = def->program.user;
     group->bindings = state->bindings;

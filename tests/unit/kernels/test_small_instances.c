@@ -262,11 +262,59 @@ static void test_layers(void **state)
     }
 }
 
+// Puts an instance into the column that the two low bits of its number say.
+static void place_by_low_bits(struct rhw_vertex *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const rhw_int corner = groups[g].vertex_index;
+        const rhw_float column = rhw_float_from_int(groups[g].instance_index & 3);
+        const rhw_float right =
+            rhw_select(rhw_equal_int(corner, rhw_splat_int(2)), rhw_splat(1), rhw_splat(0.25f));
+        const rhw_float down =
+            rhw_select(rhw_equal_int(corner, rhw_splat_int(1)), rhw_splat(1), rhw_splat(0.25f));
+        groups[g].position[0] = (column + right) * (2.0f / SIZE) - 1.0f;
+        groups[g].position[1] = 1.0f - down * (2.0f / SIZE);
+        groups[g].position[2] = rhw_splat(0);
+        groups[g].position[3] = rhw_splat(1);
+    }
+}
+
+static void tell_low_bits(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        groups[g].color[0][0] = rhw_float_from_int(groups[g].instance & 7);
+        groups[g].color[0][1] = groups[g].color[0][2] = groups[g].color[0][3] = rhw_splat(1);
+    }
+}
+
+// The numbers of instances are counted modulo 2^32: after 2^31 − 1 comes −2^31.
+static void test_numbers_wrap(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    rig_set_program(&rig, place_by_low_bits, tell_low_bits);
+    rig.pipeline.program.uses = RHW_USE_IDS;
+    rig.pipeline.program.varying_count = rig.pipeline.attribute_count = rig.pipeline.buffer_count = 0;
+    memset(rig.pipeline.program.varyings, 0, sizeof rig.pipeline.program.varyings);
+    memset(rig.pipeline.attributes, 0, sizeof rig.pipeline.attributes);
+    memset(rig.pipeline.buffers, 0, sizeof rig.pipeline.buffers);
+    rig_begin(&rig);
+    rig_use_pipeline(&rig);
+    rhw_pass_draw(rig.context, rig.recording, 0, 3, INT32_MAX - 1, 3);
+    rig_end(&rig);
+    const float(*pixels)[4] = rig_read_float4(&rig);
+    static const float expected[4][2] = {{0, 1}, {0, 0}, {6, 1}, {7, 1}};
+    for (int column = 0; column < 4; column++) {
+        assert_float_equal(pixels[column][0], expected[column][0], 0);
+        assert_float_equal(pixels[column][1], expected[column][1], 0);
+    }
+    rig_close(&rig);
+}
+
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_lists),
-    cmocka_unit_test(test_indices),
-    cmocka_unit_test(test_clipped),
-    cmocka_unit_test(test_layers),
+    cmocka_unit_test(test_lists),  cmocka_unit_test(test_indices),      cmocka_unit_test(test_clipped),
+    cmocka_unit_test(test_layers), cmocka_unit_test(test_numbers_wrap),
 };
 
 const struct unit_tests test_small_instances = UNIT_TESTS(tests, NULL, NULL);
