@@ -57,6 +57,13 @@ static bool check_output(const struct rhw_context *context, const struct rhw_pip
                    RHW_MAX_FEEDBACK_TARGETS - 1)) {
         return false;
     }
+    if (!rhw_check(context,
+                   output->source != RHW_FEEDBACK_VARYING ||
+                       (output->index >= 0 && output->index < def->program.varying_count),
+                   "%s: feedback_outputs[%d].index is %d; the program has %d varyings", where, i,
+                   output->index, def->program.varying_count)) {
+        return false;
+    }
     const int there = components_of(&def->program, output), count = output->component_count;
     const uint32_t stride = def->feedback_strides[output->target];
     return rhw_check(

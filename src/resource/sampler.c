@@ -40,19 +40,36 @@ static bool is_clamped(enum rhw_address address)
     return address == RHW_ADDRESS_CLAMP || address == RHW_ADDRESS_BORDER;
 }
 
+static const char *filter_name(enum rhw_filter filter)
+{
+    return filter == RHW_FILTER_LINEAR ? "LINEAR" : "NEAREST";
+}
+
+static const char *address_name(enum rhw_address address)
+{
+    switch (address) {
+    case RHW_ADDRESS_REPEAT: return "REPEAT";
+    case RHW_ADDRESS_MIRROR: return "MIRROR";
+    case RHW_ADDRESS_CLAMP: return "CLAMP";
+    case RHW_ADDRESS_BORDER: return "BORDER";
+    case RHW_ADDRESS_MIRROR_ONCE: return "MIRROR_ONCE";
+    }
+    return "unknown";
+}
+
 // Check the rules of VkSamplerCreateInfo for unnormalizedCoordinates.
 static bool check_unnormalized(const struct rhw_context *context, const struct rhw_sampler_def *def)
 {
     return !def->unnormalized ||
            (rhw_check(context, def->min_filter == def->mag_filter,
-                      "%s: unnormalized with min_filter %d and mag_filter %d; they must be equal",
-                      create_name, (int)def->min_filter, (int)def->mag_filter) &&
+                      "%s: unnormalized with min_filter %s and mag_filter %s; they must be equal",
+                      create_name, filter_name(def->min_filter), filter_name(def->mag_filter)) &&
             rhw_check(context, is_clamped(def->address_u) && is_clamped(def->address_v),
-                      "%s: unnormalized with address_u %d and address_v %d; they must be CLAMP or BORDER",
-                      create_name, (int)def->address_u, (int)def->address_v) &&
+                      "%s: unnormalized with address_u %s and address_v %s; they must be CLAMP or BORDER",
+                      create_name, address_name(def->address_u), address_name(def->address_v)) &&
             rhw_check(context, def->mip_filter == RHW_MIP_FILTER_NONE,
-                      "%s: unnormalized with mip_filter %d; it must be RHW_MIP_FILTER_NONE", create_name,
-                      (int)def->mip_filter) &&
+                      "%s: unnormalized with mip_filter %s; it must be NONE", create_name,
+                      def->mip_filter == RHW_MIP_FILTER_LINEAR ? "LINEAR" : "NEAREST") &&
             rhw_check(context, !def->compares && def->max_anisotropy <= 1,
                       "%s: unnormalized with compares %d and max_anisotropy %g; they must be off",
                       create_name, def->compares, (double)def->max_anisotropy));

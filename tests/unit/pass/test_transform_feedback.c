@@ -338,7 +338,7 @@ static void test_misuse_of_pipelines(void **state)
     bad.target = 4;
     expect_refused(&rig, position, bad, 0, "feedback_outputs[1].target is 4; it must be 0..3");
     bad = (struct rhw_feedback_output){.source = RHW_FEEDBACK_VARYING, .index = 2, .offset = 16};
-    expect_refused(&rig, position, bad, 0, "components from 0 on, 0 of them; the vertex function writes 0");
+    expect_refused(&rig, position, bad, 0, "feedback_outputs[1].index is 2; the program has 2 varyings");
     bad.index = 0;
     bad.first_component = 2;
     bad.component_count = 3;

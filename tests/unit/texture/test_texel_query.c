@@ -451,9 +451,9 @@ static void test_misuse(void **state)
                                         "reduction is 3",
                                         "address_w is 5",
                                         "reduction is 2 and compares is true",
-                                        "they must be equal",
-                                        "they must be CLAMP or BORDER",
-                                        "it must be RHW_MIP_FILTER_NONE",
+                                        "min_filter LINEAR and mag_filter NEAREST; they must be equal",
+                                        "address_u REPEAT and address_v REPEAT; they must be CLAMP or BORDER",
+                                        "mip_filter LINEAR; it must be NONE",
                                         "they must be off"};
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
         expect_refused(&rig, &cases[i], parts[i]);
