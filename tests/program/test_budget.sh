@@ -77,7 +77,7 @@ if command -v python3 >/dev/null 2>&1; then
     few=$(memory_of many.json)
     many_objects 3000
     if ! grep -aq __asan_init "$rhw" && ! grep -aq __tsan_init "$rhw"; then
-        check "memory of an object: $few, $(memory_of many.json)" test $((($(memory_of many.json) - few) / 2500)) -lt 16384
+        check "memory of an object: $few, $(memory_of many.json)" test $((($(memory_of many.json) - few) / 2500)) -lt 20480
     fi
     rm many.*
 fi
