@@ -11,8 +11,8 @@
 /// What an attachment holds when the pass begins.
 enum rhw_load {
     /// Clear to the attachment's clear value, as CLEAR does. A depth attachment whose clear value is 0 is cleared to 1,
-    /// so a zeroed definition clears depth to 1. If the first draw of the pass passes for greater depth then, nothing of
-    /// it is seen, which a context that validates tells as misuse. To clear depth to 0, use CLEAR.
+    /// so a zeroed definition clears depth to 1. If the first draw of the pass passes for greater depth then, nothing
+    /// of it is seen, which a context that validates tells as misuse. To clear depth to 0, use CLEAR.
     RHW_LOAD_DEFAULT,
     RHW_LOAD_CLEAR,  ///< clear to the attachment's clear value
     RHW_LOAD_LOAD,   ///< keep what the texture holds
