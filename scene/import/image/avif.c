@@ -18,13 +18,14 @@ struct library {
     avifResult (*decoderNextImage)(avifDecoder *decoder);
     void (*rgbImageSetDefaults)(avifRGBImage *rgb, const avifImage *image);
     avifResult (*imageYUVToRGB)(const avifImage *image, avifRGBImage *rgb);
+    const char *(*codecName)(avifCodecChoice choice, avifCodecFlags flags);
 };
 
 static bool open_library(struct library *library)
 {
     static const char *const names[] = {
         "avifDecoderCreate",    "avifDecoderDestroy",      "avifDecoderSetIOMemory", "avifDecoderParse",
-        "avifDecoderNextImage", "avifRGBImageSetDefaults", "avifImageYUVToRGB",
+        "avifDecoderNextImage", "avifRGBImageSetDefaults", "avifImageYUVToRGB",      "avifCodecName",
     };
     enum { FUNCTIONS = sizeof names / sizeof names[0] };
     void (*functions[FUNCTIONS])(void);
@@ -69,6 +70,10 @@ static const char *convert(const struct library *library, const avifImage *pictu
 static const char *decode(const struct library *library, avifDecoder *decoder, const unsigned char *bytes,
                           size_t size, struct scene_image *image)
 {
+    // All decoders of AV1 give the same samples. dav1d, which is taken first, writes to stderr of what is damaged.
+    if (library->codecName(AVIF_CODEC_CHOICE_AOM, AVIF_CODEC_FLAG_CAN_DECODE) != NULL) {
+        decoder->codecChoice = AVIF_CODEC_CHOICE_AOM;
+    }
     decoder->ignoreExif = decoder->ignoreXMP = AVIF_TRUE;
     decoder->imageSizeLimit = RHW_MAX_TARGET_SIZE * RHW_MAX_TARGET_SIZE;
     decoder->imageDimensionLimit = RHW_MAX_TARGET_SIZE;
