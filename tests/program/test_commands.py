@@ -40,6 +40,8 @@ NOT_RUN = {
     r"script/growth": MINUTES,
     r"script/instructions( .*)?": MINUTES,
     r"script/fuzz \d+": MINUTES,
+    r"script/coverage": MINUTES,
+    r"script/mutate .*": MINUTES,
     r"script/determinism( .*)?": ELSEWHERE,
     r"script/windows( .*)?": ELSEWHERE,
     r"script/web": ELSEWHERE,
