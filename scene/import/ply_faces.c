@@ -16,6 +16,14 @@ static uint32_t checked_index(struct ply *ply, double index)
     return (uint32_t)index;
 }
 
+// Make room for texture coordinates of that many corners. They are 0 where an element has none.
+static void reserve_wedges(struct ply *ply, size_t total)
+{
+    const size_t before = ply->wedge_capacity;
+    scene_import_reserve(ply->import, &ply->wedges, &ply->wedge_capacity, total, sizeof *ply->wedges);
+    memset(ply->wedges + before, 0, (ply->wedge_capacity - before) * sizeof *ply->wedges);
+}
+
 // Make room for triangles of the row that is being read.
 static void reserve_indices(struct ply *ply, size_t more)
 {
@@ -30,6 +38,9 @@ static void reserve_indices(struct ply *ply, size_t more)
         for (size_t i = ply->index_count / 3; i < total / 3; i++) {
             ply->rows[i] = ply->row_count;
         }
+    }
+    if (ply->wedges != NULL) {
+        reserve_wedges(ply, total);
     }
 }
 
@@ -152,11 +163,8 @@ static void add_face(struct ply *ply, struct face *face)
     reserve_indices(ply, corners);
     scene_polygons_add(ply->import, &ply->polygons, ply->index_count / 3, count - 2);
     const bool wedged = face->wedge_count >= 2 * face->count;
-    if (wedged || ply->wedges != NULL) {
-        const size_t before = ply->wedge_capacity;
-        const size_t total = ply->index_count + corners;
-        scene_import_reserve(ply->import, &ply->wedges, &ply->wedge_capacity, total, sizeof *ply->wedges);
-        memset(ply->wedges + before, 0, (ply->wedge_capacity - before) * sizeof *ply->wedges);
+    if (wedged && ply->wedges == NULL) {
+        reserve_wedges(ply, ply->index_count + corners);
     }
     for (size_t i = 0; i < corners; i++) {
         const uint32_t corner = face->triangles[i];

@@ -46,8 +46,9 @@ static char *decode_percent(char *text)
     char *out = text;
     for (const char *in = text; *in != 0; out++) {
         const int high = in[0] == '%' ? hex_digit(in[1]) : -1, low = high >= 0 ? hex_digit(in[2]) : -1;
-        *out = low > 0 || high > 0 ? (char)(high * 16 + low) : *in;
-        in += low > 0 || high > 0 ? 3 : 1;
+        const bool is_coded = low >= 0 && high + low > 0; // "%00" would end the name
+        *out = is_coded ? (char)(high * 16 + low) : *in;
+        in += is_coded ? 3 : 1;
     }
     *out = 0;
     return text;

@@ -2,6 +2,7 @@
 // PLY: colours of vertices, faces and edges in all numbers that files have them in, several textures, and what is told.
 #include "model_files.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #define VERTICES     "property float x\nproperty float y\nproperty float z\n"
@@ -126,6 +127,31 @@ static void test_textures(void **state)
     scene_model_free(model);
 }
 
+// Corners of strips have the texture coordinates 0, 0 beside faces that have some.
+static void test_strips_beside_texture_coordinates(void **state)
+{
+    (void)state;
+    enum { CORNERS = 600 };
+    static char text[400 + 2 * CORNERS];
+    int length = snprintf(text, sizeof text,
+                          "ply\nformat ascii 1.0\nelement vertex 4\n" VERTICES "element face 1\n" LIST
+                          "property list uchar float texcoord\nelement tristrips 1\n"
+                          "property list int int vertex_indices\nend_header\n"
+                          "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 6 1 0 1 0 1 0\n%d",
+                          CORNERS);
+    for (int i = 0; i < CORNERS; i++) {
+        length += snprintf(text + length, sizeof text - (size_t)length, " %d", i % 4);
+    }
+    snprintf(text + length, sizeof text - (size_t)length, "\n");
+    struct scene_model *model = load_text("s.ply", text);
+    const struct scene_mesh *mesh = &model->meshes[0];
+    assert_int_equal(mesh->index_count, 3 * (CORNERS - 1));
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        assert_floats(mesh->uvs[0][mesh->indices[i]], (const float[]){i < 3, i < 3}, 2, 0);
+    }
+    scene_model_free(model);
+}
+
 // A byte order mark of UTF-8 before the first word.
 static void test_mark(void **state)
 {
@@ -144,11 +170,9 @@ static void test_mark(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_mark),
-    cmocka_unit_test(test_face_colors),
-    cmocka_unit_test(test_binary_face_colors),
-    cmocka_unit_test(test_vertex_colors),
-    cmocka_unit_test(test_all_colors),
+    cmocka_unit_test(test_mark),          cmocka_unit_test(test_strips_beside_texture_coordinates),
+    cmocka_unit_test(test_face_colors),   cmocka_unit_test(test_binary_face_colors),
+    cmocka_unit_test(test_vertex_colors), cmocka_unit_test(test_all_colors),
     cmocka_unit_test(test_textures),
 };
 

@@ -41,6 +41,10 @@ static void test_beside(void **state)
     assert_true(is_found("m.obj", "file:///C:/castle/Wall%201.tga"));
     assert_false(is_found("m.obj", "Wall 2.tga"));
     assert_false(is_found("m.obj", "C:\\castle\\all 1.tga"));
+    // These end, or go on, within what would be a coded byte.
+    assert_false(is_found("m.obj", "Wall%5"));
+    assert_false(is_found("m.obj", "Wall%"));
+    assert_false(is_found("m.obj", "Wall%2z1.tga"));
     unlink(path_of("Wall 1.tga"));
 }
 
