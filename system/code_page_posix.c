@@ -46,8 +46,10 @@ char *system_code_page_convert(int from, int to, const char *text)
     size_t left = strlen(text), room = MOST * left;
     char *const converted = malloc(room + 1);
     char *in = (char *)(uintptr_t)text, *out = converted; // iconv does not write to what it reads
-    // The number of characters that became others instead is no success.
-    if (converted != NULL && iconv(conversion, &in, &left, &out, &room) == 0) {
+    // The number of characters that became others instead is no success. Some conversions keep a letter that a mark may
+    // follow until they are told that it was the last.
+    if (converted != NULL && iconv(conversion, &in, &left, &out, &room) == 0 &&
+        iconv(conversion, NULL, NULL, &out, &room) == 0) {
         *out = 0;
         iconv_close(conversion);
         return converted;
