@@ -40,6 +40,14 @@ struct scene_mesh {
     float point_radius;
 };
 
+/// Return how many indices a primitive of the mesh has.
+static inline uint32_t scene_mesh_corners(const struct scene_mesh *mesh)
+{
+    return mesh->primitive == SCENE_PRIMITIVE_TRIANGLES ? 3
+           : mesh->primitive == SCENE_PRIMITIVE_LINES   ? 2
+                                                        : 1;
+}
+
 enum scene_image_type {
     SCENE_IMAGE_RGBA8,  ///< 4 bytes
     SCENE_IMAGE_RGBA16, ///< 4 uint16_t, 65535 is 1

@@ -37,25 +37,6 @@ int system_file_open(const char *path, enum system_file_use use)
     return _open(path, access | _O_BINARY | _O_NOINHERIT);
 }
 
-int system_file_open_regular(const char *path)
-{
-    struct stat status;
-    if (stat(path, &status) != 0) {
-        return -1;
-    }
-    if (!S_ISREG(status.st_mode)) {
-        errno = S_ISDIR(status.st_mode) ? EISDIR : 0;
-        return -1;
-    }
-    const int descriptor = system_file_open(path, SYSTEM_FILE_READ);
-    if (descriptor >= 0 && (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))) {
-        close(descriptor); // it has been replaced meanwhile
-        errno = 0;
-        return -1;
-    }
-    return descriptor;
-}
-
 void system_file_permit_as(int descriptor, const char *path)
 {
     (void)descriptor, (void)path;

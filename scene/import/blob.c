@@ -252,9 +252,7 @@ static bool mesh_valid(const struct scene_mesh *mesh, const struct scene_model *
     if ((unsigned)mesh->primitive > SCENE_PRIMITIVE_POINTS || mesh->material >= model->material_count) {
         return false;
     }
-    const uint32_t corners = mesh->primitive == SCENE_PRIMITIVE_TRIANGLES ? 3
-                             : mesh->primitive == SCENE_PRIMITIVE_LINES   ? 2
-                                                                          : 1;
+    const uint32_t corners = scene_mesh_corners(mesh);
     if (mesh->index_count % corners != 0) {
         return false;
     }

@@ -134,9 +134,7 @@ static void cover_triangle(struct grid *grid, double clip[3][4])
 
 static void cover_instance(struct grid *grid, const struct scene_mesh *mesh, const double matrix[16])
 {
-    const uint32_t count = mesh->primitive == SCENE_PRIMITIVE_TRIANGLES ? 3
-                           : mesh->primitive == SCENE_PRIMITIVE_LINES   ? 2
-                                                                        : 1;
+    const uint32_t count = scene_mesh_corners(mesh);
     for (uint32_t i = 0; i + count <= mesh->index_count && grid->count < grid->enough; i += count) {
         double clip[3][4];
         for (uint32_t k = 0; k < count; k++) {

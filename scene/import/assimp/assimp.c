@@ -103,9 +103,7 @@ static void *copy_colors(struct scene_import *import, const struct aiColor4D *co
 
 static void copy_indices(struct reader *reader, const struct aiMesh *source, struct scene_mesh *mesh)
 {
-    const uint32_t corners = mesh->primitive == SCENE_PRIMITIVE_TRIANGLES ? 3
-                             : mesh->primitive == SCENE_PRIMITIVE_LINES   ? 2
-                                                                          : 1;
+    const uint32_t corners = scene_mesh_corners(mesh);
     if (source->mNumFaces > UINT32_MAX / 3) {
         scene_import_fail(reader->import, "has too many faces");
     }

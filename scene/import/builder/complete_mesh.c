@@ -7,19 +7,12 @@
 #include "numbers.h"
 #include "vertices.h"
 
-static uint32_t corners_of(const struct scene_mesh *mesh)
-{
-    return mesh->primitive == SCENE_PRIMITIVE_TRIANGLES ? 3
-           : mesh->primitive == SCENE_PRIMITIVE_LINES   ? 2
-                                                        : 1;
-}
-
 static void drop_infinite_primitives(struct scene_import *import, struct scene_mesh *mesh, uint32_t *polygons)
 {
     if (scene_import_finite(mesh->positions[0], 3 * (size_t)mesh->vertex_count)) {
         return;
     }
-    const uint32_t corners = corners_of(mesh);
+    const uint32_t corners = scene_mesh_corners(mesh);
     uint32_t kept = 0;
     for (uint32_t i = 0; i < mesh->index_count; i += corners) {
         bool finite = true;
@@ -122,7 +115,7 @@ void scene_import_complete_polygons(struct scene_import *import, uint32_t index,
     if (mesh->vertex_count == 0) {
         mesh->index_count = 0;
     }
-    const uint32_t rest = mesh->index_count % corners_of(mesh);
+    const uint32_t rest = mesh->index_count % scene_mesh_corners(mesh);
     if (rest > 0) {
         scene_import_warn(import, "mesh \"%s\": its last %u corners make no whole %s and are left out",
                           mesh->name, rest, mesh->primitive == SCENE_PRIMITIVE_LINES ? "line" : "triangle");

@@ -59,9 +59,7 @@ bool scene_import_decode_colors(float (*colors)[4], size_t count, struct scene_c
 void scene_import_color_primitives(struct scene_import *import, struct scene_mesh *mesh,
                                    const float (*colors)[4], const uint32_t *rows)
 {
-    const uint32_t corners = mesh->primitive == SCENE_PRIMITIVE_TRIANGLES ? 3
-                             : mesh->primitive == SCENE_PRIMITIVE_LINES   ? 2
-                                                                          : 1;
+    const uint32_t corners = scene_mesh_corners(mesh);
     scene_import_gather_vertices(import, mesh, mesh->indices, mesh->index_count);
     free(mesh->colors);
     mesh->colors = scene_import_allocate(import, mesh->index_count, sizeof *mesh->colors);

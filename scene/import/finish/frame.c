@@ -83,13 +83,6 @@ static bool holds(const struct scene_box *box, const struct scene_box *inner)
 
 // Units -----------------------------------------------------------------------------------------------
 
-static uint32_t corner_count(const struct scene_mesh *mesh)
-{
-    return mesh->primitive == SCENE_PRIMITIVE_TRIANGLES ? 3
-           : mesh->primitive == SCENE_PRIMITIVE_LINES   ? 2
-                                                        : 1;
-}
-
 static double triangle_area(double corners[3][3])
 {
     double a[3], b[3], product[3];
@@ -105,7 +98,7 @@ static void visit_instance(struct search *search, const struct scene_instance *i
 {
     const struct scene_mesh *mesh = &search->model->meshes[instance->mesh];
     const bool *seen = search->seen[instance->mesh].vertices;
-    const uint32_t count = corner_count(mesh);
+    const uint32_t count = scene_mesh_corners(mesh);
     for (uint32_t i = 0; i + count <= mesh->index_count; i += count) {
         struct unit unit = {.box = empty_box(), .weight = 1, .is_area = count == 3};
         double corners[3][3];

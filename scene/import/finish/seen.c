@@ -124,13 +124,6 @@ static float image_alpha(struct search *search, const struct scene_mesh *mesh,
 
 // Meshes ----------------------------------------------------------------------------------------------
 
-static uint32_t corner_count(const struct scene_mesh *mesh)
-{
-    return mesh->primitive == SCENE_PRIMITIVE_TRIANGLES ? 3
-           : mesh->primitive == SCENE_PRIMITIVE_LINES   ? 2
-                                                        : 1;
-}
-
 // Write the cross product of two edges of a triangle.
 static void cross_edges(double corners[3][3], double product[3])
 {
@@ -180,7 +173,7 @@ static bool has_alpha(struct search *search, const struct scene_mesh *mesh,
 static bool is_seen_whole(const struct scene_mesh *mesh, const struct scene_material *material)
 {
     bool whole = material->alpha_mode == SCENE_ALPHA_OPAQUE || scene_material_transmits(material);
-    for (uint32_t i = 0; i + 3 <= mesh->index_count && whole && corner_count(mesh) == 3; i += 3) {
+    for (uint32_t i = 0; i + 3 <= mesh->index_count && whole && scene_mesh_corners(mesh) == 3; i += 3) {
         whole = has_area(mesh, mesh->indices + i);
     }
     return whole;
@@ -189,7 +182,7 @@ static bool is_seen_whole(const struct scene_mesh *mesh, const struct scene_mate
 static struct scene_seen_mesh see_mesh(struct search *search, const struct scene_mesh *mesh)
 {
     const struct scene_material *material = &search->import->model.materials[mesh->material];
-    const uint32_t count = corner_count(mesh);
+    const uint32_t count = scene_mesh_corners(mesh);
     struct scene_seen_mesh seen = {.shows = mesh->index_count > 0};
     if (is_seen_whole(mesh, material)) {
         return seen;
@@ -252,7 +245,8 @@ static bool leaves_area(const struct scene_mesh *mesh, const float world[16])
     return false;
 }
 
-bool scene_seen_placed(const struct scene_mesh *mesh, const float world[16])
+// Return true if a matrix leaves a mesh an area or, of lines and points, a length.
+static bool is_placed(const struct scene_mesh *mesh, const float world[16])
 {
     bool has_length = false, is_singular = false;
     for (int c = 0; c < 3; c++) {
@@ -270,8 +264,8 @@ bool scene_seen_mark(struct scene_model *model, const struct scene_seen_mesh *se
     bool shows = false;
     for (uint32_t i = 0; i < model->instance_count; i++) {
         struct scene_instance *instance = &model->instances[i];
-        instance->unseen = !seen[instance->mesh].shows ||
-                           !scene_seen_placed(&model->meshes[instance->mesh], instance->world);
+        instance->unseen =
+            !seen[instance->mesh].shows || !is_placed(&model->meshes[instance->mesh], instance->world);
         shows = shows || !instance->unseen;
     }
     for (uint32_t i = 0; i < model->instance_count && !shows; i++) {

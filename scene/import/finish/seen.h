@@ -17,9 +17,6 @@ struct scene_seen_mesh {
 struct scene_seen_mesh *scene_seen_find(struct scene_import *import);
 void scene_seen_free(struct scene_seen_mesh *seen, const struct scene_model *model);
 
-/// Return true if a matrix leaves a mesh an area or, of lines and points, a length.
-bool scene_seen_placed(const struct scene_mesh *mesh, const float world[16]);
-
 /// Set `unseen` of all instances. If none is seen, set it of none, so that a picture is about all of them. Return true
 /// if at least one is seen.
 bool scene_seen_mark(struct scene_model *model, const struct scene_seen_mesh *seen);

@@ -115,6 +115,20 @@ bool is_unsupported(const struct scene_model *model, const char *part)
     return false;
 }
 
+size_t read_base64(const char *text, uint8_t *bytes)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    uint32_t word = 0;
+    size_t size = 0;
+    for (size_t i = 0; text[i] != 0 && text[i] != '='; i++) {
+        word = word << 6 | (uint32_t)(strchr(digits, text[i]) - digits);
+        if (i % 4 != 0) {
+            bytes[size++] = (uint8_t)(word >> (6 - 2 * (i % 4)));
+        }
+    }
+    return size;
+}
+
 const char *data_uri(const void *bytes, size_t size)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

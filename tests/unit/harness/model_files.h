@@ -23,6 +23,8 @@ void expect_refused(const char *name, const char *cause);
 bool has_warning(const struct scene_model *model, const char *part);
 bool is_unsupported(const struct scene_model *model, const char *part);
 
+/// Writes the bytes that the text in base64 stands for, as many as it returns.
+size_t read_base64(const char *text, uint8_t *bytes);
 /// Bytes as a data URI; valid until the next call but three.
 const char *data_uri(const void *bytes, size_t size);
 /// Writes a file from a printf format.

@@ -3,7 +3,6 @@
 #include "package_3mf.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #define TWO "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/><triangle v1=\"1\" v2=\"3\" v3=\"2\"/>"
 

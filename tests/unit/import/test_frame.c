@@ -6,6 +6,10 @@
 #include <stdio.h>
 #include <string.h>
 
+// Two red texels that are transparent, and two green ones that are not.
+static const unsigned char half_clear[] = {0,  0, 2, 0,   0, 0, 0, 0,   0, 0, 0,   0, 4,   0, 1,   0, 32,
+                                           40, 0, 0, 255, 0, 0, 0, 255, 0, 0, 255, 0, 255, 0, 255, 0, 255};
+
 // A file with a square of side 1 in the plane z = 0, seen as it stands, and once more as the node and the material say.
 // Its images are a red pixel that is transparent and a green one that is not; u below a half is the red one.
 static struct scene_model *load_pair(const char *material, const char *node, bool is_colored)
@@ -13,8 +17,6 @@ static struct scene_model *load_pair(const char *material, const char *node, boo
     static const float square[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     static const float uv[4][2] = {{.2f, 1}, {.3f, 1}, {.3f, 0}, {.2f, 0}};
     static const float colors[4][4] = {{1, 1, 1, 0}, {1, 1, 1, 0}, {1, 1, 1, 0}, {1, 1, 1, 0}};
-    static const unsigned char tga[] = {0,  0, 2, 0,   0, 0, 0, 0,   0, 0, 0,   0, 4,   0, 1,   0, 32,
-                                        40, 0, 0, 255, 0, 0, 0, 255, 0, 0, 255, 0, 255, 0, 255, 0, 255};
     unsigned char bytes[156] = {0};
     memcpy(bytes, square, sizeof square);
     memcpy(bytes + 48, uv, sizeof uv);
@@ -33,7 +35,7 @@ static struct scene_model *load_pair(const char *material, const char *node, boo
                  "{\"bufferView\":0,\"byteOffset\":144,\"componentType\":5121,\"count\":6,"
                  "\"type\":\"SCALAR\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":156}],"
                  "\"buffers\":[{\"byteLength\":156,\"uri\":\"%s\"}]}",
-                 node, material, is_colored ? ",\"COLOR_0\":2" : "", data_uri(tga, sizeof tga),
+                 node, material, is_colored ? ",\"COLOR_0\":2" : "", data_uri(half_clear, sizeof half_clear),
                  data_uri(bytes, sizeof bytes));
     return load("pair.gltf");
 }
@@ -82,9 +84,7 @@ static void test_parts_that_are_cut_away(void **state)
 {
     (void)state;
     static const char material[] = "newmtl m\nmap_Kd half.tga\nmap_d half.tga\n";
-    static const unsigned char tga[] = {0,  0, 2, 0,   0, 0, 0, 0,   0, 0, 0,   0, 4,   0, 1,   0, 32,
-                                        40, 0, 0, 255, 0, 0, 0, 255, 0, 0, 255, 0, 255, 0, 255, 0, 255};
-    write_bytes("half.tga", tga, sizeof tga);
+    write_bytes("half.tga", half_clear, sizeof half_clear);
     write_text("half.mtl", material);
     for (int shows = 0; shows < 2; shows++) {
         write_format("half.obj",

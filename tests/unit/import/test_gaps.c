@@ -2,8 +2,6 @@
 // What assimp leaves out of the formats that it reads is told: by its own log, and by marks in the file.
 #include "model_files.h"
 
-#include <string.h>
-
 // An entity that assimp has no code for.
 static void test_entities(void **state)
 {

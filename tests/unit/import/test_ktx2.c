@@ -6,6 +6,7 @@
 #include "ktx2_samples.h"
 #include "model_files.h"
 #include "random_block.h"
+#include "reference.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -115,20 +116,6 @@ static struct scene_image decode_def(const struct ktx2_def *def)
 {
     const struct ktx2_file *const file = make_file(def);
     return decode_file(file->bytes, file->size);
-}
-
-static size_t read_base64(const char *text, uint8_t *bytes)
-{
-    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    uint32_t word = 0;
-    size_t size = 0;
-    for (size_t i = 0; text[i] != 0 && text[i] != '='; i++) {
-        word = word << 6 | (uint32_t)(strchr(digits, text[i]) - digits);
-        if (i % 4 != 0) {
-            bytes[size++] = (uint8_t)(word >> (6 - 2 * (i % 4)));
-        }
-    }
-    return size;
 }
 
 // ETC1S --------------------------------------------------------------------------------------------------
@@ -512,6 +499,10 @@ static void test_block_formats(void **state)
                 assert_float_equal(((const uint16_t *)image.texels)[4 * i], part * 65535, 0.51f);
             } else {
                 assert_true(decoded == RHW_FORMAT_RGBA16_FLOAT);
+                for (uint32_t k = 4 * i; k < 4 * i + 4; k++) {
+                    assert_true((double)((const float *)image.texels)[k] ==
+                                ref_half(((const uint16_t *)texels)[k]));
+                }
             }
         }
         free(image.texels);

@@ -2,8 +2,6 @@
 // Clouds of points as text: what their columns mean.
 #include "model_files.h"
 
-#include <string.h>
-
 static const struct scene_mesh *only_mesh(const struct scene_model *model, uint32_t count)
 {
     assert_int_equal(model->instance_count, 1);
