@@ -181,14 +181,13 @@ static enum rhw_result draw_blended(struct draw *draw, const struct scene_target
     return result != RHW_OK ? result : record_and_end(draw, pass, result, &surfaces);
 }
 
-// Draw the farthest glass that is nearer than `behind` and farther than the nearest, whose depth becomes `depth`. `any`
-// tells whether there is some.
+// Draw the farthest glass that is nearer than `behind` and farther than the nearest, whose depth is `depth` before and
+// the layer's afterwards. `any` tells whether there is some.
 static enum rhw_result draw_layer(struct draw *draw, const struct scene_target *behind,
                                   const struct scene_target *depth, bool *any)
 {
     struct scene_seen_through *backdrop = &draw->scene->backdrop;
     rhw_context *context = draw->scene->upload.context;
-    enum rhw_result result = draw_nearest(draw, depth);
     struct scene_frame frame = frame_of(draw);
     frame.peel_samples = SAMPLES;
     struct scene_surface_pass surfaces = surfaces_of(draw, &frame, SCENE_SURFACES_GLASS);
@@ -197,9 +196,7 @@ static enum rhw_result draw_layer(struct draw *draw, const struct scene_target *
     struct rhw_pass_def def = pass_def(&backdrop->layer, depth, RHW_LOAD_LOAD);
     def.colors[0].load = RHW_LOAD_CLEAR;
     rhw_pass pass;
-    if (result == RHW_OK) {
-        result = rhw_pass_begin(context, &def, &pass);
-    }
+    enum rhw_result result = rhw_pass_begin(context, &def, &pass);
     if (result != RHW_OK) {
         return result;
     }
@@ -240,16 +237,22 @@ static enum rhw_result draw_surfaces(struct draw *draw)
     struct scene *scene = draw->scene;
     struct scene_target *const depths = scene->backdrop.depths;
     enum rhw_result result = draw_opaque(draw, &depths[0]);
-    if (result == RHW_OK && any_instance(scene->upload.model, blends)) {
+    if (result == RHW_OK) {
         result = draw_nearest(draw, &depths[1]);
-        result = result == RHW_OK ? draw_blended(draw, &depths[0], &depths[1]) : result;
+    }
+    if (result == RHW_OK && any_instance(scene->upload.model, blends)) {
+        result = draw_blended(draw, &depths[0], &depths[1]);
     }
     if (result == RHW_OK) {
         result = rhw_texture_generate_mips(scene->upload.context, scene->backdrop.picture.texture);
     }
     bool any = true;
     for (int layer = 0; layer < MOST_LAYERS && any && result == RHW_OK; layer++) {
-        result = draw_layer(draw, &depths[layer % 2], &depths[(layer + 1) % 2], &any);
+        struct scene_target *const behind = &depths[layer % 2], *const depth = &depths[(layer + 1) % 2];
+        result = layer > 0 ? draw_nearest(draw, depth) : RHW_OK;
+        if (result == RHW_OK) {
+            result = draw_layer(draw, behind, depth, &any);
+        }
         if (result == RHW_OK && any) {
             result = lay_over(draw);
         }

@@ -275,9 +275,10 @@ static void use_vertex_colors(struct off *off)
                                                       scene_import_color_scale(colors, off->vertex_count));
         return;
     }
+    const bool are_normals = off->layout.color_count == 3 && mesh->normals == NULL;
     scene_import_warn(off->import, "numbers after each vertex, which its keyword does not tell of, are %s",
-                      off->layout.color_count == 3 ? "taken for normals" : "ignored");
-    if (off->layout.color_count == 3 && mesh->normals == NULL) {
+                      are_normals ? "taken for normals" : "ignored");
+    if (are_normals) {
         mesh->normals = scene_import_allocate(off->import, off->vertex_count, sizeof *mesh->normals);
         for (uint32_t i = 0; i < off->vertex_count; i++) {
             memcpy(mesh->normals[i], mesh->colors[i], sizeof mesh->normals[i]);

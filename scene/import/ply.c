@@ -290,18 +290,30 @@ static void color_faces(struct ply *ply)
     scene_import_color_primitives(ply->import, mesh, (const float(*)[4])ply->face_colors.rows, ply->rows);
 }
 
+// Return true if the texture of a triangle has this number, or if the triangle has no texture and it is −1.
+static bool has_texture(const struct ply *ply, uint32_t triangle, int texture)
+{
+    const int32_t number = ply->face_textures[ply->rows[triangle]];
+    return (number < ply->texture_count ? number : -1) == texture;
+}
+
 // Add the triangles whose texture has this number, or has none if it is −1.
 static void add_textured(struct ply *ply, int texture, bool join)
 {
-    struct scene_mesh part = copy_vertices(ply);
-    part.indices = scene_import_allocate(ply->import, ply->mesh.index_count, sizeof *part.indices);
-    uint32_t *polygons =
-        ply->polygons.of_triangle == NULL
-            ? NULL
-            : scene_import_allocate(ply->import, ply->mesh.index_count / 3, sizeof *polygons);
+    uint32_t count = 0;
     for (uint32_t i = 0; i < ply->mesh.index_count; i += 3) {
-        const int32_t number = ply->face_textures[ply->rows[i / 3]];
-        if ((number < ply->texture_count ? number : -1) == texture) {
+        count += has_texture(ply, i / 3, texture) ? 3 : 0;
+    }
+    if (count == 0) {
+        return;
+    }
+    struct scene_mesh part = copy_vertices(ply);
+    part.indices = scene_import_allocate(ply->import, count, sizeof *part.indices);
+    uint32_t *polygons = ply->polygons.of_triangle == NULL
+                             ? NULL
+                             : scene_import_allocate(ply->import, count / 3, sizeof *polygons);
+    for (uint32_t i = 0; i < ply->mesh.index_count; i += 3) {
+        if (has_texture(ply, i / 3, texture)) {
             if (polygons != NULL) {
                 polygons[part.index_count / 3] = ply->polygons.of_triangle[i / 3];
             }
@@ -309,10 +321,8 @@ static void add_textured(struct ply *ply, int texture, bool join)
             part.index_count += 3;
         }
     }
-    if (part.index_count > 0) {
-        part.material = add_material(ply, &part, texture, ply->translucent);
-        add_mesh(ply, &part, join, polygons);
-    }
+    part.material = add_material(ply, &part, texture, ply->translucent);
+    add_mesh(ply, &part, join, polygons);
     free(polygons);
 }
 

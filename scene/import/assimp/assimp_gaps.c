@@ -183,7 +183,8 @@ void scene_assimp_find_gaps(struct scene_import *import)
     size_t size = 0;
     char *bytes = scene_import_read_file(import, import->model.path, &size, &problem);
     if (bytes == NULL) {
-        scene_import_fail(import, "cannot be read: %s", problem);
+        scene_import_warn(import, "cannot be looked through for what is not drawn: %s", problem);
+        return;
     }
     look_for_words(import, bytes, size);
     look_for_frames(import, (const unsigned char *)bytes, size);

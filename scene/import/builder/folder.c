@@ -138,9 +138,12 @@ static bool match_ending(struct scene_import *import, char *path, char *componen
     int least = READ_ENDINGS;
     for (size_t i = 0; folder != NULL && i < folder->count; i++) {
         const char *const name = folder->names[i];
+        if (strncasecmp(name, component, length) != 0 || name[length] != '.' ||
+            strchr(name + length + 1, '.') != NULL) {
+            continue;
+        }
         const int ending = ending_of(name);
-        if (ending < least && strncasecmp(name, component, length) == 0 && name[length] == '.' &&
-            strchr(name + length + 1, '.') == NULL) {
+        if (ending < least) {
             found = name;
             least = ending;
         }

@@ -165,11 +165,17 @@ void scene_import_locate(struct scene_import *import)
 {
     struct scene_model *const model = &import->model;
     const struct scene_import_spread spread = find_spread(import);
+    bool *const moves = scene_import_allocate(import, model->mesh_count, sizeof *moves);
     for (uint32_t i = 0; i < model->instance_count; i++) {
-        if (moves_far(import, i, spread.size)) {
-            settle_mesh(import, model->instances[i].mesh);
+        const uint32_t mesh = model->instances[i].mesh;
+        moves[mesh] = moves[mesh] || moves_far(import, i, spread.size);
+    }
+    for (uint32_t i = 0; i < model->mesh_count; i++) {
+        if (moves[i]) {
+            settle_mesh(import, i);
         }
     }
+    free(moves);
     if (spread.is_far) {
         choose_origin(import, &spread, model->origin);
         place_cameras_and_lights(import);

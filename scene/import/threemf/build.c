@@ -210,10 +210,16 @@ static void add_beams(struct scene_3mf *file, const struct scene_3mf_object *obj
     scene_import_complete_mesh(import, import->model.mesh_count - 1, SCENE_IMPORT_SMOOTH, true);
 }
 
+// Return true if an object is the one that the volumes of a setting are of.
+static bool is_item_of(const struct scene_3mf_object *object, const struct scene_3mf_setting *setting)
+{
+    return object->part == 0 && object->id == setting->object;
+}
+
 static void add_triangles(struct scene_3mf *file, const struct scene_3mf_object *object,
                           const struct scene_3mf_setting *setting, struct patches *patches)
 {
-    const bool is_item = object->part == 0 && object->id == setting->object;
+    const bool is_item = is_item_of(object, setting);
     find_cuts(file, object);
     for (size_t i = 0; i < object->triangle_count; i++) {
         const struct scene_3mf_volume *volume =
@@ -233,8 +239,12 @@ static void add_triangles(struct scene_3mf *file, const struct scene_3mf_object 
 static struct scene_3mf_shape find_shape(struct scene_3mf *file, struct scene_3mf_object *object,
                                          const struct scene_3mf_setting *setting)
 {
-    const struct scene_3mf_setting any = {0};
-    const struct scene_3mf_setting key = file->volume_count > 0 ? *setting : any;
+    // Parts are those of an item; a component is the same in each.
+    struct scene_3mf_setting key = {0};
+    if (file->volume_count > 0) {
+        key.object = is_item_of(object, setting) ? setting->object : 0;
+        key.filament = setting->filament;
+    }
     for (size_t i = object->shape_count; i > 0; i--) {
         const struct scene_3mf_shape *shape = &object->shapes[i - 1];
         if (shape->setting.object == key.object && shape->setting.filament == key.filament) {
