@@ -316,9 +316,11 @@ uint64_t rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *t
 bool rhw_scheduler_runs_here(const struct rhw_scheduler *scheduler)
 {
     const uintptr_t self = rhw_thread_id();
-    bool here = atomic_load_explicit(&scheduler->caller, memory_order_relaxed) == self;
+    bool works = false;
     for (int i = 0; i < scheduler->threads - 1; i++) {
-        here |= scheduler->workers[i].thread.id == self;
+        works |= scheduler->workers[i].thread.id == self;
     }
-    return here;
+    // A thread of a child may have the number of a worker that stayed with the parent.
+    return atomic_load_explicit(&scheduler->caller, memory_order_relaxed) == self ||
+           (works && has_workers(scheduler));
 }
