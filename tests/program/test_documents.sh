@@ -25,8 +25,10 @@ for verb in render thumbs compare explain view info bench; do
         for option in $options --size --samples --camera --orbit --environment --time --max-texture; do
             check "completion of $verb: $option" test "${completed#*"$option "}" != "$completed"
         done
+        at=--at=0,0
+        [ $verb = explain ] || at=
         for option in $completed; do
-            run $verb none.obj --at=0,0 "$option="
+            run $verb none.obj $at "$option="
             check "$verb knows $option" sh -c "! grep -Eq -e '$option: (no such|cannot)' '$folder/log/err'"
         done
         ;;

@@ -133,7 +133,6 @@ static void coarsen(struct cli_render_job *job, int level)
 // Marks the cells of the picture in which something of the model is.
 static void find_covered(const struct scene_pictures *pictures, uint16_t covered[VIEW_CELLS])
 {
-    memset(covered, 0, VIEW_CELLS * sizeof *covered);
     enum { STEP = 2 }; // pixels from one that is looked at to the next
     for (int y = 0; y < pictures->height; y += STEP) {
         const uint32_t *const row = pictures->object + (size_t)y * (size_t)pictures->width;
@@ -204,9 +203,6 @@ static bool draw(struct view_painting *p, const struct cli_render_job *job, int 
     }
     drawn = drawn && cli_render_draw(render);
     p->drawn_ms = cli_milliseconds() - start;
-    if (drawn && render->pictures.object) {
-        find_covered(&render->pictures, p->covered);
-    }
     return drawn;
 }
 
@@ -227,7 +223,9 @@ struct view_picture view_painting_draw(struct view_painting *p, const struct vie
                                    .triangles = render->stats.pipeline.triangles_in,
                                    .threads = rhw_context_threads(render->context),
                                    .isa = rhw_context_isa(render->context)};
-    memcpy(picture.covered, p->covered, sizeof picture.covered);
+    if (render->pictures.object) {
+        find_covered(&render->pictures, picture.covered);
+    }
     return picture;
 }
 

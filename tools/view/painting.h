@@ -47,8 +47,7 @@ struct view_painting {
     struct view_moment base_moment, pose_moment;
     double drawn_ms; // what the last picture took
     struct view_coarseness coarseness;
-    uint16_t covered[VIEW_CELLS]; // see view_picture
-    int saved;                    // files
+    int saved; // files
 };
 
 /// With those three set; `panorama` is that of the job's environment and outlives it.
