@@ -117,10 +117,13 @@ def test_a_killed_process_leaves_no_file(tmp_path):
     unnamed.close()
     child = os.fork()
     if child == 0:
-        with _files.replacing(tmp_path / "file") as file:
-            file.write(b"half")
-            file.flush()
-            os.kill(os.getpid(), signal.SIGKILL)
+        try:
+            with _files.replacing(tmp_path / "file") as file:
+                file.write(b"half")
+                file.flush()
+                os.kill(os.getpid(), signal.SIGKILL)
+        finally:
+            os._exit(1)
     assert os.WTERMSIG(os.waitpid(child, 0)[1]) == signal.SIGKILL
     assert list(tmp_path.iterdir()) == []
 

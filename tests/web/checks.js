@@ -111,7 +111,7 @@ async function checkColors(checks, rhw, box) {
     checks.same('a name of style sheets', [corner('rebeccapurple'), corner('Tomato')], [[102, 51, 153, 255], [255, 99, 71, 255]]);
     checks.same('nothing', [corner('transparent'), corner('#12345600'), corner('rgb(1 2 3 / 0)')].map((color) => color[3]), [0, 0, 0]);
     for (const [color, pattern] of [['#12345680', /'#12345680' is seen through in part/], [-1, /'-1' is not a number from 0/],
-                                    ['rgb(1, 2)', /'rgb\(1, 2\)' is not a colour/], ['tomatoe', /'tomatoe' is not a colour/]]) {
+                                    ['rgb(1, 2)', /'rgb\(1, 2\)' is not a colour/], ['rgb(1,,2)', /'rgb\(1,,2\)' is not a colour/], ['tomatoe', /'tomatoe' is not a colour/]]) {
         await checks.fails(`background ${color}`, (async () => corner(color))(), new RegExp(`^rhw: background: ${pattern.source}`));
     }
     const view = (options) => JSON.stringify(scene.view({ size: 8, ...options }));

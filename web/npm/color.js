@@ -63,7 +63,8 @@ function parse(text) {
     }
     const [, name, inside] = /^(rgb|hsl)a?\(([^()]*)\)$/.exec(text) ?? [];
     const parts = inside?.trim().split(/\s*[,/]\s*|\s+/) ?? [];
-    if (parts.length !== 3 && parts.length !== 4) {
+    const areNumbers = parts.every((part) => /^[-+]?(\d|\.\d)/.test(part) && !/^[-+]?0x/.test(part));
+    if ((parts.length !== 3 && parts.length !== 4) || !areNumbers) {
         return undefined;
     }
     const found = [...FUNCTIONS[name](parts.slice(0, 3)), numberOf(parts[3] ?? '1', 1)];

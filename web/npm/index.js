@@ -18,6 +18,20 @@ function writeFile(fs, name, bytes) {
     fs.writeFile(path, bytesOf(bytes, name));
 }
 
+// A path below the model's folder, as seen from there; undefined if it lies elsewhere.
+function belowFolder(path) {
+    const parts = [];
+    for (const part of (path.startsWith('/') ? path : `${folder}/${path}`).split('/')) {
+        if (part === '..') {
+            parts.pop();
+        } else if (part !== '' && part !== '.') {
+            parts.push(part);
+        }
+    }
+    const whole = `/${parts.join('/')}`;
+    return whole.startsWith(`${folder}/`) ? whole.slice(folder.length + 1) : undefined;
+}
+
 // Files below the model's folder that were looked for and are not there.
 function listMissing(fs) {
     const missing = new Set();
@@ -27,9 +41,9 @@ function listMissing(fs) {
             try {
                 return plain(path, ...values);
             } catch (error) {
-                const inside = typeof path === 'string' && new URL(encodeURI(path), `file://${folder}/`).pathname;
-                if (inside && inside.startsWith(`${folder}/`)) {
-                    missing.add(decodeURI(inside).slice(folder.length + 1));
+                const inside = typeof path === 'string' ? belowFolder(path) : undefined;
+                if (inside) {
+                    missing.add(inside);
                 }
                 throw error;
             }

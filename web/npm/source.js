@@ -26,7 +26,23 @@ function addressOf(model) {
     }
 }
 
-const lastPart = (url) => decodeURIComponent(url.pathname.split('/').pop());
+function lastPart(url) {
+    const part = url.pathname.split('/').pop();
+    try {
+        return decodeURIComponent(part);
+    } catch {
+        return part; // a "%" that codes nothing
+    }
+}
+
+// The address of a file by its path as seen from another; undefined where nothing lies beside that, as with blob: and data:.
+function addressBeside(path, url) {
+    try {
+        return new URL(path.split('/').map(encodeURIComponent).join('/'), url);
+    } catch {
+        return undefined;
+    }
+}
 
 /**
  * What is to be read: {bytes, name, fetchBeside}. `fetchBeside(path)` gives the bytes of a file by its path as seen from the model;
@@ -42,7 +58,10 @@ export async function openSource(model, { name, signal }) {
         throw error;
     });
     const fetchBeside = (path) => {
-        const beside = new URL(path.split('/').map(encodeURIComponent).join('/'), url);
+        const beside = addressBeside(path, url);
+        if (!beside) {
+            return undefined;
+        }
         beside.search = url.search; // where an address is signed, those beside it are too
         return read(beside).catch((error) => {
             throwIfAborted(signal);

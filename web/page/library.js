@@ -25,6 +25,7 @@ export class Library {
       const error = new Error(event.message || 'the library could not be loaded');
       this.#waiting.forEach(({ fail }) => fail(error));
       this.#waiting.clear();
+      this.#worker.terminate();
       this.#worker = null; // the network may be back the next time
     };
   }

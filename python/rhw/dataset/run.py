@@ -89,8 +89,11 @@ def _faults(folder: str, plan: Plan, part: List[Tuple[int, int]], finished: List
         model, view = of_view
         return store.changed(folder, plan.models[model][0], plan.names(view)) if is_finished else []
 
+    portion = 1024  # views that are given out at a time, of millions
     try:
-        yield from pool.map(look, part, finished)
+        for start in range(0, len(part), portion):
+            some = slice(start, start + portion)
+            yield from pool.map(look, part[some], finished[some])
     finally:
         pool.shutdown(cancel_futures=True)
 
