@@ -40,7 +40,7 @@ def copy_sources(source):
         old, new = ROOT / name, source / name
         if old.is_file() and not (new.is_file() and new.read_bytes() == old.read_bytes()):
             new.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(old, new)
+            shutil.copy(old, new)  # with a time of now, so that it is built again
 
 
 def configure(source, build):
@@ -107,7 +107,7 @@ def build_all(source, build, places):
         if len(kept) == len(places):
             sys.exit(f"script/mutate: the copy does not build:\n{done.stdout[-3000:]}")
         for name in by_file:
-            shutil.copy2(ROOT / name, source / name)
+            shutil.copy(ROOT / name, source / name)
         places = kept
 
 
@@ -167,6 +167,7 @@ def without_overlap(places):
 
 def run_round(options, source, build, places, folder):
     """The rows of a round: a place, the test that noticed it or None, how many tests ran and how many reach it."""
+    copy_sources(source)  # without the mutants of the round before
     places = build_all(source, build, places)
     tests = suite.look(suite.tests_of(build, options.tests, LABELS_WITHOUT), options.test_seconds, folder / "reached")
     print(f"{len(places)} mutants, {len(tests)} tests that pass in time", flush=True)
