@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// For script/fuzz --coverage: a child process ends by _exit, which keeps no counts of the lines that it ran. Linked with
+// For script/coverage: a child process ends by _exit, which keeps no counts of the lines that it ran. Linked with
 // -Wl,--wrap=_exit.
 void __gcov_dump(void);
 _Noreturn void __real__exit(int status);
