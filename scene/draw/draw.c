@@ -5,6 +5,7 @@
 #include "drawing.h"
 
 #include "draw/shading/color.h"
+#include "vicinity.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -167,8 +168,9 @@ static enum rhw_result draw_picture(struct draw *draw)
     return result;
 }
 
-enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
-                           struct scene_pictures *pictures, struct scene_draw_stats *stats)
+// Draw from the origin of the model.
+static enum rhw_result draw_near(struct scene *scene, const struct scene_view *view,
+                                 struct scene_pictures *pictures, struct scene_draw_stats *stats)
 {
     const struct scene_model *const model = scene->upload.model;
     *pictures = (struct scene_pictures){.width = view->width, .height = view->height};
@@ -194,6 +196,39 @@ enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
     if (stats) {
         *stats = draw.stats;
     }
+    return result;
+}
+
+// Count the positions of pictures from the origin of the model, whatever they were drawn from.
+static void move_positions(struct scene_pictures *pictures, const double origin[3])
+{
+    for (size_t i = 0; pictures->position && i < (size_t)pictures->width * (size_t)pictures->height; i++) {
+        float *const position = &pictures->position[4 * i];
+        for (int c = 0; c < 3 && position[3] > 0.0f; c++) {
+            position[c] = (float)((double)position[c] + pictures->origin[c] - origin[c]);
+        }
+    }
+    memcpy(pictures->origin, origin, sizeof pictures->origin);
+}
+
+enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
+                           struct scene_pictures *pictures, struct scene_draw_stats *stats)
+{
+    const struct scene_model *const model = scene->upload.model;
+    struct scene_vicinity vicinity;
+    double origin[3];
+    scene_vicinity_origin(model, &view->camera, origin);
+    if (memcmp(origin, model->origin, sizeof origin) == 0) {
+        return draw_near(scene, view, pictures, stats);
+    }
+    if (!scene_vicinity_make(&vicinity, model, origin)) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    scene->upload.model = &vicinity.model;
+    const enum rhw_result result = draw_near(scene, view, pictures, stats);
+    scene->upload.model = model;
+    move_positions(pictures, model->origin);
+    scene_vicinity_free(&vicinity);
     return result;
 }
 

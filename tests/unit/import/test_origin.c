@@ -334,6 +334,47 @@ static void test_camera_and_light(void **state)
     scene_model_free(model);
 }
 
+// Two parts that are far apart have an origin each, also in one mesh of the file.
+static void test_clusters(void **state)
+{
+    (void)state;
+    static const double places[2][3] = {{0, 0, 0}, {54598150.375, -43210987.25, 12345678.625}};
+    for (int is_apart = 0; is_apart < 2; is_apart++) {
+        char lines[2048];
+        int length = 0;
+        for (int k = 0; k < 2; k++) {
+            for (int i = 0; i < CORNERS; i++) {
+                length += sprintf(lines + length, "v %.17g %.17g %.17g\n", places[k][0] + shape[i][0],
+                                  places[k][1] + shape[i][1], places[k][2] + shape[i][2]);
+            }
+        }
+        for (int k = 0; k < 2; k++) {
+            length += sprintf(lines + length, is_apart ? "o part%d\n" : "", k);
+            for (int i = 0; i < FACES; i++) {
+                const int first = 1 + CORNERS * k;
+                length += sprintf(lines + length, "f %d %d %d\n", faces[i][0] + first, faces[i][1] + first,
+                                  faces[i][2] + first);
+            }
+        }
+        write_text("x.obj", lines);
+        struct scene_model *const model = load("x.obj");
+        assert_int_equal(model->instance_count, 2);
+        assert_true(model->is_scattered);
+        const struct scene_mesh *const meshes[2] = {&model->meshes[model->instances[0].mesh],
+                                                    &model->meshes[model->instances[1].mesh]};
+        assert_int_equal(meshes[0]->vertex_count, meshes[1]->vertex_count);
+        for (uint32_t v = 0; v < meshes[0]->vertex_count; v++) {
+            for (int c = 0; c < 3; c++) {
+                double apart = places[1][c];
+                apart -= model->instances[1].place[c] + (double)meshes[1]->positions[v][c];
+                apart += model->instances[0].place[c] + (double)meshes[0]->positions[v][c];
+                assert_true(fabs(apart) < 1e-6);
+            }
+        }
+        scene_model_free(model);
+    }
+}
+
 // 256 times its size away and less, a model has the numbers of its file.
 static void test_how_far(void **state)
 {
@@ -360,6 +401,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_gltf),
     cmocka_unit_test(test_brought_back),
     cmocka_unit_test(test_camera_and_light),
+    cmocka_unit_test(test_clusters),
     cmocka_unit_test(test_how_far),
 };
 
