@@ -19,7 +19,8 @@ static double distance_from(const struct scene_box *box, const double point[3])
     return __builtin_sqrt(square) + scene_box_longest(box);
 }
 
-void scene_vicinity_origin(const struct scene_model *model, const struct scene_camera *camera, double origin[3])
+void scene_vicinity_origin(const struct scene_model *model, const struct scene_camera *camera,
+                           double origin[3])
 {
     const struct scene_camera own = scene_camera_from_origin(camera, model->origin);
     const double *const eye = own.orthographic ? own.target : own.eye;
@@ -63,9 +64,10 @@ bool scene_vicinity_make(struct scene_vicinity *vicinity, const struct scene_mod
                          const double origin[3])
 {
     struct scene_model *const own = &vicinity->model;
-    *vicinity = (struct scene_vicinity){.model = *model,
-                                        .instances = calloc(model->instance_count + 1, sizeof *own->instances),
-                                        .lights = calloc(model->light_count + 1, sizeof *own->lights)};
+    *vicinity =
+        (struct scene_vicinity){.model = *model,
+                                .instances = calloc(model->instance_count + 1, sizeof *own->instances),
+                                .lights = calloc(model->light_count + 1, sizeof *own->lights)};
     if (!vicinity->instances || !vicinity->lights) {
         scene_vicinity_free(vicinity);
         return false;

@@ -15,7 +15,8 @@ struct scene_vicinity {
 
 /// Find where the model's origin is best for a picture, in the coordinates of the file. It is the model's own, unless
 /// what the camera is near stands far from that.
-void scene_vicinity_origin(const struct scene_model *model, const struct scene_camera *camera, double origin[3]);
+void scene_vicinity_origin(const struct scene_model *model, const struct scene_camera *camera,
+                           double origin[3]);
 /// Count a model from another origin. Return false if there is no memory for it. Free it with scene_vicinity_free.
 bool scene_vicinity_make(struct scene_vicinity *vicinity, const struct scene_model *model,
                          const double origin[3]);

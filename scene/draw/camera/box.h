@@ -89,6 +89,15 @@ static inline bool scene_box_overlaps(const struct scene_box *a, const struct sc
     return meets;
 }
 
+static inline bool scene_box_has(const struct scene_box *box, const double point[3])
+{
+    bool inside = true;
+    for (int c = 0; c < 3; c++) {
+        inside = inside && point[c] >= box->low[c] && point[c] <= box->high[c];
+    }
+    return inside;
+}
+
 static inline bool scene_box_holds(const struct scene_box *box, const struct scene_box *inner)
 {
     bool inside = true;

@@ -13,20 +13,14 @@ struct scene_box scene_subject_frame(const struct scene_model *model)
     return scene_box_of(low, high);
 }
 
-bool scene_subject_frames(const struct scene_model *model, const double point[3])
+struct scene_box scene_subject_room(const struct scene_model *model)
 {
-    const struct scene_box frame = scene_subject_frame(model);
-    double longest = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const double side = frame.high[i] - frame.low[i];
-        longest = side > longest ? side : longest;
+    const struct scene_box frame = scene_subject_frame(model), nothing = scene_box_empty();
+    if (model->is_framed) {
+        return scene_box_grown(&frame, 1e-4 * scene_box_longest(&frame));
     }
-    bool inside = true;
-    for (int i = 0; i < 3 && model->is_framed; i++) {
-        const double room = 1e-4 * longest;
-        inside = inside && point[i] >= frame.low[i] - room && point[i] <= frame.high[i] + room;
-    }
-    return inside;
+    return (struct scene_box){{nothing.high[0], nothing.high[1], nothing.high[2]},
+                              {nothing.low[0], nothing.low[1], nothing.low[2]}};
 }
 
 void scene_subject_place(const struct scene_instance *instance, const double point[3], double place[3])

@@ -3,7 +3,6 @@
 #include "finish.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -213,13 +212,28 @@ static bool shows_nothing(struct scene_import *import)
 // Read the model as an animation has it. Return true if something is seen.
 static bool read_moment(struct scene_import *import, uint32_t animation, double time)
 {
-    char *number = scene_import_allocate(import, 1, 16);
-    snprintf(number, 16, "%u", animation);
     import->is_posed = true;
-    import->animation = number;
+    import->takes_number = true;
+    import->animation_number = animation;
     import->time = time;
     import->read(import);
     return !shows_nothing(import);
+}
+
+// Free the largest part of a model that was read for nothing.
+static void free_meshes(struct scene_import *import)
+{
+    for (uint32_t i = 0; i < import->model.mesh_count; i++) {
+        struct scene_mesh *const mesh = &import->model.meshes[i];
+        void *const arrays[] = {mesh->indices, mesh->positions, mesh->normals, mesh->tangents, mesh->colors};
+        for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++) {
+            free(arrays[k]);
+        }
+        for (int k = 0; k < SCENE_UV_SETS; k++) {
+            free(mesh->uvs[k]);
+        }
+    }
+    free(import->model.meshes);
 }
 
 // Read the model. Where it shows nothing at rest, as some that grow or appear do, read it as its first animation has it
@@ -243,6 +257,7 @@ static void read_what_shows(struct scene_import *import)
                               i / MOMENTS, animation->name, time);
             return;
         }
+        free_meshes(import);
     }
     *import = rest;
 }
