@@ -172,12 +172,12 @@ struct scene_instance {
 struct scene_model_camera {
     const char *name;
     float world[16];
-    double place[3]; ///< where it stands, as exactly as it is known, or zeros
     bool orthographic;
     float yfov;        ///< radians, for perspective
     float aspect;      ///< width / height; 0 for that of the picture
     float xmag, ymag;  ///< half width and half height, for orthographic
     float znear, zfar; ///< zfar is 0 if the view is infinitely deep
+    double place[3];   ///< where it stands, as exactly as it is known, or zeros
 };
 
 /// Directions of the world.
@@ -197,12 +197,12 @@ struct scene_model_light {
     const char *name;
     enum scene_light_type type;
     float position[3];
-    double place[3];            ///< the position, as exactly as it is known, or zeros
     float direction[3];         ///< unit vector, the way the light travels
     float color[3];             ///< linear
     float intensity;            ///< lux of a directional light, candela of the others
     float range;                ///< 0 if the light reaches without limit
     float inner_cos, outer_cos; ///< cosines of the half angles of a spot's cone; inner_cos > outer_cos
+    double place[3];            ///< the position, as exactly as it is known, or zeros
 };
 
 /// An animation is a movement that the file has. scene_model_options chooses the moment that is shown.
