@@ -129,13 +129,6 @@ static void settle_mesh(struct scene_import *import, uint32_t number)
     }
     free(mesh->positions);
     mesh->positions = scene_import_settle(import, points, mesh->vertex_count, offset);
-    if (import->has_floats_alone && scene_origin_is_far(offset)) {
-        const double distance = fmax(fabs(offset[0]), fmax(fabs(offset[1]), fabs(offset[2])));
-        scene_import_warn(import,
-                          "stands far from the origin, where its format is read as floats: positions are "
-                          "%.2g apart at least",
-                          distance / (1 << 23));
-    }
     for (int c = 0; c < 3; c++) {
         import->exact_meshes.matrices[number][12 + c] += offset[c];
     }
@@ -222,6 +215,28 @@ static void give_matrices(struct scene_import *import)
     }
 }
 
+// Warn of a model that a library gave as floats, of its nodes or its vertices, and that is far in steps of these.
+static void warn_of_floats(struct scene_import *import, const struct scene_import_spread *spread)
+{
+    bool is_far = spread->is_far;
+    double distance = spread->distance;
+    for (uint32_t i = 0; i < import->model.mesh_count; i++) {
+        for (int c = 0; c < 3; c++) {
+            const double moved = fabs(import->exact_meshes.matrices[i][12 + c]);
+            is_far = is_far || moved > 0;
+            distance = fmax(distance, moved);
+        }
+    }
+    int exponent;
+    frexp(distance, &exponent); // floats have 24 bits
+    if (import->has_floats_alone && is_far) {
+        scene_import_warn(import,
+                          "stands far from the origin, where its format is read as floats: places are "
+                          "up to %.2g apart",
+                          ldexp(1.0, exponent - 24));
+    }
+}
+
 void scene_import_locate(struct scene_import *import)
 {
     struct scene_model *const model = &import->model;
@@ -238,6 +253,7 @@ void scene_import_locate(struct scene_import *import)
         }
     }
     free(moves);
+    warn_of_floats(import, &spread);
     if (spread.is_far) {
         choose_origin(import, spread.middle, spread.size);
     }
