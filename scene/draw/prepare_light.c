@@ -27,12 +27,7 @@ enum rhw_result scene_draw_surround(struct draw *draw)
 static double subject_radius(const struct scene_model *model)
 {
     const struct scene_subject subject = scene_subject_find(model);
-    double square = 0.0;
-    for (int c = 0; c < 3; c++) {
-        const double side = subject.box.high[c] - subject.box.low[c];
-        square += side * side;
-    }
-    return 0.5 * __builtin_sqrt(square);
+    return 0.5 * scene_box_diagonal(&subject.box);
 }
 
 enum rhw_result scene_draw_ground(struct draw *draw)

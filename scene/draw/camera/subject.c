@@ -97,12 +97,10 @@ struct scene_subject scene_subject_find(const struct scene_model *model)
             !cut_to_frame(model, &box)) {
             continue;
         }
-        for (int k = 0; k < 3; k++) {
-            subject.box.low[k] =
-                box.low[k] < subject.box.low[k] || subject.is_all ? box.low[k] : subject.box.low[k];
-            subject.box.high[k] =
-                box.high[k] > subject.box.high[k] || subject.is_all ? box.high[k] : subject.box.high[k];
+        if (subject.is_all) {
+            subject.box = scene_box_empty();
         }
+        scene_box_extend(&subject.box, &box);
         subject.is_all = false;
     }
     return subject;

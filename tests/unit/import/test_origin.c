@@ -364,7 +364,7 @@ static void test_clusters(void **state)
         write_text("x.obj", lines);
         struct scene_model *const model = load("x.obj");
         assert_int_equal(model->instance_count, 2);
-        assert_true(model->is_scattered);
+        assert_true(model->is_scattered && model->warning_count == 0);
         const struct scene_mesh *const meshes[2] = {&model->meshes[model->instances[0].mesh],
                                                     &model->meshes[model->instances[1].mesh]};
         assert_int_equal(meshes[0]->vertex_count, meshes[1]->vertex_count);
@@ -376,6 +376,26 @@ static void test_clusters(void **state)
                 assert_true(fabs(apart) < 1e-6);
             }
         }
+        scene_model_free(model);
+    }
+}
+
+// In one mesh of other formats one of two parts that are far apart has steps, which is told.
+static void test_parts_of_a_mesh(void **state)
+{
+    (void)state;
+    static const char format[] =
+        "ply\nformat ascii 1.0\nelement vertex 7\nproperty double x\nproperty double y\n"
+        "property double z\nelement face 3\nproperty list uchar int vertex_indices\n"
+        "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n%s 0 0\n%s.5 0 0\n%s 0.5 0\n"
+        "3 0 1 2\n3 1 3 2\n3 4 5 6\n";
+    static const char *const places[] = {"3000000", "30"};
+    for (int i = 0; i < 2; i++) {
+        char lines[512];
+        snprintf(lines, sizeof lines, format, places[i], places[i], places[i]);
+        write_text("x.ply", lines);
+        struct scene_model *const model = load("x.ply");
+        assert_true(has_warning(model, "places in one are 0.25 apart") == (i == 0));
         scene_model_free(model);
     }
 }
@@ -407,6 +427,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_brought_back),
     cmocka_unit_test(test_camera_and_light),
     cmocka_unit_test(test_clusters),
+    cmocka_unit_test(test_parts_of_a_mesh),
     cmocka_unit_test(test_how_far),
 };
 
