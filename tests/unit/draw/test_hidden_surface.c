@@ -396,8 +396,9 @@ static void test_others_keep_their_turn(void **state)
 
 enum { LAYERS = 16 };
 
-// Layers from far to near that cover everything, on a target that ends within tiles: so many are shaded.
-static void assert_shaded(bool depth, enum rhw_paths paths, int layers)
+// Layers from far to near that cover everything, on a target that ends within tiles, perhaps beside one that is left out:
+// so many are shaded.
+static void assert_shaded(bool depth, bool leaves_out, enum rhw_paths paths, int layers)
 {
     enum { WIDTH = 100, HEIGHT = 70 };
     struct rhw_context_def def = rhw_context_def_default();
@@ -407,6 +408,10 @@ static void assert_shaded(bool depth, enum rhw_paths paths, int layers)
     rig_open_with(&rig, WIDTH, HEIGHT, &def);
     if (depth) {
         rig_set_depth(&rig);
+    }
+    if (leaves_out) {
+        rig.pass.color_count = rig.pipeline.target_count = 2;
+        rig.pipeline.targets[1].format = RHW_FORMAT_NONE;
     }
     rig_begin(&rig);
     for (int i = 0; i < LAYERS; i++) {
@@ -426,16 +431,18 @@ static void assert_shaded(bool depth, enum rhw_paths paths, int layers)
 static void test_what_is_hidden_is_not_shaded(void **state)
 {
     (void)state;
-    assert_shaded(true, RHW_PATHS_ALL, 1);
-    assert_shaded(false, RHW_PATHS_ALL, 1);
+    for (int leaves_out = 0; leaves_out < 2; leaves_out++) {
+        assert_shaded(true, leaves_out, RHW_PATHS_ALL, 1);
+        assert_shaded(false, leaves_out, RHW_PATHS_ALL, 1);
+    }
 }
 
 static void test_unless_the_context_wants_it(void **state)
 {
     (void)state;
     for (int depth = 0; depth < 2; depth++) {
-        assert_shaded(depth, RHW_PATHS_IN_ORDER, LAYERS);
-        assert_shaded(depth, RHW_PATHS_GENERAL, LAYERS);
+        assert_shaded(depth, false, RHW_PATHS_IN_ORDER, LAYERS);
+        assert_shaded(depth, false, RHW_PATHS_GENERAL, LAYERS);
     }
 }
 
