@@ -255,6 +255,12 @@ static void test_levels_written_one_by_one(void **state)
     rig_end(&rig);
     level_asked = 2;
     assert_int_equal(draw(&rig, texture, sampler), RHW_OK);
+    // Of the two levels that are mixed the finer one is missing.
+    const rhw_texture gap = make_texture(&rig);
+    assert_int_equal(rhw_texture_write(rig.context, gap, 3, texels, 0), RHW_OK);
+    level_asked = 2.5f;
+    assert_int_equal(draw(&rig, gap, sampler), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "samples level 2 of the texture in slot 3, which was never written");
     rig_close(&rig);
 }
 

@@ -222,13 +222,13 @@ static void test_fragment_functions(void **state)
 static void test_blending_reads_alpha(void **state)
 {
     (void)state;
-    for (int blends = 0; blends < 2; blends++) {
+    for (int blends = 0; blends < 3; blends++) { // by nothing, by the source's factor, by the target's
         struct rig rig;
         open_validated(&rig, 1);
         rig.pipeline.targets[0].write_mask = RHW_WRITE_RED | RHW_WRITE_GREEN | RHW_WRITE_BLUE;
         rig.pipeline.targets[0].blend = true;
-        rig.pipeline.targets[0].color.src = blends ? RHW_BLEND_SRC_ALPHA : RHW_BLEND_ONE;
-        rig.pipeline.targets[0].color.dst = RHW_BLEND_ONE;
+        rig.pipeline.targets[0].color.src = blends == 1 ? RHW_BLEND_SRC_ALPHA : RHW_BLEND_ONE;
+        rig.pipeline.targets[0].color.dst = blends == 2 ? RHW_BLEND_ONE_MINUS_SRC_ALPHA : RHW_BLEND_ONE;
         deed = LEAVE_ALPHA;
         assert_int_equal(draw_deed(&rig, false, 0), blends ? RHW_ERROR_MISUSE : RHW_OK);
         if (blends) {
@@ -313,6 +313,7 @@ enum {
     LEAVE_SOME_VARYINGS,
     WRITE_FAR_VARYING,
     READ_ATTRIBUTE,
+    MOVE_BY_ATTRIBUTE,
     CLIP_BY_ATTRIBUTE,
     CULL_BY_ATTRIBUTE,
     READ_FAR_UNIFORMS,
@@ -349,6 +350,9 @@ static void place(struct rhw_vertex *groups, int count)
                 v->varying[c] = v->attribute[1][c];
             }
         }
+        if (vertex_deed == MOVE_BY_ATTRIBUTE) {
+            v->position[0] = v->attribute[2][1];
+        }
         if (vertex_deed == LEAVE_SOME_POSITIONS) {
             v->position[2] = rhw_select(rhw_less_int(rhw_lane_numbers(), 3), v->position[2], before);
         } else if (vertex_deed == LEAVE_SOME_VARYINGS) {
@@ -383,6 +387,9 @@ static void place1(struct rhw_vertex1 *v)
             v->varying[c] = v->attribute[1][c];
         }
     }
+    if (vertex_deed == MOVE_BY_ATTRIBUTE) {
+        v->position[0] = v->attribute[2][1];
+    }
     if (vertex_deed == LEAVE_SOME_POSITIONS && leaves) {
         v->position[2] = before;
     } else if (vertex_deed == LEAVE_SOME_VARYINGS && leaves) {
@@ -404,6 +411,7 @@ static void test_vertex_functions(void **state)
         {LEAVE_SOME_VARYINGS, "does not write varying[3] in every lane"},
         {WRITE_FAR_VARYING, "writes varying[4]; its program has 4 components"},
         {READ_ATTRIBUTE, "reads an attribute behind the last; the pipeline has 2"},
+        {MOVE_BY_ATTRIBUTE, "reads an attribute behind the last; the pipeline has 2"},
         {CLIP_BY_ATTRIBUTE, "reads an attribute behind the last; the pipeline has 2"},
         {CULL_BY_ATTRIBUTE, "reads an attribute behind the last; the pipeline has 2"},
         {READ_FAR_UNIFORMS, "reads uniforms behind uniform_size, which is 8"},
