@@ -176,6 +176,14 @@ static void open_rig(struct rig *rig, enum rhw_compare compare)
     rig->pass.depth.clear = compare == RHW_COMPARE_LESS || compare == RHW_COMPARE_LESS_EQUAL ? 0.75f : 0.25f;
 }
 
+// Depth that memory keeps in steps is tested as stencil is.
+static void use_depth_steps(struct rig *rig)
+{
+    const struct rhw_texture_def def = {.format = RHW_FORMAT_D24_UNORM, .width = SIZE, .height = SIZE};
+    rhw_texture_destroy(rig->context, rig->pass.depth.texture);
+    assert_int_equal(rhw_texture_create(rig->context, &def, &rig->pass.depth.texture), RHW_OK);
+}
+
 static void test_the_picture_of_one_by_one(void **state)
 {
     (void)state;
@@ -184,10 +192,13 @@ static void test_the_picture_of_one_by_one(void **state)
     static struct picture together, alone;
     static struct layer layers[DRAWS];
     uint64_t random = 11;
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 2 * 4; i++) {
         struct rig rig;
-        open_rig(&rig, compares[i]);
-        for (int n = 0; n < 4; n++) {
+        open_rig(&rig, compares[i / 2]);
+        if (i % 2) {
+            use_depth_steps(&rig);
+        }
+        for (int n = 0; n < 3; n++) {
             make_layers(&rig, &random, layers);
             draw_together(&rig, layers, &together);
             draw_one_by_one(&rig, layers, &alone);
