@@ -395,6 +395,28 @@ static void test_renewed_textures_out_of_memory(void **state)
     expect_all_returned(&meter);
 }
 
+// The allocations of a view fail one by one.
+static void test_views_out_of_memory(void **state)
+{
+    (void)state;
+    struct meter meter = {.fail_at = -1};
+    const struct rhw_context_def def = {.threads = 1, .allocator = {take, give, &meter}};
+    rhw_context *context;
+    rhw_texture view;
+    assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
+    const struct rhw_texture_view_def view_def = {.texture = make_texture(context, 4), .label = "view"};
+    enum rhw_result result = RHW_ERROR_OUT_OF_MEMORY;
+    for (int fail_after = 0; result != RHW_OK; fail_after++) {
+        meter.fail_at = meter.calls + fail_after;
+        result = rhw_texture_view_create(context, &view_def, &view);
+        assert_int_equal(result, meter.calls > meter.fail_at ? RHW_ERROR_OUT_OF_MEMORY : RHW_OK);
+        assert_true((view.index != 0) == (result == RHW_OK));
+    }
+    assert_int_equal(rhw_texture_width(context, view, 0), 4);
+    rhw_context_destroy(context);
+    expect_all_returned(&meter);
+}
+
 // A block of no bytes is a valid one, of which hooks see a byte.
 static void test_blocks_of_nothing(void **state)
 {
@@ -534,6 +556,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_validation_out_of_memory),
     cmocka_unit_test(test_more_samples_out_of_memory),
     cmocka_unit_test(test_renewed_textures_out_of_memory),
+    cmocka_unit_test(test_views_out_of_memory),
     cmocka_unit_test(test_blocks_of_nothing),
     cmocka_unit_test(test_warm_passes_do_not_allocate),
     cmocka_unit_test(test_the_stats_know_the_peak),
