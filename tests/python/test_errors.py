@@ -111,6 +111,33 @@ def test_a_file_takes_its_place_whole(tmp_path, monkeypatch, is_named):
     assert place.read_bytes() == b"second" and list(tmp_path.iterdir()) == [place]
 
 
+@pytest.mark.parametrize("step", ["open", "_name"])
+def test_ctrl_c_just_when_a_file_has_a_name(tmp_path, monkeypatch, step):
+    """The older file stays, and no other is there."""
+    def interrupted(*arguments):
+        if _files.TEMPORARY in str(arguments):
+            made.append(work(*arguments))
+            raise KeyboardInterrupt
+        return work(*arguments)
+
+    made, work = [], getattr(_files, step, open)
+    (tmp_path / "file").write_bytes(b"older")
+    monkeypatch.setattr(_files, step, interrupted, raising=False)
+    unnamed = _files._open_unnamed(os.fspath(tmp_path))
+    if unnamed is not None:
+        unnamed.close()
+    elif step == "_name":
+        pytest.skip("this system has no files without a name")
+    if step == "open":
+        monkeypatch.setattr(_files, "_open_unnamed", lambda folder: None)
+    with pytest.raises(KeyboardInterrupt):
+        _files.write(tmp_path / "file", b"newer")
+    assert len(made) == 1 and list(tmp_path.iterdir()) == [tmp_path / "file"]
+    assert (tmp_path / "file").read_bytes() == b"older"
+    if step == "open":
+        made[0].close()
+
+
 def test_a_file_is_replaced_and_a_pipe_is_written(tmp_path):
     """What has another name too keeps its bytes under that."""
     place, other, pipe = tmp_path / "file", tmp_path / "other", tmp_path / "pipe"
