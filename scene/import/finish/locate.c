@@ -238,7 +238,8 @@ static void warn_of_floats(struct scene_import *import, const struct scene_impor
     }
 }
 
-// Warn of a mesh with parts so far apart that its floats have steps for one of them. Some of its triangles and lines tell.
+// Warn of a mesh with parts so far apart that its floats have steps for one of them. Some of its triangles and lines
+// tell.
 static void warn_of_parts(struct scene_import *import, const struct scene_mesh *mesh)
 {
     const uint32_t corners = scene_mesh_corners(mesh);
