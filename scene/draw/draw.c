@@ -55,6 +55,7 @@ void scene_destroy(struct scene *scene)
         scene_target_destroy(context, &scene->targets[i]);
     }
     scene_guide_destroy(context, &scene->guide);
+    scene_guide_destroy(context, &scene->solid_guide);
     scene_ground_destroy(&scene->ground);
     scene_shadows_destroy(context, &scene->shadows);
     scene_surroundings_destroy(context, &scene->surroundings);
