@@ -87,11 +87,11 @@ static struct scene_frame frame_of(const struct draw *draw)
     return frame;
 }
 
-// The frame with the occlusion of what light does not pass through.
+// The frame with the guide of what light does not pass through.
 static struct scene_frame solid_frame_of(const struct draw *draw)
 {
     struct scene_frame frame = frame_of(draw);
-    if (frame.guide.occlusion) {
+    if (frame.guide.distance) {
         frame.guide = scene_guide_lookup(&draw->scene->solid_guide, draw->view);
     }
     return frame;

@@ -200,7 +200,7 @@ enum rhw_result scene_guide_occlude(struct scene_guide *guide, rhw_context *cont
 struct scene_guide_lookup scene_guide_lookup(const struct scene_guide *guide, const struct scene_view *view)
 {
     return (struct scene_guide_lookup){.distance = guide->distance.texels,
-                                       .occlusion = guide->occlusion.texels,
+                                       .occlusion = view->ambient_occlusion ? guide->occlusion.texels : NULL,
                                        .width = guide->width,
                                        .height = guide->height,
                                        .pitch = guide->distance.pitch,

@@ -80,12 +80,12 @@ enum rhw_result scene_draw_guide(struct draw *draw)
 enum rhw_result scene_draw_occlusion(struct draw *draw)
 {
     struct scene *const scene = draw->scene;
-    if (!is_guided(draw) || !draw->view->ambient_occlusion) {
+    if (!is_guided(draw)) {
         return RHW_OK;
     }
     struct scene_guide *const guides[2] = {&scene->guide, &scene->solid_guide};
     const double radius = occlusion_reach * subject_radius(scene->upload.model);
-    const int count = guide_count(draw);
+    const int count = draw->view->ambient_occlusion ? guide_count(draw) : 0;
     enum rhw_result result = RHW_OK;
     for (int i = 0; i < count && result == RHW_OK; i++) {
         result = scene_guide_occlude(guides[i], scene->upload.context, scene->nearest, draw->view, radius);
