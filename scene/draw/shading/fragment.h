@@ -261,9 +261,10 @@ ALWAYS_INLINE rhw_float ambient_open(const struct rhw_fragment *f, const struct 
 }
 
 // Find the place at which the shadow on a fragment is looked up. The values of a fragment are those of its pixel's
-// centre, which may lie beyond the edge of a triangle that covers other samples of the pixel. Beyond an inner corner the
-// plane goes on behind what it meets there, where no light arrives. The place is therefore moved towards the eye, onto
-// what the guide has at the centre, where that lies before the plane by no more than two pixels are wide on the plane.
+// centre, which may lie beyond the edge of a triangle that covers other samples of the pixel. Beyond an inner corner
+// the plane goes on behind what it meets there, where no light arrives. The place is therefore moved towards the eye,
+// onto what the guide has at the centre, where that lies before the plane by no more than two pixels are wide on the
+// plane.
 ALWAYS_INLINE void shadow_place(const struct rhw_fragment *f, const struct scene_surface *s,
                                 rhw_float place[3])
 {
