@@ -61,6 +61,7 @@ struct draw {
     int band_rows, first_row;         // rows of the picture
     enum rhw_format color_formats[2]; // formats of the targets of displayed colour and of light
     int color_count;                  // number of the targets that are drawn to
+    bool is_wide;                     // the colours under way are of more than 8 bits
     uint32_t data_pass;               // the outputs of the data pass under way
 };
 
