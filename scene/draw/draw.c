@@ -56,6 +56,7 @@ void scene_destroy(struct scene *scene)
         scene_target_destroy(context, &scene->targets[i]);
     }
     scene_guide_destroy(context, &scene->guide);
+    scene_guide_destroy(context, &scene->solid_guide);
     scene_ground_destroy(&scene->ground);
     scene_shadows_destroy(context, &scene->shadows);
     scene_surroundings_destroy(context, &scene->surroundings);
@@ -110,8 +111,9 @@ static enum rhw_result draw_light(struct draw *draw)
 }
 
 // Colour is drawn into samples of a band and becomes rows of the pictures.
-static enum rhw_result draw_color_band(struct draw *draw)
+static enum rhw_result draw_samples(struct draw *draw, bool is_wide)
 {
+    draw->is_wide = is_wide;
     const double start = scene_milliseconds();
     enum rhw_result result = scene_color_begin(draw);
     if (result == RHW_OK && scene_peel_wanted(draw)) {
@@ -127,6 +129,17 @@ static enum rhw_result draw_color_band(struct draw *draw)
     return result == RHW_OK ? scene_color_end(draw) : result;
 }
 
+// Colours of 8 bits and of more are drawn apart, since what is rounded and dithered differs.
+static enum rhw_result draw_color_band(struct draw *draw)
+{
+    const struct scene_pictures *pictures = draw->pictures;
+    enum rhw_result result = RHW_OK;
+    if (pictures->color || !pictures->display) {
+        result = draw_samples(draw, false);
+    }
+    return result == RHW_OK && pictures->display ? draw_samples(draw, true) : result;
+}
+
 static enum rhw_result draw_color(struct draw *draw)
 {
     static const uint32_t colors = SCENE_OUTPUT_COLOR | SCENE_OUTPUT_LINEAR | SCENE_OUTPUT_DISPLAY |
@@ -134,7 +147,7 @@ static enum rhw_result draw_color(struct draw *draw)
     if (!(draw->view->outputs & colors)) {
         return RHW_OK;
     }
-    draw->frame.linear_slot = draw->pictures->linear ? 1 : -1;
+    draw->is_wide = draw->pictures->display != NULL;
     const enum rhw_result result = draw_light(draw);
     if (result != RHW_OK) {
         return result;

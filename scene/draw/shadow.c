@@ -97,24 +97,23 @@ static void extend(struct box2 *box, const struct frame *f, const double p[3])
     }
 }
 
-// Where the light sees what is in the picture; every other texel of the guide will do, the map has a margin.
-static struct box2 find_seen(const struct scene_guide *guide, const struct scene_view *view,
-                             const struct frame *f)
+// Extend a box by where the light sees what is in the picture. Every other texel of the guide will do, since the map
+// has a margin.
+static void extend_by_seen(struct box2 *box, const struct scene_guide *guide, const struct scene_view *view,
+                           const struct frame *f)
 {
     enum { STEP = 2 };
     const struct scene_guide_rays rays = scene_guide_rays(view);
-    struct box2 box = {{1e300, 1e300}, {-1e300, -1e300}};
     for (int y = 0; y < guide->height; y += STEP) {
         const float *row = &guide->distance.texels[(size_t)y * (size_t)guide->distance.pitch];
         for (int x = 0; x < guide->width; x += STEP) {
             if (row[x] < 1e30f) {
                 double p[3];
                 scene_guide_place(&rays, x + 0.5, y + 0.5, (double)row[x], p);
-                extend(&box, f, p);
+                extend(box, f, p);
             }
         }
     }
-    return box;
 }
 
 // Find the box of what casts shadows. Specks that are hundreds of times as far away as the model is large would leave
@@ -250,7 +249,7 @@ static int maps_needed(const struct scene_shader_light *light)
 // Its maps are the next ones.
 static enum rhw_result cast(struct scene_shadows *shadows, const struct scene_upload *upload,
                             struct scene_surface_pipelines *pipelines, const struct scene_view *view,
-                            const struct scene_guide *guide, const struct scene_frame *frame,
+                            const struct scene_guide *const guides[2], const struct scene_frame *frame,
                             struct scene_shader_light *light)
 {
     static const double faces[6][2][3] = {{{1, 0, 0}, {0, 1, 0}}, {{-1, 0, 0}, {0, 1, 0}},
@@ -270,7 +269,9 @@ static enum rhw_result cast(struct scene_shadows *shadows, const struct scene_up
         struct frame f = count == 6 ? look(faces[m][0], faces[m][1]) : look(along, view->camera.up);
         memcpy(f.origin, position, sizeof f.origin);
         if (light->type == SCENE_LIGHT_DIRECTIONAL) {
-            const struct box2 seen = find_seen(guide, view, &f);
+            struct box2 seen = {{1e300, 1e300}, {-1e300, -1e300}};
+            extend_by_seen(&seen, guides[0], view, &f);
+            extend_by_seen(&seen, guides[1], view, &f);
             if (!(seen.low[0] < seen.high[0] && seen.low[1] < seen.high[1])) {
                 return RHW_OK; // nothing to shade
             }
@@ -315,7 +316,7 @@ struct scene_shadow_map scene_shadow_cover(const struct scene_model *model,
 
 enum rhw_result scene_shadows_draw(struct scene_shadows *shadows, const struct scene_upload *upload,
                                    struct scene_surface_pipelines *pipelines, const struct scene_view *view,
-                                   const struct scene_guide *guide, const struct scene_frame *frame,
+                                   const struct scene_guide *const guides[2], const struct scene_frame *frame,
                                    struct scene_lighting *lighting)
 {
     enum rhw_result result = RHW_OK;
@@ -324,7 +325,7 @@ enum rhw_result scene_shadows_draw(struct scene_shadows *shadows, const struct s
         struct scene_shader_light *light = &lighting->lights[i];
         light->map_count = 0;
         if (light->casts && shadows->count + maps_needed(light) <= SCENE_SHADOW_MAPS) {
-            result = cast(shadows, upload, pipelines, view, guide, frame, light);
+            result = cast(shadows, upload, pipelines, view, guides, frame, light);
         }
     }
     return result;
