@@ -124,7 +124,8 @@ static inline struct rhw_geometry_room rhw_geometry_scratch_room(size_t triangle
 
 // Set what stays from frame to frame, in `room.size` bytes: the arrays, an empty table of vertices, and where groups of
 // vertices have their distances.
-static inline void rhw_geometry_scratch_init(struct rhw_geometry_scratch *scratch, struct rhw_geometry_room room)
+static inline void rhw_geometry_scratch_init(struct rhw_geometry_scratch *scratch,
+                                             struct rhw_geometry_room room)
 {
     unsigned char *const bytes = (unsigned char *)scratch;
     memset(scratch->cache, 0, sizeof scratch->cache);
