@@ -42,7 +42,8 @@ static bool sample_tiles_ready(struct rhw_memory *memory, struct rhw_worker *wor
 }
 
 // Give the tile and its samples a room for the colours of each attachment. Return false when out of memory.
-static bool colors_ready(struct rhw_memory *memory, struct rhw_worker *worker, const struct rhw_target *target)
+static bool colors_ready(struct rhw_memory *memory, struct rhw_worker *worker,
+                         const struct rhw_target *target)
 {
     const int each = target->color_count, wanted = each * target->pattern->count;
     if (worker->color_count < wanted) {
