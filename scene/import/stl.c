@@ -125,17 +125,26 @@ static float read_float(const unsigned char *bytes)
 }
 
 // What the 16 bits after a facet mean. They mean nothing unless a facet says that its colour is valid (VisCAM,
-// SolidView), or the head names the colour of the other facets (Materialise Magics).
+// SolidView), or the head names the colour of the other facets (Materialise Magics). MeshLab writes the head and the
+// order of Magics, and always one grey; its highest bit says, as that of VisCAM, that a colour is valid.
 struct palette {
-    bool colored, magics;
+    bool colored;
+    bool begins_with_red;
+    unsigned valid; // the highest bit of a facet that has a colour
     float common[4];
 };
+
+static bool is_head_of_meshlab(const unsigned char *bytes)
+{
+    static const char head[] = "COLOR=\x7f\x7f\x7f MATERIAL=\x7f\x7f\x7f \x7f\x7f\x7f \x7f\x7f\x7f ";
+    return memcmp(bytes, head, sizeof head - 1) == 0;
+}
 
 // Tell of what the head of Materialise Magics says beside its colour.
 static void tell_of_head(struct scene_import *import, const unsigned char *bytes)
 {
     static const char color[] = "COLOR=", material[] = "MATERIAL=";
-    for (size_t i = 0; i + sizeof material <= 80; i++) {
+    for (size_t i = 0; i + sizeof material <= 80 && !is_head_of_meshlab(bytes); i++) {
         const unsigned char alpha = bytes[i + sizeof color - 1 + 3];
         if (memcmp(bytes + i, material, sizeof material - 1) == 0) {
             scene_import_unsupported(import,
@@ -147,35 +156,52 @@ static void tell_of_head(struct scene_import *import, const unsigned char *bytes
     }
 }
 
-static struct palette find_palette(const unsigned char *bytes, size_t facets)
+static unsigned read_word(const unsigned char *bytes, size_t facet)
 {
-    struct palette palette = {.common = {1, 1, 1, 1}};
+    const unsigned char *const word = bytes + HEADER + facet * FACET + 48;
+    return word[0] | (unsigned)word[1] << 8;
+}
+
+// Take the head of Magics, if it is there and the facets have words. Words that are all 0 would be a black model.
+static void take_head(struct palette *palette, const unsigned char *bytes, size_t facets)
+{
     const char key[] = "COLOR=";
-    for (int i = 0; i + 10 <= 80 && !palette.magics; i++) {
-        palette.magics = memcmp(bytes + i, key, strlen(key)) == 0;
-        for (int c = 0; c < 3 && palette.magics; c++) {
-            palette.common[c] = scene_import_from_srgb((float)bytes[i + 6 + c] / 255);
+    bool has_words = false;
+    for (size_t i = 0; i < facets && !has_words; i++) {
+        has_words = read_word(bytes, i) != 0;
+    }
+    for (int i = 0; i + 10 <= 80 && !palette->colored; i++) {
+        palette->colored = memcmp(bytes + i, key, strlen(key)) == 0;
+        for (int c = 0; c < 3 && palette->colored; c++) {
+            palette->common[c] = scene_import_from_srgb((float)bytes[i + 6 + c] / 255);
         }
     }
-    palette.colored = palette.magics;
-    for (size_t i = 0; i < facets && !palette.colored; i++) {
-        palette.colored = (bytes[HEADER + i * FACET + 49] & 0x80) != 0;
-    }
+    palette->begins_with_red = palette->colored;
+    palette->valid = palette->colored && has_words ? 0 : 0x8000;
+}
+
+static struct palette find_palette(const unsigned char *bytes, size_t facets)
+{
     // Facets without a colour take the colour of a model that has none.
-    if (!palette.magics) {
-        palette.common[0] = palette.common[1] = palette.common[2] = 0.6f;
+    struct palette palette = {.valid = 0x8000, .common = {0.6f, 0.6f, 0.6f, 1}};
+    palette.begins_with_red = is_head_of_meshlab(bytes);
+    if (!palette.begins_with_red) {
+        take_head(&palette, bytes, facets);
+    }
+    for (size_t i = 0; i < facets && !palette.colored; i++) {
+        palette.colored = (read_word(bytes, i) & 0x8000) != 0;
     }
     return palette;
 }
 
 // Read a colour, which has five bits for each of red, green and blue. Magics begins with red, other programs end
-// with it. The highest bit has opposite meanings.
+// with it.
 static void read_color(const struct palette *palette, unsigned word, float color[4])
 {
-    const bool own = ((word & 0x8000) == 0) == palette->magics;
+    const bool own = (word & 0x8000) == palette->valid;
     memcpy(color, palette->common, sizeof palette->common);
     for (int c = 0; c < 3 && own; c++) {
-        const unsigned bits = word >> (palette->magics ? 5 * c : 10 - 5 * c) & 31;
+        const unsigned bits = word >> (palette->begins_with_red ? 5 * c : 10 - 5 * c) & 31;
         color[c] = scene_import_from_srgb((float)bits / 31);
     }
 }
@@ -225,7 +251,7 @@ static void read_binary(struct scene_import *import, const unsigned char *bytes,
         }
         set_normal(&solid, 3 * i, normal);
         for (size_t k = 0; k < 3 && palette.colored; k++) {
-            read_color(&palette, facet[48] | (unsigned)facet[49] << 8, solid.colors[3 * i + k]);
+            read_color(&palette, read_word(bytes, i), solid.colors[3 * i + k]);
         }
     }
     add_solid(import, &solid);

@@ -124,7 +124,8 @@ static void collect(char *tag, char *close, void *user)
 
 static int compare_names(const void *a, const void *b)
 {
-    const struct value *const x = &((const struct binding *)a)->name, *const y = &((const struct binding *)b)->name;
+    const struct value *const x = &((const struct binding *)a)->name, *const y =
+                                                                          &((const struct binding *)b)->name;
     if (x->length != y->length) {
         return x->length < y->length ? -1 : 1;
     }
@@ -160,9 +161,8 @@ static unsigned find_set(const struct sets *sets, struct value name)
 {
     const struct binding key = {.name = name};
     const struct binding *const found =
-        sets->count == 0
-            ? NULL
-            : bsearch(&key, sets->bindings, sets->count, sizeof *sets->bindings, compare_names);
+        sets->count == 0 ? NULL
+                         : bsearch(&key, sets->bindings, sets->count, sizeof *sets->bindings, compare_names);
     if (found != NULL) {
         return found->set;
     }
