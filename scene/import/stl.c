@@ -34,10 +34,11 @@ static bool is_normal(const float v[3])
     return square > 1e-12f && square < 1e12f; // false for NaN too
 }
 
-// Set the normal of a triangle. It is (0, 0, 1) where the triangle has no area.
-static void find_normal(const float (*corners)[3], float normal[3])
+// Set the normal of a triangle. It is (0, 0, 1) where the triangle has no area. Return true unless the triangle is so
+// narrow that rounding of its corners may turn it.
+static bool find_normal(const float (*corners)[3], float normal[3])
 {
-    double along[2][3], cross[3], square = 0.0;
+    double along[2][3], cross[3], square = 0.0, lengths = 0.0;
     for (int c = 0; c < 3; c++) {
         along[0][c] = (double)corners[1][c] - (double)corners[0][c];
         along[1][c] = (double)corners[2][c] - (double)corners[0][c];
@@ -46,11 +47,13 @@ static void find_normal(const float (*corners)[3], float normal[3])
         const int d = (c + 1) % 3, e = (c + 2) % 3;
         cross[c] = along[0][d] * along[1][e] - along[0][e] * along[1][d];
         square += cross[c] * cross[c];
+        lengths += along[0][c] * along[0][c] + along[1][c] * along[1][c];
     }
     const bool has_area = square > 0.0 && square < 1e300;
     for (int c = 0; c < 3; c++) {
         normal[c] = has_area ? (float)(cross[c] / __builtin_sqrt(square)) : c == 2 ? 1.0f : 0.0f;
     }
+    return has_area && square > 1e-8 * lengths * lengths;
 }
 
 // Keep the normal of a facet for its three corners, which are there. Programs write zeros for facets without an area.
@@ -66,12 +69,23 @@ static void set_normal(struct solid *solid, size_t first, const float given[3])
     }
 }
 
-// Make the normals that the file does not give of the corners.
+// Return true if a normal is more than 60 degrees from both sides of the plane whose normal is `plane`.
+static bool leans(const float normal[3], const float plane[3])
+{
+    const float dot = normal[0] * plane[0] + normal[1] * plane[1] + normal[2] * plane[2];
+    const float square = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
+    return 4 * dot * dot < square;
+}
+
+// Make the normals of the corners that the file does not give, and those that cannot be their facet's: programs turn a
+// model and leave its normals.
 static void complete_normals(struct scene_mesh *mesh)
 {
     for (uint32_t i = 0; i < mesh->vertex_count; i += 3) {
-        if (!is_normal(mesh->normals[i])) {
-            find_normal((const float(*)[3])mesh->positions + i, mesh->normals[i]);
+        float plane[3];
+        const bool is_sure = find_normal((const float(*)[3])mesh->positions + i, plane);
+        if (!is_normal(mesh->normals[i]) || (is_sure && leans(mesh->normals[i], plane))) {
+            memcpy(mesh->normals[i], plane, sizeof plane);
             memcpy(mesh->normals[i + 1], mesh->normals[i], sizeof mesh->normals[i]);
             memcpy(mesh->normals[i + 2], mesh->normals[i], sizeof mesh->normals[i]);
         }

@@ -256,6 +256,20 @@ static void test_cut_text(void **state)
     expect_refused("x.stl", "a vertex stands outside of a facet");
 }
 
+// A normal in the plane of its facet cannot be its own: the model was turned without it. Up to 60 degrees it stays.
+static void test_normals_of_another_pose(void **state)
+{
+    (void)state;
+    struct scene_model *model =
+        load_text("x.stl", "solid\nfacet normal 0 1 0\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 9 0\n"
+                           "endloop\nendfacet\nfacet normal 0 0.6 0.8\nouter loop\nvertex 0 0 5\n"
+                           "vertex 9 0 5\nvertex 0 9 5\nendloop\nendfacet\nendsolid\n");
+    const struct scene_mesh *mesh = &model->meshes[0];
+    assert_floats(mesh->normals[mesh->indices[0]], (const float[]){0, 0, 1}, 3, 0);
+    assert_floats(mesh->normals[mesh->indices[3]], (const float[]){0, 0.6f, 0.8f}, 3, 1e-6f);
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_viscam),
     cmocka_unit_test(test_magics),
@@ -267,6 +281,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_odd_normals),
     cmocka_unit_test(test_one_lacks_a_normal),
     cmocka_unit_test(test_normals_that_oppose_corners),
+    cmocka_unit_test(test_normals_of_another_pose),
     cmocka_unit_test(test_marks),
     cmocka_unit_test(test_cut_text),
 };
