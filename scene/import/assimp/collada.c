@@ -8,19 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool is_blank(char c)
-{
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
-
 // Move the blanks at both ends of the text between the tag that ends at `before` and the end tag from `after` on.
 static void move_blanks(char *before, char *after, const char *end)
 {
     char *first = before + 1, *last = after;
-    while (is_blank(*first)) {
+    while (scene_collada_is_blank(*first)) {
         first++;
     }
-    while (is_blank(last[-1])) {
+    while (scene_collada_is_blank(last[-1])) {
         last--;
     }
     char *close = scene_collada_tag_end(after, end);

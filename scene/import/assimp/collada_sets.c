@@ -11,13 +11,8 @@
 
 enum { SETS = 8 }; // as many as assimp reads
 
-struct value {
-    char *text; // NULL where the tag has no attribute of the name
-    size_t length;
-};
-
 struct binding {
-    struct value name;
+    struct scene_collada_value name;
     unsigned set;
 };
 
@@ -28,45 +23,13 @@ struct sets {
     unsigned first[SETS]; // each set has the bits of the first primitive that has it
 };
 
-static bool is_blank(char c)
-{
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
-
-// Return true for a start tag of this name, or an empty one.
-static bool is_tag(const char *tag, const char *name)
-{
-    const char after = strncmp(tag + 1, name, strlen(name)) == 0 ? tag[1 + strlen(name)] : 0;
-    return is_blank(after) || after == '/' || after == '>';
-}
-
-static struct value find_value(char *tag, char *close, const char *name)
-{
-    const size_t length = strlen(name);
-    for (char *c = tag + 1; c < close; c++) {
-        if (*c == '"' || *c == '\'') {
-            char *const quote = memchr(c + 1, *c, (size_t)(close - c - 1));
-            c = quote == NULL ? close : quote;
-        } else if (is_blank(c[-1]) && strncmp(c, name, length) == 0) {
-            char *value = c + length + strspn(c + length, " \t\r\n");
-            value += *value == '=' ? 1 + strspn(value + 1, " \t\r\n") : 0;
-            const bool is_quoted = value < close && (*value == '"' || *value == '\'');
-            char *const quote = is_quoted ? memchr(value + 1, *value, (size_t)(close - value - 1)) : NULL;
-            if (quote != NULL) {
-                return (struct value){value + 1, (size_t)(quote - value - 1)};
-            }
-        }
-    }
-    return (struct value){0};
-}
-
-static bool is_texcoord(struct value semantic)
+static bool is_texcoord(struct scene_collada_value semantic)
 {
     return semantic.length == 8 && memcmp(semantic.text, "TEXCOORD", 8) == 0;
 }
 
 // Return the first number in a value. Return `otherwise` where there is none. SETS stands for all that are greater.
-static unsigned find_number(struct value value, unsigned otherwise)
+static unsigned find_number(struct scene_collada_value value, unsigned otherwise)
 {
     size_t i = 0;
     while (i < value.length && (value.text[i] < '0' || value.text[i] > '9')) {
@@ -107,25 +70,26 @@ static void add_binding(struct sets *sets, struct binding binding)
 static void collect(char *tag, char *close, void *user)
 {
     struct sets *const sets = user;
-    if (is_tag(tag, "input")) {
-        const unsigned set = find_number(find_value(tag, close, "set"), 0);
-        if (set < SETS && is_texcoord(find_value(tag, close, "semantic"))) {
+    if (scene_collada_is_tag(tag, "input")) {
+        const unsigned set = find_number(scene_collada_attribute(tag, close, "set"), 0);
+        if (set < SETS && is_texcoord(scene_collada_attribute(tag, close, "semantic"))) {
             sets->primitive |= 1u << set;
         }
         return;
     }
     end_primitive(sets);
-    const struct value name = find_value(tag, close, "semantic");
-    if (is_tag(tag, "bind_vertex_input") && name.length > 0 &&
-        is_texcoord(find_value(tag, close, "input_semantic"))) {
-        add_binding(sets, (struct binding){name, find_number(find_value(tag, close, "input_set"), 0)});
+    const struct scene_collada_value name = scene_collada_attribute(tag, close, "semantic");
+    if (scene_collada_is_tag(tag, "bind_vertex_input") && name.length > 0 &&
+        is_texcoord(scene_collada_attribute(tag, close, "input_semantic"))) {
+        add_binding(sets,
+                    (struct binding){name, find_number(scene_collada_attribute(tag, close, "input_set"), 0)});
     }
 }
 
 static int compare_names(const void *a, const void *b)
 {
-    const struct value *const x = &((const struct binding *)a)->name, *const y =
-                                                                          &((const struct binding *)b)->name;
+    const struct scene_collada_value *const x = &((const struct binding *)a)->name,
+                                            *const y = &((const struct binding *)b)->name;
     if (x->length != y->length) {
         return x->length < y->length ? -1 : 1;
     }
@@ -157,7 +121,7 @@ static void sort_bindings(struct sets *sets)
 
 // Return the set that a name means. A name that nothing binds means the set of its number if there is one, else the
 // first.
-static unsigned find_set(const struct sets *sets, struct value name)
+static unsigned find_set(const struct sets *sets, struct scene_collada_value name)
 {
     const struct binding key = {.name = name};
     const struct binding *const found =
@@ -173,8 +137,8 @@ static unsigned find_set(const struct sets *sets, struct value name)
 static void number_texture(char *tag, char *close, void *user)
 {
     const struct sets *const sets = user;
-    const struct value name = find_value(tag, close, "texcoord");
-    if (!is_tag(tag, "texture") || name.length == 0) {
+    const struct scene_collada_value name = scene_collada_attribute(tag, close, "texcoord");
+    if (!scene_collada_is_tag(tag, "texture") || name.length == 0) {
         return;
     }
     const unsigned set = find_set(sets, name);

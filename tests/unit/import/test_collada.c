@@ -2,6 +2,7 @@
 // Collada as it is written: white space at the ends of texts, and texture coordinates that are bound by names.
 #include "model_files.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #define DOCUMENT                                                                                             \
@@ -147,9 +148,43 @@ static void test_texture_coordinate_sets(void **state)
     }
 }
 
+// An image that names no file is one that is missing. assimp refuses the document, or aborts.
+static void test_images_without_names(void **state)
+{
+    (void)state;
+    static const char given[] = "<image id=\"i\"><init_from>[gone.png]</init_from></image>";
+    static const struct {
+        const char *image, *told;
+    } cases[] = {
+        {"<image id=\"pic\"/>", "texture \"pic\": No such file"},
+        {"<image id=\"pic\" />", "texture \"pic\": No such file"},
+        {"<image id=\"pic\"><!--<init_from>x.png</init_from>--></image>", "texture \"pic\": No such file"},
+        {"<image id=\"pic\"><init_from/></image>", "texture \"pic\": No such file"},
+        {"<image id=\"pic\">\n<init_from> </init_from>\n</image>", "texture \"pic\": No such file"},
+        {"<image id=\"other\"/><image id=\"pic\"><init_from>gone.png</init_from></image>",
+         "texture \"gone.png\": No such file"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char document[8192];
+        const char *const start = strstr(DOCUMENT, given), *const rest = start + sizeof given - 1;
+        const char *const use = strstr(rest, "[i]");
+        snprintf(document, sizeof document, "%.*s%s%.*spic%s", (int)(start - DOCUMENT), DOCUMENT,
+                 cases[i].image, (int)(use - rest), rest, use + 3);
+        for (char *c = document; *c != 0; c++) {
+            *c = *c == '[' || *c == ']' ? ' ' : *c;
+        }
+        write_text("x.dae", document);
+        struct scene_model *model = load("x.dae");
+        assert_int_equal(model->triangles_drawn, 1);
+        assert_true(has_warning(model, cases[i].told));
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_blanks),
     cmocka_unit_test(test_texture_coordinate_sets),
+    cmocka_unit_test(test_images_without_names),
 };
 
 const struct unit_tests test_collada = UNIT_TESTS(tests, make_directory, remove_directory);
