@@ -200,9 +200,13 @@ static void test_mark(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_mark),          cmocka_unit_test(test_strips_beside_texture_coordinates),
-    cmocka_unit_test(test_face_colors),   cmocka_unit_test(test_binary_face_colors),
-    cmocka_unit_test(test_vertex_colors), cmocka_unit_test(test_all_colors),
+    cmocka_unit_test(test_faces_before_vertices),
+    cmocka_unit_test(test_mark),
+    cmocka_unit_test(test_strips_beside_texture_coordinates),
+    cmocka_unit_test(test_face_colors),
+    cmocka_unit_test(test_binary_face_colors),
+    cmocka_unit_test(test_vertex_colors),
+    cmocka_unit_test(test_all_colors),
     cmocka_unit_test(test_textures),
 };
 
