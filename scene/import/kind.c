@@ -64,6 +64,12 @@ static const struct {
     {"ma", "Maya (text)"},
     {"mb", "Maya (binary)"},
     {"c4d", "Cinema 4D"},
+    {"bim", "dotbim"},
+    {"b3dm", "3D Tiles"},
+    {"i3dm", "3D Tiles"},
+    {"pnts", "3D Tiles"},
+    {"cmpt", "3D Tiles"},
+    {"msh", "a mesh of Gmsh"},
     {"igs", "IGES"},
     {"iges", "IGES"},
     {"sldprt", "SolidWorks"},
@@ -87,6 +93,14 @@ static const struct {
     {"ASTM-E57", "E57 (point cloud)"},
     {"AC10", "DWG (CAD)"},
     {"VOX ", "MagicaVoxel"},
+    {"MeshVersionFormatted", "a mesh of Medit"},
+    {"$MeshFormat", "a mesh of Gmsh"},
+    {"RSRC", "a resource of Godot"},
+    {"RSCC", "a resource of Godot"},
+    {"b3dm", "3D Tiles"},
+    {"i3dm", "3D Tiles"},
+    {"pnts", "3D Tiles"},
+    {"cmpt", "3D Tiles"},
 };
 
 // Files that are no model, whatever their names say. A reader would complain of details.

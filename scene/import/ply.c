@@ -173,6 +173,62 @@ static void read_element(struct ply *ply, const struct element *element)
     }
 }
 
+// Where the data is read.
+struct place {
+    const unsigned char *cursor;
+    struct scene_text text;
+    struct scene_line line;
+};
+
+static struct place place_of(const struct ply *ply)
+{
+    return (struct place){ply->cursor, ply->text, ply->line};
+}
+
+static void go_to(struct ply *ply, const struct place *place)
+{
+    ply->cursor = place->cursor;
+    ply->text = place->text;
+    ply->line = place->line;
+}
+
+static void skip_element(struct ply *ply, const struct element *element)
+{
+    ply->element = element;
+    check_size(ply, element);
+    for (ply->row = 0; ply->row < element->count && element->property_count > 0; ply->row++) {
+        for (int i = 0; i < element->property_count; i++) {
+            scene_ply_skip(ply, &element->properties[i]);
+        }
+    }
+}
+
+// Read all elements, the vertices first, which faces refer to. Elements may stand in any order.
+static void read_elements(struct ply *ply)
+{
+    int vertices = 0;
+    while (vertices < ply->element_count && !scene_word_is(ply->elements[vertices].name, "vertex")) {
+        vertices++;
+    }
+    if (vertices == ply->element_count) {
+        scene_import_fail(ply->import, "has no vertices");
+    }
+    const struct place start = place_of(ply);
+    for (int i = 0; i < vertices; i++) {
+        skip_element(ply, &ply->elements[i]);
+    }
+    read_element(ply, &ply->elements[vertices]);
+    const struct place behind = place_of(ply);
+    go_to(ply, &start);
+    for (int i = 0; i < vertices; i++) {
+        read_element(ply, &ply->elements[i]);
+    }
+    go_to(ply, &behind);
+    for (int i = vertices + 1; i < ply->element_count; i++) {
+        read_element(ply, &ply->elements[i]);
+    }
+}
+
 // Look at all faces for what stands in their rows. Two elements may have faces.
 static void find_rows(struct ply *ply)
 {
@@ -406,9 +462,7 @@ void scene_import_ply(struct scene_import *import)
     find_rows(&ply);
     ply.cursor = (const unsigned char *)ply.text.cursor;
     ply.line = (struct scene_line){ply.text.cursor, ply.text.cursor};
-    for (int i = 0; i < ply.element_count; i++) {
-        read_element(&ply, &ply.elements[i]);
-    }
+    read_elements(&ply);
     if (ply.mesh.positions == NULL) {
         scene_import_fail(import, "has no vertices");
     }

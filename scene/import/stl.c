@@ -34,10 +34,11 @@ static bool is_normal(const float v[3])
     return square > 1e-12f && square < 1e12f; // false for NaN too
 }
 
-// Set the normal of a triangle. It is (0, 0, 1) where the triangle has no area.
-static void find_normal(const float (*corners)[3], float normal[3])
+// Set the normal of a triangle. It is (0, 0, 1) where the triangle has no area. Return true unless the triangle is so
+// narrow that rounding of its corners may turn it.
+static bool find_normal(const float (*corners)[3], float normal[3])
 {
-    double along[2][3], cross[3], square = 0.0;
+    double along[2][3], cross[3], square = 0.0, lengths = 0.0;
     for (int c = 0; c < 3; c++) {
         along[0][c] = (double)corners[1][c] - (double)corners[0][c];
         along[1][c] = (double)corners[2][c] - (double)corners[0][c];
@@ -46,11 +47,13 @@ static void find_normal(const float (*corners)[3], float normal[3])
         const int d = (c + 1) % 3, e = (c + 2) % 3;
         cross[c] = along[0][d] * along[1][e] - along[0][e] * along[1][d];
         square += cross[c] * cross[c];
+        lengths += along[0][c] * along[0][c] + along[1][c] * along[1][c];
     }
     const bool has_area = square > 0.0 && square < 1e300;
     for (int c = 0; c < 3; c++) {
         normal[c] = has_area ? (float)(cross[c] / __builtin_sqrt(square)) : c == 2 ? 1.0f : 0.0f;
     }
+    return has_area && square > 1e-8 * lengths * lengths;
 }
 
 // Keep the normal of a facet for its three corners, which are there. Programs write zeros for facets without an area.
@@ -66,12 +69,23 @@ static void set_normal(struct solid *solid, size_t first, const float given[3])
     }
 }
 
-// Make the normals that the file does not give of the corners.
+// Return true if a normal is more than 60 degrees from both sides of the plane whose normal is `plane`.
+static bool leans(const float normal[3], const float plane[3])
+{
+    const float dot = normal[0] * plane[0] + normal[1] * plane[1] + normal[2] * plane[2];
+    const float square = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
+    return 4 * dot * dot < square;
+}
+
+// Make the normals of the corners that the file does not give, and those that cannot be their facet's: programs turn a
+// model and leave its normals.
 static void complete_normals(struct scene_mesh *mesh)
 {
     for (uint32_t i = 0; i < mesh->vertex_count; i += 3) {
-        if (!is_normal(mesh->normals[i])) {
-            find_normal((const float(*)[3])mesh->positions + i, mesh->normals[i]);
+        float plane[3];
+        const bool is_sure = find_normal((const float(*)[3])mesh->positions + i, plane);
+        if (!is_normal(mesh->normals[i]) || (is_sure && leans(mesh->normals[i], plane))) {
+            memcpy(mesh->normals[i], plane, sizeof plane);
             memcpy(mesh->normals[i + 1], mesh->normals[i], sizeof mesh->normals[i]);
             memcpy(mesh->normals[i + 2], mesh->normals[i], sizeof mesh->normals[i]);
         }
@@ -125,17 +139,26 @@ static float read_float(const unsigned char *bytes)
 }
 
 // What the 16 bits after a facet mean. They mean nothing unless a facet says that its colour is valid (VisCAM,
-// SolidView), or the head names the colour of the other facets (Materialise Magics).
+// SolidView), or the head names the colour of the other facets (Materialise Magics). MeshLab writes the head and the
+// order of Magics, and always one grey; its highest bit says, as that of VisCAM, that a colour is valid.
 struct palette {
-    bool colored, magics;
+    bool colored;
+    bool begins_with_red;
+    unsigned valid; // the highest bit of a facet that has a colour
     float common[4];
 };
+
+static bool is_head_of_meshlab(const unsigned char *bytes)
+{
+    static const char head[] = "COLOR=\x7f\x7f\x7f MATERIAL=\x7f\x7f\x7f \x7f\x7f\x7f \x7f\x7f\x7f ";
+    return memcmp(bytes, head, sizeof head - 1) == 0;
+}
 
 // Tell of what the head of Materialise Magics says beside its colour.
 static void tell_of_head(struct scene_import *import, const unsigned char *bytes)
 {
     static const char color[] = "COLOR=", material[] = "MATERIAL=";
-    for (size_t i = 0; i + sizeof material <= 80; i++) {
+    for (size_t i = 0; i + sizeof material <= 80 && !is_head_of_meshlab(bytes); i++) {
         const unsigned char alpha = bytes[i + sizeof color - 1 + 3];
         if (memcmp(bytes + i, material, sizeof material - 1) == 0) {
             scene_import_unsupported(import,
@@ -147,35 +170,52 @@ static void tell_of_head(struct scene_import *import, const unsigned char *bytes
     }
 }
 
-static struct palette find_palette(const unsigned char *bytes, size_t facets)
+static unsigned read_word(const unsigned char *bytes, size_t facet)
 {
-    struct palette palette = {.common = {1, 1, 1, 1}};
+    const unsigned char *const word = bytes + HEADER + facet * FACET + 48;
+    return word[0] | (unsigned)word[1] << 8;
+}
+
+// Take the head of Magics, if it is there and the facets have words. Words that are all 0 would be a black model.
+static void take_head(struct palette *palette, const unsigned char *bytes, size_t facets)
+{
     const char key[] = "COLOR=";
-    for (int i = 0; i + 10 <= 80 && !palette.magics; i++) {
-        palette.magics = memcmp(bytes + i, key, strlen(key)) == 0;
-        for (int c = 0; c < 3 && palette.magics; c++) {
-            palette.common[c] = scene_import_from_srgb((float)bytes[i + 6 + c] / 255);
+    bool has_words = false;
+    for (size_t i = 0; i < facets && !has_words; i++) {
+        has_words = read_word(bytes, i) != 0;
+    }
+    for (int i = 0; i + 10 <= 80 && !palette->colored; i++) {
+        palette->colored = memcmp(bytes + i, key, strlen(key)) == 0;
+        for (int c = 0; c < 3 && palette->colored; c++) {
+            palette->common[c] = scene_import_from_srgb((float)bytes[i + 6 + c] / 255);
         }
     }
-    palette.colored = palette.magics;
-    for (size_t i = 0; i < facets && !palette.colored; i++) {
-        palette.colored = (bytes[HEADER + i * FACET + 49] & 0x80) != 0;
-    }
+    palette->begins_with_red = palette->colored;
+    palette->valid = palette->colored && has_words ? 0 : 0x8000;
+}
+
+static struct palette find_palette(const unsigned char *bytes, size_t facets)
+{
     // Facets without a colour take the colour of a model that has none.
-    if (!palette.magics) {
-        palette.common[0] = palette.common[1] = palette.common[2] = 0.6f;
+    struct palette palette = {.valid = 0x8000, .common = {0.6f, 0.6f, 0.6f, 1}};
+    palette.begins_with_red = is_head_of_meshlab(bytes);
+    if (!palette.begins_with_red) {
+        take_head(&palette, bytes, facets);
+    }
+    for (size_t i = 0; i < facets && !palette.colored; i++) {
+        palette.colored = (read_word(bytes, i) & 0x8000) != 0;
     }
     return palette;
 }
 
 // Read a colour, which has five bits for each of red, green and blue. Magics begins with red, other programs end
-// with it. The highest bit has opposite meanings.
+// with it.
 static void read_color(const struct palette *palette, unsigned word, float color[4])
 {
-    const bool own = ((word & 0x8000) == 0) == palette->magics;
+    const bool own = (word & 0x8000) == palette->valid;
     memcpy(color, palette->common, sizeof palette->common);
     for (int c = 0; c < 3 && own; c++) {
-        const unsigned bits = word >> (palette->magics ? 5 * c : 10 - 5 * c) & 31;
+        const unsigned bits = word >> (palette->begins_with_red ? 5 * c : 10 - 5 * c) & 31;
         color[c] = scene_import_from_srgb((float)bits / 31);
     }
 }
@@ -225,7 +265,7 @@ static void read_binary(struct scene_import *import, const unsigned char *bytes,
         }
         set_normal(&solid, 3 * i, normal);
         for (size_t k = 0; k < 3 && palette.colored; k++) {
-            read_color(&palette, facet[48] | (unsigned)facet[49] << 8, solid.colors[3 * i + k]);
+            read_color(&palette, read_word(bytes, i), solid.colors[3 * i + k]);
         }
     }
     add_solid(import, &solid);

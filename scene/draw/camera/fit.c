@@ -17,12 +17,12 @@ double scene_camera_default_yfov(void)
     return 30.0 * (pi / 180.0);
 }
 
-// Return the component along `axis` of the sum of all triangles' area vectors. Its sign tells which way a flat model
-// faces.
+// Return the component along `axis` of the sum of all triangles' area vectors, as part of what it would be if all faced
+// one way: 1 to -1. Its sign tells which way a flat model faces. Of a solid plate rounding alone remains.
 static double facing(const struct scene_model *model, int axis)
 {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    double sum = 0.0;
+    double sum = 0.0, all = 0.0;
     for (uint32_t i = 0; i < model->instance_count; i++) {
         const struct scene_instance *instance = &model->instances[i];
         const struct scene_mesh *mesh = &model->meshes[instance->mesh];
@@ -35,11 +35,14 @@ static double facing(const struct scene_model *model, int axis)
             for (int c = 0; c < 3; c++) {
                 scene_place_point(instance->world, mesh->positions[mesh->indices[k + (uint32_t)c]], p[c]);
             }
-            part += (p[1][u] - p[0][u]) * (p[2][v] - p[0][v]) - (p[1][v] - p[0][v]) * (p[2][u] - p[0][u]);
+            const double area =
+                (p[1][u] - p[0][u]) * (p[2][v] - p[0][v]) - (p[1][v] - p[0][v]) * (p[2][u] - p[0][u]);
+            part += area;
+            all += area < 0.0 ? -area : area;
         }
         sum += instance->mirrored ? -part : part;
     }
-    return sum;
+    return all > 0.0 ? sum / all : 0.0;
 }
 
 // Return the axis of the world that `axis`, counted with y up, becomes. Set `*against` to true if it points against the
@@ -53,12 +56,15 @@ static int turned_axis(enum scene_axis up, int axis, bool *against)
     return found;
 }
 
-// Return true if a model that is flat along an axis, counted with y up, faces the far end of that axis.
+// Return true if a model that is flat along an axis, counted with y up, faces the far end of that axis. A plate, which
+// faces both, does not.
 static bool faces_back(const struct scene_model *model, enum scene_axis up, int axis)
 {
+    const double least = 0.1;
     bool against;
     const int world = turned_axis(up, axis, &against);
-    return (facing(model, world) < 0.0) != against;
+    const double way = facing(model, world);
+    return (against ? -way : way) < -least;
 }
 
 struct scene_orbit scene_camera_default_orbit(const struct scene_model *model, enum scene_axis up)

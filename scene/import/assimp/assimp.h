@@ -31,6 +31,12 @@ void scene_assimp_find_gaps(struct scene_import *import);
 struct aiFileIO scene_assimp_files(struct scene_import *import);
 /// Move the white space at the ends of a document's texts into its tags. A 0 follows the text.
 void scene_assimp_collapse_texts(char *text, size_t size);
+/// Name the texture coordinates of a Collada document's textures by the numbers that assimp has for their sets. A 0
+/// follows the text.
+void scene_assimp_number_sets(char *text, size_t size);
+/// Name the images of a Collada document that name no file. Return the text, which may be another one by then. A 0
+/// follows it.
+char *scene_assimp_name_images(char *text, size_t *size);
 /// Fail the import by its version if it is a Blender file that is too new for assimp. With `is_tried` fail it also for
 /// the versions of which assimp reads some files.
 void scene_assimp_refuse_blender(struct scene_import *import, bool is_tried);

@@ -104,7 +104,7 @@ static bool may_be_collada(const struct scene_import *import)
     return ending[0] == 0 || strcasecmp(ending, "dae") == 0 || strcasecmp(ending, "xml") == 0;
 }
 
-// Open a Collada file with its texts collapsed. Return NULL if it is none.
+// Open a Collada file as assimp can read it. Return NULL if it is none.
 static struct aiFile *open_collada(const char *path)
 {
     const char *problem = NULL;
@@ -119,6 +119,8 @@ static struct aiFile *open_collada(const char *path)
         return NULL;
     }
     scene_assimp_collapse_texts(memory.bytes, memory.size);
+    scene_assimp_number_sets(memory.bytes, memory.size);
+    memory.bytes = scene_assimp_name_images(memory.bytes, &memory.size);
     *kept = memory;
     *file = (struct aiFile){.ReadProc = read_memory,
                             .WriteProc = write_nothing,

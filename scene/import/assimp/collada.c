@@ -3,55 +3,22 @@
 // a file for a blank before a colour. The blanks are moved into the tags before and behind, where XML allows them, so
 // that nothing else of the file moves.
 #include "assimp.h"
+#include "collada_markup.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-static bool is_blank(char c)
-{
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
-
-// Return the end of a tag, which is the > at its end, outside of quotation marks. Return NULL if it has none.
-static char *find_tag_end(char *tag, const char *end)
-{
-    char quote = 0;
-    for (char *c = tag; c < end; c++) {
-        if (quote != 0) {
-            quote = *c == quote ? 0 : quote;
-        } else if (*c == '"' || *c == '\'') {
-            quote = *c;
-        } else if (*c == '>') {
-            return c;
-        }
-    }
-    return NULL;
-}
-
-// Return the > at the end of what begins at `start`: a comment, a declaration, or a tag. Return NULL if it has none.
-static char *find_markup_end(char *start, const char *end)
-{
-    static const char *const ends[][2] = {{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}};
-    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
-        if (strncmp(start, ends[i][0], strlen(ends[i][0])) == 0) {
-            char *found = strstr(start, ends[i][1]);
-            return found == NULL ? NULL : found + strlen(ends[i][1]) - 1;
-        }
-    }
-    return find_tag_end(start, end);
-}
 
 // Move the blanks at both ends of the text between the tag that ends at `before` and the end tag from `after` on.
 static void move_blanks(char *before, char *after, const char *end)
 {
     char *first = before + 1, *last = after;
-    while (is_blank(*first)) {
+    while (scene_collada_is_blank(*first)) {
         first++;
     }
-    while (is_blank(last[-1])) {
+    while (scene_collada_is_blank(last[-1])) {
         last--;
     }
-    char *close = find_tag_end(after, end);
+    char *close = scene_collada_tag_end(after, end);
     if (first >= last || close == NULL) {
         return; // there are blanks alone
     }
@@ -71,7 +38,7 @@ void scene_assimp_collapse_texts(char *text, size_t size)
             move_blanks(before, c, end);
             c = strchr(before, '<'); // the end tag may begin earlier by now
         }
-        char *close = find_markup_end(c, end);
+        char *close = scene_collada_markup_end(c, end);
         if (close == NULL) {
             return;
         }

@@ -114,6 +114,23 @@ static bool find_in_usual_folder(const struct search *search, const char *name, 
     return false;
 }
 
+// Find a file in a folder beside one of those that the model is in. Gazebo (model://suv/meshes/a.png) and ROS
+// (package://) name a package first, whose folder is the model's own or a neighbour of it.
+static bool find_in_package(const struct search *search, const char *name)
+{
+    enum { HIGHEST = 8 };
+    char above[3 * HIGHEST + 1] = "";
+    for (int up = 0; up < HIGHEST; up++) {
+        strcat(above, "../");
+        for (int i = 0; i < search->folder_count; i++) {
+            if (try_folder(search, search->folders[i], above, name, false)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 static bool find_moved(const struct search *search, const char *name, bool any_ending)
 {
     return find_end_of_path(search, name, any_ending) || find_in_usual_folder(search, name, any_ending);
@@ -153,8 +170,16 @@ static bool find_anywhere(const struct search *search, const char *name, bool is
     if (strncmp(name, "//", 2) == 0) {
         name += 2;
     }
+    const bool has_package = strncmp(name, "model://", 8) == 0 || strncmp(name, "package://", 10) == 0;
+    if (has_package) {
+        name = strchr(name, ':') + 3;
+    }
     scene_name_forms_add(search->import, &forms, name);
-    bool found = find_forms(search, &forms, 0);
+    bool found = false;
+    for (size_t i = 0; i < forms.count && !found && has_package; i++) {
+        found = find_in_package(search, forms.names[i]);
+    }
+    found = found || find_forms(search, &forms, 0);
     if (!found && !is_ascii(name)) {
         const size_t first = forms.count;
         scene_name_forms_add_code_pages(search->import, &forms, name);

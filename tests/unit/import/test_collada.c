@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// White space at the ends of Collada's texts, which is to be collapsed.
+// Collada as it is written: white space at the ends of texts, and texture coordinates that are bound by names.
 #include "model_files.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #define DOCUMENT                                                                                             \
@@ -62,8 +63,128 @@ static void test_blanks(void **state)
     }
 }
 
+// Write a triangle with these texture coordinates (inputs of `<triangles>`), whose texture names them and binds them.
+// The first coordinates of source #k are 0.25 k, 0.5.
+static void write_sets(const char *inputs, const char *name, const char *binding)
+{
+    char text[8192], sources[2048] = "", *out = sources;
+    for (int k = 1; k <= 2; k++) {
+        out += sprintf(
+            out,
+            "<source id=\"t%d\"><float_array id=\"ta%d\" count=\"2\">%g 0.5</float_array>"
+            "<technique_common><accessor source=\"#ta%d\" count=\"1\" stride=\"2\"><param name=\"S\" "
+            "type=\"float\"/><param name=\"T\" type=\"float\"/></accessor></technique_common></source>",
+            k, k, 0.25 * k, k);
+    }
+    const int size = snprintf(
+        text, sizeof text,
+        "<COLLADA version=\"1.4.1\"><library_images><image id=\"i\"><init_from>gone.png</init_from></image>"
+        "</library_images><library_effects><effect id=\"e\"><profile_COMMON><newparam sid=\"f\"><surface "
+        "type=\"2D\"><init_from>i</init_from></surface></newparam><newparam "
+        "sid=\"s\"><sampler2D><source>f</source>"
+        "</sampler2D></newparam><technique sid=\"c\"><phong><diffuse><texture texture=\"s\" texcoord = '%s'/>"
+        "</diffuse></phong></technique></profile_COMMON></effect></"
+        "library_effects><library_materials><material "
+        "id=\"m\"><instance_effect url=\"#e\"/></material></library_materials><library_geometries><geometry "
+        "id=\"g\">"
+        "<mesh><source id=\"p\"><float_array id=\"pa\" count=\"9\">0 0 0 1 0 0 0 1 "
+        "0</float_array><technique_common>"
+        "<accessor source=\"#pa\" count=\"3\" stride=\"3\"><param name=\"X\" type=\"float\"/><param "
+        "name=\"Y\" "
+        "type=\"float\"/><param name=\"Z\" "
+        "type=\"float\"/></accessor></technique_common></source>%s<vertices id=\"v\">"
+        "<input semantic=\"POSITION\" source=\"#p\"/></vertices><triangles count=\"1\" material=\"s\"><input "
+        "semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/>%s<p>0 0 1 0 2 0</p></triangles></mesh></geometry>"
+        "</library_geometries><library_visual_scenes><visual_scene id=\"s0\"><node><instance_geometry "
+        "url=\"#g\">"
+        "<bind_material><technique_common><instance_material symbol=\"s\" "
+        "target=\"#m\">%s</instance_material>"
+        "</technique_common></bind_material></instance_geometry></node></visual_scene></"
+        "library_visual_scenes><scene>"
+        "<instance_visual_scene url=\"#s0\"/></scene></COLLADA>",
+        name, sources, inputs, binding);
+    assert_in_range(size, 1, sizeof text - 1);
+    write_text("x.dae", text);
+}
+
+#define INPUT(source, set) \
+    "<input semantic=\"TEXCOORD\" source=\"#t" source "\" offset=\"1\" set=\"" set "\"/>"
+#define BINDING(name, set) \
+    "<bind_vertex_input semantic=\"" name "\" input_semantic=\"TEXCOORD\" input_set=\"" set "\"/>"
+
+// What is bound to a name decides on the set, not a number in the name; and sets may have any numbers.
+static void test_texture_coordinate_sets(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *inputs, *name, *binding;
+        float u;
+    } cases[] = {
+        {INPUT("1", "0"), "CHANNEL1", BINDING("CHANNEL1", "0"), 0.25f},
+        {INPUT("1", "1"), "CHANNEL1", BINDING("CHANNEL1", "1"), 0.25f},
+        {INPUT("1", "0") INPUT("2", "1"), "CHANNEL1", BINDING("CHANNEL2", "1") BINDING("CHANNEL1", "0"),
+         0.25f},
+        {INPUT("1", "0") INPUT("2", "1"), "CHANNEL2", BINDING("CHANNEL2", "1") BINDING("CHANNEL1", "0"),
+         0.5f},
+        {INPUT("1", "3") INPUT("2", "5"), "UV", BINDING("UV", "5") BINDING("UV", "3"), 0.5f},
+        {INPUT("1", "0"), "8bit_2K_png", BINDING("8bit_2K_png", "0"), 0.25f},
+        {INPUT("1", "0"), "8bit_2K_png", "", 0.25f},
+        {INPUT("1", "0") INPUT("2", "1"), "UVSET1", "", 0.5f},
+        {INPUT("1", "0"), "map-16", "<bind_vertex_input input_semantic = 'TEXCOORD'\n semantic='map-16'/>",
+         0.25f},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        write_sets(cases[i].inputs, cases[i].name, cases[i].binding);
+        struct scene_model *model = load("x.dae");
+        const struct scene_mesh *mesh = &model->meshes[model->instances[0].mesh];
+        const struct scene_texture_slot *slot =
+            &model->materials[mesh->material].slots[SCENE_SLOT_BASE_COLOR];
+        assert_true(slot->image >= 0);
+        assert_non_null(mesh->uvs[slot->uv_set]);
+        assert_true(mesh->uvs[slot->uv_set][0][0] == cases[i].u);
+        assert_false(has_warning(model, "coordinate"));
+        assert_int_equal(model->unsupported_count, 0);
+        scene_model_free(model);
+    }
+}
+
+// An image that names no file is one that is missing. assimp refuses the document, or aborts.
+static void test_images_without_names(void **state)
+{
+    (void)state;
+    static const char given[] = "<image id=\"i\"><init_from>[gone.png]</init_from></image>";
+    static const struct {
+        const char *image, *told;
+    } cases[] = {
+        {"<image id=\"pic\"/>", "texture \"pic\": No such file"},
+        {"<image id=\"pic\" />", "texture \"pic\": No such file"},
+        {"<image id=\"pic\"><!--<init_from>x.png</init_from>--></image>", "texture \"pic\": No such file"},
+        {"<image id=\"pic\"><init_from/></image>", "texture \"pic\": No such file"},
+        {"<image id=\"pic\">\n<init_from> </init_from>\n</image>", "texture \"pic\": No such file"},
+        {"<image id=\"other\"/><image id=\"pic\"><init_from>gone.png</init_from></image>",
+         "texture \"gone.png\": No such file"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char document[8192];
+        const char *const start = strstr(DOCUMENT, given), *const rest = start + sizeof given - 1;
+        const char *const use = strstr(rest, "[i]");
+        snprintf(document, sizeof document, "%.*s%s%.*spic%s", (int)(start - DOCUMENT), DOCUMENT,
+                 cases[i].image, (int)(use - rest), rest, use + 3);
+        for (char *c = document; *c != 0; c++) {
+            *c = *c == '[' || *c == ']' ? ' ' : *c;
+        }
+        write_text("x.dae", document);
+        struct scene_model *model = load("x.dae");
+        assert_int_equal(model->triangles_drawn, 1);
+        assert_true(has_warning(model, cases[i].told));
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_blanks),
+    cmocka_unit_test(test_texture_coordinate_sets),
+    cmocka_unit_test(test_images_without_names),
 };
 
 const struct unit_tests test_collada = UNIT_TESTS(tests, make_directory, remove_directory);

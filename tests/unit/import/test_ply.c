@@ -53,6 +53,36 @@ static void test_binary_face_colors(void **state)
     scene_model_free(model);
 }
 
+// Elements stand in the order of the header, which is free: faces may stand before the vertices that they refer to.
+static void test_faces_before_vertices(void **state)
+{
+    (void)state;
+    struct scene_model *model =
+        load_text("o.ply", "ply\nformat ascii 1.0\nelement face 2\n" LIST "element vertex 4\n" VERTICES
+                           "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n"
+                           "3 0 1 2\n3 0 2 3\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 3\n");
+    assert_int_equal(model->triangles_drawn, 2);
+    assert_int_equal(model->mesh_count, 2);
+    assert_int_equal(model->warning_count + model->unsupported_count, 0);
+    scene_model_free(model);
+    static const char head[] = "ply\nformat binary_little_endian 1.0\nelement face 1\n" LIST
+                               "element vertex 3\nproperty uchar x\nproperty uchar y\nproperty uchar z\n"
+                               "end_header\n";
+    static const unsigned char data[] = {3, 0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+    unsigned char bytes[512];
+    memcpy(bytes, head, sizeof head - 1);
+    memcpy(bytes + sizeof head - 1, data, sizeof data);
+    write_bytes("o.ply", bytes, sizeof head - 1 + sizeof data);
+    model = load("o.ply");
+    assert_int_equal(model->triangles_drawn, 1);
+    assert_floats(model->bounds_max, (const float[]){1, 1, 0}, 3, 0);
+    scene_model_free(model);
+    write_bytes("o.ply", bytes, sizeof head - 1 + 8);
+    expect_refused("o.ply", "is truncated");
+    write_text("o.ply", "ply\nformat ascii 1.0\nelement face 1\n" LIST "end_header\n3 0 1 2\n");
+    expect_refused("o.ply", "has no vertices");
+}
+
 // Numbers from 0 to 255 that are no bytes, as some programs write them, and numbers from 0 to 1.
 static void test_vertex_colors(void **state)
 {
@@ -206,10 +236,15 @@ static void test_mark(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_mark),          cmocka_unit_test(test_strips_beside_texture_coordinates),
-    cmocka_unit_test(test_face_colors),   cmocka_unit_test(test_binary_face_colors),
-    cmocka_unit_test(test_vertex_colors), cmocka_unit_test(test_all_colors),
-    cmocka_unit_test(test_textures),      cmocka_unit_test(test_faces_beside_strips),
+    cmocka_unit_test(test_faces_before_vertices),
+    cmocka_unit_test(test_mark),
+    cmocka_unit_test(test_strips_beside_texture_coordinates),
+    cmocka_unit_test(test_face_colors),
+    cmocka_unit_test(test_binary_face_colors),
+    cmocka_unit_test(test_vertex_colors),
+    cmocka_unit_test(test_all_colors),
+    cmocka_unit_test(test_textures),
+    cmocka_unit_test(test_faces_beside_strips),
 };
 
 const struct unit_tests test_ply = UNIT_TESTS(tests, make_directory, remove_directory);

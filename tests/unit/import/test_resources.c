@@ -18,9 +18,10 @@ static void write_picture(const char *name)
 static bool is_found(const char *model_name, const char *texture)
 {
     write_format("m.mtl", "newmtl m\nmap_Kd %s\n", texture);
-    struct scene_model *model =
-        load_text(model_name, "mtllib m.mtl\nmtllib ../m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
-                              "vt 0 0\nusemtl m\nf 1/1 2/1 3/1\n");
+    struct scene_model *model = load_text(
+        model_name,
+        "mtllib m.mtl\nmtllib ../m.mtl ../../../m.mtl ../../../../m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
+        "vt 0 0\nusemtl m\nf 1/1 2/1 3/1\n");
     assert_int_equal(model->image_count, 1);
     const bool found = !model->images[0].missing;
     assert_true(found != has_warning(model, "No such file or directory; drawn in magenta"));
@@ -96,6 +97,31 @@ static void test_gazebo(void **state)
         unlink(path_of(files[i]));
     }
     for (int i = 3; i >= 0; i--) {
+        rmdir(path_of(folders[i]));
+    }
+}
+
+// A package that an address names stands beside the model's own.
+static void test_other_package(void **state)
+{
+    (void)state;
+    static const char *const folders[] = {
+        "pack", "pack/ship", "pack/ship/meshes", "pack/ship/meshes/visual", "pack/Boat", "pack/Boat/paint"};
+    for (int i = 0; i < 6; i++) {
+        assert_int_equal(mkdir(path_of(folders[i]), 0700), 0);
+    }
+    write_picture("pack/Boat/paint/red hull.tga");
+    assert_true(is_found("pack/ship/meshes/m.obj", "model://boat/paint/red hull.tga"));
+    assert_true(is_found("pack/ship/meshes/visual/m.obj", "package://Boat/paint/red%20hull.tga"));
+    assert_true(is_found("pack/Boat/paint/m.obj", "package://Boat/paint/red hull.tga"));
+    assert_false(is_found("pack/ship/meshes/m.obj", "Boat/paint/red hull.tga"));
+    assert_false(is_found("pack/ship/meshes/m.obj", "model://raft/paint/red hull.tga"));
+    static const char *const files[] = {"pack/Boat/paint/red hull.tga", "pack/Boat/paint/m.obj",
+                                        "pack/ship/meshes/m.obj", "pack/ship/meshes/visual/m.obj"};
+    for (int i = 0; i < 4; i++) {
+        unlink(path_of(files[i]));
+    }
+    for (int i = 5; i >= 0; i--) {
         rmdir(path_of(folders[i]));
     }
 }
@@ -285,12 +311,19 @@ static void test_stand_in(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_beside),         cmocka_unit_test(test_folders),
-    cmocka_unit_test(test_longest_end),    cmocka_unit_test(test_renamed),
-    cmocka_unit_test(test_stand_in),       cmocka_unit_test(test_gazebo),
-    cmocka_unit_test(test_beside_library), cmocka_unit_test(test_written_otherwise),
-    cmocka_unit_test(test_code_pages),     cmocka_unit_test(test_material_code_pages),
-    cmocka_unit_test(test_many_slashes),   cmocka_unit_test(test_data_uris),
+    cmocka_unit_test(test_beside),
+    cmocka_unit_test(test_folders),
+    cmocka_unit_test(test_longest_end),
+    cmocka_unit_test(test_renamed),
+    cmocka_unit_test(test_stand_in),
+    cmocka_unit_test(test_gazebo),
+    cmocka_unit_test(test_other_package),
+    cmocka_unit_test(test_beside_library),
+    cmocka_unit_test(test_written_otherwise),
+    cmocka_unit_test(test_code_pages),
+    cmocka_unit_test(test_material_code_pages),
+    cmocka_unit_test(test_many_slashes),
+    cmocka_unit_test(test_data_uris),
 };
 
 const struct unit_tests test_resources = UNIT_TESTS(tests, make_directory, remove_directory);

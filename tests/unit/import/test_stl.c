@@ -70,6 +70,39 @@ static void test_magics(void **state)
     scene_model_free(model);
 }
 
+// Words of 0 behind the head of Magics are no black facets. Their colour is that of the head.
+static void test_magics_without_words(void **state)
+{
+    (void)state;
+    const uint16_t words[] = {0, 0};
+    write_bytes("x.stl", bytes, make_binary(bytes, "COLOR=\x80\xff\x01\xff", 2, 2, words));
+    struct scene_model *model = load("x.stl");
+    assert_floats(color_of(model, 0), (const float[]){0.2158605f, 1, 0.000303527f, 1}, 4, 1e-6f);
+    assert_floats(color_of(model, 1), (const float[]){0.2158605f, 1, 0.000303527f, 1}, 4, 1e-6f);
+    scene_model_free(model);
+}
+
+// MeshLab's head is that of every file, whether it has colours or not; facets with a colour have the highest bit.
+static void test_meshlab(void **state)
+{
+    (void)state;
+    const char head[] = "COLOR=\x7f\x7f\x7f MATERIAL=\x7f\x7f\x7f \x7f\x7f\x7f \x7f\x7f\x7f     ";
+    const uint16_t none[] = {0, 0};
+    write_bytes("x.stl", bytes, make_binary(bytes, head, 2, 2, none));
+    struct scene_model *model = load("x.stl");
+    assert_null(model->meshes[0].colors);
+    assert_int_equal(model->unsupported_count, 0);
+    scene_model_free(model);
+    const uint16_t words[] = {0x8000 | 31, 0x8000 | 31 << 10, 0};
+    write_bytes("x.stl", bytes, make_binary(bytes, head, 3, 3, words));
+    model = load("x.stl");
+    assert_floats(color_of(model, 0), (const float[]){1, 0, 0, 1}, 4, 0);
+    assert_floats(color_of(model, 1), (const float[]){0, 0, 1, 1}, 4, 0);
+    assert_floats(color_of(model, 2), (const float[]){0.6f, 0.6f, 0.6f, 1}, 4, 0);
+    assert_int_equal(model->unsupported_count, 0);
+    scene_model_free(model);
+}
+
 // Words without the highest bit are anything, so there are no colours.
 static void test_no_colors(void **state)
 {
@@ -223,15 +256,32 @@ static void test_cut_text(void **state)
     expect_refused("x.stl", "a vertex stands outside of a facet");
 }
 
+// A normal in the plane of its facet cannot be its own: the model was turned without it. Up to 60 degrees it stays.
+static void test_normals_of_another_pose(void **state)
+{
+    (void)state;
+    struct scene_model *model =
+        load_text("x.stl", "solid\nfacet normal 0 1 0\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 9 0\n"
+                           "endloop\nendfacet\nfacet normal 0 0.6 0.8\nouter loop\nvertex 0 0 5\n"
+                           "vertex 9 0 5\nvertex 0 9 5\nendloop\nendfacet\nendsolid\n");
+    const struct scene_mesh *mesh = &model->meshes[0];
+    assert_floats(mesh->normals[mesh->indices[0]], (const float[]){0, 0, 1}, 3, 0);
+    assert_floats(mesh->normals[mesh->indices[3]], (const float[]){0, 0.6f, 0.8f}, 3, 1e-6f);
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_viscam),
     cmocka_unit_test(test_magics),
+    cmocka_unit_test(test_magics_without_words),
+    cmocka_unit_test(test_meshlab),
     cmocka_unit_test(test_no_colors),
     cmocka_unit_test(test_counts),
     cmocka_unit_test(test_text),
     cmocka_unit_test(test_odd_normals),
     cmocka_unit_test(test_one_lacks_a_normal),
     cmocka_unit_test(test_normals_that_oppose_corners),
+    cmocka_unit_test(test_normals_of_another_pose),
     cmocka_unit_test(test_marks),
     cmocka_unit_test(test_cut_text),
 };

@@ -173,6 +173,15 @@ static void test_default_orbit_faces_flat_models(void **state)
     t.instances[0].world[0] = -1;
     t.instances[0].mirrored = true;
     tiny_assert_close(scene_camera_default_orbit(&t.model, SCENE_AXIS_Y).azimuth, 180.0, 0.0);
+    // A plate faces both sides, and one of them is a little larger by rounding. It is seen from its front.
+    tiny_make(&t);
+    for (int side = 0; side < 2; side++) {
+        const uint32_t corners[2][6] = {{0, 1, 2, 0, 3, 2}, {0, 2, 1, 0, 2, 3}};
+        memcpy(t.indices, corners[side], sizeof corners[side]);
+        t.positions[3][0] = 1.001f * t.positions[3][0];
+        tiny_set_bounds(&t);
+        tiny_assert_close(scene_camera_default_orbit(&t.model, SCENE_AXIS_Y).azimuth, 0.0, 0.0);
+    }
 }
 
 // A model whose up is another axis is one with y up, turned: the same picture of it.
