@@ -247,14 +247,15 @@ def test_large_arrays_are_used_again():
 
 
 @pytest.mark.parametrize("shared", [True, False])
-def test_gradients_of_attributes_add_up_in_any_number_of_threads(shared):
-    """By the formula in double; with more images than are worked on at a time."""
+@pytest.mark.parametrize("channels", [1, 2, 3, 4, 700])
+def test_gradients_of_attributes_add_up_in_any_number_of_threads(channels, shared):
+    """By the formula in double; of 700 channels with more images than are worked on at a time."""
     pos, tri = soup(5, images=9)
     random = np.random.default_rng(5)
-    attr = random.normal(size=(1 if shared else 9, pos.shape[1], 700)).astype(np.float32)
+    attr = random.normal(size=(1 if shared else 9, pos.shape[1], channels)).astype(np.float32)
     rast, _ = dr.rasterize(pos, tri, (6, 5))
-    to_values = random.normal(size=rast.shape[:3] + (700,))
-    wanted = np.zeros((9, pos.shape[1], 700))
+    to_values = random.normal(size=rast.shape[:3] + (channels,))
+    wanted = np.zeros((9, pos.shape[1], channels))
     for image, y, x in zip(*np.nonzero(rast[..., 3])):
         u, v, _, number = rast[image, y, x].astype(np.float64)
         for vertex, weight in zip(tri[int(number) - 1], (u, v, 1 - u - v)):
