@@ -121,12 +121,21 @@ def equals(file: BinaryIO, path: str) -> bool:
     return os.path.exists(path) and filecmp.cmp(name, path, shallow=False)
 
 
+_PART = 1 << 22  #: bytes: between two parts Python looks for signals, and does not within one
+
+
+def _write_parts(file: BinaryIO, data: bytes) -> None:
+    view = memoryview(data)
+    for start in range(0, len(view), _PART):
+        file.write(view[start:start + _PART])
+
+
 def write(path: Path, data: bytes) -> None:
     """Writes a file beside its place and then gives it its name. What is no regular file is written directly."""
     name = os.fspath(path)
     if os.path.exists(name) and not os.path.isfile(name):
         with open(name, "wb") as file:
-            file.write(data)
+            _write_parts(file, data)
         return
     with replacing(name) as file:
-        file.write(data)
+        _write_parts(file, data)

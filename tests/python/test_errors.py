@@ -12,6 +12,7 @@ import pytest
 import rhw
 from conftest import SANITIZED
 from rhw import _files, _threads
+from rhw.pipeline import Buffer, Pass, Pipeline, Texture
 
 V = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)
 F = np.array([[0, 1, 2], [0, 2, 3]])
@@ -168,6 +169,44 @@ def test_ctrl_c_ends_a_draw():
     part = time.process_time() - begun
     assert interrupted(lambda: model.render(4096, **keywords), part / 2) < 8 * part + 0.2
     assert model.render(20)["color"].any()  # the context is as good as ever
+
+
+def half_a_second(kind):
+    """Work of about that much processor time that looks for signals on its way."""
+    random = np.random.default_rng(1)
+    if kind == "pass":
+        targets = {"color": Texture(1024, "rgba8_srgb")}
+        pipeline = Pipeline(targets, colors="float32", depth=None, blend=True)
+        corners, colors = Buffer(random.uniform(-1, 1, (3000, 3)), np.float32), random.random((3000, 4))
+        faces = random.integers(0, 3000, (2000, 3))
+
+        def work():
+            with Pass(targets) as draw:
+                draw(pipeline, corners, faces, colors=colors)
+    elif kind == "png":
+        image = random.integers(0, 256, (1024, 2048, 4), np.uint8)
+
+        def work():
+            rhw.write_png(os.devnull, image)
+    else:
+        pictures = model.render(600, outputs=("linear", "normal"))
+        pictures["normal"] = random.random((600, 600, 4), np.float32)
+
+        def work():
+            pictures.exr()
+    return work
+
+
+@pytest.mark.skipif(SANITIZED, reason="takes longer with a sanitizer")
+@pytest.mark.parametrize("kind", ["pass", "png", "exr"])
+def test_ctrl_c_ends_passes_and_encoders(kind):
+    """Before half of it, and the next call does all of it."""
+    work = half_a_second(kind)
+    begun = time.process_time()
+    work()
+    whole = time.process_time() - begun
+    assert interrupted(work, whole / 10) < whole / 2
+    work()
 
 
 @pytest.mark.skipif(SANITIZED, reason="an import takes longer with a sanitizer")
