@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Bad input is an exception of one line that names the thing and the rule, and long work ends when it is asked to."""
 
+import errno
 import os
 import signal
 import threading
@@ -94,10 +95,16 @@ def test_one_line(call, kind, line, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("is_named", (False, True))
-def test_a_file_takes_its_place_whole(tmp_path, monkeypatch, is_named):
-    """Also where the system has no files without a name."""
+@pytest.mark.parametrize("is_linked", (False, True))
+def test_a_file_takes_its_place_whole(tmp_path, monkeypatch, is_named, is_linked):
+    """Also where the system has no files without a name, and where the folder takes no links."""
     if is_named:
         monkeypatch.setattr(_files, "_open_unnamed", lambda folder: None)
+    if not is_linked:
+        def refuse(*places, **options):
+            raise PermissionError(errno.EPERM, os.strerror(errno.EPERM))
+
+        monkeypatch.setattr(os, "link", refuse)
     place = tmp_path / "file"
     for text in (b"first", b"second"):
         with _files.replacing(place) as file:
