@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """rhw.diff: what pixels see, attributes at pixels, and the gradients of both."""
 
+import os
 import resource
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 import rhw
 import rhw.diff as dr
 from diff_reference import check_gradient, rasterize, soup
+from rhw._arrays import empty
 
 SIZE = 36, 48
 SEEDS = range(6)
@@ -244,6 +246,20 @@ def test_large_arrays_are_used_again():
     assert np.array_equal(step(), first)
     pages_of_rast = 1024 * 1024 * 16 // 4096
     assert resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before < pages_of_rast / 4  # of ten such arrays
+
+
+@pytest.mark.skipif(os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGESIZE") < 2**34, reason="a 32nd of the memory is kept")
+def test_what_many_pictures_leave_is_used_again():
+    """Half a GiB, as a step of a training with pictures of 2048 by 2048 frees."""
+    def touch():
+        arrays = [empty((2**24,)) for _ in range(7)]
+        for array in arrays:
+            array[::1024] = 1
+
+    touch()
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
+    touch()
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before < 2**14
 
 
 @pytest.mark.parametrize("shared", [True, False])
