@@ -8,6 +8,7 @@ import errno
 import filecmp
 import os
 import secrets
+import shutil
 from typing import BinaryIO, Iterator, Optional, Union
 
 Path = Union[str, "os.PathLike[str]"]
@@ -33,6 +34,8 @@ def _put_in_place(temporary: str, target: str) -> None:
         os.unlink(temporary)
 
 
+_PART = 1 << 22  #: bytes: between two parts Python looks for signals, and does not within one
+
 _DESCRIPTORS = "/proc/self/fd"  #: where files without a name can be found, to give them one
 
 
@@ -42,6 +45,11 @@ def _open_unnamed(folder: str) -> Optional[BinaryIO]:
         return open(os.open(folder, os.O_TMPFILE | os.O_WRONLY, 0o666), "wb") if os.path.isdir(_DESCRIPTORS) else None
     except (AttributeError, OSError):
         return None
+
+
+def _place(file: BinaryIO) -> str:
+    """Where it can be read."""
+    return file.name if isinstance(file.name, str) else os.path.join(_DESCRIPTORS, str(file.fileno()))
 
 
 def _name(file: BinaryIO, name: str) -> None:
@@ -64,18 +72,6 @@ def _gone_unless_whole(temporary: str) -> Iterator[None]:
         raise
 
 
-def _name_whole(file: BinaryIO, target: str, temporary: str, new: bool) -> None:
-    file.flush()
-    try:
-        _name(file, target)
-    except FileExistsError:
-        if new:
-            raise
-        with _gone_unless_whole(temporary):
-            _name(file, temporary)
-            os.replace(temporary, target)
-
-
 @contextlib.contextmanager
 def _named(target: str, temporary: str, new: bool) -> Iterator[BinaryIO]:
     # What others may do with it is the system's to say: to ask for the process's mask is to change it for other threads.
@@ -86,6 +82,29 @@ def _named(target: str, temporary: str, new: bool) -> Iterator[BinaryIO]:
             _put_in_place(temporary, target)
         else:
             os.replace(temporary, target)
+
+
+def _link_whole(file: BinaryIO, target: str, temporary: str, new: bool) -> None:
+    try:
+        _name(file, target)
+    except FileExistsError:
+        if new:
+            raise
+        with _gone_unless_whole(temporary):
+            _name(file, temporary)
+            os.replace(temporary, target)
+
+
+def _name_whole(file: BinaryIO, target: str, temporary: str, new: bool) -> None:
+    """Gives a file without a name its name; where the folder takes no links, to a copy."""
+    file.flush()
+    try:
+        _link_whole(file, target, temporary, new)
+    except OSError as error:
+        if error.errno not in _NO_LINKS:
+            raise
+        with open(_place(file), "rb") as whole, _named(target, temporary, new) as copy:
+            shutil.copyfileobj(whole, copy, _PART)
 
 
 @contextlib.contextmanager
@@ -116,8 +135,13 @@ def replacing(path: Path, new: bool = False) -> Iterator[BinaryIO]:
 def equals(file: BinaryIO, path: str) -> bool:
     """Whether a file of `replacing` has so far the bytes of another, if that is there."""
     file.flush()
-    name = file.name if isinstance(file.name, str) else os.path.join(_DESCRIPTORS, str(file.fileno()))
-    return os.path.exists(path) and filecmp.cmp(name, path, shallow=False)
+    return os.path.exists(path) and filecmp.cmp(_place(file), path, shallow=False)
+
+
+def _write_parts(file: BinaryIO, data: bytes) -> None:
+    view = memoryview(data)
+    for start in range(0, len(view), _PART):
+        file.write(view[start:start + _PART])
 
 
 def write(path: Path, data: bytes) -> None:
@@ -125,7 +149,7 @@ def write(path: Path, data: bytes) -> None:
     name = os.fspath(path)
     if os.path.exists(name) and not os.path.isfile(name):
         with open(name, "wb") as file:
-            file.write(data)
+            _write_parts(file, data)
         return
     with replacing(name) as file:
-        file.write(data)
+        _write_parts(file, data)

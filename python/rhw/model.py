@@ -302,9 +302,10 @@ class Model:
         elif rasterized == 0:
             warnings.warn(f"{self.path}: nothing of the model is in the picture", stacklevel=2)
         arrays = {each: np.asarray(drawn[each]) for each in names}
-        if "position" in arrays:
-            arrays["position"] = in_file(arrays["position"], self.origin)
-        return Pictures(arrays, (width, height), View(seen_by, width, height), self, look.transparent, threads)
+        from_origin = arrays.get("position") if any(self.origin) else None
+        if from_origin is not None:
+            arrays["position"] = in_file(from_origin, self.origin)
+        return Pictures(arrays, (width, height), View(seen_by, width, height), self, look.transparent, threads, from_origin)
 
     def _first_camera(self, fitted: Tuple[Any, ...], width: int, height: int) -> Tuple[Tuple[Any, ...], bool]:
         """The file's first camera, unless it sees less of the model than a thumbnail would show."""

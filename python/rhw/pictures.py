@@ -45,6 +45,14 @@ def in_file(position: NDArray[Any], origin: Sequence[float]) -> NDArray[Any]:
     return moved
 
 
+def from_origin(position: NDArray[Any], origin: Sequence[float], drawn: Optional[NDArray[Any]]) -> NDArray[Any]:
+    """Back to what was drawn, float32: to the very numbers where they still are what in_file made of them."""
+    moved = np.ascontiguousarray(in_file(position, [-each for each in origin]), np.float32)
+    if drawn is None or drawn.shape != position.shape:
+        return moved
+    return np.where(in_file(drawn, origin) == position, drawn, moved)
+
+
 class Pictures(Dict[str, NDArray[Any]]):
     """The pictures of one render: a dictionary of arrays, rows from top to bottom, on the memory they were drawn to.
 
@@ -67,13 +75,14 @@ class Pictures(Dict[str, NDArray[Any]]):
     """
 
     def __init__(self, arrays: Dict[str, NDArray[Any]], size: Tuple[int, int], view: View, model: Any,
-                 transparent: bool, threads: int):
+                 transparent: bool, threads: int, from_origin: Optional[NDArray[Any]] = None):
         super().__init__(arrays)
         self.size = size
         self.view = view
         self._model = model
         self._transparent = transparent
         self._threads = threads
+        self._from_origin = from_origin
 
     def __missing__(self, output: str) -> NDArray[Any]:
         raise KeyError(f"{output!r} was not drawn; render(outputs=…) says what is: here {', '.join(self)}")
@@ -129,8 +138,7 @@ class Pictures(Dict[str, NDArray[Any]]):
     def _checked(self) -> Dict[str, NDArray[Any]]:
         arrays = {name: _arrays.packed(_arrays.read(array, name), None) for name, array in self.items() if name in OUTPUTS}
         if "position" in arrays and any(self._model.origin):
-            back = [-each for each in self._model.origin]
-            arrays["position"] = np.ascontiguousarray(in_file(arrays["position"], back), np.float32)
+            arrays["position"] = from_origin(arrays["position"], self._model.origin, self._from_origin)
         return arrays
 
     def __repr__(self) -> str:

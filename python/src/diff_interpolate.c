@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Attributes of vertices at pixels, A = u A0 + v A1 + (1 − u − v) A2, with slopes by the chain rule, and both
-// backwards. Backwards a triangle goes through its pixels once, for the gradients of all three corners and of the pixels;
-// then a vertex adds up what its corners got. Some images are worked on at a time, so that the sums of corners fit a
-// cache.
+// backwards. Backwards every thread goes through the pixels of an image in order, and adds what they give to the corners of
+// the triangles that it owns; then a vertex adds up what its corners got. A few images are worked on at a time, so that
+// the sums of corners fit a cache.
 #include "diff_mesh.h"
 #include "picture_memory.h"
 
 #include <stdlib.h>
 #include <string.h>
+
+#define ALWAYS_INLINE static inline __attribute__((always_inline))
 
 struct work {
     struct diff_mesh mesh;
@@ -21,10 +23,12 @@ struct work {
     const float *to_values, *to_slopes; // backwards their gradients
     float *attribute_gradient, *rast_gradient, *rast_db_gradient;
     struct diff_corners corners;
-    struct diff_pixels pixels;
     size_t first_image, end_image; // that are worked on
-    double *corner_sums;           // [end_image − first_image][triangles][3][channels]
-    double *vertex_sums;           // [vertices][channels] of attributes that all images share; else NULL
+    size_t first_row,
+        owners;          // of each image: what jobs begin with, and who shares its triangles; a power of 2
+    double *corner_sums; // [end_image − first_image][triangles][3][channels] of triangles that are seen
+    bool *is_seen;       // [end_image − first_image][triangles]
+    double *vertex_sums; // [vertices][channels] of attributes that all images share; else NULL
 };
 
 static void find_corners(const struct work *work, size_t image, size_t triangle, const float *corner[3])
@@ -74,19 +78,26 @@ static void interpolate_row(void *data, size_t row)
     }
 }
 
-enum { TRIANGLES_OF_JOB = 64, VERTICES_OF_JOB = 256, MAX_CHANNELS = 1024, MOST_SUM_BYTES = 1 << 23 };
+enum {
+    TRIANGLES_OF_OWNER = 64, // in a row, then come the next owner's
+    VERTICES_OF_JOB = 256,
+    PIXELS_OF_BLOCK = 1 << 18, // so many that threads have work for milliseconds, between looks for signals
+    MAX_CHANNELS = 1024,
+    SUM_BYTES_OF_THREAD = 1 << 22
+};
 
-// A triangle in an image, while its pixels are gone through.
+// A triangle in an image, while pixels of it are gone through.
 struct facing {
+    size_t triangle;
     double along_u[MAX_CHANNELS], along_v[MAX_CHANNELS]; // what its attributes grow by: differences of floats
     double *sum; // [3][channels]: gradients of its corners' attributes
 };
 
-static void give_values(const struct work *work, const struct facing *facing, size_t place, double to_uv[2])
+// Inlined with few channels, whose number the compiler then knows.
+ALWAYS_INLINE void give_values(const struct work *work, const struct facing *facing, size_t place,
+                               size_t channels, float to_rast[4])
 {
-    const float *const rast = work->rast + 4 * place, *const values =
-                                                          work->to_values + place * work->channels;
-    const size_t channels = work->channels;
+    const float *const rast = work->rast + 4 * place, *const values = work->to_values + place * channels;
     const double u = rast[0], v = rast[1], w = 1.0f - rast[0] - rast[1];
     double *const sum = facing->sum, to_u = 0, to_v = 0;
     for (size_t c = 0; c < channels; c++) {
@@ -97,8 +108,8 @@ static void give_values(const struct work *work, const struct facing *facing, si
         to_u += value * facing->along_u[c];
         to_v += value * facing->along_v[c];
     }
-    to_uv[0] = to_u;
-    to_uv[1] = to_v;
+    to_rast[0] = (float)to_u;
+    to_rast[1] = (float)to_v;
 }
 
 static void give_slopes(const struct work *work, const struct facing *facing, size_t place, double to_db[4])
@@ -120,10 +131,16 @@ static void give_slopes(const struct work *work, const struct facing *facing, si
 
 static void give_pixel(const struct work *work, const struct facing *facing, size_t place)
 {
-    double to_uv[2], to_db[4] = {0};
-    give_values(work, facing, place, to_uv);
-    work->rast_gradient[4 * place] = (float)to_uv[0];
-    work->rast_gradient[4 * place + 1] = (float)to_uv[1];
+    float to_rast[4] = {0};
+    double to_db[4] = {0};
+    switch (work->channels) {
+    case 1: give_values(work, facing, place, 1, to_rast); break;
+    case 2: give_values(work, facing, place, 2, to_rast); break;
+    case 3: give_values(work, facing, place, 3, to_rast); break;
+    case 4: give_values(work, facing, place, 4, to_rast); break;
+    default: give_values(work, facing, place, work->channels, to_rast);
+    }
+    memcpy(work->rast_gradient + 4 * place, to_rast, sizeof to_rast);
     if (work->rast_db) {
         give_slopes(work, facing, place, to_db);
     }
@@ -132,66 +149,81 @@ static void give_pixel(const struct work *work, const struct facing *facing, siz
     }
 }
 
-static void give_triangle(const struct work *work, size_t image, size_t triangle, struct facing *facing)
+// A pixel without a triangle has no gradient.
+static void clear_pixel(const struct work *work, size_t place)
 {
-    const struct diff_mesh *const mesh = &work->mesh;
-    const size_t first_pixel = image * diff_mesh_pixels(mesh);
-    const uint32_t *const first = work->pixels.first + image * (mesh->triangles + 2) + triangle;
-    const uint32_t *const pixels = work->pixels.pixel + first_pixel;
-    const float *corner[3];
-    if (first[0] == first[1]) {
-        return;
+    memset(work->rast_gradient + 4 * place, 0, 4 * sizeof(float));
+    if (work->rast_db_gradient) {
+        memset(work->rast_db_gradient + 4 * place, 0, 4 * sizeof(float));
     }
+}
+
+// Turns to a triangle. Its sums are zeroed when it is seen first: most triangles of many meshes never are.
+static void face_triangle(const struct work *work, size_t image, size_t triangle, struct facing *facing)
+{
+    const size_t place = (image - work->first_image) * work->mesh.triangles + triangle;
+    const size_t sums = 3 * work->channels;
+    const float *corner[3];
     find_corners(work, image, triangle, corner);
     for (size_t c = 0; c < work->channels; c++) {
         const float along_u = corner[0][c] - corner[2][c], along_v = corner[1][c] - corner[2][c];
         facing->along_u[c] = along_u;
         facing->along_v[c] = along_v;
     }
-    for (uint32_t i = first[0]; i < first[1]; i++) {
-        give_pixel(work, facing, first_pixel + pixels[i]);
+    facing->triangle = triangle;
+    facing->sum = work->corner_sums + place * sums;
+    if (!work->is_seen[place]) {
+        work->is_seen[place] = true;
+        memset(facing->sum, 0, sums * sizeof *facing->sum);
     }
 }
 
-static size_t jobs_of(size_t count, size_t of_job)
+static size_t rows_of_block(const struct diff_mesh *mesh)
 {
-    return (count + of_job - 1) / of_job;
+    return PIXELS_OF_BLOCK / mesh->width; // not 0: widths end at 2^14
 }
 
-static void give_triangles(void *data, size_t job)
+// Pixels without a triangle belong to owners by rows.
+static void give_block(void *data, size_t job)
 {
     const struct work *work = data;
-    const size_t triangles = work->mesh.triangles, jobs = jobs_of(triangles, TRIANGLES_OF_JOB);
-    const size_t image = job / jobs, start = job % jobs * TRIANGLES_OF_JOB, next = start + TRIANGLES_OF_JOB;
-    const size_t end = next < triangles ? next : triangles, floats = 3 * work->channels;
-    double *const sums = work->corner_sums + image * triangles * floats;
+    const struct diff_mesh *const mesh = &work->mesh;
+    const size_t image = work->first_image + job / work->owners;
+    const size_t owner = job % work->owners, others = work->owners - 1;
+    const size_t next_row = work->first_row + rows_of_block(mesh);
+    const size_t end_row = next_row < mesh->height ? next_row : mesh->height;
     struct facing facing;
-    memset(sums + start * floats, 0, (end - start) * floats * sizeof *sums);
-    for (size_t t = start; t < end; t++) {
-        facing.sum = sums + t * floats;
-        give_triangle(work, work->first_image + image, t, &facing);
-    }
-}
-
-// Pixels without a triangle have no gradient.
-static void clear_row(void *data, size_t row)
-{
-    const struct work *work = data;
-    const size_t floats = 4 * work->mesh.width;
-    memset(work->rast_gradient + row * floats, 0, floats * sizeof(float));
-    if (work->rast_db_gradient) {
-        memset(work->rast_db_gradient + row * floats, 0, floats * sizeof(float));
+    facing.triangle = SIZE_MAX;
+    for (size_t row = work->first_row; row < end_row; row++) {
+        const size_t first = (image * mesh->height + row) * mesh->width;
+        const bool clears = (row & others) == owner;
+        for (size_t place = first; place < first + mesh->width; place++) {
+            size_t triangle;
+            if (!diff_mesh_triangle(mesh, work->rast[4 * place + 3], &triangle)) {
+                if (clears) {
+                    clear_pixel(work, place);
+                }
+            } else if ((triangle / TRIANGLES_OF_OWNER & others) == owner) {
+                if (triangle != facing.triangle) {
+                    face_triangle(work, image, triangle, &facing);
+                }
+                give_pixel(work, &facing, place);
+            }
+        }
     }
 }
 
 static void add_corners(const struct work *work, size_t image, size_t vertex, double *sum)
 {
-    const double *const sums =
-        work->corner_sums + (image - work->first_image) * work->mesh.triangles * 3 * work->channels;
+    const size_t first = (image - work->first_image) * work->mesh.triangles;
     for (size_t i = work->corners.first[vertex]; i < work->corners.first[vertex + 1]; i++) {
-        const double *const corner = sums + work->corners.corner[i] * work->channels;
+        const size_t corner = work->corners.corner[i];
+        if (!work->is_seen[first + corner / 3]) {
+            continue;
+        }
+        const double *const sums = work->corner_sums + (3 * first + corner) * work->channels;
         for (size_t c = 0; c < work->channels; c++) {
-            sum[c] += corner[c];
+            sum[c] += sums[c];
         }
     }
 }
@@ -202,6 +234,11 @@ static void put_vertex(const struct work *work, size_t image, size_t vertex, con
     for (size_t c = 0; c < work->channels; c++) {
         result[c] = (float)sum[c];
     }
+}
+
+static size_t jobs_of(size_t count, size_t of_job)
+{
+    return (count + of_job - 1) / of_job;
 }
 
 // Attributes that all images share collect from one image after the other.
@@ -225,10 +262,16 @@ static void collect_vertices(void *data, size_t job)
     }
 }
 
-// How many images' sums are there at a time. It depends on sizes alone.
+static size_t threads_of(const struct diff_crew *crew)
+{
+    return crew->threads < 1 ? 1 : crew->threads < RHW_MAX_THREADS ? (size_t)crew->threads : RHW_MAX_THREADS;
+}
+
+// How many images' sums are there at a time, which changes no result.
 static size_t images_at_once(const struct work *work, size_t sum_bytes)
 {
-    const size_t most = sum_bytes > 0 ? MOST_SUM_BYTES / sum_bytes : work->mesh.images;
+    const size_t bytes = threads_of(&work->mesh.crew) * SUM_BYTES_OF_THREAD;
+    const size_t most = sum_bytes > 0 ? bytes / sum_bytes : work->mesh.images;
     return most < 1 ? 1 : most < work->mesh.images ? most : work->mesh.images;
 }
 
@@ -238,7 +281,13 @@ static void give_images(struct work *work, size_t at_once)
     for (work->first_image = 0; work->first_image < mesh->images; work->first_image = work->end_image) {
         const size_t left = mesh->images - work->first_image, count = left < at_once ? left : at_once;
         work->end_image = work->first_image + count;
-        diff_jobs_run(&mesh->crew, count * jobs_of(mesh->triangles, TRIANGLES_OF_JOB), give_triangles, work);
+        for (work->owners = 1; count * work->owners < threads_of(&mesh->crew);) {
+            work->owners *= 2;
+        }
+        memset(work->is_seen, 0, count * mesh->triangles * sizeof *work->is_seen);
+        for (work->first_row = 0; work->first_row < mesh->height; work->first_row += rows_of_block(mesh)) {
+            diff_jobs_run(&mesh->crew, count * work->owners, give_block, work);
+        }
         diff_jobs_run(&mesh->crew, (work->vertex_sums ? 1 : count) * jobs_of(mesh->vertices, VERTICES_OF_JOB),
                       collect_vertices, work);
     }
@@ -250,20 +299,20 @@ static bool run_backwards(struct work *work)
     const bool is_shared = work->attribute_stride == 0;
     const size_t sums = diff_times(mesh->triangles, 3 * work->channels);
     const size_t at_once = images_at_once(work, sums * sizeof(double));
-    diff_jobs_run(&mesh->crew, mesh->images * mesh->height, clear_row, work);
     const size_t corner_bytes = (at_once * sums + 1) * sizeof *work->corner_sums;
+    const size_t seen_bytes = (at_once * mesh->triangles + 1) * sizeof *work->is_seen;
     const size_t vertex_bytes = mesh->vertices * work->channels * sizeof *work->vertex_sums;
     work->corner_sums = python_picture_allocate(corner_bytes);
+    work->is_seen = python_picture_allocate(seen_bytes);
     work->vertex_sums = is_shared ? python_picture_allocate_zeroed(vertex_bytes) : NULL;
-    const bool good = work->corner_sums && (work->vertex_sums || !is_shared) &&
-                      diff_corners_make(mesh, &work->corners) &&
-                      diff_pixels_make(mesh, work->rast, &work->pixels);
+    const bool good = work->corner_sums && work->is_seen && (work->vertex_sums || !is_shared) &&
+                      diff_corners_make(mesh, &work->corners);
     if (good) {
         give_images(work, at_once);
     }
     diff_corners_free(&work->corners);
-    diff_pixels_free(&work->pixels);
     python_picture_release(work->corner_sums, corner_bytes);
+    python_picture_release(work->is_seen, seen_bytes);
     python_picture_release(work->vertex_sums, vertex_bytes);
     return good;
 }

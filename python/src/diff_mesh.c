@@ -54,15 +54,6 @@ size_t diff_mesh_pixels(const struct diff_mesh *mesh)
     return mesh->height * mesh->width;
 }
 
-bool diff_mesh_triangle(const struct diff_mesh *mesh, float id, size_t *triangle)
-{
-    if (!(id >= 1.0f && id < 2147483648.0f)) {
-        return false;
-    }
-    *triangle = (size_t)id - 1;
-    return *triangle < mesh->triangles;
-}
-
 bool diff_corners_make(const struct diff_mesh *mesh, struct diff_corners *corners)
 {
     const size_t count = 3 * mesh->triangles;

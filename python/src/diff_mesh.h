@@ -33,7 +33,14 @@ struct diff_pixels {
 bool diff_mesh_read(PyObject *tuple, struct diff_mesh *mesh);
 size_t diff_mesh_pixels(const struct diff_mesh *mesh); ///< of an image
 /// The triangle of a pixel by the fourth number of the rasterizer's output. False where there is none, or nonsense.
-bool diff_mesh_triangle(const struct diff_mesh *mesh, float id, size_t *triangle);
+static inline bool diff_mesh_triangle(const struct diff_mesh *mesh, float id, size_t *triangle)
+{
+    if (!(id >= 1.0f && id < 2147483648.0f)) {
+        return false;
+    }
+    *triangle = (size_t)id - 1;
+    return *triangle < mesh->triangles;
+}
 
 /// False without memory, with nothing to free.
 bool diff_corners_make(const struct diff_mesh *mesh, struct diff_corners *corners);

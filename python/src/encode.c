@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Encodes into memory without the interpreter's lock.
+// Encodes into memory without the interpreter's lock, and looks for signals meanwhile.
 struct encoding {
     bool (*write)(struct cli_output_file *file, const void *user);
     const void *user;
@@ -25,14 +25,18 @@ static PyObject *encode(const struct encoding *encoding, const char *name)
     size_t size = 0;
     bool written = false;
     python_problem_forget();
-    Py_BEGIN_ALLOW_THREADS struct cli_output_file file = {.stream = open_memstream(&bytes, &size),
-                                                          .path = name};
+    struct python_work work = python_work_begin();
+    struct cli_output_file file = {
+        .stream = open_memstream(&bytes, &size), .path = name, .goes_on = python_work_goes_on, .user = &work};
     if (file.stream) {
         written = encoding->write(&file, encoding->user);
         written = fclose(file.stream) == 0 && written;
     }
-    Py_END_ALLOW_THREADS PyObject *result = NULL;
-    if (written) {
+    PyEval_RestoreThread(work.state);
+    PyObject *result = NULL;
+    if (work.gave_up) {
+        // The handler's exception is there.
+    } else if (written) {
         result = PyBytes_FromStringAndSize(bytes, (Py_ssize_t)size);
     } else {
         const char *const problem = python_problem();

@@ -321,10 +321,15 @@ static PyObject *pass_end(PyObject *self, PyObject *nothing)
     pass->item = NULL;
     struct rhw_stats stats = {0};
     enum rhw_result result;
-    Py_BEGIN_ALLOW_THREADS result = rhw_pass_end(context, item->id.pass, &stats);
-    Py_END_ALLOW_THREADS
-        // Misuse while it was recorded: the call that it was raised it, and the rest is drawn.
-        const bool left = python_context_leave(pass->context, result == RHW_ERROR_MISUSE ? RHW_OK : result);
+    struct python_work work = python_work_begin();
+    rhw_context_set_goes_on(context, python_work_goes_on, &work);
+    result = rhw_pass_end(context, item->id.pass, &stats);
+    rhw_context_set_goes_on(context, NULL, NULL);
+    PyEval_RestoreThread(work.state);
+    // Misuse while it was recorded: the call that it was raised it, and the rest is drawn. Where a handler has raised an
+    // exception, that is told.
+    const bool is_told = result == RHW_ERROR_MISUSE || result == RHW_ERROR_GIVEN_UP;
+    const bool left = python_context_leave(pass->context, is_told ? RHW_OK : result);
     Py_DECREF(item->kept);
     free(item);
     if (!left) {

@@ -5,8 +5,8 @@
 
 #include <stddef.h>
 
-/// A block that was kept, or a new one, at the start of a cache line; free() may have it in either case. On any thread, with or without the
-/// interpreter's lock. NULL without memory.
+/// A block that was kept, or a new one, at the start of a cache line; free() may have it in either case. On any thread,
+/// with or without the interpreter's lock. NULL without memory.
 void *python_picture_allocate(size_t size);
 /// Keeps a block of python_picture_allocate that has at least `size` bytes, or frees it. It may be NULL.
 void python_picture_release(void *block, size_t size);

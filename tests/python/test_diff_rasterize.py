@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """rhw.diff: what pixels see, attributes at pixels, and the gradients of both."""
 
+import os
 import resource
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 import rhw
 import rhw.diff as dr
 from diff_reference import check_gradient, rasterize, soup
+from rhw._arrays import empty
 
 SIZE = 36, 48
 SEEDS = range(6)
@@ -248,15 +250,30 @@ def test_large_arrays_are_used_again():
     assert resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before < pages_of_rast / 4  # of ten such arrays
 
 
+@pytest.mark.skipif(os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGESIZE") < 2**34, reason="a 32nd of the memory is kept")
+def test_what_many_pictures_leave_is_used_again():
+    """Half a GiB, as a step of a training with pictures of 2048 by 2048 frees."""
+    def touch():
+        arrays = [empty((2**24,)) for _ in range(7)]
+        for array in arrays:
+            array[::1024] = 1
+
+    touch()
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
+    touch()
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before < 2**14
+
+
 @pytest.mark.parametrize("shared", [True, False])
-def test_gradients_of_attributes_add_up_in_any_number_of_threads(shared):
-    """By the formula in double; with more images than are worked on at a time."""
+@pytest.mark.parametrize("channels", [1, 2, 3, 4, 700])
+def test_gradients_of_attributes_add_up_in_any_number_of_threads(channels, shared):
+    """By the formula in double; of 700 channels with more images than are worked on at a time."""
     pos, tri = soup(5, images=9)
     random = np.random.default_rng(5)
-    attr = random.normal(size=(1 if shared else 9, pos.shape[1], 700)).astype(np.float32)
+    attr = random.normal(size=(1 if shared else 9, pos.shape[1], channels)).astype(np.float32)
     rast, _ = dr.rasterize(pos, tri, (6, 5))
-    to_values = random.normal(size=rast.shape[:3] + (700,))
-    wanted = np.zeros((9, pos.shape[1], 700))
+    to_values = random.normal(size=rast.shape[:3] + (channels,))
+    wanted = np.zeros((9, pos.shape[1], channels))
     for image, y, x in zip(*np.nonzero(rast[..., 3])):
         u, v, _, number = rast[image, y, x].astype(np.float64)
         for vertex, weight in zip(tri[int(number) - 1], (u, v, 1 - u - v)):

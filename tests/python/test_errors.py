@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Bad input is an exception of one line that names the thing and the rule, and long work ends when it is asked to."""
 
+import errno
 import os
 import signal
 import threading
@@ -12,6 +13,7 @@ import pytest
 import rhw
 from conftest import SANITIZED
 from rhw import _files, _threads
+from rhw.pipeline import Buffer, Pass, Pipeline, Texture
 
 V = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)
 F = np.array([[0, 1, 2], [0, 2, 3]])
@@ -94,10 +96,16 @@ def test_one_line(call, kind, line, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("is_named", (False, True))
-def test_a_file_takes_its_place_whole(tmp_path, monkeypatch, is_named):
-    """Also where the system has no files without a name."""
+@pytest.mark.parametrize("is_linked", (False, True))
+def test_a_file_takes_its_place_whole(tmp_path, monkeypatch, is_named, is_linked):
+    """Also where the system has no files without a name, and where the folder takes no links."""
     if is_named:
         monkeypatch.setattr(_files, "_open_unnamed", lambda folder: None)
+    if not is_linked:
+        def refuse(*places, **options):
+            raise PermissionError(errno.EPERM, os.strerror(errno.EPERM))
+
+        monkeypatch.setattr(os, "link", refuse)
     place = tmp_path / "file"
     for text in (b"first", b"second"):
         with _files.replacing(place) as file:
@@ -210,6 +218,44 @@ def test_ctrl_c_ends_a_draw():
     part = time.process_time() - begun
     assert interrupted(lambda: model.render(4096, **keywords), part / 2) < 8 * part + 0.2
     assert model.render(20)["color"].any()  # the context is as good as ever
+
+
+def half_a_second(kind):
+    """Work of about that much processor time that looks for signals on its way."""
+    random = np.random.default_rng(1)
+    if kind == "pass":
+        targets = {"color": Texture(1024, "rgba8_srgb")}
+        pipeline = Pipeline(targets, colors="float32", depth=None, blend=True)
+        corners, colors = Buffer(random.uniform(-1, 1, (3000, 3)), np.float32), random.random((3000, 4))
+        faces = random.integers(0, 3000, (2000, 3))
+
+        def work():
+            with Pass(targets) as draw:
+                draw(pipeline, corners, faces, colors=colors)
+    elif kind == "png":
+        image = random.integers(0, 256, (1024, 2048, 4), np.uint8)
+
+        def work():
+            rhw.write_png(os.devnull, image)
+    else:
+        pictures = model.render(600, outputs=("linear", "normal"))
+        pictures["normal"] = random.random((600, 600, 4), np.float32)
+
+        def work():
+            pictures.exr()
+    return work
+
+
+@pytest.mark.skipif(SANITIZED, reason="takes longer with a sanitizer")
+@pytest.mark.parametrize("kind", ["pass", "png", "exr"])
+def test_ctrl_c_ends_passes_and_encoders(kind):
+    """Before half of it, and the next call does all of it."""
+    work = half_a_second(kind)
+    begun = time.process_time()
+    work()
+    whole = time.process_time() - begun
+    assert interrupted(work, whole / 10) < whole / 2
+    work()
 
 
 @pytest.mark.skipif(SANITIZED, reason="an import takes longer with a sanitizer")

@@ -80,11 +80,15 @@ def test_far_from_the_origin(tmp_path, program):
     again = _placed(vertices, faces, world)
     assert np.array_equal(again.render(64, **look)["color"], a["color"])
     obj = tmp_path / "far.obj"
-    obj.write_text("".join(f"v {x:.6f} {y:.6f} {z:.6f}\n" for x, y, z in vertices + place) +
-                   "".join(f"f {i} {j} {k}\n" for i, j, k in faces + 1))
-    exr = program(obj, "far.exr", "--output", "position", "--size", "64")
-    assert b"positionFromOrigin.X" in exr and b"originToCamera" in exr
-    assert rhw.load(obj).render(64, outputs="position").exr() == exr
+    for scale in (1, 1000):  # at the latter doubles have fewer digits than the floats that were drawn
+        obj.write_text("".join(f"v {x:.6f} {y:.6f} {z:.6f}\n" for x, y, z in vertices + place * scale) +
+                       "".join(f"f {i} {j} {k}\n" for i, j, k in faces + 1))
+        exr = program(obj, "far.exr", "--output", "position", "--size", "64")
+        assert b"positionFromOrigin.X" in exr and b"originToCamera" in exr
+        pictures = rhw.load(obj).render(64, outputs="position")
+        assert pictures.exr() == exr
+    pictures["position"][:9] = 0  # what was changed is written
+    assert pictures.exr() != exr
 
 
 @pytest.mark.parametrize("size", [1e-6, 1e-12])

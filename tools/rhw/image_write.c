@@ -73,10 +73,18 @@ static int start_png(spng_ctx *context, const struct cli_raster *raster)
     return result;
 }
 
-static int encode_png(spng_ctx *context, const struct cli_raster *raster, void *row)
+static bool goes_on(const struct cli_output_file *file)
+{
+    return !file->goes_on || file->goes_on(file->user);
+}
+
+// `*gave_up`: the file is not whole, though nothing failed.
+static int encode_png(spng_ctx *context, const struct cli_output_file *file, const struct cli_raster *raster,
+                      void *row, bool *gave_up)
 {
     int result = start_png(context, raster);
-    for (int y = 0; !result && y < raster->height; y++) {
+    for (int y = 0; !result && !*gave_up && y < raster->height; y++) {
+        *gave_up = !goes_on(file);
         raster->row(raster->user, y, row);
         result = spng_encode_row(context, row, row_size(raster));
     }
@@ -88,16 +96,17 @@ bool cli_png_write(struct cli_output_file *file, const struct cli_raster *raster
     spng_ctx *context = spng_ctx_new(SPNG_CTX_ENCODER);
     void *row = malloc(row_size(raster));
     int result = context && row ? spng_set_png_stream(context, write_to_stream, file->stream) : SPNG_EMEM;
+    bool gave_up = false;
     errno = 0;
     if (!result) {
-        result = encode_png(context, raster, row);
+        result = encode_png(context, file, raster, row, &gave_up);
     }
     if (result) {
         cli_error(file->path, "cannot be written: %s", errno ? strerror(errno) : spng_strerror(result));
     }
     spng_ctx_free(context);
     free(row);
-    return result == SPNG_OK;
+    return result == SPNG_OK && !gave_up;
 }
 
 // PPM wants the more significant byte first.

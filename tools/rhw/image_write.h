@@ -60,7 +60,8 @@ struct cli_exr_about {
     int object_count;
 };
 
-/// All of them report failure in one line and return false; the caller then discards the file.
+/// All of them report failure in one line and return false; the caller then discards the file. PNG and EXR ask the file
+/// whether to go on.
 bool cli_png_write(struct cli_output_file *file, const struct cli_raster *raster);
 /// Binary: P5 for one channel, P6 for three. Four are misuse.
 bool cli_ppm_write(struct cli_output_file *file, const struct cli_raster *raster);

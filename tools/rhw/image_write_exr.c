@@ -32,6 +32,7 @@ struct encoder {
     int next_to_take, next_to_write; // chunks
     exr_result_t result;             // the first failure
     int cause;                       // errno of a failed write, or 0
+    bool gave_up;
 };
 
 static void ignore_message(exr_const_context_t context, exr_result_t code, const char *message)
@@ -116,22 +117,30 @@ static exr_result_t prepare_chunk(struct encoder *encoder, exr_encode_pipeline_t
     return result;
 }
 
-static int take_chunk(struct encoder *encoder)
+static bool goes_on(const struct cli_output_file *file)
 {
+    return !file->goes_on || file->goes_on(file->user);
+}
+
+// The caller's thread asks the file; the others end when that gave up. Chunks that were taken are written.
+static int take_chunk(struct encoder *encoder, bool is_caller)
+{
+    const bool gives_up = is_caller && !goes_on(encoder->file);
     pthread_mutex_lock(&encoder->mutex);
-    const bool left = !encoder->result && encoder->next_to_take * encoder->rows_per_chunk < encoder->height;
+    encoder->gave_up |= gives_up;
+    const bool left = !encoder->result && !encoder->gave_up &&
+                      encoder->next_to_take * encoder->rows_per_chunk < encoder->height;
     const int chunk = left ? encoder->next_to_take++ : -1;
     pthread_mutex_unlock(&encoder->mutex);
     return chunk;
 }
 
-static void *encode_chunks(void *argument)
+static void encode_chunks(struct encoder *encoder, bool is_caller)
 {
-    struct encoder *encoder = argument;
     exr_encode_pipeline_t pipeline = EXR_ENCODE_PIPELINE_INITIALIZER;
     exr_result_t result = EXR_ERR_SUCCESS;
     bool first = true;
-    for (int chunk; !result && (chunk = take_chunk(encoder)) >= 0; first = false) {
+    for (int chunk; !result && (chunk = take_chunk(encoder, is_caller)) >= 0; first = false) {
         result = prepare_chunk(encoder, &pipeline, chunk * encoder->rows_per_chunk, first);
         if (!result) {
             result = exr_encoding_run(encoder->context, 0, &pipeline);
@@ -146,6 +155,11 @@ static void *encode_chunks(void *argument)
     if (!first) {
         exr_encoding_destroy(encoder->context, &pipeline);
     }
+}
+
+static void *help(void *encoder)
+{
+    encode_chunks(encoder, false);
     return NULL;
 }
 
@@ -223,10 +237,10 @@ static void encode_on_threads(struct encoder *encoder, int threads)
     pthread_t workers[THREADS_MAX];
     int started = 0;
     while (started < threads - 1 && started < THREADS_MAX &&
-           pthread_create(&workers[started], NULL, encode_chunks, encoder) == 0) {
+           pthread_create(&workers[started], NULL, help, encoder) == 0) {
         started++;
     }
-    encode_chunks(encoder);
+    encode_chunks(encoder, true);
     for (int i = 0; i < started; i++) {
         pthread_join(workers[i], NULL);
     }
@@ -250,11 +264,11 @@ static bool encode(struct cli_output_file *file, struct encoder *encoder, int th
         const exr_result_t finished = exr_finish(&encoder->context);
         encoder->result = encoder->result ? encoder->result : finished;
     }
-    if (encoder->result) {
+    if (encoder->result && !encoder->gave_up) {
         cli_error(file->path, "cannot be written: %s",
                   encoder->cause ? strerror(encoder->cause) : exr_get_default_error_message(encoder->result));
     }
-    return encoder->result == EXR_ERR_SUCCESS;
+    return encoder->result == EXR_ERR_SUCCESS && !encoder->gave_up;
 }
 
 static bool copy(FILE *from, struct cli_output_file *to)
@@ -262,14 +276,14 @@ static bool copy(FILE *from, struct cli_output_file *to)
     char buffer[1 << 16];
     size_t count = 1;
     bool copied = fflush(from) == 0 && fseek(from, 0, SEEK_SET) == 0;
-    while (copied && (count = fread(buffer, 1, sizeof buffer, from)) > 0) {
+    while (copied && goes_on(to) && (count = fread(buffer, 1, sizeof buffer, from)) > 0) {
         copied = fwrite(buffer, 1, count, to->stream) == count;
     }
     if (!copied || ferror(from)) {
         cli_error(to->path, "cannot be written: %s", strerror(errno));
         return false;
     }
-    return true;
+    return count == 0;
 }
 
 bool cli_exr_write(struct cli_output_file *file, int width, int height,
@@ -292,7 +306,11 @@ bool cli_exr_write(struct cli_output_file *file, int width, int height,
         cli_error(file->path, "cannot be written: %s", strerror(errno));
         return false;
     }
-    struct cli_output_file memory = {.stream = seekable.stream, .path = file->path, .seekable = true};
+    struct cli_output_file memory = {.stream = seekable.stream,
+                                     .path = file->path,
+                                     .seekable = true,
+                                     .goes_on = file->goes_on,
+                                     .user = file->user};
     const bool written = encode(&memory, &encoder, threads) && copy(memory.stream, file);
     system_memory_file_close(&seekable);
     return written;

@@ -14,6 +14,9 @@ struct cli_output_file {
     FILE *stream;     ///< write here; NULL after finish
     const char *path; ///< as the user gave it; names the file in error lines
     bool seekable;    ///< false for a pipe or a device, which is written directly
+    /// Asked by encoders now and then, on the caller's thread: false gives the file up, without a report. NULL: nobody.
+    bool (*goes_on)(void *user);
+    void *user;
     // ---
     char *target;    ///< NULL: written directly
     char *temporary; ///< NULL: written directly, or the file has no name yet
