@@ -1,24 +1,65 @@
 // SPDX-License-Identifier: MIT
-// See ending.h.
+// See ending.h. A thread that holds takes no signal, so that the handler never waits for the thread that it interrupts. It
+// first says that the program ends, and then looks for those that hold; they count themselves first, and then look.
 #include "ending.h"
 
 #include <signal.h>
+#include <stdatomic.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
 #include <sys/time.h>
+#include <time.h>
 #include <unistd.h>
+
+enum { PATIENCE_MS = 1000 }; // a step on a disk far away may take long, and the program is to end
+
+static const int deadly[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 
 static struct {
     void (*volatile clean)(void);
     volatile pid_t owner; // a forked child inherits the handler but must not remove its parent's files
     const char *late;     // what is said at the deadline
+    _Atomic int holders;
+    _Atomic bool ends;
 } ending;
+
+static _Thread_local sigset_t unheld; // the signals that a thread did not take before it held
 
 static void clean_up(void)
 {
-    if (getpid() == ending.owner && ending.clean) {
-        ending.clean();
+    if (getpid() != ending.owner || !ending.clean) {
+        return;
     }
+    ending.ends = true;
+    for (int i = 0; i < PATIENCE_MS && ending.holders > 0; i++) {
+        nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
+    }
+    ending.clean();
+}
+
+void system_ending_hold(void)
+{
+    sigset_t held;
+    sigemptyset(&held);
+    sigaddset(&held, SIGALRM);
+    for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++) {
+        sigaddset(&held, deadly[i]);
+    }
+    pthread_sigmask(SIG_BLOCK, &held, &unheld);
+    ending.holders++;
+    if (ending.ends && getpid() == ending.owner) {
+        ending.holders--;
+        for (;;) {
+            pause();
+        }
+    }
+}
+
+void system_ending_release(void)
+{
+    ending.holders--;
+    pthread_sigmask(SIG_SETMASK, &unheld, NULL);
 }
 
 static void clean_and_die(int number)
@@ -51,7 +92,8 @@ void system_ending_deadline(double seconds, const char *line)
 
 void system_ending_guard(void (*clean)(void))
 {
-    static const int deadly[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+    ending.holders = 0; // those of the process that forked this one
+    ending.ends = false;
     ending.clean = clean;
     ending.owner = getpid();
     for (size_t i = 0; i < sizeof deadly / sizeof *deadly; i++) {

@@ -5,19 +5,44 @@
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
 
+#include <stdatomic.h>
+#include <stdbool.h>
 #include <string.h>
+
+enum { PATIENCE_MS = 1000 };
 
 static struct {
     void (*clean)(void);
     const char *late;
     DWORD milliseconds;
+    _Atomic int holders;
+    _Atomic bool ends;
 } ending;
 
 static void clean_up(void)
 {
-    if (ending.clean) {
-        ending.clean();
+    if (!ending.clean) {
+        return;
     }
+    ending.ends = true; // who holds counts first and looks at this then
+    for (int i = 0; i < PATIENCE_MS && ending.holders > 0; i++) {
+        Sleep(1);
+    }
+    ending.clean();
+}
+
+void system_ending_hold(void)
+{
+    ending.holders++;
+    if (ending.ends) {
+        ending.holders--;
+        Sleep(INFINITE);
+    }
+}
+
+void system_ending_release(void)
+{
+    ending.holders--;
 }
 
 static BOOL WINAPI hear(DWORD event)

@@ -53,11 +53,14 @@ def _name(file: BinaryIO, name: str) -> None:
         os.close(folder)
 
 
-def _replace(temporary: str, target: str) -> None:
+@contextlib.contextmanager
+def _gone_unless_whole(temporary: str) -> Iterator[None]:
+    """Removes it where the block is left by an exception: Ctrl-C comes just when it has its name, too."""
     try:
-        os.replace(temporary, target)
+        yield
     except BaseException:
-        os.unlink(temporary)
+        with contextlib.suppress(FileNotFoundError):
+            os.unlink(temporary)
         raise
 
 
@@ -68,25 +71,21 @@ def _name_whole(file: BinaryIO, target: str, temporary: str, new: bool) -> None:
     except FileExistsError:
         if new:
             raise
-        _name(file, temporary)
-        _replace(temporary, target)
+        with _gone_unless_whole(temporary):
+            _name(file, temporary)
+            os.replace(temporary, target)
 
 
 @contextlib.contextmanager
 def _named(target: str, temporary: str, new: bool) -> Iterator[BinaryIO]:
     # What others may do with it is the system's to say: to ask for the process's mask is to change it for other threads.
-    file = open(temporary, "xb")
-    try:
-        with file:
+    with _gone_unless_whole(temporary):
+        with open(temporary, "xb") as file:
             yield file
         if new:
             _put_in_place(temporary, target)
         else:
             os.replace(temporary, target)
-    except BaseException:
-        with contextlib.suppress(FileNotFoundError):
-            os.unlink(temporary)
-        raise
 
 
 @contextlib.contextmanager

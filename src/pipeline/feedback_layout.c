@@ -5,15 +5,12 @@
 #include "context/misuse.h"
 #include "shaded_vertex.h"
 
-// Return the floats that the vertex function writes of a source.
+// Return the floats that the vertex function writes of a source, which is one that the program has.
 static int components_of(const struct rhw_program *program, const struct rhw_feedback_output *output)
 {
     switch (output->source) {
     case RHW_FEEDBACK_POSITION: return 4;
-    case RHW_FEEDBACK_VARYING:
-        return output->index >= 0 && output->index < program->varying_count
-                   ? program->varyings[output->index].components
-                   : 0;
+    case RHW_FEEDBACK_VARYING: return program->varyings[output->index].components;
     case RHW_FEEDBACK_POINT_SIZE: return program->writes_point_size ? 1 : 0;
     case RHW_FEEDBACK_CLIP_DISTANCES: return program->clip_distance_count;
     case RHW_FEEDBACK_CULL_DISTANCES: return program->cull_distance_count;

@@ -40,6 +40,7 @@ check "completion of verbs" test "$(bash_says '')" = "$(printf '%s\n' $verbs hel
 check "completion of help" test "$(bash_says help '')" = "$(printf '%s\n' $verbs | sort | tr '\n' ' ')"
 check "completion of a beginning" test "$(bash_says he)$(bash_says explain --si)$(bash_says view --full)" = "help --size --fullscreen "
 check "completion of a value" test "$(bash_says explain --samples 1)" = "1 16 "
+check "completion behind =" test "$(bash_says explain --samples = 1)$(bash_says view --fit =)$(bash_says render --bits =)" = "1 16 all 16 8 "
 check "completion within a list" test "$(bash_says render --output depth,n)" = "depth,normal "
 mkdir made
 check "completions are made" "$root/script/completions" "$rhw" made
@@ -48,16 +49,40 @@ for file in rhw.bash _rhw rhw.fish; do
 done
 rm -r made
 if command -v zsh >/dev/null 2>&1; then
-    check "zsh reads its completion" zsh -n "$root/tools/rhw/completion/_rhw"
+    : >model.glb
+    PATH=$(dirname "$rhw"):$PATH "$root/tests/program/zsh_completion.py" "$root/tools/rhw/completion" 'rhw ' 'rhw help ' \
+        'rhw info --' 'rhw explain --siz' 'rhw explain --wireframe=' 'rhw view --samples ' 'rhw view mod' 'rhw view --full' \
+        'rhw render --stats=mod' 'rhw render --output=depth,n' 'rhw render --output depth,n' 'rhw bench --scene fill_c' >said 2>&1
+    cat >want <<'SAID'
+--help --version bench compare explain help info render thumbs view
+bench compare explain info render thumbs view
+--help --json
+--size
+over plain
+1 16 2 4 8
+model.glb
+--fullscreen
+model.glb
+normal
+normal
+fill_color
+SAID
+    check "zsh completes: $(diff said want)" cmp said want
+    rm model.glb said want
 fi
 if command -v fish >/dev/null 2>&1; then
     export HOME="$folder/work"
     fish_says() { # WORDS: how fish completes them, a line each
-        fish --no-config -c "source $root/tools/rhw/completion/rhw.fish; complete -C '$1'" | cut -f 1 | tr '\n' ' '
+        fish --no-config -c "source $root/tools/rhw/completion/rhw.fish; complete -C '$1'" 2>&1 | cut -f 1 | tr '\n' ' '
     }
     check "fish: verbs" test "$(fish_says 'rhw ')" = "bench compare explain help info render thumbs view "
     check "fish: options" test "$(fish_says 'rhw info --')" = "--help --json "
     check "fish: options of render" test "$(fish_says 'rhw explain --siz')" = "--size "
+    check "fish: a verb's name elsewhere" test "$(fish_says 'rhw info view --')" = "--help --json "
+    : >model.glb
+    check "fish: values" test "$(fish_says 'rhw view --samples ')$(fish_says 'rhw explain --fit=')" = "1 2 4 8 16 --fit=all "
+    check "fish: files" test "$(fish_says 'rhw explain mod')$(fish_says 'rhw render --stats=mod')" = "model.glb --stats=model.glb "
+    rm model.glb
     check "fish: verbs of help" test "$(fish_says 'rhw help ')" = "bench compare explain info render thumbs view "
     check "fish: within a list" test "$(fish_says 'rhw render --output depth,n')" = "depth,normal "
 fi

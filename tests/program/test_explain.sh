@@ -51,6 +51,7 @@ cp "$folder/log/out" told.txt
 check "names the pixel" grep -q '^floor.obj: pixel (80, 100) of 160x120, sample 0 of 4, is #' told.txt
 check "the background first" grep -q '^  1. the background: written$' told.txt
 check "what it was before" grep -q '^     color (.*), which it was cleared to, becomes (' told.txt
+check "what its shader gave" grep -Eq '^     color \(.*\) becomes \(.*\); its shader gave \([^()]*\)$' told.txt
 check "the floor" grep -Eq '[0-9]\. floor, triangle [01], (front|back): depth 0\.[0-9]+, there is 0' told.txt
 check "the cellar is hidden, or drawn over" grep -Eq 'cellar, triangle [01]' told.txt
 check "the glass is seen" grep -q '^What is seen: glass, triangle' told.txt
@@ -170,6 +171,7 @@ f 5 6 7 8
 OBJ
 beside="--size 81 --camera -3,0,10,-3,0,0,0,1,0,40"
 succeed explain wall.obj --at 73,40 $beside
+check "no more lights than there are" sh -c "! grep -Eq '^    and [0-9]+ more$' '$folder/log/out'"
 check "ambient occlusion beside a wall" grep -Eq '^    of which ambient occlusion leaves (6[2-9]|7[0-9])\.[0-9]* %$' "$folder/log/out"
 succeed explain wall.obj --at 35,40 $beside --lights none
 check "and far from it" grep -Eq '^of which ambient occlusion leaves (100|99\.[0-9]*) %\.$' "$folder/log/out"

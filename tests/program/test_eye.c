@@ -136,6 +136,27 @@ static void test_orbit_and_flight(void **state)
     assert_close(eye.target[2], -1.0);
 }
 
+// However far it is turned. The unit vector along (1, 1, 1) is longer than 1 by a rounding, which has no arcsine.
+static void test_turning_stops_before_straight_up(void **state)
+{
+    (void)state;
+    const double steep = sin(89.5 / 180.0 * 3.14159265358979323846), part = 1.0 / sqrt(3.0);
+    const double diagonal[3] = {part, part, part};
+    struct view_eye eye = see(false, 5.0);
+    view_eye_turn(&eye, vertical, 0.0, 9.0);
+    assert_true(fabs((eye.target[1] - eye.eye[1]) / distance_of(&eye) - steep) < 1e-6);
+    eye = see(false, 5.0);
+    for (int c = 0; c < 3; c++) {
+        eye.target[c] = eye.eye[c] + 1.0;
+    }
+    view_eye_turn(&eye, diagonal, 0.0, 0.0);
+    double rise = 0.0;
+    for (int c = 0; c < 3; c++) {
+        rise += part * (eye.target[c] - eye.eye[c]);
+    }
+    assert_true(fabs(rise / distance_of(&eye) - steep) < 1e-6);
+}
+
 // The ball touches the picture's edge and no more, in wide and in narrow pictures.
 static void test_fit_shows_the_ball(void **state)
 {
@@ -162,6 +183,7 @@ int main(void)
         cmocka_unit_test(test_zoom_keeps_what_is_under_the_pointer),
         cmocka_unit_test(test_pan_follows_the_pointer),
         cmocka_unit_test(test_orbit_and_flight),
+        cmocka_unit_test(test_turning_stops_before_straight_up),
         cmocka_unit_test(test_fit_shows_the_ball),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -91,6 +91,16 @@ check "half a turn" "$rhw" compare t-0000.png t-0002.png --tolerance 1/1000 >"$f
 succeed render cube.obj -o 'c-{frame}.png' --turntable 4 --size 48
 check "but another colour" sh -c '! cmp -s c-0000.png c-0001.png'
 
+# A picture a second, or a slower one, is a sequence too.
+printf '\000\000\200\100' | dd of=move.bin bs=1 seek=40 conv=notrunc 2>/dev/null # the last key comes after 4 seconds
+sed -i 's/"max": \[1\]/"max": [4]/' move.gltf
+for rate in 1 0.5; do
+    succeed render move.gltf -o "r$rate-{frame}.png" --animate $rate --size 8
+done
+check "a picture a second" test "$(find . -name 'r1-*.png' | wc -l)" = 4
+check "one in two seconds" test "$(find . -name 'r0.5-*.png' | wc -l)" = 2
+make_moving move
+
 # A bar on a terminal, and on nothing else.
 if command -v script >/dev/null 2>&1; then
     script -qec "$rhw render move.gltf -o bar.png --animate 4 --size 16" /dev/null </dev/null >bar.txt 2>&1

@@ -71,6 +71,35 @@ run info --json sampled.gltf
 check "JSON of a sampler" grep -q '"normal_image": 0, "normal_sampler": {"min": "linear", "mag": "nearest", "mip": "none", "u": "mirror", "v": "clamp"}' \
     "$folder/log/out"
 
+
+# What a mesh has, what an image is used for, and every number of a light.
+cat >lit.gltf <<'END'
+{"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_lights_punctual"],
+ "extensions": {"KHR_lights_punctual": {"lights": [
+  {"type": "spot", "name": "lamp", "intensity": 5, "range": 7.5, "color": [1, 0.5, 0.25], "spot": {"outerConeAngle": 0.5}}]}},
+ "images": [{"uri": "dot.ppm"}, {"uri": "dot.ppm"}, {"uri": "dot.ppm"}],
+ "textures": [{"source": 0}, {"source": 1}, {"source": 2}],
+ "materials": [
+  {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}, "normalTexture": {"index": 1}, "emissiveTexture": {"index": 2}},
+  {"occlusionTexture": {"index": 2}}],
+ "meshes": [{"primitives": [
+  {"attributes": {"POSITION": 0, "NORMAL": 0, "TEXCOORD_0": 1, "TANGENT": 2}, "material": 0},
+  {"attributes": {"POSITION": 0}, "material": 1}]}],
+ "nodes": [{"mesh": 0}, {"extensions": {"KHR_lights_punctual": {"light": 0}}}], "scenes": [{"nodes": [0, 1]}], "scene": 0,
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+  {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC2"},
+  {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC4"}],
+ "bufferViews": [{"buffer": 0, "byteLength": 48}],
+ "buffers": [{"byteLength": 48, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/"}]}
+END
+run info lit.gltf
+check "what a mesh has" grep -q '^    0  1 triangles, 3 vertices, material 0, normals, tangents, uv 0$' "$folder/log/out"
+check "and has not" grep -q '^    1  1 triangles, 3 vertices, material 1, normals$' "$folder/log/out"
+check "uses of images" test "$(sed -n 's/^ *\([0-2]\)  1x1 RGBA8, \(.*\)  "dot.ppm"$/\1 \2;/p' "$folder/log/out" | tr '\n' ' ')" = \
+    "0 color; 1 data; 2 color and data; "
+run info --json lit.gltf
+check "JSON of a light" grep -q '{"name": "lamp", "type": "spot", .*"color": \[1, 0.5, 0.25\], "intensity": 5, "range": 7.5}' "$folder/log/out"
+
 # Source's models stand along z, and assimp leaves them so.
 cat >stands.smd <<'SMD'
 version 1

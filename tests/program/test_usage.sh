@@ -147,6 +147,9 @@ succeed render cube.obj --size 8 --thumb-mark=some -o th.png
 check "a mark" sh -c "tr '\\0' ' ' <th.png | grep -aq 'tEXtrhw thumbs some'"
 succeed render ./-dash.obj --siz 8 -o ./-dash.png
 
+# A name with what a terminal would obey is still one line.
+refuse 1 "a\?b\?\[1mc\?d.obj: cannot be opened: No such file or directory" render "$(printf 'a\nb\033[1mc\td.obj')" -o a.png
+
 # A second argument of an option that takes one is no model.
 refuse 2 "20: stands behind no option, so it is a model, and there is no such file" render cube.obj --orbit 30 20 -o a.png
 refuse 2 "20: stands behind no option, so it is a model" render cube.obj --orbit 30 20

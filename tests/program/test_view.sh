@@ -175,6 +175,8 @@ view cube.obj --samples 2
 shows_model
 seen "the picture of the beginning"
 first=$asked
+check "its line has what differs from what is usual: $first" sh -c \
+    "echo '$first' | grep -Eq '^render cube.obj --camera [-0-9.,e]+ --size ${WIDTH}x$HEIGHT --samples 2$'"
 key 2 "--output normal"
 key 3 "--output depth --bits 8"
 key 4 "--output uv"
@@ -220,6 +222,11 @@ moves orbit mousemove 160 120 mousedown 1 mousemove 190 130 mousemove 200 140 mo
 check "orbit keeps what is in the middle" test "$(echo "$asked" | cut -d , -f 4-6)" = "$(echo "$past" | cut -d , -f 4-6)"
 moves pan mousemove 160 120 mousedown 3 mousemove 190 130 mousemove 200 140 mouseup 3
 moves "look around" mousemove 160 120 mousedown 2 mousemove 170 130 mousemove 180 125 mouseup 2
+heading() { # COMMAND-LINE: of its camera around the vertical, in degrees
+    echo "${1#*--camera }" | awk -F , '{ print atan2($4 - $1, $6 - $3) * 45 / atan2(1, 1) }'
+}
+check "a drag over the window's height turns by 90 degrees" python3 -c \
+    "assert abs($(heading "$past") - $(heading "$asked") - 90 * 20 / $HEIGHT) < 1e-3"
 check "looking around keeps the place" test "$(echo "$asked" | cut -d , -f 1-3)" = "$(echo "$past" | cut -d , -f 1-3)"
 moves zoom mousemove 200 100 click 4
 moves fit key f

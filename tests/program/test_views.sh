@@ -34,6 +34,16 @@ refuse 2 "--views: 'top' stands there twice" render cube.obj -o a.png --views to
 refuse 2 "--views: '' is no view" render cube.obj -o a.png --views ''
 refuse 2 "--views: a sheet of 2x2 pictures of 9000x100 is larger than 16384" render cube.obj -o a.png \
     --size 9000x100 --views front,back,left,right
+succeed render cube.obj -o wide.png --size 8192x1 --views front,back
+check "as wide as may be: $(size_of wide.png)" test "$(size_of wide.png)" = 16384x1
+succeed render cube.obj -o high.png --size 1x8192 --views all
+check "as high as may be: $(size_of high.png)" test "$(size_of high.png)" = 4x16384
+rm wide.png high.png
+# The first view is drawn, but the sheet has no room. A sanitizer takes address space without a limit.
+if ! grep -aq __asan_init "$rhw" && ! grep -aq __tsan_init "$rhw"; then
+    refuse 1 "cube.obj: there is not enough memory for a sheet of 7 views" render cube.obj -o a.exr --size 512 --output all \
+        --views all --samples 1 --threads 1 --max-memory 192M
+fi
 refuse 2 "--orbit: cannot be together with --views" render cube.obj -o a.png --views top --orbit 3
 refuse 2 "--views: cannot be together with --camera-index" render cube.obj -o a.png --camera-index 0 --views top
 refuse 2 "--stats: cannot be together with --views" render cube.obj -o a.png --views top --stats

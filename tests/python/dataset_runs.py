@@ -12,8 +12,10 @@ import zlib
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from conftest import SANITIZED
+from rhw.dataset.main import main
 
 COMMAND = [sys.executable, "-B", "-m", "rhw.dataset"]
 
@@ -29,6 +31,13 @@ def run(*arguments, status=0):
     done = subprocess.run(command(*arguments), capture_output=True, text=True)
     assert done.returncode == status, done.stderr
     return done.stderr
+
+
+def say(capsys, *arguments):
+    """Runs it here: the exit status and what was said."""
+    with pytest.raises(SystemExit) as ended:
+        main([str(each) for each in arguments])
+    return ended.value.code, capsys.readouterr().err
 
 
 def start(*arguments):

@@ -1,104 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""What is wrong with a request, a model or a place is one line, and leaves nothing half done."""
+"""What is wrong with a model, a panorama or a place is one line, and leaves nothing half done."""
 
 import errno
-import json
 import os
-import re
 import shutil
 
 import pytest
 
-from dataset_runs import files, manifest, run
+from dataset_runs import files, manifest, run, say
 from rhw import _files
 from rhw.dataset import plan, work
 from rhw.dataset.cameras import Sphere
 from rhw.dataset.errors import Failure
-from rhw.dataset.main import main
 from rhw.dataset.plan import Plan, name_models
 from test_environment import radiance, sky
-
-POSE = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]]
-
-
-def say(capsys, *arguments):
-    """Runs it here: the exit status and what was said."""
-    with pytest.raises(SystemExit) as ended:
-        main([str(each) for each in arguments])
-    return ended.value.code, capsys.readouterr().err
-
-
-@pytest.mark.parametrize("arguments, line", [
-    ("", "no MODEL was given"),
-    ("m.obj", "--out: must say which folder"),
-    ("m.obj --out", "--out: expected one argument"),
-    ("m.obj --out o --nonsense", "unrecognized arguments: --nonsense"),
-    ("m.obj --out o --view 3", "unrecognized arguments: --view"),
-    ("m.obj m.obj --out o", "m.obj: is given twice"),
-    ("m.obj ./m.obj --out o", r"./m.obj: would have the name 'm.obj', as m.obj has"),
-    ("@nowhere.txt --out o", "No such file or directory: 'nowhere.txt'"),
-    ("m.obj --out o --views 0", "--views: must be a whole number from 1 to 10000000, not '0'"),
-    ("m.obj --out o --views 2.5", "--views: must be a whole number"),
-    ("m.obj --out o --size 0x3", "--size: must be WIDTHxHEIGHT or one number, of 1 to 16384, not '0x3'"),
-    ("m.obj --out o --size 20000", "--size: must be"),
-    ("m.obj --out o --outputs color,foo", "--outputs: 'foo' is not one of color, linear"),
-    ("m.obj --out o --outputs color,color:npz", "--outputs: 'color' is there twice"),
-    ("m.obj --out o --outputs distance:png", "--outputs: 'distance' is written as exr or npz, not as 'png'"),
-    ("m.obj --out o --outputs color:", "--outputs: 'color' is written as png or npz, not as ''"),
-    ("m.obj --out o --elevation 40,-40", "--elevation: must have the lower number first, not 40,-40"),
-    ("m.obj --out o --elevation -40,100", "--elevation: must lie between -90 and 90, not 100"),
-    ("m.obj --out o --elevation 1,2,3", "--elevation: must be 2 numbers with commas between, not '1,2,3'"),
-    ("m.obj --out o --fovy nan", "--fovy: must lie between 0.01 and 179, not nan"),
-    ("m.obj --out o --fovy wide", "--fovy: must be a number, not 'wide'"),
-    ("m.obj --out o --radius 0", "--radius: must lie between 0.001 and"),
-    ("m.obj --out o --radius 1 --distance 2", "--radius: says nothing beside --distance"),
-    ("m.obj --out o --center 1,2", "--center: must be 3 numbers"),
-    ("m.obj --out o --up w", "--up: invalid choice: 'w'"),
-    ("m.obj --out o --samples 3", "--samples: invalid choice: 3"),
-    ("m.obj --out o --background pink", "--background: must be rrggbb in hexadecimal"),
-    ("m.obj --out o --background environment", "--background: 'environment' needs --environment"),
-    ("m.obj --out o --environment-rotation -3", "--environment-rotation: needs --environment"),
-    ("m.obj --out o --environment x.hdr --environment-rotation nan", "--environment-rotation: must lie between"),
-    ("m.obj --out o --shadows maybe", "--shadows: must be on or off, not 'maybe'"),
-    ("m.obj --out o --threads 0", "-j/--threads: must be a whole number from 1 to 64, not '0'"),
-    ("m.obj --out o --shard 0/3", "--shard: must be NUMBER/COUNT, from 1/COUNT to COUNT/COUNT, not '0/3'"),
-    ("m.obj --out o --shard 4/3", "--shard: must be"),
-    ("m.obj --out o --shard 1/2 --scheduler tcp://x:1", "--shard: says nothing beside --scheduler"),
-    ("m.obj --out o --cameras c.json --views 3", "--views: says nothing beside --cameras"),
-    ("m.obj --verify o", "--verify OUT: needs no models"),
-])
-def test_a_wrong_command_line(arguments, line, tmp_path, monkeypatch, capsys):
-    monkeypatch.chdir(tmp_path)
-    status, said = say(capsys, *arguments.split())
-    assert status == 2 and re.fullmatch(r"rhw\.dataset: .*\n", said) and line in said
-    assert os.listdir(tmp_path) == []
-
-
-@pytest.mark.parametrize("about, line", [
-    ("{", "c.json: is not JSON"),
-    ("[]", "c.json: must be a JSON object"),
-    ({}, "c.json: frames: must be a list of cameras"),
-    ({"frames": []}, "c.json: frames: must be a list of cameras"),
-    ({"frames": [7]}, "c.json: frames[0]: must be an object with transform_matrix"),
-    ({"fl_x": 9, "frames": [{}]}, "c.json: frames[0]: transform_matrix: must be 4 rows of 4 numbers"),
-    ({"fl_x": 9, "frames": [{"transform_matrix": POSE}, {"transform_matrix": [[1, 2], 3, 4]}]}, "frames[1]: transform_matrix: must be"),
-    ({"fl_x": 9, "frames": [{"transform_matrix": [[2, 0, 0, 0], *POSE[1:]]}]}, "transform_matrix: must turn and move"),
-    ({"fl_x": 9, "frames": [{"transform_matrix": [[-1, 0, 0, 0], *POSE[1:]]}]}, "transform_matrix: must turn and move"),
-    ({"fl_x": 9, "frames": [{"transform_matrix": [["1", 0, 0, 0], *POSE[1:]]}]}, "must be a number from -1e+30 to 1e+30, not '1'"),
-    ({"frames": [{"transform_matrix": POSE}]}, "frames[0]: fl_x or camera_angle_x: must say what the lens is"),
-    ({"fl_x": 9, "k1": 0.1, "frames": [{"transform_matrix": POSE}]}, "frames[0]: k1: distortion of a lens is not drawn"),
-    ({"fl_x": 9, "w": 10, "h": 20, "frames": [{"transform_matrix": POSE}]}, "w, h: are 10, 20, which is no scaled 64, 48"),
-    ({"fl_x": 9, "w": 0, "h": 0, "frames": [{"transform_matrix": POSE}]}, "w: must be a number from 1 to 16384, not 0"),
-    ("[" * 100000, "c.json: is damaged"),
-    ({"fl_x": float("nan"), "frames": [{"transform_matrix": POSE}]}, "fl_x: must be a number"),
-    ({"camera_angle_x": 4, "frames": [{"transform_matrix": POSE}]}, "camera_angle_x: must be a number from 0.0001 to 3.1, not 4"),
-])
-def test_a_wrong_file_of_cameras(about, line, tmp_path, monkeypatch, capsys):
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "c.json").write_text(about if isinstance(about, str) else json.dumps(about))
-    status, said = say(capsys, "m.obj", "--cameras", "c.json", "--size", "64x48", "--out", "o")
-    assert status == 1 and re.fullmatch(r"rhw\.dataset: .*\n", said) and line in said
-    assert os.listdir(tmp_path) == ["c.json"]
 
 
 def test_a_wrong_panorama(boxes, tmp_path, capsys):

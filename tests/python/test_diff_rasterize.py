@@ -125,6 +125,8 @@ def test_interpolation(seed, diff_attrs, shared):
     assert values.shape == wanted[0].shape and slopes.shape == wanted[1].shape
     assert np.allclose(values, wanted[0], atol=1e-5) and np.allclose(slopes, wanted[1], rtol=1e-4, atol=1e-4)
 
+    assert np.array_equal(dr.interpolate(attr[..., :1], rast, tri)[0], values[..., :1])  # one alone
+
     to_values, to_slopes = random_like(values), random_like(slopes, 10)
     to_attr, to_rast, to_db = dr.interpolate_grad(attr, rast, tri, to_values, rast_db, to_slopes, diff_attrs)
 

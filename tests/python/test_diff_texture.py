@@ -102,6 +102,14 @@ def test_flat_textures(seed, filter_mode, boundary):
         assert not to_da.any() and not to_bias.any()
 
 
+@pytest.mark.parametrize("boundary, ends", [("wrap", [-1e-30, -1.25, 1, 2]), ("clamp", [1, 1e30, -1e30, -0.0])])
+def test_nearest_at_the_ends(boundary, ends):
+    """Two coordinates that read the last texel of a row of three, and two that read the first, just there or far away."""
+    tex, uv = np.float32([[[[5], [6], [7]]]]), np.float32([[[[end, 0.5] for end in ends]]])
+    read = dr.texture(tex, uv, filter_mode="nearest", boundary_mode=boundary)
+    assert read[0, 0, :, 0].tolist() == [7, 7, 5, 5]
+
+
 def test_levels_of_ones_own():
     tex, uv, uv_da, _ = scene(7)
     mip = [np.random.default_rng(k).normal(size=(2, 16 >> k, 32 >> k, 3)).astype(np.float32) for k in (1, 2)]

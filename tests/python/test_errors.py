@@ -67,6 +67,7 @@ model = rhw.Model(V, F)
     (lambda: rhw.Camera.look_at((0, 0, 1), (0, 0, 0), fovy=180), ValueError, "fovy: must lie between 0.01 and 179"),
     (lambda: rhw.Camera.from_matrix(np.eye(3)), ValueError, r"pose: must have the shape \(4, 4\)"),
     (lambda: rhw.Camera.from_matrix(2 * np.eye(4)), ValueError, "pose: must turn and move"),
+    (lambda: rhw.Camera.from_matrix(np.diag([-1, 1, 1, 1])), ValueError, "pose: must turn and move, not scale, shear or mirror"),
     (lambda: rhw.Camera.from_matrix(np.eye(4)[[0, 1, 2, 0]]), ValueError, r"pose: its last row must be 0, 0, 0, 1, not \[1.0, 0"),
     (lambda: rhw.Camera.from_matrix(np.eye(4), near=5, far=2), ValueError, "near: must be less than far, 2, not 5"),
     (lambda: rhw.Camera.from_matrix(np.eye(4), near=5, far=5), ValueError, "near: must be less than far, 5, not 5"),
@@ -108,6 +109,47 @@ def test_a_file_takes_its_place_whole(tmp_path, monkeypatch, is_named):
     with pytest.raises(KeyError), _files.replacing(place) as file:
         raise KeyError
     assert place.read_bytes() == b"second" and list(tmp_path.iterdir()) == [place]
+
+
+@pytest.mark.parametrize("step", ["open", "_name"])
+def test_ctrl_c_just_when_a_file_has_a_name(tmp_path, monkeypatch, step):
+    """The older file stays, and no other is there."""
+    def interrupted(*arguments):
+        if _files.TEMPORARY in str(arguments):
+            made.append(work(*arguments))
+            raise KeyboardInterrupt
+        return work(*arguments)
+
+    made, work = [], getattr(_files, step, open)
+    (tmp_path / "file").write_bytes(b"older")
+    monkeypatch.setattr(_files, step, interrupted, raising=False)
+    unnamed = _files._open_unnamed(os.fspath(tmp_path))
+    if unnamed is not None:
+        unnamed.close()
+    elif step == "_name":
+        pytest.skip("this system has no files without a name")
+    if step == "open":
+        monkeypatch.setattr(_files, "_open_unnamed", lambda folder: None)
+    with pytest.raises(KeyboardInterrupt):
+        _files.write(tmp_path / "file", b"newer")
+    assert len(made) == 1 and list(tmp_path.iterdir()) == [tmp_path / "file"]
+    assert (tmp_path / "file").read_bytes() == b"older"
+    if step == "open":
+        made[0].close()
+
+
+def test_a_file_is_replaced_and_a_pipe_is_written(tmp_path):
+    """What has another name too keeps its bytes under that."""
+    place, other, pipe = tmp_path / "file", tmp_path / "other", tmp_path / "pipe"
+    place.write_bytes(b"older")
+    os.link(place, other)
+    _files.write(place, b"newer")
+    assert (place.read_bytes(), other.read_bytes()) == (b"newer", b"older")
+    os.mkfifo(pipe)
+    end = os.open(pipe, os.O_RDWR)
+    _files.write(pipe, b"through")
+    assert os.read(end, 100) == b"through"
+    os.close(end)
 
 
 def test_a_killed_process_leaves_no_file(tmp_path):
@@ -205,6 +247,7 @@ def test_other_threads_run_meanwhile():
 
 def test_contexts_of_a_thread():
     """It has one for each number of threads that draw, and they are its own."""
+    assert rhw.Context(isa=None).isa == rhw.Context().isa
     two, others = _threads.context(2), []
     assert two.threads == 2 and two is _threads.context(2) and two is not _threads.context()
     thread = threading.Thread(target=lambda: others.append(_threads.context(2)))

@@ -4,6 +4,7 @@
 import ctypes
 import gc
 import os
+import sys
 import warnings
 
 import numpy as np
@@ -41,16 +42,17 @@ def bytes_in_use():
 
 
 V = np.random.default_rng(1).random((60, 3), np.float32)
+PLACES = V.astype(np.float64)
 F = np.arange(60, dtype=np.uint32).reshape(-1, 3)
 NOBODY = ((0.0,) * 3,) * 3 + (False, 0.0, 0.0, 0.0, 0.0, 1.0, (0.0, 0.0))
 MATERIAL = ("m", (1.0,) * 4, (0.0,) * 3, 0.0, 0.5, 0, 0.5, False, True, -1)
-WORLD = np.eye(4, dtype=np.float32)
+WORLD = np.eye(4)
 context = rhw.Context(threads=2)
 model = rhw.Model(V, F)
 
 
 def made(faces=F, node=0, last=()):
-    return _rhw.make("m", 0, (("mesh", 3, True, 0, V, None, None, None, faces),), (MATERIAL,), (), (("n", node, WORLD), *last))
+    return _rhw.make("m", 0, (("mesh", 3, True, 0, PLACES, None, None, None, faces),), (MATERIAL,), (), (("n", node, WORLD), *last))
 
 
 def bad_camera():
@@ -65,9 +67,6 @@ def torn_pass():
 
 
 @pytest.mark.parametrize("times, call", [
-    (60, lambda: made(faces=F + 1)),
-    (60, lambda: made(node=7)),
-    (60, lambda: made(last=(3,))),
     (60, lambda: rhw.Model(V, F, colors=V[:7])),
     (60, lambda: rhw.load("/nowhere")),
     (30, lambda: rhw.load(__file__)),
@@ -88,6 +87,16 @@ def torn_pass():
 ])
 def test_what_fails(times, call):
     check(times, call, fails=True)
+
+
+@pytest.mark.parametrize("word, call", [
+    ("index 60 of 60", lambda: made(faces=F + 1)),
+    ("mesh 7 of 1", lambda: made(node=7)),
+    ("instances: ", lambda: made(last=(3,))),
+])
+def test_a_bad_model(word, call):
+    """Its words say that it is refused for what is wrong with it, behind all that is right."""
+    check(60, call, fails=True, word=word)
 
 
 def test_a_bad_camera():
@@ -120,6 +129,24 @@ def drawn_pass():
 ])
 def test_what_ends(times, call):
     check(times, call, fails=False)
+
+
+@pytest.mark.parametrize("make", [
+    lambda: rhw.Context(threads=1),
+    made,
+    lambda: _rhw.Scene(context, model._model),
+    lambda: _rhw.panorama(np.ones((1, 2, 4), np.float32)),
+    lambda: _rhw.sampler(context, 0, 0, 1.0),
+    lambda: _rhw.panorama_texels(_rhw.panorama(np.ones((1, 2, 4), np.float32))),
+])
+def test_objects_leave_their_type(make):
+    """Each keeps its type as long as it lives, and is too small for the pages of Python's own memory to tell that it is gone."""
+    kind = type(make())
+    before = sys.getrefcount(kind)
+    for _ in range(8):
+        make()
+    gc.collect()
+    assert sys.getrefcount(kind) == before
 
 
 def check(times, call, fails, word=""):

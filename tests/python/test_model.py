@@ -207,6 +207,8 @@ def test_trimesh_materials(square):
     made = rhw.Model(mesh).materials[0]
     assert np.allclose(made.base_color, (0.2, 0.4, 0.6, 1)) and np.allclose(made.emissive, (0, 0.5, 0))
     assert (made.metallic, made.roughness, made.alpha_mode) == (1, 0.25, "mask")
+    floats = Trimesh(vertices, faces, Visual("texture", uv=None, material=Visual(**{**told, "baseColorFactor": np.array([0.2, 0.4, 0.6, 1])})))
+    assert np.allclose(rhw.Model(floats).materials[0].base_color, (0.2, 0.4, 0.6, 1))
     said = rhw.Model(mesh, color=(1, 0, 0), metallic=0.5, alpha="opaque").materials[0]
     assert (said.base_color, said.metallic, said.roughness, said.alpha_mode) == ((1, 0, 0, 1), 0.5, 0.25, "opaque")
     plain = Trimesh(vertices, faces, Visual("texture", uv=None, material=Visual(diffuse=np.array([255, 188, 0, 255], np.uint8))))

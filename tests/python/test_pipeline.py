@@ -50,6 +50,13 @@ def test_values():
     assert np.allclose(got["position"], np.stack([2 * x, 3 * y, 0 * x + 0.25, 0 * x + 1], -1), atol=1e-5)
 
 
+def test_one_output_alone():
+    """Where nothing else goes to the fragments with it."""
+    assert np.allclose(draw_one({"normal": "rgba32_float"}, normals=np.full((4, 3), 2.0))["normal"][..., :3], 3**-0.5)
+    assert np.allclose(draw_one({"uv": "rg32_float"}, uv=np.full((4, 2), 0.75))["uv"], 0.75)
+    assert np.allclose(draw_one({"position": "rgba32_float"})["position"][..., 2], 0.25)
+
+
 def test_perspective():
     """Smooth, noperspective and flat, on a triangle with three different W."""
     positions = np.array([[-1, -1, 0, 1], [4, -4, 0, 4], [-2, 2, 0, 2]], np.float32)

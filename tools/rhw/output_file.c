@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Temporary file beside the target, which gets its name at the end; see output_file.h. Signals need the one piece of
 // process-wide state in the program: a fixed list of names that the handler, which may call nothing but
-// async-signal-safe functions, can walk and unlink. Files may be open in several threads.
+// async-signal-safe functions, can walk and unlink. Files may be open in several threads. A name is in the list just as long
+// as its file is there and ours: the program does not end between one and the other.
 #include "output_file.h"
 
 #include "ending.h"
@@ -13,7 +14,6 @@
 #include <errno.h>
 #include <libgen.h>
 #include <pthread.h>
-#include <signal.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -28,15 +28,13 @@ enum {
 };
 
 static struct {
-    const char *volatile names[PENDING_MAX]; // NULL: free; the strings outlive their entry
-    volatile sig_atomic_t dying;
-    char late[512];       // what is said at the deadline
-    pthread_mutex_t lock; // of taking an entry
+    const char *names[PENDING_MAX]; // NULL: free; of whoever holds the program's end
+    char late[512];                 // what is said at the deadline
+    pthread_mutex_t lock;           // of taking an entry
 } pending = {.lock = PTHREAD_MUTEX_INITIALIZER};
 
 static void remove_pending(void)
 {
-    pending.dying = 1;
     for (int i = 0; i < PENDING_MAX; i++) {
         if (pending.names[i]) {
             unlink(pending.names[i]);
@@ -195,7 +193,7 @@ static int give_name(const char *name, int descriptor)
     return system_temporary_file_name(descriptor, name) ? 0 : -1;
 }
 
-// From now on a signal removes the file. False where too many are open.
+// From now on a signal removes the file. False, and it is removed, where too many are open.
 static bool guard(struct cli_output_file *file)
 {
     pthread_mutex_lock(&pending.lock);
@@ -206,8 +204,8 @@ static bool guard(struct cli_output_file *file)
         pending.names[file->pending] = file->temporary;
     }
     pthread_mutex_unlock(&pending.lock);
-    if (file->pending < 0 || pending.dying) {
-        unlink(file->temporary); // the handler may have been here
+    if (file->pending < 0) {
+        unlink(file->temporary);
     }
     return file->pending >= 0;
 }
@@ -230,13 +228,15 @@ static bool open_temporary(struct cli_output_file *file)
     if (file->descriptor >= 0) {
         return true;
     }
+    system_ending_hold();
     file->descriptor = make_named(file->target, create, -1, &file->temporary);
-    if (file->descriptor >= 0 && !guard(file)) {
+    const bool made = file->descriptor >= 0, guarded = made && guard(file);
+    if (made && !guarded) {
         forget_temporary(file);
         errno = EMFILE;
-        return false;
     }
-    return file->descriptor >= 0;
+    system_ending_release();
+    return guarded;
 }
 
 static int open_target(struct cli_output_file *file)
@@ -313,9 +313,25 @@ static bool take_name(struct cli_output_file *file)
     return replaced;
 }
 
+static void drop_temporary(struct cli_output_file *file)
+{
+    if (file->temporary) {
+        unlink(file->temporary);
+        forget_temporary(file);
+    }
+}
+
 bool cli_output_file_commit(struct cli_output_file *file)
 {
-    const bool named = !file->target || take_name(file) || report(file->path);
+    system_ending_hold();
+    const bool named = !file->target || take_name(file);
+    const int cause = errno;
+    drop_temporary(file);
+    system_ending_release();
+    if (!named) {
+        errno = cause;
+        report(file->path);
+    }
     cli_output_file_discard(file);
     return named;
 }
@@ -325,10 +341,9 @@ void cli_output_file_discard(struct cli_output_file *file)
     if (file->stream) {
         fclose(file->stream);
     }
-    if (file->temporary) {
-        unlink(file->temporary);
-        forget_temporary(file);
-    }
+    system_ending_hold();
+    drop_temporary(file);
+    system_ending_release();
     if (file->descriptor >= 0) {
         close(file->descriptor);
     }

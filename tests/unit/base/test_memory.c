@@ -162,31 +162,50 @@ static enum rhw_result make_pipelines(struct work *work)
     return rhw_pipeline_create(work->context, &def, &work->pipelines[1]);
 }
 
-static enum rhw_result draw_everything(struct work *work)
+static enum rhw_result begin_draws(struct work *work, int samples, rhw_pass *pass)
 {
     struct rhw_pass_def def = rhw_pass_def_default();
+    def.samples = samples;
     def.colors[0].texture = work->color;
     def.color_count = 1;
     def.depth = (struct rhw_depth_attachment){.enabled = true, .texture = work->depth, .clear = 1};
+    const enum rhw_result result = rhw_pass_begin(work->context, &def, pass);
+    if (result == RHW_OK) {
+        rhw_pass_set_vertex_buffer(work->context, *pass, 0, work->vertices, 0);
+        rhw_pass_set_index_buffer(work->context, *pass, work->indices, RHW_INDEX_UINT16, 0);
+        rhw_pass_set_texture(work->context, *pass, 0, work->image, work->sampler);
+    }
+    return result;
+}
+
+static void record_draw(struct work *work, rhw_pass pass, int i)
+{
+    const struct texture_uniforms uniforms = {(float)i};
+    rhw_pass_set_uniforms(work->context, pass, &uniforms, sizeof uniforms);
+    rhw_pass_set_pipeline(work->context, pass, work->pipelines[i & 1]);
+    if (i & 1) {
+        rhw_pass_draw_indexed(work->context, pass, 0, VERTICES, 0, 0, 1);
+    } else {
+        rhw_pass_draw(work->context, pass, 0, VERTICES, 0, 1);
+    }
+}
+
+static enum rhw_result draw_some(struct work *work, int samples, int draws)
+{
     rhw_pass pass;
-    const enum rhw_result result = rhw_pass_begin(work->context, &def, &pass);
+    const enum rhw_result result = begin_draws(work, samples, &pass);
     if (result != RHW_OK) {
         return result;
     }
-    rhw_pass_set_vertex_buffer(work->context, pass, 0, work->vertices, 0);
-    rhw_pass_set_index_buffer(work->context, pass, work->indices, RHW_INDEX_UINT16, 0);
-    rhw_pass_set_texture(work->context, pass, 0, work->image, work->sampler);
-    for (int i = 0; i < DRAWS; i++) {
-        const struct texture_uniforms uniforms = {(float)i};
-        rhw_pass_set_uniforms(work->context, pass, &uniforms, sizeof uniforms);
-        rhw_pass_set_pipeline(work->context, pass, work->pipelines[i & 1]);
-        if (i & 1) {
-            rhw_pass_draw_indexed(work->context, pass, 0, VERTICES, 0, 0, 1);
-        } else {
-            rhw_pass_draw(work->context, pass, 0, VERTICES, 0, 1);
-        }
+    for (int i = 0; i < draws; i++) {
+        record_draw(work, pass, i);
     }
     return rhw_pass_end(work->context, pass, NULL);
+}
+
+static enum rhw_result draw_everything(struct work *work)
+{
+    return draw_some(work, 1, DRAWS);
 }
 
 static enum rhw_result do_everything(struct meter *meter, struct rig *rig, int threads)
@@ -290,6 +309,127 @@ static void test_out_of_memory_from_then_on(void **state)
     check_out_of_memory(3, true);
 }
 
+static rhw_texture make_texture(rhw_context *context, int size)
+{
+    struct rhw_texture_def def = rhw_texture_def_default();
+    def.format = RHW_FORMAT_RGBA8_UNORM;
+    def.width = def.height = size;
+    rhw_texture texture;
+    assert_int_equal(rhw_texture_create(context, &def, &texture), RHW_OK);
+    return texture;
+}
+
+// One allocation after the other fails while a context that validates is created.
+static void test_validation_out_of_memory(void **state)
+{
+    (void)state;
+    struct meter meter;
+    enum rhw_result result = RHW_ERROR_OUT_OF_MEMORY;
+    for (int fail_at = 0; result != RHW_OK; fail_at++) {
+        meter = (struct meter){.fail_at = fail_at};
+        const struct rhw_context_def def = {
+            .threads = 1, .validate = RHW_VALIDATE_ON, .allocator = {take, give, &meter}};
+        rhw_context *context;
+        result = rhw_context_create(&def, &context);
+        assert_int_equal(result, fail_at < meter.calls ? RHW_ERROR_OUT_OF_MEMORY : RHW_OK);
+        rhw_context_destroy(context);
+        expect_all_returned(&meter);
+    }
+}
+
+// When there is no memory for more samples, passes with as many as before can still be drawn.
+static void test_more_samples_out_of_memory(void **state)
+{
+    (void)state;
+    struct meter meter = {.fail_at = -1};
+    const struct rhw_context_def def = {.threads = 1, .allocator = {take, give, &meter}};
+    enum rhw_result result = RHW_ERROR_OUT_OF_MEMORY;
+    int failures = 0;
+    for (; result != RHW_OK; failures++) {
+        struct work work = {0};
+        assert_int_equal(rhw_context_create(&def, &work.context), RHW_OK);
+        assert_int_equal(make_objects(&work), RHW_OK);
+        assert_int_equal(make_pipelines(&work), RHW_OK);
+        assert_int_equal(draw_some(&work, 4, 1), RHW_OK);
+        meter.fail_at = meter.calls + failures;
+        result = draw_some(&work, 16, 1);
+        assert_int_equal(result, meter.calls > meter.fail_at ? RHW_ERROR_OUT_OF_MEMORY : RHW_OK);
+        meter.fail_at = -1;
+        assert_int_equal(draw_some(&work, 4, 1), RHW_OK);
+        rhw_context_destroy(work.context);
+        expect_all_returned(&meter);
+    }
+    assert_true(failures > 1);
+}
+
+// A texture that a recorded draw reads is written, so that it gets new memory, while the allocations fail one by one.
+static void test_renewed_textures_out_of_memory(void **state)
+{
+    (void)state;
+    enum { CHUNK = 16 }; // textures for which a context has room at once
+    static const unsigned char texels[SIZE * SIZE * 4];
+    struct meter meter = {.fail_at = -1};
+    const struct rhw_context_def def = {.threads = 1, .allocator = {take, give, &meter}};
+    struct work work = {0};
+    assert_int_equal(rhw_context_create(&def, &work.context), RHW_OK);
+    assert_int_equal(make_objects(&work), RHW_OK);
+    assert_int_equal(make_pipelines(&work), RHW_OK);
+    for (int i = 3; i < CHUNK; i++) {
+        (void)make_texture(work.context, 1);
+    }
+    rhw_pass pass;
+    assert_int_equal(begin_draws(&work, 1, &pass), RHW_OK);
+    record_draw(&work, pass, 0);
+    const size_t live = meter.live;
+    int failures = 0;
+    for (;; failures++) {
+        meter.fail_at = meter.calls + failures;
+        if (rhw_texture_write(work.context, work.image, 0, texels, 0) == RHW_OK) {
+            break;
+        }
+        assert_true(meter.live == live);
+    }
+    assert_int_equal(failures, 3); // the texture, its texels, and the room for what it was
+    rhw_pass_cancel(work.context, pass);
+    rhw_context_destroy(work.context);
+    expect_all_returned(&meter);
+}
+
+// The allocations of a view fail one by one.
+static void test_views_out_of_memory(void **state)
+{
+    (void)state;
+    struct meter meter = {.fail_at = -1};
+    const struct rhw_context_def def = {.threads = 1, .allocator = {take, give, &meter}};
+    rhw_context *context;
+    rhw_texture view;
+    assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
+    const struct rhw_texture_view_def view_def = {.texture = make_texture(context, 4), .label = "view"};
+    enum rhw_result result = RHW_ERROR_OUT_OF_MEMORY;
+    for (int fail_after = 0; result != RHW_OK; fail_after++) {
+        meter.fail_at = meter.calls + fail_after;
+        result = rhw_texture_view_create(context, &view_def, &view);
+        assert_int_equal(result, meter.calls > meter.fail_at ? RHW_ERROR_OUT_OF_MEMORY : RHW_OK);
+        assert_true((view.index != 0) == (result == RHW_OK));
+    }
+    assert_int_equal(rhw_texture_width(context, view, 0), 4);
+    rhw_context_destroy(context);
+    expect_all_returned(&meter);
+}
+
+// A block of no bytes is a valid one, of which hooks see a byte.
+static void test_blocks_of_nothing(void **state)
+{
+    (void)state;
+    struct meter meter = {.fail_at = -1};
+    struct rhw_memory memory = {.allocator = {take, give, &meter}};
+    void *const block = rhw_memory_allocate(&memory, 0, 8);
+    assert_non_null(block);
+    assert_true(meter.live == 1);
+    rhw_memory_release(&memory, block, 0);
+    expect_all_returned(&meter);
+}
+
 // A warm context draws the same frame again without asking for memory.
 static void test_warm_passes_do_not_allocate(void **state)
 {
@@ -352,16 +492,6 @@ static size_t resident(const void *block, size_t size)
 
 enum { LARGE = 4096, MEGABYTE = 1 << 20 };
 
-static rhw_texture make_texture(rhw_context *context, int size)
-{
-    struct rhw_texture_def def = rhw_texture_def_default();
-    def.format = RHW_FORMAT_RGBA8_UNORM;
-    def.width = def.height = size;
-    rhw_texture texture;
-    assert_int_equal(rhw_texture_create(context, &def, &texture), RHW_OK);
-    return texture;
-}
-
 // 64 MiB that nobody has touched take none; a row that is written takes a huge page at most.
 static void test_what_is_created_takes_no_memory_yet(void **state)
 {
@@ -423,6 +553,11 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_everything_is_returned),
     cmocka_unit_test(test_out_of_memory_once),
     cmocka_unit_test(test_out_of_memory_from_then_on),
+    cmocka_unit_test(test_validation_out_of_memory),
+    cmocka_unit_test(test_more_samples_out_of_memory),
+    cmocka_unit_test(test_renewed_textures_out_of_memory),
+    cmocka_unit_test(test_views_out_of_memory),
+    cmocka_unit_test(test_blocks_of_nothing),
     cmocka_unit_test(test_warm_passes_do_not_allocate),
     cmocka_unit_test(test_the_stats_know_the_peak),
     cmocka_unit_test(test_what_is_created_takes_no_memory_yet),

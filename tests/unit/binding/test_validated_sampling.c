@@ -185,6 +185,26 @@ static void test_levels_that_nobody_wrote(void **state)
     }
 }
 
+// A view counts as written in all its levels, and so does the texture from then on: which levels somebody wrote through
+// which of both is not followed.
+static void test_levels_behind_a_view(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_validated(&rig, NULL);
+    use_form(&rig, 0);
+    level_asked = 3;
+    const rhw_texture texture = make_texture(&rig);
+    const rhw_sampler sampler = make_sampler(&rig, RHW_MIP_FILTER_LINEAR);
+    const struct rhw_texture_view_def def = {.texture = texture, .level = 2, .levels = 2};
+    rhw_texture view;
+    assert_int_equal(rhw_texture_view_create(rig.context, &def, &view), RHW_OK);
+    assert_int_equal(draw(&rig, texture, sampler), RHW_OK);
+    assert_int_equal(draw(&rig, view, sampler), RHW_OK);
+    rhw_texture_destroy(rig.context, view);
+    rig_close(&rig);
+}
+
 static void sample_by_mask(struct rhw_fragment *groups, int count)
 {
     for (int g = 0; g < count; g++) {
@@ -235,6 +255,12 @@ static void test_levels_written_one_by_one(void **state)
     rig_end(&rig);
     level_asked = 2;
     assert_int_equal(draw(&rig, texture, sampler), RHW_OK);
+    // Of the two levels that are mixed the finer one is missing.
+    const rhw_texture gap = make_texture(&rig);
+    assert_int_equal(rhw_texture_write(rig.context, gap, 3, texels, 0), RHW_OK);
+    level_asked = 2.5f;
+    assert_int_equal(draw(&rig, gap, sampler), RHW_ERROR_MISUSE);
+    rig_expect_misuse(&rig, "samples level 2 of the texture in slot 3, which was never written");
     rig_close(&rig);
 }
 
@@ -383,6 +409,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_an_empty_slot),
     cmocka_unit_test(test_a_stride_without_room),
     cmocka_unit_test(test_levels_that_nobody_wrote),
+    cmocka_unit_test(test_levels_behind_a_view),
     cmocka_unit_test(test_references),
     cmocka_unit_test(test_levels_written_one_by_one),
     cmocka_unit_test(test_dead_lanes_do_not_count),

@@ -28,6 +28,14 @@ enum deed {
     READ_IDS,
     READ_BARYCENTRIC,
     READ_BARYCENTRIC_DERIVATIVES,
+    READ_SAMPLE_ID,
+    READ_SAMPLE_POSITION,
+    READ_SAMPLE_MASK,
+    READ_POINT_COORD,
+    READ_FULLY_COVERED,
+    READ_DEPTH_INPUT,
+    READ_STENCIL_INPUT,
+    READ_VIEWPORT_INDEX,
     READ_DEPTH,
     READ_VARYING,
     READ_DDX,
@@ -58,6 +66,14 @@ static void paint(struct rhw_fragment *groups, int count)
         case READ_IDS: extra = __builtin_convertvector(f->primitive, rhw_float); break;
         case READ_BARYCENTRIC: extra = f->barycentric_noperspective[1]; break;
         case READ_BARYCENTRIC_DERIVATIVES: extra = f->barycentric_ddy[2]; break;
+        case READ_SAMPLE_ID: extra = rhw_float_from_int(f->sample_id); break;
+        case READ_SAMPLE_POSITION: extra = f->sample_position[1]; break;
+        case READ_SAMPLE_MASK: extra = rhw_float_from_int(f->sample_mask & 1); break;
+        case READ_POINT_COORD: extra = f->point_coord[1]; break;
+        case READ_FULLY_COVERED: extra = rhw_float_from_int(f->fully_covered); break;
+        case READ_DEPTH_INPUT: extra = f->depth_input; break;
+        case READ_STENCIL_INPUT: extra = rhw_float_from_int(f->stencil_input); break;
+        case READ_VIEWPORT_INDEX: extra = rhw_float_from_int(f->viewport_index); break;
         case READ_DEPTH: extra = f->depth; break;
         case READ_VARYING: extra = f->varying[4]; break;
         case READ_DDX: extra = f->ddx[3]; break;
@@ -93,6 +109,14 @@ static void paint1(struct rhw_fragment1 *f)
     case READ_IDS: extra = (float)f->primitive; break;
     case READ_BARYCENTRIC: extra = f->barycentric_noperspective[1]; break;
     case READ_BARYCENTRIC_DERIVATIVES: extra = f->barycentric_ddy[2]; break;
+    case READ_SAMPLE_ID: extra = (float)f->sample_id; break;
+    case READ_SAMPLE_POSITION: extra = f->sample_position[1]; break;
+    case READ_SAMPLE_MASK: extra = (float)(f->sample_mask & 1); break;
+    case READ_POINT_COORD: extra = f->point_coord[1]; break;
+    case READ_FULLY_COVERED: extra = f->fully_covered; break;
+    case READ_DEPTH_INPUT: extra = f->depth_input; break;
+    case READ_STENCIL_INPUT: extra = (float)f->stencil_input; break;
+    case READ_VIEWPORT_INDEX: extra = (float)f->viewport_index; break;
     case READ_DEPTH: extra = f->depth; break;
     case READ_VARYING: extra = f->varying[4]; break;
     case READ_DDX: extra = f->ddx[3]; break;
@@ -115,7 +139,7 @@ static void paint1(struct rhw_fragment1 *f)
 
 static const struct {
     enum deed deed;
-    uint32_t uses;       // with which it is right
+    uint32_t uses;       // with which it is right; 0: with none that fits these passes
     const char *message; // NULL: nothing is wrong
 } deeds[] = {
     {NOTHING, 0, NULL},
@@ -126,6 +150,14 @@ static const struct {
     {READ_BARYCENTRIC, RHW_USE_BARYCENTRIC, "reads barycentric weights; RHW_USE_BARYCENTRIC is missing"},
     {READ_BARYCENTRIC_DERIVATIVES, RHW_USE_BARYCENTRIC_DERIVATIVES,
      "reads derivatives of barycentric weights; RHW_USE_BARYCENTRIC_DERIVATIVES is missing"},
+    {READ_SAMPLE_ID, RHW_USE_SAMPLE, "reads sample_id or sample_position; RHW_USE_SAMPLE is missing"},
+    {READ_SAMPLE_POSITION, RHW_USE_SAMPLE, "reads sample_id or sample_position; RHW_USE_SAMPLE is missing"},
+    {READ_SAMPLE_MASK, RHW_USE_SAMPLE_MASK, "reads sample_mask; RHW_USE_SAMPLE_MASK is missing"},
+    {READ_POINT_COORD, RHW_USE_POINT_COORD, "reads point_coord; RHW_USE_POINT_COORD is missing"},
+    {READ_FULLY_COVERED, 0, "reads fully_covered; RHW_USE_FULLY_COVERED is missing"},
+    {READ_DEPTH_INPUT, 0, "reads depth_input; RHW_USE_DEPTH_INPUT is missing"},
+    {READ_STENCIL_INPUT, 0, "reads stencil_input; RHW_USE_STENCIL_INPUT is missing"},
+    {READ_VIEWPORT_INDEX, RHW_USE_LAYER, "reads layer or viewport_index; RHW_USE_LAYER is missing"},
     {READ_DEPTH, RHW_USE_DEPTH, "reads depth; RHW_USE_DEPTH is missing in its program's uses"},
     {READ_VARYING, 0, "reads a varying behind the last component"},
     {READ_DDX, 0, "reads ddx or ddy of a varying that does not ask for derivatives"},
@@ -190,13 +222,13 @@ static void test_fragment_functions(void **state)
 static void test_blending_reads_alpha(void **state)
 {
     (void)state;
-    for (int blends = 0; blends < 2; blends++) {
+    for (int blends = 0; blends < 3; blends++) { // by nothing, by the source's factor, by the target's
         struct rig rig;
         open_validated(&rig, 1);
         rig.pipeline.targets[0].write_mask = RHW_WRITE_RED | RHW_WRITE_GREEN | RHW_WRITE_BLUE;
         rig.pipeline.targets[0].blend = true;
-        rig.pipeline.targets[0].color.src = blends ? RHW_BLEND_SRC_ALPHA : RHW_BLEND_ONE;
-        rig.pipeline.targets[0].color.dst = RHW_BLEND_ONE;
+        rig.pipeline.targets[0].color.src = blends == 1 ? RHW_BLEND_SRC_ALPHA : RHW_BLEND_ONE;
+        rig.pipeline.targets[0].color.dst = blends == 2 ? RHW_BLEND_ONE_MINUS_SRC_ALPHA : RHW_BLEND_ONE;
         deed = LEAVE_ALPHA;
         assert_int_equal(draw_deed(&rig, false, 0), blends ? RHW_ERROR_MISUSE : RHW_OK);
         if (blends) {
@@ -281,6 +313,9 @@ enum {
     LEAVE_SOME_VARYINGS,
     WRITE_FAR_VARYING,
     READ_ATTRIBUTE,
+    MOVE_BY_ATTRIBUTE,
+    CLIP_BY_ATTRIBUTE,
+    CULL_BY_ATTRIBUTE,
     READ_FAR_UNIFORMS,
     SAMPLE_FROM_VERTEX
 };
@@ -295,6 +330,10 @@ static void place(struct rhw_vertex *groups, int count)
         rhw_float extra = rhw_splat(0), texel[4];
         if (vertex_deed == READ_ATTRIBUTE) {
             extra = v->attribute[2][1];
+        } else if (vertex_deed == CLIP_BY_ATTRIBUTE) {
+            v->clip_distance[0] = v->attribute[2][1];
+        } else if (vertex_deed == CULL_BY_ATTRIBUTE) {
+            v->cull_distance[0] = v->attribute[2][1];
         } else if (vertex_deed == READ_FAR_UNIFORMS) {
             extra = rhw_splat(((const float *)v->uniforms)[2]);
         } else if (vertex_deed == SAMPLE_FROM_VERTEX) {
@@ -311,6 +350,9 @@ static void place(struct rhw_vertex *groups, int count)
                 v->varying[c] = v->attribute[1][c];
             }
         }
+        if (vertex_deed == MOVE_BY_ATTRIBUTE) {
+            v->position[0] = v->attribute[2][1];
+        }
         if (vertex_deed == LEAVE_SOME_POSITIONS) {
             v->position[2] = rhw_select(rhw_less_int(rhw_lane_numbers(), 3), v->position[2], before);
         } else if (vertex_deed == LEAVE_SOME_VARYINGS) {
@@ -326,6 +368,10 @@ static void place1(struct rhw_vertex1 *v)
     float extra = 0, texel[4];
     if (vertex_deed == READ_ATTRIBUTE) {
         extra = v->attribute[2][1];
+    } else if (vertex_deed == CLIP_BY_ATTRIBUTE) {
+        v->clip_distance[0] = v->attribute[2][1];
+    } else if (vertex_deed == CULL_BY_ATTRIBUTE) {
+        v->cull_distance[0] = v->attribute[2][1];
     } else if (vertex_deed == READ_FAR_UNIFORMS) {
         extra = ((const float *)v->uniforms)[2];
     } else if (vertex_deed == SAMPLE_FROM_VERTEX) {
@@ -340,6 +386,9 @@ static void place1(struct rhw_vertex1 *v)
         if (c != 1 || vertex_deed != LEAVE_VARYING) {
             v->varying[c] = v->attribute[1][c];
         }
+    }
+    if (vertex_deed == MOVE_BY_ATTRIBUTE) {
+        v->position[0] = v->attribute[2][1];
     }
     if (vertex_deed == LEAVE_SOME_POSITIONS && leaves) {
         v->position[2] = before;
@@ -362,6 +411,9 @@ static void test_vertex_functions(void **state)
         {LEAVE_SOME_VARYINGS, "does not write varying[3] in every lane"},
         {WRITE_FAR_VARYING, "writes varying[4]; its program has 4 components"},
         {READ_ATTRIBUTE, "reads an attribute behind the last; the pipeline has 2"},
+        {MOVE_BY_ATTRIBUTE, "reads an attribute behind the last; the pipeline has 2"},
+        {CLIP_BY_ATTRIBUTE, "reads an attribute behind the last; the pipeline has 2"},
+        {CULL_BY_ATTRIBUTE, "reads an attribute behind the last; the pipeline has 2"},
         {READ_FAR_UNIFORMS, "reads uniforms behind uniform_size, which is 8"},
         {SAMPLE_FROM_VERTEX, "samples slot -1; slots are 0..31"},
     };
@@ -372,6 +424,8 @@ static void test_vertex_functions(void **state)
         rig_set_program(&rig, i % 2 ? NULL : place, rig_fragment_pass);
         rig.pipeline.program.vertex1 = place1;
         rig.pipeline.program.uniform_size = 8;
+        rig.pipeline.program.clip_distance_count = vertex_deed == CLIP_BY_ATTRIBUTE;
+        rig.pipeline.program.cull_distance_count = vertex_deed == CULL_BY_ATTRIBUTE;
         struct rig_vertex all[6];
         rig_cover(&rig, 0, red, all);
         rig_begin(&rig);

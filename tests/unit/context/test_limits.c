@@ -25,6 +25,8 @@ static void test_what_vulkan_requires(void **state)
 {
     (void)state;
     const struct rhw_limits l = rhw_limits_get();
+    // A stride is a multiple of 4, and so is the largest one.
+    assert_true(l.max_transform_feedback_buffer_data_stride == 0xfffffffc);
     const struct required rows[] = {
         {"maxImageDimension1D", l.max_image_dimension_1d, 4096},
         {"maxImageDimension2D", l.max_image_dimension_2d, 4096},

@@ -481,7 +481,8 @@ static void test_draws_without_what_they_need(void **state)
     rig_begin(&rig);
     rig_use_pipeline(&rig);
     rhw_pass_draw(context, rig.recording, 0, 3, 0, 1);
-    rig_expect_misuse(&rig, "rhw_pass_draw"); // no vertex buffer
+    rig_expect_misuse(&rig,
+                      "rhw_pass_draw: no vertex buffer is set in slot 0, which attribute 0 of pipeline");
     // A pipeline made for other attachments.
     rig.pipeline.targets[0].format = RHW_FORMAT_RGBA8_UNORM;
     rhw_pipeline other = make_pipeline(&rig);

@@ -248,6 +248,7 @@ static void test_a_hook_may_leave(void **state)
 // A hook that calls the library: it may give up the very pass that is being ended.
 struct giving_up {
     rhw_context *context;
+    rhw_texture target;
     rhw_pass pass;
 };
 
@@ -276,6 +277,41 @@ static void test_a_hook_may_give_the_pass_up(void **state)
     rhw_pass_push_debug_group(it.context, it.pass, "open");
     rhw_texture_destroy(it.context, target);
     assert_int_equal(rhw_pass_end(it.context, it.pass, NULL), RHW_ERROR_MISUSE);
+    rhw_context_destroy(it.context);
+}
+
+// This hook gives up the pass that is being ended, and begins another one.
+static void begin_another(void *user, const char *message)
+{
+    (void)message;
+    struct giving_up *const it = user;
+    const struct rhw_pass_def def = {
+        .color_count = 1, .colors = {{.texture = it->target, .load = RHW_LOAD_CLEAR, .clear = {0, 1, 0, 1}}}};
+    rhw_pass_cancel(it->context, it->pass);
+    (void)rhw_pass_begin(it->context, &def, &it->pass);
+}
+
+static void test_a_hook_may_begin_another_pass(void **state)
+{
+    (void)state;
+    struct giving_up it;
+    struct rhw_context_def def = rhw_context_def_default();
+    def.threads = 1;
+    def.assert_ = begin_another;
+    def.user = &it;
+    assert_int_equal(rhw_context_create(&def, &it.context), RHW_OK);
+    const struct rhw_texture_def texture_def = {.format = RHW_FORMAT_RGBA8_UNORM, .width = 1, .height = 1};
+    assert_int_equal(rhw_texture_create(it.context, &texture_def, &it.target), RHW_OK);
+    const struct rhw_pass_def pass_def = {.color_count = 1, .colors = {{.texture = it.target}}};
+    assert_int_equal(rhw_pass_begin(it.context, &pass_def, &it.pass), RHW_OK);
+    const rhw_pass first = it.pass;
+    rhw_pass_push_debug_group(it.context, it.pass, "open");
+    assert_int_equal(rhw_pass_end(it.context, it.pass, NULL), RHW_ERROR_MISUSE);
+    assert_int_not_equal(it.pass.generation, first.generation);
+    assert_int_equal(rhw_pass_end(it.context, it.pass, NULL), RHW_OK);
+    unsigned char texel[4];
+    rhw_texture_read(it.context, it.target, 0, texel, 0);
+    assert_memory_equal(texel, ((const unsigned char[4]){0, 255, 0, 255}), 4);
     rhw_context_destroy(it.context);
 }
 
@@ -621,6 +657,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_threads_that_race_do_no_harm),
     cmocka_unit_test(test_a_hook_may_leave),
     cmocka_unit_test(test_a_hook_may_give_the_pass_up),
+    cmocka_unit_test(test_a_hook_may_begin_another_pass),
     cmocka_unit_test(test_a_context_stays_while_it_records),
     cmocka_unit_test(test_what_a_draw_used_may_go),
     cmocka_unit_test(test_memory_comes_back_at_the_end),

@@ -585,7 +585,18 @@ static void test_a_polygon_of_a_triangle_without_area(void **state)
         {{0x1.ab5a12p+0f, -0x1.1075e6p+1f, -0x1.6be288p+1f, 0x1.24cb92p+1f}, {1, 1, 1, 1}},
         {{0x1.897dd6p+1f, 0x1.e79a88p+0f, 0x1.0774fcp+2f, 0x1.d140dcp+1f}, {1, 1, 1, 1}},
         {{0x1.c047c2p+1f, 0x1.910d88p+1f, 0x1.8f1906p+2f, 0x1.02e39cp+2f}, {1, 1, 1, 1}}};
-    assert_true(covers(sliver, (struct rhw_viewport){0, 0, 131, 117, 0, 1}, RHW_CULL_NONE, 119, 43));
+    const struct rhw_viewport viewport = {0, 0, 131, 117, 0, 1};
+    assert_true(covers(sliver, viewport, RHW_CULL_NONE, 119, 43));
+    // It has the values of the vertex with the largest W, which is the last one here, wherever that stands.
+    for (int first = 0; first < 3; first++) {
+        struct rig_vertex turned[3];
+        for (int i = 0; i < 3; i++) {
+            const int from = (first + i) % 3;
+            turned[i] = sliver[from];
+            turned[i].value[0] = from == 2 ? 1 : 0;
+        }
+        assert_true(covers(turned, viewport, RHW_CULL_NONE, 119, 43));
+    }
 }
 
 static const struct CMUnitTest tests[] = {

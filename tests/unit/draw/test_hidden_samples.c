@@ -171,6 +171,58 @@ static void test_triangles_without_a_sample_are_culled(void **state)
     assert_true(all.triangles_culled > general.triangles_culled + 300);
 }
 
+// A tile notes that a triangle is seen, and draws it, where it is seen in another sample than the first alone. These shapes
+// note it by themselves.
+enum shape { LINE, STIPPLED_LINE, CONSERVATIVE_TRIANGLE, SHAPES };
+
+static void use_shape(struct rig *rig, enum shape shape)
+{
+    struct rhw_pipeline_def *const def = &rig->pipeline;
+    def->topology = shape == CONSERVATIVE_TRIANGLE ? RHW_TRIANGLE_LIST : RHW_LINE_LIST;
+    def->line_mode = shape == LINE ? RHW_LINE_BRESENHAM : RHW_LINE_RECTANGULAR;
+    if (shape == STIPPLED_LINE) {
+        def->line_stipple = (struct rhw_line_stipple){1, 0x5555};
+    } else if (shape == CONSERVATIVE_TRIANGLE) {
+        def->conservative = RHW_CONSERVATIVE_OVERESTIMATE;
+    }
+}
+
+static void test_shapes_that_show_beside_the_first_sample(void **state)
+{
+    (void)state;
+    enum { ROW = 20, FAR_LAYERS = 8 }; // enough to make a tile draw depth first
+    static float colors[PIXELS][4];
+    for (enum shape shape = LINE; shape < SHAPES; shape++) {
+        struct rig rig;
+        open_samples(&rig, RHW_FORMAT_RGBA32_FLOAT, 4, RHW_PATHS_ALL);
+        rig_begin(&rig);
+        struct rig_vertex far[6], front[6], shaped[3];
+        rig_cover(&rig, 0.875f, (const float[4]){0, 0, 1, 1}, far);
+        for (int i = 0; i < FAR_LAYERS; i++) {
+            rig_draw(&rig, far, 6);
+        }
+        rig_cover(&rig, 0.25f, (const float[4]){1, 0, 0, 1}, front);
+        for (int i = 0; i < 6; i++) { // samples lie 2, 6, 10 and 14 sixteenths below the upper end of a pixel
+            rig_place(&rig, front[i].position[0] < 0 ? 0 : SIZE, front[i].position[1] > 0 ? ROW : ROW + 0.25f,
+                      0.25f, 1, front[i].position);
+        }
+        rig_draw(&rig, front, 6);
+        use_shape(&rig, shape);
+        for (int i = 0; i < 3; i++) {
+            shaped[i] = (struct rig_vertex){.value = {0, 1, 0, 1}};
+            rig_place(&rig, i == 0 ? 4 : 40, i == 2 ? ROW + 0.6f : ROW + 0.5f, 0.75f, 1, shaped[i].position);
+        }
+        rig_draw(&rig, shaped, shape == CONSERVATIVE_TRIANGLE ? 3 : 2);
+        rig_end(&rig);
+        for (int s = 0; s < 4; s++) {
+            rhw_texture_read_sample(rig.context, rig.pass.colors[0].texture, s, colors, 0);
+            assert_true(colors[ROW * SIZE + 20][0] == (s == 0 ? 1 : 0));
+            assert_true(colors[ROW * SIZE + 20][1] == (s == 0 ? 0 : 1));
+        }
+        rig_close(&rig);
+    }
+}
+
 // The mean of 8-bit channels, which tiles make in one step, is that of rhw_texture_resolve, which knows all formats.
 static void test_tiles_resolve_as_regions_do(void **state)
 {
@@ -198,6 +250,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_what_is_hidden_is_not_missed),
     cmocka_unit_test(test_what_fails_other_tests_hides_nothing),
     cmocka_unit_test(test_triangles_without_a_sample_are_culled),
+    cmocka_unit_test(test_shapes_that_show_beside_the_first_sample),
     cmocka_unit_test(test_tiles_resolve_as_regions_do),
 };
 

@@ -176,6 +176,14 @@ static void open_rig(struct rig *rig, enum rhw_compare compare)
     rig->pass.depth.clear = compare == RHW_COMPARE_LESS || compare == RHW_COMPARE_LESS_EQUAL ? 0.75f : 0.25f;
 }
 
+// Depth that memory keeps in steps is tested as stencil is.
+static void use_depth_steps(struct rig *rig)
+{
+    const struct rhw_texture_def def = {.format = RHW_FORMAT_D24_UNORM, .width = SIZE, .height = SIZE};
+    rhw_texture_destroy(rig->context, rig->pass.depth.texture);
+    assert_int_equal(rhw_texture_create(rig->context, &def, &rig->pass.depth.texture), RHW_OK);
+}
+
 static void test_the_picture_of_one_by_one(void **state)
 {
     (void)state;
@@ -184,10 +192,13 @@ static void test_the_picture_of_one_by_one(void **state)
     static struct picture together, alone;
     static struct layer layers[DRAWS];
     uint64_t random = 11;
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 2 * 4; i++) {
         struct rig rig;
-        open_rig(&rig, compares[i]);
-        for (int n = 0; n < 4; n++) {
+        open_rig(&rig, compares[i / 2]);
+        if (i % 2) {
+            use_depth_steps(&rig);
+        }
+        for (int n = 0; n < 3; n++) {
             make_layers(&rig, &random, layers);
             draw_together(&rig, layers, &together);
             draw_one_by_one(&rig, layers, &alone);
@@ -396,8 +407,9 @@ static void test_others_keep_their_turn(void **state)
 
 enum { LAYERS = 16 };
 
-// Layers from far to near that cover everything, on a target that ends within tiles: so many are shaded.
-static void assert_shaded(bool depth, enum rhw_paths paths, int layers)
+// Layers from far to near that cover everything, on a target that ends within tiles, perhaps beside one that is left out:
+// so many are shaded.
+static void assert_shaded(bool depth, bool leaves_out, enum rhw_paths paths, int layers)
 {
     enum { WIDTH = 100, HEIGHT = 70 };
     struct rhw_context_def def = rhw_context_def_default();
@@ -407,6 +419,10 @@ static void assert_shaded(bool depth, enum rhw_paths paths, int layers)
     rig_open_with(&rig, WIDTH, HEIGHT, &def);
     if (depth) {
         rig_set_depth(&rig);
+    }
+    if (leaves_out) {
+        rig.pass.color_count = rig.pipeline.target_count = 2;
+        rig.pipeline.targets[1].format = RHW_FORMAT_NONE;
     }
     rig_begin(&rig);
     for (int i = 0; i < LAYERS; i++) {
@@ -426,16 +442,18 @@ static void assert_shaded(bool depth, enum rhw_paths paths, int layers)
 static void test_what_is_hidden_is_not_shaded(void **state)
 {
     (void)state;
-    assert_shaded(true, RHW_PATHS_ALL, 1);
-    assert_shaded(false, RHW_PATHS_ALL, 1);
+    for (int leaves_out = 0; leaves_out < 2; leaves_out++) {
+        assert_shaded(true, leaves_out, RHW_PATHS_ALL, 1);
+        assert_shaded(false, leaves_out, RHW_PATHS_ALL, 1);
+    }
 }
 
 static void test_unless_the_context_wants_it(void **state)
 {
     (void)state;
     for (int depth = 0; depth < 2; depth++) {
-        assert_shaded(depth, RHW_PATHS_IN_ORDER, LAYERS);
-        assert_shaded(depth, RHW_PATHS_GENERAL, LAYERS);
+        assert_shaded(depth, false, RHW_PATHS_IN_ORDER, LAYERS);
+        assert_shaded(depth, false, RHW_PATHS_GENERAL, LAYERS);
     }
 }
 

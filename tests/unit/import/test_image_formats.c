@@ -443,8 +443,33 @@ static void put_attribute(struct file *file, const char *name, const char *type,
     put_bytes(file, value, size);
 }
 
+static void put_exr_row(struct file *file, const float *samples, size_t count)
+{
+    put(file, file->size + 8, 8); // where it begins
+    put(file, 0, 4);
+    put(file, count * 4, 4);
+    put_bytes(file, samples, count * 4);
+}
+
+// Each a tile of its own.
+static void put_exr_tiles(struct file *file, const float *samples, size_t channels, uint32_t width)
+{
+    const uint64_t first = file->size + 8 * (size_t)width, size = 20 + 4 * channels;
+    for (uint32_t x = 0; x < width; x++) {
+        put(file, first + x * size, 8);
+    }
+    for (uint32_t x = 0; x < width; x++) {
+        put(file, x, 4);
+        put(file, 0, 12); // row and levels
+        put(file, 4 * channels, 4);
+        for (size_t c = 0; c < channels; c++) {
+            put_bytes(file, &samples[c * width + x], 4);
+        }
+    }
+}
+
 // One row of floats, without compression; `names` are the channels, in alphabetic order.
-static struct file make_exr(const char *names, const float *samples, uint32_t width)
+static struct file make_exr(const char *names, const float *samples, uint32_t width, bool in_tiles)
 {
     struct file file = {.size = 0}, channels = {.size = 0}, window = {.size = 0};
     const size_t count = strlen(names);
@@ -461,7 +486,7 @@ static struct file make_exr(const char *names, const float *samples, uint32_t wi
     put(&window, width - 1, 4);
     put(&window, 0, 4);
     put(&file, 20000630, 4);
-    put(&file, 2, 4);
+    put(&file, in_tiles ? 0x202 : 2, 4);
     put_attribute(&file, "channels", "chlist", channels.bytes, (uint32_t)channels.size);
     put_attribute(&file, "compression", "compression", "", 1);
     put_attribute(&file, "dataWindow", "box2i", window.bytes, 16);
@@ -470,22 +495,28 @@ static struct file make_exr(const char *names, const float *samples, uint32_t wi
     put_attribute(&file, "pixelAspectRatio", "float", &one, 4);
     put_attribute(&file, "screenWindowCenter", "v2f", middle, 8);
     put_attribute(&file, "screenWindowWidth", "float", &one, 4);
+    if (in_tiles) {
+        put_attribute(&file, "tiles", "tiledesc", "\1\0\0\0\1\0\0\0", 9);
+    }
     put(&file, 0, 1);
-    put(&file, file.size + 8, 8); // place of the row
-    put(&file, 0, 4);
-    put(&file, count * width * 4, 4);
-    put_bytes(&file, samples, count * width * 4);
+    if (in_tiles) {
+        put_exr_tiles(&file, samples, count, width);
+    } else {
+        put_exr_row(&file, samples, count * width);
+    }
     return file;
 }
 
 static void check_exr(const char *names, const float *samples, const float *expected)
 {
-    const struct file file = make_exr(names, samples, 2);
-    if (!SCENE_EXR) {
-        assert_refused(&file, "an EXR image, which this build does not read");
-        return;
+    for (int in_tiles = 0; in_tiles < 2; in_tiles++) {
+        const struct file file = make_exr(names, samples, 2, in_tiles);
+        if (SCENE_EXR) {
+            check_file(&file, SCENE_IMAGE_RGBA32F, 2, expected, 32);
+        } else {
+            assert_refused(&file, "an EXR image, which this build does not read");
+        }
     }
-    check_file(&file, SCENE_IMAGE_RGBA32F, 2, expected, 32);
 }
 
 static void test_exr(void **state)
@@ -496,7 +527,7 @@ static void test_exr(void **state)
     check_exr("BGRZ", samples, (const float[]){3, 1, 0.25f, 1, 4, 2, 0.5f, 1}); // depth is no colour
     check_exr("Y", samples, (const float[]){0.25f, 0.25f, 0.25f, 1, 0.5f, 0.5f, 0.5f, 1});
     if (SCENE_EXR) {
-        const struct file depth = make_exr("Z", samples, 2);
+        const struct file depth = make_exr("Z", samples, 2, false);
         assert_refused(&depth, "an EXR file without the channels R, G and B, or Y");
     }
 }

@@ -78,6 +78,11 @@ static void test_positions_are_the_standard_ones(void **state)
             assert_true(rhw_sample_position(1 << i, s, at));
             assert_true(at[0] == (float)positions[i][s][0] / 16 && at[1] == (float)positions[i][s][1] / 16);
         }
+        for (int s = -1; s <= 1 << i; s += 1 + (1 << i)) { // on both sides of those there are
+            float at[2] = {0, 0};
+            assert_false(rhw_sample_position(1 << i, s, at));
+            assert_true(at[0] == 0.5f && at[1] == 0.5f);
+        }
     }
 }
 

@@ -120,7 +120,7 @@ static void test_a_point_of_size_one_hits_one_pixel(void **state)
     rig_set_program(&rig, rig_vertex_pass, coord_fragment);
     rig.pipeline.program.writes_point_size = false;
     for (int i = 0; i <= 256; i += 16) {
-        const struct rig_vertex v = point_at(&rig, 20 + (float)i / 256, 30.5f - (float)i / 512, 9, 1);
+        const struct rig_vertex v = point_at(&rig, 20 + (float)i / 256, 30.5f - (float)i / 512, 9, 9);
         rig_draw_once(&rig, &v, 1);
         assert_int_equal(covered(&rig), 1);
     }
@@ -190,6 +190,13 @@ static void test_the_scissor_cuts_points(void **state)
         const int half = size / 2, width = half < 40 ? half : 40, height = half < 30 ? half : 30;
         assert_int_equal(covered(&rig), width * height);
     }
+    const struct rig_vertex beside = point_at(&rig, 6, 12, 4, 1); // in the view, and left of the scissor
+    rig_begin(&rig);
+    rhw_pass_set_scissor(rig.context, rig.recording, &scissor);
+    rig_draw(&rig, &beside, 1);
+    rig_end(&rig);
+    assert_int_equal(rig.stats.triangles_culled, 1);
+    assert_int_equal(rig.stats.triangles_rasterized, 0);
     rig_close(&rig);
 }
 
@@ -264,6 +271,15 @@ static void unsized_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
+// Its points lie where an attribute that the pipeline does not have says.
+static void moved_vertex(struct rhw_vertex *groups, int count)
+{
+    sized_vertex(groups, count);
+    for (int g = 0; g < count; g++) {
+        groups[g].position[0] = groups[g].attribute[2][1];
+    }
+}
+
 static void test_validation_looks_at_points(void **state)
 {
     (void)state;
@@ -285,6 +301,13 @@ static void test_validation_looks_at_points(void **state)
     rig_expect_misuse(&rig, "reads point_coord; RHW_USE_POINT_COORD is missing");
     rig.pipeline.program.uses = RHW_USE_POINT_COORD;
     rig_draw_once(&rig, &v, 1);
+    rig_set_program(&rig, sized_vertex, coord_fragment);
+    rig.pipeline.program.writes_point_size = true;
+    rig_draw_once(&rig, &v, 1);
+    assert_int_equal(covered(&rig), 4 * 4);
+    rig_set_program(&rig, moved_vertex, coord_fragment);
+    rig_draw_once(&rig, &v, 1);
+    rig_expect_misuse(&rig, "reads an attribute behind the last; the pipeline has 2");
     rig_close(&rig);
 }
 

@@ -180,6 +180,7 @@ static void test_areas(void **state)
         }
         x[1] = n % 5 == 1 ? x[0] : x[1];
         y[1] = n % 5 == 2 ? y[0] : n % 5 == 3 ? y[0] + 1 / 256.0 : y[1];
+        y[1] = n % 10 == 4 ? y[0] + rint((x[1] - x[0]) * 2.56) / 256 : y[1]; // hardly slanted
         if (x[0] == x[1] && y[0] == y[1]) {
             continue;
         }

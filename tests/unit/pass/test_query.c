@@ -446,6 +446,7 @@ static void test_misuse_of_ids(void **state)
     (void)state;
     struct rig rig;
     struct rhw_query_counts counts;
+    memset(&counts, 0xff, sizeof counts);
     rhw_query query;
     rig_open(&rig, SIZE, SIZE);
     const struct rhw_query_def bad = {.kind = RHW_QUERY_KIND_COUNT};
@@ -454,6 +455,7 @@ static void test_misuse_of_ids(void **state)
     query = make_query(&rig, RHW_QUERY_OCCLUSION);
     assert_int_equal(rhw_query_read(rig.context, query, &counts), RHW_ERROR_MISUSE);
     rig_expect_misuse(&rig, "query 1 \"asked\" has no answer; no pass that used it has ended");
+    assert_true(counts.samples_passed == 0 && !counts.any_passed && counts.timestamp_ns == 0);
     assert_int_equal(rhw_query_read(rig.context, query, NULL), RHW_ERROR_MISUSE);
     rig_expect_misuse(&rig, "counts is NULL");
     rhw_query_destroy(rig.context, query);

@@ -54,6 +54,7 @@ static void open_feedback(struct rig *rig, const struct rhw_context_def *def)
     rig_set_program(rig, number_vertices, rig_fragment_pass);
     struct rhw_program *const program = &rig->pipeline.program;
     program->varyings[1] = (struct rhw_varying){.components = 1, .qualifier = RHW_FLAT};
+    program->varyings[2].components = 3; // behind the last, so that it counts for nothing
     program->varying_count = 2;
     program->writes_point_size = true;
     program->clip_distance_count = 2;

@@ -222,6 +222,22 @@ static void test_bias_of_small_triangles(void **state)
     }
 }
 
+// Bias may carry depth out of the viewport's range, and not out of 0..1.
+static void test_bias_beyond_the_viewport(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, SIZE, SIZE);
+    set_format(&rig, RHW_FORMAT_D32_FLOAT);
+    rig.pipeline.depth_bias = (struct rhw_depth_bias){.constant = 0x1p22f}; // 1/8 at depths from 1/4 on
+    rig_begin(&rig);
+    rhw_pass_set_viewport(rig.context, rig.recording, &(struct rhw_viewport){0, 0, SIZE, SIZE, 0, 0.5f});
+    cover(&rig, 0.875f, red);
+    rig_end(&rig);
+    assert_true(rig_read_depth(&rig)[0] == 0.4375f + 0.125f);
+    rig_close(&rig);
+}
+
 // Depth that clipping switched off, or bias, carries from 3/4 to 5/4 is 1 from the middle on, on every path: where blocks are
 // tested by masks too, which a draw with stencil is. What is drawn at 1 afterwards counts there, and nowhere else.
 static void test_depth_beyond_one(void **state)
@@ -374,6 +390,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_steps_draw_the_same_on_every_path),
     cmocka_unit_test(test_bias),
     cmocka_unit_test(test_bias_of_small_triangles),
+    cmocka_unit_test(test_bias_beyond_the_viewport),
     cmocka_unit_test(test_bias_of_cut_triangles),
     cmocka_unit_test(test_depth_beyond_one),
     cmocka_unit_test(test_clip_and_clamp),

@@ -63,6 +63,11 @@ static void draw_volumes(struct rig *rig, uint64_t seed)
         def->depth_compare = compares[rig_random_int(&random, 4)];
         def->stencil_front = counts[rig_random_int(&random, 3)];
         def->stencil_back = counts[rig_random_int(&random, 3)];
+        if (i % 8 == 7) { // what faces away is compared, which takes the test of every pixel
+            def->stencil_back.compares = true;
+            def->stencil_back.compare = RHW_COMPARE_EQUAL;
+            def->stencil_back.fail = RHW_STENCIL_INCREMENT_WRAP;
+        }
         def->depth_clip_disabled = def->depth_clamp = rig_random_int(&random, 3) == 0;
         def->depth_bias = (struct rhw_depth_bias){0};
         if (rig_random_int(&random, 3) == 0) {

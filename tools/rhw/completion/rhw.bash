@@ -31,104 +31,115 @@ _rhw_rest() { # CURRENT file|none OPTION...: what is no value of an option
 
 _rhw_render() { # CURRENT PREVIOUS
     case $2 in
-    --out | -o) _rhw_files "$1" ;;
-    --size | -s) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
-    --samples) _rhw_words "$1" 1 2 4 8 16 ;;
-    --supersample) _rhw_words "$1" 1 4 9 16 ;;
-    --output) _rhw_list "$1" color depth distance normal position uv object triangle bary overdraw tiles plan all ;;
-    --bits) _rhw_words "$1" 8 16 ;;
-    --format) _rhw_words "$1" png jpeg webp exr ppm ;;
-    --up) _rhw_words "$1" x y z -x -y -z ;;
-    --views) _rhw_list "$1" all front back left right top bottom iso ;;
-    --interpolate) _rhw_words "$1" smooth noperspective ;;
-    --background) _rhw_words "$1" default transparent environment black grey white red skyblue ;;
-    --animate) _rhw_words "$1" 12 24 30 60 ;;
-    --turntable) _rhw_words "$1" 24 36 60 120 ;;
-    --lights) _rhw_words "$1" file default none ;;
-    --shadows) _rhw_words "$1" on off ;;
-    --ambient-occlusion) _rhw_words "$1" on off ;;
-    --environment) _rhw_files "$1" ;;
-    --tone-map) _rhw_words "$1" neutral aces agx none ;;
-    --transparency) _rhw_words "$1" sorted exact ;;
-    --isa) _rhw_words "$1" baseline avx2 avx512 ;;
-    --paths) _rhw_words "$1" all in-order general ;;
-    --max-memory) _rhw_words "$1" 512M 1G 2G 4G ;;
-    --max-time) _rhw_words "$1" 10 60 300 ;;
-    --max-texture) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
-    --quality | --zoom | --margin | --orbit | --camera | --camera-index | --camera-name | --fovy | --variant | --animation | --time | --environment-rotation | --exposure | --threads | -j) ;;
+    --out | --out= | -o) _rhw_files "$1" ;;
+    --size | --size= | -s) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
+    --samples | --samples=) _rhw_words "$1" 1 2 4 8 16 ;;
+    --supersample | --supersample=) _rhw_words "$1" 1 4 9 16 ;;
+    --output | --output=) _rhw_list "$1" color depth distance normal position uv object triangle bary overdraw tiles plan all ;;
+    --bits | --bits=) _rhw_words "$1" 8 16 ;;
+    --format | --format=) _rhw_words "$1" png jpeg webp exr ppm ;;
+    --fit=) _rhw_words "$1" all ;;
+    --up | --up=) _rhw_words "$1" x y z -x -y -z ;;
+    --views | --views=) _rhw_list "$1" all front back left right top bottom iso ;;
+    --interpolate | --interpolate=) _rhw_words "$1" smooth noperspective ;;
+    --wireframe=) _rhw_words "$1" over plain ;;
+    --background | --background=) _rhw_words "$1" default transparent environment black grey white red skyblue ;;
+    --animate | --animate=) _rhw_words "$1" 12 24 30 60 ;;
+    --turntable | --turntable=) _rhw_words "$1" 24 36 60 120 ;;
+    --lights | --lights=) _rhw_words "$1" file default none ;;
+    --shadows | --shadows=) _rhw_words "$1" on off ;;
+    --ambient-occlusion | --ambient-occlusion=) _rhw_words "$1" on off ;;
+    --environment | --environment=) _rhw_files "$1" ;;
+    --tone-map | --tone-map=) _rhw_words "$1" neutral aces agx none ;;
+    --transparency | --transparency=) _rhw_words "$1" sorted exact ;;
+    --isa | --isa=) _rhw_words "$1" baseline avx2 avx512 ;;
+    --paths | --paths=) _rhw_words "$1" all in-order general ;;
+    --max-memory | --max-memory=) _rhw_words "$1" 512M 1G 2G 4G ;;
+    --max-time | --max-time=) _rhw_words "$1" 10 60 300 ;;
+    --max-texture | --max-texture=) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
+    --confine=) _rhw_files "$1" ;;
+    --stats=) _rhw_files "$1" ;;
+    --quality | --quality= | --zoom | --zoom= | --margin | --margin= | --orbit | --orbit= | --camera | --camera= | --camera-index | --camera-index= | --camera-name | --camera-name= | --fovy | --fovy= | --variant | --variant= | --animation | --animation= | --time | --time= | --environment-rotation | --environment-rotation= | --exposure | --exposure= | --threads | --threads= | -j) ;;
     *) _rhw_rest "$1" file --out --literal --size --samples --supersample --output --bits --format --quality --fit --up --zoom --margin --ortho --print-camera --orbit --views --camera --camera-index --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --animate --turntable --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --threads --isa --paths --max-memory --max-time --max-texture --confine --stats --strict --quiet --help ;;
     esac
 }
 
 _rhw_thumbs() { # CURRENT PREVIOUS
     case $2 in
-    --out | -o) _rhw_files "$1" ;;
-    --size | -s) _rhw_words "$1" 128 256 512 ;;
-    --background) _rhw_words "$1" transparent default black grey white ;;
-    --max-memory) _rhw_words "$1" 512M 1G 2G 4G ;;
-    --max-time) _rhw_words "$1" 10 60 300 ;;
-    --max-texture) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
-    --confine) _rhw_files "$1" ;;
-    --jobs | -j) ;;
+    --out | --out= | -o) _rhw_files "$1" ;;
+    --size | --size= | -s) _rhw_words "$1" 128 256 512 ;;
+    --background | --background=) _rhw_words "$1" transparent default black grey white ;;
+    --fit=) _rhw_words "$1" all ;;
+    --max-memory | --max-memory=) _rhw_words "$1" 512M 1G 2G 4G ;;
+    --max-time | --max-time=) _rhw_words "$1" 10 60 300 ;;
+    --max-texture | --max-texture=) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
+    --confine | --confine=) _rhw_files "$1" ;;
+    --jobs | --jobs= | -j) ;;
     *) _rhw_rest "$1" file --out --size --background --fit --force --jobs --max-memory --max-time --max-texture --confine --quiet --help ;;
     esac
 }
 
 _rhw_compare() { # CURRENT PREVIOUS
     case $2 in
-    --difference | -d) _rhw_files "$1" ;;
-    --max-memory) _rhw_words "$1" 512M 1G 2G 4G ;;
-    --max-time) _rhw_words "$1" 10 60 300 ;;
-    --tolerance | -t) ;;
+    --difference | --difference= | -d) _rhw_files "$1" ;;
+    --max-memory | --max-memory=) _rhw_words "$1" 512M 1G 2G 4G ;;
+    --max-time | --max-time=) _rhw_words "$1" 10 60 300 ;;
+    --tolerance | --tolerance= | -t) ;;
     *) _rhw_rest "$1" file --difference --tolerance --json --max-memory --max-time --help ;;
     esac
 }
 
 _rhw_explain() { # CURRENT PREVIOUS
     case $2 in
-    --picture) _rhw_files "$1" ;;
-    --size | -s) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
-    --samples) _rhw_words "$1" 1 2 4 8 16 ;;
-    --supersample) _rhw_words "$1" 1 4 9 16 ;;
-    --up) _rhw_words "$1" x y z -x -y -z ;;
-    --interpolate) _rhw_words "$1" smooth noperspective ;;
-    --background) _rhw_words "$1" default transparent environment black grey white red skyblue ;;
-    --lights) _rhw_words "$1" file default none ;;
-    --shadows) _rhw_words "$1" on off ;;
-    --ambient-occlusion) _rhw_words "$1" on off ;;
-    --environment) _rhw_files "$1" ;;
-    --tone-map) _rhw_words "$1" neutral aces agx none ;;
-    --isa) _rhw_words "$1" baseline avx2 avx512 ;;
-    --paths) _rhw_words "$1" all in-order general ;;
-    --max-memory) _rhw_words "$1" 512M 1G 2G 4G ;;
-    --max-time) _rhw_words "$1" 10 60 300 ;;
-    --max-texture) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
-    --at | --sample | --zoom | --margin | --orbit | --camera | --camera-index | --camera-name | --fovy | --variant | --animation | --time | --environment-rotation | --exposure | --threads | -j) ;;
+    --picture | --picture=) _rhw_files "$1" ;;
+    --size | --size= | -s) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
+    --samples | --samples=) _rhw_words "$1" 1 2 4 8 16 ;;
+    --supersample | --supersample=) _rhw_words "$1" 1 4 9 16 ;;
+    --fit=) _rhw_words "$1" all ;;
+    --up | --up=) _rhw_words "$1" x y z -x -y -z ;;
+    --interpolate | --interpolate=) _rhw_words "$1" smooth noperspective ;;
+    --wireframe=) _rhw_words "$1" over plain ;;
+    --background | --background=) _rhw_words "$1" default transparent environment black grey white red skyblue ;;
+    --lights | --lights=) _rhw_words "$1" file default none ;;
+    --shadows | --shadows=) _rhw_words "$1" on off ;;
+    --ambient-occlusion | --ambient-occlusion=) _rhw_words "$1" on off ;;
+    --environment | --environment=) _rhw_files "$1" ;;
+    --tone-map | --tone-map=) _rhw_words "$1" neutral aces agx none ;;
+    --isa | --isa=) _rhw_words "$1" baseline avx2 avx512 ;;
+    --paths | --paths=) _rhw_words "$1" all in-order general ;;
+    --max-memory | --max-memory=) _rhw_words "$1" 512M 1G 2G 4G ;;
+    --max-time | --max-time=) _rhw_words "$1" 10 60 300 ;;
+    --max-texture | --max-texture=) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
+    --confine=) _rhw_files "$1" ;;
+    --at | --at= | --sample | --sample= | --zoom | --zoom= | --margin | --margin= | --orbit | --orbit= | --camera | --camera= | --camera-index | --camera-index= | --camera-name | --camera-name= | --fovy | --fovy= | --variant | --variant= | --animation | --animation= | --time | --time= | --environment-rotation | --environment-rotation= | --exposure | --exposure= | --threads | --threads= | -j) ;;
     *) _rhw_rest "$1" file --at --sample --json --picture --size --samples --supersample --fit --up --zoom --margin --ortho --orbit --camera --camera-index --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --exposure --threads --isa --paths --max-memory --max-time --max-texture --confine --quiet --help ;;
     esac
 }
 
 _rhw_view() { # CURRENT PREVIOUS
     case $2 in
-    --size | -s) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
-    --samples) _rhw_words "$1" 1 2 4 8 16 ;;
-    --supersample) _rhw_words "$1" 1 4 9 16 ;;
-    --output) _rhw_list "$1" color depth distance normal position uv object triangle bary overdraw tiles plan all ;;
-    --bits) _rhw_words "$1" 8 16 ;;
-    --up) _rhw_words "$1" x y z -x -y -z ;;
-    --interpolate) _rhw_words "$1" smooth noperspective ;;
-    --background) _rhw_words "$1" default transparent environment black grey white red skyblue ;;
-    --lights) _rhw_words "$1" file default none ;;
-    --shadows) _rhw_words "$1" on off ;;
-    --ambient-occlusion) _rhw_words "$1" on off ;;
-    --environment) _rhw_files "$1" ;;
-    --tone-map) _rhw_words "$1" neutral aces agx none ;;
-    --transparency) _rhw_words "$1" sorted exact ;;
-    --isa) _rhw_words "$1" baseline avx2 avx512 ;;
-    --paths) _rhw_words "$1" all in-order general ;;
-    --max-memory) _rhw_words "$1" 512M 1G 2G 4G ;;
-    --max-texture) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
-    --zoom | --margin | --orbit | --camera | --camera-index | --camera-name | --fovy | --variant | --animation | --time | --environment-rotation | --exposure | --threads | -j) ;;
+    --size | --size= | -s) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
+    --samples | --samples=) _rhw_words "$1" 1 2 4 8 16 ;;
+    --supersample | --supersample=) _rhw_words "$1" 1 4 9 16 ;;
+    --output | --output=) _rhw_list "$1" color depth distance normal position uv object triangle bary overdraw tiles plan all ;;
+    --bits | --bits=) _rhw_words "$1" 8 16 ;;
+    --fit=) _rhw_words "$1" all ;;
+    --up | --up=) _rhw_words "$1" x y z -x -y -z ;;
+    --interpolate | --interpolate=) _rhw_words "$1" smooth noperspective ;;
+    --wireframe=) _rhw_words "$1" over plain ;;
+    --background | --background=) _rhw_words "$1" default transparent environment black grey white red skyblue ;;
+    --lights | --lights=) _rhw_words "$1" file default none ;;
+    --shadows | --shadows=) _rhw_words "$1" on off ;;
+    --ambient-occlusion | --ambient-occlusion=) _rhw_words "$1" on off ;;
+    --environment | --environment=) _rhw_files "$1" ;;
+    --tone-map | --tone-map=) _rhw_words "$1" neutral aces agx none ;;
+    --transparency | --transparency=) _rhw_words "$1" sorted exact ;;
+    --isa | --isa=) _rhw_words "$1" baseline avx2 avx512 ;;
+    --paths | --paths=) _rhw_words "$1" all in-order general ;;
+    --max-memory | --max-memory=) _rhw_words "$1" 512M 1G 2G 4G ;;
+    --max-texture | --max-texture=) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
+    --confine=) _rhw_files "$1" ;;
+    --zoom | --zoom= | --margin | --margin= | --orbit | --orbit= | --camera | --camera= | --camera-index | --camera-index= | --camera-name | --camera-name= | --fovy | --fovy= | --variant | --variant= | --animation | --animation= | --time | --time= | --environment-rotation | --environment-rotation= | --exposure | --exposure= | --threads | --threads= | -j) ;;
     *) _rhw_rest "$1" file --fullscreen --size --samples --supersample --output --bits --fit --up --zoom --margin --ortho --orbit --camera --camera-index --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --threads --isa --paths --max-memory --max-texture --confine --quiet --help ;;
     esac
 }
@@ -141,12 +152,14 @@ _rhw_info() { # CURRENT PREVIOUS
 
 _rhw_bench() { # CURRENT PREVIOUS
     case $2 in
-    --scene) _rhw_list "$1" $(rhw bench --list 2>/dev/null | cut -d ' ' -f 1) ;;
-    --size | -s) _rhw_words "$1" 512 1280x720 1920x1080 3840x2160 ;;
-    --isa) _rhw_words "$1" baseline avx2 avx512 ;;
-    --peer) _rhw_words "$1" llvmpipe softpipe none ;;
-    --save) _rhw_files "$1" ;;
-    --frames | --threads | -j | --peer-threads) ;;
+    --scene | --scene=) _rhw_list "$1" $(rhw bench --list 2>/dev/null | cut -d ' ' -f 1) ;;
+    --size | --size= | -s) _rhw_words "$1" 512 1280x720 1920x1080 3840x2160 ;;
+    --isa | --isa=) _rhw_words "$1" baseline avx2 avx512 ;;
+    --peer | --peer=) _rhw_words "$1" llvmpipe softpipe none ;;
+    --json=) _rhw_files "$1" ;;
+    --csv=) _rhw_files "$1" ;;
+    --save | --save=) _rhw_files "$1" ;;
+    --frames | --frames= | --threads | --threads= | -j | --peer-threads | --peer-threads=) ;;
     *) _rhw_rest "$1" none --scene --list --size --frames --threads --isa --peer --peer-threads --json --csv --save --help ;;
     esac
 }
@@ -154,6 +167,11 @@ _rhw_bench() { # CURRENT PREVIOUS
 _rhw() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     COMPREPLY=()
+    if [[ $previous == = ]]; then # bash takes --size=512 for three words
+        previous=${COMP_WORDS[COMP_CWORD - 2]}=
+    elif [[ $current == = ]]; then
+        current= previous=$previous=
+    fi
     if ((COMP_CWORD == 1)); then
         _rhw_words "$current" render thumbs compare explain view info bench help --help --version
         return

@@ -1,26 +1,35 @@
 # SPDX-License-Identifier: MIT
 # Completion of rhw for fish: verbs, options, their values, and files. Made by script/completions.
 
+function __rhw_verb -d 'Whether the verb is this one; without one, whether there is any'
+    set -l words (commandline -opc)
+    test (count $words) -gt 1; and test "$argv" = '' -o "$argv" = "$words[2]"
+end
+
+function __rhw_file -d 'Whether a word that is no option belongs to this verb'
+    __rhw_verb $argv; and not string match -q -- '-*' (commandline -ct)
+end
+
 function __rhw_list -d 'Words, each behind what stands before the last comma'
     set -l before (commandline -ct | string replace -r '^--[a-z-]*=' '' | string match -r '.*,')
     printf "$before%s\n" $argv
 end
 
 complete -c rhw -f
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench help' -a render -d 'draw a model file and write the picture'
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench help' -a thumbs -d 'draw a small picture of every model in a folder'
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench help' -a compare -d 'differences of two pictures, in numbers and as a picture'
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench help' -a explain -d 'how a pixel of the picture got its value, step by step'
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench help' -a view -d 'show a model in a window'
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench help' -a info -d 'what is in a model file'
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench help' -a bench -d 'time scenes, beside another renderer where there is one'
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench help' -a help -d 'what the program or a verb does'
-complete -c rhw -n '__fish_seen_subcommand_from help' -a 'render thumbs compare explain view info bench'
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench help' -l help
-complete -c rhw -n 'not __fish_seen_subcommand_from render thumbs compare explain view info bench help' -l version
+complete -c rhw -n 'not __rhw_verb' -a render -d 'draw a model file and write the picture'
+complete -c rhw -n 'not __rhw_verb' -a thumbs -d 'draw a small picture of every model in a folder'
+complete -c rhw -n 'not __rhw_verb' -a compare -d 'differences of two pictures, in numbers and as a picture'
+complete -c rhw -n 'not __rhw_verb' -a explain -d 'how a pixel of the picture got its value, step by step'
+complete -c rhw -n 'not __rhw_verb' -a view -d 'show a model in a window'
+complete -c rhw -n 'not __rhw_verb' -a info -d 'what is in a model file'
+complete -c rhw -n 'not __rhw_verb' -a bench -d 'time scenes, beside another renderer where there is one'
+complete -c rhw -n 'not __rhw_verb' -a help -d 'what the program or a verb does'
+complete -c rhw -n '__rhw_verb help' -a 'render thumbs compare explain view info bench'
+complete -c rhw -n 'not __rhw_verb' -l help
+complete -c rhw -n 'not __rhw_verb' -l version
 
-set -l seen '__fish_seen_subcommand_from render'
-complete -c rhw -n "$seen" -F
+set -l seen '__rhw_verb render'
+complete -c rhw -n '__rhw_file render' -F
 complete -c rhw -n "$seen" -s o -l out -r -F -d 'the file to write'
 complete -c rhw -n "$seen" -l literal -d 'braces in OUT stand for themselves'
 complete -c rhw -n "$seen" -s s -l size -x -a '512 1280x720 1920x1080 1024x1024 3840x2160' -d 'pixels, each way 1..16384, or N for a square'
@@ -65,14 +74,14 @@ complete -c rhw -n "$seen" -l paths -x -a 'all in-order general' -d 'all, in-ord
 complete -c rhw -n "$seen" -l max-memory -x -a '512M 1G 2G 4G' -d 'fail when more than this is needed'
 complete -c rhw -n "$seen" -l max-time -x -a '10 60 300' -d 'fail when the whole of it takes longer, 0.1..86400'
 complete -c rhw -n "$seen" -l max-texture -x -a '1024 2048 4096 8192 16384' -d 'halve textures until they are no longer than this'
-complete -c rhw -n "$seen" -l confine -d 'read no file outside this folder that the model names'
-complete -c rhw -n "$seen" -l stats -d 'write the time of each stage, memory and counts as JSON, to standard output without FILE'
+complete -c rhw -n "$seen" -l confine -F -d 'read no file outside this folder that the model names'
+complete -c rhw -n "$seen" -l stats -F -d 'write the time of each stage, memory and counts as JSON, to standard output without FILE'
 complete -c rhw -n "$seen" -l strict -d 'no picture where the file has something that is not drawn as it is meant'
 complete -c rhw -n "$seen" -s q -l quiet -d 'no warnings'
 complete -c rhw -n "$seen" -s h -l help -d 'print this and exit'
 
-set -l seen '__fish_seen_subcommand_from thumbs'
-complete -c rhw -n "$seen" -F
+set -l seen '__rhw_verb thumbs'
+complete -c rhw -n '__rhw_file thumbs' -F
 complete -c rhw -n "$seen" -s o -l out -r -F -d 'the folder for the pictures, made where it is missing'
 complete -c rhw -n "$seen" -s s -l size -x -a '128 256 512' -d 'pixels, each way 1..16384, or N for a square'
 complete -c rhw -n "$seen" -l background -x -a 'transparent default black grey white' -d 'as for rhw render'
@@ -86,8 +95,8 @@ complete -c rhw -n "$seen" -l confine -r -F -d 'read no file outside this folder
 complete -c rhw -n "$seen" -s q -l quiet -d 'no warnings, and no count at the end'
 complete -c rhw -n "$seen" -s h -l help -d 'print this and exit'
 
-set -l seen '__fish_seen_subcommand_from compare'
-complete -c rhw -n "$seen" -F
+set -l seen '__rhw_verb compare'
+complete -c rhw -n '__rhw_file compare' -F
 complete -c rhw -n "$seen" -s d -l difference -r -F -d 'write a picture of the differences'
 complete -c rhw -n "$seen" -s t -l tolerance -x -d 'largest difference of a sample that still passes'
 complete -c rhw -n "$seen" -l json -d 'print the numbers as JSON'
@@ -95,8 +104,8 @@ complete -c rhw -n "$seen" -l max-memory -x -a '512M 1G 2G 4G' -d 'fail when the
 complete -c rhw -n "$seen" -l max-time -x -a '10 60 300' -d 'fail when it takes longer, 0.1..86400'
 complete -c rhw -n "$seen" -s h -l help -d 'print this and exit'
 
-set -l seen '__fish_seen_subcommand_from explain'
-complete -c rhw -n "$seen" -F
+set -l seen '__rhw_verb explain'
+complete -c rhw -n '__rhw_file explain' -F
 complete -c rhw -n "$seen" -l at -x -d 'the pixel, from the top left of the picture'
 complete -c rhw -n "$seen" -l sample -x -d 'which of its samples, those of all pixels of --supersample in rows'
 complete -c rhw -n "$seen" -l json -d 'the same as JSON, with every fragment\'s numbers'
@@ -134,12 +143,12 @@ complete -c rhw -n "$seen" -l paths -x -a 'all in-order general' -d 'all, in-ord
 complete -c rhw -n "$seen" -l max-memory -x -a '512M 1G 2G 4G' -d 'fail when more than this is needed'
 complete -c rhw -n "$seen" -l max-time -x -a '10 60 300' -d 'fail when the whole of it takes longer, 0.1..86400'
 complete -c rhw -n "$seen" -l max-texture -x -a '1024 2048 4096 8192 16384' -d 'halve textures until they are no longer than this'
-complete -c rhw -n "$seen" -l confine -d 'read no file outside this folder that the model names'
+complete -c rhw -n "$seen" -l confine -F -d 'read no file outside this folder that the model names'
 complete -c rhw -n "$seen" -s q -l quiet -d 'no warnings'
 complete -c rhw -n "$seen" -s h -l help -d 'print this and exit'
 
-set -l seen '__fish_seen_subcommand_from view'
-complete -c rhw -n "$seen" -F
+set -l seen '__rhw_verb view'
+complete -c rhw -n '__rhw_file view' -F
 complete -c rhw -n "$seen" -l fullscreen -d 'fill the screen'
 complete -c rhw -n "$seen" -s s -l size -x -a '512 1280x720 1920x1080 1024x1024 3840x2160' -d 'pixels, each way 1..16384, or N for a square'
 complete -c rhw -n "$seen" -l samples -x -a '1 2 4 8 16' -d 'samples of each pixel, for smooth edges'
@@ -176,16 +185,16 @@ complete -c rhw -n "$seen" -l isa -x -a 'baseline avx2 avx512' -d 'instruction s
 complete -c rhw -n "$seen" -l paths -x -a 'all in-order general' -d 'all, in-order or general'
 complete -c rhw -n "$seen" -l max-memory -x -a '512M 1G 2G 4G' -d 'fail when more than this is needed'
 complete -c rhw -n "$seen" -l max-texture -x -a '1024 2048 4096 8192 16384' -d 'halve textures until they are no longer than this'
-complete -c rhw -n "$seen" -l confine -d 'read no file outside this folder that the model names'
+complete -c rhw -n "$seen" -l confine -F -d 'read no file outside this folder that the model names'
 complete -c rhw -n "$seen" -s q -l quiet -d 'no warnings'
 complete -c rhw -n "$seen" -s h -l help -d 'print this and exit'
 
-set -l seen '__fish_seen_subcommand_from info'
-complete -c rhw -n "$seen" -F
+set -l seen '__rhw_verb info'
+complete -c rhw -n '__rhw_file info' -F
 complete -c rhw -n "$seen" -l json -d 'print everything as JSON'
 complete -c rhw -n "$seen" -s h -l help -d 'print this and exit'
 
-set -l seen '__fish_seen_subcommand_from bench'
+set -l seen '__rhw_verb bench'
 complete -c rhw -n "$seen" -l scene -x -a '(__rhw_list (rhw bench --list 2>/dev/null | cut -d \' \' -f 1))' -d 'scenes to draw, separated by commas'
 complete -c rhw -n "$seen" -l list -d 'list the scenes and exit'
 complete -c rhw -n "$seen" -s s -l size -x -a '512 1280x720 1920x1080 3840x2160' -d 'pixels, each way 1..16384'
@@ -194,7 +203,7 @@ complete -c rhw -n "$seen" -s j -l threads -x -d 'threads of rhw, 1..64'
 complete -c rhw -n "$seen" -l isa -x -a 'baseline avx2 avx512' -d 'baseline, avx2 or avx512'
 complete -c rhw -n "$seen" -l peer -x -a 'llvmpipe softpipe none' -d 'what to compare with'
 complete -c rhw -n "$seen" -l peer-threads -x -d 'threads of llvmpipe, 1..32'
-complete -c rhw -n "$seen" -l json -d 'print the results as JSON instead of a table, or write it to FILE'
-complete -c rhw -n "$seen" -l csv -d 'the same as comma-separated values'
+complete -c rhw -n "$seen" -l json -F -d 'print the results as JSON instead of a table, or write it to FILE'
+complete -c rhw -n "$seen" -l csv -F -d 'the same as comma-separated values'
 complete -c rhw -n "$seen" -l save -r -F -d 'write the pictures of rhw and of the peer to DIR, which must exist'
 complete -c rhw -n "$seen" -s h -l help -d 'print this and exit'

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+// A signal or the deadline at the worst moment of a file that is written: just when it has a name, on systems that have no
+// files without a name and on those that have. What stands here for system/temporary_file sends it.
+#include "output_file.h"
+#include "temporary_file.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+enum moment { CREATED, NAMED, REPLACED };
+
+static struct {
+    enum moment moment;
+    int signal; // 0: the deadline
+    bool has_unnamed;
+} worst;
+
+static void rest(long milliseconds)
+{
+    nanosleep(&(struct timespec){.tv_nsec = milliseconds * 1000000}, NULL);
+}
+
+// The program has the time to end before the step that comes next.
+static void strike(enum moment moment)
+{
+    if (moment == worst.moment) {
+        if (worst.signal) {
+            kill(getpid(), worst.signal);
+        }
+        rest(15);
+    }
+}
+
+int system_temporary_file_open(const char *folder)
+{
+    (void)folder;
+    errno = ENOTSUP;
+    return worst.has_unnamed ? open("/dev/null", O_WRONLY) : -1;
+}
+
+static int make(const char *path)
+{
+    return open(path, O_WRONLY | O_CREAT | O_EXCL, 0666);
+}
+
+bool system_temporary_file_name(int descriptor, const char *path)
+{
+    (void)descriptor;
+    const int made = make(path);
+    if (made >= 0) {
+        close(made);
+        strike(NAMED);
+    }
+    return made >= 0;
+}
+
+int system_temporary_file_create(const char *path)
+{
+    const int descriptor = make(path);
+    if (descriptor >= 0) {
+        strike(CREATED);
+    }
+    return descriptor;
+}
+
+bool system_temporary_file_replace(int *descriptor, const char *from, const char *to)
+{
+    (void)descriptor;
+    const bool replaced = rename(from, to) == 0;
+    if (worst.moment == REPLACED) {
+        close(make(from)); // another process has the name at once
+        strike(REPLACED);
+    }
+    return replaced;
+}
+
+bool system_temporary_file_remove(const char *path)
+{
+    (void)path;
+    return false;
+}
+
+static void *idle(void *user)
+{
+    (void)user;
+    for (;;) {
+        pause();
+    }
+    return NULL;
+}
+
+// Writes the file `target`, and waits to be ended. Another thread is there to take the signal.
+static void write_and_wait(bool has_thread)
+{
+    pthread_t thread;
+    struct cli_output_file file;
+    cli_output_files_guard();
+    if (worst.signal == 0) {
+        cli_output_files_deadline(0.005, "target");
+    }
+    if (has_thread && pthread_create(&thread, NULL, idle, NULL) != 0) {
+        _exit(2);
+    }
+    if (!cli_output_file_open(&file, "target") || fputs("newer", file.stream) < 0 ||
+        !cli_output_file_finish(&file) || !cli_output_file_commit(&file)) {
+        _exit(3);
+    }
+    idle(NULL);
+}
+
+// Removes the files beside the target, and returns how many there were.
+static int remove_others(void)
+{
+    int count = 0;
+    DIR *const folder = opendir(".");
+    assert_non_null(folder);
+    for (const struct dirent *entry = readdir(folder); entry; entry = readdir(folder)) {
+        if (strncmp(entry->d_name, ".rhw-", 5) == 0) {
+            assert_int_equal(unlink(entry->d_name), 0);
+            count++;
+        }
+    }
+    closedir(folder);
+    return count;
+}
+
+static void try(enum moment moment, int number, bool has_unnamed, bool has_thread)
+{
+    worst.moment = moment;
+    worst.signal = number;
+    worst.has_unnamed = has_unnamed;
+    const int older = open("target", O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    assert_true(older >= 0);
+    close(older);
+    const pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        signal(number ? number : SIGALRM, SIG_DFL);
+        write_and_wait(has_thread);
+    }
+    int status;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    if (number) {
+        assert_true(WIFSIGNALED(status));
+        assert_int_equal(WTERMSIG(status), number);
+    } else {
+        assert_true(WIFEXITED(status));
+        assert_int_equal(WEXITSTATUS(status), 1);
+    }
+    assert_int_equal(remove_others(), moment == REPLACED ? 1 : 0);
+}
+
+static void try_all(enum moment moment, bool has_unnamed)
+{
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, 0};
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+        try(moment, numbers[i], has_unnamed, false);
+        try(moment, numbers[i], has_unnamed, true);
+    }
+}
+
+static void test_when_it_was_created(void **state)
+{
+    (void)state;
+    try_all(CREATED, false);
+}
+
+static void test_when_it_was_named(void **state)
+{
+    (void)state;
+    try_all(NAMED, true);
+}
+
+static void test_when_it_took_its_place(void **state)
+{
+    (void)state;
+    try_all(REPLACED, false);
+    try_all(REPLACED, true);
+}
+
+static int enter_folder(void **state)
+{
+    static char folder[] = "/tmp/rhw-output-XXXXXX";
+    *state = folder;
+    return mkdtemp(folder) && chdir(folder) == 0 ? 0 : -1;
+}
+
+static int leave_folder(void **state)
+{
+    unlink("target");
+    return chdir("/") == 0 && rmdir(*state) == 0 ? 0 : -1;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_when_it_was_created),
+        cmocka_unit_test(test_when_it_was_named),
+        cmocka_unit_test(test_when_it_took_its_place),
+    };
+    return cmocka_run_group_tests(tests, enter_folder, leave_folder);
+}
