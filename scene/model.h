@@ -162,6 +162,8 @@ struct scene_instance {
     uint32_t mesh;
     uint32_t object; ///< counts from 1, one number for each node that draws
     float world[16];
+    /// Where `world` moves its origin to, as exactly as it is known. Zeros say that `world` is all that there is.
+    double place[3];
     bool mirrored; ///< the determinant of `world` is negative
     bool unseen;   ///< nothing of it is seen from anywhere: its surfaces have no area or an alpha of 0
 };
@@ -175,6 +177,7 @@ struct scene_model_camera {
     float aspect;      ///< width / height; 0 for that of the picture
     float xmag, ymag;  ///< half width and half height, for orthographic
     float znear, zfar; ///< zfar is 0 if the view is infinitely deep
+    double place[3];   ///< where it stands, as exactly as it is known, or zeros
 };
 
 /// Directions of the world.
@@ -199,6 +202,7 @@ struct scene_model_light {
     float intensity;            ///< lux of a directional light, candela of the others
     float range;                ///< 0 if the light reaches without limit
     float inner_cos, outer_cos; ///< cosines of the half angles of a spot's cone; inner_cos > outer_cos
+    double place[3];            ///< the position, as exactly as it is known, or zeros
 };
 
 /// An animation is a movement that the file has. scene_model_options chooses the moment that is shown.
@@ -239,6 +243,9 @@ struct scene_model {
     /// floats would not tell its parts apart. The places of instances, cameras, lights and bounds are counted from it.
     /// Cameras of scene_view.h, the output of positions and all that users read are in the coordinates of the file.
     double origin[3];
+    /// Instances stand many times their size from the origin (SCENE_REMOTE), so that floats do not hold all of their
+    /// places, and pictures of such a part are drawn from a place nearby (draw/vicinity.h).
+    bool is_scattered;
     /// The bounds of all instances in the world. The minimum exceeds the maximum if there is nothing to draw.
     float bounds_min[3], bounds_max[3];
     /// The bounds hold more than what a picture is about: parts that are never seen, or specks far away. The frame is
@@ -257,6 +264,17 @@ struct scene_model {
 static inline bool scene_origin_is_far(const double origin[3])
 {
     return origin[0] != 0.0 || origin[1] != 0.0 || origin[2] != 0.0;
+}
+
+/// What is so many times its size from the origin shows in a picture that floats have steps.
+enum { SCENE_REMOTE = 4096 };
+
+/// Write a place that floats have, as exactly as it is known: `exact`, unless it is zeros.
+static inline void scene_exact_place(const float floats[3], const double exact[3], double place[3])
+{
+    for (int c = 0; c < 3; c++) {
+        place[c] = scene_origin_is_far(exact) ? exact[c] : (double)floats[c];
+    }
 }
 
 /// How far an import is. Another thread may read it by the __atomic built-ins while the import is under way. The caller

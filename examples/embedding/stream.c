@@ -64,7 +64,8 @@ static enum rhw_result draw_frame(rhw_context *context, rhw_pipeline pipeline, r
 {
     static struct drop_vertex vertices[3 * DROPS];
     const uint32_t count = move_drops(vertices, frame);
-    enum rhw_result result = rhw_buffer_write(context, buffer, 0, vertices, count * sizeof vertices[0]);
+    const size_t size = count * sizeof vertices[0];
+    enum rhw_result result = rhw_buffer_write(context, buffer, 0, vertices, size);
     if (result != RHW_OK) {
         return result;
     }
@@ -76,7 +77,7 @@ static enum rhw_result draw_frame(rhw_context *context, rhw_pipeline pipeline, r
         return result;
     }
     rhw_pass_set_pipeline(context, pass, pipeline);
-    rhw_pass_set_vertex_buffer(context, pass, 0, buffer, 0);
+    rhw_pass_set_vertex_buffer_range(context, pass, 0, buffer, 0, size); // of this frame alone
     rhw_pass_draw(context, pass, 0, count, 0, 1);
     return rhw_pass_end(context, pass, NULL); // all is drawn when it returns: the buffer is free again
 }

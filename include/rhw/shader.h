@@ -119,6 +119,7 @@ struct rhw_fragment1 {
     bool fully_covered;
 };
 
+#include "shader_bits_one.h"
 #include "shader_one.h"
 #include "shader_scalar.h"
 #include "shader_varying.h"

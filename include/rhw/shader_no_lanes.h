@@ -27,7 +27,13 @@ enum rhw_math1_function {
     RHW_MATH1_TRUNC,
     RHW_MATH1_FLOOR,
     RHW_MATH1_CEIL,
-    RHW_MATH1_ROUND
+    RHW_MATH1_ROUND,
+    RHW_MATH1_SINH,
+    RHW_MATH1_COSH,
+    RHW_MATH1_TANH,
+    RHW_MATH1_ASINH,
+    RHW_MATH1_ACOSH,
+    RHW_MATH1_ATANH
 };
 
 /// Return one lane of the function that `function` names. POW and ATAN2 read `b`; the others ignore it. Return NaN if
@@ -163,6 +169,36 @@ static inline float rhw_ceil1(float a)
 static inline float rhw_round1(float a)
 {
     return rhw_math1(RHW_MATH1_ROUND, a, 0);
+}
+
+static inline float rhw_sinh1(float a)
+{
+    return rhw_math1(RHW_MATH1_SINH, a, 0);
+}
+
+static inline float rhw_cosh1(float a)
+{
+    return rhw_math1(RHW_MATH1_COSH, a, 0);
+}
+
+static inline float rhw_tanh1(float a)
+{
+    return rhw_math1(RHW_MATH1_TANH, a, 0);
+}
+
+static inline float rhw_asinh1(float a)
+{
+    return rhw_math1(RHW_MATH1_ASINH, a, 0);
+}
+
+static inline float rhw_acosh1(float a)
+{
+    return rhw_math1(RHW_MATH1_ACOSH, a, 0);
+}
+
+static inline float rhw_atanh1(float a)
+{
+    return rhw_math1(RHW_MATH1_ATANH, a, 0);
 }
 
 static inline void rhw_sincos1(float a, float *sine, float *cosine)

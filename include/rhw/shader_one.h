@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // This is the shader kit for one vertex or fragment at a time. It has every function of 8 lanes under the same name
 // with a 1 behind it, or _1 after a digit. These functions take plain floats and give the bits of a lane. A mask is a
-// bool. The docstrings of shader_vector.h, shader_math.h, shader_linear.h, shader_memory.h and shader_sample.h tell
-// ranges, special cases and errors. shader.h includes this header. A compiler without lanes has these functions too:
-// where the functions here go through a lane, it calls the library (shader_no_lanes.h).
+// bool. The docstrings of the headers for lanes tell ranges, special cases and errors. shader.h includes this header
+// and shader_bits_one.h, which has the functions of shader_integer.h and shader_pack.h. A compiler without lanes
+// has these functions too: where the functions here go through a lane, it calls the library (shader_no_lanes.h).
 #ifndef RHW_SHADER_ONE_H
 #define RHW_SHADER_ONE_H
 
+#include "shader_hyperbolic.h"
 #include "shader_linear.h"
 #include "shader_math.h"
 #include "shader_memory.h"
@@ -227,6 +228,36 @@ static inline float rhw_asin1(float a)
 static inline float rhw_acos1(float a)
 {
     return rhw_acos(rhw_splat(a))[0];
+}
+
+static inline float rhw_sinh1(float a)
+{
+    return rhw_sinh(rhw_splat(a))[0];
+}
+
+static inline float rhw_cosh1(float a)
+{
+    return rhw_cosh(rhw_splat(a))[0];
+}
+
+static inline float rhw_tanh1(float a)
+{
+    return rhw_tanh(rhw_splat(a))[0];
+}
+
+static inline float rhw_asinh1(float a)
+{
+    return rhw_asinh(rhw_splat(a))[0];
+}
+
+static inline float rhw_acosh1(float a)
+{
+    return rhw_acosh(rhw_splat(a))[0];
+}
+
+static inline float rhw_atanh1(float a)
+{
+    return rhw_atanh(rhw_splat(a))[0];
 }
 
 #endif

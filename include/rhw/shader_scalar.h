@@ -9,7 +9,9 @@
 #ifndef RHW_SHADER_SCALAR_H
 #define RHW_SHADER_SCALAR_H
 
-#include "shader_math.h"
+#include "shader_hyperbolic.h"
+#include "shader_integer.h"
+#include "shader_pack.h"
 
 #if RHW_HAS_LANES
 
@@ -145,6 +147,31 @@ template <class A, class B> static inline rhw_float rhw_atan2(A y, B x)
     return rhw_atan2(rhw_lanes_from(y), rhw_lanes_from(x));
 }
 
+template <class A, class B> static inline rhw_int rhw_divide_int(A a, B b)
+{
+    return rhw_divide_int(rhw_int_lanes_from(a), rhw_int_lanes_from(b));
+}
+
+template <class A, class B> static inline rhw_int rhw_remainder_int(A a, B b)
+{
+    return rhw_remainder_int(rhw_int_lanes_from(a), rhw_int_lanes_from(b));
+}
+
+template <class A, class B> static inline rhw_int rhw_divide_uint(A a, B b)
+{
+    return rhw_divide_uint(rhw_int_lanes_from(a), rhw_int_lanes_from(b));
+}
+
+template <class A, class B> static inline rhw_int rhw_remainder_uint(A a, B b)
+{
+    return rhw_remainder_uint(rhw_int_lanes_from(a), rhw_int_lanes_from(b));
+}
+
+template <class A, class B> static inline rhw_float rhw_ldexp(A a, B n)
+{
+    return rhw_ldexp(rhw_lanes_from(a), rhw_int_lanes_from(n));
+}
+
 } // extern "C++"
 
 #else
@@ -181,8 +208,13 @@ static inline rhw_int rhw_same_int(rhw_int lanes)
 #define rhw_mix(a, b, t)           rhw_mix(RHW_LANES_FROM(a), RHW_LANES_FROM(b), RHW_LANES_FROM(t))
 #define rhw_smoothstep(edge0, edge1, a) \
     rhw_smoothstep(RHW_LANES_FROM(edge0), RHW_LANES_FROM(edge1), RHW_LANES_FROM(a))
-#define rhw_pow(a, b)   rhw_pow(RHW_LANES_FROM(a), RHW_LANES_FROM(b))
-#define rhw_atan2(y, x) rhw_atan2(RHW_LANES_FROM(y), RHW_LANES_FROM(x))
+#define rhw_pow(a, b)            rhw_pow(RHW_LANES_FROM(a), RHW_LANES_FROM(b))
+#define rhw_atan2(y, x)          rhw_atan2(RHW_LANES_FROM(y), RHW_LANES_FROM(x))
+#define rhw_divide_int(a, b)     rhw_divide_int(RHW_INT_LANES_FROM(a), RHW_INT_LANES_FROM(b))
+#define rhw_remainder_int(a, b)  rhw_remainder_int(RHW_INT_LANES_FROM(a), RHW_INT_LANES_FROM(b))
+#define rhw_divide_uint(a, b)    rhw_divide_uint(RHW_INT_LANES_FROM(a), RHW_INT_LANES_FROM(b))
+#define rhw_remainder_uint(a, b) rhw_remainder_uint(RHW_INT_LANES_FROM(a), RHW_INT_LANES_FROM(b))
+#define rhw_ldexp(a, n)          rhw_ldexp(RHW_LANES_FROM(a), RHW_INT_LANES_FROM(n))
 
 #endif
 

@@ -87,6 +87,16 @@ static struct scene_frame frame_of(const struct draw *draw)
     return frame;
 }
 
+// The frame with the guide of what light does not pass through.
+static struct scene_frame solid_frame_of(const struct draw *draw)
+{
+    struct scene_frame frame = frame_of(draw);
+    if (frame.guide.distance) {
+        frame.guide = scene_guide_lookup(&draw->scene->solid_guide, draw->view);
+    }
+    return frame;
+}
+
 static struct scene_surface_pass surfaces_of(const struct draw *draw, const struct scene_frame *frame,
                                              enum scene_surface_part part)
 {
@@ -119,22 +129,20 @@ static struct rhw_pass_def pass_def(const struct scene_target *color, const stru
     return def;
 }
 
-static enum rhw_result record_and_end(struct draw *draw, rhw_pass pass, enum rhw_result result,
+static enum rhw_result record_and_end(struct draw *draw, rhw_pass pass,
                                       const struct scene_surface_pass *surfaces)
 {
     struct scene *scene = draw->scene;
-    if (result == RHW_OK) {
-        result = scene_surfaces_record(&scene->upload, &scene->pipelines, surfaces, pass);
-    }
+    const enum rhw_result result = scene_surfaces_record(&scene->upload, &scene->pipelines, surfaces, pass);
     return scene_pass_end(scene->upload.context, pass, result, NULL);
 }
 
-// Draw the background and opaque surfaces.
+// Draw the background, the ground and opaque surfaces.
 static enum rhw_result draw_opaque(struct draw *draw, const struct scene_target *depth)
 {
     struct scene *scene = draw->scene;
     rhw_context *context = scene->upload.context;
-    const struct scene_frame frame = frame_of(draw);
+    const struct scene_frame frame = solid_frame_of(draw);
     const struct scene_surface_pass surfaces = surfaces_of(draw, &frame, SCENE_SURFACES_OPAQUE);
     struct scene_background_pass background;
     scene_background_set(draw, 1, 0, &background);
@@ -145,12 +153,15 @@ static enum rhw_result draw_opaque(struct draw *draw, const struct scene_target 
     struct rhw_pass_def def = pass_def(&scene->backdrop.picture, depth, RHW_LOAD_CLEAR);
     memcpy(def.colors[0].clear, background.gradient.top, sizeof background.gradient.top);
     rhw_pass pass;
-    const enum rhw_result result = rhw_pass_begin(context, &def, &pass);
-    return result != RHW_OK
-               ? result
-               : record_and_end(draw, pass,
-                                scene_background_record(draw, pass, true, &light_format, 1, &background),
-                                &surfaces);
+    enum rhw_result result = rhw_pass_begin(context, &def, &pass);
+    if (result != RHW_OK) {
+        return result;
+    }
+    result = scene_background_record(draw, pass, true, &light_format, 1, &background);
+    if (result == RHW_OK) {
+        result = scene_color_record(draw, &surfaces, pass);
+    }
+    return scene_pass_end(context, pass, result, NULL);
 }
 
 // Draw the depth of the nearest glass.
@@ -163,14 +174,14 @@ static enum rhw_result draw_nearest(struct draw *draw, const struct scene_target
     const struct rhw_pass_def def = pass_def(NULL, depth, RHW_LOAD_CLEAR);
     rhw_pass pass;
     const enum rhw_result result = rhw_pass_begin(draw->scene->upload.context, &def, &pass);
-    return result != RHW_OK ? result : record_and_end(draw, pass, result, &surfaces);
+    return result != RHW_OK ? result : record_and_end(draw, pass, &surfaces);
 }
 
 // Draw blended surfaces over opaque ones where they are not before the nearest glass.
 static enum rhw_result draw_blended(struct draw *draw, const struct scene_target *depth,
                                     const struct scene_target *nearest)
 {
-    struct scene_frame frame = frame_of(draw);
+    struct scene_frame frame = solid_frame_of(draw);
     frame.peel_samples = SAMPLES;
     frame.peel_behind = 1;
     struct scene_surface_pass surfaces = surfaces_of(draw, &frame, SCENE_SURFACES_BLENDED);
@@ -178,7 +189,7 @@ static enum rhw_result draw_blended(struct draw *draw, const struct scene_target
     const struct rhw_pass_def def = pass_def(&draw->scene->backdrop.picture, depth, RHW_LOAD_LOAD);
     rhw_pass pass;
     const enum rhw_result result = rhw_pass_begin(draw->scene->upload.context, &def, &pass);
-    return result != RHW_OK ? result : record_and_end(draw, pass, result, &surfaces);
+    return result != RHW_OK ? result : record_and_end(draw, pass, &surfaces);
 }
 
 // Draw the farthest glass that is nearer than `behind` and farther than the nearest, whose depth is `depth` before and
@@ -260,11 +271,16 @@ static enum rhw_result draw_surfaces(struct draw *draw)
     return result;
 }
 
+bool scene_backdrop_wanted(const struct draw *draw)
+{
+    return !draw->frame.plain && any_instance(draw->scene->upload.model, scene_material_transmits);
+}
+
 enum rhw_result scene_draw_backdrop(struct draw *draw)
 {
     struct scene *scene = draw->scene;
     const struct scene_view *view = draw->view;
-    if (draw->frame.plain || !any_instance(scene->upload.model, scene_material_transmits)) {
+    if (!scene_backdrop_wanted(draw)) {
         return RHW_OK;
     }
     const int longer = view->width > view->height ? view->width : view->height;

@@ -11,7 +11,7 @@ static const uint8_t gradient_top[3] = {134, 146, 160}, gradient_bottom[3] = {66
 static void set_gradient(const struct draw *draw, int side, int first_row, struct scene_backdrop *backdrop)
 {
     const struct scene_view *view = draw->view;
-    *backdrop = (struct scene_backdrop){.smooth = draw->pictures->display != NULL,
+    *backdrop = (struct scene_backdrop){.smooth = draw->is_wide,
                                         .inverse_height = 1.0f / (float)view->height,
                                         .first_row = (float)(first_row * side),
                                         .inverse_side = 1.0f / (float)side};

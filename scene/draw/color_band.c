@@ -30,7 +30,9 @@ static bool begin_telling(struct telling *telling, const struct draw *draw, rhw_
     const struct scene_explain *const explain = draw->view->explain;
     const int first_row = draw->first_row * draw->side;
     *telling = (struct telling){.explain = explain, .first_row = first_row};
-    if (!explain || explain->y < first_row || explain->y >= first_row + draw->band_rows * draw->side) {
+    const bool is_told = draw->is_wide && draw->pictures->color; // the history is told once
+    if (!explain || is_told || explain->y < first_row ||
+        explain->y >= first_row + draw->band_rows * draw->side) {
         telling->explain = NULL;
         return true;
     }
@@ -138,19 +140,26 @@ static enum rhw_result finish_band(struct draw *draw, int samples, int resolved,
     return result;
 }
 
+// Light before tone mapping is drawn once, with the last of the colours.
+static bool draws_linear(const struct draw *draw)
+{
+    return draw->pictures->linear && draw->is_wide == (draw->pictures->display != NULL);
+}
+
 enum rhw_result scene_color_begin(struct draw *draw)
 {
-    const struct scene_pictures *pictures = draw->pictures;
     const bool transparent = draw->view->background == SCENE_BACKGROUND_TRANSPARENT;
     const int width = draw->view->width * draw->side, height = draw->band_rows * draw->side;
     // Premultiplied colours of a transparent picture are divided by alpha later: 8 bits would not do.
-    draw->color_formats[0] = pictures->display ? RHW_FORMAT_RGBA32_FLOAT
-                             : transparent     ? RHW_FORMAT_RGBA16_FLOAT
-                                               : RHW_FORMAT_RGBA8_SRGB;
+    draw->color_formats[0] = draw->is_wide ? RHW_FORMAT_RGBA32_FLOAT
+                             : transparent ? RHW_FORMAT_RGBA16_FLOAT
+                                           : RHW_FORMAT_RGBA8_SRGB;
     draw->color_formats[1] = RHW_FORMAT_RGBA32_FLOAT;
-    draw->color_count = pictures->linear ? 2 : 1;
+    const bool has_linear = draws_linear(draw);
+    draw->color_count = has_linear ? 2 : 1;
+    draw->frame.linear_slot = has_linear ? 1 : -1;
     enum rhw_result result = scene_draw_target(draw, TARGET_SAMPLES, draw->color_formats[0], width, height);
-    if (result == RHW_OK && pictures->linear) {
+    if (result == RHW_OK && has_linear) {
         result = scene_draw_target(draw, TARGET_LINEAR_SAMPLES, draw->color_formats[1], width, height);
     }
     return result;
@@ -161,15 +170,15 @@ enum rhw_result scene_color_end(struct draw *draw)
     const struct scene_pictures *pictures = draw->pictures;
     const bool transparent = draw->view->background == SCENE_BACKGROUND_TRANSPARENT;
     enum rhw_result result = RHW_OK;
-    if (pictures->color) {
+    if (pictures->color && !draw->is_wide) {
         result = finish_band(draw, TARGET_SAMPLES, TARGET_COLOR, RHW_FORMAT_RGBA8_SRGB, transparent,
                              pictures->color);
     }
-    if (result == RHW_OK && pictures->display) {
+    if (result == RHW_OK && draw->is_wide) {
         result = finish_band(draw, TARGET_SAMPLES, TARGET_DISPLAY, RHW_FORMAT_RGBA32_FLOAT, transparent,
                              pictures->display);
     }
-    if (result == RHW_OK && pictures->linear) {
+    if (result == RHW_OK && draws_linear(draw)) {
         result = finish_band(draw, TARGET_LINEAR_SAMPLES, TARGET_LINEAR, RHW_FORMAT_RGBA32_FLOAT, false,
                              pictures->linear);
     }

@@ -5,6 +5,7 @@
 #include "drawing.h"
 
 #include "draw/shading/color.h"
+#include "vicinity.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -55,6 +56,7 @@ void scene_destroy(struct scene *scene)
         scene_target_destroy(context, &scene->targets[i]);
     }
     scene_guide_destroy(context, &scene->guide);
+    scene_guide_destroy(context, &scene->solid_guide);
     scene_ground_destroy(&scene->ground);
     scene_shadows_destroy(context, &scene->shadows);
     scene_surroundings_destroy(context, &scene->surroundings);
@@ -109,8 +111,9 @@ static enum rhw_result draw_light(struct draw *draw)
 }
 
 // Colour is drawn into samples of a band and becomes rows of the pictures.
-static enum rhw_result draw_color_band(struct draw *draw)
+static enum rhw_result draw_samples(struct draw *draw, bool is_wide)
 {
+    draw->is_wide = is_wide;
     const double start = scene_milliseconds();
     enum rhw_result result = scene_color_begin(draw);
     if (result == RHW_OK && scene_peel_wanted(draw)) {
@@ -126,6 +129,17 @@ static enum rhw_result draw_color_band(struct draw *draw)
     return result == RHW_OK ? scene_color_end(draw) : result;
 }
 
+// Colours of 8 bits and of more are drawn apart, since what is rounded and dithered differs.
+static enum rhw_result draw_color_band(struct draw *draw)
+{
+    const struct scene_pictures *pictures = draw->pictures;
+    enum rhw_result result = RHW_OK;
+    if (pictures->color || !pictures->display) {
+        result = draw_samples(draw, false);
+    }
+    return result == RHW_OK && pictures->display ? draw_samples(draw, true) : result;
+}
+
 static enum rhw_result draw_color(struct draw *draw)
 {
     static const uint32_t colors = SCENE_OUTPUT_COLOR | SCENE_OUTPUT_LINEAR | SCENE_OUTPUT_DISPLAY |
@@ -133,7 +147,7 @@ static enum rhw_result draw_color(struct draw *draw)
     if (!(draw->view->outputs & colors)) {
         return RHW_OK;
     }
-    draw->frame.linear_slot = draw->pictures->linear ? 1 : -1;
+    draw->is_wide = draw->pictures->display != NULL;
     const enum rhw_result result = draw_light(draw);
     if (result != RHW_OK) {
         return result;
@@ -167,8 +181,9 @@ static enum rhw_result draw_picture(struct draw *draw)
     return result;
 }
 
-enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
-                           struct scene_pictures *pictures, struct scene_draw_stats *stats)
+// Draw from the origin of the model.
+static enum rhw_result draw_near(struct scene *scene, const struct scene_view *view,
+                                 struct scene_pictures *pictures, struct scene_draw_stats *stats)
 {
     const struct scene_model *const model = scene->upload.model;
     *pictures = (struct scene_pictures){.width = view->width, .height = view->height};
@@ -194,6 +209,39 @@ enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
     if (stats) {
         *stats = draw.stats;
     }
+    return result;
+}
+
+// Count the positions of pictures from the origin of the model, whatever they were drawn from.
+static void move_positions(struct scene_pictures *pictures, const double origin[3])
+{
+    for (size_t i = 0; pictures->position && i < (size_t)pictures->width * (size_t)pictures->height; i++) {
+        float *const position = &pictures->position[4 * i];
+        for (int c = 0; c < 3 && position[3] > 0.0f; c++) {
+            position[c] = (float)((double)position[c] + pictures->origin[c] - origin[c]);
+        }
+    }
+    memcpy(pictures->origin, origin, sizeof pictures->origin);
+}
+
+enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
+                           struct scene_pictures *pictures, struct scene_draw_stats *stats)
+{
+    const struct scene_model *const model = scene->upload.model;
+    struct scene_vicinity vicinity;
+    double origin[3];
+    scene_vicinity_origin(model, &view->camera, origin);
+    if (memcmp(origin, model->origin, sizeof origin) == 0) {
+        return draw_near(scene, view, pictures, stats);
+    }
+    if (!scene_vicinity_make(&vicinity, model, origin)) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    scene->upload.model = &vicinity.model;
+    const enum rhw_result result = draw_near(scene, view, pictures, stats);
+    scene->upload.model = model;
+    move_positions(pictures, model->origin);
+    scene_vicinity_free(&vicinity);
     return result;
 }
 

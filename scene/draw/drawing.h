@@ -34,7 +34,8 @@ struct scene {
     struct scene_surface_pipelines pipelines;
     struct scene_target targets[TARGET_COUNT];
     struct scene_guide guide;
-    struct scene_ground ground; // with view.ground
+    struct scene_guide solid_guide; // what is nearest without surfaces that light passes through
+    struct scene_ground ground;     // with view.ground
     struct scene_shadows shadows;
     struct scene_surroundings surroundings;
     struct scene_seen_through backdrop;
@@ -60,6 +61,7 @@ struct draw {
     int band_rows, first_row;         // rows of the picture
     enum rhw_format color_formats[2]; // formats of the targets of displayed colour and of light
     int color_count;                  // number of the targets that are drawn to
+    bool is_wide;                     // the colours under way are of more than 8 bits
     uint32_t data_pass;               // the outputs of the data pass under way
 };
 
@@ -107,6 +109,7 @@ enum rhw_result scene_background_record(const struct draw *draw, rhw_pass pass, 
                                         const struct scene_background_pass *background);
 
 // backdrop.c: what is seen through surfaces that light passes through.
+bool scene_backdrop_wanted(const struct draw *draw);
 enum rhw_result scene_draw_backdrop(struct draw *draw);
 void scene_backdrop_destroy(rhw_context *context, struct scene_seen_through *backdrop);
 

@@ -86,7 +86,7 @@ void scene_guide_place(const struct scene_guide_rays *rays, double x, double y, 
 
 enum rhw_result scene_guide_draw(struct scene_guide *guide, const struct scene_upload *upload,
                                  const struct scene_upload *ground, struct scene_surface_pipelines *pipelines,
-                                 const struct scene_view *view, const struct scene_frame *frame,
+                                 const struct scene_view *view, const struct scene_frame *frame, bool solid,
                                  const double view_projection[16])
 {
     rhw_context *context = upload->context;
@@ -102,6 +102,7 @@ enum rhw_result scene_guide_draw(struct scene_guide *guide, const struct scene_u
     struct scene_surface_pass surfaces = {.frame = &own,
                                           .data_outputs = SCENE_OUTPUT_DISTANCE | SCENE_OUTPUT_NORMAL,
                                           .guide = true,
+                                          .solid = solid,
                                           .formats = {RHW_FORMAT_R32_FLOAT, guide->normal.format},
                                           .format_count = 2};
     memcpy(surfaces.view_projection, view_projection, sizeof surfaces.view_projection);
@@ -199,7 +200,7 @@ enum rhw_result scene_guide_occlude(struct scene_guide *guide, rhw_context *cont
 struct scene_guide_lookup scene_guide_lookup(const struct scene_guide *guide, const struct scene_view *view)
 {
     return (struct scene_guide_lookup){.distance = guide->distance.texels,
-                                       .occlusion = guide->occlusion.texels,
+                                       .occlusion = view->ambient_occlusion ? guide->occlusion.texels : NULL,
                                        .width = guide->width,
                                        .height = guide->height,
                                        .pitch = guide->distance.pitch,

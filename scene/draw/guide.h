@@ -16,11 +16,11 @@ struct scene_guide {
     struct scene_target normal; ///< normals of mesh and facet in the world, folded by guide_normal.h
 };
 
-/// Draws the guide of a view. `frame` and `view_projection` are those of scene_frame_look.
-/// `ground` may be NULL.
+/// Draws the guide of a view, with `solid` without what light passes through. `frame` and `view_projection` are those
+/// of scene_frame_look. `ground` may be NULL.
 enum rhw_result scene_guide_draw(struct scene_guide *guide, const struct scene_upload *upload,
                                  const struct scene_upload *ground, struct scene_surface_pipelines *pipelines,
-                                 const struct scene_view *view, const struct scene_frame *frame,
+                                 const struct scene_view *view, const struct scene_frame *frame, bool solid,
                                  const double view_projection[16]);
 
 /// Fills the plane of ambient occlusion: the part of its hemisphere that a pixel's surface sees open within `radius`

@@ -27,12 +27,7 @@ enum rhw_result scene_draw_surround(struct draw *draw)
 static double subject_radius(const struct scene_model *model)
 {
     const struct scene_subject subject = scene_subject_find(model);
-    double square = 0.0;
-    for (int c = 0; c < 3; c++) {
-        const double side = subject.box.high[c] - subject.box.low[c];
-        square += side * side;
-    }
-    return 0.5 * __builtin_sqrt(square);
+    return 0.5 * scene_box_diagonal(&subject.box);
 }
 
 enum rhw_result scene_draw_ground(struct draw *draw)
@@ -51,25 +46,45 @@ static bool is_guided(const struct draw *draw)
     return (draw->view->ambient_occlusion || draw->view->shadows) && !draw->frame.plain;
 }
 
+// The second guide has what is seen through surfaces.
+static int guide_count(const struct draw *draw)
+{
+    return scene_backdrop_wanted(draw) ? 2 : 1;
+}
+
 enum rhw_result scene_draw_guide(struct draw *draw)
 {
     struct scene *const scene = draw->scene;
-    return is_guided(draw)
-               ? scene_guide_draw(&scene->guide, &scene->upload,
-                                  scene->ground.is_made ? &scene->ground.upload : NULL, &scene->pipelines,
-                                  draw->view, &draw->frame, draw->view_projection)
-               : RHW_OK;
+    if (!is_guided(draw)) {
+        return RHW_OK;
+    }
+    struct scene_guide *const guides[2] = {&scene->guide, &scene->solid_guide};
+    const int count = guide_count(draw);
+    if (count == 1) {
+        scene_guide_destroy(scene->upload.context, &scene->solid_guide); // shadow maps are fitted to both
+    }
+    enum rhw_result result = RHW_OK;
+    for (int i = 0; i < count && result == RHW_OK; i++) {
+        result =
+            scene_guide_draw(guides[i], &scene->upload, scene->ground.is_made ? &scene->ground.upload : NULL,
+                             &scene->pipelines, draw->view, &draw->frame, i == 1, draw->view_projection);
+    }
+    return result;
 }
 
 enum rhw_result scene_draw_occlusion(struct draw *draw)
 {
     struct scene *const scene = draw->scene;
-    if (!is_guided(draw) || !draw->view->ambient_occlusion) {
+    if (!is_guided(draw)) {
         return RHW_OK;
     }
-    const enum rhw_result result =
-        scene_guide_occlude(&scene->guide, scene->upload.context, scene->nearest, draw->view,
-                            occlusion_reach * subject_radius(scene->upload.model));
+    struct scene_guide *const guides[2] = {&scene->guide, &scene->solid_guide};
+    const double radius = occlusion_reach * subject_radius(scene->upload.model);
+    const int count = draw->view->ambient_occlusion ? guide_count(draw) : 0;
+    enum rhw_result result = RHW_OK;
+    for (int i = 0; i < count && result == RHW_OK; i++) {
+        result = scene_guide_occlude(guides[i], scene->upload.context, scene->nearest, draw->view, radius);
+    }
     draw->frame.guide = scene_guide_lookup(&scene->guide, draw->view);
     return result;
 }
@@ -77,8 +92,9 @@ enum rhw_result scene_draw_occlusion(struct draw *draw)
 enum rhw_result scene_draw_shadows(struct draw *draw)
 {
     struct scene *const scene = draw->scene;
+    const struct scene_guide *const guides[2] = {&scene->guide, &scene->solid_guide};
     return is_guided(draw) && draw->view->shadows
-               ? scene_shadows_draw(&scene->shadows, &scene->upload, &scene->pipelines, draw->view,
-                                    &scene->guide, &draw->frame, &draw->lighting)
+               ? scene_shadows_draw(&scene->shadows, &scene->upload, &scene->pipelines, draw->view, guides,
+                                    &draw->frame, &draw->lighting)
                : RHW_OK;
 }

@@ -97,34 +97,23 @@ static void extend(struct box2 *box, const struct frame *f, const double p[3])
     }
 }
 
-// Where the light sees what is in the picture; every other texel of the guide will do, the map has a margin.
-static struct box2 find_seen(const struct scene_guide *guide, const struct scene_view *view,
-                             const struct frame *f)
+// Extend a box by where the light sees what is in the picture. Every other texel of the guide will do, since the map
+// has a margin.
+static void extend_by_seen(struct box2 *box, const struct scene_guide *guide, const struct scene_view *view,
+                           const struct frame *f)
 {
     enum { STEP = 2 };
     const struct scene_guide_rays rays = scene_guide_rays(view);
-    struct box2 box = {{1e300, 1e300}, {-1e300, -1e300}};
     for (int y = 0; y < guide->height; y += STEP) {
         const float *row = &guide->distance.texels[(size_t)y * (size_t)guide->distance.pitch];
         for (int x = 0; x < guide->width; x += STEP) {
             if (row[x] < 1e30f) {
                 double p[3];
                 scene_guide_place(&rays, x + 0.5, y + 0.5, (double)row[x], p);
-                extend(&box, f, p);
+                extend(box, f, p);
             }
         }
     }
-    return box;
-}
-
-static double diagonal(const struct scene_box *box)
-{
-    double square = 0.0;
-    for (int c = 0; c < 3; c++) {
-        const double side = box->high[c] - box->low[c];
-        square += side * side;
-    }
-    return __builtin_sqrt(square);
 }
 
 // Find the box of what casts shadows. Specks that are hundreds of times as far away as the model is large would leave
@@ -132,7 +121,7 @@ static double diagonal(const struct scene_box *box)
 static struct scene_box find_casters(const struct scene_model *model)
 {
     const struct scene_box frame = scene_subject_frame(model);
-    const double reach = 100.0 * diagonal(&frame);
+    const double reach = 100.0 * scene_box_diagonal(&frame);
     struct scene_box box;
     for (int c = 0; c < 3; c++) {
         const double low = (double)model->bounds_min[c], high = (double)model->bounds_max[c];
@@ -142,21 +131,43 @@ static struct scene_box find_casters(const struct scene_model *model)
     return box;
 }
 
-// Where the model begins and ends along the light, with some room.
-static void find_range(const struct scene_model *model, const struct frame *f, double *near, double *far)
+// Find the box of what casts shadows into a part of the map. Of a model that is scattered it is the box of the
+// instances that the light sees there, as the others may be too far away for the map's precision.
+static struct scene_box find_casters_over(const struct scene_model *model, const struct frame *f,
+                                          const struct box2 *seen)
 {
-    const struct scene_box box = find_casters(model);
+    struct scene_box casters = scene_box_empty();
+    for (uint32_t i = 0; i < model->instance_count && model->is_scattered; i++) {
+        const struct scene_box own = scene_subject_box(model, i);
+        struct box2 across = {{1e300, 1e300}, {-1e300, -1e300}};
+        for (int corner = 0; corner < 8; corner++) {
+            double p[3];
+            scene_box_corner(&own, corner, p);
+            extend(&across, f, p);
+        }
+        if (across.low[0] <= seen->high[0] && across.high[0] >= seen->low[0] &&
+            across.low[1] <= seen->high[1] && across.high[1] >= seen->low[1]) {
+            scene_box_extend(&casters, &own);
+        }
+    }
+    return casters.low[0] <= casters.high[0] ? casters : find_casters(model);
+}
+
+// Where casters begin and end along the light, with some room.
+static void find_range(const struct scene_box *casters, const struct frame *f, double *near, double *far)
+{
+    const struct scene_box box = *casters;
     *near = 1e300;
     *far = -1e300;
     for (int corner = 0; corner < 8; corner++) {
-        const double p[3] = {(corner & 1 ? box.high : box.low)[0], (corner & 2 ? box.high : box.low)[1],
-                             (corner & 4 ? box.high : box.low)[2]};
+        double p[3];
+        scene_box_corner(&box, corner, p);
         const double along = scene_dot(f->ahead, p);
         *near = along < *near ? along : *near;
         *far = along > *far ? along : *far;
     }
     // A millionth, or less for a model so small that this would be most of the map's depth.
-    const double some = 1e-6, part = 0.01 * diagonal(&box);
+    const double some = 1e-6, part = 0.01 * scene_box_diagonal(&box);
     const double room = 0.01 * (*far - *near) + (part > 0.0 && part < some ? part : some);
     *near -= room;
     *far += room;
@@ -238,7 +249,7 @@ static int maps_needed(const struct scene_shader_light *light)
 // Its maps are the next ones.
 static enum rhw_result cast(struct scene_shadows *shadows, const struct scene_upload *upload,
                             struct scene_surface_pipelines *pipelines, const struct scene_view *view,
-                            const struct scene_guide *guide, const struct scene_frame *frame,
+                            const struct scene_guide *const guides[2], const struct scene_frame *frame,
                             struct scene_shader_light *light)
 {
     static const double faces[6][2][3] = {{{1, 0, 0}, {0, 1, 0}}, {{-1, 0, 0}, {0, 1, 0}},
@@ -246,7 +257,7 @@ static enum rhw_result cast(struct scene_shadows *shadows, const struct scene_up
                                           {{0, 0, 1}, {0, 1, 0}}, {{0, 0, -1}, {0, 1, 0}}};
     struct scene_shadow_map map = {.size = SCENE_SHADOW_SIZE, .softness = light->softness};
     const struct scene_box subject = scene_subject_frame(upload->model);
-    const double nearest = 1e-3 * diagonal(&subject);
+    const double nearest = 1e-3 * scene_box_diagonal(&subject);
     const double sign = light->type == SCENE_LIGHT_DIRECTIONAL ? -1.0 : 1.0;
     const double along[3] = {sign * (double)light->direction[0], sign * (double)light->direction[1],
                              sign * (double)light->direction[2]};
@@ -258,12 +269,15 @@ static enum rhw_result cast(struct scene_shadows *shadows, const struct scene_up
         struct frame f = count == 6 ? look(faces[m][0], faces[m][1]) : look(along, view->camera.up);
         memcpy(f.origin, position, sizeof f.origin);
         if (light->type == SCENE_LIGHT_DIRECTIONAL) {
-            const struct box2 seen = find_seen(guide, view, &f);
+            struct box2 seen = {{1e300, 1e300}, {-1e300, -1e300}};
+            extend_by_seen(&seen, guides[0], view, &f);
+            extend_by_seen(&seen, guides[1], view, &f);
             if (!(seen.low[0] < seen.high[0] && seen.low[1] < seen.high[1])) {
                 return RHW_OK; // nothing to shade
             }
+            const struct scene_box casters = find_casters_over(upload->model, &f, &seen);
             double near, far;
-            find_range(upload->model, &f, &near, &far);
+            find_range(&casters, &f, &near, &far);
             for (int c = 0; c < 3; c++) {
                 f.origin[c] = f.ahead[c] * near;
             }
@@ -290,20 +304,19 @@ struct scene_shadow_map scene_shadow_cover(const struct scene_model *model,
     const struct scene_box casters = find_casters(model);
     struct box2 box = {{1e300, 1e300}, {-1e300, -1e300}};
     for (int corner = 0; corner < 8; corner++) {
-        const double p[3] = {(corner & 1 ? casters.high : casters.low)[0],
-                             (corner & 2 ? casters.high : casters.low)[1],
-                             (corner & 4 ? casters.high : casters.low)[2]};
+        double p[3];
+        scene_box_corner(&casters, corner, p);
         extend(&box, &f, p);
     }
     double near, far;
-    find_range(model, &f, &near, &far);
+    find_range(&casters, &f, &near, &far);
     set_parallel(&map, &f, &box, near, far);
     return map;
 }
 
 enum rhw_result scene_shadows_draw(struct scene_shadows *shadows, const struct scene_upload *upload,
                                    struct scene_surface_pipelines *pipelines, const struct scene_view *view,
-                                   const struct scene_guide *guide, const struct scene_frame *frame,
+                                   const struct scene_guide *const guides[2], const struct scene_frame *frame,
                                    struct scene_lighting *lighting)
 {
     enum rhw_result result = RHW_OK;
@@ -312,7 +325,7 @@ enum rhw_result scene_shadows_draw(struct scene_shadows *shadows, const struct s
         struct scene_shader_light *light = &lighting->lights[i];
         light->map_count = 0;
         if (light->casts && shadows->count + maps_needed(light) <= SCENE_SHADOW_MAPS) {
-            result = cast(shadows, upload, pipelines, view, guide, frame, light);
+            result = cast(shadows, upload, pipelines, view, guides, frame, light);
         }
     }
     return result;

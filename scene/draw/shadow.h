@@ -21,10 +21,11 @@ struct scene_shadows {
 };
 
 /// Draws the maps of as many lights, in their order, as there are maps, and gives them to the lights; the shadows must
-/// outlive their use. `guide` has the view's distances.
+/// outlive their use. `guides` have the
+/// view's distances, the second of what is seen through surfaces, or nothing.
 enum rhw_result scene_shadows_draw(struct scene_shadows *shadows, const struct scene_upload *upload,
                                    struct scene_surface_pipelines *pipelines, const struct scene_view *view,
-                                   const struct scene_guide *guide, const struct scene_frame *frame,
+                                   const struct scene_guide *const guides[2], const struct scene_frame *frame,
                                    struct scene_lighting *lighting);
 /// A map of a directional light, of `size` texels each way, that covers all of the model; it has no plane yet.
 struct scene_shadow_map scene_shadow_cover(const struct scene_model *model,

@@ -159,6 +159,7 @@ static void use_shadows(struct scene_surface *s, struct scene_surface_key *key,
     }
     if (s->shadowed && s->is_triangle) {
         key->position_derivatives = true;
+        key->uses |= RHW_USE_COORD; // for the guide
         s->varying_support = add_varying(key, 1);
     }
 }

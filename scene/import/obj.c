@@ -9,6 +9,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "import/builder/clusters.h"
 #include "import/builder/complete_mesh.h"
 #include "import/builder/find_file.h"
 #include "import/builder/hash_table.h"
@@ -50,8 +51,9 @@ struct part {
 struct obj {
     struct scene_import *import;
     struct scene_text text;
-    double (*read_positions)[3]; // until all are read
-    double origin[3];            // what was subtracted from the positions
+    double (*read_positions)[3]; // until all are read, or where the clusters are several until the end
+    struct scene_import_clusters clusters;
+    double origin[3]; // what was subtracted from the positions
     float (*positions)[3], (*colors)[4], (*uvs)[2], (*normals)[3];
     size_t position_count, position_capacity, color_capacity, painted_count, uv_count, uv_capacity,
         normal_count, normal_capacity;
@@ -481,12 +483,29 @@ static void check_corners(struct obj *obj, struct part *part)
     part->key.has_normal = has_normal;
 }
 
+static void copy_positions(struct obj *obj, const struct part *part, struct scene_mesh *mesh)
+{
+    const size_t count = part->corner_count;
+    if (obj->positions == NULL) {
+        double(*exact)[3] = scene_import_allocate(obj->import, count, sizeof *exact);
+        for (size_t i = 0; i < count; i++) {
+            memcpy(exact[i], obj->read_positions[part->corners[i].position], sizeof exact[i]);
+        }
+        mesh->positions = scene_import_settle(obj->import, exact, count, obj->origin);
+        return;
+    }
+    mesh->positions = scene_import_allocate(obj->import, count, sizeof *mesh->positions);
+    for (size_t i = 0; i < count; i++) {
+        memcpy(mesh->positions[i], obj->positions[part->corners[i].position], sizeof mesh->positions[i]);
+    }
+}
+
 static void copy_corners(struct obj *obj, const struct part *part, struct scene_mesh *mesh)
 {
     struct scene_import *import = obj->import;
     const size_t count = part->corner_count;
     mesh->vertex_count = (uint32_t)count;
-    mesh->positions = scene_import_allocate(import, count, sizeof *mesh->positions);
+    copy_positions(obj, part, mesh);
     if (part->key.has_uv) {
         mesh->uvs[0] = scene_import_allocate(import, count, sizeof *mesh->uvs[0]);
     }
@@ -498,7 +517,6 @@ static void copy_corners(struct obj *obj, const struct part *part, struct scene_
     }
     for (size_t i = 0; i < count; i++) {
         const struct corner *corner = &part->corners[i];
-        memcpy(mesh->positions[i], obj->positions[corner->position], sizeof mesh->positions[i]);
         if (mesh->uvs[0] != NULL) {
             memcpy(mesh->uvs[0][i], obj->uvs[corner->uv], sizeof mesh->uvs[0][i]);
         }
@@ -552,7 +570,6 @@ static void add_part(struct obj *obj, struct part *part)
     struct scene_import *import = obj->import;
     const char *name = obj->objects[part->key.object];
     struct scene_mesh mesh = {.name = name, .primitive = part->key.primitive};
-    check_corners(obj, part);
     copy_corners(obj, part, &mesh);
     struct scene_polygons polygons = {.count = 0};
     make_indices(obj, part, &mesh, &polygons);
@@ -570,6 +587,82 @@ static void add_part(struct obj *obj, struct part *part)
     scene_import_complete_polygons(import, instance->mesh, flat ? SCENE_IMPORT_FLAT : SCENE_IMPORT_SMOOTH,
                                    true, polygons.of_triangle);
     free(polygons.of_triangle);
+}
+
+// Clusters ----------------------------------------------------------------------------------------------
+
+static struct scene_box box_corners(const struct obj *obj, const struct corner *corners, size_t count)
+{
+    struct scene_box box = scene_box_empty();
+    for (size_t i = 0; i < count; i++) {
+        scene_box_extend_to(&box, obj->read_positions[corners[i].position]);
+    }
+    return box;
+}
+
+// Return the number of elements of a part that are one for its clusters. Points have no size that could tell how far
+// they are from others.
+static size_t elements_at_once(const struct part *part)
+{
+    return part->key.primitive == SCENE_PRIMITIVE_POINTS ? part->size_count : 1;
+}
+
+static void find_clusters(struct obj *obj)
+{
+    for (size_t i = 0; i < obj->part_count; i++) {
+        const struct part *const part = &obj->parts[i];
+        const size_t step = elements_at_once(part);
+        check_corners(obj, &obj->parts[i]);
+        for (size_t k = 0, first = 0; k < part->size_count; first += step * part->sizes[k], k += step) {
+            const struct scene_box box = box_corners(obj, part->corners + first, step * part->sizes[k]);
+            scene_import_clusters_add(&obj->clusters, &box);
+        }
+    }
+    scene_import_clusters_join(&obj->clusters);
+}
+
+// Add the elements of a part that stand in one of the clusters. They are a part of their own.
+static void add_cluster(struct obj *obj, const struct part *part, uint32_t cluster)
+{
+    const size_t step = elements_at_once(part);
+    struct part piece = {.key = part->key,
+                         .corners =
+                             scene_import_allocate(obj->import, part->corner_count, sizeof *part->corners),
+                         .sizes = scene_import_allocate(obj->import, part->size_count, sizeof *part->sizes)};
+    for (size_t k = 0, first = 0; k < part->size_count; first += step * part->sizes[k], k += step) {
+        const size_t corners = step * part->sizes[k];
+        const struct scene_box box = box_corners(obj, part->corners + first, corners);
+        if (scene_import_clusters_find(&obj->clusters, &box) == cluster) {
+            memcpy(piece.corners + piece.corner_count, part->corners + first,
+                   corners * sizeof *part->corners);
+            memcpy(piece.sizes + piece.size_count, part->sizes + k, step * sizeof *part->sizes);
+            piece.corner_count += corners;
+            piece.size_count += step;
+        }
+    }
+    if (piece.size_count > 0) {
+        add_part(obj, &piece);
+        return;
+    }
+    free(piece.corners);
+    free(piece.sizes);
+}
+
+static void add_parts(struct obj *obj)
+{
+    find_clusters(obj);
+    if (obj->clusters.count < 2) {
+        obj->positions =
+            scene_import_settle(obj->import, obj->read_positions, obj->position_count, obj->origin);
+    }
+    for (size_t i = 0; i < obj->part_count; i++) {
+        for (uint32_t k = 0; k < obj->clusters.count && obj->clusters.count > 1; k++) {
+            add_cluster(obj, &obj->parts[i], k);
+        }
+        if (obj->clusters.count < 2) {
+            add_part(obj, &obj->parts[i]);
+        }
+    }
 }
 
 // Make a cloud of points of a file that has vertices alone.
@@ -680,8 +773,5 @@ void scene_import_obj(struct scene_import *import)
     }
     decode_colors(&obj);
     use_paint(&obj);
-    obj.positions = scene_import_settle(import, obj.read_positions, obj.position_count, obj.origin);
-    for (size_t i = 0; i < obj.part_count; i++) {
-        add_part(&obj, &obj.parts[i]);
-    }
+    add_parts(&obj);
 }

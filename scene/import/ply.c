@@ -184,7 +184,11 @@ static void find_rows(struct ply *ply)
             continue;
         }
         scene_ply_find_colors(element, &found);
-        ply->face_colors = found.present ? found : ply->face_colors;
+        const enum type alpha = ply->face_colors.alpha_type;
+        if (found.present) {
+            found.alpha_type = found.alpha_type == TYPE_NONE ? alpha : found.alpha_type;
+            ply->face_colors = found;
+        }
         for (int k = 0; k < element->property_count; k++) {
             numbered = numbered || scene_word_is(element->properties[k].name, "texnumber");
             tell_of_property(ply, element->properties[k].name);

@@ -76,7 +76,7 @@ struct face {
 };
 
 // Prepare for the rows of an element. Where another element of faces has colours and this one has none, its faces are
-// grey.
+// grey; where another one has alpha and this one has none, its faces are opaque.
 static void prepare_face(const struct ply *ply, const struct element *element, struct face *face)
 {
     const float grey = ply->face_colors.type == TYPE_UINT8 ? 170 : 0.666f;
@@ -84,6 +84,8 @@ static void prepare_face(const struct ply *ply, const struct element *element, s
     for (int target = RED; target <= BLUE; target++) {
         face->values[target] = grey;
     }
+    const enum type alpha = ply->face_colors.alpha_type;
+    face->values[ALPHA] = alpha == TYPE_UINT8 ? 255 : alpha == TYPE_UINT16 ? 65535 : 1;
     for (int i = 0; i < element->property_count; i++) {
         face->uses[i] = use_of(&element->properties[i]);
         face->targets[i] = scene_ply_target(&element->properties[i]);

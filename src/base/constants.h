@@ -28,7 +28,7 @@ enum {
     // hold it in 16 bits.
     RHW_CHUNK_TRIANGLES = 8192,
 
-    // Chunks of one wave. This bounds their list, and the scratch of 16 bytes a chunk that each thread has. A wave has
+    // Chunks of one wave. This bounds their list, and the 16 bytes that each thread has for each of them. A wave has
     // 134 million triangles at most; triangles that leave nothing to draw take hardly any bin memory.
     RHW_WAVE_CHUNKS = 16384,
 

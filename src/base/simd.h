@@ -215,6 +215,56 @@ RHW_INLINE i32x8 i32x8_load_bytes(const uint8_t *p)
 #endif
 }
 
+// Return 8 numbers of 16 bits without a sign.
+RHW_INLINE i32x8 i32x8_load_shorts(const void *p)
+{
+#if defined(__AVX2__)
+    return (i32x8)_mm256_cvtepu16_epi32(_mm_loadu_si128(p));
+#else
+    typedef uint16_t shorts8 __attribute__((vector_size(16)));
+    shorts8 shorts;
+    memcpy(&shorts, p, sizeof shorts);
+    const shorts8 zero = {0};
+    const shorts8 halves[2] = {__builtin_shufflevector(shorts, zero, 0, 8, 1, 9, 2, 10, 3, 11),
+                               __builtin_shufflevector(shorts, zero, 4, 12, 5, 13, 6, 14, 7, 15)};
+    i32x8 v; // machines are little-endian
+    memcpy(&v, halves, sizeof v);
+    return v;
+#endif
+}
+
+// Store the low 16 bits of each lane.
+RHW_INLINE void i32x8_store_shorts(void *p, i32x8 a)
+{
+#if defined(__SSE2__)
+    // Packing takes numbers with a sign, so these are given the sign of their 16 bits.
+    __m128i halves[2];
+    a = (a << 16) >> 16;
+    memcpy(halves, &a, sizeof a);
+    _mm_storeu_si128(p, _mm_packs_epi32(halves[0], halves[1]));
+#else
+    typedef uint16_t shorts8 __attribute__((vector_size(16)));
+    const shorts8 shorts = __builtin_convertvector(a, shorts8);
+    memcpy(p, &shorts, sizeof shorts);
+#endif
+}
+
+// Store the low 8 bits of each lane.
+RHW_INLINE void i32x8_store_low_bytes(void *p, i32x8 a)
+{
+#if defined(__SSE2__)
+    __m128i halves[2];
+    a = a & 0xff;
+    memcpy(halves, &a, sizeof a);
+    const __m128i shorts = _mm_packs_epi32(halves[0], halves[1]);
+    _mm_storel_epi64(p, _mm_packus_epi16(shorts, shorts));
+#else
+    typedef uint8_t bytes8 __attribute__((vector_size(8)));
+    const bytes8 bytes = __builtin_convertvector(a, bytes8);
+    memcpy(p, &bytes, sizeof bytes);
+#endif
+}
+
 // Return the lanes as 8 bytes, with lane 0 in the lowest. Each lane is 0 .. 255.
 RHW_INLINE uint64_t i32x8_to_bytes(i32x8 v)
 {

@@ -22,6 +22,12 @@ float rhw_math1(enum rhw_math1_function function, float a, float b)
     case RHW_MATH1_FLOOR: return rhw_floor1(a);
     case RHW_MATH1_CEIL: return rhw_ceil1(a);
     case RHW_MATH1_ROUND: return rhw_round1(a);
+    case RHW_MATH1_SINH: return rhw_sinh1(a);
+    case RHW_MATH1_COSH: return rhw_cosh1(a);
+    case RHW_MATH1_TANH: return rhw_tanh1(a);
+    case RHW_MATH1_ASINH: return rhw_asinh1(a);
+    case RHW_MATH1_ACOSH: return rhw_acosh1(a);
+    case RHW_MATH1_ATANH: return rhw_atanh1(a);
     }
     return rhw_nan1();
 }

@@ -21,9 +21,13 @@ struct rhw_worker {
     _Alignas(RHW_CACHE_LINE) struct rhw_arena arena;
     struct rhw_counters counters;
     struct rhw_geometry_scratch *geometry;
+    size_t triangles_most; // most triangles of a chunk that `geometry` takes
     struct rhw_tile_scratch *tile;
     struct rhw_sample_tile *sample_tiles; // tiles of all samples but the first, as many as any pass has needed
     int sample_tile_count;
+    // The colours of all samples of the tile: as many attachments of as many samples as passes have had.
+    unsigned char (*colors)[RHW_TILE * RHW_TILE * 16];
+    int color_count;
 };
 
 struct rhw_wave {

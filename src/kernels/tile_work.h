@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A worker's work on a tile: where the tile is, the draw whose fragments are collected, and the memory it needs. The
-// memory is allocated once per thread and sized by the limits of the API; a draw touches only what it uses of it.
+// memory is allocated once per thread. Colours are there for as many attachments as any pass has had, and bins for the
+// chunks of the wave; the rest is sized by the limits of the API, and a draw touches only what it uses of it.
 #ifndef RHW_TILE_WORK_H
 #define RHW_TILE_WORK_H
 
@@ -99,12 +100,15 @@ struct bin {
     uint32_t first, end;
 };
 
+// The texels of a tile of one attachment, in the largest format.
+typedef unsigned char rhw_tile_colors[RHW_TILE * RHW_TILE * 16];
+
 struct rhw_tile_scratch {
-    _Alignas(64) unsigned char color[RHW_MAX_COLOR_ATTACHMENTS][RHW_TILE * RHW_TILE * 16];
-    struct tile_depth depth;
+    _Alignas(64) struct tile_depth depth;
+    rhw_tile_colors *color; // an array of the attachments
     // Bit i says that triangle i of the run is drawn in the second phase.
     uint8_t seen[RHW_DEPTH_FIRST_TRIANGLES / 8];
-    struct bin bins[RHW_WAVE_CHUNKS]; // bins of the tile that are not empty
+    struct bin *bins; // bins of the tile that are not empty; there is room for all chunks of the wave
     struct fragment_queue queue;
     struct collected_fragments collected;
     struct partial_group partial;
@@ -120,8 +124,8 @@ struct rhw_tile_scratch {
 
 // The tile in one sample of each pixel.
 struct rhw_sample_tile {
-    _Alignas(64) unsigned char color[RHW_MAX_COLOR_ATTACHMENTS][RHW_TILE * RHW_TILE * 16];
-    struct tile_depth depth;
+    _Alignas(64) struct tile_depth depth;
+    rhw_tile_colors *color;
 };
 
 static inline unsigned char *color_of_sample(struct rhw_tile_scratch *scratch, int target, int sample)

@@ -52,8 +52,8 @@ static enum rhw_blend_path choose_path(const struct rhw_blend_state *state)
     if (format->path == RHW_TEXELS_RGBA8_UNORM && is_sum(state->color) && is_sum(state->alpha)) {
         return BLEND_RGBA8_SUM;
     }
-    if (!rhw_format_is_normalized(format) && !rhw_format_is_integer(format) && state->replaces) {
-        return BLEND_FLOAT_REPLACE;
+    if (!rhw_format_is_integer(format) && state->replaces) {
+        return rhw_format_is_normalized(format) ? BLEND_NORMALIZED_REPLACE : BLEND_FLOAT_REPLACE;
     }
     return BLEND_GENERAL;
 }
@@ -123,6 +123,7 @@ void rhw_blend_state_generalize(struct rhw_blend_state *state)
     case BLEND_SRGB8_REPLACE:
     case BLEND_SRGB8_OVER:
     case BLEND_RGBA8_SUM:
+    case BLEND_NORMALIZED_REPLACE:
     case BLEND_FLOAT_REPLACE: state->path = BLEND_GENERAL; break;
     default: break;
     }

@@ -29,6 +29,7 @@ static enum rhw_result create(struct rhw_context *context, const struct rhw_pipe
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     rhw_pipeline_data_init(data, def, context->isa);
+    rhw_pipeline_tell_copies(context, context->isa, &def->program);
     if (context->validate_pipeline &&
         !context->validate_pipeline(context, data, rhw_name_of(&context->pipelines, id.index).text)) {
         rhw_pool_remove(&context->memory, &context->pipelines, id.index);

@@ -385,6 +385,26 @@ bool rhw_pipeline_check(const struct rhw_context *context, const struct rhw_pipe
            rhw_feedback_check(context, def, create_name);
 }
 
+void rhw_pipeline_tell_copies(const struct rhw_context *context, enum rhw_isa isa,
+                              const struct rhw_program *program)
+{
+    bool has_vertex = false, has_fragment = false;
+    for (int i = RHW_ISA_BASELINE; i <= (int)isa; i++) {
+        has_vertex |= program->vertex[i] != NULL;
+        has_fragment |= program->fragment[i] != NULL;
+    }
+    const bool lacks_vertex = has_vertex && program->vertex[isa] == NULL,
+               lacks_fragment = has_fragment && program->fragment[isa] == NULL;
+    if (lacks_vertex || lacks_fragment) {
+        const char *const what = !lacks_fragment ? "program.vertex has"
+                                 : !lacks_vertex ? "program.fragment has"
+                                                 : "program.vertex and program.fragment have";
+        rhw_context_log(context, RHW_LOG_INFO,
+                        "%s: %s no copy for %s; draws call that of a lower instruction set, which is slower",
+                        create_name, what, rhw_isa_name(isa));
+    }
+}
+
 void rhw_pipeline_warn(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
     for (int i = 0; i < def->target_count; i++) {

@@ -17,5 +17,8 @@ bool rhw_pipeline_check(const struct rhw_context *context, const struct rhw_pipe
 // Log a warning about each state of a valid definition that is set and switched off. Validation asks for the warnings.
 // They are no misuse, because programs that switch a state on and off leave it set.
 void rhw_pipeline_warn(const struct rhw_context *context, const struct rhw_pipeline_def *def);
+// Log, for information, that the program has functions on 8 lanes and lacks their copy for `isa`.
+void rhw_pipeline_tell_copies(const struct rhw_context *context, enum rhw_isa isa,
+                              const struct rhw_program *program);
 
 #endif

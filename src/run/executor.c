@@ -22,12 +22,10 @@ static void init_tile_scratch(struct rhw_tile_scratch *scratch)
     }
 }
 
-// Give the worker memory for all samples of a tile but the first. Memory that a pass does not draw into is never
-// touched. Return false when out of memory.
-static bool sample_tiles_ready(const struct rhw_executor *executor, struct rhw_worker *worker)
+// Give the worker tiles of all samples but the first. Memory that a pass does not draw into is never touched. Return
+// false when out of memory.
+static bool sample_tiles_ready(struct rhw_memory *memory, struct rhw_worker *worker, int wanted)
 {
-    struct rhw_memory *const memory = &executor->context->memory;
-    const int wanted = executor->wave.target.pattern->count - 1;
     if (worker->sample_tile_count < wanted) {
         rhw_memory_release(memory, worker->sample_tiles,
                            (size_t)worker->sample_tile_count * sizeof *worker->sample_tiles);
@@ -43,16 +41,48 @@ static bool sample_tiles_ready(const struct rhw_executor *executor, struct rhw_w
     return true;
 }
 
-// Set what stays from frame to frame: an empty table of vertices, and where groups of vertices have their distances.
-static void init_geometry_scratch(struct rhw_geometry_scratch *scratch)
+// Give the tile and its samples a room for the colours of each attachment. Return false when out of memory.
+static bool colors_ready(struct rhw_memory *memory, struct rhw_worker *worker,
+                         const struct rhw_target *target)
 {
-    memset(scratch->cache, 0, sizeof scratch->cache);
-    scratch->stamp = 1;
-    for (int g = 0; g < RHW_VERTEX_GROUPS; g++) {
-        scratch->groups[g].clip_distance = scratch->distances[g];
-        scratch->groups[g].mask = rhw_splat_int(-1);
-        scratch->groups[g].cull_distance = scratch->distances[g] + RHW_MAX_CLIP_DISTANCES;
+    const int each = target->color_count, wanted = each * target->pattern->count;
+    if (worker->color_count < wanted) {
+        rhw_memory_release(memory, worker->colors, (size_t)worker->color_count * sizeof *worker->colors);
+        worker->color_count = 0;
+        worker->colors = rhw_memory_allocate_zeroed(memory, (size_t)wanted * sizeof *worker->colors, 4096);
+        if (!worker->colors) {
+            return false;
+        }
+        worker->color_count = wanted;
     }
+    worker->tile->color = worker->colors;
+    for (int s = 1; s < target->pattern->count; s++) {
+        worker->sample_tiles[s - 1].color = worker->colors + s * each;
+    }
+    return true;
+}
+
+// Give the worker memory for chunks of the pass. It grows in powers of two, so that a scene which grows from frame to
+// frame makes few calls. Return false when out of memory.
+static bool geometry_ready(struct rhw_memory *memory, struct rhw_worker *worker, uint64_t chunk_size)
+{
+    if (worker->triangles_most >= chunk_size) {
+        return true;
+    }
+    size_t triangles = RHW_CHUNK_TRIANGLES;
+    while (triangles / 2 >= chunk_size) {
+        triangles /= 2;
+    }
+    const struct rhw_geometry_room room = rhw_geometry_scratch_room(triangles);
+    rhw_memory_release(memory, worker->geometry, rhw_geometry_scratch_room(worker->triangles_most).size);
+    worker->triangles_most = 0;
+    worker->geometry = rhw_memory_allocate(memory, room.size, 4096);
+    if (!worker->geometry) {
+        return false;
+    }
+    worker->triangles_most = triangles;
+    rhw_geometry_scratch_init(worker->geometry, room);
+    return true;
 }
 
 // Make the workers, with nothing but their arenas. Return false when out of memory.
@@ -80,13 +110,7 @@ static bool make_workers(struct rhw_executor *executor)
 static bool worker_ready(const struct rhw_executor *executor, struct rhw_worker *worker)
 {
     struct rhw_memory *const memory = &executor->context->memory;
-    if (!worker->geometry) {
-        worker->geometry = rhw_memory_allocate(memory, sizeof *worker->geometry, 4096);
-        if (!worker->geometry) {
-            return false;
-        }
-        init_geometry_scratch(worker->geometry);
-    }
+    const struct rhw_target *const target = &executor->wave.target;
     if (!worker->tile) {
         worker->tile = rhw_memory_allocate(memory, sizeof *worker->tile, 4096);
         if (!worker->tile) {
@@ -95,7 +119,22 @@ static bool worker_ready(const struct rhw_executor *executor, struct rhw_worker 
         init_tile_scratch(worker->tile);
     }
     worker->counters = (struct rhw_counters){0};
-    return sample_tiles_ready(executor, worker);
+    return geometry_ready(memory, worker, executor->chunk_size) &&
+           sample_tiles_ready(memory, worker, target->pattern->count - 1) &&
+           colors_ready(memory, worker, target);
+}
+
+bool rhw_executor_bins_ready(struct rhw_executor *executor)
+{
+    bool ready = true;
+    for (int i = 0; ready && i < executor->context->threads; i++) {
+        struct rhw_worker *const worker = &executor->wave.workers[i];
+        struct rhw_tile_scratch *const tile = worker->tile;
+        const size_t size = (size_t)executor->wave.chunk_count * sizeof *tile->bins;
+        tile->bins = rhw_arena_alloc(&worker->arena, size, _Alignof(struct bin));
+        ready = tile->bins != NULL;
+    }
+    return ready;
 }
 
 bool rhw_executor_workers_ready(struct rhw_executor *executor)
@@ -121,8 +160,9 @@ struct rhw_executor *rhw_executor_create(struct rhw_context *context)
 static void release_worker(struct rhw_memory *memory, struct rhw_worker *worker)
 {
     rhw_arena_destroy(&worker->arena);
-    rhw_memory_release(memory, worker->geometry, sizeof *worker->geometry);
+    rhw_memory_release(memory, worker->geometry, rhw_geometry_scratch_room(worker->triangles_most).size);
     rhw_memory_release(memory, worker->tile, sizeof *worker->tile);
+    rhw_memory_release(memory, worker->colors, (size_t)worker->color_count * sizeof *worker->colors);
     rhw_memory_release(memory, worker->sample_tiles,
                        (size_t)worker->sample_tile_count * sizeof *worker->sample_tiles);
 }

@@ -36,6 +36,8 @@ struct rhw_executor {
 
 // Give every worker the memory that the wave's pass needs. Return false when out of memory.
 bool rhw_executor_workers_ready(struct rhw_executor *executor);
+// Give every worker room for the bins that a tile has of the wave's chunks. Return false when out of memory.
+bool rhw_executor_bins_ready(struct rhw_executor *executor);
 // Give attachments without a texture memory that keeps them until the next wave. Return false when out of memory.
 bool rhw_executor_transients_ready(struct rhw_executor *executor);
 

@@ -324,7 +324,7 @@ static bool run_front(struct rhw_executor *executor, struct position *at, struct
     const size_t geometry = executor->geometry;
     stats->geometry_peak = geometry > stats->geometry_peak ? geometry : stats->geometry_peak;
     sum_front(executor, stats);
-    return true;
+    return rhw_executor_bins_ready(executor);
 }
 
 static void sum_counters(const struct rhw_executor *executor, struct rhw_stats *stats)

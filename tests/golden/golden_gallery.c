@@ -215,9 +215,9 @@ static void place(struct scene_instance *instance, uint32_t mesh, int column, in
 static void make_lights(struct scene_model *model)
 {
     static const struct scene_model_light lights[] = {
-        {"", SCENE_LIGHT_DIRECTIONAL, {0}, {-0.48f, -0.6f, -0.64f}, {1, 0.95f, 0.9f}, 2, 0, 0, 0},
-        {"", SCENE_LIGHT_POINT, {1, -1, 3}, {0, 0, -1}, {0.3f, 0.6f, 1}, 40, 9, 0, 0},
-        {"", SCENE_LIGHT_SPOT, {6, 2, 5}, {0, -0.6f, -0.8f}, {1, 0.4f, 0.3f}, 90, 0, 0.95f, 0.8f},
+        {"", SCENE_LIGHT_DIRECTIONAL, {0}, {-0.48f, -0.6f, -0.64f}, {1, 0.95f, 0.9f}, 2, 0, 0, 0, {0}},
+        {"", SCENE_LIGHT_POINT, {1, -1, 3}, {0, 0, -1}, {0.3f, 0.6f, 1}, 40, 9, 0, 0, {0}},
+        {"", SCENE_LIGHT_SPOT, {6, 2, 5}, {0, -0.6f, -0.8f}, {1, 0.4f, 0.3f}, 90, 0, 0.95f, 0.8f, {0}},
     };
     model->light_count = 3;
     model->lights = golden_allocate(3, sizeof *lights);

@@ -99,8 +99,9 @@ static void scene_fragment(struct rhw_fragment *groups, int count)
 
 // What a pass consists of, kept from one input to the next as a context keeps it.
 struct scene {
-    struct rhw_geometry_scratch geometry;
     struct rhw_tile_scratch tile;
+    _Alignas(RHW_CACHE_LINE) rhw_tile_colors colors[RHW_MAX_COLOR_ATTACHMENTS];
+    struct bin bins[SCENE_CHUNKS];
     struct rhw_worker worker;
     struct rhw_memory memory;
     struct rhw_recorded_pass pass;
@@ -122,9 +123,15 @@ static void start_scene(struct scene *scene)
     scene->memory.allocator = rhw_allocator_or_default((struct rhw_allocator){0});
     rhw_arena_init(&scene->worker.arena, &scene->memory);
     rhw_arena_init(&scene->pass.arena, &scene->memory);
-    scene->worker.geometry = &scene->geometry;
+    const struct rhw_geometry_room room = rhw_geometry_scratch_room(RHW_CHUNK_TRIANGLES);
+    scene->worker.geometry = rhw_memory_allocate_zeroed(&scene->memory, room.size, 4096);
+    if (scene->worker.geometry == NULL) {
+        abort();
+    }
+    rhw_geometry_scratch_init(scene->worker.geometry, room);
     scene->worker.tile = &scene->tile;
-    scene->geometry.stamp = 1;
+    scene->tile.color = scene->colors;
+    scene->tile.bins = scene->bins;
     for (int bits = 0; bits < 256; bits++) {
         int count = 0;
         for (int lane = 0; lane < 8; lane++) {

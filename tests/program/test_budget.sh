@@ -47,6 +47,33 @@ succeed render cube.obj -o cube.png --max-memory 2G
 if ! grep -aq __asan_init "$rhw" && ! grep -aq __tsan_init "$rhw"; then
     refuse 1 'wide.gltf: needs more memory than there is for texture "wide.png"' render wide.gltf -o a.png \
         --max-memory 80M --max-texture 4096 --threads 1
+    # Of each format it is memory that lacks, not an end or a beginning of the file, whoever reads it.
+    python3 - <<'PY'
+import struct, zlib
+SIDE = 4096
+def chunk(kind, data):
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+rows = sum(-(-(SIDE - y) // dy) * (1 + 4 * -(-(SIDE - x) // dx)) for x, y, dx, dy in
+           [(0, 0, 8, 8), (4, 0, 8, 8), (0, 4, 4, 8), (2, 0, 4, 4), (0, 2, 2, 4), (1, 0, 2, 2), (0, 1, 1, 2)])
+deflate = zlib.compressobj(1)
+packed = b"".join(deflate.compress(bytes(min(1 << 20, rows - at))) for at in range(0, rows, 1 << 20)) + deflate.flush()
+open("short.png", "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", SIDE, SIDE, 8, 6, 0, 0, 1)) +
+                              chunk(b"IDAT", packed) + chunk(b"IEND", b""))
+open("short.tga", "wb").write(struct.pack("<BBBHHBHHHHBB", 0, 0, 10, 0, 0, 0, 0, 0, SIDE, SIDE, 32, 8) +
+                              b"\xff\1\2\3\4" * (SIDE * SIDE // 128))
+strip = zlib.compress(bytes(SIDE * SIDE * 3), 1)
+tags = [(256, 4, SIDE), (257, 4, SIDE), (258, 3, 8), (259, 3, 8), (262, 3, 2), (273, 4, 512), (277, 3, 3),
+        (278, 4, SIDE), (279, 4, len(strip))]
+head = b"II*\0\x08\0\0\0" + struct.pack("<H", len(tags)) + b"".join(
+    struct.pack("<HHII", tag, kind, 1, value) for tag, kind, value in tags) + bytes(4)
+open("short.tif", "wb").write(head.ljust(512, b"\0") + strip)
+PY
+    for name in short.png short.tga short.tif; do
+        sed "s/wide.png/$name/" wide.gltf >short.gltf
+        refuse 1 "short.gltf: needs more memory than there is for texture \"$name\"" render short.gltf -o a.png \
+            --max-memory 64M --threads 1
+    done
+    rm short.png short.tga short.tif
     truncate -s 400M huge.png # too long to be read at all
     sed 's/wide.png/huge.png/' wide.gltf >huge.gltf
     refuse 1 'huge.gltf: needs more memory than there is for texture "huge.png"' render huge.gltf -o a.png --max-memory 256M

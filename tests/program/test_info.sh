@@ -58,6 +58,11 @@ check "the frame" grep -q "^framed:    0 0 0 to 1 1 0$" "$folder/log/out"
 run info --json framed.gltf
 check "JSON of the frame" grep -q '"frame": {"empty": false, "min": \[0, 0, 0\], "max": \[1, 1, 0\]},$' "$folder/log/out"
 
+check "JSON of the origin" grep -q '"origin": \[0, 0, 0\],$' "$folder/log/out"
+printf 'v 5000000.5 0 0\nv 5000001.5 0 0\nv 5000000.5 1 0\nf 1 2 3\n' >far.obj
+run info --json far.obj
+check "JSON of an origin that is far" grep -Eq '"origin": \[500000[0-9.]*, [-0-9.]*, 0\],$' "$folder/log/out"
+
 # Samplers, where they are not linear and repeating.
 printf 'P6\n1 1\n255\nabc' >dot.ppm
 sed 's/{"name": "plain"}\],/{"name": "plain", "emissiveTexture": {"index": 0}, "normalTexture": {"index": 1}, "occlusionTexture":\

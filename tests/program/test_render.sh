@@ -530,6 +530,37 @@ check "no area is one warning" test "$(cat "$folder/log/err")" = \
     "rhw: thin.obj: warning: none of its triangles has an area: there is nothing to see"
 run render thin.obj $view -o x.png --camera 0,0,9,0,0,18,0,1,0,30
 check "and one by any camera" test "$(wc -l <"$folder/log/err")" = 1
+
+# Far from the origin a model looks as it does there, by the same camera too, and so does each of two that are far apart.
+move_cube() { # X Y Z, added to the places of cube.obj
+    awk -v x="$1" -v y="$2" -v z="$3" -v CONVFMT=%.17g -v OFMT=%.17g \
+        '$1 == "v" { $2 += x; $3 += y; $4 += z } $1 !~ /mtl/ { print }' cube.obj
+}
+look_at() { # X Y Z of the cube
+    awk -v x="$1" -v y="$2" -v z="$3" \
+        'BEGIN { printf "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,0,1,0,30", x + 4, y + 3, z + 6, x, y, z }'
+}
+move_cube 0 0 0 >near.obj
+move_cube 5000000 4000000 -6000000 >far.obj
+{
+    move_cube 0 0 0
+    move_cube 5000000 4000000 -6000000 | awk '$1 == "f" { for (i = 2; i <= NF; i++) { $i += 8 } } { print }'
+} >both.obj
+run render near.obj $view -o near.png --camera "$(look_at 0 0 0)"
+succeed render far.obj $view -o far.png --camera "$(look_at 5000000 4000000 -6000000)"
+check "far away a model looks the same" cmp near.png far.png
+run render both.obj $view -o near.png --camera "$(look_at 0 0 0)"
+run render both.obj $view -o far.png --camera "$(look_at 5000000 4000000 -6000000)"
+check "each of two that are far apart looks the same" cmp near.png far.png
+run render near.obj $view -o near.png
+run render far.obj $view -o far.png
+check "and fitted" cmp near.png far.png
+{
+    cat far.obj
+    printf 'v 0 0 0\np 9\n'
+} >speck.obj
+run render speck.obj $view -o speck.png
+check "beside a speck at 0 too" cmp far.png speck.png
 no_temporary_files
 
 finish

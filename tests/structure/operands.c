@@ -98,6 +98,12 @@ static void integers(rhw_int i)
     same_int(__LINE__, rhw_equal_int(3, i), rhw_equal_int(three, i));
     same_int(__LINE__, rhw_min_int(i, 3), rhw_min_int(i, three));
     same_int(__LINE__, rhw_max_int(3, i), rhw_max_int(three, i));
+    same_int(__LINE__, rhw_divide_int(i, 3), rhw_divide_int(i, three));
+    same_int(__LINE__, rhw_remainder_int(3, i), rhw_remainder_int(three, i));
+    same_int(__LINE__, rhw_divide_uint(i, 3), rhw_divide_uint(i, three));
+    same_int(__LINE__, rhw_remainder_uint(i, 3), rhw_remainder_uint(i, three));
+    same(__LINE__, rhw_ldexp(2.0f, i), rhw_ldexp(rhw_splat(2), i));
+    same(__LINE__, rhw_ldexp(rhw_splat(2), 3), rhw_ldexp(rhw_splat(2), three));
     same_int(__LINE__, rhw_select_int(rhw_less_int(i, 3), i, -1),
              rhw_select_int(rhw_less_int(i, three), i, rhw_splat_int(-1)));
 }

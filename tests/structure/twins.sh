@@ -19,7 +19,8 @@ documented() {
 }
 
 for name in $(documented include/rhw/shader_vector.h include/rhw/shader_memory.h include/rhw/shader_linear.h \
-    include/rhw/shader_math.h include/rhw/shader_sample.h include/rhw/shader_dual.h \
+    include/rhw/shader_math.h include/rhw/shader_hyperbolic.h include/rhw/shader_integer.h include/rhw/shader_pack.h \
+    include/rhw/shader_sample.h include/rhw/shader_dual.h \
     include/rhw/shader_varying.h); do
     case " $lanes_alone " in *" $name "*) continue ;; esac
     count=$((count + 1))
@@ -27,13 +28,13 @@ for name in $(documented include/rhw/shader_vector.h include/rhw/shader_memory.h
     *[0-9]) twin=rhw_${name}_1 ;;
     *) twin=rhw_${name}1 ;;
     esac
-    if ! grep -q "^static inline .*[ *]$twin(" include/rhw/shader_one.h include/rhw/shader_dual_one.h \
+    if ! grep -q "^static inline .*[ *]$twin(" include/rhw/shader_one.h include/rhw/shader_bits_one.h include/rhw/shader_dual_one.h \
         include/rhw/shader_varying.h; then
         echo "rhw_$name has no $twin"
         failed=$((failed + 1))
     fi
     case " $drawn_by_others " in *" $name "*) continue ;; esac
-    if ! grep -q "^    {\"$name\", ${name}_lanes, ${name}_one}," tests/unit/harness/isa_kit.c tests/unit/harness/isa_kit_dual.c; then
+    if ! grep -q "^    {\"$name\", ${name}_lanes, ${name}_one}," tests/unit/harness/isa_kit.c tests/unit/harness/isa_kit_bits.c tests/unit/harness/isa_kit_dual.c; then
         echo "rhw_$name and its twin are not compared in tests/unit/harness/isa_kit.c"
         failed=$((failed + 1))
     fi

@@ -2,6 +2,7 @@
 // See explain_draw.h.
 #include "explain_draw.h"
 
+#include "draw/vicinity.h"
 #include "message.h"
 
 bool cli_explain_check(const struct cli_render_job *job, int x, int y, int sample)
@@ -86,6 +87,7 @@ bool cli_explain_draw(struct render *render, int x, int y, int sample, struct cl
                                             .samples = samples,
                                             .picture = render->pictures.color,
                                             .is_orthographic = render->view.camera.orthographic};
+    scene_vicinity_origin(render->model, &render->view.camera, explanation->origin);
     find_nearest(render->pictures.object, explanation);
     return true;
 }

@@ -203,8 +203,8 @@ void cli_explain_json(const struct cli_explanation *e)
     printf(", \"size\": [%d, %d], \"pixel\": [%d, %d], \"sample\": %d, \"samples\": %d, "
            "\"orthographic\": %s,\n",
            e->width, e->height, e->x, e->y, e->sample, e->samples, e->is_orthographic ? "true" : "false");
-    if (scene_origin_is_far(e->model->origin)) {
-        const double *const origin = e->model->origin;
+    if (scene_origin_is_far(e->origin)) {
+        const double *const origin = e->origin;
         printf(" \"origin\": [%.17g, %.17g, %.17g],\n", origin[0], origin[1], origin[2]);
     }
     if (e->side > 1) {

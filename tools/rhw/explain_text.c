@@ -431,8 +431,8 @@ static void print_derivation(FILE *out, const struct cli_explanation *e, const s
             "depth is 1 - Z/W, in the middle of the pixel.\n",
             f->sample_x / 256.0, f->sample_y / 256.0, (double)f->depth);
     print_components(out, e, past, &weights);
-    if (scene_origin_is_far(e->model->origin)) {
-        const double *const origin = e->model->origin;
+    if (scene_origin_is_far(e->origin)) {
+        const double *const origin = e->origin;
         fprintf(
             out,
             "\nThe model is far from the origin of its file: positions count from (%.15g, %.15g, %.15g).\n",

@@ -12,6 +12,7 @@
 struct cli_explanation {
     const char *model_path;
     const struct scene_model *model;
+    double origin[3]; ///< what positions count from, in the coordinates of the file
     const struct cli_history *history;
     int x, y, width, height; ///< the picture and its pixel
     int side; ///< of the grid of pixels that are drawn for one of the picture: 1 without --supersample

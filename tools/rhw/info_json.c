@@ -240,6 +240,8 @@ void cli_info_print_json(const struct scene_model *model)
     printf(",\n  \"triangles_drawn\": %" PRIu64 ",\n  \"triangles_stored\": %" PRIu64
            ",\n  \"objects\": %" PRIu32 ",\n  \"draws\": %" PRIu32,
            model->triangles_drawn, model->triangles_stored, cli_info_objects(model), model->instance_count);
+    // Numbers of double have all their digits, as the origin is to be subtracted from what is large.
+    printf(",\n  \"origin\": [%.17g, %.17g, %.17g]", model->origin[0], model->origin[1], model->origin[2]);
     const bool is_framed = model->is_framed;
     json_box(model, "bounds", model->bounds_min, model->bounds_max);
     json_box(model, "frame", is_framed ? model->frame_min : model->bounds_min,

@@ -146,6 +146,7 @@ static struct scene_model merge(struct scene_model *const *poses, int count, str
             instance->mesh += all.mesh_count;
             for (int c = 0; c < 3; c++) {
                 instance->world[12 + c] = (float)((double)instance->world[12 + c] + apart[c]);
+                instance->place[c] = 0;
             }
         }
         memcpy(&all.meshes[all.mesh_count], pose->meshes, pose->mesh_count * sizeof *pose->meshes);

@@ -78,7 +78,8 @@ static const struct cli_option options[] = {
      "of --size, or where OUT has a {view} a file for each"},
     {"camera", OPTION_CAMERA, "NUMBERS",
      "eye, target and up (three numbers each) and the vertical field of\nview in degrees, or with --ortho "
-     "the height of what is seen, separated by commas"},
+     "the height of what is seen, separated by commas;\nplaces are those of the file, also far from its "
+     "origin"},
     {"camera-index", OPTION_CAMERA_INDEX, "N", "a camera of the file, counted from 0; see rhw info"},
     {"camera-name", OPTION_CAMERA_NAME, "NAME", "a camera of the file"},
     {"fovy", OPTION_FOVY, "DEGREES", "vertical field of view of a fitted camera; default 30"},

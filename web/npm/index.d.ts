@@ -298,6 +298,8 @@ export interface ModelInfo {
     triangles_stored: number;
     objects: number;
     draws: number;
+    /** Where the model is drawn from, in the coordinates of the file: zeros unless it is far from their origin. */
+    origin: [x: number, y: number, z: number];
     bounds: { empty: true } | { empty: false; min: [number, number, number]; max: [number, number, number] };
     /** What a fitted picture is about: the bounds without what nobody can see, and without specks far away. */
     frame: { empty: true } | { empty: false; min: [number, number, number]; max: [number, number, number] };

@@ -87,6 +87,31 @@ static void extend_to_point(struct range *range, const double point[3], double e
     range->furthest = distance + reach > range->furthest ? distance + reach : range->furthest;
 }
 
+static void extend_to_box(struct range *range, const struct scene_box *box, double eye, const double back[3],
+                          const struct scene_turn *turn)
+{
+    for (int i = 0; i < 8; i++) {
+        double corner[3];
+        scene_box_corner(box, i, corner);
+        extend_to_point(range, corner, eye, back, turn);
+    }
+}
+
+// Extend a range to the box of an instance, which need not lie along the axes of the world.
+static void extend_to_instance(struct range *range, const struct scene_model *model, uint32_t number,
+                               double eye, const double back[3], const struct scene_turn *turn)
+{
+    const struct scene_instance *const instance = &model->instances[number];
+    const struct scene_mesh *const mesh = &model->meshes[instance->mesh];
+    const struct scene_box box = scene_box_of(mesh->bounds_min, mesh->bounds_max);
+    for (int i = 0; i < 8; i++) {
+        double corner[3], place[3];
+        scene_box_corner(&box, i, corner);
+        scene_subject_place(instance, corner, place);
+        extend_to_point(range, place, eye, back, turn);
+    }
+}
+
 // Put the near and far planes around the model's boxes. Something behind the eye puts the near plane at a small part of
 // the distance of the far one. The drawing code reverses depth, so the ratio costs no precision. `turn` is NULL if the
 // model stands still.
@@ -99,26 +124,21 @@ static void enclose(struct scene_camera *camera, const struct scene_model *model
     const double eye = scene_dot(axes[2], own.eye);
     const struct scene_box frame = scene_subject_frame(model);
     struct range all = {DBL_MAX, -DBL_MAX}, framed = {DBL_MAX, -DBL_MAX};
-    for (int corner = 0; corner < 8; corner++) {
-        const double q[3] = {(corner & 1 ? frame.high : frame.low)[0],
-                             (corner & 2 ? frame.high : frame.low)[1],
-                             (corner & 4 ? frame.high : frame.low)[2]};
-        extend_to_point(&framed, q, eye, axes[2], turn);
-    }
+    double ahead = DBL_MAX; // the nearest instance that is wholly before the eye
+    extend_to_box(&framed, &frame, eye, axes[2], turn);
     for (uint32_t i = 0; i < model->instance_count; i++) {
-        const struct scene_mesh *mesh = &model->meshes[model->instances[i].mesh];
-        for (int corner = 0; corner < 8; corner++) {
-            const float p[3] = {(corner & 1 ? mesh->bounds_max : mesh->bounds_min)[0],
-                                (corner & 2 ? mesh->bounds_max : mesh->bounds_min)[1],
-                                (corner & 4 ? mesh->bounds_max : mesh->bounds_min)[2]};
-            double q[3];
-            scene_place_point(model->instances[i].world, p, q);
-            extend_to_point(&all, q, eye, axes[2], turn);
-        }
+        struct range one = {DBL_MAX, -DBL_MAX};
+        extend_to_instance(&one, model, i, eye, axes[2], turn);
+        all.nearest = one.nearest < all.nearest ? one.nearest : all.nearest;
+        all.furthest = one.furthest > all.furthest ? one.furthest : all.furthest;
+        ahead = one.nearest > 0.0 && one.nearest < ahead ? one.nearest : ahead;
     }
     const double fallback = 1.0;
     camera->zfar = all.furthest > 0.0 ? all.furthest * 1.001 : fallback;
     double closest = camera->zfar / 8192.0;
+    if (model->is_scattered && ahead * 0.999 < closest) {
+        closest = ahead * 0.999;
+    }
     if (model->is_framed && framed.nearest > 0.0 && framed.nearest * 0.999 < closest) {
         closest = framed.nearest * 0.999; // what is far away must not cut the frame
     }
@@ -215,8 +235,10 @@ struct scene_camera scene_camera_from_model(const struct scene_model *model,
                                             const struct scene_model_camera *source, double aspect)
 {
     struct scene_camera camera = {.orthographic = source->orthographic};
+    double place[3];
+    scene_exact_place(source->world + 12, source->place, place);
     for (int i = 0; i < 3; i++) {
-        camera.eye[i] = (double)source->world[12 + i] + model->origin[i];
+        camera.eye[i] = place[i] + model->origin[i];
         camera.up[i] = (double)source->world[4 + i];
         camera.target[i] = camera.eye[i] - (double)source->world[8 + i];
     }

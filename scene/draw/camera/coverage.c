@@ -55,9 +55,41 @@ static void cover_point(struct grid *grid, const double clip[4])
     }
 }
 
+// Cut the part of a line that lies on the negative side of a plane off. `a` and `b` say where its ends are.
+static void cut_line(double a, double b, double *first, double *last)
+{
+    if (a < 0.0 && b < 0.0) {
+        *last = -1.0;
+    } else if (a < 0.0 || b < 0.0) {
+        const double part = a / (a - b);
+        *first = a < 0.0 && part > *first ? part : *first;
+        *last = b < 0.0 && part < *last ? part : *last;
+    }
+}
+
+// Find the places along a line, 0 to SCENE_COVERAGE_SIDE, that can be in the picture. There are none from `*last` on
+// below `*first`.
+static void find_places(double clip[2][4], int *first, int *last)
+{
+    double from = 0.0, to = 1.0;
+    for (int side = -1; side <= 1; side += 2) {
+        for (int c = 0; c < 3; c++) {
+            const double w = c == 2 && side > 0 ? 0.0 : 1.0; // depth is 0 at the near plane
+            cut_line(w * clip[0][3] + side * clip[0][c], w * clip[1][3] + side * clip[1][c], &from, &to);
+        }
+    }
+    // A place more at each end makes up for rounding.
+    *first = from > 0.0 ? (int)(from * SCENE_COVERAGE_SIDE) - 1 : 0;
+    *last = to < 0.0 ? -1 : (int)(to * SCENE_COVERAGE_SIDE) + 1;
+    *first = *first > 0 ? *first : 0;
+    *last = *last < SCENE_COVERAGE_SIDE ? *last : SCENE_COVERAGE_SIDE;
+}
+
 static void cover_line(struct grid *grid, double clip[2][4])
 {
-    for (int i = 0; i <= SCENE_COVERAGE_SIDE; i++) {
+    int first, last;
+    find_places(clip, &first, &last);
+    for (int i = first; i <= last; i++) {
         const double part = (double)i / SCENE_COVERAGE_SIDE;
         double at[4];
         for (int c = 0; c < 4; c++) {

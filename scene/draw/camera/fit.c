@@ -147,19 +147,18 @@ static void instance_rows(const struct scene_instance *instance, const double ax
     }
 }
 
-static bool is_framed(const struct scene_model *model, const struct scene_instance *instance,
-                      const float p[3])
+static bool is_framed(const struct scene_box *room, const struct scene_instance *instance, const float p[3])
 {
     double place[3];
-    if (model->is_framed) {
-        scene_place_point(instance->world, p, place);
-    }
-    return !model->is_framed || scene_subject_frames(model, place);
+    scene_place_point(instance->world, p, place);
+    return scene_box_has(room, place);
 }
 
 static void fit_model(const struct scene_model *model, const double axes[3][3], bool whole, struct fit *fit)
 {
     const struct scene_subject subject = scene_subject_find(model);
+    const struct scene_box room = scene_subject_room(model);
+    const bool takes_all = whole || !model->is_framed;
     for (uint32_t i = 0; i < model->instance_count; i++) {
         const struct scene_instance *instance = &model->instances[i];
         const struct scene_mesh *mesh = &model->meshes[instance->mesh];
@@ -178,7 +177,7 @@ static void fit_model(const struct scene_model *model, const double axes[3][3], 
                 q[r] = rows[r][0] * (double)p[0] + rows[r][1] * (double)p[1] + rows[r][2] * (double)p[2] +
                        rows[r][3];
             }
-            used = used && (whole || is_framed(model, instance, p));
+            used = used && (takes_all || is_framed(&room, instance, p));
             if (used && scene_finite3(q) && fit->turns) {
                 fit_circle(fit, q);
             } else if (used && scene_finite3(q)) {

@@ -10,53 +10,48 @@ struct scene_box scene_subject_frame(const struct scene_model *model)
 {
     const float *low = model->is_framed ? model->frame_min : model->bounds_min;
     const float *high = model->is_framed ? model->frame_max : model->bounds_max;
-    struct scene_box box;
-    for (int i = 0; i < 3; i++) {
-        box.low[i] = (double)low[i];
-        box.high[i] = (double)high[i];
-    }
-    return box;
+    return scene_box_of(low, high);
 }
 
-bool scene_subject_frames(const struct scene_model *model, const double point[3])
+struct scene_box scene_subject_room(const struct scene_model *model)
 {
-    const struct scene_box frame = scene_subject_frame(model);
-    double longest = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const double side = frame.high[i] - frame.low[i];
-        longest = side > longest ? side : longest;
+    const struct scene_box frame = scene_subject_frame(model), nothing = scene_box_empty();
+    if (model->is_framed) {
+        return scene_box_grown(&frame, 1e-4 * scene_box_longest(&frame));
     }
-    bool inside = true;
-    for (int i = 0; i < 3 && model->is_framed; i++) {
-        const double room = 1e-4 * longest;
-        inside = inside && point[i] >= frame.low[i] - room && point[i] <= frame.high[i] + room;
-    }
-    return inside;
+    return (struct scene_box){{nothing.high[0], nothing.high[1], nothing.high[2]},
+                              {nothing.low[0], nothing.low[1], nothing.low[2]}};
 }
 
-// Return the box around the corners of the mesh's own box, in the world.
-static struct scene_box find_box(const struct scene_model *model, uint32_t number)
+void scene_subject_place(const struct scene_instance *instance, const double point[3], double place[3])
+{
+    const float *const world = instance->world;
+    double moved[3];
+    scene_exact_place(world + 12, instance->place, moved);
+    for (int c = 0; c < 3; c++) {
+        place[c] = (double)world[c] * point[0] + (double)world[4 + c] * point[1] +
+                   (double)world[8 + c] * point[2] + moved[c];
+    }
+}
+
+struct scene_box scene_subject_box(const struct scene_model *model, uint32_t number)
 {
     const struct scene_instance *instance = &model->instances[number];
     const struct scene_mesh *mesh = &model->meshes[instance->mesh];
-    struct scene_box box = {{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
+    const struct scene_box own = scene_box_of(mesh->bounds_min, mesh->bounds_max);
+    struct scene_box box = scene_box_empty();
     for (int corner = 0; corner < 8; corner++) {
-        const float p[3] = {(corner & 1 ? mesh->bounds_max : mesh->bounds_min)[0],
-                            (corner & 2 ? mesh->bounds_max : mesh->bounds_min)[1],
-                            (corner & 4 ? mesh->bounds_max : mesh->bounds_min)[2]};
-        double q[3];
-        scene_place_point(instance->world, p, q);
-        for (int i = 0; i < 3; i++) {
-            box.low[i] = q[i] < box.low[i] ? q[i] : box.low[i];
-            box.high[i] = q[i] > box.high[i] ? q[i] : box.high[i];
-        }
+        double p[3], q[3];
+        scene_box_corner(&own, corner, p);
+        scene_subject_place(instance, p, q);
+        scene_box_extend_to(&box, q);
     }
     return box;
 }
 
 int scene_subject_thin_axis(const struct scene_model *model, uint32_t instance, struct scene_box *box)
 {
-    *box = find_box(model, instance);
+    *box = scene_subject_box(model, instance);
     double longest = 0;
     int thinnest_axis = 0;
     for (int i = 0; i < 3; i++) {
@@ -102,12 +97,10 @@ struct scene_subject scene_subject_find(const struct scene_model *model)
             !cut_to_frame(model, &box)) {
             continue;
         }
-        for (int k = 0; k < 3; k++) {
-            subject.box.low[k] =
-                box.low[k] < subject.box.low[k] || subject.is_all ? box.low[k] : subject.box.low[k];
-            subject.box.high[k] =
-                box.high[k] > subject.box.high[k] || subject.is_all ? box.high[k] : subject.box.high[k];
+        if (subject.is_all) {
+            subject.box = scene_box_empty();
         }
+        scene_box_extend(&subject.box, &box);
         subject.is_all = false;
     }
     return subject;

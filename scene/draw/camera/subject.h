@@ -4,17 +4,21 @@
 #ifndef SCENE_SUBJECT_H
 #define SCENE_SUBJECT_H
 
+#include "box.h"
 #include "model.h"
-
-struct scene_box {
-    double low[3], high[3];
-};
 
 /// Return the model's frame.
 struct scene_box scene_subject_frame(const struct scene_model *model);
 
-/// Return true if a point lies within the model's frame, but for rounding.
-bool scene_subject_frames(const struct scene_model *model, const double point[3]);
+/// Return the box of what the model's frame holds, which is the frame with room for rounding, or all of space for a
+/// model without one.
+struct scene_box scene_subject_room(const struct scene_model *model);
+
+/// Write where an instance puts a point of its mesh, as exactly as it is known.
+void scene_subject_place(const struct scene_instance *instance, const double point[3], double place[3]);
+
+/// Return the box around the corners of an instance's own box, in the world.
+struct scene_box scene_subject_box(const struct scene_model *model, uint32_t instance);
 
 /// Write the box of an instance to `box`. Return the axis in which it is thinner than a fiftieth of its longest side.
 /// Return −1 if there is none.

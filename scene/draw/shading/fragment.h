@@ -260,22 +260,71 @@ ALWAYS_INLINE rhw_float ambient_open(const struct rhw_fragment *f, const struct 
                             view_distance(f, frame, position));
 }
 
+// Find the place at which the shadow on a fragment is looked up. The values of a fragment are those of its pixel's
+// centre, which may lie beyond the edge of a triangle that covers other samples of the pixel. Beyond an inner corner
+// the plane goes on behind what it meets there, where no light arrives. The place is therefore moved towards the eye,
+// onto what the guide has at the centre, where that lies before the plane by no more than two pixels are wide on the
+// plane.
+ALWAYS_INLINE void shadow_place(const struct rhw_fragment *f, const struct scene_surface *s,
+                                rhw_float place[3])
+{
+    const struct scene_frame *frame = s->frame;
+    const struct scene_guide_lookup *guide = &frame->guide;
+    const rhw_float *position = &f->varying[s->varying_position];
+    const rhw_float *ddx = &f->ddx[s->varying_position], *ddy = &f->ddy[s->varying_position];
+    for (int c = 0; c < 3; c++) {
+        place[c] = position[c];
+    }
+    if (!guide->distance || !s->is_triangle) {
+        return;
+    }
+    const float texels = guide->scale / frame->samples, top = frame->first_row * guide->scale;
+    const rhw_float x = rhw_floor(f->coord[0] * texels), y = rhw_floor(f->coord[1] * texels + top);
+    const rhw_int column = rhw_int_from_float_unchecked(rhw_clamp(x, 0.0f, (float)guide->width - 1.0f));
+    const rhw_int row = rhw_int_from_float_unchecked(rhw_clamp(y, 0.0f, (float)guide->height - 1.0f));
+    const rhw_float there =
+        rhw_gather(guide->distance, guide->pitch * guide->height, row * guide->pitch + column);
+    const rhw_float right = (x + 0.5f) * (1.0f / texels) - f->coord[0],
+                    down = (y + 0.5f - top) * (1.0f / texels) - f->coord[1];
+    const rhw_float distance = view_distance(f, frame, position);
+    rhw_float plane = distance, width = rhw_splat(0.0f);
+    for (int c = 0; c < 3; c++) {
+        plane += (ddx[c] * right + ddy[c] * down) * frame->forward[c];
+        width += rhw_abs(ddx[c]) + rhw_abs(ddy[c]);
+    }
+    const rhw_float gap = plane - there;
+    const rhw_int behind = f->mask & rhw_less(distance * 4e-6f, gap) & rhw_less(gap, width * 2.0f);
+    if (!rhw_any(behind)) {
+        return;
+    }
+    const rhw_float part = rhw_select(behind, gap / distance, 0.0f);
+    for (int c = 0; c < 3; c++) {
+        const rhw_float to_eye =
+            frame->orthographic ? -frame->forward[c] * distance : frame->eye[c] - position[c];
+        place[c] += to_eye * part;
+    }
+}
+
 // Dim the light of the lanes that it reaches, which are the lanes that face it.
 ALWAYS_INLINE void shadow_irradiance(const struct rhw_fragment *f, const struct scene_surface *s,
                                      const struct scene_shader_light *light, rhw_int facing,
                                      rhw_float irradiance[3])
 {
+    if (!rhw_any(f->mask & facing)) {
+        return;
+    }
     const int at = s->varying_position;
     const bool plane = s->is_triangle;
+    rhw_float place[3];
+    shadow_place(f, s, place);
     struct scene_shadow_curve curve = {.origin = s->frame->eye};
     if (plane) {
         curve.normal = &f->varying[s->varying_normal];
         curve.support = &f->varying[s->varying_support];
         curve.turn = s->double_sided ? ~f->front_facing : rhw_splat_int(0);
     }
-    const rhw_float open =
-        scene_shadow(light, &f->varying[at], plane ? &f->ddx[at] : NULL, plane ? &f->ddy[at] : NULL,
-                     plane ? &curve : NULL, s->casts, f->mask & facing);
+    const rhw_float open = scene_shadow(light, place, plane ? &f->ddx[at] : NULL, plane ? &f->ddy[at] : NULL,
+                                        plane ? &curve : NULL, s->casts, f->mask & facing);
     for (int c = 0; c < 3; c++) {
         irradiance[c] = irradiance[c] * open;
     }

@@ -101,6 +101,20 @@ static void *copy_colors(struct scene_import *import, const struct aiColor4D *co
     return copy;
 }
 
+// Tell of texture coordinates with a third number, as those of volumes and projections are. Exporters write one of 0.
+static void tell_of_third(struct scene_import *import, const struct aiMesh *mesh)
+{
+    bool is_used = false;
+    for (int set = 0; set < SCENE_UV_SETS && mesh->mTextureCoords[set] != NULL; set++) {
+        for (uint32_t i = 0; i < mesh->mNumVertices && mesh->mNumUVComponents[set] == 3; i++) {
+            is_used = is_used || mesh->mTextureCoords[set][i].z < 0 || mesh->mTextureCoords[set][i].z > 0;
+        }
+    }
+    if (is_used) {
+        scene_import_unsupported(import, "texture coordinates of three numbers: the third is not used");
+    }
+}
+
 static void copy_indices(struct reader *reader, const struct aiMesh *source, struct scene_mesh *mesh)
 {
     const uint32_t corners = scene_mesh_corners(mesh);
@@ -112,7 +126,11 @@ static void copy_indices(struct reader *reader, const struct aiMesh *source, str
     for (uint32_t i = 0; i < source->mNumFaces; i++) {
         const struct aiFace *face = &source->mFaces[i];
         if (face->mNumIndices != corners) {
-            continue; // an empty face
+            if (face->mNumIndices > 0) {
+                scene_import_unsupported(reader->import, "faces of %u corners among those of %u: left out",
+                                         face->mNumIndices, corners);
+            }
+            continue;
         }
         for (uint32_t k = 0; k < corners; k++) {
             if (face->mIndices[k] >= source->mNumVertices) {
@@ -173,6 +191,7 @@ static void add_mesh(struct reader *reader, uint32_t index)
     mesh.uvs[1] = copy_uvs(import, source->mTextureCoords[1], count);
     mesh.colors = copy_colors(import, source->mColors[0], count);
     fix_alpha(import, &mesh);
+    tell_of_third(import, source);
     if (source->mColors[1] != NULL) {
         scene_import_unsupported(import, "vertex colours beyond the first set: ignored");
     }

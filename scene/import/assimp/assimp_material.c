@@ -126,6 +126,38 @@ static bool is_dummy(const char *name)
     return strncmp(name, "$texture_dummy", 14) == 0;
 }
 
+// Tell of what assimp says of a texture's use and is not drawn: a strength below 1, and operations but the usual one.
+static void tell_of_use(const struct reader *reader, enum aiTextureType type)
+{
+    float strength = 1;
+    int flags = 0, operation = 0;
+    aiGetMaterialFloatArray(reader->source, _AI_MATKEY_TEXBLEND_BASE, (unsigned)type, 0, &strength, NULL);
+    aiGetMaterialIntegerArray(reader->source, _AI_MATKEY_TEXFLAGS_BASE, (unsigned)type, 0, &flags, NULL);
+    aiGetMaterialIntegerArray(reader->source, _AI_MATKEY_TEXOP_BASE, (unsigned)type, 0, &operation, NULL);
+    if (strength < 0.999f && type != aiTextureType_HEIGHT && type != aiTextureType_NORMALS) {
+        scene_import_unsupported(reader->import, "textures of less than their whole strength: drawn whole");
+    }
+    if (flags & aiTextureFlags_Invert) {
+        scene_import_unsupported(reader->import, "inverted textures: drawn as they are");
+    }
+    if (operation != aiTextureOp_Multiply) {
+        scene_import_unsupported(reader->import, "textures that are added or subtracted: multiplied");
+    }
+}
+
+// Tell of a texture whose place another one has taken.
+static void tell_of_second(const struct reader *reader, enum aiTextureType type,
+                           const struct scene_phong_texture *texture)
+{
+    struct aiString path;
+    if (aiGetMaterialTexture(reader->source, type, 0, &path, NULL, NULL, NULL, NULL, NULL, NULL) ==
+            aiReturn_SUCCESS &&
+        path.length > 0 && !is_dummy(path.data) &&
+        strcmp(texture->name, scene_assimp_string(reader->import, &path)) != 0) {
+        scene_import_unsupported(reader->import, "textures for one purpose: the first alone is used");
+    }
+}
+
 // The first texture of a type, if there is one and `texture` is not taken yet.
 static void read_texture(const struct reader *reader, enum aiTextureType type,
                          struct scene_phong_texture *texture)
@@ -134,8 +166,11 @@ static void read_texture(const struct reader *reader, enum aiTextureType type,
     enum aiTextureMapping mapping = aiTextureMapping_UV;
     enum aiTextureMapMode modes[3] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
     unsigned set = 0;
-    if (texture->name != NULL ||
-        aiGetMaterialTexture(reader->source, type, 0, &path, &mapping, &set, NULL, NULL, modes, NULL) !=
+    if (texture->name != NULL) {
+        tell_of_second(reader, type, texture);
+        return;
+    }
+    if (aiGetMaterialTexture(reader->source, type, 0, &path, &mapping, &set, NULL, NULL, modes, NULL) !=
             aiReturn_SUCCESS ||
         path.length == 0 || is_dummy(path.data)) {
         return;
@@ -150,6 +185,7 @@ static void read_texture(const struct reader *reader, enum aiTextureType type,
     } else {
         scene_import_find_image(reader->import, NULL, path.data, &texture->source);
     }
+    tell_of_use(reader, type);
     if (set >= SCENE_UV_SETS) {
         scene_import_unsupported(reader->import, "texture coordinate set %u: set 0 is read instead", set);
     }

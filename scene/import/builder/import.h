@@ -75,7 +75,10 @@ struct scene_import {
     const char *directory; // directory of the name, with a trailing slash; "" for the current one
     const char *variant;   // variant of the options
     const char *animation; // animation of the options
-    double time;           // time of the options, with is_posed
+    /// With `takes_number`, the number of the animation that is shown, whatever the animations are called.
+    uint32_t animation_number;
+    bool takes_number;
+    double time; // time of the options, with is_posed
     bool is_posed, without_images;
     uint32_t texture_side; // texture_side of the options
     // The folder of the options, resolved. NULL if nothing is out of bounds.

@@ -12,6 +12,9 @@ int64_t scene_import_find_animation(const struct scene_import *import)
 {
     const struct scene_model *const model = &import->model;
     const char *const wanted = import->animation;
+    if (import->takes_number) {
+        return import->animation_number < model->animation_count ? (int64_t)import->animation_number : -1;
+    }
     if (wanted == NULL) {
         return 0;
     }

@@ -2,11 +2,12 @@
 // The end of an import: images are decoded, totals are made, and what cannot be drawn is left out.
 #include "finish.h"
 
-#include <stdio.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "decode_images.h"
+#include "draw/camera/subject.h"
 #include "frame.h"
 #include "import/builder/normals.h"
 #include "import/builder/numbers.h"
@@ -53,11 +54,25 @@ static bool bound_instance(const struct scene_mesh *mesh, const float world[16],
            scene_import_finite(size, 3);
 }
 
+// Return true if an instance within these bounds stands so far from the origin that floats have steps for its size.
+static bool is_remote(const struct scene_instance *instance, const float least[3], const float most[3])
+{
+    double distance = 0, size = 0;
+    for (int c = 0; c < 3; c++) {
+        distance = fmax(distance, fabs(instance->place[c]));
+        size = fmax(size, (double)most[c] - (double)least[c]);
+    }
+    return size > 0 && distance > SCENE_REMOTE * size;
+}
+
 static void keep_drawable_instances(struct scene_import *import)
 {
     struct scene_model *model = &import->model;
+    double(*const exact)[16] = import->exact_instances.matrices;
     uint32_t kept = 0;
     empty_bounds(model->bounds_min, model->bounds_max);
+    model->triangles_drawn = 0;
+    model->is_scattered = false;
     for (uint32_t i = 0; i < model->instance_count; i++) {
         struct scene_instance *instance = &model->instances[i];
         const struct scene_mesh *mesh = &model->meshes[instance->mesh];
@@ -76,6 +91,8 @@ static void keep_drawable_instances(struct scene_import *import)
         if (mesh->primitive == SCENE_PRIMITIVE_TRIANGLES) {
             model->triangles_drawn += mesh->index_count / 3;
         }
+        model->is_scattered = model->is_scattered || is_remote(instance, least, most);
+        memmove(exact[kept], exact[i], sizeof *exact);
         model->instances[kept++] = *instance;
     }
     model->instance_count = kept;
@@ -124,6 +141,39 @@ static void find_frame(struct scene_import *import)
     scene_seen_free(seen, &import->model);
 }
 
+// Let a model that has its frame far from the origin, as one beside a speck at 0 can have, be counted from there.
+static void locate_frame(struct scene_import *import)
+{
+    const struct scene_box frame = scene_subject_frame(&import->model);
+    double middle[3], size = 0, distance = 0;
+    for (int c = 0; c < 3; c++) {
+        const double here = 0.5 * frame.low[c] + 0.5 * frame.high[c];
+        middle[c] = here + import->model.origin[c];
+        distance = fmax(distance, fabs(here));
+        size = fmax(size, frame.high[c] - frame.low[c]);
+    }
+    if (import->model.is_framed && size > 0 && distance > SCENE_REMOTE * size) {
+        scene_import_locate_near(import, middle, size);
+        keep_drawable_instances(import);
+        import->model.is_framed = false;
+        find_frame(import);
+    }
+}
+
+// Where floats hold all places well enough, they are all that counts.
+static void forget_exact_places(struct scene_model *model)
+{
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        memset(model->instances[i].place, 0, sizeof model->instances[i].place);
+    }
+    for (uint32_t i = 0; i < model->camera_count; i++) {
+        memset(model->cameras[i].place, 0, sizeof model->cameras[i].place);
+    }
+    for (uint32_t i = 0; i < model->light_count; i++) {
+        memset(model->lights[i].place, 0, sizeof model->lights[i].place);
+    }
+}
+
 static void mark_image_uses(struct scene_model *model)
 {
     for (uint32_t i = 0; i < model->image_count; i++) {
@@ -162,13 +212,28 @@ static bool shows_nothing(struct scene_import *import)
 // Read the model as an animation has it. Return true if something is seen.
 static bool read_moment(struct scene_import *import, uint32_t animation, double time)
 {
-    char *number = scene_import_allocate(import, 1, 16);
-    snprintf(number, 16, "%u", animation);
     import->is_posed = true;
-    import->animation = number;
+    import->takes_number = true;
+    import->animation_number = animation;
     import->time = time;
     import->read(import);
     return !shows_nothing(import);
+}
+
+// Free the largest part of a model that was read for nothing.
+static void free_meshes(struct scene_import *import)
+{
+    for (uint32_t i = 0; i < import->model.mesh_count; i++) {
+        struct scene_mesh *const mesh = &import->model.meshes[i];
+        void *const arrays[] = {mesh->indices, mesh->positions, mesh->normals, mesh->tangents, mesh->colors};
+        for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++) {
+            free(arrays[k]);
+        }
+        for (int k = 0; k < SCENE_UV_SETS; k++) {
+            free(mesh->uvs[k]);
+        }
+    }
+    free(import->model.meshes);
 }
 
 // Read the model. Where it shows nothing at rest, as some that grow or appear do, read it as its first animation has it
@@ -192,6 +257,7 @@ static void read_what_shows(struct scene_import *import)
                               i / MOMENTS, animation->name, time);
             return;
         }
+        free_meshes(import);
     }
     *import = rest;
 }
@@ -222,6 +288,10 @@ void scene_import_run(struct scene_import *import)
     keep_drawable_instances(import);
     warn_of_no_area(import);
     find_frame(import);
+    locate_frame(import);
+    if (!model->is_scattered) {
+        forget_exact_places(model);
+    }
     if (import->up_is_open) {
         const enum scene_axis usual = model->up;
         model->up = scene_model_guess_up(model, usual, import->up_is_agreed);

@@ -24,6 +24,8 @@ struct search {
     bool takes_flat;      // flat instances are searched too, as there are no others
     struct scene_box all; // what lies outside is left out already
     double area, count;   // weights of all units
+    uint32_t triangles;   // how many units have an area
+    bool ignores_count;   // lines and points are so few beside triangles that they weigh nothing
     double bins[3][BINS]; // shares of the weights along each axis
     struct scene_box core, near, grown;
     double left_area, left_count, left_length;
@@ -31,55 +33,6 @@ struct search {
 };
 
 typedef void visit(struct search *search, const struct unit *unit);
-
-// Boxes -----------------------------------------------------------------------------------------------
-
-static struct scene_box empty_box(void)
-{
-    return (struct scene_box){{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
-}
-
-static void extend(struct scene_box *box, const struct scene_box *by)
-{
-    for (int c = 0; c < 3; c++) {
-        box->low[c] = by->low[c] < box->low[c] ? by->low[c] : box->low[c];
-        box->high[c] = by->high[c] > box->high[c] ? by->high[c] : box->high[c];
-    }
-}
-
-static void extend_to_point(struct scene_box *box, const double point[3])
-{
-    const struct scene_box by = {{point[0], point[1], point[2]}, {point[0], point[1], point[2]}};
-    extend(box, &by);
-}
-
-static double longest_side(const struct scene_box *box)
-{
-    double longest = 0;
-    for (int c = 0; c < 3; c++) {
-        const double side = box->high[c] - box->low[c];
-        longest = side > longest ? side : longest;
-    }
-    return longest;
-}
-
-static bool overlaps(const struct scene_box *a, const struct scene_box *b)
-{
-    bool meets = true;
-    for (int c = 0; c < 3; c++) {
-        meets = meets && a->low[c] <= b->high[c] && a->high[c] >= b->low[c];
-    }
-    return meets;
-}
-
-static bool holds(const struct scene_box *box, const struct scene_box *inner)
-{
-    bool inside = true;
-    for (int c = 0; c < 3; c++) {
-        inside = inside && inner->low[c] >= box->low[c] && inner->high[c] <= box->high[c];
-    }
-    return inside;
-}
 
 // Units -----------------------------------------------------------------------------------------------
 
@@ -100,19 +53,19 @@ static void visit_instance(struct search *search, const struct scene_instance *i
     const bool *seen = search->seen[instance->mesh].vertices;
     const uint32_t count = scene_mesh_corners(mesh);
     for (uint32_t i = 0; i + count <= mesh->index_count; i += count) {
-        struct unit unit = {.box = empty_box(), .weight = 1, .is_area = count == 3};
+        struct unit unit = {.box = scene_box_empty(), .weight = 1, .is_area = count == 3};
         double corners[3][3];
         bool shows = true;
         for (uint32_t k = 0; k < count; k++) {
             const uint32_t vertex = mesh->indices[i + k];
             scene_place_point(instance->world, mesh->positions[vertex], corners[k]);
-            extend_to_point(&unit.box, corners[k]);
+            scene_box_extend_to(&unit.box, corners[k]);
             shows = shows && (seen == NULL || seen[vertex]);
         }
         if (count == 3) {
             unit.weight = triangle_area(corners);
         }
-        if (shows && unit.weight > 0 && holds(&search->all, &unit.box)) {
+        if (shows && unit.weight > 0 && scene_box_holds(&search->all, &unit.box)) {
             visitor(search, &unit);
         }
     }
@@ -149,13 +102,9 @@ static bool sees_all(const struct search *search)
 // Find the bounds of all vertices that are seen.
 static struct scene_box seen_box(const struct search *search)
 {
-    struct scene_box box = empty_box();
+    struct scene_box box = scene_box_empty();
     if (sees_all(search)) {
-        for (int c = 0; c < 3; c++) {
-            box.low[c] = (double)search->model->bounds_min[c];
-            box.high[c] = (double)search->model->bounds_max[c];
-        }
-        return box;
+        return scene_box_of(search->model->bounds_min, search->model->bounds_max);
     }
     for (uint32_t i = 0; i < search->model->instance_count; i++) {
         const struct scene_instance *instance = &search->model->instances[i];
@@ -165,7 +114,7 @@ static struct scene_box seen_box(const struct search *search)
             double point[3];
             scene_place_point(instance->world, mesh->positions[v], point);
             if (seen == NULL || seen[v]) {
-                extend_to_point(&box, point);
+                scene_box_extend_to(&box, point);
             }
         }
     }
@@ -200,11 +149,11 @@ static uint32_t use_bins(const struct search *search, const struct scene_instanc
     const struct scene_mesh *mesh = &search->model->meshes[instance->mesh];
     const uint32_t end = mesh->vertex_count - first < SOME ? mesh->vertex_count : first + SOME;
     for (uint32_t v = first; v < end; v++) {
-        struct scene_box point = empty_box();
+        struct scene_box point = scene_box_empty();
         double place[3];
         scene_place_point(instance->world, mesh->positions[v], place);
-        extend_to_point(&point, place);
-        for (int c = 0; c < 3 && holds(&search->all, &point); c++) {
+        scene_box_extend_to(&point, place);
+        for (int c = 0; c < 3 && scene_box_holds(&search->all, &point); c++) {
             used[c][find_bin(search, c, place[c], GAP_BINS)] = true;
         }
     }
@@ -233,11 +182,14 @@ static bool has_gap(const struct search *search)
 static void weigh(struct search *search, const struct unit *unit)
 {
     *(unit->is_area ? &search->area : &search->count) += unit->weight;
+    search->triangles += unit->is_area;
 }
 
 static void fill_bins(struct search *search, const struct unit *unit)
 {
-    const double share = unit->weight / (unit->is_area ? search->area : search->count);
+    const double share = unit->is_area           ? unit->weight / search->area
+                         : search->ignores_count ? 0
+                                                 : unit->weight / search->count;
     for (int c = 0; c < 3; c++) {
         const double middle = 0.5 * (unit->box.low[c] + unit->box.high[c]);
         search->bins[c][find_bin(search, c, middle, BINS)] += share;
@@ -250,18 +202,18 @@ static void grow_middle(struct search *search, const struct unit *unit)
     for (int c = 0; c < 3; c++) {
         middle.low[c] = middle.high[c] = 0.5 * (unit->box.low[c] + unit->box.high[c]);
     }
-    if (overlaps(&search->near, &middle)) {
-        extend(&search->grown, &unit->box);
+    if (scene_box_overlaps(&search->near, &middle)) {
+        scene_box_extend(&search->grown, &unit->box);
     }
 }
 
 static void grow(struct search *search, const struct unit *unit)
 {
-    if (overlaps(&search->near, &unit->box)) {
-        extend(&search->grown, &unit->box);
+    if (scene_box_overlaps(&search->near, &unit->box)) {
+        scene_box_extend(&search->grown, &unit->box);
         return;
     }
-    const double length = longest_side(&unit->box);
+    const double length = scene_box_longest(&unit->box);
     *(unit->is_area ? &search->left_area : &search->left_count) += unit->weight;
     search->left_length = length > search->left_length ? length : search->left_length;
     search->is_left = true;
@@ -272,8 +224,10 @@ static void grow(struct search *search, const struct unit *unit)
 static bool find_middle(struct search *search)
 {
     search->area = search->count = 0;
+    search->triangles = 0;
     visit_all(search, weigh);
-    const double whole = (search->area > 0) + (search->count > 0);
+    search->ignores_count = search->area > 0 && search->count <= 1 + largest_share * search->triangles;
+    const double whole = (search->area > 0) + (search->count > 0 && !search->ignores_count);
     for (int c = 0; c < 3; c++) {
         for (int bin = 0; bin < BINS; bin++) {
             search->bins[c][bin] = 0;
@@ -294,29 +248,40 @@ static bool find_middle(struct search *search)
         search->near.low[c] = low + side * first / BINS;
         search->near.high[c] = low + side * (last + 1) / BINS;
     }
-    search->grown = empty_box();
+    search->grown = scene_box_empty();
     visit_all(search, grow_middle);
     search->core = search->grown;
     return search->core.low[0] <= search->core.high[0];
+}
+
+// Return true if a flat instance stands far from the core. Flat instances are not searched.
+static bool has_far_flat(const struct search *search)
+{
+    const struct scene_box near = scene_box_grown(&search->core, gap * scene_box_longest(&search->core));
+    bool found = false;
+    for (uint32_t i = 0; i < search->model->instance_count && !found; i++) {
+        const struct scene_box box = scene_subject_box(search->model, i);
+        found = !search->model->instances[i].unseen && !is_searched(search, i) &&
+                scene_box_holds(&search->all, &box) && !scene_box_overlaps(&near, &box);
+    }
+    return found;
 }
 
 // Let the core grow until a gap is around it. Return true if what is left are specks.
 static bool find_specks(struct search *search)
 {
     for (int i = 0; i < GROWTHS; i++) {
-        const double reach = gap * longest_side(&search->core);
+        const double reach = gap * scene_box_longest(&search->core);
         search->grown = search->core;
         search->left_area = search->left_count = search->left_length = 0;
         search->is_left = false;
-        for (int c = 0; c < 3; c++) {
-            search->near.low[c] = search->core.low[c] - reach;
-            search->near.high[c] = search->core.high[c] + reach;
-        }
+        search->near = scene_box_grown(&search->core, reach);
         visit_all(search, grow);
-        if (holds(&search->core, &search->grown)) {
-            return search->is_left && search->left_area <= largest_share * search->area &&
-                   search->left_count <= largest_share * search->count &&
-                   search->left_length <= largest_speck * longest_side(&search->core);
+        if (scene_box_holds(&search->core, &search->grown)) {
+            return (search->is_left || has_far_flat(search)) &&
+                   search->left_area <= largest_share * search->area &&
+                   (search->ignores_count || search->left_count <= largest_share * search->count) &&
+                   search->left_length <= largest_speck * scene_box_longest(&search->core);
         }
         search->core = search->grown;
     }
@@ -327,12 +292,8 @@ static bool find_specks(struct search *search)
 // hundreds of times as large is a ground and no part of a picture's subject.
 static bool add_flat(const struct search *search, struct scene_box *frame)
 {
-    const double length = longest_side(frame), reach = gap * length;
-    struct scene_box near = *frame;
-    for (int c = 0; c < 3; c++) {
-        near.low[c] -= reach;
-        near.high[c] += reach;
-    }
+    const double length = scene_box_longest(frame), reach = gap * length;
+    const struct scene_box near = scene_box_grown(frame, reach);
     for (uint32_t i = 0; i < search->model->instance_count; i++) {
         struct scene_box box;
         if (search->model->instances[i].unseen || is_searched(search, i)) {
@@ -342,9 +303,9 @@ static bool add_flat(const struct search *search, struct scene_box *frame)
         if (scene_subject_is_ground(&box, axis, &search->core)) {
             continue;
         }
-        if (overlaps(&near, &box)) {
-            extend(frame, &box);
-        } else if (longest_side(&box) > largest_speck * length) {
+        if (scene_box_overlaps(&near, &box)) {
+            scene_box_extend(frame, &box);
+        } else if (scene_box_longest(&box) > largest_speck * length) {
             return false;
         }
     }
@@ -383,12 +344,8 @@ void scene_frame_find(struct scene_import *import, const struct scene_seen_mesh 
     struct search *search = scene_import_allocate(import, 1, sizeof *search);
     *search = (struct search){.model = model, .seen = seen};
     struct scene_box frame = seen_box(search);
-    const double before = longest_side(&frame);
-    search->all = frame;
-    for (int c = 0; c < 3; c++) { // the bounds are rounded
-        search->all.low[c] -= 1e-5 * before;
-        search->all.high[c] += 1e-5 * before;
-    }
+    const double before = scene_box_longest(&frame);
+    search->all = scene_box_grown(&frame, 1e-5 * before); // the bounds are rounded
     if (leave_specks(search, &frame)) {
         scene_import_warn(import, "specks far away from all else are outside a fitted picture; "
                                   "--fit=all shows them");

@@ -2,10 +2,12 @@
 // A model that is near is left as its reader made it, by floats.
 #include "locate.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "import/builder/clusters.h"
 #include "import/builder/origin.h"
 #include "import/builder/place.h"
 
@@ -30,7 +32,7 @@ static void find_place(const struct scene_import *import, uint32_t number, doubl
     const struct scene_instance *const instance = &import->model.instances[number];
     const double *const given = import->exact_instances.matrices[number];
     for (int i = 0; i < 16; i++) {
-        matrix[i] = is_given(given) ? given[i] : (double)instance->world[i];
+        matrix[i] = given[i];
     }
     add_to_place(matrix, import->exact_meshes.matrices[instance->mesh] + 12);
 }
@@ -71,6 +73,33 @@ static struct scene_import_spread find_spread(struct scene_import *import)
     return spread;
 }
 
+// Return the longest side of the box around all vertices of a mesh.
+static double longest_side(const struct scene_mesh *mesh)
+{
+    double longest = 0;
+    for (int c = 0; c < 3; c++) {
+        float low = FLT_MAX, high = -FLT_MAX;
+        for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+            low = fminf(low, mesh->positions[v][c]);
+            high = fmaxf(high, mesh->positions[v][c]);
+        }
+        longest = fmax(longest, (double)high - (double)low);
+    }
+    return longest;
+}
+
+// Return true if a mesh stands so many of its own sizes from its origin that pictures of it alone would show the steps
+// of floats.
+static bool is_remote(const struct scene_mesh *mesh)
+{
+    double distance = 0;
+    for (int c = 0; c < 3 && mesh->vertex_count > 0; c++) {
+        distance = fmax(distance, fabs((double)mesh->positions[0][c]));
+    }
+    const double size = distance > 0 ? longest_side(mesh) : 0;
+    return size > 0 && distance > SCENE_REMOTE * size;
+}
+
 // Return true if an instance brings its mesh a long way, measured in sizes of the model. A shader would lose what the
 // floats of the mesh have.
 static bool moves_far(const struct scene_import *import, uint32_t number, double size)
@@ -101,13 +130,6 @@ static void settle_mesh(struct scene_import *import, uint32_t number)
     }
     free(mesh->positions);
     mesh->positions = scene_import_settle(import, points, mesh->vertex_count, offset);
-    if (import->has_floats_alone && scene_origin_is_far(offset)) {
-        const double distance = fmax(fabs(offset[0]), fmax(fabs(offset[1]), fabs(offset[2])));
-        scene_import_warn(import,
-                          "stands far from the origin, where its format is read as floats: positions are "
-                          "%.2g apart at least",
-                          distance / (1 << 23));
-    }
     for (int c = 0; c < 3; c++) {
         import->exact_meshes.matrices[number][12 + c] += offset[c];
     }
@@ -115,55 +137,147 @@ static void settle_mesh(struct scene_import *import, uint32_t number)
 
 // Let the model's origin be that of a mesh among its vertices. The instances of such a mesh then have a matrix without
 // a movement, as in the file.
-static void choose_origin(const struct scene_import *import, const struct scene_import_spread *spread,
-                          double origin[3])
+static void choose_origin(struct scene_import *import, const double middle[3], double size)
 {
-    memcpy(origin, spread->middle, sizeof spread->middle);
+    double *const origin = import->model.origin;
+    memcpy(origin, middle, 3 * sizeof *origin);
     for (uint32_t i = 0; i < import->model.instance_count; i++) {
         double matrix[16];
         bool is_among = true;
         find_place(import, i, matrix);
         for (int c = 0; c < 3; c++) {
-            const double distance = matrix[12 + c] - spread->middle[c];
-            is_among = is_among && distance <= 2 * spread->size && distance >= -2 * spread->size;
+            const double distance = matrix[12 + c] - middle[c];
+            is_among = is_among && distance <= 2 * size && distance >= -2 * size;
         }
         if (is_among) {
-            memcpy(origin, matrix + 12, sizeof spread->middle);
+            memcpy(origin, matrix + 12, 3 * sizeof *origin);
             return;
         }
     }
 }
 
-static void place_instance(struct scene_import *import, uint32_t number)
+// Say exactly where an instance stands. Its floats follow where `moves` is set.
+static void place_instance(struct scene_import *import, uint32_t number, bool moves)
 {
-    float *const world = import->model.instances[number].world;
+    struct scene_instance *const instance = &import->model.instances[number];
     double matrix[16];
     find_place(import, number, matrix);
-    for (int i = 0; i < 16; i++) {
-        world[i] = (float)(matrix[i] - (i >= 12 && i < 15 ? import->model.origin[i - 12] : 0));
+    for (int c = 0; c < 3; c++) {
+        matrix[12 + c] -= import->model.origin[c];
+        instance->place[c] = matrix[12 + c];
+    }
+    for (int i = 0; i < 16 && moves; i++) {
+        instance->world[i] = (float)matrix[i];
     }
 }
 
-static void place_cameras_and_lights(struct scene_import *import)
+static void place_cameras_and_lights(struct scene_import *import, bool moves)
 {
     struct scene_model *const model = &import->model;
     for (uint32_t i = 0; i < model->camera_count; i++) {
         const double *const exact = import->exact_cameras.matrices[i];
-        for (int k = 0; k < 16; k++) {
-            model->cameras[i].world[k] = (float)(exact[k] - (k >= 12 && k < 15 ? model->origin[k - 12] : 0));
+        struct scene_model_camera *const camera = &model->cameras[i];
+        for (int k = 0; k < 16 && moves; k++) {
+            camera->world[k] = (float)(exact[k] - (k >= 12 && k < 15 ? model->origin[k - 12] : 0));
+        }
+        for (int c = 0; c < 3; c++) {
+            camera->place[c] = exact[12 + c] - model->origin[c];
         }
     }
     for (uint32_t i = 0; i < model->light_count; i++) {
         const double *const exact = import->exact_lights.matrices[i];
+        struct scene_model_light *const light = &model->lights[i];
         for (int c = 0; c < 3; c++) {
-            model->lights[i].position[c] = (float)(exact[12 + c] - model->origin[c]);
+            light->place[c] = exact[12 + c] - model->origin[c];
+            light->position[c] = moves ? (float)light->place[c] : light->position[c];
         }
+    }
+}
+
+// Count all places from the model's origin. Without `moves` the floats stay that have lost nothing.
+static void count_from_origin(struct scene_import *import, bool moves)
+{
+    struct scene_model *const model = &import->model;
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        const double *const moved = import->exact_meshes.matrices[model->instances[i].mesh] + 12;
+        place_instance(import, i, moves || scene_origin_is_far(moved));
+    }
+    place_cameras_and_lights(import, moves);
+}
+
+// Give each instance the matrix that its floats are made from. Readers that have no more than floats give none.
+static void give_matrices(struct scene_import *import)
+{
+    for (uint32_t i = 0; i < import->model.instance_count; i++) {
+        double *const given = import->exact_instances.matrices[i];
+        for (int k = 0; k < 16 && !is_given(given); k++) {
+            given[k] = (double)import->model.instances[i].world[k];
+        }
+    }
+}
+
+// Warn of a model that a library gave as floats, of its nodes or its vertices, and that is far in steps of these.
+static void warn_of_floats(struct scene_import *import, const struct scene_import_spread *spread)
+{
+    bool is_far = spread->is_far;
+    double distance = spread->distance;
+    for (uint32_t i = 0; i < import->model.mesh_count; i++) {
+        for (int c = 0; c < 3; c++) {
+            const double moved = fabs(import->exact_meshes.matrices[i][12 + c]);
+            is_far = is_far || moved > 0;
+            distance = fmax(distance, moved);
+        }
+    }
+    int exponent;
+    frexp(distance, &exponent); // floats have 24 bits
+    if (import->has_floats_alone && is_far) {
+        scene_import_warn(import,
+                          "stands far from the origin, where its format is read as floats: places are "
+                          "up to %.2g apart",
+                          ldexp(1.0, exponent - 24));
+    }
+}
+
+// Warn of a mesh with parts so far apart that its floats have steps for one of them. Some of its triangles and lines
+// tell.
+static void warn_of_parts(struct scene_import *import, const struct scene_mesh *mesh)
+{
+    const uint32_t corners = scene_mesh_corners(mesh);
+    const uint32_t step = (mesh->index_count / corners / SAMPLE + 1) * corners;
+    struct scene_import_clusters clusters = {.count = 0};
+    for (uint64_t i = 0; i + corners <= mesh->index_count && corners > 1; i += step) {
+        struct scene_box box = scene_box_empty();
+        for (uint32_t k = 0; k < corners; k++) {
+            const float *const p = mesh->positions[mesh->indices[i + k]];
+            scene_box_extend_to(&box, (const double[3]){(double)p[0], (double)p[1], (double)p[2]});
+        }
+        scene_import_clusters_add(&clusters, &box);
+    }
+    scene_import_clusters_join(&clusters);
+    double furthest = 0;
+    for (uint32_t i = 0; i < clusters.count && clusters.count > 1; i++) {
+        const struct scene_box *const box = &clusters.boxes[i];
+        double distance = 0;
+        for (int c = 0; c < 3; c++) {
+            distance = fmax(distance, fmax(fabs(box->low[c]), fabs(box->high[c])));
+        }
+        const double size = scene_box_longest(box);
+        furthest = size > 0 && distance > SCENE_REMOTE * size ? fmax(furthest, distance) : furthest;
+    }
+    int exponent;
+    frexp(furthest, &exponent);
+    if (furthest > 0) {
+        scene_import_warn(import,
+                          "mesh \"%s\" has parts so far apart that no floats hold all: places in one are "
+                          "%.2g apart",
+                          mesh->name, ldexp(1.0, exponent - 24));
     }
 }
 
 void scene_import_locate(struct scene_import *import)
 {
     struct scene_model *const model = &import->model;
+    give_matrices(import);
     const struct scene_import_spread spread = find_spread(import);
     bool *const moves = scene_import_allocate(import, model->mesh_count, sizeof *moves);
     for (uint32_t i = 0; i < model->instance_count; i++) {
@@ -171,19 +285,23 @@ void scene_import_locate(struct scene_import *import)
         moves[mesh] = moves[mesh] || moves_far(import, i, spread.size);
     }
     for (uint32_t i = 0; i < model->mesh_count; i++) {
-        if (moves[i]) {
+        if (moves[i] || is_remote(&model->meshes[i])) {
             settle_mesh(import, i);
         }
     }
     free(moves);
+    warn_of_floats(import, &spread);
+    for (uint32_t i = 0; i < model->mesh_count; i++) {
+        warn_of_parts(import, &model->meshes[i]);
+    }
     if (spread.is_far) {
-        choose_origin(import, &spread, model->origin);
-        place_cameras_and_lights(import);
+        choose_origin(import, spread.middle, spread.size);
     }
-    for (uint32_t i = 0; i < model->instance_count; i++) {
-        const double *const moved = import->exact_meshes.matrices[model->instances[i].mesh] + 12;
-        if (spread.is_far || scene_origin_is_far(moved)) {
-            place_instance(import, i);
-        }
-    }
+    count_from_origin(import, spread.is_far);
+}
+
+void scene_import_locate_near(struct scene_import *import, const double middle[3], double size)
+{
+    choose_origin(import, middle, size);
+    count_from_origin(import, true);
 }

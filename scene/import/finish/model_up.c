@@ -25,7 +25,7 @@ static void extend(struct rectangle *r, double u, double v)
 static double standing_share(const struct scene_model *model, int axis)
 {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const struct scene_box frame = scene_subject_frame(model);
+    const struct scene_box frame = scene_subject_frame(model), room = scene_subject_room(model);
     const double low = frame.low[axis], high = frame.high[axis];
     const double limit = low + slab * (high - low);
     struct rectangle lowest = {{1e300, 1e300}, {-1e300, -1e300}};
@@ -35,7 +35,7 @@ static double standing_share(const struct scene_model *model, int axis)
         for (uint32_t k = 0; k < mesh->vertex_count && !instance->unseen; k++) {
             double p[3];
             scene_place_point(instance->world, mesh->positions[k], p);
-            if (p[axis] <= limit && scene_subject_frames(model, p)) {
+            if (p[axis] <= limit && scene_box_has(&room, p)) {
                 extend(&lowest, p[u], p[v]);
             }
         }

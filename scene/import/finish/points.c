@@ -65,11 +65,12 @@ static void find_bounds(const struct scene_model *model, const struct scene_mesh
 {
     memcpy(low, mesh->bounds_min, 3 * sizeof *low);
     memcpy(high, mesh->bounds_max, 3 * sizeof *high);
+    const struct scene_box room = scene_subject_room(model);
     bool is_first = true;
     for (uint32_t i = 0; i < mesh->vertex_count && model->is_framed; i++) {
         double place[3];
         scene_place_point(world, mesh->positions[i], place);
-        const bool inside = scene_subject_frames(model, place);
+        const bool inside = scene_box_has(&room, place);
         for (int c = 0; c < 3 && inside; c++) {
             const float at = mesh->positions[i][c];
             low[c] = is_first || at < low[c] ? at : low[c];

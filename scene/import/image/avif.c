@@ -85,6 +85,9 @@ static const char *decode(const struct library *library, avifDecoder *decoder, c
     if (result == AVIF_RESULT_OK) {
         result = library->decoderNextImage(decoder);
     }
+    if (result != AVIF_RESULT_OK && strstr(decoder->diag.error, "dimensions are too large") != NULL) {
+        return "width and height must be 1 to 16384";
+    }
     if (result == AVIF_RESULT_OUT_OF_MEMORY) {
         return "outofmem";
     }

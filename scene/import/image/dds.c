@@ -210,10 +210,6 @@ static const char *open_file(const unsigned char *bytes, size_t size, struct dds
     if (!scene_dds_size(bytes, size, &dds->width, &dds->height)) {
         return cut;
     }
-    if (dds->width < 1 || dds->height < 1 || dds->width > RHW_MAX_TARGET_SIZE ||
-        dds->height > RHW_MAX_TARGET_SIZE) {
-        return "width and height must be 1 to 16384";
-    }
     const unsigned char *const pixel_format = bytes + 76;
     const uint32_t flags = read_32(pixel_format + 4), kind = read_32(bytes + 112);
     const bool is_extended = (flags & HAS_CODE) != 0 && memcmp(pixel_format + 8, "DX10", 4) == 0;

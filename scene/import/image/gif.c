@@ -111,10 +111,6 @@ static const char *read_picture(GifFileType *gif, int transparent, struct scene_
 static const char *decode(GifFileType *gif, struct scene_image *image)
 {
     int transparent = NO_TRANSPARENT_COLOR;
-    if (gif->SWidth < 1 || gif->SHeight < 1 || gif->SWidth > RHW_MAX_TARGET_SIZE ||
-        gif->SHeight > RHW_MAX_TARGET_SIZE) {
-        return "width and height must be 1 to 16384";
-    }
     if (!find_picture(gif, &transparent)) {
         return damaged;
     }

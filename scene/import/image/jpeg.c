@@ -3,9 +3,6 @@
 // is skipped, as stb_image skips some of them.
 #include "jpeg.h"
 
-#include <stdbool.h>
-#include <stdint.h>
-
 enum { FILL = 0xff, START = 0xd8, HUFFMAN_TABLES = 0xc4, MOST_CODES = 256, TABLE_HEADER = 17 };
 
 // Go to what follows the next marker that a segment belongs to. Return the marker, or −1 at the end.
@@ -61,4 +58,23 @@ const char *scene_jpeg_problem(const unsigned char *bytes, size_t size)
         at += length < left ? length : left;
     }
     return NULL;
+}
+
+bool scene_jpeg_size(const unsigned char *bytes, size_t size, uint32_t *width, uint32_t *height)
+{
+    // Frames begin by these markers, but for three that stand among them (table B.1).
+    enum { FIRST_FRAME = 0xc0, LAST_FRAME = 0xcf, EXTENSIONS = 0xc8, CONDITIONING = 0xcc, FRAME_HEADER = 7 };
+    size_t at = 0;
+    for (int marker = next_marker(bytes, size, &at); marker >= 0; marker = next_marker(bytes, size, &at)) {
+        const bool is_frame = marker >= FIRST_FRAME && marker <= LAST_FRAME && marker != HUFFMAN_TABLES &&
+                              marker != EXTENSIONS && marker != CONDITIONING;
+        const size_t left = size - at, length = left < 2 ? left : (size_t)bytes[at] << 8 | bytes[at + 1];
+        if (is_frame && left >= FRAME_HEADER) {
+            *height = (uint32_t)bytes[at + 3] << 8 | bytes[at + 4];
+            *width = (uint32_t)bytes[at + 5] << 8 | bytes[at + 6];
+            return true;
+        }
+        at += length < left ? length : left;
+    }
+    return false;
 }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// JPEG files: whether their Huffman tables fit. stb_image, which reads the files, writes past its own before version
-// 2.28.
+// JPEG files: their size, and whether their Huffman tables fit. stb_image, which reads the files, writes past its own
+// tables before version 2.28.
 #ifndef SCENE_IMAGE_JPEG_H
 #define SCENE_IMAGE_JPEG_H
 
+#include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
+/// Set the width and height that the header of the frame says. Return false if there is none.
+bool scene_jpeg_size(const unsigned char *bytes, size_t size, uint32_t *width, uint32_t *height);
 /// Return a reason (static storage) if a file that begins as a JPEG has a table of more than 256 codes, wherever
 /// stb_image may look for one. Return NULL if not. A file with another fault may pass, and stb_image finds that fault.
 const char *scene_jpeg_problem(const unsigned char *bytes, size_t size);

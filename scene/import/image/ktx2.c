@@ -99,10 +99,6 @@ static const char *open_file(struct scene_span file, struct ktx2 *ktx2)
     if (depth > 0 || layers > 1 || faces != 1) {
         return "a KTX2 file of several layers, faces or slices";
     }
-    if (ktx2->width < 1 || ktx2->height < 1 || ktx2->width > RHW_MAX_TARGET_SIZE ||
-        ktx2->height > RHW_MAX_TARGET_SIZE) {
-        return "width and height must be 1 to 16384";
-    }
     const uint8_t *const index = file.bytes + 48, *const level = file.bytes + HEADER;
     const bool inside = ktx2->levels <= MOST_LEVELS &&
                         cut(file, read_64(level), read_64(level + 8), &ktx2->level) &&

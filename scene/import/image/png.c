@@ -2,19 +2,65 @@
 // libspng reads the rows. Its checksums are not asked for, as those of smaller files are not.
 #include "png.h"
 
+#include <limits.h>
 #include <spng.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "reduce.h"
 
+static uint32_t read_32(const unsigned char *bytes)
+{
+    return (uint32_t)bytes[0] << 24 | (uint32_t)bytes[1] << 16 | (uint32_t)bytes[2] << 8 | bytes[3];
+}
+
+// Return the data of IHDR, of 13 bytes (PNG, third edition, §11.2.1). Return NULL if it is not there. iPhones have a
+// chunk of their own before it.
+static const unsigned char *find_header(const unsigned char *bytes, size_t size)
+{
+    static const unsigned char signature[8] = {137, 80, 78, 71, 13, 10, 26, 10};
+    enum { CHUNK = 12, HEADER = 13 };
+    size_t at = sizeof signature;
+    if (size < at || memcmp(bytes, signature, sizeof signature) != 0) {
+        return NULL;
+    }
+    if (size - at >= CHUNK && memcmp(bytes + at + 4, "CgBI", 4) == 0) {
+        const size_t length = read_32(bytes + at), left = size - at - CHUNK;
+        at += CHUNK + (length < left ? length : left);
+    }
+    const bool found = size - at >= 8 + HEADER && memcmp(bytes + at + 4, "IHDR", 4) == 0;
+    return found ? bytes + at + 8 : NULL;
+}
+
+bool scene_png_size(const unsigned char *bytes, size_t size, uint32_t *width, uint32_t *height)
+{
+    const unsigned char *const header = find_header(bytes, size);
+    *width = header != NULL ? read_32(header) : 0;
+    *height = header != NULL ? read_32(header + 4) : 0;
+    return header != NULL;
+}
+
+const char *scene_png_problem(const unsigned char *bytes, size_t size)
+{
+    const unsigned char *const header = find_header(bytes, size);
+    if (header == NULL) {
+        return NULL;
+    }
+    const uint64_t width = read_32(header), height = read_32(header + 4);
+    const uint32_t depth = header[8], color = header[9];
+    const uint32_t samples = color == 3 ? 1u : (color & 2 ? 3u : 1u) + (color & 4 ? 1u : 0u);
+    return (width * depth * samples / 8 + 1) * height > INT_MAX
+               ? "a PNG of 2 GiB of samples, which is not read"
+               : NULL;
+}
+
 bool scene_image_is_png_of_rows(const unsigned char *bytes, size_t size)
 {
-    // The place of the method in a file: it follows the signature and most of IHDR (PNG, third edition, §11.2.1).
-    enum { INTERLACE_METHOD = 28 };
-    static const unsigned char signature[8] = {137, 80, 78, 71, 13, 10, 26, 10};
-    return size > INTERLACE_METHOD && memcmp(bytes, signature, sizeof signature) == 0 &&
-           bytes[INTERLACE_METHOD] == 0;
+    enum {
+        FIRST_CHUNK = 16
+    }; // place of the data of a header that nothing stands before, as libspng wants it
+    const unsigned char *const header = find_header(bytes, size);
+    return header == bytes + FIRST_CHUNK && header[12] == 0;
 }
 
 static int read_rows(spng_ctx *png, struct scene_reducer *reducer)
@@ -81,5 +127,5 @@ const char *scene_image_decode_png_reduced(const unsigned char *bytes, size_t si
     }
     const int result = decode(png, bytes, size, side, is_color, image);
     spng_ctx_free(png);
-    return result == 0 ? NULL : spng_strerror(result);
+    return result == 0 ? NULL : result == SPNG_EMEM ? "outofmem" : spng_strerror(result);
 }

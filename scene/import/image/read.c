@@ -4,6 +4,7 @@
 // GIF and PIC are left out, because its known faults lie there.
 #include "read.h"
 
+#include <errno.h>
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -93,6 +94,9 @@ static int supply_ended(void *user)
     return supply->at == supply->size;
 }
 
+// What is said where stb_image fails without a reason, in place of the reason of an earlier failure.
+static const char damaged[] = "damaged";
+
 // Decode a Radiance file. stb_image takes what is missing at the end for black.
 static float *decode_radiance(const void *bytes, size_t size, int *width, int *height, const char **problem)
 {
@@ -103,6 +107,7 @@ static float *decode_radiance(const void *bytes, size_t size, int *width, int *h
     const stbi_io_callbacks callbacks = {supply_read, supply_skip, supply_ended};
     struct supply supply = {.bytes = bytes, .size = size};
     int channels = 0;
+    stbi__g_failure_reason = damaged;
     float *texels = stbi_loadf_from_callbacks(&callbacks, &supply, width, height, &channels, 4);
     *problem = texels == NULL ? stbi_failure_reason() : NULL;
     if (texels != NULL && supply.ran_out) {
@@ -146,24 +151,22 @@ static const char *decode_webp(const unsigned char *bytes, size_t size, struct s
     return NULL;
 }
 
+static const char unknown[] = "not an image format that can be read";
+
 // Decode what stb_image reads.
 static const char *decode_other(const unsigned char *bytes, size_t size, struct scene_image *image)
 {
     if (size > INT_MAX) {
         return "the file is too large";
     }
-    const char *const jpeg_problem = scene_jpeg_problem(bytes, size);
-    if (jpeg_problem != NULL) {
-        return jpeg_problem;
+    const char *problem = scene_jpeg_problem(bytes, size);
+    if (problem != NULL) {
+        return problem;
     }
     const int length = (int)size;
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(bytes, length, &width, &height, &channels)) {
-        const char *reason = stbi_failure_reason();
-        return strcmp(reason, "unknown image type") == 0 ? "not an image format that can be read" : reason;
-    }
-    if (width < 1 || height < 1 || width > RHW_MAX_TARGET_SIZE || height > RHW_MAX_TARGET_SIZE) {
-        return "width and height must be 1 to 16384";
+        return unknown;
     }
     enum scene_image_type type = SCENE_IMAGE_RGBA8;
     size_t texel = 4;
@@ -171,7 +174,6 @@ static const char *decode_other(const unsigned char *bytes, size_t size, struct 
     if (stbi_is_hdr_from_memory(bytes, length)) {
         type = SCENE_IMAGE_RGBA32F;
         texel = 16;
-        const char *problem;
         texels = decode_radiance(bytes, size, &width, &height, &problem);
         if (texels == NULL) {
             return problem;
@@ -179,8 +181,10 @@ static const char *decode_other(const unsigned char *bytes, size_t size, struct 
     } else if (stbi_is_16_bit_from_memory(bytes, length)) {
         type = SCENE_IMAGE_RGBA16;
         texel = 8;
+        stbi__g_failure_reason = damaged;
         texels = stbi_load_16_from_memory(bytes, length, &width, &height, &channels, 4);
     } else {
+        stbi__g_failure_reason = damaged;
         texels = stbi_load_from_memory(bytes, length, &width, &height, &channels, 4);
     }
     if (texels == NULL) {
@@ -194,14 +198,34 @@ static const char *decode_other(const unsigned char *bytes, size_t size, struct 
     return NULL;
 }
 
+static const char *decode_png(const unsigned char *bytes, size_t size, struct scene_image *image)
+{
+    const char *const too_many = scene_png_problem(bytes, size);
+    const char *const problem = too_many != NULL ? too_many : decode_other(bytes, size, image);
+    return problem == unknown ? "damaged PNG" : problem;
+}
+
+static const char *decode_jpeg(const unsigned char *bytes, size_t size, struct scene_image *image)
+{
+    const char *const problem = decode_other(bytes, size, image);
+    // stb_image tries PNG first. The reason is that of the trial where JPEG fails without one.
+    const bool lacks_reason = problem != NULL && (problem == unknown || strcmp(problem, "bad png sig") == 0);
+    return lacks_reason ? "damaged JPEG" : problem;
+}
+
 static bool other_size(const unsigned char *bytes, size_t size, uint32_t *width, uint32_t *height)
 {
     int across = 0, down = 0, channels;
-    const bool known = size <= INT_MAX && scene_jpeg_problem(bytes, size) == NULL &&
-                       stbi_info_from_memory(bytes, (int)size, &across, &down, &channels) != 0;
+    const bool known =
+        size <= INT_MAX && stbi_info_from_memory(bytes, (int)size, &across, &down, &channels) != 0;
     *width = (uint32_t)across;
-    *height = (uint32_t)down;
+    *height = (uint32_t)(down < 0 && down > INT_MIN ? -down : down); // rows of a BMP from the top down
     return known;
+}
+
+static bool jpeg_size(const unsigned char *bytes, size_t size, uint32_t *width, uint32_t *height)
+{
+    return scene_jpeg_problem(bytes, size) == NULL && scene_jpeg_size(bytes, size, width, height);
 }
 
 // What reads a format. There is no `decode` where the build lacks the library of the format, and no `measure` where an
@@ -216,6 +240,8 @@ static const struct reader *reader_of(const unsigned char *bytes, size_t size, c
 {
     static const struct reader readers[] = {
         [SCENE_FORMAT_OTHER] = {NULL, decode_other, other_size},
+        [SCENE_FORMAT_PNG] = {NULL, decode_png, scene_png_size},
+        [SCENE_FORMAT_JPEG] = {NULL, decode_jpeg, jpeg_size},
         [SCENE_FORMAT_WEBP] = {NULL, decode_webp, webp_size},
         [SCENE_FORMAT_KTX2] = {NULL, scene_image_decode_ktx2, scene_ktx2_size},
         [SCENE_FORMAT_DDS] = {NULL, scene_image_decode_dds, scene_dds_size},
@@ -237,14 +263,26 @@ static const struct reader *reader_of(const unsigned char *bytes, size_t size, c
     return reader;
 }
 
-const char *scene_image_decode(const void *bytes, size_t size, struct scene_image *image)
+// Return false if the header says a size that is refused.
+static bool fits(const struct reader *reader, const unsigned char *bytes, size_t size)
+{
+    uint32_t width, height;
+    return reader->measure == NULL || !reader->measure(bytes, size, &width, &height) ||
+           (width >= 1 && height >= 1 && width <= RHW_MAX_TARGET_SIZE && height <= RHW_MAX_TARGET_SIZE);
+}
+
+static const char *decode(const unsigned char *bytes, size_t size, struct scene_image *image)
 {
     if (size == 0) {
         return "the file is empty";
     }
     const char *refusal = NULL;
     const struct reader *const reader = reader_of(bytes, size, &refusal);
-    const char *const problem = reader->decode != NULL ? reader->decode(bytes, size, image) : refusal;
+    if (reader->decode == NULL) {
+        return refusal;
+    }
+    const char *const problem = fits(reader, bytes, size) ? reader->decode(bytes, size, image)
+                                                          : "width and height must be 1 to 16384";
     if (problem == NULL) {
         scene_image_find_alpha(image);
     }
@@ -262,20 +300,21 @@ size_t scene_image_texels(const void *bytes, size_t size)
     return reader->measure(bytes, size, &width, &height) ? (size_t)width * height : 0;
 }
 
-const char *scene_image_decode_within(const void *bytes, size_t size, uint32_t side, bool is_color,
-                                      struct scene_image *image)
+// Decode an image, and reduce it while it is read or when it is there.
+static const char *decode_within(const unsigned char *bytes, size_t size, uint32_t side, bool is_color,
+                                 struct scene_image *image)
 {
-    int width, height, channels;
-    if (size <= INT_MAX && scene_image_is_png_of_rows(bytes, size) &&
-        stbi_info_from_memory(bytes, (int)size, &width, &height, &channels) &&
-        scene_reduce_needed((uint32_t)width, (uint32_t)height, side)) {
+    uint32_t width, height;
+    if (scene_image_is_png_of_rows(bytes, size) && scene_png_size(bytes, size, &width, &height) &&
+        width <= RHW_MAX_TARGET_SIZE && height <= RHW_MAX_TARGET_SIZE &&
+        scene_reduce_needed(width, height, side)) {
         const char *const problem = scene_image_decode_png_reduced(bytes, size, side, is_color, image);
         if (problem == NULL) {
             scene_image_find_alpha(image);
         }
         return problem;
     }
-    const char *const problem = scene_image_decode(bytes, size, image);
+    const char *const problem = decode(bytes, size, image);
     if (problem != NULL || !scene_reduce_needed(image->width, image->height, side)) {
         return problem;
     }
@@ -284,6 +323,20 @@ const char *scene_image_decode_within(const void *bytes, size_t size, uint32_t s
         return "outofmem";
     }
     return NULL;
+}
+
+const char *scene_image_decode_within(const void *bytes, size_t size, uint32_t side, bool is_color,
+                                      struct scene_image *image)
+{
+    // Most libraries take a picture that there is no memory for to be damaged. Every allocator tells by errno.
+    errno = 0;
+    const char *const problem = decode_within(bytes, size, side, is_color, image);
+    return problem != NULL && errno == ENOMEM ? "outofmem" : problem;
+}
+
+const char *scene_image_decode(const void *bytes, size_t size, struct scene_image *image)
+{
+    return scene_image_decode_within(bytes, size, 0, false, image);
 }
 
 bool scene_image_stand_in(struct scene_image *image)

@@ -12,6 +12,8 @@ static const struct signature {
     enum scene_image_format format;
     const char *refusal;
 } signatures[] = {
+    {SIGNATURE(0, "\x89PNG\r\n\x1a\n"), SCENE_FORMAT_PNG, NULL},
+    {SIGNATURE(0, "\xff\xd8"), SCENE_FORMAT_JPEG, NULL},
     {SIGNATURE(8, "WEBP"), SCENE_FORMAT_WEBP, NULL},
     {SIGNATURE(0, "\xabKTX 20\xbb\r\n\x1a\n"), SCENE_FORMAT_KTX2, NULL},
     {SIGNATURE(0, "DDS "), SCENE_FORMAT_DDS, NULL},

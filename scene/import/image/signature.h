@@ -7,6 +7,8 @@
 
 enum scene_image_format {
     SCENE_FORMAT_OTHER, ///< what stb_image reads, or nobody
+    SCENE_FORMAT_PNG,
+    SCENE_FORMAT_JPEG,
     SCENE_FORMAT_WEBP,
     SCENE_FORMAT_KTX2,
     SCENE_FORMAT_DDS,

@@ -370,10 +370,6 @@ static const char *read_picture(struct picture *picture)
     if (!read_tags(picture)) {
         return damaged;
     }
-    if (picture->width < 1 || picture->height < 1 || picture->width > RHW_MAX_TARGET_SIZE ||
-        picture->height > RHW_MAX_TARGET_SIZE) {
-        return "width and height must be 1 to 16384";
-    }
     const bool direct = is_direct(picture);
     struct scene_image *const image = picture->image;
     image->width = picture->width;

@@ -218,6 +218,14 @@ static __attribute__((noinline)) void blend_general(const struct rhw_blend_state
     store_texel_row(format->size, &raw, *mask, texels);
 }
 
+// Put values into the place of texels of a normalized format. The codecs clamp, and make 0 of NaN.
+static __attribute__((noinline)) void replace_normalized(const struct rhw_blend_state *state,
+                                                         const f32x8 *color, const i32x8 *mask,
+                                                         unsigned char *texels)
+{
+    store_target(state, color, *mask, texels);
+}
+
 // Blend 8 fragments into the 8 texels at `texels`, in the target's format. Lanes whose mask is 0 keep their texels.
 // `color` has 4 channels. Behind them stand the channels of the second source if the state reads it.
 RHW_INLINE void blend_group(const struct rhw_blend_state *state, const f32x8 *color, i32x8 mask,
@@ -251,6 +259,7 @@ RHW_INLINE void blend_group(const struct rhw_blend_state *state, const f32x8 *co
         store_target(state, value, mask, texels);
         break;
     }
+    case BLEND_NORMALIZED_REPLACE: replace_normalized(state, color, &mask, texels); break;
     case BLEND_GENERAL: blend_general(state, color, &mask, texels); break;
     }
 }
@@ -262,19 +271,30 @@ RHW_INLINE bool replaces_words(const struct rhw_blend_state *state)
     case BLEND_RGBA8_REPLACE:
     case BLEND_BITS_REPLACE: return true;
     case BLEND_SRGB8_REPLACE: return state->writes_all;
+    case BLEND_NORMALIZED_REPLACE: return state->format->size == 4;
     case BLEND_FLOAT_REPLACE:
         return state->format->codec == RHW_CODEC_FLOAT32 && state->format->channels == 1;
     default: return false;
     }
 }
 
+static __attribute__((noinline)) void encode_normalized(const struct rhw_blend_state *state,
+                                                        const f32x8 *color, i32x8 *word)
+{
+    struct raw_texels raw;
+    encode_texels(state->format, color, &raw);
+    *word = raw.word[0];
+}
+
 // Return the words of 4 bytes that a path puts in the place of texels.
 RHW_INLINE i32x8 replacing_words(const struct rhw_blend_state *state, const f32x8 *color)
 {
+    i32x8 word;
     switch (state->path) {
     case BLEND_RGBA8_REPLACE: return unorm8_texels(color);
     case BLEND_SRGB8_REPLACE: return srgb8_texels(color);
     case BLEND_FLOAT_REPLACE: return (i32x8)canonical_nan(color[0]);
+    case BLEND_NORMALIZED_REPLACE: encode_normalized(state, color, &word); return word;
     default: return (i32x8)color[0];
     }
 }
@@ -312,6 +332,8 @@ RHW_INLINE void gather_texels(const int32_t at[8], const unsigned char *texels, 
                               unsigned char *out)
 {
     switch (size) {
+    case 1: gather_sized(at, texels, 1, out); break;
+    case 2: gather_sized(at, texels, 2, out); break;
     case 4: i32x8_store(out, i32x8_gather(texels, i32x8_load(at))); break;
     case 8: gather_sized(at, texels, 8, out); break;
     case 16: gather_sized(at, texels, 16, out); break;
@@ -323,6 +345,8 @@ RHW_INLINE void scatter_texels(const int32_t at[8], unsigned bits, unsigned char
                                const unsigned char *from)
 {
     switch (size) {
+    case 1: scatter_sized(at, bits, texels, 1, from); break;
+    case 2: scatter_sized(at, bits, texels, 2, from); break;
     case 4: scatter_sized(at, bits, texels, 4, from); break;
     case 8: scatter_sized(at, bits, texels, 8, from); break;
     case 16: scatter_sized(at, bits, texels, 16, from); break;

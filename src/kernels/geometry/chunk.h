@@ -297,8 +297,7 @@ static bool make_chunk(const struct rhw_wave *wave, struct rhw_chunk *chunk, str
     return binned;
 }
 
-_Static_assert(RHW_SHARED_PART % RHW_LANES == 0 && RHW_SHARED_PART <= 3 * RHW_CHUNK_TRIANGLES,
-               "a part is whole groups, and fits the scratch");
+_Static_assert(RHW_SHARED_PART % RHW_LANES == 0, "a part is whole groups");
 
 // Shade some of the vertices that chunks share.
 static void shade_shared_part(const struct rhw_wave *wave, const struct rhw_shared_part *part,

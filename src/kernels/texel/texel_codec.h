@@ -232,15 +232,15 @@ RHW_INLINE void load_texel_row(size_t size, const unsigned char *texels, struct 
         raw->word[1] = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
         return;
     }
+    if (size < 4) {
+        raw->word[0] = size == 2 ? i32x8_load_shorts(texels) : i32x8_load_bytes(texels);
+        return;
+    }
     const void *place[RHW_LANES];
     for (int i = 0; i < RHW_LANES; i++) {
         place[i] = texels + (size_t)i * size;
     }
-    if (size == 16) {
-        load_texels16(place, raw);
-    } else {
-        load_small_texels(place, size, raw);
-    }
+    load_texels16(place, raw);
 }
 
 // Store words of 8 texels in a row, of lanes that are set in `mask`.
@@ -266,6 +266,25 @@ RHW_INLINE void store_rows(const f32x4 row[RHW_LANES], unsigned live, size_t siz
     }
 }
 
+// Store the low bytes of words, `size` of each, 1 or 2, of lanes of which `live` has a bit.
+RHW_INLINE void store_small_texels(i32x8 word, unsigned live, size_t size, unsigned char *texels)
+{
+    unsigned char packed[RHW_LANES * 2];
+    if (size == 2) {
+        i32x8_store_shorts(packed, word);
+    } else {
+        i32x8_store_low_bytes(packed, word);
+    }
+    if (live == 0xff) {
+        memcpy(texels, packed, RHW_LANES * size);
+        return;
+    }
+    for (; live != 0; live &= live - 1) {
+        const size_t at = (size_t)__builtin_ctz(live) * size;
+        memcpy(texels + at, packed + at, size);
+    }
+}
+
 // Store 8 texels in a row, of lanes that are set in `mask`.
 RHW_INLINE void store_texel_row(size_t size, const struct raw_texels *raw, i32x8 mask, unsigned char *texels)
 {
@@ -281,21 +300,15 @@ RHW_INLINE void store_texel_row(size_t size, const struct raw_texels *raw, i32x8
                     __builtin_shufflevector(mask, mask, 4, 4, 5, 5, 6, 6, 7, 7));
         return;
     }
-    f32x4 row[RHW_LANES];
     const unsigned live = (unsigned)rhw_mask_bits(mask);
     if (size == 16) {
+        f32x4 row[RHW_LANES];
         const f32x8 column[4] = {(f32x8)word[0], (f32x8)word[1], (f32x8)word[2], (f32x8)word[3]};
         f32x4_rows(column, row);
         store_rows(row, live, 16, texels);
         return;
     }
-    const f32x8 zero = rhw_splat(0.0f), column[4] = {(f32x8)word[0], zero, zero, zero};
-    f32x4_rows(column, row);
-    if (size == 2) {
-        store_rows(row, live, 2, texels);
-    } else {
-        store_rows(row, live, 1, texels);
-    }
+    store_small_texels(word[0], live, size, texels);
 }
 
 #endif

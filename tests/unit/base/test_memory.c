@@ -474,6 +474,28 @@ static void test_the_stats_know_the_peak(void **state)
     expect_all_returned(&meter);
 }
 
+// A context takes memory in proportion to the picture and its scene: 1 MiB for a triangle in 64×64 pixels, and 3/4 MiB
+// for each thread more.
+static void test_a_small_picture_takes_little(void **state)
+{
+    (void)state;
+    enum { KIB = 1024 };
+    for (int threads = 1; threads <= 4; threads++) {
+        struct meter meter = {.fail_at = -1};
+        struct rhw_context_def def = rhw_context_def_default();
+        def.threads = threads;
+        def.allocator = (struct rhw_allocator){take, give, &meter};
+        struct rig rig;
+        rig_open_with(&rig, 64, 64, &def);
+        struct rig_vertex all[6];
+        rig_cover(&rig, 0.5f, (const float[4]){1, 1, 1, 1}, all);
+        rig_draw_once(&rig, all, 3);
+        assert_in_range(rig.stats.memory_peak, 1, (uint64_t)(1024 + 768 * (threads - 1)) * KIB);
+        rig_close(&rig);
+        expect_all_returned(&meter);
+    }
+}
+
 // Bytes of a block that are in memory.
 static size_t resident(const void *block, size_t size)
 {
@@ -560,6 +582,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_blocks_of_nothing),
     cmocka_unit_test(test_warm_passes_do_not_allocate),
     cmocka_unit_test(test_the_stats_know_the_peak),
+    cmocka_unit_test(test_a_small_picture_takes_little),
     cmocka_unit_test(test_what_is_created_takes_no_memory_yet),
     cmocka_unit_test(test_what_is_created_is_zero),
 };

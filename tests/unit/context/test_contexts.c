@@ -140,6 +140,59 @@ static void test_log(void **state)
     assert_true(log_lines >= 1);
 }
 
+static int copy_lines;
+
+static void keep_copies(void *user, enum rhw_log_level level, const char *message)
+{
+    if (strstr(message, " no copy for ") != NULL) {
+        assert_int_equal(level, RHW_LOG_INFO);
+        assert_non_null(strstr(message, user));
+        copy_lines++;
+    }
+}
+
+// A program that lacks the copy of its functions for the context's instruction set is told when its pipeline is made,
+// once, and one that has it is not.
+static void test_missing_copies_are_told(void **state)
+{
+    (void)state;
+    static const struct {
+        bool vertex, fragment; // has a copy
+        char said[64];
+    } cases[] = {{false, false, "program.vertex and program.fragment have no copy"},
+                 {true, false, ": program.fragment has no copy"},
+                 {false, true, ": program.vertex has no copy"},
+                 {true, true, ""}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct rhw_context_def def = rhw_context_def_default();
+        char said[64];
+        memcpy(said, cases[i].said, sizeof said);
+        def.log = keep_copies;
+        def.user = said;
+        rhw_context *context = NULL;
+        assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
+        const enum rhw_isa isa = rhw_context_isa(context);
+        struct rhw_pipeline_def pipeline_def = rhw_pipeline_def_default();
+        pipeline_def.program.vertex[RHW_ISA_BASELINE] = rig_vertex_pass;
+        pipeline_def.program.fragment[RHW_ISA_BASELINE] = rig_fragment_pass;
+        pipeline_def.program.vertex[isa] = cases[i].vertex || isa == 0 ? rig_vertex_pass : NULL;
+        pipeline_def.program.fragment[isa] = cases[i].fragment || isa == 0 ? rig_fragment_pass : NULL;
+        pipeline_def.program.varying_count = 1;
+        pipeline_def.program.varyings[0].components = 4;
+        pipeline_def.attribute_count = 2;
+        pipeline_def.attributes[0].format = pipeline_def.attributes[1].format = RHW_VERTEX_FLOAT4;
+        pipeline_def.attributes[1].offset = 16;
+        pipeline_def.buffer_count = 1;
+        pipeline_def.target_count = 1;
+        pipeline_def.targets[0].format = RHW_FORMAT_RGBA8_UNORM;
+        rhw_pipeline pipeline;
+        copy_lines = 0;
+        assert_int_equal(rhw_pipeline_create(context, &pipeline_def, &pipeline), RHW_OK);
+        assert_int_equal(copy_lines, isa != RHW_ISA_BASELINE && i < 3);
+        rhw_context_destroy(context);
+    }
+}
+
 struct job {
     int seed;
     uint64_t hash;
@@ -316,6 +369,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_thread_counts),
     cmocka_unit_test(test_one_thread_is_the_callers),
     cmocka_unit_test(test_log),
+    cmocka_unit_test(test_missing_copies_are_told),
     cmocka_unit_test(test_contexts_run_in_parallel),
     cmocka_unit_test(test_many_contexts_one_after_the_other),
     cmocka_unit_test(test_ids_of_many_objects),

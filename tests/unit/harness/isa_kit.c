@@ -500,6 +500,66 @@ static void acos_one(const float *a, float *r)
     r[0] = rhw_acos1(a[0]);
 }
 
+static void sinh_lanes(const rhw_float *a, rhw_float *r)
+{
+    r[0] = rhw_sinh(a[0]);
+}
+
+static void sinh_one(const float *a, float *r)
+{
+    r[0] = rhw_sinh1(a[0]);
+}
+
+static void cosh_lanes(const rhw_float *a, rhw_float *r)
+{
+    r[0] = rhw_cosh(a[0]);
+}
+
+static void cosh_one(const float *a, float *r)
+{
+    r[0] = rhw_cosh1(a[0]);
+}
+
+static void tanh_lanes(const rhw_float *a, rhw_float *r)
+{
+    r[0] = rhw_tanh(a[0]);
+}
+
+static void tanh_one(const float *a, float *r)
+{
+    r[0] = rhw_tanh1(a[0]);
+}
+
+static void asinh_lanes(const rhw_float *a, rhw_float *r)
+{
+    r[0] = rhw_asinh(a[0]);
+}
+
+static void asinh_one(const float *a, float *r)
+{
+    r[0] = rhw_asinh1(a[0]);
+}
+
+static void acosh_lanes(const rhw_float *a, rhw_float *r)
+{
+    r[0] = rhw_acosh(a[0]);
+}
+
+static void acosh_one(const float *a, float *r)
+{
+    r[0] = rhw_acosh1(a[0]);
+}
+
+static void atanh_lanes(const rhw_float *a, rhw_float *r)
+{
+    r[0] = rhw_atanh(a[0]);
+}
+
+static void atanh_one(const float *a, float *r)
+{
+    r[0] = rhw_atanh1(a[0]);
+}
+
 static void dot2_lanes(const rhw_float *a, rhw_float *r)
 {
     r[0] = rhw_dot2(a, a + 4);
@@ -729,6 +789,12 @@ static const struct kit_function functions[] = {
     {"atan", atan_lanes, atan_one},
     {"asin", asin_lanes, asin_one},
     {"acos", acos_lanes, acos_one},
+    {"sinh", sinh_lanes, sinh_one},
+    {"cosh", cosh_lanes, cosh_one},
+    {"tanh", tanh_lanes, tanh_one},
+    {"asinh", asinh_lanes, asinh_one},
+    {"acosh", acosh_lanes, acosh_one},
+    {"atanh", atanh_lanes, atanh_one},
     {"dot2", dot2_lanes, dot2_one},
     {"length2", length2_lanes, length2_one},
     {"normalize2", normalize2_lanes, normalize2_one},

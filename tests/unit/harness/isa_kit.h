@@ -23,9 +23,13 @@ struct kit_table {
 
 RHW_ISA_DECLARE(const struct kit_table, kit_table);
 RHW_ISA_DECLARE(const struct kit_table, kit_dual_table);
+RHW_ISA_DECLARE(const struct kit_table, kit_bits_table);
 
 /// The functions of shader.h. NULL where this build or this CPU lacks `isa`.
 const struct kit_table *kit_table_for(enum rhw_isa isa);
+
+/// Those of shader_integer.h and shader_pack.h.
+const struct kit_table *kit_bits_table_for(enum rhw_isa isa);
 
 /// Those of shader_dual.h.
 const struct kit_table *kit_dual_table_for(enum rhw_isa isa);

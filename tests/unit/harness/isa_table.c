@@ -14,6 +14,7 @@ const struct isa_templates *isa_templates_for(enum rhw_isa isa)
 
 static const struct kit_table *const kits[RHW_ISA_COUNT] = RHW_ISA_TABLE(&kit_table);
 static const struct kit_table *const dual_kits[RHW_ISA_COUNT] = RHW_ISA_TABLE(&kit_dual_table);
+static const struct kit_table *const bits_kits[RHW_ISA_COUNT] = RHW_ISA_TABLE(&kit_bits_table);
 
 const struct kit_table *kit_table_for(enum rhw_isa isa)
 {
@@ -23,4 +24,9 @@ const struct kit_table *kit_table_for(enum rhw_isa isa)
 const struct kit_table *kit_dual_table_for(enum rhw_isa isa)
 {
     return rhw_isa_supported(isa) ? dual_kits[isa] : NULL;
+}
+
+const struct kit_table *kit_bits_table_for(enum rhw_isa isa)
+{
+    return rhw_isa_supported(isa) ? bits_kits[isa] : NULL;
 }

@@ -23,6 +23,12 @@ static inline rhw_float apply8(enum isa_function function, rhw_float a, rhw_floa
     case ISA_ASIN: return rhw_asin(a);
     case ISA_ACOS: return rhw_acos(a);
     case ISA_ATAN: return rhw_atan(a);
+    case ISA_SINH: return rhw_sinh(a);
+    case ISA_COSH: return rhw_cosh(a);
+    case ISA_TANH: return rhw_tanh(a);
+    case ISA_ASINH: return rhw_asinh(a);
+    case ISA_ACOSH: return rhw_acosh(a);
+    case ISA_ATANH: return rhw_atanh(a);
     case ISA_SQRT: return rhw_sqrt(a);
     case ISA_RSQRT: return rhw_rsqrt(a);
     case ISA_FLOOR: return rhw_floor(a);

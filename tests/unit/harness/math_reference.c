@@ -29,6 +29,12 @@ const struct math_function math_functions[MATH_FUNCTIONS] = {
     {ISA_ASIN, "asin", 1.7, mpfr_asin, asin, -1, 1},
     {ISA_ACOS, "acos", 1.1, mpfr_acos, acos, -1, 1},
     {ISA_ATAN, "atan", 2.0, mpfr_atan, atan, -4, 4},
+    {ISA_SINH, "sinh", 0.51, mpfr_sinh, sinh, -90, 90},
+    {ISA_COSH, "cosh", 0.51, mpfr_cosh, cosh, -90, 90},
+    {ISA_TANH, "tanh", 0.51, mpfr_tanh, tanh, -10, 10},
+    {ISA_ASINH, "asinh", 0.51, mpfr_asinh, asinh, -4, 4},
+    {ISA_ACOSH, "acosh", 0.51, mpfr_acosh, acosh, 1, 5},
+    {ISA_ATANH, "atanh", 0.51, mpfr_atanh, atanh, -1, 1},
     {ISA_SQRT, "sqrt", 0.5, mpfr_sqrt, sqrt, 0, 4},
     {ISA_RSQRT, "rsqrt", 1.5, reciprocal_root, reciprocal_root_libm, 0, 4},
 };

@@ -25,7 +25,7 @@ struct math_function2 {
     double (*libm)(double a, double b);
 };
 
-enum { MATH_FUNCTIONS = 12, MATH_FUNCTIONS2 = 2 };
+enum { MATH_FUNCTIONS = 18, MATH_FUNCTIONS2 = 2 };
 extern const struct math_function math_functions[MATH_FUNCTIONS];
 extern const struct math_function2 math_functions2[MATH_FUNCTIONS2];
 

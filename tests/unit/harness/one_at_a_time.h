@@ -7,7 +7,7 @@
 #include <rhw/rhw.h>
 #include <rhw/shader.h>
 
-enum { ONE_MATHS = 22 };
+enum { ONE_MATHS = 30 };
 
 static inline float one_math(int number, float a, float b)
 {
@@ -37,6 +37,18 @@ static inline float one_math(int number, float a, float b)
         float unit[3];
         rhw_normalize3_1(v, unit);
         return unit[0];
+    }
+    case 21: return rhw_sinh1(a);
+    case 22: return rhw_cosh1(a);
+    case 23: return rhw_tanh1(a);
+    case 24: return rhw_asinh1(a);
+    case 25: return rhw_acosh1(a);
+    case 26: return rhw_atanh1(a);
+    case 27: return rhw_ldexp1(a, rhw_int_from_float1(b));
+    case 28: {
+        const float pair[2] = {a, b};
+        return rhw_float_from_int1(
+            rhw_bit_count1(rhw_divide_int1(rhw_pack_half2x16_1(pair), rhw_bits_from_float1(b))));
     }
     default: {
         float sine, cosine;

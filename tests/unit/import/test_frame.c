@@ -2,6 +2,8 @@
 // What a picture of a model is about: what is seen, without specks far away.
 #include "model_files.h"
 
+#include "draw/camera/camera.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -130,17 +132,34 @@ static int add_cube(char *text, int length, int count, double x, double y, doubl
     return length;
 }
 
-// A speck at the origin does not make a model that is far from it, in float's coarse steps there, one that is not seen.
+// A speck at the origin does not make a model that is far from it one that is not seen, or seen in float's coarse steps.
 static void test_a_speck_at_the_origin(void **state)
 {
     (void)state;
-    char text[4096] = "";
-    add_cube(text, add_cube(text, 0, 0, 500000, 4000000, 1), 8, 0, 0, 0.01);
-    struct scene_model *model = load_text("map.obj", text);
-    assert_true(model->is_framed && has_warning(model, "specks far away"));
-    const double low = (double)model->frame_min[1] + model->origin[1];
-    assert_true(fabs(low - 4000000) <= 1 && model->frame_max[0] - model->frame_min[0] < 2);
-    scene_model_free(model);
+    static const char *const specks[] = {"o speck", "f 9 10 11\np 9", "o speck\nf 9 10 11", "p 9"};
+    for (size_t i = 0; i < sizeof specks / sizeof *specks; i++) {
+        for (int is_first = 0; is_first < 2 && (i == 0 || is_first == 0); is_first++) {
+            char text[4096] = "";
+            int length = is_first ? add_cube(text, 0, 0, 0, 0, 0.01) : 0;
+            length += is_first ? sprintf(text + length, "%s\n", specks[i]) : 0;
+            length = add_cube(text, length, 8 * is_first, 500000.25, 4000000.5, 1);
+            if (i > 0) {
+                length += sprintf(text + length, "v 0 0 0\nv 0.01 0 0\nv 0 0.01 0\n%s\n", specks[i]);
+            } else if (is_first == 0) {
+                length += sprintf(text + length, "%s\n", specks[i]);
+                add_cube(text, length, 8, 0, 0, 0.01);
+            }
+            struct scene_model *model = load_text("map.obj", text);
+            assert_true(model->is_framed && has_warning(model, "specks far away"));
+            assert_true((double)model->frame_min[0] + model->origin[0] == 500000.25);
+            assert_true((double)model->frame_min[1] + model->origin[1] == 4000000.5);
+            assert_true(model->frame_max[0] - model->frame_min[0] == 1);
+            const struct scene_camera camera = scene_camera_fit(
+                model, scene_camera_default_orbit(model, model->up), scene_camera_default_yfov(), 1);
+            assert_true(fabs(camera.eye[0] - 500000) < 10 && fabs(camera.eye[1] - 4000000) < 10);
+            scene_model_free(model);
+        }
+    }
 }
 
 static void test_specks_set_no_frame(void **state)

@@ -2,6 +2,8 @@
 // What assimp leaves out of the formats that it reads is told: by its own log, and by marks in the file.
 #include "model_files.h"
 
+#include <stdio.h>
+
 // An entity that assimp has no code for.
 static void test_entities(void **state)
 {
@@ -50,9 +52,55 @@ static void test_log(void **state)
     scene_model_free(model);
 }
 
+// A texture of half its strength, and coordinates of three numbers.
+static void test_textures(void **state)
+{
+    (void)state;
+    static const char *const thirds[] = {"0", "0.5"}, *const strengths[] = {"1", "0.5"};
+    for (int i = 0; i < 2; i++) {
+        char text[8192];
+        snprintf(
+            text, sizeof text,
+            COLLADA
+            "<library_images><image id=\"i\"><init_from>gone.png</init_from></image></library_images>"
+            "<library_effects><effect id=\"e\"><profile_COMMON><newparam sid=\"f\"><surface type=\"2D\">"
+            "<init_from>i</init_from></surface></newparam><newparam sid=\"s\"><sampler2D><source>f</source>"
+            "</sampler2D></newparam><technique sid=\"c\"><phong><diffuse><texture texture=\"s\" "
+            "texcoord=\"UV\"><extra><technique "
+            "profile=\"OKINO\"><weighting>%s</weighting></technique></extra>"
+            "</texture></diffuse></phong></technique></profile_COMMON></effect></library_effects>"
+            "<library_materials><material id=\"m\"><instance_effect "
+            "url=\"#e\"/></material></library_materials>"
+            "<library_geometries><geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"pa\" "
+            "count=\"9\">0 0 %s 1 0 0 0 1 0</float_array><technique_common><accessor source=\"#pa\" "
+            "count=\"3\" "
+            "stride=\"3\"><param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/><param "
+            "name=\"Z\" type=\"float\"/></accessor></technique_common></source><source id=\"q\"><float_array "
+            "id=\"qa\" count=\"9\">0 0 %s 1 0 0 0 1 0</float_array><technique_common><accessor "
+            "source=\"#qa\" "
+            "count=\"3\" stride=\"3\"><param name=\"S\" type=\"float\"/><param name=\"T\" type=\"float\"/>"
+            "<param name=\"P\" type=\"float\"/></accessor></technique_common></source><vertices id=\"v\">"
+            "<input semantic=\"POSITION\" source=\"#p\"/></vertices><triangles count=\"1\" material=\"s\">"
+            "<input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><input semantic=\"TEXCOORD\" "
+            "source=\"#q\" offset=\"0\" set=\"0\"/><p>0 1 2</p></triangles></mesh></geometry>"
+            "</library_geometries><library_visual_scenes><visual_scene id=\"s0\"><node><instance_geometry "
+            "url=\"#g\"><bind_material><technique_common><instance_material symbol=\"s\" target=\"#m\"/>"
+            "</technique_common></bind_material></instance_geometry></node></visual_scene>"
+            "</library_visual_scenes><scene><instance_visual_scene url=\"#s0\"/></scene></COLLADA>",
+            strengths[i], thirds[i], thirds[i]);
+        struct scene_model *const model = load_text("c.dae", text);
+        assert_true(is_unsupported(model, "texture coordinates of three numbers: the third is not used") ==
+                    i);
+        assert_true(is_unsupported(model, "textures of less than their whole strength: drawn whole") == i);
+        assert_int_equal(model->unsupported_count, 2 * (unsigned)i);
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_entities),
     cmocka_unit_test(test_log),
+    cmocka_unit_test(test_textures),
 };
 
 const struct unit_tests test_gaps = UNIT_TESTS(tests, make_directory, remove_directory);

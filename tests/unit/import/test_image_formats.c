@@ -29,6 +29,8 @@ static void put_bytes(struct file *file, const void *bytes, size_t size)
     file->size += size;
 }
 
+static const char size_problem[] = "width and height must be 1 to 16384";
+
 static struct scene_image decode_file(const struct file *file)
 {
     struct scene_image image = {.width = 0};
@@ -555,8 +557,6 @@ static void test_gif(void **state)
     file.bytes[50] = 4; // the picture is wider than the canvas
     assert_refused(&file, "damaged GIF");
     file.bytes[50] = 3;
-    memset(file.bytes + 6, 0, 4);
-    assert_refused(&file, "width and height must be 1 to 16384");
 }
 
 // 8 × 8 texels, of which the upper half lets through.
@@ -595,8 +595,108 @@ static void test_avif(void **state)
         assert_in_range(texels[4 * 57 + c], lower[c] - 4, c == 3 ? 255 : lower[c] + 4);
     }
     free(image.texels);
+    const struct file whole = file;
     file.size /= 2;
     assert_refused(&file, "damaged AVIF");
+    file = whole;
+    size_t at = 0;
+    while (memcmp(file.bytes + at, "ispe", 4) != 0) {
+        at++;
+    }
+    memcpy(file.bytes + at + 8, "\0\0\x40\x01", 4); // a width of 16385
+    assert_refused(&file, size_problem);
+}
+
+// Sizes --------------------------------------------------------------------------------------------------
+
+// The headers of files that begin as images do, and where their width stands.
+static const struct {
+    const char *name, *bytes;
+    size_t size, place, length; // length: bytes of the width
+    bool is_big_endian;
+} headers[] = {
+#define BYTES(text) text, sizeof(text) - 1
+    {"PNG", BYTES("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\1\0\0\0\1\x08\6\0\0\0\0\0\0\0"), 16, 4, true},
+    {"PNG of an iPhone",
+     BYTES(
+         "\x89PNG\r\n\x1a\n\0\0\0\4CgBI\x50\0\x20\6\x2b\xd5\xb3\x7f\0\0\0\x0dIHDR\0\0\0\1\0\0\0\1\x08\6\0\0\0"
+         "\0\0\0\0"),
+     32, 4, true},
+    {"JPEG", BYTES("\xff\xd8\xff\xe0\0\4\xff\xc4\xff\xc0\0\x0b\x08\0\1\0\1\1\1\x11\0\xff\xda"), 15, 2, true},
+    {"progressive JPEG", BYTES("\xff\xd8\xff\xc2\0\x0b\x08\0\1\0\1\1\1\x11\0\xff\xda"), 9, 2, true},
+    {"GIF", BYTES("GIF89a\1\0\1\0\0\0\0"), 6, 2, false},
+    {"BMP", BYTES("BM\0\0\0\0\0\0\0\0\x1a\0\0\0\x0c\0\0\0\1\0\1\0\1\0\x18\0\0\0\0\0"), 18, 2, false},
+    {"TGA", BYTES("\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\x18\0"), 12, 2, false},
+    {"PSD", BYTES("8BPS\0\1\0\0\0\0\0\0\0\3\0\0\0\1\0\0\0\1\0\x08\0\3"), 18, 4, true},
+#undef BYTES
+};
+
+// A size that is refused is told by the header alone, for what a file of it would take and not for what it lacks.
+static void test_sizes(void **state)
+{
+    (void)state;
+    static const uint32_t widths[] = {16385, 20000, 60000};
+    for (size_t i = 0; i < sizeof headers / sizeof headers[0]; i++) {
+        if (strcmp(headers[i].name, "GIF") == 0 && !SCENE_GIF) {
+            continue;
+        }
+        struct file file = {.size = 0};
+        put_bytes(&file, headers[i].bytes, headers[i].size);
+        for (size_t w = 0; w < sizeof widths / sizeof widths[0]; w++) {
+            for (size_t b = 0; b < headers[i].length; b++) {
+                const size_t last = headers[i].is_big_endian ? headers[i].length - 1 - b : b;
+                file.bytes[headers[i].place + last] = (uint8_t)(widths[w] >> 8 * b);
+            }
+            struct scene_image image = {.width = 0};
+            const char *const problem = scene_image_decode(file.bytes, file.size, &image);
+            if (problem == NULL || strcmp(problem, size_problem) != 0) {
+                fail_msg("%s of %u texels: %s", headers[i].name, widths[w], problem);
+            }
+            assert_string_equal(scene_image_decode_within(file.bytes, file.size, 64, true, &image),
+                                size_problem);
+        }
+    }
+}
+
+// A BMP of a negative height has its rows from the top down.
+static void test_bmp_from_top(void **state)
+{
+    (void)state;
+    struct file file = {.size = 0};
+    put_bytes(&file, "BM", 2);
+    put(&file, 62, 4);
+    put(&file, 0, 4);
+    put(&file, 54, 4);
+    put(&file, 40, 4);
+    put(&file, 1, 4);
+    put(&file, (uint32_t)-2, 4);
+    put(&file, 1, 2);
+    put(&file, 24, 2);
+    file.size = 54;
+    put(&file, 0x102030, 4);
+    put(&file, 0x405060, 4);
+    static const uint8_t expected[] = {0x10, 0x20, 0x30, 255, 0x40, 0x50, 0x60, 255};
+    struct scene_image image = decode_file(&file);
+    assert_texels(&image, SCENE_IMAGE_RGBA8, 1, expected, sizeof expected);
+    free(image.texels);
+}
+
+// A PNG or a JPEG that is damaged is called so, and not an unknown format or another's.
+static void test_damaged_headers(void **state)
+{
+    (void)state;
+    struct file file = {.size = 0};
+    put_bytes(&file, headers[0].bytes, 20);
+    assert_refused(&file, "damaged PNG");
+    file = (struct file){.size = 0};
+    put_bytes(&file, "\xff\xd8\xff\xe0\0\4ab", 8);
+    assert_refused(&file, "damaged JPEG");
+    file = (struct file){.size = 0};
+    put_bytes(&file, headers[0].bytes, headers[0].size);
+    file.bytes[18] = file.bytes[22] = 0x40; // 16384 each way
+    file.bytes[19] = file.bytes[23] = 0;
+    file.bytes[24] = 16;
+    assert_refused(&file, "a PNG of 2 GiB of samples, which is not read");
 }
 
 // JPEG ---------------------------------------------------------------------------------------------------
@@ -663,17 +763,13 @@ static void test_named_refusals(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_dds_blocks),
-    cmocka_unit_test(test_dds_changes),
-    cmocka_unit_test(test_dds_words),
-    cmocka_unit_test(test_dds_refused),
-    cmocka_unit_test(test_tiff_bytes),
-    cmocka_unit_test(test_tiff_wide),
-    cmocka_unit_test(test_exr),
-    cmocka_unit_test(test_gif),
-    cmocka_unit_test(test_avif),
-    cmocka_unit_test(test_jpeg_tables),
-    cmocka_unit_test(test_named_refusals),
+    cmocka_unit_test(test_dds_blocks),   cmocka_unit_test(test_dds_changes),
+    cmocka_unit_test(test_dds_words),    cmocka_unit_test(test_dds_refused),
+    cmocka_unit_test(test_tiff_bytes),   cmocka_unit_test(test_tiff_wide),
+    cmocka_unit_test(test_exr),          cmocka_unit_test(test_gif),
+    cmocka_unit_test(test_avif),         cmocka_unit_test(test_sizes),
+    cmocka_unit_test(test_bmp_from_top), cmocka_unit_test(test_damaged_headers),
+    cmocka_unit_test(test_jpeg_tables),  cmocka_unit_test(test_named_refusals),
 };
 
 const struct unit_tests test_image_formats = UNIT_TESTS(tests, NULL, NULL);

@@ -181,7 +181,7 @@ static void test_text_formats(void **state)
     assert_one_shape("x.xyz", write_xyz);
 }
 
-// assimp keeps floats: of the place of a node it has a multiple of 4 here. What it has lost of vertices is told.
+// assimp keeps floats: of the place of a node it has a multiple of 4 here. What it may have lost is told.
 static void test_assimp(void **state)
 {
     (void)state;
@@ -192,11 +192,16 @@ static void test_assimp(void **state)
         assert_true(model->origin[c] + (double)model->instances[0].world[12 + c] == rounded[c]);
     }
     assert_true(model->bounds_max[0] - model->bounds_min[0] == 0.8125f);
+    assert_true(has_warning(model, "places are up to 4 apart"));
+    assert_int_equal(model->warning_count, 1);
+    scene_model_free(model);
+    write_dae(near, near);
+    model = load("x.dae");
     assert_int_equal(model->warning_count, 0);
     scene_model_free(model);
     write_dae((const double[]){500000, 0, 0}, near);
     model = load("x.dae");
-    assert_true(has_warning(model, "positions are 0.06 apart"));
+    assert_true(has_warning(model, "places are up to 0.031 apart"));
     scene_model_free(model);
 }
 
@@ -334,6 +339,67 @@ static void test_camera_and_light(void **state)
     scene_model_free(model);
 }
 
+// Two parts that are far apart have an origin each, also in one mesh of the file.
+static void test_clusters(void **state)
+{
+    (void)state;
+    static const double places[2][3] = {{0, 0, 0}, {54598150.375, -43210987.25, 12345678.625}};
+    for (int is_apart = 0; is_apart < 2; is_apart++) {
+        char lines[2048];
+        int length = 0;
+        for (int k = 0; k < 2; k++) {
+            for (int i = 0; i < CORNERS; i++) {
+                length += sprintf(lines + length, "v %.17g %.17g %.17g\n", places[k][0] + shape[i][0],
+                                  places[k][1] + shape[i][1], places[k][2] + shape[i][2]);
+            }
+        }
+        for (int k = 0; k < 2; k++) {
+            length += sprintf(lines + length, is_apart ? "o part%d\n" : "", k);
+            for (int i = 0; i < FACES; i++) {
+                const int first = 1 + CORNERS * k;
+                length += sprintf(lines + length, "f %d %d %d\n", faces[i][0] + first, faces[i][1] + first,
+                                  faces[i][2] + first);
+            }
+        }
+        write_text("x.obj", lines);
+        struct scene_model *const model = load("x.obj");
+        assert_int_equal(model->instance_count, 2);
+        assert_true(model->is_scattered && model->warning_count == 0);
+        const struct scene_mesh *const meshes[2] = {&model->meshes[model->instances[0].mesh],
+                                                    &model->meshes[model->instances[1].mesh]};
+        assert_int_equal(meshes[0]->vertex_count, meshes[1]->vertex_count);
+        for (uint32_t v = 0; v < meshes[0]->vertex_count; v++) {
+            for (int c = 0; c < 3; c++) {
+                double apart = places[1][c];
+                apart -= model->instances[1].place[c] + (double)meshes[1]->positions[v][c];
+                apart += model->instances[0].place[c] + (double)meshes[0]->positions[v][c];
+                assert_true(fabs(apart) < 1e-6);
+            }
+        }
+        scene_model_free(model);
+    }
+}
+
+// In one mesh of other formats one of two parts that are far apart has steps, which is told.
+static void test_parts_of_a_mesh(void **state)
+{
+    (void)state;
+    static const char format[] =
+        "ply\nformat ascii 1.0\nelement vertex 7\nproperty double x\nproperty double y\n"
+        "property double z\nelement face 3\nproperty list uchar int vertex_indices\n"
+        "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n%s 0 0\n%s.5 0 0\n%s 0.5 0\n"
+        "3 0 1 2\n3 1 3 2\n3 4 5 6\n";
+    static const char *const places[] = {"3000000", "30"};
+    for (int i = 0; i < 2; i++) {
+        char lines[512];
+        snprintf(lines, sizeof lines, format, places[i], places[i], places[i]);
+        write_text("x.ply", lines);
+        struct scene_model *const model = load("x.ply");
+        assert_true(has_warning(model, "places in one are 0.25 apart") == (i == 0));
+        scene_model_free(model);
+    }
+}
+
 // 256 times its size away and less, a model has the numbers of its file.
 static void test_how_far(void **state)
 {
@@ -360,6 +426,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_gltf),
     cmocka_unit_test(test_brought_back),
     cmocka_unit_test(test_camera_and_light),
+    cmocka_unit_test(test_clusters),
+    cmocka_unit_test(test_parts_of_a_mesh),
     cmocka_unit_test(test_how_far),
 };
 

@@ -152,6 +152,42 @@ static void test_strips_beside_texture_coordinates(void **state)
     scene_model_free(model);
 }
 
+// Strips without alpha, or without colours, beside faces that have both, and the other way round.
+static void test_faces_beside_strips(void **state)
+{
+    (void)state;
+    static const char face[] = "element face 1\n" LIST, strip[] = "element tristrips 1\n"
+                                                                  "property list int int vertex_indices\n";
+    static const char colors[] = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    static const char alpha[] = "property uchar alpha\n";
+    for (int i = 0; i < 4; i++) { // which of the two lacks, and whether colours too
+        const bool is_face = i & 1, is_bare = i & 2;
+        char text[1024];
+        snprintf(text, sizeof text,
+                 "ply\nformat ascii 1.0\nelement vertex 4\n" VERTICES "%s%s%s%s%s%send_header\n"
+                 "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2%s\n3 0 2 3%s\n",
+                 face, is_face && is_bare ? "" : colors, is_face ? "" : alpha, strip,
+                 !is_face && is_bare ? "" : colors, is_face ? alpha : "",
+                 !is_face  ? " 255 0 0 51"
+                 : is_bare ? ""
+                           : " 255 0 0",
+                 is_face   ? " 255 0 0 51"
+                 : is_bare ? ""
+                           : " 255 0 0");
+        struct scene_model *model = load_text("mixed.ply", text);
+        float found[2] = {0, 0};
+        for (uint32_t m = 0; m < model->mesh_count; m++) {
+            const struct scene_mesh *const mesh = &model->meshes[m];
+            for (uint32_t k = 0; k < mesh->index_count; k += 3) {
+                const bool is_first = mesh->positions[mesh->indices[k + 1]][1] < 0.5f;
+                found[is_first ? 0 : 1] = mesh->colors[mesh->indices[k]][3];
+            }
+        }
+        assert_floats(found, (const float[]){is_face ? 1 : 0.2f, is_face ? 0.2f : 1}, 2, 1e-6f);
+        scene_model_free(model);
+    }
+}
+
 // A byte order mark of UTF-8 before the first word.
 static void test_mark(void **state)
 {
@@ -173,7 +209,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_mark),          cmocka_unit_test(test_strips_beside_texture_coordinates),
     cmocka_unit_test(test_face_colors),   cmocka_unit_test(test_binary_face_colors),
     cmocka_unit_test(test_vertex_colors), cmocka_unit_test(test_all_colors),
-    cmocka_unit_test(test_textures),
+    cmocka_unit_test(test_textures),      cmocka_unit_test(test_faces_beside_strips),
 };
 
 const struct unit_tests test_ply = UNIT_TESTS(tests, make_directory, remove_directory);

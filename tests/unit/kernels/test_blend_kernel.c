@@ -349,6 +349,45 @@ static void test_rgba8_sums_are_those_of_the_general_path(void **state)
     }
 }
 
+// Every normalized format that has no path of its own is replaced without being read, with the bytes of the general path,
+// on every instruction set.
+static void test_normalized_formats_are_replaced(void **state)
+{
+    (void)state;
+    const float constant[4] = {0, 0, 0, 0};
+    uint64_t random = 12;
+    int replaced = 0;
+    for (int n = 0; n < 40 * RHW_FORMAT_COUNT; n++) {
+        const struct rhw_color_target target = opaque((enum rhw_format)(n % RHW_FORMAT_COUNT));
+        const struct rhw_format_info *const info = rhw_format_info(target.format);
+        if (!rhw_format_has_role(info, RHW_ROLE_COLOR_TARGET) || !rhw_format_is_normalized(info)) {
+            continue;
+        }
+        struct rhw_blend_state replace, general;
+        rhw_blend_state_init(&replace, &target, RHW_LOGIC_OFF, constant);
+        general = replace;
+        rhw_blend_state_generalize(&general);
+        assert_int_equal(general.path, BLEND_GENERAL);
+        assert_int_not_equal(replace.path, BLEND_GENERAL);
+        replaced += replace.path == BLEND_NORMALIZED_REPLACE;
+        rhw_float color[4];
+        rhw_int mask;
+        unsigned char before[TEXELS * TEXEL_BYTES], expected[sizeof before], texels[sizeof before];
+        random_group(&random, color, &mask, before);
+        memcpy(expected, before, sizeof before);
+        isa_templates_for(RHW_ISA_BASELINE)->blend(&general, color, &mask, expected);
+        for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
+            const struct isa_templates *const templates = isa_templates_for((enum rhw_isa)isa);
+            if (templates) {
+                memcpy(texels, before, sizeof before);
+                templates->blend(&replace, color, &mask, texels);
+                assert_memory_equal(texels, expected, sizeof texels);
+            }
+        }
+    }
+    assert_in_range(replaced, 40 * 10, 40 * RHW_FORMAT_COUNT);
+}
+
 // The usual blending of RGBA8 has code of its own: it may differ from the exact value by float rounding
 // only, which shows where the exact value is next to a tie.
 static void test_rgba8_over_against_the_formula(void **state)
@@ -449,6 +488,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_replacing_rounds_each_format),
     cmocka_unit_test(test_rgba8_over_against_the_formula),
     cmocka_unit_test(test_rgba8_sums_are_those_of_the_general_path),
+    cmocka_unit_test(test_normalized_formats_are_replaced),
     cmocka_unit_test(test_blending_keeps_every_destination_code),
     cmocka_unit_test(test_clear_values_are_what_drawing_writes),
 };

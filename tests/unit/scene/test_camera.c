@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "draw/camera/coverage.h"
 #include "draw/surface.h"
 
 static const double pi = 3.14159265358979323846;
@@ -333,6 +334,43 @@ static void test_a_camera_shows_more_than_a_thumbnail(void **state)
     }
 }
 
+// A line that is partly in the picture covers the cells of its places there, of 256 steps along it.
+static void test_lines_cover_what_is_in_the_picture(void **state)
+{
+    (void)state;
+    static const struct {
+        float from[3], to[3];
+        uint32_t cells;
+    } cases[] = {
+        {{-0.999f, 0.001f, 0}, {0.999f, 0.001f, 0}, 256},
+        {{-3.999f, 0.001f, 0}, {3.999f, 0.001f, 0}, 64},
+        {{-3.999f, 0.001f, 0}, {0, 0.001f, 0}, 64},
+        {{0, 3.999f, 0}, {0, 0, 0}, 64},
+        {{0.1f, 0.1f, -9}, {0.1f, 0.1f, 9}, 1},
+        {{-9, 0, 0}, {-2, 0, 0}, 0},
+        {{2, -9, 0}, {2, 9, 0}, 0},
+        {{-3, 0, 0}, {0, 3, 0}, 0},
+        {{0, 0, 9}, {0, 0, 20}, 0},
+    };
+    struct tiny t;
+    tiny_make(&t);
+    t.mesh.primitive = SCENE_PRIMITIVE_LINES;
+    t.indices[0] = 0;
+    t.indices[1] = 1;
+    t.mesh.index_count = 2;
+    t.model.instance_count = 1;
+    const struct scene_camera camera = {
+        .eye = {0, 0, 8}, .up = {0, 1, 0}, .orthographic = true, .ymag = 1, .znear = 1, .zfar = 15};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        memcpy(t.mesh.positions[0], cases[i].from, sizeof cases[i].from);
+        memcpy(t.mesh.positions[1], cases[i].to, sizeof cases[i].to);
+        const uint32_t cells = scene_coverage_count(&t.model, &camera, 1, UINT32_MAX);
+        if (cells + 2 < cases[i].cells || cells > cases[i].cells + 2) {
+            fail_msg("case %zu: %u cells instead of %u", i, cells, cases[i].cells);
+        }
+    }
+}
+
 static void test_look_refuses_what_is_no_camera(void **state)
 {
     (void)state;
@@ -490,6 +528,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_fit_is_about_the_frame),
     cmocka_unit_test(test_what_a_camera_must_show),
     cmocka_unit_test(test_a_camera_shows_more_than_a_thumbnail),
+    cmocka_unit_test(test_lines_cover_what_is_in_the_picture),
     cmocka_unit_test(test_look_refuses_what_is_no_camera),
     cmocka_unit_test(test_projection_against_formulas),
     cmocka_unit_test(test_file_camera_in_a_narrow_picture),

@@ -2,6 +2,7 @@
 // The ground that shows nothing but the shadow on it: below the subject, in colour alone, for every axis that may be up.
 #include "tiny_model.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "draw/panorama.h"
@@ -145,8 +146,76 @@ static void every_color_counts_alike(void **state)
     }
 }
 
-static const struct CMUnitTest tests[] = {cmocka_unit_test(the_shadow_alone_shows),
-                                          cmocka_unit_test(every_color_counts_alike),
-                                          cmocka_unit_test(from_below_there_is_none)};
+// Whether no pixel around this one is of the square.
+static bool is_off_the_square(const struct scene_pictures *p, int pixel)
+{
+    int covered = 0;
+    for (int y = pixel / SIZE - 1; y <= pixel / SIZE + 1; y++) {
+        for (int x = pixel % SIZE - 1; x <= pixel % SIZE + 1; x++) {
+            covered += x >= 0 && y >= 0 && x < SIZE && y < SIZE && p->object[y * SIZE + x] != 0;
+        }
+    }
+    return covered == 0;
+}
+
+// Put a pane before the square, twice as large and on the same ground, of a second material.
+static void add_pane(struct tiny *t, struct scene_material materials[2], struct scene_mesh meshes[2])
+{
+    materials[0] = materials[1] = t->material;
+    meshes[0] = meshes[1] = t->mesh;
+    meshes[1].material = 1;
+    t->model.materials = materials;
+    t->model.meshes = meshes;
+    t->model.material_count = t->model.mesh_count = t->model.instance_count = 2;
+    struct scene_instance *pane = &t->instances[1];
+    pane->mesh = 1;
+    tiny_identity(pane->world);
+    pane->world[0] = 4.0f;
+    pane->world[5] = 2.0f;
+    pane->world[13] = 1.0f;
+    pane->world[14] = 0.75f;
+    tiny_set_bounds(t);
+}
+
+// The ground and what lies on it are seen through glass that bends nothing as they are without it.
+static void glass_shows_the_ground(void **state)
+{
+    (void)state;
+    struct tiny t;
+    struct scene_material materials[2];
+    struct scene_mesh meshes[2];
+    struct scene_view view = make_view(&t, SCENE_AXIS_Y);
+    add_pane(&t, materials, meshes);
+    view.camera =
+        scene_camera_fit(&t.model, (struct scene_orbit){.elevation = 60, .up = SCENE_AXIS_Y}, 0.9, 1.0);
+    view.background = SCENE_BACKGROUND_COLOR;
+    memset(view.background_color, 255, sizeof view.background_color);
+    materials[1].alpha_mode = SCENE_ALPHA_MASK;
+    materials[1].alpha_cutoff = 0.5f;
+    materials[1].base_color[3] = 0.0f;
+    struct scene_pictures bare, glazed;
+    draw(&t, &view, &bare);
+    materials[1].alpha_mode = SCENE_ALPHA_OPAQUE;
+    materials[1].layers = (struct scene_layers){.used = true,
+                                                .transmission = 1,
+                                                .ior = 1,
+                                                .attenuation_distance = INFINITY,
+                                                .attenuation_color = {1, 1, 1}};
+    draw(&t, &view, &glazed);
+    int shaded = 0;
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        if (is_off_the_square(&bare, i) && glazed.object[i] == 2) {
+            tiny_assert_close((double)glazed.linear[4 * i], 1.0 - (double)bare.linear[4 * i + 3], 0.01);
+            shaded += bare.linear[4 * i + 3] > 0.1f;
+        }
+    }
+    assert_true(shaded > 20);
+    scene_pictures_free(&bare);
+    scene_pictures_free(&glazed);
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(the_shadow_alone_shows), cmocka_unit_test(every_color_counts_alike),
+    cmocka_unit_test(glass_shows_the_ground), cmocka_unit_test(from_below_there_is_none)};
 
 const struct unit_tests test_ground = UNIT_TESTS(tests, NULL, NULL);

@@ -136,6 +136,30 @@ static void test_blending_is_sorted(void **state)
     }
 }
 
+// Colours of 8 bits, whose default background is dithered, and of more are what they are alone where both are wanted.
+static void test_colors_of_each_depth_stand_alone(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    struct scene_view view = tiny_view(&t, 64);
+    view.background = SCENE_BACKGROUND_DEFAULT;
+    view.camera.ymag = 4.0;
+    const uint32_t outputs[4] = {SCENE_OUTPUT_COLOR, SCENE_OUTPUT_DISPLAY, SCENE_OUTPUT_LINEAR,
+                                 SCENE_OUTPUT_COLOR | SCENE_OUTPUT_DISPLAY | SCENE_OUTPUT_LINEAR};
+    struct scene_pictures p[4];
+    for (int i = 0; i < 4; i++) {
+        view.outputs = outputs[i];
+        p[i] = tiny_draw(&t, &view);
+    }
+    assert_memory_equal(p[3].color, p[0].color, 64 * 64 * 4);
+    assert_memory_equal(p[3].display, p[1].display, 64 * 64 * 4 * sizeof(float));
+    assert_memory_equal(p[3].linear, p[2].linear, 64 * 64 * 4 * sizeof(float));
+    for (int i = 0; i < 4; i++) {
+        scene_pictures_free(&p[i]);
+    }
+}
+
 static void test_transparent_background_keeps_color_straight(void **state)
 {
     (void)state;
@@ -577,6 +601,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_unlit_square),
     cmocka_unit_test(test_supersampling_averages_light),
     cmocka_unit_test(test_blending_is_sorted),
+    cmocka_unit_test(test_colors_of_each_depth_stand_alone),
     cmocka_unit_test(test_transparent_background_keeps_color_straight),
     cmocka_unit_test(test_texture_transform_and_mask),
     cmocka_unit_test(test_occlusion_and_roughness_are_combined),
