@@ -268,8 +268,11 @@ static bool is_animated(const char *model)
 {
     size_t size;
     unsigned char *data = load(model, &size);
-    const bool found =
-        memmem(data, size, "\"animations\"", 12) != NULL || memmem(data, size, "AnimationSet", 12) != NULL;
+    const char *const words[] = {"\"animations\"", "AnimationSet", "AnimationStack"};
+    bool found = false;
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        found = found || memmem(data, size, words[i], strlen(words[i])) != NULL;
+    }
     free(data);
     return found;
 }

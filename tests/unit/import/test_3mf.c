@@ -232,6 +232,19 @@ static void test_multiplied(void **state)
     assert_floats(mesh->colors[0], (const float[]){1, 0, 0, 1}, 4, 0);
     assert_floats(mesh->uvs[0][0], (const float[]){0.25f, 0.875f}, 2, 0);
     scene_model_free(model);
+    // Of a list that is far longer than its layers, the first word alone is the first layer's.
+    char properties[1024];
+    int at =
+        snprintf(properties, sizeof properties, "<m:multiproperties id=\"8\" pids=\"1 4\" blendmethods=\"");
+    for (int i = 0; i < 64; i++) {
+        at += snprintf(properties + at, sizeof properties - (size_t)at, "mix ");
+    }
+    snprintf(properties + at, sizeof properties - (size_t)at,
+             "multiply\"><m:multi pindices=\"0 0\"/></m:multiproperties>");
+    write_textured(properties, "<triangle v1=\"0\" v2=\"1\" v3=\"2\" pid=\"8\" p1=\"0\"/>");
+    model = load("x.3mf");
+    assert_floats(mesh_of(model, 0)->colors[0], (const float[]){1, 1, 1, 1}, 4, 0);
+    scene_model_free(model);
 }
 
 // A path that is wrong but for its end, or is written as other formats write it.
@@ -289,11 +302,15 @@ static void test_components(void **state)
         "<object id=\"3\"><components><component p:path=\"/3D/Objects/part.model\" objectid=\"1\"/>"
         "</components></object>",
         "<item objectid=\"2\" transform=\"0 1 0 -1 0 0 0 0 1 0 0 5\"/>");
-    package_add_model(zip, "3D/Objects/part.model",
-                      "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
-                      "<item objectid=\"1\"/>"); // what another part builds is not built
+    // The unit is that of the part that the package begins with. What another part builds is not built.
+    package_add_text(
+        zip, "3D/Objects/part.model",
+        "<model unit=\"inch\"><resources><object id=\"1\">" MESH(
+            "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object></resources>"
+                                                      "<build><item objectid=\"1\"/></build></model>");
     package_end(zip);
     struct scene_model *model = load("x.3mf");
+    assert_string_equal(model->unit, "millimeter");
     assert_int_equal(model->instance_count, 2);
     assert_int_equal(model->mesh_count, 1);
     assert_int_equal(model->instances[0].object, 1);
@@ -338,6 +355,41 @@ static void test_empty_relationships(void **state)
     package_end(zip);
     struct scene_model *model = load("x.3mf");
     assert_int_equal(model->instance_count, 1);
+    scene_model_free(model);
+}
+
+// The package begins with the part that its relationships name, in either kind of quotes.
+static void test_named_part(void **state)
+{
+    (void)state;
+    static const char type[] = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
+    for (int i = 0; i < 2; i++) {
+        const char quote = i == 0 ? '"' : '\'';
+        char text[512];
+        snprintf(text, sizeof text,
+                 "<Relationships><Relationship Target=%c/a.png%c Type=%cthumbnail%c/>"
+                 "<Relationship Target=%c/3D/other.model%c Type=%c%s%c/></Relationships>",
+                 quote, quote, quote, quote, quote, quote, quote, type, quote);
+        zipFile zip = package_begin("x.3mf");
+        package_add_text(zip, "_rels/.rels", text);
+        package_add_model(zip, "3D/3dmodel.model", "", "");
+        package_add_model(zip, "3D/other.model",
+                          "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+                          "<item objectid=\"1\"/>");
+        package_end(zip);
+        struct scene_model *model = load("x.3mf");
+        assert_int_equal(model->triangles_drawn, 1);
+        scene_model_free(model);
+    }
+}
+
+static void test_missing_object(void **state)
+{
+    (void)state;
+    package_write("x.3mf", "", "<item objectid=\"1\"/>");
+    struct scene_model *model = load("x.3mf");
+    assert_int_equal(model->instance_count, 0);
+    assert_true(has_warning(model, "object 1, which is to be built, is not there: left out"));
     scene_model_free(model);
 }
 
@@ -395,6 +447,8 @@ static void test_bad_xml(void **state)
          "a vertex needs x, y and z"},
         {"<m:colorgroup id=\"1\"><m:color color=\"red\"/></m:colorgroup>",
          "a color must be #RRGGBB or #RRGGBBAA"},
+        {"<basematerials id=\"1\"><base displaycolor=\"FF000000\"/></basematerials>",
+         "a displaycolor must be #RRGGBB or #RRGGBBAA"},
         {"<object id=\"-1\"></object>", "is not a whole number from 0 to 2147483647"},
         {"<object>", "\"3D/3dmodel.model\", line 1: mismatched tag"},
     };
@@ -530,6 +584,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_many_colors_below),
     cmocka_unit_test(test_two_of_one_id),
     cmocka_unit_test(test_empty_relationships),
+    cmocka_unit_test(test_named_part),
+    cmocka_unit_test(test_missing_object),
     cmocka_unit_test(test_beams),
     cmocka_unit_test(test_no_build),
     cmocka_unit_test(test_bad_xml),

@@ -174,6 +174,8 @@ static void test_scale_and_weights(void **state)
     scene_model_free(model);
 }
 
+#define UNMOVED "1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0;;"
+
 // A file that assimp reads: keys at ticks 0 and 4, four of them a second; a bone that moves two of three vertices.
 static void test_other_formats(void **state)
 {
@@ -214,6 +216,30 @@ static void test_other_formats(void **state)
         scene_model_free(model);
     }
     expect_refused_pose("move.x", "walk", "has no animation 'walk'");
+}
+
+// A bone changes the three axes for each other: normals turn with the vertices, which they are equal to here.
+static void test_skinned_normals(void **state)
+{
+    (void)state;
+#define CORNERS                                                                                        \
+    "3; 0.333333;0.666667;0.666667;, 0.666667;0.333333;-0.666667;, -0.666667;0.666667;-0.333333;; 1; " \
+    "3;0,1,2;;"
+    write_text("turn.x",
+               "xof 0303txt 0032\nAnimTicksPerSecond { 1; }\n"
+               "Frame leaf { FrameTransformMatrix { " UNMOVED " }\n"
+               " Mesh m { " CORNERS " MeshNormals { " CORNERS " }\n  XSkinMeshHeader { 1; 1; 1; }\n"
+               "  SkinWeights { \"bone\"; 3; 0, 1, 2; 1.0, 1.0, 1.0; " UNMOVED " } } }\n"
+               "Frame bone { FrameTransformMatrix { " UNMOVED " } }\n"
+               "AnimationSet S { Animation A { {bone} AnimationKey { 0; 1; 0;4;0.5,0.5,0.5,0.5;;; } } }\n");
+    struct scene_model *rest = load("turn.x"), *model = pose_of("turn.x", "S", 0);
+    const struct scene_mesh *const mesh = &model->meshes[0];
+    for (uint32_t v = 0; v < 3; v++) {
+        assert_floats(mesh->normals[v], mesh->positions[v], 3, 1e-5f);
+        assert_memory_not_equal(mesh->positions[v], rest->meshes[0].positions[v], sizeof *mesh->positions);
+    }
+    scene_model_free(rest);
+    scene_model_free(model);
 }
 
 // What shows nothing at rest is drawn as the first animation has it that shows something: at its beginning, or where it
@@ -304,7 +330,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_translation),     cmocka_unit_test(test_cubic),
     cmocka_unit_test(test_rotation),        cmocka_unit_test(test_scale_and_weights),
     cmocka_unit_test(test_other_formats),   cmocka_unit_test(test_bad_files),
-    cmocka_unit_test(test_nothing_at_rest),
+    cmocka_unit_test(test_nothing_at_rest), cmocka_unit_test(test_skinned_normals),
 };
 
 const struct unit_tests test_animation = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -52,6 +52,7 @@ static void test_blanks(void **state)
         write_document(blanks[i]);
         struct scene_model *model = load("x.dae");
         assert_int_equal(model->triangles_drawn, 1);
+        assert_int_equal(model->unsupported_count, 0);
         assert_true(has_warning(model, "texture \"gone.png\": No such file"));
         const struct scene_material *material =
             &model->materials[model->meshes[model->instances[0].mesh].material];
@@ -181,7 +182,26 @@ static void test_images_without_names(void **state)
     }
 }
 
+// A colour that is no number is none.
+static void test_no_color(void **state)
+{
+    (void)state;
+    static const char *const words[] = {"nan", "inf"};
+    for (int i = 0; i < 2; i++) {
+        char text[8192] = DOCUMENT;
+        for (char *c = text; *c != 0; c++) {
+            *c = *c == '[' || *c == ']' ? ' ' : *c;
+        }
+        memcpy(strstr(text, "0.5 0 0"), words[i], 3);
+        struct scene_model *model = load_text("x.dae", text);
+        const uint32_t material = model->meshes[model->instances[0].mesh].material;
+        assert_floats(model->materials[material].emissive, (const float[]){0, 0, 0}, 3, 0);
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_no_color),
     cmocka_unit_test(test_blanks),
     cmocka_unit_test(test_texture_coordinate_sets),
     cmocka_unit_test(test_images_without_names),

@@ -654,6 +654,9 @@ static void test_layers(void **state)
     assert_true(l->attenuation_distance > 1e30f);
     assert_false(scene_material_transmits(&model->materials[0]));
     scene_model_free(model);
+    model = load_material("\"extensions\":{\"KHR_materials_ior\":{\"ior\":0}}"); // everything is mirrored
+    assert_near(model->materials[0].layers.ior, 1000);
+    scene_model_free(model);
 }
 
 // What is not drawn is told: other scenes, morph targets of colours, and extensions that the file does not list, of a

@@ -77,6 +77,9 @@ static void test_numbers(void **state)
     assert_false(scene_word_number((struct scene_word){"abc", 3}, &value, &length));
     assert_false(scene_word_number((struct scene_word){"-", 1}, &value, &length));
     assert_true(scene_word_number((struct scene_word){"1e", 2}, &value, &length) && length == 1);
+    // What stands behind the word does not belong to it.
+    assert_true(scene_word_number((struct scene_word){"1e5", 2}, &value, &length) && value == 1 &&
+                length == 1);
 }
 
 // Polygons ------------------------------------------------------------------------------------------

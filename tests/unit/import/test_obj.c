@@ -110,6 +110,66 @@ static void test_emission_and_relief(void **state)
     scene_model_free(model);
 }
 
+// A cut-out in an opacity map needs no blending, and no mask where all of it is there. The map stands before the base
+// colour's image, or is it.
+static void test_opacity_maps(void **state)
+{
+    (void)state;
+    write_picture("base.tga", (const unsigned char[]){200, 0, 0, 0, 100, 0});
+    write_picture("holes.tga", (const unsigned char[]){255, 255, 255, 0, 0, 0});
+    write_picture("half.tga", (const unsigned char[]){255, 255, 255, 128, 128, 128});
+    write_picture("full.tga", (const unsigned char[]){255, 255, 255, 255, 255, 255});
+    static const struct {
+        const char *lines;
+        enum scene_alpha_mode mode;
+        uint8_t texels[8];
+    } cases[] = {
+        {"map_Kd base.tga\nmap_d holes.tga\n", SCENE_ALPHA_MASK, {200, 0, 0, 255, 0, 100, 0, 0}},
+        {"map_d holes.tga\n", SCENE_ALPHA_MASK, {255, 255, 255, 255, 255, 255, 255, 0}},
+        {"map_Kd base.tga\nmap_d half.tga\n", SCENE_ALPHA_BLEND, {200, 0, 0, 255, 0, 100, 0, 128}},
+        {"map_Kd base.tga\nmap_d full.tga\n", SCENE_ALPHA_OPAQUE, {200, 0, 0, 255, 0, 100, 0, 255}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct scene_model *model = load_material(cases[i].lines);
+        const struct scene_material *const material = material_of(model);
+        assert_int_equal(material->alpha_mode, cases[i].mode);
+        const struct scene_image *const image = &model->images[material->slots[SCENE_SLOT_BASE_COLOR].image];
+        assert_memory_equal(image->texels, cases[i].texels, 8);
+        scene_model_free(model);
+    }
+}
+
+// Heights become normals by central differences, around the edges too: 255 stands for 4 texels. Normals stay what they are.
+static void test_heights(void **state)
+{
+    (void)state;
+    enum { WIDTH = 4, HEIGHT = 2 };
+    static const uint8_t heights[WIDTH * HEIGHT] = {0, 0, 255, 0,
+                                                    0, 0, 255, 0}; // the same from below and above
+    unsigned char bytes[18 + 3 * WIDTH * HEIGHT] = {[2] = 2, [12] = WIDTH, [14] = HEIGHT, [16] = 24};
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        memset(bytes + 18 + 3 * i, heights[i], 3);
+    }
+    write_bytes("heights.tga", bytes, sizeof bytes);
+    struct scene_model *model = load_material("map_bump heights.tga\n");
+    const struct scene_image *image = &model->images[material_of(model)->slots[SCENE_SLOT_NORMAL].image];
+    // A slope of 2 is (2, 0, 1) / √5: 0.894427 and 0.447214, of 127.5 around 128.
+    static const uint8_t row[WIDTH * 4] = {128, 128, 255, 255, 13,  128, 185, 255,
+                                           128, 128, 255, 255, 242, 128, 185, 255};
+    for (int y = 0; y < HEIGHT; y++) {
+        assert_memory_equal((const uint8_t *)image->texels + sizeof row * (size_t)y, row, sizeof row);
+    }
+    assert_false(image->has_alpha);
+    scene_model_free(model);
+    bytes[18] = 90; // not grey
+    write_bytes("heights.tga", bytes, sizeof bytes);
+    model = load_material("map_bump heights.tga\n");
+    image = &model->images[material_of(model)->slots[SCENE_SLOT_NORMAL].image];
+    assert_memory_equal(image->texels, ((const uint8_t[]){0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255, 255}),
+                        12);
+    scene_model_free(model);
+}
+
 // Grey beside a texture is what exporters write; a colour is meant.
 static void test_factors(void **state)
 {
@@ -279,6 +339,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_one_surface_map),
     cmocka_unit_test(test_missing_surface_map),
     cmocka_unit_test(test_emission_and_relief),
+    cmocka_unit_test(test_opacity_maps),
+    cmocka_unit_test(test_heights),
     cmocka_unit_test(test_factors),
     cmocka_unit_test(test_comments),
     cmocka_unit_test(test_cut),

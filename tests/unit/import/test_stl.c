@@ -46,6 +46,8 @@ static void test_viscam(void **state)
     assert_floats(color_of(model, 1), (const float[]){0, 0, 0.229275f, 1}, 4, 1e-6f);
     assert_floats(color_of(model, 2), (const float[]){0.6f, 0.6f, 0.6f, 1}, 4, 0);
     assert_floats(model->meshes[0].normals[0], (const float[]){0, 0, 1}, 3, 0);
+    const uint32_t last = model->meshes[0].indices[8];
+    assert_floats(model->meshes[0].positions[last], (const float[]){0, 1, 2}, 3, 0);
     scene_model_free(model);
 }
 

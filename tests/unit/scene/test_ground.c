@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "draw/panorama.h"
+
 enum { SIZE = 64 };
 
 static void draw(const struct tiny *t, const struct scene_view *view, struct scene_pictures *pictures)
@@ -109,6 +111,41 @@ static void from_below_there_is_none(void **state)
     scene_pictures_free(&pictures);
 }
 
+// In white surroundings red, green and blue lights that change places take as much from the ground.
+static void every_color_counts_alike(void **state)
+{
+    (void)state;
+    static float texels[16 * 8][4];
+    for (int i = 0; i < 16 * 8; i++) {
+        texels[i][0] = texels[i][1] = texels[i][2] = 1.0f;
+    }
+    const struct scene_panorama panorama = {16, 8, texels};
+    double first = 0.0;
+    for (int c = 0; c < 3; c++) {
+        struct tiny t;
+        struct scene_view view = make_view(&t, SCENE_AXIS_Y);
+        struct scene_model_light lights[3] = {
+            {.direction = {0.6f, -0.8f, 0}}, {.direction = {0, -0.8f, 0.6f}}, {.direction = {0, -1, 0}}};
+        for (int i = 0; i < 3; i++) {
+            lights[i].name = "sun";
+            lights[i].type = SCENE_LIGHT_DIRECTIONAL;
+            lights[i].intensity = 3;
+            lights[i].color[(c + i) % 3] = 1;
+        }
+        t.model.lights = lights;
+        t.model.light_count = 3;
+        view.panorama = &panorama;
+        struct scene_pictures pictures;
+        double most;
+        draw(&t, &view, &pictures);
+        const double shade = shade_beside(&pictures, &most);
+        first = c == 0 ? shade : first;
+        assert_true(shade > 0.001);
+        tiny_assert_close(shade, first, 1e-7);
+        scene_pictures_free(&pictures);
+    }
+}
+
 // Whether no pixel around this one is of the square.
 static bool is_off_the_square(const struct scene_pictures *p, int pixel)
 {
@@ -177,8 +214,8 @@ static void glass_shows_the_ground(void **state)
     scene_pictures_free(&glazed);
 }
 
-static const struct CMUnitTest tests[] = {cmocka_unit_test(the_shadow_alone_shows),
-                                          cmocka_unit_test(glass_shows_the_ground),
-                                          cmocka_unit_test(from_below_there_is_none)};
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(the_shadow_alone_shows), cmocka_unit_test(every_color_counts_alike),
+    cmocka_unit_test(glass_shows_the_ground), cmocka_unit_test(from_below_there_is_none)};
 
 const struct unit_tests test_ground = UNIT_TESTS(tests, NULL, NULL);

@@ -228,6 +228,35 @@ static void test_every_layer_shows(void **state)
     assert_true(fabs(got[0] - plain[0]) > 0.001);
 }
 
+// Images of colours are decoded from sRGB, in which 188 is 0.502886: they give what the colour gives.
+static void test_images_of_colors(void **state)
+{
+    (void)state;
+    struct tiny t;
+    tiny_make(&t);
+    const struct scene_view view = light_view(&t);
+    memset(t.texels, 188, sizeof t.texels);
+    t.material.base_color[0] = t.material.base_color[1] = t.material.base_color[2] = 0.2f;
+    t.material.layers = plain_layers();
+    t.material.layers.ior = 3;
+    t.material.layers.sheen_roughness = 0.8f;
+    for (int sheen = 0; sheen < 2; sheen++) {
+        float *const color = sheen ? t.material.layers.sheen_color : t.material.layers.specular_color;
+        int32_t *const image =
+            &t.material.slots[sheen ? SCENE_SLOT_SHEEN_COLOR : SCENE_SLOT_SPECULAR_COLOR].image;
+        double by_image[3], by_color[3];
+        color[0] = color[1] = color[2] = 1;
+        *image = 0;
+        draw_light(&t, &view, by_image);
+        color[0] = color[1] = color[2] = 0.502886f;
+        *image = -1;
+        draw_light(&t, &view, by_color);
+        for (int c = 0; c < 3; c++) {
+            tiny_assert_close(by_image[c], by_color[c], 1e-5);
+        }
+    }
+}
+
 // A coat mirrors 4 % head on and dims what is below by as much: with the surroundings black but for a lamp beside the
 // mirror's direction, dimming alone is left.
 static void test_coat_dims(void **state)
@@ -453,6 +482,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_anisotropic_ggx),
     cmocka_unit_test(test_layers_that_add_nothing),
     cmocka_unit_test(test_every_layer_shows),
+    cmocka_unit_test(test_images_of_colors),
     cmocka_unit_test(test_coat_dims),
     cmocka_unit_test(test_transmission),
     cmocka_unit_test(test_glass_behind_glass),

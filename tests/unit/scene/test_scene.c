@@ -210,37 +210,47 @@ static void test_texture_transform_and_mask(void **state)
 
 enum { SIDE = 8 };
 
-// Occlusion and roughness in two images of one size at one place become one texture; what must not be combined, because
-// it is read differently, gives the same picture where the difference does not matter.
-static void test_occlusion_and_roughness_are_combined(void **state)
-{
-    (void)state;
-    static uint8_t texels[2][SIDE * SIDE][4];
-    struct tiny t;
-    tiny_make(&t);
-    for (uint32_t i = 0, random = 5; i < sizeof texels; i++) {
-        random = random * 1664525u + 1013904223u;
-        texels[i / sizeof *texels][i / 4 % (SIDE * SIDE)][i % 4] = (uint8_t)(random >> 24);
-    }
+struct images_of_noise {
+    uint8_t texels[2][SIDE * SIDE][4];
     struct scene_image images[2];
-    for (int i = 0; i < 2; i++) {
-        images[i] = t.image;
-        images[i].width = images[i].height = SIDE;
-        images[i].size = sizeof texels[i];
-        images[i].texels = texels[i];
+};
+
+// The square with images of occlusion and roughness that are alike but for their texels. It shows the middle of the images
+// alone, where no address mode shows.
+static void make_combined(struct tiny *t, struct images_of_noise *noise)
+{
+    tiny_make(t);
+    for (uint32_t i = 0, random = 5; i < sizeof noise->texels; i++) {
+        random = random * 1664525u + 1013904223u;
+        noise->texels[i / sizeof *noise->texels][i / 4 % (SIDE * SIDE)][i % 4] = (uint8_t)(random >> 24);
     }
-    t.model.images = images;
-    t.model.image_count = 2;
-    t.material.unlit = false;
-    // The middle of the images alone, where no address mode shows, from near and far.
+    for (int i = 0; i < 2; i++) {
+        noise->images[i] = t->image;
+        noise->images[i].width = noise->images[i].height = SIDE;
+        noise->images[i].size = sizeof noise->texels[i];
+        noise->images[i].texels = noise->texels[i];
+    }
+    t->model.images = noise->images;
+    t->model.image_count = 2;
+    t->material.unlit = false;
     const float transform[6] = {0.5f, 0, 0.25f, 0, 0.5f, 0.25f};
     for (int s = SCENE_SLOT_METALLIC_ROUGHNESS; s <= SCENE_SLOT_OCCLUSION; s += 2) {
-        struct scene_texture_slot *const slot = &t.material.slots[s];
+        struct scene_texture_slot *const slot = &t->material.slots[s];
         slot->image = s == SCENE_SLOT_OCCLUSION;
         slot->mip_filter = RHW_MIP_FILTER_LINEAR;
         slot->min_filter = slot->mag_filter = RHW_FILTER_LINEAR;
         memcpy(slot->transform, transform, sizeof transform);
     }
+}
+
+// Occlusion and roughness in two images of one size at one place become one texture; what must not be combined, because
+// it is read differently, gives the same picture where the difference does not matter.
+static void test_occlusion_and_roughness_are_combined(void **state)
+{
+    (void)state;
+    struct images_of_noise noise;
+    struct tiny t;
+    make_combined(&t, &noise);
     const struct scene_view view = tiny_view(&t, 32), far = tiny_view(&t, 5);
     assert_int_equal(scene_occlusion_of(&t.model, &t.material), SCENE_OCCLUSION_COMBINED);
     struct scene_pictures combined = draw_model(&t.model, &view), far_combined = draw_model(&t.model, &far);
@@ -261,8 +271,46 @@ static void test_occlusion_and_roughness_are_combined(void **state)
     t.material.slots[SCENE_SLOT_OCCLUSION] = t.material.slots[SCENE_SLOT_METALLIC_ROUGHNESS];
     assert_int_equal(scene_occlusion_of(&t.model, &t.material), SCENE_OCCLUSION_SHARED);
     t.material.slots[SCENE_SLOT_OCCLUSION].image = 1;
-    images[1].width = SIDE / 2;
+    noise.images[1].width = SIDE / 2;
     assert_int_equal(scene_occlusion_of(&t.model, &t.material), SCENE_OCCLUSION_APART);
+}
+
+// Materials that combine the same images, one with mipmaps and one without, have textures of their own: the square in
+// front looks as it does alone, whichever material comes first.
+static void test_combined_with_and_without_mips(void **state)
+{
+    (void)state;
+    struct images_of_noise noise;
+    struct tiny t;
+    make_combined(&t, &noise);
+    struct scene_material materials[2];
+    struct scene_mesh meshes[2] = {t.mesh, t.mesh};
+    meshes[1].material = 1;
+    t.instances[1].mesh = 1;
+    t.model.meshes = meshes;
+    const struct scene_view view = tiny_view(&t, 5);
+    struct scene_pictures pictures[2];
+    for (int plain = 0; plain < 2; plain++) {
+        for (int m = 0; m < 2; m++) {
+            materials[m] = t.material;
+            const enum rhw_mip_filter filter = m == plain ? RHW_MIP_FILTER_NONE : RHW_MIP_FILTER_LINEAR;
+            materials[m].slots[SCENE_SLOT_METALLIC_ROUGHNESS].mip_filter = filter;
+            materials[m].slots[SCENE_SLOT_OCCLUSION].mip_filter = filter;
+        }
+        for (int front = 0; front < 2; front++) {
+            t.model.instance_count = t.model.mesh_count = t.model.material_count = 2;
+            t.model.materials = materials;
+            t.instances[front].world[14] = 0.5f;
+            t.instances[1 - front].world[14] = -0.5f;
+            pictures[0] = draw_model(&t.model, &view);
+            t.model.instance_count = t.model.mesh_count = t.model.material_count = 1;
+            t.model.materials = &materials[front];
+            pictures[1] = draw_model(&t.model, &view);
+            assert_memory_equal(pictures[0].color, pictures[1].color, 4 * 5 * 5);
+            scene_pictures_free(&pictures[0]);
+            scene_pictures_free(&pictures[1]);
+        }
+    }
 }
 
 // One-sided surfaces vanish from behind, also when a mirroring matrix turns their winding.
@@ -557,6 +605,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_transparent_background_keeps_color_straight),
     cmocka_unit_test(test_texture_transform_and_mask),
     cmocka_unit_test(test_occlusion_and_roughness_are_combined),
+    cmocka_unit_test(test_combined_with_and_without_mips),
     cmocka_unit_test(test_culling_and_mirroring),
     cmocka_unit_test(test_data_outputs),
     cmocka_unit_test(test_normal_map),
