@@ -30,6 +30,7 @@ const MEANINGS = {
   y: { en: 'Y/W: place on the screen, −1 to 1', zh: 'Y/W：屏幕位置，−1 到 1' },
   i: { en: '1/W', zh: '1/W' },
   q: { en: 'u/W', zh: 'u/W' },
+  naive: { en: 'u mixed by areas on the screen', zh: '按屏幕面积插值的 u' },
   column: { en: 'pixels from the left', zh: '距左边的像素数' },
   row: { en: 'pixels from the top', zh: '距上边的像素数' },
   PBC: { en: 'area of this triangle in the world', zh: '该三角形在世界空间中的面积' },

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Begins: loads the library, starts each chapter when it comes near, and the two switches.
+// Begins: loads the library, starts each chapter when it comes near, and the three switches.
+import { startContents } from './contents.js';
 import { language, setLanguage, whenLanguage } from './language.js';
 import { typeset } from './math.js';
 import { Stage } from './stage.js';
+import { keepState, parse } from './state.js';
 import { startTips } from './tips.js';
 
 // Of a server that does not know the type of the file, too.
@@ -42,7 +44,9 @@ function startLanguage() {
   whenLanguage(() => {
     button.textContent = language() === 'en' ? '中文' : 'English';
   });
-  setLanguage(kept('language') ?? (navigator.language.startsWith('zh') ? 'zh' : 'en'));
+  const told = () => ['en', 'zh'].find((name) => name === parse(location.hash).values.get('lang'));
+  setLanguage(told() ?? kept('language') ?? (navigator.language.startsWith('zh') ? 'zh' : 'en'));
+  addEventListener('hashchange', () => told() && setLanguage(told()));
 }
 
 function startTheme() {
@@ -50,11 +54,37 @@ function startTheme() {
   const set = (theme) => {
     document.documentElement.dataset.theme = theme;
   };
-  set(kept('theme') ?? (dark.matches ? 'dark' : 'light'));
+  const told = () => ['dark', 'light'].find((name) => name === parse(location.hash).values.get('theme'));
+  set(told() ?? kept('theme') ?? (dark.matches ? 'dark' : 'light'));
+  addEventListener('hashchange', () => told() && set(told()));
   document.querySelector('#theme').addEventListener('click', () => {
     set(document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark');
     keep('theme', document.documentElement.dataset.theme);
   });
+}
+
+// The mathematics beside the text, folded away or not, all at once. Paper has all of it.
+function startNotes() {
+  const button = document.querySelector('#notes');
+  const notes = [...document.querySelectorAll('details.notes')];
+  const set = (open) => {
+    button.setAttribute('aria-pressed', open);
+    notes.forEach((note) => (note.open = open));
+  };
+  set(kept('notes') !== 'closed');
+  button.addEventListener('click', () => {
+    set(button.getAttribute('aria-pressed') !== 'true');
+    keep('notes', button.getAttribute('aria-pressed') === 'true' ? 'open' : 'closed');
+  });
+  addEventListener('beforeprint', () => set(true));
+}
+
+// A browser finds no chapter by an address that says more than its name.
+function showAddressed() {
+  const { chapter, values } = parse(location.hash);
+  if (chapter && values.size > 0) {
+    document.getElementById(chapter)?.scrollIntoView();
+  }
 }
 
 /** The pictures of the page by name, and the stage that draws them, for tests and the curious. */
@@ -69,6 +99,9 @@ function tryThreads(stage) {
     stage.tryThreads(threads).catch((error) => console.warn(error));
   }
 }
+
+// Those that have something to start.
+const chapters = () => [...document.querySelectorAll('section.chapter:not(#sources)')];
 
 const begun = new Set(); // names of chapters
 
@@ -85,6 +118,7 @@ function startChapter(section, stage, tries = 0) {
       const view = start(section, stage);
       window.rhw.views[name] = view;
       whenLanguage(() => view?.retell());
+      keepState(section, view);
       if (name === 'first') {
         whenDrawn(view, () => {
           tryThreads(stage);
@@ -101,7 +135,7 @@ function startChapter(section, stage, tries = 0) {
 // The chapters further down, one after the other when there is nothing else to do: the network may go before they are come to.
 function startOthers(stage) {
   const next = window.requestIdleCallback ?? ((callback) => setTimeout(callback, 50));
-  const waiting = [...document.querySelectorAll('section.chapter')];
+  const waiting = chapters();
   const startNext = () => {
     startChapter(waiting.shift(), stage);
     if (waiting.length > 0) {
@@ -143,13 +177,17 @@ function startChapters(stage) {
     },
     { rootMargin: '600px' },
   );
-  document.querySelectorAll('section.chapter').forEach((section) => near.observe(section));
+  chapters().forEach((section) => near.observe(section));
 }
 
 startLanguage();
 startTheme();
+startNotes();
+startContents(document.querySelector('.contents ol'));
 typeset(document);
 startTips();
+showAddressed();
+addEventListener('hashchange', showAddressed);
 compiled
   .then(Stage.create)
   .then(startChapters)

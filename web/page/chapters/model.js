@@ -35,7 +35,7 @@ class ModelView {
   constructor(section) {
     this.figure = section.querySelector('.view');
     this.canvas = section.querySelector('canvas');
-    namePicture(this.canvas, section);
+    namePicture(this.canvas, this.figure);
     this.note = section.querySelector('.state');
     this.info = section.querySelector('.info');
     this.steps = section.querySelector('.derivation');
