@@ -117,8 +117,11 @@ export class Flight {
     const early = Math.max(0, 1 - 5 * this.k); // what is cut off is gone before anything is divided
     set(this.behind, { points: early ? points(gone.map((at) => this.#unmoved(at))) : '', style: `opacity: ${early}` });
     this.#placeCut(kept);
-    const eye = this.#at([0, 0, 0]);
-    set(this.eye, { cx: eye[0], cy: eye[1], style: `opacity: ${1 - this.k}` });
+    this.eye.toggleAttribute('hidden', this.k === 1); // all lines through it are parallel by then
+    if (this.k < 1) {
+      const [cx, cy] = this.#at([0, 0, 0]);
+      set(this.eye, { cx, cy, style: `opacity: ${1 - this.k}` });
+    }
     this.#placeLabels(early);
   }
 

@@ -71,7 +71,7 @@ function startNotes() {
     button.setAttribute('aria-pressed', open);
     notes.forEach((note) => (note.open = open));
   };
-  set(kept('notes') !== 'closed');
+  set(kept('notes') ? kept('notes') === 'open' : innerWidth >= 720); // on a phone they would come before the picture
   button.addEventListener('click', () => {
     set(button.getAttribute('aria-pressed') !== 'true');
     keep('notes', button.getAttribute('aria-pressed') === 'true' ? 'open' : 'closed');
@@ -105,6 +105,21 @@ const chapters = () => [...document.querySelectorAll('section.chapter:not(#sourc
 
 const begun = new Set(); // names of chapters
 
+let isFirst = true;
+
+// Once there is a picture, whichever chapter was asked for, the rest begins.
+function afterFirst(view, stage) {
+  if (isFirst && view?.figure) {
+    whenDrawn(view, () => {
+      if (isFirst) {
+        isFirst = false;
+        tryThreads(stage);
+        startOthers(stage);
+      }
+    });
+  }
+}
+
 /** Starts a chapter, once. What could not be fetched is tried again when the network is back. */
 function startChapter(section, stage, tries = 0) {
   const name = section.id;
@@ -119,12 +134,7 @@ function startChapter(section, stage, tries = 0) {
       window.rhw.views[name] = view;
       whenLanguage(() => view?.retell());
       keepState(section, view);
-      if (name === 'first') {
-        whenDrawn(view, () => {
-          tryThreads(stage);
-          startOthers(stage);
-        });
-      }
+      afterFirst(view, stage);
     })
     .catch((error) => {
       fail(section, error);

@@ -187,7 +187,9 @@ export class View {
 
   /** What was told, in the language of now. */
   retell() {
-    this.changed(this.numbers ?? null, this.place ?? null, this.size);
+    if (this.clips) {
+      this.changed(this.numbers ?? null, this.place ?? null, this.size);
+    }
     this.update();
   }
 

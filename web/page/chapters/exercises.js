@@ -69,13 +69,13 @@ export const EXERCISES = [
   },
   {
     asked: {
-      en: 'Find a pixel where A has the same share on the screen as in space, r = a, away from the edges. What is special about P?',
-      zh: '找一个离边较远的像素，使 A 在屏幕上与空间中的权重相同（r = a）。P 有什么特别之处？',
+      en: 'Find a pixel where C has the same share on the screen as in space, t = c, away from the edges. What is special about P?',
+      zh: '找一个离边较远的像素，使 C 在屏幕上与空间中的份额相同（t = c）。P 有什么特别之处？',
     },
-    met: (n, { ws }) => n && spread(ws) > 0.1 && Math.min(n.r, n.s, n.t) > 0.05 && Math.abs(n.r - n.a) < 0.005,
+    met: (n, { ws }) => n && spread(ws) > 0.1 && Math.min(n.r, n.s, n.t) > 0.05 && Math.abs(n.t - n.c) < 0.005,
     answer: (n) => ({
-      en: `a = r · W of P / W of A: they are equal where P is as far away as A. Here W is ${short(1 / n.inverse_w)} in P, ${short(n.W_0)} in A.`,
-      zh: `a = r · P 的 W / A 的 W：P 与 A 一样远时两者相等。这里 P 的 W 是 ${short(1 / n.inverse_w)}，A 的是 ${short(n.W_0)}。`,
+      en: `c = t · W of P / W of C: they are equal where P is as far away as C. Here W is ${short(1 / n.inverse_w)} in P, ${short(n.W_2)} in C.`,
+      zh: `c = t · P 的 W / C 的 W：P 与 C 一样远时两者相等。这里 P 的 W 是 ${short(1 / n.inverse_w)}，C 的是 ${short(n.W_2)}。`,
     }),
   },
   {
