@@ -358,7 +358,7 @@ class Page(unittest.TestCase):
                     for value in ["world", "correct"] if name == "floor" else [None]:
                         if value:
                             self.script("arguments[0].click()", self.node(f"#floor button[value='{value}']"))
-                            self.wait("document.querySelector('#floor .derivation table')")
+                            self.wait(f"rhw.views.floor.numbers?.method === {2 if value == 'world' else 1}")
                         self.script(f"document.querySelector('#{name} .derivation').scrollIntoView({{block: 'end'}})")
                         top, bottom, first, last = self.script(
                             f"const v = document.querySelector('#{name} .view').getBoundingClientRect(),"
@@ -444,7 +444,7 @@ class Page(unittest.TestCase):
             return n
         before = check()
         places = self.script("return [...document.querySelectorAll('#weights .view .handle')].map((node) => node.getAttribute('transform'))")
-        self.script("document.querySelector('#weights .view .cornerB').focus(); rhw.views.weights.figure.dataset.drawn = ''")
+        self.script("document.querySelector('#weights .view .handle.cornerB').focus(); rhw.views.weights.figure.dataset.drawn = ''")
         for _ in range(6):
             self.browser.switch_to.active_element.send_keys(Keys.PAGE_UP)
         self.wait("rhw.views.weights.figure.dataset.drawn === 'still'")
@@ -562,7 +562,8 @@ class Page(unittest.TestCase):
         self.assertTrue(done()[1], "whoever goes everywhere passes the largest")
         self.assertGreater(max(errors)[0], 0.05)
         self.assertTrue(any(alike for _, alike in errors) and done()[3])
-        put([a, b, [0.1, 0.4, 3.6]], [0.5, 0.7])
+        put([a, b, [0.1, 0.4, 3.6]])
+        self.script("const v = rhw.views.exercises; for (let y = 0.05; y < 1; y += 0.05) { v.pixel = [0.5, y]; v.explain(); }")
         self.assertTrue(done()[5], self.script("return rhw.views.exercises.numbers"))
         self.assertIn("✓", self.node("#exercises li:last-child .result").text)
         self.node("#exercises li:last-child button").click()
