@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """The page in headless Chromium: its pictures and numbers against the native library's, its corners, lines, keys and words.
 
-usage: page.py PAGE-FOLDER STAGE_REPLAY SCREENSHOT-FOLDER
+usage: page.py PAGE-FOLDER STAGE_REPLAY SCREENSHOT-FOLDER     with the page as one file beside its folder, PAGE-FOLDER.html
 """
 import base64
 import functools
@@ -727,6 +727,16 @@ class Page(unittest.TestCase):
         self.drop({"readme.txt": "data:,text", "inner": {"box.obj": box, "m": {"box.mtl": "data:text/plain,newmtl%20a%0AKd%201%200%200"}}}, "things")
         self.wait("rhw.views.model.name === 'box.obj' && rhw.views.model.figure.dataset.drawn === 'still'")
         self.assertEqual(self.script("return document.querySelector('#model .state').textContent"), "")
+        square = "data:text/plain," + "%0A".join(["mtllib none.mtl", "v 0 0 0", "v 1 0 0", "v 1 1 0", "v 0 1 0", "f 1 2 3 4"])
+        self.drop({"square.obj": square}, "things")
+        self.wait("document.querySelector('#model .warnings').textContent.includes('none.mtl')")
+        self.script("rhw.views.model.explain(0.5, 0.5)")
+        self.wait("rhw.views.model.explanation")
+        self.assertTrue(self.node("#model .warnings").is_displayed(), "a warning stays")
+        self.assertEqual(self.script("return [...document.querySelectorAll('#model .why')].map((link) => link.hash)"),
+                         ["#weights", "#inverse", "#clip"])
+        self.node("#model .warnings button").click()
+        self.assertFalse(self.node("#model .warnings").is_displayed())
         self.drop({"box.obj": box, "gone.png": None}, "things")
         self.wait("document.querySelector('#model .state').textContent.startsWith('things/gone.png: cannot be read. Drop the folder')")
         self.drop({}, "things")
@@ -740,6 +750,22 @@ class Page(unittest.TestCase):
         self.browser.get("file://" + os.path.abspath(os.path.join(sys.argv[1], "index.html")))
         self.wait("document.querySelector('#first .view').dataset.error?.includes('python3 -m http.server')")
         self.browser.get_log("browser")  # that modules are refused
+
+    def test_one_file(self):
+        """Without a server, and without the network."""
+        self.browser.execute_cdp_cmd("Network.enable", {})
+        self.browser.execute_cdp_cmd("Network.emulateNetworkConditions", {"offline": True, "latency": 0, "downloadThroughput": 0,
+                                                                         "uploadThroughput": 0})
+        try:
+            self.open("#pixel?P=0.4,0.55", "file://" + os.path.abspath(sys.argv[1]) + ".html")
+            self.wait("window.rhw?.views.pixel?.figure.dataset.drawn === 'still' && rhw.views.model")
+            self.assertAlmostEqual(self.script("return rhw.views.pixel.pixel[0]"), 0.4)
+            self.check_native("pixel")
+            self.open_sample()
+            self.assertIn("12", self.node("#model .info").text)
+        finally:
+            self.browser.execute_cdp_cmd("Network.emulateNetworkConditions", {"offline": False, "latency": 0,
+                                                                             "downloadThroughput": -1, "uploadThroughput": -1})
 
     def test_chapters_are_there_when_the_network_goes(self):
         self.wait("rhw.views.model && rhw.views.depth")  # which nobody has come to

@@ -76,12 +76,18 @@ function line(parent, text, behind) {
 
 const number = (term, terms) => ({ text: term, values: { [term]: short(terms[term]) } });
 
-/** A part of a derivation with its heading, {en, zh}. */
-export function section(parent, title) {
+/** A part of a derivation with its heading, {en, zh}; `why`: the chapter that explains it, where that is another one. */
+export function section(parent, title, why) {
   const block = parent.appendChild(document.createElement('section'));
   const level = parent.closest('.chapter').querySelector('h1') ? 'h2' : 'h3'; // one below that of the chapter
   const head = block.appendChild(document.createElement(level));
   head.textContent = say(title);
+  if (why && why !== parent.closest('.chapter').id) {
+    const link = head.appendChild(document.createElement('a'));
+    link.className = 'why';
+    link.href = `#${why}`;
+    link.textContent = say({ en: 'why?', zh: '为什么？' });
+  }
   return block;
 }
 
@@ -104,7 +110,7 @@ const SPACE = [
 const INVERSE = '[1|W_P] = [r|W_A] + [s|W_B] + [t|W_C]';
 
 function screenSection(parent, n, terms) {
-  const block = section(parent, TITLES.screen);
+  const block = section(parent, TITLES.screen, 'weights');
   if (!Number.isNaN(n.e_0)) {
     line(block, 'r : s : t = e_A : e_B : e_C');
   }
@@ -114,7 +120,7 @@ function screenSection(parent, n, terms) {
 }
 
 function divideSection(parent, terms) {
-  const block = section(parent, TITLES.divide);
+  const block = section(parent, TITLES.divide, 'inverse');
   const values = Object.fromEntries(Object.entries(terms).map(([term, value]) => [term, short(value)]));
   line(block, INVERSE);
   line(block, '', { text: INVERSE.split(' = ')[1], values });
@@ -122,7 +128,7 @@ function divideSection(parent, terms) {
 }
 
 function spaceSection(parent, terms) {
-  const block = section(parent, TITLES.space);
+  const block = section(parent, TITLES.space, 'clip');
   for (const [text, term] of SPACE) {
     line(block, text, number(term, terms));
   }
@@ -160,7 +166,7 @@ function worldSections(parent, n) {
   place.className = 'line world';
   const digits = (value) => short(Number(value.toFixed(4))); // floats went there and back: more would be noise
   place.textContent = `P = (${[n.world_x, n.world_y, n.world_z].map(digits).join(', ')})`;
-  const areas = section(parent, TITLES.areas);
+  const areas = section(parent, TITLES.areas, 'weights');
   for (const [text, term] of AREAS) {
     line(areas, text, number(term, terms));
   }

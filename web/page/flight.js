@@ -55,7 +55,7 @@ export class Flight {
     const across = px * Math.cos(yaw) + pz * Math.sin(yaw);
     const away = -px * Math.sin(yaw) + pz * Math.cos(yaw);
     const up = py * Math.cos(pitch) + away * Math.sin(pitch);
-    const scale = Math.min(width / mix(FAR + 1.4, 2.3 * this.aspect, k), height / mix(5.2, 2.3, k));
+    const scale = Math.min(width / mix(FAR + 1.4, 2.3 * this.aspect, k), height / mix(5.6, 2.3, k));
     return [width / 2 + across * scale, height / 2 - up * scale];
   }
 

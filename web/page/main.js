@@ -100,8 +100,24 @@ function tryThreads(stage) {
   }
 }
 
-// Those that have something to start.
-const chapters = () => [...document.querySelectorAll('section.chapter:not(#sources)')];
+// Each is fetched when it is wanted. Written out, so that one file can be made of all of them (web/single.py).
+const CHAPTERS = {
+  first: () => import('./chapters/first.js'),
+  weights: () => import('./chapters/weights.js'),
+  inverse: () => import('./chapters/inverse.js'),
+  pixel: () => import('./chapters/pixel.js'),
+  triangle: () => import('./chapters/triangle.js'),
+  floor: () => import('./chapters/floor.js'),
+  clip: () => import('./chapters/clip.js'),
+  motion: () => import('./chapters/motion.js'),
+  depth: () => import('./chapters/depth.js'),
+  exercises: () => import('./chapters/exercises.js'),
+  model: () => import('./chapters/model.js'),
+};
+// A browser may keep what failed: the same by another address.
+const chapterOf = (name, tries) => (tries === 0 ? CHAPTERS[name]() : import(`./chapters/${name}.js?${tries}`));
+
+const chapters = () => [...document.querySelectorAll('section.chapter')].filter(({ id }) => id in CHAPTERS);
 
 const begun = new Set(); // names of chapters
 
@@ -127,7 +143,7 @@ function startChapter(section, stage, tries = 0) {
     return;
   }
   begun.add(name);
-  import(`./chapters/${name}.js${tries > 0 ? `?${tries}` : ''}`) // a browser may keep what failed
+  chapterOf(name, tries)
     .then(({ start }) => {
       delete viewOf(section).dataset.error;
       const view = start(section, stage);

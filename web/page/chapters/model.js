@@ -37,6 +37,8 @@ class ModelView {
     this.canvas = section.querySelector('canvas');
     namePicture(this.canvas, this.figure);
     this.note = section.querySelector('.state');
+    this.warnings = section.querySelector('.warnings');
+    this.warnings.querySelector('button').addEventListener('click', () => this.#warn([]));
     this.info = section.querySelector('.info');
     this.steps = section.querySelector('.derivation');
     this.tables = section.querySelector('.explained');
@@ -62,6 +64,13 @@ class ModelView {
     this.#told = text;
     this.note.textContent = say(text);
     this.note.hidden = text === '';
+  }
+
+  // Warnings of reading stay until they are closed, or another model comes.
+  #warn(lines) {
+    this.warnings.hidden = lines.length === 0;
+    const items = lines.map((line) => Object.assign(document.createElement('li'), { textContent: line }));
+    this.warnings.querySelector('ul').replaceChildren(...items);
   }
 
   #numbers() {
@@ -108,7 +117,8 @@ class ModelView {
       this.camera = centered(camera, this.middle, info.up);
       this.#forget();
       this.#describe();
-      this.#tell(warnings.join('\n'));
+      this.#tell('');
+      this.#warn(warnings);
     } catch (error) {
       this.#tell(error.message);
     }

@@ -13,7 +13,7 @@ import { chapterTerms } from '../tips.js';
 import { within } from '../vector.js';
 import { View } from '../view.js';
 
-const COLUMNS = 64;
+const [COLUMNS, ROWS] = [64, 36];
 const NEAR = 1;
 const SECONDS = 4; // of the motion, played
 
@@ -150,14 +150,15 @@ class Motion {
 
   show() {
     const { view, k } = this;
-    if (view.clips) {
-      this.flight.show(view.clips.map(([x, y, , w]) => [x, y, w]), k);
-      const text = say(SAID[k === 0 ? 0 : k < 1 ? 1 : 2]);
-      if (this.said.textContent !== text) {
-        this.said.textContent = text;
-      }
-      this.flight.root.setAttribute('aria-label', text);
+    if (!view.clips) {
+      view.stage.resize(COLUMNS, ROWS, 1); // the motion may be seen before its picture
     }
+    this.flight.show(view.scene.corners.map(({ at }) => view.stageClip(at)).map(([x, y, , w]) => [x, y, w]), k);
+    const text = say(SAID[k === 0 ? 0 : k < 1 ? 1 : 2]);
+    if (this.said.textContent !== text) {
+      this.said.textContent = text;
+    }
+    this.flight.root.setAttribute('aria-label', text);
   }
 }
 
