@@ -632,6 +632,13 @@ class Page(unittest.TestCase):
         actions.perform()
         self.wait("document.querySelector('#model .explained .numbers')", 60)
         self.check_model_derivation()
+        seen = self.script("return rhw.views.model.explanation.fragments.findLast((f) => f.fate === 'written' && f.instance >= 0)")
+        self.node("#model .take").click()
+        self.wait(f"Math.abs(rhw.views.weights.numbers?.W_0 - {seen['clip'][0][3]}) < 1e-5")
+        n = self.script("return rhw.views.weights.numbers")
+        for name, share in zip("rstabc", seen["screen"] + seen["space"]):
+            self.assertAlmostEqual(n[name], share, delta=0.01)  # of a pixel of another picture
+        self.script("document.getElementById('model').scrollIntoView()")
         self.drag("#model canvas", 40, 0)
         self.assertEqual(self.script("return document.querySelector('#model .explained').textContent"), "", "it was of another picture")
         self.assertEqual(self.script("return document.querySelector('#model .derivation').textContent"), "")

@@ -146,7 +146,7 @@ function startChapter(section, stage, tries = 0) {
   chapterOf(name, tries)
     .then(({ start }) => {
       delete viewOf(section).dataset.error;
-      const view = start(section, stage);
+      const view = start(section, stage, window.rhw.views);
       window.rhw.views[name] = view;
       whenLanguage(() => view?.retell());
       keepState(section, view);

@@ -7,7 +7,7 @@ import { say } from '../language.js';
 import { Library } from '../library.js';
 import { namePicture } from '../naming.js';
 import { numbersOf, seenIn, showModelDerivation } from '../model_derivation.js';
-import { Overlay } from '../overlay.js';
+import { cornersOf, Overlay } from '../overlay.js';
 import { centered, moved, panned, turned } from '../orbit.js';
 import { draggable, svg } from '../svg.js';
 import { chapterTerms } from '../tips.js';
@@ -40,6 +40,7 @@ class ModelView {
     this.warnings = section.querySelector('.warnings');
     this.warnings.querySelector('button').addEventListener('click', () => this.#warn([]));
     this.info = section.querySelector('.info');
+    this.take = section.querySelector('.take');
     this.steps = section.querySelector('.derivation');
     this.tables = section.querySelector('.explained');
     this.overlay = new Overlay(svg(this.figure, 'svg'));
@@ -80,7 +81,15 @@ class ModelView {
 
   #show() {
     showModelDerivation(this.steps, this.tables, this.explanation);
+    const numbers = this.#numbers();
+    this.take.hidden = !numbers || cornersOf(numbers).some((clip) => !(clip[3] > 0));
     this.#place();
+  }
+
+  /** Shows the triangle of the pixel in the chapter that says what shares are. */
+  takeTo(other) {
+    other.take(cornersOf(this.#numbers()), this.pixel);
+    other.figure.closest('section').scrollIntoView();
   }
 
   #place() {
@@ -353,8 +362,9 @@ function listenForHands(view) {
   });
 }
 
-export function start(section) {
+export function start(section, _stage, views) {
   const view = new ModelView(section);
+  section.querySelector('.take').addEventListener('click', () => view.takeTo(views.weights));
   for (const name of ['picture', 'interpolate']) {
     choice(section, name, (value) => view.set({ [name]: value }));
   }

@@ -8,7 +8,7 @@ import { cornersOf, onScreen } from '../overlay.js';
 import { METHOD, PATTERN } from '../stage.js';
 import { points, set, svg } from '../svg.js';
 import { chapterTerms } from '../tips.js';
-import { add, dot, within } from '../vector.js';
+import { add, basis, dot, within } from '../vector.js';
 import { View } from '../view.js';
 
 const NAMES = ['A', 'B', 'C'];
@@ -142,6 +142,28 @@ function startSteps(section) {
   show(1);
 }
 
+// A triangle of another picture, [X, Y, Z, W] of its corners, all in front of the eye, with its P at parts of that picture: moved and
+// enlarged on the screen, which no share sees, with the W that it has.
+function take(view, clips, pixel) {
+  const { camera, corners } = view.scene;
+  const places = clips.map(([x, y, , w]) => [x / w, y / w]);
+  const [low, high] = [Math.min, Math.max].map((of) => [0, 1].map((k) => of(...places.map((place) => place[k]))));
+  const middle = [0, 1].map((k) => (low[k] + high[k]) / 2);
+  const scale = 1.5 / Math.max(high[0] - low[0], high[1] - low[1], 1e-9);
+  const ws = clips.map((clip) => clip[3]);
+  Object.assign(camera, { near: Math.min(...ws) / 10, far: Math.max(...ws) * 10 });
+  const { right, up, forward } = basis(camera);
+  const tall = Math.tan((camera.yfov * Math.PI) / 360);
+  const wide = (tall * view.figure.clientWidth) / view.figure.clientHeight;
+  clips.forEach((clip, i) => {
+    const [x, y] = places[i].map((place, k) => (place - middle[k]) * scale * clip[3]);
+    corners[i].at = add(add(add(camera.eye, forward, clip[3]), right, x * wide), up, y * tall);
+  });
+  const [x, y] = [2 * pixel[0] - 1, 1 - 2 * pixel[1]].map((place, k) => (place - middle[k]) * scale);
+  view.pick([(x + 1) / 2, (1 - y) / 2]);
+  view.update();
+}
+
 export function start(section, stage) {
   const pale = [0.93, 0.92, 0.9];
   const corners = [
@@ -174,6 +196,7 @@ export function start(section, stage) {
   view.overlay.prepend(layer);
   const parts = new Parts(layer, ['r', 's', 't']);
   const straight = new StraightOn(section.querySelector('.straight'), view);
+  view.take = (clips, pixel) => take(view, clips, pixel);
   startSteps(section);
   chapterTerms(section, () => view.numbers && termsOf(view.numbers), [parts, straight]);
   view.pick([0.5, 0.5]);
