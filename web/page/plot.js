@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Curves over a line of pixels: each {name, values [count], kind, scale, digits}, all over the same places: the middles of as many
-// pixels. Axes with their numbers, and a line at the explained place with a dot on each curve.
+// Curves over a line of pixels: each {name, values [count], kind, scale, ends}, all over the same places: the middles of as many
+// pixels; and at its two ends, where it reaches them. Axes with their numbers, and a line at the explained place with a dot on each curve.
 import { say } from './language.js';
 import { short } from './math.js';
 import { draggable, points, set, svg } from './svg.js';
@@ -55,7 +55,7 @@ export class Plot {
   }
 
   #largest({ scale }) {
-    const alike = this.curves.filter((curve) => curve.scale === scale).flatMap(({ values }) => values);
+    const alike = this.curves.filter((curve) => curve.scale === scale).flatMap(({ values, ends = [] }) => [...values, ...ends]);
     return Math.max(...alike.filter(Number.isFinite)) || 1;
   }
 
@@ -77,9 +77,13 @@ export class Plot {
     }
   }
 
-  #curve({ values, kind }, largest, x, floor) {
+  #curve({ values, kind, ends = [] }, largest, x, floor) {
     const at = (value, part) => [x(part), floor - (value / largest) * (floor - TOP)];
     const list = values.map((value, i) => at(value, (i + 0.5) / values.length));
+    if (ends.length) {
+      list.unshift(at(ends[0], 0));
+      list.push(at(ends[1], 1));
+    }
     svg(this.lines, 'polyline', { class: `curve ${kind}`, points: points(list.filter(([, y]) => Number.isFinite(y))) });
     if (this.handle && this.place !== null) {
       const index = Math.min(Math.max(this.place * values.length - 0.5, 0), values.length - 1);

@@ -194,7 +194,7 @@ const CURVES = {
     { name: { en: '1/Z: straight', zh: '1/Z：直线' }, kind: 'inverse', scale: 'inverse', of: OF.inverse },
   ],
   u: [
-    { name: { en: 'u = u/Z : 1/Z, curved', zh: 'u = u/Z ÷ 1/Z：曲线' }, kind: 'w', scale: 'u', of: OF.u },
+    { name: { en: 'u = (u/Z) / (1/Z): curved', zh: 'u = (u/Z) ÷ (1/Z)：曲线' }, kind: 'w', scale: 'u', of: OF.u },
     { name: { en: 's: u mixed on the screen, wrong', zh: 's：直接插值的 u，错误' }, kind: 'naive', scale: 'u', of: OF.naiveU },
   ],
 };
@@ -249,7 +249,11 @@ function showLines(panel, terms) {
 
 function curvesOf(kind, { Z_A: zA, Z_B: zB }) {
   const at = (i) => ({ s: (i + 0.5) / SAMPLES, r: 1 - (i + 0.5) / SAMPLES, zA, zB });
-  return CURVES[kind].map((curve) => ({ ...curve, values: Array.from({ length: SAMPLES }, (_, i) => curve.of(at(i))) }));
+  return CURVES[kind].map((curve) => ({
+    ...curve,
+    values: Array.from({ length: SAMPLES }, (_, i) => curve.of(at(i))),
+    ends: [curve.of(at(-0.5)), curve.of(at(SAMPLES - 0.5))],
+  }));
 }
 
 export function start(section) {
