@@ -9,6 +9,7 @@ const FIELDS = 8; // of the triangle, along u and v
 const YAW = (68 * Math.PI) / 180; // from where one looks at the start: from the side, a little from above
 const PITCH = (24 * Math.PI) / 180;
 const FAR = 7; // W up to which the start is in the picture
+const LIFT = 0.3; // of the start, as what is near stands low in it
 
 const mix = (from, to, k) => from + (to - from) * k;
 const between = (p, q, k) => p.map((value, i) => mix(value, q[i], k));
@@ -55,8 +56,8 @@ export class Flight {
     const across = px * Math.cos(yaw) + pz * Math.sin(yaw);
     const away = -px * Math.sin(yaw) + pz * Math.cos(yaw);
     const up = py * Math.cos(pitch) + away * Math.sin(pitch);
-    const scale = Math.min(width / mix(FAR + 1.4, 2.3 * this.aspect, k), height / mix(5.6, 2.3, k));
-    return [width / 2 + across * scale, height / 2 - up * scale];
+    const scale = Math.min(width / mix(FAR + 4, 2.3 * this.aspect, k), height / mix(7, 2.3, k));
+    return [width / 2 + across * scale, height / 2 - (up + mix(LIFT, 0, k)) * scale];
   }
 
   #line(node, from, to) {
