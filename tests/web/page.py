@@ -455,6 +455,18 @@ class Page(unittest.TestCase):
         for one, other in zip(places, moved):
             for a, b in zip(re.findall(r"[-0-9.]+", one), re.findall(r"[-0-9.]+", other)):
                 self.assertAlmostEqual(float(a), float(b), delta=0.5)
+        slide = "const b = document.querySelector('#weights [name=distance]'); b.value = arguments[0]; b.dispatchEvent(new Event('input'))"
+        for w in (3, 11):
+            self.script("rhw.views.weights.figure.dataset.drawn = ''")
+            self.script(slide, w)
+            self.wait("rhw.views.weights.figure.dataset.drawn === 'still'")
+            pushed = check()
+            self.assertAlmostEqual(pushed["W_1"], w, delta=1e-4)
+            self.assertAlmostEqual(pushed["s"], before["s"], delta=0.002)
+        b = "rhw.views.weights.scene.corners[1].at"
+        at = self.script(f"return {b}")
+        self.script("rhw.views.weights.moveTo(rhw.views.weights.scene.corners[1], 1000)")  # farther than it may go
+        self.assertEqual(self.script(f"return {b}"), at, "it does not leave its ray")
         steps = "[...document.querySelectorAll('#weights .steps > li')].filter((step) => step.offsetHeight > 0).length"
         for count in (1, 2, 3, 4):
             self.assertEqual(self.script(f"return {steps}"), count)
@@ -522,6 +534,15 @@ class Page(unittest.TestCase):
         self.script(slide, 0)
         self.assertNotEqual(self.script("return document.querySelector('#motion .cut-off').getAttribute('points')"), "")
         self.assertIn("−0.2182", self.node("#motion table").text)  # Z of A, nearer than the near plane
+        width, height = self.script("const { clientWidth: w, clientHeight: h } = document.querySelector('#motion .flight'); return [w, h]")
+        for k in (0, 0.1, 0.2, 0.4, 0.6, 0.8, 1):
+            self.script(slide, k)
+            for x, y in self.script(places):
+                self.assertTrue(0 < x < width and 0 < y < height, (k, x, y))  # every corner is in the drawing
+        distance = "const a = document.querySelector('#motion [name=distance]'); a.value = arguments[0]; a.dispatchEvent(new Event('input'))"
+        for w, hidden in ((-1, "true"), (2, "false")):  # behind the eye a corner has no place in the picture, and comes back
+            self.script(distance, w)
+            self.wait(f"rhw.views.motion.handles[0].hasAttribute('hidden') === {hidden}")
 
     def test_exercises_are_checked(self):
         self.show("exercises")

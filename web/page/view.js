@@ -7,7 +7,7 @@ import { namePicture } from './naming.js';
 import { onScreen, Overlay } from './overlay.js';
 import { numbersOf, numbersText } from './state.js';
 import { draggable, set, svg } from './svg.js';
-import { add, basis, clamp, normalize } from './vector.js';
+import { add, basis, clamp, dot, normalize } from './vector.js';
 
 const MAX_PIXELS = 1280; // across
 const LAST = 0.999999; // of a picture's width or height
@@ -117,7 +117,24 @@ export class View {
   #push(corner, distance) {
     const { camera, alongRays } = this.scene;
     const way = alongRays ? normalize(add(corner.at, camera.eye, -1)) : basis(camera).forward;
-    this.moveCorner(corner, add(corner.at, way, distance / 100));
+    this.#moveDeeper(corner, add(corner.at, way, distance / 100));
+  }
+
+  /** Moves it along the view, or its ray, to this W. */
+  moveTo(corner, w) {
+    const { camera, alongRays } = this.scene;
+    const { forward } = basis(camera);
+    const from = add(corner.at, camera.eye, -1);
+    const now = dot(from, forward);
+    this.#moveDeeper(corner, alongRays ? add(camera.eye, from, w / now) : add(corner.at, forward, w - now));
+  }
+
+  // Along its ray it goes as far as it may: a limit would push it off the ray.
+  #moveDeeper(corner, at) {
+    const limited = this.scene.limit?.(at) ?? at;
+    if (!this.scene.alongRays || limited.every((value, i) => Math.abs(value - at[i]) < 1e-9)) {
+      this.moveCorner(corner, at);
+    }
   }
 
   moveCorner(corner, at) {

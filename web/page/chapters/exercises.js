@@ -32,7 +32,7 @@ const percent = (part) => `${Math.round(100 * part)} %`;
 export const EXERCISES = [
   {
     asked: {
-      en: 'Make the left side right without touching the formula: drag corners in depth until no edge of the checkerboard breaks at the line. What had to become equal?',
+      en: 'Make the left side right without touching the formula: drag corners in depth until the checkerboard no longer breaks at the line. What had to become equal?',
       zh: '不改公式，让左边也画对：在深度方向上拖动顶点，直到棋盘格在分界线处不再错开。什么必须变得相等？',
     },
     met: (_, { ws }) => spread(ws) < SAME,
@@ -43,15 +43,15 @@ export const EXERCISES = [
   },
   {
     asked: {
-      en: 'Point at a pixel where naive is off the most, within a tenth.',
-      zh: '指向未校正误差最大的像素（容许相差十分之一）。',
+      en: 'Point at the pixel where naive is furthest off; up to a tenth less will do.',
+      zh: '指向未校正误差最大的像素（比最大值小不到一成也算）。',
     },
     met: (n, { worst }) => n && worst() > 0.01 && Math.abs(naiveOf(n) - n.u) > 0.9 * worst(),
     answer: (n, { ws }) => {
       const [low, high] = [Math.min(...ws), Math.max(...ws)];
       const at = Math.sqrt(high) / (Math.sqrt(high) + Math.sqrt(low));
       return {
-        en: `Here u is ${short(n.u)} and naive says ${short(naiveOf(n))}. From a corner at W = ${short(low)} to one at ${short(high)} the gap is widest where the screen says ${percent(at)} of the way and space ${percent(1 - at)}: √W divides it, not W.`,
+        en: `Here u is ${short(n.u)} and naive says ${short(naiveOf(n))}. From a corner at W = ${short(low)} to one at ${short(high)} the gap is widest where the screen says ${percent(at)} of the way and space ${percent(1 - at)}: the split goes by √W, not by W.`,
         zh: `这里 u 是 ${short(n.u)}，未校正给出 ${short(naiveOf(n))}。从 W = ${short(low)} 的顶点到 ${short(high)} 的顶点，差距最大处是屏幕上走了 ${percent(at)}、空间中走了 ${percent(1 - at)} 的地方：按 √W 分，而不是按 W。`,
       };
     },
@@ -63,8 +63,8 @@ export const EXERCISES = [
     },
     met: (n) => n && n.W_0 > 0 && n.W_1 > 0 && Math.abs(n.a - 0.5) < 0.03 && Math.abs(n.b - 0.5) < 0.03,
     answer: (n) => ({
-      en: `There r : s is W_A : W_B = ${short(n.W_0)} : ${short(n.W_1)}, so s = ${short(n.W_1 / (n.W_0 + n.W_1))}. In the middle each corner has the same part of P; on the screen each counts by its W.`.replaceAll('_', ''),
-      zh: `那里 r : s = WA : WB = ${short(n.W_0)} : ${short(n.W_1)}，所以 s = ${short(n.W_1 / (n.W_0 + n.W_1))}。在中点，两个顶点各占一半；在屏幕上，各自按 W 计算。`,
+      en: `There r : s is W_A : W_B = ${short(n.W_0)} : ${short(n.W_1)}, so s = ${short(n.W_1 / (n.W_0 + n.W_1))}. In space each has half of P there; on the screen each counts in proportion to its W.`.replaceAll('_', ''),
+      zh: `那里 r : s = WA : WB = ${short(n.W_0)} : ${short(n.W_1)}，所以 s = ${short(n.W_1 / (n.W_0 + n.W_1))}。在空间中，两个顶点在中点各占一半；在屏幕上，各按自己的 W 成比例。`,
     }),
   },
   {

@@ -89,20 +89,20 @@ class Floor {
 
 const VERDICTS = {
   naive: {
-    en: 'You put the ring halfway along the line in the picture. So does a program that mixes values on the screen: it is the orange line of the left picture. But the far half of the floor is seen smaller than the near half, so its middle is seen further up.',
-    zh: '你把圆环放在了画面中这条线段的中点。直接按屏幕插值的程序也是这样做的，也就是左图的橙线。但地板较远的一半看上去更小，所以它的中点在画面上要更靠上。',
+    en: 'You put the ring halfway along the line in the picture. So does a program that mixes values on the screen: that is the orange line of the naive picture. But the far half of the floor looks smaller than the near half, so its middle lies further up.',
+    zh: '你把圆环放在了画面中这条线段的中点。直接在屏幕上插值的程序也是这样做的，得到“未校正”图中的橙线。但地板较远的一半看上去更小，所以真正的中点在画面上更靠上。',
   },
   right: {
-    en: 'That is where it is: the far half of the floor is seen smaller than the near half. The orange line of the right picture goes through your ring; a program that mixes values on the screen draws the left picture.',
-    zh: '没错，就在那里：地板较远的一半看上去更小。右图的橙线穿过你的圆环；而直接按屏幕插值的程序会画出左图。',
+    en: 'That is where it is: the far half of the floor looks smaller than the near half. The orange line of the picture “divided by w” goes through your ring; a program that mixes values on the screen draws the naive one.',
+    zh: '没错，就在那里：地板较远的一半看上去更小。“除以 w”图中的橙线正好穿过你的圆环；直接在屏幕上插值的程序画出的是“未校正”那幅。',
   },
   near: {
-    en: 'The middle is seen further up, where the orange line of the right picture meets the edge: the far half of the floor is seen smaller than the near half.',
-    zh: '中点还要更靠上，在右图橙线与这条边相交之处：地板较远的一半看上去更小。',
+    en: 'The middle lies further up, where the orange line of the picture “divided by w” meets the edge: the far half of the floor looks smaller than the near half.',
+    zh: '中点还要靠上，在“除以 w”图中橙线与这条边相交之处：地板较远的一半看上去更小。',
   },
   far: {
-    en: 'Not so far up: the middle is seen where the orange line of the right picture meets the edge. The far half of the floor is seen smaller than the near half, though not that much.',
-    zh: '没有那么靠上：中点在右图橙线与这条边相交之处。地板较远的一半看上去确实更小，但没有小那么多。',
+    en: 'Not so far up: the middle lies where the orange line of the picture “divided by w” meets the edge. The far half of the floor looks smaller than the near half, but not by that much.',
+    zh: '没有那么靠上：中点在“除以 w”图中橙线与这条边相交之处。地板较远的一半看上去确实更小，但没有小那么多。',
   },
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One motion from clip space through the division to the screen, by a slider; the picture of few, large pixels that comes of it,
 // with what the raster mixes and what the division gives back; and the numbers of each.
-import { choice } from '../controls.js';
+import { choice, distanceSlider } from '../controls.js';
 import { termsOf } from '../derivation.js';
 import { Flight } from '../flight.js';
 import { nextFrame } from '../frame.js';
@@ -96,7 +96,7 @@ function showTable(table, terms, step, polygon) {
 const SAID = [
   { en: 'Clip space: X, Y and W as the vertex function gave them. What is nearer than the near plane is cut off.', zh: '裁剪空间：X、Y、W 是顶点函数给出的值。比近平面更近的部分被切掉。' },
   { en: 'Everything moves along its line to the eye; the farther, the more it shrinks.', zh: '每个点沿着通向眼睛的直线移动；越远的缩得越多。' },
-  { en: 'The screen: X/W and Y/W. Lines are still lines, but equal steps are equal no more.', zh: '屏幕：X/W 与 Y/W。直线仍是直线，但等距的步子不再等距。' },
+  { en: 'The screen: X/W and Y/W. Lines are still lines, but equal steps are no longer equal.', zh: '屏幕：X/W 与 Y/W。直线仍是直线，但原来等长的步子不再等长。' },
 ];
 
 // The slider, and the motion played once when it is first seen, unless the reader wants none.
@@ -191,9 +191,11 @@ export function start(section, stage) {
     }
   };
   const view = new View(stage, section.querySelector('.view'), scene, () => {
+    showDistance();
     motion.show();
     tell(view);
   });
+  const showDistance = distanceSlider(section, view, corners[0]);
   const motion = new Motion(section, flight, view, () => tell(view));
   choice(section, 'picture', (value) => {
     scene.picture = value;

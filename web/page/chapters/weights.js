@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What r, s, t and a, b, c are: the three parts into which a point cuts its triangle, as shares of the whole, on the screen and on
 // the triangle itself as it is seen straight on. Then the formula that leads from the ones to the others, term by term.
+import { distanceSlider } from '../controls.js';
 import { termsOf } from '../derivation.js';
 import { say, whenLanguage } from '../language.js';
 import { short } from '../math.js';
@@ -191,7 +192,9 @@ export function start(section, stage) {
     }
     straight.update(numbers);
     bars.show(numbers);
+    showDistance();
   });
+  const showDistance = distanceSlider(section, view, corners[1]);
   const layer = svg(view.overlay, 'g');
   view.overlay.prepend(layer);
   const parts = new Parts(layer, ['r', 's', 't']);
