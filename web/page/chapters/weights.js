@@ -153,6 +153,8 @@ function take(view, clips, pixel) {
   const scale = 1.5 / Math.max(high[0] - low[0], high[1] - low[1], 1e-9);
   const ws = clips.map((clip) => clip[3]);
   Object.assign(camera, { near: Math.min(...ws) / 10, far: Math.max(...ws) * 10 });
+  const reach = 4 * Math.max(...ws);
+  view.scene.limit = within([-reach, -reach, camera.eye[2] - reach], [reach, reach, camera.eye[2] - Math.min(...ws) / 4]);
   const { right, up, forward } = basis(camera);
   const tall = Math.tan((camera.yfov * Math.PI) / 360);
   const wide = (tall * view.figure.clientWidth) / view.figure.clientHeight;
