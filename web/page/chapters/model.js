@@ -47,8 +47,10 @@ class ModelView {
     this.explanation = null;
     this.pixel = null; // by parts of the picture
     new ResizeObserver(() => {
-      this.#place();
-      this.draw();
+      if (this.figure.clientWidth > 0) { // it has a place on the page
+        this.#place();
+        this.draw();
+      }
     }).observe(this.figure);
     const meaning = { I: { en: 'value of the corner', zh: '顶点处的值' }, d: { en: 'depth, reversed: 1 near', zh: '深度（反向：近处为 1）' } };
     chapterTerms(section, () => this.#numbers() && termsOf(this.#numbers()), [this.overlay], meaning);
