@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rows of buttons of which one is chosen: <div class="choice" data-name="pattern"><button value="colors">..</div>.
+// Rows of buttons of which one is chosen: <div class="choice" data-name="pattern"><button value="colors">..</div>; and sliders.
+import { short } from './math.js';
 
 /** Calls `chosen(value)` for the row of that name; the first button is chosen at the start. */
 export function choice(section, name, chosen) {
@@ -10,4 +11,22 @@ export function choice(section, name, chosen) {
   };
   buttons.forEach((button) => button.addEventListener('click', () => choose(button)));
   choose(buttons[0]);
+}
+
+const TIMES = 2.3; // as near and as far as a slider goes that names no range
+
+/** The section's slider for the distance W of a corner of the view. Returns what shows the distance of now on it. */
+export function distanceSlider(section, view, corner) {
+  const slider = section.querySelector('[name="distance"]');
+  const ranged = slider.hasAttribute('max');
+  slider.addEventListener('input', () => view.moveTo(corner, Number(slider.value)));
+  return () => {
+    const w = view.stageClip(corner.at)[3];
+    if (!ranged && !(slider.dataset.around / TIMES <= w && w <= slider.dataset.around * TIMES)) {
+      slider.dataset.around = w;
+      [slider.min, slider.max] = [w / TIMES, w * TIMES];
+    }
+    slider.value = w;
+    slider.setAttribute('aria-valuetext', short(w));
+  };
 }

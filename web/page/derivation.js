@@ -12,13 +12,13 @@ const MEANINGS = {
     en: 'edge function: twice the area of the part of the triangle opposite to the corner, an integer, in 1/65536 pixel²',
     zh: '边函数：与该顶点相对的小三角形面积的两倍，是整数，单位 1/65536 像素²',
   },
-  r: { en: 'weight of A on the screen', zh: 'A 的屏幕权重' },
-  s: { en: 'weight of B on the screen', zh: 'B 的屏幕权重' },
-  t: { en: 'weight of C on the screen', zh: 'C 的屏幕权重' },
-  a: { en: 'weight of A in space', zh: 'A 的空间权重' },
-  b: { en: 'weight of B in space', zh: 'B 的空间权重' },
-  c: { en: 'weight of C in space', zh: 'C 的空间权重' },
-  W: { en: 'distance from the eye, along the view', zh: '沿视线方向到眼睛的距离' },
+  r: { en: 'share of A on the screen', zh: 'A 在屏幕上的份额' },
+  s: { en: 'share of B on the screen', zh: 'B 在屏幕上的份额' },
+  t: { en: 'share of C on the screen', zh: 'C 在屏幕上的份额' },
+  a: { en: 'share of A in space', zh: 'A 在空间中的份额' },
+  b: { en: 'share of B in space', zh: 'B 在空间中的份额' },
+  c: { en: 'share of C in space', zh: 'C 在空间中的份额' },
+  W: { en: 'distance from the eye, measured straight ahead', zh: '到眼睛的距离，沿正前方量' },
   X: { en: 'clip coordinate', zh: '裁剪坐标' },
   Y: { en: 'clip coordinate', zh: '裁剪坐标' },
   Z: { en: 'clip coordinate', zh: '裁剪坐标' },
@@ -30,6 +30,7 @@ const MEANINGS = {
   y: { en: 'Y/W: place on the screen, −1 to 1', zh: 'Y/W：屏幕位置，−1 到 1' },
   i: { en: '1/W', zh: '1/W' },
   q: { en: 'u/W', zh: 'u/W' },
+  naive: { en: 'u mixed by areas on the screen', zh: '按屏幕面积插值的 u' },
   column: { en: 'pixels from the left', zh: '距左边的像素数' },
   row: { en: 'pixels from the top', zh: '距上边的像素数' },
   PBC: { en: 'area of this triangle in the world', zh: '该三角形在世界空间中的面积' },
@@ -75,12 +76,18 @@ function line(parent, text, behind) {
 
 const number = (term, terms) => ({ text: term, values: { [term]: short(terms[term]) } });
 
-/** A part of a derivation with its heading, {en, zh}. */
-export function section(parent, title) {
+/** A part of a derivation with its heading, {en, zh}; `why`: the chapter that explains it, where that is another one. */
+export function section(parent, title, why) {
   const block = parent.appendChild(document.createElement('section'));
   const level = parent.closest('.chapter').querySelector('h1') ? 'h2' : 'h3'; // one below that of the chapter
   const head = block.appendChild(document.createElement(level));
   head.textContent = say(title);
+  if (why && why !== parent.closest('.chapter').id) {
+    const link = head.appendChild(document.createElement('a'));
+    link.className = 'why';
+    link.href = `#${why}`;
+    link.textContent = say({ en: 'why?', zh: '为什么？' });
+  }
   return block;
 }
 
@@ -103,7 +110,7 @@ const SPACE = [
 const INVERSE = '[1|W_P] = [r|W_A] + [s|W_B] + [t|W_C]';
 
 function screenSection(parent, n, terms) {
-  const block = section(parent, TITLES.screen);
+  const block = section(parent, TITLES.screen, 'weights');
   if (!Number.isNaN(n.e_0)) {
     line(block, 'r : s : t = e_A : e_B : e_C');
   }
@@ -113,7 +120,7 @@ function screenSection(parent, n, terms) {
 }
 
 function divideSection(parent, terms) {
-  const block = section(parent, TITLES.divide);
+  const block = section(parent, TITLES.divide, 'inverse');
   const values = Object.fromEntries(Object.entries(terms).map(([term, value]) => [term, short(value)]));
   line(block, INVERSE);
   line(block, '', { text: INVERSE.split(' = ')[1], values });
@@ -121,7 +128,7 @@ function divideSection(parent, terms) {
 }
 
 function spaceSection(parent, terms) {
-  const block = section(parent, TITLES.space);
+  const block = section(parent, TITLES.space, 'clip');
   for (const [text, term] of SPACE) {
     line(block, text, number(term, terms));
   }
@@ -159,7 +166,7 @@ function worldSections(parent, n) {
   place.className = 'line world';
   const digits = (value) => short(Number(value.toFixed(4))); // floats went there and back: more would be noise
   place.textContent = `P = (${[n.world_x, n.world_y, n.world_z].map(digits).join(', ')})`;
-  const areas = section(parent, TITLES.areas);
+  const areas = section(parent, TITLES.areas, 'weights');
   for (const [text, term] of AREAS) {
     line(areas, text, number(term, terms));
   }

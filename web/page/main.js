@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Begins: loads the library, starts each chapter when it comes near, and the two switches.
+// Begins: loads the library, starts each chapter when it comes near, and the three switches.
+import { startContents } from './contents.js';
 import { language, setLanguage, whenLanguage } from './language.js';
 import { typeset } from './math.js';
 import { Stage } from './stage.js';
+import { keepState, parse } from './state.js';
 import { startTips } from './tips.js';
 
 // Of a server that does not know the type of the file, too.
@@ -42,7 +44,9 @@ function startLanguage() {
   whenLanguage(() => {
     button.textContent = language() === 'en' ? '中文' : 'English';
   });
-  setLanguage(kept('language') ?? (navigator.language.startsWith('zh') ? 'zh' : 'en'));
+  const told = () => ['en', 'zh'].find((name) => name === parse(location.hash).values.get('lang'));
+  setLanguage(told() ?? kept('language') ?? (navigator.language.startsWith('zh') ? 'zh' : 'en'));
+  addEventListener('hashchange', () => told() && setLanguage(told()));
 }
 
 function startTheme() {
@@ -50,11 +54,37 @@ function startTheme() {
   const set = (theme) => {
     document.documentElement.dataset.theme = theme;
   };
-  set(kept('theme') ?? (dark.matches ? 'dark' : 'light'));
+  const told = () => ['dark', 'light'].find((name) => name === parse(location.hash).values.get('theme'));
+  set(told() ?? kept('theme') ?? (dark.matches ? 'dark' : 'light'));
+  addEventListener('hashchange', () => told() && set(told()));
   document.querySelector('#theme').addEventListener('click', () => {
     set(document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark');
     keep('theme', document.documentElement.dataset.theme);
   });
+}
+
+// The mathematics beside the text, folded away or not, all at once. Paper has all of it.
+function startNotes() {
+  const button = document.querySelector('#notes');
+  const notes = [...document.querySelectorAll('details.notes')];
+  const set = (open) => {
+    button.setAttribute('aria-pressed', open);
+    notes.forEach((note) => (note.open = open));
+  };
+  set(kept('notes') ? kept('notes') === 'open' : innerWidth >= 720); // on a phone they would come before the picture
+  button.addEventListener('click', () => {
+    set(button.getAttribute('aria-pressed') !== 'true');
+    keep('notes', button.getAttribute('aria-pressed') === 'true' ? 'open' : 'closed');
+  });
+  addEventListener('beforeprint', () => set(true));
+}
+
+// A browser finds no chapter by an address that says more than its name.
+function showAddressed() {
+  const { chapter, values } = parse(location.hash);
+  if (chapter && values.size > 0) {
+    document.getElementById(chapter)?.scrollIntoView();
+  }
 }
 
 /** The pictures of the page by name, and the stage that draws them, for tests and the curious. */
@@ -70,7 +100,41 @@ function tryThreads(stage) {
   }
 }
 
+// Each is fetched when it is wanted. Written out, so that one file can be made of all of them (web/single.py).
+const CHAPTERS = {
+  first: () => import('./chapters/first.js'),
+  weights: () => import('./chapters/weights.js'),
+  inverse: () => import('./chapters/inverse.js'),
+  pixel: () => import('./chapters/pixel.js'),
+  triangle: () => import('./chapters/triangle.js'),
+  floor: () => import('./chapters/floor.js'),
+  clip: () => import('./chapters/clip.js'),
+  motion: () => import('./chapters/motion.js'),
+  depth: () => import('./chapters/depth.js'),
+  exercises: () => import('./chapters/exercises.js'),
+  model: () => import('./chapters/model.js'),
+};
+// A browser may keep what failed: the same by another address.
+const chapterOf = (name, tries) => (tries === 0 ? CHAPTERS[name]() : import(`./chapters/${name}.js?${tries}`));
+
+const chapters = () => [...document.querySelectorAll('section.chapter')].filter(({ id }) => id in CHAPTERS);
+
 const begun = new Set(); // names of chapters
+
+let isFirst = true;
+
+// Once there is a picture, whichever chapter was asked for, the rest begins.
+function afterFirst(view, stage) {
+  if (isFirst && view?.figure) {
+    whenDrawn(view, () => {
+      if (isFirst) {
+        isFirst = false;
+        tryThreads(stage);
+        startOthers(stage);
+      }
+    });
+  }
+}
 
 /** Starts a chapter, once. What could not be fetched is tried again when the network is back. */
 function startChapter(section, stage, tries = 0) {
@@ -79,18 +143,14 @@ function startChapter(section, stage, tries = 0) {
     return;
   }
   begun.add(name);
-  import(`./chapters/${name}.js${tries > 0 ? `?${tries}` : ''}`) // a browser may keep what failed
+  chapterOf(name, tries)
     .then(({ start }) => {
       delete viewOf(section).dataset.error;
-      const view = start(section, stage);
+      const view = start(section, stage, window.rhw.views);
       window.rhw.views[name] = view;
       whenLanguage(() => view?.retell());
-      if (name === 'first') {
-        whenDrawn(view, () => {
-          tryThreads(stage);
-          startOthers(stage);
-        });
-      }
+      keepState(section, view);
+      afterFirst(view, stage);
     })
     .catch((error) => {
       fail(section, error);
@@ -101,7 +161,7 @@ function startChapter(section, stage, tries = 0) {
 // The chapters further down, one after the other when there is nothing else to do: the network may go before they are come to.
 function startOthers(stage) {
   const next = window.requestIdleCallback ?? ((callback) => setTimeout(callback, 50));
-  const waiting = [...document.querySelectorAll('section.chapter')];
+  const waiting = chapters();
   const startNext = () => {
     startChapter(waiting.shift(), stage);
     if (waiting.length > 0) {
@@ -143,13 +203,17 @@ function startChapters(stage) {
     },
     { rootMargin: '600px' },
   );
-  document.querySelectorAll('section.chapter').forEach((section) => near.observe(section));
+  chapters().forEach((section) => near.observe(section));
 }
 
 startLanguage();
 startTheme();
+startNotes();
+startContents(document.querySelector('.contents ol'));
 typeset(document);
 startTips();
+showAddressed();
+addEventListener('hashchange', showAddressed);
 compiled
   .then(Stage.create)
   .then(startChapters)

@@ -190,7 +190,7 @@ function showTexture(parent, look) {
   const rows = texels.flatMap((four, next) =>
     four.map((color, i) => [String(whole + next), sharesIn(look, next === 1)[i].toFixed(4), swatch(color)]),
   );
-  table(parent, [{ en: 'level', zh: '层级' }, { en: 'share', zh: '权重' }, { en: 'texel', zh: '纹素' }], rows);
+  table(parent, [{ en: 'level', zh: '层级' }, { en: 'weight', zh: '权重' }, { en: 'texel', zh: '纹素' }], rows);
 }
 
 function showTextures(parent, { textures }) {

@@ -2,11 +2,12 @@
 // Names for those who hear the page.
 import { say, whenLanguage } from './language.js';
 
-/** Names the picture of a chapter after its heading, and says its keys. */
-export function namePicture(canvas, section) {
+/** Names a picture after its caption, or the heading of its chapter where it has none, and says its keys. */
+export function namePicture(canvas, figure) {
   whenLanguage(() => {
-    const heading = section.querySelector(`:is(h1, h2)[lang="${say({ en: 'en', zh: 'zh' })}"]`).textContent;
-    const keys = say({ en: 'arrow keys', zh: '方向键' });
-    canvas.setAttribute('aria-label', say({ en: `Picture: ${heading} (${keys})`, zh: `图像：${heading}（${keys}）` }));
+    const lang = say({ en: 'en', zh: 'zh' });
+    const caption = figure.dataset[lang] ?? figure.closest('section').querySelector(`:is(h1, h2)[lang="${lang}"]`).textContent;
+    const keys = canvas.tabIndex < 0 ? '' : say({ en: ' (arrow keys)', zh: '（方向键）' });
+    canvas.setAttribute('aria-label', say({ en: `Picture: ${caption}${keys}`, zh: `图像：${caption}${keys}` }));
   });
 }

@@ -3,10 +3,11 @@
 // drawing, the pixel that is explained and what a term means there), and the pointer.
 import { nextFrame } from './frame.js';
 import { say, whenLanguage } from './language.js';
-import { onScreen, Overlay } from './overlay.js';
 import { namePicture } from './naming.js';
+import { onScreen, Overlay } from './overlay.js';
+import { numbersOf, numbersText } from './state.js';
 import { draggable, set, svg } from './svg.js';
-import { add, basis, clamp } from './vector.js';
+import { add, basis, clamp, dot, normalize } from './vector.js';
 
 const MAX_PIXELS = 1280; // across
 const LAST = 0.999999; // of a picture's width or height
@@ -22,7 +23,7 @@ function sliderAt(split) {
 export class View {
   /**
    * `figure` has room for it. `scene` is {camera, corners: [{at, color, uv}..], split: 0..1 or undefined, draw(stage, view),
-   * samples, width}; `changed(numbers)` is called when the picture or the pixel did.
+   * samples, width, quiet: true where no pixel is explained, alongRays: true where corners are pushed away from the eye}; `changed(numbers)` is called when the picture or the pixel did.
    */
   constructor(stage, figure, scene, changed = () => {}) {
     this.stage = stage;
@@ -30,14 +31,16 @@ export class View {
     this.changed = changed;
     this.figure = figure;
     this.canvas = document.createElement('canvas');
-    this.canvas.tabIndex = 0;
-    this.canvas.setAttribute('role', 'application');
-    namePicture(this.canvas, figure.closest('section'));
+    this.canvas.tabIndex = scene.quiet ? -1 : 0;
+    this.canvas.setAttribute('role', scene.quiet ? 'img' : 'application');
+    namePicture(this.canvas, figure);
     this.overlay = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     figure.prepend(this.canvas, this.overlay);
     this.pixel = null; // by parts of the picture, so that it stays where it was when the size changes
     this.#build();
-    this.#listen();
+    if (!scene.quiet) {
+      this.#listen();
+    }
     new ResizeObserver(() => this.update()).observe(figure);
     new IntersectionObserver(([entry]) => {
       this.seen = entry.isIntersecting;
@@ -110,9 +113,28 @@ export class View {
     this.moveCorner(corner, add(add(corner.at, right, dx * scale), up, -dy * scale));
   }
 
-  // Moves it along the view.
+  // Moves it along the view, or its ray.
   #push(corner, distance) {
-    this.moveCorner(corner, add(corner.at, basis(this.scene.camera).forward, distance / 100));
+    const { camera, alongRays } = this.scene;
+    const way = alongRays ? normalize(add(corner.at, camera.eye, -1)) : basis(camera).forward;
+    this.#moveDeeper(corner, add(corner.at, way, distance / 100));
+  }
+
+  /** Moves it along the view, or its ray, to this W. */
+  moveTo(corner, w) {
+    const { camera, alongRays } = this.scene;
+    const { forward } = basis(camera);
+    const from = add(corner.at, camera.eye, -1);
+    const now = dot(from, forward);
+    this.#moveDeeper(corner, alongRays ? add(camera.eye, from, w / now) : add(corner.at, forward, w - now));
+  }
+
+  // Along its ray it goes as far as it may: a limit would push it off the ray.
+  #moveDeeper(corner, at) {
+    const limited = this.scene.limit?.(at) ?? at;
+    if (!this.scene.alongRays || limited.every((value, i) => Math.abs(value - at[i]) < 1e-9)) {
+      this.moveCorner(corner, at);
+    }
   }
 
   moveCorner(corner, at) {
@@ -182,7 +204,9 @@ export class View {
 
   /** What was told, in the language of now. */
   retell() {
-    this.changed(this.numbers ?? null, this.place ?? null, this.size);
+    if (this.clips) {
+      this.changed(this.numbers ?? null, this.place ?? null, this.size);
+    }
     this.update();
   }
 
@@ -267,6 +291,31 @@ export class View {
       named: this.scene.triangleOf?.(this.numbers?.triangle) === this.scene.corners,
       polygon: this.scene.outline?.(this.numbers),
     });
+  }
+
+  /** {name: text} for the page's address: the corners, the pixel and the line between. */
+  save() {
+    const corners = this.scene.corners.map(({ at }, i) => ['ABC'[i], numbersText(at)]);
+    const others = { P: this.pixel, split: this.scene.split === undefined ? null : [this.scene.split] };
+    const lists = Object.entries(others).filter(([, list]) => list);
+    return Object.fromEntries([...corners, ...lists.map(([name, list]) => [name, numbersText(list)])]);
+  }
+
+  /** What was saved, as URLSearchParams; what is not there stays. */
+  restore(values) {
+    this.scene.corners.forEach((corner, i) => {
+      const at = numbersOf(values, 'ABC'[i], 3);
+      corner.at = at ? (this.scene.limit?.(at) ?? at) : corner.at;
+    });
+    const [split] = numbersOf(values, 'split', 1) ?? [];
+    if (split !== undefined && this.scene.split !== undefined) {
+      this.scene.split = clamp(split, 0, 1);
+    }
+    const pixel = numbersOf(values, 'P', 2);
+    if (pixel) {
+      this.pick(pixel);
+    }
+    this.update();
   }
 
   /** Shows where a term is in the picture; null: none. */

@@ -24,6 +24,8 @@ const CURVES = [
   },
 ];
 
+const AXES = { x: { en: 'place on the screen', zh: '屏幕位置' }, y: '' };
+
 export function start(section, stage) {
   const corners = [
     { at: [-1.25, -0.72, -1.8], color: [1, 1, 1], uv: [0, 1] },
@@ -39,7 +41,7 @@ export function start(section, stage) {
       to.triangle(corners, METHOD.correct, this.pattern);
     },
   };
-  const plot = new Plot(section.querySelector('.plot-room'));
+  const plot = new Plot(section.querySelector('.plot-room'), { axes: AXES });
   const line = section.querySelector('.values');
   // A picture of few pixels tells the same as a large one.
   const sample = (part) => {

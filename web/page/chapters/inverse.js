@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 // In the plane: an edge AB in front of the eye, its picture A'B', and a point between them. Halfway on the screen is not halfway
-// in space, and the distance Z of the point is not the mixture of the distances, but 1/Z is that of 1/Z.
+// in space, and the distance Z of the point is not the mixture of the distances, but 1/Z is that of 1/Z. Beside it the curves of
+// Z, 1/Z, u/Z and u over the screen, and the edge's stripes as they are seen.
+import { choice } from '../controls.js';
 import { whenLanguage } from '../language.js';
 import { formula, short } from '../math.js';
+import { legend, Plot } from '../plot.js';
+import { numbersOf, numbersText } from '../state.js';
 import { draggable, points, set, svg } from '../svg.js';
 import { chapterTerms } from '../tips.js';
 import { clamp } from '../vector.js';
@@ -70,6 +74,11 @@ class Drawing {
     this.set((b * z2) / ((1 - b) * z1 + b * z2));
   }
 
+  /** By a part of the picture A'B'. */
+  slideBy(part) {
+    this.set(this.q + part);
+  }
+
   #slide(dx) {
     const [from, to] = this.ends.map(([x, z]) => (SCREEN * x) / z);
     this.set(this.q + (Math.abs(to - from) < 0.01 ? 0 : dx / (to - from)));
@@ -128,6 +137,24 @@ class Drawing {
     this.changed();
   }
 
+  /** {name: text} for the page's address. */
+  save() {
+    return { A: numbersText(this.ends[0]), B: numbersText(this.ends[1]), q: numbersText([this.q]) };
+  }
+
+  restore(values) {
+    this.ends.forEach((end, i) => {
+      const [x, z] = numbersOf(values, 'AB'[i], 2) ?? end;
+      end[0] = clamp(x, -3.2, 3.2);
+      end[1] = clamp(z, SCREEN + 0.2, 7.2);
+    });
+    this.set((numbersOf(values, 'q', 1) ?? [this.q])[0]);
+  }
+
+  retell() {
+    this.update();
+  }
+
   point(term) {
     const corner = { Z_A: this.ends[0], Z_B: this.ends[1] }[term];
     this.marked ??= svg(this.root, 'polyline', { class: 'distance' });
@@ -144,23 +171,110 @@ const LINES = [
   ['b = s·[Z_P|Z_B]', 'b'],
 ];
 
+const SAMPLES = 96; // of the curves
+const STRIPES = 8; // of the edge
+
+// What is plotted over the screen, at weights r, s there. u is 0 in A and 1 in B.
+const OF = {
+  z: ({ r, s, zA, zB }) => 1 / (r / zA + s / zB),
+  naiveZ: ({ r, s, zA, zB }) => r * zA + s * zB,
+  inverse: ({ r, s, zA, zB }) => r / zA + s / zB,
+  over: ({ s, zB }) => s / zB,
+  u: ({ r, s, zA, zB }) => s / zB / (r / zA + s / zB),
+  naiveU: ({ s }) => s,
+};
+const CURVES = {
+  z: [
+    { name: { en: 'Z: curved', zh: 'Z：曲线' }, kind: 'w', scale: 'z', of: OF.z },
+    { name: { en: 'r·ZA + s·ZB: a straight line, wrong', zh: 'r·ZA + s·ZB：直线，错误' }, kind: 'naive', scale: 'z', of: OF.naiveZ },
+  ],
+  inverse: [{ name: { en: '1/Z: straight', zh: '1/Z：直线' }, kind: 'inverse', scale: 'inverse', of: OF.inverse }],
+  over: [
+    { name: { en: 'u/Z: straight', zh: 'u/Z：直线' }, kind: 'depth', scale: 'inverse', of: OF.over },
+    { name: { en: '1/Z: straight', zh: '1/Z：直线' }, kind: 'inverse', scale: 'inverse', of: OF.inverse },
+  ],
+  u: [
+    { name: { en: 'u = (u/Z) / (1/Z): curved', zh: 'u = (u/Z) ÷ (1/Z)：曲线' }, kind: 'w', scale: 'u', of: OF.u },
+    { name: { en: 's: u mixed on the screen, wrong', zh: 's：直接插值的 u，错误' }, kind: 'naive', scale: 'u', of: OF.naiveU },
+  ],
+};
+const AXES = {
+  x: { en: "place on the screen, from A' to B'", zh: '屏幕位置，从 A′ 到 B′' },
+  y: {
+    z: { en: 'Z, distance from the eye', zh: 'Z：到眼睛的距离' },
+    inverse: { en: '1/Z', zh: '1/Z' },
+    over: { en: 'u/Z and 1/Z', zh: 'u/Z 与 1/Z' },
+    u: { en: 'u, 0 in A to 1 in B', zh: 'u：在 A 处为 0，在 B 处为 1' },
+  },
+};
+
+// The edge as it is seen: stripes of equal length in space, with a value that is right and with one that is mixed on the screen.
+class Stripes {
+  constructor(node) {
+    this.node = node;
+    this.rows = [OF.naiveU, OF.u].map((of) => ({ of, canvas: node.appendChild(document.createElement('canvas')) }));
+    this.rows.forEach(({ canvas }) => {
+      canvas.setAttribute('aria-hidden', 'true');
+      Object.assign(canvas, { width: 640, height: 1 });
+    });
+  }
+
+  show(zA, zB) {
+    for (const { of, canvas } of this.rows) {
+      const { width } = canvas;
+      const image = new ImageData(width, 1);
+      for (let x = 0; x < width; x++) {
+        const s = (x + 0.5) / width;
+        const odd = Math.floor(STRIPES * of({ r: 1 - s, s, zA, zB })) % 2;
+        image.data.set(odd ? [70, 80, 92, 255] : [250, 246, 236, 255], 4 * x);
+      }
+      canvas.getContext('2d').putImageData(image, 0, 0);
+    }
+  }
+}
+
+// The numbers of P, a line each.
+function showLines(panel, terms) {
+  panel.replaceChildren();
+  for (const [text, term] of LINES) {
+    const row = panel.appendChild(document.createElement('div'));
+    row.className = 'line';
+    const isName = term === 'Z_P';
+    row.append(formula(text), formula(isName ? ', Z_P =' : '='), formula(term, { [term]: short(terms[term]) }));
+  }
+  const naive = panel.appendChild(document.createElement('div'));
+  naive.className = 'line naive';
+  naive.append(formula('r·Z_A + s·Z_B'), formula(`= ${short(terms.r * terms.Z_A + terms.s * terms.Z_B)}`));
+}
+
+function curvesOf(kind, { Z_A: zA, Z_B: zB }) {
+  const at = (i) => ({ s: (i + 0.5) / SAMPLES, r: 1 - (i + 0.5) / SAMPLES, zA, zB });
+  return CURVES[kind].map((curve) => ({
+    ...curve,
+    values: Array.from({ length: SAMPLES }, (_, i) => curve.of(at(i))),
+    ends: [curve.of(at(-0.5)), curve.of(at(SAMPLES - 0.5))],
+  }));
+}
+
 export function start(section) {
   const panel = section.querySelector('.lines');
+  let kind = 'z';
   const show = () => {
     const terms = drawing.numbers();
-    panel.replaceChildren();
-    for (const [text, term] of LINES) {
-      const row = panel.appendChild(document.createElement('div'));
-      row.className = 'line';
-      const value = { [term]: short(terms[term]) };
-      const isName = term === 'Z_P';
-      row.append(formula(text), formula(isName ? ', Z_P =' : '='), formula(term, value));
-    }
-    const naive = panel.appendChild(document.createElement('div'));
-    naive.className = 'line naive';
-    naive.append(formula('r·Z_A + s·Z_B'), formula(`= ${short(terms.r * terms.Z_A + terms.s * terms.Z_B)}`));
+    showLines(panel, terms);
+    const curves = curvesOf(kind, terms);
+    plot.axes = { x: AXES.x, y: AXES.y[kind], ends: ["A'", "B'"] };
+    plot.show(curves, drawing.q);
+    legend(section.querySelector('.legend'), curves);
+    stripes.show(terms.Z_A, terms.Z_B);
   };
+  const plot = new Plot(section.querySelector('.plot-room'), { moved: (part) => drawing.slideBy(part) });
+  const stripes = new Stripes(section.querySelector('.stripes'));
   const drawing = new Drawing(section.querySelector('.plane-room'), show);
+  choice(section, 'curve', (value) => {
+    kind = value;
+    drawing.update();
+  });
   section.querySelector('.on-screen').addEventListener('click', () => drawing.set(0.5));
   section.querySelector('.in-space').addEventListener('click', () => {
     const [zA, zB] = drawing.ends.map(([, z]) => z);
@@ -170,4 +284,5 @@ export function start(section) {
   chapterTerms(section, () => drawing.numbers(), [drawing], {
     Z: { en: 'distance from the eye', zh: '到眼睛的距离' },
   });
+  return drawing;
 }

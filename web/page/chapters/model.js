@@ -7,7 +7,7 @@ import { say } from '../language.js';
 import { Library } from '../library.js';
 import { namePicture } from '../naming.js';
 import { numbersOf, seenIn, showModelDerivation } from '../model_derivation.js';
-import { Overlay } from '../overlay.js';
+import { cornersOf, Overlay } from '../overlay.js';
 import { centered, moved, panned, turned } from '../orbit.js';
 import { draggable, svg } from '../svg.js';
 import { chapterTerms } from '../tips.js';
@@ -35,17 +35,22 @@ class ModelView {
   constructor(section) {
     this.figure = section.querySelector('.view');
     this.canvas = section.querySelector('canvas');
-    namePicture(this.canvas, section);
+    namePicture(this.canvas, this.figure);
     this.note = section.querySelector('.state');
+    this.warnings = section.querySelector('.warnings');
+    this.warnings.querySelector('button').addEventListener('click', () => this.#warn([]));
     this.info = section.querySelector('.info');
+    this.take = section.querySelector('.take');
     this.steps = section.querySelector('.derivation');
     this.tables = section.querySelector('.explained');
     this.overlay = new Overlay(svg(this.figure, 'svg'));
     this.explanation = null;
     this.pixel = null; // by parts of the picture
     new ResizeObserver(() => {
-      this.#place();
-      this.draw();
+      if (this.figure.clientWidth > 0) { // it has a place on the page
+        this.#place();
+        this.draw();
+      }
     }).observe(this.figure);
     const meaning = { I: { en: 'value of the corner', zh: '顶点处的值' }, d: { en: 'depth, reversed: 1 near', zh: '深度（反向：近处为 1）' } };
     chapterTerms(section, () => this.#numbers() && termsOf(this.#numbers()), [this.overlay], meaning);
@@ -64,6 +69,13 @@ class ModelView {
     this.note.hidden = text === '';
   }
 
+  // Warnings of reading stay until they are closed, or another model comes.
+  #warn(lines) {
+    this.warnings.hidden = lines.length === 0;
+    const items = lines.map((line) => Object.assign(document.createElement('li'), { textContent: line }));
+    this.warnings.querySelector('ul').replaceChildren(...items);
+  }
+
   #numbers() {
     const seen = this.explanation && seenIn(this.explanation);
     return seen ? numbersOf(seen) : null;
@@ -71,7 +83,15 @@ class ModelView {
 
   #show() {
     showModelDerivation(this.steps, this.tables, this.explanation);
+    const numbers = this.#numbers();
+    this.take.hidden = !numbers || cornersOf(numbers).some((clip) => !(clip[3] > 0));
     this.#place();
+  }
+
+  /** Shows the triangle of the pixel in the chapter that says what shares are. */
+  takeTo(other) {
+    other.take(cornersOf(this.#numbers()), this.pixel);
+    other.figure.closest('section').scrollIntoView();
   }
 
   #place() {
@@ -108,7 +128,8 @@ class ModelView {
       this.camera = centered(camera, this.middle, info.up);
       this.#forget();
       this.#describe();
-      this.#tell(warnings.join('\n'));
+      this.#tell('');
+      this.#warn(warnings);
     } catch (error) {
       this.#tell(error.message);
     }
@@ -343,8 +364,9 @@ function listenForHands(view) {
   });
 }
 
-export function start(section) {
+export function start(section, _stage, views) {
   const view = new ModelView(section);
+  section.querySelector('.take').addEventListener('click', () => view.takeTo(views.weights));
   for (const name of ['picture', 'interpolate']) {
     choice(section, name, (value) => view.set({ [name]: value }));
   }

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// One motion from clip space through the division to the screen, by a slider; the picture of few, large pixels that comes of it,
+// with what the raster mixes and what the division gives back; and the numbers of each.
+import { choice, distanceSlider } from '../controls.js';
+import { termsOf } from '../derivation.js';
+import { Flight } from '../flight.js';
+import { nextFrame } from '../frame.js';
+import { say, whenLanguage } from '../language.js';
+import { formula, short } from '../math.js';
+import { cornersOf } from '../overlay.js';
+import { METHOD, PATTERN } from '../stage.js';
+import { chapterTerms } from '../tips.js';
+import { within } from '../vector.js';
+import { View } from '../view.js';
+
+const [COLUMNS, ROWS] = [64, 36];
+const NEAR = 1;
+const SECONDS = 4; // of the motion, played
+
+// What is drawn in the pixels.
+const PICTURES = { colors: PATTERN.colors, raster: PATTERN.uvOverW, recover: PATTERN.uv };
+// Of every corner and of P the terms of a table: before the division, after it, and what the raster makes of them.
+const STEPS = {
+  clip: ['X', 'Y', 'Z', 'W'],
+  divide: ['x', 'y', 'column', 'row', 'd', 'i'],
+  raster: ['i', 'q', 'u'],
+};
+// Formulas for the columns that are no plain term; a place on the screen is rounded to 1/256 pixel.
+const HEADS = {
+  x: '[X|W]',
+  y: '[Y|W]',
+  column: { en: 'column', zh: '列' },
+  row: { en: 'row', zh: '行' },
+  d: '[Z|W]',
+  i: '[1|W]',
+  q: '[u|W]',
+};
+
+// The terms of every corner and of P, those of the division and of the raster among them, and of the corners that clipping
+// made: [{name, clip}..].
+function stepTerms(n, polygon, [width, height]) {
+  const terms = termsOf(n);
+  for (const { name, clip } of polygon) {
+    ['X', 'Y', 'Z', 'W'].forEach((axis, i) => (terms[`${axis}_${name}`] = clip[i]));
+  }
+  for (const name of [...new Set(['A', 'B', 'C', 'P', ...polygon.map((corner) => corner.name)])]) {
+    const over = 1 / terms[`W_${name}`];
+    const round = (value) => Math.round(value * 256) / 256;
+    terms[`x_${name}`] = terms[`X_${name}`] * over;
+    terms[`y_${name}`] = terms[`Y_${name}`] * over;
+    terms[`column_${name}`] = round(((1 + terms[`x_${name}`]) / 2) * width);
+    terms[`row_${name}`] = round(((1 - terms[`y_${name}`]) / 2) * height);
+    terms[`d_${name}`] = terms[`Z_${name}`] * over;
+    terms[`i_${name}`] = over;
+    terms[`q_${name}`] = terms[`u_${name}`] * over;
+  }
+  return terms;
+}
+
+// What the near plane, Z = 0, leaves of a triangle: Sutherland and Hodgman's walk round it.
+function clipped(corners) {
+  const polygon = [];
+  corners.forEach((clip, i) => {
+    const [name, next] = ['ABC'[i], (i + 1) % 3];
+    const other = corners[next];
+    if (clip[2] >= 0) {
+      polygon.push({ name, clip });
+    }
+    if (clip[2] >= 0 !== other[2] >= 0) {
+      const k = clip[2] / (clip[2] - other[2]);
+      const at = clip.map((value, axis) => value + k * (other[axis] - value));
+      polygon.push({ name: [name, 'ABC'[next]].sort().join(''), clip: at });
+    }
+  });
+  return polygon;
+}
+
+function showTable(table, terms, step, polygon) {
+  table.replaceChildren();
+  const row = (cells, tag) => {
+    const line = table.insertRow();
+    cells.forEach((cell) => line.appendChild(document.createElement(tag)).append(cell));
+    return line;
+  };
+  const names = STEPS[step];
+  row([say({ en: 'corner', zh: '顶点' }), ...names.map((name) => formula(say(HEADS[name] ?? name)))], 'th');
+  const left = polygon.map(({ name }) => name);
+  const all = { clip: [...new Set(['A', 'B', 'C', ...left])], divide: left }[step] ?? ['A', 'B', 'C'];
+  for (const corner of [...all, 'P']) {
+    const cells = names.map((name) => `${name}_${corner}`);
+    const line = row([corner, ...cells.map((term) => formula(term, { [term]: short(terms[term]) }))], 'td');
+    line.classList.toggle('behind', step === 'clip' && 'ABC'.includes(corner) && !left.includes(corner));
+  }
+}
+
+const SAID = [
+  { en: 'Clip space: X, Y and W as the vertex function gave them. What is nearer than the near plane is cut off.', zh: '裁剪空间：X、Y、W 是顶点函数给出的值。比近平面更近的部分被切掉。' },
+  { en: 'Everything moves along its line to the eye; the farther, the more it shrinks.', zh: '每个点沿着通向眼睛的直线移动；越远的缩得越多。' },
+  { en: 'The screen: X/W and Y/W. Lines are still lines, but equal steps are no longer equal.', zh: '屏幕：X/W 与 Y/W。直线仍是直线，但原来等长的步子不再等长。' },
+];
+
+// The slider, and the motion played once when it is first seen, unless the reader wants none.
+class Motion {
+  constructor(section, flight, view, changed) {
+    Object.assign(this, { flight, view, changed });
+    this.slider = section.querySelector('[name="k"]');
+    this.said = section.querySelector('.said-of-motion');
+    this.slider.addEventListener('input', () => {
+      this.playing = false;
+      this.show();
+      changed();
+    });
+    section.querySelector('.play').addEventListener('click', () => this.play());
+    whenLanguage(() => this.show());
+    if (!matchMedia('(prefers-reduced-motion: reduce)').matches) {
+      const seen = new IntersectionObserver(([entry]) => {
+        if (entry.isIntersecting) {
+          seen.disconnect();
+          this.play();
+        }
+      }, { threshold: 0.8 });
+      seen.observe(flight.root);
+    }
+  }
+
+  get k() {
+    return Number(this.slider.value);
+  }
+
+  play() {
+    this.playing = true;
+    this.started = undefined;
+    nextFrame(this.#step);
+  }
+
+  #step = (time) => {
+    this.started ??= time;
+    const part = Math.min((time - this.started) / 1000 / SECONDS, 1);
+    if (this.playing) {
+      this.slider.value = part * part * (3 - 2 * part);
+      this.show();
+      this.changed();
+      if (part < 1) {
+        setTimeout(() => nextFrame(this.#step)); // of this frame all is drawn already
+      } else {
+        this.playing = false;
+      }
+    }
+  };
+
+  show() {
+    const { view, k } = this;
+    if (!view.clips) {
+      view.stage.resize(COLUMNS, ROWS, 1); // the motion may be seen before its picture
+    }
+    this.flight.show(view.scene.corners.map(({ at }) => view.stageClip(at)).map(([x, y, , w]) => [x, y, w]), k);
+    const text = say(SAID[k === 0 ? 0 : k < 1 ? 1 : 2]);
+    if (this.said.textContent !== text) {
+      this.said.textContent = text;
+    }
+    this.flight.root.setAttribute('aria-label', text);
+  }
+}
+
+export function start(section, stage) {
+  const corners = [
+    { at: [-0.5, -0.42, -0.8], color: [1, 0.2, 0.15], uv: [0, 0] },
+    { at: [3.6, -0.4, -6], color: [0.2, 0.8, 0.3], uv: [1, 0] },
+    { at: [-0.5, 1.2, -3], color: [0.3, 0.45, 1], uv: [0, 1] },
+  ];
+  const scene = {
+    camera: { eye: [0, 0, 0], target: [0, 0, -1], yfov: 50, near: NEAR, far: 12 },
+    corners,
+    width: COLUMNS,
+    samples: 1,
+    limit: within([-4, -2, -9], [6, 2, 1.2]),
+    triangleOf: () => corners,
+    outline: (n) => (n ? clipped(cornersOf(n)).map(({ clip }) => clip) : null),
+    draw(to) {
+      to.triangle(corners, METHOD.correct, PICTURES[this.picture]);
+    },
+  };
+  const table = section.querySelector('table.step');
+  const flight = new Flight(section.querySelector('.flight-room'), 16 / 9, NEAR);
+  const tell = (view) => {
+    table.hidden = !view.numbers;
+    if (view.numbers) {
+      const polygon = clipped(cornersOf(view.numbers));
+      const step = scene.picture === 'colors' ? (motion.k < 0.5 ? 'clip' : 'divide') : 'raster';
+      showTable(table, stepTerms(view.numbers, polygon, view.size), step, polygon);
+    }
+  };
+  const view = new View(stage, section.querySelector('.view'), scene, () => {
+    showDistance();
+    motion.show();
+    tell(view);
+  });
+  const showDistance = distanceSlider(section, view, corners[0]);
+  const motion = new Motion(section, flight, view, () => tell(view));
+  choice(section, 'picture', (value) => {
+    scene.picture = value;
+    section.querySelectorAll('[data-picture]').forEach((node) => (node.hidden = node.dataset.picture !== value));
+    view.update();
+  });
+  chapterTerms(
+    section,
+    () => view.numbers && stepTerms(view.numbers, clipped(cornersOf(view.numbers)), view.size),
+    [view],
+  );
+  view.pick([0.43, 0.5]);
+  return view;
+}
