@@ -12,6 +12,7 @@ import { View } from '../view.js';
 
 const NEAR = 0.3;
 const GRID = [48, 27]; // pixels of the small picture in which the largest error is looked for
+const REST = 400; // ms that the pointer or a corner rests until it is looked at
 const SAME = 0.01; // parts by which two W may differ and be one
 
 const START = [
@@ -171,11 +172,17 @@ export function start(section, stage) {
   };
   const list = section.querySelector('.exercises');
   const exercises = EXERCISES.map((exercise) => new Exercise(list, exercise));
-  let touched = false; // an exercise is not solved by nobody
-  const look = (numbers) => {
+  const check = (numbers) => {
     const ws = corners.map((corner) => view.stageClip(corner.at)[3]);
     const correct = numbers && { ...numbers, u: numbers.a * numbers.u_0 + numbers.b * numbers.u_1 + numbers.c * numbers.u_2 };
-    exercises.forEach((exercise) => (touched ? exercise.look(correct, { ws, worst }) : exercise.retell()));
+    exercises.forEach((exercise) => exercise.look(correct, { ws, worst }));
+  };
+  let touched = false; // an exercise is not solved by nobody
+  let resting;
+  const look = (numbers) => {
+    // Whoever passes over a place has not pointed at it.
+    clearTimeout(resting);
+    resting = setTimeout(() => touched && check(numbers), REST);
     top.update(numbers);
   };
   const view = new View(stage, section.querySelector('.view'), scene, look);
