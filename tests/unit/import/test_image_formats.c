@@ -19,7 +19,7 @@ struct file {
 static void put(struct file *file, uint64_t value, int bytes)
 {
     for (int i = 0; i < bytes; i++) {
-        file->bytes[file->size++] = (uint8_t)(value >> 8 * i);
+        file->bytes[file->size++] = (uint8_t)(i < 8 ? value >> 8 * i : 0);
     }
 }
 

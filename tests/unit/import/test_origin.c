@@ -354,7 +354,7 @@ static void test_clusters(void **state)
             }
         }
         for (int k = 0; k < 2; k++) {
-            length += sprintf(lines + length, is_apart ? "o part%d\n" : "", k);
+            length += is_apart ? sprintf(lines + length, "o part%d\n", k) : 0;
             for (int i = 0; i < FACES; i++) {
                 const int first = 1 + CORNERS * k;
                 length += sprintf(lines + length, "f %d %d %d\n", faces[i][0] + first, faces[i][1] + first,
