@@ -90,9 +90,9 @@ static inline rhw_float rhw_sinh(rhw_float a)
     half.low = 0.5 * (e.low - 1.0 / e.low);
     half.high = 0.5 * (e.high - 1.0 / e.high);
     const rhw_float z = a * a;
-    const rhw_float near = magnitude + magnitude * (z * (0.166666667f + z * 0.00833333333f));
+    const rhw_float series = magnitude + magnitude * (z * (0.166666667f + z * 0.00833333333f));
     const rhw_float result =
-        rhw_select(rhw_less(magnitude, rhw_splat(0.015625f)), near, rhw_from_double(half));
+        rhw_select(rhw_less(magnitude, rhw_splat(0.015625f)), series, rhw_from_double(half));
     return rhw_select(rhw_equal(a, a), rhw_copysign(result, a), a);
 }
 
@@ -115,9 +115,9 @@ static inline rhw_float rhw_tanh(rhw_float a)
     ratio.low = (e.low - 1.0) / (e.low + 1.0);
     ratio.high = (e.high - 1.0) / (e.high + 1.0);
     const rhw_float z = a * a;
-    const rhw_float near = magnitude + magnitude * (z * (-0.333333333f + z * 0.133333333f));
+    const rhw_float series = magnitude + magnitude * (z * (-0.333333333f + z * 0.133333333f));
     const rhw_float result =
-        rhw_select(rhw_less(magnitude, rhw_splat(0.015625f)), near, rhw_from_double(ratio));
+        rhw_select(rhw_less(magnitude, rhw_splat(0.015625f)), series, rhw_from_double(ratio));
     return rhw_select(rhw_equal(a, a), rhw_copysign(result, a), a);
 }
 
@@ -137,11 +137,12 @@ static inline rhw_float rhw_asinh(rhw_float a)
     struct rhw_double8 twice;
     twice.low = 0.69314718055994531 * (1.0 + rhw_log2_double(m.low, exponent.low));
     twice.high = 0.69314718055994531 * (1.0 + rhw_log2_double(m.high, exponent.high));
-    const rhw_float far = rhw_select(rhw_equal(magnitude, rhw_infinity()), magnitude, rhw_from_double(twice));
+    const rhw_float beyond =
+        rhw_select(rhw_equal(magnitude, rhw_infinity()), magnitude, rhw_from_double(twice));
     const rhw_float z = a * a;
-    const rhw_float near = magnitude + magnitude * (z * -0.166666667f);
-    rhw_float result = rhw_select(large, far, rhw_log_of_double(sum));
-    result = rhw_select(rhw_less(magnitude, rhw_splat(0.000244140625f)), near, result);
+    const rhw_float series = magnitude + magnitude * (z * -0.166666667f);
+    rhw_float result = rhw_select(large, beyond, rhw_log_of_double(sum));
+    result = rhw_select(rhw_less(magnitude, rhw_splat(0.000244140625f)), series, result);
     return rhw_select(rhw_equal(a, a), rhw_copysign(result, a), a);
 }
 
@@ -170,9 +171,9 @@ static inline rhw_float rhw_atanh(rhw_float a)
     ratio.low = (1.0 + x.low) / (1.0 - x.low);
     ratio.high = (1.0 + x.high) / (1.0 - x.high);
     const rhw_float z = a * a;
-    const rhw_float near = magnitude + magnitude * (z * 0.333333333f);
+    const rhw_float series = magnitude + magnitude * (z * 0.333333333f);
     rhw_float result = 0.5f * rhw_log_of_double(ratio);
-    result = rhw_select(rhw_less(magnitude, rhw_splat(0.000244140625f)), near, result);
+    result = rhw_select(rhw_less(magnitude, rhw_splat(0.000244140625f)), series, result);
     result = rhw_select(rhw_equal(magnitude, one), rhw_infinity(), result);
     return rhw_select(rhw_less_equal(magnitude, one), rhw_copysign(result, a), rhw_nan());
 }

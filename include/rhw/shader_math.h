@@ -444,8 +444,8 @@ static inline rhw_float rhw_asin(rhw_float a)
     const rhw_float z = rhw_select(outer, 0.5f * (1.0f - magnitude), magnitude * magnitude);
     const rhw_float s = rhw_select(outer, rhw_sqrt(z), magnitude);
     const rhw_float rest = rhw_asin_rest(s, z);
-    const rhw_float far = 1.57079637f - (2.0f * s + (2.0f * rest + 4.371139e-8f));
-    return rhw_copysign(rhw_select(outer, far, s + rest), a);
+    const rhw_float outer_angle = 1.57079637f - (2.0f * s + (2.0f * rest + 4.371139e-8f));
+    return rhw_copysign(rhw_select(outer, outer_angle, s + rest), a);
 }
 
 /// Return the arc cosine of a in radians. An a beyond −1..1 gives NaN. The largest error is 1.1 ULP.
@@ -458,10 +458,10 @@ static inline rhw_float rhw_acos(rhw_float a)
     const rhw_float rest = rhw_asin_rest(s, z);
     const rhw_float twice = 2.0f * (s + rest);
     const rhw_int left = (rhw_int)a >> 31;
-    const rhw_float far = rhw_select(left, 3.14159274f - (twice + 8.742278e-8f), twice);
+    const rhw_float outer_angle = rhw_select(left, 3.14159274f - (twice + 8.742278e-8f), twice);
     const rhw_float signed_s = rhw_copysign(s, a), signed_rest = rhw_copysign(rest, a);
-    const rhw_float near = 1.57079637f - (signed_s + (signed_rest + 4.371139e-8f));
-    return rhw_select(outer, far, near);
+    const rhw_float inner_angle = 1.57079637f - (signed_s + (signed_rest + 4.371139e-8f));
+    return rhw_select(outer, outer_angle, inner_angle);
 }
 
 RHW_QUIET_END
