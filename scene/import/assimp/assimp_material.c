@@ -27,7 +27,7 @@ struct reader {
 static void get_float(const struct reader *reader, const char *key, float *value)
 {
     float read = 0;
-    if (aiGetMaterialFloatArray(reader->source, key, 0, 0, &read, NULL) == aiReturn_SUCCESS &&
+    if (aiGetMaterialFloatArray(reader->source, key, 0, 0, &read, &(unsigned){1}) == aiReturn_SUCCESS &&
         scene_import_finite(&read, 1)) {
         *value = read;
     }
@@ -36,8 +36,9 @@ static void get_float(const struct reader *reader, const char *key, float *value
 static int get_integer(const struct reader *reader, const char *key, int fallback)
 {
     int value = 0;
-    return aiGetMaterialIntegerArray(reader->source, key, 0, 0, &value, NULL) == aiReturn_SUCCESS ? value
-                                                                                                  : fallback;
+    return aiGetMaterialIntegerArray(reader->source, key, 0, 0, &value, &(unsigned){1}) == aiReturn_SUCCESS
+               ? value
+               : fallback;
 }
 
 static bool get_color(const struct reader *reader, const char *key, float color[3])
@@ -131,9 +132,12 @@ static void tell_of_use(const struct reader *reader, enum aiTextureType type)
 {
     float strength = 1;
     int flags = 0, operation = 0;
-    aiGetMaterialFloatArray(reader->source, _AI_MATKEY_TEXBLEND_BASE, (unsigned)type, 0, &strength, NULL);
-    aiGetMaterialIntegerArray(reader->source, _AI_MATKEY_TEXFLAGS_BASE, (unsigned)type, 0, &flags, NULL);
-    aiGetMaterialIntegerArray(reader->source, _AI_MATKEY_TEXOP_BASE, (unsigned)type, 0, &operation, NULL);
+    aiGetMaterialFloatArray(reader->source, _AI_MATKEY_TEXBLEND_BASE, (unsigned)type, 0, &strength,
+                            &(unsigned){1});
+    aiGetMaterialIntegerArray(reader->source, _AI_MATKEY_TEXFLAGS_BASE, (unsigned)type, 0, &flags,
+                              &(unsigned){1});
+    aiGetMaterialIntegerArray(reader->source, _AI_MATKEY_TEXOP_BASE, (unsigned)type, 0, &operation,
+                              &(unsigned){1});
     if (strength < 0.999f && type != aiTextureType_HEIGHT && type != aiTextureType_NORMALS) {
         scene_import_unsupported(reader->import, "textures of less than their whole strength: drawn whole");
     }
