@@ -82,7 +82,7 @@ function startNotes() {
 // A browser finds no chapter by an address that says more than its name.
 function showAddressed() {
   const { chapter, values } = parse(location.hash);
-  if (chapter && values.size > 0) {
+  if (chapter && [...values].length > 0) {
     document.getElementById(chapter)?.scrollIntoView();
   }
 }

@@ -48,7 +48,7 @@ export function addressOf(section, view) {
 }
 
 function restore(section, view, { chapter, values }) {
-  if (chapter === section.id && values.size > 0) {
+  if (chapter === section.id && [...values].length > 0) {
     restoreChoices(section, values);
     view?.restore?.(values);
   }

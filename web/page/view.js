@@ -257,7 +257,12 @@ export class View {
     }
   };
 
+  /** The clip coordinates of a point, in this picture: the stage may have drawn another, of another shape. */
   stageClip(point) {
+    const { stage, canvas } = this;
+    if (this.clips && (stage.width !== canvas.width || stage.height !== canvas.height)) {
+      stage.resize(canvas.width, canvas.height, 1);
+    }
     this.stage.camera(this.scene.camera);
     return this.stage.clip(point);
   }

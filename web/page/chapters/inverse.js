@@ -70,6 +70,9 @@ class Drawing {
   #slideAlong(dx, dz) {
     const [[x1, z1], [x2, z2]] = this.ends;
     const length = (x2 - x1) ** 2 + (z2 - z1) ** 2;
+    if (length < 1e-9) {
+      return; // A is B, and P is there
+    }
     const b = clamp(this.numbers().b + (dx * (x2 - x1) + dz * (z2 - z1)) / length, 0, 1);
     this.set((b * z2) / ((1 - b) * z1 + b * z2));
   }

@@ -90,8 +90,8 @@ class ModelView {
 
   /** Shows the triangle of the pixel in the chapter that says what shares are. */
   takeTo(other) {
-    other.take(cornersOf(this.#numbers()), this.pixel);
-    other.figure.closest('section').scrollIntoView();
+    other?.take(cornersOf(this.#numbers()), this.pixel);
+    other?.figure.closest('section').scrollIntoView();
   }
 
   #place() {
