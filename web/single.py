@@ -52,7 +52,7 @@ globalThis.Worker = class extends RhwWorker {
 def bundle(entry):
     told = subprocess.run(["esbuild", entry, "--bundle", "--format=iife", "--target=es2022", "--charset=utf8", "--log-level=error",
                            "--define:import.meta.url=rhwBase", *(f"--external:{name}" for name in NEVER)],
-                          check=True, capture_output=True, text=True)
+                          check=True, stdout=subprocess.PIPE, text=True)
     return told.stdout.replace("</script", "<\\/script")
 
 
@@ -70,9 +70,9 @@ def page_of(folder):
     files.append(element(WORKER, BEFORE + bundle(folder / WORKER), "text/plain"))
     page_files = PAGE_FILES.replace("WORKER_FETCHED", str(WORKER_FETCHED)).replace("'WORKER'", f"'{WORKER}'")
     program = f"<script>\n(() => {{{page_files}{BEFORE}{bundle(folder / 'main.js')}}})();\n</script>\n"
-    html = (folder / "index.html").read_text()
+    html = (folder / "index.html").read_text(encoding="utf-8")
     html = re.sub(r'<link rel="(?:preload|modulepreload)"[^>]*>\n|<script[^>]*></script>\n', "", html)
-    style = f"<style>\n{(folder / 'page.css').read_text()}</style>\n"
+    style = f"<style>\n{(folder / 'page.css').read_text(encoding='utf-8')}</style>\n"
     html = html.replace('<link rel="stylesheet" href="page.css">\n', style)
     return html.replace("</body>", "".join(files) + program + "</body>")
 
@@ -81,7 +81,7 @@ def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
     html = page_of(Path(sys.argv[1]))
-    Path(sys.argv[2]).write_text(html)
+    Path(sys.argv[2]).write_text(html, encoding="utf-8")
     print(f"{sys.argv[2]}: {len(html.encode())} bytes")
 
 

@@ -620,6 +620,20 @@ class Page(unittest.TestCase):
         self.script("location.hash = '#floor?method=correct'")
         self.wait("rhw.views.floor.numbers.method === 1")
 
+    def test_a_taken_triangle_by_its_address(self):
+        """One of another picture, far beyond what may be dragged here, is the same when its address is opened."""
+        self.show("weights")
+        self.script("const v = rhw.views.weights, clips = [0, 1, 2].map((i) => ['X', 'Y', 'Z', 'W'].map((axis) => 100 * v.numbers[`${axis}_${i}`]));"
+                    "v.take(clips, v.pixel)")
+        self.wait("rhw.views.weights.numbers?.W_0 > 100")
+        n, saved = self.script("return [rhw.views.weights.numbers, Object.entries(rhw.views.weights.save())]")
+        self.open(f"#weights?{'&'.join('='.join(pair) for pair in saved)}")
+        self.wait(f"Math.abs(window.rhw?.views.weights?.numbers?.W_0 / {n['W_0']} - 1) < 1e-4"
+                  " && rhw.views.weights.figure.dataset.drawn === 'still'")
+        again = self.script("return rhw.views.weights.numbers")
+        for name in "rstabc":
+            self.assertAlmostEqual(again[name], n[name], delta=0.002)
+
     def test_contents_and_notes(self):
         self.node(".contents summary").click()
         items = self.browser.find_elements(By.CSS_SELECTOR, ".contents li a[lang='en']")

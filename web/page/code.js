@@ -45,20 +45,22 @@ function termNode(term, language) {
   return node;
 }
 
-function lineNode({ term, how, note, kind = '' }, language, terms) {
-  const { declare, end, comment } = LANGUAGES[language];
+function lineNode({ term, how, kind = '' }, language) {
+  const { declare, end } = LANGUAGES[language];
   const row = document.createElement('div');
   row.className = `code-line ${kind}`;
   const text = row.appendChild(document.createElement('code'));
   text.append(declare, termNode(term, language), ' = ');
   how.split('$').forEach((part, i) => text.append(i % 2 ? termNode(part, language) : part));
-  const value = terms ? short(terms[term]) : '';
-  const said = [value, note && say(note)].filter(Boolean).join('  ');
-  const behind = row.appendChild(document.createElement('code'));
-  behind.className = 'said';
-  behind.textContent = `${said ? `${comment} ${said}` : ''}`;
   text.append(end);
+  row.appendChild(document.createElement('code')).className = 'said';
   return row;
+}
+
+// What stands behind a line: its value and a note.
+function saidOf({ term, note }, language, terms) {
+  const said = [terms && short(terms[term]), note && say(note)].filter(Boolean).join('  ');
+  return said ? `${LANGUAGES[language].comment} ${said}` : '';
 }
 
 /** The terms of the lines, of an explained pixel's terms. */
@@ -77,6 +79,7 @@ export class Code {
     this.room = section.querySelector('.code');
     choice(section, 'code', (language) => {
       this.#language = language;
+      this.room.replaceChildren(...LINES.map((line) => lineNode(line, language)));
       this.show(this.#terms);
     });
   }
@@ -84,6 +87,6 @@ export class Code {
   /** `terms`: those of codeTerms, or null: the lines without values. */
   show(terms) {
     this.#terms = terms;
-    this.room.replaceChildren(...LINES.map((line) => lineNode(line, this.#language, terms)));
+    LINES.forEach((line, i) => (this.room.children[i].lastChild.textContent = saidOf(line, this.#language, terms)));
   }
 }

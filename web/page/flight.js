@@ -2,6 +2,7 @@
 // The drawing of one motion, from clip space through the division to the screen. A point (X, Y, W) goes to
 // (X, Y, W)/(1 − k + k·W): where k is 0 nothing has moved, where it is 1 all has been divided by its W and lies on the screen, W = 1.
 // Each step between is a projective map, so lines stay lines, and the place from which one looks turns until it is the eye's.
+import { between, cutLine, cutTriangle } from './cut.js';
 import { say } from './language.js';
 import { points, set, svg } from './svg.js';
 
@@ -12,27 +13,11 @@ const FAR = 7; // W up to which the start is in the picture
 const LIFT = 0.3; // of the start, as what is near stands low in it
 
 const mix = (from, to, k) => from + (to - from) * k;
-const between = (p, q, k) => p.map((value, i) => mix(value, q[i], k));
-
-/** The part of a polygon with W at least `near`, and the part nearer: Sutherland and Hodgman's walk, twice. */
-export function cut(polygon, near) {
-  const sides = [[], []];
-  polygon.forEach((p, i) => {
-    const q = polygon[(i + 1) % polygon.length];
-    sides[p[2] >= near ? 0 : 1].push(p);
-    if (p[2] >= near !== q[2] >= near) {
-      const edge = between(p, q, (near - p[2]) / (q[2] - p[2]));
-      sides.forEach((side) => side.push(edge));
-    }
-  });
-  return sides;
-}
 
 export class Flight {
   /** `aspect`: width over height of the picture that the screen is. */
-  constructor(node, aspect, near) {
+  constructor(node, aspect) {
     this.aspect = aspect;
-    this.near = near;
     this.k = 0;
     this.root = svg(node, 'svg', { class: 'top flight', role: 'img' });
     this.rim = svg(this.root, 'polygon', { class: 'screen' });
@@ -40,14 +25,14 @@ export class Flight {
     this.body = svg(this.root, 'polygon', { class: 'body' });
     this.lattice = svg(this.root, 'path', { class: 'lattice' });
     this.behind = svg(this.root, 'polygon', { class: 'cut-off' });
-    this.cutLine = svg(this.root, 'line', { class: 'cut' });
+    this.edge = svg(this.root, 'line', { class: 'cut' });
     this.eye = svg(this.root, 'circle', { class: 'eye', r: 5 });
     this.labels = svg(this.root, 'g');
     new ResizeObserver(() => this.update()).observe(node);
   }
 
-  // A clip place (X, Y, W), Y as wide as X, after so much of the motion, in the drawing.
-  #at([x, y, w]) {
+  // Where a place in clip coordinates, [X, Y, Z, W], is in the drawing after so much of the motion.
+  #at([x, y, , w]) {
     const { k, width, height } = this;
     const over = 1 / (1 - k + k * w);
     const [px, py, pz] = [x * this.aspect * over, y * over, w * over - mix(FAR / 2, 1, k)];
@@ -74,28 +59,18 @@ export class Flight {
       lines.push([between(a, b, part), between(c, b, part)], [between(a, c, part), between(b, c, part)], [between(b, a, part), between(c, a, part)]);
     }
     return lines
-      .map(([from, to]) => this.#kept(from, to))
+      .map(([from, to]) => cutLine(from, to))
       .filter(Boolean)
       .map(([from, to]) => `M${this.#at(from)}L${this.#at(to)}`)
       .join('');
   }
 
-  #kept(from, to) {
-    const [f, t] = [from[2] >= this.near, to[2] >= this.near];
-    if (!f && !t) {
-      return null;
-    }
-    const edge = () => between(from, to, (this.near - from[2]) / (to[2] - from[2]));
-    return [f ? from : edge(), t ? to : edge()];
-  }
-
-  #label(text, at, kind) {
-    const [x, y] = this.#at(at);
+  #label(text, [x, y], kind) {
     svg(this.labels, 'circle', { cx: x, cy: y, r: 5, class: `dot ${kind}` });
     svg(this.labels, 'text', { x: x + 9, y: y - 6 }, text);
   }
 
-  /** `corners`: [X, Y, W] of A, B and C; `k`: how far the motion is, 0..1. */
+  /** `corners`: [X, Y, Z, W] of A, B and C; `k`: how far the motion is, 0..1. */
   show(corners, k) {
     this.corners = corners;
     this.k = k;
@@ -109,18 +84,18 @@ export class Flight {
     }
     Object.assign(this, { width, height });
     set(this.root, { viewBox: `0 0 ${width} ${height}` });
-    const rim = [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]];
-    set(this.rim, { points: points(rim.map((at) => this.#at(at))) });
-    rim.forEach(([x, y], i) => this.#line(this.sight[i], [0, 0, 0.02], [x * FAR * 0.7, y * FAR * 0.7, FAR * 0.7]));
-    const [kept, gone] = cut(this.corners, this.near);
-    set(this.body, { points: points(kept.map((at) => this.#at(at))) });
+    const rim = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
+    set(this.rim, { points: points(rim.map(([x, y]) => this.#at([x, y, 0, 1]))) });
+    rim.forEach(([x, y], i) => this.#line(this.sight[i], [0, 0, 0, 0.02], [x, y, 0, 1].map((value) => value * FAR * 0.7)));
+    const [kept, gone] = cutTriangle(this.corners);
+    set(this.body, { points: points(kept.map(({ clip }) => this.#at(clip))) });
     set(this.lattice, { d: this.#latticePath() });
     const early = Math.max(0, 1 - 5 * this.k); // what is cut off is gone before anything is divided
-    set(this.behind, { points: early ? points(gone.map((at) => this.#unmoved(at))) : '', style: `opacity: ${early}` });
+    set(this.behind, { points: early ? points(gone.map(({ clip }) => this.#unmoved(clip))) : '', style: `opacity: ${early}` });
     this.#placeCut(kept);
     this.eye.toggleAttribute('hidden', this.k === 1); // all lines through it are parallel by then
     if (this.k < 1) {
-      const [cx, cy] = this.#at([0, 0, 0]);
+      const [cx, cy] = this.#at([0, 0, 0, 0]);
       set(this.eye, { cx, cy, style: `opacity: ${1 - this.k}` });
     }
     this.#placeLabels(early);
@@ -135,29 +110,26 @@ export class Flight {
   }
 
   #placeCut(kept) {
-    const edge = kept.filter((at) => Math.abs(at[2] - this.near) < 1e-9);
-    this.cutLine.toggleAttribute('hidden', edge.length !== 2);
+    const edge = kept.filter(({ name }) => name.length === 2);
+    this.edge.toggleAttribute('hidden', edge.length !== 2);
     if (edge.length === 2) {
-      this.#line(this.cutLine, ...edge);
+      this.#line(this.edge, ...edge.map(({ clip }) => clip));
     }
   }
 
   #placeLabels(early) {
     this.labels.replaceChildren();
     this.corners.forEach((corner, i) => {
-      if (corner[2] >= this.near) {
-        this.#label('ABC'[i], corner, `corner${'ABC'[i]}`);
-      } else if (early > 0.5) {
-        const [x, y] = this.#unmoved(corner);
-        svg(this.labels, 'circle', { cx: x, cy: y, r: 5, class: `dot corner${'ABC'[i]}` });
-        svg(this.labels, 'text', { x: x + 9, y: y - 6 }, 'ABC'[i]);
+      const isCut = corner[2] < 0;
+      if (!isCut || early > 0.5) {
+        this.#label('ABC'[i], isCut ? this.#unmoved(corner) : this.#at(corner), `corner${'ABC'[i]}`);
       }
     });
     if (this.k < 0.6) {
-      const [x, y] = this.#at([0, 0, 0]);
+      const [x, y] = this.#at([0, 0, 0, 0]);
       svg(this.labels, 'text', { x: x - 10, y: y + 22, class: 'caption' }, say({ en: 'eye', zh: '眼睛' }));
     }
-    const [x, y] = this.#at([1, -1, 1]);
+    const [x, y] = this.#at([1, -1, 0, 1]);
     svg(this.labels, 'text', { x: x + 4, y: y + 16, class: 'caption' }, say({ en: 'screen, W = 1', zh: '屏幕，W = 1' }));
   }
 }

@@ -12,12 +12,12 @@ export function parse(hash) {
 }
 
 /** `count` finite numbers of a value, or null. */
-export function numbersOf(values, name, count) {
+export function numbersIn(values, name, count) {
   const list = (values.get(name) ?? '').split(',').map(Number);
   return list.length === count && values.get(name) && list.every(Number.isFinite) ? list : null;
 }
 
-export const numbersText = (numbers) => numbers.map((number) => Number(number.toFixed(4))).join(',');
+export const numbersText = (numbers) => numbers.map((number) => Number(number.toPrecision(6))).join(',');
 
 const choices = (section) => [...section.querySelectorAll('[data-name]')];
 
@@ -32,7 +32,7 @@ function restoreChoices(section, values) {
     [...row.querySelectorAll('button')].find(({ value }) => value === values.get(row.dataset.name))?.click();
   }
   for (const input of section.querySelectorAll('input[type="range"]')) {
-    const [value] = numbersOf(values, input.name, 1) ?? [];
+    const [value] = numbersIn(values, input.name, 1) ?? [];
     if (value !== undefined) {
       input.value = value;
       input.dispatchEvent(new Event('input'));

@@ -5,7 +5,7 @@ import { nextFrame } from './frame.js';
 import { say, whenLanguage } from './language.js';
 import { namePicture } from './naming.js';
 import { onScreen, Overlay } from './overlay.js';
-import { numbersOf, numbersText } from './state.js';
+import { numbersIn, numbersText } from './state.js';
 import { draggable, set, svg } from './svg.js';
 import { add, basis, clamp, dot, normalize } from './vector.js';
 
@@ -309,14 +309,14 @@ export class View {
   /** What was saved, as URLSearchParams; what is not there stays. */
   restore(values) {
     this.scene.corners.forEach((corner, i) => {
-      const at = numbersOf(values, 'ABC'[i], 3);
+      const at = numbersIn(values, 'ABC'[i], 3);
       corner.at = at ? (this.scene.limit?.(at) ?? at) : corner.at;
     });
-    const [split] = numbersOf(values, 'split', 1) ?? [];
+    const [split] = numbersIn(values, 'split', 1) ?? [];
     if (split !== undefined && this.scene.split !== undefined) {
       this.scene.split = clamp(split, 0, 1);
     }
-    const pixel = numbersOf(values, 'P', 2);
+    const pixel = numbersIn(values, 'P', 2);
     if (pixel) {
       this.pick(pixel);
     }

@@ -11,7 +11,7 @@ import { within } from '../vector.js';
 import { View } from '../view.js';
 
 const NEAR = 0.3;
-const GRID = [48, 27]; // pixels of the small picture in which the largest error is looked for
+const GRID = 48; // pixels across the small picture in which the largest error is looked for
 const REST = 400; // ms that the pointer or a corner rests until it is looked at
 const SAME = 0.01; // parts by which two W may differ and be one
 
@@ -158,7 +158,8 @@ export function start(section, stage) {
   };
   // The largest error of a small picture, both of whose halves are drawn correctly: u is right in all of its pixels.
   const worst = () => {
-    const [width, height] = GRID;
+    const { clientWidth, clientHeight } = view.figure;
+    const [width, height] = [GRID, Math.round((GRID * clientHeight) / clientWidth)];
     stage.resize(width, height, 1);
     stage.camera(scene.camera);
     stage.clear([0, 0, 0]);

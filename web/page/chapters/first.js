@@ -4,7 +4,7 @@
 import { say, whenLanguage } from '../language.js';
 import { onScreen } from '../overlay.js';
 import { METHOD, PATTERN } from '../stage.js';
-import { numbersOf, numbersText } from '../state.js';
+import { numbersIn, numbersText } from '../state.js';
 import { draggable, points, set, svg } from '../svg.js';
 import { add, clamp } from '../vector.js';
 import { View } from '../view.js';
@@ -187,7 +187,7 @@ class Question {
   }
 
   restore(values) {
-    this.set((numbersOf(values, 'mark', 1) ?? [this.place])[0]);
+    this.set((numbersIn(values, 'mark', 1) ?? [this.place])[0]);
     this.show(values.get('shown') === '1');
   }
 }

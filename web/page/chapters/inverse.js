@@ -6,7 +6,7 @@ import { choice } from '../controls.js';
 import { whenLanguage } from '../language.js';
 import { formula, short } from '../math.js';
 import { legend, Plot } from '../plot.js';
-import { numbersOf, numbersText } from '../state.js';
+import { numbersIn, numbersText } from '../state.js';
 import { draggable, points, set, svg } from '../svg.js';
 import { chapterTerms } from '../tips.js';
 import { clamp } from '../vector.js';
@@ -147,11 +147,11 @@ class Drawing {
 
   restore(values) {
     this.ends.forEach((end, i) => {
-      const [x, z] = numbersOf(values, 'AB'[i], 2) ?? end;
+      const [x, z] = numbersIn(values, 'AB'[i], 2) ?? end;
       end[0] = clamp(x, -3.2, 3.2);
       end[1] = clamp(z, SCREEN + 0.2, 7.2);
     });
-    this.set((numbersOf(values, 'q', 1) ?? [this.q])[0]);
+    this.set((numbersIn(values, 'q', 1) ?? [this.q])[0]);
   }
 
   retell() {

@@ -2,6 +2,7 @@
 // One motion from clip space through the division to the screen, by a slider; the picture of few, large pixels that comes of it,
 // with what the raster mixes and what the division gives back; and the numbers of each.
 import { choice, distanceSlider } from '../controls.js';
+import { cutTriangle } from '../cut.js';
 import { termsOf } from '../derivation.js';
 import { Flight } from '../flight.js';
 import { nextFrame } from '../frame.js';
@@ -57,23 +58,8 @@ function stepTerms(n, polygon, [width, height]) {
   return terms;
 }
 
-// What the near plane, Z = 0, leaves of a triangle: Sutherland and Hodgman's walk round it.
-function clipped(corners) {
-  const polygon = [];
-  corners.forEach((clip, i) => {
-    const [name, next] = ['ABC'[i], (i + 1) % 3];
-    const other = corners[next];
-    if (clip[2] >= 0) {
-      polygon.push({ name, clip });
-    }
-    if (clip[2] >= 0 !== other[2] >= 0) {
-      const k = clip[2] / (clip[2] - other[2]);
-      const at = clip.map((value, axis) => value + k * (other[axis] - value));
-      polygon.push({ name: [name, 'ABC'[next]].sort().join(''), clip: at });
-    }
-  });
-  return polygon;
-}
+// The corners of what the near plane leaves of the explained triangle.
+const clipped = (n) => cutTriangle(cornersOf(n))[0];
 
 function showTable(table, terms, step, polygon) {
   table.replaceChildren();
@@ -153,7 +139,7 @@ class Motion {
     if (!view.clips) {
       view.stage.resize(COLUMNS, ROWS, 1); // the motion may be seen before its picture
     }
-    this.flight.show(view.scene.corners.map(({ at }) => view.stageClip(at)).map(([x, y, , w]) => [x, y, w]), k);
+    this.flight.show(view.scene.corners.map(({ at }) => view.stageClip(at)), k);
     const text = say(SAID[k === 0 ? 0 : k < 1 ? 1 : 2]);
     if (this.said.textContent !== text) {
       this.said.textContent = text;
@@ -175,17 +161,17 @@ export function start(section, stage) {
     samples: 1,
     limit: within([-4, -2, -9], [6, 2, 1.2]),
     triangleOf: () => corners,
-    outline: (n) => (n ? clipped(cornersOf(n)).map(({ clip }) => clip) : null),
+    outline: (n) => (n ? clipped(n).map(({ clip }) => clip) : null),
     draw(to) {
       to.triangle(corners, METHOD.correct, PICTURES[this.picture]);
     },
   };
   const table = section.querySelector('table.step');
-  const flight = new Flight(section.querySelector('.flight-room'), 16 / 9, NEAR);
+  const flight = new Flight(section.querySelector('.flight-room'), 16 / 9);
   const tell = (view) => {
     table.hidden = !view.numbers;
     if (view.numbers) {
-      const polygon = clipped(cornersOf(view.numbers));
+      const polygon = clipped(view.numbers);
       const step = scene.picture === 'colors' ? (motion.k < 0.5 ? 'clip' : 'divide') : 'raster';
       showTable(table, stepTerms(view.numbers, polygon, view.size), step, polygon);
     }
@@ -204,7 +190,7 @@ export function start(section, stage) {
   });
   chapterTerms(
     section,
-    () => view.numbers && stepTerms(view.numbers, clipped(cornersOf(view.numbers)), view.size),
+    () => view.numbers && stepTerms(view.numbers, clipped(view.numbers), view.size),
     [view],
   );
   view.pick([0.43, 0.5]);

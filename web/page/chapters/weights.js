@@ -7,6 +7,7 @@ import { say, whenLanguage } from '../language.js';
 import { short } from '../math.js';
 import { cornersOf, onScreen } from '../overlay.js';
 import { METHOD, PATTERN } from '../stage.js';
+import { numbersIn } from '../state.js';
 import { points, set, svg } from '../svg.js';
 import { chapterTerms } from '../tips.js';
 import { add, basis, dot, within } from '../vector.js';
@@ -48,7 +49,7 @@ class Parts {
 // The triangle in its own plane: AB level, C above it.
 function flat(corners) {
   const [ab, ac] = [1, 2].map((i) => add(corners[i].at, corners[0].at, -1));
-  const length = Math.sqrt(dot(ab, ab));
+  const length = Math.max(Math.sqrt(dot(ab, ab)), 1e-9);
   const along = dot(ac, ab) / length;
   return [[0, 0], [length, 0], [along, Math.sqrt(Math.max(dot(ac, ac) - along ** 2, 0))]];
 }
@@ -143,6 +144,14 @@ function startSteps(section) {
   show(1);
 }
 
+// Makes room for corners that are so far away.
+function takeDistances({ scene }, ws) {
+  const [near, far] = [Math.min(...ws), Math.max(...ws)];
+  const z = scene.camera.eye[2];
+  Object.assign(scene.camera, { near: near / 10, far: far * 10 });
+  scene.limit = within([-4 * far, -4 * far, z - 4 * far], [4 * far, 4 * far, z - near / 4]);
+}
+
 // A triangle of another picture, [X, Y, Z, W] of its corners, all in front of the eye, with its P at parts of that picture: moved and
 // enlarged on the screen, which no share sees, with the W that it has.
 function take(view, clips, pixel) {
@@ -151,10 +160,7 @@ function take(view, clips, pixel) {
   const [low, high] = [Math.min, Math.max].map((of) => [0, 1].map((k) => of(...places.map((place) => place[k]))));
   const middle = [0, 1].map((k) => (low[k] + high[k]) / 2);
   const scale = 1.5 / Math.max(high[0] - low[0], high[1] - low[1], 1e-9);
-  const ws = clips.map((clip) => clip[3]);
-  Object.assign(camera, { near: Math.min(...ws) / 10, far: Math.max(...ws) * 10 });
-  const reach = 4 * Math.max(...ws);
-  view.scene.limit = within([-reach, -reach, camera.eye[2] - reach], [reach, reach, camera.eye[2] - Math.min(...ws) / 4]);
+  takeDistances(view, clips.map((clip) => clip[3]));
   const { right, up, forward } = basis(camera);
   const tall = Math.tan((camera.yfov * Math.PI) / 360);
   const wide = (tall * view.figure.clientWidth) / view.figure.clientHeight;
@@ -202,6 +208,15 @@ export function start(section, stage) {
   const parts = new Parts(layer, ['r', 's', 't']);
   const straight = new StraightOn(section.querySelector('.straight'), view);
   view.take = (clips, pixel) => take(view, clips, pixel);
+  const restore = view.restore.bind(view);
+  view.restore = (values) => {
+    const saved = ['A', 'B', 'C'].map((name) => numbersIn(values, name, 3));
+    const ws = saved.filter(Boolean).map((at) => scene.camera.eye[2] - at[2]);
+    if (ws.length === 3 && Math.min(...ws) > 0 && saved.some((at) => at.some((value, k) => scene.limit(at)[k] !== value))) {
+      takeDistances(view, ws); // a triangle that was taken from another picture
+    }
+    restore(values);
+  };
   startSteps(section);
   chapterTerms(section, () => view.numbers && termsOf(view.numbers), [parts, straight]);
   view.pick([0.5, 0.5]);
