@@ -54,13 +54,19 @@ static bool bound_instance(const struct scene_mesh *mesh, const float world[16],
            scene_import_finite(size, 3);
 }
 
-// Return true if an instance within these bounds stands so far from the origin that floats have steps for its size.
-static bool is_remote(const struct scene_instance *instance, const float least[3], const float most[3])
+// Return true if an instance of the mesh stands so far from the origin that floats have steps for its size. The size is
+// that of the turned mesh, since floats lose it in the bounds of what is very far.
+static bool is_remote(const struct scene_instance *instance, const struct scene_mesh *mesh)
 {
     double distance = 0, size = 0;
     for (int c = 0; c < 3; c++) {
+        double along = 0;
+        for (int k = 0; k < 3; k++) {
+            const double extent = (double)mesh->bounds_max[k] - (double)mesh->bounds_min[k];
+            along += fabs((double)instance->world[4 * k + c]) * extent;
+        }
         distance = fmax(distance, fabs(instance->place[c]));
-        size = fmax(size, (double)most[c] - (double)least[c]);
+        size = fmax(size, along);
     }
     return size > 0 && distance > SCENE_REMOTE * size;
 }
@@ -91,7 +97,7 @@ static void keep_drawable_instances(struct scene_import *import)
         if (mesh->primitive == SCENE_PRIMITIVE_TRIANGLES) {
             model->triangles_drawn += mesh->index_count / 3;
         }
-        model->is_scattered = model->is_scattered || is_remote(instance, least, most);
+        model->is_scattered = model->is_scattered || is_remote(instance, mesh);
         memmove(exact[kept], exact[i], sizeof *exact);
         model->instances[kept++] = *instance;
     }

@@ -301,6 +301,28 @@ static void test_gltf(void **state)
     assert_one_shape("x.gltf", write_skin);
 }
 
+// Two nodes so far from each other that floats lose the size of each in its bounds.
+static void test_nodes_far_from_each_other(void **state)
+{
+    (void)state;
+    static const double steps[] = {3e6, 2e7, 5e8, 4e11};
+    for (int i = 0; i < 4; i++) {
+        const double place[3] = {steps[i], -0.75 * steps[i], 0.5 * steps[i]};
+        char nodes[512];
+        snprintf(nodes, sizeof nodes,
+                 "{\"children\":[1,2]},{\"mesh\":0},{\"mesh\":0,\"translation\":[%.1f,%.1f,%.1f]}", place[0],
+                 place[1], place[2]);
+        write_shape(nodes, MESH, near, NULL);
+        struct scene_model *const model = load("x.gltf");
+        assert_int_equal(model->instance_count, 2);
+        assert_true(model->is_scattered && model->warning_count == 0);
+        for (int c = 0; c < 3; c++) {
+            assert_true(model->instances[1].place[c] - model->instances[0].place[c] == place[c]);
+        }
+        scene_model_free(model);
+    }
+}
+
 // Positions that are far in the mesh and brought back by its node, as far as floats have them.
 static void test_brought_back(void **state)
 {
@@ -421,13 +443,10 @@ static void test_how_far(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_text_formats),
-    cmocka_unit_test(test_assimp),
-    cmocka_unit_test(test_gltf),
-    cmocka_unit_test(test_brought_back),
-    cmocka_unit_test(test_camera_and_light),
-    cmocka_unit_test(test_clusters),
-    cmocka_unit_test(test_parts_of_a_mesh),
+    cmocka_unit_test(test_text_formats), cmocka_unit_test(test_assimp),
+    cmocka_unit_test(test_gltf),         cmocka_unit_test(test_nodes_far_from_each_other),
+    cmocka_unit_test(test_brought_back), cmocka_unit_test(test_camera_and_light),
+    cmocka_unit_test(test_clusters),     cmocka_unit_test(test_parts_of_a_mesh),
     cmocka_unit_test(test_how_far),
 };
 
