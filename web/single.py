@@ -7,6 +7,7 @@ usage: single.py PAGE-FOLDER FILE
 """
 import base64
 import gzip
+import html
 import re
 import subprocess
 import sys
@@ -64,25 +65,33 @@ def packed(path):
     return base64.b64encode(gzip.compress(path.read_bytes(), 9, mtime=0)).decode()
 
 
+def licenses(folder):
+    """Those of the libraries within, to be read at the end of the page."""
+    texts = [f"{path.name}\n\n{path.read_text(encoding='utf-8')}" for path in sorted((folder / "rhw" / "licenses").iterdir())]
+    text = html.escape("\n\n".join(texts))
+    return f'<details class="licenses"><summary>licenses</summary><pre>{text}</pre></details>\n'
+
+
 def page_of(folder):
     files = [element(name, packed(folder / name), "text/plain") for name in FETCHED]
     files += [element(name, packed(folder / "rhw" / name), "text/plain") for name in WORKER_FETCHED]
     files.append(element(WORKER, BEFORE + bundle(folder / WORKER), "text/plain"))
     page_files = PAGE_FILES.replace("WORKER_FETCHED", str(WORKER_FETCHED)).replace("'WORKER'", f"'{WORKER}'")
     program = f"<script>\n(() => {{{page_files}{BEFORE}{bundle(folder / 'main.js')}}})();\n</script>\n"
-    html = (folder / "index.html").read_text(encoding="utf-8")
-    html = re.sub(r'<link rel="(?:preload|modulepreload)"[^>]*>\n|<script[^>]*></script>\n', "", html)
+    page = (folder / "index.html").read_text(encoding="utf-8")
+    page = re.sub(r'<link rel="(?:preload|modulepreload)"[^>]*>\n|<script[^>]*></script>\n', "", page)
     style = f"<style>\n{(folder / 'page.css').read_text(encoding='utf-8')}</style>\n"
-    html = html.replace('<link rel="stylesheet" href="page.css">\n', style)
-    return html.replace("</body>", "".join(files) + program + "</body>")
+    page = page.replace('<link rel="stylesheet" href="page.css">\n', style)
+    page = page.replace("</footer>", f"{licenses(folder)}</footer>")
+    return page.replace("</body>", "".join(files) + program + "</body>")
 
 
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    html = page_of(Path(sys.argv[1]))
-    Path(sys.argv[2]).write_text(html, encoding="utf-8")
-    print(f"{sys.argv[2]}: {len(html.encode())} bytes")
+    page = page_of(Path(sys.argv[1]))
+    Path(sys.argv[2]).write_text(page, encoding="utf-8")
+    print(f"{sys.argv[2]}: {len(page.encode())} bytes")
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@ import { startContents } from './contents.js';
 import { language, setLanguage, whenLanguage } from './language.js';
 import { typeset } from './math.js';
 import { Stage } from './stage.js';
-import { keepState, parse } from './state.js';
+import { keepState, noteInAddress, parse } from './state.js';
 import { startTips } from './tips.js';
 
 // Of a server that does not know the type of the file, too.
@@ -40,6 +40,7 @@ function startLanguage() {
   button.addEventListener('click', () => {
     setLanguage(language() === 'en' ? 'zh' : 'en');
     keep('language', language());
+    noteInAddress('lang', language());
   });
   whenLanguage(() => {
     button.textContent = language() === 'en' ? '中文' : 'English';
@@ -60,6 +61,7 @@ function startTheme() {
   document.querySelector('#theme').addEventListener('click', () => {
     set(document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark');
     keep('theme', document.documentElement.dataset.theme);
+    noteInAddress('theme', document.documentElement.dataset.theme);
   });
 }
 
@@ -77,6 +79,12 @@ function startNotes() {
     keep('notes', button.getAttribute('aria-pressed') === 'true' ? 'open' : 'closed');
   });
   addEventListener('beforeprint', () => set(true));
+}
+
+// Paper has every picture, also those that nobody has come to.
+function startPrinting() {
+  const views = () => Object.values(window.rhw.views).filter((view) => view?.drawForPaper);
+  addEventListener('beforeprint', () => views().forEach((view) => view.drawForPaper()));
 }
 
 // A browser finds no chapter by an address that says more than its name.
@@ -209,6 +217,7 @@ function startChapters(stage) {
 startLanguage();
 startTheme();
 startNotes();
+startPrinting();
 startContents(document.querySelector('.contents ol'));
 typeset(document);
 startTips();

@@ -2,6 +2,12 @@
 // Names for those who hear the page.
 import { say, whenLanguage } from './language.js';
 
+/** Names a drawing with parts to drag, {en, zh}, as a group. */
+export function nameDrawing(root, name) {
+  root.setAttribute('role', 'group');
+  whenLanguage(() => root.setAttribute('aria-label', say(name)));
+}
+
 /** Names a picture after its caption, or the heading of its chapter where it has none, and says its keys. */
 export function namePicture(canvas, figure) {
   whenLanguage(() => {

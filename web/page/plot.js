@@ -3,6 +3,7 @@
 // pixels; and at its two ends, where it reaches them. Axes with their numbers, and a line at the explained place with a dot on each curve.
 import { say } from './language.js';
 import { short } from './math.js';
+import { nameDrawing } from './naming.js';
 import { draggable, points, set, svg } from './svg.js';
 
 const [LEFT, RIGHT, TOP, BOTTOM] = [46, 14, 16, 34];
@@ -13,6 +14,7 @@ export class Plot {
     this.axes = axes;
     this.root = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     this.root.classList.add('plot');
+    nameDrawing(this.root, { en: 'Curves over the screen', zh: '屏幕上的曲线' });
     node.append(this.root);
     this.lines = svg(this.root, 'g');
     if (moved) {

@@ -19,6 +19,15 @@ export function numbersIn(values, name, count) {
 
 export const numbersText = (numbers) => numbers.map((number) => Number(number.toPrecision(6))).join(',');
 
+/** Says `name` anew in an address that says more than a chapter. */
+export function noteInAddress(name, value) {
+  const { chapter, values } = parse(location.hash);
+  if ([...values].length > 0) {
+    values.set(name, value);
+    history.replaceState(null, '', `#${chapter}?${values.toString().replaceAll('%2C', ',')}`);
+  }
+}
+
 const choices = (section) => [...section.querySelectorAll('[data-name]')];
 
 function choicesOf(section) {

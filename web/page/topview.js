@@ -2,6 +2,7 @@
 // The scene from above: the eye, what it sees, the picture's plane, the triangle with corners to drag in depth, the ray through
 // the pixel and the point P that it meets. Here one sees why halfway on the screen is not halfway in space.
 import { say } from './language.js';
+import { nameDrawing } from './naming.js';
 import { draggable, points, set, svg } from './svg.js';
 import { add, basis, clamp } from './vector.js';
 
@@ -18,6 +19,7 @@ export class TopView {
     this.range = range;
     this.root = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     this.root.classList.add('top');
+    nameDrawing(this.root, { en: 'The scene from above', zh: '俯视图' });
     node.append(this.root);
     this.sight = svg(this.root, 'polygon', { class: 'sight' });
     this.planes = planes.map((plane) => ({

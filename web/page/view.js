@@ -257,6 +257,15 @@ export class View {
     }
   };
 
+  /** Draws at once, seen or not. */
+  drawForPaper() {
+    const { seen } = this;
+    this.seen = true;
+    this.moving = false;
+    this.#frame();
+    this.seen = seen;
+  }
+
   /** The clip coordinates of a point, in this picture: the stage may have drawn another, of another shape. */
   stageClip(point) {
     const { stage, canvas } = this;

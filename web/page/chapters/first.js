@@ -195,5 +195,15 @@ class Question {
 export function start(section, stage) {
   const question = new Question(section, stage);
   const { view } = question.floors[0];
-  return Object.assign(view, { save: () => question.save(), restore: (values) => question.restore(values) });
+  const draw = question.floors.map((floor) => floor.view.drawForPaper.bind(floor.view));
+  return Object.assign(view, {
+    save: () => question.save(),
+    restore: (values) => question.restore(values),
+    drawForPaper() {
+      const { shown } = question; // paper has the answer
+      question.show(true);
+      draw.forEach((one) => one());
+      addEventListener('afterprint', () => question.show(shown), { once: true });
+    },
+  });
 }

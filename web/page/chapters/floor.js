@@ -3,6 +3,7 @@
 import { choice } from '../controls.js';
 import { showDerivation, termsOf } from '../derivation.js';
 import { METHOD, PATTERN } from '../stage.js';
+import { numbersIn, numbersText } from '../state.js';
 import { chapterTerms } from '../tips.js';
 import { clamp } from '../vector.js';
 import { View } from '../view.js';
@@ -33,8 +34,11 @@ export function start(section, stage) {
     corners: [],
     triangleOf: (draw) => TRIANGLES[draw % 2],
     turn(dx, dy) {
-      angles.azimuth -= 0.4 * dx;
-      angles.elevation = clamp(angles.elevation + 0.3 * dy, 8, 88);
+      this.look(angles.azimuth - 0.4 * dx, angles.elevation + 0.3 * dy);
+    },
+    look(azimuth, elevation) {
+      angles.azimuth = azimuth % 360;
+      angles.elevation = clamp(elevation, 8, 88);
       this.camera.eye = eyeAt(angles.azimuth, angles.elevation);
     },
     draw(to, { canvas }) {
@@ -55,6 +59,14 @@ export function start(section, stage) {
     view.update();
   });
   chapterTerms(section, () => view.numbers && termsOf(view.numbers), [view]);
+  const [save, restore] = [view.save.bind(view), view.restore.bind(view)];
+  Object.assign(view, {
+    save: () => ({ ...save(), from: numbersText([angles.azimuth, angles.elevation]) }),
+    restore(values) {
+      scene.look(...(numbersIn(values, 'from', 2) ?? [angles.azimuth, angles.elevation]));
+      restore(values);
+    },
+  });
   view.pick([0.2, 0.6]);
   return view;
 }

@@ -5,6 +5,7 @@
 import { choice } from '../controls.js';
 import { whenLanguage } from '../language.js';
 import { formula, short } from '../math.js';
+import { nameDrawing } from '../naming.js';
 import { legend, Plot } from '../plot.js';
 import { numbersIn, numbersText } from '../state.js';
 import { draggable, points, set, svg } from '../svg.js';
@@ -23,6 +24,7 @@ class Drawing {
     this.q = 0.5;
     this.changed = changed;
     this.root = svg(node, 'svg', { class: 'top' });
+    nameDrawing(this.root, { en: 'The edge AB, the eye and the screen, from above', zh: '俯视图：线段 AB、眼睛与屏幕' });
     this.rays = [0, 1, 2].map(() => svg(this.root, 'line', { class: 'ray' }));
     this.screen = svg(this.root, 'line', { class: 'plane' });
     this.edge = svg(this.root, 'line', { class: 'edge' });
@@ -222,7 +224,9 @@ class Stripes {
     });
   }
 
-  show(zA, zB) {
+  /** `q`: where the point is, as a part of the picture. */
+  show(zA, zB, q) {
+    this.node.style.setProperty('--q', q);
     for (const { of, canvas } of this.rows) {
       const { width } = canvas;
       const image = new ImageData(width, 1);
@@ -269,7 +273,7 @@ export function start(section) {
     plot.axes = { x: AXES.x, y: AXES.y[kind], ends: ["A'", "B'"] };
     plot.show(curves, drawing.q);
     legend(section.querySelector('.legend'), curves);
-    stripes.show(terms.Z_A, terms.Z_B);
+    stripes.show(terms.Z_A, terms.Z_B, drawing.q);
   };
   const plot = new Plot(section.querySelector('.plot-room'), { moved: (part) => drawing.slideBy(part) });
   const stripes = new Stripes(section.querySelector('.stripes'));
