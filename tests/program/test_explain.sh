@@ -409,4 +409,8 @@ refuse 2 "--views: cannot be explained" explain cube.obj --at 1,1 --views top
 refuse 2 "--no-such-thing: no such option; see 'rhw explain --help'" explain cube.obj --at 1,1 --no-such-thing
 refuse 1 "missing.obj: cannot be opened" explain missing.obj --at 1,1
 no_temporary_files
+# Of parts that are far from each other positions count from the one that the camera is near.
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5000000 0 0\nv 5000001 0 0\nv 5000000 1 0\nf 1 2 3\nf 4 5 6\n' >apart.obj
+succeed explain apart.obj --at 80,60 --json --camera 5000000.3,0.3,4,5000000.3,0.3,0,0,1,0,30
+check "the origin is near the camera" grep -q '"origin": \[500000' "$folder/log/out"
 finish
