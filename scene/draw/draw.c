@@ -147,7 +147,6 @@ static enum rhw_result draw_color(struct draw *draw)
     if (!(draw->view->outputs & colors)) {
         return RHW_OK;
     }
-    draw->is_wide = draw->pictures->display != NULL;
     const enum rhw_result result = draw_light(draw);
     if (result != RHW_OK) {
         return result;

@@ -136,7 +136,25 @@ static void test_blending_is_sorted(void **state)
     }
 }
 
-// Colours of 8 bits, whose default background is dithered, and of more are what they are alone where both are wanted.
+static void check_depths(const struct tiny *t, struct scene_view view)
+{
+    const uint32_t outputs[4] = {SCENE_OUTPUT_COLOR, SCENE_OUTPUT_DISPLAY, SCENE_OUTPUT_LINEAR,
+                                 SCENE_OUTPUT_COLOR | SCENE_OUTPUT_DISPLAY | SCENE_OUTPUT_LINEAR};
+    struct scene_pictures p[4];
+    for (int i = 0; i < 4; i++) {
+        view.outputs = outputs[i];
+        p[i] = tiny_draw(t, &view);
+    }
+    assert_memory_equal(p[3].color, p[0].color, 64 * 64 * 4);
+    assert_memory_equal(p[3].display, p[1].display, 64 * 64 * 4 * sizeof(float));
+    assert_memory_equal(p[3].linear, p[2].linear, 64 * 64 * 4 * sizeof(float));
+    for (int i = 0; i < 4; i++) {
+        scene_pictures_free(&p[i]);
+    }
+}
+
+// Colours of 8 bits, whose default background is dithered, and of more are what they are alone where both are wanted, also
+// behind glass and below layers of blended surfaces.
 static void test_colors_of_each_depth_stand_alone(void **state)
 {
     (void)state;
@@ -145,19 +163,20 @@ static void test_colors_of_each_depth_stand_alone(void **state)
     struct scene_view view = tiny_view(&t, 64);
     view.background = SCENE_BACKGROUND_DEFAULT;
     view.camera.ymag = 4.0;
-    const uint32_t outputs[4] = {SCENE_OUTPUT_COLOR, SCENE_OUTPUT_DISPLAY, SCENE_OUTPUT_LINEAR,
-                                 SCENE_OUTPUT_COLOR | SCENE_OUTPUT_DISPLAY | SCENE_OUTPUT_LINEAR};
-    struct scene_pictures p[4];
-    for (int i = 0; i < 4; i++) {
-        view.outputs = outputs[i];
-        p[i] = tiny_draw(&t, &view);
-    }
-    assert_memory_equal(p[3].color, p[0].color, 64 * 64 * 4);
-    assert_memory_equal(p[3].display, p[1].display, 64 * 64 * 4 * sizeof(float));
-    assert_memory_equal(p[3].linear, p[2].linear, 64 * 64 * 4 * sizeof(float));
-    for (int i = 0; i < 4; i++) {
-        scene_pictures_free(&p[i]);
-    }
+    check_depths(&t, view);
+    t.material.alpha_mode = SCENE_ALPHA_BLEND;
+    t.material.base_color[3] = 0.5f;
+    view.transparency = SCENE_TRANSPARENCY_EXACT;
+    view.samples = 4;
+    check_depths(&t, view);
+    t.material.alpha_mode = SCENE_ALPHA_OPAQUE;
+    t.material.unlit = false;
+    t.material.layers = (struct scene_layers){.used = true,
+                                              .transmission = 1,
+                                              .ior = 1,
+                                              .attenuation_distance = INFINITY,
+                                              .attenuation_color = {1, 1, 1}};
+    check_depths(&t, view);
 }
 
 static void test_transparent_background_keeps_color_straight(void **state)
