@@ -33,6 +33,7 @@ struct scene_seen_through {
 
 struct scene {
     struct scene_upload upload;
+    struct scene_vicinity vicinity; // the model as it was drawn last from another origin
     struct scene_surface_pipelines pipelines;
     struct scene_target targets[TARGET_COUNT];
     struct scene_guide guide;

@@ -179,6 +179,43 @@ static void test_colors_of_each_depth_stand_alone(void **state)
     check_depths(&t, view);
 }
 
+// A square in a scattered model, a billion away from the origin, is drawn as one at the origin is, again and in another
+// pose.
+static void test_far_parts_in_each_pose(void **state)
+{
+    (void)state;
+    struct tiny near, far;
+    tiny_make(&near);
+    tiny_make(&far);
+    far.model.instance_count = 2;
+    far.model.is_scattered = true;
+    far.model.bounds_max[0] = 1e9f;
+    near.instances[0].world[12] = 0.25f;
+    far.instances[1].world[12] = 1e9f;
+    far.instances[1].place[0] = 1e9 + 0.25;
+    const struct scene_view view = tiny_view(&near, 32);
+    struct scene_view far_view = view;
+    far_view.camera.eye[0] = far_view.camera.target[0] = 1e9;
+    const struct rhw_context_def def = rhw_context_def_default();
+    rhw_context *context;
+    struct scene *scene;
+    assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
+    assert_int_equal(scene_create(context, &far.model, &scene), RHW_OK);
+    for (int pose = 0; pose < 3; pose++) {
+        near.instances[0].world[0] = far.instances[1].world[0] = 1.0f - 0.25f * (float)pose;
+        assert_int_equal(scene_set_pose(scene, &far.model), RHW_OK);
+        struct scene_pictures expected = tiny_draw(&near, &view), pictures;
+        for (int repeat = 0; repeat < 2; repeat++) {
+            assert_int_equal(scene_draw(scene, &far_view, &pictures, NULL), RHW_OK);
+            assert_memory_equal(pictures.color, expected.color, 32 * 32 * 4);
+            scene_pictures_free(&pictures);
+        }
+        scene_pictures_free(&expected);
+    }
+    scene_destroy(scene);
+    rhw_context_destroy(context);
+}
+
 static void test_transparent_background_keeps_color_straight(void **state)
 {
     (void)state;
@@ -621,6 +658,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_supersampling_averages_light),
     cmocka_unit_test(test_blending_is_sorted),
     cmocka_unit_test(test_colors_of_each_depth_stand_alone),
+    cmocka_unit_test(test_far_parts_in_each_pose),
     cmocka_unit_test(test_transparent_background_keeps_color_straight),
     cmocka_unit_test(test_texture_transform_and_mask),
     cmocka_unit_test(test_occlusion_and_roughness_are_combined),
