@@ -179,6 +179,17 @@ static void test_colors_of_each_depth_stand_alone(void **state)
     check_depths(&t, view);
 }
 
+// The positions are those of the near picture, a billion further along x, and nothing is where nothing is there.
+static void check_far_positions(const struct scene_pictures *near, const struct scene_pictures *far)
+{
+    for (int i = 0; i < near->width * near->height; i++) {
+        const float *const expected = &near->position[4 * i], *const got = &far->position[4 * i];
+        const double x = (double)expected[0] + (expected[3] > 0.0f ? 1e9 : 0.0);
+        assert_true(got[0] == (float)x && got[3] == expected[3]);
+    }
+    assert_true(far->origin[0] == 0.0);
+}
+
 // A square in a scattered model, a billion away from the origin, is drawn as one at the origin is, again and in another
 // pose.
 static void test_far_parts_in_each_pose(void **state)
@@ -193,7 +204,8 @@ static void test_far_parts_in_each_pose(void **state)
     near.instances[0].world[12] = 0.25f;
     far.instances[1].world[12] = 1e9f;
     far.instances[1].place[0] = 1e9 + 0.25;
-    const struct scene_view view = tiny_view(&near, 32);
+    struct scene_view view = tiny_view(&near, 32);
+    view.outputs = SCENE_OUTPUT_COLOR | SCENE_OUTPUT_POSITION;
     struct scene_view far_view = view;
     far_view.camera.eye[0] = far_view.camera.target[0] = 1e9;
     const struct rhw_context_def def = rhw_context_def_default();
@@ -208,6 +220,7 @@ static void test_far_parts_in_each_pose(void **state)
         for (int repeat = 0; repeat < 2; repeat++) {
             assert_int_equal(scene_draw(scene, &far_view, &pictures, NULL), RHW_OK);
             assert_memory_equal(pictures.color, expected.color, 32 * 32 * 4);
+            check_far_positions(&expected, &pictures);
             scene_pictures_free(&pictures);
         }
         scene_pictures_free(&expected);
