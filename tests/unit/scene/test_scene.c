@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "draw/explain_sample.h"
 #include "draw/surface.h"
 #include "draw/upload_image.h"
 
@@ -136,15 +137,31 @@ static void test_blending_is_sorted(void **state)
     }
 }
 
+static void count_fragment(void *user, const struct rhw_explained_fragment *fragment,
+                           const struct scene_drawn *drawn, int first_row)
+{
+    (void)fragment;
+    (void)drawn;
+    (void)first_row;
+    (*(int *)user)++;
+}
+
+// Colours of each depth are what they are alone where both are wanted. The history of a sample is told once.
 static void check_depths(const struct tiny *t, struct scene_view view)
 {
+    int told[4] = {0};
+    struct scene_explain explain = {.x = 32, .y = 32, .fragment = count_fragment};
+    view.explain = &explain;
     const uint32_t outputs[4] = {SCENE_OUTPUT_COLOR, SCENE_OUTPUT_DISPLAY, SCENE_OUTPUT_LINEAR,
                                  SCENE_OUTPUT_COLOR | SCENE_OUTPUT_DISPLAY | SCENE_OUTPUT_LINEAR};
     struct scene_pictures p[4];
     for (int i = 0; i < 4; i++) {
+        explain.user = &told[i];
         view.outputs = outputs[i];
         p[i] = tiny_draw(t, &view);
+        assert_int_equal(told[i], told[0]);
     }
+    assert_true(told[0] > 0 || view.transparency == SCENE_TRANSPARENCY_EXACT);
     assert_memory_equal(p[3].color, p[0].color, 64 * 64 * 4);
     assert_memory_equal(p[3].display, p[1].display, 64 * 64 * 4 * sizeof(float));
     assert_memory_equal(p[3].linear, p[2].linear, 64 * 64 * 4 * sizeof(float));
@@ -153,8 +170,8 @@ static void check_depths(const struct tiny *t, struct scene_view view)
     }
 }
 
-// Colours of 8 bits, whose default background is dithered, and of more are what they are alone where both are wanted, also
-// behind glass and below layers of blended surfaces.
+// The default background, which is dithered in colours of 8 bits, is behind a plain surface, behind layers of blended ones
+// and behind glass.
 static void test_colors_of_each_depth_stand_alone(void **state)
 {
     (void)state;
@@ -169,6 +186,7 @@ static void test_colors_of_each_depth_stand_alone(void **state)
     view.transparency = SCENE_TRANSPARENCY_EXACT;
     view.samples = 4;
     check_depths(&t, view);
+    view.transparency = SCENE_TRANSPARENCY_SORTED;
     t.material.alpha_mode = SCENE_ALPHA_OPAQUE;
     t.material.unlit = false;
     t.material.layers = (struct scene_layers){.used = true,
