@@ -146,6 +146,7 @@ static enum rhw_result draw_opaque(struct draw *draw, const struct scene_target 
     const struct scene_surface_pass surfaces = surfaces_of(draw, &frame, SCENE_SURFACES_OPAQUE);
     struct scene_background_pass background;
     scene_background_set(draw, 1, 0, &background);
+    background.gradient.smooth = 1; // light is in floats, whatever the picture is in
     background.gradient.inverse_side *= 1.0f / frame.samples;
     for (int i = 0; i < 2; i++) {
         background.panorama.scale[i] *= 1.0f / frame.samples;

@@ -57,7 +57,8 @@ enum rhw_result scene_color_draw(struct draw *draw)
     scene_background_set(draw, draw->side, draw->first_row, &background);
     def.color_count = format_count;
     for (int i = 0; i < format_count; i++) {
-        def.colors[i] = (struct rhw_color_attachment){.texture = scene->targets[TARGET_SAMPLES + i].texture};
+        def.colors[i] =
+            (struct rhw_color_attachment){.texture = scene->targets[draw->color_targets[i]].texture};
     }
     memcpy(def.colors[0].clear, background.gradient.top, sizeof background.gradient.top);
     def.depth = (struct rhw_depth_attachment){
@@ -151,6 +152,8 @@ enum rhw_result scene_color_begin(struct draw *draw)
     const bool transparent = draw->view->background == SCENE_BACKGROUND_TRANSPARENT;
     const int width = draw->view->width * draw->side, height = draw->band_rows * draw->side;
     // Premultiplied colours of a transparent picture are divided by alpha later: 8 bits would not do.
+    draw->color_targets[0] = draw->is_wide ? TARGET_WIDE_SAMPLES : TARGET_SAMPLES;
+    draw->color_targets[1] = TARGET_LINEAR_SAMPLES;
     draw->color_formats[0] = draw->is_wide ? RHW_FORMAT_RGBA32_FLOAT
                              : transparent ? RHW_FORMAT_RGBA16_FLOAT
                                            : RHW_FORMAT_RGBA8_SRGB;
@@ -158,9 +161,9 @@ enum rhw_result scene_color_begin(struct draw *draw)
     const bool has_linear = draws_linear(draw);
     draw->color_count = has_linear ? 2 : 1;
     draw->frame.linear_slot = has_linear ? 1 : -1;
-    enum rhw_result result = scene_draw_target(draw, TARGET_SAMPLES, draw->color_formats[0], width, height);
-    if (result == RHW_OK && has_linear) {
-        result = scene_draw_target(draw, TARGET_LINEAR_SAMPLES, draw->color_formats[1], width, height);
+    enum rhw_result result = RHW_OK;
+    for (int i = 0; i < draw->color_count && result == RHW_OK; i++) {
+        result = scene_draw_target(draw, draw->color_targets[i], draw->color_formats[i], width, height);
     }
     return result;
 }
@@ -175,7 +178,7 @@ enum rhw_result scene_color_end(struct draw *draw)
                              pictures->color);
     }
     if (result == RHW_OK && draw->is_wide) {
-        result = finish_band(draw, TARGET_SAMPLES, TARGET_DISPLAY, RHW_FORMAT_RGBA32_FLOAT, transparent,
+        result = finish_band(draw, TARGET_WIDE_SAMPLES, TARGET_DISPLAY, RHW_FORMAT_RGBA32_FLOAT, transparent,
                              pictures->display);
     }
     if (result == RHW_OK && draws_linear(draw)) {
@@ -188,10 +191,10 @@ enum rhw_result scene_color_end(struct draw *draw)
 int scene_color_rows(const struct draw *draw)
 {
     const uint32_t outputs = draw->view->outputs;
-    const size_t per_sample =
-        (outputs & SCENE_OUTPUT_DISPLAY ? 16u : 8u) + (outputs & SCENE_OUTPUT_LINEAR ? 16u : 0u);
+    const bool is_wide = outputs & SCENE_OUTPUT_DISPLAY, is_narrow = outputs & SCENE_OUTPUT_COLOR || !is_wide;
+    const int wide_count = is_wide + (outputs & SCENE_OUTPUT_LINEAR ? 1 : 0);
+    const size_t per_sample = (is_narrow ? 8u : 0u) + 16u * (size_t)wide_count;
     const size_t samples = (size_t)draw->view->supersample;
-    const size_t layers =
-        scene_peel_wanted(draw) ? scene_peel_bytes(draw, outputs & SCENE_OUTPUT_LINEAR ? 2 : 1) : 0;
+    const size_t layers = scene_peel_wanted(draw) ? scene_peel_bytes(draw, is_narrow + wide_count) : 0;
     return scene_band_rows(draw->view->height, (size_t)draw->view->width * (per_sample + layers) * samples);
 }

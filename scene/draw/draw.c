@@ -5,7 +5,6 @@
 #include "drawing.h"
 
 #include "draw/shading/color.h"
-#include "vicinity.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -42,6 +41,7 @@ enum rhw_result scene_create(rhw_context *context, const struct scene_model *mod
 enum rhw_result scene_set_pose(struct scene *scene, const struct scene_model *pose)
 {
     scene_triangle_order_destroy(scene->upload.context, &scene->order);
+    scene_vicinity_free(&scene->vicinity);
     return scene_upload_pose(&scene->upload, pose);
 }
 
@@ -64,6 +64,7 @@ void scene_destroy(struct scene *scene)
     scene_peel_destroy(context, &scene->peel);
     scene_triangle_order_destroy(context, &scene->order);
     rhw_sampler_destroy(context, scene->nearest);
+    scene_vicinity_free(&scene->vicinity);
     scene_upload_destroy(&scene->upload);
     free(scene);
 }
@@ -147,7 +148,6 @@ static enum rhw_result draw_color(struct draw *draw)
     if (!(draw->view->outputs & colors)) {
         return RHW_OK;
     }
-    draw->is_wide = draw->pictures->display != NULL;
     const enum rhw_result result = draw_light(draw);
     if (result != RHW_OK) {
         return result;
@@ -228,20 +228,21 @@ enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
                            struct scene_pictures *pictures, struct scene_draw_stats *stats)
 {
     const struct scene_model *const model = scene->upload.model;
-    struct scene_vicinity vicinity;
     double origin[3];
     scene_vicinity_origin(model, &view->camera, origin);
     if (memcmp(origin, model->origin, sizeof origin) == 0) {
         return draw_near(scene, view, pictures, stats);
     }
-    if (!scene_vicinity_make(&vicinity, model, origin)) {
+    if (!scene_vicinity_get(&scene->vicinity, model, origin)) {
+        *pictures = (struct scene_pictures){.width = 0};
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    scene->upload.model = &vicinity.model;
+    scene->upload.model = &scene->vicinity.model;
     const enum rhw_result result = draw_near(scene, view, pictures, stats);
     scene->upload.model = model;
-    move_positions(pictures, model->origin);
-    scene_vicinity_free(&vicinity);
+    if (result == RHW_OK) {
+        move_positions(pictures, model->origin);
+    }
     return result;
 }
 

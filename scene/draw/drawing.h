@@ -12,12 +12,14 @@
 #include "shadow.h"
 #include "surface.h"
 #include "render_target.h"
+#include "vicinity.h"
 
-enum { TARGET_COUNT = SCENE_DATA_OUTPUTS + 5 };
+enum { TARGET_COUNT = SCENE_DATA_OUTPUTS + 6 };
 
 // What exact transparency is made of, kept from draw to draw. Zeroed: nothing.
 struct scene_peel {
-    struct scene_target colors[2], layers[2], depths[2];
+    struct scene_target colors[3]; // by the target of the band that they become
+    struct scene_target layers[2], depths[2];
     rhw_query any;
 };
 
@@ -31,6 +33,7 @@ struct scene_seen_through {
 
 struct scene {
     struct scene_upload upload;
+    struct scene_vicinity vicinity; // the model as it was drawn last from another origin
     struct scene_surface_pipelines pipelines;
     struct scene_target targets[TARGET_COUNT];
     struct scene_guide guide;
@@ -46,7 +49,15 @@ struct scene {
 };
 
 // Which of scene.targets is what.
-enum { TARGET_SAMPLES, TARGET_LINEAR_SAMPLES, TARGET_COLOR, TARGET_LINEAR, TARGET_DISPLAY, TARGET_DATA };
+enum {
+    TARGET_SAMPLES,        // colours that become 8 bits
+    TARGET_LINEAR_SAMPLES, // light before tone mapping
+    TARGET_WIDE_SAMPLES,   // colours of more than 8 bits
+    TARGET_COLOR,
+    TARGET_LINEAR,
+    TARGET_DISPLAY,
+    TARGET_DATA
+};
 
 // Everything one call of scene_draw works with.
 struct draw {
@@ -59,8 +70,9 @@ struct draw {
     double view_projection[16];
     int side;                         // side of the sample grid
     int band_rows, first_row;         // rows of the picture
-    enum rhw_format color_formats[2]; // formats of the targets of displayed colour and of light
-    int color_count;                  // number of the targets that are drawn to
+    int color_targets[2];             // targets of displayed colour and of light
+    enum rhw_format color_formats[2]; // their formats
+    int color_count;                  // number of them that are drawn to
     bool is_wide;                     // the colours under way are of more than 8 bits
     uint32_t data_pass;               // the outputs of the data pass under way
 };

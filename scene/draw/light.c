@@ -149,16 +149,6 @@ static void set_light(struct scene_shader_light *light, const struct scene_model
     light->spread = (float)(__builtin_sqrt(1.0 - cosine * cosine) / cosine);
 }
 
-static bool stands_within(const struct scene_model *model, const double eye[3])
-{
-    const struct scene_box frame = scene_subject_frame(model);
-    bool within = true;
-    for (int c = 0; c < 3; c++) {
-        within = within && eye[c] > frame.low[c] && eye[c] < frame.high[c];
-    }
-    return within;
-}
-
 bool scene_lighting_create(struct scene_lighting *lighting, const struct scene_model *model,
                            const struct scene_camera *camera, enum scene_axis up, bool default_lights,
                            double exposure)
@@ -179,7 +169,8 @@ bool scene_lighting_create(struct scene_lighting *lighting, const struct scene_m
     }
     if (!from_file) {
         set_key(&lighting->lights[0], view, stops);
-        lighting->lights[0].casts = !stands_within(model, camera->eye);
+        const struct scene_box frame = scene_subject_frame(model);
+        lighting->lights[0].casts = !scene_box_surrounds(&frame, camera->eye);
         set_environment(&lighting->environment, view, up, stops);
         return true;
     }

@@ -36,7 +36,9 @@ size_t scene_peel_bytes(const struct draw *draw, int format_count)
 // Where colours gather: with one sample what is resolved already.
 static const struct scene_target *color_target(const struct draw *draw, int i)
 {
-    return draw->view->samples > 1 ? &draw->scene->peel.colors[i] : &draw->scene->targets[TARGET_SAMPLES + i];
+    struct scene *const scene = draw->scene;
+    const int target = draw->color_targets[i];
+    return draw->view->samples > 1 ? &scene->peel.colors[target] : &scene->targets[target];
 }
 
 // What is drawn into, of as many samples as the picture has.
@@ -51,7 +53,8 @@ static enum rhw_result get_targets(struct draw *draw, const enum rhw_format *for
         result = scene_target_get_samples(context, &peel->layers[i], RHW_FORMAT_RGBA32_FLOAT, width, height,
                                           samples);
         if (result == RHW_OK && samples > 1) {
-            result = scene_target_get_samples(context, &peel->colors[i], formats[i], width, height, samples);
+            result = scene_target_get_samples(context, &peel->colors[draw->color_targets[i]], formats[i],
+                                              width, height, samples);
         }
     }
     for (int i = 0; i < 2 && result == RHW_OK; i++) {
@@ -178,8 +181,9 @@ static enum rhw_result gather_samples(struct draw *draw, int format_count)
     struct rhw_pass_def def = rhw_pass_def_default();
     def.color_count = format_count;
     for (int i = 0; i < format_count; i++) {
-        def.colors[i] = (struct rhw_color_attachment){.texture = scene->peel.colors[i].texture,
-                                                      .resolve = scene->targets[TARGET_SAMPLES + i].texture,
+        const int target = draw->color_targets[i];
+        def.colors[i] = (struct rhw_color_attachment){.texture = scene->peel.colors[target].texture,
+                                                      .resolve = scene->targets[target].texture,
                                                       .load = RHW_LOAD_LOAD,
                                                       .store = RHW_STORE_DISCARD};
     }
@@ -211,8 +215,10 @@ enum rhw_result scene_peel_blended(struct draw *draw)
 
 void scene_peel_destroy(rhw_context *context, struct scene_peel *peel)
 {
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 3; i++) {
         scene_target_destroy(context, &peel->colors[i]);
+    }
+    for (int i = 0; i < 2; i++) {
         scene_target_destroy(context, &peel->layers[i]);
         scene_target_destroy(context, &peel->depths[i]);
     }

@@ -97,6 +97,16 @@ static void extend(struct box2 *box, const struct frame *f, const double p[3])
     }
 }
 
+// Extend a box by where the light sees the corners of another.
+static void extend_by_corners(struct box2 *box, const struct frame *f, const struct scene_box *by)
+{
+    for (int i = 0; i < 8; i++) {
+        double corner[3];
+        scene_box_corner(by, i, corner);
+        extend(box, f, corner);
+    }
+}
+
 // Extend a box by where the light sees what is in the picture. Every other texel of the guide will do, since the map
 // has a margin.
 static void extend_by_seen(struct box2 *box, const struct scene_guide *guide, const struct scene_view *view,
@@ -140,11 +150,7 @@ static struct scene_box find_casters_over(const struct scene_model *model, const
     for (uint32_t i = 0; i < model->instance_count && model->is_scattered; i++) {
         const struct scene_box own = scene_subject_box(model, i);
         struct box2 across = {{1e300, 1e300}, {-1e300, -1e300}};
-        for (int corner = 0; corner < 8; corner++) {
-            double p[3];
-            scene_box_corner(&own, corner, p);
-            extend(&across, f, p);
-        }
+        extend_by_corners(&across, f, &own);
         if (across.low[0] <= seen->high[0] && across.high[0] >= seen->low[0] &&
             across.low[1] <= seen->high[1] && across.high[1] >= seen->low[1]) {
             scene_box_extend(&casters, &own);
@@ -156,18 +162,17 @@ static struct scene_box find_casters_over(const struct scene_model *model, const
 // Where casters begin and end along the light, with some room.
 static void find_range(const struct scene_box *casters, const struct frame *f, double *near, double *far)
 {
-    const struct scene_box box = *casters;
     *near = 1e300;
     *far = -1e300;
     for (int corner = 0; corner < 8; corner++) {
         double p[3];
-        scene_box_corner(&box, corner, p);
+        scene_box_corner(casters, corner, p);
         const double along = scene_dot(f->ahead, p);
         *near = along < *near ? along : *near;
         *far = along > *far ? along : *far;
     }
     // A millionth, or less for a model so small that this would be most of the map's depth.
-    const double some = 1e-6, part = 0.01 * scene_box_diagonal(&box);
+    const double some = 1e-6, part = 0.01 * scene_box_diagonal(casters);
     const double room = 0.01 * (*far - *near) + (part > 0.0 && part < some ? part : some);
     *near -= room;
     *far += room;
@@ -303,11 +308,7 @@ struct scene_shadow_map scene_shadow_cover(const struct scene_model *model,
     const struct frame f = look(ahead, up);
     const struct scene_box casters = find_casters(model);
     struct box2 box = {{1e300, 1e300}, {-1e300, -1e300}};
-    for (int corner = 0; corner < 8; corner++) {
-        double p[3];
-        scene_box_corner(&casters, corner, p);
-        extend(&box, &f, p);
-    }
+    extend_by_corners(&box, &f, &casters);
     double near, far;
     find_range(&casters, &f, &near, &far);
     set_parallel(&map, &f, &box, near, far);

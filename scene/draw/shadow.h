@@ -21,8 +21,8 @@ struct scene_shadows {
 };
 
 /// Draws the maps of as many lights, in their order, as there are maps, and gives them to the lights; the shadows must
-/// outlive their use. `guides` have the
-/// view's distances, the second of what is seen through surfaces, or nothing.
+/// outlive their use. `guides` have the view's distances. The second has those of what is seen through surfaces, or is
+/// zeroed.
 enum rhw_result scene_shadows_draw(struct scene_shadows *shadows, const struct scene_upload *upload,
                                    struct scene_surface_pipelines *pipelines, const struct scene_view *view,
                                    const struct scene_guide *const guides[2], const struct scene_frame *frame,

@@ -6,7 +6,8 @@
 
 #include "camera/camera.h"
 
-/// A model that is counted from another origin. It borrows all but its instances and lights.
+/// A model that is counted from another origin, kept from draw to draw. It borrows all but its instances and lights.
+/// Zeroed: none.
 struct scene_vicinity {
     struct scene_model model;
     struct scene_instance *instances;
@@ -17,9 +18,10 @@ struct scene_vicinity {
 /// what the camera is near stands far from that.
 void scene_vicinity_origin(const struct scene_model *model, const struct scene_camera *camera,
                            double origin[3]);
-/// Count a model from another origin. Return false if there is no memory for it. Free it with scene_vicinity_free.
-bool scene_vicinity_make(struct scene_vicinity *vicinity, const struct scene_model *model,
-                         const double origin[3]);
+/// Count a model from another origin, unless the vicinity is counted from there already. Return false if there is no
+/// memory for it. Free it with scene_vicinity_free, also before it is to be of another model.
+bool scene_vicinity_get(struct scene_vicinity *vicinity, const struct scene_model *model,
+                        const double origin[3]);
 void scene_vicinity_free(struct scene_vicinity *vicinity);
 
 #endif

@@ -41,7 +41,7 @@ static inline void scene_box_extend_to(struct scene_box *box, const double point
     }
 }
 
-/// Return a box with so much more room on every side.
+/// Return a box whose sides lie `room` further out.
 static inline struct scene_box scene_box_grown(const struct scene_box *box, double room)
 {
     struct scene_box grown = *box;
@@ -94,6 +94,16 @@ static inline bool scene_box_has(const struct scene_box *box, const double point
     bool inside = true;
     for (int c = 0; c < 3; c++) {
         inside = inside && point[c] >= box->low[c] && point[c] <= box->high[c];
+    }
+    return inside;
+}
+
+/// Return true if a point lies within the box and not on its sides.
+static inline bool scene_box_surrounds(const struct scene_box *box, const double point[3])
+{
+    bool inside = true;
+    for (int c = 0; c < 3; c++) {
+        inside = inside && point[c] > box->low[c] && point[c] < box->high[c];
     }
     return inside;
 }

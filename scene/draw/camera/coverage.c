@@ -67,8 +67,8 @@ static void cut_line(double a, double b, double *first, double *last)
     }
 }
 
-// Find the places along a line, 0 to SCENE_COVERAGE_SIDE, that can be in the picture. There are none from `*last` on
-// below `*first`.
+// Find the first and the last of the places along a line, 0 to SCENE_COVERAGE_SIDE, that can be in the picture. If no
+// place can be, `*last` is less than `*first`.
 static void find_places(double clip[2][4], int *first, int *last)
 {
     double from = 0.0, to = 1.0;

@@ -10,12 +10,8 @@ static const uint32_t largest_ratio = 100;
 static bool is_inside(const struct scene_model *model, const struct scene_camera *camera)
 {
     const struct scene_box frame = scene_subject_frame(model);
-    bool inside = true;
-    for (int i = 0; i < 3; i++) {
-        const double eye = camera->eye[i] - model->origin[i];
-        inside = inside && eye > frame.low[i] && eye < frame.high[i];
-    }
-    return inside;
+    const struct scene_camera own = scene_camera_from_origin(camera, model->origin);
+    return scene_box_surrounds(&frame, own.eye);
 }
 
 // Return true if the matrix puts a point into the view volume.

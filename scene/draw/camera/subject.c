@@ -15,12 +15,8 @@ struct scene_box scene_subject_frame(const struct scene_model *model)
 
 struct scene_box scene_subject_room(const struct scene_model *model)
 {
-    const struct scene_box frame = scene_subject_frame(model), nothing = scene_box_empty();
-    if (model->is_framed) {
-        return scene_box_grown(&frame, 1e-4 * scene_box_longest(&frame));
-    }
-    return (struct scene_box){{nothing.high[0], nothing.high[1], nothing.high[2]},
-                              {nothing.low[0], nothing.low[1], nothing.low[2]}};
+    const struct scene_box frame = scene_subject_frame(model);
+    return scene_box_grown(&frame, model->is_framed ? 1e-4 * scene_box_longest(&frame) : 1e300);
 }
 
 void scene_subject_place(const struct scene_instance *instance, const double point[3], double place[3])

@@ -260,6 +260,23 @@ ALWAYS_INLINE rhw_float ambient_open(const struct rhw_fragment *f, const struct 
                             view_distance(f, frame, position));
 }
 
+// Return the distance that the guide has at a fragment. The centre of the guide's texel lies `right` and `down` of the
+// fragment's, in pixels of the pass.
+ALWAYS_INLINE rhw_float guide_distance(const struct rhw_fragment *f, const struct scene_frame *frame,
+                                       rhw_float *right, rhw_float *down)
+{
+    const struct scene_guide_lookup *guide = &frame->guide;
+    const float texels = guide->scale / frame->samples, top = frame->first_row * guide->scale;
+    const rhw_float x = rhw_floor(f->coord[0] * texels), y = rhw_floor(f->coord[1] * texels + top);
+    const rhw_int column = rhw_int_from_float_unchecked(rhw_clamp(x, 0.0f, (float)guide->width - 1.0f));
+    const rhw_int row = rhw_int_from_float_unchecked(rhw_clamp(y, 0.0f, (float)guide->height - 1.0f));
+    const rhw_float there =
+        rhw_gather(guide->distance, guide->pitch * guide->height, row * guide->pitch + column);
+    *right = (x + 0.5f) * (1.0f / texels) - f->coord[0];
+    *down = (y + 0.5f - top) * (1.0f / texels) - f->coord[1];
+    return there;
+}
+
 // Find the place at which the shadow on a fragment is looked up. The values of a fragment are those of its pixel's
 // centre, which may lie beyond the edge of a triangle that covers other samples of the pixel. Beyond an inner corner
 // the plane goes on behind what it meets there, where no light arrives. The place is therefore moved towards the eye,
@@ -269,23 +286,16 @@ ALWAYS_INLINE void shadow_place(const struct rhw_fragment *f, const struct scene
                                 rhw_float place[3])
 {
     const struct scene_frame *frame = s->frame;
-    const struct scene_guide_lookup *guide = &frame->guide;
     const rhw_float *position = &f->varying[s->varying_position];
     const rhw_float *ddx = &f->ddx[s->varying_position], *ddy = &f->ddy[s->varying_position];
     for (int c = 0; c < 3; c++) {
         place[c] = position[c];
     }
-    if (!guide->distance || !s->is_triangle) {
+    if (!frame->guide.distance || !s->is_triangle) {
         return;
     }
-    const float texels = guide->scale / frame->samples, top = frame->first_row * guide->scale;
-    const rhw_float x = rhw_floor(f->coord[0] * texels), y = rhw_floor(f->coord[1] * texels + top);
-    const rhw_int column = rhw_int_from_float_unchecked(rhw_clamp(x, 0.0f, (float)guide->width - 1.0f));
-    const rhw_int row = rhw_int_from_float_unchecked(rhw_clamp(y, 0.0f, (float)guide->height - 1.0f));
-    const rhw_float there =
-        rhw_gather(guide->distance, guide->pitch * guide->height, row * guide->pitch + column);
-    const rhw_float right = (x + 0.5f) * (1.0f / texels) - f->coord[0],
-                    down = (y + 0.5f - top) * (1.0f / texels) - f->coord[1];
+    rhw_float right, down;
+    const rhw_float there = guide_distance(f, frame, &right, &down);
     const rhw_float distance = view_distance(f, frame, position);
     rhw_float plane = distance, width = rhw_splat(0.0f);
     for (int c = 0; c < 3; c++) {

@@ -113,3 +113,10 @@ struct scene_pictures tiny_draw(const struct tiny *t, const struct scene_view *v
     rhw_context_destroy(context);
     return pictures;
 }
+
+double tiny_light_at(const struct scene_pictures *pictures, double x, double y)
+{
+    const int column = (int)((x + 2.0) / 4.0 * pictures->width),
+              row = (int)((2.0 - y) / 4.0 * pictures->height);
+    return (double)pictures->linear[4 * (row * pictures->width + column)];
+}

@@ -28,6 +28,8 @@ struct scene_view tiny_view(const struct tiny *t, int size);
 
 /// Draws it in a context of its own. Free the pictures by scene_pictures_free.
 struct scene_pictures tiny_draw(const struct tiny *t, const struct scene_view *view);
+/// Return the red light of the pixel over (x, y) of the plane z = 0, in a picture of tiny_view's camera.
+double tiny_light_at(const struct scene_pictures *pictures, double x, double y);
 
 void tiny_identity(float m[16]);
 void tiny_assert_close(double value, double expected, double tolerance);

@@ -7,13 +7,15 @@
 
 struct meter {
     int calls, blocks;
-    int fail_at; // the call that gets NULL; -1: none
+    int fail_at;    // the call that gets NULL; -1: none
+    size_t largest; // the largest block that was asked for
 };
 
 // A block stands behind the address that malloc gave.
 static void *take(void *user, size_t size, size_t alignment)
 {
     struct meter *const meter = user;
+    meter->largest = size > meter->largest ? size : meter->largest;
     if (meter->calls++ == meter->fail_at) {
         return NULL;
     }
@@ -109,8 +111,42 @@ static void test_memory_runs_out(void **state)
     scene_pictures_free(&whole);
 }
 
+// What colours of both depths are drawn into is kept from draw to draw.
+static void test_targets_are_kept(void **state)
+{
+    enum { SIDE = 256 };
+    (void)state;
+    for (int is_exact = 0; is_exact < 2; is_exact++) {
+        struct panes panes;
+        struct meter meter = {.fail_at = -1};
+        make_panes(&panes);
+        struct scene_view view = tiny_view(&panes.t, SIDE);
+        view.outputs = SCENE_OUTPUT_COLOR | SCENE_OUTPUT_DISPLAY;
+        view.transparency = is_exact ? SCENE_TRANSPARENCY_EXACT : SCENE_TRANSPARENCY_SORTED;
+        view.samples = 4;
+        struct rhw_context_def def = rhw_context_def_default();
+        def.threads = 1;
+        def.allocator = (struct rhw_allocator){take, give, &meter};
+        rhw_context *context;
+        struct scene *scene;
+        assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
+        assert_int_equal(scene_create(context, &panes.t.model, &scene), RHW_OK);
+        for (int repeat = 0; repeat < 2; repeat++) {
+            struct scene_pictures pictures;
+            meter.largest = 0;
+            meter.calls = 0;
+            assert_int_equal(scene_draw(scene, &view, &pictures, NULL), RHW_OK);
+            assert_true(repeat == 0 || meter.largest < (size_t)4 * SIDE * SIDE);
+            scene_pictures_free(&pictures);
+        }
+        scene_destroy(scene);
+        rhw_context_destroy(context);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_memory_runs_out),
+    cmocka_unit_test(test_targets_are_kept),
 };
 
 const struct unit_tests test_scarce_memory = UNIT_TESTS(tests, NULL, NULL);

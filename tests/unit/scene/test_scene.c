@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "draw/explain_sample.h"
 #include "draw/surface.h"
 #include "draw/upload_image.h"
 
@@ -136,7 +137,41 @@ static void test_blending_is_sorted(void **state)
     }
 }
 
-// Colours of 8 bits, whose default background is dithered, and of more are what they are alone where both are wanted.
+static void count_fragment(void *user, const struct rhw_explained_fragment *fragment,
+                           const struct scene_drawn *drawn, int first_row)
+{
+    (void)fragment;
+    (void)drawn;
+    (void)first_row;
+    (*(int *)user)++;
+}
+
+// Colours of each depth are what they are alone where both are wanted. The history of a sample is told once.
+static void check_depths(const struct tiny *t, struct scene_view view)
+{
+    int told[4] = {0};
+    struct scene_explain explain = {.x = 32, .y = 32, .fragment = count_fragment};
+    view.explain = &explain;
+    const uint32_t outputs[4] = {SCENE_OUTPUT_COLOR, SCENE_OUTPUT_DISPLAY, SCENE_OUTPUT_LINEAR,
+                                 SCENE_OUTPUT_COLOR | SCENE_OUTPUT_DISPLAY | SCENE_OUTPUT_LINEAR};
+    struct scene_pictures p[4];
+    for (int i = 0; i < 4; i++) {
+        explain.user = &told[i];
+        view.outputs = outputs[i];
+        p[i] = tiny_draw(t, &view);
+        assert_int_equal(told[i], told[0]);
+    }
+    assert_true(told[0] > 0 || view.transparency == SCENE_TRANSPARENCY_EXACT);
+    assert_memory_equal(p[3].color, p[0].color, 64 * 64 * 4);
+    assert_memory_equal(p[3].display, p[1].display, 64 * 64 * 4 * sizeof(float));
+    assert_memory_equal(p[3].linear, p[2].linear, 64 * 64 * 4 * sizeof(float));
+    for (int i = 0; i < 4; i++) {
+        scene_pictures_free(&p[i]);
+    }
+}
+
+// The default background, which is dithered in colours of 8 bits, is behind a plain surface, behind layers of blended ones
+// and behind glass.
 static void test_colors_of_each_depth_stand_alone(void **state)
 {
     (void)state;
@@ -145,19 +180,71 @@ static void test_colors_of_each_depth_stand_alone(void **state)
     struct scene_view view = tiny_view(&t, 64);
     view.background = SCENE_BACKGROUND_DEFAULT;
     view.camera.ymag = 4.0;
-    const uint32_t outputs[4] = {SCENE_OUTPUT_COLOR, SCENE_OUTPUT_DISPLAY, SCENE_OUTPUT_LINEAR,
-                                 SCENE_OUTPUT_COLOR | SCENE_OUTPUT_DISPLAY | SCENE_OUTPUT_LINEAR};
-    struct scene_pictures p[4];
-    for (int i = 0; i < 4; i++) {
-        view.outputs = outputs[i];
-        p[i] = tiny_draw(&t, &view);
+    check_depths(&t, view);
+    t.material.alpha_mode = SCENE_ALPHA_BLEND;
+    t.material.base_color[3] = 0.5f;
+    view.transparency = SCENE_TRANSPARENCY_EXACT;
+    view.samples = 4;
+    check_depths(&t, view);
+    view.transparency = SCENE_TRANSPARENCY_SORTED;
+    t.material.alpha_mode = SCENE_ALPHA_OPAQUE;
+    t.material.unlit = false;
+    t.material.layers = (struct scene_layers){.used = true,
+                                              .transmission = 1,
+                                              .ior = 1,
+                                              .attenuation_distance = INFINITY,
+                                              .attenuation_color = {1, 1, 1}};
+    check_depths(&t, view);
+}
+
+// The positions are those of the near picture, a billion further along x, and nothing is where nothing is there.
+static void check_far_positions(const struct scene_pictures *near, const struct scene_pictures *far)
+{
+    for (int i = 0; i < near->width * near->height; i++) {
+        const float *const expected = &near->position[4 * i], *const got = &far->position[4 * i];
+        const double x = (double)expected[0] + (expected[3] > 0.0f ? 1e9 : 0.0);
+        assert_true(got[0] == (float)x && got[3] == expected[3]);
     }
-    assert_memory_equal(p[3].color, p[0].color, 64 * 64 * 4);
-    assert_memory_equal(p[3].display, p[1].display, 64 * 64 * 4 * sizeof(float));
-    assert_memory_equal(p[3].linear, p[2].linear, 64 * 64 * 4 * sizeof(float));
-    for (int i = 0; i < 4; i++) {
-        scene_pictures_free(&p[i]);
+    assert_true(far->origin[0] == 0.0);
+}
+
+// A square in a scattered model, a billion away from the origin, is drawn as one at the origin is, again and in another
+// pose.
+static void test_far_parts_in_each_pose(void **state)
+{
+    (void)state;
+    struct tiny near, far;
+    tiny_make(&near);
+    tiny_make(&far);
+    far.model.instance_count = 2;
+    far.model.is_scattered = true;
+    far.model.bounds_max[0] = 1e9f;
+    near.instances[0].world[12] = 0.25f;
+    far.instances[1].world[12] = 1e9f;
+    far.instances[1].place[0] = 1e9 + 0.25;
+    struct scene_view view = tiny_view(&near, 32);
+    view.outputs = SCENE_OUTPUT_COLOR | SCENE_OUTPUT_POSITION;
+    struct scene_view far_view = view;
+    far_view.camera.eye[0] = far_view.camera.target[0] = 1e9;
+    const struct rhw_context_def def = rhw_context_def_default();
+    rhw_context *context;
+    struct scene *scene;
+    assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
+    assert_int_equal(scene_create(context, &far.model, &scene), RHW_OK);
+    for (int pose = 0; pose < 3; pose++) {
+        near.instances[0].world[0] = far.instances[1].world[0] = 1.0f - 0.25f * (float)pose;
+        assert_int_equal(scene_set_pose(scene, &far.model), RHW_OK);
+        struct scene_pictures expected = tiny_draw(&near, &view), pictures;
+        for (int repeat = 0; repeat < 2; repeat++) {
+            assert_int_equal(scene_draw(scene, &far_view, &pictures, NULL), RHW_OK);
+            assert_memory_equal(pictures.color, expected.color, 32 * 32 * 4);
+            check_far_positions(&expected, &pictures);
+            scene_pictures_free(&pictures);
+        }
+        scene_pictures_free(&expected);
     }
+    scene_destroy(scene);
+    rhw_context_destroy(context);
 }
 
 static void test_transparent_background_keeps_color_straight(void **state)
@@ -602,6 +689,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_supersampling_averages_light),
     cmocka_unit_test(test_blending_is_sorted),
     cmocka_unit_test(test_colors_of_each_depth_stand_alone),
+    cmocka_unit_test(test_far_parts_in_each_pose),
     cmocka_unit_test(test_transparent_background_keeps_color_straight),
     cmocka_unit_test(test_texture_transform_and_mask),
     cmocka_unit_test(test_occlusion_and_roughness_are_combined),
