@@ -32,11 +32,18 @@ static struct kept *_Atomic places[PLACES];
 static atomic_size_t bytes;
 static atomic_uint turn;
 
-// Bytes that may be kept on this machine.
+// Bytes that may be kept on this machine. The system is asked when a block may first be kept. Threads that ask at the same
+// time are told the same.
 static size_t limit(void)
 {
-    const size_t part = system_machine_memory() / PART_OF_MEMORY;
-    return part < LEAST_LIMIT ? LEAST_LIMIT : part < MOST_LIMIT ? part : MOST_LIMIT;
+    static atomic_size_t asked; // 0: not yet
+    size_t most = atomic_load(&asked);
+    if (most == 0) {
+        const size_t part = system_machine_memory() / PART_OF_MEMORY;
+        most = part < LEAST_LIMIT ? LEAST_LIMIT : part < MOST_LIMIT ? part : MOST_LIMIT;
+        atomic_store(&asked, most);
+    }
+    return most;
 }
 
 static bool put(struct kept *block)
@@ -102,14 +109,13 @@ void *python_picture_allocate_zeroed(size_t size)
 
 void python_picture_release(void *block, size_t size)
 {
-    const size_t most = limit();
-    if (!block || size < LEAST_SIZE || size > most) {
+    if (!block || size < LEAST_SIZE || size > limit()) {
         free(block);
         return;
     }
     struct kept *const kept = block;
     kept->size = size;
-    shrink(most - size);
+    shrink(limit() - size);
     atomic_fetch_add(&bytes, size);
     if (!put(kept)) { // one gives way, and each in its turn: sizes that are wanted no more go so
         struct kept *const other = atomic_exchange(&places[atomic_fetch_add(&turn, 1) % PLACES], kept);
