@@ -6,12 +6,12 @@
 
 #include <stdbool.h>
 
-/// Makes the program call `clean` before it is ended from outside: within a signal's handler, where hardly anything may be
-/// called, or in another thread. A limit on the size of files becomes an error of writing. A process that was forked calls
-/// this again, as `clean` is not called there otherwise.
+/// Makes the program call `clean` before it is ended from outside: within a signal's handler, where hardly anything may
+/// be called, or in another thread. A limit on the size of files becomes an error of writing. A process that was forked
+/// calls this again, as `clean` is not called there otherwise.
 void system_ending_guard(void (*clean)(void));
-/// Puts off the end of the program until system_ending_release, by a second at most, so that `clean` sees a step whole: what
-/// it makes and the note of it. Does not return once the program ends. A step is short, and holds no second time.
+/// Puts off the end of the program until system_ending_release, by a second at most, so that `clean` sees a step whole:
+/// what it makes and the note of it. Does not return once the program ends. A step is short, and holds no second time.
 void system_ending_hold(void);
 void system_ending_release(void);
 /// Whether the program ends: `clean` is called soon, or was. It sees what was written before this returned false.

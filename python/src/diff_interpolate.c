@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Attributes of vertices at pixels, A = u A0 + v A1 + (1 − u − v) A2, with slopes by the chain rule, and both
-// backwards. Backwards every thread goes through the pixels of an image in order, and adds what they give to the corners
-// of the triangles that it owns; then a vertex adds up what its corners got. A few images are worked on at a time, so
-// that the sums of corners fit a cache.
+// backwards. Backwards every thread goes through the pixels of an image in order, and adds what they give to the
+// corners of the triangles that it owns; then a vertex adds up what its corners got. A few images are worked on at a
+// time, so that the sums of corners fit a cache.
 #include "diff_mesh.h"
 #include "picture_memory.h"
 

@@ -17,7 +17,8 @@ enum {
     CACHE_LINE = 64,
     PLACES = 32,
     LEAST_SIZE = 1 << 16, // what is smaller malloc keeps itself
-    // Of all that are kept. Two pictures of 2048 by 2048 pixels with what a step of a training makes of them are 568 MiB.
+    // Bytes of all that are kept. Two pictures of 2048 by 2048 pixels with what a step of a training makes of them are
+    // 568 MiB.
     LEAST_LIMIT = 256 << 20,
     MOST_LIMIT = 640 << 20,
     PART_OF_MEMORY = 32
@@ -32,8 +33,8 @@ static struct kept *_Atomic places[PLACES];
 static atomic_size_t bytes;
 static atomic_uint turn;
 
-// Bytes that may be kept on this machine. The system is asked when a block may first be kept. Threads that ask at the same
-// time are told the same.
+// Bytes that may be kept on this machine. The system is asked when a block may first be kept. Threads that ask at the
+// same time are told the same.
 static size_t limit(void)
 {
     static atomic_size_t asked; // 0: not yet

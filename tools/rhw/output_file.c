@@ -28,7 +28,8 @@ enum {
 };
 
 static struct {
-    // NULL: free. Whoever holds the program's end writes an entry. The handler reads it, also where it did not wait for that.
+    // An entry is NULL where it is free. Whoever holds the program's end writes it; the handler reads it, and does not
+    // wait for that in all cases.
     const char *_Atomic names[PENDING_MAX];
     char late[512];       // what is said at the deadline
     pthread_mutex_t lock; // held while an entry is taken

@@ -2,8 +2,8 @@
 // A file that appears whole or not at all. Data goes to a temporary file in the target's directory, which
 // takes the target's name only after everything was written; whatever goes wrong before that, an error, a
 // signal, a full disk, removes the temporary file and leaves an older target as it was. Where the system can make a
-// file without a name, the temporary file has none, and nothing is left even of a process that was killed. Elsewhere its
-// name follows from that of the target, and whoever writes the target next removes what is left.
+// file without a name, the temporary file has none, and nothing is left even of a process that was killed. Elsewhere
+// its name follows from that of the target, and whoever writes the target next removes what is left.
 #ifndef CLI_OUTPUT_FILE_H
 #define CLI_OUTPUT_FILE_H
 
@@ -14,7 +14,8 @@ struct cli_output_file {
     FILE *stream;     ///< write here; NULL after finish
     const char *path; ///< as the user gave it; names the file in error lines
     bool seekable;    ///< false for a pipe or a device, which is written directly
-    /// Encoders ask it now and then, on the caller's thread. False gives the file up, without a report. NULL means true.
+    /// Encoders ask it now and then, on the caller's thread. False gives the file up, without a report. It
+    /// may be NULL.
     bool (*goes_on)(void *user);
     void *user;
     // ---
