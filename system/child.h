@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Work that is done apart from the program, because it may crash, hang or ask for all memory: in a process that is a copy of
-// this one. Windows copies no processes; there it is a thread, which shares the fate of the program, and whose memory is not
-// limited. What it takes and never frees is then the program's loss.
+// Work that is done apart from the program, because it may crash, hang or ask for all memory: in a process that is a
+// copy of this one. Windows copies no processes; there it is a thread, which shares the fate of the program, and whose
+// memory is not limited. What it takes and never frees is then the program's loss.
 //
-// Nobody can end a thread: one that runs out of time goes on. What it uses is therefore its own: `user`, the reply and what is
-// known of it here have two owners, the thread and who waits for it, and the last of them frees all three.
+// Nobody can end a thread: one that runs out of time goes on. What it uses is therefore its own: `user`, the reply and
+// what is known of it here have two owners, the thread and who waits for it, and the last of them frees all three.
 #ifndef SYSTEM_CHILD_H
 #define SYSTEM_CHILD_H
 
@@ -35,10 +35,11 @@ struct system_child_work {
     int (*run)(void *user, struct system_child *child);
     /// All that `run` uses of the caller's memory has to be in it, or to live as long as the program.
     void *user;
-    /// Frees `user`: called once, by the caller's thread or the child's, when neither uses it any more, also where the child
-    /// did not start.
+    /// Frees `user`: called once, by the caller's thread or the child's, when neither uses it any more, also where the
+    /// child did not start.
     void (*release)(void *user);
-    /// `user` names memory of the caller, who will have it until the child has ended: a thread has no limit of time then.
+    /// `user` names memory of the caller, who will have it until the child has ended: a thread has no limit of time
+    /// then.
     bool is_borrowing;
     unsigned cpu_seconds, wall_seconds; ///< the processor's time is looked at where the child is a process
     size_t memory;                      ///< bytes of address space; 0: as much as there is
@@ -56,8 +57,8 @@ struct system_child_result {
 /// Runs the work and waits for it; takes work->user, whatever comes of it. Any number of threads may do so at once.
 struct system_child_result system_child_run(const struct system_child_work *work);
 
-/// Ends the child from any depth of `run`, with what is written to the reply so far. The thread that called `run` alone may do
-/// so, and has none left of those that it started: they would use what is not theirs.
+/// Ends the child from any depth of `run`, with what is written to the reply so far. The thread that called `run` alone
+/// may do so, and has none left of those that it started: they would use what is not theirs.
 _Noreturn void system_child_leave(struct system_child *child, int status);
 
 /// Zeroed memory that children see change, and change. NULL where there is none.

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// See ending.h. A thread that holds takes no signal, so that the handler never waits for the thread that it interrupts. It
-// first says that the program ends, and then looks for those that hold; they count themselves first, and then look.
+// See ending.h. A thread that holds takes no signal, so that the handler never waits for the thread that it interrupts.
+// The handler first says that the program ends, and then waits for the threads that hold. A thread first counts itself
+// among them, and then looks whether the program ends: one of the two sees the other.
 #include "ending.h"
 
 #include <signal.h>
 #include <stdatomic.h>
-#include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
 #include <sys/time.h>
 #include <time.h>
 #include <unistd.h>
 
-enum { PATIENCE_MS = 1000 }; // a step on a disk far away may take long, and the program is to end
+enum { PATIENCE_MS = 1000 }; // a step may take longer on a disk far away, but the program has to end
 
 static const int deadly[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 
@@ -24,7 +24,7 @@ static struct {
     _Atomic bool ends;
 } ending;
 
-static _Thread_local sigset_t unheld; // the signals that a thread did not take before it held
+static _Thread_local sigset_t unheld; // the signals that a thread blocked before it held
 
 static void clean_up(void)
 {
@@ -54,6 +54,11 @@ void system_ending_hold(void)
             pause();
         }
     }
+}
+
+bool system_ending_began(void)
+{
+    return ending.ends;
 }
 
 void system_ending_release(void)
@@ -92,7 +97,7 @@ void system_ending_deadline(double seconds, const char *line)
 
 void system_ending_guard(void (*clean)(void))
 {
-    ending.holders = 0; // those of the process that forked this one
+    ending.holders = 0; // a process that was forked has the count of the one that forked it
     ending.ends = false;
     ending.clean = clean;
     ending.owner = getpid();

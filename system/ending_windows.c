@@ -6,7 +6,6 @@
 #include <windows.h>
 
 #include <stdatomic.h>
-#include <stdbool.h>
 #include <string.h>
 
 enum { PATIENCE_MS = 1000 };
@@ -24,7 +23,7 @@ static void clean_up(void)
     if (!ending.clean) {
         return;
     }
-    ending.ends = true; // who holds counts first and looks at this then
+    ending.ends = true; // a thread that holds counts itself first and looks at this then
     for (int i = 0; i < PATIENCE_MS && ending.holders > 0; i++) {
         Sleep(1);
     }
@@ -38,6 +37,11 @@ void system_ending_hold(void)
         ending.holders--;
         Sleep(INFINITE);
     }
+}
+
+bool system_ending_began(void)
+{
+    return ending.ends;
 }
 
 void system_ending_release(void)

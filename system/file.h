@@ -13,8 +13,8 @@ enum system_file_use {
 
 /// A descriptor of bytes as they are, which programs that are started do not get; −1 with errno.
 int system_file_open(const char *path, enum system_file_use use);
-/// A descriptor for reading a regular file; −1 with errno. Anything else, of which a pipe would be waited for and a device
-/// may do something, is not opened: errno is then 0.
+/// A descriptor for reading a regular file; −1 with errno. Anything else, of which a pipe would be waited for and a
+/// device may do something, is not opened: errno is then 0.
 int system_file_open_regular(const char *path);
 /// Gives an open file the permissions of another, as far as it may have them. Windows has those of its folder.
 void system_file_permit_as(int descriptor, const char *path);

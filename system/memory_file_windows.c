@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See memory_file.h. The file is not marked to be deleted when it is closed: the C library could not open it a second time.
+// See memory_file.h. The file is not marked to be deleted when it is closed: the C library could not open it a second
+// time.
 #include "memory_file.h"
 
 #define WIN32_LEAN_AND_MEAN

@@ -9,8 +9,8 @@
 
 /// Whether the system has the limits below. Windows has not: address space is not what it counts.
 bool system_memory_limit_is_there(void);
-/// Bytes of address space from now on, also of processes that are started, as far as the system allows that many. None under a
-/// sanitizer, which takes terabytes, nor where there are no limits.
+/// Bytes of address space from now on, also of processes that are started, as far as the system allows that many. None
+/// under a sanitizer, which takes terabytes, nor where there are no limits.
 void system_memory_limit_set(size_t bytes);
 /// Lowers a limit that there is already, and none where there is none. Returns what restore takes.
 uint64_t system_memory_limit_lower(uint64_t bytes);

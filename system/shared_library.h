@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Libraries that few runs need, and that take longer to start than the others together: they are opened when they are needed.
+// Libraries that few runs need, and that take longer to start than the others together: they are opened when they are
+// needed.
 #ifndef SYSTEM_SHARED_LIBRARY_H
 #define SYSTEM_SHARED_LIBRARY_H
 

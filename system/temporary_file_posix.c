@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See temporary_file.h. The lock belongs to the open file, so that it lasts until the last process that has it open is gone.
+// See temporary_file.h. The lock belongs to the open file, so that it lasts until the last process that has it open is
+// gone.
 #if defined(__linux__)
 #define _GNU_SOURCE // O_TMPFILE
 #endif

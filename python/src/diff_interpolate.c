@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Attributes of vertices at pixels, A = u A0 + v A1 + (1 − u − v) A2, with slopes by the chain rule, and both
-// backwards. Backwards every thread goes through the pixels of an image in order, and adds what they give to the corners of
-// the triangles that it owns; then a vertex adds up what its corners got. A few images are worked on at a time, so that
-// the sums of corners fit a cache.
+// backwards. Backwards every thread goes through the pixels of an image in order, and adds what they give to the
+// corners of the triangles that it owns; then a vertex adds up what its corners got. A few images are worked on at a
+// time, so that the sums of corners fit a cache.
 #include "diff_mesh.h"
 #include "picture_memory.h"
 
@@ -24,8 +24,8 @@ struct work {
     float *attribute_gradient, *rast_gradient, *rast_db_gradient;
     struct diff_corners corners;
     size_t first_image, end_image; // that are worked on
-    size_t first_row,
-        owners;          // of each image: what jobs begin with, and who shares its triangles; a power of 2
+    size_t first_row;              // of each image: jobs work on a block of rows from here on
+    size_t owners;                 // how many jobs share the triangles of an image; a power of 2
     double *corner_sums; // [end_image − first_image][triangles][3][channels] of triangles that are seen
     bool *is_seen;       // [end_image − first_image][triangles]
     double *vertex_sums; // [vertices][channels] of attributes that all images share; else NULL
@@ -298,10 +298,12 @@ static bool run_backwards(struct work *work)
     struct diff_mesh *const mesh = &work->mesh;
     const bool is_shared = work->attribute_stride == 0;
     const size_t sums = diff_times(mesh->triangles, 3 * work->channels);
-    const size_t at_once = images_at_once(work, sums * sizeof(double));
-    const size_t corner_bytes = (at_once * sums + 1) * sizeof *work->corner_sums;
-    const size_t seen_bytes = (at_once * mesh->triangles + 1) * sizeof *work->is_seen;
-    const size_t vertex_bytes = mesh->vertices * work->channels * sizeof *work->vertex_sums;
+    const size_t sum_bytes = diff_times(sums, sizeof *work->corner_sums);
+    const size_t at_once = images_at_once(work, sum_bytes);
+    const size_t corner_bytes = diff_times(at_once, sum_bytes);
+    const size_t seen_bytes = diff_times(at_once, mesh->triangles * sizeof *work->is_seen);
+    const size_t vertex_bytes =
+        diff_times(diff_times(mesh->vertices, work->channels), sizeof *work->vertex_sums);
     work->corner_sums = python_picture_allocate(corner_bytes);
     work->is_seen = python_picture_allocate(seen_bytes);
     work->vertex_sums = is_shared ? python_picture_allocate_zeroed(vertex_bytes) : NULL;

@@ -326,8 +326,8 @@ static PyObject *pass_end(PyObject *self, PyObject *nothing)
     result = rhw_pass_end(context, item->id.pass, &stats);
     rhw_context_set_goes_on(context, NULL, NULL);
     PyEval_RestoreThread(work.state);
-    // Misuse while it was recorded: the call that it was raised it, and the rest is drawn. Where a handler has raised an
-    // exception, that is told.
+    // Misuse while it was recorded: the call that it was raised it, and the rest is drawn. Where a handler has raised
+    // an exception, that is told.
     const bool is_told = result == RHW_ERROR_MISUSE || result == RHW_ERROR_GIVEN_UP;
     const bool left = python_context_leave(pass->context, is_told ? RHW_OK : result);
     Py_DECREF(item->kept);

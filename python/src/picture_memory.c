@@ -17,7 +17,8 @@ enum {
     CACHE_LINE = 64,
     PLACES = 32,
     LEAST_SIZE = 1 << 16, // what is smaller malloc keeps itself
-    // Of all that are kept. Two pictures of 2048 by 2048 pixels with what a step of a training makes of them are 568 MiB.
+    // Bytes of all that are kept. Two pictures of 2048 by 2048 pixels with what a step of a training makes of them are
+    // 568 MiB.
     LEAST_LIMIT = 256 << 20,
     MOST_LIMIT = 640 << 20,
     PART_OF_MEMORY = 32
@@ -32,11 +33,18 @@ static struct kept *_Atomic places[PLACES];
 static atomic_size_t bytes;
 static atomic_uint turn;
 
-// Bytes that may be kept on this machine.
+// Bytes that may be kept on this machine. The system is asked when a block may first be kept. Threads that ask at the
+// same time are told the same.
 static size_t limit(void)
 {
-    const size_t part = system_machine_memory() / PART_OF_MEMORY;
-    return part < LEAST_LIMIT ? LEAST_LIMIT : part < MOST_LIMIT ? part : MOST_LIMIT;
+    static atomic_size_t asked; // 0: not yet
+    size_t most = atomic_load(&asked);
+    if (most == 0) {
+        const size_t part = system_machine_memory() / PART_OF_MEMORY;
+        most = part < LEAST_LIMIT ? LEAST_LIMIT : part < MOST_LIMIT ? part : MOST_LIMIT;
+        atomic_store(&asked, most);
+    }
+    return most;
 }
 
 static bool put(struct kept *block)
@@ -102,14 +110,13 @@ void *python_picture_allocate_zeroed(size_t size)
 
 void python_picture_release(void *block, size_t size)
 {
-    const size_t most = limit();
-    if (!block || size < LEAST_SIZE || size > most) {
+    if (!block || size < LEAST_SIZE || size > limit()) {
         free(block);
         return;
     }
     struct kept *const kept = block;
     kept->size = size;
-    shrink(most - size);
+    shrink(limit() - size);
     atomic_fetch_add(&bytes, size);
     if (!put(kept)) { // one gives way, and each in its turn: sizes that are wanted no more go so
         struct kept *const other = atomic_exchange(&places[atomic_fetch_add(&turn, 1) % PLACES], kept);

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Finds comments of include/, src/ and scene/ that lean on their neighbour, and lines that are too wide.
+"""Finds comments of include/, src/ and scene/ that lean on their neighbour, and lines that are too wide, these also in
+system/, tools/ and python/src.
 
 A comment is read where it stands, without the one above it, so none begins with a word that points there: "Does so …",
 "The same …", "Those …", "Likewise …", "And …". Lines have at most 120 columns; clang-format holds code to 110.
-usage: comments.py ROOT [FOLDER...]; --count tells the number of complaints for each folder instead of each complaint.
+usage: comments.py ROOT [FOLDER...]; a folder that is named is read for both. --count tells the number of complaints for
+each folder instead of each complaint.
 """
 import re
 import sys
@@ -13,6 +15,7 @@ from pathlib import Path
 
 WIDTH = 120
 SOURCES = ("include", "src", "scene")
+WIDTH_ALONE = ("system", "tools", "python/src")
 
 # Words with which a comment leans on its neighbour, or on the line that it stands behind.
 LEANING = re.compile(
@@ -54,7 +57,7 @@ def comment_at(line):
     return -1
 
 
-def complaints(path):
+def complaints(path, width_alone):
     """Yields the number of a line of a file, and what is wrong with it."""
     above = -1  # the column of a comment that the line above has alone or behind its code
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
@@ -62,7 +65,7 @@ def complaints(path):
             yield number, f"{len(line)} columns; at most {WIDTH}"
         at = comment_at(line)
         goes_on = at >= 0 and at == above and not line[:at].strip()
-        if at >= 0 and not goes_on:
+        if at >= 0 and not goes_on and not width_alone:
             text = line[at:].lstrip("/<! ")
             if LEANING.match(text) and not STANDING.match(text):
                 yield number, f'the comment leans on its neighbour: "{text[:60]}"'
@@ -74,11 +77,11 @@ def main(arguments):
     root, *folders = [a for a in arguments if a != "--count"] or ["."]
     root = Path(root)
     found = Counter()
-    for folder in folders or SOURCES:
+    for folder in folders or SOURCES + WIDTH_ALONE:
         for path in sorted((root / folder).rglob("*")):
             if path.suffix not in (".c", ".h"):
                 continue
-            for number, what in complaints(path):
+            for number, what in complaints(path, width_alone=not folders and folder in WIDTH_ALONE):
                 found[str(path.parent.relative_to(root))] += 1
                 if not counts:
                     print(f"{path.relative_to(root)}:{number}: {what}")

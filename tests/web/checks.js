@@ -100,6 +100,16 @@ async function checkSignals(checks, rhw, box, address) {
     scene.close();
 }
 
+// A thread that fails does so in a worker, and whoever runs the checks hears of it.
+async function checkClosing(checks, rhw, box) {
+    for (let i = 0; i < 10; i++) {
+        const scene = await rhw.load(box);
+        const { color } = scene.render({ size: 1, samples: 1 });
+        scene.close(); // some of its threads have not begun yet
+        checks.same('a scene that is closed at once', color.length, 4);
+    }
+}
+
 async function checkColors(checks, rhw, box) {
     const scene = await rhw.load(box);
     const corner = (background) => [...scene.render({ size: 8, zoom: 0.1, samples: 1, background }).color.slice(0, 4)];
@@ -321,6 +331,7 @@ export async function check(rhw, read, threads, address) {
     await checkAddresses(checks, rhw, read, data.cases, address);
     const box = data.cases[0].model;
     await checkSignals(checks, rhw, await read(box), address(box));
+    await checkClosing(checks, rhw, await read(box));
     await checkColors(checks, rhw, await read(box));
     await checkScene(checks, rhw, read, data, threads);
     await checkErrors(checks, rhw, read, data);

@@ -18,7 +18,8 @@ const page = `<!doctype html><script type="module">
 const worker = new Worker('/worker.js', { type: 'module' });
 const tell = (result) => fetch('/result', { method: 'POST', body: JSON.stringify(result) });
 worker.onmessage = ({ data }) => tell(data);
-worker.onerror = ({ message }) => tell({ count: 1, failures: [message ?? 'the worker does not start'] });
+worker.onerror = ({ message, filename, lineno }) =>
+    tell({ count: 1, failures: [message ? \`\${message} (\${filename}:\${lineno})\` : 'the worker does not start'] });
 </script>`;
 
 const isolation = {
@@ -26,11 +27,17 @@ const isolation = {
     'Cross-Origin-Embedder-Policy': 'require-corp',
 };
 
+// What a thread of the package fails of is thrown as the event that told of it.
 const worker = `import * as rhw from '/node_modules/rhw/index.js';
 import { check } from '/checks.js';
 const read = async (name) => new Uint8Array(await (await fetch('/data/' + name)).arrayBuffer());
 const threads = crossOriginIsolated ? navigator.hardwareConcurrency : 1;
 const fail = (error) => postMessage({ count: 1, failures: [String(error?.stack ?? error)] });
+addEventListener('error', (event) => {
+    const { message, filename, lineno } = event.error instanceof ErrorEvent ? event.error : event;
+    event.preventDefault(); // the page has nothing to add
+    fail(\`\${message} (\${filename}:\${lineno})\`);
+});
 check(rhw, read, threads, (name) => '/data/' + name).then(postMessage, fail);`;
 
 async function contentOf(path) {

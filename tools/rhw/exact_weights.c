@@ -92,8 +92,8 @@ static void from_point(mpq_t difference, float value, float w, const mpq_t scale
     mpq_clear(along);
 }
 
-// Where a vertex lies nowhere on the screen: P is the mixture of the vertices whose X and Y, seen from P, vanish, so a : b : c
-// are the 2 x 2 determinants of the other two vertices; r, s, t = a W_A/W_P, ...
+// Where a vertex lies nowhere on the screen: P is the mixture of the vertices whose X and Y, seen from P, vanish, so
+// a : b : c are the 2 x 2 determinants of the other two vertices; r, s, t = a W_A/W_P, ...
 static bool set_homogeneous(struct cli_exact_weights *w, const struct rhw_explained_fragment *f,
                             const mpq_t scale[2], const mpq_t middle[2])
 {

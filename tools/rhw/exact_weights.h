@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The formulas of perspective in exact arithmetic (GMP's rationals), on what the pipeline begins with: snapped positions,
-// 1/W and values of vertices. Every number that a float or a double holds is a rational; nothing is rounded but where a
-// result becomes a double to be printed.
+// The formulas of perspective in exact arithmetic (GMP's rationals), on what the pipeline begins with: snapped
+// positions, 1/W and values of vertices. Every number that a float or a double holds is a rational; nothing is rounded
+// but where a result becomes a double to be printed.
 #ifndef CLI_EXACT_WEIGHTS_H
 #define CLI_EXACT_WEIGHTS_H
 
@@ -18,8 +18,8 @@ struct cli_exact_weights {
     mpq_t space[3];  ///< a, b, c = r/W_0 / inverse_w, ..
 };
 
-/// Of a fragment that was shaded in a picture of that size, its viewport. False where the triangle has no area. Free what is
-/// set.
+/// Of a fragment that was shaded in a picture of that size, its viewport. False where the triangle has no area. Free
+/// what is set.
 bool cli_exact_weights_set(struct cli_exact_weights *weights, const struct rhw_explained_fragment *fragment,
                            int width, int height);
 void cli_exact_weights_free(struct cli_exact_weights *weights);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// rhw explain: the picture that rhw render draws, and the history of one of its samples. The options that say what is drawn
-// are those of rhw render, which reads them.
+// rhw explain: the picture that rhw render draws, and the history of one of its samples. The options that say what is
+// drawn are those of rhw render, which reads them.
 #include "explain_draw.h"
 #include "explain_write.h"
 #include "options.h"

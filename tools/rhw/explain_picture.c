@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The triangle of the fragment that is seen, as an SVG: on the left the pixels around the place with its edges over them, on
-// the right all of it, cut by the place into the three triangles whose areas are r, s and t; see explain_write.h.
+// The triangle of the fragment that is seen, as an SVG: on the left the pixels around the place with its edges over
+// them, on the right all of it, cut by the place into the three triangles whose areas are r, s and t; see
+// explain_write.h.
 #include "exact_weights.h"
 #include "explain_write.h"
 #include "message.h"

@@ -180,7 +180,8 @@ static void print_components(FILE *out, const struct cli_explanation *e, const s
     fprintf(out, "\nThe largest error is %.2f ULP; rhw promises 8 (docs/exactness.md).\n", worst);
 }
 
-// How much of texel i of the four around a place is read; `part`: how far that lies to the right of and below the first.
+// How much of texel i of the four around a place is read; `part`: how far that lies to the right of and below the
+// first.
 static double share_of(int i, const double part[2], enum rhw_filter filter)
 {
     double share = 1.0;
@@ -191,7 +192,8 @@ static double share_of(int i, const double part[2], enum rhw_filter filter)
     return share;
 }
 
-// The four texels around the place in a level: each with its share where they are mixed, else the nearest. `nearest`: why.
+// The four texels around the place in a level: each with its share where they are mixed, else the nearest. `nearest`:
+// why.
 static void print_texels(FILE *out, const struct scene_texture_look *look, int next, enum rhw_filter filter,
                          const char *nearest)
 {

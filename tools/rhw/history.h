@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The history of a sample as rhw explain keeps it: the fragments that came to it, and what their triangles and varyings were.
+// The history of a sample as rhw explain keeps it: the fragments that came to it, and what their triangles and varyings
+// were.
 #ifndef CLI_HISTORY_H
 #define CLI_HISTORY_H
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // PNG and PPM decoders and access to samples; see image_load.h. EXR stands in image_load_exr.c, WebP in
-// image_load_webp.c. libspng expands every kind of PNG to RGBA; spng's choices for palettes and key colours are thus ours.
+// image_load_webp.c. libspng expands every kind of PNG to RGBA; spng's choices for palettes and key colours are thus
+// ours.
 #include "image_load.h"
 
 #include "file.h"
@@ -60,8 +61,8 @@ bool cli_image_allocate(struct cli_loaded_image *image, const char *path, size_t
     return image->memory != NULL;
 }
 
-// What is not the picture, but colour profiles and texts, may take a small part of the memory: a compressed chunk can become
-// a thousand times as large.
+// What is not the picture, but colour profiles and texts, may take a small part of the memory: a compressed chunk can
+// become a thousand times as large.
 static int limit_png(spng_ctx *context)
 {
     const size_t chunk = 64 << 20, all = 128 << 20;

@@ -32,13 +32,13 @@ struct cli_loaded_image {
 /// Bytes of memory that a picture may take where nobody says otherwise: 16384 pixels each way of 16 bit colours.
 #define CLI_IMAGE_MOST ((size_t)2 << 30)
 
-/// Reads a picture whatever its name ends in: its first bytes tell. One that would take more than `most` bytes of memory
-/// is refused before it does. Reports failure in one line.
+/// Reads a picture whatever its name ends in: its first bytes tell. One that would take more than `most` bytes of
+/// memory is refused before it does. Reports failure in one line.
 bool cli_image_load(struct cli_loaded_image *image, const char *path, size_t most);
 void cli_image_unload(struct cli_loaded_image *image);
 
-/// For the decoders: allocates `count` elements of `size` bytes, zeroed, as `memory`, within image->most. Reports failure
-/// in one line.
+/// For the decoders: allocates `count` elements of `size` bytes, zeroed, as `memory`, within image->most. Reports
+/// failure in one line.
 bool cli_image_allocate(struct cli_loaded_image *image, const char *path, size_t count, size_t size);
 
 /// One row of one channel; `row` has image->width elements.

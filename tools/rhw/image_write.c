@@ -73,18 +73,13 @@ static int start_png(spng_ctx *context, const struct cli_raster *raster)
     return result;
 }
 
-static bool goes_on(const struct cli_output_file *file)
-{
-    return !file->goes_on || file->goes_on(file->user);
-}
-
-// `*gave_up`: the file is not whole, though nothing failed.
+// Sets `*gave_up` where the file is left unfinished, though nothing failed.
 static int encode_png(spng_ctx *context, const struct cli_output_file *file, const struct cli_raster *raster,
                       void *row, bool *gave_up)
 {
     int result = start_png(context, raster);
     for (int y = 0; !result && !*gave_up && y < raster->height; y++) {
-        *gave_up = !goes_on(file);
+        *gave_up = !cli_output_file_goes_on(file);
         raster->row(raster->user, y, row);
         result = spng_encode_row(context, row, row_size(raster));
     }

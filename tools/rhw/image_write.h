@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Encoders of picture files: PNG (libspng), PPM, JPEG (libjpeg), WebP (libwebp) and EXR (OpenEXRCore). PNG and PPM ask for one row at a
-// time, so that a conversion to bytes needs no second copy of the picture.
+// Encoders of picture files: PNG (libspng), PPM, JPEG (libjpeg), WebP (libwebp) and EXR (OpenEXRCore). PNG and PPM ask
+// for one row at a time, so that a conversion to bytes needs no second copy of the picture.
 #ifndef CLI_IMAGE_WRITE_H
 #define CLI_IMAGE_WRITE_H
 

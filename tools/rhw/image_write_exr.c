@@ -117,15 +117,10 @@ static exr_result_t prepare_chunk(struct encoder *encoder, exr_encode_pipeline_t
     return result;
 }
 
-static bool goes_on(const struct cli_output_file *file)
-{
-    return !file->goes_on || file->goes_on(file->user);
-}
-
 // The caller's thread asks the file; the others end when that gave up. Chunks that were taken are written.
 static int take_chunk(struct encoder *encoder, bool is_caller)
 {
-    const bool gives_up = is_caller && !goes_on(encoder->file);
+    const bool gives_up = is_caller && !cli_output_file_goes_on(encoder->file);
     pthread_mutex_lock(&encoder->mutex);
     encoder->gave_up |= gives_up;
     const bool left = !encoder->result && !encoder->gave_up &&
@@ -276,7 +271,7 @@ static bool copy(FILE *from, struct cli_output_file *to)
     char buffer[1 << 16];
     size_t count = 1;
     bool copied = fflush(from) == 0 && fseek(from, 0, SEEK_SET) == 0;
-    while (copied && goes_on(to) && (count = fread(buffer, 1, sizeof buffer, from)) > 0) {
+    while (copied && cli_output_file_goes_on(to) && (count = fread(buffer, 1, sizeof buffer, from)) > 0) {
         copied = fwrite(buffer, 1, count, to->stream) == count;
     }
     if (!copied || ferror(from)) {

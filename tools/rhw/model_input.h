@@ -17,8 +17,8 @@ struct cli_model_input {
     struct system_memory_file memory; ///< what standard input gave
 };
 
-/// `goes_on` is asked several times a second while standard input is read; false gives it up, without a report. NULL: nobody
-/// is asked. Reports failure.
+/// `goes_on` is asked several times a second while standard input is read; false gives it up, without a report. NULL:
+/// nobody is asked. Reports failure.
 bool cli_model_input_open(struct cli_model_input *input, const char *argument, bool (*goes_on)(void *user),
                           void *user);
 void cli_model_input_close(struct cli_model_input *input);

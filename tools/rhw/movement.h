@@ -17,8 +17,8 @@ uint32_t cli_movement_animation(const struct cli_render_job *job, const struct s
 /// How many pictures there are and how fast, for a model that has been read. Reports an animation that it lacks.
 bool cli_movement_plan(struct cli_movement *movement, const struct cli_render_job *job,
                        const struct scene_model *model);
-/// Reads the pose at a time in seconds, with the materials and images of `render->model`, which it borrows; NULL after a
-/// report, or where it was given up. Free it by cli_movement_free_pose.
+/// Reads the pose at a time in seconds, with the materials and images of `render->model`, which it borrows; NULL after
+/// a report, or where it was given up. Free it by cli_movement_free_pose.
 struct scene_model *cli_pose_read(const struct render *render, double time);
 /// The same of a picture.
 struct scene_model *cli_movement_pose(const struct cli_movement *movement, const struct render *render,

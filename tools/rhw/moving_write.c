@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // See moving_write.h. An animated PNG (PNG, third edition, §11.3.6) is the chunks of ordinary ones: those of the first
-// picture as they are, of the others their image data under another name, each behind a chunk that says when it is shown.
+// picture as they are, of the others their image data under another name, each behind a chunk that says when it is
+// shown.
 #include "moving_write.h"
 
 #include "growing.h"

@@ -23,8 +23,9 @@ struct cli_option {
     const char *name;     ///< long name without dashes
     int id;               ///< a letter: the short form too; 256 or more: long form only
     const char *argument; ///< what --help calls the argument; NULL: none; "[NAME]": optional, as --name=NAME
-    const char *
-        help; ///< one or more lines, separated by \n; NULL: the program tells itself so, and --help does not; known when written in full
+    /// One or more lines, separated by \n. It is NULL for an option that the program passes to itself: --help leaves
+    /// that out, and it is known when written in full.
+    const char *help;
 };
 
 /// One verb: its name on the command line and all that --help says about it.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Temporary file beside the target, which gets its name at the end; see output_file.h. Signals need the one piece of
 // process-wide state in the program: a fixed list of names that the handler, which may call nothing but
-// async-signal-safe functions, can walk and unlink. Files may be open in several threads. A name is in the list just as long
-// as its file is there and ours: the program does not end between one and the other.
+// async-signal-safe functions, can walk and unlink. Files may be open in several threads. A name is in the list just as
+// long as its file is there and ours: the program does not end between one and the other.
 #include "output_file.h"
 
 #include "ending.h"
@@ -28,16 +28,19 @@ enum {
 };
 
 static struct {
-    const char *names[PENDING_MAX]; // NULL: free; of whoever holds the program's end
-    char late[512];                 // what is said at the deadline
-    pthread_mutex_t lock;           // of taking an entry
+    // An entry is NULL where it is free. Whoever holds the program's end writes it; the handler reads it, and does not
+    // wait for that in all cases.
+    const char *_Atomic names[PENDING_MAX];
+    char late[512];       // what is said at the deadline
+    pthread_mutex_t lock; // held while an entry is taken
 } pending = {.lock = PTHREAD_MUTEX_INITIALIZER};
 
 static void remove_pending(void)
 {
     for (int i = 0; i < PENDING_MAX; i++) {
-        if (pending.names[i]) {
-            unlink(pending.names[i]);
+        const char *const name = pending.names[i];
+        if (name) {
+            unlink(name);
         }
     }
 }
@@ -52,7 +55,7 @@ void cli_output_files_deadline(double seconds, const char *subject)
 void cli_output_files_guard(void)
 {
     for (int i = 0; i < PENDING_MAX; i++) {
-        pending.names[i] = NULL; // those of the process that forked this one
+        pending.names[i] = NULL; // a process that was forked has the names of the one that forked it
     }
     system_ending_guard(remove_pending);
 }
@@ -193,7 +196,7 @@ static int give_name(const char *name, int descriptor)
     return system_temporary_file_name(descriptor, name) ? 0 : -1;
 }
 
-// From now on a signal removes the file. False, and it is removed, where too many are open.
+// Makes a signal remove the file. Removes it at once, and returns false, where too many are open.
 static bool guard(struct cli_output_file *file)
 {
     pthread_mutex_lock(&pending.lock);
@@ -210,13 +213,16 @@ static bool guard(struct cli_output_file *file)
     return file->pending >= 0;
 }
 
+// The entry is emptied before the question whether the program ends: if it does not yet, nobody has the name any more.
 static void forget_temporary(struct cli_output_file *file)
 {
     if (file->pending >= 0) {
         pending.names[file->pending] = NULL;
         file->pending = -1;
     }
-    free(file->temporary);
+    if (!system_ending_began()) {
+        free(file->temporary);
+    }
     file->temporary = NULL;
 }
 

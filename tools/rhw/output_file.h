@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A file that appears whole or not at all. Data goes to a temporary file in the target's directory, which
 // takes the target's name only after everything was written; whatever goes wrong before that, an error, a
-// signal, a full disk, removes the temporary file and leaves an older target as it was. Where the system can, the
-// temporary file has no name, so that nothing is left even of a process that was killed. Elsewhere its name follows from
-// that of the target, and who next writes the target removes what is left.
+// signal, a full disk, removes the temporary file and leaves an older target as it was. Where the system can make a
+// file without a name, the temporary file has none, and nothing is left even of a process that was killed. Elsewhere
+// its name follows from that of the target, and whoever writes the target next removes what is left.
 #ifndef CLI_OUTPUT_FILE_H
 #define CLI_OUTPUT_FILE_H
 
@@ -14,19 +14,25 @@ struct cli_output_file {
     FILE *stream;     ///< write here; NULL after finish
     const char *path; ///< as the user gave it; names the file in error lines
     bool seekable;    ///< false for a pipe or a device, which is written directly
-    /// Asked by encoders now and then, on the caller's thread: false gives the file up, without a report. NULL: nobody.
+    /// Encoders ask it now and then, on the caller's thread. False gives the file up, without a report. It
+    /// may be NULL.
     bool (*goes_on)(void *user);
     void *user;
     // ---
     char *target;    ///< NULL: written directly
     char *temporary; ///< NULL: written directly, or the file has no name yet
-    int descriptor;  ///< of the temporary file, which keeps it locked; −1: written directly
+    int descriptor;  ///< the temporary file, which this keeps locked; −1: written directly
     int pending;     ///< entry in the list of files that a signal removes; −1: none
 };
 
+/// Whether an encoder is to go on with the file.
+static inline bool cli_output_file_goes_on(const struct cli_output_file *file)
+{
+    return !file->goes_on || file->goes_on(file->user);
+}
+
 /// Makes SIGINT, SIGTERM, SIGHUP and SIGPIPE remove the temporary files before they end the process, and a
-/// file size limit an ordinary write error. Call first, and in
-/// each process that is forked.
+/// file size limit an ordinary write error. Call it first, and in each process that is forked.
 void cli_output_files_guard(void);
 /// From now on the process ends after so many seconds, with status 1, a line about `subject`, and no temporary file.
 void cli_output_files_deadline(double seconds, const char *subject);

@@ -34,9 +34,9 @@ void cli_output_rasterize(struct cli_output_raster *output, const struct scene_p
 
 enum { CLI_EXR_CHANNELS_MAX = 36 };
 
-/// The channels of all `kinds`; returns their number. Positions of a model far from the origin are made in the coordinates
-/// of the file, and stand beside those that are counted from the origin: free `positions` when the file is written. Returns
-/// 0 where there is not enough memory.
+/// The channels of all `kinds`; returns their number. Positions of a model far from the origin are made in the
+/// coordinates of the file, and stand beside those that are counted from the origin: free `positions` when the file is
+/// written. Returns 0 where there is not enough memory.
 int cli_outputs_exr_channels(const struct scene_pictures *pictures, unsigned kinds,
                              struct cli_exr_channel channels[CLI_EXR_CHANNELS_MAX], float **positions);
 

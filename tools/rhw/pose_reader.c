@@ -11,8 +11,8 @@ static void *read_one(void *user)
     return NULL;
 }
 
-// Reading forks a process. libc sees to it that its locks are free in there; a sanitizer does not, whose allocator another
-// thread may hold.
+// Reading forks a process. libc sees to it that its locks are free in there; a sanitizer does not, whose allocator
+// another thread may hold.
 static void begin(struct cli_pose_reader *reader)
 {
     reader->pose = NULL;

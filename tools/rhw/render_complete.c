@@ -14,8 +14,8 @@ bool cli_out_has(const struct cli_render_job *job, const char *word)
     return !job->is_literal && strstr(job->out, word);
 }
 
-// An argument that stands apart from its option, where that does not have to have one, is taken for a model; a picture to
-// write, without its -o, too.
+// An argument that stands apart from its option, where that does not have to have one, is taken for a model; a picture
+// to write, without its -o, too.
 static bool check_models(const struct cli_render_job *job)
 {
     static const char *const arguments[] = {"all", "subject", "over", "plain"};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pictures that follow one another, of a model that is animated or turned: files with a number in their names, or one that
-// moves.
+// Pictures that follow one another, of a model that is animated or turned: files with a number in their names, or one
+// that moves.
 #include "frame_writer.h"
 #include "message.h"
 #include "pose_reader.h"

@@ -94,8 +94,8 @@ struct cli_render_asked {
 
 enum { CLI_ASKED_OPTION = 900 };
 
-/// Fills the job from the command line of `asked`; NULL: of rhw render itself, which takes several models. True to go on;
-/// else `*status` is what to return, CLI_OK after the help was printed.
+/// Fills the job from the command line of `asked`; NULL: of rhw render itself, which takes several models. True to go
+/// on; else `*status` is what to return, CLI_OK after the help was printed.
 bool cli_render_job_parse(struct cli_render_job *job, const struct cli_render_asked *asked, int argc,
                           char **argv, int *status);
 /// Whether there are several pictures that follow one another.

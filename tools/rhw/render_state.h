@@ -48,8 +48,8 @@ void cli_render_forget_model(struct render *render);
 
 // render_draw.c
 
-/// Warns of what the model has and is not drawn as it is meant. False after a message: nothing can be drawn, or with --strict
-/// not all of it.
+/// Warns of what the model has and is not drawn as it is meant. False after a message: nothing can be drawn, or with
+/// --strict not all of it.
 bool cli_render_accept(const struct render *render);
 /// False after a message: the job asks for a view that cannot be.
 bool cli_render_set_view(struct render *render);
@@ -60,8 +60,8 @@ bool cli_render_draw(struct render *render);
 /// Draws the view, or where the file's own camera sees nothing, one that is fitted. Reports failure.
 bool cli_render_draw_seen(struct render *render);
 
-// render_frames.c: all pictures of a model that moves, with the camera that is set for its first. Reports failure; the scene
-// is gone then.
+// render_frames.c: all pictures of a model that moves, with the camera that is set for its first. Reports failure; the
+// scene is gone then.
 bool cli_render_frames(struct render *render);
 
 // render_files.c

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// rhw thumbs: a small picture of every model in a folder. Each is drawn by a process of its own with one thread, as many at
-// a time as there are cores: small models keep all cores busy so, and a file that takes its process down takes no other.
-// What is there, newer than its model and drawn with the same options is left alone, so a run that was ended goes on where
-// it stopped.
+// rhw thumbs: a small picture of every model in a folder. Each is drawn by a process of its own with one thread, as
+// many at a time as there are cores: small models keep all cores busy so, and a file that takes its process down takes
+// no other. What is there, newer than its model and drawn with the same options is left alone, so a run that was ended
+// goes on where it stopped.
 #include "budget.h"
 #include "file.h"
 #include "machine.h"
@@ -238,8 +238,8 @@ static bool lies_in(const char *path, const char *folder, size_t *length)
     return strncmp(path, folder, *length) == 0 && (path[*length] == '/' || path[*length] == '\0');
 }
 
-// How many folders --confine lies above DIR, or −1: it lies elsewhere. A path would make the bytes of pictures depend on
-// where the models lie.
+// How many folders --confine lies above DIR, or −1: it lies elsewhere. A path would make the bytes of pictures depend
+// on where the models lie.
 static int count_levels(const struct thumbs *t)
 {
     char *const in = system_file_resolve(t->in), *const bounds = system_file_resolve(folder_of(t));
@@ -256,8 +256,8 @@ static int count_levels(const struct thumbs *t)
     return levels;
 }
 
-// Whether a link leads to a file neither of DIR nor of the folder that may be read: who packed the models may have meant
-// a file that is none of theirs.
+// Whether a link leads to a file neither of DIR nor of the folder that may be read: who packed the models may have
+// meant a file that is none of theirs.
 static bool leads_out(const struct thumbs *t, const char *link)
 {
     char *const target = system_file_resolve(link);

@@ -14,11 +14,11 @@ struct scene_orbit cli_view_orbit(int view);
 /// "front,top" or "all"; false after a line that names the unknown one, or one that stands there twice.
 bool cli_views_parse(const char *list, int views[CLI_VIEWS], int *count);
 
-/// How the pictures of a sheet stand, 1..CLI_VIEWS of them: with as few places empty as 4 columns allow, then as square as can
-/// be, but never taller than broad.
+/// How the pictures of a sheet stand, 1..CLI_VIEWS of them: with as few places empty as 4 columns allow, then as square
+/// as can be, but never taller than broad.
 void cli_sheet_grid(int count, int *columns, int *rows);
-/// Makes the sheet's pictures, those that `cell` has, for a grid of such cells, all of them empty. False: no memory, and
-/// nothing is left behind.
+/// Makes the sheet's pictures, those that `cell` has, for a grid of such cells, all of them empty. False: no memory,
+/// and nothing is left behind.
 bool cli_sheet_create(struct scene_pictures *sheet, const struct scene_pictures *cell, int columns, int rows);
 /// Puts `cell` at one of the places, counted along the rows.
 void cli_sheet_place(struct scene_pictures *sheet, const struct scene_pictures *cell, int place);

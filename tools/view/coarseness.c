@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See coarseness.h. Levels are tried one after the other, and the times of neighbours compared: a finer level that takes
-// hardly longer than a coarser one is better.
+// See coarseness.h. Levels are tried one after the other, and the times of neighbours compared: a finer level that
+// takes hardly longer than a coarser one is better.
 #include "coarseness.h"
 
 enum {

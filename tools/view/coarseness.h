@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How coarse a picture of something that moves is, so that it takes no longer than the eye wants to wait: but no coarser
-// than gains time. What pixels cost goes with fewer of them; what a model of many triangles costs stays.
+// How coarse a picture of something that moves is, so that it takes no longer than the eye wants to wait: but no
+// coarser than gains time. What pixels cost goes with fewer of them; what a model of many triangles costs stays.
 #ifndef VIEW_COARSENESS_H
 #define VIEW_COARSENESS_H
 

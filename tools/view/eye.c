@@ -77,8 +77,8 @@ static void round_all(struct view_eye *eye)
     eye->height = to_digits(eye->height, 9);
 }
 
-// Without perspective nobody sees from where: as far back as the model is large, so that nothing of it comes to lie behind
-// the eye when that turns around it. An eye that stands within the model stays, since it cuts that open.
+// Without perspective nobody sees from where: as far back as the model is large, so that nothing of it comes to lie
+// behind the eye when that turns around it. An eye that stands within the model stays, since it cuts that open.
 static void step_back(struct view_eye *eye, const double ahead[3], const struct scene_model *model)
 {
     const struct scene_box frame = scene_subject_frame(model);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the window looks from: a camera as --camera takes it, and how the mouse and the keys move it. All numbers have nine
-// digits, as the command line has them that draws the same picture.
+// Where the window looks from: a camera as --camera takes it, and how the mouse and the keys move it. All numbers have
+// nine digits, as the command line has them that draws the same picture.
 #ifndef VIEW_EYE_H
 #define VIEW_EYE_H
 
@@ -21,8 +21,8 @@ void view_eye_orbit(struct view_eye *eye, const double vertical[3], double right
 void view_eye_turn(struct view_eye *eye, const double vertical[3], double right, double up);
 /// Moves what lies at the target by parts of the picture's height, to the right and upwards.
 void view_eye_pan(struct view_eye *eye, double right, double up);
-/// To the point of the target's plane that is seen so far right of and above the middle, in half heights of the picture,
-/// until its distance, or without perspective the height of what is seen, is `factor` times what it was.
+/// To the point of the target's plane that is seen so far right of and above the middle, in half heights of the
+/// picture, until its distance, or without perspective the height of what is seen, is `factor` times what it was.
 void view_eye_zoom(struct view_eye *eye, double right, double up, double factor);
 /// Flies to the right, upwards and ahead, in the world's units. Without perspective what is ahead gets larger instead.
 void view_eye_fly(struct view_eye *eye, const double way[3]);

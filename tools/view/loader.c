@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See loader.h. The import itself runs in a process of its own (scene/import/reader_process.c), which shares a page with this one
-// that says how far it is.
+// See loader.h. The import itself runs in a process of its own (scene/import/reader_process.c), which shares a page
+// with this one that says how far it is.
 #include "loader.h"
 
 #include "child.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Draws in a thread of its own, so that the window never waits for a picture: of what is ordered the newest is drawn, and
-// what was ordered meanwhile is forgotten. Models are counted: what was made of one is never taken once another is shown.
+// Draws in a thread of its own, so that the window never waits for a picture: of what is ordered the newest is drawn,
+// and what was ordered meanwhile is forgotten. Models are counted: what was made of one is never taken once another is
+// shown.
 #ifndef VIEW_PAINTER_H
 #define VIEW_PAINTER_H
 
@@ -23,17 +24,17 @@ struct view_answer {
 
 struct view_painter;
 
-/// `wake` is called by the painter's thread when there is something to take. `panorama` is that of the job's environment
-/// and outlives the painter. NULL after a report.
+/// `wake` is called by the painter's thread when there is something to take. `panorama` is that of the job's
+/// environment and outlives the painter. NULL after a report.
 struct view_painter *view_painter_start(const struct scene_panorama *panorama, void (*wake)(void));
 /// Gives up what it is doing.
 void view_painter_stop(struct view_painter *painter);
-/// Takes over a model that was read, with its input; the one before it is freed. What was made of that is forgotten, but for
-/// the word that a file was saved.
+/// Takes over a model that was read, with its input; the one before it is freed. What was made of that is forgotten,
+/// but for the word that a file was saved.
 void view_painter_show(struct view_painter *painter, const struct render *read);
 void view_painter_draw(struct view_painter *painter, const struct view_order *order);
-/// Of the picture that is ordered; x and y: of its pixel that is to be explained. It takes the place of an errand that has not
-/// begun.
+/// Of the picture that is ordered; x and y: of its pixel that is to be explained. It takes the place of an errand that
+/// has not begun.
 void view_painter_send(struct view_painter *painter, enum view_errand errand, const struct view_order *order,
                        int x, int y);
 /// The newest picture that was not taken yet, or the failure of the newest order; false: there is neither.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the window shows, being drawn: a model, its scene in one pose, and what is asked of it. Belongs to the painter's thread.
+// What the window shows, being drawn: a model, its scene in one pose, and what is asked of it. Belongs to the painter's
+// thread.
 #ifndef VIEW_PAINTING_H
 #define VIEW_PAINTING_H
 
@@ -21,7 +22,8 @@ struct view_picture {
     int width, height;
     bool is_coarse; ///< fewer samples or pixels than were ordered
     int version;    ///< of its order
-    /// A bit for each cell, from the left, of each row of them, from the top: the model is there. Zeros where that is not known.
+    /// A bit for each cell, from the left, of each row of them, from the top: the model is there. Zeros where that is
+    /// not known.
     uint16_t covered[VIEW_CELLS];
     double ms; ///< what it took to draw
     uint64_t triangles;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The loop of the window: events, what the threads have for it, and what is ordered of them. Nothing here waits for a file or
-// a picture.
+// The loop of the window: events, what the threads have for it, and what is ordered of them. Nothing here waits for a
+// file or a picture.
 #include "session.h"
 
 #include "draw/camera/subject.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a pixel came to be, beside the picture: a column of text, or below it in a tall window. The picture is made smaller
-// rather than covered, with the pixel marked, and what lies around it stands enlarged in the room that is left.
+// How a pixel came to be, beside the picture: a column of text, or below it in a tall window. The picture is made
+// smaller rather than covered, with the pixel marked, and what lies around it stands enlarged in the room that is left.
 #include "explain_draw.h"
 #include "session.h"
 #include "text.h"

@@ -24,8 +24,8 @@ void view_window_close(struct view_window *window);
 bool view_window_measure(struct view_window *window);
 /// How many times letters are enlarged in a window as large.
 int view_window_text_scale(const struct view_window *window);
-/// From a place of the mouse to a pixel of a picture as large as the window, wherever it stands in it; it may lie outside. On
-/// displays with more pixels than points these differ.
+/// From a place of the mouse to a pixel of a picture as large as the window, wherever it stands in it; it may lie
+/// outside. On displays with more pixels than points these differ.
 void view_window_pixel(const struct view_window *window, int x, int y, int *pixel_x, int *pixel_y);
 void view_window_toggle_fullscreen(struct view_window *window);
 /// Takes the pixels of a picture; reports failure.

@@ -67,9 +67,15 @@ export class Instance {
         return instance;
     }
 
-    /** Ends its workers. Its memory goes when nobody holds it. */
+    /**
+     * Ends its workers. Its memory goes when nobody holds it. The threads' data stays there, which
+     * PThread.terminateAllThreads clears: a worker goes on for a moment, and reads it where its thread has just begun.
+     */
     end() {
-        this.module.PThread?.terminateAllThreads();
+        const { unusedWorkers = [], runningWorkers = [] } = this.module.PThread ?? {};
+        for (const workers of [unusedWorkers, runningWorkers]) {
+            workers.splice(0).forEach((worker) => worker.terminate());
+        }
     }
 
     /** Bytes in the module's memory, 64-byte aligned. */

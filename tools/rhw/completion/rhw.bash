@@ -29,38 +29,47 @@ _rhw_rest() { # CURRENT file|none OPTION...: what is no value of an option
     fi
 }
 
-_rhw_render() { # CURRENT PREVIOUS
+# Completes the value of an option of all verbs that draw as rhw render does. Fails behind any other word.
+_rhw_drawing() { # CURRENT PREVIOUS
     case $2 in
-    --out | --out= | -o) _rhw_files "$1" ;;
     --size | --size= | -s) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
     --samples | --samples=) _rhw_words "$1" 1 2 4 8 16 ;;
     --supersample | --supersample=) _rhw_words "$1" 1 4 9 16 ;;
-    --output | --output=) _rhw_list "$1" color depth distance normal position uv object triangle bary overdraw tiles plan all ;;
-    --bits | --bits=) _rhw_words "$1" 8 16 ;;
-    --format | --format=) _rhw_words "$1" png jpeg webp exr ppm ;;
     --fit=) _rhw_words "$1" all ;;
     --up | --up=) _rhw_words "$1" x y z -x -y -z ;;
-    --views | --views=) _rhw_list "$1" all front back left right top bottom iso ;;
     --interpolate | --interpolate=) _rhw_words "$1" smooth noperspective ;;
     --wireframe=) _rhw_words "$1" over plain ;;
     --background | --background=) _rhw_words "$1" default transparent environment black grey white red skyblue ;;
-    --animate | --animate=) _rhw_words "$1" 12 24 30 60 ;;
-    --turntable | --turntable=) _rhw_words "$1" 24 36 60 120 ;;
     --lights | --lights=) _rhw_words "$1" file default none ;;
     --shadows | --shadows=) _rhw_words "$1" on off ;;
     --ambient-occlusion | --ambient-occlusion=) _rhw_words "$1" on off ;;
     --environment | --environment=) _rhw_files "$1" ;;
     --tone-map | --tone-map=) _rhw_words "$1" neutral aces agx none ;;
-    --transparency | --transparency=) _rhw_words "$1" sorted exact ;;
     --isa | --isa=) _rhw_words "$1" baseline avx2 avx512 ;;
     --paths | --paths=) _rhw_words "$1" all in-order general ;;
     --max-memory | --max-memory=) _rhw_words "$1" 512M 1G 2G 4G ;;
-    --max-time | --max-time=) _rhw_words "$1" 10 60 300 ;;
     --max-texture | --max-texture=) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
     --confine=) _rhw_files "$1" ;;
+    --zoom | --zoom= | --margin | --margin= | --orbit | --orbit= | --camera | --camera= | --camera-index | --camera-index= | --camera-name | --camera-name= | --fovy | --fovy= | --variant | --variant= | --animation | --animation= | --time | --time= | --environment-rotation | --environment-rotation= | --exposure | --exposure= | --threads | --threads= | -j) ;;
+    *) return 1 ;;
+    esac
+    return 0
+}
+
+_rhw_render() { # CURRENT PREVIOUS
+    case $2 in
+    --out | --out= | -o) _rhw_files "$1" ;;
+    --output | --output=) _rhw_list "$1" color depth distance normal position uv object triangle bary overdraw tiles plan all ;;
+    --bits | --bits=) _rhw_words "$1" 8 16 ;;
+    --format | --format=) _rhw_words "$1" png jpeg webp exr ppm ;;
+    --views | --views=) _rhw_list "$1" all front back left right top bottom iso ;;
+    --animate | --animate=) _rhw_words "$1" 12 24 30 60 ;;
+    --turntable | --turntable=) _rhw_words "$1" 24 36 60 120 ;;
+    --transparency | --transparency=) _rhw_words "$1" sorted exact ;;
+    --max-time | --max-time=) _rhw_words "$1" 10 60 300 ;;
     --stats=) _rhw_files "$1" ;;
-    --quality | --quality= | --zoom | --zoom= | --margin | --margin= | --orbit | --orbit= | --camera | --camera= | --camera-index | --camera-index= | --camera-name | --camera-name= | --fovy | --fovy= | --variant | --variant= | --animation | --animation= | --time | --time= | --environment-rotation | --environment-rotation= | --exposure | --exposure= | --threads | --threads= | -j) ;;
-    *) _rhw_rest "$1" file --out --literal --size --samples --supersample --output --bits --format --quality --fit --up --zoom --margin --ortho --print-camera --orbit --views --camera --camera-index --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --animate --turntable --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --threads --isa --paths --max-memory --max-time --max-texture --confine --stats --strict --quiet --help ;;
+    --quality | --quality=) ;;
+    *) _rhw_drawing "$1" "$2" || _rhw_rest "$1" file --out --literal --size --samples --supersample --output --bits --format --quality --fit --up --zoom --margin --ortho --print-camera --orbit --views --camera --camera-index --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --animate --turntable --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --threads --isa --paths --max-memory --max-time --max-texture --confine --stats --strict --quiet --help ;;
     esac
 }
 
@@ -92,55 +101,18 @@ _rhw_compare() { # CURRENT PREVIOUS
 _rhw_explain() { # CURRENT PREVIOUS
     case $2 in
     --picture | --picture=) _rhw_files "$1" ;;
-    --size | --size= | -s) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
-    --samples | --samples=) _rhw_words "$1" 1 2 4 8 16 ;;
-    --supersample | --supersample=) _rhw_words "$1" 1 4 9 16 ;;
-    --fit=) _rhw_words "$1" all ;;
-    --up | --up=) _rhw_words "$1" x y z -x -y -z ;;
-    --interpolate | --interpolate=) _rhw_words "$1" smooth noperspective ;;
-    --wireframe=) _rhw_words "$1" over plain ;;
-    --background | --background=) _rhw_words "$1" default transparent environment black grey white red skyblue ;;
-    --lights | --lights=) _rhw_words "$1" file default none ;;
-    --shadows | --shadows=) _rhw_words "$1" on off ;;
-    --ambient-occlusion | --ambient-occlusion=) _rhw_words "$1" on off ;;
-    --environment | --environment=) _rhw_files "$1" ;;
-    --tone-map | --tone-map=) _rhw_words "$1" neutral aces agx none ;;
-    --isa | --isa=) _rhw_words "$1" baseline avx2 avx512 ;;
-    --paths | --paths=) _rhw_words "$1" all in-order general ;;
-    --max-memory | --max-memory=) _rhw_words "$1" 512M 1G 2G 4G ;;
     --max-time | --max-time=) _rhw_words "$1" 10 60 300 ;;
-    --max-texture | --max-texture=) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
-    --confine=) _rhw_files "$1" ;;
-    --at | --at= | --sample | --sample= | --zoom | --zoom= | --margin | --margin= | --orbit | --orbit= | --camera | --camera= | --camera-index | --camera-index= | --camera-name | --camera-name= | --fovy | --fovy= | --variant | --variant= | --animation | --animation= | --time | --time= | --environment-rotation | --environment-rotation= | --exposure | --exposure= | --threads | --threads= | -j) ;;
-    *) _rhw_rest "$1" file --at --sample --json --picture --size --samples --supersample --fit --up --zoom --margin --ortho --orbit --camera --camera-index --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --exposure --threads --isa --paths --max-memory --max-time --max-texture --confine --quiet --help ;;
+    --at | --at= | --sample | --sample=) ;;
+    *) _rhw_drawing "$1" "$2" || _rhw_rest "$1" file --at --sample --json --picture --size --samples --supersample --fit --up --zoom --margin --ortho --orbit --camera --camera-index --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --exposure --threads --isa --paths --max-memory --max-time --max-texture --confine --quiet --help ;;
     esac
 }
 
 _rhw_view() { # CURRENT PREVIOUS
     case $2 in
-    --size | --size= | -s) _rhw_words "$1" 512 1280x720 1920x1080 1024x1024 3840x2160 ;;
-    --samples | --samples=) _rhw_words "$1" 1 2 4 8 16 ;;
-    --supersample | --supersample=) _rhw_words "$1" 1 4 9 16 ;;
     --output | --output=) _rhw_list "$1" color depth distance normal position uv object triangle bary overdraw tiles plan all ;;
     --bits | --bits=) _rhw_words "$1" 8 16 ;;
-    --fit=) _rhw_words "$1" all ;;
-    --up | --up=) _rhw_words "$1" x y z -x -y -z ;;
-    --interpolate | --interpolate=) _rhw_words "$1" smooth noperspective ;;
-    --wireframe=) _rhw_words "$1" over plain ;;
-    --background | --background=) _rhw_words "$1" default transparent environment black grey white red skyblue ;;
-    --lights | --lights=) _rhw_words "$1" file default none ;;
-    --shadows | --shadows=) _rhw_words "$1" on off ;;
-    --ambient-occlusion | --ambient-occlusion=) _rhw_words "$1" on off ;;
-    --environment | --environment=) _rhw_files "$1" ;;
-    --tone-map | --tone-map=) _rhw_words "$1" neutral aces agx none ;;
     --transparency | --transparency=) _rhw_words "$1" sorted exact ;;
-    --isa | --isa=) _rhw_words "$1" baseline avx2 avx512 ;;
-    --paths | --paths=) _rhw_words "$1" all in-order general ;;
-    --max-memory | --max-memory=) _rhw_words "$1" 512M 1G 2G 4G ;;
-    --max-texture | --max-texture=) _rhw_words "$1" 1024 2048 4096 8192 16384 ;;
-    --confine=) _rhw_files "$1" ;;
-    --zoom | --zoom= | --margin | --margin= | --orbit | --orbit= | --camera | --camera= | --camera-index | --camera-index= | --camera-name | --camera-name= | --fovy | --fovy= | --variant | --variant= | --animation | --animation= | --time | --time= | --environment-rotation | --environment-rotation= | --exposure | --exposure= | --threads | --threads= | -j) ;;
-    *) _rhw_rest "$1" file --fullscreen --size --samples --supersample --output --bits --fit --up --zoom --margin --ortho --orbit --camera --camera-index --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --threads --isa --paths --max-memory --max-texture --confine --quiet --help ;;
+    *) _rhw_drawing "$1" "$2" || _rhw_rest "$1" file --fullscreen --size --samples --supersample --output --bits --fit --up --zoom --margin --ortho --orbit --camera --camera-index --camera-name --fovy --interpolate --wireframe --background --variant --animation --time --lights --shadows --ground --ambient-occlusion --environment --environment-rotation --tone-map --transparency --exposure --threads --isa --paths --max-memory --max-texture --confine --quiet --help ;;
     esac
 }
 
