@@ -16,26 +16,6 @@ RHW_QUIET_BEGIN
 
 // Helpers -------------------------------------------------------------------------------------------
 
-// Return the square root of 4 doubles, correctly rounded.
-static inline rhw_double4 rhw_sqrt_double(rhw_double4 a)
-{
-#if defined(__AVX2__)
-    return (rhw_double4)_mm256_sqrt_pd((__m256d)a);
-#elif defined(__SSE2__)
-    __m128d half[2];
-    memcpy(half, &a, sizeof a);
-    half[0] = _mm_sqrt_pd(half[0]);
-    half[1] = _mm_sqrt_pd(half[1]);
-    memcpy(&a, half, sizeof a);
-    return a;
-#else
-    for (int i = 0; i < 4; i++) {
-        a[i] = __builtin_sqrt(a[i]);
-    }
-    return a;
-#endif
-}
-
 // Return e^r for |r| ≤ 0.35: the series up to r^10, which is exact to 2^-41.
 static inline rhw_double4 rhw_exp_fraction_double(rhw_double4 r)
 {
