@@ -37,8 +37,8 @@ static inline struct rhw_double8 rhw_exp_double(rhw_float a)
     const rhw_int whole = rhw_int_from_float_unchecked(n);
     const rhw_int first = whole >> 1;
     const struct rhw_double8 x = rhw_to_double(a), count = rhw_to_double(n);
-    const struct rhw_double8 one = rhw_to_double((rhw_float)((first + 127) << 23));
-    const struct rhw_double8 other = rhw_to_double((rhw_float)((whole - first + 127) << 23));
+    const struct rhw_double8 one = rhw_to_double(rhw_power_of_two(first));
+    const struct rhw_double8 other = rhw_to_double(rhw_power_of_two(whole - first));
     struct rhw_double8 result;
     result.low = rhw_exp_fraction_double(x.low - count.low * 0.69314718055994531) * one.low * other.low;
     result.high = rhw_exp_fraction_double(x.high - count.high * 0.69314718055994531) * one.high * other.high;

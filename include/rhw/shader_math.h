@@ -138,11 +138,17 @@ static inline rhw_float rhw_nan(void)
     return (rhw_float)rhw_splat_int(0x7fc00000);
 }
 
+// Return 2^n, for −126 ≤ n ≤ 127.
+static inline rhw_float rhw_power_of_two(rhw_int n)
+{
+    return (rhw_float)((n + 127) << 23);
+}
+
 // Return a · 2^n for −300 < n < 250, rounded once. The first factor keeps the product normal.
 static inline rhw_float rhw_scale_exp2(rhw_float a, rhw_int n)
 {
     const rhw_int first = n >> 1;
-    return a * (rhw_float)((first + 127) << 23) * (rhw_float)((n - first + 127) << 23);
+    return a * rhw_power_of_two(first) * rhw_power_of_two(n - first);
 }
 
 // Return 2^f for |f| ≤ 0.501.
