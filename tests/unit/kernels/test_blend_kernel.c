@@ -206,10 +206,29 @@ static struct rhw_color_target random_target(uint64_t *random)
     return target;
 }
 
+// Blend a random group by `state` on every instruction set. The bytes are those that `reference` gives on the baseline.
+static void expect_the_bytes_of(const struct rhw_blend_state *reference, const struct rhw_blend_state *state,
+                                uint64_t *random)
+{
+    rhw_float color[4];
+    rhw_int mask;
+    unsigned char before[TEXELS * TEXEL_BYTES], expected[sizeof before], texels[sizeof before];
+    random_group(random, color, &mask, before);
+    memcpy(expected, before, sizeof before);
+    isa_templates_for(RHW_ISA_BASELINE)->blend(reference, color, &mask, expected);
+    for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
+        const struct isa_templates *const templates = isa_templates_for((enum rhw_isa)isa);
+        if (templates) {
+            memcpy(texels, before, sizeof before);
+            templates->blend(state, color, &mask, texels);
+            assert_memory_equal(texels, expected, sizeof texels);
+        }
+    }
+}
+
 static void test_every_isa_writes_the_same_bytes(void **state)
 {
     (void)state;
-    const struct isa_templates *const baseline = isa_templates_for(RHW_ISA_BASELINE);
     uint64_t random = 7;
     for (int n = 0; n < 30000; n++) {
         const struct rhw_color_target target = random_target(&random);
@@ -217,20 +236,7 @@ static void test_every_isa_writes_the_same_bytes(void **state)
                                    awkward_float(&random)};
         struct rhw_blend_state blend;
         rhw_blend_state_init(&blend, &target, RHW_LOGIC_OFF, constant);
-        rhw_float color[4];
-        rhw_int mask;
-        unsigned char before[TEXELS * TEXEL_BYTES], expected[sizeof before], texels[sizeof before];
-        random_group(&random, color, &mask, before);
-        memcpy(expected, before, sizeof before);
-        baseline->blend(&blend, color, &mask, expected);
-        for (int isa = RHW_ISA_BASELINE + 1; isa < RHW_ISA_COUNT; isa++) {
-            const struct isa_templates *const other = isa_templates_for((enum rhw_isa)isa);
-            if (other) {
-                memcpy(texels, before, sizeof before);
-                other->blend(&blend, color, &mask, texels);
-                assert_memory_equal(texels, expected, sizeof texels);
-            }
-        }
+        expect_the_bytes_of(&blend, &blend, &random);
     }
 }
 
@@ -315,6 +321,15 @@ static void test_replacing_rounds_each_format(void **state)
     }
 }
 
+// A path of its own writes what the general path writes, on every instruction set.
+static void expect_the_general_path(const struct rhw_blend_state *state, uint64_t *random)
+{
+    struct rhw_blend_state general = *state;
+    rhw_blend_state_generalize(&general);
+    assert_int_equal(general.path, BLEND_GENERAL);
+    expect_the_bytes_of(&general, state, random);
+}
+
 // Sums have code of their own too, which writes what the general path does, on every instruction set.
 static void test_rgba8_sums_are_those_of_the_general_path(void **state)
 {
@@ -326,26 +341,10 @@ static void test_rgba8_sums_are_those_of_the_general_path(void **state)
         target.blend = true;
         target.color.dst = target.alpha.dst = RHW_BLEND_ONE;
         target.write_mask = (uint8_t)(n % 3 ? 15 : 1 + rig_random_int(&random, 15));
-        struct rhw_blend_state sum, general;
+        struct rhw_blend_state sum;
         rhw_blend_state_init(&sum, &target, RHW_LOGIC_OFF, constant);
         assert_int_equal(sum.path, BLEND_RGBA8_SUM);
-        general = sum;
-        rhw_blend_state_generalize(&general);
-        assert_int_equal(general.path, BLEND_GENERAL);
-        rhw_float color[4];
-        rhw_int mask;
-        unsigned char before[TEXELS * TEXEL_BYTES], expected[sizeof before], texels[sizeof before];
-        random_group(&random, color, &mask, before);
-        memcpy(expected, before, sizeof before);
-        isa_templates_for(RHW_ISA_BASELINE)->blend(&general, color, &mask, expected);
-        for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
-            const struct isa_templates *const templates = isa_templates_for((enum rhw_isa)isa);
-            if (templates) {
-                memcpy(texels, before, sizeof before);
-                templates->blend(&sum, color, &mask, texels);
-                assert_memory_equal(texels, expected, sizeof texels);
-            }
-        }
+        expect_the_general_path(&sum, &random);
     }
 }
 
@@ -363,27 +362,11 @@ static void test_normalized_formats_are_replaced(void **state)
         if (!rhw_format_has_role(info, RHW_ROLE_COLOR_TARGET) || !rhw_format_is_normalized(info)) {
             continue;
         }
-        struct rhw_blend_state replace, general;
+        struct rhw_blend_state replace;
         rhw_blend_state_init(&replace, &target, RHW_LOGIC_OFF, constant);
-        general = replace;
-        rhw_blend_state_generalize(&general);
-        assert_int_equal(general.path, BLEND_GENERAL);
         assert_int_not_equal(replace.path, BLEND_GENERAL);
         replaced += replace.path == BLEND_NORMALIZED_REPLACE;
-        rhw_float color[4];
-        rhw_int mask;
-        unsigned char before[TEXELS * TEXEL_BYTES], expected[sizeof before], texels[sizeof before];
-        random_group(&random, color, &mask, before);
-        memcpy(expected, before, sizeof before);
-        isa_templates_for(RHW_ISA_BASELINE)->blend(&general, color, &mask, expected);
-        for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
-            const struct isa_templates *const templates = isa_templates_for((enum rhw_isa)isa);
-            if (templates) {
-                memcpy(texels, before, sizeof before);
-                templates->blend(&replace, color, &mask, texels);
-                assert_memory_equal(texels, expected, sizeof texels);
-            }
-        }
+        expect_the_general_path(&replace, &random);
     }
     assert_in_range(replaced, 40 * 10, 40 * RHW_FORMAT_COUNT);
 }
