@@ -2,6 +2,7 @@
 // The blend kernel by itself: conversions against MPFR and over all their inputs, the fast paths
 // against plain formulas, masks byte by byte, and every instruction set against the baseline. What
 // blending means per factor and operation is test_blend's subject.
+#include "float_bits.h"
 #include "harness.h"
 #include "isa_templates.h"
 
@@ -13,22 +14,9 @@
 
 #include "base/half.h"
 #include "pipeline/blend_state.h"
+#include "reference.h"
 #include "resource/clear_texel.h"
 #include "format/srgb.h"
-
-static float from_bits(uint32_t bits)
-{
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-static uint32_t to_bits(float value)
-{
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits;
-}
 
 // sRGB ----------------------------------------------------------------------------------------------
 
@@ -99,15 +87,6 @@ static void test_srgb_encodes_every_float_correctly_rounded(void **state)
 
 // Half ----------------------------------------------------------------------------------------------
 
-static double half_value(unsigned bits)
-{
-    const int exponent = (int)(bits >> 10 & 31);
-    const double significand = bits & 0x3ff;
-    const double magnitude =
-        exponent == 0 ? ldexp(significand, -24) : ldexp(1024 + significand, exponent - 25);
-    return bits & 0x8000 ? -magnitude : magnitude;
-}
-
 static void test_half_to_float_is_exact(void **state)
 {
     (void)state;
@@ -117,7 +96,7 @@ static void test_half_to_float_is_exact(void **state)
             assert_true(bits & 0x3ff ? isnan(value) : isinf(value));
             assert_int_equal(to_bits(value) >> 31, bits >> 15);
         } else {
-            assert_true((double)value == half_value(bits));
+            assert_true((double)value == ref_half((uint16_t)bits));
             assert_int_equal(to_bits(value) >> 31, bits >> 15);
         }
     }
@@ -128,8 +107,8 @@ static void test_half_from_float_rounds_to_nearest_even(void **state)
 {
     (void)state;
     for (unsigned bits = 0; bits < 0x7c00; bits++) {
-        const double low = half_value(bits);
-        const double high = bits + 1 < 0x7c00 ? half_value(bits + 1) : 65536.0;
+        const double low = ref_half((uint16_t)bits);
+        const double high = bits + 1 < 0x7c00 ? ref_half((uint16_t)(bits + 1)) : 65536.0;
         const float middle = (float)((low + high) / 2); // exact
         const unsigned even = bits & 1 ? bits + 1 : bits;
         for (unsigned sign = 0; sign <= 0x8000; sign += 0x8000) {
