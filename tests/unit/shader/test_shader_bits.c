@@ -116,7 +116,8 @@ static void test_exponents_are_those_of_c(void **state)
         rhw_float whole;
         float want_whole;
         const float rest = rhw_modf(rhw_splat(a), &whole)[0];
-        assert_same_float(rest, modff(a, &want_whole));
+        // The C library of Windows gives a rest of infinity no sign.
+        assert_same_float(rest, copysignf(modff(a, &want_whole), a));
         assert_same_float(whole[0], want_whole);
     }
 }
