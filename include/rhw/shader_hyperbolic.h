@@ -16,26 +16,6 @@ RHW_QUIET_BEGIN
 
 // Helpers -------------------------------------------------------------------------------------------
 
-// Return the square root of 4 doubles, correctly rounded.
-static inline rhw_double4 rhw_sqrt_double(rhw_double4 a)
-{
-#if defined(__AVX2__)
-    return (rhw_double4)_mm256_sqrt_pd((__m256d)a);
-#elif defined(__SSE2__)
-    __m128d half[2];
-    memcpy(half, &a, sizeof a);
-    half[0] = _mm_sqrt_pd(half[0]);
-    half[1] = _mm_sqrt_pd(half[1]);
-    memcpy(&a, half, sizeof a);
-    return a;
-#else
-    for (int i = 0; i < 4; i++) {
-        a[i] = __builtin_sqrt(a[i]);
-    }
-    return a;
-#endif
-}
-
 // Return e^r for |r| ≤ 0.35: the series up to r^10, which is exact to 2^-41.
 static inline rhw_double4 rhw_exp_fraction_double(rhw_double4 r)
 {
@@ -57,8 +37,8 @@ static inline struct rhw_double8 rhw_exp_double(rhw_float a)
     const rhw_int whole = rhw_int_from_float_unchecked(n);
     const rhw_int first = whole >> 1;
     const struct rhw_double8 x = rhw_to_double(a), count = rhw_to_double(n);
-    const struct rhw_double8 one = rhw_to_double((rhw_float)((first + 127) << 23));
-    const struct rhw_double8 other = rhw_to_double((rhw_float)((whole - first + 127) << 23));
+    const struct rhw_double8 one = rhw_to_double(rhw_power_of_two(first));
+    const struct rhw_double8 other = rhw_to_double(rhw_power_of_two(whole - first));
     struct rhw_double8 result;
     result.low = rhw_exp_fraction_double(x.low - count.low * 0.69314718055994531) * one.low * other.low;
     result.high = rhw_exp_fraction_double(x.high - count.high * 0.69314718055994531) * one.high * other.high;

@@ -57,7 +57,7 @@ static inline rhw_int rhw_divide_uint(rhw_int a, rhw_int b)
     for (int i = 0; i < 2; i++) {
         const rhw_double4 divisor = rhw_double_from_int4(y.half_i[i]) + two_31;
         const rhw_double4 quotient = (rhw_double_from_int4(x.half_i[i]) + two_31) / divisor;
-        const rhw_double4 upper = (rhw_double4)((quotient >= two_31) & (rhw_long4)two_31);
+        const rhw_double4 upper = (rhw_double4)((rhw_long4)(quotient >= two_31) & (rhw_long4)two_31);
         const rhw_int4 lower = __builtin_convertvector(quotient - upper, rhw_int4);
         x.half_i[i] = lower | __builtin_convertvector(upper * 0.5, rhw_int4) << 1;
     }

@@ -91,6 +91,41 @@ static inline rhw_float rhw_from_double(struct rhw_double8 a)
 #endif
 }
 
+// Return the square root of 4 doubles, correctly rounded. C's sqrt may set errno, so it is not called where an
+// instruction does.
+static inline rhw_double4 rhw_sqrt_double(rhw_double4 a)
+{
+#if defined(__AVX2__)
+    return (rhw_double4)_mm256_sqrt_pd((__m256d)a);
+#elif defined(__SSE2__)
+    __m128d half[2];
+    memcpy(half, &a, sizeof a);
+    half[0] = _mm_sqrt_pd(half[0]);
+    half[1] = _mm_sqrt_pd(half[1]);
+    memcpy(&a, half, sizeof a);
+    return a;
+#elif defined(__aarch64__)
+    float64x2_t half[2];
+    memcpy(half, &a, sizeof a);
+    half[0] = vsqrtq_f64(half[0]);
+    half[1] = vsqrtq_f64(half[1]);
+    memcpy(&a, half, sizeof a);
+    return a;
+#elif defined(__wasm_simd128__)
+    v128_t half[2];
+    memcpy(half, &a, sizeof a);
+    half[0] = wasm_f64x2_sqrt(half[0]);
+    half[1] = wasm_f64x2_sqrt(half[1]);
+    memcpy(&a, half, sizeof a);
+    return a;
+#else
+    for (int i = 0; i < 4; i++) {
+        a[i] = __builtin_sqrt(a[i]);
+    }
+    return a;
+#endif
+}
+
 /// Return infinity in all lanes.
 static inline rhw_float rhw_infinity(void)
 {
@@ -103,11 +138,17 @@ static inline rhw_float rhw_nan(void)
     return (rhw_float)rhw_splat_int(0x7fc00000);
 }
 
+// Return 2^n, for −126 ≤ n ≤ 127.
+static inline rhw_float rhw_power_of_two(rhw_int n)
+{
+    return (rhw_float)((n + 127) << 23);
+}
+
 // Return a · 2^n for −300 < n < 250, rounded once. The first factor keeps the product normal.
 static inline rhw_float rhw_scale_exp2(rhw_float a, rhw_int n)
 {
     const rhw_int first = n >> 1;
-    return a * (rhw_float)((first + 127) << 23) * (rhw_float)((n - first + 127) << 23);
+    return a * rhw_power_of_two(first) * rhw_power_of_two(n - first);
 }
 
 // Return 2^f for |f| ≤ 0.501.

@@ -13,12 +13,6 @@ RHW_QUIET_BEGIN
 
 // Exponents -----------------------------------------------------------------------------------------
 
-// Return 2^n as a float, for −126 ≤ n ≤ 127.
-static inline rhw_float rhw_power_of_two(rhw_int n)
-{
-    return (rhw_float)((n + 127) << 23);
-}
-
 /// Return a · 2^n, rounded once, for any n.
 static inline rhw_float rhw_ldexp(rhw_float a, rhw_int n)
 {

@@ -40,9 +40,16 @@ static inline rhw_int rhw_int_lanes_from(rhw_int lanes)
     return lanes;
 }
 
-static inline rhw_int rhw_int_lanes_from(int32_t value)
+// This overload takes any type of number, and leaves warnings of a conversion to the compiler.
+template <class A> static inline rhw_int rhw_int_lanes_from(A value)
 {
     return rhw_splat_int(value);
+}
+
+// This overload takes the bits of an unsigned number, because lanes may count as unsigned.
+static inline rhw_int rhw_int_lanes_from(uint32_t value)
+{
+    return rhw_splat_int(static_cast<int32_t>(value));
 }
 
 rhw_int rhw_int_lanes_from(rhw_float lanes) = delete;

@@ -383,23 +383,7 @@ RHW_INLINE f64x8 f64x8_div(f64x8 a, f64x8 b)
 // Return square roots, correctly rounded.
 RHW_INLINE f64x8 f64x8_sqrt(f64x8 v)
 {
-#if defined(__AVX2__)
-    return (f64x8){(f64x4)_mm256_sqrt_pd((__m256d)v.lo), (f64x4)_mm256_sqrt_pd((__m256d)v.hi)};
-#elif defined(__SSE2__)
-    __m128d quarter[4];
-    memcpy(quarter, &v, sizeof v);
-    for (int i = 0; i < 4; i++) {
-        quarter[i] = _mm_sqrt_pd(quarter[i]);
-    }
-    memcpy(&v, quarter, sizeof v);
-    return v;
-#else
-    for (int i = 0; i < 4; i++) {
-        v.lo[i] = __builtin_sqrt(v.lo[i]);
-        v.hi[i] = __builtin_sqrt(v.hi[i]);
-    }
-    return v;
-#endif
+    return (f64x8){rhw_sqrt_double(v.lo), rhw_sqrt_double(v.hi)};
 }
 
 // Return floats as doubles. This is exact.

@@ -15,18 +15,21 @@ struct rhw_counters {
     uint64_t vertex_ns, setup_ns, bin_ns; // time of each part of the front end, as rhw_stats names them
 };
 
+// The texels of a tile of one attachment, in the largest format.
+typedef unsigned char rhw_tile_colors[RHW_TILE * RHW_TILE * 16];
+
 // A worker is what a thread needs to run kernels. The thread alone writes it, and no two threads share a cache line.
 struct rhw_worker {
     // The front end makes its results here. The arena is reset when they have been drawn.
     _Alignas(RHW_CACHE_LINE) struct rhw_arena arena;
     struct rhw_counters counters;
     struct rhw_geometry_scratch *geometry;
-    size_t triangles_most; // most triangles of a chunk that `geometry` takes
+    size_t triangle_room; // triangles of a chunk that `geometry` has room for
     struct rhw_tile_scratch *tile;
     struct rhw_sample_tile *sample_tiles; // tiles of all samples but the first, as many as any pass has needed
     int sample_tile_count;
     // The colours of all samples of the tile: as many attachments of as many samples as passes have had.
-    unsigned char (*colors)[RHW_TILE * RHW_TILE * 16];
+    rhw_tile_colors *colors;
     int color_count;
 };
 

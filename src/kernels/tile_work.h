@@ -100,9 +100,6 @@ struct bin {
     uint32_t first, end;
 };
 
-// The texels of a tile of one attachment, in the largest format.
-typedef unsigned char rhw_tile_colors[RHW_TILE * RHW_TILE * 16];
-
 struct rhw_tile_scratch {
     _Alignas(64) struct tile_depth depth;
     rhw_tile_colors *color; // an array of the attachments

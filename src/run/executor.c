@@ -46,6 +46,9 @@ static bool colors_ready(struct rhw_memory *memory, struct rhw_worker *worker,
                          const struct rhw_target *target)
 {
     const int each = target->color_count, wanted = each * target->pattern->count;
+    if (wanted == 0) {
+        return true;
+    }
     if (worker->color_count < wanted) {
         rhw_memory_release(memory, worker->colors, (size_t)worker->color_count * sizeof *worker->colors);
         worker->color_count = 0;
@@ -66,7 +69,7 @@ static bool colors_ready(struct rhw_memory *memory, struct rhw_worker *worker,
 // frame makes few calls. Return false when out of memory.
 static bool geometry_ready(struct rhw_memory *memory, struct rhw_worker *worker, uint64_t chunk_size)
 {
-    if (worker->triangles_most >= chunk_size) {
+    if (worker->triangle_room >= chunk_size) {
         return true;
     }
     size_t triangles = RHW_CHUNK_TRIANGLES;
@@ -74,13 +77,13 @@ static bool geometry_ready(struct rhw_memory *memory, struct rhw_worker *worker,
         triangles /= 2;
     }
     const struct rhw_geometry_room room = rhw_geometry_scratch_room(triangles);
-    rhw_memory_release(memory, worker->geometry, rhw_geometry_scratch_room(worker->triangles_most).size);
-    worker->triangles_most = 0;
+    rhw_memory_release(memory, worker->geometry, rhw_geometry_scratch_room(worker->triangle_room).size);
+    worker->triangle_room = 0;
     worker->geometry = rhw_memory_allocate(memory, room.size, 4096);
     if (!worker->geometry) {
         return false;
     }
-    worker->triangles_most = triangles;
+    worker->triangle_room = triangles;
     rhw_geometry_scratch_init(worker->geometry, room);
     return true;
 }
@@ -160,7 +163,7 @@ struct rhw_executor *rhw_executor_create(struct rhw_context *context)
 static void release_worker(struct rhw_memory *memory, struct rhw_worker *worker)
 {
     rhw_arena_destroy(&worker->arena);
-    rhw_memory_release(memory, worker->geometry, rhw_geometry_scratch_room(worker->triangles_most).size);
+    rhw_memory_release(memory, worker->geometry, rhw_geometry_scratch_room(worker->triangle_room).size);
     rhw_memory_release(memory, worker->tile, sizeof *worker->tile);
     rhw_memory_release(memory, worker->colors, (size_t)worker->color_count * sizeof *worker->colors);
     rhw_memory_release(memory, worker->sample_tiles,

@@ -16,6 +16,7 @@
 #include <threads.h>
 
 #include "document.h"
+#include "float_bits.h"
 #include "math_reference.h"
 #include "progress.h"
 #include "random.h"
@@ -61,13 +62,6 @@ static struct worker workers[MAX_JOBS];
 static atomic_int next_task, done_tasks;
 static int end_task;                                         // one past the last
 static const struct isa_templates *templates[RHW_ISA_COUNT]; // NULL where this CPU lacks it
-
-static float from_bits(uint32_t bits)
-{
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
 
 // Bits of a NaN are unspecified, everything else is not.
 static bool same(float a, float b)

@@ -101,6 +101,7 @@ static void integers(rhw_int i)
     same_int(__LINE__, rhw_divide_int(i, 3), rhw_divide_int(i, three));
     same_int(__LINE__, rhw_remainder_int(3, i), rhw_remainder_int(three, i));
     same_int(__LINE__, rhw_divide_uint(i, 3), rhw_divide_uint(i, three));
+    same_int(__LINE__, rhw_divide_uint(i, 3u), rhw_divide_uint(i, three));
     same_int(__LINE__, rhw_remainder_uint(i, 3), rhw_remainder_uint(i, three));
     same(__LINE__, rhw_ldexp(2.0f, i), rhw_ldexp(rhw_splat(2), i));
     same(__LINE__, rhw_ldexp(rhw_splat(2), 3), rhw_ldexp(rhw_splat(2), three));

@@ -10,7 +10,7 @@ case $(basename "$2") in
 esac
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-flags="-O1 -I$project/include -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-psabi -Werror"
+flags="-O1 -I$project/include -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wno-psabi -Werror"
 passed=0
 failed=0
 

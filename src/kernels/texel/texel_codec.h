@@ -256,12 +256,15 @@ RHW_INLINE void store_word_bits(unsigned char *texels, i32x8 value, i32x8 mask)
     i32x8_store(texels, old ^ ((old ^ value) & mask));
 }
 
-// Store the first `size` bytes, a constant, of each row of which `live` has a bit, texels side by side.
-RHW_INLINE void store_rows(const f32x4 row[RHW_LANES], unsigned live, size_t size, unsigned char *texels)
+// Store 8 texels of 16 bytes in a row, of lanes of which `live` has a bit.
+RHW_INLINE void store_texels16(const i32x8 word[4], unsigned live, unsigned char *texels)
 {
+    f32x4 row[RHW_LANES];
+    const f32x8 column[4] = {(f32x8)word[0], (f32x8)word[1], (f32x8)word[2], (f32x8)word[3]};
+    f32x4_rows(column, row);
     for (int i = 0; i < RHW_LANES; i++) {
         if (live >> i & 1) {
-            memcpy(texels + (size_t)i * size, &row[i], size);
+            memcpy(texels + (size_t)i * 16, &row[i], 16);
         }
     }
 }
@@ -302,10 +305,7 @@ RHW_INLINE void store_texel_row(size_t size, const struct raw_texels *raw, i32x8
     }
     const unsigned live = (unsigned)rhw_mask_bits(mask);
     if (size == 16) {
-        f32x4 row[RHW_LANES];
-        const f32x8 column[4] = {(f32x8)word[0], (f32x8)word[1], (f32x8)word[2], (f32x8)word[3]};
-        f32x4_rows(column, row);
-        store_rows(row, live, 16, texels);
+        store_texels16(word, live, texels);
         return;
     }
     store_small_texels(word[0], live, size, texels);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every colour format against the model of texel_model.h, on every path: what shaders read of any bits, what targets
 // keep of any values, write masks, logic operations, clear values, mip levels, and what a format refuses.
+#include "float_bits.h"
 #include "harness.h"
 
 #include <math.h>
@@ -96,7 +97,6 @@ static uint32_t awkward_bits(uint64_t *random)
     static const int steps[] = {255, 65535, 1023, 31, 63, 15, 127, 32767, 511};
     const float step = (float)steps[rig_random_int(random, 9)];
     float value;
-    uint32_t bits;
     switch (rig_random_int(random, 6)) {
     case 0: return (uint32_t)rig_random(random);
     case 1: value = special[rig_random_int(random, 12)]; break;
@@ -107,8 +107,7 @@ static uint32_t awkward_bits(uint64_t *random)
         break;
     default: value = rig_random_float(random, -1.1f, 1.1f); break;
     }
-    memcpy(&bits, &value, sizeof bits);
-    return bits;
+    return to_bits(value);
 }
 
 static void test_shaders_read_what_the_bits_mean(void **state)

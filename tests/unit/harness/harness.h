@@ -66,9 +66,9 @@ void rig_draw_once(struct rig *rig, const struct rig_vertex *vertices, int count
 
 /// The texels of a texture's level 0 in its own format, tightly packed; valid until the next read.
 const void *rig_read(struct rig *rig, rhw_texture texture);
-/// The same for target 0 as 4 floats a pixel (it must be RGBA32_FLOAT).
+/// Return 4 floats a pixel of target 0, which must be RGBA32_FLOAT. They are valid until the next read.
 const float (*rig_read_float4(struct rig *rig))[4];
-/// The same for the depth attachment.
+/// Return the floats of the depth attachment. They are valid until the next read.
 const float *rig_read_depth(struct rig *rig);
 /// FNV-1a of target `index`.
 uint64_t rig_hash(struct rig *rig, int index);
@@ -80,7 +80,7 @@ void rig_place(const struct rig *rig, float x, float y, float depth, float w, fl
 /// Two triangles, four corners given by pixel coordinates, at one depth and W = 1, one value everywhere.
 void rig_rectangle(const struct rig *rig, float x0, float y0, float x1, float y1, float depth,
                    const float value[4], struct rig_vertex vertices[6]);
-/// The same over the whole target.
+/// Make a rectangle of two triangles that covers the whole target.
 void rig_cover(const struct rig *rig, float depth, const float value[4], struct rig_vertex vertices[6]);
 
 /// The default program: position = attribute 0, varyings 0..3 = attribute 1, colour 0 = varyings 0..3.

@@ -21,17 +21,21 @@ struct kit_table {
     const struct kit_function *functions;
 };
 
-RHW_ISA_DECLARE(const struct kit_table, kit_table);
-RHW_ISA_DECLARE(const struct kit_table, kit_dual_table);
+/// The parts of the kit, each of which has a table.
+enum kit_part {
+    KIT_LANES, // shader_vector.h, shader_linear.h and shader_memory.h
+    KIT_MATH,  // shader_math.h and shader_hyperbolic.h
+    KIT_BITS,  // shader_integer.h and shader_pack.h
+    KIT_DUAL,  // shader_dual.h
+    KIT_PARTS
+};
+
+RHW_ISA_DECLARE(const struct kit_table, kit_lanes_table);
+RHW_ISA_DECLARE(const struct kit_table, kit_math_table);
 RHW_ISA_DECLARE(const struct kit_table, kit_bits_table);
+RHW_ISA_DECLARE(const struct kit_table, kit_dual_table);
 
-/// The functions of shader.h. NULL where this build or this CPU lacks `isa`.
-const struct kit_table *kit_table_for(enum rhw_isa isa);
-
-/// Those of shader_integer.h and shader_pack.h.
-const struct kit_table *kit_bits_table_for(enum rhw_isa isa);
-
-/// Those of shader_dual.h.
-const struct kit_table *kit_dual_table_for(enum rhw_isa isa);
+/// Return the functions of a part. Return NULL where this build or this CPU lacks `isa`.
+const struct kit_table *kit_table_for(enum kit_part part, enum rhw_isa isa);
 
 #endif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See isa_kit.h: the functions of shader_integer.h and shader_pack.h. Compiled with RHW_ISA_SUFFIX = baseline, avx2, ...
+// The functions of shader_integer.h and shader_pack.h; see isa_kit.h. This file is compiled with RHW_ISA_SUFFIX =
+// baseline, avx2, ...
 #include "isa_kit.h"
 
 static rhw_int bits(rhw_float a)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See isa_kit.h; compiled with RHW_ISA_SUFFIX = baseline, avx2, ...
+// The functions of shader_dual.h; see isa_kit.h. This file is compiled with RHW_ISA_SUFFIX = baseline, avx2, ...
 #include "isa_kit.h"
 
 #include <rhw/shader_dual.h>

@@ -12,21 +12,14 @@ const struct isa_templates *isa_templates_for(enum rhw_isa isa)
     return rhw_isa_supported(isa) ? templates[isa] : NULL;
 }
 
-static const struct kit_table *const kits[RHW_ISA_COUNT] = RHW_ISA_TABLE(&kit_table);
-static const struct kit_table *const dual_kits[RHW_ISA_COUNT] = RHW_ISA_TABLE(&kit_dual_table);
-static const struct kit_table *const bits_kits[RHW_ISA_COUNT] = RHW_ISA_TABLE(&kit_bits_table);
+static const struct kit_table *const kits[KIT_PARTS][RHW_ISA_COUNT] = {
+    [KIT_LANES] = RHW_ISA_TABLE(&kit_lanes_table),
+    [KIT_MATH] = RHW_ISA_TABLE(&kit_math_table),
+    [KIT_BITS] = RHW_ISA_TABLE(&kit_bits_table),
+    [KIT_DUAL] = RHW_ISA_TABLE(&kit_dual_table),
+};
 
-const struct kit_table *kit_table_for(enum rhw_isa isa)
+const struct kit_table *kit_table_for(enum kit_part part, enum rhw_isa isa)
 {
-    return rhw_isa_supported(isa) ? kits[isa] : NULL;
-}
-
-const struct kit_table *kit_dual_table_for(enum rhw_isa isa)
-{
-    return rhw_isa_supported(isa) ? dual_kits[isa] : NULL;
-}
-
-const struct kit_table *kit_bits_table_for(enum rhw_isa isa)
-{
-    return rhw_isa_supported(isa) ? bits_kits[isa] : NULL;
+    return rhw_isa_supported(isa) ? kits[part][isa] : NULL;
 }

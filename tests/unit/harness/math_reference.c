@@ -4,7 +4,8 @@
 
 #include <math.h>
 #include <stdint.h>
-#include <string.h>
+
+#include "float_bits.h"
 
 // mpfr_rec_sqrt gives +infinity for −0, IEEE 754 −infinity.
 static int reciprocal_root(mpfr_t result, const mpfr_t a, mpfr_rnd_t rounding)
@@ -43,20 +44,6 @@ const struct math_function2 math_functions2[MATH_FUNCTIONS2] = {
     {ISA_POW, "pow", 1.4, mpfr_pow, pow},
     {ISA_ATAN2, "atan2", 2.0, mpfr_atan2, atan2},
 };
-
-static uint32_t to_bits(float value)
-{
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits;
-}
-
-static float from_bits(uint32_t bits)
-{
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
 
 double math_ulp_error(float got, const mpfr_t want)
 {

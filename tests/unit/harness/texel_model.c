@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/half.h"
+#include "float_bits.h"
 #include "reference.h"
 #include "format/srgb.h"
 
@@ -74,20 +75,6 @@ struct texel_model texel_model_of(const char *name)
 }
 
 // Numbers --------------------------------------------------------------------------------------------
-
-static float float_of(uint32_t bits)
-{
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-static uint32_t bits_of(float value)
-{
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits;
-}
 
 static uint32_t field(const unsigned char *texel, int first, int bits)
 {
@@ -156,8 +143,8 @@ static double clamped(double value, double least)
 static uint32_t encode_channel(const struct texel_model *model, int channel, uint32_t written)
 {
     const int bits = model->bits[channel];
-    const float value = float_of(written);
-    const float number = isnan(value) ? float_of(0x7fc00000) : value;
+    const float value = from_bits(written);
+    const float number = isnan(value) ? from_bits(0x7fc00000) : value;
     const double most = ldexp(1, bits) - 1, most_signed = ldexp(1, bits - 1) - 1;
     switch (model->type) {
     case TEXEL_SRGB:
@@ -170,7 +157,7 @@ static uint32_t encode_channel(const struct texel_model *model, int channel, uin
                          : (uint32_t)rint(clamped((double)value, 0) * most);
     case TEXEL_SNORM: return (uint32_t)(int32_t)rint(clamped((double)value, -1) * most_signed);
     case TEXEL_FLOAT:
-        return bits == 32   ? bits_of(number)
+        return bits == 32   ? to_bits(number)
                : bits == 16 ? rhw_half_from_float(number)
                             : ufloat_code((double)number, bits);
     default: return written;
@@ -183,14 +170,14 @@ static uint32_t decode_channel(const struct texel_model *model, int channel, uin
     const double most = ldexp(1, bits) - 1, most_signed = ldexp(1, bits - 1) - 1;
     switch (model->type) {
     case TEXEL_SRGB:
-        return bits_of(channel < 3 ? (float)ref_srgb_decode(code / 255.0) : (float)(code / 255.0));
-    case TEXEL_UNORM: return bits_of((float)(code / most));
-    case TEXEL_SNORM: return bits_of((float)fmax(signed_field(code, bits) / most_signed, -1.0));
+        return to_bits(channel < 3 ? (float)ref_srgb_decode(code / 255.0) : (float)(code / 255.0));
+    case TEXEL_UNORM: return to_bits((float)(code / most));
+    case TEXEL_SNORM: return to_bits((float)fmax(signed_field(code, bits) / most_signed, -1.0));
     case TEXEL_SINT: return (uint32_t)signed_field(code, bits);
     case TEXEL_FLOAT:
         return bits == 32   ? code
-               : bits == 16 ? bits_of(rhw_half_to_float((uint16_t)code))
-                            : bits_of(rhw_half_to_float((uint16_t)(code << (15 - bits))));
+               : bits == 16 ? to_bits(rhw_half_to_float((uint16_t)code))
+                            : to_bits(rhw_half_to_float((uint16_t)(code << (15 - bits))));
     default: return code;
     }
 }
@@ -201,7 +188,7 @@ static void encode_shared(const uint32_t bits[4], unsigned char *texel)
 {
     double color[3], most = 0;
     for (int c = 0; c < 3; c++) {
-        const double value = (double)float_of(bits[c]);
+        const double value = (double)from_bits(bits[c]);
         color[c] = isnan(value) ? 0 : fmax(0, fmin(65408, value));
         most = fmax(most, color[c]);
     }
@@ -221,9 +208,9 @@ void texel_model_decode(const struct texel_model *model, const unsigned char *te
     for (int c = 0; c < 4; c++) {
         const uint32_t code = field(texel, model->first[c], model->bits[c]);
         if (!model->has[c]) {
-            bits[c] = c < 3 ? 0 : is_integer ? 1 : bits_of(1);
+            bits[c] = c < 3 ? 0 : is_integer ? 1 : to_bits(1);
         } else if (model->type == TEXEL_SHARED) {
-            bits[c] = bits_of((float)ldexp(code, (int)field(texel, 27, 5) - 24));
+            bits[c] = to_bits((float)ldexp(code, (int)field(texel, 27, 5) - 24));
         } else {
             bits[c] = decode_channel(model, c, code);
         }

@@ -2,6 +2,7 @@
 // The blend kernel by itself: conversions against MPFR and over all their inputs, the fast paths
 // against plain formulas, masks byte by byte, and every instruction set against the baseline. What
 // blending means per factor and operation is test_blend's subject.
+#include "float_bits.h"
 #include "harness.h"
 #include "isa_templates.h"
 
@@ -13,22 +14,9 @@
 
 #include "base/half.h"
 #include "pipeline/blend_state.h"
+#include "reference.h"
 #include "resource/clear_texel.h"
 #include "format/srgb.h"
-
-static float from_bits(uint32_t bits)
-{
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-static uint32_t to_bits(float value)
-{
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits;
-}
 
 // sRGB ----------------------------------------------------------------------------------------------
 
@@ -99,15 +87,6 @@ static void test_srgb_encodes_every_float_correctly_rounded(void **state)
 
 // Half ----------------------------------------------------------------------------------------------
 
-static double half_value(unsigned bits)
-{
-    const int exponent = (int)(bits >> 10 & 31);
-    const double significand = bits & 0x3ff;
-    const double magnitude =
-        exponent == 0 ? ldexp(significand, -24) : ldexp(1024 + significand, exponent - 25);
-    return bits & 0x8000 ? -magnitude : magnitude;
-}
-
 static void test_half_to_float_is_exact(void **state)
 {
     (void)state;
@@ -117,7 +96,7 @@ static void test_half_to_float_is_exact(void **state)
             assert_true(bits & 0x3ff ? isnan(value) : isinf(value));
             assert_int_equal(to_bits(value) >> 31, bits >> 15);
         } else {
-            assert_true((double)value == half_value(bits));
+            assert_true((double)value == ref_half((uint16_t)bits));
             assert_int_equal(to_bits(value) >> 31, bits >> 15);
         }
     }
@@ -128,8 +107,8 @@ static void test_half_from_float_rounds_to_nearest_even(void **state)
 {
     (void)state;
     for (unsigned bits = 0; bits < 0x7c00; bits++) {
-        const double low = half_value(bits);
-        const double high = bits + 1 < 0x7c00 ? half_value(bits + 1) : 65536.0;
+        const double low = ref_half((uint16_t)bits);
+        const double high = bits + 1 < 0x7c00 ? ref_half((uint16_t)(bits + 1)) : 65536.0;
         const float middle = (float)((low + high) / 2); // exact
         const unsigned even = bits & 1 ? bits + 1 : bits;
         for (unsigned sign = 0; sign <= 0x8000; sign += 0x8000) {
@@ -206,10 +185,29 @@ static struct rhw_color_target random_target(uint64_t *random)
     return target;
 }
 
+// Blend a random group by `state` on every instruction set. The bytes are those that `reference` gives on the baseline.
+static void expect_the_bytes_of(const struct rhw_blend_state *reference, const struct rhw_blend_state *state,
+                                uint64_t *random)
+{
+    rhw_float color[4];
+    rhw_int mask;
+    unsigned char before[TEXELS * TEXEL_BYTES], expected[sizeof before], texels[sizeof before];
+    random_group(random, color, &mask, before);
+    memcpy(expected, before, sizeof before);
+    isa_templates_for(RHW_ISA_BASELINE)->blend(reference, color, &mask, expected);
+    for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
+        const struct isa_templates *const templates = isa_templates_for((enum rhw_isa)isa);
+        if (templates) {
+            memcpy(texels, before, sizeof before);
+            templates->blend(state, color, &mask, texels);
+            assert_memory_equal(texels, expected, sizeof texels);
+        }
+    }
+}
+
 static void test_every_isa_writes_the_same_bytes(void **state)
 {
     (void)state;
-    const struct isa_templates *const baseline = isa_templates_for(RHW_ISA_BASELINE);
     uint64_t random = 7;
     for (int n = 0; n < 30000; n++) {
         const struct rhw_color_target target = random_target(&random);
@@ -217,20 +215,7 @@ static void test_every_isa_writes_the_same_bytes(void **state)
                                    awkward_float(&random)};
         struct rhw_blend_state blend;
         rhw_blend_state_init(&blend, &target, RHW_LOGIC_OFF, constant);
-        rhw_float color[4];
-        rhw_int mask;
-        unsigned char before[TEXELS * TEXEL_BYTES], expected[sizeof before], texels[sizeof before];
-        random_group(&random, color, &mask, before);
-        memcpy(expected, before, sizeof before);
-        baseline->blend(&blend, color, &mask, expected);
-        for (int isa = RHW_ISA_BASELINE + 1; isa < RHW_ISA_COUNT; isa++) {
-            const struct isa_templates *const other = isa_templates_for((enum rhw_isa)isa);
-            if (other) {
-                memcpy(texels, before, sizeof before);
-                other->blend(&blend, color, &mask, texels);
-                assert_memory_equal(texels, expected, sizeof texels);
-            }
-        }
+        expect_the_bytes_of(&blend, &blend, &random);
     }
 }
 
@@ -315,6 +300,15 @@ static void test_replacing_rounds_each_format(void **state)
     }
 }
 
+// A path of its own writes what the general path writes, on every instruction set.
+static void expect_the_general_path(const struct rhw_blend_state *state, uint64_t *random)
+{
+    struct rhw_blend_state general = *state;
+    rhw_blend_state_generalize(&general);
+    assert_int_equal(general.path, BLEND_GENERAL);
+    expect_the_bytes_of(&general, state, random);
+}
+
 // Sums have code of their own too, which writes what the general path does, on every instruction set.
 static void test_rgba8_sums_are_those_of_the_general_path(void **state)
 {
@@ -326,26 +320,10 @@ static void test_rgba8_sums_are_those_of_the_general_path(void **state)
         target.blend = true;
         target.color.dst = target.alpha.dst = RHW_BLEND_ONE;
         target.write_mask = (uint8_t)(n % 3 ? 15 : 1 + rig_random_int(&random, 15));
-        struct rhw_blend_state sum, general;
+        struct rhw_blend_state sum;
         rhw_blend_state_init(&sum, &target, RHW_LOGIC_OFF, constant);
         assert_int_equal(sum.path, BLEND_RGBA8_SUM);
-        general = sum;
-        rhw_blend_state_generalize(&general);
-        assert_int_equal(general.path, BLEND_GENERAL);
-        rhw_float color[4];
-        rhw_int mask;
-        unsigned char before[TEXELS * TEXEL_BYTES], expected[sizeof before], texels[sizeof before];
-        random_group(&random, color, &mask, before);
-        memcpy(expected, before, sizeof before);
-        isa_templates_for(RHW_ISA_BASELINE)->blend(&general, color, &mask, expected);
-        for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
-            const struct isa_templates *const templates = isa_templates_for((enum rhw_isa)isa);
-            if (templates) {
-                memcpy(texels, before, sizeof before);
-                templates->blend(&sum, color, &mask, texels);
-                assert_memory_equal(texels, expected, sizeof texels);
-            }
-        }
+        expect_the_general_path(&sum, &random);
     }
 }
 
@@ -363,27 +341,11 @@ static void test_normalized_formats_are_replaced(void **state)
         if (!rhw_format_has_role(info, RHW_ROLE_COLOR_TARGET) || !rhw_format_is_normalized(info)) {
             continue;
         }
-        struct rhw_blend_state replace, general;
+        struct rhw_blend_state replace;
         rhw_blend_state_init(&replace, &target, RHW_LOGIC_OFF, constant);
-        general = replace;
-        rhw_blend_state_generalize(&general);
-        assert_int_equal(general.path, BLEND_GENERAL);
         assert_int_not_equal(replace.path, BLEND_GENERAL);
         replaced += replace.path == BLEND_NORMALIZED_REPLACE;
-        rhw_float color[4];
-        rhw_int mask;
-        unsigned char before[TEXELS * TEXEL_BYTES], expected[sizeof before], texels[sizeof before];
-        random_group(&random, color, &mask, before);
-        memcpy(expected, before, sizeof before);
-        isa_templates_for(RHW_ISA_BASELINE)->blend(&general, color, &mask, expected);
-        for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
-            const struct isa_templates *const templates = isa_templates_for((enum rhw_isa)isa);
-            if (templates) {
-                memcpy(texels, before, sizeof before);
-                templates->blend(&replace, color, &mask, texels);
-                assert_memory_equal(texels, expected, sizeof texels);
-            }
-        }
+        expect_the_general_path(&replace, &random);
     }
     assert_in_range(replaced, 40 * 10, 40 * RHW_FORMAT_COUNT);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Vertex fetch: every format over every bit pattern that matters, several buffers with stride, offset and
 // no alignment, attributes per instance, and reads beyond the end.
+#include "float_bits.h"
 #include "harness.h"
 #include "reference.h"
 
@@ -46,9 +47,7 @@ struct format_row {
 
 static double float_value(uint32_t bits)
 {
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return (double)value;
+    return (double)from_bits(bits);
 }
 
 static double half_value(uint32_t bits)

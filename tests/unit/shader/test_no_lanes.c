@@ -1,28 +1,22 @@
 // SPDX-License-Identifier: MIT
 // The one-at-a-time form for compilers without lanes: what the library has for them gives the bits of the inline
 // functions, and its shaders the same picture.
+#include "float_bits.h"
 #include "harness.h"
 #include "no_lanes.h"
 #include "one_at_a_time.h"
-
-#include <string.h>
 
 enum { SIZE = 64, TEXTURE = 32 };
 
 // The bits; one pattern for every NaN.
 static uint32_t bits(float value)
 {
-    uint32_t pattern;
-    memcpy(&pattern, &value, sizeof pattern);
-    return value == value ? pattern : 0x7fc00000;
+    return value == value ? to_bits(value) : 0x7fc00000;
 }
 
 static float random_bits(uint64_t *state)
 {
-    const uint32_t pattern = (uint32_t)rig_random(state);
-    float value;
-    memcpy(&value, &pattern, sizeof value);
-    return value;
+    return from_bits((uint32_t)rig_random(state));
 }
 
 static void test_maths(void **state)

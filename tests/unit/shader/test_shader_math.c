@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The elementary functions of shader_math.h against MPFR, at the error their header states; the lane
 // arithmetic of shader_vector.h against C; and every instruction set against the baseline, bit for bit.
+#include "float_bits.h"
 #include "harness.h"
 #include "isa_templates.h"
 #include "math_reference.h"
@@ -11,20 +12,6 @@
 #include <string.h>
 
 enum { BATCH = 4096 };
-
-static float from_bits(uint32_t bits)
-{
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-static uint32_t to_bits(float value)
-{
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits;
-}
 
 // Error measurement ---------------------------------------------------------------------------------
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sampling against texture_model.h. Samples are taken through the kernel table, so that every instruction set is judged
 // by itself and against the baseline.
+#include "float_bits.h"
 #include "texture_model.h"
 
 #include <math.h>
@@ -589,9 +590,7 @@ static void test_hostile_coordinates(void **state)
             rhw_float in[7], texel[4];
             for (int j = 0; j < 7; j++) {
                 for (int i = 0; i < RHW_LANES; i++) {
-                    const uint32_t bits = (uint32_t)rig_random(&random);
-                    float value;
-                    memcpy(&value, &bits, sizeof value);
+                    const float value = from_bits((uint32_t)rig_random(&random));
                     in[j][i] = rig_random_int(&random, 3) ? value : special[rig_random_int(&random, 15)];
                 }
             }
