@@ -75,6 +75,7 @@ static const struct {
     {"sldprt", "SolidWorks"},
     {"splat", "Gaussian splats"},
     {"spz", "Gaussian splats (SPZ)"},
+    {"assbin", "a binary dump of assimp"}, // assimp trusts the lengths in it
 };
 
 // How files of formats that nothing here reads begin, whatever their names say.
@@ -101,6 +102,7 @@ static const struct {
     {"i3dm", "3D Tiles"},
     {"pnts", "3D Tiles"},
     {"cmpt", "3D Tiles"},
+    {"ASSIMP.binary-dump", "a binary dump of assimp"},
 };
 
 // Files that are no model, whatever their names say. A reader would complain of details.
