@@ -218,28 +218,38 @@ static void test_other_formats(void **state)
     expect_refused_pose("move.x", "walk", "has no animation 'walk'");
 }
 
-// A bone changes the three axes for each other: normals turn with the vertices, which they are equal to here.
+// A bone changes the three axes for each other, or stretches one of them and mirrors another. The normals, which are
+// equal to the positions, stay upright on their surface.
 static void test_skinned_normals(void **state)
 {
     (void)state;
 #define CORNERS                                                                                        \
     "3; 0.333333;0.666667;0.666667;, 0.666667;0.333333;-0.666667;, -0.666667;0.666667;-0.333333;; 1; " \
     "3;0,1,2;;"
-    write_text("turn.x",
-               "xof 0303txt 0032\nAnimTicksPerSecond { 1; }\n"
-               "Frame leaf { FrameTransformMatrix { " UNMOVED " }\n"
-               " Mesh m { " CORNERS " MeshNormals { " CORNERS " }\n  XSkinMeshHeader { 1; 1; 1; }\n"
-               "  SkinWeights { \"bone\"; 3; 0, 1, 2; 1.0, 1.0, 1.0; " UNMOVED " } } }\n"
-               "Frame bone { FrameTransformMatrix { " UNMOVED " } }\n"
-               "AnimationSet S { Animation A { {bone} AnimationKey { 0; 1; 0;4;0.5,0.5,0.5,0.5;;; } } }\n");
-    struct scene_model *rest = load("turn.x"), *model = pose_of("turn.x", "S", 0);
-    const struct scene_mesh *const mesh = &model->meshes[0];
-    for (uint32_t v = 0; v < 3; v++) {
-        assert_floats(mesh->normals[v], mesh->positions[v], 3, 1e-5f);
-        assert_memory_not_equal(mesh->positions[v], rest->meshes[0].positions[v], sizeof *mesh->positions);
+    static const char *const keys[] = {"0; 1; 0;4;0.5,0.5,0.5,0.5;;;", "1; 1; 0;3;2.0,1.0,-1.0;;;"};
+    for (int i = 0; i < 2; i++) {
+        write_format("turn.x",
+                     "xof 0303txt 0032\nAnimTicksPerSecond { 1; }\n"
+                     "Frame leaf { FrameTransformMatrix { " UNMOVED " }\n"
+                     " Mesh m { " CORNERS " MeshNormals { " CORNERS " }\n  XSkinMeshHeader { 1; 1; 1; }\n"
+                     "  SkinWeights { \"bone\"; 3; 0, 1, 2; 1.0, 1.0, 1.0; " UNMOVED " } } }\n"
+                     "Frame bone { FrameTransformMatrix { " UNMOVED " } }\n"
+                     "AnimationSet S { Animation A { {bone} AnimationKey { %s } } }\n",
+                     keys[i]);
+        struct scene_model *rest = load("turn.x"), *model = pose_of("turn.x", "S", 0);
+        const struct scene_mesh *const mesh = &model->meshes[0];
+        const float stretch = i == 0 ? 1 : 2, side = i == 0 ? 1 : -1; // corners run the other way in a mirror
+        for (uint32_t v = 0; v < 3; v++) {
+            const float *const p = mesh->positions[v];
+            const float upright[3] = {p[0] / stretch / stretch, p[1], p[2]};
+            const float length = side * sqrtf(upright[0] * upright[0] + p[1] * p[1] + p[2] * p[2]);
+            const float normal[3] = {upright[0] / length, p[1] / length, p[2] / length};
+            assert_floats(mesh->normals[v], normal, 3, 1e-5f);
+            assert_memory_not_equal(p, rest->meshes[0].positions[v], sizeof *mesh->positions);
+        }
+        scene_model_free(rest);
+        scene_model_free(model);
     }
-    scene_model_free(rest);
-    scene_model_free(model);
 }
 
 // What shows nothing at rest is drawn as the first animation has it that shows something: at its beginning, or where it
