@@ -218,6 +218,9 @@ static void refuse_marked(struct scene_import *import, const struct beginning *s
 // Refuse a file for the ending of its name. An IFC may be called STEP.
 static void refuse_unread(struct scene_import *import, const struct beginning *start)
 {
+    if (strcasecmp(import->ending, "amf") == 0 && begins_with(start, "PK\3\4")) {
+        refuse_by_name(import, "an AMF in a ZIP archive");
+    }
     for (size_t i = 0; i < sizeof unread / sizeof unread[0] && !is_exchange_file(start); i++) {
         if (strcasecmp(import->ending, unread[i].ending) == 0) {
             refuse_by_name(import, unread[i].name);

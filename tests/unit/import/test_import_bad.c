@@ -127,6 +127,7 @@ static const struct {
     {"mesh", "# vtk DataFile Version 3.0\n", "is VTK, which"},
     {"a.mesh", "MeshVersionFormatted 1\nDimension 3\n", "is a mesh of Medit, which"},
     {"a.mesh", "RSCC\x02", "is a resource of Godot, which"},
+    {"a.amf", "PK\3\4", "is an AMF in a ZIP archive, which is not supported"},
     {"a.assbin", "anything", "is a binary dump of assimp, which is not supported"},
     {"a.x", "ASSIMP.binary-dump.Fri Nov 27", "is a binary dump of assimp, which is not supported"},
     {"a.bim", "{\"schema_version\": \"1.0.0\"}", "is dotbim, which"},
