@@ -75,6 +75,7 @@ static const struct {
     {"sldprt", "SolidWorks"},
     {"splat", "Gaussian splats"},
     {"spz", "Gaussian splats (SPZ)"},
+    {"assbin", "a binary dump of assimp"}, // assimp trusts the lengths in it
 };
 
 // How files of formats that nothing here reads begin, whatever their names say.
@@ -101,6 +102,7 @@ static const struct {
     {"i3dm", "3D Tiles"},
     {"pnts", "3D Tiles"},
     {"cmpt", "3D Tiles"},
+    {"ASSIMP.binary-dump", "a binary dump of assimp"},
 };
 
 // Files that are no model, whatever their names say. A reader would complain of details.
@@ -216,6 +218,9 @@ static void refuse_marked(struct scene_import *import, const struct beginning *s
 // Refuse a file for the ending of its name. An IFC may be called STEP.
 static void refuse_unread(struct scene_import *import, const struct beginning *start)
 {
+    if (strcasecmp(import->ending, "amf") == 0 && begins_with(start, "PK\3\4")) {
+        refuse_by_name(import, "an AMF in a ZIP archive");
+    }
     for (size_t i = 0; i < sizeof unread / sizeof unread[0] && !is_exchange_file(start); i++) {
         if (strcasecmp(import->ending, unread[i].ending) == 0) {
             refuse_by_name(import, unread[i].name);

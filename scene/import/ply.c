@@ -288,30 +288,42 @@ static void add_mesh(struct ply *ply, const struct scene_mesh *mesh, bool join, 
     scene_import_complete_polygons(ply->import, instance->mesh, SCENE_IMPORT_SMOOTH, join, polygons);
 }
 
-static void *copy_array(struct ply *ply, const void *array, size_t size)
+// The vertices that are copied: those of some corners, or the first ones where `corners` is NULL.
+struct chosen {
+    const uint32_t *corners;
+    uint32_t count;
+};
+
+static void *copy_array(struct ply *ply, const void *array, size_t size, struct chosen chosen)
 {
-    return array == NULL ? NULL
-                         : memcpy(scene_import_allocate(ply->import, ply->mesh.vertex_count, size), array,
-                                  ply->mesh.vertex_count * size);
+    if (array == NULL) {
+        return NULL;
+    }
+    char *const copy = scene_import_allocate(ply->import, chosen.count, size);
+    for (uint32_t i = 0; i < chosen.count; i++) {
+        const size_t from = chosen.corners == NULL ? i : chosen.corners[i];
+        memcpy(copy + i * size, (const char *)array + from * size, size);
+    }
+    return copy;
 }
 
-// Return a mesh with copies of the vertices and without indices.
-static struct scene_mesh copy_vertices(struct ply *ply)
+// Return a mesh with copies of vertices and without indices.
+static struct scene_mesh copy_vertices(struct ply *ply, struct chosen chosen)
 {
     const struct scene_mesh *mesh = &ply->mesh;
     return (struct scene_mesh){
         .name = "",
-        .vertex_count = mesh->vertex_count,
-        .positions = copy_array(ply, mesh->positions, sizeof *mesh->positions),
-        .normals = copy_array(ply, mesh->normals, sizeof *mesh->normals),
-        .uvs = {copy_array(ply, mesh->uvs[0], sizeof *mesh->uvs[0])},
-        .colors = copy_array(ply, mesh->colors, sizeof *mesh->colors),
+        .vertex_count = chosen.count,
+        .positions = copy_array(ply, mesh->positions, sizeof *mesh->positions, chosen),
+        .normals = copy_array(ply, mesh->normals, sizeof *mesh->normals, chosen),
+        .uvs = {copy_array(ply, mesh->uvs[0], sizeof *mesh->uvs[0], chosen)},
+        .colors = copy_array(ply, mesh->colors, sizeof *mesh->colors, chosen),
     };
 }
 
 static void add_lines(struct ply *ply)
 {
-    struct scene_mesh lines = copy_vertices(ply);
+    struct scene_mesh lines = copy_vertices(ply, (struct chosen){NULL, ply->mesh.vertex_count});
     if (ply->edge_count > UINT32_MAX) {
         scene_import_fail(ply->import, "has too many edges");
     }
@@ -357,7 +369,8 @@ static bool has_texture(const struct ply *ply, uint32_t triangle, int texture)
     return (number < ply->texture_count ? number : -1) == texture;
 }
 
-// Add the triangles whose texture has this number, or has none if it is −1.
+// Add the triangles whose texture has this number, or has none if it is −1. With `join`, corners have vertices of their
+// own, and only those of the triangles are copied.
 static void add_textured(struct ply *ply, int texture, bool join)
 {
     uint32_t count = 0;
@@ -367,20 +380,26 @@ static void add_textured(struct ply *ply, int texture, bool join)
     if (count == 0) {
         return;
     }
-    struct scene_mesh part = copy_vertices(ply);
-    part.indices = scene_import_allocate(ply->import, count, sizeof *part.indices);
-    uint32_t *polygons = ply->polygons.of_triangle == NULL
-                             ? NULL
-                             : scene_import_allocate(ply->import, count / 3, sizeof *polygons);
+    uint32_t *const indices = scene_import_allocate(ply->import, count, sizeof *indices), *next = indices;
+    uint32_t *const polygons = ply->polygons.of_triangle == NULL
+                                   ? NULL
+                                   : scene_import_allocate(ply->import, count / 3, sizeof *polygons);
     for (uint32_t i = 0; i < ply->mesh.index_count; i += 3) {
         if (has_texture(ply, i / 3, texture)) {
             if (polygons != NULL) {
-                polygons[part.index_count / 3] = ply->polygons.of_triangle[i / 3];
+                polygons[(next - indices) / 3] = ply->polygons.of_triangle[i / 3];
             }
-            memcpy(part.indices + part.index_count, ply->mesh.indices + i, 3 * sizeof *part.indices);
-            part.index_count += 3;
+            memcpy(next, ply->mesh.indices + i, 3 * sizeof *next);
+            next += 3;
         }
     }
+    const struct chosen corners = {indices, count}, all = {NULL, ply->mesh.vertex_count};
+    struct scene_mesh part = copy_vertices(ply, join ? corners : all);
+    for (uint32_t i = 0; i < count && join; i++) {
+        indices[i] = i;
+    }
+    part.indices = indices;
+    part.index_count = count;
     part.material = add_material(ply, &part, texture, ply->translucent);
     add_mesh(ply, &part, join, polygons);
     free(polygons);

@@ -158,7 +158,10 @@ static bool is_head_of_meshlab(const unsigned char *bytes)
 static void tell_of_head(struct scene_import *import, const unsigned char *bytes)
 {
     static const char color[] = "COLOR=", material[] = "MATERIAL=";
-    for (size_t i = 0; i + sizeof material <= 80 && !is_head_of_meshlab(bytes); i++) {
+    if (is_head_of_meshlab(bytes)) {
+        return;
+    }
+    for (size_t i = 0; i + sizeof material <= 80; i++) {
         const unsigned char alpha = bytes[i + sizeof color - 1 + 3];
         if (memcmp(bytes + i, material, sizeof material - 1) == 0) {
             scene_import_unsupported(import,

@@ -74,6 +74,27 @@ PY
             --max-memory 64M --threads 1
     done
     rm short.png short.tga short.tif
+    # A damaged picture that asks for more than one of its size takes, and of few bytes that would be large, are no
+    # lack of memory: the model is drawn without them.
+    python3 - <<'PY'
+import struct, zlib
+def chunk(kind, data, length=None):
+    return struct.pack(">I", len(data) if length is None else length) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+def png(side, length):
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", side, side, 8, 2, 0, 0, 1)) +
+            chunk(b"IDAT", zlib.compress(bytes(100)), length) + chunk(b"IEND", b""))
+open("asks.png", "wb").write(png(8, 1 << 30))
+open("few.png", "wb").write(png(16384, None))
+open("few.tga", "wb").write(struct.pack("<BBBHHBHHHHBB", 0, 0, 10, 0, 0, 0, 0, 0, 16384, 16384, 32, 8) + b"\xff\1\2\3\4")
+PY
+    for name in asks.png few.png few.tga; do
+        sed "s/wide.png/$name/" wide.gltf >asks.gltf
+        run render asks.gltf -o asked.png --size 64 --max-memory 256M --threads 1
+        check "drawn without $name: $(cat "$folder/log/err")" test "$status" = 0 -a -s asked.png
+        check "told of $name: $(cat "$folder/log/err")" grep -q "texture \"$name\": damaged.*; drawn in magenta" \
+            "$folder/log/err"
+        rm asked.png
+    done
     truncate -s 400M huge.png # too long to be read at all
     sed 's/wide.png/huge.png/' wide.gltf >huge.gltf
     refuse 1 'huge.gltf: needs more memory than there is for texture "huge.png"' render huge.gltf -o a.png --max-memory 256M

@@ -106,8 +106,9 @@ static void tell_of_third(struct scene_import *import, const struct aiMesh *mesh
 {
     bool is_used = false;
     for (int set = 0; set < SCENE_UV_SETS && mesh->mTextureCoords[set] != NULL; set++) {
-        for (uint32_t i = 0; i < mesh->mNumVertices && mesh->mNumUVComponents[set] == 3; i++) {
-            is_used = is_used || mesh->mTextureCoords[set][i].z < 0 || mesh->mTextureCoords[set][i].z > 0;
+        const uint32_t count = mesh->mNumUVComponents[set] == 3 ? mesh->mNumVertices : 0;
+        for (uint32_t i = 0; i < count && !is_used; i++) {
+            is_used = mesh->mTextureCoords[set][i].z < 0 || mesh->mTextureCoords[set][i].z > 0;
         }
     }
     if (is_used) {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "assimp.h"
+#include "import/builder/normals.h"
 #include "import/builder/numbers.h"
 #include "import/builder/origin.h"
 #include "import/builder/pose.h"
@@ -222,15 +223,6 @@ static struct blend blend_bones(struct scene_import *import, const struct aiScen
     return blend;
 }
 
-static void rotate(const float matrix[16], float vector[3])
-{
-    float turned[3];
-    for (int row = 0; row < 3; row++) {
-        turned[row] = matrix[row] * vector[0] + matrix[4 + row] * vector[1] + matrix[8 + row] * vector[2];
-    }
-    memcpy(vector, turned, sizeof turned);
-}
-
 void scene_assimp_skin(struct scene_import *import, const struct aiScene *scene, unsigned index,
                        struct scene_mesh *mesh, double origin[3])
 {
@@ -250,7 +242,7 @@ void scene_assimp_skin(struct scene_import *import, const struct aiScene *scene,
             mesh->positions[v][c] = point[c] * share;
         }
         if (mesh->normals != NULL) {
-            rotate(matrix, mesh->normals[v]);
+            scene_import_move_normal(matrix, mesh->normals[v]);
         }
     }
     free(blend.matrices);

@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Images of Collada that name no file. assimp 5.2.5 refuses the whole document for one, or aborts where the name is
-// empty. The id of the image becomes its name, so that the image is told as one that is missing.
+// empty. The id of the image becomes its name, in the place of all that it holds, so that the image is told as one that
+// is missing.
 #include "assimp.h"
 #include "collada_markup.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-static const char before_name[] = "<init_from>", behind_name[] = "</init_from>", behind_image[] = "</image>";
-
-// The image that is being read.
-struct image {
-    struct scene_collada_value id;
-    bool is_open, is_named;
-};
-
-// A document that is copied with more in it. Nothing is written while `bytes` is NULL, which counts.
+// A document that is copied with changes. Nothing is written while `bytes` is NULL, which counts.
 struct copy {
     char *bytes;
     size_t size;
@@ -29,64 +22,73 @@ static void add(struct copy *copy, const char *text, size_t length)
     copy->size += length;
 }
 
-static void add_name(struct copy *copy, const struct image *image)
+// Return true for the start tag of an element whose text is a file or a picture.
+static bool is_source(const char *tag)
 {
-    const bool has_id = image->id.length > 0;
-    add(copy, before_name, sizeof before_name - 1);
-    add(copy, has_id ? image->id.text : "image", has_id ? image->id.length : strlen("image"));
-    add(copy, behind_name, sizeof behind_name - 1);
+    return scene_collada_is_tag(tag, "init_from") || scene_collada_is_tag(tag, "data") ||
+           scene_collada_is_tag(tag, "ref") || scene_collada_is_tag(tag, "hex");
 }
 
-// Return the end of an <init_from> that is empty, at `tag`. Return NULL if it is not.
-static char *find_end_of_empty(char *tag, char *close, const char *end)
+static bool is_blank(const char *text, const char *end)
 {
-    char *text = close + 1;
-    while (scene_collada_is_blank(*text)) {
+    while (text < end && scene_collada_is_blank(*text)) {
         text++;
     }
-    const bool ends = strncmp(text, "</init_from", strlen("</init_from")) == 0;
-    return !scene_collada_is_tag(tag, "init_from") ? NULL
-           : close[-1] == '/'                      ? close
-           : ends                                  ? scene_collada_tag_end(text, end)
-                                                   : NULL;
+    return text == end;
+}
+
+// Return the > at the end of an image whose start tag ends at `close`. Return NULL if it has none. Say whether it has a
+// file or a picture.
+static char *find_image_end(char *close, const char *end, bool *is_named)
+{
+    bool is_within = false; // the text belongs to an element that is a source
+    char *text = close + 1;
+    for (char *c = strchr(text, '<'); c != NULL; c = strchr(text, '<')) {
+        char *const last = scene_collada_markup_end(c, end);
+        const bool has_text = !is_blank(text, c) || strncmp(c, "<![CDATA[", strlen("<![CDATA[")) == 0;
+        *is_named = *is_named || (is_within && has_text) || strncmp(c, "<create_", strlen("<create_")) == 0;
+        if (last == NULL || strncmp(c, "</image", strlen("</image")) == 0) {
+            return last;
+        }
+        if (c[1] != '!' && c[1] != '?') {
+            is_within = is_source(c) && last[-1] != '/';
+        }
+        text = last + 1;
+    }
+    return NULL;
+}
+
+static void add_name(struct copy *copy, struct scene_collada_value id)
+{
+    static const char before[] = "><init_from>", behind[] = "</init_from></image>", nameless[] = "image";
+    const bool has_id = id.length > 0 && !is_blank(id.text, id.text + id.length);
+    add(copy, before, sizeof before - 1);
+    add(copy, has_id ? id.text : nameless, has_id ? id.length : sizeof nameless - 1);
+    add(copy, behind, sizeof behind - 1);
 }
 
 // Copy a document, each image of which gets a name. Return how many had none.
 static size_t copy_named(char *text, const char *end, struct copy *copy)
 {
-    struct image image = {0};
     size_t count = 0;
-    char *done = text;
-    for (char *c = strchr(text, '<'), *close; c != NULL; c = strchr(close, '<')) {
-        close = scene_collada_markup_end(c, end);
-        if (close == NULL) {
+    char *done = text, *last;
+    for (char *c = strchr(text, '<'); c != NULL; c = strchr(last, '<')) {
+        char *const close = last = scene_collada_markup_end(c, end);
+        const bool is_image = close != NULL && scene_collada_is_tag(c, "image");
+        const bool is_single = is_image && close[-1] == '/';
+        bool is_named = !is_image;
+        if (is_image && !is_single) {
+            last = find_image_end(close, end, &is_named);
+        }
+        if (last == NULL) {
             break;
         }
-        char *const empty = image.is_open ? find_end_of_empty(c, close, end) : NULL;
-        const bool is_single = scene_collada_is_tag(c, "image") && close[-1] == '/';
-        const bool ends = strncmp(c, "</image", 7) == 0 && image.is_open && !image.is_named;
-        if (scene_collada_is_tag(c, "image")) {
-            image = (struct image){scene_collada_attribute(c, close, "id"), !is_single, false};
-        } else if (c[1] != '/' && c[1] != '!' && empty == NULL) {
-            image.is_named = true; // a file, or the picture itself
-        }
-        if (empty != NULL || ends || is_single) {
-            char *const until = is_single ? close - 1 : c;
-            add(copy, done, (size_t)(until - done));
-            done = empty != NULL ? empty + 1 : is_single ? close + 1 : c;
-            close = empty != NULL ? empty : close;
-        }
-        if (is_single) {
-            add(copy, ">", 1);
-        }
-        if (ends || is_single) {
-            add_name(copy, &image);
+        if (!is_named) {
+            add(copy, done, (size_t)(close - is_single - done));
+            add_name(copy, scene_collada_attribute(c, close, "id"));
+            done = last + 1;
             count++;
         }
-        if (is_single) {
-            add(copy, behind_image, sizeof behind_image - 1);
-        }
-        image.is_open = image.is_open && strncmp(c, "</image", 7) != 0;
     }
     add(copy, done, (size_t)(end - done));
     return count;

@@ -11,35 +11,51 @@ static bool is_near(const struct scene_box *a, const struct scene_box *b)
     return scene_box_overlaps(&near, b);
 }
 
-void scene_import_clusters_add(struct scene_import_clusters *clusters, const struct scene_box *box)
+static uint32_t find_near(const struct scene_import_clusters *clusters, const struct scene_box *box)
 {
-    for (uint32_t i = 0; i < clusters->count; i++) {
-        if (is_near(&clusters->boxes[i], box) || i + 1 == SCENE_IMPORT_CLUSTERS) {
-            scene_box_extend(&clusters->boxes[i], box);
-            return;
-        }
+    // Elements that follow one another mostly stand together.
+    if (clusters->count > 0 && scene_box_holds(&clusters->boxes[clusters->last], box)) {
+        return clusters->last;
     }
-    clusters->boxes[clusters->count++] = *box;
+    uint32_t found = 0;
+    while (found < clusters->count && !is_near(&clusters->boxes[found], box)) {
+        found++;
+    }
+    return found < SCENE_IMPORT_CLUSTERS ? found : SCENE_IMPORT_CLUSTERS - 1;
+}
+
+uint32_t scene_import_clusters_add(struct scene_import_clusters *clusters, const struct scene_box *box)
+{
+    const uint32_t found = find_near(clusters, box);
+    if (found == clusters->count) {
+        clusters->boxes[clusters->count++] = *box;
+    }
+    scene_box_extend(&clusters->boxes[found], box);
+    clusters->last = found;
+    return found;
+}
+
+static void rename_joined(struct scene_import_clusters *clusters, uint32_t before, uint32_t after)
+{
+    for (uint32_t i = 0; i < SCENE_IMPORT_CLUSTERS; i++) {
+        clusters->joined[i] = clusters->joined[i] == before ? after : clusters->joined[i];
+    }
 }
 
 void scene_import_clusters_join(struct scene_import_clusters *clusters)
 {
+    for (uint32_t i = 0; i < SCENE_IMPORT_CLUSTERS; i++) {
+        clusters->joined[i] = i;
+    }
     for (uint32_t i = 0; i < clusters->count; i++) {
         for (uint32_t k = i + 1; k < clusters->count; k++) {
             if (is_near(&clusters->boxes[i], &clusters->boxes[k])) {
                 scene_box_extend(&clusters->boxes[i], &clusters->boxes[k]);
                 clusters->boxes[k] = clusters->boxes[--clusters->count];
+                rename_joined(clusters, k, i);
+                rename_joined(clusters, clusters->count, k);
                 k = i; // it has grown, so that what was far may be near
             }
         }
     }
-}
-
-uint32_t scene_import_clusters_find(const struct scene_import_clusters *clusters, const struct scene_box *box)
-{
-    uint32_t found = 0;
-    while (found + 1 < clusters->count && !scene_box_holds(&clusters->boxes[found], box)) {
-        found++;
-    }
-    return found;
 }

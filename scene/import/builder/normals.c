@@ -59,6 +59,22 @@ static void to_normal(const double sum[3], float normal[3])
     }
 }
 
+void scene_import_move_normal(const float matrix[16], float normal[3])
+{
+    // The cofactors are the inverse transposed times the determinant.
+    double axes[3][3], cofactors[3], sum[3] = {0, 0, 0};
+    for (int i = 0; i < 9; i++) {
+        axes[i / 3][i % 3] = (double)matrix[i / 3 * 4 + i % 3];
+    }
+    for (int i = 0; i < 3; i++) {
+        cross(axes[(i + 1) % 3], axes[(i + 2) % 3], cofactors);
+        for (int c = 0; c < 3; c++) {
+            sum[c] += (double)normal[i] * cofactors[c];
+        }
+    }
+    to_normal(sum, normal);
+}
+
 static void face_normal(const struct scene_mesh *mesh, uint32_t first_corner, double normal[3])
 {
     const uint32_t *corner = mesh->indices + first_corner;

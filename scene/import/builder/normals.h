@@ -19,6 +19,9 @@ void scene_import_make_normals(struct scene_import *import, struct scene_mesh *m
 /// corners run clockwise. A surface is shaded by the side that is seen, and the corners say which side that is. A
 /// vertex of turned triangles and of others becomes two.
 void scene_import_turn_normals(struct scene_import *import, struct scene_mesh *mesh);
+/// Move the normal of a surface that a matrix moves, so that it stays upright where the matrix stretches unevenly. Make
+/// it unit. A mirror turns it to the other side, as it does the order of the corners.
+void scene_import_move_normal(const float matrix[16], float normal[3]);
 /// Return true if at least one triangle of a mesh of triangles has an area.
 bool scene_import_has_area(const struct scene_mesh *mesh);
 void scene_import_make_tangents(struct scene_import *import, struct scene_mesh *mesh,

@@ -22,10 +22,16 @@ struct decoding {
     atomic_uint next;                  // next image that nobody has taken
 };
 
+static bool is_no_memory(const char *problem)
+{
+    return problem != NULL && strcmp(problem, scene_import_no_memory) == 0;
+}
+
 // Decode one image. Large images are decoded one at a time, so that threads do not decide what they take together, nor
-// whether there is memory for it.
+// whether there is memory for it. With `is_alone` no thread but this one decodes, which makes it certain whether memory
+// lacks or the file is to blame.
 static const char *decode_bytes(const struct scene_import *import, const void *bytes, size_t size,
-                                struct scene_image *image)
+                                bool is_alone, struct scene_image *image)
 {
     enum { LARGE = 1 << 25 }; // texels
     static pthread_mutex_t one_at_a_time = PTHREAD_MUTEX_INITIALIZER;
@@ -38,10 +44,11 @@ static const char *decode_bytes(const struct scene_import *import, const void *b
     if (large) {
         pthread_mutex_unlock(&one_at_a_time);
     }
-    return problem;
+    const bool asks_too_much = is_alone && is_no_memory(problem) && scene_image_has_memory(bytes, size);
+    return asks_too_much ? "damaged, or too large for the memory that there is" : problem;
 }
 
-static const char *decode_image(const struct scene_import *import, uint32_t index)
+static const char *decode_image(const struct scene_import *import, uint32_t index, bool is_alone)
 {
     struct scene_image *image = &import->model.images[index];
     const struct scene_import_source *source = &import->sources[index];
@@ -59,7 +66,7 @@ static const char *decode_image(const struct scene_import *import, uint32_t inde
         return NULL;
     }
     if (source->bytes != NULL) {
-        return decode_bytes(import, source->bytes, source->size, image);
+        return decode_bytes(import, source->bytes, source->size, is_alone, image);
     }
     if (source->file == NULL) {
         return problem;
@@ -69,7 +76,7 @@ static const char *decode_image(const struct scene_import *import, uint32_t inde
     if (bytes == NULL) {
         return problem;
     }
-    problem = decode_bytes(import, bytes, size, image);
+    problem = decode_bytes(import, bytes, size, is_alone, image);
     free(bytes);
     return problem;
 }
@@ -82,7 +89,7 @@ static void *decode_some(void *argument)
         if (index >= decoding->import->model.image_count) {
             return NULL;
         }
-        decoding->problems[index] = decode_image(decoding->import, index);
+        decoding->problems[index] = decode_image(decoding->import, index, false);
         if (decoding->import->progress != NULL) {
             __atomic_fetch_add(&decoding->import->progress->images, 1, __ATOMIC_RELAXED);
         }
@@ -298,10 +305,13 @@ void scene_import_decode_images(struct scene_import *import)
     }
     const bool *const colors = find_colors(import);
     for (uint32_t i = 0; i < model->image_count; i++) {
+        if (is_no_memory(decoding.problems[i])) {
+            decoding.problems[i] = decode_image(import, i, true);
+        }
         if (decoding.problems[i] == NULL) {
             continue;
         }
-        if (strcmp(decoding.problems[i], scene_import_no_memory) == 0) { // no fault of the file
+        if (is_no_memory(decoding.problems[i])) {
             scene_import_fail(import, "needs more memory than there is for texture \"%s\"",
                               model->images[i].name);
         }

@@ -308,8 +308,7 @@ static void apply_skin(struct primitive *primitive, int64_t skin, const struct s
         scene_import_transform(blended[i], mesh->positions[i], point);
         memcpy(mesh->positions[i], point, sizeof point);
         if (mesh->normals != NULL) {
-            // Joints turn normals. Where joints stretch as well, turning is near enough.
-            rotate(blended[i], mesh->normals[i]);
+            scene_import_move_normal(blended[i], mesh->normals[i]);
         }
         if (mesh->tangents != NULL) {
             rotate(blended[i], mesh->tangents[i]);

@@ -56,9 +56,8 @@ const char *scene_png_problem(const unsigned char *bytes, size_t size)
 
 bool scene_image_is_png_of_rows(const unsigned char *bytes, size_t size)
 {
-    enum {
-        FIRST_CHUNK = 16
-    }; // place of the data of a header that nothing stands before, as libspng wants it
+    // libspng wants the header to be the first chunk, whose data stands here.
+    enum { FIRST_CHUNK = 16 };
     const unsigned char *const header = find_header(bytes, size);
     return header == bytes + FIRST_CHUNK && header[12] == 0;
 }

@@ -300,6 +300,22 @@ size_t scene_image_texels(const void *bytes, size_t size)
     return reader->measure(bytes, size, &width, &height) ? (size_t)width * height : 0;
 }
 
+bool scene_image_has_memory(const void *bytes, size_t size)
+{
+    // Decoders take up to 32 bytes for a texel, with their own buffers. DEFLATE, which packs most tightly, makes 1032
+    // bytes of one, and of each eight texels.
+    enum { TEXEL = 32, PACKED = 8 * 1032 };
+    const uint64_t largest = (uint64_t)RHW_MAX_TARGET_SIZE * RHW_MAX_TARGET_SIZE,
+                   by_size = (uint64_t)size * PACKED;
+    const uint64_t texels = scene_image_texels(bytes, size);
+    uint64_t needed = texels > 0 && texels < largest ? texels : largest;
+    needed = TEXEL * (needed < by_size ? needed : by_size);
+    void *volatile memory =
+        needed <= SIZE_MAX ? malloc((size_t)needed) : NULL; // a compiler may leave out other tries
+    free(memory);
+    return memory != NULL;
+}
+
 // Decode an image, and reduce it while it is read or when it is there.
 static const char *decode_within(const unsigned char *bytes, size_t size, uint32_t side, bool is_color,
                                  struct scene_image *image)

@@ -17,6 +17,9 @@ const char *scene_image_decode_within(const void *bytes, size_t size, uint32_t s
 /// Return how many texels an image has, by its header. Return 0 if the header does not say, and SIZE_MAX if it takes a
 /// library to read the header.
 size_t scene_image_texels(const void *bytes, size_t size);
+/// Return true if there is memory for the image that the header says and that so few bytes can hold. What its decoder
+/// gets no memory for is then more than an image of its size takes, as damaged files ask for.
+bool scene_image_has_memory(const void *bytes, size_t size);
 /// Set has_alpha from the texels.
 void scene_image_find_alpha(struct scene_image *image);
 /// Make `image` the stand-in for one that is missing: an opaque checker of magenta and dark magenta, 8×8 RGBA8. Return

@@ -17,20 +17,36 @@ int make_directory(void **state)
     return mkdtemp(directory) == NULL ? -1 : 0;
 }
 
-int remove_directory(void **state)
+// Remove a file, or a folder with what is in it.
+static int remove_path(const char *path)
 {
-    (void)state;
-    DIR *listing = opendir(directory);
+    if (unlink(path) == 0) {
+        return 0;
+    }
+    DIR *const listing = opendir(path);
     if (listing == NULL) {
         return -1;
     }
     for (const struct dirent *entry = readdir(listing); entry != NULL; entry = readdir(listing)) {
+        char inner[1024];
+        snprintf(inner, sizeof inner, "%s/%s", path, entry->d_name);
         if (entry->d_name[0] != '.') {
-            unlink(path_of(entry->d_name));
+            remove_path(inner);
         }
     }
     closedir(listing);
-    return rmdir(directory);
+    return rmdir(path);
+}
+
+int remove_directory(void **state)
+{
+    (void)state;
+    return remove_path(directory);
+}
+
+void remove_folder(const char *name)
+{
+    assert_int_equal(remove_path(path_of(name)), 0);
 }
 
 const char *path_of(const char *name)

@@ -15,6 +15,8 @@ int remove_directory(void **state);
 const char *path_of(const char *name);
 void write_bytes(const char *name, const void *bytes, size_t size);
 void write_text(const char *name, const char *text);
+/// Removes a folder in the directory, with what is in it.
+void remove_folder(const char *name);
 /// Loads a file that must load; a test fails with the importer's line.
 struct scene_model *load(const char *name);
 struct scene_model *load_text(const char *name, const char *text);

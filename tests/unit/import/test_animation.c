@@ -10,7 +10,7 @@
 enum { KEYS = 3 };
 
 // A triangle on node 1, a child of node 0; `channels` and `samplers` as JSON. Accessors: 0 positions, 1 times 1, 2, 4,
-// 2 the values as VEC3, 3 as VEC4, 4 as scalars, 5 deltas of a morph target, 6 joints, 7 weights of joints.
+// 2 the values as VEC3, 3 as VEC4, 4 as scalars, 5 deltas of a morph target, 6 joints, 7 weights of joints, 8 normals.
 static void write_file(const char *name, const float *values, int value_count, const char *samplers,
                        const char *channels)
 {
@@ -18,6 +18,7 @@ static void write_file(const char *name, const float *values, int value_count, c
     static const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, deltas[9] = {0, 0, 1, 0, 0, 2, 0, 0, 4};
     static const uint8_t joints[12] = {0};
     static const float joint_weights[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+    static const float normals[9] = {0.6f, 0, 0.8f, 0.6f, 0, 0.8f, 0.6f, 0, 0.8f};
     unsigned char bytes[1024] = {0};
     const size_t value_size = (size_t)value_count * sizeof *values;
     memcpy(bytes, positions, 36);
@@ -25,8 +26,9 @@ static void write_file(const char *name, const float *values, int value_count, c
     memcpy(bytes + 72, times, 12);
     memcpy(bytes + 84, joints, 12);
     memcpy(bytes + 96, joint_weights, 48);
-    memcpy(bytes + 144, values, value_size);
-    const size_t size = 144 + value_size;
+    memcpy(bytes + 144, normals, 36);
+    memcpy(bytes + 180, values, value_size);
+    const size_t size = 180 + value_size;
     write_format(
         name,
         "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0,2]}],"
@@ -35,14 +37,14 @@ static void write_file(const char *name, const float *values, int value_count, c
         "\"skins\":[{\"joints\":[0]}],"
         "\"meshes\":[{\"weights\":[0.5],\"primitives\":[{\"attributes\":{\"POSITION\":0},\"targets\":[{"
         "\"POSITION\":5}]}]},"
-        "{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"JOINTS_0\":6,\"WEIGHTS_0\":7}}]}],"
+        "{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":8,\"JOINTS_0\":6,\"WEIGHTS_0\":7}}]}],"
         "\"buffers\":[{\"byteLength\":%zu,\"uri\":\"%s\"}],"
         "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36},{\"buffer\":0,\"byteOffset\":72,\"byteLength\":12}"
         ","
-        "{\"buffer\":0,\"byteOffset\":144,\"byteLength\":%zu},{\"buffer\":0,\"byteOffset\":36,\"byteLength\":"
+        "{\"buffer\":0,\"byteOffset\":180,\"byteLength\":%zu},{\"buffer\":0,\"byteOffset\":36,\"byteLength\":"
         "36},"
         "{\"buffer\":0,\"byteOffset\":84,\"byteLength\":12},{\"buffer\":0,\"byteOffset\":96,\"byteLength\":"
-        "48}],"
+        "48},{\"buffer\":0,\"byteOffset\":144,\"byteLength\":36}],"
         "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"
         "{\"bufferView\":1,\"componentType\":5126,\"count\":3,\"type\":\"SCALAR\",\"min\":[1],\"max\":[4]},"
         "{\"bufferView\":2,\"componentType\":5126,\"count\":%d,\"type\":\"VEC3\"},"
@@ -50,7 +52,8 @@ static void write_file(const char *name, const float *values, int value_count, c
         "{\"bufferView\":2,\"componentType\":5126,\"count\":%d,\"type\":\"SCALAR\"},"
         "{\"bufferView\":3,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"
         "{\"bufferView\":4,\"componentType\":5121,\"count\":3,\"type\":\"VEC4\"},"
-        "{\"bufferView\":5,\"componentType\":5126,\"count\":3,\"type\":\"VEC4\"}],"
+        "{\"bufferView\":5,\"componentType\":5126,\"count\":3,\"type\":\"VEC4\"},"
+        "{\"bufferView\":6,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
         "\"animations\":[{\"name\":\"rest\",\"samplers\":[],\"channels\":[]},"
         "{\"name\":\"move\",\"samplers\":[%s],\"channels\":[%s]}]}",
         size, data_uri(bytes, size), value_size, value_count / 3, value_count / 4, value_count, samplers,
@@ -158,18 +161,23 @@ static void test_scale_and_weights(void **state)
     write_file("s.gltf", scales, 9, "{\"input\":1,\"output\":2}",
                "{\"sampler\":0,\"target\":{\"node\":0,\"path\":\"scale\"}}");
     assert_place("s.gltf", 1.5, 10, 0, 0);
+    // The skinned triangle is three times as wide, and its normals lean a third as much.
+    struct scene_model *model = pose_of("s.gltf", "move", 2);
+    const float length = sqrtf(0.2f * 0.2f + 0.8f * 0.8f), upright[3] = {0.2f / length, 0, 0.8f / length};
+    assert_floats(model->meshes[model->instances[1].mesh].normals[0], upright, 3, 1e-6f);
+    scene_model_free(model);
     static const float weights[3] = {0, 1, -1};
     write_file("w.gltf", weights, 3, "{\"input\":1,\"output\":4}",
                "{\"sampler\":0,\"target\":{\"node\":1,\"path\":\"weights\"}}");
     static const double times[4] = {1, 1.25, 2, 3.5};
     static const float expected[4] = {0, 0.25f, 1, -0.5f};
     for (int i = 0; i < 4; i++) {
-        struct scene_model *model = pose_of("w.gltf", "1", times[i]);
+        model = pose_of("w.gltf", "1", times[i]);
         const float(*const p)[3] = (const float(*)[3])model->meshes[model->instances[0].mesh].positions;
         assert_true(p[0][2] == expected[i] && p[1][2] == 2 * expected[i] && p[2][2] == 4 * expected[i]);
         scene_model_free(model);
     }
-    struct scene_model *model = pose_of("w.gltf", NULL, 2); // the first one, which moves nothing
+    model = pose_of("w.gltf", NULL, 2); // the first one, which moves nothing
     assert_true(model->meshes[model->instances[0].mesh].positions[0][2] == 0.5f);
     scene_model_free(model);
 }
@@ -218,28 +226,38 @@ static void test_other_formats(void **state)
     expect_refused_pose("move.x", "walk", "has no animation 'walk'");
 }
 
-// A bone changes the three axes for each other: normals turn with the vertices, which they are equal to here.
+// A bone changes the three axes for each other, or stretches one of them and mirrors another. The normals, which are
+// equal to the positions, stay upright on their surface.
 static void test_skinned_normals(void **state)
 {
     (void)state;
 #define CORNERS                                                                                        \
     "3; 0.333333;0.666667;0.666667;, 0.666667;0.333333;-0.666667;, -0.666667;0.666667;-0.333333;; 1; " \
     "3;0,1,2;;"
-    write_text("turn.x",
-               "xof 0303txt 0032\nAnimTicksPerSecond { 1; }\n"
-               "Frame leaf { FrameTransformMatrix { " UNMOVED " }\n"
-               " Mesh m { " CORNERS " MeshNormals { " CORNERS " }\n  XSkinMeshHeader { 1; 1; 1; }\n"
-               "  SkinWeights { \"bone\"; 3; 0, 1, 2; 1.0, 1.0, 1.0; " UNMOVED " } } }\n"
-               "Frame bone { FrameTransformMatrix { " UNMOVED " } }\n"
-               "AnimationSet S { Animation A { {bone} AnimationKey { 0; 1; 0;4;0.5,0.5,0.5,0.5;;; } } }\n");
-    struct scene_model *rest = load("turn.x"), *model = pose_of("turn.x", "S", 0);
-    const struct scene_mesh *const mesh = &model->meshes[0];
-    for (uint32_t v = 0; v < 3; v++) {
-        assert_floats(mesh->normals[v], mesh->positions[v], 3, 1e-5f);
-        assert_memory_not_equal(mesh->positions[v], rest->meshes[0].positions[v], sizeof *mesh->positions);
+    static const char *const keys[] = {"0; 1; 0;4;0.5,0.5,0.5,0.5;;;", "1; 1; 0;3;2.0,1.0,-1.0;;;"};
+    for (int i = 0; i < 2; i++) {
+        write_format("turn.x",
+                     "xof 0303txt 0032\nAnimTicksPerSecond { 1; }\n"
+                     "Frame leaf { FrameTransformMatrix { " UNMOVED " }\n"
+                     " Mesh m { " CORNERS " MeshNormals { " CORNERS " }\n  XSkinMeshHeader { 1; 1; 1; }\n"
+                     "  SkinWeights { \"bone\"; 3; 0, 1, 2; 1.0, 1.0, 1.0; " UNMOVED " } } }\n"
+                     "Frame bone { FrameTransformMatrix { " UNMOVED " } }\n"
+                     "AnimationSet S { Animation A { {bone} AnimationKey { %s } } }\n",
+                     keys[i]);
+        struct scene_model *rest = load("turn.x"), *model = pose_of("turn.x", "S", 0);
+        const struct scene_mesh *const mesh = &model->meshes[0];
+        const float stretch = i == 0 ? 1 : 2, side = i == 0 ? 1 : -1; // corners run the other way in a mirror
+        for (uint32_t v = 0; v < 3; v++) {
+            const float *const p = mesh->positions[v];
+            const float upright[3] = {p[0] / stretch / stretch, p[1], p[2]};
+            const float length = side * sqrtf(upright[0] * upright[0] + p[1] * p[1] + p[2] * p[2]);
+            const float normal[3] = {upright[0] / length, p[1] / length, p[2] / length};
+            assert_floats(mesh->normals[v], normal, 3, 1e-5f);
+            assert_memory_not_equal(p, rest->meshes[0].positions[v], sizeof *mesh->positions);
+        }
+        scene_model_free(rest);
+        scene_model_free(model);
     }
-    scene_model_free(rest);
-    scene_model_free(model);
 }
 
 // What shows nothing at rest is drawn as the first animation has it that shows something: at its beginning, or where it

@@ -162,6 +162,15 @@ static void test_images_without_names(void **state)
         {"<image id=\"pic\"><!--<init_from>x.png</init_from>--></image>", "texture \"pic\": No such file"},
         {"<image id=\"pic\"><init_from/></image>", "texture \"pic\": No such file"},
         {"<image id=\"pic\">\n<init_from> </init_from>\n</image>", "texture \"pic\": No such file"},
+        {"<image id=\"pic\"><extra><technique profile=\"x\"><wrap>1</wrap></technique></extra></image>",
+         "texture \"pic\": No such file"},
+        {"<image id=\"pic\"><asset><unit/></asset><init_from><!--a.png--></init_from><extra/></image>",
+         "texture \"pic\": No such file"},
+        {"<image id=\"pic\"><init_from><ref> </ref></init_from></image>", "texture \"pic\": No such file"},
+        {"<image id=\"pic\"><init_from><![CDATA[gone.png]]></init_from><extra/></image>",
+         "texture \"gone.png\": No such file"},
+        {"<image id=\" \"/><image id=\"pic\"><init_from>gone.png</init_from></image>",
+         "texture \"gone.png\": No such file"},
         {"<image id=\"other\"/><image id=\"pic\"><init_from>gone.png</init_from></image>",
          "texture \"gone.png\": No such file"},
     };
@@ -171,8 +180,9 @@ static void test_images_without_names(void **state)
         const char *const use = strstr(rest, "[i]");
         snprintf(document, sizeof document, "%.*s%s%.*spic%s", (int)(start - DOCUMENT), DOCUMENT,
                  cases[i].image, (int)(use - rest), rest, use + 3);
+        char *const image = document + (start - DOCUMENT), *const behind = image + strlen(cases[i].image);
         for (char *c = document; *c != 0; c++) {
-            *c = *c == '[' || *c == ']' ? ' ' : *c;
+            *c = (*c == '[' || *c == ']') && (c < image || c >= behind) ? ' ' : *c;
         }
         write_text("x.dae", document);
         struct scene_model *model = load("x.dae");

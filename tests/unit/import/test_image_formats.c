@@ -29,6 +29,13 @@ static void put_bytes(struct file *file, const void *bytes, size_t size)
     file->size += size;
 }
 
+static struct file file_of(const void *bytes, size_t size)
+{
+    struct file file = {.size = 0};
+    put_bytes(&file, bytes, size);
+    return file;
+}
+
 static const char size_problem[] = "width and height must be 1 to 16384";
 
 static struct scene_image decode_file(const struct file *file)
@@ -91,8 +98,7 @@ struct dds_def {
 
 static struct file make_dds(const struct dds_def *def)
 {
-    struct file file = {.size = 0};
-    put_bytes(&file, "DDS ", 4);
+    struct file file = file_of("DDS ", 4);
     put(&file, 124, 4);
     put(&file, 0x1007, 4);
     put(&file, def->height, 4);
@@ -547,8 +553,7 @@ static void test_gif(void **state)
         0,    2,   0,    0,    8,    9,    0,    9,    4,    0x28, 0,    0x60, 0x80, 0x80, 0x80, 0,    0x3b};
     static const uint8_t expected[] = {255, 0,   0,   255, 0,  255, 0,  255, 0,   0,   255, 0,
                                        255, 255, 255, 255, 10, 20,  30, 255, 200, 100, 50,  255};
-    struct file file = {.size = 0};
-    put_bytes(&file, bytes, sizeof bytes);
+    struct file file = file_of(bytes, sizeof bytes);
     if (!SCENE_GIF) {
         assert_refused(&file, "a GIF image, which this build does not read");
         return;
@@ -640,8 +645,7 @@ static void test_sizes(void **state)
         if (strcmp(headers[i].name, "GIF") == 0 && !SCENE_GIF) {
             continue;
         }
-        struct file file = {.size = 0};
-        put_bytes(&file, headers[i].bytes, headers[i].size);
+        struct file file = file_of(headers[i].bytes, headers[i].size);
         for (size_t w = 0; w < sizeof widths / sizeof widths[0]; w++) {
             for (size_t b = 0; b < headers[i].length; b++) {
                 const size_t last = headers[i].is_big_endian ? headers[i].length - 1 - b : b;
@@ -662,8 +666,7 @@ static void test_sizes(void **state)
 static void test_bmp_from_top(void **state)
 {
     (void)state;
-    struct file file = {.size = 0};
-    put_bytes(&file, "BM", 2);
+    struct file file = file_of("BM", 2);
     put(&file, 62, 4);
     put(&file, 0, 4);
     put(&file, 54, 4);
@@ -685,14 +688,11 @@ static void test_bmp_from_top(void **state)
 static void test_damaged_headers(void **state)
 {
     (void)state;
-    struct file file = {.size = 0};
-    put_bytes(&file, headers[0].bytes, 20);
+    struct file file = file_of(headers[0].bytes, 20);
     assert_refused(&file, "damaged PNG");
-    file = (struct file){.size = 0};
-    put_bytes(&file, "\xff\xd8\xff\xe0\0\4ab", 8);
+    file = file_of("\xff\xd8\xff\xe0\0\4ab", 8);
     assert_refused(&file, "damaged JPEG");
-    file = (struct file){.size = 0};
-    put_bytes(&file, headers[0].bytes, headers[0].size);
+    file = file_of(headers[0].bytes, headers[0].size);
     file.bytes[18] = file.bytes[22] = 0x40; // 16384 each way
     file.bytes[19] = file.bytes[23] = 0;
     file.bytes[24] = 16;
@@ -707,8 +707,7 @@ static void test_jpeg_tables(void **state)
     (void)state;
     static const char problem[] = "damaged JPEG: a Huffman table of more than 256 codes";
     for (int place = 0; place < 4; place++) {
-        struct file file = {.size = 0};
-        put_bytes(&file, "\xff\xd8", 2);
+        struct file file = file_of("\xff\xd8", 2);
         if (place == 2) {
             put_bytes(&file, "\xff\xda\0\x08\x01\x01\0\0\x3f\0\x12\xff\0\xff\xd0\x34", 16); // a scan
         }
@@ -756,8 +755,7 @@ static void test_named_refusals(void **state)
         {"nothing that is known", "not an image format that can be read"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        struct file file = {.size = 0};
-        put_bytes(&file, cases[i].bytes, 12);
+        struct file file = file_of(cases[i].bytes, 12);
         assert_refused(&file, cases[i].problem);
     }
 }

@@ -402,6 +402,39 @@ static void test_clusters(void **state)
     }
 }
 
+// The faces of many groups stand in one part, those of all groups in turn, and are sorted by where they are. What ends
+// as one group begins as two: it has two small faces far from each other, until a large one comes.
+static void test_many_clusters(void **state)
+{
+    (void)state;
+    enum { GROUPS = 30, EACH = 3 };
+    static const int places[EACH] = {0, 2000, 0}, sizes[EACH] = {1, 1, 1900};
+    static char lines[GROUPS * EACH * 128];
+    int length = 0;
+    for (int i = 0; i < GROUPS * EACH; i++) {
+        const int x = i % GROUPS * 10000000 + places[i / GROUPS], size = sizes[i / GROUPS];
+        length += sprintf(lines + length, "v %d 0 0\nv %d 0 0\nv %d 0 1\nf -3 -2 -1\n", x, x + size, x);
+    }
+    write_text("x.obj", lines);
+    struct scene_model *const model = load("x.obj");
+    assert_int_equal(model->instance_count, GROUPS);
+    bool found[GROUPS] = {false};
+    double first = 0;
+    for (uint32_t i = 0; i < GROUPS; i++) {
+        const struct scene_instance *const instance = &model->instances[i];
+        const struct scene_mesh *const mesh = &model->meshes[instance->mesh];
+        const double x = instance->place[0] + (double)mesh->positions[mesh->indices[0]][0];
+        first = i == 0 ? x : first;
+        const int group = (int)((x - first) / 1e7);
+        assert_in_range(group, 0, GROUPS - 1);
+        assert_true(x - first == 1e7 * group && !found[group]);
+        found[group] = true;
+        assert_int_equal(mesh->index_count, 3 * EACH);
+        assert_true(mesh->bounds_max[0] - mesh->bounds_min[0] == 2001);
+    }
+    scene_model_free(model);
+}
+
 // In one mesh of other formats one of two parts that are far apart has steps, which is told.
 static void test_parts_of_a_mesh(void **state)
 {
@@ -443,11 +476,11 @@ static void test_how_far(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_text_formats), cmocka_unit_test(test_assimp),
-    cmocka_unit_test(test_gltf),         cmocka_unit_test(test_nodes_far_from_each_other),
-    cmocka_unit_test(test_brought_back), cmocka_unit_test(test_camera_and_light),
-    cmocka_unit_test(test_clusters),     cmocka_unit_test(test_parts_of_a_mesh),
-    cmocka_unit_test(test_how_far),
+    cmocka_unit_test(test_text_formats),  cmocka_unit_test(test_assimp),
+    cmocka_unit_test(test_gltf),          cmocka_unit_test(test_nodes_far_from_each_other),
+    cmocka_unit_test(test_brought_back),  cmocka_unit_test(test_camera_and_light),
+    cmocka_unit_test(test_clusters),      cmocka_unit_test(test_parts_of_a_mesh),
+    cmocka_unit_test(test_many_clusters), cmocka_unit_test(test_how_far),
 };
 
 const struct unit_tests test_origin = UNIT_TESTS(tests, make_directory, remove_directory);

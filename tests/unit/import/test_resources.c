@@ -60,17 +60,14 @@ static void test_folders(void **state)
     // A model in a folder of its own, beside that of the textures.
     assert_int_equal(mkdir(path_of("source"), 0700), 0);
     assert_true(is_found("source/m.obj", "roof.tga"));
-    unlink(path_of("source/m.obj"));
-    rmdir(path_of("source"));
+    remove_folder("source");
     // The folder that the libraries of FBX unpack into.
     assert_int_equal(mkdir(path_of("m.fbm"), 0700), 0);
     write_picture("m.fbm/door.tga");
     assert_true(is_found("m.obj", "C:\\old\\door.tga"));
     assert_false(is_found("other.obj", "C:\\old\\door.tga"));
-    unlink(path_of("m.fbm/door.tga"));
-    rmdir(path_of("m.fbm"));
-    unlink(path_of("Textures/Roof.tga"));
-    rmdir(path_of("Textures"));
+    remove_folder("m.fbm");
+    remove_folder("Textures");
 }
 
 // Gazebo and ROS keep a model in meshes/ or meshes/visual/, and its textures in materials/textures/.
@@ -91,14 +88,8 @@ static void test_gazebo(void **state)
                                          "vt 0 0\nusemtl m\nf 1/1 2/1 3/1\n");
     assert_int_equal(model->warning_count, 0);
     scene_model_free(model);
-    static const char *const files[] = {"materials/textures/hull.tga", "meshes/m.obj", "meshes/m.mtl",
-                                        "meshes/visual/m.obj"};
-    for (int i = 0; i < 4; i++) {
-        unlink(path_of(files[i]));
-    }
-    for (int i = 3; i >= 0; i--) {
-        rmdir(path_of(folders[i]));
-    }
+    remove_folder("materials");
+    remove_folder("meshes");
 }
 
 // A package that an address names stands beside the model's own.
@@ -116,14 +107,7 @@ static void test_other_package(void **state)
     assert_true(is_found("pack/Boat/paint/m.obj", "package://Boat/paint/red hull.tga"));
     assert_false(is_found("pack/ship/meshes/m.obj", "Boat/paint/red hull.tga"));
     assert_false(is_found("pack/ship/meshes/m.obj", "model://raft/paint/red hull.tga"));
-    static const char *const files[] = {"pack/Boat/paint/red hull.tga", "pack/Boat/paint/m.obj",
-                                        "pack/ship/meshes/m.obj", "pack/ship/meshes/visual/m.obj"};
-    for (int i = 0; i < 4; i++) {
-        unlink(path_of(files[i]));
-    }
-    for (int i = 5; i >= 0; i--) {
-        rmdir(path_of(folders[i]));
-    }
+    remove_folder("pack");
 }
 
 // A library in a folder of its own names files beside itself. Where it has none the model's folder counts.
@@ -144,9 +128,7 @@ static void test_beside_library(void **state)
     model = load_text("m.obj", model_text);
     assert_int_equal(model->images[0].width, 2);
     scene_model_free(model);
-    unlink(path_of("mats/x.tga"));
-    unlink(path_of("mats/m.mtl"));
-    rmdir(path_of("mats"));
+    remove_folder("mats");
     unlink(path_of("x.tga"));
 }
 
@@ -275,8 +257,7 @@ static void test_longest_end(void **state)
         load_text("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1\n");
     assert_int_equal(model->images[0].width, 2);
     scene_model_free(model);
-    unlink(path_of("b/x.tga"));
-    rmdir(path_of("b"));
+    remove_folder("b");
 }
 
 // An OBJ that was renamed, with its library.

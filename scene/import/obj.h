@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// An OBJ file that is being read.
+#ifndef SCENE_OBJ_H
+#define SCENE_OBJ_H
+
+#include "import/builder/clusters.h"
+#include "import/builder/hash_table.h"
+#include "import/builder/import.h"
+#include "import/builder/text_lines.h"
+#include "mtl.h"
+
+enum { SMOOTHING_NOT_SAID = -1, SMOOTHING_OFF = 0 };
+
+struct corner {
+    uint32_t position, uv, normal; // uv and normal are UINT32_MAX where the file gives none
+};
+
+struct part_key {
+    uint32_t object;
+    size_t material;
+    int smoothing;
+    enum scene_primitive primitive;
+    bool has_uv, has_normal;
+};
+
+struct part {
+    struct part_key key;
+    struct corner *corners;
+    size_t corner_count, corner_capacity;
+    uint32_t *sizes; // number of corners of each polygon, line or point
+    size_t size_count, size_capacity;
+    uint8_t *clusters; // number of the cluster that each of these was added to
+};
+
+struct obj {
+    struct scene_import *import;
+    struct scene_text text;
+    double (*read_positions)[3]; // until all are read, or where the clusters are several until the end
+    struct scene_import_clusters clusters;
+    double origin[3]; // what was subtracted from the positions
+    float (*positions)[3], (*colors)[4], (*uvs)[2], (*normals)[3];
+    size_t position_count, position_capacity, color_capacity, painted_count, uv_count, uv_capacity,
+        normal_count, normal_capacity;
+    bool colored;
+    float (*painted)[4]; // colours of ZBrush, which stand in comments
+    size_t painted_capacity;
+    const char **objects; // names of the objects
+    size_t object_count, object_capacity;
+    size_t first_part; // first part of the current object
+    struct part *parts;
+    size_t part_count, part_capacity, part; // part: the one of the face before
+    struct scene_hash_table part_table;     // parts by their keys
+    struct scene_mtl mtl;
+    bool libraries_complete; // all libraries that were named are there
+    size_t material;
+    int smoothing;
+    struct corner *polygon; // corners of the polygon being read
+    size_t polygon_capacity;
+    uint32_t small_faces;   // number of faces with fewer than three corners
+    uint32_t zero_elements; // number of faces, lines and points with an index of 0
+    bool has_zero_others;   // a texture coordinate or a normal has the index 0
+};
+
+/// Make meshes of all parts, and free the parts.
+void scene_obj_add_parts(struct obj *obj);
+
+#endif
