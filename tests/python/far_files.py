@@ -120,8 +120,8 @@ def collada_geometry(place, name="m"):
             f'{" ".join(corners)}</p></triangles></mesh></geometry>')
 
 
-def collada(geometries, nodes, up="Y_UP", libraries=""):
+def collada(geometries, nodes, up="Y_UP", libraries="", unit="1"):
     return ('<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset>'
-            f"<up_axis>{up}</up_axis></asset>{libraries}<library_geometries>{geometries}</library_geometries>"
+            f'<unit meter="{unit}"/><up_axis>{up}</up_axis></asset>{libraries}<library_geometries>{geometries}</library_geometries>'
             f'<library_visual_scenes><visual_scene id="s">{nodes}</visual_scene></library_visual_scenes><scene>'
             '<instance_visual_scene url="#s"/></scene></COLLADA>').encode()

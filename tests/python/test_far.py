@@ -75,6 +75,8 @@ FILES = {
         f"{translate([-x for x in place])}{MESH}</node>"),
     "up.dae": lambda place: collada(collada_geometry(NEAR), f"<node>{translate((place[0], -place[2], place[1]))}{MESH}</node>",
                                     "Z_UP"),
+    "unit.dae": lambda place: collada(collada_geometry(NEAR), f"<node>{translate([x / 0.0254 for x in place])}"
+                                      f"<scale>40 40 40</scale>{MESH}</node>", unit="0.0254"),
     "light.dae": lambda place: collada(
         collada_geometry(NEAR), f"<node>{translate(place)}{MESH}<node>{translate((1, 2, 3))}"
         '<instance_light url="#l"/></node></node>', libraries=LIGHT),
@@ -101,3 +103,16 @@ def test_looks_as_near(tmp_path, name):
     pictures = [each.render(64, rhw.Camera.look_at(eye + place, target + place, fovy=20))["color"]
                 for each, place in ((near, NEAR), (far, FAR))]
     assert np.array_equal(*pictures)
+
+
+def test_parts_far_from_each_other(tmp_path):
+    """Geometries and nodes that are far from each other have places of their own."""
+    geometries = collada_geometry(NEAR, "m") + collada_geometry(FAR, "n")
+    other = translate(add(FAR, FAR))
+    parts = [f"<node>{MESH}</node>", '<node><instance_geometry url="#n"/></node>', f"<node>{other}{MESH}</node>"]
+    model = load(tmp_path, "parts.dae", collada(geometries, "".join(parts)))
+    assert not model.warnings
+    pictures = [model.render(64, rhw.Camera.look_at(np.add(at, (2, 1, 3)), np.add(at, 0.25), fovy=20))["color"].astype(int)
+                for at in (NEAR, FAR, add(FAR, FAR))]
+    assert len(np.unique(pictures[0])) > 20 and np.array_equal(pictures[0], pictures[2])
+    assert np.abs(pictures[0] - pictures[1]).max() <= 2  # positions that are counted from elsewhere round otherwise

@@ -203,6 +203,11 @@ struct scene_import_place scene_assimp_exact_place(const struct scene_assimp_exa
     for (int c = 0; c < 3 && marked != NULL; c++) {
         place.world[12 + c] = (float)place.exact[12 + c];
     }
+    for (int i = 0; i < 12 && node->mParent == NULL && exact->unit > 0; i++) {
+        sign = m[i] < 0 ? -1 : 1;
+        place.exact[i] =
+            sign * place.exact[i] == (double)(float)exact->unit ? sign * exact->unit : place.exact[i];
+    }
     return place;
 }
 

@@ -34,6 +34,7 @@ struct scene_assimp_exact {
     size_t offset_count, offset_capacity;
     struct scene_hash_table names; ///< offsets by their names
     bool is_moved;                 ///< nodes are to follow an animation, which has floats
+    double unit;                   ///< factor of the root node; 0 where floats have it
 };
 
 /// Names of geometries in an FBX, which need not differ, get this and the number of their offset and this again.

@@ -209,10 +209,33 @@ void scene_collada_edit_geometries(struct scene_import *import, struct scene_ass
     }
 }
 
+// Return the unit of a document in metres, by which assimp multiplies all of it. Return 0 where it has none.
+static double find_unit(char *text, const char *end)
+{
+    double unit = 0;
+    for (char *c = strchr(text, '<'); c != NULL && !is_end(c, "asset"); c = strchr(c, '<')) {
+        char *const close = scene_collada_markup_end(c, end);
+        if (close == NULL) {
+            return 0;
+        }
+        if (scene_collada_is_tag(c, "unit")) {
+            const struct scene_collada_value meter = scene_collada_attribute(c, close, "meter");
+            const char *number = meter.text;
+            unit =
+                number != NULL && scene_collada_numbers(&number, number + meter.length, &unit, NULL, 1) == 1
+                    ? unit
+                    : 0;
+        }
+        c = close;
+    }
+    return unit;
+}
+
 char *scene_assimp_rewrite_collada(struct scene_import *import, struct scene_assimp_exact *exact, char *bytes,
                                    size_t *size)
 {
     struct scene_edits edits = {.count = 0};
+    exact->unit = find_unit(bytes, bytes + *size);
     scene_collada_edit_geometries(import, exact, bytes, *size, &edits);
     scene_collada_edit_nodes(import, exact, bytes, *size, &edits);
     return scene_edits_apply(import, &edits, bytes, size);
