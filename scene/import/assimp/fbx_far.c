@@ -157,6 +157,9 @@ static bool read_record(const struct copy *copy, size_t place, size_t limit, str
     record->name = place + head;
     record->name_length = bytes[3 * word];
     record->values = record->name + record->name_length;
+    if (record->values > limit) {
+        return false;
+    }
     if (record->end == 0) {
         return true;
     }
