@@ -125,3 +125,39 @@ def collada(geometries, nodes, up="Y_UP", libraries="", unit="1"):
             f'<unit meter="{unit}"/><up_axis>{up}</up_axis></asset>{libraries}<library_geometries>{geometries}</library_geometries>'
             f'<library_visual_scenes><visual_scene id="s">{nodes}</visual_scene></library_visual_scenes><scene>'
             '<instance_visual_scene url="#s"/></scene></COLLADA>').encode()
+
+
+# DXF: pairs of a code and a value.
+
+def _dxf(*pairs):
+    return "".join(f"{code:>3}\r\n{value}\r\n" for code, value in pairs)
+
+
+def _corner(number, place):
+    return [(10 * (axis + 1) + number, repr(float(place[axis]))) for axis in range(3)]
+
+
+def dxf_faces(place):
+    """The shape as faces."""
+    return "".join(_dxf((0, "3DFACE"), (8, "L"), *(pair for i in range(4)
+                                                 for pair in _corner(i, add(SHAPE[face[min(i, len(face) - 1)]], place))))
+                   for face in FACES)
+
+
+def dxf_lines(place):
+    """A line, and a polyline."""
+    return (_dxf((0, "LINE"), (8, "L"), *_corner(0, place), *_corner(1, add(place, (0.5, 1.25, 0)))) +
+            _dxf((0, "POLYLINE"), (8, "M"), (66, 1), (10, 0), (20, 0), (30, 0)) +
+            "".join(_dxf((0, "VERTEX"), (8, "M"), *_corner(0, add(place, point))) for point in SHAPE) + _dxf((0, "SEQEND")))
+
+
+def dxf_insert(place, factor):
+    """A block in another size, which assimp moves before it scales it."""
+    return _dxf((0, "INSERT"), (8, "L"), (2, "B"), *_corner(0, [x / factor for x in place]),
+                *((41 + axis, float(factor)) for axis in range(3)))
+
+
+def dxf(entities):
+    block = _dxf((0, "BLOCK"), (2, "B"), *_corner(0, NEAR)) + dxf_faces(NEAR) + _dxf((0, "ENDBLK"))
+    return (_dxf((0, "SECTION"), (2, "BLOCKS")) + block + _dxf((0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")) + entities +
+            _dxf((0, "ENDSEC"), (0, "EOF"))).encode()

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""FBX and Collada far from the origin, which assimp reads as floats: they look as they do at the origin, by the pixel."""
+"""Formats that assimp reads as floats, far from the origin: they look as they do at the origin, by the pixel."""
 
 import numpy as np
 import pytest
 
 import rhw
-from far_files import (FAR, MESH, NEAR, add, attribute, collada, collada_geometry, fbx, fbx_binary, fbx_text, geometry,
-                       model, translate, vector)
+from far_files import (FAR, MESH, NEAR, add, attribute, collada, collada_geometry, dxf, dxf_faces, dxf_insert, dxf_lines,
+                       fbx, fbx_binary, fbx_text, geometry, model, translate, vector)
 
 
 def vertices(place):
@@ -45,6 +45,11 @@ def dae_nodes(format):
     return lambda place: collada(collada_geometry(NEAR), format(place))
 
 
+def upright(place):
+    """A place in a file in which z is up, which is turned."""
+    return place[0], -place[2], place[1]
+
+
 LIGHT = ('<library_lights><light id="l"><technique_common><point><color>1 1 1</color><linear_attenuation>0.25'
          '</linear_attenuation></point></technique_common></light></library_lights>')
 
@@ -73,13 +78,15 @@ FILES = {
     "pivot.dae": lambda place: collada(
         collada_geometry(place), f"<node>{translate((1, 2, 3))}{translate(place)}<rotate>0 0 1 90</rotate>"
         f"{translate([-x for x in place])}{MESH}</node>"),
-    "up.dae": lambda place: collada(collada_geometry(NEAR), f"<node>{translate((place[0], -place[2], place[1]))}{MESH}</node>",
-                                    "Z_UP"),
+    "up.dae": lambda place: collada(collada_geometry(NEAR), f"<node>{translate(upright(place))}{MESH}</node>", "Z_UP"),
     "unit.dae": lambda place: collada(collada_geometry(NEAR), f"<node>{translate([x / 0.0254 for x in place])}"
                                       f"<scale>40 40 40</scale>{MESH}</node>", unit="0.0254"),
     "light.dae": lambda place: collada(
         collada_geometry(NEAR), f"<node>{translate(place)}{MESH}<node>{translate((1, 2, 3))}"
         '<instance_light url="#l"/></node></node>', libraries=LIGHT),
+    "faces.dxf": lambda place: dxf(dxf_faces(upright(place))),
+    "lines.dxf": lambda place: dxf(dxf_faces(upright(place)) + dxf_lines(add(upright(place), (1, 0, 0)))),
+    "insert.dxf": lambda place: dxf(dxf_faces(upright(place)) + dxf_insert(add(upright(place), (1, 0, 0)), 2)),
 }
 
 

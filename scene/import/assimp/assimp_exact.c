@@ -252,13 +252,14 @@ static bool find_number(const struct scene_assimp_exact *exact, const char *name
 const double *scene_assimp_exact_offset(const struct scene_assimp_exact *exact, const struct aiMesh *mesh)
 {
     static const double none[3] = {0, 0, 0};
+    const double *const others = exact->bytes == NULL ? none : exact->common;
     const char *const name = mesh->mName.data, *mark, *end;
     size_t number;
     if (find_number(exact, name, &mark, &end, &number)) {
         return exact->offsets[number].offset;
     }
     const struct scene_assimp_offset *const found = find_name(exact, name, strlen(name));
-    return found == NULL ? none : found->offset;
+    return found == NULL ? others : found->offset;
 }
 
 const char *scene_assimp_exact_name(struct scene_import *import, const struct scene_assimp_exact *exact,
@@ -292,14 +293,18 @@ static bool has_mark(const char *bytes, size_t size)
     return place != NULL && (size_t)(end - place) >= length;
 }
 
-static char *rewrite_fbx(struct scene_import *import, struct scene_assimp_exact *exact, size_t *size)
+// Rewrite a file of another format than Collada, which is told by its ending.
+static char *rewrite_other(struct scene_import *import, struct scene_assimp_exact *exact, size_t *size)
 {
     const char *problem = NULL;
+    const bool is_dxf = strcasecmp(import->ending, "dxf") == 0;
     const bool may_be_fbx = import->ending[0] == 0 || strcasecmp(import->ending, "fbx") == 0;
     char *const bytes =
-        may_be_fbx ? scene_import_read_file(import, import->model.path, size, &problem) : NULL;
+        is_dxf || may_be_fbx ? scene_import_read_file(import, import->model.path, size, &problem) : NULL;
     char *rewritten = NULL;
-    if (bytes != NULL && !has_mark(bytes, *size)) {
+    if (bytes != NULL && is_dxf) {
+        rewritten = scene_assimp_rewrite_dxf(import, exact, bytes, size);
+    } else if (bytes != NULL && !has_mark(bytes, *size)) {
         rewritten = scene_assimp_rewrite_fbx(import, exact, bytes, size);
         rewritten = rewritten != NULL ? rewritten : scene_assimp_rewrite_fbx_text(import, exact, bytes, size);
     }
@@ -312,7 +317,7 @@ bool scene_assimp_rewrite(struct scene_import *import, struct scene_assimp_exact
     size_t size = 0;
     char *const collada = scene_assimp_collada(import, &size);
     char *const bytes = collada != NULL ? scene_assimp_rewrite_collada(import, exact, collada, &size)
-                                        : rewrite_fbx(import, exact, &size);
+                                        : rewrite_other(import, exact, &size);
     free(collada);
     exact->bytes = bytes;
     exact->size = size;

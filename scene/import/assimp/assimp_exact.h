@@ -33,6 +33,7 @@ struct scene_assimp_exact {
     struct scene_assimp_offset *offsets;
     size_t offset_count, offset_capacity;
     struct scene_hash_table names; ///< offsets by their names
+    double common[3];              ///< what was subtracted from all positions without an offset of their own
     bool is_moved;                 ///< nodes are to follow an animation, which has floats
     double unit;                   ///< factor of the root node; 0 where floats have it
 };
@@ -70,7 +71,7 @@ struct scene_import_place scene_assimp_settled(const struct scene_assimp_exact *
 /// Write what floats hold of such a place: zeros for a translation that has a mark.
 void scene_assimp_float_place(const struct scene_assimp_exact *exact, const struct aiNode *node,
                               double place[16]);
-/// Return what was subtracted from the positions of a mesh: zeros, if nothing was.
+/// Return what was subtracted from the positions of a mesh, or zeros.
 const double *scene_assimp_exact_offset(const struct scene_assimp_exact *exact, const struct aiMesh *mesh);
 /// Return the name of a mesh without its mark.
 const char *scene_assimp_exact_name(struct scene_import *import, const struct scene_assimp_exact *exact,
@@ -91,5 +92,7 @@ char *scene_assimp_rewrite_fbx_text(struct scene_import *import, struct scene_as
                                     const char *bytes, size_t *size);
 char *scene_assimp_rewrite_collada(struct scene_import *import, struct scene_assimp_exact *exact, char *bytes,
                                    size_t *size);
+char *scene_assimp_rewrite_dxf(struct scene_import *import, struct scene_assimp_exact *exact, char *bytes,
+                               size_t *size);
 
 #endif
