@@ -123,3 +123,12 @@ def test_parts_far_from_each_other(tmp_path):
                 for at in (NEAR, FAR, add(FAR, FAR))]
     assert len(np.unique(pictures[0])) > 20 and np.array_equal(pictures[0], pictures[2])
     assert np.abs(pictures[0] - pictures[1]).max() <= 2  # positions that are counted from elsewhere round otherwise
+
+
+def test_many_nodes(tmp_path):
+    """Nodes of one mesh, of which a sample takes one vertex each, are told apart by their places alone."""
+    nodes = "".join(f"<node>{translate(add(FAR, (i, 0, 0)))}<rotate>0 0 1 {360 * (i % 9)}</rotate>{MESH}</node>"
+                    for i in range(4000))
+    model = load(tmp_path, "many.dae", collada(collada_geometry((0.25, 0, 0)), nodes))
+    assert len(model.nodes) == 4000 and not model.warnings
+    assert model.bounds[1][0] - model.bounds[0][0] >= 3999

@@ -26,7 +26,7 @@ _Static_assert(sizeof(ai_real) == sizeof(float), "assimp is built with single pr
 
 struct reader {
     struct scene_import *import;
-    const struct scene_assimp_exact *exact;
+    struct scene_assimp_exact *exact;
     const struct aiScene *scene;
     uint32_t *meshes; // model mesh by assimp mesh
     int32_t (

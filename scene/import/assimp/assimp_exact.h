@@ -35,6 +35,7 @@ struct scene_assimp_exact {
     struct scene_hash_table names; ///< offsets by their names
     double common[3];              ///< what was subtracted from all positions without an offset of their own
     bool is_moved;                 ///< nodes are to follow an animation, which has floats
+    double model_size;             ///< size of all of it, by the floats of the file as it is
     double unit;                   ///< factor of the root node; 0 where floats have it
 };
 
@@ -79,7 +80,7 @@ const char *scene_assimp_exact_name(struct scene_import *import, const struct sc
 
 /// Return true if floats lose what can be seen of a scene that stands far from the origin, or has parts that do. What
 /// is exact by now does not count.
-bool scene_assimp_is_far(struct scene_import *import, const struct scene_assimp_exact *exact,
+bool scene_assimp_is_far(struct scene_import *import, struct scene_assimp_exact *exact,
                          const struct aiScene *scene);
 /// Rewrite the file of the import. Return false if there is nothing that can be rewritten.
 bool scene_assimp_rewrite(struct scene_import *import, struct scene_assimp_exact *exact);

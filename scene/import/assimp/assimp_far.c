@@ -119,7 +119,7 @@ static void visit(struct survey *survey, const struct aiNode *node, const double
     }
 }
 
-bool scene_assimp_is_far(struct scene_import *import, const struct scene_assimp_exact *exact,
+bool scene_assimp_is_far(struct scene_import *import, struct scene_assimp_exact *exact,
                          const struct aiScene *scene)
 {
     if (scene->mRootNode == NULL) {
@@ -143,6 +143,9 @@ bool scene_assimp_is_far(struct scene_import *import, const struct scene_assimp_
     free(survey.centers);
     free(survey.extents);
     free(survey.points);
-    return survey.has_remote || spread.is_far ||
-           (spread.size > 0 && survey.longest_way > SCENE_IMPORT_FAR * spread.size);
+    exact->model_size = exact->bytes == NULL ? spread.size : exact->model_size;
+    // Without the translations that have marks, all of a model may seem to be in one place.
+    const double size = fmax(spread.size, exact->model_size);
+    return survey.has_remote ||
+           (size > 0 && fmax(spread.distance, survey.longest_way) > SCENE_IMPORT_FAR * size);
 }
