@@ -384,8 +384,7 @@ static enum rhw_result create_picture(struct scene_surroundings *s, rhw_context 
 }
 
 // Light comes from a copy without the sun, the background shows it.
-static enum rhw_result make(struct scene_surroundings *s, rhw_context *context,
-                            const struct scene_view *view)
+static enum rhw_result make(struct scene_surroundings *s, rhw_context *context, const struct scene_view *view)
 {
     const struct scene_panorama *const panorama = view->panorama;
     const size_t size = (size_t)panorama->width * (size_t)panorama->height * sizeof *panorama->texels;

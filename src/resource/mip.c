@@ -109,8 +109,7 @@ static bool make_layers(struct rhw_context *context, const struct rhw_texture_da
         return false;
     }
     float *const buffers = block + (size_t)context->threads * scratch;
-    struct made_mips mips = {context,
-                             {.texture = texture, .scratch = block, .scratch_size = scratch}};
+    struct made_mips mips = {context, {.texture = texture, .scratch = block, .scratch_size = scratch}};
     for (mips.job.slice = 0; mips.job.slice < texture->shape.layers; mips.job.slice++) {
         make_layer(&mips, buffers, buffers + odd);
     }
@@ -132,8 +131,7 @@ static bool make_volume(struct rhw_context *context, const struct rhw_texture_da
         return false;
     }
     float *const buffers = block + (size_t)context->threads * scratch;
-    struct made_volume volume = {context,
-                                 {.texture = texture, .scratch = block, .scratch_size = scratch}};
+    struct made_volume volume = {context, {.texture = texture, .scratch = block, .scratch_size = scratch}};
     struct rhw_mip_volume_job *const job = &volume.job;
     for (; job->base < texture->levels - 1; job->base++) {
         job->to = job->base + 1 == texture->levels - 1 ? NULL : job->base % 2 == 0 ? buffers : buffers + odd;

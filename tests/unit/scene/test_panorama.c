@@ -254,8 +254,8 @@ static void test_given_up(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_even_light),  cmocka_unit_test(test_half_sky),   cmocka_unit_test(test_sun),
-    cmocka_unit_test(test_directions),  cmocka_unit_test(test_background), cmocka_unit_test(test_given_up),
+    cmocka_unit_test(test_even_light), cmocka_unit_test(test_half_sky),   cmocka_unit_test(test_sun),
+    cmocka_unit_test(test_directions), cmocka_unit_test(test_background), cmocka_unit_test(test_given_up),
 };
 
 const struct unit_tests test_panorama = UNIT_TESTS(tests, open_context, close_context);
