@@ -343,8 +343,6 @@ class Page(PageCase):
             self.node("#model input").send_keys(file.name)
             self.wait("document.querySelector('#model .state').textContent.includes('rhw: ')", 60)
 
-    # Speed: printed, and not held to what a busy machine may not reach.
-
     def drop(self, files, folder):
         """Drops a folder with files, {path: URL of the page's or None: it cannot be read}, as a browser does."""
         self.script("""
@@ -378,7 +376,7 @@ class Page(PageCase):
         self.wait("rhw.views.model.explanation")
         self.assertTrue(self.node("#model .warnings").is_displayed(), "a warning stays")
         self.assertEqual(self.script("return [...document.querySelectorAll('#model .why')].map((link) => link.hash)"),
-                         ["#weights", "#inverse", "#clip"])
+                         ["#weights", "#inverse", "#clip", "#motion", "#pixel", "#depth"])
         self.node("#model .warnings button").click()
         self.assertFalse(self.node("#model .warnings").is_displayed())
         self.drop({"box.obj": box, "gone.png": None}, "things")
@@ -441,7 +439,8 @@ class Page(PageCase):
             self.show(name)
         drawings = self.script("return [...document.querySelectorAll('svg.top, svg.plot')].map((svg) => [svg.getAttribute('role'),"
                                " svg.getAttribute('aria-label')])")
-        self.assertEqual(len(drawings), 8)
+        self.assertEqual(len({name for _, name in drawings}), 7, drawings)  # a view from above is called so wherever it is
+        self.assertEqual(len(drawings), 9)
         self.assertTrue(all(role in ("group", "img") and name for role, name in drawings), drawings)
         self.assertEqual(self.script("return [...document.querySelectorAll('th')].filter((cell) => !cell.textContent).length"), 0)
         levels = self.script("return [...document.querySelectorAll('h1, h2, h3, h4')].map((head) => Number(head.tagName[1]))")
@@ -460,19 +459,53 @@ class Page(PageCase):
         self.node("#pixel canvas").send_keys(Keys.ARROW_LEFT)
         self.wait(f"{heard} !== {before!r}")
 
+    def work_of_a_drag(self, name):
+        """What a step of a drag costs, whatever the machine: nodes that are made, layouts and styles of the page, calls of what moves."""
+        self.show(name)
+        self.browser.execute_cdp_cmd("Performance.enable", {})
+        count = lambda: {m["name"]: m["value"] for m in self.browser.execute_cdp_cmd("Performance.getMetrics", {})["metrics"]}  # noqa: E731
+        before = count()
+        made, calls, frames = self.browser.execute_async_script("""
+            const [name, done] = arguments, view = rhw.views[name], move = view.moveCorner;
+            const handle = document.querySelector(`#${name} .view .cornerA`);
+            let made = 0, calls = 0, frames = 0;
+            new MutationObserver((list) => list.forEach(({ addedNodes }) => (made += addedNodes.length)))
+              .observe(document.body, { childList: true, subtree: true });
+            view.moveCorner = (...rest) => { calls++; return move.apply(view, rest); };
+            handle.setPointerCapture = () => {};
+            const say = (kind, x) => handle.dispatchEvent(new PointerEvent(kind, { pointerId: 1, isPrimary: true, button: 0, clientX: x, clientY: 300 }));
+            say('pointerdown', 300);
+            const step = () => {
+              for (let i = 0; i < 4; i++) say('pointermove', 300 + frames + i / 4); // a mouse may be quicker than the screen
+              frames++ < 20 ? requestAnimationFrame(step) : (say('pointerup', 320), view.moveCorner = move, done([made, calls, frames]));
+            };
+            requestAnimationFrame(step);""", name)
+        after = count()
+        counts = {key: (after[key] - before[key]) / frames for key in ("LayoutCount", "RecalcStyleCount")}
+        return {"nodes": made / frames, "moves": calls / frames, **counts}
+
+    def test_a_drag_writes_little(self):
+        for name in ["pixel", "weights", "triangle", "clip", "exercises"]:
+            work = self.work_of_a_drag(name)
+            self.assertLess(work["nodes"], 0.5, f"{name}: texts change, nodes stay: {work}")
+            self.assertLess(work["moves"], 1.2, f"{name}: a frame hears of a drag once: {work}")
+            self.assertLess(work["LayoutCount"], 1.6, f"{name}: the page is laid out once a frame: {work}")
+            self.assertLess(work["RecalcStyleCount"], 1.6, f"{name}: {work}")
+
+    # Speed: printed, and not held to what a busy machine may not reach.
+
     def test_speed(self):
         first = self.script("return rhw.views.pixel.drawnAt") / 1000
         frames, size = self.browser.execute_async_script("""
-            const done = arguments[0], view = rhw.views.pixel, end = performance.now() + 2000;
+            const done = arguments[0], view = rhw.views.pixel, begin = performance.now() + 1000, end = begin + 2000;
             let frames = 0;
-            view.pixel = null;
             const step = (now) => {
-              frames++;
+              frames += now > begin; // by then the stage knows how many threads are quicker
               view.moveCorner(view.scene.corners[0], [-0.9 + 0.3 * Math.sin(now / 200), 0.15, 0.75]);
               now < end ? requestAnimationFrame(step) : done([frames / 2, `${view.canvas.width}x${view.canvas.height}`]);
             };
             requestAnimationFrame(step);""")
-        print(f"first picture after {first:.2f} s (wanted 1); {frames:.0f} frames a second at {size} (wanted 60)")
+        print(f"first picture after {first:.2f} s (wanted 1); {frames:.0f} frames a second at {size} with a pixel explained (wanted 60)")
         self.assertLess(os.path.getsize(os.path.join(sys.argv[1], "stage.wasm")), 1.2e6)
         self.assertLess(first, FIRST_PICTURE)
         self.assertGreater(frames, 15)

@@ -4,7 +4,9 @@
 // Each step between is a projective map, so lines stay lines, and the place from which one looks turns until it is the eye's.
 import { between, cutLine, cutTriangle } from './cut.js';
 import { say } from './language.js';
-import { points, set, svg } from './svg.js';
+import { sizeOf } from './size.js';
+import { fill } from './slots.js';
+import { drawn, points, set, svg } from './svg.js';
 
 const FIELDS = 8; // of the triangle, along u and v
 const YAW = (68 * Math.PI) / 180; // from where one looks at the start: from the side, a little from above
@@ -66,8 +68,8 @@ export class Flight {
   }
 
   #label(text, [x, y], kind) {
-    svg(this.labels, 'circle', { cx: x, cy: y, r: 5, class: `dot ${kind}` });
-    svg(this.labels, 'text', { x: x + 9, y: y - 6 }, text);
+    drawn(this.labels, 'circle', { cx: x, cy: y, r: 5, class: `dot ${kind}` });
+    drawn(this.labels, 'text', { x: x + 9, y: y - 6 }, text);
   }
 
   /** `corners`: [X, Y, Z, W] of A, B and C; `k`: how far the motion is, 0..1. */
@@ -78,7 +80,7 @@ export class Flight {
   }
 
   update() {
-    const { clientWidth: width, clientHeight: height } = this.root;
+    const [width, height] = sizeOf(this.root);
     if (!width || !this.corners) {
       return;
     }
@@ -118,7 +120,10 @@ export class Flight {
   }
 
   #placeLabels(early) {
-    this.labels.replaceChildren();
+    fill(this.labels, () => this.#writeLabels(early));
+  }
+
+  #writeLabels(early) {
     this.corners.forEach((corner, i) => {
       const isCut = corner[2] < 0;
       if (!isCut || early > 0.5) {
@@ -127,9 +132,9 @@ export class Flight {
     });
     if (this.k < 0.6) {
       const [x, y] = this.#at([0, 0, 0, 0]);
-      svg(this.labels, 'text', { x: x - 10, y: y + 22, class: 'caption' }, say({ en: 'eye', zh: '眼睛' }));
+      drawn(this.labels, 'text', { x: x - 10, y: y + 22, class: 'caption' }, say({ en: 'eye', zh: '眼睛' }));
     }
     const [x, y] = this.#at([1, -1, 0, 1]);
-    svg(this.labels, 'text', { x: x + 4, y: y + 16, class: 'caption' }, say({ en: 'screen, W = 1', zh: '屏幕，W = 1' }));
+    drawn(this.labels, 'text', { x: x + 4, y: y + 16, class: 'caption' }, say({ en: 'screen, W = 1', zh: '屏幕，W = 1' }));
   }
 }

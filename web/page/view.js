@@ -5,6 +5,8 @@ import { nextFrame } from './frame.js';
 import { say, whenLanguage } from './language.js';
 import { namePicture } from './naming.js';
 import { onScreen, Overlay } from './overlay.js';
+import { measure, sizeOf } from './size.js';
+import { script } from './stage.js';
 import { numbersIn, numbersText } from './state.js';
 import { draggable, set, svg } from './svg.js';
 import { add, basis, clamp, dot, normalize } from './vector.js';
@@ -34,6 +36,7 @@ export class View {
     this.canvas.tabIndex = scene.quiet ? -1 : 0;
     this.canvas.setAttribute('role', scene.quiet ? 'img' : 'application');
     namePicture(this.canvas, figure);
+    this.context = this.canvas.getContext('2d', { alpha: false });
     this.overlay = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     figure.prepend(this.canvas, this.overlay);
     this.pixel = null; // by parts of the picture, so that it stays where it was when the size changes
@@ -75,7 +78,7 @@ export class View {
       this.update(true);
     };
     draggable(this.divider, {
-      move: (dx) => to(this.scene.split + dx / this.figure.clientWidth),
+      move: (dx) => to(this.scene.split + dx / sizeOf(this.figure)[0]),
       step: (dx, dy, deeper) => to(this.scene.split + (dx - dy) / 50 + deeper / 10),
       ends: (part) => to(part),
     });
@@ -109,7 +112,7 @@ export class View {
   #shift(corner, dx, dy) {
     const { right, up } = basis(this.scene.camera);
     const w = Math.abs(this.stageClip(corner.at)[3]);
-    const scale = (2 * Math.tan((this.scene.camera.yfov * Math.PI) / 360) * w) / this.figure.clientHeight;
+    const scale = (2 * Math.tan((this.scene.camera.yfov * Math.PI) / 360) * w) / sizeOf(this.figure)[1];
     this.moveCorner(corner, add(add(corner.at, right, dx * scale), up, -dy * scale));
   }
 
@@ -190,17 +193,21 @@ export class View {
   }
 
   explain = () => {
-    if (!this.pixel || !this.canvas.width) {
-      return;
+    if (this.pixel && this.canvas.width) {
+      this.#prepare(); // others may have used the stage
+      this.#tell();
+      this.#place();
     }
-    this.#prepare();
+  };
+
+  // What the stage knows of the pixel, once it was told of this picture.
+  #tell() {
     const [x, y] = [Math.floor(this.pixel[0] * this.canvas.width), Math.floor(this.pixel[1] * this.canvas.height)];
     this.numbers = this.stage.explain(x, y);
     this.place = [x, y];
     this.size = [this.canvas.width, this.canvas.height];
-    this.#place();
     this.changed(this.numbers, this.place, this.size);
-  };
+  }
 
   /** What was told, in the language of now. */
   retell() {
@@ -232,36 +239,45 @@ export class View {
   }
 
   #frame = () => {
-    const width = this.figure.clientWidth;
+    const [width, high] = sizeOf(this.figure);
     if (!this.seen || width === 0) {
       return;
     }
     const across = this.scene.width ?? Math.min(Math.round(width * Math.min(devicePixelRatio, 2)), MAX_PIXELS);
-    const height = Math.round((across * this.figure.clientHeight) / width);
+    const height = Math.round((across * high) / width);
     if (this.canvas.width !== across || this.canvas.height !== height) {
       this.canvas.width = across;
       this.canvas.height = height;
     }
     this.#prepare();
     const image = new ImageData(this.stage.draw(), across, height);
-    this.canvas.getContext('2d', { alpha: false }).putImageData(image, 0, 0);
-    this.script = this.stage.script();
+    this.context.putImageData(image, 0, 0);
+    this.lines = this.stage.lines();
     this.drawnAt ??= performance.now();
-    this.figure.dataset.drawn = this.moving ? 'moving' : 'still';
-    this.clips = this.scene.corners.map((corner) => this.stageClip(corner.at));
-    this.#place();
+    const drawn = this.moving ? 'moving' : 'still';
+    if (this.figure.dataset.drawn !== drawn) {
+      this.figure.dataset.drawn = drawn;
+    }
+    this.clips = this.scene.corners.map((corner) => this.stage.clip(corner.at));
     if (this.pixel) {
-      this.explain();
+      this.#tell();
     } else {
       this.changed(null, null);
     }
+    this.#place();
   };
+
+  /** What the stage was told for this picture, a call a line. */
+  get script() {
+    return script(this.lines);
+  }
 
   /** Draws at once, seen or not. */
   drawForPaper() {
     const { seen } = this;
     this.seen = true;
     this.moving = false;
+    measure(this.figure);
     this.#frame();
     this.seen = seen;
   }
@@ -277,7 +293,7 @@ export class View {
   }
 
   #place() {
-    const { clientWidth: width, clientHeight: height } = this.figure;
+    const [width, height] = sizeOf(this.figure);
     this.handles.forEach((handle, i) => {
       const at = this.clips && onScreen(this.clips[i], [width, height]);
       handle.toggleAttribute('hidden', !at);

@@ -4,6 +4,7 @@
 import { termsOf } from '../derivation.js';
 import { say, whenLanguage } from '../language.js';
 import { short } from '../math.js';
+import { sizeOf } from '../size.js';
 import { METHOD, PATTERN } from '../stage.js';
 import { chapterTerms } from '../tips.js';
 import { TopView } from '../topview.js';
@@ -158,8 +159,8 @@ export function start(section, stage) {
   };
   // The largest error of a small picture, both of whose halves are drawn correctly: u is right in all of its pixels.
   const worst = () => {
-    const { clientWidth, clientHeight } = view.figure;
-    const [width, height] = [GRID, Math.round((GRID * clientHeight) / clientWidth)];
+    const [wide, high] = sizeOf(view.figure);
+    const [width, height] = [GRID, Math.round((GRID * high) / wide)];
     stage.resize(width, height, 1);
     stage.camera(scene.camera);
     stage.clear([0, 0, 0]);

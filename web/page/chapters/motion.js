@@ -7,8 +7,9 @@ import { termsOf } from '../derivation.js';
 import { Flight } from '../flight.js';
 import { nextFrame } from '../frame.js';
 import { say, whenLanguage } from '../language.js';
-import { formula, short } from '../math.js';
+import { formulaIn, short } from '../math.js';
 import { cornersOf } from '../overlay.js';
+import { element, fill, write } from '../slots.js';
 import { METHOD, PATTERN } from '../stage.js';
 import { chapterTerms } from '../tips.js';
 import { within } from '../vector.js';
@@ -61,22 +62,26 @@ function stepTerms(n, polygon, [width, height]) {
 // The corners of what the near plane leaves of the explained triangle.
 const clipped = (n) => cutTriangle(cornersOf(n))[0];
 
+// A row of a table: a name, and behind it formulas, some with values.
+function rowIn(table, kind, tag, name, cells, values) {
+  fill(element(table, 'tr', kind), (row) => {
+    write(element(row, tag), name);
+    cells.forEach((cell) => fill(element(row, tag, 'value'), (node) => formulaIn(node, cell, values)));
+  });
+}
+
 function showTable(table, terms, step, polygon) {
-  table.replaceChildren();
-  const row = (cells, tag) => {
-    const line = table.insertRow();
-    cells.forEach((cell) => line.appendChild(document.createElement(tag)).append(cell));
-    return line;
-  };
   const names = STEPS[step];
-  row([say({ en: 'corner', zh: '顶点' }), ...names.map((name) => formula(say(HEADS[name] ?? name)))], 'th');
   const left = polygon.map(({ name }) => name);
   const all = { clip: [...new Set(['A', 'B', 'C', ...left])], divide: left }[step] ?? ['A', 'B', 'C'];
-  for (const corner of [...all, 'P']) {
-    const cells = names.map((name) => `${name}_${corner}`);
-    const line = row([corner, ...cells.map((term) => formula(term, { [term]: short(terms[term]) }))], 'td');
-    line.classList.toggle('behind', step === 'clip' && 'ABC'.includes(corner) && !left.includes(corner));
-  }
+  fill(table, () => {
+    rowIn(table, '', 'th', say({ en: 'corner', zh: '顶点' }), names.map((name) => say(HEADS[name] ?? name)));
+    for (const corner of [...all, 'P']) {
+      const cells = names.map((name) => `${name}_${corner}`);
+      const isBehind = step === 'clip' && 'ABC'.includes(corner) && !left.includes(corner);
+      rowIn(table, isBehind ? 'behind' : '', 'td', corner, cells, Object.fromEntries(cells.map((term) => [term, short(terms[term])])));
+    }
+  });
 }
 
 const SAID = [

@@ -3,9 +3,11 @@
 // the triangle itself as it is seen straight on. Then the formula that leads from the ones to the others, term by term.
 import { distanceSlider } from '../controls.js';
 import { termsOf } from '../derivation.js';
+import { hear } from '../heard.js';
 import { say, whenLanguage } from '../language.js';
 import { short } from '../math.js';
 import { cornersOf, onScreen } from '../overlay.js';
+import { sizeOf } from '../size.js';
 import { METHOD, PATTERN } from '../stage.js';
 import { numbersIn } from '../state.js';
 import { points, set, svg } from '../svg.js';
@@ -71,7 +73,7 @@ class StraightOn {
 
   update(numbers = this.numbers) {
     this.numbers = numbers;
-    const { clientWidth: width, clientHeight: height } = this.root;
+    const [width, height] = sizeOf(this.root);
     if (width === 0) {
       return;
     }
@@ -116,14 +118,12 @@ class Bars {
         return { term, bar: room.appendChild(document.createElement('b')) };
       }),
     );
-    this.heard = node.appendChild(document.createElement('p'));
-    this.heard.className = 'heard';
-    this.heard.setAttribute('aria-live', 'polite');
+    this.node = node;
   }
 
   show(numbers) {
     this.bars.forEach(({ term, bar }) => (bar.style.width = `${100 * (numbers?.[term] ?? 0)}%`));
-    this.heard.textContent = numbers ? PAIRS.flat().map((term) => `${term} ${short(numbers[term])}`).join(', ') : '';
+    hear(this.node, numbers ? PAIRS.flat().map((term) => `${term} ${short(numbers[term])}`).join(', ') : '');
   }
 }
 
@@ -191,7 +191,7 @@ export function start(section, stage) {
   const bars = new Bars(section.querySelector('.bars'));
   const figure = section.querySelector('.view');
   const view = new View(stage, figure, scene, (numbers) => {
-    const size = [figure.clientWidth, figure.clientHeight];
+    const size = sizeOf(figure);
     const places = numbers && cornersOf(numbers).map((clip) => onScreen(clip, size));
     const shown = Boolean(places?.every(Boolean));
     parts.show(shown);
