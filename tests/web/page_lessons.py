@@ -93,17 +93,32 @@ class Lessons(PageCase):
         self.assertFalse(self.node("#weights .next").is_displayed())
 
     def test_curves_of_the_edge(self):
+        """Two plots at once over the same places: what bends in the one is straight in the other."""
         self.show("inverse")
         self.wait("document.querySelector('#inverse .plot .curve')")
-        bends = ("const p = [...document.querySelectorAll('#inverse .plot .curve')].map(({ points: q }) => {"
+        bends = ("return [...document.querySelectorAll('#inverse .plot')].map((plot) => [...plot.querySelectorAll('.curve')].map(({ points: q }) => {"
                  " const [a, b, m] = [q[0], q[q.length - 1], q[q.length >> 1]];"
-                 " return Math.abs(a.y + (b.y - a.y) * (m.x - a.x) / (b.x - a.x) - m.y); }); return p")
-        for value, straight in (("z", [False, True]), ("inverse", [True]), ("over", [True, True]), ("u", [False, True])):
+                 " return Math.abs(a.y + (b.y - a.y) * (m.x - a.x) / (b.x - a.x) - m.y); }))")
+        dots = "return [...document.querySelectorAll('#inverse .plot')].map((plot) => [...plot.querySelectorAll('.value')].map((t) => t.textContent))"
+        n = self.script("return rhw.views.inverse.numbers()")
+        z, u = n["Z_P"], n["b"]
+        told = {"z": [[z, n["r"] * n["Z_A"] + n["s"] * n["Z_B"]], [1 / z]], "u": [[1 / z, u / z], [u, n["s"]]]}
+        for value, straight in (("z", [[False, True], [True]]), ("u", [[True, True], [False, True]])):
             self.node(f"#inverse button[value='{value}']").click()
-            self.assertEqual([bend < 1 for bend in self.script(bends)], straight, value)
-        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "#inverse .on-curve")), 2)
+            self.assertEqual([[bend < 1 for bend in plot] for plot in self.script(bends)], straight, value)
+            for shown, numbers in zip(self.script(dots), told[value]):
+                self.assertEqual(len(shown), len(numbers))
+                for text, number in zip(shown, numbers):
+                    self.assertAlmostEqual(float(text), number, delta=2e-3)
+            units = self.script("return [...document.querySelectorAll('#inverse .plot')].map((plot) => plot.textContent)")
+            self.assertTrue(all("unit" in text or "over a length" in text or "from 0 in A" in text for text in units), units)
+        tops = self.script("return [...document.querySelectorAll('#inverse :is(.plot, .top)')].map((node) => node.getBoundingClientRect())"
+                           ".map(({ top, bottom }) => [top, bottom])")
+        self.assertTrue(max(bottom for _, bottom in tops) - min(top for top, _ in tops) < 850, "all three are seen at once")
         before = self.script("return rhw.views.inverse.q")
+        places = ("return [...document.querySelectorAll('#inverse .plot .on-curve')].map((dot) => Number(dot.getAttribute('cx')))")
         self.drag("#inverse .plot .mark circle:last-of-type", 60, 0)
+        self.assertEqual(len(set(self.script(places))), 1, "the dots stand above each other")
         after = self.script("return rhw.views.inverse.q")
         self.assertGreater(after, before + 0.05)
         place = self.script("const d = rhw.views.inverse, n = d.numbers(); return n.b * d.ends[1][1] + n.a * d.ends[0][1]")

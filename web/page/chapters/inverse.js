@@ -3,10 +3,13 @@
 // in space, and the distance Z of the point is not the mixture of the distances, but 1/Z is that of 1/Z. Beside it the curves of
 // Z, 1/Z, u/Z and u over the screen, and the edge's stripes as they are seen.
 import { choice } from '../controls.js';
+import { hear } from '../heard.js';
 import { whenLanguage } from '../language.js';
-import { formula, short } from '../math.js';
+import { formulaIn, short } from '../math.js';
 import { nameDrawing } from '../naming.js';
 import { legend, Plot } from '../plot.js';
+import { sizeOf } from '../size.js';
+import { element, fill, write } from '../slots.js';
 import { numbersIn, numbersText } from '../state.js';
 import { draggable, points, set, svg } from '../svg.js';
 import { chapterTerms } from '../tips.js';
@@ -105,7 +108,8 @@ class Drawing {
   }
 
   #at([x, z]) {
-    return [this.root.clientWidth / 2 + x * this.scale, this.root.clientHeight - 14 - (z - RANGE.z[0]) * this.scale];
+    const [width, height] = sizeOf(this.root);
+    return [width / 2 + x * this.scale, height - 14 - (z - RANGE.z[0]) * this.scale];
   }
 
   #line(node, from, to) {
@@ -114,13 +118,13 @@ class Drawing {
   }
 
   update() {
-    const { clientWidth: width, clientHeight: height } = this.root;
+    const [width, height] = sizeOf(this.root);
     if (!width) {
       return;
     }
     this.scale = Math.min(width / (RANGE.x[1] - RANGE.x[0]), (height - 28) / (RANGE.z[1] - RANGE.z[0]));
     set(this.root, { viewBox: `0 0 ${width} ${height}` });
-    const { a, b } = this.numbers();
+    const { a, b, ...terms } = this.numbers();
     const [from, to] = this.ends;
     const p = [a * from[0] + b * to[0], a * from[1] + b * to[1]];
     [from, to, p].forEach((end, i) => this.#line(this.rays[i], [0, 0], end));
@@ -136,7 +140,10 @@ class Drawing {
     set(this.half, { cx: middle[0], cy: middle[1] });
     const eye = this.#at([0, 0]);
     set(this.root.querySelector('.eye'), { cx: eye[0], cy: eye[1] });
-    this.ends.forEach((end, i) => set(this.handles[i], { transform: `translate(${this.#at(end)})` }));
+    this.ends.forEach((end, i) => {
+      set(this.handles[i], { transform: `translate(${this.#at(end)})` });
+      write(this.handles[i].lastChild, `${'AB'[i]}, Z = ${short(Number(terms[`Z_${'AB'[i]}`].toPrecision(3)))}`);
+    });
     set(this.p, { transform: `translate(${this.#at(p)})` });
     set(this.shadow, { transform: `translate(${this.#at(onScreen(p))})` });
     this.changed();
@@ -188,30 +195,27 @@ const OF = {
   u: ({ r, s, zA, zB }) => s / zB / (r / zA + s / zB),
   naiveU: ({ s }) => s,
 };
-const CURVES = {
+const NAIVE_Z = { name: { en: 'r·ZA + s·ZB, mixed: a chord, wrong', zh: 'r·ZA + s·ZB，直接插值：弦，错误' }, kind: 'naive', of: OF.naiveZ };
+const NAIVE_U = { name: { en: 's, which is u mixed: a chord, wrong', zh: 's，即直接插值的 u：弦，错误' }, kind: 'naive', of: OF.naiveU };
+const INVERSE = { name: { en: '1/Z: straight', zh: '1/Z：直线' }, kind: 'inverse', of: OF.inverse };
+// What the two plots show, the upper one first. The curves of a plot have one scale.
+const PLOTS = {
   z: [
-    { name: { en: 'Z: curved', zh: 'Z：曲线' }, kind: 'w', scale: 'z', of: OF.z },
-    { name: { en: 'r·ZA + s·ZB: a straight line, wrong', zh: 'r·ZA + s·ZB：直线，错误' }, kind: 'naive', scale: 'z', of: OF.naiveZ },
-  ],
-  inverse: [{ name: { en: '1/Z: straight', zh: '1/Z：直线' }, kind: 'inverse', scale: 'inverse', of: OF.inverse }],
-  over: [
-    { name: { en: 'u/Z: straight', zh: 'u/Z：直线' }, kind: 'depth', scale: 'inverse', of: OF.over },
-    { name: { en: '1/Z: straight', zh: '1/Z：直线' }, kind: 'inverse', scale: 'inverse', of: OF.inverse },
+    { y: { en: 'Z, in units of length', zh: 'Z，长度单位' }, curves: [{ name: { en: 'Z: bent', zh: 'Z：弯曲' }, kind: 'w', of: OF.z }, NAIVE_Z] },
+    { y: { en: '1/Z, one over a length', zh: '1/Z，长度单位的倒数' }, curves: [INVERSE] },
   ],
   u: [
-    { name: { en: 'u = (u/Z) / (1/Z): curved', zh: 'u = (u/Z) ÷ (1/Z)：曲线' }, kind: 'w', scale: 'u', of: OF.u },
-    { name: { en: 's: u mixed on the screen, wrong', zh: 's：直接插值的 u，错误' }, kind: 'naive', scale: 'u', of: OF.naiveU },
+    {
+      y: { en: '1/Z and u/Z, one over a length', zh: '1/Z 与 u/Z，长度单位的倒数' },
+      curves: [INVERSE, { name: { en: 'u/Z: straight', zh: 'u/Z：直线' }, kind: 'depth', of: OF.over }],
+    },
+    {
+      y: { en: 'u, from 0 in A to 1 in B', zh: 'u：在 A 处为 0，在 B 处为 1' },
+      curves: [{ name: { en: 'u, the quotient of the two: bent, right', zh: 'u，上面两者之商：弯曲，正确' }, kind: 'w', of: OF.u }, NAIVE_U],
+    },
   ],
 };
-const AXES = {
-  x: { en: "place on the screen, from A' to B'", zh: '屏幕位置，从 A′ 到 B′' },
-  y: {
-    z: { en: 'Z, distance from the eye', zh: 'Z：到眼睛的距离' },
-    inverse: { en: '1/Z', zh: '1/Z' },
-    over: { en: 'u/Z and 1/Z', zh: 'u/Z 与 1/Z' },
-    u: { en: 'u, 0 in A to 1 in B', zh: 'u：在 A 处为 0，在 B 处为 1' },
-  },
-};
+const PLACE = { en: "place on the screen, from A' to B'", zh: '屏幕位置，从 A′ 到 B′' };
 
 // The edge as it is seen: stripes of equal length in space, with a value that is right and with one that is mixed on the screen.
 class Stripes {
@@ -242,44 +246,56 @@ class Stripes {
 
 // The numbers of P, a line each.
 function showLines(panel, terms) {
-  panel.replaceChildren();
-  for (const [text, term] of LINES) {
-    const row = panel.appendChild(document.createElement('div'));
-    row.className = 'line';
-    const isName = term === 'Z_P';
-    row.append(formula(text), formula(isName ? ', Z_P =' : '='), formula(term, { [term]: short(terms[term]) }));
-  }
-  const naive = panel.appendChild(document.createElement('div'));
-  naive.className = 'line naive';
-  naive.append(formula('r·Z_A + s·Z_B'), formula(`= ${short(terms.r * terms.Z_A + terms.s * terms.Z_B)}`));
+  fill(panel, () => {
+    for (const [text, term] of LINES) {
+      fill(element(panel, 'div', 'line'), (row) => {
+        formulaIn(row, text);
+        formulaIn(row, term === 'Z_P' ? ', Z_P =' : '=');
+        formulaIn(row, term, { [term]: short(terms[term]) });
+      });
+    }
+    fill(element(panel, 'div', 'line naive'), (row) => {
+      formulaIn(row, 'r·Z_A + s·Z_B');
+      write(element(row, 'span'), `= ${short(terms.r * terms.Z_A + terms.s * terms.Z_B)}`);
+    });
+  });
+  hear(panel, ['r', 's', 'a', 'b'].map((term) => `${term} ${short(terms[term])}`).join(', '));
 }
 
-function curvesOf(kind, { Z_A: zA, Z_B: zB }) {
-  const at = (i) => ({ s: (i + 0.5) / SAMPLES, r: 1 - (i + 0.5) / SAMPLES, zA, zB });
-  return CURVES[kind].map((curve) => ({
+// Curves of the weights at places between A' and B', and at both.
+function curvesOf(curves, { Z_A: zA, Z_B: zB }) {
+  const at = (s) => ({ s, r: 1 - s, zA, zB });
+  return curves.map((curve) => ({
     ...curve,
-    values: Array.from({ length: SAMPLES }, (_, i) => curve.of(at(i))),
-    ends: [curve.of(at(-0.5)), curve.of(at(SAMPLES - 0.5))],
+    values: Array.from({ length: SAMPLES }, (_, i) => curve.of(at((i + 0.5) / SAMPLES))),
+    ends: [curve.of(at(0)), curve.of(at(1))],
   }));
 }
 
 export function start(section) {
   const panel = section.querySelector('.lines');
-  let kind = 'z';
+  const legends = [...section.querySelectorAll('.legend')];
+  let shown = PLOTS.z;
   const show = () => {
     const terms = drawing.numbers();
     showLines(panel, terms);
-    const curves = curvesOf(kind, terms);
-    plot.axes = { x: AXES.x, y: AXES.y[kind], ends: ["A'", "B'"] };
-    plot.show(curves, drawing.q);
-    legend(section.querySelector('.legend'), curves);
+    shown.forEach(({ y, curves }, i) => {
+      plots[i].axes = { x: i === 1 ? PLACE : '', y, ends: ["A'", "B'"] };
+      plots[i].show(curvesOf(curves, terms), drawing.q);
+      legend(legends[i], curves);
+    });
     stripes.show(terms.Z_A, terms.Z_B, drawing.q);
   };
-  const plot = new Plot(section.querySelector('.plot-room'), { moved: (part) => drawing.slideBy(part) });
+  const rooms = [...section.querySelectorAll('.plot-room')];
+  const names = [
+    { en: 'Z, or 1/Z and u/Z, over the screen', zh: '屏幕上的 Z，或 1/Z 与 u/Z' },
+    { en: '1/Z, or u, over the screen', zh: '屏幕上的 1/Z，或 u' },
+  ];
+  const plots = rooms.map((room, i) => new Plot(room, { moved: (part) => drawing.slideBy(part), name: names[i] }));
   const stripes = new Stripes(section.querySelector('.stripes'));
   const drawing = new Drawing(section.querySelector('.plane-room'), show);
   choice(section, 'curve', (value) => {
-    kind = value;
+    shown = PLOTS[value];
     drawing.update();
   });
   section.querySelector('.on-screen').addEventListener('click', () => drawing.set(0.5));
