@@ -9,6 +9,7 @@ from selenium import webdriver
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
+import page_programs
 from page_case import PageCase
 
 
@@ -125,23 +126,26 @@ class Lessons(PageCase):
         self.assertAlmostEqual(place, self.script("return rhw.views.inverse.numbers().Z_P"), places=9)  # P lies on the edge
 
     def test_the_program_says_the_same(self):
+        """Its values are the pixel's, in three languages; and what stands there runs and gives them."""
         n = self.script("return rhw.views.pixel.numbers")
         naive = sum(n[w] * n[f"u_{i}"] for i, w in enumerate("rst"))
         right = sum(n[w] * n[f"u_{i}"] for i, w in enumerate("abc"))
-        for value, naming, comment in (("c", "A.W", "//"), ("python", "A.W", "#"), ("glsl", "W.x", "//")):
+        run = {"c": page_programs.run_c, "python": page_programs.run_python, "glsl": page_programs.check_glsl}
+        for value, naming, comment in (("c", "A->W", "//"), ("python", "A.W", "#"), ("glsl", "W_of.x", "//")):
             self.node(f"#pixel button[value='{value}']").click()
-            lines = self.script("return [...document.querySelectorAll('#pixel .code-line')].map((row) => [...row.children].map((c) => c.textContent))")
+            rows = self.script("return [...document.querySelectorAll('#pixel .code-line')].map((row) => [...row.children].map((c) => c.textContent))")
+            lines = [row for row in rows if len(row) == 2]
             self.assertEqual(len(lines), 10)
             self.assertTrue(any(naming in text for text, _ in lines))
             said = [float(behind.split()[1].replace("−", "-")) for _, behind in lines]
             self.assertTrue(all(behind.startswith(comment) for _, behind in lines))
             self.assertAlmostEqual(said[3], naive, delta=1e-4)
             self.assertAlmostEqual(said[9], right, delta=1e-4)
-            if value == "python":  # it is a program, too
-                values = {name: type(name, (), {"W": n[f"W_{i}"], "u": n[f"u_{i}"]}) for i, name in enumerate("ABC")}
-                values |= {f"e_{name}": n[f"e_{i}"] for i, name in enumerate("ABC")}
-                exec("\n".join(text for text, _ in lines), values)
-                self.assertAlmostEqual(values["u"], right, delta=1e-6)
+            gave = run[value]("\n".join(" ".join(row) for row in rows), n)
+            if gave:
+                self.assertAlmostEqual(gave[0], naive, delta=1e-6)
+                self.assertAlmostEqual(gave[1], right, delta=1e-6)
+                self.assertAlmostEqual(gave[1], n["u"], delta=1e-6)  # what the page's picture has
         webdriver.ActionChains(self.browser).move_to_element(self.node("#pixel .derivation [data-term='b']")).perform()
         self.assertGreater(self.script("return document.querySelectorAll('#pixel .code-line:has(.alike)').length"), 1)
         webdriver.ActionChains(self.browser).move_to_element(self.node("#pixel .code [data-term='s']")).perform()
