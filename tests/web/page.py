@@ -255,7 +255,10 @@ class Page(PageCase):
     # One's own model
 
     def test_a_model_is_turned_and_explained(self):
+        self.show("model")
+        self.assertIn("Drop a model here", self.node("#model .view").text)
         self.open_sample()
+        self.assertEqual(self.node("#model .view").text, "")
         self.assertIn("12", self.node("#model .info").text)  # triangles of a box
         picture = "document.querySelector('#model canvas').toDataURL()"
         remember = f"window.before = {picture}; document.querySelector('#model .view').dataset.drawn = ''"
@@ -270,11 +273,7 @@ class Page(PageCase):
         self.wait("document.querySelector('#model .explained .numbers')", 60)
         self.check_model_derivation()
         seen = self.script("return rhw.views.model.explanation.fragments.findLast((f) => f.fate === 'written' && f.instance >= 0)")
-        self.node("#model .take").click()
-        self.wait(f"Math.abs(rhw.views.weights.numbers?.W_0 - {seen['clip'][0][3]}) < 1e-5")
-        n = self.script("return rhw.views.weights.numbers")
-        for name, share in zip("rstabc", seen["screen"] + seen["space"]):
-            self.assertAlmostEqual(n[name], share, delta=0.01)  # of a pixel of another picture
+        self.check_taken(seen)
         self.script("document.getElementById('model').scrollIntoView()")
         self.drag("#model canvas", 40, 0)
         self.assertEqual(self.script("return document.querySelector('#model .explained').textContent"), "", "it was of another picture")
@@ -284,6 +283,36 @@ class Page(PageCase):
             self.node(f"#model button[value='{value}']").click()
             self.wait(f"{picture} !== before", 60)
         self.browser.save_screenshot(os.path.join(sys.argv[3], "model.png"))
+
+    def check_taken(self, seen):
+        """The triangle of the model's pixel in the other chapters, with its numbers, the way back, and the chapters' own again."""
+        uv = {name: varying["vertices"] for varying in seen["varyings"] for name in "uv" if varying["name"] == f"uv of base color {name}"}
+        for name in ["weights", "pixel", "clip", "motion", "depth"]:
+            own = self.script(f"return rhw.views.{name}.scene.corners.map((corner) => corner.at)")
+            self.script("arguments[0].click()", self.node(f"#model .takes [value='{name}']"))
+            self.wait(f"Math.abs(rhw.views.{name}.numbers?.W_0 - {seen['clip'][0][3]}) < 1e-5")
+            self.show(name)
+            n = self.script(f"return rhw.views.{name}.numbers")
+            for key, share in zip("rstabc", seen["screen"] + seen["space"]):
+                self.assertAlmostEqual(n[key], share, delta=0.02 if name == "motion" else 0.005)  # of a pixel of another picture
+            for i in range(3):
+                self.assertAlmostEqual(n[f"W_{i}"], seen["clip"][i][3], places=5)
+                self.assertAlmostEqual(n[f"u_{i}"], uv["u"][i], places=5)
+                self.assertAlmostEqual(n[f"v_{i}"], uv["v"][i], places=5)
+            self.check_native(name)
+            self.browser.save_screenshot(os.path.join(sys.argv[3], f"taken_{name}.png"))
+            self.assertEqual(self.node(f"#{name} .taken a").get_attribute("href").split("#")[1], "model")
+            self.node(f"#{name} .taken button").click()
+            self.assertEqual(self.script(f"return rhw.views.{name}.scene.corners.map((corner) => corner.at)"), own)
+            self.assertFalse(self.node(f"#{name} .taken").is_displayed())
+        self.script("arguments[0].click()", self.node("#model .takes [value='inverse']"))
+        n = self.script("return rhw.views.inverse.numbers()")
+        self.assertAlmostEqual(n["Z_A"], seen["clip"][0][3], places=5)
+        self.assertAlmostEqual(n["Z_B"], seen["clip"][1][3], places=5)
+        self.assertAlmostEqual(n["s"] / n["r"], seen["screen"][1] / seen["screen"][0], places=5)
+        self.browser.save_screenshot(os.path.join(sys.argv[3], "taken_inverse.png"))
+        self.node("#inverse .taken button").click()
+        self.assertEqual(self.script("return rhw.views.inverse.numbers().Z_B"), 7)
 
     def check_model_derivation(self):
         """The library's numbers in the page's words, in both languages, and the triangle in the picture."""

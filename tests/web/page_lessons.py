@@ -275,7 +275,7 @@ class Lessons(PageCase):
         """One of another picture, far beyond what may be dragged here, is the same when its address is opened."""
         self.show("weights")
         self.script("const v = rhw.views.weights, clips = [0, 1, 2].map((i) => ['X', 'Y', 'Z', 'W'].map((axis) => 100 * v.numbers[`${axis}_${i}`]));"
-                    "v.take(clips, v.pixel)")
+                    "v.take({ clips, space: [v.numbers.a, v.numbers.b, v.numbers.c] })")
         self.wait("rhw.views.weights.numbers?.W_0 > 100")
         n, saved = self.script("return [rhw.views.weights.numbers, Object.entries(rhw.views.weights.save())]")
         self.open(f"#weights?{'&'.join('='.join(pair) for pair in saved)}")

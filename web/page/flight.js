@@ -4,6 +4,7 @@
 // Each step between is a projective map, so lines stay lines, and the place from which one looks turns until it is the eye's.
 import { between, cutLine, cutTriangle } from './cut.js';
 import { say } from './language.js';
+import { short } from './math.js';
 import { sizeOf } from './size.js';
 import { fill } from './slots.js';
 import { drawn, points, set, svg } from './svg.js';
@@ -21,6 +22,7 @@ export class Flight {
   constructor(node, aspect) {
     this.aspect = aspect;
     this.k = 0;
+    this.unit = 1; // W of the screen
     this.root = svg(node, 'svg', { class: 'top flight', role: 'img' });
     this.rim = svg(this.root, 'polygon', { class: 'screen' });
     this.sight = [0, 1, 2, 3].map(() => svg(this.root, 'line', { class: 'sight-edge' }));
@@ -34,8 +36,9 @@ export class Flight {
   }
 
   // Where a place in clip coordinates, [X, Y, Z, W], is in the drawing after so much of the motion.
-  #at([x, y, , w]) {
-    const { k, width, height } = this;
+  #at(clip) {
+    const { k, unit, width, height } = this;
+    const [x, y, , w] = clip.map((value) => value / unit);
     const over = 1 / (1 - k + k * w);
     const [px, py, pz] = [x * this.aspect * over, y * over, w * over - mix(FAR / 2, 1, k)];
     const turn = (1 - k) ** 1.5;
@@ -45,6 +48,11 @@ export class Flight {
     const up = py * Math.cos(pitch) + away * Math.sin(pitch);
     const scale = Math.min(width / mix(FAR + 4, 2.3 * this.aspect, k), height / mix(7, 2.3, k));
     return [width / 2 + across * scale, height / 2 - (up + mix(LIFT, 0, k)) * scale];
+  }
+
+  // A place of the screen, -1..1, or where the line to it from the eye is so many times as far.
+  #onScreen(x, y, far = 1) {
+    return [x, y, 0, 1].map((value) => value * far * this.unit);
   }
 
   #line(node, from, to) {
@@ -87,8 +95,8 @@ export class Flight {
     Object.assign(this, { width, height });
     set(this.root, { viewBox: `0 0 ${width} ${height}` });
     const rim = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
-    set(this.rim, { points: points(rim.map(([x, y]) => this.#at([x, y, 0, 1]))) });
-    rim.forEach(([x, y], i) => this.#line(this.sight[i], [0, 0, 0, 0.02], [x, y, 0, 1].map((value) => value * FAR * 0.7)));
+    set(this.rim, { points: points(rim.map(([x, y]) => this.#at(this.#onScreen(x, y)))) });
+    rim.forEach(([x, y], i) => this.#line(this.sight[i], this.#onScreen(0, 0, 0.02), this.#onScreen(x, y, FAR * 0.7)));
     const [kept, gone] = cutTriangle(this.corners);
     set(this.body, { points: points(kept.map(({ clip }) => this.#at(clip))) });
     set(this.lattice, { d: this.#latticePath() });
@@ -134,7 +142,7 @@ export class Flight {
       const [x, y] = this.#at([0, 0, 0, 0]);
       drawn(this.labels, 'text', { x: x - 10, y: y + 22, class: 'caption' }, say({ en: 'eye', zh: '眼睛' }));
     }
-    const [x, y] = this.#at([1, -1, 0, 1]);
-    drawn(this.labels, 'text', { x: x + 4, y: y + 16, class: 'caption' }, say({ en: 'screen, W = 1', zh: '屏幕，W = 1' }));
+    const [x, y] = this.#at(this.#onScreen(1, -1));
+    drawn(this.labels, 'text', { x: x + 4, y: y + 16, class: 'caption' }, say({ en: `screen, W = ${short(this.unit)}`, zh: `屏幕，W = ${short(this.unit)}` }));
   }
 }

@@ -68,6 +68,13 @@ export function numbersOf(fragment) {
   return n;
 }
 
+/** [u, v] of its corners by the first texture's coordinates; undefined where it has none. */
+export function uvsOf({ varyings }) {
+  const named = (axis) => varyings?.find(({ name }) => name.startsWith('uv of ') && name.endsWith(` ${axis}`))?.vertices;
+  const [us, vs] = [named('u'), named('v')];
+  return us && vs && us.map((u, i) => [u, vs[i]]);
+}
+
 // Parts ------------------------------------------------------------------------------------------------
 
 function add(parent, tag, content = [], kind = '') {

@@ -19,6 +19,7 @@ export class TopView {
   constructor(node, view, range, planes = [SCREEN]) {
     this.view = view;
     this.range = range;
+    this.ownRange = range;
     this.root = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     this.root.classList.add('top');
     nameDrawing(this.root, { en: 'The scene from above', zh: '俯视图' });
@@ -112,6 +113,18 @@ export class TopView {
     const eye = this.#at(this.view.scene.camera.eye);
     set(this.p, { transform: `translate(${this.place})` });
     set(this.ray, { x1: eye[0], y1: eye[1], x2: this.place[0], y2: this.place[1] });
+  }
+
+  /** Shows what of the world the corners and the eye need; or, with `all` false, what it showed first. */
+  reach(all) {
+    const { camera, corners } = this.view.scene;
+    const around = (axis) => {
+      const values = [camera.eye, ...corners.map(({ at }) => at)].map((at) => at[axis]);
+      const [low, high] = [Math.min(...values), Math.max(...values)];
+      const edge = 0.08 * (high - low);
+      return [low - edge, high + edge];
+    };
+    this.range = all ? { x: around(0), z: around(2) } : this.ownRange;
   }
 
   /** After the picture changed. */

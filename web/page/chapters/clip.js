@@ -6,6 +6,7 @@ import { say } from '../language.js';
 import { formulaIn, short } from '../math.js';
 import { element, fill, write } from '../slots.js';
 import { METHOD, PATTERN } from '../stage.js';
+import { takeable } from '../taken.js';
 import { chapterTerms } from '../tips.js';
 import { TopView } from '../topview.js';
 import { within } from '../vector.js';
@@ -45,7 +46,7 @@ const BEHIND = [
 ];
 
 function showBehind(note, corners) {
-  const behind = corners.filter((corner) => corner.at[2] > -1e-9).length;
+  const behind = corners.filter((corner) => corner.at[2] > -1e-9).length; // the eye is at 0
   write(note, say(BEHIND[behind]));
 }
 
@@ -79,6 +80,12 @@ export function start(section, stage) {
   ];
   const top = new TopView(section.querySelector('.above'), view, { x: [-3.4, 3.4], z: [-5.6, 1.6] }, planes);
   chapterTerms(section, () => view.numbers && termsOf(view.numbers), [view, top]);
+  takeable(section, view, {
+    changed(taken) {
+      top.reach(taken);
+      top.planes[1].distance = scene.camera.near;
+    },
+  });
   view.pick([0.45, 0.62]);
   return view;
 }

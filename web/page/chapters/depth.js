@@ -7,6 +7,7 @@ import { formulaIn, short } from '../math.js';
 import { legend, Plot } from '../plot.js';
 import { fill, text } from '../slots.js';
 import { METHOD, PATTERN } from '../stage.js';
+import { takeable } from '../taken.js';
 import { chapterTerms } from '../tips.js';
 import { within } from '../vector.js';
 import { View } from '../view.js';
@@ -77,6 +78,7 @@ export function start(section, stage) {
     view.update();
   });
   chapterTerms(section, () => view.numbers && termsOf(view.numbers), [view]);
+  takeable(section, view, { nearer: 0.7 });
   view.pick([0.45, 0.55]);
   return view;
 }

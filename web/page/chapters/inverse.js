@@ -12,18 +12,21 @@ import { sizeOf } from '../size.js';
 import { element, fill, write } from '../slots.js';
 import { numbersIn, numbersText } from '../state.js';
 import { draggable, points, set, svg } from '../svg.js';
+import { takenNote } from '../taken.js';
 import { chapterTerms } from '../tips.js';
 import { clamp } from '../vector.js';
 
 const RANGE = { x: [-3.2, 3.2], z: [-0.3, 7.4] }; // of the drawing; the eye is at 0
 const SCREEN = 2; // its distance: 1 would be as good, and smaller
+const FARTHEST = 6.8; // an end of an edge of another picture, in the drawing
+const ASIDE = 0.44; // its ends are seen so far to the left and to the right
+const OWN = [[-2, 3], [2.7, 7]];
 
 class Drawing {
   constructor(node, changed) {
-    this.ends = [
-      [-2, 3],
-      [2.7, 7],
-    ];
+    this.ends = OWN.map((end) => [...end]);
+    this.unit = 1; // of length: what the drawing's is in the numbers
+    this.screenAt = SCREEN;
     this.q = 0.5;
     this.changed = changed;
     this.root = svg(node, 'svg', { class: 'top' });
@@ -56,7 +59,7 @@ class Drawing {
     svg(node, 'text', { x: 11, y: 5 }, name);
     const by = (dx, dy) => {
       end[0] = clamp(end[0] + dx / this.scale, -3.2, 3.2);
-      end[1] = clamp(end[1] - dy / this.scale, SCREEN + 0.2, 7.2);
+      end[1] = clamp(end[1] - dy / this.scale, 1.1 * this.screenAt, 7.2);
       this.update();
     };
     draggable(node, { move: by, step: (dx, dy) => by(4 * dx, 4 * dy) });
@@ -88,7 +91,7 @@ class Drawing {
   }
 
   #slide(dx) {
-    const [from, to] = this.ends.map(([x, z]) => (SCREEN * x) / z);
+    const [from, to] = this.ends.map(([x, z]) => (this.screenAt * x) / z);
     this.set(this.q + (Math.abs(to - from) < 0.01 ? 0 : dx / (to - from)));
   }
 
@@ -99,7 +102,7 @@ class Drawing {
 
   // Weights on the screen and in space, and Z there three ways.
   numbers() {
-    const [zA, zB] = this.ends.map(([, z]) => z);
+    const [zA, zB] = this.ends.map(([, z]) => z * this.unit);
     const [r, s] = [1 - this.q, this.q];
     const inverse = r / zA + s / zB;
     const [a, b] = [r / zA / inverse, s / zB / inverse];
@@ -128,9 +131,9 @@ class Drawing {
     const [from, to] = this.ends;
     const p = [a * from[0] + b * to[0], a * from[1] + b * to[1]];
     [from, to, p].forEach((end, i) => this.#line(this.rays[i], [0, 0], end));
-    this.#line(this.screen, [-2.4, SCREEN], [2.4, SCREEN]);
+    this.#line(this.screen, [-2.4, this.screenAt], [2.4, this.screenAt]);
     this.#line(this.edge, from, to);
-    const onScreen = ([x, z]) => [(SCREEN * x) / z, SCREEN];
+    const onScreen = ([x, z]) => [(this.screenAt * x) / z, this.screenAt];
     this.#line(this.picture, onScreen(from), onScreen(to));
     this.ends.forEach((end, i) => {
       const [left, top] = this.#at(onScreen(end));
@@ -149,16 +152,42 @@ class Drawing {
     this.changed();
   }
 
+  /** The edge AB of a triangle with these clip coordinates, and the point of it where A and B have their shares on the screen. */
+  take({ clips, screen }) {
+    const [zA, zB] = clips.map((clip) => clip[3]);
+    this.#measure(Math.max(zA, zB) / FARTHEST);
+    this.ends = [[-ASIDE, zA / this.unit], [ASIDE, zB / this.unit]].map(([x, z]) => [x * z, z]);
+    this.screenAt = Math.min(SCREEN, 0.8 * this.ends[0][1], 0.8 * this.ends[1][1]);
+    this.set(screen[1] / (screen[0] + screen[1]));
+  }
+
+  /** The edge that it had first. */
+  giveBack() {
+    this.#measure(1);
+    this.ends = OWN.map((end) => [...end]);
+    this.screenAt = SCREEN;
+    this.set(0.5);
+  }
+
+  #measure(unit) {
+    this.unit = unit;
+    this.isTaken = unit !== 1;
+  }
+
   /** {name: text} for the page's address. */
   save() {
-    return { A: numbersText(this.ends[0]), B: numbersText(this.ends[1]), q: numbersText([this.q]) };
+    const [A, B] = this.ends.map(numbersText);
+    return { A, B, q: numbersText([this.q]), ...(this.isTaken ? { taken: numbersText([this.unit, this.screenAt]) } : {}) };
   }
 
   restore(values) {
+    const [unit, screenAt] = numbersIn(values, 'taken', 2) ?? [1, SCREEN];
+    this.#measure(unit > 0 ? unit : 1);
+    this.screenAt = clamp(screenAt, 0.01, SCREEN);
     this.ends.forEach((end, i) => {
       const [x, z] = numbersIn(values, 'AB'[i], 2) ?? end;
       end[0] = clamp(x, -3.2, 3.2);
-      end[1] = clamp(z, SCREEN + 0.2, 7.2);
+      end[1] = clamp(z, 1.1 * this.screenAt, 7.2);
     });
     this.set((numbersIn(values, 'q', 1) ?? [this.q])[0]);
   }
@@ -275,9 +304,14 @@ function curvesOf(curves, { Z_A: zA, Z_B: zB }) {
 export function start(section) {
   const panel = section.querySelector('.lines');
   const legends = [...section.querySelectorAll('.legend')];
+  const note = takenNote(section, () => drawing.giveBack(), {
+    en: 'This is the edge AB of the triangle of your model.',
+    zh: '这是你的模型中那个三角形的边 AB。',
+  });
   let shown = PLOTS.z;
   const show = () => {
     const terms = drawing.numbers();
+    note.hidden = !drawing.isTaken;
     showLines(panel, terms);
     shown.forEach(({ y, curves }, i) => {
       plots[i].axes = { x: i === 1 ? PLACE : '', y, ends: ["A'", "B'"] };

@@ -11,6 +11,7 @@ import { formulaIn, short } from '../math.js';
 import { cornersOf } from '../overlay.js';
 import { element, fill, write } from '../slots.js';
 import { METHOD, PATTERN } from '../stage.js';
+import { takeable } from '../taken.js';
 import { chapterTerms } from '../tips.js';
 import { within } from '../vector.js';
 import { View } from '../view.js';
@@ -18,6 +19,7 @@ import { View } from '../view.js';
 const [COLUMNS, ROWS] = [64, 36];
 const NEAR = 1;
 const SECONDS = 4; // of the motion, played
+const FARTHEST = 6; // W that a triangle of another picture gets in the drawing
 
 // What is drawn in the pixels.
 const PICTURES = { colors: PATTERN.colors, raster: PATTERN.uvOverW, recover: PATTERN.uv };
@@ -187,6 +189,8 @@ export function start(section, stage) {
     tell(view);
   });
   const showDistance = distanceSlider(section, view, corners[0]);
+  const slider = section.querySelector('[name="distance"]');
+  const { min, max } = slider;
   const motion = new Motion(section, flight, view, () => tell(view));
   choice(section, 'picture', (value) => {
     scene.picture = value;
@@ -198,6 +202,15 @@ export function start(section, stage) {
     () => view.numbers && stepTerms(view.numbers, clipped(view.numbers), view.size),
     [view],
   );
+  takeable(section, view, {
+    nearer: 0.5,
+    changed(taken) {
+      const w = corners.map(({ at }) => -at[2]);
+      flight.unit = taken ? Number((Math.max(...w) / FARTHEST).toPrecision(2)) : 1;
+      slider.min = taken ? 0.2 * Math.min(...w) : min;
+      slider.max = taken ? 2 * Math.max(...w) : max;
+    },
+  });
   view.pick([0.43, 0.5]);
   return view;
 }

@@ -9,10 +9,10 @@ import { short } from '../math.js';
 import { cornersOf, onScreen } from '../overlay.js';
 import { sizeOf } from '../size.js';
 import { METHOD, PATTERN } from '../stage.js';
-import { numbersIn } from '../state.js';
 import { points, set, svg } from '../svg.js';
+import { takeable } from '../taken.js';
 import { chapterTerms } from '../tips.js';
-import { add, basis, dot, within } from '../vector.js';
+import { add, dot, within } from '../vector.js';
 import { View } from '../view.js';
 
 const NAMES = ['A', 'B', 'C'];
@@ -144,35 +144,6 @@ function startSteps(section) {
   show(1);
 }
 
-// Makes room for corners that are so far away.
-function takeDistances({ scene }, ws) {
-  const [near, far] = [Math.min(...ws), Math.max(...ws)];
-  const z = scene.camera.eye[2];
-  Object.assign(scene.camera, { near: near / 10, far: far * 10 });
-  scene.limit = within([-4 * far, -4 * far, z - 4 * far], [4 * far, 4 * far, z - near / 4]);
-}
-
-// A triangle of another picture, [X, Y, Z, W] of its corners, all in front of the eye, with its P at parts of that picture: moved and
-// enlarged on the screen, which no share sees, with the W that it has.
-function take(view, clips, pixel) {
-  const { camera, corners } = view.scene;
-  const places = clips.map(([x, y, , w]) => [x / w, y / w]);
-  const [low, high] = [Math.min, Math.max].map((of) => [0, 1].map((k) => of(...places.map((place) => place[k]))));
-  const middle = [0, 1].map((k) => (low[k] + high[k]) / 2);
-  const scale = 1.5 / Math.max(high[0] - low[0], high[1] - low[1], 1e-9);
-  takeDistances(view, clips.map((clip) => clip[3]));
-  const { right, up, forward } = basis(camera);
-  const tall = Math.tan((camera.yfov * Math.PI) / 360);
-  const wide = (tall * view.figure.clientWidth) / view.figure.clientHeight;
-  clips.forEach((clip, i) => {
-    const [x, y] = places[i].map((place, k) => (place - middle[k]) * scale * clip[3]);
-    corners[i].at = add(add(add(camera.eye, forward, clip[3]), right, x * wide), up, y * tall);
-  });
-  const [x, y] = [2 * pixel[0] - 1, 1 - 2 * pixel[1]].map((place, k) => (place - middle[k]) * scale);
-  view.pick([(x + 1) / 2, (1 - y) / 2]);
-  view.update();
-}
-
 export function start(section, stage) {
   const pale = [0.93, 0.92, 0.9];
   const corners = [
@@ -207,16 +178,7 @@ export function start(section, stage) {
   view.overlay.prepend(layer);
   const parts = new Parts(layer, ['r', 's', 't']);
   const straight = new StraightOn(section.querySelector('.straight'), view);
-  view.take = (clips, pixel) => take(view, clips, pixel);
-  const restore = view.restore.bind(view);
-  view.restore = (values) => {
-    const saved = ['A', 'B', 'C'].map((name) => numbersIn(values, name, 3));
-    const ws = saved.filter(Boolean).map((at) => scene.camera.eye[2] - at[2]);
-    if (ws.length === 3 && Math.min(...ws) > 0 && saved.some((at) => at.some((value, k) => scene.limit(at)[k] !== value))) {
-      takeDistances(view, ws); // a triangle that was taken from another picture
-    }
-    restore(values);
-  };
+  takeable(section, view);
   startSteps(section);
   chapterTerms(section, () => view.numbers && termsOf(view.numbers), [parts, straight]);
   view.pick([0.5, 0.5]);
