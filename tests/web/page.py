@@ -475,6 +475,31 @@ class Page(PageCase):
         levels = self.script("return [...document.querySelectorAll('h1, h2, h3, h4')].map((head) => Number(head.tagName[1]))")
         self.assertTrue(all(after <= before + 1 for before, after in zip(levels, levels[1:])), levels)
 
+        controls = ("button", "link", "slider", "heading", "image", "img", "application")
+        self.assertEqual([role for role, name in roles if role in controls and not (name or "").strip()], [], "each has a name")
+        self.assertEqual(self.script("return [...document.querySelectorAll('[data-name]')].filter((row) => row.role !== 'group' || !row.ariaLabel).length"), 0)
+        live = ("const lines = document.getElementById(arguments[0]).querySelectorAll('[aria-live], [role=status]');"
+                "return [...lines].map((line) => line.textContent).join('|')")
+        for name in [*CHAPTERS, "exercises"]:  # a picture says what changed, once it rests
+            self.show(name)
+            self.script("arguments[0].focus()", self.node(f"#{name} .view canvas"))
+            said = set()
+            for key, x in ((Keys.HOME, 0), (Keys.END, 0.999999)):
+                self.browser.switch_to.active_element.send_keys(key)
+                self.assertAlmostEqual(self.script(f"return rhw.views.{name}.pixel[0]"), x)
+                self.script(f"rhw.views.{name}.pick([{0.5 if name != 'floor' else 0.3}, {0.5 + x / 20}])")
+                self.wait(f"(() => {{ {live.replace('arguments[0]', repr(name))} }})().match(/[0-9]/)")
+                time.sleep(0.4)
+                said.add(self.script(live, name))
+            self.assertEqual(len(said), 2, name)
+
+        for mark in ("#inverse .plane-room .mark", "#inverse .plot .mark", "#inverse .plane-room .mark ~ .mark"):
+            self.script("arguments[0].focus()", self.node(mark))
+            for key, q in ((Keys.HOME, 0), (Keys.END, 1)):
+                self.browser.switch_to.active_element.send_keys(key)
+                self.assertEqual(self.script("return rhw.views.inverse.q"), q)
+                self.assertEqual(self.node(mark).get_attribute("aria-valuenow"), str(100 * q))
+
         slider = self.node("#pixel .divider")
         self.script("document.querySelector('#pixel .divider').focus()")
         for key, text in ((Keys.HOME, "left 0 % naive, right divided by w"), (Keys.END, "left 100 % naive, right divided by w"),

@@ -247,6 +247,8 @@ export function showDerivation(panel, n, pixel, size, name = 'u') {
     if (n) {
       (n.method === METHOD.world ? worldSections : weightSections)(panel, n);
       valueSection(panel, n, name, size);
+    } else if (pixel) {
+      hear(panel, say(head));
     }
   });
 }

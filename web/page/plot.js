@@ -4,7 +4,7 @@
 // explained place; where that can be dragged, a dot on each curve with its value.
 import { say } from './language.js';
 import { short } from './math.js';
-import { nameDrawing } from './naming.js';
+import { nameDrawing, percentOf } from './naming.js';
 import { sizeOf } from './size.js';
 import { element, fill, write } from './slots.js';
 import { draggable, drawn, points, set, svg } from './svg.js';
@@ -12,21 +12,23 @@ import { draggable, drawn, points, set, svg } from './svg.js';
 const [LEFT, RIGHT, TOP, BOTTOM] = [46, 14, 16, 34];
 
 export class Plot {
-  /** `moved(dx)`, if any, hears of drags of the place, as a part of the width. `axes`: {x, y}, each {en, zh}, as is `name`. */
-  constructor(node, { axes, moved, name = { en: 'Curves over the screen', zh: '屏幕上的曲线' } } = {}) {
+  /**
+   * `slides`, if any, hears of drags of the place: {by(part), to(part)}, of the width. `axes`: {x, y}, each {en, zh}, as is `name`.
+   */
+  constructor(node, { axes, slides, name = { en: 'Curves over the screen', zh: '屏幕上的曲线' } } = {}) {
     this.axes = axes;
     this.root = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     this.root.classList.add('plot');
     nameDrawing(this.root, name);
     node.append(this.root);
     this.lines = svg(this.root, 'g');
-    if (moved) {
-      this.handle = svg(this.root, 'g', { class: 'handle mark', tabindex: 0, role: 'button', 'aria-label': 'P' });
+    if (slides) {
+      this.handle = svg(this.root, 'g', { class: 'handle mark', tabindex: 0, 'aria-label': "P'", ...percentOf(0) });
       svg(this.handle, 'circle', { class: 'reach', r: 18 });
       svg(this.handle, 'circle', { r: 6 });
-      svg(this.handle, 'text', { x: 9, y: 18 }, "P'");
-      const by = (dx) => moved(dx / (sizeOf(this.root)[0] - LEFT - RIGHT));
-      draggable(this.handle, { move: by, step: (dx) => by(4 * dx) });
+      svg(this.handle, 'text', { x: 9, y: -8 }, "P'");
+      const by = (dx) => slides.by(dx / (sizeOf(this.root)[0] - LEFT - RIGHT));
+      draggable(this.handle, { move: by, step: (dx) => by(4 * dx), ends: slides.to });
     }
     new ResizeObserver(() => this.show(this.curves, this.place)).observe(node);
   }
@@ -57,7 +59,8 @@ export class Plot {
     });
     if (this.handle) {
       this.handle.toggleAttribute('hidden', place === null);
-      set(this.handle, { transform: `translate(${x(place ?? 0)},${floor})` });
+      set(this.handle, { transform: `translate(${x(place ?? 0)},${floor})`, ...percentOf(place ?? 0) });
+      set(this.handle.lastChild, { x: place > 0.85 ? -22 : 9 });
     }
   }
 

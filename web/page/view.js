@@ -166,6 +166,7 @@ export class View {
           this.update(true);
         },
         step: (dx, dy) => this.#stepPixel(dx, dy),
+        ends: (part) => this.#toEnd(part),
         scrolls: true,
       });
     } else {
@@ -178,7 +179,15 @@ export class View {
     if (step) {
       event.preventDefault();
       this.#stepPixel(...step);
+    } else if (event.key === 'Home' || event.key === 'End') {
+      event.preventDefault();
+      this.#toEnd(event.key === 'Home' ? 0 : 1);
     }
+  }
+
+  // The first pixel of the row, or the last.
+  #toEnd(part) {
+    this.pick([part, this.pixel?.[1] ?? 0.5]);
   }
 
   #stepPixel(dx, dy) {

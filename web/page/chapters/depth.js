@@ -68,7 +68,7 @@ export function start(section, stage) {
         for (const term of ['d_P', 'W_P']) {
           formulaIn(line, term);
           formulaIn(line, `= ${term}`, values);
-          text(line, ' ');
+          text(line, '\u2003');
         }
       }
     });

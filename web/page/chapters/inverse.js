@@ -6,7 +6,7 @@ import { choice } from '../controls.js';
 import { hear } from '../heard.js';
 import { whenLanguage } from '../language.js';
 import { formulaIn, short } from '../math.js';
-import { nameDrawing } from '../naming.js';
+import { nameDrawing, percentOf } from '../naming.js';
 import { legend, Plot } from '../plot.js';
 import { sizeOf } from '../size.js';
 import { element, fill, write } from '../slots.js';
@@ -19,6 +19,7 @@ import { clamp } from '../vector.js';
 const RANGE = { x: [-3.2, 3.2], z: [-0.3, 7.4] }; // of the drawing; the eye is at 0
 const SCREEN = 2; // its distance: 1 would be as good, and smaller
 const FARTHEST = 6.8; // an end of an edge of another picture, in the drawing
+const NAME = 76; // CSS pixels that the name of an end takes
 const ASIDE = 0.44; // its ends are seen so far to the left and to the right
 const OWN = [[-2, 3], [2.7, 7]];
 
@@ -42,12 +43,14 @@ class Drawing {
     draggable(this.p, {
       move: (dx, dy) => this.#slideAlong(dx / this.scale, -dy / this.scale),
       step: (dx, dy) => this.#slideAlong(dx / 20, -dy / 20),
+      ends: (part) => this.set(part),
     });
     this.shadow = this.#mark("P'", "P'");
     this.pictures = ["A'", "B'"].map((name) => svg(this.root, 'text', { class: 'caption' }, name));
     draggable(this.shadow, {
       move: (dx) => this.#slide(dx / this.scale),
       step: (dx) => this.#slide(dx / 100),
+      ends: (part) => this.set(part),
     });
     new ResizeObserver(() => this.update()).observe(node);
   }
@@ -67,7 +70,7 @@ class Drawing {
   }
 
   #mark(name, label) {
-    const node = svg(this.root, 'g', { class: 'handle mark', tabindex: 0, role: 'button', 'aria-label': label });
+    const node = svg(this.root, 'g', { class: 'handle mark', tabindex: 0, 'aria-label': label, ...percentOf(0) });
     svg(node, 'circle', { class: 'reach', r: 16 });
     svg(node, 'circle', { r: 6 });
     svg(node, 'text', { x: 10, y: 16 }, name);
@@ -120,6 +123,13 @@ class Drawing {
     set(node, { x1, y1, x2, y2 });
   }
 
+  // Where an end has its name: on its outer side, or above it where there is no room.
+  #beside(x, isLeft) {
+    const fits = isLeft ? x > NAME : x < sizeOf(this.root)[0] - NAME;
+    const away = fits ? 11 : 8;
+    return { x: isLeft ? -away : away, y: fits ? 5 : -14, 'text-anchor': isLeft === fits ? 'end' : 'start' };
+  }
+
   update() {
     const [width, height] = sizeOf(this.root);
     if (!width) {
@@ -137,7 +147,7 @@ class Drawing {
     this.#line(this.picture, onScreen(from), onScreen(to));
     this.ends.forEach((end, i) => {
       const [left, top] = this.#at(onScreen(end));
-      set(this.pictures[i], { x: left + (i === 0 ? -22 : 8), y: top + 18 });
+      set(this.pictures[i], { x: left + (i === 0 ? -22 : 8), y: top - 8 });
     });
     const middle = this.#at([(from[0] + to[0]) / 2, (from[1] + to[1]) / 2]);
     set(this.half, { cx: middle[0], cy: middle[1] });
@@ -145,10 +155,11 @@ class Drawing {
     set(this.root.querySelector('.eye'), { cx: eye[0], cy: eye[1] });
     this.ends.forEach((end, i) => {
       set(this.handles[i], { transform: `translate(${this.#at(end)})` });
+      set(this.handles[i].lastChild, this.#beside(this.#at(end)[0], end[0] < this.ends[1 - i][0]));
       write(this.handles[i].lastChild, `${'AB'[i]}, Z = ${short(Number(terms[`Z_${'AB'[i]}`].toPrecision(3)))}`);
     });
-    set(this.p, { transform: `translate(${this.#at(p)})` });
-    set(this.shadow, { transform: `translate(${this.#at(onScreen(p))})` });
+    set(this.p, { transform: `translate(${this.#at(p)})`, ...percentOf(b) });
+    set(this.shadow, { transform: `translate(${this.#at(onScreen(p))})`, ...percentOf(this.q) });
     this.changed();
   }
 
@@ -224,8 +235,8 @@ const OF = {
   u: ({ r, s, zA, zB }) => s / zB / (r / zA + s / zB),
   naiveU: ({ s }) => s,
 };
-const NAIVE_Z = { name: { en: 'r·ZA + s·ZB, mixed: a chord, wrong', zh: 'r·ZA + s·ZB，直接插值：弦，错误' }, kind: 'naive', of: OF.naiveZ };
-const NAIVE_U = { name: { en: 's, which is u mixed: a chord, wrong', zh: 's，即直接插值的 u：弦，错误' }, kind: 'naive', of: OF.naiveU };
+const NAIVE_Z = { name: { en: 'r·ZA + s·ZB: a chord, wrong', zh: 'r·ZA + s·ZB：两端的连线，错误' }, kind: 'naive', of: OF.naiveZ };
+const NAIVE_U = { name: { en: 's, u mixed: a chord, wrong', zh: 's，直接插值的 u：两端的连线，错误' }, kind: 'naive', of: OF.naiveU };
 const INVERSE = { name: { en: '1/Z: straight', zh: '1/Z：直线' }, kind: 'inverse', of: OF.inverse };
 // What the two plots show, the upper one first. The curves of a plot have one scale.
 const PLOTS = {
@@ -240,7 +251,7 @@ const PLOTS = {
     },
     {
       y: { en: 'u, from 0 in A to 1 in B', zh: 'u：在 A 处为 0，在 B 处为 1' },
-      curves: [{ name: { en: 'u, the quotient of the two: bent, right', zh: 'u，上面两者之商：弯曲，正确' }, kind: 'w', of: OF.u }, NAIVE_U],
+      curves: [{ name: { en: 'u, their quotient: bent, right', zh: 'u，上面两者之商：弯曲，正确' }, kind: 'w', of: OF.u }, NAIVE_U],
     },
   ],
 };
@@ -277,7 +288,7 @@ class Stripes {
 function showLines(panel, terms) {
   fill(panel, () => {
     for (const [text, term] of LINES) {
-      fill(element(panel, 'div', 'line'), (row) => {
+      fill(element(panel, 'div', text === term ? 'line beside' : 'line'), (row) => {
         formulaIn(row, text);
         formulaIn(row, term === 'Z_P' ? ', Z_P =' : '=');
         formulaIn(row, term, { [term]: short(terms[term]) });
@@ -325,7 +336,8 @@ export function start(section) {
     { en: 'Z, or 1/Z and u/Z, over the screen', zh: '屏幕上的 Z，或 1/Z 与 u/Z' },
     { en: '1/Z, or u, over the screen', zh: '屏幕上的 1/Z，或 u' },
   ];
-  const plots = rooms.map((room, i) => new Plot(room, { moved: (part) => drawing.slideBy(part), name: names[i] }));
+  const slides = { by: (part) => drawing.slideBy(part), to: (part) => drawing.set(part) };
+  const plots = rooms.map((room, i) => new Plot(room, { slides, name: names[i] }));
   const stripes = new Stripes(section.querySelector('.stripes'));
   const drawing = new Drawing(section.querySelector('.plane-room'), show);
   choice(section, 'curve', (value) => {

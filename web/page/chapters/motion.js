@@ -6,6 +6,7 @@ import { cutTriangle } from '../cut.js';
 import { termsOf } from '../derivation.js';
 import { Flight } from '../flight.js';
 import { nextFrame } from '../frame.js';
+import { hear } from '../heard.js';
 import { say, whenLanguage } from '../language.js';
 import { formulaIn, short } from '../math.js';
 import { cornersOf } from '../overlay.js';
@@ -39,6 +40,7 @@ const HEADS = {
   i: '[1|W]',
   q: '[u|W]',
 };
+const SPOKEN = { x: 'X/W', y: 'Y/W', column: HEADS.column, row: HEADS.row, d: 'Z/W', i: '1/W', q: 'u/W' };
 
 // The terms of every corner and of P, those of the division and of the raster among them, and of the corners that clipping
 // made: [{name, clip}..].
@@ -180,7 +182,9 @@ export function start(section, stage) {
     if (view.numbers) {
       const polygon = clipped(view.numbers);
       const step = scene.picture === 'colors' ? (motion.k < 0.5 ? 'clip' : 'divide') : 'raster';
-      showTable(table, stepTerms(view.numbers, polygon, view.size), step, polygon);
+      const terms = stepTerms(view.numbers, polygon, view.size);
+      showTable(table, terms, step, polygon);
+      hear(table, `P: ${STEPS[step].map((name) => `${say(SPOKEN[name] ?? name)} ${short(terms[`${name}_P`])}`).join(', ')}`);
     }
   };
   const view = new View(stage, section.querySelector('.view'), scene, () => {
