@@ -235,6 +235,25 @@ class Lessons(PageCase):
         self.node("#exercises li:last-child button").click()
         self.wait("!document.querySelector('#exercises li:last-child').classList.contains('done')")
 
+    def test_exercises_under_a_finger(self):
+        """On a phone corners go as far away as A in the view from above; then they are pointed at in the picture."""
+        self.size(390, 844, touch=True)
+        try:
+            self.setUp()
+            self.show("exercises")
+            self.script("document.querySelector('#exercises .above').scrollIntoView({block: 'center'})")
+            done = "[...document.querySelectorAll('#exercises li')].map((li) => li.classList.contains('done'))"
+            for name, solved in (("B", 4), ("C", 0)):
+                away = self.middle("#exercises .top .cornerA .dot")[1] - self.middle(f"#exercises .top .corner{name} .dot")[1]
+                self.swipe(f"#exercises .top .corner{name} .dot", away)
+                self.wait(f"{done}[{solved}]")
+            self.script("document.querySelector('#exercises li').scrollIntoView({block: 'end'})")
+            self.assertTrue(self.node("#exercises .result").is_displayed())
+            self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 390)
+            self.browser.save_screenshot(os.path.join(sys.argv[3], "phone_exercises_solved.png"))
+        finally:
+            self.size(1440, 900)
+
     def test_the_address_is_the_state(self):
         self.drag("#pixel .view .cornerA .dot", 40, -30)
         self.node("#pixel button[value='glsl']").click()

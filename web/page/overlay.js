@@ -26,6 +26,7 @@ export class Overlay {
     this.part = svg(root, 'polygon', { class: 'part' });
     this.ray = svg(root, 'g', { class: 'rays' });
     this.mark = svg(root, 'g', { class: 'mark' });
+    svg(this.mark, 'circle', { class: 'under', r: 5 });
     svg(this.mark, 'circle', { r: 5 });
     svg(this.mark, 'text', { x: 8, y: -8 }, 'P');
     this.place({ size: [1, 1] });

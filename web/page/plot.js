@@ -87,7 +87,7 @@ export class Plot {
     }
   }
 
-  // Draws a curve. Returns {kind, value, y} of it at the place.
+  // Draws a curve. Returns {kind, value, y, rises} of it at the place.
   #curve({ values, kind, ends = [] }, largest, x, floor) {
     const at = (value, part) => [x(part), floor - (value / largest) * (floor - TOP)];
     const list = values.map((value, i) => at(value, (i + 0.5) / values.length));
@@ -97,17 +97,17 @@ export class Plot {
     }
     drawn(this.lines, 'polyline', { class: `curve ${kind}`, points: points(list.filter(([, y]) => Number.isFinite(y))) });
     const value = valueAt(values, ends, this.place ?? 0);
-    return { kind, value, y: at(value, 0)[1] };
+    return { kind, value, y: at(value, 0)[1], rises: values.at(-1) > values[0] };
   }
 
-  // The upper one of two values stands above its dot, the other one below.
+  // The upper one of two values stands above its dot, the other one below, each on the side to which its curve leaves room.
   #dots(lines, x) {
-    const anchor = this.place > 0.85 ? 'end' : 'start';
     const highest = Math.min(...lines.map(({ y }) => y));
-    for (const { kind, value, y } of lines) {
+    for (const { kind, value, y, rises } of lines) {
+      const isLeft = this.place > 0.85 || (this.place > 0.15 && (y === highest) === rises);
+      const at = { x: x + (isLeft ? -8 : 8), y: y === highest ? Math.max(y - 7, TOP + 4) : y + 18 };
       drawn(this.lines, 'circle', { class: `on-curve ${kind}`, cx: x, cy: y, r: 5 });
-      const at = { x: x + (anchor === 'end' ? -8 : 8), y: y === highest ? Math.max(y - 7, TOP + 4) : y + 18 };
-      drawn(this.lines, 'text', { class: `value ${kind}`, ...at, 'text-anchor': anchor }, short(value));
+      drawn(this.lines, 'text', { class: `value ${kind}`, ...at, 'text-anchor': isLeft ? 'end' : 'start' }, short(value));
     }
   }
 }

@@ -32,7 +32,8 @@ class Parts {
     this.parts.forEach((part, i) => {
       const [from, to] = [corners[(i + 1) % 3], corners[(i + 2) % 3]];
       set(part, { points: points([p, from, to]) });
-      set(this.names[i], { x: (p[0] + from[0] + to[0]) / 3, y: (p[1] + from[1] + to[1]) / 3 + 6 });
+      const [x, y] = [0, 1].map((k) => 0.24 * p[k] + 0.38 * (from[k] + to[k])); // nearer to the edge than to P's name
+      set(this.names[i], { x, y: y + 6 });
       this.names[i].toggleAttribute('hidden', shares[i] < 0.04);
     });
   }
