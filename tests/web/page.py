@@ -548,6 +548,20 @@ class Page(PageCase):
 
     # Speed: printed, and not held to what a busy machine may not reach.
 
+    def test_what_the_first_picture_needs_is_fetched_at_once(self):
+        """Each module that it needs is named in the page: else one would be asked for once the one before has come."""
+        needed, waiting = set(), ["main.js", "chapters/first.js"]
+        while waiting:
+            name = waiting.pop()
+            if name not in needed:
+                needed.add(name)
+                with open(os.path.join(sys.argv[1], name)) as file:
+                    imports = re.findall(r"^import [^;]*? from '([^']+)';", file.read(), re.MULTILINE)
+                waiting += [os.path.normpath(os.path.join(os.path.dirname(name), one)) for one in imports]
+        with open(os.path.join(sys.argv[1], "index.html")) as file:
+            named = set(re.findall(r'rel="modulepreload" href="([^"]+)"', file.read()))
+        self.assertEqual(named, needed - {"main.js"})
+
     def test_speed(self):
         first = self.script("return rhw.views.pixel.drawnAt") / 1000
         frames, size = self.browser.execute_async_script("""
