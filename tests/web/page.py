@@ -519,10 +519,12 @@ class Page(PageCase):
         self.browser.execute_cdp_cmd("Performance.enable", {})
         count = lambda: {m["name"]: m["value"] for m in self.browser.execute_cdp_cmd("Performance.getMetrics", {})["metrics"]}  # noqa: E731
         before = count()
-        made, calls, frames = self.browser.execute_async_script("""
+        made, calls, writings, frames = self.browser.execute_async_script("""
             const [name, done] = arguments, view = rhw.views[name], move = view.moveCorner;
             const handle = document.querySelector(`#${name} .view .cornerA`);
-            let made = 0, calls = 0, frames = 0;
+            let made = 0, calls = 0, frames = 0, writings = 0;
+            const panel = document.querySelector(`#${name} .derivation`);
+            panel && new MutationObserver(() => writings++).observe(panel, { characterData: true, subtree: true });
             new MutationObserver((list) => list.forEach(({ addedNodes }) => (made += addedNodes.length)))
               .observe(document.body, { childList: true, subtree: true });
             view.moveCorner = (...rest) => { calls++; return move.apply(view, rest); };
@@ -531,17 +533,18 @@ class Page(PageCase):
             say('pointerdown', 300);
             const step = () => {
               for (let i = 0; i < 4; i++) say('pointermove', 300 + frames + i / 4); // a mouse may be quicker than the screen
-              frames++ < 20 ? requestAnimationFrame(step) : (say('pointerup', 320), view.moveCorner = move, done([made, calls, frames]));
+              frames++ < 20 ? requestAnimationFrame(step) : (say('pointerup', 320), view.moveCorner = move, done([made, calls, writings, frames]));
             };
             requestAnimationFrame(step);""", name)
         after = count()
         counts = {key: (after[key] - before[key]) / frames for key in ("LayoutCount", "RecalcStyleCount")}
-        return {"nodes": made / frames, "moves": calls / frames, **counts}
+        return {"nodes": made / frames, "moves": calls / frames, "writings": writings / frames, **counts}
 
     def test_a_drag_writes_little(self):
         for name in ["pixel", "weights", "triangle", "clip", "exercises"]:
             work = self.work_of_a_drag(name)
             self.assertLess(work["nodes"], 0.5, f"{name}: texts change, nodes stay: {work}")
+            self.assertLess(work["writings"], 0.6, f"{name}: numbers are written as fast as one reads: {work}")
             self.assertLess(work["moves"], 1.2, f"{name}: a frame hears of a drag once: {work}")
             self.assertLess(work["LayoutCount"], 1.6, f"{name}: the page is laid out once a frame: {work}")
             self.assertLess(work["RecalcStyleCount"], 1.6, f"{name}: {work}")

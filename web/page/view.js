@@ -14,6 +14,7 @@ import { add, basis, clamp, dot, normalize } from './vector.js';
 const MAX_PIXELS = 1280; // across
 const LAST = 0.999999; // of a picture's width or height
 const REST = 160; // ms without a change until the picture is refined
+const WORDS = 3; // pictures that move, until numbers are written again: nobody reads faster
 
 // How far the line between two ways of drawing is, for those who do not see it.
 function sliderAt(split) {
@@ -39,6 +40,7 @@ export class View {
     this.context = this.canvas.getContext('2d', { alpha: false });
     this.overlay = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     figure.prepend(this.canvas, this.overlay);
+    this.moved = 0; // pictures since it began to move
     this.pixel = null; // by parts of the picture, so that it stays where it was when the size changes
     this.#build();
     if (!scene.quiet) {
@@ -218,6 +220,11 @@ export class View {
     this.changed(this.numbers, this.place, this.size);
   }
 
+  /** Whether numbers are to be written for this picture: all that is still, and some of what moves. */
+  get writes() {
+    return !this.moving || this.moved % WORDS === 1;
+  }
+
   /** What was told, in the language of now. */
   retell() {
     if (this.clips) {
@@ -230,6 +237,7 @@ export class View {
 
   /** Something changed; `moving`: and may go on changing, so speed counts. */
   update(moving = false) {
+    this.moved = moving ? this.moved : 0;
     this.moving = moving;
     nextFrame(this.#frame);
     clearTimeout(this.timer);
@@ -258,6 +266,7 @@ export class View {
       this.canvas.width = across;
       this.canvas.height = height;
     }
+    this.moved += this.moving;
     this.#prepare();
     const image = new ImageData(this.stage.draw(), across, height);
     this.context.putImageData(image, 0, 0);

@@ -66,11 +66,13 @@ export function start(section, stage) {
   const panel = section.querySelector('.derivation');
   const [table, note] = [section.querySelector('table.clip'), section.querySelector('.behind')];
   const view = new View(stage, section.querySelector('.view'), scene, (numbers, pixel, size) => {
-    showDerivation(panel, numbers, pixel, size);
-    showBehind(note, corners);
-    table.hidden = !numbers;
-    if (numbers) {
-      showCoordinates(table, termsOf(numbers));
+    if (view.writes) {
+      showDerivation(panel, numbers, pixel, size);
+      showBehind(note, corners);
+      table.hidden = !numbers;
+      if (numbers) {
+        showCoordinates(table, termsOf(numbers));
+      }
     }
     top.update(numbers);
   });

@@ -52,8 +52,10 @@ export function start(section, stage) {
   const code = new Code(section);
   const terms = () => view.numbers && codeTerms(termsOf(view.numbers));
   const view = new View(stage, section.querySelector('.view'), scene, (numbers, pixel, size) => {
-    showDerivation(panel, numbers, pixel, size);
-    code.show(terms());
+    if (view.writes) {
+      showDerivation(panel, numbers, pixel, size);
+      code.show(terms());
+    }
     top.update(numbers);
   });
   const top = new TopView(section.querySelector('.above'), view, { x: [-2.6, 2.6], z: [-2.6, 3.1] });
