@@ -85,7 +85,8 @@ enum rhw_paths {
 ///
 /// The context reports what a shader function did when the pass ends, for the earliest draw that did it, with the draw
 /// and a pixel. It logs these as warnings: NaN in colours, writes to targets that a pipeline lacks, blend factors
-/// without blend, depth_read_only without depth_test, and a depth attachment with a texture that is not enabled.
+/// without blend, depth_read_only without depth_test, a depth attachment with a texture that is not enabled, and
+/// attributes that end behind the stride of their buffer.
 enum rhw_validation {
     RHW_VALIDATE_DEFAULT, ///< on if the file that creates the context has neither optimization nor NDEBUG
     RHW_VALIDATE_ON,
@@ -349,7 +350,9 @@ RHW_API size_t rhw_vertex_format_size(enum rhw_vertex_format format);
 struct rhw_attribute {
     enum rhw_vertex_format format;
     int buffer;      ///< index into rhw_pipeline_def.buffers
-    uint32_t offset; ///< bytes from the start of the element; no alignment is asked
+    /// Bytes from the start of the element. No alignment is asked. The attribute may end behind its element, as Vulkan
+    /// allows; a context that validates logs a warning then.
+    uint32_t offset;
 };
 
 /// A vertex layout says how the elements of a vertex buffer follow each other.
@@ -360,9 +363,11 @@ struct rhw_vertex_layout {
     bool per_instance; ///< step with the instances of a draw instead of its vertices
     /// With per_instance, the number of instances that read the same element, counted from first_instance of the draw;
     /// 0 means 1. Instance i reads element firstInstance + ⌊(i − firstInstance) / step⌋
-    /// (VK_EXT_vertex_attribute_divisor). `constant` lets all instances read one element.
+    /// (VK_EXT_vertex_attribute_divisor). It is 0 with `constant`.
     uint32_t instance_step;
-    bool constant;     ///< every vertex of every instance reads the first element; the stride is 0 then
+    /// Every vertex of every instance reads element 0, as a stride of 0 means in Vulkan; `stride` is 0 then. With
+    /// per_instance, every instance of a draw reads element first_instance, as a divisor of 0 means in Vulkan.
+    bool constant;
 };
 
 // Varyings ------------------------------------------------------------------------------------------
