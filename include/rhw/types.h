@@ -80,6 +80,7 @@ enum rhw_paths {
 /// - A shader function samples a slot that does not exist or has no texture, or a level above 0 that was never written.
 /// - A shader function samples with a reference where the sampler does not compare, or without one where it does.
 /// - A draw reaches outside of its buffers.
+/// - A pass reads memory of the program that it also writes, or writes it in two ways.
 /// - An index offset is odd.
 /// - A clear value is NaN.
 ///
