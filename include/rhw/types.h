@@ -208,7 +208,7 @@ RHW_API enum rhw_format rhw_format_decoded(enum rhw_format format);
 
 enum {
     RHW_MEMORY_ALIGNMENT = 64, ///< bytes; alignment of the memory of buffers and textures, and of rows of texels
-    RHW_MEMORY_PADDING = 64    ///< bytes behind a buffer or texture, which kernels may load as parts of vectors
+    RHW_MEMORY_PADDING = 64    ///< bytes behind a texture, which kernels may load as parts of vectors
 };
 
 struct rhw_buffer_def {
@@ -218,7 +218,7 @@ struct rhw_buffer_def {
     /// library. The program owns the memory, keeps it as long as the buffer, and may read and write it while no pass is
     /// recorded.
     void *memory;
-    /// Bytes of `memory`, at least size + RHW_MEMORY_PADDING. The library zeroes and owns what lies behind the buffer's
+    /// Bytes of `memory`, at least `size`. The library neither reads nor writes what lies behind the buffer's `size`
     /// bytes.
     size_t memory_size;
     const char *label; ///< name in messages, or NULL
