@@ -148,6 +148,15 @@ RHW_API enum rhw_result rhw_texture_read_stencil(rhw_context *context, rhw_textu
 /// RHW_ERROR_OUT_OF_MEMORY and the levels stay as they are. It is misuse for a compressed format: write its levels.
 RHW_API enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture texture);
 
+/// Tell that something else than this texture's own passes and functions has written to the program's memory that the
+/// texture stands on: to `layer_count` layers, or slices of a 3D texture, of a level, from `layer` on. A count of 0
+/// takes all from `layer` on. What another texture on the same memory writes counts too; what a view of this texture
+/// writes does not. The next pass that uses the texture sees the new texels. With rhw_texture_def.memory_is_told every
+/// write must be told before that pass; without it there is no need. It is misuse for a texture on memory of the
+/// library, and while the pass being recorded samples the texture or draws into it.
+RHW_API enum rhw_result rhw_texture_changed(rhw_context *context, rhw_texture texture, int level, int layer,
+                                            int layer_count);
+
 /// Set `position` to the place of a sample in its pixel, 0..1 from the top left (Vulkan 1.3 §27.5,
 /// standardSampleLocations). `samples` is 1, 2, 4, 8 or 16. Return false, and set the pixel's centre, for other
 /// numbers.

@@ -254,6 +254,10 @@ struct rhw_texture_def {
     /// and its views, and may read and write it while no pass is recorded.
     void *memory;
     size_t memory_size; ///< bytes of `memory`, at least the bytes of the layout
+    /// If true, the program tells by rhw_texture_changed what it writes to `memory`, and the library relies on it. If
+    /// false, every pass that uses the texture looks at all texels anew: it decodes an sRGB texture again and clears
+    /// tiles that may be clear. Without `memory` it is false.
+    bool memory_is_told;
     /// Bytes between rows, a multiple of RHW_MEMORY_ALIGNMENT, of a texture with one level. 0 means the bytes of a row,
     /// rounded up to RHW_MEMORY_ALIGNMENT.
     size_t row_pitch;
