@@ -21,7 +21,8 @@ static __attribute__((noinline)) bool note_read(struct rhw_encoder *encoder,
         return false;
     }
     encoder->out_of_memory |= !rhw_buffer_note_use(encoder->context, &encoder->pass->arena, part);
-    return rhw_memory_note_read(encoder, part->data->bytes + part->first, part->end - part->first, where);
+    return rhw_memory_note_read(&encoder->memory, part->data->bytes + part->first, part->end - part->first,
+                                where);
 }
 
 // Bind the bytes offset .. offset + size of a buffer, which draws will read. Size 0 binds all bytes up to the buffer's
@@ -58,7 +59,7 @@ static bool check_memory(struct rhw_encoder *encoder, const void *memory, size_t
 {
     return rhw_check(encoder->context, memory || size == 0, "%s: memory is NULL and size is %zu", where,
                      size) &&
-           rhw_memory_note_read(encoder, memory, size, where);
+           rhw_memory_note_read(&encoder->memory, memory, size, where);
 }
 
 // Bind memory of the program, which draws will read. Return NULL memory where the call is misuse.

@@ -6,7 +6,7 @@
 
 #include "context/context.h"
 #include "context/misuse.h"
-#include "encoder.h"
+#include "draw/recorded_pass.h"
 
 // Bytes by address.
 struct memory_part {
@@ -31,10 +31,10 @@ static bool is_in_rows(struct memory_part part, const unsigned char *rows, size_
     return is_in_row || is_in_next;
 }
 
-static bool is_in_level(const struct rhw_encoder *encoder, const struct rhw_attachment *attachment,
+static bool is_in_level(const struct rhw_used_memory *used, const struct rhw_attachment *attachment,
                         const struct rhw_mip *mip, size_t sample_stride, struct memory_part part)
 {
-    const struct rhw_target *const target = &encoder->pass->target;
+    const struct rhw_target *const target = &used->pass->target;
     const size_t row = (size_t)target->width * attachment->texel_size;
     const int samples = sample_stride != 0 ? target->pattern->count : 1;
     for (int i = 0; mip && i < samples * target->layers; i++) {
@@ -47,25 +47,25 @@ static bool is_in_level(const struct rhw_encoder *encoder, const struct rhw_atta
     return false;
 }
 
-static bool is_in_attachment(const struct rhw_encoder *encoder, const struct rhw_attachment *attachment,
+static bool is_in_attachment(const struct rhw_used_memory *used, const struct rhw_attachment *attachment,
                              struct memory_part part)
 {
     return (!attachment->is_read_only &&
-            is_in_level(encoder, attachment, attachment->target, attachment->sample_stride, part)) ||
-           (attachment->resolves && is_in_level(encoder, attachment, attachment->resolve, 0, part));
+            is_in_level(used, attachment, attachment->target, attachment->sample_stride, part)) ||
+           (attachment->resolves && is_in_level(used, attachment, attachment->resolve, 0, part));
 }
 
 // Return what the pass draws into the part, for messages. Return NULL if it draws into none of it.
-static const char *attachment_of(const struct rhw_encoder *encoder, struct memory_part part)
+static const char *attachment_of(const struct rhw_used_memory *used, struct memory_part part)
 {
-    const struct rhw_target *const target = &encoder->pass->target;
+    const struct rhw_target *const target = &used->pass->target;
     for (int i = 0; i < target->color_count; i++) {
-        if (is_in_attachment(encoder, &target->colors[i], part)) {
+        if (is_in_attachment(used, &target->colors[i], part)) {
             return "a colour attachment";
         }
     }
-    const bool is_depth = (target->has_depth && is_in_attachment(encoder, &target->depth, part)) ||
-                          (target->has_stencil && is_in_attachment(encoder, &target->stencil, part));
+    const bool is_depth = (target->has_depth && is_in_attachment(used, &target->depth, part)) ||
+                          (target->has_stencil && is_in_attachment(used, &target->stencil, part));
     return is_depth ? "the depth attachment" : NULL;
 }
 
@@ -76,11 +76,10 @@ static bool is_in_set(const struct rhw_range_set *set, struct memory_part part)
 
 // Return what the pass writes in the part, for messages, and what it reads there if `asks_read`. Storage is left out
 // unless `asks_stored`. Return NULL if there is nothing.
-static const char *user_of(const struct rhw_encoder *encoder, struct memory_part part, bool asks_read,
+static const char *user_of(const struct rhw_used_memory *used, struct memory_part part, bool asks_read,
                            bool asks_stored)
 {
-    const struct rhw_used_memory *const used = &encoder->memory;
-    const char *const attachment = attachment_of(encoder, part);
+    const char *const attachment = attachment_of(used, part);
     return attachment                                      ? attachment
            : is_in_set(&used->captured, part)              ? "transform feedback"
            : asks_stored && is_in_set(&used->stored, part) ? "storage that shader functions write"
@@ -89,50 +88,48 @@ static const char *user_of(const struct rhw_encoder *encoder, struct memory_part
 }
 
 // Report a part that the pass has another use for. Return false then.
-static bool check(const struct rhw_encoder *encoder, struct memory_part part, const char *user,
+static bool check(const struct rhw_used_memory *used, struct memory_part part, const char *user,
                   const char *where)
 {
     return rhw_check(
-        encoder->context, user == NULL,
+        used->context, user == NULL,
         "%s: %zu bytes at %p share some with %s of this pass; they must lie apart until the pass "
         "ends",
         where, (size_t)(part.end - part.first), (const void *)part.first, user);
 }
 
-static bool is_noted(const struct rhw_encoder *encoder, size_t size)
+static bool is_noted(const struct rhw_used_memory *used, size_t size)
 {
-    return encoder->context->validation && size != 0;
+    return used->context->validation && size != 0;
 }
 
-bool rhw_memory_note_read(struct rhw_encoder *encoder, const void *bytes, size_t size, const char *where)
+bool rhw_memory_note_read(struct rhw_used_memory *used, const void *bytes, size_t size, const char *where)
 {
-    if (!is_noted(encoder, size)) {
+    if (!is_noted(used, size)) {
         return true;
     }
     const struct memory_part part = part_of(bytes, size);
-    if (!check(encoder, part, user_of(encoder, part, false, true), where)) {
+    if (!check(used, part, user_of(used, part, false, true), where)) {
         return false;
     }
-    encoder->out_of_memory |=
-        !rhw_range_set_unite(&encoder->memory.read, &encoder->pass->arena, part.first, part.end);
+    *used->out_of_memory |= !rhw_range_set_unite(&used->read, &used->pass->arena, part.first, part.end);
     return true;
 }
 
-bool rhw_memory_note_stored(struct rhw_encoder *encoder, const void *bytes, size_t size, const char *where)
+bool rhw_memory_note_stored(struct rhw_used_memory *used, const void *bytes, size_t size, const char *where)
 {
-    if (!is_noted(encoder, size)) {
+    if (!is_noted(used, size)) {
         return true;
     }
     const struct memory_part part = part_of(bytes, size);
-    if (!check(encoder, part, user_of(encoder, part, true, false), where)) {
+    if (!check(used, part, user_of(used, part, true, false), where)) {
         return false;
     }
-    encoder->out_of_memory |=
-        !rhw_range_set_unite(&encoder->memory.stored, &encoder->pass->arena, part.first, part.end);
+    *used->out_of_memory |= !rhw_range_set_unite(&used->stored, &used->pass->arena, part.first, part.end);
     return true;
 }
 
-bool rhw_memory_note_stored_level(struct rhw_encoder *encoder, const struct rhw_mip *mip, size_t texel_size,
+bool rhw_memory_note_stored_level(struct rhw_used_memory *used, const struct rhw_mip *mip, size_t texel_size,
                                   const char *where)
 {
     const size_t row = (size_t)mip->width * texel_size;
@@ -144,23 +141,23 @@ bool rhw_memory_note_stored_level(struct rhw_encoder *encoder, const struct rhw_
         const unsigned char *const bytes =
             rhw_mip_slice(mip, i / parts) + (size_t)(i % parts) * mip->row_pitch;
         const size_t size = is_dense ? (size_t)(mip->height - 1) * mip->row_pitch + row : row;
-        is_apart = rhw_memory_note_stored(encoder, bytes, size, where);
+        is_apart = rhw_memory_note_stored(used, bytes, size, where);
     }
     return is_apart;
 }
 
-bool rhw_memory_note_captured(struct rhw_encoder *encoder, const void *bytes, size_t size, const char *where,
+bool rhw_memory_note_captured(struct rhw_used_memory *used, const void *bytes, size_t size, const char *where,
                               struct rhw_range **range)
 {
     *range = NULL;
-    if (!is_noted(encoder, size)) {
+    if (!is_noted(used, size)) {
         return true;
     }
     const struct memory_part part = part_of(bytes, size);
-    if (!check(encoder, part, user_of(encoder, part, true, true), where)) {
+    if (!check(used, part, user_of(used, part, true, true), where)) {
         return false;
     }
-    *range = rhw_range_set_add(&encoder->memory.captured, &encoder->pass->arena, part.first, part.end);
-    encoder->out_of_memory |= *range == NULL;
+    *range = rhw_range_set_add(&used->captured, &used->pass->arena, part.first, part.end);
+    *used->out_of_memory |= *range == NULL;
     return true;
 }

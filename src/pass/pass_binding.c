@@ -122,8 +122,8 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
 static bool note_memory(struct rhw_encoder *encoder, const void *bytes, size_t size, bool is_read_only,
                         const char *where)
 {
-    return is_read_only ? rhw_memory_note_read(encoder, bytes, size, where)
-                        : rhw_memory_note_stored(encoder, bytes, size, where);
+    return is_read_only ? rhw_memory_note_read(&encoder->memory, bytes, size, where)
+                        : rhw_memory_note_stored(&encoder->memory, bytes, size, where);
 }
 
 // Bind bytes of a live buffer that shader functions read, and write unless `is_read_only`. Return false where it is
@@ -264,7 +264,8 @@ static bool note_written(struct rhw_encoder *encoder, struct rhw_texture_data *t
                          const char *where)
 {
     if (!is_stored(encoder, texture, level)) {
-        if (!rhw_memory_note_stored_level(encoder, &texture->mip[level], texture->info->size, where)) {
+        if (!rhw_memory_note_stored_level(&encoder->memory, &texture->mip[level], texture->info->size,
+                                          where)) {
             return false;
         }
         encoder->out_of_memory |= !rhw_pass_note_stored(encoder, texture, level);

@@ -104,8 +104,8 @@ static bool find_places(struct rhw_encoder *encoder, const struct rhw_feedback_t
         struct rhw_feedback_place *const place = &places[i];
         if (written >> i & 1 &&
             (!find_place(encoder, targets, i, parts, place) ||
-             !rhw_memory_note_captured(encoder, place->bytes + place->first, place->end - place->first,
-                                       begin_name, &place->memory_range))) {
+             !rhw_memory_note_captured(&encoder->memory, place->bytes + place->first,
+                                       place->end - place->first, begin_name, &place->memory_range))) {
             forget(encoder, places);
             return false;
         }
