@@ -289,6 +289,7 @@ class Page(PageCase):
         uv = {name: varying["vertices"] for varying in seen["varyings"] for name in "uv" if varying["name"] == f"uv of base color {name}"}
         for name in ["weights", "pixel", "clip", "motion", "depth"]:
             own = self.script(f"return rhw.views.{name}.scene.corners.map((corner) => corner.at)")
+            self.script(f"rhw.views.{name}.figure.dataset.drawn = ''")
             self.script("arguments[0].click()", self.node(f"#model .takes [value='{name}']"))
             self.wait(f"Math.abs(rhw.views.{name}.numbers?.W_0 - {seen['clip'][0][3]}) < 1e-5")
             self.show(name)

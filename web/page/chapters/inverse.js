@@ -123,11 +123,11 @@ class Drawing {
     set(node, { x1, y1, x2, y2 });
   }
 
-  // Where an end has its name: on its outer side, or above it where there is no room.
-  #beside(x, isLeft) {
+  // Where an end has its name: on its outer side, or where there is no room below the nearer one and above the other.
+  #beside(x, isLeft, isNear) {
     const fits = isLeft ? x > NAME : x < sizeOf(this.root)[0] - NAME;
     const away = fits ? 11 : 8;
-    return { x: isLeft ? -away : away, y: fits ? 5 : -14, 'text-anchor': isLeft === fits ? 'end' : 'start' };
+    return { x: isLeft ? -away : away, y: fits ? 5 : isNear ? 24 : -14, 'text-anchor': isLeft === fits ? 'end' : 'start' };
   }
 
   update() {
@@ -155,7 +155,7 @@ class Drawing {
     set(this.root.querySelector('.eye'), { cx: eye[0], cy: eye[1] });
     this.ends.forEach((end, i) => {
       set(this.handles[i], { transform: `translate(${this.#at(end)})` });
-      set(this.handles[i].lastChild, this.#beside(this.#at(end)[0], end[0] < this.ends[1 - i][0]));
+      set(this.handles[i].lastChild, this.#beside(this.#at(end)[0], end[0] < this.ends[1 - i][0], end[1] < this.ends[1 - i][1]));
       write(this.handles[i].lastChild, `${'AB'[i]}, Z = ${short(Number(terms[`Z_${'AB'[i]}`].toPrecision(3)))}`);
     });
     set(this.p, { transform: `translate(${this.#at(p)})`, ...percentOf(b) });
