@@ -113,7 +113,8 @@ static void test_polygons(void **state)
             const float *a = points[i], *b = points[(i + 1) % count];
             whole += 0.5 * ((double)a[0] * (double)b[1] - (double)a[1] * (double)b[0]);
         }
-        scene_import_triangulate((const float(*)[3])points, corners, count, triangles);
+        const struct scene_mesh mesh = {.positions = points};
+        scene_import_triangulate(&mesh, corners, count, triangles);
         for (uint32_t i = 0; i < count - 2; i++) {
             const double area = area_of((const float(*)[3])points, triangles + 3 * i);
             assert_true(area > -1e-9);
