@@ -86,9 +86,8 @@ static void read_mesh(struct scene_import *import, const struct scene_array_mesh
     mesh->uvs[0] = copy(import, from->uvs, mesh->vertex_count, sizeof *from->uvs);
     mesh->colors = copy(import, from->colors, mesh->vertex_count, sizeof *from->colors);
     read_indices(import, from, mesh);
-    scene_import_settle_mesh(import, mesh,
-                             copy(import, from->positions, mesh->vertex_count, sizeof *from->positions),
-                             origin);
+    scene_import_settle_mesh(
+        import, mesh, copy(import, from->positions, mesh->vertex_count, sizeof *from->positions), origin);
     scene_import_place_mesh(import, origin);
     scene_import_complete_mesh(import, import->model.mesh_count - 1,
                                from->shading == SCENE_ARRAYS_FLAT ? SCENE_IMPORT_FLAT : SCENE_IMPORT_SMOOTH,

@@ -34,7 +34,7 @@ struct obj {
     struct scene_import *import;
     struct scene_text text;
     double (*read_positions)[3]; // until all are read, or where parts are far from each other until the end
-    double origin[3]; // what was subtracted from the positions
+    double origin[3];            // what was subtracted from the positions
     float (*positions)[3], (*colors)[4], (*uvs)[2], (*normals)[3];
     size_t position_count, position_capacity, color_capacity, painted_count, uv_count, uv_capacity,
         normal_count, normal_capacity;

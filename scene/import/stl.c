@@ -86,8 +86,8 @@ static void complete_normals(struct scene_mesh *mesh)
         double corners[3][3];
         for (uint32_t k = 0; k < 9; k++) {
             const uint32_t vertex = i + k / 3;
-            corners[k / 3][k % 3] = mesh->exact != NULL ? mesh->exact[vertex][k % 3]
-                                                        : (double)mesh->positions[vertex][k % 3];
+            corners[k / 3][k % 3] =
+                mesh->exact != NULL ? mesh->exact[vertex][k % 3] : (double)mesh->positions[vertex][k % 3];
         }
         const bool is_sure = find_normal((const double(*)[3])corners, plane);
         if (!is_normal(mesh->normals[i]) || (is_sure && leans(mesh->normals[i], plane))) {

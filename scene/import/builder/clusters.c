@@ -185,8 +185,10 @@ static bool divide_sets(struct search *search)
 struct scene_import_elements scene_import_elements_of(const struct scene_mesh *mesh)
 {
     const uint32_t each = scene_mesh_corners(mesh);
-    return (struct scene_import_elements){
-        .corners = mesh->indices, .count = mesh->index_count / each, .stride = sizeof(uint32_t), .each = each};
+    return (struct scene_import_elements){.corners = mesh->indices,
+                                          .count = mesh->index_count / each,
+                                          .stride = sizeof(uint32_t),
+                                          .each = each};
 }
 
 // Return the corner that is so many corners behind one.

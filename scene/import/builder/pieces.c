@@ -43,6 +43,43 @@ void scene_import_settle_mesh(struct scene_import *import, struct scene_mesh *me
     mesh->positions = scene_import_settle(import, points, mesh->vertex_count, origin);
 }
 
+float (*scene_import_settle_clusters(struct scene_import *import, double (*points)[3], size_t count,
+                                     const struct scene_import_clusters *clusters, double (*origins)[3]))[3]
+{
+    if (clusters->of_point == NULL) {
+        return scene_import_settle(import, points, count, origins[0]);
+    }
+    size_t ends[SCENE_IMPORT_CLUSTERS + 1] = {0};
+    for (size_t i = 0; i < count; i++) {
+        ends[clusters->of_point[i] + 1]++;
+    }
+    for (uint32_t c = 0; c < clusters->count; c++) {
+        ends[c + 1] += ends[c];
+    }
+    double(*const sorted)[3] = scene_import_allocate(import, count, sizeof *sorted);
+    size_t next[SCENE_IMPORT_CLUSTERS];
+    memcpy(next, ends, sizeof next);
+    for (size_t i = 0; i < count; i++) {
+        memcpy(sorted[next[clusters->of_point[i]]++], points[i], sizeof *sorted);
+    }
+    for (uint32_t c = 0; c < clusters->count; c++) {
+        const struct scene_import_spread spread =
+            scene_import_spread_find(import, (const double(*)[3])sorted + ends[c], ends[c + 1] - ends[c]);
+        for (int k = 0; k < 3; k++) {
+            origins[c][k] = spread.is_far ? spread.middle[k] : 0;
+        }
+    }
+    free(sorted);
+    float(*const floats)[3] = scene_import_allocate(import, count, sizeof *floats);
+    for (size_t i = 0; i < count; i++) {
+        for (int k = 0; k < 3; k++) {
+            floats[i][k] = (float)(points[i][k] - origins[clusters->of_point[i]][k]);
+        }
+    }
+    free(points);
+    return floats;
+}
+
 // Cutting -------------------------------------------------------------------------------------------
 
 // A mesh that is cut. Its vertices and its primitives are sorted by their clusters. Those of cluster c are from place
@@ -156,10 +193,10 @@ static struct scene_mesh take_piece(struct scene_import *import, const struct wh
 // Free what the pieces have copies of.
 static void free_whole(struct whole *whole)
 {
-    void *const arrays[] = {whole->mesh.indices,     whole->mesh.positions,   whole->mesh.normals,
-                            whole->mesh.tangents,    whole->mesh.colors,      whole->mesh.exact,
-                            whole->clusters.of_point, whole->vertices,        whole->primitives,
-                            whole->vertex_starts,    whole->primitive_starts, whole->places};
+    void *const arrays[] = {whole->mesh.indices,      whole->mesh.positions,   whole->mesh.normals,
+                            whole->mesh.tangents,     whole->mesh.colors,      whole->mesh.exact,
+                            whole->clusters.of_point, whole->vertices,         whole->primitives,
+                            whole->vertex_starts,     whole->primitive_starts, whole->places};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
         free(arrays[i]);
     }
@@ -232,7 +269,8 @@ void scene_import_cut_floats(struct scene_import *import, uint32_t index)
 // Places --------------------------------------------------------------------------------------------
 
 // Put a mesh of the model where another one stands, in the first `count` of the instances.
-static void place_beside(struct scene_import *import, uint32_t mesh, const uint32_t *instances, uint32_t count)
+static void place_beside(struct scene_import *import, uint32_t mesh, const uint32_t *instances,
+                         uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
         struct scene_instance *const added = scene_import_add_instance(import);

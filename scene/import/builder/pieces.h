@@ -22,6 +22,9 @@ typedef void scene_import_piece_work(struct scene_import *import, struct scene_m
 /// parts far from each other. Its indices are there.
 void scene_import_settle_mesh(struct scene_import *import, struct scene_mesh *mesh, double (*points)[3],
                               double origin[3]);
+/// Make floats of points, which are freed. Those of each cluster count from an origin of their own.
+float (*scene_import_settle_clusters(struct scene_import *import, double (*points)[3], size_t count,
+                                     const struct scene_import_clusters *clusters, double (*origins)[3]))[3];
 /// Keep a copy of `points` in mesh->exact if they may stand in parts far from each other.
 void scene_import_keep_exact(struct scene_import *import, struct scene_mesh *mesh, const double (*points)[3]);
 /// Forget what was kept if no parts are far from each other, by the elements of all meshes that the vertices are for.

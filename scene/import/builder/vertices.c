@@ -7,8 +7,8 @@
 
 static const uint32_t none = UINT32_MAX;
 
-static void *copy_vertices(struct scene_import *import, const void *array, size_t size, const uint32_t *source,
-                           uint32_t count)
+static void *copy_vertices(struct scene_import *import, const void *array, size_t size,
+                           const uint32_t *source, uint32_t count)
 {
     if (array == NULL) {
         return NULL;
