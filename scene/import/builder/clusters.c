@@ -242,6 +242,7 @@ static void join(struct search *search, uint32_t a, uint32_t b)
     const uint32_t one = root_of(search, a), other = root_of(search, b);
     if (one != other) {
         scene_box_extend(&search->sets[one].box, &search->sets[other].box);
+        search->sets[one].is_used = search->sets[one].is_used || search->sets[other].is_used;
         search->sets[other].parent = (uint8_t)one;
     }
 }
@@ -349,14 +350,22 @@ static uint32_t count_sized(const struct search *search)
     return count;
 }
 
-// Number the clusters in the order of their sets, and give each point the number of its cluster.
-static uint32_t number_clusters(struct search *search)
+// Number the clusters in the order of their first elements, and give each point the number of its cluster.
+static uint32_t number_clusters(struct search *search, const struct scene_import_elements *lists,
+                                size_t list_count)
 {
     uint8_t numbers[MOST] = {0};
     uint32_t count = 0;
-    for (uint32_t i = 0; i < search->count; i++) {
-        if (is_cluster(search, i)) {
-            numbers[i] = (uint8_t)count++;
+    for (size_t i = 0; i < list_count; i++) {
+        const char *first = lists[i].corners;
+        for (size_t k = 0; k < lists[i].count; first = behind(&lists[i], first, k++)) {
+            const uint32_t root = size_of(&lists[i], k) > 0
+                                      ? root_of(search, search->of_point[corner_at(&lists[i], first, 0)])
+                                      : MOST;
+            if (root < MOST && search->sets[root].is_used) {
+                numbers[root] = (uint8_t)count++;
+                search->sets[root].is_used = false;
+            }
         }
     }
     for (size_t i = 0; i < search->points->count; i++) {
@@ -401,7 +410,7 @@ struct scene_import_clusters scene_import_clusters_find(struct scene_import *imp
     }
     struct scene_import_clusters clusters = one;
     if (count_sized(search) > 1) {
-        clusters.count = number_clusters(search);
+        clusters.count = number_clusters(search, lists, list_count);
         clusters.of_point = search->of_point;
     } else {
         free(search->of_point);

@@ -26,7 +26,8 @@ struct scene_import_elements {
 };
 
 struct scene_import_clusters {
-    uint32_t count;    ///< 1 if nothing is far from the rest
+    /// 1 if nothing is far from the rest. The clusters are numbered in the order of their first elements.
+    uint32_t count;
     uint8_t *of_point; ///< number of each point's cluster, to be freed; NULL if there is one cluster
 };
 

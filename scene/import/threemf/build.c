@@ -21,7 +21,7 @@ struct patch {
 struct patches {
     struct patch *items;
     size_t count, capacity;
-    uint32_t cluster; // that of the triangle that is being added
+    uint32_t cluster; // cluster of the triangle that is being added
 };
 
 static struct patch *find_patch(struct scene_import *import, struct patches *patches, uint32_t material)

@@ -97,7 +97,7 @@ struct scene_3mf_object {
     const char *name;
     double (*read_positions)[3]; ///< until the object is made
     float (*positions)[3];
-    struct scene_import_clusters clusters; ///< of its vertices
+    struct scene_import_clusters clusters; ///< clusters of the vertices
     double (*origins)[3];                  ///< what was subtracted from the positions of each cluster
     size_t position_count, position_capacity;
     struct scene_3mf_triangle *triangles;
