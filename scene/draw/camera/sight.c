@@ -47,6 +47,7 @@ static double seen_share(const struct scene_model *model, const struct scene_cam
         for (int k = 0; k < 16; k++) {
             world[k] = (double)instance->world[k];
         }
+        scene_exact_place(instance->world + 12, instance->place, world + 12);
         scene_matrix_multiply(both, world, matrix);
         for (uint32_t v = 0; v < mesh->vertex_count; v++) {
             seen += is_seen(matrix, mesh->positions[v]);

@@ -307,7 +307,7 @@ void scene_import_run(struct scene_import *import)
     }
     if (import->up_is_open) {
         const enum scene_axis usual = model->up;
-        model->up = scene_model_guess_up(model, usual, import->up_is_agreed);
+        model->up = scene_model_guess_up(import, usual);
         model->up_guessed = model->up != usual;
     }
     scene_import_dress_points(import);
