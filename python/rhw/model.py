@@ -176,9 +176,10 @@ class Model:
     double_sided: its back is seen too. unlit: shows its colours as they are.
     up: what is up in the world, 'y', 'z', ...
 
-    Triangle k of `faces` is k + 1 in the output `triangle`. Arrays are copied. A Model may be drawn by several
-    threads at once: each draws it in its own context. A pickle of it has all of it, for processes of the same version of
-    rhw; read no pickle from elsewhere.
+    Triangle k of `faces` is k + 1 in the output `triangle`. Parts that are far from each other, over a thousand times their
+    size, become a node and a mesh each, and count their triangles one after the other. Arrays are copied. A Model may be drawn
+    by several threads at once: each draws it in its own context. A pickle of it has all of it, for processes of the same
+    version of rhw; read no pickle from elsewhere.
 
     Attributes, all read-only: meshes, materials, images, nodes, cameras, lights, animations (tuples); variants,
     warnings, unsupported (tuples of str); path, format, unit, up (str); bounds ((2, 3) float32, least and most in the

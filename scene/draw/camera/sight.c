@@ -4,9 +4,9 @@
 #include "coverage.h"
 #include "subject.h"
 
-// The model may cover so many times fewer pixels than it covers when it is fitted. In a thumbnail of 128 pixels, it is then
-// as large as an icon of 32. Cameras that were made for their model show more of it, and Blender's factory camera, which
-// stands in the files of small parts, mostly less.
+// The model may cover so many times fewer pixels than it covers when it is fitted. In a thumbnail of 128 pixels, it is
+// then as large as an icon of 32. Cameras that were made for their model show more of it, and Blender's factory camera,
+// which stands in the files of small parts, mostly less.
 static const uint32_t largest_ratio = 16;
 
 static bool is_inside(const struct scene_model *model, const struct scene_camera *camera)

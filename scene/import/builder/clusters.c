@@ -13,12 +13,12 @@
 // Clusters are apart by more than FAR times the size of the larger one.
 enum { FAR = SCENE_REMOTE / 4, BINS = FAR, WORDS = BINS / 64, MOST = SCENE_IMPORT_CLUSTERS };
 
-static const double huge = 1e150; // so that no square and no sum of what is below leaves the range of doubles
+static const double huge = 1e150; // Numbers below have sums and squares within the range of doubles.
 
 // Points that belong together as far as is known.
 struct set {
     struct scene_box box;
-    uint64_t bins[WORDS]; // which have points
+    uint64_t bins[WORDS]; // a bit is set for each bin that has points
     int axis;
     double scale;         // bins for a unit
     bool is_whole;        // it is not divided any more

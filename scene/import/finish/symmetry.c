@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The vertices are sorted into cells, a hundred along the longest side. The mirror image of a vertex is there if its cell
-// or one beside it has a vertex.
+// The vertices are sorted into cells, a hundred along the longest side. The mirror image of a vertex is there if its
+// cell or one beside it has a vertex.
 #include "symmetry.h"
 
 #include <math.h>
@@ -19,7 +19,7 @@ struct cells {
 
 static uint32_t number_of(const int cell[3])
 {
-    const int side = CELLS + 4; // those beside the outermost cells have numbers too
+    const int side = CELLS + 4; // The cells beside the outermost ones have numbers too.
     return 1 + (uint32_t)((cell[0] + 2) * side * side + (cell[1] + 2) * side + cell[2] + 2);
 }
 
