@@ -299,15 +299,24 @@ static bool has_size(const struct search *search, uint32_t set)
     return scene_box_longest(&search->sets[set].box) > 0;
 }
 
+// Join what is near a set. Return false if nothing is.
+static bool join_near_to(struct search *search, uint32_t set)
+{
+    bool joined = false;
+    for (uint32_t i = 0; i < search->count; i++) {
+        if (i != set && is_cluster(search, i) && is_near(&search->sets[set].box, &search->sets[i].box)) {
+            join(search, set, i);
+            joined = true;
+        }
+    }
+    return joined;
+}
+
 static void join_near(struct search *search)
 {
-    for (uint32_t i = 0; i < search->count; i++) {
-        for (uint32_t k = i + 1; k < search->count && is_cluster(search, i); k++) {
-            if (is_cluster(search, k) && is_near(&search->sets[i].box, &search->sets[k].box)) {
-                join(search, i, k);
-                k = i; // it has grown, so that what was far may be near
-            }
-        }
+    for (uint32_t i = 0; i < search->count;) {
+        // A set that has grown may be near others that were far.
+        i = is_cluster(search, i) && join_near_to(search, i) ? 0 : i + 1;
     }
 }
 
