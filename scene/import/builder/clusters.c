@@ -322,7 +322,7 @@ static void join_near(struct search *search)
 
 static uint32_t nearest(const struct search *search, uint32_t set)
 {
-    double least = INFINITY;
+    double least = (double)INFINITY;
     uint32_t found = set;
     for (uint32_t i = 0; i < search->count; i++) {
         const double apart = distance(&search->sets[set].box, &search->sets[i].box);

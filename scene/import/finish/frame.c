@@ -72,8 +72,8 @@ static void visit_instance(struct search *search, const struct scene_instance *i
     }
 }
 
-// Return the axis in which an instance is thin, as a ground or a sheet is. Return −1 if there is none. What is thin in two
-// axes, as a pole is, or a row of small things, is not flat.
+// Return the axis in which an instance is thin, as a ground or a sheet is. Return −1 if there is none. What is thin in
+// two axes, as a pole is, or a row of small things, is not flat.
 static int flat_axis(const struct scene_model *model, uint32_t instance, struct scene_box *box)
 {
     const int axis = scene_subject_thin_axis(model, instance, box);
