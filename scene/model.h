@@ -38,6 +38,9 @@ struct scene_mesh {
     /// The radius of the disc that a point is drawn as, in the units of the positions. It is 0 where single points are
     /// drawn, a few pixels wide.
     float point_radius;
+    /// The positions in double while a model is read, where they stand in parts far from each other (import/builder/
+    /// pieces.h). NULL in a whole model.
+    double (*exact)[3];
 };
 
 /// Return how many indices a primitive of the mesh has.

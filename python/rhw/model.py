@@ -73,8 +73,8 @@ class Image:
 @dataclass(frozen=True)
 class Node:
     """A mesh in the world. `object` is the number that the output `object` shows; a node whose mesh has several
-    materials is here several times with the same one. world: (4, 4) float32 for column vectors; float64 of a model far from the
-    origin (Model.origin)."""
+    materials is here several times with the same one. world: (4, 4) float32 for column vectors; float64 of a model that is far from the
+    origin (Model.origin) or has parts far from each other."""
 
     name: str
     mesh: int
@@ -144,12 +144,13 @@ def _light(about: Dict[str, Any], origin: Place) -> Light:
 
 
 def _placed(about: Dict[str, Any], origin: Place) -> Dict[str, Any]:
-    world = np.asarray(about["world"]).T
-    if any(origin):
+    """With the matrix of a node or a camera in the coordinates of the file. `place`, unless 0, is what floats lose of its last column."""
+    world, place = np.asarray(about["world"]).T, about["place"]
+    if any(origin) or any(place):
         world = world.astype(np.float64)
-        world[:3, 3] += origin
+        world[:3, 3] = np.add(place if any(place) else world[:3, 3], origin)
         world.flags.writeable = False
-    return {**about, "world": world}
+    return {**{key: each for key, each in about.items() if key != "place"}, "world": world}
 
 
 class Model:
@@ -175,9 +176,10 @@ class Model:
     double_sided: its back is seen too. unlit: shows its colours as they are.
     up: what is up in the world, 'y', 'z', ...
 
-    Triangle k of `faces` is k + 1 in the output `triangle`. Arrays are copied. A Model may be drawn by several
-    threads at once: each draws it in its own context. A pickle of it has all of it, for processes of the same version of
-    rhw; read no pickle from elsewhere.
+    Triangle k of `faces` is k + 1 in the output `triangle`. Parts that are far from each other, over a thousand times their
+    size, become a node and a mesh each, and count their triangles one after the other. Arrays are copied. A Model may be drawn
+    by several threads at once: each draws it in its own context. A pickle of it has all of it, for processes of the same
+    version of rhw; read no pickle from elsewhere.
 
     Attributes, all read-only: meshes, materials, images, nodes, cameras, lights, animations (tuples); variants,
     warnings, unsupported (tuples of str); path, format, unit, up (str); bounds ((2, 3) float32, least and most in the
@@ -294,18 +296,19 @@ class Model:
         fitted = chosen._resolve(self, width, height)
         seen_by, of_file = self._first_camera(fitted, width, height) if camera is None and self.cameras else (fitted, False)
         scene, threads = self._scene(context)
-        drawn, rasterized = _draw(scene, (width, height), seen_by, names, look)
+        drawn, rasterized, origin = _draw(scene, (width, height), seen_by, names, look)
         if rasterized == 0 and of_file:
             warnings.warn(f"{self.path}: its camera sees nothing of the model, which is fitted instead", stacklevel=2)
             seen_by = fitted
-            drawn, _ = _draw(scene, (width, height), seen_by, names, look)
+            drawn, _, origin = _draw(scene, (width, height), seen_by, names, look)
         elif rasterized == 0:
             warnings.warn(f"{self.path}: nothing of the model is in the picture", stacklevel=2)
         arrays = {each: np.asarray(drawn[each]) for each in names}
-        from_origin = arrays.get("position") if any(self.origin) else None
+        from_origin = arrays.get("position") if any(origin) else None
         if from_origin is not None:
-            arrays["position"] = in_file(from_origin, self.origin)
-        return Pictures(arrays, (width, height), View(seen_by, width, height), self, look.transparent, threads, from_origin)
+            arrays["position"] = in_file(from_origin, origin)
+        return Pictures(arrays, (width, height), View(seen_by, width, height), self, look.transparent, threads, origin,
+                        from_origin)
 
     def _first_camera(self, fitted: Tuple[Any, ...], width: int, height: int) -> Tuple[Tuple[Any, ...], bool]:
         """The file's first camera, unless it sees less of the model than a thumbnail would show."""
@@ -337,14 +340,14 @@ def _unpickle(version: str, data: bytes) -> Model:
 
 
 def _draw(scene: _rhw.Scene, size: Tuple[int, int], camera: Tuple[Any, ...], names: List[str],
-          look: _look.Look) -> Tuple[Dict[str, Any], int]:
-    """Pictures by their names, and how many triangles were rasterized."""
+          look: _look.Look) -> Tuple[Dict[str, Any], int, Tuple[float, float, float]]:
+    """Pictures by their names, how many triangles were rasterized, and what positions are counted from."""
     # Beside `display` the colours would be rounded from it, and not be those of the program.
     apart = ["display"] if {"color", "display"} <= set(names) else []
-    drawn, rasterized = scene.draw(size, camera, _bits([each for each in names if each not in apart]), *look)
+    drawn, rasterized, origin = scene.draw(size, camera, _bits([each for each in names if each not in apart]), *look)
     if apart:
         drawn.update(scene.draw(size, camera, _bits(apart), *look)[0])
-    return drawn, rasterized
+    return drawn, rasterized, origin
 
 
 def _bits(names: List[str]) -> int:

@@ -62,7 +62,7 @@ class Pictures(Dict[str, NDArray[Any]]):
     depth        (H, W)    float32  0 near to 1 far; 1 where nothing is
     distance     (H, W)    float32  along the view, in units of the model; infinity where nothing is
     normal       (H, W, 4) float32  unit, in the world, turned to the viewer; then 1. All 0 where nothing is
-    position     (H, W, 4) float32  in the world; then 1. All 0 where nothing is. float64 far from it (Model.origin)
+    position     (H, W, 4) float32  in the world; then 1. All 0 where nothing is. float64 where that is far from the origin
     uv           (H, W, 4) float32  u, v, 0, 1. All 0 where nothing is
     barycentric  (H, W, 4) float32  weights of the triangle's vertices; then 1. All 0 where nothing is
     object       (H, W)    uint32   `Node.object`; 0 where nothing is
@@ -75,13 +75,14 @@ class Pictures(Dict[str, NDArray[Any]]):
     """
 
     def __init__(self, arrays: Dict[str, NDArray[Any]], size: Tuple[int, int], view: View, model: Any,
-                 transparent: bool, threads: int, from_origin: Optional[NDArray[Any]] = None):
+                 transparent: bool, threads: int, origin: Sequence[float], from_origin: Optional[NDArray[Any]] = None):
         super().__init__(arrays)
         self.size = size
         self.view = view
         self._model = model
         self._transparent = transparent
         self._threads = threads
+        self._origin = tuple(origin)
         self._from_origin = from_origin
 
     def __missing__(self, output: str) -> NDArray[Any]:
@@ -100,8 +101,9 @@ class Pictures(Dict[str, NDArray[Any]]):
 
     def _png(self, name: str, output: str, bits: int) -> bytes:
         kind = _arrays.choice(output, "output", _FILE_KINDS)
-        return _rhw.encode_output(name, self._checked(), self.size, kind, bits, self._transparent,
-                                  *self._model._bounds)
+        moved = np.subtract(self._model.origin, self._origin)
+        low, high = (tuple((each + moved).tolist()) for each in np.array(self._model._bounds, np.float64))
+        return _rhw.encode_output(name, self._checked(), self.size, kind, bits, self._transparent, low, high, self._origin)
 
     def exr(self, outputs: Optional[Iterable[str]] = None) -> bytes:
         """The bytes of the EXR that `rhw render` writes: layers of 32 bits, with the camera and the objects' names.
@@ -120,7 +122,7 @@ class Pictures(Dict[str, NDArray[Any]]):
         if not kinds:
             raise ValueError("outputs: an EXR has at least one of linear, " + ", ".join(_FILE_KINDS[1:]))
         return _rhw.encode_exr(name, self._checked(), self.size, kinds, self.view.numbers, self._model._model,
-                               self._threads)
+                               self._threads, self._origin)
 
     def save(self, path: _files.Path, output: str = "color", bits: Optional[int] = None) -> None:
         """Writes a picture. The file appears whole or not at all.
@@ -137,8 +139,8 @@ class Pictures(Dict[str, NDArray[Any]]):
 
     def _checked(self) -> Dict[str, NDArray[Any]]:
         arrays = {name: _arrays.packed(_arrays.read(array, name), None) for name, array in self.items() if name in OUTPUTS}
-        if "position" in arrays and any(self._model.origin):
-            arrays["position"] = from_origin(arrays["position"], self._model.origin, self._from_origin)
+        if "position" in arrays and any(self._origin):
+            arrays["position"] = from_origin(arrays["position"], self._origin, self._from_origin)
         return arrays
 
     def __repr__(self) -> str:

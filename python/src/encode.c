@@ -159,8 +159,8 @@ static bool has_pictures(struct scene_pictures *p, uint32_t needed)
     return true;
 }
 
-// (name, pictures, (width, height), kind, bits or 0, transparent, bounds_min, bounds_max): `kind` is an output of the
-// program
+// (name, pictures, (width, height), kind, bits or 0, transparent, bounds_min, bounds_max, origin): `kind` is an output
+// of the program
 static PyObject *encode_output(PyObject *module, PyObject *arguments)
 {
     (void)module;
@@ -169,9 +169,10 @@ static PyObject *encode_output(PyObject *module, PyObject *arguments)
     int kind, bits, transparent;
     float low[3], high[3];
     struct scene_pictures pictures = {0};
-    if (!PyArg_ParseTuple(arguments, "sO!(ii)iip(fff)(fff):encode_output", &name, &PyDict_Type, &dictionary,
-                          &pictures.width, &pictures.height, &kind, &bits, &transparent, &low[0], &low[1],
-                          &low[2], &high[0], &high[1], &high[2]) ||
+    if (!PyArg_ParseTuple(arguments, "sO!(ii)iip(fff)(fff)(ddd):encode_output", &name, &PyDict_Type,
+                          &dictionary, &pictures.width, &pictures.height, &kind, &bits, &transparent, &low[0],
+                          &low[1], &low[2], &high[0], &high[1], &high[2], &pictures.origin[0],
+                          &pictures.origin[1], &pictures.origin[2]) ||
         !python_is_choice(kind, SCENE_KIND_COLOR, SCENE_KIND_BARYCENTRIC, "output") ||
         !is_depth(bits, true) || !(kept = read_pictures(dictionary, &pictures))) {
         return NULL;
@@ -210,7 +211,7 @@ static bool is_set(unsigned kinds)
     return true;
 }
 
-// (name, pictures, (width, height), kinds, camera, model, threads)
+// (name, pictures, (width, height), kinds, camera, model, threads, origin)
 static PyObject *encode_exr(PyObject *module, PyObject *arguments)
 {
     (void)module;
@@ -220,9 +221,10 @@ static PyObject *encode_exr(PyObject *module, PyObject *arguments)
     struct exr exr = {0};
     struct scene_camera camera;
     const struct scene_model *model;
-    if (!PyArg_ParseTuple(arguments, "sO!(ii)IOOi:encode_exr", &name, &PyDict_Type, &dictionary,
+    if (!PyArg_ParseTuple(arguments, "sO!(ii)IOOi(ddd):encode_exr", &name, &PyDict_Type, &dictionary,
                           &exr.pictures.width, &exr.pictures.height, &kinds, &camera_tuple, &object,
-                          &exr.threads) ||
+                          &exr.threads, &exr.pictures.origin[0], &exr.pictures.origin[1],
+                          &exr.pictures.origin[2]) ||
         !python_is_choice(exr.threads, 0, RHW_MAX_THREADS, "threads") || !is_set(kinds) ||
         !python_camera_read(camera_tuple, &camera) || !(model = python_model_get(object)) ||
         !(kept = read_pictures(dictionary, &exr.pictures))) {
@@ -231,9 +233,9 @@ static PyObject *encode_exr(PyObject *module, PyObject *arguments)
     if (has_pictures(&exr.pictures, cli_outputs_needed(kinds, CLI_PICTURE_EXR, 0))) {
         const double aspect = (double)exr.pictures.width / exr.pictures.height;
         float *positions;
-        memcpy(exr.pictures.origin, model->origin, sizeof exr.pictures.origin);
         exr.channel_count = cli_outputs_exr_channels(&exr.pictures, kinds, exr.channels, &positions);
-        bytes = exr.channel_count > 0 && cli_outputs_exr_describe(model, &camera, aspect, &exr.about)
+        bytes = exr.channel_count > 0 &&
+                        cli_outputs_exr_describe(model, &camera, aspect, exr.pictures.origin, &exr.about)
                     ? encode(&(struct encoding){write_exr, &exr}, name)
                     : PyErr_NoMemory();
         free(exr.about.objects);

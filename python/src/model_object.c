@@ -186,30 +186,33 @@ static PyObject *matrix_of(PyObject *model, const float *matrix)
 static PyObject *describe_instance(PyObject *self, const void *element)
 {
     const struct scene_instance *const instance = element;
-    return Py_BuildValue("{s:s,s:I,s:I,s:N}", "name", instance->name, "mesh", instance->mesh, "object",
-                         instance->object, "world", matrix_of(self, instance->world));
+    const double *const place = instance->place;
+    return Py_BuildValue("{s:s,s:I,s:I,s:N,s:(ddd)}", "name", instance->name, "mesh", instance->mesh,
+                         "object", instance->object, "world", matrix_of(self, instance->world), "place",
+                         place[0], place[1], place[2]);
 }
 
 static PyObject *describe_camera(PyObject *self, const void *element)
 {
     const struct scene_model_camera *const c = element;
-    return Py_BuildValue("{s:s,s:N,s:N,s:f,s:f,s:f,s:f,s:f,s:f}", "name", c->name, "world",
-                         matrix_of(self, c->world), "orthographic", PyBool_FromLong(c->orthographic), "yfov",
-                         c->yfov, "aspect", c->aspect, "xmag", c->xmag, "ymag", c->ymag, "znear", c->znear,
-                         "zfar", c->zfar);
+    return Py_BuildValue("{s:s,s:(ddd),s:N,s:N,s:f,s:f,s:f,s:f,s:f,s:f}", "name", c->name, "place",
+                         c->place[0], c->place[1], c->place[2], "world", matrix_of(self, c->world),
+                         "orthographic", PyBool_FromLong(c->orthographic), "yfov", c->yfov, "aspect",
+                         c->aspect, "xmag", c->xmag, "ymag", c->ymag, "znear", c->znear, "zfar", c->zfar);
 }
 
 static PyObject *describe_light(PyObject *self, const void *element)
 {
     const struct scene_model_light *const light = element;
     static const char *const types[] = {"directional", "point", "spot"};
+    double place[3];
     (void)self;
-    return Py_BuildValue("{s:s,s:s,s:(fff),s:(fff),s:(fff),s:f,s:f,s:f,s:f}", "name", light->name, "type",
-                         types[light->type], "position", light->position[0], light->position[1],
-                         light->position[2], "direction", light->direction[0], light->direction[1],
-                         light->direction[2], "color", light->color[0], light->color[1], light->color[2],
-                         "intensity", light->intensity, "range", light->range, "inner_cos", light->inner_cos,
-                         "outer_cos", light->outer_cos);
+    scene_exact_place(light->position, light->place, place);
+    return Py_BuildValue("{s:s,s:s,s:(ddd),s:(fff),s:(fff),s:f,s:f,s:f,s:f}", "name", light->name, "type",
+                         types[light->type], "position", place[0], place[1], place[2], "direction",
+                         light->direction[0], light->direction[1], light->direction[2], "color",
+                         light->color[0], light->color[1], light->color[2], "intensity", light->intensity,
+                         "range", light->range, "inner_cos", light->inner_cos, "outer_cos", light->outer_cos);
 }
 
 static PyObject *describe_animation(PyObject *self, const void *element)

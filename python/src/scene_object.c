@@ -163,7 +163,7 @@ static void keep_panorama(struct python_item *item, PyObject *panorama, const st
     Py_XDECREF(older);
 }
 
-// Returns (pictures, triangles that were rasterized).
+// Returns (pictures, triangles that were rasterized, origin of the positions).
 static PyObject *draw(PyObject *self, PyObject *arguments)
 {
     struct scene_object *scene = (struct scene_object *)self;
@@ -183,11 +183,13 @@ static PyObject *draw(PyObject *self, PyObject *arguments)
         scene_pictures_free(&pictures);
         return NULL;
     }
+    const struct scene_pictures drawn = pictures;
     PyObject *dictionary = pictures_dictionary(&pictures);
     if (!dictionary) {
         return NULL;
     }
-    return Py_BuildValue("(NK)", dictionary, (unsigned long long)stats.pipeline.triangles_rasterized);
+    return Py_BuildValue("(NK(ddd))", dictionary, (unsigned long long)stats.pipeline.triangles_rasterized,
+                         drawn.origin[0], drawn.origin[1], drawn.origin[2]);
 }
 
 int python_add_scenes(PyObject *module)

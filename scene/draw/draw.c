@@ -212,18 +212,6 @@ static enum rhw_result draw_near(struct scene *scene, const struct scene_view *v
     return result;
 }
 
-// Count the positions of pictures from the origin of the model, whatever they were drawn from.
-static void move_positions(struct scene_pictures *pictures, const double origin[3])
-{
-    for (size_t i = 0; pictures->position && i < (size_t)pictures->width * (size_t)pictures->height; i++) {
-        float *const position = &pictures->position[4 * i];
-        for (int c = 0; c < 3 && position[3] > 0.0f; c++) {
-            position[c] = (float)((double)position[c] + pictures->origin[c] - origin[c]);
-        }
-    }
-    memcpy(pictures->origin, origin, sizeof pictures->origin);
-}
-
 enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
                            struct scene_pictures *pictures, struct scene_draw_stats *stats)
 {
@@ -240,9 +228,6 @@ enum rhw_result scene_draw(struct scene *scene, const struct scene_view *view,
     scene->upload.model = &scene->vicinity.model;
     const enum rhw_result result = draw_near(scene, view, pictures, stats);
     scene->upload.model = model;
-    if (result == RHW_OK) {
-        move_positions(pictures, model->origin);
-    }
     return result;
 }
 

@@ -18,7 +18,8 @@ struct scene_pictures {
     uint32_t *object, *triangle;
     float *overdraw;
     uint32_t *tiles, *plan;
-    /// What `position` is counted from, in the coordinates of the file: the model's origin.
+    /// What `position` is counted from, in the coordinates of the file: the model's origin, or where parts of it are
+    /// far from each other a place among what the camera is near.
     double origin[3];
 };
 

@@ -7,7 +7,7 @@
 
 #include "import/builder/complete_mesh.h"
 #include "import/builder/import.h"
-#include "import/builder/origin.h"
+#include "import/builder/pieces.h"
 #include "import/builder/place.h"
 #include "reader_process.h"
 
@@ -82,14 +82,13 @@ static void read_mesh(struct scene_import *import, const struct scene_array_mesh
         scene_import_fail(import, "mesh \"%s\" has material %u of %u", mesh->name, mesh->material,
                           import->arrays->material_count);
     }
-    mesh->positions = scene_import_settle(
-        import, copy(import, from->positions, mesh->vertex_count, sizeof *from->positions),
-        mesh->vertex_count, origin);
-    scene_import_place_mesh(import, origin);
     mesh->normals = copy(import, from->normals, mesh->vertex_count, sizeof *from->normals);
     mesh->uvs[0] = copy(import, from->uvs, mesh->vertex_count, sizeof *from->uvs);
     mesh->colors = copy(import, from->colors, mesh->vertex_count, sizeof *from->colors);
     read_indices(import, from, mesh);
+    scene_import_settle_mesh(
+        import, mesh, copy(import, from->positions, mesh->vertex_count, sizeof *from->positions), origin);
+    scene_import_place_mesh(import, origin);
     scene_import_complete_mesh(import, import->model.mesh_count - 1,
                                from->shading == SCENE_ARRAYS_FLAT ? SCENE_IMPORT_FLAT : SCENE_IMPORT_SMOOTH,
                                false);

@@ -3,7 +3,6 @@
 #ifndef SCENE_OBJ_H
 #define SCENE_OBJ_H
 
-#include "import/builder/clusters.h"
 #include "import/builder/hash_table.h"
 #include "import/builder/import.h"
 #include "import/builder/text_lines.h"
@@ -29,15 +28,13 @@ struct part {
     size_t corner_count, corner_capacity;
     uint32_t *sizes; // number of corners of each polygon, line or point
     size_t size_count, size_capacity;
-    uint8_t *clusters; // number of the cluster that each of these was added to
 };
 
 struct obj {
     struct scene_import *import;
     struct scene_text text;
-    double (*read_positions)[3]; // until all are read, or where the clusters are several until the end
-    struct scene_import_clusters clusters;
-    double origin[3]; // what was subtracted from the positions
+    double (*read_positions)[3]; // until all are read, or where parts are far from each other until the end
+    double origin[3];            // what was subtracted from the positions
     float (*positions)[3], (*colors)[4], (*uvs)[2], (*normals)[3];
     size_t position_count, position_capacity, color_capacity, painted_count, uv_count, uv_capacity,
         normal_count, normal_capacity;

@@ -7,6 +7,7 @@
 #include "import/builder/import.h"
 #include "import/builder/numbers.h"
 #include "import/builder/origin.h"
+#include "import/builder/pieces.h"
 #include "import/builder/place.h"
 #include "import/builder/polygon.h"
 #include "obj.h"
@@ -35,6 +36,8 @@ static void check_corners(struct obj *obj, struct part *part)
     part->key.has_normal = has_normal;
 }
 
+// Copy the positions of a part's corners. Parts of a file that are far from each other count each from a place of its
+// own.
 static void copy_positions(struct obj *obj, const struct part *part, struct scene_mesh *mesh)
 {
     const size_t count = part->corner_count;
@@ -43,6 +46,7 @@ static void copy_positions(struct obj *obj, const struct part *part, struct scen
         for (size_t i = 0; i < count; i++) {
             memcpy(exact[i], obj->read_positions[part->corners[i].position], sizeof exact[i]);
         }
+        scene_import_keep_exact(obj->import, mesh, (const double(*)[3])exact);
         mesh->positions = scene_import_settle(obj->import, exact, count, obj->origin);
         return;
     }
@@ -108,20 +112,13 @@ static void make_indices(struct obj *obj, const struct part *part, struct scene_
             next += size;
             continue;
         }
-        scene_import_triangulate((const float(*)[3])mesh->positions, polygon, size, next);
+        scene_import_triangulate(mesh, polygon, size, next);
         scene_polygons_add(obj->import, polygons, (size_t)(next - mesh->indices) / 3, size - 2);
         for (uint32_t k = 0; k < 3 * (size - 2); k++) {
             *next++ += first;
         }
     }
     free(polygon);
-}
-
-static void free_part(struct part *part)
-{
-    free(part->corners);
-    free(part->sizes);
-    free(part->clusters);
 }
 
 static void add_part(struct obj *obj, struct part *part)
@@ -132,7 +129,8 @@ static void add_part(struct obj *obj, struct part *part)
     copy_corners(obj, part, &mesh);
     struct scene_polygons polygons = {.count = 0};
     make_indices(obj, part, &mesh, &polygons);
-    free_part(part);
+    free(part->corners);
+    free(part->sizes);
     mesh.material = scene_mtl_use(import, &obj->mtl, part->key.material, obj->colored);
     *scene_import_add_mesh(import) = mesh;
     scene_import_place_mesh(import, obj->origin);
@@ -147,97 +145,37 @@ static void add_part(struct obj *obj, struct part *part)
     free(polygons.of_triangle);
 }
 
-// Clusters ----------------------------------------------------------------------------------------------
-
-static struct scene_box box_corners(const struct obj *obj, const struct corner *corners, size_t count)
+// Return true if parts of the file are far from each other.
+static bool is_scattered(struct obj *obj)
 {
-    struct scene_box box = scene_box_empty();
-    for (size_t i = 0; i < count; i++) {
-        scene_box_extend_to(&box, obj->read_positions[corners[i].position]);
-    }
-    return box;
-}
-
-// Return the number of elements of a part that are one for its clusters. Points have no size that could tell how far
-// they are from others.
-static size_t elements_at_once(const struct part *part)
-{
-    return part->key.primitive == SCENE_PRIMITIVE_POINTS ? part->size_count : 1;
-}
-
-static void find_clusters(struct obj *obj)
-{
+    const struct scene_import_points points = {.exact = (const double(*)[3])obj->read_positions,
+                                               .count = obj->position_count};
+    struct scene_import_elements *const lists =
+        scene_import_allocate(obj->import, obj->part_count, sizeof *lists);
     for (size_t i = 0; i < obj->part_count; i++) {
-        struct part *const part = &obj->parts[i];
-        const size_t step = elements_at_once(part);
-        check_corners(obj, part);
-        part->clusters = scene_import_allocate(obj->import, part->size_count, sizeof *part->clusters);
-        for (size_t k = 0, first = 0; k < part->size_count; first += step * part->sizes[k], k += step) {
-            const struct scene_box box = box_corners(obj, part->corners + first, step * part->sizes[k]);
-            part->clusters[k] = (uint8_t)scene_import_clusters_add(&obj->clusters, &box);
-        }
+        const struct part *const part = &obj->parts[i];
+        lists[i] = (struct scene_import_elements){.corners = part->corners,
+                                                  .count = part->size_count,
+                                                  .stride = sizeof *part->corners,
+                                                  .sizes = part->sizes};
     }
-    scene_import_clusters_join(&obj->clusters);
-}
-
-static struct part *piece_of(const struct obj *obj, const struct part *part, size_t element,
-                             struct part pieces[SCENE_IMPORT_CLUSTERS])
-{
-    return &pieces[obj->clusters.joined[part->clusters[element]]];
-}
-
-// Move the elements of a part to pieces, whose capacities are known.
-static void fill_pieces(struct obj *obj, struct part *part, struct part pieces[SCENE_IMPORT_CLUSTERS])
-{
-    const size_t step = elements_at_once(part);
-    for (size_t k = 0, first = 0; k < part->size_count; first += step * part->sizes[k], k += step) {
-        struct part *const piece = piece_of(obj, part, k, pieces);
-        const size_t corners = step * part->sizes[k];
-        if (piece->corners == NULL) {
-            piece->key = part->key;
-            piece->corners =
-                scene_import_allocate(obj->import, piece->corner_capacity, sizeof *part->corners);
-            piece->sizes = scene_import_allocate(obj->import, piece->size_capacity, sizeof *part->sizes);
-        }
-        memcpy(piece->corners + piece->corner_count, part->corners + first, corners * sizeof *part->corners);
-        memcpy(piece->sizes + piece->size_count, part->sizes + k, step * sizeof *part->sizes);
-        piece->corner_count += corners;
-        piece->size_count += step;
-    }
-    free_part(part);
-}
-
-// Add the elements of a part, those of each cluster as a part of their own.
-static void add_split_part(struct obj *obj, struct part *part)
-{
-    const size_t step = elements_at_once(part);
-    struct part pieces[SCENE_IMPORT_CLUSTERS] = {0};
-    for (size_t k = 0; k < part->size_count; k += step) {
-        struct part *const piece = piece_of(obj, part, k, pieces);
-        piece->corner_capacity += step * part->sizes[k];
-        piece->size_capacity += step;
-    }
-    if (piece_of(obj, part, 0, pieces)->size_capacity == part->size_count) {
-        add_part(obj, part);
-        return;
-    }
-    fill_pieces(obj, part, pieces);
-    for (uint32_t i = 0; i < obj->clusters.count; i++) {
-        if (pieces[i].size_count > 0) {
-            add_part(obj, &pieces[i]);
-        }
-    }
+    const struct scene_import_clusters clusters =
+        scene_import_clusters_find(obj->import, &points, lists, obj->part_count);
+    free(clusters.of_point);
+    free(lists);
+    return clusters.count > 1;
 }
 
 void scene_obj_add_parts(struct obj *obj)
 {
-    find_clusters(obj);
-    const bool is_one = obj->clusters.count < 2;
-    if (is_one) {
+    for (size_t i = 0; i < obj->part_count; i++) {
+        check_corners(obj, &obj->parts[i]);
+    }
+    if (!is_scattered(obj)) {
         obj->positions =
             scene_import_settle(obj->import, obj->read_positions, obj->position_count, obj->origin);
     }
     for (size_t i = 0; i < obj->part_count; i++) {
-        (is_one ? add_part : add_split_part)(obj, &obj->parts[i]);
+        add_part(obj, &obj->parts[i]);
     }
 }

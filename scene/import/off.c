@@ -17,6 +17,7 @@
 #include "import/builder/numbers.h"
 #include "import/builder/origin.h"
 #include "import/builder/phong.h"
+#include "import/builder/pieces.h"
 #include "import/builder/place.h"
 #include "import/builder/polygon.h"
 #include "import/builder/readers.h"
@@ -256,6 +257,8 @@ static void read_vertices(struct off *off)
             scene_off_real(&off->source);
         }
     }
+    mesh->vertex_count = off->vertex_count;
+    scene_import_keep_exact(off->import, mesh, (const double(*)[3])positions);
     mesh->positions = scene_import_settle(off->import, positions, off->vertex_count, off->origin);
 }
 
@@ -365,7 +368,7 @@ static void add_face(struct off *off, uint32_t face, uint32_t count)
         off->triangles[i] = i;
     }
     if (count >= 3) {
-        scene_import_triangulate((const float(*)[3])off->mesh.positions, off->corners, count, off->triangles);
+        scene_import_triangulate(&off->mesh, off->corners, count, off->triangles);
     }
     for (size_t i = 0; i < more; i++) {
         list->indices[list->index_count++] = off->corners[off->triangles[i]];
@@ -460,6 +463,7 @@ static void add_mesh(struct off *off, enum scene_primitive primitive)
         .index_count = (uint32_t)list->index_count,
         .indices = list->indices,
         .positions = copy_array(off, source->positions, sizeof *source->positions),
+        .exact = copy_array(off, source->exact, sizeof *source->exact),
         .normals = copy_array(off, source->normals, sizeof *source->normals),
         .uvs = {copy_array(off, source->uvs[0], sizeof *source->uvs[0])},
         .colors = copy_array(off, source->colors, sizeof *source->colors),
@@ -484,16 +488,25 @@ static void add_mesh(struct off *off, enum scene_primitive primitive)
                                    primitive == SCENE_PRIMITIVE_TRIANGLES ? list->faces : NULL);
 }
 
+static void check_exact(struct off *off)
+{
+    struct scene_import_elements lists[PRIMITIVES];
+    for (int i = 0; i < PRIMITIVES; i++) {
+        const struct primitives *list = &off->primitives[i];
+        lists[i] = scene_import_elements_of(&(struct scene_mesh){.primitive = (enum scene_primitive)i,
+                                                                 .index_count = (uint32_t)list->index_count,
+                                                                 .indices = list->indices});
+    }
+    scene_import_check_exact(off->import, &off->mesh, lists, PRIMITIVES);
+}
+
 // Add what the faces have become. Vertices without faces are a cloud of points.
 static void add_meshes(struct off *off)
 {
     struct primitives *points = &off->primitives[SCENE_PRIMITIVE_POINTS];
     bool any = false;
     for (int i = 0; i < PRIMITIVES; i++) {
-        if (off->primitives[i].index_count > 0) {
-            add_mesh(off, (enum scene_primitive)i);
-            any = true;
-        }
+        any = any || off->primitives[i].index_count > 0;
     }
     if (!any) {
         points->index_count = off->vertex_count;
@@ -501,7 +514,12 @@ static void add_meshes(struct off *off)
         for (uint32_t i = 0; i < off->vertex_count; i++) {
             points->indices[i] = i;
         }
-        add_mesh(off, SCENE_PRIMITIVE_POINTS);
+    }
+    check_exact(off);
+    for (int i = 0; i < PRIMITIVES; i++) {
+        if (off->primitives[i].index_count > 0) {
+            add_mesh(off, (enum scene_primitive)i);
+        }
     }
 }
 

@@ -14,6 +14,7 @@
 #include "import/builder/numbers.h"
 #include "import/builder/origin.h"
 #include "import/builder/phong.h"
+#include "import/builder/pieces.h"
 #include "import/builder/place.h"
 #include "import/builder/readers.h"
 #include "import/builder/stored_colors.h"
@@ -120,6 +121,7 @@ static void read_vertices(struct ply *ply, const struct element *element)
         }
         store_vertex(ply, (uint32_t)ply->row, place, values);
     }
+    scene_import_keep_exact(ply->import, &ply->mesh, (const double(*)[3])ply->read_positions);
     ply->mesh.positions =
         scene_import_settle(ply->import, ply->read_positions, (size_t)element->count, ply->origin);
 }
@@ -315,6 +317,7 @@ static struct scene_mesh copy_vertices(struct ply *ply, struct chosen chosen)
         .name = "",
         .vertex_count = chosen.count,
         .positions = copy_array(ply, mesh->positions, sizeof *mesh->positions, chosen),
+        .exact = copy_array(ply, mesh->exact, sizeof *mesh->exact, chosen),
         .normals = copy_array(ply, mesh->normals, sizeof *mesh->normals, chosen),
         .uvs = {copy_array(ply, mesh->uvs[0], sizeof *mesh->uvs[0], chosen)},
         .colors = copy_array(ply, mesh->colors, sizeof *mesh->colors, chosen),
@@ -436,8 +439,33 @@ static void add_points(struct ply *ply)
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         mesh->indices[i] = i;
     }
+    const struct scene_import_elements list = scene_import_elements_of(mesh);
+    scene_import_check_exact(ply->import, mesh, &list, 1);
     mesh->material = add_material(ply, mesh, 0, ply->translucent);
     add_mesh(ply, mesh, false, NULL);
+}
+
+static struct scene_import_elements list_of(const uint32_t *corners, size_t count, uint32_t each)
+{
+    return (struct scene_import_elements){
+        .corners = corners, .count = count / each, .stride = sizeof *corners, .each = each};
+}
+
+static void add_meshes(struct ply *ply)
+{
+    const struct scene_import_elements lists[] = {list_of(ply->mesh.indices, ply->index_count, 3),
+                                                  list_of(ply->edges, ply->edge_count, 2)};
+    if (ply->index_count > 0 || ply->edge_count > 0) {
+        scene_import_check_exact(ply->import, &ply->mesh, lists, 2);
+    }
+    if (ply->edge_count > 0) {
+        add_lines(ply);
+    }
+    if (ply->index_count > 0) {
+        add_triangles(ply);
+    } else if (ply->edge_count == 0) {
+        add_points(ply);
+    }
 }
 
 // Entry ---------------------------------------------------------------------------------------------
@@ -492,13 +520,6 @@ void scene_import_ply(struct scene_import *import)
     if (ply.small_faces > 0) {
         scene_import_warn(import, "%u faces of fewer than three corners are left out", ply.small_faces);
     }
-    if (ply.edge_count > 0) {
-        add_lines(&ply);
-    }
-    if (ply.index_count > 0) {
-        add_triangles(&ply);
-    } else if (ply.edge_count == 0) {
-        add_points(&ply);
-    }
+    add_meshes(&ply);
     free(bytes);
 }

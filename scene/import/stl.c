@@ -11,7 +11,7 @@
 #include "import/builder/complete_mesh.h"
 #include "import/builder/import.h"
 #include "import/builder/numbers.h"
-#include "import/builder/origin.h"
+#include "import/builder/pieces.h"
 #include "import/builder/phong.h"
 #include "import/builder/place.h"
 #include "import/builder/readers.h"
@@ -36,12 +36,12 @@ static bool is_normal(const float v[3])
 
 // Set the normal of a triangle. It is (0, 0, 1) where the triangle has no area. Return true unless the triangle is so
 // narrow that rounding of its corners may turn it.
-static bool find_normal(const float (*corners)[3], float normal[3])
+static bool find_normal(const double corners[3][3], float normal[3])
 {
     double along[2][3], cross[3], square = 0.0, lengths = 0.0;
     for (int c = 0; c < 3; c++) {
-        along[0][c] = (double)corners[1][c] - (double)corners[0][c];
-        along[1][c] = (double)corners[2][c] - (double)corners[0][c];
+        along[0][c] = corners[1][c] - corners[0][c];
+        along[1][c] = corners[2][c] - corners[0][c];
     }
     for (int c = 0; c < 3; c++) {
         const int d = (c + 1) % 3, e = (c + 2) % 3;
@@ -83,7 +83,13 @@ static void complete_normals(struct scene_mesh *mesh)
 {
     for (uint32_t i = 0; i < mesh->vertex_count; i += 3) {
         float plane[3];
-        const bool is_sure = find_normal((const float(*)[3])mesh->positions + i, plane);
+        double corners[3][3];
+        for (uint32_t k = 0; k < 9; k++) {
+            const uint32_t vertex = i + k / 3;
+            corners[k / 3][k % 3] =
+                mesh->exact != NULL ? mesh->exact[vertex][k % 3] : (double)mesh->positions[vertex][k % 3];
+        }
+        const bool is_sure = find_normal((const double(*)[3])corners, plane);
         if (!is_normal(mesh->normals[i]) || (is_sure && leans(mesh->normals[i], plane))) {
             memcpy(mesh->normals[i], plane, sizeof plane);
             memcpy(mesh->normals[i + 1], mesh->normals[i], sizeof mesh->normals[i]);
@@ -103,16 +109,16 @@ static void add_solid(struct scene_import *import, struct solid *solid)
     struct scene_mesh *mesh = scene_import_add_mesh(import);
     mesh->name = solid->name;
     mesh->vertex_count = mesh->index_count = (uint32_t)solid->corners;
-    mesh->positions = scene_import_settle(import, solid->positions, solid->corners, origin);
+    mesh->indices = scene_import_allocate(import, solid->corners, sizeof *mesh->indices);
+    for (uint32_t i = 0; i < mesh->index_count; i++) {
+        mesh->indices[i] = i;
+    }
+    scene_import_settle_mesh(import, mesh, solid->positions, origin);
     scene_import_place_mesh(import, origin);
     mesh->normals = solid->has_normals ? solid->normals : NULL;
     mesh->colors = solid->colors;
     if (solid->has_normals) {
         complete_normals(mesh);
-    }
-    mesh->indices = scene_import_allocate(import, solid->corners, sizeof *mesh->indices);
-    for (uint32_t i = 0; i < mesh->index_count; i++) {
-        mesh->indices[i] = i;
     }
     mesh->material = scene_phong_add(import, &phong);
     struct scene_instance *instance = scene_import_add_instance(import);

@@ -8,7 +8,7 @@
 
 #include "import/builder/complete_mesh.h"
 #include "import/builder/numbers.h"
-#include "import/builder/origin.h"
+#include "import/builder/pieces.h"
 #include "import/builder/phong.h"
 #include "import/builder/place.h"
 #include "import/builder/readers.h"
@@ -208,11 +208,11 @@ static void add_cloud(struct cloud *cloud)
     struct scene_mesh mesh = {.name = "", .primitive = SCENE_PRIMITIVE_POINTS};
     mesh.vertex_count = mesh.index_count = (uint32_t)cloud->count;
     double origin[3];
-    mesh.positions = scene_import_settle(import, cloud->positions, cloud->count, origin);
     mesh.indices = scene_import_allocate(import, cloud->count, sizeof *mesh.indices);
     for (uint32_t i = 0; i < mesh.vertex_count; i++) {
         mesh.indices[i] = i;
     }
+    scene_import_settle_mesh(import, &mesh, cloud->positions, origin);
     find_meaning(cloud, &mesh);
     free(cloud->extras);
     struct scene_phong phong = scene_phong_default();

@@ -4,6 +4,10 @@
 import copy
 import multiprocessing
 import pickle
+import re
+import struct
+import zipfile
+import zlib
 
 import numpy as np
 import pytest
@@ -89,6 +93,119 @@ def test_far_from_the_origin(tmp_path, program):
         assert pictures.exr() == exr
     pictures["position"][:9] = 0  # what was changed is written
     assert pictures.exr() != exr
+
+
+SHAPE = np.array([(0, 0, 0), (0.75, 0.125, 0), (0.25, 0.875, 0.0625), (0.125, 0.25, 0.6875)])
+FACES = np.array([(0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 2, 1)])
+PLACE = np.array([54598150.375, -43210987.25, 12345678.625])
+
+
+def _lines(rows, before=""):
+    return "".join(before + " ".join(f"{each:.17g}" for each in row) + "\n" for row in rows)
+
+
+def _files(vertices, faces):
+    """A model of one mesh in the formats that have doubles: their names and texts."""
+    indices = _lines(faces, "3 ")
+    head = f"ply\nformat ascii 1.0\nelement vertex {len(vertices)}\n" + "".join(f"property double {c}\n" for c in "xyz")
+    return {"a.ply": head + f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n" +
+                     _lines(vertices) + indices,
+            "a.off": f"OFF\n{len(vertices)} {len(faces)} 0\n" + _lines(vertices) + indices,
+            "a.obj": _lines(vertices, "v ") + _lines(faces + 1, "f "),
+            "a.stl": "solid a\n" + "".join("facet normal 0 0 0\nouter loop\n" + _lines(vertices[face], "vertex ") +
+                                           "endloop\nendfacet\n" for face in faces) + "endsolid a\n",
+            "points.ply": head + "end_header\n" + _lines(vertices),
+            "a.xyz": _lines(vertices)}
+
+
+def _xml(text, rows, names):
+    """Elements, the attributes of which are the numbers of a row."""
+    return "".join(f"<{text} " + " ".join(f'{name}="{each:.17g}"' for name, each in zip(names, row)) + "/>" for row in rows)
+
+
+def _threemf(path, vertices, faces):
+    model = ('<model unit="millimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources>'
+             '<object id="1"><mesh><vertices>' + _xml("vertex", vertices, "xyz") + "</vertices><triangles>" +
+             _xml("triangle", faces, ("v1", "v2", "v3")) + "</triangles></mesh></object></resources>"
+             '<build><item objectid="1"/></build></model>')
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("_rels/.rels", '<Relationships><Relationship Target="/3D/3dmodel.model" Id="r" Type='
+                         '"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>')
+        archive.writestr("3D/3dmodel.model", model)
+
+
+def test_parts_far_from_each_other(tmp_path):
+    """Two shapes of one mesh, with a camera near each: both look as one that is alone, and `position` says where they are."""
+    pair, faces = np.concatenate((SHAPE, SHAPE + PLACE)), np.concatenate((FACES, FACES + len(SHAPE)))
+    alone, both = _files(SHAPE, FACES), _files(pair, faces)
+    models = {"arrays": (rhw.Model(SHAPE, FACES), rhw.Model(pair, faces))}
+    for name in alone:
+        for text, name_of in ((alone[name], tmp_path / f"1{name}"), (both[name], tmp_path / f"2{name}")):
+            name_of.write_text(text)
+    _threemf(tmp_path / "1a.3mf", SHAPE, FACES)
+    _threemf(tmp_path / "2a.3mf", pair, faces)
+    models.update((name, (rhw.load(tmp_path / f"1{name}"), rhw.load(tmp_path / f"2{name}"))) for name in (*alone, "a.3mf"))
+    for name, (one, two) in models.items():
+        assert len(two.nodes) == 2 and not two.warnings, name
+        assert two.nodes[0].object == two.nodes[1].object
+        for place in (0, PLACE):
+            a, b = (model.render(64, rhw.Camera.look_at(np.add((1.5, 1.25, 2), at), np.add([0.375] * 3, at), fovy=40), up="y",
+                                 lights="default", outputs=("color", "position"))
+                    for model, at in ((one, 0), (two, place)))
+            assert np.array_equal(a["color"], b["color"]), name
+            hit = b["position"][..., 3] > 0
+            assert hit.any() and np.array_equal(hit, a["position"][..., 3] > 0)
+            assert np.allclose(b["position"][hit][:, :3] - place, a["position"][hit][:, :3], rtol=0, atol=1e-6), name
+    two = models["arrays"][1]
+    moved = [two.meshes[node.mesh].vertices[two.meshes[node.mesh].faces] + node.world[:3, 3] for node in two.nodes]
+    assert np.array_equal(np.concatenate(moved), pair[faces])
+
+
+def _exr(data, size):
+    """The layers of a square EXR of one part with 32 bits for each channel, in chunks of 16 rows that zlib has packed."""
+    at, layers, header = 8, [], {}
+    while data[at]:
+        name_end = data.index(b"\0", at)
+        kind_end = data.index(b"\0", name_end + 1)
+        length, = struct.unpack_from("<i", data, kind_end + 1)
+        header[data[at:name_end].decode()] = data[kind_end + 5:kind_end + 5 + length]
+        at = kind_end + 5 + length
+    layers = [each.decode() for each in re.findall(rb"([\w.]+)\0[\0-\2]\0{3}.{12}", header["channels"], re.S)]
+    rows = []
+    for offset in struct.unpack_from(f"<{(size + 15) // 16}Q", data, at + 1):
+        length, = struct.unpack_from("<i", data, offset + 4)
+        packed = zlib.decompress(data[offset + 8:offset + 8 + length])
+        summed = np.cumsum(np.frombuffer(packed, np.uint8).astype(np.int64) - np.arange(len(packed)).clip(0, 1) * 128)
+        halves = summed.astype(np.uint8)
+        middle = (len(halves) + 1) // 2
+        chunk = np.empty_like(halves)
+        chunk[0::2], chunk[1::2] = halves[:middle], halves[middle:]
+        rows.append(chunk.view("<f4").reshape(-1, len(layers), size))
+    return {layer: np.concatenate(rows)[:, i] for i, layer in enumerate(layers)}
+
+
+def test_positions_of_a_far_part(tmp_path, program):
+    """The EXR of a camera near a far part has what positions count from there: origin and layer make up the file's numbers."""
+    pair, faces = np.concatenate((SHAPE, SHAPE + PLACE)), np.concatenate((FACES, FACES + len(SHAPE)))
+    path = tmp_path / "pair.ply"
+    path.write_text(_files(pair, faces)["a.ply"])
+    model = rhw.load(path)
+    for place in (np.zeros(3), PLACE):
+        eye, target = place + (1.5, 1.25, 2), place + 0.375
+        pictures = model.render(64, rhw.Camera.look_at(eye, target, fovy=40), outputs="position")
+        camera = ",".join(repr(float(each)) for each in (*eye, *target, 0, 1, 0, 40))
+        options = ("--output", "position", "--size", "64", "--camera", camera)
+        exr = program(path, "pair.exr", *options)
+        assert pictures.exr() == exr and pictures.png("position") == program(path, "pair.png", *options)
+        numbers = _exr(exr, 64)
+        if place.any():
+            origin = np.frombuffer(exr, "<f8", 3, exr.index(b"origin\0v3d\0") + len(b"origin\0v3d\0") + 4)
+            from_origin = np.stack([numbers[f"positionFromOrigin.{c}"] for c in "XYZ"], axis=-1)
+            hit = numbers["position.A"] > 0
+            assert hit.any() and (np.abs(from_origin) < 4).all()
+            assert np.array_equal(from_origin[hit] + origin, pictures["position"][hit][:, :3])
+        else:
+            assert b"origin" not in exr.split(b"positionFromOrigin")[0] and "positionFromOrigin.X" not in numbers
 
 
 @pytest.mark.parametrize("size", [1e-6, 1e-12])

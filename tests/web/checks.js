@@ -270,6 +270,13 @@ async function checkErrors(checks, rhw, read, data) {
     const same = await rhw.render(near, { name: 'near.obj', size: 8, outputs: ['position', 'color'] });
     checks.same('a picture far from the origin', [...color], [...same.color]);
     checks.that('positions near the origin', same.position instanceof Float32Array);
+    const pair = new TextEncoder().encode('v 0 0 0\nv 1.5 0 0\nv 0 1.25 0\nv 5e7 0 0\nv 50000001.5 0 0\nv 5e7 1.25 0\n' +
+                                          'f 1 2 3\nf 4 5 6\n');
+    const near5e7 = { eye: [50000000.5, 0.5, 4], target: [50000000.5, 0.5, 0] };
+    const part = await rhw.render(pair, { name: 'pair.obj', size: 8, outputs: 'position', camera: near5e7 });
+    const there = part.position.findIndex((value, i) => i % 4 === 3 && value === 1) - 3;
+    checks.that('positions of a part far from the others', part.position instanceof Float64Array && there >= 0 &&
+                part.position[there] > 5e7 && part.position[there] % 1 !== 0, [...part.position]);
 }
 
 async function checkTriangles(checks, rhw, threads) {

@@ -466,7 +466,7 @@ static const char *object_name(const struct scene_model *model, const struct sce
 }
 
 bool cli_outputs_exr_describe(const struct scene_model *model, const struct scene_camera *camera,
-                              double aspect, struct cli_exr_about *about)
+                              double aspect, const double origin[3], struct cli_exr_about *about)
 {
     double projection[16];
     uint32_t largest = 0;
@@ -475,9 +475,9 @@ bool cli_outputs_exr_describe(const struct scene_model *model, const struct scen
     }
     *about = (struct cli_exr_about){.object_count = (int)largest,
                                     .objects = calloc((size_t)largest + 1, sizeof *about->objects)};
-    const struct scene_camera from_origin = scene_camera_from_origin(camera, model->origin);
-    memcpy(about->origin, model->origin, sizeof about->origin);
-    about->is_far = scene_origin_is_far(model->origin);
+    const struct scene_camera from_origin = scene_camera_from_origin(camera, origin);
+    memcpy(about->origin, origin, sizeof about->origin);
+    about->is_far = scene_origin_is_far(origin);
     scene_camera_projection(camera, aspect, projection);
     scene_camera_view(camera, about->world_to_camera);
     scene_matrix_multiply(projection, about->world_to_camera, about->world_to_ndc);

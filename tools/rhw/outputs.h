@@ -27,7 +27,8 @@ struct cli_output_raster {
     float low[3], scale[3]; // sample = (value − low) · scale
 };
 
-/// `bits` 0: 16 for depth and distance, else 8. `bounds` are those of the model, for positions.
+/// `bits` 0: 16 for depth and distance, else 8. `bounds` are those of the model, for positions,
+/// and count from the origin of the pictures.
 void cli_output_rasterize(struct cli_output_raster *output, const struct scene_pictures *pictures,
                           enum scene_output_kind kind, int bits, bool transparent, const float bounds_min[3],
                           const float bounds_max[3]);
@@ -40,9 +41,9 @@ enum { CLI_EXR_CHANNELS_MAX = 36 };
 int cli_outputs_exr_channels(const struct scene_pictures *pictures, unsigned kinds,
                              struct cli_exr_channel channels[CLI_EXR_CHANNELS_MAX], float **positions);
 
-/// The camera, and the names of the ids of objects, which live as long as the model; free `about->objects`. False:
-/// there is not enough memory.
+/// The camera, and the names of the ids of objects, which live as long as the model; free `about->objects`. `origin` is
+/// that of the pictures. False: there is not enough memory.
 bool cli_outputs_exr_describe(const struct scene_model *model, const struct scene_camera *camera,
-                              double aspect, struct cli_exr_about *about);
+                              double aspect, const double origin[3], struct cli_exr_about *about);
 
 #endif

@@ -128,7 +128,8 @@ static bool encode_exr(struct render *render, struct cli_output_file *file)
     const int count = cli_outputs_exr_channels(&render->pictures, render->job.kinds, channels, &positions);
     struct cli_exr_about about;
     const double aspect = (double)render->view.width / render->view.height;
-    if (count == 0 || !cli_outputs_exr_describe(render->model, &render->view.camera, aspect, &about)) {
+    if (count == 0 || !cli_outputs_exr_describe(render->model, &render->view.camera, aspect,
+                                                render->pictures.origin, &about)) {
         free(positions);
         cli_error(file->path, "out of memory");
         return false;
@@ -145,9 +146,15 @@ void cli_render_rasterize(const struct render *render, enum scene_output_kind ki
                           struct cli_output_raster *output)
 {
     const struct cli_render_job *job = &render->job;
+    const struct scene_model *const model = render->model;
+    float low[3], high[3];
+    for (int c = 0; c < 3; c++) {
+        const double moved = model->origin[c] - render->pictures.origin[c];
+        low[c] = (float)((double)model->bounds_min[c] + moved);
+        high[c] = (float)((double)model->bounds_max[c] + moved);
+    }
     cli_output_rasterize(output, &render->pictures, kind, job->bits,
-                         job->background == SCENE_BACKGROUND_TRANSPARENT, render->model->bounds_min,
-                         render->model->bounds_max);
+                         job->background == SCENE_BACKGROUND_TRANSPARENT, low, high);
 }
 
 static bool encode_raster(struct render *render, struct cli_output_file *file, enum scene_output_kind kind)

@@ -135,14 +135,26 @@ static size_t start_of(const struct scene_pictures *sheet, const struct scene_pi
     return row * (size_t)sheet->width + (size_t)(place % columns) * (size_t)cell->width;
 }
 
+// Count a row of positions from the origin of the sheet.
+static void move_row(const struct scene_pictures *sheet, const struct scene_pictures *cell, float *row)
+{
+    for (int i = 0; i < 4 * cell->width; i++) {
+        const int c = i % 4;
+        row[i] += c < 3 && row[i - c + 3] > 0.0f ? (float)(cell->origin[c] - sheet->origin[c]) : 0.0f;
+    }
+}
+
 void cli_sheet_place(struct scene_pictures *sheet, const struct scene_pictures *cell, int place)
 {
     for (int kind = 0; kind < SCENE_KIND_COUNT; kind++) {
         const char *const from = get(cell, kind);
         const size_t pixel = pixel_size(kind), row = (size_t)cell->width * pixel;
         for (int y = 0; y < cell->height && from; y++) {
-            memcpy((char *)get(sheet, kind) + start_of(sheet, cell, place, y) * pixel, from + (size_t)y * row,
-                   row);
+            void *const to = (char *)get(sheet, kind) + start_of(sheet, cell, place, y) * pixel;
+            memcpy(to, from + (size_t)y * row, row);
+            if (kind == SCENE_KIND_POSITION) {
+                move_row(sheet, cell, to);
+            }
         }
     }
 }

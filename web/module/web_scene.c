@@ -138,7 +138,9 @@ EMSCRIPTEN_KEEPALIVE const double *web_scene_view(struct web_scene *scene)
     static const double degree = 3.14159265358979323846 / 180.0;
     const struct scene_view *const view = &scene->render.view;
     const struct scene_camera *const c = &view->camera;
-    const double *const origin = scene->render.model->origin;
+    // Before anything is drawn there is no picture.
+    const struct scene_pictures *const pictures = &scene->render.pictures;
+    const double *const origin = pictures->width > 0 ? pictures->origin : scene->render.model->origin;
     const double numbers[WEB_VIEW_NUMBERS] = {
         view->width,  view->height, c->eye[0], c->eye[1], c->eye[2],       c->target[0],     c->target[1],
         c->target[2], c->up[0],     c->up[1],  c->up[2],  c->orthographic, c->yfov / degree, c->ymag,

@@ -102,8 +102,8 @@ export interface Outputs {
     /** x, y, z in the world, of length 1, turned to the viewer, then 1; four zeros where nothing is. */
     normal: Floats32;
     /**
-     * x, y, z in the world, then 1; four zeros where nothing is. In double where the model stands over 256 times its
-     * size away from the origin.
+     * x, y, z in the world, then 1; four zeros where nothing is. In double where the model, or a part
+     * that the camera is near, stands over 256 times its size away from the origin.
      */
     position: Floats32 | Floats64;
     /** u, v of the first set, 0, then 1; four zeros where nothing is. v runs down. */

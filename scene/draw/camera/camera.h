@@ -95,7 +95,7 @@ bool scene_camera_is_believable(const struct scene_model *model, const struct sc
 /// What the first camera of a file sees of the model.
 enum scene_sight {
     SCENE_SIGHT_ENOUGH,
-    /// Fitted, the model would cover more than 100 times as many pixels: a thumbnail would show more of it. A camera of
+    /// Fitted, the model would cover more than 16 times as many pixels: a thumbnail would show more of it. A camera of
     /// a format that many programs write wrongly must also be believable.
     SCENE_SIGHT_NEXT_TO_NOTHING,
     SCENE_SIGHT_NOTHING

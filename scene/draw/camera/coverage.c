@@ -205,6 +205,7 @@ uint32_t scene_coverage_count(const struct scene_model *model, const struct scen
         for (int k = 0; k < 16; k++) {
             world[k] = (double)instance->world[k];
         }
+        scene_exact_place(instance->world + 12, instance->place, world + 12);
         scene_matrix_multiply(both, world, matrix);
         cover_instance(&grid, &model->meshes[instance->mesh], matrix);
     }

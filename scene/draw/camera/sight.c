@@ -4,8 +4,10 @@
 #include "coverage.h"
 #include "subject.h"
 
-// The model may cover so many times fewer pixels than it covers when it is fitted.
-static const uint32_t largest_ratio = 100;
+// The model may cover so many times fewer pixels than it covers when it is fitted. In a thumbnail of 128 pixels, it is
+// then as large as an icon of 32. Cameras that were made for their model show more of it, and Blender's factory camera,
+// which stands in the files of small parts, mostly less.
+static const uint32_t largest_ratio = 16;
 
 static bool is_inside(const struct scene_model *model, const struct scene_camera *camera)
 {
@@ -45,6 +47,7 @@ static double seen_share(const struct scene_model *model, const struct scene_cam
         for (int k = 0; k < 16; k++) {
             world[k] = (double)instance->world[k];
         }
+        scene_exact_place(instance->world + 12, instance->place, world + 12);
         scene_matrix_multiply(both, world, matrix);
         for (uint32_t v = 0; v < mesh->vertex_count; v++) {
             seen += is_seen(matrix, mesh->positions[v]);

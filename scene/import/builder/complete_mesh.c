@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "numbers.h"
+#include "pieces.h"
 #include "vertices.h"
 
 static void drop_infinite_primitives(struct scene_import *import, struct scene_mesh *mesh, uint32_t *polygons)
@@ -102,16 +103,9 @@ static const struct scene_texture_slot *find_tangent_slot(const struct scene_mat
                                                            : NULL;
 }
 
-void scene_import_complete_mesh(struct scene_import *import, uint32_t index,
-                                enum scene_import_normals normals, bool join)
+static void complete(struct scene_import *import, struct scene_mesh *mesh, enum scene_import_normals normals,
+                     bool join, uint32_t *polygons)
 {
-    scene_import_complete_polygons(import, index, normals, join, NULL);
-}
-
-void scene_import_complete_polygons(struct scene_import *import, uint32_t index,
-                                    enum scene_import_normals normals, bool join, uint32_t *polygons)
-{
-    struct scene_mesh *mesh = &import->model.meshes[index];
     if (mesh->vertex_count == 0) {
         mesh->index_count = 0;
     }
@@ -159,4 +153,34 @@ void scene_import_complete_polygons(struct scene_import *import, uint32_t index,
     if (has_normals && import->sides_are_open) {
         scene_import_turn_normals(import, mesh);
     }
+}
+
+// What a mesh is completed with.
+struct completion {
+    enum scene_import_normals normals;
+    bool join;
+};
+
+static void complete_piece(struct scene_import *import, struct scene_mesh *mesh, uint32_t *polygons,
+                           const void *context)
+{
+    const struct completion *const completion = context;
+    complete(import, mesh, completion->normals, completion->join, polygons);
+}
+
+void scene_import_complete_polygons(struct scene_import *import, uint32_t index,
+                                    enum scene_import_normals normals, bool join, uint32_t *polygons)
+{
+    const struct completion completion = {normals, join};
+    if (import->model.meshes[index].exact != NULL) {
+        scene_import_cut_exact(import, index, polygons, complete_piece, &completion);
+    } else {
+        complete(import, &import->model.meshes[index], normals, join, polygons);
+    }
+}
+
+void scene_import_complete_mesh(struct scene_import *import, uint32_t index,
+                                enum scene_import_normals normals, bool join)
+{
+    scene_import_complete_polygons(import, index, normals, join, NULL);
 }

@@ -52,6 +52,7 @@ struct scene_import_exact {
 
 struct scene_import;
 struct scene_import_folder;
+struct scene_import_piece;
 struct system_child;
 /// Fill the model from what import->model.path or import->arrays name.
 typedef void scene_import_reader(struct scene_import *import);
@@ -94,6 +95,9 @@ struct scene_import {
     bool has_floats_alone;
     // Nothing in the format says which side of a surface is the front.
     bool sides_are_open;
+    // Pieces of meshes that are not in the model yet.
+    struct scene_import_piece *pieces;
+    size_t piece_count, piece_capacity;
     struct system_child *child; // child that reads; its reply is what the parent gets
 };
 

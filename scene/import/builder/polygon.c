@@ -2,6 +2,7 @@
 // Polygons become triangles, concave ones too, by cutting ears off (Meisters, Polygons have ears, 1975).
 #include "polygon.h"
 
+#include <math.h>
 #include <string.h>
 
 // The most corners of a polygon whose ears are cut, which takes time in the square of them. A polygon with more is
@@ -9,6 +10,7 @@
 enum { MOST_CORNERS = 2048 };
 
 struct polygon {
+    double corners[MOST_CORNERS][3];
     double points[MOST_CORNERS][2]; // corners in the plane that shows most of the polygon, counter-clockwise
     uint32_t ring[MOST_CORNERS];    // corners that are left
     uint32_t count;
@@ -20,37 +22,61 @@ static double area(const double a[2], const double b[2], const double c[2])
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-// Find Newell's normal, which is defined for polygons that are not quite flat, and for concave ones.
-static void newell(const float (*positions)[3], const uint32_t *corners, uint32_t count, double normal[3])
+// Return true if floats of a polygon's corners would not tell them apart, so far is it from where they count from.
+static bool needs_exact(const struct scene_mesh *mesh, const uint32_t *corners, uint32_t count)
 {
-    memset(normal, 0, 3 * sizeof *normal);
+    const double *const first = mesh->exact[corners[0]];
+    double size = 0, far = 0;
     for (uint32_t i = 0; i < count; i++) {
-        const float *a = positions[corners[i]], *b = positions[corners[(i + 1) % count]];
         for (int c = 0; c < 3; c++) {
-            const int u = (c + 1) % 3, v = (c + 2) % 3;
-            normal[c] += ((double)a[u] - (double)b[u]) * ((double)a[v] + (double)b[v]);
+            size = fmax(size, fabs(mesh->exact[corners[i]][c] - first[c]));
+            far = fmax(far, fabs((double)mesh->positions[corners[i]][c]));
+        }
+    }
+    return far > SCENE_REMOTE * size;
+}
+
+static void take_corners(struct polygon *polygon, const struct scene_mesh *mesh, const uint32_t *corners,
+                         uint32_t count)
+{
+    const bool is_exact = mesh->exact != NULL && needs_exact(mesh, corners, count);
+    polygon->count = count;
+    for (uint32_t i = 0; i < count; i++) {
+        for (int c = 0; c < 3; c++) {
+            polygon->corners[i][c] = is_exact ? mesh->exact[corners[i]][c] - mesh->exact[corners[0]][c]
+                                              : (double)mesh->positions[corners[i]][c];
         }
     }
 }
 
-static void flatten(struct polygon *polygon, const float (*positions)[3], const uint32_t *corners,
-                    uint32_t count)
+// Find Newell's normal, which is defined for polygons that are not quite flat, and for concave ones.
+static void newell(const struct polygon *polygon, double normal[3])
+{
+    memset(normal, 0, 3 * sizeof *normal);
+    for (uint32_t i = 0; i < polygon->count; i++) {
+        const double *a = polygon->corners[i], *b = polygon->corners[(i + 1) % polygon->count];
+        for (int c = 0; c < 3; c++) {
+            const int u = (c + 1) % 3, v = (c + 2) % 3;
+            normal[c] += (a[u] - b[u]) * (a[v] + b[v]);
+        }
+    }
+}
+
+static void flatten(struct polygon *polygon)
 {
     double normal[3];
-    newell(positions, corners, count, normal);
+    newell(polygon, normal);
     int axis = 0;
     for (int c = 1; c < 3; c++) {
         axis = normal[c] * normal[c] > normal[axis] * normal[axis] ? c : axis;
     }
     const bool down = normal[axis] < 0;
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for (uint32_t i = 0; i < count; i++) {
-        const float *position = positions[corners[i]];
-        polygon->points[i][0] = (double)position[down ? v : u];
-        polygon->points[i][1] = (double)position[down ? u : v];
+    for (uint32_t i = 0; i < polygon->count; i++) {
+        polygon->points[i][0] = polygon->corners[i][down ? v : u];
+        polygon->points[i][1] = polygon->corners[i][down ? u : v];
         polygon->ring[i] = i;
     }
-    polygon->count = count;
 }
 
 // Return true if the corner at place `i` of the ring can be cut off: it is convex and no other corner lies in it.
@@ -108,7 +134,7 @@ static void fan(uint32_t count, uint32_t *triangles)
     }
 }
 
-void scene_import_triangulate(const float (*positions)[3], const uint32_t *corners, uint32_t count,
+void scene_import_triangulate(const struct scene_mesh *mesh, const uint32_t *corners, uint32_t count,
                               uint32_t *triangles)
 {
     struct polygon polygon;
@@ -116,7 +142,8 @@ void scene_import_triangulate(const float (*positions)[3], const uint32_t *corne
         fan(count, triangles);
         return;
     }
-    flatten(&polygon, positions, corners, count);
+    take_corners(&polygon, mesh, corners, count);
+    flatten(&polygon);
     if (is_convex(&polygon)) {
         fan(count, triangles);
         return;

@@ -16,9 +16,9 @@ struct scene_polygons {
 void scene_polygons_add(struct scene_import *import, struct scene_polygons *polygons, size_t triangles_before,
                         size_t triangles);
 
-/// Cut a polygon of 3 or more corners (indices of positions) into count − 2 triangles. The triangles are places in
-/// `corners`.
-void scene_import_triangulate(const float (*positions)[3], const uint32_t *corners, uint32_t count,
+/// Cut a polygon of 3 or more corners (vertices of a mesh that has no more than positions yet) into count − 2
+/// triangles. The triangles are places in `corners`.
+void scene_import_triangulate(const struct scene_mesh *mesh, const uint32_t *corners, uint32_t count,
                               uint32_t *triangles);
 
 #endif

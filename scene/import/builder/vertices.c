@@ -7,16 +7,37 @@
 
 static const uint32_t none = UINT32_MAX;
 
-static void *gather(struct scene_import *import, void *array, size_t size, const uint32_t *source,
-                    uint32_t count)
+static void *copy_vertices(struct scene_import *import, const void *array, size_t size,
+                           const uint32_t *source, uint32_t count)
 {
     if (array == NULL) {
         return NULL;
     }
-    char *gathered = scene_import_allocate(import, count, size);
+    char *const copy = scene_import_allocate(import, count, size);
     for (uint32_t i = 0; i < count; i++) {
-        memcpy(gathered + i * size, (const char *)array + source[i] * size, size);
+        memcpy(copy + i * size, (const char *)array + source[i] * size, size);
     }
+    return copy;
+}
+
+void scene_import_copy_vertices(struct scene_import *import, struct scene_mesh *mesh, const uint32_t *source,
+                                uint32_t count)
+{
+    mesh->positions = copy_vertices(import, mesh->positions, sizeof *mesh->positions, source, count);
+    mesh->exact = copy_vertices(import, mesh->exact, sizeof *mesh->exact, source, count);
+    mesh->normals = copy_vertices(import, mesh->normals, sizeof *mesh->normals, source, count);
+    mesh->tangents = copy_vertices(import, mesh->tangents, sizeof *mesh->tangents, source, count);
+    for (int set = 0; set < SCENE_UV_SETS; set++) {
+        mesh->uvs[set] = copy_vertices(import, mesh->uvs[set], sizeof *mesh->uvs[set], source, count);
+    }
+    mesh->colors = copy_vertices(import, mesh->colors, sizeof *mesh->colors, source, count);
+    mesh->vertex_count = count;
+}
+
+static void *gather(struct scene_import *import, void *array, size_t size, const uint32_t *source,
+                    uint32_t count)
+{
+    void *const gathered = copy_vertices(import, array, size, source, count);
     free(array);
     return gathered;
 }
@@ -25,6 +46,7 @@ void scene_import_gather_vertices(struct scene_import *import, struct scene_mesh
                                   const uint32_t *source, uint32_t count)
 {
     mesh->positions = gather(import, mesh->positions, sizeof *mesh->positions, source, count);
+    mesh->exact = gather(import, mesh->exact, sizeof *mesh->exact, source, count);
     mesh->normals = gather(import, mesh->normals, sizeof *mesh->normals, source, count);
     mesh->tangents = gather(import, mesh->tangents, sizeof *mesh->tangents, source, count);
     for (int set = 0; set < SCENE_UV_SETS; set++) {

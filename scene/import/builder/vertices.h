@@ -8,6 +8,9 @@
 /// Give every corner of the triangles the vertex `source[corner]`, and each of these vertices its own copy.
 void scene_import_gather_vertices(struct scene_import *import, struct scene_mesh *mesh,
                                   const uint32_t *source, uint32_t count);
+/// Give a mesh copies of its vertices: vertex i is what `source[i]` was. What it had is not freed.
+void scene_import_copy_vertices(struct scene_import *import, struct scene_mesh *mesh, const uint32_t *source,
+                                uint32_t count);
 /// Return an array in which `group[v]` is the lowest vertex whose position equals that of v.
 uint32_t *scene_import_weld_positions(struct scene_import *import, const struct scene_mesh *mesh);
 /// Make one vertex of all vertices that are equal in every attribute.

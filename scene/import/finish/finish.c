@@ -11,6 +11,7 @@
 #include "frame.h"
 #include "import/builder/normals.h"
 #include "import/builder/numbers.h"
+#include "import/builder/pieces.h"
 #include "locate.h"
 #include "model_up.h"
 #include "points.h"
@@ -215,6 +216,12 @@ static bool shows_nothing(struct scene_import *import)
     return import->model.instance_count > 0 && !shows;
 }
 
+static void read_model(struct scene_import *import)
+{
+    import->read(import);
+    scene_import_place_pieces(import);
+}
+
 // Read the model as an animation has it. Return true if something is seen.
 static bool read_moment(struct scene_import *import, uint32_t animation, double time)
 {
@@ -222,7 +229,7 @@ static bool read_moment(struct scene_import *import, uint32_t animation, double 
     import->takes_number = true;
     import->animation_number = animation;
     import->time = time;
-    import->read(import);
+    read_model(import);
     return !shows_nothing(import);
 }
 
@@ -248,7 +255,7 @@ static void read_what_shows(struct scene_import *import)
 {
     enum { ANIMATIONS = 4, MOMENTS = 3 };
     const struct scene_import start = *import;
-    import->read(import);
+    read_model(import);
     if (import->is_posed || import->model.animation_count == 0 || !shows_nothing(import)) {
         return;
     }
@@ -300,7 +307,7 @@ void scene_import_run(struct scene_import *import)
     }
     if (import->up_is_open) {
         const enum scene_axis usual = model->up;
-        model->up = scene_model_guess_up(model, usual, import->up_is_agreed);
+        model->up = scene_model_guess_up(import, usual);
         model->up_guessed = model->up != usual;
     }
     scene_import_dress_points(import);

@@ -3,6 +3,7 @@
 // until a gap is around it, or nothing is left.
 #include "frame.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "draw/camera/camera_math.h"
@@ -71,11 +72,21 @@ static void visit_instance(struct search *search, const struct scene_instance *i
     }
 }
 
+// Return the axis in which an instance is thin, as a ground or a sheet is. Return −1 if there is none. What is thin in
+// two axes, as a pole is, or a row of small things, is not flat.
+static int flat_axis(const struct scene_model *model, uint32_t instance, struct scene_box *box)
+{
+    const int axis = scene_subject_thin_axis(model, instance, box);
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const double across = fmin(box->high[u] - box->low[u], box->high[v] - box->low[v]);
+    return axis >= 0 && box->high[axis] - box->low[axis] <= 0.25 * across ? axis : -1;
+}
+
 static bool is_searched(const struct search *search, uint32_t number)
 {
     struct scene_box box;
     return !search->model->instances[number].unseen &&
-           (search->takes_flat || scene_subject_thin_axis(search->model, number, &box) < 0);
+           (search->takes_flat || flat_axis(search->model, number, &box) < 0);
 }
 
 static void visit_all(struct search *search, visit *visitor)
@@ -299,7 +310,7 @@ static bool add_flat(const struct search *search, struct scene_box *frame)
         if (search->model->instances[i].unseen || is_searched(search, i)) {
             continue;
         }
-        const int axis = scene_subject_thin_axis(search->model, i, &box);
+        const int axis = flat_axis(search->model, i, &box);
         if (scene_subject_is_ground(&box, axis, &search->core)) {
             continue;
         }
@@ -318,8 +329,7 @@ static bool leave_specks(struct search *search, struct scene_box *frame)
     search->takes_flat = true;
     for (uint32_t i = 0; i < search->model->instance_count && search->takes_flat; i++) {
         struct scene_box box;
-        search->takes_flat =
-            search->model->instances[i].unseen || scene_subject_thin_axis(search->model, i, &box) >= 0;
+        search->takes_flat = search->model->instances[i].unseen || flat_axis(search->model, i, &box) >= 0;
     }
     bool found = false;
     for (int round = 0; round < ROUNDS; round++) {

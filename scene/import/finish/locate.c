@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "import/builder/clusters.h"
 #include "import/builder/origin.h"
+#include "import/builder/pieces.h"
 #include "import/builder/place.h"
 
 enum { SAMPLE = 4096 }; // vertices of the model that are looked at
@@ -238,46 +238,20 @@ static void warn_of_floats(struct scene_import *import, const struct scene_impor
     }
 }
 
-// Warn of a mesh with parts so far apart that its floats have steps for one of them. Some of its triangles and lines
-// tell.
-static void warn_of_parts(struct scene_import *import, const struct scene_mesh *mesh)
+// Cut meshes that floats brought parts far from each other in.
+static void cut_meshes(struct scene_import *import)
 {
-    const uint32_t corners = scene_mesh_corners(mesh);
-    const uint32_t step = (mesh->index_count / corners / SAMPLE + 1) * corners;
-    struct scene_import_clusters clusters = {.count = 0};
-    for (uint64_t i = 0; i + corners <= mesh->index_count && corners > 1; i += step) {
-        struct scene_box box = scene_box_empty();
-        for (uint32_t k = 0; k < corners; k++) {
-            const float *const p = mesh->positions[mesh->indices[i + k]];
-            scene_box_extend_to(&box, (const double[3]){(double)p[0], (double)p[1], (double)p[2]});
-        }
-        scene_import_clusters_add(&clusters, &box);
+    for (uint32_t i = 0, count = import->model.mesh_count; i < count; i++) {
+        scene_import_cut_floats(import, i);
     }
-    scene_import_clusters_join(&clusters);
-    double furthest = 0;
-    for (uint32_t i = 0; i < clusters.count && clusters.count > 1; i++) {
-        const struct scene_box *const box = &clusters.boxes[i];
-        double distance = 0;
-        for (int c = 0; c < 3; c++) {
-            distance = fmax(distance, fmax(fabs(box->low[c]), fabs(box->high[c])));
-        }
-        const double size = scene_box_longest(box);
-        furthest = size > 0 && distance > SCENE_REMOTE * size ? fmax(furthest, distance) : furthest;
-    }
-    int exponent;
-    frexp(furthest, &exponent);
-    if (furthest > 0) {
-        scene_import_warn(import,
-                          "mesh \"%s\" has parts so far apart that no floats hold all: places in one are "
-                          "%.2g apart",
-                          mesh->name, ldexp(1.0, exponent - 24));
-    }
+    scene_import_place_pieces(import);
 }
 
 void scene_import_locate(struct scene_import *import)
 {
     struct scene_model *const model = &import->model;
     give_matrices(import);
+    cut_meshes(import);
     const struct scene_import_spread spread = find_spread(import);
     bool *const moves = scene_import_allocate(import, model->mesh_count, sizeof *moves);
     for (uint32_t i = 0; i < model->instance_count; i++) {
@@ -291,9 +265,6 @@ void scene_import_locate(struct scene_import *import)
     }
     free(moves);
     warn_of_floats(import, &spread);
-    for (uint32_t i = 0; i < model->mesh_count; i++) {
-        warn_of_parts(import, &model->meshes[i]);
-    }
     if (spread.is_far) {
         choose_origin(import, spread.middle, spread.size);
     }

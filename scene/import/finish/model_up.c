@@ -3,11 +3,15 @@
 
 #include "model_up.h"
 
+#include <math.h>
+
 #include "draw/camera/camera_math.h"
 #include "draw/camera/subject.h"
+#include "symmetry.h"
 
 static const double slab = 0.02; // part of the model's extent that is lowest
 static const double least_share = 0.1, ratio = 8, flat = 0.06, thin = 0.2;
+static const double feet_share = 0.4, feet_area = 0.05, nose_share = 0.25, feet_ratio = 2.5, mirrored = 0.8;
 
 struct rectangle {
     double low[2], high[2];
@@ -45,6 +49,43 @@ static double standing_share(const struct scene_model *model, int axis)
     return width > 0 && height > 0 && covered > 0 ? covered / (width * height) : 0;
 }
 
+// Return how much of the model's rectangle across an axis the surface has that lies within its lowest vertices.
+static double lowest_area(const struct scene_model *model, int axis)
+{
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const struct scene_box frame = scene_subject_frame(model);
+    const double limit = frame.low[axis] + slab * (frame.high[axis] - frame.low[axis]);
+    double area = 0;
+    for (uint32_t i = 0; i < model->instance_count; i++) {
+        const struct scene_instance *instance = &model->instances[i];
+        const struct scene_mesh *mesh = &model->meshes[instance->mesh];
+        const bool counts = mesh->primitive == SCENE_PRIMITIVE_TRIANGLES && !instance->unseen;
+        for (uint32_t k = 0; k + 3 <= mesh->index_count && counts; k += 3) {
+            double p[3][3];
+            for (uint32_t c = 0; c < 3; c++) {
+                scene_place_point(instance->world, mesh->positions[mesh->indices[k + c]], p[c]);
+            }
+            if (p[0][axis] <= limit && p[1][axis] <= limit && p[2][axis] <= limit) {
+                area += 0.5 * fabs((p[1][u] - p[0][u]) * (p[2][v] - p[0][v]) -
+                                   (p[1][v] - p[0][v]) * (p[2][u] - p[0][u]));
+            }
+        }
+    }
+    return area / ((frame.high[u] - frame.low[u]) * (frame.high[v] - frame.low[v]));
+}
+
+// Return true if a model stands on feet or wheels along z, and along y on a nose or a side. One of its halves is the
+// mirror image of the other, and not the upper one of the lower one.
+static bool stands_on_feet(struct scene_import *import, const double side[3])
+{
+    const double longest = fmax(side[0], fmax(side[1], side[2]));
+    const double as_y = standing_share(&import->model, 1), as_z = standing_share(&import->model, 2);
+    return side[1] > thin * longest && side[2] > thin * longest && as_z >= feet_share && as_y < nose_share &&
+           as_z > feet_ratio * as_y && lowest_area(&import->model, 2) < feet_area &&
+           scene_symmetry_share(import, 2) < mirrored &&
+           (scene_symmetry_share(import, 0) >= mirrored || scene_symmetry_share(import, 1) >= mirrored);
+}
+
 // Return true if a model of these sides may be taken to stand along an axis. `is_agreed` is as in
 // scene_model_guess_up.
 static bool may_stand(const double side[3], int axis, bool is_agreed)
@@ -58,8 +99,10 @@ static bool may_stand(const double side[3], int axis, bool is_agreed)
            (!is_agreed || (side[axis] >= longest && shortest > thin * longest));
 }
 
-enum scene_axis scene_model_guess_up(const struct scene_model *model, enum scene_axis usual, bool is_agreed)
+enum scene_axis scene_model_guess_up(struct scene_import *import, enum scene_axis usual)
 {
+    const struct scene_model *const model = &import->model;
+    const bool is_agreed = import->up_is_agreed;
     const struct scene_box frame = scene_subject_frame(model);
     double side[3];
     for (int i = 0; i < 3; i++) {
@@ -67,6 +110,9 @@ enum scene_axis scene_model_guess_up(const struct scene_model *model, enum scene
     }
     const enum scene_axis other = usual == SCENE_AXIS_Y ? SCENE_AXIS_Z : SCENE_AXIS_Y;
     const int usual_axis = usual == SCENE_AXIS_Y ? 1 : 2, other_axis = 3 - usual_axis;
+    if (is_agreed && usual == SCENE_AXIS_Y && stands_on_feet(import, side)) {
+        return SCENE_AXIS_Z;
+    }
     if (!may_stand(side, other_axis, is_agreed)) {
         return usual;
     }

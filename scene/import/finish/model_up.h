@@ -3,7 +3,7 @@
 #ifndef SCENE_MODEL_UP_H
 #define SCENE_MODEL_UP_H
 
-#include "model.h"
+#include "import/builder/import.h"
 
 /// Return the direction y or z. `usual` is the one of them that most files of the format have. A statue, a chair or a
 /// house fills much of its outline with what it stands on. The vertices in the lowest fiftieth of the model along an
@@ -13,8 +13,13 @@
 /// was right about all that have a right way up.
 ///
 /// A banner, a shelf or a lamp on a wall has a broad back, which looks like a foot, and a key or an arrow is thin. If
-/// `is_agreed`, nearly all programs write the usual axis. The other one is taken then only where the model is longest
-/// along it, and no side is shorter than a fifth of that.
-enum scene_axis scene_model_guess_up(const struct scene_model *model, enum scene_axis usual, bool is_agreed);
+/// `import->up_is_agreed`, nearly all programs write the usual axis. The other one is taken then only where the model
+/// is longest along it, and no side is shorter than a fifth of that; or where it is z, and the model stands on feet
+/// along it, as a car on its wheels. The rectangle around the lowest vertices is then two fifths of the whole at least,
+/// and the surface among them is below a twentieth, while that of a back is a plane. Along y the model stands on less
+/// than two fifths of that, and a quarter of the whole. A mirror shows it as it is, across x or y and not across z. Of
+/// 208 furnishings of dungeons and 529 models of glTF, which have y up, none stands so, and seven of eight cars with z
+/// up do.
+enum scene_axis scene_model_guess_up(struct scene_import *import, enum scene_axis usual);
 
 #endif

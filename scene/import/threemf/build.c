@@ -5,15 +5,15 @@
 
 #include "import/builder/complete_mesh.h"
 #include "import/builder/normals.h"
-#include "import/builder/origin.h"
+#include "import/builder/pieces.h"
 #include "import/builder/place.h"
 #include "threemf.h"
 
 enum { DEEPEST = 64, MOST_INSTANCES = 1 << 20 };
 
-// The triangles of an object that share a material. Every corner is a vertex of its own.
+// The triangles of a cluster of an object that share a material. Every corner is a vertex of its own.
 struct patch {
-    uint32_t material;
+    uint32_t material, cluster;
     float (*positions)[3], (*colors)[4], (*uvs)[2];
     size_t count, capacity, color_capacity, uv_capacity;
 };
@@ -21,18 +21,19 @@ struct patch {
 struct patches {
     struct patch *items;
     size_t count, capacity;
+    uint32_t cluster; // cluster of the triangle that is being added
 };
 
 static struct patch *find_patch(struct scene_import *import, struct patches *patches, uint32_t material)
 {
     for (size_t i = patches->count; i > 0; i--) {
-        if (patches->items[i - 1].material == material) {
+        if (patches->items[i - 1].material == material && patches->items[i - 1].cluster == patches->cluster) {
             return &patches->items[i - 1];
         }
     }
     scene_import_reserve(import, &patches->items, &patches->capacity, patches->count + 1,
                          sizeof *patches->items);
-    patches->items[patches->count] = (struct patch){.material = material};
+    patches->items[patches->count] = (struct patch){.material = material, .cluster = patches->cluster};
     return &patches->items[patches->count++];
 }
 
@@ -107,6 +108,11 @@ static void add_pieces(struct scene_3mf *file, const struct scene_3mf_object *ob
     }
 }
 
+static uint32_t cluster_of(const struct scene_3mf_object *object, uint32_t vertex)
+{
+    return object->clusters.of_point == NULL ? 0 : object->clusters.of_point[vertex];
+}
+
 static void add_triangle(struct scene_3mf *file, const struct scene_3mf_object *object, uint32_t filament,
                          struct patches *patches, const struct scene_3mf_triangle *triangle)
 {
@@ -114,6 +120,7 @@ static void add_triangle(struct scene_3mf *file, const struct scene_3mf_object *
     const struct scene_3mf_group *group = pid == 0 ? NULL : scene_3mf_find_group(file, object->part, pid);
     struct scene_3mf_paint paints[3];
     struct scene_3mf_corner corners[3];
+    patches->cluster = cluster_of(object, triangle->vertices[0]);
     for (int k = 0; k < 3; k++) {
         paints[k] =
             scene_3mf_find_paint(file, group, triangle->pid != 0 ? triangle->properties[k] : object->pindex);
@@ -159,7 +166,7 @@ static void add_mesh(struct scene_3mf *file, const struct scene_3mf_object *obje
     }
     const struct scene_material *material = &import->model.materials[patch->material];
     struct scene_mesh *mesh = scene_import_add_mesh(import);
-    scene_import_place_mesh(import, object->origin);
+    scene_import_place_mesh(import, object->origins[patch->cluster]);
     mesh->name = object->name;
     mesh->material = patch->material;
     mesh->vertex_count = mesh->index_count = (uint32_t)patch->count;
@@ -174,6 +181,33 @@ static void add_mesh(struct scene_3mf *file, const struct scene_3mf_object *obje
     for (uint32_t i = 0; i < mesh->index_count; i++) {
         mesh->indices[i] = i;
     }
+    scene_import_complete_mesh(import, import->model.mesh_count - 1, SCENE_IMPORT_SMOOTH, true);
+}
+
+// Add the beams of a cluster.
+static void add_beams_of(struct scene_import *import, const struct scene_3mf_object *object, uint32_t cluster,
+                         uint32_t material, const float color[4])
+{
+    struct scene_mesh beams = {
+        .name = object->name,
+        .primitive = SCENE_PRIMITIVE_LINES,
+        .material = material,
+        .positions = scene_import_allocate(import, object->beam_count, sizeof *beams.positions),
+        .colors = scene_import_allocate(import, object->beam_count, sizeof *beams.colors),
+        .indices = scene_import_allocate(import, object->beam_count, sizeof *beams.indices)};
+    for (size_t i = 0; i < object->beam_count; i++) {
+        if (cluster_of(object, object->beams[i / 2 * 2]) == cluster) {
+            const uint32_t end = beams.vertex_count++;
+            beams.indices[beams.index_count++] = end;
+            memcpy(beams.positions[end], object->positions[object->beams[i]], sizeof *beams.positions);
+            memcpy(beams.colors[end], color, sizeof *beams.colors);
+        }
+    }
+    if (beams.index_count == 0) {
+        return;
+    }
+    *scene_import_add_mesh(import) = beams;
+    scene_import_place_mesh(import, object->origins[cluster]);
     scene_import_complete_mesh(import, import->model.mesh_count - 1, SCENE_IMPORT_SMOOTH, true);
 }
 
@@ -193,21 +227,9 @@ static void add_beams(struct scene_3mf *file, const struct scene_3mf_object *obj
     memcpy(corner.color, paint.color, sizeof corner.color);
     show_invisible(file, object, &corner, 1);
     const uint32_t material = scene_3mf_material(file, &paint, corner.color[3] < 1);
-    struct scene_mesh *mesh = scene_import_add_mesh(import);
-    scene_import_place_mesh(import, object->origin);
-    mesh->name = object->name;
-    mesh->primitive = SCENE_PRIMITIVE_LINES;
-    mesh->material = material;
-    mesh->vertex_count = mesh->index_count = (uint32_t)object->beam_count;
-    mesh->positions = scene_import_allocate(import, object->beam_count, sizeof *mesh->positions);
-    mesh->colors = scene_import_allocate(import, object->beam_count, sizeof *mesh->colors);
-    mesh->indices = scene_import_allocate(import, object->beam_count, sizeof *mesh->indices);
-    for (uint32_t i = 0; i < mesh->index_count; i++) {
-        mesh->indices[i] = i;
-        memcpy(mesh->positions[i], object->positions[object->beams[i]], sizeof mesh->positions[i]);
-        memcpy(mesh->colors[i], corner.color, sizeof mesh->colors[i]);
+    for (uint32_t i = 0; i < object->clusters.count; i++) {
+        add_beams_of(import, object, i, material, corner.color);
     }
-    scene_import_complete_mesh(import, import->model.mesh_count - 1, SCENE_IMPORT_SMOOTH, true);
 }
 
 // Return true if an object is the one that the volumes of a setting are of.
@@ -234,6 +256,25 @@ static void add_triangles(struct scene_3mf *file, const struct scene_3mf_object 
     scene_3mf_clear_edges(file);
 }
 
+// Make floats of the positions of an object. Parts of it that are far from each other count from places of their own.
+static void settle(struct scene_import *import, struct scene_3mf_object *object)
+{
+    const struct scene_import_points points = {.exact = (const double(*)[3])object->read_positions,
+                                               .count = object->position_count};
+    const struct scene_import_elements lists[] = {
+        {.corners = object->triangles,
+         .count = object->triangle_count,
+         .stride = sizeof(uint32_t),
+         .step = sizeof *object->triangles,
+         .each = 3},
+        {.corners = object->beams, .count = object->beam_count / 2, .stride = sizeof(uint32_t), .each = 2}};
+    object->clusters = scene_import_clusters_find(import, &points, lists, 2);
+    object->origins = scene_import_allocate(import, object->clusters.count, sizeof *object->origins);
+    object->positions = scene_import_settle_clusters(import, object->read_positions, object->position_count,
+                                                     &object->clusters, object->origins);
+    object->read_positions = NULL;
+}
+
 // Return the meshes of an object, which are made when it is placed for the first time. Where a slicer says something of
 // parts, they are made again for each colour and item.
 static struct scene_3mf_shape find_shape(struct scene_3mf *file, struct scene_3mf_object *object,
@@ -252,9 +293,7 @@ static struct scene_3mf_shape find_shape(struct scene_3mf *file, struct scene_3m
         }
     }
     if (object->read_positions != NULL) {
-        object->positions =
-            scene_import_settle(file->import, object->read_positions, object->position_count, object->origin);
-        object->read_positions = NULL;
+        settle(file->import, object);
     }
     struct patches patches = {0};
     struct scene_3mf_shape shape = {key, file->import->model.mesh_count, 0}; // meshes of beams come first

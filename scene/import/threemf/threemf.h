@@ -7,6 +7,7 @@
 #ifndef SCENE_THREEMF_H
 #define SCENE_THREEMF_H
 
+#include "import/builder/clusters.h"
 #include "import/builder/place.h"
 
 enum scene_3mf_kind {
@@ -96,7 +97,8 @@ struct scene_3mf_object {
     const char *name;
     double (*read_positions)[3]; ///< until the object is made
     float (*positions)[3];
-    double origin[3]; ///< what was subtracted from the positions
+    struct scene_import_clusters clusters; ///< clusters of the vertices
+    double (*origins)[3];                  ///< what was subtracted from the positions of each cluster
     size_t position_count, position_capacity;
     struct scene_3mf_triangle *triangles;
     size_t triangle_count, triangle_capacity;

@@ -122,7 +122,7 @@ static int add_cube(char *text, int length, int count, double x, double y, doubl
     static const int faces[12][3] = {{1, 3, 2}, {2, 3, 4}, {5, 6, 7}, {6, 8, 7}, {1, 2, 5}, {2, 6, 5},
                                      {3, 7, 4}, {4, 7, 8}, {1, 5, 3}, {3, 5, 7}, {2, 4, 6}, {4, 8, 6}};
     for (int i = 0; i < 8; i++) {
-        length += sprintf(text + length, "v %.9g %.9g %.9g\n", x + side * (i & 1), y + side * (i >> 1 & 1),
+        length += sprintf(text + length, "v %.12g %.12g %.12g\n", x + side * (i & 1), y + side * (i >> 1 & 1),
                           side * (i >> 2));
     }
     for (int i = 0; i < 12; i++) {
@@ -172,6 +172,8 @@ static void test_specks_set_no_frame(void **state)
         {{{0, 0, 1}, {1000, 0, .01}}, 1},
         {{{1000, 0, .01}, {0, 0, 1}}, 1},
         {{{0, 0, 1}, {1000, 0, .01}, {-300, 0, .05}, {0, -1e6, .001}}, 1},
+        {{{0, 0, 1}, {1000, 0, .01}, {-300, 0, .05}, {0, -1e9, .001}},
+         1}, // too far for the floats of one mesh
         {{{0, 0, 1}, {3, 0, .01}, {1000, 0, .01}}, 3.01},
         {{{0, 0, 1}, {10, 0, .01}}, 0},                        // near enough to be seen with the rest
         {{{0, 0, 1}, {1000, 0, 1}}, 0},                        // two of a size

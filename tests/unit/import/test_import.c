@@ -113,7 +113,8 @@ static void test_polygons(void **state)
             const float *a = points[i], *b = points[(i + 1) % count];
             whole += 0.5 * ((double)a[0] * (double)b[1] - (double)a[1] * (double)b[0]);
         }
-        scene_import_triangulate((const float(*)[3])points, corners, count, triangles);
+        const struct scene_mesh mesh = {.positions = points};
+        scene_import_triangulate(&mesh, corners, count, triangles);
         for (uint32_t i = 0; i < count - 2; i++) {
             const double area = area_of((const float(*)[3])points, triangles + 3 * i);
             assert_true(area > -1e-9);
@@ -663,6 +664,66 @@ static void test_up(void **state)
     scene_model_free(model);
 }
 
+// Write a box of x, y and z from `low` to `high`. Axis k of the box is axis order[k] of the file, with a sign.
+static void write_box(FILE *file, const double low[3], const double high[3], const int order[3], int sign)
+{
+    static const int faces[6][4] = {{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5},
+                                    {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}};
+    for (int i = 0; i < 8; i++) {
+        double point[3];
+        for (int k = 0; k < 3; k++) {
+            point[order[k]] = (i >> k & 1 ? high[k] : low[k]) * (k == 1 ? sign : 1);
+        }
+        fprintf(file, "v %g %g %g\n", point[0], point[1], point[2]);
+    }
+    for (int f = 0; f < 6; f++) {
+        const int *const c = faces[f];
+        fprintf(file, "f %d %d %d %d\n", c[0] - 9, c[1] - 9, c[2] - 9, c[3] - 9);
+    }
+}
+
+enum car { CAR, CAR_ON_A_BOARD, CAR_WITH_WHEELS_APART };
+
+static enum scene_axis up_of_car(const int order[3], int sign, enum car car)
+{
+    FILE *const file = fopen(path_of("car.obj"), "w");
+    assert_non_null(file);
+    write_box(file, (double[]){-1, -2, 0.4}, (double[]){1, 2, 1}, order, sign);
+    write_box(file, (double[]){-0.9, -1, 1}, (double[]){0.9, 1.5, 1.6}, order, sign);
+    write_box(file, (double[]){-0.6, -2.2, 0.5}, (double[]){0.6, -2, 0.7}, order, sign);
+    for (int i = 0; i < 4; i++) {
+        const double x = i % 2 == 0 ? -1 : 0.8,
+                     y = (i < 2 ? -1.4 : 1) + (car == CAR_WITH_WHEELS_APART && i % 2 == 0 ? 0.4 : 0);
+        write_box(file, (double[]){x, y, 0}, (double[]){x + 0.2, y + 0.4, 0.8}, order, sign);
+    }
+    if (car == CAR_ON_A_BOARD) {
+        write_box(file, (double[]){-1, -2, 0}, (double[]){1, 2, 0.01}, order, sign);
+    }
+    assert_int_equal(fclose(file), 0);
+    struct scene_model *const model = load("car.obj");
+    const enum scene_axis up = model->up;
+    assert_int_equal(model->up_guessed, up == SCENE_AXIS_Z);
+    scene_model_free(model);
+    return up;
+}
+
+// A car of the format that nearly always has y up stands on its wheels, and not on its nose or its side.
+static void test_cars(void **state)
+{
+    (void)state;
+    static const int along_y[3] = {0, 1, 2}, along_x[3] = {1, 0, 2}, usual_along_z[3] = {0, 2, 1},
+                     usual_along_x[3] = {2, 0, 1};
+    assert_int_equal(up_of_car(along_y, 1, CAR), SCENE_AXIS_Z);
+    for (int sign = -1; sign < 2; sign += 2) {
+        assert_int_equal(up_of_car(usual_along_z, sign, CAR), SCENE_AXIS_Y);
+        assert_int_equal(up_of_car(usual_along_x, sign, CAR), SCENE_AXIS_Y);
+    }
+    // Its side is a plane. What is on a back, or is no mirror image of itself, is no car.
+    assert_int_equal(up_of_car(along_x, 1, CAR), SCENE_AXIS_Y);
+    assert_int_equal(up_of_car(along_y, 1, CAR_ON_A_BOARD), SCENE_AXIS_Y);
+    assert_int_equal(up_of_car(along_y, 1, CAR_WITH_WHEELS_APART), SCENE_AXIS_Y);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_numbers),
     cmocka_unit_test(test_polygons),
@@ -681,6 +742,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_ply_elements),
     cmocka_unit_test(test_blob),
     cmocka_unit_test(test_up),
+    cmocka_unit_test(test_cars),
 };
 
 const struct unit_tests test_import = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -75,35 +75,52 @@ static void append(const char *format, ...)
     va_end(arguments);
 }
 
+// With a pair, the text formats have the shape a second time in the same mesh, at `far`.
+static bool is_pair;
+
+static int shapes(void)
+{
+    return is_pair ? 2 : 1;
+}
+
 static void append_corner(const char *before, const double place[3], int corner)
 {
     const double *const p = shape[corner];
     append("%s%.9f %.9f %.9f\n", before, place[0] + p[0], place[1] + p[1], place[2] + p[2]);
 }
 
+static void append_corners(const char *before, const double place[3])
+{
+    for (int i = 0; i < CORNERS * shapes(); i++) {
+        append_corner(before, i < CORNERS ? place : far, i % CORNERS);
+    }
+}
+
+static void append_faces(const char *before, int first)
+{
+    for (int i = 0; i < FACES * shapes(); i++) {
+        const int *const face = faces[i % FACES], k = first + CORNERS * (i / FACES);
+        append("%s %d %d %d\n", before, face[0] + k, face[1] + k, face[2] + k);
+    }
+}
+
 // The vertex at 0 is in no face.
 static void write_obj(const double place[3])
 {
     strcpy(text, "v 0 0 0\n");
-    for (int i = 0; i < CORNERS; i++) {
-        append_corner("v ", place, i);
-    }
-    for (int i = 0; i < FACES; i++) {
-        append("f %d %d %d\n", faces[i][0] + 2, faces[i][1] + 2, faces[i][2] + 2);
-    }
+    append_corners("v ", place);
+    append_faces("f", 2);
     write_text("x.obj", text);
 }
 
 static void write_ply(const double place[3])
 {
-    strcpy(text, "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\n"
-                 "property double z\nelement face 6\nproperty list uchar int vertex_indices\nend_header\n");
-    for (int i = 0; i < CORNERS; i++) {
-        append_corner("", place, i);
-    }
-    for (int i = 0; i < FACES; i++) {
-        append("3 %d %d %d\n", faces[i][0], faces[i][1], faces[i][2]);
-    }
+    text[0] = 0;
+    append("ply\nformat ascii 1.0\nelement vertex %d\nproperty double x\nproperty double y\n"
+           "property double z\nelement face %d\nproperty list uchar int vertex_indices\nend_header\n",
+           CORNERS * shapes(), FACES * shapes());
+    append_corners("", place);
+    append_faces("3", 0);
     write_text("x.ply", text);
 }
 
@@ -111,10 +128,10 @@ static void write_ply(const double place[3])
 static void write_stl(const double place[3])
 {
     strcpy(text, "solid a\n");
-    for (int i = 0; i < FACES; i++) {
-        append("facet normal 0 0 %d\nouter loop\n", i < 2);
+    for (int i = 0; i < FACES * shapes(); i++) {
+        append("facet normal 0 0 %d\nouter loop\n", i % FACES < 2);
         for (int k = 0; k < 3; k++) {
-            append_corner("vertex ", place, faces[i][k]);
+            append_corner("vertex ", i < FACES ? place : far, faces[i % FACES][k]);
         }
         append("endloop\nendfacet\n");
     }
@@ -124,22 +141,17 @@ static void write_stl(const double place[3])
 
 static void write_off(const double place[3])
 {
-    strcpy(text, "OFF\n5 6 0\n");
-    for (int i = 0; i < CORNERS; i++) {
-        append_corner("", place, i);
-    }
-    for (int i = 0; i < FACES; i++) {
-        append("3 %d %d %d\n", faces[i][0], faces[i][1], faces[i][2]);
-    }
+    text[0] = 0;
+    append("OFF\n%d %d 0\n", CORNERS * shapes(), FACES * shapes());
+    append_corners("", place);
+    append_faces("3", 0);
     write_text("x.off", text);
 }
 
 static void write_xyz(const double place[3])
 {
     text[0] = 0;
-    for (int i = 0; i < CORNERS; i++) {
-        append_corner("", place, i);
-    }
+    append_corners("", place);
     write_text("x.xyz", text);
 }
 
@@ -425,6 +437,47 @@ static void test_camera_and_light(void **state)
     scene_model_free(model);
 }
 
+// A mesh of floats with two shapes: no more is lost than floats lost, also where a turned node stands far away.
+static void test_floats_of_a_mesh(void **state)
+{
+    (void)state;
+    struct {
+        float positions[2 * CORNERS][3];
+        uint16_t indices[2 * 3 * FACES];
+    } bytes;
+    static const float apart = 524288;
+    for (int i = 0; i < 2 * CORNERS; i++) {
+        for (int c = 0; c < 3; c++) {
+            bytes.positions[i][c] = (float)shape[i % CORNERS][c] + (i < CORNERS || c > 0 ? 0 : apart);
+        }
+    }
+    for (int i = 0; i < 2 * 3 * FACES; i++) {
+        const int k = i % (3 * FACES);
+        bytes.indices[i] = (uint16_t)(faces[k / 3][k % 3] + (i == k ? 0 : CORNERS));
+    }
+    write_format("x.gltf",
+                 "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}]," MESH
+                 ",\"nodes\":[{\"mesh\":0},{\"mesh\":0,\"rotation\":[1,0,0,0],\"translation\":[0,3e9,0]}],"
+                 "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":10,\"type\":\"VEC3\"},"
+                 "{\"bufferView\":1,\"componentType\":5123,\"count\":36,\"type\":\"SCALAR\"}],"
+                 "\"bufferViews\":[{\"buffer\":0,\"byteLength\":120},{\"buffer\":0,\"byteOffset\":120,"
+                 "\"byteLength\":72}],\"buffers\":[{\"byteLength\":192,\"uri\":\"%s\"}]}",
+                 data_uri(&bytes, sizeof bytes));
+    struct scene_model *const model = load("x.gltf");
+    assert_int_equal(model->instance_count, 4);
+    assert_int_equal(model->warning_count, 0);
+    for (int i = 0; i < 4; i++) {
+        const struct scene_instance *const instance = &model->instances[i];
+        const float *const p = model->meshes[instance->mesh].positions[0];
+        const double first[3] = {i < 2 ? 0 : (double)apart, i % 2 == 0 ? 0 : 3e9, 0};
+        for (int c = 0; c < 3; c++) {
+            const double turned = c > 0 && i % 2 == 1 ? -1 : 1;
+            assert_true(model->origin[c] + instance->place[c] + turned * (double)p[c] == first[c]);
+        }
+    }
+    scene_model_free(model);
+}
+
 // Two parts that are far apart have an origin each, also in one mesh of the file.
 static void test_clusters(void **state)
 {
@@ -499,22 +552,95 @@ static void test_many_clusters(void **state)
     scene_model_free(model);
 }
 
-// In one mesh of other formats one of two parts that are far apart has steps, which is told.
-static void test_parts_of_a_mesh(void **state)
+// Two shapes of one mesh that are far from each other: both are the one that a file has alone.
+static void assert_pair(const char *name, write_function *write)
+{
+    is_pair = false;
+    write(near);
+    struct scene_model *const one = load(name);
+    is_pair = true;
+    write(near);
+    struct scene_model *const two = load(name);
+    is_pair = false;
+    assert_true(two->is_scattered && two->warning_count == 0);
+    assert_int_equal(two->instance_count, 2);
+    const struct scene_mesh *const mesh = &one->meshes[one->instances[0].mesh];
+    for (int i = 0; i < 2; i++) {
+        const struct scene_instance *const instance = &two->instances[i];
+        const struct scene_mesh *const piece = &two->meshes[instance->mesh];
+        const double *const place = i == 0 ? near : far;
+        assert_int_equal(instance->object, one->instances[0].object);
+        assert_int_equal(piece->vertex_count, mesh->vertex_count);
+        assert_int_equal(piece->index_count, mesh->index_count);
+        assert_memory_equal(piece->indices, mesh->indices, mesh->index_count * sizeof *mesh->indices);
+        for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+            for (int c = 0; c < 3; c++) {
+                const double there = two->origin[c] + instance->place[c] + (double)piece->positions[v][c];
+                assert_true(fabs(there - place[c] - (double)mesh->positions[v][c]) < 1e-6);
+            }
+            if (mesh->normals != NULL) {
+                assert_floats(piece->normals[v], mesh->normals[v], 3, 1e-6f);
+            }
+        }
+    }
+    scene_model_free(one);
+    scene_model_free(two);
+}
+
+static void test_pairs(void **state)
 {
     (void)state;
-    static const char format[] =
-        "ply\nformat ascii 1.0\nelement vertex 7\nproperty double x\nproperty double y\n"
-        "property double z\nelement face 3\nproperty list uchar int vertex_indices\n"
-        "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n%s 0 0\n%s.5 0 0\n%s 0.5 0\n"
-        "3 0 1 2\n3 1 3 2\n3 4 5 6\n";
-    static const char *const places[] = {"3000000", "30"};
-    for (int i = 0; i < 2; i++) {
-        char lines[512];
-        snprintf(lines, sizeof lines, format, places[i], places[i], places[i]);
-        write_text("x.ply", lines);
-        struct scene_model *const model = load("x.ply");
-        assert_true(has_warning(model, "places in one are 0.25 apart") == (i == 0));
+    assert_pair("x.obj", write_obj);
+    assert_pair("x.ply", write_ply);
+    assert_pair("x.stl", write_stl);
+    assert_pair("x.off", write_off);
+    assert_pair("x.xyz", write_xyz);
+}
+
+// A polygon with a notch in the far part of a mesh: its ears are found there as they are here.
+static void test_polygon_of_part(void **state)
+{
+    (void)state;
+    static const int arrow[4][2] = {{0, 0}, {4, 1}, {1, 1}, {1, 4}};
+    for (int is_off = 0; is_off < 2; is_off++) {
+        text[0] = 0;
+        append(is_off
+                   ? "OFF\n8 2 0\n"
+                   : "ply\nformat ascii 1.0\nelement vertex 8\nproperty double x\nproperty double y\n"
+                     "property double z\nelement face 2\nproperty list uchar int vertex_index\nend_header\n");
+        for (int i = 0; i < 8; i++) {
+            append("%.3f %.3f 0\n", 0.25 * arrow[i % 4][0] + i / 4 * 54598150.375, 0.25 * arrow[i % 4][1]);
+        }
+        append("4 1 2 3 0\n4 5 6 7 4\n");
+        write_text("x.any", text);
+        struct scene_model *const model = load("x.any");
+        assert_int_equal(model->instance_count, 2);
+        const struct scene_mesh *const a = &model->meshes[model->instances[0].mesh],
+                                       *const b = &model->meshes[model->instances[1].mesh];
+        assert_int_equal(a->index_count, 6);
+        assert_memory_equal(a->indices, b->indices, 6 * sizeof *a->indices);
+        scene_model_free(model);
+    }
+}
+
+// Parts of what is one thing: they are far from each other as points, and faces or nearness hold them together.
+static void test_one_mesh(void **state)
+{
+    (void)state;
+    static const char *const files[] = {
+        // the corners of a cube, and those of a large triangle beside a small one
+        "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n",
+        "OFF\n6 2 0\n0 0 0\n1e7 0 0\n0 1e7 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 3 4 5\n",
+        // near by the size of the larger one
+        "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n1000 0 0\n1000.1 0 0\n1000 0.1 0\n3 0 1 2\n3 3 4 5\n",
+        // a point far from a cloud has no size
+        "0 0 0\n1 0 0\n0 1 0\n1 1 0\n1e8 0 0\n"};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        const char *const name = files[i][0] == 'O' ? "x.off" : "x.xyz";
+        write_text(name, files[i]);
+        struct scene_model *const model = load(name);
+        assert_int_equal(model->mesh_count, 1);
+        assert_int_equal(model->instance_count, 1);
         scene_model_free(model);
     }
 }
@@ -548,9 +674,12 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_brought_back),
     cmocka_unit_test(test_camera_and_light),
     cmocka_unit_test(test_clusters),
-    cmocka_unit_test(test_parts_of_a_mesh),
+    cmocka_unit_test(test_pairs),
     cmocka_unit_test(test_many_clusters),
     cmocka_unit_test(test_how_far),
+    cmocka_unit_test(test_polygon_of_part),
+    cmocka_unit_test(test_one_mesh),
+    cmocka_unit_test(test_floats_of_a_mesh),
 };
 
 const struct unit_tests test_origin = UNIT_TESTS(tests, make_directory, remove_directory);

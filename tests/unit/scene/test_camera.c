@@ -304,7 +304,7 @@ static void test_what_a_camera_must_show(void **state)
     assert_false(scene_camera_is_believable(&t.model, &camera, 1.0));
 }
 
-// A camera from which the model is a tenth as large as it is when fitted is the limit, of surfaces, lines and points. A
+// A camera from which the model is a quarter as large as it is when fitted is the limit, of surfaces, lines and points. A
 // model covers a picture also where none of its corners is in it.
 static void test_a_camera_shows_more_than_a_thumbnail(void **state)
 {
@@ -319,8 +319,8 @@ static void test_a_camera_shows_more_than_a_thumbnail(void **state)
     } cases[] = {
         {SCENE_PRIMITIVE_TRIANGLES, 1, SCENE_SIGHT_ENOUGH},
         {SCENE_PRIMITIVE_TRIANGLES, 0.01, SCENE_SIGHT_ENOUGH},
-        {SCENE_PRIMITIVE_TRIANGLES, 9, SCENE_SIGHT_ENOUGH},
-        {SCENE_PRIMITIVE_TRIANGLES, 11, SCENE_SIGHT_NEXT_TO_NOTHING},
+        {SCENE_PRIMITIVE_TRIANGLES, 3.8, SCENE_SIGHT_ENOUGH},
+        {SCENE_PRIMITIVE_TRIANGLES, 4.2, SCENE_SIGHT_NEXT_TO_NOTHING},
         {SCENE_PRIMITIVE_TRIANGLES, 2000, SCENE_SIGHT_NEXT_TO_NOTHING},
         {SCENE_PRIMITIVE_TRIANGLES, -1, SCENE_SIGHT_NOTHING},
         {SCENE_PRIMITIVE_LINES, 9, SCENE_SIGHT_ENOUGH},
