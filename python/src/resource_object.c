@@ -108,13 +108,13 @@ static PyObject *buffer(PyObject *module, PyObject *arguments)
     if (!PyArg_ParseTuple(arguments, "On:buffer", &context, &size) || !python_context_check(context)) {
         return NULL;
     }
-    if (size < 1 || size > PY_SSIZE_T_MAX - RHW_MEMORY_PADDING) {
+    if (size < 1) {
         PyErr_SetString(PyExc_ValueError, "buffer: must have at least one byte");
         return NULL;
     }
     struct rhw_buffer_def def = rhw_buffer_def_default();
     def.size = (size_t)size;
-    def.memory_size = def.size + RHW_MEMORY_PADDING;
+    def.memory_size = def.size;
     PyObject *memory = python_memory_aligned(def.memory_size, &def.memory);
     PyObject *made = memory ? make(context, PYTHON_ITEM_BUFFER, memory, NULL, create_buffer, &def) : NULL;
     if (made) {
