@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Collada as it is written: white space at the ends of texts, and texture coordinates that are bound by names.
+// Collada as it is written: white space at the ends of texts, texture coordinates that are bound by names, and packages.
 #include "model_files.h"
+#include "package_3mf.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -28,10 +29,10 @@
     "target=\"#m\"/></technique_common></bind_material></instance_geometry></node></visual_scene>"           \
     "</library_visual_scenes><scene><instance_visual_scene url=\"#s0\"/></scene></COLLADA>"
 
-// Writes the document with `blanks` at both ends of its texts.
-static void write_document(const char *blanks)
+// Makes the document with `blanks` at both ends of its texts.
+static void make_document(const char *blanks, char text[8192])
 {
-    char text[8192], *out = text;
+    char *out = text;
     for (const char *c = DOCUMENT; *c != 0; c++) {
         if (*c == '[' || *c == ']') {
             memcpy(out, blanks, strlen(blanks));
@@ -41,6 +42,12 @@ static void write_document(const char *blanks)
         }
     }
     *out = 0;
+}
+
+static void write_document(const char *blanks)
+{
+    char text[8192];
+    make_document(blanks, text);
     write_text("x.dae", text);
 }
 
@@ -210,7 +217,32 @@ static void test_no_color(void **state)
     }
 }
 
+// A document and its texture in a ZIP archive, with a manifest that names the document, and without.
+static void test_package(void **state)
+{
+    (void)state;
+    static const char picture[] = "P6\n1 1\n255\n\x10\x20\x30";
+    char text[8192];
+    make_document("", text);
+    for (int with_manifest = 0; with_manifest < 2; with_manifest++) {
+        zipFile zip = package_begin("x.zae");
+        if (with_manifest) {
+            package_add_text(zip, "manifest.xml", "<?xml version=\"1.0\"?><dae_root>./x.dae</dae_root>");
+        }
+        package_add_text(zip, "x.dae", text);
+        package_add(zip, "gone.png", picture, sizeof picture - 1);
+        package_end(zip);
+        struct scene_model *const model = load("x.zae");
+        assert_int_equal(model->triangles_drawn, 1);
+        assert_false(has_warning(model, "gone.png"));
+        assert_int_equal(model->image_count, 1);
+        assert_memory_equal(model->images[0].texels, "\x10\x20\x30\xff", 4);
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_package),
     cmocka_unit_test(test_no_color),
     cmocka_unit_test(test_blanks),
     cmocka_unit_test(test_texture_coordinate_sets),

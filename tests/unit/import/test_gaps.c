@@ -97,10 +97,81 @@ static void test_textures(void **state)
     }
 }
 
+#define X3D(marks)                                                                                  \
+    "<?xml version=\"1.0\"?><X3D version=\"3.0\"><Scene><Shape><IndexedFaceSet coordIndex=\"0 1 2 " \
+    "-1\"><Coordinate point=\"0 0 0 1 0 0 0 1 0\"/></IndexedFaceSet></Shape><!-- " marks            \
+    " --></Scene></X3D>"
+#define AMF(marks)                                                                                           \
+    "<?xml version=\"1.0\"?><amf unit=\"millimeter\"><object id=\"1\"><mesh><vertices><vertex><coordinates>" \
+    "<x>0</x><y>0</y><z>0</z></coordinates></vertex><vertex><coordinates><x>1</x><y>0</y><z>0</z></"         \
+    "coordinates>"                                                                                           \
+    "</vertex><vertex><coordinates><x>0</x><y>1</y><z>0</z></coordinates></vertex></"                        \
+    "vertices><volume><triangle>"                                                                            \
+    "<v1>0</v1><v2>1</v2><v3>2</v3></triangle></volume></mesh></object><!-- " marks " --></amf>"
+
+// Words of formats that assimp passes over without a word in its log.
+static void test_words(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name, *text, *told;
+    } cases[] = {
+        {"w.x3d", X3D("<Text"), "text: not drawn"},
+        {"w.x3d", X3D("<NurbsCurve"), "NURBS: not drawn"},
+        {"w.x3d", X3D("<GeoOrigin"), "geospatial nodes: not drawn"},
+        {"w.x3d", X3D("<HAnimSite"), "humanoids: not drawn"},
+        {"w.x3d", X3D("<LOD"), "levels of detail: not drawn"},
+        {"w.x3d", X3D("<PixelTexture"), "textures in the file: not drawn"},
+        {"w.x3d", X3D("<MovieTexture"), "films: not drawn"},
+        {"w.x3d", X3D("<MultiTexture"), "textures above each other: not drawn"},
+        {"w.x3d", X3D("<Background"), "the background: not drawn"},
+        {"w.x3d", X3D("<Fog"), "fog: not drawn"},
+        {"w.x3d", X3D("<ParticleSystem"), "particles: not drawn"},
+        {"w.amf", AMF("<composite"), "composite materials: not drawn"},
+        {"w.amf", AMF("<edge"), "curved edges: not drawn"},
+        {"w.dae",
+         COLLADA "<library_geometries>" TRIANGLE
+                 "<geometry id=\"c\"><brep/></geometry></library_geometries>" SCENE(""),
+         "boundary representations: not drawn"},
+        {"w.dae", COLLADA "<library_geometries>" TRIANGLE "</library_geometries><!-- <nurbs -->" SCENE(""),
+         "NURBS: not drawn"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct scene_model *const model = load_text(cases[i].name, cases[i].text);
+        if (!is_unsupported(model, cases[i].told) || model->unsupported_count != 1) {
+            fail_msg("%s: %s", cases[i].name, cases[i].told);
+        }
+        scene_model_free(model);
+    }
+}
+
+// A camera and a light that cannot be, and a light of a kind that is not drawn.
+static void test_cameras_and_lights(void **state)
+{
+    (void)state;
+    struct scene_model *const model = load_text(
+        "c.dae", COLLADA
+        "<library_cameras><camera id=\"eye\" "
+        "name=\"eye\"><optics><technique_common><perspective><xfov>270</xfov>"
+        "<aspect_ratio>1</aspect_ratio><znear>1</znear><zfar>9</zfar></perspective></technique_common></"
+        "optics>"
+        "</camera></library_cameras><library_lights><light id=\"dark\" "
+        "name=\"dark\"><technique_common><point>"
+        "<color>0 0 0</color></point></technique_common></light><light id=\"all\"><technique_common><ambient>"
+        "<color>1 1 1</color></ambient></technique_common></light></library_lights>"
+        "<library_geometries>" TRIANGLE "</library_geometries>" SCENE(
+            "<instance_camera url=\"#eye\"/><instance_light url=\"#dark\"/><instance_light url=\"#all\"/>"));
+    assert_true(has_warning(model, "camera \"$ColladaAutoName$_0\" is not valid: left out"));
+    assert_true(has_warning(model, "light \"$ColladaAutoName$_0\" gives no light: left out"));
+    assert_true(is_unsupported(model, "ambient and area lights: left out"));
+    assert_int_equal(model->camera_count + model->light_count, 0);
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_entities),
-    cmocka_unit_test(test_log),
-    cmocka_unit_test(test_textures),
+    cmocka_unit_test(test_entities),           cmocka_unit_test(test_log),
+    cmocka_unit_test(test_textures),           cmocka_unit_test(test_words),
+    cmocka_unit_test(test_cameras_and_lights),
 };
 
 const struct unit_tests test_gaps = UNIT_TESTS(tests, make_directory, remove_directory);
