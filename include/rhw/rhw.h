@@ -43,11 +43,12 @@ RHW_API void rhw_context_destroy(rhw_context *context);
 /// Return the number of threads that draw, the calling thread included.
 RHW_API int rhw_context_threads(const rhw_context *context);
 
-/// Set a function that decides whether a pass of the context goes on. The thread that ends the pass calls it before
-/// each of its tasks, some thousand times a second. If it returns false, the tasks under way are done, which are a tile
-/// or 8192 triangles each, and rhw_pass_end returns RHW_ERROR_GIVEN_UP. Everything that the pass wrote to then holds
-/// unspecified values, its queries have no result, and rhw_pass_end does not write the stats. `goes_on` must not call
-/// the library with the same context; that is misuse. A `goes_on` of NULL, as at first, lets every pass go on.
+/// Set a function that decides whether a pass of the context, or rhw_texture_generate_mips, goes on. The thread that
+/// called the library calls it before each of its tasks, some thousand times a second. If it returns false, the tasks
+/// under way are done, which are a tile or 8192 triangles each, and the call returns RHW_ERROR_GIVEN_UP. All that it
+/// wrote to then holds unspecified values, the queries of a pass have no result, and rhw_pass_end does not write the
+/// stats. `goes_on` must not call the library with the same context; that is misuse. A `goes_on` of NULL, as at first,
+/// lets all go on.
 RHW_API void rhw_context_set_goes_on(rhw_context *context, bool (*goes_on)(void *user), void *user);
 
 /// Return the instruction set that the context uses.
@@ -145,7 +146,8 @@ RHW_API enum rhw_result rhw_texture_read_stencil(rhw_context *context, rhw_textu
 
 /// Fill the levels from 1 on, in all layers, from level 0. A box filter averages in linear light; it weighs odd sizes
 /// exactly, and averages 2×2×2 texels of a 3D texture. If there is no memory for that, the function returns
-/// RHW_ERROR_OUT_OF_MEMORY and the levels stay as they are. It is misuse for a compressed format: write its levels.
+/// RHW_ERROR_OUT_OF_MEMORY and the levels stay as they are; RHW_ERROR_GIVEN_UP says that the program gave it up
+/// (rhw_context_set_goes_on). It is misuse for a compressed format: write its levels.
 RHW_API enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture texture);
 
 /// Tell that something else than this texture's own passes and functions has written to the program's memory that the

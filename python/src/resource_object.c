@@ -192,10 +192,12 @@ static PyObject *generate_mips(PyObject *module, PyObject *object)
     if (!handle) {
         return NULL;
     }
-    enum rhw_result result;
-    Py_BEGIN_ALLOW_THREADS result = rhw_texture_generate_mips(handle, resource->item->id.texture);
-    Py_END_ALLOW_THREADS if (!python_context_leave(resource->context, result))
-    {
+    struct python_work work = python_work_begin();
+    rhw_context_set_goes_on(handle, python_work_goes_on, &work);
+    const enum rhw_result result = rhw_texture_generate_mips(handle, resource->item->id.texture);
+    rhw_context_set_goes_on(handle, NULL, NULL);
+    PyEval_RestoreThread(work.state);
+    if (!python_context_leave(resource->context, result)) {
         return NULL;
     }
     Py_INCREF(Py_None);

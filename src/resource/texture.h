@@ -136,7 +136,8 @@ void rhw_texture_data_destroy(struct rhw_memory *memory, struct rhw_texture_data
 
 // Box-filter levels 1.. from level 0 in linear light, on all threads of the context. The texture has its memory, and a
 // format that is sampled. Return false when out of memory; the levels are unchanged then.
-bool rhw_texture_data_generate_mips(struct rhw_context *context, const struct rhw_texture_data *texture);
+enum rhw_result rhw_texture_data_generate_mips(struct rhw_context *context,
+                                               const struct rhw_texture_data *texture);
 
 // Return the number of levels of the chain from width × height × depth down to a single texel.
 int rhw_mip_chain_length(int width, int height, int depth);
