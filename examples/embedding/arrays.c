@@ -79,8 +79,8 @@ int main(void)
     struct star stars[STARS];
     for (int i = 0; i < STARS; i++) {
         const float part = (float)i / STARS;
-        stars[i] =
-            (struct star){6 * part - 2.75f, (float)(i * 5 % 7 - 3) / 6, 0.2f + part / 4, {1, part, 1 - part}};
+        stars[i] = (struct star){
+            5.4f * part - 2.6f, (float)(i * 5 % 7 - 3) / 6, 0.2f + part / 4, {1, part, 1 - part}};
     }
     rhw_context *context;
     rhw_pipeline pipeline;

@@ -36,8 +36,8 @@ enum {
     RHW_MAX_TEXTURE_LAYERS = 2048,   ///< layers of an array; a cube has six
     RHW_MAX_VERTEX_BUFFERS = 16,
     RHW_MAX_ATTRIBUTES = 16,
-    RHW_MAX_VARYINGS = 32,
-    RHW_MAX_VARYING_COMPONENTS = 64,
+    RHW_MAX_VARYINGS = 64,
+    RHW_MAX_VARYING_COMPONENTS = 128, ///< floats of all varyings of a program together
     RHW_MAX_CLIP_DISTANCES = 8,
     RHW_MAX_CULL_DISTANCES = 8,
     RHW_MAX_GROUPS = 16,             ///< groups of 8 lanes in one call of a shader function

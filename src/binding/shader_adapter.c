@@ -27,7 +27,7 @@ void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex
 {
     const bool all = pipeline->validator != NULL;
     const int attributes = all ? RHW_MAX_ATTRIBUTES : pipeline->def.attribute_count;
-    const int components = all ? RHW_VALIDATED_COMPONENTS : pipeline->varying_components;
+    const int components = all ? rhw_validated_count(pipeline) : pipeline->varying_components;
     for (int i = 0; i < count * RHW_LANES; i++) {
         struct rhw_vertex *const group = &groups[i / RHW_LANES];
         const int lane = i % RHW_LANES;
@@ -35,10 +35,10 @@ void rhw_vertex1_run(const struct rhw_pipeline_data *pipeline, struct rhw_vertex
             continue;
         }
         float attribute[RHW_MAX_ATTRIBUTES][4] = {{0}};
-        float varying[RHW_VALIDATED_COMPONENTS] = {0};
+        float varying[RHW_VALIDATED_COMPONENTS];
         float distance[2][RHW_MAX_CLIP_DISTANCES] = {{0}};
-        for (int c = 0; c < components && all; c++) {
-            varying[c] = group->varying[c][lane];
+        for (int c = 0; c < components; c++) {
+            varying[c] = all ? group->varying[c][lane] : 0;
         }
         for (int a = 0; a < attributes; a++) {
             for (int c = 0; c < 4; c++) {
@@ -120,7 +120,7 @@ static void load_builtins(const struct rhw_fragment *group, int lane, uint32_t u
 static void run_fragment(const struct rhw_pipeline_data *pipeline, struct rhw_fragment *group, int lane)
 {
     const bool all = pipeline->validator != NULL;
-    const int components = all ? RHW_VALIDATED_COMPONENTS : pipeline->varying_components;
+    const int components = all ? rhw_validated_count(pipeline) : pipeline->varying_components;
     const int targets = all ? RHW_MAX_COLOR_ATTACHMENTS : pipeline->output_count;
     const uint32_t uses = all ? UINT32_MAX : pipeline->def.program.uses;
     float varying[RHW_VALIDATED_COMPONENTS], ddx[RHW_VALIDATED_COMPONENTS], ddy[RHW_VALIDATED_COMPONENTS];

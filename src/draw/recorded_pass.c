@@ -25,6 +25,7 @@ void rhw_recorded_pass_clear(struct rhw_recorded_pass *pass)
     pass->draws.count = 0;
     pass->triangle_count = 0;
     pass->triangles_most = 1;
+    pass->components_most = 0;
     pass->shades_first = false;
     pass->has_large_draws = false;
     pass->has_feedback = false;

@@ -29,6 +29,7 @@ struct rhw_recorded_pass {
     struct rhw_draw_list draws;     // each wave sets the vertices that its draws share
     uint64_t triangle_count;
     int triangles_most;   // most triangles that tiles draw for a primitive of any draw
+    int components_most;  // most components that varyings have together in any draw
     bool shades_first;    // some draw has vertices that are shaded before the first wave
     bool has_large_draws; // some indexed draw has at least RHW_SHARING_TRIANGLES
     bool has_feedback;    // some draw writes to buffers

@@ -28,6 +28,10 @@ struct rhw_worker {
     struct rhw_tile_scratch *tile;
     struct rhw_sample_tile *sample_tiles; // tiles of all samples but the first, as many as any pass has needed
     int sample_tile_count;
+    // Varyings of the groups of 8 vertices and 8 fragments that shader functions take at once, and derivatives of the
+    // latter: of as many components as draws of passes have had.
+    void *varyings;
+    int component_room;
     // The colours of all samples of the tile: as many attachments of as many samples as passes have had.
     rhw_tile_colors *colors;
     int color_count;

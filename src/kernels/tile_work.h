@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A worker's work on a tile: where the tile is, the draw whose fragments are collected, and the memory it needs. The
-// memory is allocated once per thread. Colours are there for as many attachments as any pass has had, and bins for the
-// chunks of the wave; the rest is sized by the limits of the API, and a draw touches only what it uses of it.
+// memory is allocated once per thread. Colours are there for as many attachments as any pass has had, varyings for as
+// many components, and bins for the chunks of the wave; the rest is sized by the limits of the API, and a draw touches
+// only what it uses of it.
 #ifndef RHW_TILE_WORK_H
 #define RHW_TILE_WORK_H
 
@@ -38,9 +39,9 @@ struct fragment_queue {
     int32_t texels[RHW_FRAGMENT_GROUPS][8];
     int count;           // number of groups
     bool only_full_rows; // every group is 8 live pixels in a row
-    f32x8 varyings[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
-    f32x8 ddx[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
-    f32x8 ddy[RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS];
+    // Varyings of the groups, one group behind the other, and their derivatives. The worker has room for as many
+    // components as a draw of any pass has had.
+    f32x8 *varyings, *ddx, *ddy;
     f32x8 colors[RHW_FRAGMENT_GROUPS][RHW_MAX_COLOR_ATTACHMENTS][4];
     // The samples of each fragment, a bit each, and their depths where they are tested late. Multisampled passes have
     // them.

@@ -125,6 +125,8 @@ static void append_draw(struct rhw_encoder *encoder, const struct rhw_draw *draw
     pass->has_large_draws |= slot->indexed && slot->triangles_per_instance >= RHW_SHARING_TRIANGLES;
     const int triangles_most = state->pipeline->triangles_most;
     pass->triangles_most = triangles_most > pass->triangles_most ? triangles_most : pass->triangles_most;
+    const int components = state->pipeline->varying_components;
+    pass->components_most = components > pass->components_most ? components : pass->components_most;
     pass->triangle_count += (uint64_t)slot->triangles_per_instance * slot->instances;
     if (state->queries) {
         rhw_queries_count_draw(slot, count);

@@ -88,6 +88,35 @@ static bool geometry_ready(struct rhw_memory *memory, struct rhw_worker *worker,
     return true;
 }
 
+// Return the bytes of the varyings of all groups, of so many components, and of the derivatives.
+static size_t varyings_size(int components)
+{
+    return (size_t)components * (RHW_VERTEX_GROUPS + 3 * RHW_FRAGMENT_GROUPS) * sizeof(f32x8);
+}
+
+// Give the worker room for varyings of so many components. Return false when out of memory.
+static bool varyings_ready(struct rhw_memory *memory, struct rhw_worker *worker, int components)
+{
+    enum { STEP = 8 };
+    const int wanted = components < STEP ? STEP : (components + STEP - 1) / STEP * STEP;
+    if (worker->component_room < wanted) {
+        rhw_memory_release(memory, worker->varyings, varyings_size(worker->component_room));
+        worker->component_room = 0;
+        worker->varyings = rhw_memory_allocate_zeroed(memory, varyings_size(wanted), RHW_CACHE_LINE);
+        if (!worker->varyings) {
+            return false;
+        }
+        worker->component_room = wanted;
+    }
+    const size_t each = (size_t)worker->component_room * RHW_FRAGMENT_GROUPS;
+    struct fragment_queue *const queue = &worker->tile->queue;
+    worker->geometry->varyings = worker->varyings;
+    queue->varyings = worker->geometry->varyings + (size_t)worker->component_room * RHW_VERTEX_GROUPS;
+    queue->ddx = queue->varyings + each;
+    queue->ddy = queue->ddx + each;
+    return true;
+}
+
 // Make the workers, with nothing but their arenas. Return false when out of memory.
 static bool make_workers(struct rhw_executor *executor)
 {
@@ -123,6 +152,7 @@ static bool worker_ready(const struct rhw_executor *executor, struct rhw_worker 
     }
     worker->counters = (struct rhw_counters){0};
     return geometry_ready(memory, worker, executor->chunk_size) &&
+           varyings_ready(memory, worker, executor->wave.pass->components_most) &&
            sample_tiles_ready(memory, worker, target->pattern->count - 1) &&
            colors_ready(memory, worker, target);
 }
@@ -165,6 +195,7 @@ static void release_worker(struct rhw_memory *memory, struct rhw_worker *worker)
     rhw_arena_destroy(&worker->arena);
     rhw_memory_release(memory, worker->geometry, rhw_geometry_scratch_room(worker->triangle_room).size);
     rhw_memory_release(memory, worker->tile, sizeof *worker->tile);
+    rhw_memory_release(memory, worker->varyings, varyings_size(worker->component_room));
     rhw_memory_release(memory, worker->colors, (size_t)worker->color_count * sizeof *worker->colors);
     rhw_memory_release(memory, worker->sample_tiles,
                        (size_t)worker->sample_tile_count * sizeof *worker->sample_tiles);

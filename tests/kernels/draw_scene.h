@@ -102,6 +102,8 @@ struct scene {
     struct rhw_tile_scratch tile;
     _Alignas(RHW_CACHE_LINE) rhw_tile_colors colors[RHW_MAX_COLOR_ATTACHMENTS];
     struct bin bins[SCENE_CHUNKS];
+    f32x8 varyings[RHW_VERTEX_GROUPS * RHW_MAX_VARYING_COMPONENTS];
+    f32x8 fragment_varyings[3][RHW_FRAGMENT_GROUPS * RHW_MAX_VARYING_COMPONENTS]; // and their derivatives
     struct rhw_worker worker;
     struct rhw_memory memory;
     struct rhw_recorded_pass pass;
@@ -132,6 +134,10 @@ static void start_scene(struct scene *scene)
     scene->worker.tile = &scene->tile;
     scene->tile.color = scene->colors;
     scene->tile.bins = scene->bins;
+    scene->worker.geometry->varyings = scene->varyings;
+    scene->tile.queue.varyings = scene->fragment_varyings[0];
+    scene->tile.queue.ddx = scene->fragment_varyings[1];
+    scene->tile.queue.ddy = scene->fragment_varyings[2];
     for (int bits = 0; bits < 256; bits++) {
         int count = 0;
         for (int lane = 0; lane < 8; lane++) {
@@ -188,7 +194,11 @@ static void set_draw_state(struct rhw_draw_state *state, const struct scene *sce
     const enum rhw_paths paths = scene->pass.paths;
     memset(state, 0, sizeof *state);
     state->pipeline = &scene->pipelines[draw - in->draws];
-    state->streams[0] = (struct rhw_vertex_stream){(const unsigned char *)in->vertices, sizeof in->vertices};
+    // Every second draw has vertices of which nothing behind the last byte is loaded.
+    state->streams[0] =
+        (struct rhw_vertex_stream){.bytes = (const unsigned char *)in->vertices,
+                                   .size = sizeof in->vertices,
+                                   .loaded = (draw - in->draws) % 2 != 0 ? RHW_FETCH_BYTES : 0};
     state->indices = scene->indices;
     state->index_type = (enum rhw_index_type)draw->index_type;
     state->index_bytes = (size_t)SCENE_INDICES << draw->index_type;

@@ -70,6 +70,7 @@ cat >expected/allocator <<'TEXT'
 refused: 1, left: 0 bytes
 TEXT
 echo b7b6f989734a816b >expected/mesh
+echo 2caafbd101cb2219 >expected/arrays
 cat >expected/handles <<'TEXT'
 f112808d386bc02a
 e83ada50aa5db41f

@@ -113,9 +113,10 @@ static void prepare(const struct rhw_validator *validator, const struct rhw_frag
                     bool second, int g, struct fragment_run *out)
 {
     const struct rhw_pipeline_data *const pipeline = validator->pipeline;
-    spoil(out->varying[g], RHW_VALIDATED_COMPONENTS, changed & VARYINGS);
-    spoil(out->ddx[g], RHW_VALIDATED_COMPONENTS, changed & DERIVATIVES);
-    spoil(out->ddy[g], RHW_VALIDATED_COMPONENTS, changed & DERIVATIVES);
+    const int components = rhw_validated_count(pipeline);
+    spoil(out->varying[g], components, changed & VARYINGS);
+    spoil(out->ddx[g], components, changed & DERIVATIVES);
+    spoil(out->ddy[g], components, changed & DERIVATIVES);
     for (int i = 0; i < pipeline->varying_components; i++) {
         out->varying[g][i] = group->varying[i];
         if (pipeline->component_derivatives[i]) {

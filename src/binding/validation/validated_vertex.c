@@ -34,7 +34,7 @@ static void prepare(const struct rhw_validator *validator, const struct rhw_vert
             out->attribute[g][i][c] = i < pipeline->def.attribute_count ? group->attribute[i][c] : input;
         }
     }
-    for (int i = 0; i < RHW_VALIDATED_COMPONENTS; i++) {
+    for (int i = 0; i < rhw_validated_count(pipeline); i++) {
         out->varying[g][i] = output;
     }
     for (int i = 0; i < RHW_MAX_CLIP_DISTANCES; i++) {
@@ -157,7 +157,7 @@ static bool check_outputs(const struct rhw_validator *validator, uint32_t draw,
             return true;
         }
     }
-    for (int i = 0; i < RHW_VALIDATED_COMPONENTS; i++) {
+    for (int i = 0; i < rhw_validated_count(validator->pipeline); i++) {
         const bool written = !is_rubbish(first->varying[i], false) || !is_rubbish(second->varying[i], true);
         if (written != (i < components)) {
             rhw_validation_messages_add(

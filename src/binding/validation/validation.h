@@ -41,8 +41,10 @@ __attribute__((format(printf, 4, 5), cold)) void rhw_validation_messages_add(
     const char *format, ...);
 
 enum {
-    // Room for varyings; those behind the declared ones are validated.
-    RHW_VALIDATED_COMPONENTS = 64,
+    RHW_VALIDATED_COMPONENTS = RHW_MAX_VARYING_COMPONENTS, // room for varyings
+    RHW_VALIDATED_FEW = 64, // components of which programs with few varyings validate all
+    RHW_VALIDATED_BEHIND =
+        16, // components behind the declared ones that are validated, where there are as many
     RHW_VALIDATED_PADDING = 256, // bytes of rubbish behind the uniforms
     RHW_VALIDATED_GROUPS = 2     // groups of a call
 };
@@ -58,6 +60,14 @@ struct rhw_validator {
     uint32_t uses;
     char name[RHW_LABEL_SIZE + 32]; // name of the pipeline, for messages
 };
+
+// Return how many components of varyings are validated: those that the program declares, and some behind them.
+static inline int rhw_validated_count(const struct rhw_pipeline_data *pipeline)
+{
+    return pipeline->varying_components <= RHW_VALIDATED_FEW - RHW_VALIDATED_BEHIND
+               ? RHW_VALIDATED_FEW
+               : RHW_VALIDATED_COMPONENTS;
+}
 
 // What stands before the uniforms of a draw under validation: two copies, each with its own rubbish behind it.
 struct rhw_validated_uniforms {

@@ -56,7 +56,7 @@ struct rhw_triangle_list {
 struct rhw_geometry_scratch {
     _Alignas(64) struct rhw_vertex groups[RHW_VERTEX_GROUPS];
     f32x8 attributes[RHW_VERTEX_GROUPS][RHW_MAX_ATTRIBUTES][4];
-    f32x8 varyings[RHW_VERTEX_GROUPS * RHW_MAX_VARYING_COMPONENTS];
+    f32x8 *varyings; // varyings of the groups, one group behind the other, as in struct fragment_queue
     f32x8 distances[RHW_VERTEX_GROUPS][RHW_MAX_CLIP_DISTANCES + RHW_MAX_CULL_DISTANCES];
     struct rhw_cache_entry cache[RHW_VERTEX_CACHE];
     uint32_t stamp;

@@ -289,8 +289,8 @@ static void test_pipeline_definitions(void **state)
         case 4: def.program.varyings[0].components = 5; break;
         case 5: def.program.varyings[0].qualifier = (enum rhw_qualifier)3; break;
         case 6:
-            def.program.varying_count = 17;
-            for (int i = 0; i < 17; i++) {
+            def.program.varying_count = RHW_MAX_VARYING_COMPONENTS / 4 + 1;
+            for (int i = 0; i < def.program.varying_count; i++) {
                 def.program.varyings[i].components = 4;
             }
             break;

@@ -315,9 +315,8 @@ static void test_barycentrics_and_coordinates(void **state)
     rig_close(&rig);
 }
 
-enum { VARYINGS = 16 };
-
-static int many; // components
+static int many;  // components
+static int shown; // the first of 32 that the targets show
 
 static void many_vertex(struct rhw_vertex *groups, int count)
 {
@@ -337,29 +336,31 @@ static void many_fragment(struct rhw_fragment *groups, int count)
     for (int g = 0; g < count; g++) {
         for (int t = 0; t < 8; t++) {
             for (int c = 0; c < 4; c++) {
+                const int i = shown + t * 4 + c;
                 groups[g].color[t][c] =
-                    groups[g].varying[t * 4 + c] - groups[g].varying[(t * 4 + c + many / 2) % many];
+                    groups[g].varying[i % many] - groups[g].varying[(i + many / 2) % many];
             }
         }
     }
 }
 
-// Varyings of `kinds` qualifiers in turn, each component in its place.
-static void draw_components(const enum rhw_qualifier *qualifiers, int kinds, const int components[VARYINGS])
+// Varyings of `kinds` qualifiers in turn, each component in its place. The number of components is 0 behind the last.
+static void draw_components(const enum rhw_qualifier *qualifiers, int kinds,
+                            const int components[RHW_MAX_VARYINGS])
 {
     struct rig rig;
     rig_open(&rig, SIZE, SIZE);
     rig_set_program(&rig, many_vertex, many_fragment);
     enum rhw_qualifier qualifier_of[RHW_MAX_VARYING_COMPONENTS];
     many = 0;
-    for (int v = 0; v < VARYINGS; v++) {
+    for (int v = 0; v < RHW_MAX_VARYINGS && components[v] != 0; v++) {
+        rig.pipeline.program.varying_count = v + 1;
         rig.pipeline.program.varyings[v] =
             (struct rhw_varying){.components = components[v], .qualifier = qualifiers[v % kinds]};
         for (int c = 0; c < components[v]; c++) {
             qualifier_of[many++] = qualifiers[v % kinds];
         }
     }
-    rig.pipeline.program.varying_count = VARYINGS;
     for (int t = 1; t < 8; t++) {
         rig_set_target(&rig, t, RHW_FORMAT_RGBA32_FLOAT);
     }
@@ -380,13 +381,13 @@ static void draw_components(const enum rhw_qualifier *qualifiers, int kinds, con
             for (int c = 0; c < 4; c++) {
                 double value[2];
                 for (int k = 0; k < 2; k++) {
-                    const int v = (t * 4 + c + many / 2 * k) % many;
+                    const int v = (shown + t * 4 + c + many / 2 * k) % many;
                     const double corner[3] = {v, 2.0 * v + 1, 3.0 * v + 2};
                     value[k] = qualifier_of[v] == RHW_FLAT     ? corner[0]
                                : qualifier_of[v] == RHW_SMOOTH ? ref_mix(weights.space, corner)
                                                                : ref_mix(weights.screen, corner);
                 }
-                expect_near("component", (double)texels[i][c], value[0] - value[1], 17 * rig_ulp(144));
+                expect_near("component", (double)texels[i][c], value[0] - value[1], 17 * rig_ulp(3.0 * many));
             }
         }
     }
@@ -400,15 +401,77 @@ static void test_all_components(void **state)
     static const enum rhw_qualifier all[] = {RHW_SMOOTH, RHW_NOPERSPECTIVE, RHW_FLAT},
                                     two[] = {RHW_SMOOTH, RHW_FLAT}, flat_first[] = {RHW_FLAT, RHW_SMOOTH},
                                     smooth[] = {RHW_SMOOTH};
-    static const int some[VARYINGS] = {4, 3, 2, 1, 4, 4, 3, 3, 2, 4, 1, 4, 4, 3, 2, 4},
-                     most[VARYINGS] = {4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4};
+    static const int some[RHW_MAX_VARYINGS] = {4, 3, 2, 1, 4, 4, 3, 3, 2, 4, 1, 4, 4, 3, 2, 4};
+    int widest[RHW_MAX_VARYINGS] = {0}, most[RHW_MAX_VARYINGS];
+    for (int v = 0; v < RHW_MAX_VARYINGS; v++) {
+        widest[v] = v < RHW_MAX_VARYING_COMPONENTS / 4 ? 4 : 0;
+        most[v] = RHW_MAX_VARYING_COMPONENTS / RHW_MAX_VARYINGS;
+    }
+    shown = 0;
     draw_components(all, 3, some);
     draw_components(two, 2, some);
     draw_components(flat_first, 2, some);
     draw_components(smooth, 1, some);
-    draw_components(all, 3, most);
-    draw_components(two, 2, most);
-    assert_int_equal(many, RHW_MAX_VARYING_COMPONENTS);
+    for (; shown < RHW_MAX_VARYING_COMPONENTS / 2; shown += 32) {
+        draw_components(all, 3, widest);
+        assert_int_equal(many, RHW_MAX_VARYING_COMPONENTS);
+        draw_components(two, 2, most);
+        assert_int_equal(many, RHW_MAX_VARYING_COMPONENTS);
+    }
+}
+
+static void slopes_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const struct rhw_fragment *const f = &groups[g];
+        for (int i = 0; i < 32; i++) {
+            const int component = shown + i;
+            f->color[i / 4][i % 4] = f->varying[component] + f->ddx[component] - f->ddy[component];
+        }
+    }
+}
+
+// Draw 60 triangles of all sizes with the most components that there may be, and their derivatives. Return the hash of
+// all targets.
+static uint64_t hash_of_slopes(enum rhw_paths paths)
+{
+    struct rig rig;
+    rig_open_with(&rig, SIZE, SIZE, &(struct rhw_context_def){.threads = 2, .paths = paths});
+    rig_set_program(&rig, many_vertex, slopes_fragment);
+    many = RHW_MAX_VARYING_COMPONENTS;
+    for (int v = 0; v < RHW_MAX_VARYINGS; v++) {
+        rig.pipeline.program.varyings[v] = (struct rhw_varying){
+            .components = 2, .qualifier = (enum rhw_qualifier)(v * 7 / 5 % 3), .derivatives = true};
+    }
+    rig.pipeline.program.varying_count = RHW_MAX_VARYINGS;
+    for (int t = 1; t < 8; t++) {
+        rig_set_target(&rig, t, RHW_FORMAT_RGBA32_FLOAT);
+    }
+    struct rig_vertex vertices[180] = {0};
+    uint64_t random = 5;
+    for (int i = 0; i < 180; i += 3) {
+        const float x = rig_random_float(&random, 0, SIZE), y = rig_random_float(&random, 0, SIZE),
+                    size = i < 30 ? SIZE : 4;
+        for (int k = 0; k < 3; k++) {
+            rig_place(&rig, x + rig_random_float(&random, 0, size), y + rig_random_float(&random, 0, size),
+                      0.5f, rig_random_float(&random, 1, 3), vertices[i + k].position);
+        }
+    }
+    rig_draw_once(&rig, vertices, 180);
+    uint64_t hash = 0;
+    for (int t = 0; t < 8; t++) {
+        hash = hash * 31 + rig_hash(&rig, t);
+    }
+    rig_close(&rig);
+    return hash;
+}
+
+static void test_all_components_on_every_path(void **state)
+{
+    (void)state;
+    for (shown = 0; shown < RHW_MAX_VARYING_COMPONENTS; shown += 32) {
+        assert_true(hash_of_slopes(RHW_PATHS_ALL) == hash_of_slopes(RHW_PATHS_GENERAL));
+    }
 }
 
 static const struct CMUnitTest tests[] = {
@@ -418,6 +481,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_translation_by_whole_pixels),
     cmocka_unit_test(test_barycentrics_and_coordinates),
     cmocka_unit_test(test_all_components),
+    cmocka_unit_test(test_all_components_on_every_path),
 };
 
 const struct unit_tests test_varyings = UNIT_TESTS(tests, NULL, NULL);
