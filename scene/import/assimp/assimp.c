@@ -458,11 +458,14 @@ static const struct aiScene *read_scene(struct scene_import *import)
     // turns the matrix that exporters aim cameras and lights with the wrong way.
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 1);
     const uint64_t before = limit_memory(import);
+    const char *const schema = scene_assimp_schema(import);
+    scene_import_enter(import, "assimp", schema);
     struct aiFileIO files = scene_assimp_files(import);
     const struct aiScene *scene = aiImportFileExWithProperties(
         import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords, &files,
         properties);
     system_memory_limit_restore(before);
+    scene_import_enter(import, NULL, "");
     if (scene != NULL) {
         return scene;
     }
@@ -473,10 +476,14 @@ static const struct aiScene *read_scene(struct scene_import *import)
         strncmp(error, "Failed to determine STL storage", 31) == 0) {
         scene_import_fail(import, "is not a model in a format that can be read");
     }
+    if (strcasecmp(import->ending, "dxf") == 0 && import->model.unsupported_count > 0) {
+        scene_import_fail(import, "has nothing that can be drawn: %s", import->model.unsupported[0]);
+    }
     if (strstr(error, "bad_alloc") != NULL) {
         scene_import_fail(import, "needs more memory than there is");
     }
-    scene_import_fail(import, "cannot be read: %s", error[0] != 0 ? error : "the importer gives no reason");
+    scene_import_fail(import, "cannot be read: %s%s", error[0] != 0 ? error : "the importer gives no reason",
+                      schema);
 }
 
 // What the importer calls itself.
@@ -562,8 +569,8 @@ void scene_import_assimp(struct scene_import *import)
 {
     scene_assimp_refuse_blender(import, false);
     scene_assimp_listen(import);
-    const struct aiScene *scene = read_scene(import);
     scene_assimp_find_gaps(import);
+    const struct aiScene *scene = read_scene(import);
     struct reader reader = {.import = import, .scene = scene};
     import->model.format = format_of(import, scene);
     import->model.doubts_cameras = true;

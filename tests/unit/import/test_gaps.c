@@ -97,8 +97,44 @@ static void test_textures(void **state)
     }
 }
 
+// A schema that assimp does not know is named where assimp refuses a file.
+static void test_schema(void **state)
+{
+    (void)state;
+    static const char text[] = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n"
+                               "FILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA (('%s'));\nENDSEC;\nDATA;\n"
+                               "ENDSEC;\nEND-ISO-10303-21;\n";
+    write_format("x.ifc", text, "IFC4X3");
+    expect_refused("x.ifc", "; assimp knows IFC2X3, and this is IFC4X3");
+    write_format("x.ifc", text, "IFC2X3");
+    expect_refused("x.ifc", "missing IfcProject entity");
+}
+
+// Numbers of the log, of which one may be hexadecimal, do not make several lines of one.
+static void test_meshes_without_faces(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_text(
+        "x.fbx", "; FBX 7.4.0 project file\n"
+                 "FBXHeaderExtension:  {\n\tFBXHeaderVersion: 1003\n\tFBXVersion: 7400\n}\n"
+                 "Objects:  {\n"
+                 "\tGeometry: 10, \"Geometry::\", \"Mesh\" {\n"
+                 "\t\tVertices: *9 {\n\t\t\ta: 0,0,0,1,0,0,0,1,0\n\t\t}\n"
+                 "\t\tPolygonVertexIndex: *0 {\n\t\t\ta: \n\t\t}\n\t\tGeometryVersion: 124\n\t}\n"
+                 "\tGeometry: 12, \"Geometry::\", \"NurbsCurve\" {\n\t\tNurbsCurveVersion: 100\n\t}\n"
+                 "\tModel: 11, \"Model::mesh\", \"Mesh\" {\n\t\tVersion: 232\n\t}\n"
+                 "}\n"
+                 "Connections:  {\n\tC: \"OO\",11,0\n\tC: \"OO\",10,11\n}\n");
+    assert_int_equal(model->instance_count, 0);
+    assert_true(is_unsupported(model, "encountered mesh with no faces"));
+    assert_true(is_unsupported(model, "NURBS curves: not drawn"));
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_entities),
+    cmocka_unit_test(test_schema),
+    cmocka_unit_test(test_meshes_without_faces),
     cmocka_unit_test(test_log),
     cmocka_unit_test(test_textures),
 };
