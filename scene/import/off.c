@@ -365,7 +365,8 @@ static void add_face(struct off *off, uint32_t face, uint32_t count)
         off->triangles[i] = i;
     }
     if (count >= 3) {
-        scene_import_triangulate((const float(*)[3])off->mesh.positions, off->corners, count, off->triangles);
+        scene_import_triangulate(off->import, (const float(*)[3])off->mesh.positions, off->corners, count,
+                                 off->triangles);
     }
     for (size_t i = 0; i < more; i++) {
         list->indices[list->index_count++] = off->corners[off->triangles[i]];

@@ -2,10 +2,13 @@
 // Polygons become triangles, concave ones too, by cutting ears off (Meisters, Polygons have ears, 1975).
 #include "polygon.h"
 
+#include <stdlib.h>
 #include <string.h>
 
-// The most corners of a polygon whose ears are cut, which takes time in the square of them. A polygon with more is
-// drawn as a fan.
+#include "large_polygon.h"
+
+// The most corners of a polygon whose ears are cut here, which takes time in the square of them. large_polygon.c cuts
+// one with more.
 enum { MOST_CORNERS = 2048 };
 
 struct polygon {
@@ -33,8 +36,8 @@ static void newell(const float (*positions)[3], const uint32_t *corners, uint32_
     }
 }
 
-static void flatten(struct polygon *polygon, const float (*positions)[3], const uint32_t *corners,
-                    uint32_t count)
+// Find the corners in the plane that shows most of the polygon, counter-clockwise.
+static void flatten(const float (*positions)[3], const uint32_t *corners, uint32_t count, double (*points)[2])
 {
     double normal[3];
     newell(positions, corners, count, normal);
@@ -46,11 +49,9 @@ static void flatten(struct polygon *polygon, const float (*positions)[3], const 
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     for (uint32_t i = 0; i < count; i++) {
         const float *position = positions[corners[i]];
-        polygon->points[i][0] = (double)position[down ? v : u];
-        polygon->points[i][1] = (double)position[down ? u : v];
-        polygon->ring[i] = i;
+        points[i][0] = (double)position[down ? v : u];
+        points[i][1] = (double)position[down ? u : v];
     }
-    polygon->count = count;
 }
 
 // Return true if the corner at place `i` of the ring can be cut off: it is convex and no other corner lies in it.
@@ -89,12 +90,11 @@ static void cut(struct polygon *polygon, uint32_t i, uint32_t *out)
     polygon->count--;
 }
 
-static bool is_convex(const struct polygon *polygon)
+// Return true if no corner turns clockwise, as in a convex polygon.
+static bool is_convex(const double (*points)[2], uint32_t count)
 {
-    const uint32_t count = polygon->count;
     for (uint32_t i = 0; i < count; i++) {
-        if (area(polygon->points[i], polygon->points[(i + 1) % count], polygon->points[(i + 2) % count]) <
-            0) {
+        if (area(points[i], points[(i + 1) % count], points[(i + 2) % count]) < 0) {
             return false;
         }
     }
@@ -108,18 +108,46 @@ static void fan(uint32_t count, uint32_t *triangles)
     }
 }
 
-void scene_import_triangulate(const float (*positions)[3], const uint32_t *corners, uint32_t count,
-                              uint32_t *triangles)
+static bool cut_large(const float (*positions)[3], const uint32_t *corners, uint32_t count,
+                      uint32_t *triangles)
+{
+    double(*const points)[2] = malloc(count * sizeof *points);
+    bool is_whole = points != NULL;
+    if (is_whole) {
+        flatten(positions, corners, count, points);
+    }
+    if (!is_whole || is_convex((const double(*)[2])points, count)) {
+        fan(count, triangles);
+    } else {
+        is_whole = scene_import_cut_large((const double(*)[2])points, count, triangles);
+    }
+    free(points);
+    return is_whole;
+}
+
+void scene_import_triangulate(struct scene_import *import, const float (*positions)[3],
+                              const uint32_t *corners, uint32_t count, uint32_t *triangles)
 {
     struct polygon polygon;
-    if (count <= 3 || count > MOST_CORNERS) {
+    if (count > MOST_CORNERS) {
+        if (!cut_large(positions, corners, count, triangles)) {
+            scene_import_warn(import, "a polygon of %u corners takes too long to cut: a part of it is a fan",
+                              count);
+        }
+        return;
+    }
+    if (count <= 3) {
         fan(count, triangles);
         return;
     }
-    flatten(&polygon, positions, corners, count);
-    if (is_convex(&polygon)) {
+    flatten(positions, corners, count, polygon.points);
+    if (is_convex((const double(*)[2])polygon.points, count)) {
         fan(count, triangles);
         return;
+    }
+    polygon.count = count;
+    for (uint32_t i = 0; i < count; i++) {
+        polygon.ring[i] = i;
     }
     uint32_t next = 0;
     while (polygon.count > 3) {
