@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every format that has no reader of its own here, through assimp's C API: meshes, nodes, cameras and lights.
 //
-// Of assimp's post-processing only what nothing else can do is used: polygons are cut into triangles and
-// primitive kinds separated. Normals, tangents and joined vertices are made by complete_mesh.c: its passes are
+// Of assimp's post-processing only what nothing else can do is used: polygons of four corners are cut into triangles
+// and primitive kinds separated. Normals, tangents and joined vertices are made by complete_mesh.c: its passes are
 // a few times faster on large scans and keep creases.
 #include "assimp.h"
 
@@ -14,10 +14,12 @@
 #include <strings.h>
 #include <sys/stat.h>
 
+#include "cut_faces.h"
 #include "elementary.h"
 #include "import/builder/complete_mesh.h"
 #include "import/builder/normals.h"
 #include "import/builder/numbers.h"
+#include "import/builder/polygon.h"
 #include "import/builder/readers.h"
 #include "memory_limit.h"
 
@@ -450,6 +452,12 @@ static uint64_t limit_memory(struct scene_import *import)
                : 0;
 }
 
+static void cut_polygon(void *user, const float (*positions)[3], const uint32_t *corners, uint32_t count,
+                        uint32_t *triangles)
+{
+    scene_import_triangulate(user, positions, corners, count, triangles);
+}
+
 static const struct aiScene *read_scene(struct scene_import *import)
 {
     struct aiPropertyStore *properties = aiCreatePropertyStore();
@@ -461,9 +469,12 @@ static const struct aiScene *read_scene(struct scene_import *import)
     const char *const schema = scene_assimp_schema(import);
     scene_import_enter(import, "assimp", schema);
     struct aiFileIO files = scene_assimp_files(import);
-    const struct aiScene *scene = aiImportFileExWithProperties(
-        import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords, &files,
-        properties);
+    const struct aiScene *scene = aiImportFileExWithProperties(import->model.path, 0, &files, properties);
+    if (scene != NULL) {
+        scene_assimp_cut_faces(scene, cut_polygon, import);
+        scene = aiApplyPostProcessing(scene,
+                                      aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords);
+    }
     system_memory_limit_restore(before);
     scene_import_enter(import, NULL, "");
     if (scene != NULL) {

@@ -6,8 +6,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/// Cut a polygon in a plane, whose corners run counter-clockwise, into count − 2 triangles of places in `points`. Return
-/// false if it takes too much time or memory. The triangles are a fan from there on.
+/// Cut a polygon in a plane, whose corners run counter-clockwise, into count − 2 triangles of places in `points`.
+/// Return false if it takes too much time or memory. The triangles are a fan from there on.
 bool scene_import_cut_large(const double (*points)[2], uint32_t count, uint32_t *triangles);
 
 #endif
