@@ -104,23 +104,16 @@ static bool may_be_collada(const struct scene_import *import)
     return ending[0] == 0 || strcasecmp(ending, "dae") == 0 || strcasecmp(ending, "xml") == 0;
 }
 
-// Open a Collada file as assimp can read it. Return NULL if it is none.
-static struct aiFile *open_collada(const char *path)
+// Make a file of bytes, which are its own then. Return NULL if there is not enough memory.
+static struct aiFile *open_memory(struct memory memory)
 {
-    const char *problem = NULL;
-    struct memory memory = {0};
-    memory.bytes = scene_import_read_bytes(path, &memory.size, &problem);
-    const char *const mark = memory.bytes == NULL ? NULL : strstr(memory.bytes, "<COLLADA");
-    struct aiFile *const file = mark == NULL ? NULL : malloc(sizeof *file);
+    struct aiFile *const file = malloc(sizeof *file);
     struct memory *const kept = file == NULL ? NULL : malloc(sizeof *kept);
     if (kept == NULL) {
         free(file);
         free(memory.bytes);
         return NULL;
     }
-    scene_assimp_collapse_texts(memory.bytes, memory.size);
-    scene_assimp_number_sets(memory.bytes, memory.size);
-    memory.bytes = scene_assimp_name_images(memory.bytes, &memory.size);
     *kept = memory;
     *file = (struct aiFile){.ReadProc = read_memory,
                             .WriteProc = write_nothing,
@@ -132,6 +125,46 @@ static struct aiFile *open_collada(const char *path)
     return file;
 }
 
+// Open a Collada file as assimp can read it. Return NULL if it is none.
+static struct aiFile *open_collada(const char *path)
+{
+    const char *problem = NULL;
+    struct memory memory = {0};
+    memory.bytes = scene_import_read_bytes(path, &memory.size, &problem);
+    if (memory.bytes == NULL || strstr(memory.bytes, "<COLLADA") == NULL) {
+        free(memory.bytes);
+        return NULL;
+    }
+    scene_assimp_collapse_texts(memory.bytes, memory.size);
+    scene_assimp_number_sets(memory.bytes, memory.size);
+    memory.bytes = scene_assimp_name_images(memory.bytes, &memory.size);
+    return open_memory(memory);
+}
+
+// Open a text of DXF with the entities that assimp knows. Return NULL if it is none.
+static struct aiFile *open_dxf(struct scene_import *import)
+{
+    static const char binary[] = "AutoCAD Binary DXF";
+    const char *problem = NULL;
+    struct memory memory = {0};
+    memory.bytes = scene_import_read_bytes(import->model.path, &memory.size, &problem);
+    if (memory.bytes == NULL || strncmp(memory.bytes, binary, sizeof binary - 1) == 0) {
+        free(memory.bytes);
+        return NULL;
+    }
+    memory.bytes = scene_assimp_flatten_dxf(import, memory.bytes, &memory.size);
+    return open_memory(memory);
+}
+
+// Open the model as assimp can read it. Return NULL if it can read it as it is.
+static struct aiFile *open_changed(struct scene_import *import)
+{
+    if (strcasecmp(import->ending, "dxf") == 0) {
+        return open_dxf(import);
+    }
+    return may_be_collada(import) ? open_collada(import->model.path) : NULL;
+}
+
 static void close_memory(struct aiFile *file)
 {
     free(memory_of(file)->bytes);
@@ -141,12 +174,12 @@ static void close_memory(struct aiFile *file)
 
 static struct aiFile *open_file(struct aiFileIO *files, const char *path, const char *mode)
 {
-    const struct scene_import *const import = (const struct scene_import *)(void *)files->UserData;
+    struct scene_import *const import = (struct scene_import *)(void *)files->UserData;
     const bool is_model = strcmp(path, import->model.path) == 0;
     const bool may_read = mode[0] == 'r' && (is_model || scene_import_within(import, path));
-    struct aiFile *const collada = may_read && is_model && may_be_collada(import) ? open_collada(path) : NULL;
-    if (collada != NULL) {
-        return collada;
+    struct aiFile *const changed = may_read && is_model ? open_changed(import) : NULL;
+    if (changed != NULL) {
+        return changed;
     }
     const int descriptor = may_read ? system_file_open_regular(path) : -1;
     FILE *const stream = descriptor >= 0 ? fdopen(descriptor, "rb") : NULL;

@@ -143,9 +143,8 @@ static void look_for_words(struct scene_import *import, const char *bytes, size_
 static void look_for_entities(struct scene_import *import, char *bytes, size_t size)
 {
     static const char *const entities[] = {
-        "3DSOLID", "ARC",        "ATTRIB",  "BODY",  "CIRCLE", "DIMENSION", "ELLIPSE", "HATCH",  "IMAGE",
-        "LEADER",  "LWPOLYLINE", "MESH",    "MLINE", "MTEXT",  "POINT",     "RAY",     "REGION", "SHAPE",
-        "SOLID",   "SPLINE",     "SURFACE", "TEXT",  "TRACE",  "WIPEOUT",   "XLINE",
+        "3DSOLID", "ATTRIB", "BODY", "DIMENSION", "HATCH", "HELIX",  "IMAGE",   "LEADER", "MESH",    "MLINE",
+        "MTEXT",   "POINT",  "RAY",  "REGION",    "SHAPE", "SPLINE", "SURFACE", "TEXT",   "WIPEOUT", "XLINE",
     };
     struct scene_text text = scene_text_open(import, bytes, size);
     struct scene_line line;
