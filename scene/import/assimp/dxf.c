@@ -75,7 +75,7 @@ static void write_bytes(struct writer *writer, const char *bytes, size_t size)
 static void write_number(struct writer *writer, int code, double value)
 {
     char text[64];
-    const int length = snprintf(text, sizeof text, "%d\n%.9g\n", code, value);
+    const int length = snprintf(text, sizeof text, "%d\n%.17g\n", code, value);
     write_bytes(writer, text, (size_t)length);
 }
 
@@ -87,8 +87,8 @@ static void write_text(struct writer *writer, const char *text)
 // Find the axes of an entity's plane by the arbitrary axis algorithm of DXF.
 static void find_axes(const double extrusion[3], double axes[3][3])
 {
-    const double length = sqrt(extrusion[0] * extrusion[0] + extrusion[1] * extrusion[1] +
-                               extrusion[2] * extrusion[2]);
+    const double length =
+        sqrt(extrusion[0] * extrusion[0] + extrusion[1] * extrusion[1] + extrusion[2] * extrusion[2]);
     double z[3] = {0, 0, 1};
     for (int c = 0; c < 3 && length > 0; c++) {
         z[c] = extrusion[c] / length;
@@ -302,9 +302,9 @@ static enum kind find_kind(struct pair pair)
         const char *name;
         enum kind kind;
     } kinds[] = {
-        {"POLYLINE", KIND_POLYLINE}, {"VERTEX", KIND_VERTEX}, {"SEQEND", KIND_SEQEND},
+        {"POLYLINE", KIND_POLYLINE},     {"VERTEX", KIND_VERTEX}, {"SEQEND", KIND_SEQEND},
         {"LWPOLYLINE", KIND_LWPOLYLINE}, {"CIRCLE", KIND_CIRCLE}, {"ARC", KIND_ARC},
-        {"ELLIPSE", KIND_ELLIPSE}, {"SOLID", KIND_SOLID}, {"TRACE", KIND_SOLID},
+        {"ELLIPSE", KIND_ELLIPSE},       {"SOLID", KIND_SOLID},   {"TRACE", KIND_SOLID},
     };
     for (size_t i = 0; pair.code == 0 && i < sizeof kinds / sizeof *kinds; i++) {
         if (scene_word_is(pair.value, kinds[i].name)) {
@@ -358,8 +358,8 @@ static void take(struct writer *writer, struct entity *entity, struct pair pair)
         entity->has_color = true;
     }
     entity->elevation = pair.code == 38 ? value : entity->elevation;
-    const bool is_width = entity->kind == KIND_LWPOLYLINE &&
-                          (pair.code == 40 || pair.code == 41 || pair.code == 43);
+    const bool is_width =
+        entity->kind == KIND_LWPOLYLINE && (pair.code == 40 || pair.code == 41 || pair.code == 43);
     if (fabs(value) > 0 && is_width) {
         scene_import_unsupported(writer->import, "the width of polylines (DXF): drawn as lines");
     } else if (fabs(value) > 0 && pair.code == 39) {
