@@ -315,6 +315,10 @@ struct scene_model_options {
     void *user;
 };
 
+/// Return the name of the format that the ending of a file's name stands for, if it is a format of models that nothing
+/// here reads. Return NULL for all other names.
+const char *scene_model_unread_format(const char *name);
+
 /// Read a model file and its textures in a child process, so that no file can take the caller down. Return NULL on
 /// failure, with one line in `error` that names the cause; the path is not in it. `options` may be NULL. The caller
 /// frees the model with scene_model_free.

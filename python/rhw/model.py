@@ -394,6 +394,6 @@ def load(path: Union[str, "os.PathLike[str]"], *, variant: Optional[str] = None,
     model = Model.__new__(Model)
     model._take(_rhw.load(os.fsencode(name), variant, posed, animation, moment, within, *limits))
     if not model.nodes:
-        reason = ": " + model.warnings[0] if model.warnings else ""
-        raise _rhw.Error(f"{name}: the file has nothing to draw{reason}")
+        reasons = "; ".join([*model.warnings, *model.unsupported][:3])
+        raise _rhw.Error(f"{name}: the file has nothing to draw{': ' if reasons else ''}{reasons}")
     return model

@@ -113,6 +113,17 @@ static const struct {
     {"%PDF-", "a PDF document"},      {"\177ELF", "a program"},
 };
 
+const char *scene_model_unread_format(const char *name)
+{
+    const char *const dot = strrchr(name, '.');
+    for (size_t i = 0; dot != NULL && i < sizeof unread / sizeof unread[0]; i++) {
+        if (strcasecmp(dot + 1, unread[i].ending) == 0) {
+            return unread[i].name;
+        }
+    }
+    return NULL;
+}
+
 static struct beginning look(struct scene_import *import)
 {
     struct beginning start = {.count = 0};

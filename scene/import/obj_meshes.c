@@ -112,7 +112,7 @@ static void make_indices(struct obj *obj, const struct part *part, struct scene_
             next += size;
             continue;
         }
-        scene_import_triangulate(mesh, polygon, size, next);
+        scene_import_triangulate(obj->import, mesh, polygon, size, next);
         scene_polygons_add(obj->import, polygons, (size_t)(next - mesh->indices) / 3, size - 2);
         for (uint32_t k = 0; k < 3 * (size - 2); k++) {
             *next++ += first;

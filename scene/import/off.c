@@ -368,7 +368,7 @@ static void add_face(struct off *off, uint32_t face, uint32_t count)
         off->triangles[i] = i;
     }
     if (count >= 3) {
-        scene_import_triangulate(&off->mesh, off->corners, count, off->triangles);
+        scene_import_triangulate(off->import, &off->mesh, off->corners, count, off->triangles);
     }
     for (size_t i = 0; i < more; i++) {
         list->indices[list->index_count++] = off->corners[off->triangles[i]];

@@ -161,7 +161,7 @@ static void add_face(struct ply *ply, struct face *face)
     const size_t corners = 3 * (size_t)(count - 2);
     scene_import_reserve(ply->import, &face->triangles, &face->triangle_capacity, corners,
                          sizeof *face->triangles);
-    scene_import_triangulate(&ply->mesh, face->corners, count, face->triangles);
+    scene_import_triangulate(ply->import, &ply->mesh, face->corners, count, face->triangles);
     reserve_indices(ply, corners);
     scene_polygons_add(ply->import, &ply->polygons, ply->index_count / 3, count - 2);
     const bool wedged = face->wedge_count >= 2 * face->count;

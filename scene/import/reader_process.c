@@ -34,6 +34,7 @@ enum {
 
 static void leave(struct scene_import *import, const char *line)
 {
+    scene_import_clear_reply(import);
     // A name from the file may hold anything, and the line must stay one line.
     for (const char *c = line; *c != 0; c++) {
         fputc((unsigned char)*c < 32 || *c == 127 ? '?' : *c, import->child->reply);
@@ -114,10 +115,6 @@ static int run_child(void *user, struct system_child *child)
     }
     scene_import_run(&import);
     if (!scene_blob_write(&import.model, child->reply)) {
-        rewind(child->reply);
-        if (ftruncate(fileno(child->reply), 0) != 0) {
-            abort();
-        }
         scene_import_fail(&import, "there is not enough memory for the model");
     }
     return EXIT_MODEL;
@@ -169,6 +166,22 @@ static bool take_message(FILE *reply, char *error, size_t error_size)
         line[0] != 0 ? line : "what was read could not be passed on; is there a limit on the size of files?");
 }
 
+// Say how the child crashed, by the number of a signal or of a status. Where a library did, the child has said so
+// before.
+static bool tell_crash(const struct system_child_result *result, const char *kind, char *error,
+                       size_t error_size)
+{
+    static const char mark[] = SCENE_IMPORT_ENTERED;
+    const size_t length = sizeof mark - 1;
+    char line[512] = "";
+    FILE *const reply = result->reply.stream;
+    rewind(reply);
+    line[fread(line, 1, sizeof line - 1, reply)] = 0;
+    return strncmp(line, mark, length) == 0
+               ? refuse(error, error_size, "%s (%s %d)", line + length, kind, result->number)
+               : refuse(error, error_size, "import crashed (%s %d)", kind, result->number);
+}
+
 // Return true if the child said that it finished. Return false, with how it ended in `error`, if not.
 static bool child_finished(const struct system_child_result *result, unsigned seconds, char *error,
                            size_t error_size)
@@ -181,7 +194,7 @@ static bool child_finished(const struct system_child_result *result, unsigned se
     case SYSTEM_CHILD_KILLED:
         return refuse(error, error_size, "import was killed (signal %d), perhaps for want of memory",
                       result->number);
-    case SYSTEM_CHILD_SIGNAL: return refuse(error, error_size, "import crashed (signal %d)", result->number);
+    case SYSTEM_CHILD_SIGNAL: return tell_crash(result, "signal", error, error_size);
     case SYSTEM_CHILD_GIVEN_UP: return refuse(error, error_size, "import was given up");
     case SYSTEM_CHILD_NOT_STARTED:
         return refuse(error, error_size, "import could not start: %s", strerror(result->number));
@@ -190,8 +203,7 @@ static bool child_finished(const struct system_child_result *result, unsigned se
     if (result->number == EXIT_MESSAGE) {
         return take_message(result->reply.stream, error, error_size);
     }
-    return result->number == EXIT_MODEL ||
-           refuse(error, error_size, "import crashed (exit status %d)", result->number);
+    return result->number == EXIT_MODEL || tell_crash(result, "exit status", error, error_size);
 }
 
 struct scene_model *scene_import_map(const struct system_memory_file *file, char *error, size_t error_size)

@@ -150,6 +150,7 @@ static float read_float(const unsigned char *bytes)
 struct palette {
     bool colored;
     bool begins_with_red;
+    bool is_bare;   // a black facet has no colour
     unsigned valid; // the highest bit of a facet that has a colour
     float common[4];
 };
@@ -203,10 +204,27 @@ static void take_head(struct palette *palette, const unsigned char *bytes, size_
     palette->valid = palette->colored && has_words ? 0 : 0x8000;
 }
 
+// Return true for a file of Meshmixer that nobody has painted. Meshmixer writes all facets white, and those with which
+// it has filled a hole black.
+static bool is_unpainted_meshmixer(const unsigned char *bytes, size_t facets)
+{
+    static const char head[] = "MESHMIXER-STL-BINARY-FORMAT";
+    bool is_unpainted = memcmp(bytes, head, sizeof head - 1) == 0, has_white = false;
+    for (size_t i = 0; i < facets && is_unpainted; i++) {
+        const unsigned word = read_word(bytes, i);
+        has_white = has_white || word == 0xffff;
+        is_unpainted = word == 0xffff || word == 0x8000;
+    }
+    return is_unpainted && has_white;
+}
+
 static struct palette find_palette(const unsigned char *bytes, size_t facets)
 {
     // Facets without a colour take the colour of a model that has none.
     struct palette palette = {.valid = 0x8000, .common = {0.6f, 0.6f, 0.6f, 1}};
+    if (is_unpainted_meshmixer(bytes, facets)) {
+        return (struct palette){.colored = true, .is_bare = true, .valid = 0x8000, .common = {1, 1, 1, 1}};
+    }
     palette.begins_with_red = is_head_of_meshlab(bytes);
     if (!palette.begins_with_red) {
         take_head(&palette, bytes, facets);
@@ -221,7 +239,7 @@ static struct palette find_palette(const unsigned char *bytes, size_t facets)
 // with it.
 static void read_color(const struct palette *palette, unsigned word, float color[4])
 {
-    const bool own = (word & 0x8000) == palette->valid;
+    const bool own = (word & 0x8000) == palette->valid && !(palette->is_bare && word == 0x8000);
     memcpy(color, palette->common, sizeof palette->common);
     for (int c = 0; c < 3 && own; c++) {
         const unsigned bits = word >> (palette->begins_with_red ? 5 * c : 10 - 5 * c) & 31;

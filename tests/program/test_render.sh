@@ -486,6 +486,41 @@ check "NaN vertices end in a status, not a crash" test $status -le 1
 printf 'v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n' >bad.obj
 refuse 1 "bad.obj: the file has nothing to draw: mesh .* positions that are not finite are left out, 1 of them$" \
     render bad.obj -o x.png
+# What a file has instead is the reason, here curves; a crash of a library is told as its own.
+cat >curves.fbx <<'FBX'
+; FBX 7.4.0 project file
+FBXHeaderExtension:  {
+	FBXHeaderVersion: 1003
+	FBXVersion: 7400
+}
+Objects:  {
+	Geometry: 12, "Geometry::", "NurbsCurve" {
+		NurbsCurveVersion: 100
+	}
+	Model: 11, "Model::curve", "NurbsCurve" {
+		Version: 232
+	}
+}
+Connections:  {
+	C: "OO",11,0
+	C: "OO",12,11
+}
+FBX
+refuse 1 "curves.fbx: the file has nothing to draw: NURBS curves: not drawn(; .*)?$" render curves.fbx -o x.png
+cat >crash.ifc <<'IFC'
+ISO-10303-21;
+HEADER;
+FILE_DESCRIPTION((''),'2;1');
+FILE_NAME('','',(''),(''),'','','');
+FILE_SCHEMA(('IFC4'));
+ENDSEC;
+DATA;
+#25= IFCPROJECT('2oT9YYbSrBUghtexcAcblU',#6,'P',$,$,'P',$,(#15),#26);
+ENDSEC;
+END-ISO-10303-21;
+IFC
+refuse 1 "crash.ifc: assimp, the library that reads it, crashed; assimp knows IFC2X3, and this is IFC4 \(.* [0-9]+\)$" \
+    render crash.ifc -o x.png
 cat >missing.mtl <<'MTL'
 newmtl m
 map_Kd not-there.png

@@ -147,6 +147,26 @@ run thumbs none -o none-out
 check "no model: status" test "$status" = 1
 check "no model: says so" grep -q '^rhw: none: has no file whose name is that of a model$' "$folder/log/err"
 
+# Formats that nothing reads are told once each, a script of autoconf is no AC3D, and points are models.
+mkdir -p formats/deeper
+printf '0 0 0\n1 0 0\n0 1 0\n' >formats/points.xyz
+: >formats/configure.ac
+for name in a.usda deeper/b.USDA c.pcd; do
+    : >formats/$name
+done
+run thumbs formats -o formats-out --size 16
+check "formats: status" test "$status" = 0
+check "formats: the count" grep -q '^1 drawn, 0 kept, 0 failed$' "$folder/log/out"
+check "formats: each" grep -q '^rhw: formats: warning: 2 files left out: USD (text), which is not supported$' "$folder/log/err"
+check "formats: one" grep -q '^rhw: formats: warning: 1 file left out: PCD (point cloud), which is not supported$' "$folder/log/err"
+check "formats: no more" test "$(wc -l <"$folder/log/err")" = 2
+rm formats/points.xyz
+run thumbs formats -o formats-out --size 16 --quiet
+check "no such model: status" test "$status" = 1
+check "no such model: says so" grep -q '^rhw: formats: has no file whose name is that of a model that is supported$' \
+    "$folder/log/err"
+check "no such model: one line" test "$(wc -l <"$folder/log/err")" = 1
+
 # A link of a model out of the folder may lead to what is nobody's business; --confine names where it may lead.
 mkdir -p links/in/sub elsewhere
 cp cube.obj cube.mtl elsewhere

@@ -37,14 +37,29 @@ static uint32_t warn(const struct render *render)
     return count;
 }
 
+// Refuse a model without anything to draw in one line, with the first of what its file has that is not drawn.
+static void refuse_empty(const struct render *render)
+{
+    enum { REASONS = 3 };
+    const struct scene_model *model = render->model;
+    char reasons[1024] = "";
+    size_t length = 0;
+    for (uint32_t i = 0; i < model->warning_count + model->unsupported_count && i < REASONS; i++) {
+        const char *const line =
+            i < model->warning_count ? model->warnings[i] : model->unsupported[i - model->warning_count];
+        const int written =
+            snprintf(reasons + length, sizeof reasons - length, "%s%s", i == 0 ? ": " : "; ", line);
+        length += written > 0 && (size_t)written < sizeof reasons - length ? (size_t)written : 0;
+    }
+    cli_error(render->job.model_path, "the file has nothing to draw%s", reasons);
+}
+
 bool cli_render_accept(const struct render *render)
 {
     const struct cli_render_job *job = &render->job;
     const struct scene_model *model = render->model;
-    if (!(model->bounds_min[0] <= model->bounds_max[0])) { // one line, with the reason if there is one
-        const bool reason = model->warning_count > 0;
-        cli_error(job->model_path, "the file has nothing to draw%s%s", reason ? ": " : "",
-                  reason ? model->warnings[0] : "");
+    if (!(model->bounds_min[0] <= model->bounds_max[0])) {
+        refuse_empty(render);
         return false;
     }
     const uint32_t lines = warn(render);

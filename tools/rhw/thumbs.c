@@ -12,6 +12,7 @@
 #include "render_look.h"
 #include "subprocess.h"
 #include "thumb_mark.h"
+#include "thumb_name.h"
 #include "rhw/rhw.h"
 #include "verbs.h"
 
@@ -60,17 +61,16 @@ static const struct cli_option options[] = {
     {"quiet", OPTION_QUIET, NULL, "no warnings, and no count at the end"},
 };
 
-static const char notes[] =
-    "Takes files that end as models do (.glb, .gltf, .obj, .ply, .stl, .3mf, .fbx, "
-    ".dae, .3ds, .off and more), also in\n"
-    "folders within DIR. The picture of DIR/a/b.glb is OUT/a/b.glb.png. One line "
-    "tells of each model that cannot be drawn;\n"
-    "the others are. A picture that is newer than its model is kept, unless it was drawn "
-    "with another --size,\n"
-    "--background, --fit, --max-texture or --confine, which its file tells; one that rhw "
-    "thumbs has not made\n"
-    "tells nothing and is kept.\n\n"
-    "Exit status: 0, 1 when a model could not be drawn, 2 for a wrong command line.";
+static const char notes[] = "Takes files that end as models do (.glb, .gltf, .obj, .ply, .stl, .3mf, .fbx, "
+                            ".dae, .3ds, .off and more), also in\n"
+                            "folders within DIR. The picture of DIR/a/b.glb is OUT/a/b.glb.png. One line "
+                            "tells of each model that cannot be drawn;\n"
+                            "the others are. One line tells of each format of models that is not supported. "
+                            "A picture that is newer than its\n"
+                            "model is kept, unless it was drawn with another --size, --background, --fit, "
+                            "--max-texture or --confine, which its\n"
+                            "file tells; one that rhw thumbs has not made tells nothing and is kept.\n\n"
+                            "Exit status: 0, 1 when a model could not be drawn, 2 for a wrong command line.";
 
 static const struct cli_verb verb = {
     .name = "thumbs",
@@ -93,23 +93,8 @@ struct thumbs {
     int levels; // of folders above DIR that files may be read in; negative: they may elsewhere
     char confine[PATH_SIZE + 16];
     int running, drawn, kept, failed, left_out;
+    struct cli_thumb_unread unread; // files of formats that nothing here reads
 };
-
-static bool is_model(const char *name)
-{
-    static const char *const endings[] = {
-        "glb",     "gltf", "vrm", "obj", "ply",   "stl", "3mf", "fbx",     "dae", "3ds", "off",  "amf",
-        "ac",      "acc",  "ase", "b3d", "blend", "bvh", "cob", "dxf",     "hmp", "ifc", "iqm",  "irr",
-        "irrmesh", "lwo",  "lws", "lxo", "m3d",   "md2", "md3", "md5mesh", "mdc", "mdl", "ms3d", "nff",
-        "ogex",    "q3o",  "q3s", "sib", "smd",   "uc",  "x",   "x3d",     "xgl", "zgl"};
-    const char *dot = strrchr(name, '.');
-    for (size_t i = 0; dot && dot > name && i < sizeof endings / sizeof *endings; i++) {
-        if (strcasecmp(dot + 1, endings[i]) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
 
 // Waits for one of the processes that draw.
 static void reap(struct thumbs *t)
@@ -291,7 +276,8 @@ static bool visit(struct thumbs *t, const char *in, const char *out, const char 
         return true; // it may lead back here
     }
     const bool is_folder = S_ISDIR(status.st_mode);
-    if (!is_folder && (!S_ISREG(status.st_mode) || !is_model(name))) {
+    if (!is_folder && (!S_ISREG(status.st_mode) || !cli_thumb_is_model(name))) {
+        cli_thumb_count_unread(&t->unread, S_ISREG(status.st_mode) ? name : "");
         return true;
     }
     if (!is_folder && system_file_is_link(model) && leads_out(t, model)) {
@@ -514,8 +500,12 @@ int cli_thumbs(int argc, char **argv)
     while (t.running > 0) {
         reap(&t);
     }
+    if (!t.quiet) {
+        cli_thumb_tell_unread(&t.unread, t.in);
+    }
     if (complete && t.drawn + t.kept + t.failed + t.left_out == 0) {
-        cli_error(t.in, "has no file whose name is that of a model");
+        cli_error(t.in, "has no file whose name is that of a model%s",
+                  t.unread.count > 0 ? " that is supported" : "");
         return CLI_FAILED;
     }
     if (!t.quiet) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every format that has no reader of its own here, through assimp's C API: meshes, nodes, cameras and lights.
 //
-// Of assimp's post-processing only what nothing else can do is used: polygons are cut into triangles and
-// primitive kinds separated. Normals, tangents and joined vertices are made by complete_mesh.c: its passes are
+// Of assimp's post-processing only what nothing else can do is used: polygons of four corners are cut into triangles
+// and primitive kinds separated. Normals, tangents and joined vertices are made by complete_mesh.c: its passes are
 // a few times faster on large scans and keep creases.
 #include "assimp.h"
 
@@ -14,11 +14,13 @@
 #include <strings.h>
 #include <sys/stat.h>
 
+#include "cut_faces.h"
 #include "draw/camera/box.h"
 #include "elementary.h"
 #include "import/builder/complete_mesh.h"
 #include "import/builder/normals.h"
 #include "import/builder/numbers.h"
+#include "import/builder/polygon.h"
 #include "import/builder/readers.h"
 #include "memory_limit.h"
 
@@ -467,6 +469,13 @@ static uint64_t limit_memory(struct scene_import *import)
                : 0;
 }
 
+static void cut_polygon(void *user, const float (*positions)[3], const uint32_t *corners, uint32_t count,
+                        uint32_t *triangles)
+{
+    const struct scene_mesh mesh = {.positions = (float(*)[3])positions}; // which is only read
+    scene_import_triangulate(user, &mesh, corners, count, triangles);
+}
+
 // Read what the import is about. Return NULL if assimp cannot.
 static const struct aiScene *read_source(struct scene_import *import, const struct scene_assimp_exact *exact)
 {
@@ -477,11 +486,16 @@ static const struct aiScene *read_source(struct scene_import *import, const stru
     // turns the matrix that exporters aim cameras and lights with the wrong way.
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 1);
     const uint64_t before = limit_memory(import);
+    scene_import_enter(import, "assimp", scene_assimp_schema(import));
     struct aiFileIO files = scene_assimp_files(&source);
-    const struct aiScene *scene = aiImportFileExWithProperties(
-        import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords, &files,
-        properties);
+    const struct aiScene *scene = aiImportFileExWithProperties(import->model.path, 0, &files, properties);
+    if (scene != NULL) {
+        scene_assimp_cut_faces(scene, cut_polygon, import);
+        scene = aiApplyPostProcessing(scene,
+                                      aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords);
+    }
     system_memory_limit_restore(before);
+    scene_import_enter(import, NULL, "");
     aiReleasePropertyStore(properties);
     return scene;
 }
@@ -504,10 +518,14 @@ static const struct aiScene *read_scene(struct scene_import *import, struct scen
         strncmp(error, "Failed to determine STL storage", 31) == 0) {
         scene_import_fail(import, "is not a model in a format that can be read");
     }
+    if (strcasecmp(import->ending, "dxf") == 0 && import->model.unsupported_count > 0) {
+        scene_import_fail(import, "has nothing that can be drawn: %s", import->model.unsupported[0]);
+    }
     if (strstr(error, "bad_alloc") != NULL) {
         scene_import_fail(import, "needs more memory than there is");
     }
-    scene_import_fail(import, "cannot be read: %s", error[0] != 0 ? error : "the importer gives no reason");
+    scene_import_fail(import, "cannot be read: %s%s", error[0] != 0 ? error : "the importer gives no reason",
+                      scene_assimp_schema(import));
 }
 
 // What the importer calls itself.
@@ -605,8 +623,8 @@ void scene_import_assimp(struct scene_import *import)
     scene_assimp_refuse_blender(import, false);
     scene_assimp_listen(import);
     struct scene_assimp_exact exact = {.bytes = NULL};
-    const struct aiScene *scene = read_scene(import, &exact);
     scene_assimp_find_gaps(import);
+    const struct aiScene *scene = read_scene(import, &exact);
     struct reader reader = {.import = import, .exact = &exact, .scene = scene};
     import->model.format = format_of(import, scene);
     import->model.doubts_cameras = true;

@@ -39,6 +39,8 @@ struct scene_assimp_source {
 struct aiFileIO scene_assimp_files(struct scene_assimp_source *source);
 /// Return the text of a Collada file as assimp can read it, a 0 behind it. Return NULL if the file is none.
 char *scene_assimp_collada(const struct scene_import *import, size_t *size);
+/// Return the text of a DXF as assimp can read it, a 0 behind it. Return NULL if the file is none.
+char *scene_assimp_dxf(struct scene_import *import, size_t *size);
 /// Move the white space at the ends of a document's texts into its tags. A 0 follows the text.
 void scene_assimp_collapse_texts(char *text, size_t size);
 /// Name the texture coordinates of a Collada document's textures by the numbers that assimp has for their sets. A 0
@@ -47,8 +49,13 @@ void scene_assimp_number_sets(char *text, size_t size);
 /// Name the images of a Collada document that name no file. Return the text, which may be another one by then. A 0
 /// follows it.
 char *scene_assimp_name_images(char *text, size_t *size);
+/// Replace entities of a DXF that assimp does not know. Return the text, which is another one by then.
+char *scene_assimp_flatten_dxf(struct scene_import *import, char *bytes, size_t *size);
 /// Fail the import by its version if it is a Blender file that is too new for assimp. With `is_tried` fail it also for
 /// the versions of which assimp reads some files.
 void scene_assimp_refuse_blender(struct scene_import *import, bool is_tried);
+/// Return why assimp may not read the file: its schema, if it is one of IFC that assimp does not know. Return "" for
+/// other files.
+const char *scene_assimp_schema(struct scene_import *import);
 
 #endif

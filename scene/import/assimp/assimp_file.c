@@ -120,6 +120,19 @@ char *scene_assimp_collada(const struct scene_import *import, size_t *size)
     return scene_assimp_name_images(text, size);
 }
 
+char *scene_assimp_dxf(struct scene_import *import, size_t *size)
+{
+    static const char binary[] = "AutoCAD Binary DXF";
+    const char *problem = NULL;
+    const bool is_dxf = strcasecmp(import->ending, "dxf") == 0;
+    char *const text = is_dxf ? scene_import_read_bytes(import->model.path, size, &problem) : NULL;
+    if (text == NULL || strncmp(text, binary, sizeof binary - 1) == 0) {
+        free(text);
+        return NULL;
+    }
+    return scene_assimp_flatten_dxf(import, text, size);
+}
+
 // Open bytes, which the file frees if it owns them. Return NULL if there are none.
 static struct aiFile *open_memory(char *bytes, size_t size, bool owns)
 {
@@ -151,7 +164,8 @@ static struct aiFile *open_model(const struct scene_assimp_source *source)
     }
     size_t size = 0;
     char *const collada = scene_assimp_collada(source->import, &size);
-    return open_memory(collada, size, true);
+    char *const changed = collada != NULL ? collada : scene_assimp_dxf(source->import, &size);
+    return open_memory(changed, size, true);
 }
 
 static void close_memory(struct aiFile *file)

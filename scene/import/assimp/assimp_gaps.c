@@ -29,9 +29,9 @@ static bool has_any(const char *text, const char *const *words, size_t count)
 // lines, and what concerns no picture is not told.
 static bool tells_of_gap(const char *line)
 {
-    static const char *const gaps[] = {"unsupported", "not supported", "not currently supported",
-                                       "skip",        "ignor",         "not implemented",
-                                       "discard",     "dropped",       "neither material"};
+    static const char *const gaps[] = {
+        "unsupported", "not supported", "not currently supported", "skip",         "ignor", "not implemented",
+        "discard",     "dropped",       "neither material",        "with no faces"};
     static const char *const others[] = {
         "format version",
         "blenddna",
@@ -79,8 +79,10 @@ static void read_log(const char *line, char *user)
     }
     for (text += 2; *text != 0 && *text != '\n' && length + 1 < sizeof kept; text++) {
         if (isdigit((unsigned char)*text) && !isalnum((unsigned char)text[-1])) {
+            const bool is_hexadecimal = strncmp(text, "0x", 2) == 0;
             kept[length++] = 'N';
-            text += strspn(text, "0123456789") - 1;
+            text += is_hexadecimal ? 2 + strspn(text + 2, "0123456789abcdefABCDEF") - 1
+                                   : strspn(text, "0123456789") - 1;
         } else {
             kept[length++] = *text;
         }
@@ -105,8 +107,8 @@ static void look_for_words(struct scene_import *import, const char *bytes, size_
         {"dae", "<spline", "curves"},
         {"dae", "<brep", "boundary representations"},
         {"dae", "<nurbs", "NURBS"},
-        {"fbx", "NurbsSurface", "NURBS"},
-        {"fbx", "NurbsCurve", "NURBS"},
+        {"fbx", "NurbsSurface", "NURBS surfaces"},
+        {"fbx", "NurbsCurve", "NURBS curves"},
         {"x3d", "<Text", "text"},
         {"x3d", "<Nurbs", "NURBS"},
         {"x3d", "<Geo", "geospatial nodes"},
@@ -141,9 +143,8 @@ static void look_for_words(struct scene_import *import, const char *bytes, size_
 static void look_for_entities(struct scene_import *import, char *bytes, size_t size)
 {
     static const char *const entities[] = {
-        "3DSOLID", "ARC",        "ATTRIB",  "BODY",  "CIRCLE", "DIMENSION", "ELLIPSE", "HATCH",  "IMAGE",
-        "LEADER",  "LWPOLYLINE", "MESH",    "MLINE", "MTEXT",  "POINT",     "RAY",     "REGION", "SHAPE",
-        "SOLID",   "SPLINE",     "SURFACE", "TEXT",  "TRACE",  "WIPEOUT",   "XLINE",
+        "3DSOLID", "ATTRIB", "BODY", "DIMENSION", "HATCH", "HELIX",  "IMAGE",   "LEADER", "MESH",    "MLINE",
+        "MTEXT",   "POINT",  "RAY",  "REGION",    "SHAPE", "SPLINE", "SURFACE", "TEXT",   "WIPEOUT", "XLINE",
     };
     struct scene_text text = scene_text_open(import, bytes, size);
     struct scene_line line;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Whether an FBX is whole. assimp reads what there is of one that was cut, and says nothing.
+// Whether an FBX is whole. assimp reads what there is of one that was cut, and says nothing. Numbers of the other byte
+// order, which no reader here knows, would look like places behind the end.
 #include <stdlib.h>
 #include <string.h>
 
 #include "import/builder/readers.h"
 
 static const char magic[] = "Kaydara FBX Binary  "; // with the 0 at its end
-enum { VERSION_AT = 23, HEADER = 27, WIDE_SINCE = 7500, END_MARK = 16 };
+enum { ORDER_AT = 22, VERSION_AT = 23, HEADER = 27, WIDE_SINCE = 7500, END_MARK = 16 };
 
 static uint64_t read_number(const unsigned char *bytes, size_t size)
 {
@@ -76,6 +77,9 @@ void scene_import_check_fbx(struct scene_import *import)
         scene_import_fail(import, "cannot be read: %s", problem);
     }
     if (size >= sizeof magic && memcmp(bytes, magic, sizeof magic) == 0) {
+        if (size > ORDER_AT && bytes[ORDER_AT] == 1) {
+            scene_import_fail(import, "is a binary FBX in big-endian order, which is not supported");
+        }
         check_binary(import, (const unsigned char *)bytes, size);
     } else if (strncmp(bytes, magic, strlen(magic)) != 0 && memchr(bytes, 0, size) == NULL) {
         check_text(import, bytes, size);

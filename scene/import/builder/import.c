@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "child.h"
 #include "file.h"
 
 enum { MESSAGES = 64 }; // lines of each kind that are kept; a hostile file could make millions
@@ -143,6 +144,25 @@ void scene_import_warn(struct scene_import *import, const char *format, ...)
     add_line(import, &import->model.warnings, &import->model.warning_count, &import->warning_capacity, format,
              arguments);
     va_end(arguments);
+}
+
+void scene_import_clear_reply(struct scene_import *import)
+{
+    FILE *const reply = import->child->reply;
+    rewind(reply);
+    if (ftruncate(fileno(reply), 0) != 0) {
+        abort();
+    }
+}
+
+void scene_import_enter(struct scene_import *import, const char *library, const char *more)
+{
+    FILE *const reply = import->child->reply;
+    scene_import_clear_reply(import);
+    if (library != NULL) {
+        fprintf(reply, SCENE_IMPORT_ENTERED "%s, the library that reads it, crashed%s", library, more);
+        fflush(reply);
+    }
 }
 
 void scene_import_unsupported(struct scene_import *import, const char *format, ...)

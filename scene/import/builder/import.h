@@ -101,6 +101,9 @@ struct scene_import {
     struct system_child *child; // child that reads; its reply is what the parent gets
 };
 
+/// What the reply begins with while a library reads the file: a line of it follows.
+#define SCENE_IMPORT_ENTERED "reader: "
+
 /// Give one line to import->leave, which ends the process. Only the thread that reads may call it, and only while no
 /// helper runs.
 _Noreturn void scene_import_fail(struct scene_import *import, const char *format, ...)
@@ -110,6 +113,13 @@ void scene_import_warn(struct scene_import *import, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void scene_import_unsupported(struct scene_import *import, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
+
+/// Say that a library begins to read the file, for the line about a crash in it. With NULL, say that it has ended.
+/// `more` is what may be the cause, or "".
+void scene_import_enter(struct scene_import *import, const char *library, const char *more);
+
+/// Take back all that the reply has.
+void scene_import_clear_reply(struct scene_import *import);
 
 /// Return zeroed memory for `count` elements of `size` bytes, never NULL. Fail the import if there is none.
 void *scene_import_allocate(struct scene_import *import, size_t count, size_t size);

@@ -3,14 +3,16 @@
 #include "polygon.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-// The most corners of a polygon whose ears are cut, which takes time in the square of them. A polygon with more is
-// drawn as a fan.
+#include "large_polygon.h"
+
+// The most corners of a polygon whose ears are cut here, which takes time in the square of them. large_polygon.c cuts
+// one with more.
 enum { MOST_CORNERS = 2048 };
 
 struct polygon {
-    double corners[MOST_CORNERS][3];
     double points[MOST_CORNERS][2]; // corners in the plane that shows most of the polygon, counter-clockwise
     uint32_t ring[MOST_CORNERS];    // corners that are left
     uint32_t count;
@@ -22,39 +24,47 @@ static double area(const double a[2], const double b[2], const double c[2])
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-// Return true if floats of a polygon's corners would not tell them apart, so far is it from where they count from.
-static bool needs_exact(const struct scene_mesh *mesh, const uint32_t *corners, uint32_t count)
+// Corners of a polygon of a mesh that has no more than positions yet.
+struct outline {
+    const struct scene_mesh *mesh;
+    const uint32_t *corners;
+    uint32_t count;
+    bool is_exact; // floats would not tell the corners apart, so far is the polygon from where they count from
+};
+
+static struct outline outline_of(const struct scene_mesh *mesh, const uint32_t *corners, uint32_t count)
 {
-    const double *const first = mesh->exact[corners[0]];
+    struct outline outline = {mesh, corners, count, false};
     double size = 0, far = 0;
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count && mesh->exact != NULL; i++) {
         for (int c = 0; c < 3; c++) {
-            size = fmax(size, fabs(mesh->exact[corners[i]][c] - first[c]));
+            size = fmax(size, fabs(mesh->exact[corners[i]][c] - mesh->exact[corners[0]][c]));
             far = fmax(far, fabs((double)mesh->positions[corners[i]][c]));
         }
     }
-    return far > SCENE_REMOTE * size;
+    outline.is_exact = far > SCENE_REMOTE * size;
+    return outline;
 }
 
-static void take_corners(struct polygon *polygon, const struct scene_mesh *mesh, const uint32_t *corners,
-                         uint32_t count)
+static void place_corner(const struct outline *outline, uint32_t i, double place[3])
 {
-    const bool is_exact = mesh->exact != NULL && needs_exact(mesh, corners, count);
-    polygon->count = count;
-    for (uint32_t i = 0; i < count; i++) {
-        for (int c = 0; c < 3; c++) {
-            polygon->corners[i][c] = is_exact ? mesh->exact[corners[i]][c] - mesh->exact[corners[0]][c]
-                                              : (double)mesh->positions[corners[i]][c];
-        }
+    const struct scene_mesh *const mesh = outline->mesh;
+    const uint32_t corner = outline->corners[i];
+    for (int c = 0; c < 3; c++) {
+        place[c] = outline->is_exact ? mesh->exact[corner][c] - mesh->exact[outline->corners[0]][c]
+                                     : (double)mesh->positions[corner][c];
     }
 }
 
 // Find Newell's normal, which is defined for polygons that are not quite flat, and for concave ones.
-static void newell(const struct polygon *polygon, double normal[3])
+static void newell(const struct outline *outline, double normal[3])
 {
+    double a[3], b[3];
     memset(normal, 0, 3 * sizeof *normal);
-    for (uint32_t i = 0; i < polygon->count; i++) {
-        const double *a = polygon->corners[i], *b = polygon->corners[(i + 1) % polygon->count];
+    place_corner(outline, 0, b);
+    for (uint32_t i = 0; i < outline->count; i++) {
+        memcpy(a, b, sizeof a);
+        place_corner(outline, (i + 1) % outline->count, b);
         for (int c = 0; c < 3; c++) {
             const int u = (c + 1) % 3, v = (c + 2) % 3;
             normal[c] += (a[u] - b[u]) * (a[v] + b[v]);
@@ -62,20 +72,22 @@ static void newell(const struct polygon *polygon, double normal[3])
     }
 }
 
-static void flatten(struct polygon *polygon)
+// Find the corners in the plane that shows most of the polygon, counter-clockwise.
+static void flatten(const struct outline *outline, double (*points)[2])
 {
     double normal[3];
-    newell(polygon, normal);
+    newell(outline, normal);
     int axis = 0;
     for (int c = 1; c < 3; c++) {
         axis = normal[c] * normal[c] > normal[axis] * normal[axis] ? c : axis;
     }
     const bool down = normal[axis] < 0;
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for (uint32_t i = 0; i < polygon->count; i++) {
-        polygon->points[i][0] = polygon->corners[i][down ? v : u];
-        polygon->points[i][1] = polygon->corners[i][down ? u : v];
-        polygon->ring[i] = i;
+    for (uint32_t i = 0; i < outline->count; i++) {
+        double place[3];
+        place_corner(outline, i, place);
+        points[i][0] = place[down ? v : u];
+        points[i][1] = place[down ? u : v];
     }
 }
 
@@ -115,12 +127,11 @@ static void cut(struct polygon *polygon, uint32_t i, uint32_t *out)
     polygon->count--;
 }
 
-static bool is_convex(const struct polygon *polygon)
+// Return true if no corner turns clockwise, as in a convex polygon.
+static bool is_convex(const double (*points)[2], uint32_t count)
 {
-    const uint32_t count = polygon->count;
     for (uint32_t i = 0; i < count; i++) {
-        if (area(polygon->points[i], polygon->points[(i + 1) % count], polygon->points[(i + 2) % count]) <
-            0) {
+        if (area(points[i], points[(i + 1) % count], points[(i + 2) % count]) < 0) {
             return false;
         }
     }
@@ -134,19 +145,47 @@ static void fan(uint32_t count, uint32_t *triangles)
     }
 }
 
-void scene_import_triangulate(const struct scene_mesh *mesh, const uint32_t *corners, uint32_t count,
-                              uint32_t *triangles)
+static bool cut_large(const struct outline *outline, uint32_t *triangles)
+{
+    const uint32_t count = outline->count;
+    double(*const points)[2] = malloc(count * sizeof *points);
+    bool is_whole = points != NULL;
+    if (is_whole) {
+        flatten(outline, points);
+    }
+    if (!is_whole || is_convex((const double(*)[2])points, count)) {
+        fan(count, triangles);
+    } else {
+        is_whole = scene_import_cut_large((const double(*)[2])points, count, triangles);
+    }
+    free(points);
+    return is_whole;
+}
+
+void scene_import_triangulate(struct scene_import *import, const struct scene_mesh *mesh,
+                              const uint32_t *corners, uint32_t count, uint32_t *triangles)
 {
     struct polygon polygon;
-    if (count <= 3 || count > MOST_CORNERS) {
+    const struct outline outline = outline_of(mesh, corners, count);
+    if (count > MOST_CORNERS) {
+        if (!cut_large(&outline, triangles)) {
+            scene_import_warn(import, "a polygon of %u corners takes too long to cut: a part of it is a fan",
+                              count);
+        }
+        return;
+    }
+    if (count <= 3) {
         fan(count, triangles);
         return;
     }
-    take_corners(&polygon, mesh, corners, count);
-    flatten(&polygon);
-    if (is_convex(&polygon)) {
+    flatten(&outline, polygon.points);
+    if (is_convex((const double(*)[2])polygon.points, count)) {
         fan(count, triangles);
         return;
+    }
+    polygon.count = count;
+    for (uint32_t i = 0; i < count; i++) {
+        polygon.ring[i] = i;
     }
     uint32_t next = 0;
     while (polygon.count > 3) {

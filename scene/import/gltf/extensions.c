@@ -44,6 +44,11 @@ static const char *const silent_extensions[] = {
     "KHR_xmp",
     "KHR_xmp_json_ld",
     "MSFT_audio_emitter",
+    "OMI_collider",
+    "OMI_physics_body",
+    "OMI_physics_shape",
+    "VRMC_springBone",
+    "VRMC_springBone_extended_collider",
 };
 
 static bool is_among(const char *const *list, size_t count, const char *extension)

@@ -3,6 +3,7 @@
 #include "model_files.h"
 #include "package_3mf.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -241,8 +242,42 @@ static void test_package(void **state)
     }
 }
 
+// A wall with a gable whose corners lie in one line with others. Its triangles cover it once and nothing else.
+static void test_polygons(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_text(
+        "wall.dae",
+        "<?xml version=\"1.0\"?><COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
+        "version=\"1.4.1\"><asset><up_axis>Y_UP</up_axis></asset><library_geometries><geometry id=\"g\">"
+        "<mesh><source id=\"p\"><float_array id=\"pa\" count=\"36\">0 0 0 1 0 0 2 0 0 3 0 0 4 0 0 4 1 0 3 1 "
+        "0 "
+        "3 2 0 2 2 0 2 1 0 1 1 0 0 1 0</float_array><technique_common><accessor source=\"#pa\" count=\"12\" "
+        "stride=\"3\"><param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/>"
+        "<param name=\"Z\" type=\"float\"/></accessor></technique_common></source><vertices id=\"v\">"
+        "<input semantic=\"POSITION\" source=\"#p\"/></vertices><polylist count=\"2\">"
+        "<input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><vcount>12 4</vcount>"
+        "<p>0 1 2 3 4 5 6 7 8 9 10 11 0 1 10 11</p></polylist></mesh></geometry></library_geometries>"
+        "<library_visual_scenes><visual_scene id=\"s\"><node><instance_geometry url=\"#g\"/></node>"
+        "</visual_scene></library_visual_scenes><scene><instance_visual_scene "
+        "url=\"#s\"/></scene></COLLADA>");
+    const struct scene_mesh *mesh = &model->meshes[0];
+    double area = 0;
+    for (uint32_t i = 0; i < mesh->index_count; i += 3) {
+        const float *a = mesh->positions[mesh->indices[i]], *b = mesh->positions[mesh->indices[i + 1]],
+                    *c = mesh->positions[mesh->indices[i + 2]];
+        area += 0.5 * fabs(((double)b[0] - (double)a[0]) * ((double)c[1] - (double)a[1]) -
+                           ((double)b[1] - (double)a[1]) * ((double)c[0] - (double)a[0]));
+    }
+    assert_int_equal(model->mesh_count, 1);
+    assert_int_equal(model->triangles_drawn, 12);
+    assert_true(fabs(area - 6) < 1e-6); // 5 and the square once more
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_package),
+    cmocka_unit_test(test_polygons),
     cmocka_unit_test(test_no_color),
     cmocka_unit_test(test_blanks),
     cmocka_unit_test(test_texture_coordinate_sets),

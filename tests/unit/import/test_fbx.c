@@ -45,6 +45,18 @@ static void test_binary(void **state)
     }
 }
 
+// Numbers of the other byte order would be places behind the end of the file.
+static void test_order(void **state)
+{
+    (void)state;
+    unsigned char bytes[256];
+    const size_t size = make_binary(bytes, 7400);
+    bytes[22] = 1;
+    memcpy(bytes + 23, (const unsigned char[]){0, 0, 0x1c, 0xe8, 0, 0, 0, 44}, 8);
+    write_bytes("x.fbx", bytes, size);
+    expect_refused("x.fbx", "is a binary FBX in big-endian order, which is not supported");
+}
+
 static void test_text(void **state)
 {
     (void)state;
@@ -136,10 +148,8 @@ static void test_opacity(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_binary),
-    cmocka_unit_test(test_text),
-    cmocka_unit_test(test_light),
-    cmocka_unit_test(test_opacity),
+    cmocka_unit_test(test_binary), cmocka_unit_test(test_order),   cmocka_unit_test(test_text),
+    cmocka_unit_test(test_light),  cmocka_unit_test(test_opacity),
 };
 
 const struct unit_tests test_fbx = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -12,8 +12,8 @@ static void test_entities(void **state)
         "e.dxf",
         "0\nSECTION\n2\nENTITIES\n0\n3DFACE\n8\n0\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n12\n1\n22\n1\n32"
         "\n0\n"
-        "13\n0\n23\n1\n33\n0\n  0\r\nCIRCLE\r\n8\n0\n10\n5\n20\n5\n30\n0\n40\n1\n0\nENDSEC\n0\nEOF\n");
-    assert_true(is_unsupported(model, "entities CIRCLE (DXF): not drawn"));
+        "13\n0\n23\n1\n33\n0\n  0\r\nSPLINE\r\n8\n0\n10\n5\n20\n5\n30\n0\n40\n1\n0\nENDSEC\n0\nEOF\n");
+    assert_true(is_unsupported(model, "entities SPLINE (DXF): not drawn"));
     assert_int_equal(model->unsupported_count, 1);
     scene_model_free(model);
 }
@@ -168,10 +168,93 @@ static void test_cameras_and_lights(void **state)
     scene_model_free(model);
 }
 
+// Number of lines of all meshes. Set the bounds of the model in the plane of the drawing.
+static uint32_t count_lines(const struct scene_model *model, float size[2])
+{
+    uint32_t lines = 0;
+    for (uint32_t i = 0; i < model->mesh_count; i++) {
+        lines += model->meshes[i].primitive == SCENE_PRIMITIVE_LINES ? model->meshes[i].index_count / 2 : 0;
+    }
+    size[0] = model->bounds_max[0] - model->bounds_min[0];
+    size[1] = model->bounds_max[2] - model->bounds_min[2];
+    return lines;
+}
+
+// Polylines with arcs, circles and solids, alone in their files. A circle has 64 lines.
+static void test_drawings(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *entity;
+        uint32_t lines, triangles;
+        float size[2];
+    } cases[] = {
+        {"LWPOLYLINE\n90\n3\n70\n1\n10\n0\n20\n0\n10\n2\n20\n0\n10\n2\n20\n3\n", 3, 0, {2, 3}},
+        {"LWPOLYLINE\n90\n2\n70\n0\n10\n0\n20\n0\n42\n1\n10\n2\n20\n0\n", 32, 0, {2, 1}},
+        {"POLYLINE\n66\n1\n70\n0\n0\nVERTEX\n10\n0\n20\n0\n30\n0\n0\nVERTEX\n10\n4\n20\n0\n30\n0\n0\n"
+         "VERTEX\n10\n4\n20\n1\n30\n0\n0\nSEQEND\n",
+         2,
+         0,
+         {4, 1}},
+        {"CIRCLE\n10\n7\n20\n8\n30\n0\n40\n2\n", 64, 0, {4, 4}},
+        {"CIRCLE\n10\n7\n20\n8\n30\n0\n40\n2\n210\n0\n220\n0\n230\n-1\n", 64, 0, {4, 4}},
+        {"ARC\n10\n7\n20\n8\n30\n0\n40\n2\n50\n270\n51\n90\n", 32, 0, {2, 4}},
+        {"ELLIPSE\n10\n0\n20\n0\n30\n0\n11\n0\n21\n3\n31\n0\n40\n0.5\n", 64, 0, {3, 6}},
+        {"SOLID\n10\n0\n20\n0\n11\n4\n21\n0\n12\n0\n22\n1\n13\n4\n23\n1\n", 0, 2, {4, 1}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        float size[2];
+        write_format("d.dxf", "0\nSECTION\n2\nENTITIES\n0\n%s0\nENDSEC\n0\nEOF\n", cases[i].entity);
+        struct scene_model *model = load("d.dxf");
+        assert_int_equal(count_lines(model, size), cases[i].lines);
+        assert_int_equal(model->triangles_drawn, cases[i].triangles);
+        assert_floats(size, cases[i].size, 2, 1e-5f);
+        assert_int_equal(model->unsupported_count, 0);
+        scene_model_free(model);
+    }
+    write_text("d.dxf", "0\nSECTION\n2\nENTITIES\n0\nHATCH\n8\n0\n0\nENDSEC\n0\nEOF\n");
+    expect_refused("d.dxf", "has nothing that can be drawn: entities HATCH (DXF): not drawn");
+}
+
+// A schema that assimp does not know is named where assimp refuses a file.
+static void test_schema(void **state)
+{
+    (void)state;
+    static const char text[] = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n"
+                               "FILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA (('%s'));\nENDSEC;\nDATA;\n"
+                               "ENDSEC;\nEND-ISO-10303-21;\n";
+    write_format("x.ifc", text, "IFC4X3");
+    expect_refused("x.ifc", "; assimp knows IFC2X3, and this is IFC4X3");
+    write_format("x.ifc", text, "IFC2X3");
+    expect_refused("x.ifc", "missing IfcProject entity");
+}
+
+// Numbers of the log, of which one may be hexadecimal, do not make several lines of one.
+static void test_meshes_without_faces(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_text(
+        "x.fbx", "; FBX 7.4.0 project file\n"
+                 "FBXHeaderExtension:  {\n\tFBXHeaderVersion: 1003\n\tFBXVersion: 7400\n}\n"
+                 "Objects:  {\n"
+                 "\tGeometry: 10, \"Geometry::\", \"Mesh\" {\n"
+                 "\t\tVertices: *9 {\n\t\t\ta: 0,0,0,1,0,0,0,1,0\n\t\t}\n"
+                 "\t\tPolygonVertexIndex: *0 {\n\t\t\ta: \n\t\t}\n\t\tGeometryVersion: 124\n\t}\n"
+                 "\tGeometry: 12, \"Geometry::\", \"NurbsCurve\" {\n\t\tNurbsCurveVersion: 100\n\t}\n"
+                 "\tModel: 11, \"Model::mesh\", \"Mesh\" {\n\t\tVersion: 232\n\t}\n"
+                 "}\n"
+                 "Connections:  {\n\tC: \"OO\",11,0\n\tC: \"OO\",10,11\n}\n");
+    assert_int_equal(model->instance_count, 0);
+    assert_true(is_unsupported(model, "encountered mesh with no faces"));
+    assert_true(is_unsupported(model, "NURBS curves: not drawn"));
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_entities),           cmocka_unit_test(test_log),
-    cmocka_unit_test(test_textures),           cmocka_unit_test(test_words),
-    cmocka_unit_test(test_cameras_and_lights),
+    cmocka_unit_test(test_entities), cmocka_unit_test(test_drawings),
+    cmocka_unit_test(test_schema),   cmocka_unit_test(test_meshes_without_faces),
+    cmocka_unit_test(test_log),      cmocka_unit_test(test_textures),
+    cmocka_unit_test(test_words),    cmocka_unit_test(test_cameras_and_lights),
 };
 
 const struct unit_tests test_gaps = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -548,15 +548,17 @@ static void test_forgiven(void **state)
     scene_model_free(model);
     // An extension that is used and not listed; one that says nothing about the picture.
     const float triangle[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-    write_format("used.gltf",
-                 "{\"asset\":{\"version\":\"2.0\"},\"extensionsUsed\":[\"KHR_xmp_json_ld\"],\"scenes\":[{"
-                 "\"nodes\":[0]}],"
-                 "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"material\":0,\"attributes\":{"
-                 "\"POSITION\":0}}]}],"
-                 "\"materials\":[{\"extensions\":{\"EXT_glow\":{}}}],\"accessors\":[{\"bufferView\":0,"
-                 "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],\"bufferViews\":[{\"buffer\":0,"
-                 "\"byteLength\":36}],\"buffers\":[{\"byteLength\":36,\"uri\":\"%s\"}]}",
-                 data_uri(triangle, sizeof triangle));
+    write_format(
+        "used.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"extensionsUsed\":[\"KHR_xmp_json_ld\",\"OMI_physics_body\","
+        "\"VRMC_springBone\"],\"scenes\":[{"
+        "\"nodes\":[0]}],"
+        "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"material\":0,\"attributes\":{"
+        "\"POSITION\":0}}]}],"
+        "\"materials\":[{\"extensions\":{\"EXT_glow\":{}}}],\"accessors\":[{\"bufferView\":0,"
+        "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],\"bufferViews\":[{\"buffer\":0,"
+        "\"byteLength\":36}],\"buffers\":[{\"byteLength\":36,\"uri\":\"%s\"}]}",
+        data_uri(triangle, sizeof triangle));
     model = load("used.gltf");
     assert_int_equal(model->unsupported_count, 1);
     assert_string_equal(model->unsupported[0], "glTF extension EXT_glow: ignored");

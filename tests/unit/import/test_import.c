@@ -114,7 +114,7 @@ static void test_polygons(void **state)
             whole += 0.5 * ((double)a[0] * (double)b[1] - (double)a[1] * (double)b[0]);
         }
         const struct scene_mesh mesh = {.positions = points};
-        scene_import_triangulate(&mesh, corners, count, triangles);
+        scene_import_triangulate(NULL, &mesh, corners, count, triangles);
         for (uint32_t i = 0; i < count - 2; i++) {
             const double area = area_of((const float(*)[3])points, triangles + 3 * i);
             assert_true(area > -1e-9);
@@ -122,6 +122,37 @@ static void test_polygons(void **state)
         }
         assert_true(fabs(sum - whole) < 1e-6);
     }
+}
+
+// A comb of thousands of teeth, whose triangles cover it once and nothing else.
+static void test_large_polygons(void **state)
+{
+    (void)state;
+    enum { TEETH = 2000, CORNERS = 2 * TEETH + 2 };
+    static float points[CORNERS][3];
+    static uint32_t corners[CORNERS], triangles[3 * (CORNERS - 2)];
+    double whole = 0, sum = 0;
+    for (uint32_t i = 0; i < CORNERS; i++) {
+        const uint32_t tooth = (CORNERS - 1 - i) / 2;
+        points[i][0] = (float)tooth + (i % 2 == 0 && i > 0 ? 0.5f : 0);
+        points[i][1] = i == 0 ? -1.0f : i % 2 == 0 ? 10.0f : 1.0f + (float)(next_random() % 8);
+        corners[i] = i;
+    }
+    points[0][0] = TEETH;
+    points[CORNERS - 1][0] = 0;
+    points[CORNERS - 1][1] = -1;
+    for (uint32_t i = 0; i < CORNERS; i++) {
+        const float *a = points[i], *b = points[(i + 1) % CORNERS];
+        whole += 0.5 * ((double)a[0] * (double)b[1] - (double)a[1] * (double)b[0]);
+    }
+    const struct scene_mesh mesh = {.positions = points};
+    scene_import_triangulate(NULL, &mesh, corners, CORNERS, triangles);
+    for (uint32_t i = 0; i < CORNERS - 2; i++) {
+        const double area = area_of((const float(*)[3])points, triangles + 3 * i);
+        assert_true(area >= 0);
+        sum += area;
+    }
+    assert_true(whole > 0 && fabs(sum - whole) < 1e-6 * whole);
 }
 
 // OBJ -----------------------------------------------------------------------------------------------
@@ -727,6 +758,7 @@ static void test_cars(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_numbers),
     cmocka_unit_test(test_polygons),
+    cmocka_unit_test(test_large_polygons),
     cmocka_unit_test(test_obj_cube),
     cmocka_unit_test(test_obj_smooth),
     cmocka_unit_test(test_a_ridge_is_not_torn),

@@ -272,11 +272,33 @@ static void test_normals_of_another_pose(void **state)
     scene_model_free(model);
 }
 
+// Meshmixer writes facets white that nobody has painted, and those that fill a hole black.
+static void test_meshmixer(void **state)
+{
+    (void)state;
+    const char head[] = "MESHMIXER-STL-BINARY-FORMAT---------------------------";
+    const uint16_t words[] = {0xffff, 0x8000, 0xffff}, painted[] = {0x8000 | 31, 0x8000, 0xffff};
+    write_bytes("x.stl", bytes, make_binary(bytes, head, 3, 3, words));
+    struct scene_model *model = load("x.stl");
+    assert_floats(color_of(model, 0), (const float[]){1, 1, 1, 1}, 4, 0);
+    assert_floats(color_of(model, 1), (const float[]){1, 1, 1, 1}, 4, 0);
+    scene_model_free(model);
+    write_bytes("x.stl", bytes, make_binary(bytes, head, 3, 3, painted));
+    model = load("x.stl");
+    assert_floats(color_of(model, 1), (const float[]){0, 0, 0, 1}, 4, 0);
+    scene_model_free(model);
+    write_bytes("x.stl", bytes, make_binary(bytes, "another program", 3, 3, words));
+    model = load("x.stl");
+    assert_floats(color_of(model, 1), (const float[]){0, 0, 0, 1}, 4, 0);
+    scene_model_free(model);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_viscam),
     cmocka_unit_test(test_magics),
     cmocka_unit_test(test_magics_without_words),
     cmocka_unit_test(test_meshlab),
+    cmocka_unit_test(test_meshmixer),
     cmocka_unit_test(test_no_colors),
     cmocka_unit_test(test_counts),
     cmocka_unit_test(test_text),
