@@ -8,6 +8,21 @@
 #include "kernels/geometry/geometry_scratch.h"
 #include "kernels/tile_work.h"
 
+bool rhw_is_given_up(struct rhw_context *context, int worker)
+{
+    if (!context->goes_on) {
+        return false;
+    }
+    if (atomic_load_explicit(&context->given_up, memory_order_relaxed)) {
+        return true;
+    }
+    const bool given_up = worker == 0 && !context->goes_on(context->goes_on_user);
+    if (given_up) {
+        atomic_store_explicit(&context->given_up, true, memory_order_relaxed);
+    }
+    return given_up;
+}
+
 // Set the scratch to zero, except for the table of lanes and what an empty queue says of its groups.
 static void init_tile_scratch(struct rhw_tile_scratch *scratch)
 {
@@ -140,9 +155,14 @@ bool rhw_executor_bins_ready(struct rhw_executor *executor)
     return ready;
 }
 
+bool rhw_executor_arenas_ready(struct rhw_executor *executor)
+{
+    return executor->wave.workers || make_workers(executor);
+}
+
 bool rhw_executor_workers_ready(struct rhw_executor *executor)
 {
-    bool ready = executor->wave.workers || make_workers(executor);
+    bool ready = rhw_executor_arenas_ready(executor);
     for (int i = 0; ready && i < executor->context->threads; i++) {
         ready = worker_ready(executor, &executor->wave.workers[i]);
     }

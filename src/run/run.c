@@ -33,11 +33,40 @@ static size_t bin_limit(const struct rhw_executor *executor)
     return executor->context->bin_memory ? executor->context->bin_memory : default_bin_memory;
 }
 
+// Return how many threads run the pass. A pass whose order would show runs as it does in a context with one thread.
+static int threads_of(const struct rhw_executor *executor)
+{
+    return executor->wave.pass->shows_order ? 1 : executor->context->threads;
+}
+
+struct serial_tasks {
+    rhw_task_function *task;
+    void *user;
+    int count;
+};
+
+static void run_serially(void *user, int index, int worker)
+{
+    const struct serial_tasks *const tasks = user;
+    (void)index;
+    for (int i = 0; i < tasks->count; i++) {
+        tasks->task(tasks->user, i, worker);
+    }
+}
+
+// Run tasks on the threads of the pass. Return the nanoseconds that they took, summed over the threads.
+static uint64_t run_tasks(const struct rhw_executor *executor, rhw_task_function *task, void *user, int count)
+{
+    struct rhw_scheduler *const scheduler = executor->context->scheduler;
+    struct serial_tasks serial = {task, user, count};
+    return executor->wave.pass->shows_order ? rhw_scheduler_run(scheduler, run_serially, &serial, 1)
+                                            : rhw_scheduler_run(scheduler, task, user, count);
+}
+
 // Return the triangles of a chunk: every thread gets at least four chunks, so that no thread waits long for the last.
 static uint64_t chunk_size(const struct rhw_executor *executor)
 {
-    const uint64_t share =
-        executor->wave.pass->triangle_count / (uint64_t)(4 * executor->context->threads) + 1;
+    const uint64_t share = executor->wave.pass->triangle_count / (uint64_t)(4 * threads_of(executor)) + 1;
     return share < CHUNK_LEAST ? CHUNK_LEAST : share < RHW_CHUNK_TRIANGLES ? share : RHW_CHUNK_TRIANGLES;
 }
 
@@ -46,7 +75,7 @@ static uint64_t chunk_size(const struct rhw_executor *executor)
 // many entries as there are tiles, because one triangle may fill them all.
 static uint32_t entries_most(const struct rhw_executor *executor)
 {
-    const size_t share = bin_limit(executor) / (4 * (size_t)executor->context->threads * sizeof(uint16_t));
+    const size_t share = bin_limit(executor) / (4 * (size_t)threads_of(executor) * sizeof(uint16_t));
     const size_t tiles = (size_t)executor->wave.target.tiles_x * (size_t)executor->wave.target.tiles_y;
     return share < tiles ? (uint32_t)tiles : share < UINT32_MAX ? (uint32_t)share : UINT32_MAX;
 }
@@ -131,22 +160,6 @@ static void end_wave(struct rhw_executor *executor, int end)
     }
 }
 
-// Return true if the program gives the pass up. Worker 0 asks it, on the program's own thread; the others hear of it.
-static bool is_given_up(rhw_context *context, int worker)
-{
-    if (!context->goes_on) {
-        return false;
-    }
-    if (atomic_load_explicit(&context->given_up, memory_order_relaxed)) {
-        return true;
-    }
-    const bool given_up = worker == 0 && !context->goes_on(context->goes_on_user);
-    if (given_up) {
-        atomic_store_explicit(&context->given_up, true, memory_order_relaxed);
-    }
-    return given_up;
-}
-
 // Run the front end over one chunk. Chunks are claimed in order. The wave ends before the first chunk that finds the
 // memory used up, or behind the first chunk whose bins were too large for all of its triangles. What other threads make
 // of later chunks meanwhile is made again.
@@ -156,7 +169,7 @@ static void run_chunk(void *user, int index, int worker)
     struct rhw_chunk *const chunk = &executor->wave.chunks[index];
     const struct rhw_arena *const arena = &executor->wave.workers[worker].arena;
     if (index >= atomic_load_explicit(&executor->wave_end, memory_order_relaxed) ||
-        is_given_up(executor->context, worker)) {
+        rhw_is_given_up(executor->context, worker)) {
         return;
     }
     if (index != 0 &&
@@ -183,7 +196,7 @@ struct parts_task {
 static void run_part(void *user, int index, int worker)
 {
     const struct parts_task *const task = user;
-    if (!is_given_up(task->executor->context, worker)) {
+    if (!rhw_is_given_up(task->executor->context, worker)) {
         task->executor->context->kernels->shared_part(&task->executor->wave, &task->parts[index], worker);
     }
 }
@@ -194,8 +207,7 @@ static void run_parts(struct rhw_executor *executor, const struct rhw_shared_par
     struct parts_task task = {executor, parts->parts};
     stats->vertices_shaded += parts->vertices;
     if (parts->count != 0) {
-        stats->front_busy_ms +=
-            milliseconds(rhw_scheduler_run(executor->context->scheduler, run_part, &task, parts->count));
+        stats->front_busy_ms += milliseconds(run_tasks(executor, run_part, &task, parts->count));
     }
 }
 
@@ -251,9 +263,9 @@ static void draw_tile(struct rhw_executor *executor, int tile, int worker)
 static void run_tile(void *user, int index, int worker)
 {
     struct rhw_executor *const executor = user;
-    const int threads = executor->context->threads;
+    const int threads = threads_of(executor);
     (void)index;
-    if (is_given_up(executor->context, worker)) {
+    if (rhw_is_given_up(executor->context, worker)) {
         return;
     }
     for (int i = 0; i < threads; i++) {
@@ -271,13 +283,12 @@ static void run_tile(void *user, int index, int worker)
 
 static uint64_t run_tiles(struct rhw_executor *executor)
 {
-    struct rhw_context *const context = executor->context;
-    const int tiles = rhw_target_tiles(&executor->wave.target);
-    for (int i = 0; i < context->threads; i++) {
-        executor->shares[i].next = (int)((int64_t)tiles * i / context->threads);
-        executor->shares[i].end = (int)((int64_t)tiles * (i + 1) / context->threads);
+    const int threads = threads_of(executor), tiles = rhw_target_tiles(&executor->wave.target);
+    for (int i = 0; i < threads; i++) {
+        executor->shares[i].next = (int)((int64_t)tiles * i / threads);
+        executor->shares[i].end = (int)((int64_t)tiles * (i + 1) / threads);
     }
-    return rhw_scheduler_run(context->scheduler, run_tile, executor, tiles);
+    return run_tasks(executor, run_tile, executor, tiles);
 }
 
 static void sum_front(const struct rhw_executor *executor, struct rhw_stats *stats)
@@ -312,7 +323,7 @@ static bool run_front(struct rhw_executor *executor, struct position *at, struct
     executor->wave_end = executor->wave.chunk_count;
     executor->failed = false;
     stats->front_busy_ms +=
-        milliseconds(rhw_scheduler_run(context->scheduler, run_chunk, executor, executor->wave.chunk_count));
+        milliseconds(run_tasks(executor, run_chunk, executor, executor->wave.chunk_count));
     if (executor->failed || atomic_load(&context->given_up)) {
         return false;
     }
@@ -377,7 +388,7 @@ static bool run_wave(struct rhw_executor *executor, struct position *at, struct 
     }
     const uint64_t middle = rhw_time_ns();
     // The caller may have got no tile, where other threads were quick.
-    if (is_given_up(context, 0)) {
+    if (rhw_is_given_up(context, 0)) {
         return false;
     }
     stats->back_busy_ms += milliseconds(run_tiles(executor));
@@ -411,7 +422,7 @@ static struct rhw_stats stats_of(const struct rhw_executor *executor)
     return (struct rhw_stats){.record_ms = milliseconds(rhw_time_ns() - pass->begun_ns),
                               .draws = pass->draws.count,
                               .triangles_in = pass->triangle_count,
-                              .threads = context->threads,
+                              .threads = threads_of(executor),
                               .tiles = rhw_target_tiles(&pass->target),
                               .isa = context->isa};
 }
