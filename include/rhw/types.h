@@ -667,8 +667,8 @@ struct rhw_program {
     bool vertex_effects;
     /// Either function uses what atomics on storage return, or exchanges words that others use, so that the order in
     /// which functions are called would show in what they write. A pass with a draw of this program then runs on the
-    /// thread that ends it, in one order, and writes the same bytes at any number of threads. Leave it false if any
-    /// order will do, for example in lists that are sorted when they are read.
+    /// thread that ends it, in one order, and writes the same bytes in every context; it takes no notice of bin_memory.
+    /// Leave it false if any order will do, for example in lists that are sorted when they are read.
     bool uses_atomic_results;
 
     // What the fragment function does

@@ -28,9 +28,12 @@ static double milliseconds(uint64_t ns)
     return (double)ns * 1e-6;
 }
 
+// Return the bytes that the bins of a wave may take. Where the order of a pass would show, its waves are the same in
+// every context.
 static size_t bin_limit(const struct rhw_executor *executor)
 {
-    return executor->context->bin_memory ? executor->context->bin_memory : default_bin_memory;
+    const bool is_chosen = executor->context->bin_memory != 0 && !executor->wave.pass->shows_order;
+    return is_chosen ? executor->context->bin_memory : default_bin_memory;
 }
 
 // Return how many threads run the pass. A pass whose order would show runs as it does in a context with one thread.
