@@ -2,6 +2,8 @@
 // Dispatches: which invocations run, what they share and reach, in which order, and what is told of misuse.
 #include "harness.h"
 
+#include "base/thread.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -373,10 +375,13 @@ static void test_indirect(void **state)
 
 // Order ------------------------------------------------------------------------------------------------
 
-// Write the turn of each workgroup, as an atomic gives it.
+// Write the turn of each workgroup, as an atomic gives it. The first one waits for others, which must not come.
 static void take_turn(struct rhw_workgroup *w)
 {
     const int32_t number = w->id[0] + w->counts[0] * (w->id[1] + w->counts[1] * w->id[2]);
+    const uint64_t end = rhw_time_ns() + 20000000;
+    while (number == 0 && rhw_storage_load1(w->bindings, 0, 0) == 0 && rhw_time_ns() < end) {
+    }
     const int32_t turn = rhw_storage_atomic1(w->bindings, 0, RHW_STORAGE_ADD, 0, 1);
     rhw_storage_store1(w->bindings, 0, 1 + (uint32_t)number, turn);
 }
