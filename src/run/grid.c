@@ -15,7 +15,7 @@
 enum { BATCHES_OF_THREAD = 32 };
 
 struct room {
-    bool is_made;
+    _Alignas(RHW_CACHE_LINE) bool is_made; // a room is written by its thread for every workgroup
     struct rhw_workgroup workgroup;
     struct rhw_invocations *groups;
     unsigned char *memory; // what invocations of the one-at-a-time form keep
