@@ -8,21 +8,6 @@
 #include "kernels/geometry/geometry_scratch.h"
 #include "kernels/tile_work.h"
 
-bool rhw_is_given_up(struct rhw_context *context, int worker)
-{
-    if (!context->goes_on) {
-        return false;
-    }
-    if (atomic_load_explicit(&context->given_up, memory_order_relaxed)) {
-        return true;
-    }
-    const bool given_up = worker == 0 && !context->goes_on(context->goes_on_user);
-    if (given_up) {
-        atomic_store_explicit(&context->given_up, true, memory_order_relaxed);
-    }
-    return given_up;
-}
-
 // Set the scratch to zero, except for the table of lanes and what an empty queue says of its groups.
 static void init_tile_scratch(struct rhw_tile_scratch *scratch)
 {

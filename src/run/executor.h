@@ -34,9 +34,6 @@ struct rhw_executor {
     _Atomic bool failed;                              // a worker ran out of memory
 };
 
-// Return true if the program gives up what runs. Worker 0 asks it, on the program's own thread; the others hear of it.
-bool rhw_is_given_up(struct rhw_context *context, int worker);
-
 // Give every worker an arena. Return false when out of memory.
 bool rhw_executor_arenas_ready(struct rhw_executor *executor);
 // Give every worker the memory that the wave's pass needs. Return false when out of memory.

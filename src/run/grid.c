@@ -8,6 +8,7 @@
 
 #include "base/scheduler.h"
 #include "context/context.h"
+#include "context/given_up.h"
 #include "executor.h"
 #include "rhw/shader.h"
 
@@ -154,7 +155,7 @@ static void run_batch(void *user, int index, int worker)
     id[0] = (int32_t)(first % x);
     id[1] = (int32_t)(first / x % y);
     id[2] = (int32_t)(first / x / y);
-    for (uint64_t i = 0; i < job->batch && i < left && !rhw_is_given_up(job->context, worker); i++) {
+    for (uint64_t i = 0; i < job->batch && i < left && !rhw_context_is_given_up(job->context, worker); i++) {
         run_workgroup(job, room);
         for (int c = 0; c < 2 && ++id[c] == grid->count[c]; c++) {
             id[c] = 0;
@@ -182,7 +183,7 @@ enum rhw_result rhw_executor_run_grid(struct rhw_executor *executor, const struc
         }
     }
     atomic_store(&context->given_up, false);
-    if (rhw_is_given_up(context, 0)) {
+    if (rhw_context_is_given_up(context, 0)) {
         return RHW_ERROR_GIVEN_UP;
     }
     if (job.workgroups == 0) {

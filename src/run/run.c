@@ -10,6 +10,7 @@
 #include "base/scheduler.h"
 #include "base/thread.h"
 #include "context/context.h"
+#include "context/given_up.h"
 #include "draw/used_query.h"
 #include "draw/wave.h"
 #include "effect_vertices.h"
@@ -172,7 +173,7 @@ static void run_chunk(void *user, int index, int worker)
     struct rhw_chunk *const chunk = &executor->wave.chunks[index];
     const struct rhw_arena *const arena = &executor->wave.workers[worker].arena;
     if (index >= atomic_load_explicit(&executor->wave_end, memory_order_relaxed) ||
-        rhw_is_given_up(executor->context, worker)) {
+        rhw_context_is_given_up(executor->context, worker)) {
         return;
     }
     if (index != 0 &&
@@ -199,7 +200,7 @@ struct parts_task {
 static void run_part(void *user, int index, int worker)
 {
     const struct parts_task *const task = user;
-    if (!rhw_is_given_up(task->executor->context, worker)) {
+    if (!rhw_context_is_given_up(task->executor->context, worker)) {
         task->executor->context->kernels->shared_part(&task->executor->wave, &task->parts[index], worker);
     }
 }
@@ -268,7 +269,7 @@ static void run_tile(void *user, int index, int worker)
     struct rhw_executor *const executor = user;
     const int threads = threads_of(executor);
     (void)index;
-    if (rhw_is_given_up(executor->context, worker)) {
+    if (rhw_context_is_given_up(executor->context, worker)) {
         return;
     }
     for (int i = 0; i < threads; i++) {
@@ -391,7 +392,7 @@ static bool run_wave(struct rhw_executor *executor, struct position *at, struct 
     }
     const uint64_t middle = rhw_time_ns();
     // The caller may have got no tile, where other threads were quick.
-    if (rhw_is_given_up(context, 0)) {
+    if (rhw_context_is_given_up(context, 0)) {
         return false;
     }
     stats->back_busy_ms += milliseconds(run_tiles(executor));
