@@ -40,12 +40,11 @@ static void open_bench(struct bench *bench)
         .format = RHW_FORMAT_RGBA8_UNORM, .width = WIDTH, .height = HEIGHT};
     const struct rhw_sampler_def nearest = {.min_filter = RHW_FILTER_NEAREST,
                                             .mag_filter = RHW_FILTER_NEAREST};
-    const struct rhw_pipeline_def pipeline = {
-        .program = {.vertex = RHW_ISA_TABLE(bench_cover),
-                    .fragment = RHW_ISA_TABLE(bench_blur_fragments),
-                    .uses = RHW_USE_COORD},
-        .targets = {{.format = RHW_FORMAT_RGBA8_UNORM}},
-        .target_count = 1};
+    const struct rhw_pipeline_def pipeline = {.program = {.vertex = RHW_ISA_TABLE(bench_cover),
+                                                          .fragment = RHW_ISA_TABLE(bench_blur_fragments),
+                                                          .uses = RHW_USE_COORD},
+                                              .targets = {{.format = RHW_FORMAT_RGBA8_UNORM}},
+                                              .target_count = 1};
     static unsigned char texels[4 * WIDTH * HEIGHT];
     for (size_t i = 0; i < sizeof texels; i++) {
         texels[i] = (unsigned char)(i * 2654435761u >> 24);
@@ -75,8 +74,8 @@ static void blur_by_dispatch(const struct bench *bench)
 
 static void blur_by_pass(const struct bench *bench)
 {
-    const struct rhw_pass_def def = {
-        .colors = {{.texture = bench->to, .load = RHW_LOAD_DISCARD}}, .color_count = 1};
+    const struct rhw_pass_def def = {.colors = {{.texture = bench->to, .load = RHW_LOAD_DISCARD}},
+                                     .color_count = 1};
     rhw_pass pass;
     must(rhw_pass_begin(bench->context, &def, &pass));
     rhw_pass_set_pipeline(bench->context, pass, bench->pipeline);

@@ -301,7 +301,7 @@ bool rhw_encoder_set_storage_image(struct rhw_encoder *encoder, int slot, rhw_te
             rhw_texture_note_sampled(texture, context->recording.generation);
             encoder->out_of_memory |= !rhw_pass_note_read(encoder, bound.texture, 1u << level);
         } else if (!note_written(encoder, texture, level, where)) {
-            return;
+            return false;
         }
         rhw_pool_use(&context->textures, id.index, context->recording.generation);
     }
