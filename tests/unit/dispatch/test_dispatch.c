@@ -577,11 +577,10 @@ static void use_empty_slots(struct rhw_workgroup *w)
 static void test_validation(void **state)
 {
     (void)state;
-    static const char *const parts[] = {"rhw_dispatch \"empty\": a shader function of the program uses "
-                                        "storage slot 5, in which nothing is set",
-                                        "uses image slot 6, in which nothing is set",
-                                        "samples slot 7, in which no texture is set",
-                                        "writes to storage slot 0, which is set for reading alone"};
+    static const char *const parts[] = {
+        "rhw_dispatch \"empty\": a shader function of the program uses storage slot 5, in which nothing",
+        "uses image slot 6, in which nothing is set", "samples slot 7, in which no texture is set",
+        "writes to storage slot 0, which is set for reading alone"};
     for (int validates = 0; validates < 2; validates++) {
         struct rhw_context_def context = rhw_context_def_default();
         struct rig rig;
