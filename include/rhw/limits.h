@@ -74,6 +74,10 @@ struct rhw_limits {
     uint32_t min_memory_map_alignment; ///< alignment of rhw_buffer_map's address less its offset
     uint32_t min_storage_buffer_offset_alignment, min_texel_buffer_offset_alignment;
 
+    // Dispatches. Sizes are invocations; shared memory is in bytes. All slots are those of draws.
+    uint32_t max_compute_shared_memory_size, max_compute_work_group_invocations;
+    uint32_t max_compute_work_group_count[3], max_compute_work_group_size[3];
+
     // Sample counts of textures that rhw_sample_fetch_sample reads. It reads stencil through a view of R8_UINT.
     uint32_t sampled_image_color_sample_counts, sampled_image_integer_sample_counts;
     uint32_t sampled_image_depth_sample_counts, sampled_image_stencil_sample_counts;

@@ -9,6 +9,7 @@
 #ifndef RHW_RHW_H
 #define RHW_RHW_H
 
+#include "dispatch.h"
 #include "limits.h"
 #include "explain.h"
 #include "pass_def.h"
@@ -43,12 +44,12 @@ RHW_API void rhw_context_destroy(rhw_context *context);
 /// Return the number of threads that draw, the calling thread included.
 RHW_API int rhw_context_threads(const rhw_context *context);
 
-/// Set a function that decides whether a pass of the context, or rhw_texture_generate_mips, goes on. The thread that
-/// called the library calls it before each of its tasks, some thousand times a second. If it returns false, the tasks
-/// under way are done, which are a tile or 8192 triangles each, and the call returns RHW_ERROR_GIVEN_UP. All that it
-/// wrote to then holds unspecified values, the queries of a pass have no result, and rhw_pass_end does not write the
-/// stats. `goes_on` must not call the library with the same context; that is misuse. A `goes_on` of NULL, as at first,
-/// lets all go on.
+/// Set a function that decides whether a pass or a dispatch of the context, or rhw_texture_generate_mips, goes on. The
+/// thread that called the library calls it before each of its tasks, some thousand times a second, and before each of
+/// its workgroups. If it returns false, the tasks under way are done, which are a tile, 8192 triangles or a workgroup
+/// each, and the call returns RHW_ERROR_GIVEN_UP. All that it wrote to then holds unspecified values, the queries of a
+/// pass have no result, and rhw_pass_end does not write the stats. `goes_on` must not call the library with the same
+/// context; that is misuse. A `goes_on` of NULL, as at first, lets all go on.
 RHW_API void rhw_context_set_goes_on(rhw_context *context, bool (*goes_on)(void *user), void *user);
 
 /// Return the instruction set that the context uses.
@@ -453,6 +454,31 @@ RHW_API enum rhw_result rhw_pass_end(rhw_context *context, rhw_pass pass, struct
 /// End the pass without drawing any of it. The attachments are as they were, and the id is stale. A program that cannot
 /// go on while it records a pass calls this.
 RHW_API void rhw_pass_cancel(rhw_context *context, rhw_pass pass);
+
+// Dispatches ----------------------------------------------------------------------------------------
+// A dispatch runs where it is called, between passes, and is done when the call returns. What passes and dispatches
+// before it wrote is there, and what it writes is there for those that follow. It is misuse while a pass is recorded.
+
+/// Run a program for x · y · z workgroups; each number is in 0..RHW_MAX_WORKGROUP_COUNT, and with a 0 nothing runs. The
+/// definition is read during the call. The rules of a pass hold for what the slots have: no byte of a buffer and no
+/// texel is both written and read in another way.
+///
+/// The function returns RHW_OK, RHW_ERROR_OUT_OF_MEMORY, RHW_ERROR_MISUSE or RHW_ERROR_GIVEN_UP. On failure, what the
+/// program writes holds unspecified values. It is inline because it tests the compiler flags of the calling file, as
+/// rhw_pipeline_create does.
+static inline enum rhw_result rhw_dispatch(rhw_context *context, const struct rhw_dispatch_def *def,
+                                           uint32_t x, uint32_t y, uint32_t z)
+{
+    return rhw_dispatch_probed(context, def, rhw_arithmetic_flaws(), x, y, z);
+}
+
+/// Dispatch with the numbers of a struct rhw_dispatch_command, which stands at `offset` in a buffer. `offset` is a
+/// multiple of 4. The function reads the numbers before any workgroup runs, so the program may write them.
+static inline enum rhw_result rhw_dispatch_indirect(rhw_context *context, const struct rhw_dispatch_def *def,
+                                                    rhw_buffer buffer, size_t offset)
+{
+    return rhw_dispatch_indirect_probed(context, def, rhw_arithmetic_flaws(), buffer, offset);
+}
 
 // Queries -------------------------------------------------------------------------------------------
 

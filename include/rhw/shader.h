@@ -120,6 +120,7 @@ struct rhw_fragment1 {
 };
 
 #include "shader_bits_one.h"
+#include "shader_compute.h"
 #include "shader_one.h"
 #include "shader_scalar.h"
 #include "shader_varying.h"

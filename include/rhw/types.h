@@ -675,6 +675,11 @@ struct rhw_program {
     /// The vertex function writes to storage, or changes it by atomics. The library then calls it once for each vertex
     /// of each instance that a primitive names.
     bool vertex_effects;
+    /// Either function uses what atomics on storage return, or exchanges words that others use, so that the order in
+    /// which functions are called would show in what they write. A pass with a draw of this program then runs on the
+    /// thread that ends it, in one order, and writes the same bytes in every context; it takes no notice of bin_memory.
+    /// Leave it false if any order will do, for example in lists that are sorted when they are read.
+    bool uses_atomic_results;
 
     // What the fragment function does
     uint32_t uses; ///< or-ed rhw_fragment_use

@@ -31,12 +31,25 @@ struct rhw_debug_group {
 struct rhw_recording {
     bool active;         // between the beginning of a pass and its end
     bool misused;        // misuse was reported since the beginning
-    uint32_t generation; // number of the pass under way or, when there is none, of the last one
+    bool dispatches;     // a dispatch sets what it uses, as a pass of its own
+    uint32_t generation; // number of the pass or dispatch under way or, when there is none, of the last one
     uint32_t draw;       // number of the next draw
     uint32_t rewrites;   // times that the program rewrote what the pass uses
     const struct rhw_debug_group *group; // the innermost one, or NULL
     char label[RHW_LABEL_SIZE];          // label of the pass
 };
+
+// Return true while a pass is recorded, or while a dispatch sets what it uses.
+static inline bool rhw_recording_is_open(const struct rhw_recording *recording)
+{
+    return recording->active || recording->dispatches;
+}
+
+// Return what messages call that which uses things: "pass" or "dispatch".
+static inline const char *rhw_recording_noun(const struct rhw_recording *recording)
+{
+    return recording->dispatches ? "dispatch" : "pass";
+}
 
 struct rhw_context {
     struct rhw_memory memory;

@@ -154,6 +154,7 @@ static void tell_inside(struct rhw_context *context, const struct rhw_recording 
     context->definition = NULL;
     append_place(message, context, place);
     context->recording.misused |= context->recording.active;
+    context->recording.dispatches = false; // misuse ends a dispatch
     const char *const where = atomic_exchange_explicit(&context->entered, NULL, memory_order_relaxed);
     tell(context, message->text);
     atomic_store_explicit(&context->entered, where, memory_order_relaxed);

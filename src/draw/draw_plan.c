@@ -202,8 +202,11 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
 {
     const uint32_t uses = pipeline->def.program.uses;
     const bool reads_targets = uses & RHW_USE_TARGET_INPUT;
-    // Their groups are rows.
-    paths = reads_targets || uses & RHW_USE_FULLY_COVERED || pipeline->is_smooth ? RHW_PATHS_GENERAL : paths;
+    // Groups of the first three are rows. The order of fragments depends on the path, and where it would show there is
+    // one path.
+    const bool is_general = reads_targets || uses & RHW_USE_FULLY_COVERED || pipeline->is_smooth ||
+                            pipeline->def.program.uses_atomic_results;
+    paths = is_general ? RHW_PATHS_GENERAL : paths;
     struct rhw_draw_plan plan = {.reads_targets = reads_targets,
                                  .shading = choose_shading(pipeline, phase, samples, paths),
                                  .sampling = choose_sampling(pipeline, samples),

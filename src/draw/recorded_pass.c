@@ -29,6 +29,7 @@ void rhw_recorded_pass_clear(struct rhw_recorded_pass *pass)
     pass->shades_first = false;
     pass->has_large_draws = false;
     pass->has_feedback = false;
+    pass->shows_order = false;
 }
 
 void rhw_recorded_pass_destroy(struct rhw_memory *memory, struct rhw_recorded_pass *pass)

@@ -16,28 +16,20 @@ static const char *const where = "rhw_pass_begin";
 static void reset(struct rhw_encoder *encoder, const struct rhw_pass_def *def)
 {
     struct rhw_recorded_pass *const pass = encoder->pass;
-    rhw_recorded_pass_clear(pass);
+    rhw_encoder_renew(encoder);
     pass->begun_ns = rhw_time_ns();
-    pass->paths = encoder->context->paths;
     pass->target.width = def->width;
     pass->target.height = def->height;
     pass->target.area = def->render_area;
     pass->target.color_count = def->color_count;
     encoder->names_size = def->width != 0;
-    encoder->read = NULL;
-    encoder->stored = NULL;
     encoder->feedback = (struct rhw_feedback_state){0};
-    encoder->memory = (struct rhw_used_memory){
-        .context = encoder->context, .pass = pass, .out_of_memory = &encoder->out_of_memory};
     encoder->current = NULL;
-    encoder->out_of_memory = false;
     encoder->refused_pipeline = false;
     memset(&encoder->pending, 0, sizeof encoder->pending);
-    memset(&encoder->bound, 0, sizeof encoder->bound);
     encoder->pending_changed = true;
     encoder->uniforms = NULL;
     encoder->uniform_size = 0;
-    encoder->bindings_changed = true;
 }
 
 static bool check_def(rhw_context *context, const struct rhw_pass_def *def, const rhw_pass *id)
@@ -104,9 +96,6 @@ static enum rhw_result begin(rhw_context *context, const struct rhw_pass_def *de
         return RHW_ERROR_MISUSE;
     }
     reset(encoder, def);
-    if (++context->recording.generation == 0) {
-        context->recording.generation = 1; // 0: no pass has used an item yet
-    }
     const enum rhw_result result = rhw_pass_attach(encoder, def);
     if (result != RHW_OK) {
         return result;

@@ -26,6 +26,27 @@ void rhw_encoder_destroy(struct rhw_encoder *encoder)
     }
 }
 
+void rhw_encoder_renew(struct rhw_encoder *encoder)
+{
+    struct rhw_recording *const recording = &encoder->context->recording;
+    struct rhw_target *const target = &encoder->pass->target;
+    rhw_recorded_pass_clear(encoder->pass);
+    encoder->pass->paths = encoder->context->paths;
+    target->color_count = 0;
+    target->has_depth = target->has_stencil = false;
+    target->depth = target->stencil = (struct rhw_attachment){.target = NULL};
+    encoder->read = NULL;
+    encoder->stored = NULL;
+    encoder->out_of_memory = false;
+    encoder->memory = (struct rhw_used_memory){
+        .context = encoder->context, .pass = encoder->pass, .out_of_memory = &encoder->out_of_memory};
+    memset(&encoder->bound, 0, sizeof encoder->bound);
+    encoder->bindings_changed = true;
+    if (++recording->generation == 0) {
+        recording->generation = 1; // 0: no pass has used an item yet
+    }
+}
+
 void rhw_pass_report(const rhw_context *context, rhw_pass id, const char *where)
 {
     const bool foreign = id.index != 0 && id.context != context->number;

@@ -92,6 +92,10 @@ struct rhw_encoder *rhw_encoder_create(struct rhw_context *context, struct rhw_r
 // Release an encoder. Do nothing where it is NULL.
 void rhw_encoder_destroy(struct rhw_encoder *encoder);
 
+// Forget all that the last pass, or the last dispatch, used and set. What is used and set from now on belongs to
+// another, which has the next generation.
+void rhw_encoder_renew(struct rhw_encoder *encoder);
+
 // Report that an id names no pass under way.
 __attribute__((cold)) void rhw_pass_report(const rhw_context *context, rhw_pass id, const char *where);
 

@@ -10,6 +10,7 @@
 #include "context/entry.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
+#include "indirect.h"
 #include "pass.h"
 #include "encoder.h"
 #include "rhw/rhw.h"
@@ -27,10 +28,8 @@ static uint64_t extent(uint32_t count, uint64_t stride, uint64_t size)
     return count == 0 ? 0 : (count - 1) * stride + size;
 }
 
-// Return the bytes at an offset of a buffer, `size` of which are read. Report misuse and return NULL where they cannot
-// be read.
-static const unsigned char *find_bytes(const rhw_context *context, rhw_buffer id, size_t offset,
-                                       uint64_t size, const char *name, const char *where)
+const unsigned char *rhw_indirect_bytes(const rhw_context *context, rhw_buffer id, size_t offset,
+                                        uint64_t size, const char *name, const char *where)
 {
     struct rhw_buffer_data *const buffer = rhw_context_buffer(context, id, where);
     const struct rhw_buffer_part part = {id, buffer, RHW_BUFFER_READ, offset, offset + (size_t)size};
@@ -65,8 +64,8 @@ static struct command_list find_commands(const rhw_context *context, const struc
         return misuse;
     }
     if (commands->count_buffer.index != 0) {
-        const unsigned char *const bytes = find_bytes(context, commands->count_buffer, commands->count_offset,
-                                                      sizeof list.count, "count_", where);
+        const unsigned char *const bytes = rhw_indirect_bytes(
+            context, commands->count_buffer, commands->count_offset, sizeof list.count, "count_", where);
         if (bytes == NULL) {
             return misuse;
         }
@@ -74,8 +73,8 @@ static struct command_list find_commands(const rhw_context *context, const struc
         memcpy(&count, bytes, sizeof count);
         list.count = count < list.count ? count : list.count;
     }
-    list.bytes = find_bytes(context, commands->buffer, commands->offset,
-                            extent(list.count, list.stride, size), "", where);
+    list.bytes = rhw_indirect_bytes(context, commands->buffer, commands->offset,
+                                    extent(list.count, list.stride, size), "", where);
     return list;
 }
 
@@ -117,7 +116,7 @@ static void draw_byte_count(struct rhw_encoder *encoder, const struct rhw_draw_b
         return;
     }
     const unsigned char *const bytes =
-        find_bytes(context, draw->buffer, draw->offset, sizeof counter, "", where);
+        rhw_indirect_bytes(context, draw->buffer, draw->offset, sizeof counter, "", where);
     if (bytes != NULL) {
         memcpy(&counter, bytes, sizeof counter);
         const uint32_t size = counter > draw->counter_offset ? counter - draw->counter_offset : 0;

@@ -91,11 +91,12 @@ static const char *user_of(const struct rhw_used_memory *used, struct memory_par
 static bool check(const struct rhw_used_memory *used, struct memory_part part, const char *user,
                   const char *where)
 {
-    return rhw_check(
-        used->context, user == NULL,
-        "%s: %zu bytes at %p share some with %s of this pass; they must lie apart until the pass "
-        "ends",
-        where, (size_t)(part.end - part.first), (const void *)part.first, user);
+    return rhw_check(used->context, user == NULL,
+                     "%s: %zu bytes at %p share some with %s of this %s; they must lie apart until the %s "
+                     "ends",
+                     where, (size_t)(part.end - part.first), (const void *)part.first, user,
+                     rhw_recording_noun(&used->context->recording),
+                     rhw_recording_noun(&used->context->recording));
 }
 
 static bool is_noted(const struct rhw_used_memory *used, size_t size)

@@ -35,9 +35,10 @@ static bool check_sampled(const struct rhw_encoder *encoder, rhw_texture id, int
                      "sample a view of others",
                      where, rhw_name_of(&context->textures, id.index).text, slot) &&
            rhw_check(context, !rhw_pass_stores_texture(encoder, texture, rhw_all_levels(texture)),
-                     "%s: %s, for slot %d, is a storage image of this pass, or has a level and layer of one; "
+                     "%s: %s, for slot %d, is a storage image of this %s, or has a level and layer of one; "
                      "sample a view of others",
-                     where, rhw_name_of(&context->textures, id.index).text, slot);
+                     where, rhw_name_of(&context->textures, id.index).text, slot,
+                     rhw_recording_noun(&context->recording));
 }
 
 // Return true if a sampler gives texels as they are.
@@ -77,21 +78,21 @@ static bool linearize(struct rhw_context *context, struct rhw_texture_data *text
     return texture->samples > 1 || rhw_texture_linearize(context, texture);
 }
 
-static void set_texture(struct rhw_encoder *encoder, int slot, rhw_texture texture, rhw_sampler sampler)
+bool rhw_encoder_set_texture(struct rhw_encoder *encoder, int slot, rhw_texture texture, rhw_sampler sampler,
+                             const char *where)
 {
-    static const char *const where = "rhw_pass_set_texture";
     rhw_context *const context = encoder->context;
     struct rhw_bound_texture bound = {NULL, NULL};
     if (!rhw_check(context, slot >= 0 && slot < RHW_MAX_TEXTURES, "%s: slot is %d; it is in 0..%d", where,
                    slot, RHW_MAX_TEXTURES - 1)) {
-        return;
+        return false;
     }
     if (texture.index != 0) {
         bound.sampler = check_sampled(encoder, texture, slot, where)
                             ? rhw_context_sampler(context, sampler, where)
                             : NULL;
         if (!bound.sampler || !check_sampler(context, texture, sampler, bound.sampler, where)) {
-            return;
+            return false;
         }
         bound.texture = rhw_pool_get(&context->textures, texture.index, texture.generation);
         rhw_texture_note_sampled(*bound.texture, context->recording.generation);
@@ -104,6 +105,7 @@ static void set_texture(struct rhw_encoder *encoder, int slot, rhw_texture textu
     struct rhw_bound_texture *const current = &encoder->bound.textures[slot];
     encoder->bindings_changed |= current->texture != bound.texture || current->sampler != bound.sampler;
     *current = bound;
+    return true;
 }
 
 void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_texture texture,
@@ -111,7 +113,7 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
 {
     struct rhw_encoder *const encoder = rhw_pass_enter(context, id, "rhw_pass_set_texture");
     if (encoder) {
-        set_texture(encoder, slot, texture, sampler);
+        (void)rhw_encoder_set_texture(encoder, slot, texture, sampler, "rhw_pass_set_texture");
         rhw_context_leave(context);
     }
 }
@@ -148,8 +150,8 @@ static bool bind_range(struct rhw_encoder *encoder, rhw_buffer id, size_t offset
     return true;
 }
 
-static void set_storage_buffer(struct rhw_encoder *encoder, int slot, rhw_buffer id, size_t offset,
-                               size_t size, bool is_read_only, const char *where)
+bool rhw_encoder_set_storage_buffer(struct rhw_encoder *encoder, int slot, rhw_buffer id, size_t offset,
+                                    size_t size, bool is_read_only, const char *where)
 {
     struct rhw_context *const context = encoder->context;
     struct rhw_bound_range range = {.data = NULL};
@@ -158,10 +160,11 @@ static void set_storage_buffer(struct rhw_encoder *encoder, int slot, rhw_buffer
         !rhw_check(context, offset % 4 == 0, "%s: offset is %zu; it must be a multiple of 4", where,
                    offset) ||
         (id.index != 0 && !bind_range(encoder, id, offset, size, is_read_only, where, &range))) {
-        return;
+        return false;
     }
     encoder->bound.storage[slot] = range;
     encoder->bindings_changed = true;
+    return true;
 }
 
 void rhw_pass_set_storage_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer,
@@ -170,7 +173,7 @@ void rhw_pass_set_storage_buffer(rhw_context *context, rhw_pass id, int slot, rh
     static const char *const where = "rhw_pass_set_storage_buffer";
     struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
     if (encoder) {
-        set_storage_buffer(encoder, slot, buffer, offset, size, false, where);
+        (void)rhw_encoder_set_storage_buffer(encoder, slot, buffer, offset, size, false, where);
         rhw_context_leave(context);
     }
 }
@@ -181,7 +184,7 @@ void rhw_pass_set_read_only_storage_buffer(rhw_context *context, rhw_pass id, in
     static const char *const where = "rhw_pass_set_read_only_storage_buffer";
     struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
     if (encoder) {
-        set_storage_buffer(encoder, slot, buffer, offset, size, true, where);
+        (void)rhw_encoder_set_storage_buffer(encoder, slot, buffer, offset, size, true, where);
         rhw_context_leave(context);
     }
 }
@@ -215,9 +218,10 @@ static bool check_written(const struct rhw_encoder *encoder, rhw_texture id,
                       "another",
                       where, level, rhw_name_of(&context->textures, id.index).text) &&
             rhw_check(context, !rhw_pass_reads(encoder, texels),
-                      "%s: level %d of %s is sampled in this pass or set for reading alone, or has a layer "
+                      "%s: level %d of %s is sampled in this %s or set for reading alone, or has a layer "
                       "that is; it must be another",
-                      where, level, rhw_name_of(&context->textures, id.index).text));
+                      where, level, rhw_name_of(&context->textures, id.index).text,
+                      rhw_recording_noun(&context->recording)));
 }
 
 // Check that the pass neither draws into nor writes a level that is to be read.
@@ -230,9 +234,10 @@ static bool check_read(const struct rhw_encoder *encoder, rhw_texture id,
                      "another",
                      where, level, rhw_name_of(&context->textures, id.index).text) &&
            rhw_check(context, !rhw_pass_stores_texture(encoder, texture, 1u << level),
-                     "%s: level %d of %s is a storage image of this pass, or has a layer of one; it must be "
+                     "%s: level %d of %s is a storage image of this %s, or has a layer of one; it must be "
                      "another",
-                     where, level, rhw_name_of(&context->textures, id.index).text);
+                     where, level, rhw_name_of(&context->textures, id.index).text,
+                     rhw_recording_noun(&context->recording));
 }
 
 static bool check_image(const struct rhw_encoder *encoder, rhw_texture id,
@@ -276,31 +281,32 @@ static bool note_written(struct rhw_encoder *encoder, struct rhw_texture_data *t
     return true;
 }
 
-static void set_storage_image(struct rhw_encoder *encoder, int slot, rhw_texture id, int level,
-                              bool is_read_only, const char *where)
+bool rhw_encoder_set_storage_image(struct rhw_encoder *encoder, int slot, rhw_texture id, int level,
+                                   bool is_read_only, const char *where)
 {
     struct rhw_context *const context = encoder->context;
     struct rhw_bound_image bound = {.level = level, .is_read_only = is_read_only};
     if (!check_slot(context, slot, where)) {
-        return;
+        return false;
     }
     if (id.index != 0) {
         struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
         if (!texture || !check_image(encoder, id, texture, level, where) ||
             !(is_read_only ? check_read(encoder, id, texture, level, where)
                            : check_written(encoder, id, texture, level, where))) {
-            return;
+            return false;
         }
         bound.texture = rhw_pool_get(&context->textures, id.index, id.generation);
         if (is_read_only) {
             rhw_texture_note_sampled(texture, context->recording.generation);
             encoder->out_of_memory |= !rhw_pass_note_read(encoder, bound.texture, 1u << level);
         } else if (!note_written(encoder, texture, level, where)) {
-            return;
+            return false;
         }
         rhw_pool_use(&context->textures, id.index, context->recording.generation);
     }
     bind_image(encoder, slot, bound);
+    return true;
 }
 
 void rhw_pass_set_storage_image(rhw_context *context, rhw_pass id, int slot, rhw_texture texture, int level)
@@ -308,7 +314,7 @@ void rhw_pass_set_storage_image(rhw_context *context, rhw_pass id, int slot, rhw
     static const char *const where = "rhw_pass_set_storage_image";
     struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
     if (encoder) {
-        set_storage_image(encoder, slot, texture, level, false, where);
+        (void)rhw_encoder_set_storage_image(encoder, slot, texture, level, false, where);
         rhw_context_leave(context);
     }
 }
@@ -319,7 +325,7 @@ void rhw_pass_set_read_only_storage_image(rhw_context *context, rhw_pass id, int
     static const char *const where = "rhw_pass_set_read_only_storage_image";
     struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
     if (encoder) {
-        set_storage_image(encoder, slot, texture, level, true, where);
+        (void)rhw_encoder_set_storage_image(encoder, slot, texture, level, true, where);
         rhw_context_leave(context);
     }
 }
@@ -340,22 +346,24 @@ static bool check_texels(const struct rhw_context *context, enum rhw_format form
                      offset, info->size, info->name);
 }
 
-static void set_texel_buffer(struct rhw_encoder *encoder, int slot, rhw_buffer id, enum rhw_format format,
-                             size_t offset, size_t size, bool is_read_only, const char *where)
+bool rhw_encoder_set_texel_buffer(struct rhw_encoder *encoder, int slot, rhw_buffer id,
+                                  enum rhw_format format, size_t offset, size_t size, bool is_read_only,
+                                  const char *where)
 {
     struct rhw_context *const context = encoder->context;
     struct rhw_bound_image bound = {.is_read_only = is_read_only};
     if (!check_slot(context, slot, where)) {
-        return;
+        return false;
     }
     if (id.index != 0) {
         if (!check_texels(context, format, offset, where) ||
             !bind_range(encoder, id, offset, size, is_read_only, where, &bound.range)) {
-            return;
+            return false;
         }
         bound.format = format;
     }
     bind_image(encoder, slot, bound);
+    return true;
 }
 
 void rhw_pass_set_texel_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer,
@@ -364,7 +372,7 @@ void rhw_pass_set_texel_buffer(rhw_context *context, rhw_pass id, int slot, rhw_
     static const char *const where = "rhw_pass_set_texel_buffer";
     struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
     if (encoder) {
-        set_texel_buffer(encoder, slot, buffer, format, offset, size, false, where);
+        (void)rhw_encoder_set_texel_buffer(encoder, slot, buffer, format, offset, size, false, where);
         rhw_context_leave(context);
     }
 }
@@ -375,7 +383,7 @@ void rhw_pass_set_read_only_texel_buffer(rhw_context *context, rhw_pass id, int 
     static const char *const where = "rhw_pass_set_read_only_texel_buffer";
     struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
     if (encoder) {
-        set_texel_buffer(encoder, slot, buffer, format, offset, size, true, where);
+        (void)rhw_encoder_set_texel_buffer(encoder, slot, buffer, format, offset, size, true, where);
         rhw_context_leave(context);
     }
 }

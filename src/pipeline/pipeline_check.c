@@ -343,21 +343,20 @@ static bool check_targets(const struct rhw_context *context, const struct rhw_pi
     return true;
 }
 
-// Report compiler flags of the program with which its shaders would draw other bytes.
-static bool check_flaws(const struct rhw_context *context, uint32_t flaws)
+bool rhw_check_flaws(const struct rhw_context *context, uint32_t flaws, const char *where)
 {
     return rhw_check(context, (flaws & RHW_ARITHMETIC_FUSED) == 0,
                      "%s: multiplications and additions are fused in the file that calls it, so its shaders "
                      "would draw other bytes on other machines; compile it with -ffp-contract=off",
-                     create_name) &&
+                     where) &&
            rhw_check(
                context, (flaws & RHW_ARITHMETIC_REORDERED) == 0,
                "%s: sums are reordered or not rounded to float in the file that calls it, so its shaders "
                "would draw other bytes on other machines; compile it without -fassociative-math, "
                "-funsafe-math-optimizations and -ffast-math",
-               create_name) &&
+               where) &&
            rhw_check(context, flaws == 0, "%s: flaws is 0x%x; it must be what rhw_arithmetic_flaws gives",
-                     create_name, (unsigned)flaws);
+                     where, (unsigned)flaws);
 }
 
 // Return true if blending with these factors gives what no blending gives.
@@ -379,7 +378,7 @@ bool rhw_pipeline_check(const struct rhw_context *context, const struct rhw_pipe
 {
     return rhw_check(context, def != NULL, "%s: def is NULL", create_name) &&
            rhw_check(context, pipeline != NULL, "%s: pipeline is NULL", create_name) &&
-           check_flaws(context, flaws) && check_program(context, &def->program) &&
+           rhw_check_flaws(context, flaws, create_name) && check_program(context, &def->program) &&
            check_vertex_input(context, def) && check_states(context, def) && check_targets(context, def) &&
            rhw_feedback_check(context, def, create_name);
 }

@@ -14,6 +14,10 @@ struct rhw_context;
 bool rhw_pipeline_check(const struct rhw_context *context, const struct rhw_pipeline_def *def, uint32_t flaws,
                         const rhw_pipeline *pipeline);
 
+// Report compiler flags of the program with which its shaders would draw other bytes. `where` is the public function
+// that was called.
+bool rhw_check_flaws(const struct rhw_context *context, uint32_t flaws, const char *where);
+
 // Log a warning about each state of a valid definition that is set and switched off. Validation asks for the warnings.
 // They are no misuse, because programs that switch a state on and off leave it set.
 void rhw_pipeline_warn(const struct rhw_context *context, const struct rhw_pipeline_def *def);

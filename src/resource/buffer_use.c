@@ -13,7 +13,8 @@ static const struct rhw_range_set *ranges_of(const struct rhw_context *context,
                                              const struct rhw_buffer_data *data, enum rhw_buffer_use use)
 {
     const struct rhw_used_bytes *const used = &data->used[use];
-    return context->recording.active && used->pass == context->recording.generation ? &used->ranges : NULL;
+    const struct rhw_recording *const recording = &context->recording;
+    return rhw_recording_is_open(recording) && used->pass == recording->generation ? &used->ranges : NULL;
 }
 
 // Return a range of the use that has some of the part's bytes. Return NULL if none has.
@@ -31,15 +32,16 @@ bool rhw_buffer_check_apart(const struct rhw_context *context, const struct rhw_
                                         [RHW_BUFFER_STORED] = "may write",
                                         [RHW_BUFFER_CAPTURED] = "writes",
                                         [RHW_BUFFER_WRITTEN] = "writes"};
-    static const char *const others[] = {
-        [RHW_BUFFER_READ] = "a vertex, index or read-only buffer of this pass reads",
-        [RHW_BUFFER_STORED] = "storage of this pass may write",
-        [RHW_BUFFER_CAPTURED] = "the transform feedback of this pass writes"};
+    static const char *const users[] = {[RHW_BUFFER_READ] = "a vertex, index or read-only buffer",
+                                        [RHW_BUFFER_STORED] = "storage",
+                                        [RHW_BUFFER_CAPTURED] = "the transform feedback"};
+    const char *const noun = rhw_recording_noun(&context->recording);
     return rhw_check(
         context, end <= part->first || part->end <= first || first == end || part->first == part->end,
-        "%s: it %s bytes %zu to %zu of %s; %s bytes %zu to %zu; they must lie apart until the pass ends",
+        "%s: it %s bytes %zu to %zu of %s; %s of this %s %s bytes %zu to %zu; they must lie apart until the "
+        "%s ends",
         where, verbs[part->use], part->first, part->end, rhw_name_of(&context->buffers, part->id.index).text,
-        others[use], first, end);
+        users[use], noun, verbs[use], first, end, noun);
 }
 
 // Return true if two parts of a buffer may have bytes in common in this use: readings may, and writings of shader

@@ -15,7 +15,7 @@ bool rhw_texture_is_attached(const struct rhw_context *context, const struct rhw
 {
     const struct rhw_recording *const recording = &context->recording;
     const uint32_t attached = texture->shared ? texture->shared->attached : texture->attached;
-    return recording->active && attached == recording->generation;
+    return rhw_recording_is_open(recording) && attached == recording->generation;
 }
 
 bool rhw_texture_check_unread(const struct rhw_context *context, rhw_texture id,

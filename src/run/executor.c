@@ -170,9 +170,14 @@ bool rhw_executor_bins_ready(struct rhw_executor *executor)
     return ready;
 }
 
+bool rhw_executor_arenas_ready(struct rhw_executor *executor)
+{
+    return executor->wave.workers || make_workers(executor);
+}
+
 bool rhw_executor_workers_ready(struct rhw_executor *executor)
 {
-    bool ready = executor->wave.workers || make_workers(executor);
+    bool ready = rhw_executor_arenas_ready(executor);
     for (int i = 0; ready && i < executor->context->threads; i++) {
         ready = worker_ready(executor, &executor->wave.workers[i]);
     }

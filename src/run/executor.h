@@ -34,6 +34,8 @@ struct rhw_executor {
     _Atomic bool failed;                              // a worker ran out of memory
 };
 
+// Give every worker an arena. Return false when out of memory.
+bool rhw_executor_arenas_ready(struct rhw_executor *executor);
 // Give every worker the memory that the wave's pass needs. Return false when out of memory.
 bool rhw_executor_workers_ready(struct rhw_executor *executor);
 // Give every worker room for the bins that a tile has of the wave's chunks. Return false when out of memory.

@@ -29,16 +29,48 @@ static double milliseconds(uint64_t ns)
     return (double)ns * 1e-6;
 }
 
+// Return the bytes that the bins of a wave may take. Where the order of a pass would show, its waves are the same in
+// every context.
 static size_t bin_limit(const struct rhw_executor *executor)
 {
-    return executor->context->bin_memory ? executor->context->bin_memory : default_bin_memory;
+    const bool is_chosen = executor->context->bin_memory != 0 && !executor->wave.pass->shows_order;
+    return is_chosen ? executor->context->bin_memory : default_bin_memory;
+}
+
+// Return how many threads run the pass. A pass whose order would show runs as it does in a context with one thread.
+static int threads_of(const struct rhw_executor *executor)
+{
+    return executor->wave.pass->shows_order ? 1 : executor->context->threads;
+}
+
+struct serial_tasks {
+    rhw_task_function *task;
+    void *user;
+    int count;
+};
+
+static void run_serially(void *user, int index, int worker)
+{
+    const struct serial_tasks *const tasks = user;
+    (void)index;
+    for (int i = 0; i < tasks->count; i++) {
+        tasks->task(tasks->user, i, worker);
+    }
+}
+
+// Run tasks on the threads of the pass. Return the nanoseconds that they took, summed over the threads.
+static uint64_t run_tasks(const struct rhw_executor *executor, rhw_task_function *task, void *user, int count)
+{
+    struct rhw_scheduler *const scheduler = executor->context->scheduler;
+    struct serial_tasks serial = {task, user, count};
+    return executor->wave.pass->shows_order ? rhw_scheduler_run(scheduler, run_serially, &serial, 1)
+                                            : rhw_scheduler_run(scheduler, task, user, count);
 }
 
 // Return the triangles of a chunk: every thread gets at least four chunks, so that no thread waits long for the last.
 static uint64_t chunk_size(const struct rhw_executor *executor)
 {
-    const uint64_t share =
-        executor->wave.pass->triangle_count / (uint64_t)(4 * executor->context->threads) + 1;
+    const uint64_t share = executor->wave.pass->triangle_count / (uint64_t)(4 * threads_of(executor)) + 1;
     return share < CHUNK_LEAST ? CHUNK_LEAST : share < RHW_CHUNK_TRIANGLES ? share : RHW_CHUNK_TRIANGLES;
 }
 
@@ -47,7 +79,7 @@ static uint64_t chunk_size(const struct rhw_executor *executor)
 // many entries as there are tiles, because one triangle may fill them all.
 static uint32_t entries_most(const struct rhw_executor *executor)
 {
-    const size_t share = bin_limit(executor) / (4 * (size_t)executor->context->threads * sizeof(uint16_t));
+    const size_t share = bin_limit(executor) / (4 * (size_t)threads_of(executor) * sizeof(uint16_t));
     const size_t tiles = (size_t)executor->wave.target.tiles_x * (size_t)executor->wave.target.tiles_y;
     return share < tiles ? (uint32_t)tiles : share < UINT32_MAX ? (uint32_t)share : UINT32_MAX;
 }
@@ -179,8 +211,7 @@ static void run_parts(struct rhw_executor *executor, const struct rhw_shared_par
     struct parts_task task = {executor, parts->parts};
     stats->vertices_shaded += parts->vertices;
     if (parts->count != 0) {
-        stats->front_busy_ms +=
-            milliseconds(rhw_scheduler_run(executor->context->scheduler, run_part, &task, parts->count));
+        stats->front_busy_ms += milliseconds(run_tasks(executor, run_part, &task, parts->count));
     }
 }
 
@@ -236,7 +267,7 @@ static void draw_tile(struct rhw_executor *executor, int tile, int worker)
 static void run_tile(void *user, int index, int worker)
 {
     struct rhw_executor *const executor = user;
-    const int threads = executor->context->threads;
+    const int threads = threads_of(executor);
     (void)index;
     if (rhw_context_is_given_up(executor->context, worker)) {
         return;
@@ -256,13 +287,12 @@ static void run_tile(void *user, int index, int worker)
 
 static uint64_t run_tiles(struct rhw_executor *executor)
 {
-    struct rhw_context *const context = executor->context;
-    const int tiles = rhw_target_tiles(&executor->wave.target);
-    for (int i = 0; i < context->threads; i++) {
-        executor->shares[i].next = (int)((int64_t)tiles * i / context->threads);
-        executor->shares[i].end = (int)((int64_t)tiles * (i + 1) / context->threads);
+    const int threads = threads_of(executor), tiles = rhw_target_tiles(&executor->wave.target);
+    for (int i = 0; i < threads; i++) {
+        executor->shares[i].next = (int)((int64_t)tiles * i / threads);
+        executor->shares[i].end = (int)((int64_t)tiles * (i + 1) / threads);
     }
-    return rhw_scheduler_run(context->scheduler, run_tile, executor, tiles);
+    return run_tasks(executor, run_tile, executor, tiles);
 }
 
 static void sum_front(const struct rhw_executor *executor, struct rhw_stats *stats)
@@ -297,7 +327,7 @@ static bool run_front(struct rhw_executor *executor, struct position *at, struct
     executor->wave_end = executor->wave.chunk_count;
     executor->failed = false;
     stats->front_busy_ms +=
-        milliseconds(rhw_scheduler_run(context->scheduler, run_chunk, executor, executor->wave.chunk_count));
+        milliseconds(run_tasks(executor, run_chunk, executor, executor->wave.chunk_count));
     if (executor->failed || atomic_load(&context->given_up)) {
         return false;
     }
@@ -396,7 +426,7 @@ static struct rhw_stats stats_of(const struct rhw_executor *executor)
     return (struct rhw_stats){.record_ms = milliseconds(rhw_time_ns() - pass->begun_ns),
                               .draws = pass->draws.count,
                               .triangles_in = pass->triangle_count,
-                              .threads = context->threads,
+                              .threads = threads_of(executor),
                               .tiles = rhw_target_tiles(&pass->target),
                               .isa = context->isa};
 }

@@ -73,6 +73,7 @@ static const struct scene features[] = {
     {"maths-of-all-floats", golden_maths_draw, 1},
     {"one-at-a-time", golden_single_draw, 0},
     {"storage", golden_storage_draw, 0},
+    {"dispatch", golden_dispatch_draw, 0},
     {"gallery", golden_gallery_draw, 0},
     {"gallery-wireframe-over", golden_gallery_draw, 1},
     {"gallery-orthographic", golden_gallery_draw, 2},

@@ -86,6 +86,9 @@ golden_draw_function golden_single_draw; ///< the one-at-a-time form of vertex a
 // golden_storage.c
 golden_draw_function golden_storage_draw; ///< lists of fragments by atomics, vertices counted
 
+// golden_dispatch.c
+golden_draw_function golden_dispatch_draw; ///< workgroups, and what they and draws get of atomics
+
 // golden_gallery.c: models as `rhw render` draws them, with all its outputs
 golden_draw_function golden_gallery_draw; ///< every kind of material and light; numbers are views
 golden_draw_function golden_model_draw;   ///< real models that stand in models/; numbers are models

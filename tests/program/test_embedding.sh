@@ -71,6 +71,16 @@ refused: 1, left: 0 bytes
 TEXT
 echo b7b6f989734a816b >expected/mesh
 echo 2caafbd101cb2219 >expected/arrays
+cat >expected/compute <<'TEXT'
+0/8 14
+1/8 244071
+2/8 967
+3/8 3032
+4/8 6152
+5/8 9056
+6/8 15010
+7/8 28898
+TEXT
 cat >expected/handles <<'TEXT'
 f112808d386bc02a
 e83ada50aa5db41f
@@ -100,7 +110,7 @@ library=$(dirname "$(find "$folder/prefix" -name pkgconfig)")
 export PKG_CONFIG_PATH="$library/pkgconfig" LD_LIBRARY_PATH="$library"
 cp -r "$root/examples/embedding" make
 warnings="-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror"
-all="resize stream threads allocator mesh arrays handles badge_user"
+all="resize stream threads allocator mesh arrays compute handles badge_user"
 
 if [ -n "$sanitizers" ]; then
     # A library that was built with the sanitizer, in programs that are.

@@ -20,7 +20,7 @@ static void expect_at_least(const struct required *rows, size_t count)
 }
 
 // By hand from Vulkan 1.0, table "Required Limits", and VK_EXT_transform_feedback. Not here, as there is nothing of theirs: memory, descriptor sets,
-// tessellation, geometry and compute.
+// tessellation and geometry.
 static void test_what_vulkan_requires(void **state)
 {
     (void)state;
@@ -48,6 +48,14 @@ static void test_what_vulkan_requires(void **state)
         {"maxStorageBufferRange", l.max_storage_buffer_range, 134217728},
         {"maxTexelBufferElements", l.max_texel_buffer_elements, 65536},
         {"minMemoryMapAlignment", l.min_memory_map_alignment, 64},
+        {"maxComputeSharedMemorySize", l.max_compute_shared_memory_size, 16384},
+        {"maxComputeWorkGroupCount[0]", l.max_compute_work_group_count[0], 65535},
+        {"maxComputeWorkGroupCount[1]", l.max_compute_work_group_count[1], 65535},
+        {"maxComputeWorkGroupCount[2]", l.max_compute_work_group_count[2], 65535},
+        {"maxComputeWorkGroupInvocations", l.max_compute_work_group_invocations, 256}, // WebGPU; Vulkan: 128
+        {"maxComputeWorkGroupSize[0]", l.max_compute_work_group_size[0], 256},
+        {"maxComputeWorkGroupSize[1]", l.max_compute_work_group_size[1], 256},
+        {"maxComputeWorkGroupSize[2]", l.max_compute_work_group_size[2], 64},
         {"-minInterpolationOffset", -(double)l.min_interpolation_offset, 0.5},
         {"maxInterpolationOffset", (double)l.max_interpolation_offset, 0.5},
         {"subPixelInterpolationOffsetBits", l.sub_pixel_interpolation_offset_bits, 4},
