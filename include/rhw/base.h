@@ -84,7 +84,7 @@ enum rhw_result {
     RHW_ERROR_UNSUPPORTED,   ///< this build or this CPU cannot do what was asked
     RHW_ERROR_THREAD,        ///< the operating system refused a thread
     RHW_ERROR_MISUSE,        ///< the assert hook got a message and returned
-    RHW_ERROR_GIVEN_UP,      ///< the program gave the pass up; see rhw_context_set_goes_on
+    RHW_ERROR_GIVEN_UP,      ///< the program gave the work up; see rhw_context_set_goes_on
 };
 
 /// Return one short English sentence without a full stop that describes the result. The string is static. Any thread

@@ -173,12 +173,17 @@ struct rhw_draw_byte_count {
 
 // Transform feedback --------------------------------------------------------------------------------
 
-/// A range of a buffer that a pass writes the feedback_outputs of pipelines to. Bytes that no output writes stay as
-/// they are.
+/// A range of a buffer, or of memory of the program, that a pass writes the feedback_outputs of pipelines to. Bytes
+/// that no output writes stay as they are.
 struct rhw_feedback_target {
-    rhw_buffer buffer; ///< buffer, or the null id if no output names this target
+    rhw_buffer buffer; ///< buffer; or the null id with `memory`, and if no output names this target
     size_t offset;     ///< bytes to the first vertex, a multiple of 4
-    size_t size;       ///< bytes that may be written; 0 takes all up to the end of the buffer
+    /// Bytes that may be written from `offset` on. 0 takes all up to the end of the buffer; with `memory` it is misuse.
+    size_t size;
+    /// Memory of the program to write to in place of a buffer, at an address that is a multiple of 4; or NULL. The
+    /// library keeps no record of it. The memory must stay until the pass has ended, and nothing else may read or write
+    /// the bytes until then.
+    void *memory;
 };
 
 // Viewports -----------------------------------------------------------------------------------------

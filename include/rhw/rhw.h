@@ -43,11 +43,12 @@ RHW_API void rhw_context_destroy(rhw_context *context);
 /// Return the number of threads that draw, the calling thread included.
 RHW_API int rhw_context_threads(const rhw_context *context);
 
-/// Set a function that decides whether a pass of the context goes on. The thread that ends the pass calls it before
-/// each of its tasks, some thousand times a second. If it returns false, the tasks under way are done, which are a tile
-/// or 8192 triangles each, and rhw_pass_end returns RHW_ERROR_GIVEN_UP. Everything that the pass wrote to then holds
-/// unspecified values, its queries have no result, and rhw_pass_end does not write the stats. `goes_on` must not call
-/// the library with the same context; that is misuse. A `goes_on` of NULL, as at first, lets every pass go on.
+/// Set a function that decides whether a pass of the context, or rhw_texture_generate_mips, goes on. The thread that
+/// called the library calls it before each of its tasks, some thousand times a second. If it returns false, the tasks
+/// under way are done, which are a tile or 8192 triangles each, and the call returns RHW_ERROR_GIVEN_UP. All that it
+/// wrote to then holds unspecified values, the queries of a pass have no result, and rhw_pass_end does not write the
+/// stats. `goes_on` must not call the library with the same context; that is misuse. A `goes_on` of NULL, as at first,
+/// lets all go on.
 RHW_API void rhw_context_set_goes_on(rhw_context *context, bool (*goes_on)(void *user), void *user);
 
 /// Return the instruction set that the context uses.
@@ -145,8 +146,18 @@ RHW_API enum rhw_result rhw_texture_read_stencil(rhw_context *context, rhw_textu
 
 /// Fill the levels from 1 on, in all layers, from level 0. A box filter averages in linear light; it weighs odd sizes
 /// exactly, and averages 2×2×2 texels of a 3D texture. If there is no memory for that, the function returns
-/// RHW_ERROR_OUT_OF_MEMORY and the levels stay as they are. It is misuse for a compressed format: write its levels.
+/// RHW_ERROR_OUT_OF_MEMORY and the levels stay as they are; RHW_ERROR_GIVEN_UP says that the program gave it up
+/// (rhw_context_set_goes_on). It is misuse for a compressed format: write its levels.
 RHW_API enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture texture);
+
+/// Tell that something else than this texture's own passes and functions has written to the program's memory that the
+/// texture stands on: to `layer_count` layers, or slices of a 3D texture, of a level, from `layer` on. A count of 0
+/// takes all from `layer` on. What another texture on the same memory writes counts too; what a view of this texture
+/// writes does not. The next pass that uses the texture sees the new texels. With rhw_texture_def.memory_is_told every
+/// write must be told before that pass; without it there is no need. It is misuse for a texture on memory of the
+/// library, and while the pass being recorded samples the texture or draws into it.
+RHW_API enum rhw_result rhw_texture_changed(rhw_context *context, rhw_texture texture, int level, int layer,
+                                            int layer_count);
 
 /// Set `position` to the place of a sample in its pixel, 0..1 from the top left (Vulkan 1.3 §27.5,
 /// standardSampleLocations). `samples` is 1, 2, 4, 8 or 16. Return false, and set the pixel's centre, for other
@@ -244,6 +255,29 @@ RHW_API void rhw_pass_set_index_buffer_range(rhw_context *context, rhw_pass pass
 /// Copy `size` bytes, at most RHW_MAX_UNIFORM_SIZE, as the uniforms. At a draw there must be at least as many bytes as
 /// the program's uniform_size.
 RHW_API void rhw_pass_set_uniforms(rhw_context *context, rhw_pass pass, const void *data, size_t size);
+
+// The next three functions take memory of the program in place of a buffer, as client arrays of OpenGL do. Nothing is
+// copied: draws read the memory both when they are recorded and while the pass runs, on any thread. It must stay, with
+// the bytes that it has at the first draw that reads it, until rhw_pass_end or rhw_pass_cancel has returned. The
+// library neither owns the memory nor keeps a record of it, and draws read nothing outside of its `size` bytes. A
+// context that validates reports memory that shares bytes with an attachment, with storage that shader functions write,
+// or with transform feedback of the pass; others draw unspecified values then. A NULL `memory` has size 0.
+
+/// Set `size` bytes of the program's memory as a vertex buffer, at any address. `slot` is 0..RHW_MAX_VERTEX_BUFFERS −
+/// 1. Element 0 is at `memory`. A vertex that does not lie wholly within the `size` bytes reads zeros.
+RHW_API void rhw_pass_set_vertex_memory(rhw_context *context, rhw_pass pass, int slot, const void *memory,
+                                        size_t size);
+
+/// Set `size` bytes of the program's memory as the index buffer. Index 0 is at `memory`. The address may be any; a
+/// context that validates reports one that is no multiple of an index. An index outside of the `size` bytes reads 0.
+RHW_API void rhw_pass_set_index_memory(rhw_context *context, rhw_pass pass, const void *memory,
+                                       enum rhw_index_type type, size_t size);
+
+/// Set `size` bytes of the program's memory as the uniforms, of which there may be more than RHW_MAX_UNIFORM_SIZE.
+/// Shader functions receive the pointer `memory` itself, so its alignment is what their uniforms ask for. At a draw
+/// there must be at least as many bytes as the program's uniform_size.
+RHW_API void rhw_pass_set_uniform_memory(rhw_context *context, rhw_pass pass, const void *memory,
+                                         size_t size);
 
 /// Set a texture and a sampler. A null texture unbinds the slot; a sample of an unbound slot is 0, 0, 0, 1. It is
 /// misuse to set a texture with a level and layer of an attachment, or of a storage image, of this pass. Sample a view
@@ -384,8 +418,8 @@ RHW_API void rhw_pass_pop_debug_group(rhw_context *context, rhw_pass pass);
 /// Let draws write to the targets 0..count − 1, one draw behind the other. The pipeline that is set must have
 /// feedback_outputs, and it stays set until the end of transform feedback. If a primitive does not fit whole into every
 /// target, neither it nor any later primitive is written. A pass does not read what it writes: it is misuse if this
-/// pass uses the bytes as vertices, indices or storage, or if two targets share bytes. The buffers hold the new bytes
-/// when the pass has ended.
+/// pass uses the bytes as vertices, indices or storage, or if two targets share bytes. Of memory of the program only a
+/// context that validates reports this. The targets hold the new bytes when the pass has ended.
 RHW_API void rhw_pass_begin_transform_feedback(rhw_context *context, rhw_pass pass,
                                                const struct rhw_feedback_target *targets, int count);
 

@@ -80,12 +80,14 @@ enum rhw_paths {
 /// - A shader function samples a slot that does not exist or has no texture, or a level above 0 that was never written.
 /// - A shader function samples with a reference where the sampler does not compare, or without one where it does.
 /// - A draw reaches outside of its buffers.
+/// - A pass reads memory of the program that it also writes, or writes it in two ways.
 /// - An index offset is odd.
 /// - A clear value is NaN.
 ///
 /// The context reports what a shader function did when the pass ends, for the earliest draw that did it, with the draw
 /// and a pixel. It logs these as warnings: NaN in colours, writes to targets that a pipeline lacks, blend factors
-/// without blend, depth_read_only without depth_test, and a depth attachment with a texture that is not enabled.
+/// without blend, depth_read_only without depth_test, a depth attachment with a texture that is not enabled, and
+/// attributes that end behind the stride of their buffer.
 enum rhw_validation {
     RHW_VALIDATE_DEFAULT, ///< on if the file that creates the context has neither optimization nor NDEBUG
     RHW_VALIDATE_ON,
@@ -206,7 +208,7 @@ RHW_API enum rhw_format rhw_format_decoded(enum rhw_format format);
 
 enum {
     RHW_MEMORY_ALIGNMENT = 64, ///< bytes; alignment of the memory of buffers and textures, and of rows of texels
-    RHW_MEMORY_PADDING = 64    ///< bytes behind a buffer or texture, which kernels may load as parts of vectors
+    RHW_MEMORY_PADDING = 64    ///< bytes behind a texture, which kernels may load as parts of vectors
 };
 
 struct rhw_buffer_def {
@@ -216,7 +218,7 @@ struct rhw_buffer_def {
     /// library. The program owns the memory, keeps it as long as the buffer, and may read and write it while no pass is
     /// recorded.
     void *memory;
-    /// Bytes of `memory`, at least size + RHW_MEMORY_PADDING. The library zeroes and owns what lies behind the buffer's
+    /// Bytes of `memory`, at least `size`. The library neither reads nor writes what lies behind the buffer's `size`
     /// bytes.
     size_t memory_size;
     const char *label; ///< name in messages, or NULL
@@ -252,6 +254,10 @@ struct rhw_texture_def {
     /// and its views, and may read and write it while no pass is recorded.
     void *memory;
     size_t memory_size; ///< bytes of `memory`, at least the bytes of the layout
+    /// If true, the program tells by rhw_texture_changed what it writes to `memory`, and the library relies on it. If
+    /// false, every pass that uses the texture looks at all texels anew: it decodes an sRGB texture again and clears
+    /// tiles that may be clear. Without `memory` it is false.
+    bool memory_is_told;
     /// Bytes between rows, a multiple of RHW_MEMORY_ALIGNMENT, of a texture with one level. 0 means the bytes of a row,
     /// rounded up to RHW_MEMORY_ALIGNMENT.
     size_t row_pitch;
@@ -349,7 +355,9 @@ RHW_API size_t rhw_vertex_format_size(enum rhw_vertex_format format);
 struct rhw_attribute {
     enum rhw_vertex_format format;
     int buffer;      ///< index into rhw_pipeline_def.buffers
-    uint32_t offset; ///< bytes from the start of the element; no alignment is asked
+    /// Bytes from the start of the element. No alignment is asked. The attribute may end behind its element, as Vulkan
+    /// allows; a context that validates logs a warning then.
+    uint32_t offset;
 };
 
 /// A vertex layout says how the elements of a vertex buffer follow each other.
@@ -360,9 +368,11 @@ struct rhw_vertex_layout {
     bool per_instance; ///< step with the instances of a draw instead of its vertices
     /// With per_instance, the number of instances that read the same element, counted from first_instance of the draw;
     /// 0 means 1. Instance i reads element firstInstance + ⌊(i − firstInstance) / step⌋
-    /// (VK_EXT_vertex_attribute_divisor). `constant` lets all instances read one element.
+    /// (VK_EXT_vertex_attribute_divisor). It is 0 with `constant`.
     uint32_t instance_step;
-    bool constant;     ///< every vertex of every instance reads the first element; the stride is 0 then
+    /// Every vertex of every instance reads element 0, as a stride of 0 means in Vulkan; `stride` is 0 then. With
+    /// per_instance, every instance of a draw reads element first_instance, as a divisor of 0 means in Vulkan.
+    bool constant;
 };
 
 // Varyings ------------------------------------------------------------------------------------------

@@ -4,7 +4,7 @@
 #include "panorama_object.h"
 
 #include "memory_object.h"
-#include "problem.h"
+#include "panorama_reading.h"
 
 #include "panorama_load.h"
 
@@ -55,15 +55,7 @@ static PyObject *panorama_read(PyObject *module, PyObject *arguments)
         return NULL;
     }
     struct scene_panorama panorama = {0};
-    bool loaded;
-    python_problem_forget();
-    Py_BEGIN_ALLOW_THREADS loaded = cli_panorama_load(&panorama, name);
-    Py_END_ALLOW_THREADS if (!loaded)
-    {
-        PyErr_SetString(python_error, python_problem());
-        return NULL;
-    }
-    return take(panorama);
+    return python_panorama_load(name, &panorama) ? take(panorama) : NULL;
 }
 
 // (texels): rows, columns, R G B A in floats

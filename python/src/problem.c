@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-static _Thread_local char problem[512];
+static _Thread_local char problem[PYTHON_PROBLEM_SIZE];
 
 void cli_error(const char *subject, const char *format, ...)
 {

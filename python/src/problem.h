@@ -3,6 +3,8 @@
 #ifndef PYTHON_PROBLEM_H
 #define PYTHON_PROBLEM_H
 
+enum { PYTHON_PROBLEM_SIZE = 512 };
+
 /// Begins anew, before one of them is called on this thread.
 void python_problem_forget(void);
 /// What one of them reported on this thread since, "SUBJECT: CAUSE"; "" for nothing.

@@ -108,13 +108,13 @@ static PyObject *buffer(PyObject *module, PyObject *arguments)
     if (!PyArg_ParseTuple(arguments, "On:buffer", &context, &size) || !python_context_check(context)) {
         return NULL;
     }
-    if (size < 1 || size > PY_SSIZE_T_MAX - RHW_MEMORY_PADDING) {
+    if (size < 1) {
         PyErr_SetString(PyExc_ValueError, "buffer: must have at least one byte");
         return NULL;
     }
     struct rhw_buffer_def def = rhw_buffer_def_default();
     def.size = (size_t)size;
-    def.memory_size = def.size + RHW_MEMORY_PADDING;
+    def.memory_size = def.size;
     PyObject *memory = python_memory_aligned(def.memory_size, &def.memory);
     PyObject *made = memory ? make(context, PYTHON_ITEM_BUFFER, memory, NULL, create_buffer, &def) : NULL;
     if (made) {
@@ -192,10 +192,12 @@ static PyObject *generate_mips(PyObject *module, PyObject *object)
     if (!handle) {
         return NULL;
     }
-    enum rhw_result result;
-    Py_BEGIN_ALLOW_THREADS result = rhw_texture_generate_mips(handle, resource->item->id.texture);
-    Py_END_ALLOW_THREADS if (!python_context_leave(resource->context, result))
-    {
+    struct python_work work = python_work_begin();
+    rhw_context_set_goes_on(handle, python_work_goes_on, &work);
+    const enum rhw_result result = rhw_texture_generate_mips(handle, resource->item->id.texture);
+    rhw_context_set_goes_on(handle, NULL, NULL);
+    PyEval_RestoreThread(work.state);
+    if (!python_context_leave(resource->context, result)) {
         return NULL;
     }
     Py_INCREF(Py_None);

@@ -58,9 +58,12 @@ static PyObject *scene_make(PyTypeObject *type, PyObject *arguments, PyObject *k
     item->kind = PYTHON_ITEM_SCENE;
     Py_INCREF(model);
     item->kept = model; // also where the scene's end has to wait
-    enum rhw_result result;
-    Py_BEGIN_ALLOW_THREADS result = scene_create(handle, source, &item->id.scene);
-    Py_END_ALLOW_THREADS const bool left = python_context_leave(context, result);
+    struct python_work work = python_work_begin();
+    rhw_context_set_goes_on(handle, python_work_goes_on, &work);
+    const enum rhw_result result = scene_create(handle, source, &item->id.scene);
+    rhw_context_set_goes_on(handle, NULL, NULL);
+    PyEval_RestoreThread(work.state);
+    const bool left = python_context_leave(context, result);
     if (result == RHW_OK) {
         scene->item = item;
     } else {

@@ -2,6 +2,7 @@
 #include "panorama.h"
 
 #include "draw/camera/camera_math.h"
+#include "rhw/transfer.h"
 #include "screen.h"
 
 #include <stdlib.h>
@@ -48,6 +49,20 @@ static struct row find_row(const struct scene_panorama *p, int y)
     return (struct row){scene_cos(angle), scene_sin(angle), (above - below) * 2.0 * pi / p->width};
 }
 
+// The question whether the picture is still wanted. It is asked before each row, which of a large panorama is some
+// 100 µs of work. Loops end at the first no, and `measure` then drops what they found.
+struct asking {
+    const struct scene_view *view;
+    bool gave_up;
+};
+
+static bool goes_on(struct asking *asking)
+{
+    const struct scene_view *const view = asking->view;
+    asking->gave_up = asking->gave_up || (view->goes_on && !view->goes_on(view->user));
+    return !asking->gave_up;
+}
+
 static double luminance(const float texel[4])
 {
     return 0.2126 * (double)texel[0] + 0.7152 * (double)texel[1] + 0.0722 * (double)texel[2];
@@ -69,10 +84,10 @@ static struct column *find_columns(const struct scene_panorama *p)
     return columns;
 }
 
-static double total_light(const struct scene_panorama *p)
+static double total_light(const struct scene_panorama *p, struct asking *asking)
 {
     double total = 0.0;
-    for (int y = 0; y < p->height; y++) {
+    for (int y = 0; y < p->height && goes_on(asking); y++) {
         double sum = 0.0;
         for (int x = 0; x < p->width; x++) {
             sum += luminance(p->texels[(size_t)y * (size_t)p->width + (size_t)x]);
@@ -82,23 +97,32 @@ static double total_light(const struct scene_panorama *p)
     return total;
 }
 
+static size_t find_brightest(const struct scene_panorama *p, struct asking *asking)
+{
+    const size_t width = (size_t)p->width;
+    size_t brightest = 0;
+    for (size_t y = 0; y < (size_t)p->height && goes_on(asking); y++) {
+        for (size_t i = y * width; i < (y + 1) * width; i++) {
+            brightest = luminance(p->texels[i]) > luminance(p->texels[brightest]) ? i : brightest;
+        }
+    }
+    return brightest;
+}
+
 // Takes a sun out of the panorama: what around the brightest texel is brighter than ten times the mean. `direction` and
 // `light` (irradiance of what faces it) are of the panorama's own axes and numbers.
 static void take_sun(struct scene_panorama *p, const struct column *columns, double total,
-                     double direction[3], double light[3])
+                     double direction[3], double light[3], struct asking *asking)
 {
     const double limit = 10.0 * total / (4.0 * pi);
-    size_t brightest = 0;
-    for (size_t i = 0; i < (size_t)p->width * (size_t)p->height; i++) {
-        brightest = luminance(p->texels[i]) > luminance(p->texels[brightest]) ? i : brightest;
-    }
+    const size_t brightest = find_brightest(p, asking);
     const struct row top = find_row(p, (int)(brightest / (size_t)p->width));
     const struct column middle = columns[brightest % (size_t)p->width];
     const double ahead[3] = {middle.x * top.across, top.y, middle.z * top.across};
     double mean[3] = {0}, found[3] = {0}, taken = 0.0;
     const double nearest = scene_cos(sun_angle);
     for (int pass = 0; pass < 2; pass++) {
-        for (int y = 0; y < p->height; y++) {
+        for (int y = 0; y < p->height && goes_on(asking); y++) {
             const struct row row = find_row(p, y);
             for (int x = 0; x < p->width; x++) {
                 const double d[3] = {columns[x].x * row.across, row.y, columns[x].z * row.across};
@@ -133,9 +157,9 @@ static void take_sun(struct scene_panorama *p, const struct column *columns, dou
 // Irradiance / π as a polynomial of the normal in the world: harmonics of order 2 times those of the clamped
 // cosine, 1, 2/3 and 1/4 of π.
 static void find_harmonics(const struct scene_panorama *p, const struct column *columns, float turn[3][3],
-                           double k[9][3])
+                           double k[9][3], struct asking *asking)
 {
-    for (int y = 0; y < p->height; y++) {
+    for (int y = 0; y < p->height && goes_on(asking); y++) {
         const struct row row = find_row(p, y);
         for (int x = 0; x < p->width; x++) {
             const float *texel = p->texels[(size_t)y * (size_t)p->width + (size_t)x];
@@ -169,16 +193,17 @@ static void find_harmonics(const struct scene_panorama *p, const struct column *
 }
 
 // Sets what shaders need but the pictures. `p` loses its sun.
-static bool measure(struct scene_surroundings *s, struct scene_panorama *p, float turn[3][3])
+static enum rhw_result measure(struct scene_surroundings *s, struct scene_panorama *p, float turn[3][3],
+                               struct asking *asking)
 {
     struct column *columns = find_columns(p);
     if (!columns) {
-        return false;
+        return RHW_ERROR_OUT_OF_MEMORY;
     }
-    const double total = total_light(p), strength = total > 0.0 ? mean_light * 4.0 * pi / total : 0.0;
+    const double total = total_light(p, asking), strength = total > 0.0 ? mean_light * 4.0 * pi / total : 0.0;
     double ahead[3] = {0}, toward[3], light[3] = {0}, k[9][3] = {{0}};
-    take_sun(p, columns, total, ahead, light);
-    find_harmonics(p, columns, turn, k);
+    take_sun(p, columns, total, ahead, light, asking);
+    find_harmonics(p, columns, turn, k, asking);
     free(columns);
     to_world(turn, ahead, toward);
     s->environment = (struct scene_environment){
@@ -191,7 +216,7 @@ static bool measure(struct scene_surroundings *s, struct scene_panorama *p, floa
             s->environment.irradiance[i][c] = (float)(k[i][c] * strength);
         }
     }
-    return true;
+    return asking->gave_up ? RHW_ERROR_GIVEN_UP : RHW_OK;
 }
 
 // Passes --------------------------------------------------------------------------------------------
@@ -339,7 +364,7 @@ static enum rhw_result create_samplers(struct scene_surroundings *s, rhw_context
 }
 
 static enum rhw_result create_picture(struct scene_surroundings *s, rhw_context *context,
-                                      const struct scene_panorama *p)
+                                      const struct scene_panorama *p, struct asking *asking)
 {
     struct rhw_texture_def def = rhw_texture_def_default();
     def.format = RHW_FORMAT_RGBA32_FLOAT;
@@ -347,18 +372,24 @@ static enum rhw_result create_picture(struct scene_surroundings *s, rhw_context 
     def.height = p->height;
     def.mip_levels = RHW_MIP_LEVELS_ALL;
     enum rhw_result result = rhw_texture_create(context, &def, &s->picture);
-    if (result == RHW_OK) {
-        result = rhw_texture_write(context, s->picture, 0, p->texels, (size_t)p->width * sizeof *p->texels);
+    const int rows = 1 + (1 << 20) / p->width; // between questions
+    for (int y = 0; y < p->height && result == RHW_OK; y += rows) {
+        const struct rhw_texture_region region = {
+            .y = y, .width = p->width, .height = p->height - y < rows ? p->height - y : rows};
+        result = goes_on(asking) ? rhw_texture_write_region(context, s->picture, &region,
+                                                            p->texels[(size_t)y * (size_t)p->width], 0, 0)
+                                 : RHW_ERROR_GIVEN_UP;
     }
     return result == RHW_OK ? rhw_texture_generate_mips(context, s->picture) : result;
 }
 
 // Light comes from a copy without the sun, the background shows it.
-static enum rhw_result make(struct scene_surroundings *s, rhw_context *context,
-                            const struct scene_panorama *panorama)
+static enum rhw_result make(struct scene_surroundings *s, rhw_context *context, const struct scene_view *view)
 {
+    const struct scene_panorama *const panorama = view->panorama;
     const size_t size = (size_t)panorama->width * (size_t)panorama->height * sizeof *panorama->texels;
     struct scene_panorama copy = *panorama;
+    struct asking asking = {.view = view};
     float turn[3][3];
     set_turn(s->up, s->rotation, turn);
     copy.texels = malloc(size);
@@ -366,9 +397,12 @@ static enum rhw_result make(struct scene_surroundings *s, rhw_context *context,
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     memcpy(copy.texels, panorama->texels, size);
-    enum rhw_result result = measure(s, &copy, turn) ? create_samplers(s, context) : RHW_ERROR_OUT_OF_MEMORY;
+    enum rhw_result result = measure(s, &copy, turn, &asking);
     if (result == RHW_OK) {
-        result = create_picture(s, context, &copy);
+        result = create_samplers(s, context);
+    }
+    if (result == RHW_OK) {
+        result = create_picture(s, context, &copy, &asking);
     }
     free(copy.texels);
     if (result == RHW_OK) {
@@ -377,25 +411,25 @@ static enum rhw_result make(struct scene_surroundings *s, rhw_context *context,
     if (result == RHW_OK && s->sun.color[1] > 0.0f) {
         rhw_texture_destroy(context, s->picture);
         s->picture = (rhw_texture){0};
-        result = create_picture(s, context, panorama);
+        result = create_picture(s, context, panorama, &asking);
     }
     return result;
 }
 
 enum rhw_result scene_surroundings_make(struct scene_surroundings *s, rhw_context *context,
-                                        const struct scene_panorama *panorama, enum scene_axis up,
-                                        double rotation)
+                                        const struct scene_view *view)
 {
-    const bool same =
-        s->panorama == panorama && s->up == up && !(s->rotation < rotation || s->rotation > rotation);
+    const double rotation = view->panorama_rotation;
+    const bool same = s->panorama == view->panorama && s->up == view->up &&
+                      !(s->rotation < rotation || s->rotation > rotation);
     if (same) {
         return RHW_OK;
     }
     scene_surroundings_destroy(context, s);
-    s->panorama = panorama;
-    s->up = up;
+    s->panorama = view->panorama;
+    s->up = view->up;
     s->rotation = rotation;
-    const enum rhw_result result = make(s, context, panorama);
+    const enum rhw_result result = make(s, context, view);
     if (result != RHW_OK) {
         scene_surroundings_destroy(context, s);
     }

@@ -26,12 +26,11 @@ struct scene_surroundings {
     double rotation;
 };
 
-/// Makes the surroundings from a panorama that outlives them, unless they are made of it already. They are scaled so
-/// that the mean of their light is 0.75: a file's numbers are rarely in a unit. Degrees of rotation turn them about the
-/// up direction, against the clock as seen from above.
+/// Makes the surroundings from the panorama of a view, which outlives them, unless they are made of it already. They
+/// are scaled so that the mean of their light is 0.75: a file's numbers are rarely in a unit. Degrees of rotation turn
+/// them about the up direction, against the clock as seen from above. The view is asked whether to go on.
 enum rhw_result scene_surroundings_make(struct scene_surroundings *surroundings, rhw_context *context,
-                                        const struct scene_panorama *panorama, enum scene_axis up,
-                                        double rotation);
+                                        const struct scene_view *view);
 void scene_surroundings_destroy(rhw_context *context, struct scene_surroundings *surroundings);
 
 /// Uniforms of the background that shows them in a view.

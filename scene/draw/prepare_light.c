@@ -15,8 +15,7 @@ enum rhw_result scene_draw_surround(struct draw *draw)
         scene_surroundings_destroy(scene->upload.context, &scene->surroundings);
         return RHW_OK;
     }
-    const enum rhw_result result = scene_surroundings_make(&scene->surroundings, scene->upload.context,
-                                                           view->panorama, view->up, view->panorama_rotation);
+    const enum rhw_result result = scene_surroundings_make(&scene->surroundings, scene->upload.context, view);
     if (result == RHW_OK) {
         scene_lighting_surround(&draw->lighting, &scene->surroundings, view->exposure);
     }

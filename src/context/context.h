@@ -81,10 +81,10 @@ struct rhw_context {
     bool (*validate_pipeline)(struct rhw_context *context, struct rhw_pipeline_data *pipeline,
                               const char *name);
 
-    // It is asked while a pass runs. NULL: nobody is asked.
+    // It is asked while a pass runs or mip levels are made. NULL: nobody is asked.
     bool (*goes_on)(void *user);
     void *goes_on_user;
-    // The pass that runs was given up. The thread that ends the pass writes it.
+    // The pass that runs, or the making of mip levels, was given up. The thread that called the library writes it.
     _Atomic bool given_up;
 };
 

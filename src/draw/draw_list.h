@@ -23,9 +23,14 @@ struct rhw_pipeline_data;
 struct rhw_active_queries;
 struct rhw_shared_vertices;
 
+enum { RHW_FETCH_BYTES = 16 }; // bytes that are loaded where an attribute begins, at most
+
 struct rhw_vertex_stream {
-    const unsigned char *bytes; // buffer start plus binding offset
-    size_t size;                // bytes from there to the buffer's end
+    const unsigned char *bytes; // buffer start plus binding offset, or memory of the program
+    size_t size;                // bytes from there to the end of what was set
+    // An attribute is loaded at once only where this many bytes from its beginning lie within `size`: RHW_FETCH_BYTES
+    // on memory of the program, and 0 where the library's buffer has padding behind its bytes.
+    uint32_t loaded;
 };
 
 // A draw state holds everything that a set_ function changes for a draw, except for its uniforms. Draws point at an

@@ -27,6 +27,8 @@ static void reset(struct rhw_encoder *encoder, const struct rhw_pass_def *def)
     encoder->read = NULL;
     encoder->stored = NULL;
     encoder->feedback = (struct rhw_feedback_state){0};
+    encoder->memory = (struct rhw_used_memory){
+        .context = encoder->context, .pass = pass, .out_of_memory = &encoder->out_of_memory};
     encoder->current = NULL;
     encoder->out_of_memory = false;
     encoder->refused_pipeline = false;

@@ -13,9 +13,12 @@
 
 static const uint32_t index_sizes[] = {[RHW_INDEX_UINT8] = 1, [RHW_INDEX_UINT16] = 2, [RHW_INDEX_UINT32] = 4};
 
+// Return what messages call the bytes that a slot has.
 static struct rhw_name name_of(const struct rhw_encoder *encoder, int slot)
 {
-    return rhw_name_of(&encoder->context->buffers, encoder->bound.vertices[slot].index);
+    const struct rhw_bound_buffer *const bound = &encoder->bound.vertices[slot];
+    return bound->data ? rhw_name_of(&encoder->context->buffers, bound->index)
+                       : (struct rhw_name){.text = "memory of the program"};
 }
 
 // Return how many elements attribute i finds in its buffer. A constant attribute finds at most one.
@@ -73,7 +76,7 @@ static uint32_t index_at(const struct rhw_encoder *encoder, uint64_t i)
     const uint32_t size = index_sizes[encoder->pending.index_type];
     uint32_t value = 0;
     // Indices are little endian.
-    memcpy(&value, encoder->bound.indices.data->bytes + encoder->bound.indices.offset + i * size, size);
+    memcpy(&value, rhw_bound_bytes(&encoder->bound.indices) + i * size, size);
     return value;
 }
 
@@ -100,13 +103,16 @@ static bool check_indices(const struct rhw_encoder *encoder, const struct rhw_dr
                           const char *where)
 {
     const uint32_t size = index_sizes[encoder->pending.index_type];
-    const size_t offset = encoder->bound.indices.offset;
-    const uint64_t there = encoder->bound.indices.size / size;
+    const struct rhw_bound_buffer *const bound = &encoder->bound.indices;
+    const uint64_t there = bound->size / size;
     uint32_t least = 0, most = 0;
     if (!rhw_check(
-            encoder->context, offset % size == 0,
+            encoder->context, bound->offset % size == 0,
             "%s: the index buffer was set with offset %zu; it must be a multiple of the %u bytes of an index",
-            where, offset, (unsigned)size) ||
+            where, bound->offset, (unsigned)size) ||
+        !rhw_check(encoder->context, bound->data || (uintptr_t)bound->memory % size == 0,
+                   "%s: the index memory is %p; its address must be a multiple of the %u bytes of an index",
+                   where, (const void *)bound->memory, (unsigned)size) ||
         !rhw_check(encoder->context, (uint64_t)draw->first + count <= there,
                    "%s: first is %u and count is %u; the index buffer has %llu indices", where,
                    (unsigned)draw->first, (unsigned)count, (unsigned long long)there)) {

@@ -8,6 +8,8 @@
 #include "context/context.h"
 #include "context/entry.h"
 #include "draw/recorded_pass.h"
+#include "memory_overlap.h"
+#include "resource/buffer.h"
 #include "rhw/shader.h"
 #include "transform_feedback.h"
 
@@ -17,7 +19,8 @@ struct rhw_stored_level;
 // These structures hold what is set for the next draw, by reference: the bytes of a buffer and the texels of a texture
 // are looked up when something is drawn.
 struct rhw_bound_buffer {
-    const struct rhw_buffer_data *data; // NULL: nothing is set
+    const struct rhw_buffer_data *data; // NULL: no buffer is set
+    const unsigned char *memory;        // memory of the program; NULL: a buffer is set, or nothing
     size_t offset, size;                // bytes
     uint32_t index;                     // number of the buffer, for messages
 };
@@ -69,7 +72,20 @@ struct rhw_encoder {
     const struct rhw_read_texture *read;
     const struct rhw_stored_level *stored;
     struct rhw_feedback_state feedback;
+    struct rhw_used_memory memory; // see pass/memory_overlap.h
 };
+
+// Return true if a buffer or memory is set.
+static inline bool rhw_bound_is_set(const struct rhw_bound_buffer *bound)
+{
+    return bound->data || bound->memory;
+}
+
+// Return the first of the bytes that are set. A buffer that was written after a draw of this pass has new ones.
+static inline const unsigned char *rhw_bound_bytes(const struct rhw_bound_buffer *bound)
+{
+    return bound->data ? bound->data->bytes + bound->offset : bound->memory;
+}
 
 // Return an encoder that records into `pass`, or NULL when out of memory.
 struct rhw_encoder *rhw_encoder_create(struct rhw_context *context, struct rhw_recorded_pass *pass);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Buffers of vertices and indices, and uniforms, are what vertices are made from. This file sets them for the next
-// draws.
+// Buffers or memory of vertices and indices, and uniforms, are what vertices are made from. This file sets them for the
+// next draws.
 #include <string.h>
 
 #include "resource/buffer.h"
@@ -10,6 +10,7 @@
 #include "context/lookup.h"
 #include "context/misuse.h"
 #include "encoder.h"
+#include "memory_overlap.h"
 #include "rhw/rhw.h"
 
 // Note that draws read bytes of a buffer. Return false where it is misuse.
@@ -20,7 +21,8 @@ static __attribute__((noinline)) bool note_read(struct rhw_encoder *encoder,
         return false;
     }
     encoder->out_of_memory |= !rhw_buffer_note_use(encoder->context, &encoder->pass->arena, part);
-    return true;
+    return rhw_memory_note_read(&encoder->memory, part->data->bytes + part->first, part->end - part->first,
+                                where);
 }
 
 // Bind the bytes offset .. offset + size of a buffer, which draws will read. Size 0 binds all bytes up to the buffer's
@@ -49,12 +51,45 @@ static inline struct rhw_bound_buffer bind_buffer(struct rhw_encoder *encoder, r
         return (struct rhw_bound_buffer){.data = NULL};
     }
     rhw_pool_use(&context->buffers, id.index, generation);
-    return (struct rhw_bound_buffer){buffer, offset, length, id.index};
+    return (struct rhw_bound_buffer){buffer, NULL, offset, length, id.index};
+}
+
+// Check memory of the program that draws are to read.
+static bool check_memory(struct rhw_encoder *encoder, const void *memory, size_t size, const char *where)
+{
+    return rhw_check(encoder->context, memory || size == 0, "%s: memory is NULL and size is %zu", where,
+                     size) &&
+           rhw_memory_note_read(&encoder->memory, memory, size, where);
+}
+
+// Bind memory of the program, which draws will read. Return NULL memory where the call is misuse.
+static struct rhw_bound_buffer bind_memory(struct rhw_encoder *encoder, const void *memory, size_t size,
+                                           const char *where)
+{
+    static const unsigned char nothing = 0;
+    if (!check_memory(encoder, memory, size, where)) {
+        return (struct rhw_bound_buffer){.memory = NULL};
+    }
+    return (struct rhw_bound_buffer){.memory = memory ? memory : &nothing, .size = size};
 }
 
 static bool same_buffer(struct rhw_bound_buffer a, struct rhw_bound_buffer b)
 {
-    return a.data == b.data && a.offset == b.offset && a.size == b.size;
+    return a.data == b.data && a.memory == b.memory && a.offset == b.offset && a.size == b.size;
+}
+
+static bool check_slot(const struct rhw_context *context, int slot, const char *where)
+{
+    return rhw_check(context, slot >= 0 && slot < RHW_MAX_VERTEX_BUFFERS, "%s: slot is %d; it is in 0..%d",
+                     where, slot, RHW_MAX_VERTEX_BUFFERS - 1);
+}
+
+static inline void take_vertices(struct rhw_encoder *encoder, int slot, struct rhw_bound_buffer bound)
+{
+    if (rhw_bound_is_set(&bound)) {
+        encoder->pending_changed |= !same_buffer(encoder->bound.vertices[slot], bound);
+        encoder->bound.vertices[slot] = bound;
+    }
 }
 
 static inline void set_vertex_buffer(rhw_context *context, rhw_pass id, int slot, rhw_buffer buffer,
@@ -64,13 +99,8 @@ static inline void set_vertex_buffer(rhw_context *context, rhw_pass id, int slot
     if (!encoder) {
         return;
     }
-    if (rhw_check(context, slot >= 0 && slot < RHW_MAX_VERTEX_BUFFERS, "%s: slot is %d; it is in 0..%d",
-                  where, slot, RHW_MAX_VERTEX_BUFFERS - 1)) {
-        const struct rhw_bound_buffer bound = bind_buffer(encoder, buffer, offset, size, where);
-        if (bound.data) {
-            encoder->pending_changed |= !same_buffer(encoder->bound.vertices[slot], bound);
-            encoder->bound.vertices[slot] = bound;
-        }
+    if (check_slot(context, slot, where)) {
+        take_vertices(encoder, slot, bind_buffer(encoder, buffer, offset, size, where));
     }
     rhw_context_leave(context);
 }
@@ -86,6 +116,36 @@ void rhw_pass_set_vertex_buffer_range(rhw_context *context, rhw_pass id, int slo
     set_vertex_buffer(context, id, slot, buffer, offset, size, "rhw_pass_set_vertex_buffer_range");
 }
 
+void rhw_pass_set_vertex_memory(rhw_context *context, rhw_pass id, int slot, const void *memory, size_t size)
+{
+    static const char *const where = "rhw_pass_set_vertex_memory";
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
+        return;
+    }
+    if (check_slot(context, slot, where)) {
+        take_vertices(encoder, slot, bind_memory(encoder, memory, size, where));
+    }
+    rhw_context_leave(context);
+}
+
+static bool check_index_type(const struct rhw_context *context, enum rhw_index_type type, const char *where)
+{
+    return rhw_check(context, (unsigned)type <= RHW_INDEX_UINT32, "%s: type is %d; not an index type", where,
+                     (int)type);
+}
+
+static inline void take_indices(struct rhw_encoder *encoder, enum rhw_index_type type,
+                                struct rhw_bound_buffer bound)
+{
+    if (rhw_bound_is_set(&bound)) {
+        encoder->pending_changed |=
+            !same_buffer(encoder->bound.indices, bound) || encoder->pending.index_type != type;
+        encoder->bound.indices = bound;
+        encoder->pending.index_type = type;
+    }
+}
+
 static inline void set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffer buffer,
                                     enum rhw_index_type type, size_t offset, size_t size, const char *where)
 {
@@ -93,15 +153,8 @@ static inline void set_index_buffer(rhw_context *context, rhw_pass id, rhw_buffe
     if (!encoder) {
         return;
     }
-    if (rhw_check(context, (unsigned)type <= RHW_INDEX_UINT32, "%s: type is %d; not an index type", where,
-                  (int)type)) {
-        const struct rhw_bound_buffer bound = bind_buffer(encoder, buffer, offset, size, where);
-        if (bound.data) {
-            encoder->pending_changed |=
-                !same_buffer(encoder->bound.indices, bound) || encoder->pending.index_type != type;
-            encoder->bound.indices = bound;
-            encoder->pending.index_type = type;
-        }
+    if (check_index_type(context, type, where)) {
+        take_indices(encoder, type, bind_buffer(encoder, buffer, offset, size, where));
     }
     rhw_context_leave(context);
 }
@@ -116,6 +169,20 @@ void rhw_pass_set_index_buffer_range(rhw_context *context, rhw_pass id, rhw_buff
                                      enum rhw_index_type type, size_t offset, size_t size)
 {
     set_index_buffer(context, id, buffer, type, offset, size, "rhw_pass_set_index_buffer_range");
+}
+
+void rhw_pass_set_index_memory(rhw_context *context, rhw_pass id, const void *memory,
+                               enum rhw_index_type type, size_t size)
+{
+    static const char *const where = "rhw_pass_set_index_memory";
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
+        return;
+    }
+    if (check_index_type(context, type, where)) {
+        take_indices(encoder, type, bind_memory(encoder, memory, size, where));
+    }
+    rhw_context_leave(context);
 }
 
 static void set_uniforms(struct rhw_encoder *encoder, const void *data, size_t size)
@@ -146,4 +213,18 @@ void rhw_pass_set_uniforms(rhw_context *context, rhw_pass id, const void *data, 
         set_uniforms(encoder, data, size);
         rhw_context_leave(context);
     }
+}
+
+void rhw_pass_set_uniform_memory(rhw_context *context, rhw_pass id, const void *memory, size_t size)
+{
+    static const char *const where = "rhw_pass_set_uniform_memory";
+    struct rhw_encoder *const encoder = rhw_pass_enter(context, id, where);
+    if (!encoder) {
+        return;
+    }
+    if (check_memory(encoder, memory, size, where)) {
+        encoder->uniforms = memory;
+        encoder->uniform_size = size < UINT32_MAX ? (uint32_t)size : UINT32_MAX;
+    }
+    rhw_context_leave(context);
 }

@@ -47,7 +47,8 @@ static bool check_draw(const struct rhw_encoder *encoder, bool indexed, const ch
     const struct rhw_pipeline_data *const pipeline = encoder->pending.pipeline;
     if (!rhw_check(context, pipeline != NULL, "%s: no pipeline is set%s", where,
                    encoder->refused_pipeline ? ", as the one that was to be was refused" : "") ||
-        !rhw_check(context, !indexed || encoder->bound.indices.data, "%s: no index buffer is set", where) ||
+        !rhw_check(context, !indexed || rhw_bound_is_set(&encoder->bound.indices),
+                   "%s: no index buffer is set", where) ||
         !rhw_check(context, encoder->uniform_size >= pipeline->def.program.uniform_size,
                    "%s: %u bytes of uniforms are set; the program of %s reads %u", where,
                    encoder->uniform_size,
@@ -67,7 +68,7 @@ static bool check_draw(const struct rhw_encoder *encoder, bool indexed, const ch
     }
     for (int i = 0; i < pipeline->def.attribute_count; i++) {
         const int slot = pipeline->def.attributes[i].buffer;
-        if (!rhw_check(context, encoder->bound.vertices[slot].data != NULL,
+        if (!rhw_check(context, rhw_bound_is_set(&encoder->bound.vertices[slot]),
                        "%s: no vertex buffer is set in slot %d, which attribute %d of %s reads", where, slot,
                        i, rhw_name_of(&context->pipelines, encoder->bound.pipeline.index).text)) {
             return false;

@@ -11,6 +11,7 @@
 #include "context/misuse.h"
 #include "feedback_loop.h"
 #include "encoder.h"
+#include "memory_overlap.h"
 #include "rhw/rhw.h"
 #include "resource/sampler.h"
 #include "resource/srgb_texture.h"
@@ -117,6 +118,14 @@ void rhw_pass_set_texture(rhw_context *context, rhw_pass id, int slot, rhw_textu
 
 // Storage buffers ---------------------------------------------------------------------------------------
 
+// Note bytes that shader functions read, and write unless `is_read_only`. Return false where it is misuse.
+static bool note_memory(struct rhw_encoder *encoder, const void *bytes, size_t size, bool is_read_only,
+                        const char *where)
+{
+    return is_read_only ? rhw_memory_note_read(&encoder->memory, bytes, size, where)
+                        : rhw_memory_note_stored(&encoder->memory, bytes, size, where);
+}
+
 // Bind bytes of a live buffer that shader functions read, and write unless `is_read_only`. Return false where it is
 // misuse.
 static bool bind_range(struct rhw_encoder *encoder, rhw_buffer id, size_t offset, size_t size,
@@ -130,7 +139,8 @@ static bool bind_range(struct rhw_encoder *encoder, rhw_buffer id, size_t offset
     const size_t length = size == 0 ? data->size - offset : size;
     const struct rhw_buffer_part part = {id, data, is_read_only ? RHW_BUFFER_READ : RHW_BUFFER_STORED, offset,
                                          offset + length};
-    if (!rhw_buffer_check_unmapped(context, &part, where) || !rhw_buffer_check_use(context, &part, where)) {
+    if (!rhw_buffer_check_unmapped(context, &part, where) || !rhw_buffer_check_use(context, &part, where) ||
+        !note_memory(encoder, data->bytes + offset, length, is_read_only, where)) {
         return false;
     }
     encoder->out_of_memory |= !rhw_buffer_note_use(context, &encoder->pass->arena, &part);
@@ -249,14 +259,21 @@ static void bind_image(struct rhw_encoder *encoder, int slot, struct rhw_bound_i
     encoder->bindings_changed = true;
 }
 
-static void note_written(struct rhw_encoder *encoder, struct rhw_texture_data *texture, int level)
+// Note that shader functions write the texels of a level. Return false where it is misuse.
+static bool note_written(struct rhw_encoder *encoder, struct rhw_texture_data *texture, int level,
+                         const char *where)
 {
     if (!is_stored(encoder, texture, level)) {
+        if (!rhw_memory_note_stored_level(&encoder->memory, &texture->mip[level], texture->info->size,
+                                          where)) {
+            return false;
+        }
         encoder->out_of_memory |= !rhw_pass_note_stored(encoder, texture, level);
     }
     rhw_texture_note_attached(texture, encoder->context->recording.generation);
     rhw_texture_note_written(texture);
     texture->written |= 1u << level;
+    return true;
 }
 
 static void set_storage_image(struct rhw_encoder *encoder, int slot, rhw_texture id, int level,
@@ -278,8 +295,8 @@ static void set_storage_image(struct rhw_encoder *encoder, int slot, rhw_texture
         if (is_read_only) {
             rhw_texture_note_sampled(texture, context->recording.generation);
             encoder->out_of_memory |= !rhw_pass_note_read(encoder, bound.texture, 1u << level);
-        } else {
-            note_written(encoder, texture, level);
+        } else if (!note_written(encoder, texture, level, where)) {
+            return;
         }
         rhw_pool_use(&context->textures, id.index, context->recording.generation);
     }

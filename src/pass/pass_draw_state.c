@@ -16,8 +16,10 @@
 
 static struct rhw_vertex_stream stream_of(struct rhw_bound_buffer bound)
 {
-    return bound.data ? (struct rhw_vertex_stream){bound.data->bytes + bound.offset, bound.size}
-                      : (struct rhw_vertex_stream){NULL, 0};
+    const bool is_padded = bound.data && !bound.data->is_callers;
+    return rhw_bound_is_set(&bound) ? (struct rhw_vertex_stream){rhw_bound_bytes(&bound), bound.size,
+                                                                 is_padded ? 0 : RHW_FETCH_BYTES}
+                                    : (struct rhw_vertex_stream){NULL, 0, 0};
 }
 
 // Take the bytes that buffers have now. A buffer that was written after a draw of this pass has new bytes.

@@ -10,11 +10,29 @@
 #include "context/lookup.h"
 #include "context/misuse.h"
 #include "encoder.h"
+#include "memory_overlap.h"
 #include "pipeline/pipeline.h"
 #include "query.h"
 #include "rhw/rhw.h"
 
 static const char *const begin_name = "rhw_pass_begin_transform_feedback";
+
+// Find the bytes of the program's memory that a target writes. Return false where it is misuse.
+static bool find_memory(const struct rhw_encoder *encoder, const struct rhw_feedback_target *target, int i,
+                        struct rhw_feedback_place *place)
+{
+    const struct rhw_context *const context = encoder->context;
+    *place = (struct rhw_feedback_place){
+        .bytes = target->memory, .first = target->offset, .end = target->offset + target->size};
+    return rhw_check(context, target->buffer.index == 0,
+                     "%s: targets[%d] has a buffer and memory; one of them must be null", begin_name, i) &&
+           rhw_check(context, (uintptr_t)target->memory % 4 == 0 && target->offset % 4 == 0,
+                     "%s: targets[%d] has memory %p and offset %zu; both must be multiples of 4", begin_name,
+                     i, target->memory, target->offset) &&
+           rhw_check(context, target->size != 0 && target->size <= SIZE_MAX - target->offset,
+                     "%s: targets[%d] has size %zu; it must be the bytes that memory has from offset %zu on",
+                     begin_name, i, target->size, target->offset);
+}
 
 // Find the bytes of a buffer that a target writes. Return false where it is misuse.
 static bool find_part(const struct rhw_encoder *encoder, const struct rhw_feedback_target *target, int i,
@@ -51,14 +69,58 @@ static bool check_apart(const struct rhw_encoder *encoder, const struct rhw_buff
     return true;
 }
 
-static void begin_target(struct rhw_encoder *encoder, const struct rhw_buffer_part *part, int i)
+// Find what target i writes, and the part of its buffer where it is one. Return false where it is misuse.
+static bool find_place(struct rhw_encoder *encoder, const struct rhw_feedback_target *targets, int i,
+                       struct rhw_buffer_part *parts, struct rhw_feedback_place *place)
 {
-    struct rhw_feedback_state *const feedback = &encoder->feedback;
-    feedback->range[i] = rhw_buffer_note_use(encoder->context, &encoder->pass->arena, part);
-    feedback->data[i] = part->data;
-    feedback->bytes[i] = part->data->bytes;
-    feedback->at[i] = part->first;
-    encoder->out_of_memory |= !feedback->range[i];
+    if (targets[i].memory) {
+        return find_memory(encoder, &targets[i], i, place);
+    }
+    if (!find_part(encoder, &targets[i], i, &parts[i]) || !check_apart(encoder, parts, i)) {
+        return false;
+    }
+    *place = (struct rhw_feedback_place){
+        .bytes = parts[i].data->bytes, .first = parts[i].first, .end = parts[i].end, .data = parts[i].data};
+    return true;
+}
+
+// Give up what was noted of places. None of their bytes was written.
+static void forget(struct rhw_encoder *encoder, const struct rhw_feedback_place *places)
+{
+    for (int i = 0; i < RHW_MAX_FEEDBACK_TARGETS; i++) {
+        if (places[i].memory_range) {
+            rhw_range_set_shorten(&encoder->memory.captured, places[i].memory_range,
+                                  places[i].memory_range->first);
+        }
+    }
+}
+
+// Find the places of all targets that are written. Return false where one of them is misuse.
+static bool find_places(struct rhw_encoder *encoder, const struct rhw_feedback_target *targets,
+                        struct rhw_buffer_part *parts, struct rhw_feedback_place *places)
+{
+    const unsigned written = encoder->pending.pipeline->feedback_targets;
+    for (int i = 0; i < RHW_MAX_FEEDBACK_TARGETS; i++) {
+        struct rhw_feedback_place *const place = &places[i];
+        if (written >> i & 1 &&
+            (!find_place(encoder, targets, i, parts, place) ||
+             !rhw_memory_note_captured(&encoder->memory, place->bytes + place->first,
+                                       place->end - place->first, begin_name, &place->memory_range))) {
+            forget(encoder, places);
+            return false;
+        }
+    }
+    return true;
+}
+
+static void begin_target(struct rhw_encoder *encoder, const struct rhw_buffer_part *part,
+                         struct rhw_feedback_place *place)
+{
+    if (part->data) {
+        place->range = rhw_buffer_note_use(encoder->context, &encoder->pass->arena, part);
+        encoder->out_of_memory |= !place->range;
+    }
+    place->at = place->first;
 }
 
 static int vertices_of(const struct rhw_pipeline_def *def)
@@ -105,18 +167,13 @@ static void begin(struct rhw_encoder *encoder, const struct rhw_feedback_target 
         return;
     }
     struct rhw_buffer_part parts[RHW_MAX_FEEDBACK_TARGETS] = {{.data = NULL}};
-    const unsigned written = encoder->pending.pipeline->feedback_targets;
-    for (int i = 0; i < RHW_MAX_FEEDBACK_TARGETS; i++) {
-        feedback->range[i] = NULL;
-        if (written >> i & 1 &&
-            (!find_part(encoder, &targets[i], i, &parts[i]) || !check_apart(encoder, parts, i))) {
-            return;
-        }
+    struct rhw_feedback_place places[RHW_MAX_FEEDBACK_TARGETS] = {{.bytes = NULL}};
+    if (!find_places(encoder, targets, parts, places)) {
+        return;
     }
     for (int i = 0; i < RHW_MAX_FEEDBACK_TARGETS; i++) {
-        if (written >> i & 1) {
-            begin_target(encoder, &parts[i], i);
-        }
+        begin_target(encoder, &parts[i], &places[i]);
+        feedback->targets[i] = places[i];
     }
     if (encoder->out_of_memory) {
         return;
@@ -135,6 +192,19 @@ void rhw_pass_begin_transform_feedback(rhw_context *context, rhw_pass id,
     }
 }
 
+// Give back the bytes of a target that no draw writes. Return how many were written.
+static size_t end_target(struct rhw_encoder *encoder, const struct rhw_feedback_place *place)
+{
+    if (place->range) {
+        rhw_range_set_shorten(&place->data->used[RHW_BUFFER_CAPTURED].ranges, place->range, place->at);
+    }
+    if (place->memory_range) {
+        rhw_range_set_shorten(&encoder->memory.captured, place->memory_range,
+                              (size_t)(uintptr_t)(place->bytes + place->at));
+    }
+    return place->at - place->first;
+}
+
 void rhw_pass_end_transform_feedback(rhw_context *context, rhw_pass id, size_t *written)
 {
     static const char *const where = "rhw_pass_end_transform_feedback";
@@ -149,12 +219,9 @@ void rhw_pass_end_transform_feedback(rhw_context *context, rhw_pass id, size_t *
     if (encoder->out_of_memory ||
         rhw_check(context, feedback->is_active, "%s: it is not under way; begin it first", where)) {
         for (int i = 0; feedback->is_active && i < RHW_MAX_FEEDBACK_TARGETS; i++) {
-            if (feedback->range[i]) {
-                rhw_range_set_shorten(&feedback->data[i]->used[RHW_BUFFER_CAPTURED].ranges,
-                                      feedback->range[i], feedback->at[i]);
-                if (written) {
-                    written[i] = feedback->at[i] - feedback->range[i]->first;
-                }
+            const size_t size = feedback->targets[i].bytes ? end_target(encoder, &feedback->targets[i]) : 0;
+            if (written) {
+                written[i] = size;
             }
         }
         feedback->is_active = false;
@@ -167,9 +234,10 @@ static uint64_t room_of(const struct rhw_feedback_state *feedback, const struct 
 {
     uint64_t most = UINT64_MAX;
     for (int i = 0; i < RHW_MAX_FEEDBACK_TARGETS; i++) {
-        if (feedback->range[i]) {
+        const struct rhw_feedback_place *const place = &feedback->targets[i];
+        if (place->bytes) {
             const uint64_t size = (uint64_t)pipeline->def.feedback_strides[i] * (uint64_t)feedback->vertices;
-            const uint64_t room = (feedback->range[i]->end - feedback->at[i]) / size;
+            const uint64_t room = (place->end - place->at) / size;
             most = room < most ? room : most;
         }
     }
@@ -190,10 +258,11 @@ bool rhw_feedback_add_draw(struct rhw_encoder *encoder, struct rhw_draw *draw)
     *made = (struct rhw_draw_feedback){.primitives = needed < room ? needed : room,
                                        .vertices = feedback->vertices};
     for (int i = 0; i < RHW_MAX_FEEDBACK_TARGETS; i++) {
-        if (feedback->range[i]) {
+        struct rhw_feedback_place *const place = &feedback->targets[i];
+        if (place->bytes) {
             const uint64_t size = (uint64_t)pipeline->def.feedback_strides[i] * (uint64_t)feedback->vertices;
-            made->to[i] = feedback->bytes[i] + feedback->at[i];
-            feedback->at[i] += (size_t)(made->primitives * size);
+            made->to[i] = place->bytes + place->at;
+            place->at += (size_t)(made->primitives * size);
         }
     }
     draw->feedback = made;

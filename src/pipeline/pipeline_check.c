@@ -137,7 +137,7 @@ static bool check_program(const struct rhw_context *context, const struct rhw_pr
 
 // Vertex input -----------------------------------------------------------------------------------------
 
-// An attribute ends within its element, as WebGPU requires, so that a wrong offset or stride is found here.
+// An attribute may end behind its element, as in Vulkan. rhw_pipeline_warn tells it, because few programs mean it.
 static bool check_attribute(const struct rhw_context *context, const struct rhw_pipeline_def *def, int index)
 {
     const struct rhw_attribute *const attribute = &def->attributes[index];
@@ -148,28 +148,27 @@ static bool check_attribute(const struct rhw_context *context, const struct rhw_
                    index, attribute->buffer, def->buffer_count)) {
         return false;
     }
-    const uint32_t stride = def->buffers[attribute->buffer].stride;
+    const bool is_computed = def->buffers[attribute->buffer].stride == 0;
     const size_t size = rhw_vertex_format_size(attribute->format);
-    // A stride that is computed can be as large as this.
-    const size_t most = stride == 0 ? UINT32_MAX : stride;
     return rhw_check(
-        context, attribute->offset <= most && size <= most - attribute->offset,
-        "%s: attributes[%d].offset is %u and its format takes %zu bytes; together they must stay "
-        "within buffers[%d].stride, which is %u",
-        create_name, index, (unsigned)attribute->offset, size, attribute->buffer, (unsigned)most);
+        context, !is_computed || size <= UINT32_MAX - attribute->offset,
+        "%s: attributes[%d].offset is %u and its format takes %zu bytes; buffers[%d].stride is 0 "
+        "and together they must stay within the greatest stride, which is %u",
+        create_name, index, (unsigned)attribute->offset, size, attribute->buffer, UINT32_MAX);
 }
 
 static bool check_layout(const struct rhw_context *context, int index, const struct rhw_vertex_layout *layout)
 {
-    return rhw_check(context, !layout->constant || !layout->per_instance,
-                     "%s: buffers[%d] is constant and per_instance; it must be one of them at most",
-                     create_name, index) &&
-           rhw_check(context, layout->per_instance || layout->instance_step == 0,
+    return rhw_check(context, layout->per_instance || layout->instance_step == 0,
                      "%s: buffers[%d].instance_step is %u; it must be 0 in a buffer that is not per_instance",
                      create_name, index, (unsigned)layout->instance_step) &&
-           rhw_check(context, !layout->constant || layout->stride == 0,
-                     "%s: buffers[%d].stride is %u; it must be 0 in a buffer that is constant", create_name,
-                     index, (unsigned)layout->stride);
+           rhw_check(context, !layout->constant || layout->instance_step == 0,
+                     "%s: buffers[%d].instance_step is %u; it must be 0 in a buffer that is constant",
+                     create_name, index, (unsigned)layout->instance_step) &&
+           rhw_check(context, !layout->constant || layout->per_instance || layout->stride == 0,
+                     "%s: buffers[%d].stride is %u; it must be 0 in a buffer that is constant and not "
+                     "per_instance",
+                     create_name, index, (unsigned)layout->stride);
 }
 
 // Report arrays that were filled and not counted.
@@ -405,8 +404,25 @@ void rhw_pipeline_tell_copies(const struct rhw_context *context, enum rhw_isa is
     }
 }
 
+// Warn about attributes that end behind their element, where a wrong offset or stride would put them, too.
+static void warn_of_strides(const struct rhw_context *context, const struct rhw_pipeline_def *def)
+{
+    for (int i = 0; i < def->attribute_count; i++) {
+        const struct rhw_attribute *const attribute = &def->attributes[i];
+        const uint32_t stride = def->buffers[attribute->buffer].stride;
+        const uint64_t end = attribute->offset + (uint64_t)rhw_vertex_format_size(attribute->format);
+        if (stride != 0 && end > stride) {
+            rhw_context_log(
+                context, RHW_LOG_WARNING,
+                "%s: attributes[%d] ends at byte %llu of its element and buffers[%d].stride is %u",
+                create_name, i, (unsigned long long)end, attribute->buffer, (unsigned)stride);
+        }
+    }
+}
+
 void rhw_pipeline_warn(const struct rhw_context *context, const struct rhw_pipeline_def *def)
 {
+    warn_of_strides(context, def);
     for (int i = 0; i < def->target_count; i++) {
         const struct rhw_color_target *const target = &def->targets[i];
         if (!target->blend && !(replaces(&target->color) && replaces(&target->alpha))) {

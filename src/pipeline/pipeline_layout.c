@@ -35,8 +35,11 @@ static void resolve_defaults(struct rhw_pipeline_def *def)
     }
     for (int i = 0; i < def->buffer_count; i++) {
         struct rhw_vertex_layout *const layout = &def->buffers[i];
+        // There are fewer instances than this step, so all of them read the element of the first.
+        const uint32_t step = layout->constant ? UINT32_MAX : 1;
+        layout->constant = layout->constant && !layout->per_instance;
         layout->stride = layout->stride == 0 && !layout->constant ? ends[i] : layout->stride;
-        layout->instance_step = layout->instance_step == 0 ? 1 : layout->instance_step;
+        layout->instance_step = layout->instance_step == 0 ? step : layout->instance_step;
     }
 }
 

@@ -20,8 +20,6 @@ void rhw_buffer_data_release(struct rhw_memory *memory, struct rhw_buffer_data *
     }
 }
 
-_Static_assert((int)RHW_BUFFER_PADDING == (int)RHW_MEMORY_PADDING, "what rhw_buffer_def says");
-
 static bool check_create(const struct rhw_context *context, const struct rhw_buffer_def *def,
                          const rhw_buffer *buffer, const char *where)
 {
@@ -31,11 +29,9 @@ static bool check_create(const struct rhw_context *context, const struct rhw_buf
            rhw_check(context, (uintptr_t)def->memory % RHW_MEMORY_ALIGNMENT == 0,
                      "%s: memory is %p; its address must be a multiple of %d", where, def->memory,
                      RHW_MEMORY_ALIGNMENT) &&
-           rhw_check(context,
-                     def->memory == NULL || (def->memory_size >= RHW_BUFFER_PADDING &&
-                                             def->size <= def->memory_size - RHW_BUFFER_PADDING),
-                     "%s: memory_size is %zu; %zu bytes need %d more", where, def->memory_size, def->size,
-                     RHW_BUFFER_PADDING);
+           rhw_check(context, def->memory == NULL || def->size <= def->memory_size,
+                     "%s: memory_size is %zu; it must be at least size, which is %zu", where,
+                     def->memory_size, def->size);
 }
 
 unsigned char *rhw_buffer_allocate(struct rhw_memory *memory, size_t size, bool zeroed)
@@ -59,7 +55,7 @@ static bool fill(struct rhw_memory *memory, struct rhw_buffer_data *data, const 
     if (def->data != NULL) {
         memcpy(data->bytes, def->data, def->size);
     }
-    if (def->data != NULL || data->is_callers) {
+    if (def->data != NULL && !data->is_callers) {
         memset(data->bytes + def->size, 0, RHW_BUFFER_PADDING);
     }
     return true;

@@ -13,7 +13,8 @@
 struct rhw_context;
 struct rhw_memory;
 
-// Zero bytes that can be read behind the end of every buffer: a kernel may load whole vectors at the last byte.
+// Zero bytes that can be read behind the end of a buffer of the library's: a kernel may load whole vectors at the last
+// byte. Buffers on memory of the program have none.
 enum { RHW_BUFFER_PADDING = 64 };
 
 // What a pass does with bytes of a buffer (buffer_use.h).

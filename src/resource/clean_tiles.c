@@ -74,3 +74,12 @@ void rhw_clean_tiles_forget(struct rhw_clean_tiles *list)
         forget_layer(list);
     }
 }
+
+void rhw_clean_tiles_forget_part(struct rhw_clean_tiles *list, int level, int layer, int layer_count)
+{
+    for (; list; list = list->next) {
+        if (list->level == level && list->layer >= layer && list->layer - layer < layer_count) {
+            forget_layer(list);
+        }
+    }
+}

@@ -34,4 +34,7 @@ void rhw_clean_tiles_expect(struct rhw_clean_tiles *clean, const unsigned char t
 // Forget which tiles are clean, in all parts: something else than a pass has written texels. `list` may be NULL.
 void rhw_clean_tiles_forget(struct rhw_clean_tiles *list);
 
+// Forget which tiles of layers of a level are clean. `list` may be NULL.
+void rhw_clean_tiles_forget_part(struct rhw_clean_tiles *list, int level, int layer, int layer_count);
+
 #endif

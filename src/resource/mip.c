@@ -8,6 +8,7 @@
 // texels to the last of these levels. This level alone is kept, as floats, for the next ones.
 #include "base/constants.h"
 #include "context/context.h"
+#include "context/given_up.h"
 #include "format/format.h"
 #include "kernels/kernels.h"
 #include "kernels/mip_work.h"
@@ -24,25 +25,29 @@ enum {
 };
 
 struct made_mips {
-    const struct rhw_kernels *kernels;
+    struct rhw_context *context;
     struct rhw_mip_job job;
 };
 
 static void make_band(void *user, int index, int worker)
 {
     const struct made_mips *const mips = user;
-    mips->kernels->mip_band(&mips->job, index, worker);
+    if (!rhw_context_is_given_up(mips->context, worker)) {
+        mips->context->kernels->mip_band(&mips->job, index, worker);
+    }
 }
 
 struct made_volume {
-    const struct rhw_kernels *kernels;
+    struct rhw_context *context;
     struct rhw_mip_volume_job job;
 };
 
 static void make_slice(void *user, int index, int worker)
 {
     const struct made_volume *const volume = user;
-    volume->kernels->mip_slice(&volume->job, index, worker);
+    if (!rhw_context_is_given_up(volume->context, worker)) {
+        volume->context->kernels->mip_slice(&volume->job, index, worker);
+    }
 }
 
 // Return the floats of a whole level, or 0 where no level is made from it.
@@ -74,7 +79,7 @@ static int rows_of_band(const struct rhw_texture_data *texture, int base, int la
 }
 
 // Make the levels of a layer.
-static void make_layer(struct rhw_context *context, struct made_mips *mips, float *odd, float *even)
+static void make_layer(struct made_mips *mips, float *odd, float *even)
 {
     struct rhw_mip_job *const job = &mips->job;
     const struct rhw_texture_data *const texture = job->texture;
@@ -86,7 +91,7 @@ static void make_layer(struct rhw_context *context, struct made_mips *mips, floa
         job->to = job->last == texture->levels - 1 ? NULL : step % 2 == 0 ? odd : even;
         job->band = rows_of_band(texture, job->base, job->last);
         const int rows = texture->mip[job->last].height;
-        rhw_scheduler_run(context->scheduler, make_band, mips, (rows + job->band - 1) / job->band);
+        rhw_scheduler_run(mips->context->scheduler, make_band, mips, (rows + job->band - 1) / job->band);
         job->base = job->last;
         job->from = job->to;
     }
@@ -104,10 +109,9 @@ static bool make_layers(struct rhw_context *context, const struct rhw_texture_da
         return false;
     }
     float *const buffers = block + (size_t)context->threads * scratch;
-    struct made_mips mips = {context->kernels,
-                             {.texture = texture, .scratch = block, .scratch_size = scratch}};
+    struct made_mips mips = {context, {.texture = texture, .scratch = block, .scratch_size = scratch}};
     for (mips.job.slice = 0; mips.job.slice < texture->shape.layers; mips.job.slice++) {
-        make_layer(context, &mips, buffers, buffers + odd);
+        make_layer(&mips, buffers, buffers + odd);
     }
     rhw_memory_release(&context->memory, block, size);
     return true;
@@ -127,8 +131,7 @@ static bool make_volume(struct rhw_context *context, const struct rhw_texture_da
         return false;
     }
     float *const buffers = block + (size_t)context->threads * scratch;
-    struct made_volume volume = {context->kernels,
-                                 {.texture = texture, .scratch = block, .scratch_size = scratch}};
+    struct made_volume volume = {context, {.texture = texture, .scratch = block, .scratch_size = scratch}};
     struct rhw_mip_volume_job *const job = &volume.job;
     for (; job->base < texture->levels - 1; job->base++) {
         job->to = job->base + 1 == texture->levels - 1 ? NULL : job->base % 2 == 0 ? buffers : buffers + odd;
@@ -139,8 +142,13 @@ static bool make_volume(struct rhw_context *context, const struct rhw_texture_da
     return true;
 }
 
-bool rhw_texture_data_generate_mips(struct rhw_context *context, const struct rhw_texture_data *texture)
+enum rhw_result rhw_texture_data_generate_mips(struct rhw_context *context,
+                                               const struct rhw_texture_data *texture)
 {
-    return texture->levels == 1 || (texture->shape.kind == RHW_TEXTURE_3D ? make_volume(context, texture)
-                                                                          : make_layers(context, texture));
+    atomic_store(&context->given_up, false);
+    if (texture->levels > 1 &&
+        !(texture->shape.kind == RHW_TEXTURE_3D ? make_volume : make_layers)(context, texture)) {
+        return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    return atomic_load(&context->given_up) ? RHW_ERROR_GIVEN_UP : RHW_OK;
 }

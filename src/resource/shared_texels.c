@@ -33,12 +33,18 @@ void rhw_shared_texels_release(struct rhw_memory *memory, struct rhw_shared_texe
     rhw_memory_release(memory, shared, sizeof *shared);
 }
 
+// Return true if others may have written the texels before a pass, and do not say so.
+static bool is_unsaid(const struct rhw_shared_texels *shared)
+{
+    return shared->is_callers && !shared->is_told;
+}
+
 // Drop what the texture kept about its texels where somebody else has written them.
 static void catch_up(struct rhw_texture_data *texture)
 {
     if (texture->version != texture->shared->version) {
         texture->version = texture->shared->version;
-        texture->linear_is_current = false;
+        texture->linear_levels = 0;
         rhw_clean_tiles_forget(texture->clean);
     }
 }
@@ -46,12 +52,12 @@ static void catch_up(struct rhw_texture_data *texture)
 void rhw_texture_note_attached(struct rhw_texture_data *texture, uint32_t pass_generation)
 {
     texture->attached = pass_generation;
-    texture->linear_is_current = false;
+    texture->linear_levels = 0;
     struct rhw_shared_texels *const shared = texture->shared;
     if (!shared) {
         return;
     }
-    shared->version += shared->is_callers && shared->attached != pass_generation;
+    shared->version += is_unsaid(shared) && shared->attached != pass_generation;
     shared->attached = pass_generation;
     catch_up(texture);
     texture->version = ++shared->version;
@@ -61,15 +67,23 @@ void rhw_texture_note_sampled(struct rhw_texture_data *texture, uint32_t pass_ge
 {
     struct rhw_shared_texels *const shared = texture->shared;
     if (shared) {
-        shared->version += shared->is_callers && shared->sampled != pass_generation;
+        shared->version += is_unsaid(shared) && shared->sampled != pass_generation;
         shared->sampled = pass_generation;
         catch_up(texture);
     }
 }
 
+void rhw_texture_note_changed(struct rhw_texture_data *texture, int level, int layer, int layer_count)
+{
+    catch_up(texture);
+    texture->linear_levels &= ~(1u << level);
+    rhw_clean_tiles_forget_part(texture->clean, level, layer, layer_count);
+    texture->version = ++texture->shared->version;
+}
+
 void rhw_texture_note_written(struct rhw_texture_data *texture)
 {
-    texture->linear_is_current = false;
+    texture->linear_levels = 0;
     rhw_clean_tiles_forget(texture->clean);
     if (texture->shared) {
         texture->version = ++texture->shared->version;

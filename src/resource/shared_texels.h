@@ -18,10 +18,11 @@ struct rhw_shared_texels {
     size_t size;
     // The texels are the caller's memory: nothing is released, and others write them between passes.
     bool is_callers;
+    bool is_told;    // the caller tells what it writes there, by rhw_texture_changed
     uint32_t owners; // number of textures: the texture and its views
     // Generation of the last pass that draws into the texels, and of the last pass that samples them.
     uint32_t attached, sampled;
-    uint32_t version; // counts writes, and passes before which others may have written
+    uint32_t version; // counts writes, and passes before which others may have written unsaid
 };
 
 // Make the texture's texels shared, where they are not yet. Return false when out of memory.
@@ -35,5 +36,7 @@ void rhw_texture_note_attached(struct rhw_texture_data *texture, uint32_t pass_g
 void rhw_texture_note_sampled(struct rhw_texture_data *texture, uint32_t pass_generation);
 // Note that the texture's texels are written between draws.
 void rhw_texture_note_written(struct rhw_texture_data *texture);
+// Note that others have written layers of a level of shared texels.
+void rhw_texture_note_changed(struct rhw_texture_data *texture, int level, int layer, int layer_count);
 
 #endif

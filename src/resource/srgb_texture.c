@@ -75,7 +75,8 @@ static void decode_band(void *user, int index, int worker)
 
 bool rhw_texture_linearize(struct rhw_context *context, struct rhw_texture_data *texture)
 {
-    if (texture->info->path != RHW_TEXELS_RGBA8_SRGB || !texture->is_plain || texture->linear_is_current) {
+    const uint32_t all = (1u << texture->levels) - 1;
+    if (texture->info->path != RHW_TEXELS_RGBA8_SRGB || !texture->is_plain || texture->linear_levels == all) {
         return true;
     }
     if (!texture->linear_memory && !allocate_levels(&context->memory, texture)) {
@@ -85,12 +86,12 @@ bool rhw_texture_linearize(struct rhw_context *context, struct rhw_texture_data 
     for (int i = 0; i < 256; i++) {
         level.table[i] = (uint16_t)(rhw_srgb_decode_table[i] * (float)RHW_LINEAR_ONE + 0.5f);
     }
-    for (int i = 0; i < texture->levels; i++) {
-        level.mip = &texture->mip[i];
+    for (uint32_t left = all & ~texture->linear_levels; left != 0; left &= left - 1) {
+        level.mip = &texture->mip[__builtin_ctz(left)];
         level.band = 1 + BAND_TEXELS / level.mip->width;
         rhw_scheduler_run(context->scheduler, decode_band, &level,
                           (level.mip->height + level.band - 1) / level.band);
     }
-    texture->linear_is_current = true;
+    texture->linear_levels = all;
     return true;
 }

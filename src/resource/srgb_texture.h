@@ -15,7 +15,7 @@ enum {
     RHW_LINEAR_TEXEL = 8 // bytes: red, blue, green, alpha, 16 bits each
 };
 
-// Make the copy, or renew it where texels have changed, on all threads of the context. Nothing is made for other
+// Make the copy, or renew levels whose texels have changed, on all threads of the context. Nothing is made for other
 // formats. Return false when out of memory.
 bool rhw_texture_linearize(struct rhw_context *context, struct rhw_texture_data *texture);
 

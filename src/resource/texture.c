@@ -196,6 +196,9 @@ static enum rhw_result create(struct rhw_context *context, const struct rhw_text
         rhw_pool_remove(&context->memory, &context->textures, id.index);
         return RHW_ERROR_OUT_OF_MEMORY;
     }
+    if (def->memory) {
+        (*item)->shared->is_told = def->memory_is_told;
+    }
     *texture = id;
     return RHW_OK;
 }

@@ -82,7 +82,7 @@ struct rhw_texture_data {
     size_t memory_size;
     void *linear_memory; // memory of all mip[].linear; NULL until a pass samples the texture
     size_t linear_size;
-    bool linear_is_current;        // no texel has changed since the copy was made
+    uint32_t linear_levels;        // levels of which no texel has changed since the copy was made, a bit each
     struct rhw_clean_tiles *clean; // list of records of the layers that passes have drawn into
     uint32_t attached;             // generation of the last pass that draws into the texture
     // Levels that somebody has filled, a bit each. Level 0 counts as filled from the beginning.
@@ -92,7 +92,7 @@ struct rhw_texture_data {
     uint32_t renewed_pass, renewed_draws;
     // The record of texels with views, or of texels of the caller. NULL: the texels are the texture's own.
     struct rhw_shared_texels *shared;
-    // The version of the shared texels up to which `clean` and `linear_is_current` hold.
+    // The version of the shared texels up to which `clean` and `linear_levels` hold.
     uint32_t version;
     bool swizzles; // the view's channels are other ones than the texels'
     enum rhw_swizzle swizzle[4];
@@ -136,7 +136,8 @@ void rhw_texture_data_destroy(struct rhw_memory *memory, struct rhw_texture_data
 
 // Box-filter levels 1.. from level 0 in linear light, on all threads of the context. The texture has its memory, and a
 // format that is sampled. Return false when out of memory; the levels are unchanged then.
-bool rhw_texture_data_generate_mips(struct rhw_context *context, const struct rhw_texture_data *texture);
+enum rhw_result rhw_texture_data_generate_mips(struct rhw_context *context,
+                                               const struct rhw_texture_data *texture);
 
 // Return the number of levels of the chain from width × height × depth down to a single texel.
 int rhw_mip_chain_length(int width, int height, int depth);

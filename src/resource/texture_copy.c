@@ -195,11 +195,12 @@ static enum rhw_result generate_mips(struct rhw_context *context, rhw_texture te
         return RHW_ERROR_MISUSE;
     }
     struct rhw_texture_data *const target = rhw_texture_to_write(context, texture, data);
-    if (!target || !rhw_texture_data_generate_mips(context, target)) {
-        return RHW_ERROR_OUT_OF_MEMORY;
+    const enum rhw_result result =
+        target ? rhw_texture_data_generate_mips(context, target) : RHW_ERROR_OUT_OF_MEMORY;
+    if (result == RHW_OK) {
+        target->written = (1u << target->levels) - 1;
     }
-    target->written = (1u << target->levels) - 1;
-    return RHW_OK;
+    return result;
 }
 
 enum rhw_result rhw_texture_generate_mips(rhw_context *context, rhw_texture texture)

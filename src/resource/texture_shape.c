@@ -166,7 +166,9 @@ bool rhw_texture_memory_check(const struct rhw_context *context, const struct rh
     if (!def->memory) {
         return rhw_check(context, def->memory_size == 0,
                          "%s: memory_size is %zu and memory is NULL; it must be 0 then", where,
-                         def->memory_size);
+                         def->memory_size) &&
+               rhw_check(context, !def->memory_is_told,
+                         "%s: memory_is_told is true and memory is NULL; it must be false then", where);
     }
     const struct rhw_texture_shape shape = rhw_texture_shape_of(def);
     struct rhw_texture_data texture;

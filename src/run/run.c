@@ -10,6 +10,7 @@
 #include "base/scheduler.h"
 #include "base/thread.h"
 #include "context/context.h"
+#include "context/given_up.h"
 #include "draw/used_query.h"
 #include "draw/wave.h"
 #include "effect_vertices.h"
@@ -131,22 +132,6 @@ static void end_wave(struct rhw_executor *executor, int end)
     }
 }
 
-// Return true if the program gives the pass up. Worker 0 asks it, on the program's own thread; the others hear of it.
-static bool is_given_up(rhw_context *context, int worker)
-{
-    if (!context->goes_on) {
-        return false;
-    }
-    if (atomic_load_explicit(&context->given_up, memory_order_relaxed)) {
-        return true;
-    }
-    const bool given_up = worker == 0 && !context->goes_on(context->goes_on_user);
-    if (given_up) {
-        atomic_store_explicit(&context->given_up, true, memory_order_relaxed);
-    }
-    return given_up;
-}
-
 // Run the front end over one chunk. Chunks are claimed in order. The wave ends before the first chunk that finds the
 // memory used up, or behind the first chunk whose bins were too large for all of its triangles. What other threads make
 // of later chunks meanwhile is made again.
@@ -156,7 +141,7 @@ static void run_chunk(void *user, int index, int worker)
     struct rhw_chunk *const chunk = &executor->wave.chunks[index];
     const struct rhw_arena *const arena = &executor->wave.workers[worker].arena;
     if (index >= atomic_load_explicit(&executor->wave_end, memory_order_relaxed) ||
-        is_given_up(executor->context, worker)) {
+        rhw_context_is_given_up(executor->context, worker)) {
         return;
     }
     if (index != 0 &&
@@ -183,7 +168,7 @@ struct parts_task {
 static void run_part(void *user, int index, int worker)
 {
     const struct parts_task *const task = user;
-    if (!is_given_up(task->executor->context, worker)) {
+    if (!rhw_context_is_given_up(task->executor->context, worker)) {
         task->executor->context->kernels->shared_part(&task->executor->wave, &task->parts[index], worker);
     }
 }
@@ -253,7 +238,7 @@ static void run_tile(void *user, int index, int worker)
     struct rhw_executor *const executor = user;
     const int threads = executor->context->threads;
     (void)index;
-    if (is_given_up(executor->context, worker)) {
+    if (rhw_context_is_given_up(executor->context, worker)) {
         return;
     }
     for (int i = 0; i < threads; i++) {
@@ -377,7 +362,7 @@ static bool run_wave(struct rhw_executor *executor, struct position *at, struct 
     }
     const uint64_t middle = rhw_time_ns();
     // The caller may have got no tile, where other threads were quick.
-    if (is_given_up(context, 0)) {
+    if (rhw_context_is_given_up(context, 0)) {
         return false;
     }
     stats->back_busy_ms += milliseconds(run_tiles(executor));

@@ -118,7 +118,8 @@ void golden_queries_draw(rhw_context *context, int number, struct golden_images 
     rhw_pass_set_vertex_buffer(context, board.pass, 0, golden_buffer(context, vertices, sizeof vertices), 0);
     for (int cell = 0; cell < CELLS; cell++) {
         const struct rhw_pipeline_def def = def_of(cell, formats[0]);
-        const struct rhw_feedback_target target = {kept, (size_t)cell * cell_bytes, cell_bytes};
+        const struct rhw_feedback_target target = {
+            .buffer = kept, .offset = (size_t)cell * cell_bytes, .size = cell_bytes};
         golden_cell(context, board.pass, cell % COLUMNS, cell / COLUMNS, SIDE, SIDE);
         rhw_pass_set_pipeline(context, board.pass, golden_pipeline(context, &def));
         rhw_pass_begin_transform_feedback(context, board.pass, &target, 1);

@@ -132,3 +132,8 @@ B64
                 {"name": "rest", "samplers": [], "channels": []}]}
 GLTF
 }
+
+# Says WIDTHxHEIGHT of a picture.
+size_of() { # FILE
+    "$rhw" compare --json "$1" "$1" | tr -d ' \n' | sed -n 's/.*"width":\([0-9]*\),"height":\([0-9]*\).*/\1x\2/p'
+}

@@ -34,7 +34,8 @@ memory_of() {
 }
 check "less memory" test "$(memory_of small.json)" -lt "$(($(memory_of whole.json) / 2))"
 succeed render wide.gltf --size 64 -o one.png --max-texture 1
-check "one texel for all" test -s one.png
+run compare one.png whole.png
+check "one texel for all" test "$status" = 1
 refuse 2 "--max-texture: '0' is not a number of 1 to 16384" render wide.gltf -o a.png --max-texture 0
 refuse 2 "--max-texture: '20000' is not" render wide.gltf -o a.png --max-texture 20000
 
@@ -239,7 +240,7 @@ for name in outside link absolute; do
 done
 check "stock/above.gltf has one" test -s thumbs/stock/above.gltf.png
 succeed thumbs shop/stock -o free --size 16 --confine shop --max-memory 2G --max-texture 64
-check "--confine of another folder" test -s free/above.gltf.png
+check "--confine of another folder: $(size_of free/above.gltf.png)" test "$(size_of free/above.gltf.png)" = 16x16
 refuse 2 "--max-memory: 'much' is not a size" thumbs shop -o x --max-memory much
 no_temporary_files
 finish

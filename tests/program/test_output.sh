@@ -28,7 +28,7 @@ for other in ./new.png folder/../new.png "$PWD/new.png" .//folder/within/../../n
     refuse 1 "--stats: $other is the picture's file; name another" render cube.obj -o new.png --stats="$other"
 done
 succeed render cube.obj $small -o new.png --stats=folder/new.png
-check "a name in another folder is another file" test -s new.png -a -s folder/new.png
+check "a name in another folder is another file" test "$(head -c 4 new.png | tail -c 3) $(head -c 1 folder/new.png)" = "PNG {"
 run render cube.obj $small -o ./- --format png --stats=-
 check "a file named as standard output is another" test "$status" = 0 -a -s ./-
 check "and there is what was asked for" grep -q '^{' "$folder/log/out"

@@ -12,7 +12,7 @@ echo "no model" >in/notes.txt
 succeed thumbs in -o out --size 32
 check "the count" grep -q "^3 drawn, 0 kept, 0 failed$" "$folder/log/out"
 for picture in out/cube.obj.png out/deep/cube.obj.png out/deep/deeper/CUBE.OBJ.png; do
-    check "$picture" test -s "$picture"
+    check "$picture: $(size_of "$picture")" test "$(size_of "$picture")" = 32x32
 done
 check "nothing else" test "$(find out -type f | wc -l)" = 3
 succeed render cube.obj --size 32 -o one.png --background transparent
@@ -105,8 +105,9 @@ for word in '{foo}' '{frame}' '{}'; do
 done
 succeed thumbs braces -o '{view}' --size 16
 for word in '{foo}' '{frame}' '{}'; do
-    check "a picture of $word" test -s "{view}/{name}/$word.obj.png"
+    check "a picture of $word" cmp "{view}/{name}/$word.obj.png" '{view}/{name}/{foo}.obj.png'
 done
+check "of $word, as thumbs draws it" test "$(size_of '{view}/{name}/{foo}.obj.png')" = 16x16
 
 # One that cannot be drawn is told, the others are drawn, nothing is left of it.
 printf 'solid nothing\n' >in/broken.stl
@@ -157,14 +158,14 @@ ln -s ../../../elsewhere/cube.obj links/in/sub/far.obj
 run thumbs links/in -o far --size 16
 check "links out: status $status" test "$status" = 0
 check "no picture of a link out" test ! -e far/far.obj.png -a ! -e far/sub/far.obj.png
-check "a link within" test -s far/near.obj.png -a -s far/sub/cube.obj.png
+check "a link within" test "$(size_of far/near.obj.png) $(size_of far/sub/cube.obj.png)" = "16x16 16x16"
 for name in far sub/far; do
     check "$name is said" grep -q "^rhw: links/in/$name.obj: warning: is a link out of links/in, and is left out; see --confine$" \
         "$folder/log/err"
 done
 succeed thumbs links/in -o quiet --size 16 --quiet
 succeed thumbs links/in -o far --size 16 --confine .
-check "links that may be followed" test -s far/far.obj.png -a -s far/sub/far.obj.png
+check "links that may be followed" test "$(size_of far/far.obj.png) $(size_of far/sub/far.obj.png)" = "16x16 16x16"
 rm links/in/near.obj links/in/sub/cube.obj
 run thumbs links/in -o none --size 16
 check "nothing but links out" grep -q "^0 drawn, 0 kept, 0 failed$" "$folder/log/out"

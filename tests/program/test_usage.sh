@@ -97,21 +97,23 @@ for word in foo Name frame:04 names; do
     refuse 2 ".* stands for nothing" render cube.obj --turntable 2 -o "{name}{$word}/{frame}.png"
 done
 succeed render cube.obj --size 8 -o '{1-2}{a-b}{{x.{}.png' # none of those is a word
-check "braces in a name" test -s '{1-2}{a-b}{{x.color.png'
+succeed render cube.obj --size 8 -o small.png
+check "braces in a name" cmp '{1-2}{a-b}{{x.color.png' small.png
 for word in '{foo}' '{name}' '{view}' '{frame}' '{}'; do
     succeed render cube.obj --size 8 --literal -o "a_$word.png"
-    check "--literal $word" test -s "a_$word.png"
+    check "--literal $word" cmp "a_$word.png" small.png
     cp cube.obj "$word.obj"
     succeed render "$word.obj" --size 8
-    check "a picture is named after $word.obj" test -s "$word.png"
+    check "a picture is named after $word.obj" cmp "$word.png" small.png
 done
 
 cp cube.obj color.obj
 succeed render '{}.obj' color.obj --size 8 -o 'of_{name}.png'
-check "braces of a model's name are no part of OUT" test -s 'of_{}.png'
-check "nor in the way of another" test -s of_color.png
+check "braces of a model's name are no part of OUT" cmp 'of_{}.png' small.png
+check "nor in the way of another" cmp of_color.png small.png
 succeed render '{}.obj' --size 8 -o '{name}_{}.png' --output color,depth
-check "OUT's own are found behind them" test -s '{}_depth.png'
+succeed render cube.obj --size 8 -o depth.png --output depth
+check "OUT's own are found behind them" cmp '{}_depth.png' depth.png
 
 mkdir both
 succeed render cube.obj --size 8 -o 'both/{}-{name}-{}.png' --output color,depth
@@ -120,7 +122,8 @@ refuse 2 "all_\{\}.exr: \{\} stands for an output's name, and an EXR file holds 
     render cube.obj --size 8 -o 'all_{}.exr' --output color,depth
 refuse 2 "all_\{\}.png: \{\} stands for an output's name, and an EXR" render cube.obj -o 'all_{}.png' --format exr
 succeed render cube.obj --size 8 -o 'all_{}.exr' --literal
-check "an EXR named by --literal" test -s 'all_{}.exr'
+run compare 'all_{}.exr' 'all_{}.exr'
+check "an EXR named by --literal" test "$status" = 0
 refuse 2 "--literal: is for one model: several need an OUT in which \{name\} stands for each one's name" \
     render cube.obj color.obj --literal -o '{name}.png'
 refuse 2 "\{frame\}.jpg: only .png and .webp hold pictures that move; without --literal a \{frame\} gives each a file" \

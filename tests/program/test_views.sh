@@ -3,10 +3,6 @@
 # Several pictures of a model (--views), and several models.
 . "$(dirname "$0")/harness.sh"
 make_cube cube
-size_of() {
-    "$rhw" compare --json "$1" "$1" | tr -d ' \n' | sed -n 's/.*"width":\([0-9]*\),"height":\([0-9]*\).*/\1x\2/p'
-}
-
 # A file for each view is what --orbit draws.
 succeed render cube.obj --size 48 --views front,iso,top -o 'v-{view}.png'
 check "three files" test "$(find . -name 'v-*.png' | wc -l)" = 3
@@ -27,7 +23,7 @@ succeed render cube.obj --size 40 --views back -o one.png
 succeed render cube.obj --size 40 --orbit 180,0 -o back.png
 check "a sheet of one view" "$rhw" compare one.png back.png >"$folder/log/compare"
 succeed render cube.obj --size 40 --views back,left --ortho --zoom 0.5 -o two.webp
-check "two beside each other" test -s two.webp
+check "two beside each other: $(size_of two.webp)" test "$(size_of two.webp)" = 80x40
 refuse 2 "--views: 'side' is no view; there are front, back, left, right, top, bottom, iso, all" \
     render cube.obj -o a.png --views front,side
 refuse 2 "--views: 'top' stands there twice" render cube.obj -o a.png --views top,top
@@ -58,7 +54,8 @@ check "each view of each output of each" test "$(find . -name '*.front.png' -o -
 run render cube.obj nowhere.obj other.obj --size 16 -o 'some-{name}.png'
 check "status 1" test "$status" = 1
 check "one line" grep -q "^rhw: nowhere.obj: cannot be opened" "$folder/log/err"
-check "the others are drawn" test -s some-cube.png -a -s some-other.png -a ! -e some-nowhere.png
+check "the others are drawn" cmp some-cube.png some-other.png
+check "$(size_of some-cube.png), and no third one" test "$(size_of some-cube.png)" = 16x16 -a ! -e some-nowhere.png
 mkdir deep
 cp cube.obj deep
 refuse 2 "out.png: several models need a \{name\} in OUT" render cube.obj other.obj -o out.png

@@ -220,6 +220,17 @@ def test_ctrl_c_ends_a_draw():
     assert model.render(20)["color"].any()  # the context is as good as ever
 
 
+def test_ctrl_c_ends_the_reading_of_an_environment(tmp_path):
+    """Even of a pipe that nobody writes to; once it has ended, the reader that was left behind ends too."""
+    pipe = tmp_path / "sky.hdr"
+    os.mkfifo(pipe)
+    interrupted(lambda: rhw.Environment(pipe), 0.1)
+    os.close(os.open(pipe, os.O_WRONLY | os.O_NONBLOCK))  # the reader waits there
+    with pytest.raises(rhw.Error, match="is empty"):
+        (tmp_path / "none.hdr").touch()
+        rhw.Environment(tmp_path / "none.hdr")
+
+
 def half_a_second(kind):
     """Work of about that much processor time that looks for signals on its way."""
     random = np.random.default_rng(1)

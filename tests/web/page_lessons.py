@@ -9,6 +9,7 @@ from selenium import webdriver
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
+import page_programs
 from page_case import PageCase
 
 
@@ -93,40 +94,58 @@ class Lessons(PageCase):
         self.assertFalse(self.node("#weights .next").is_displayed())
 
     def test_curves_of_the_edge(self):
+        """Two plots at once over the same places: what bends in the one is straight in the other."""
         self.show("inverse")
         self.wait("document.querySelector('#inverse .plot .curve')")
-        bends = ("const p = [...document.querySelectorAll('#inverse .plot .curve')].map(({ points: q }) => {"
+        bends = ("return [...document.querySelectorAll('#inverse .plot')].map((plot) => [...plot.querySelectorAll('.curve')].map(({ points: q }) => {"
                  " const [a, b, m] = [q[0], q[q.length - 1], q[q.length >> 1]];"
-                 " return Math.abs(a.y + (b.y - a.y) * (m.x - a.x) / (b.x - a.x) - m.y); }); return p")
-        for value, straight in (("z", [False, True]), ("inverse", [True]), ("over", [True, True]), ("u", [False, True])):
+                 " return Math.abs(a.y + (b.y - a.y) * (m.x - a.x) / (b.x - a.x) - m.y); }))")
+        dots = "return [...document.querySelectorAll('#inverse .plot')].map((plot) => [...plot.querySelectorAll('.value')].map((t) => t.textContent))"
+        n = self.script("return rhw.views.inverse.numbers()")
+        z, u = n["Z_P"], n["b"]
+        told = {"z": [[z, n["r"] * n["Z_A"] + n["s"] * n["Z_B"]], [1 / z]], "u": [[1 / z, u / z], [u, n["s"]]]}
+        for value, straight in (("z", [[False, True], [True]]), ("u", [[True, True], [False, True]])):
             self.node(f"#inverse button[value='{value}']").click()
-            self.assertEqual([bend < 1 for bend in self.script(bends)], straight, value)
-        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "#inverse .on-curve")), 2)
+            self.assertEqual([[bend < 1 for bend in plot] for plot in self.script(bends)], straight, value)
+            for shown, numbers in zip(self.script(dots), told[value]):
+                self.assertEqual(len(shown), len(numbers))
+                for text, number in zip(shown, numbers):
+                    self.assertAlmostEqual(float(text), number, delta=2e-3)
+            units = self.script("return [...document.querySelectorAll('#inverse .plot')].map((plot) => plot.textContent)")
+            self.assertTrue(all("unit" in text or "over a length" in text or "from 0 in A" in text for text in units), units)
+        tops = self.script("return [...document.querySelectorAll('#inverse :is(.plot, .top)')].map((node) => node.getBoundingClientRect())"
+                           ".map(({ top, bottom }) => [top, bottom])")
+        self.assertTrue(max(bottom for _, bottom in tops) - min(top for top, _ in tops) < 850, "all three are seen at once")
         before = self.script("return rhw.views.inverse.q")
+        places = ("return [...document.querySelectorAll('#inverse .plot .on-curve')].map((dot) => Number(dot.getAttribute('cx')))")
         self.drag("#inverse .plot .mark circle:last-of-type", 60, 0)
+        self.assertEqual(len(set(self.script(places))), 1, "the dots stand above each other")
         after = self.script("return rhw.views.inverse.q")
         self.assertGreater(after, before + 0.05)
         place = self.script("const d = rhw.views.inverse, n = d.numbers(); return n.b * d.ends[1][1] + n.a * d.ends[0][1]")
         self.assertAlmostEqual(place, self.script("return rhw.views.inverse.numbers().Z_P"), places=9)  # P lies on the edge
 
     def test_the_program_says_the_same(self):
+        """Its values are the pixel's, in three languages; and what stands there runs and gives them."""
         n = self.script("return rhw.views.pixel.numbers")
         naive = sum(n[w] * n[f"u_{i}"] for i, w in enumerate("rst"))
         right = sum(n[w] * n[f"u_{i}"] for i, w in enumerate("abc"))
-        for value, naming, comment in (("c", "A.W", "//"), ("python", "A.W", "#"), ("glsl", "W.x", "//")):
+        run = {"c": page_programs.run_c, "python": page_programs.run_python, "glsl": page_programs.check_glsl}
+        for value, naming, comment in (("c", "A->W", "//"), ("python", "A.W", "#"), ("glsl", "W_of.x", "//")):
             self.node(f"#pixel button[value='{value}']").click()
-            lines = self.script("return [...document.querySelectorAll('#pixel .code-line')].map((row) => [...row.children].map((c) => c.textContent))")
+            rows = self.script("return [...document.querySelectorAll('#pixel .code-line')].map((row) => [...row.children].map((c) => c.textContent))")
+            lines = [row for row in rows if len(row) == 2]
             self.assertEqual(len(lines), 10)
             self.assertTrue(any(naming in text for text, _ in lines))
             said = [float(behind.split()[1].replace("−", "-")) for _, behind in lines]
             self.assertTrue(all(behind.startswith(comment) for _, behind in lines))
             self.assertAlmostEqual(said[3], naive, delta=1e-4)
             self.assertAlmostEqual(said[9], right, delta=1e-4)
-            if value == "python":  # it is a program, too
-                values = {name: type(name, (), {"W": n[f"W_{i}"], "u": n[f"u_{i}"]}) for i, name in enumerate("ABC")}
-                values |= {f"e_{name}": n[f"e_{i}"] for i, name in enumerate("ABC")}
-                exec("\n".join(text for text, _ in lines), values)
-                self.assertAlmostEqual(values["u"], right, delta=1e-6)
+            gave = run[value]("\n".join(" ".join(row) for row in rows), n)
+            if gave:
+                self.assertAlmostEqual(gave[0], naive, delta=1e-6)
+                self.assertAlmostEqual(gave[1], right, delta=1e-6)
+                self.assertAlmostEqual(gave[1], n["u"], delta=1e-6)  # what the page's picture has
         webdriver.ActionChains(self.browser).move_to_element(self.node("#pixel .derivation [data-term='b']")).perform()
         self.assertGreater(self.script("return document.querySelectorAll('#pixel .code-line:has(.alike)').length"), 1)
         webdriver.ActionChains(self.browser).move_to_element(self.node("#pixel .code [data-term='s']")).perform()
@@ -216,6 +235,25 @@ class Lessons(PageCase):
         self.node("#exercises li:last-child button").click()
         self.wait("!document.querySelector('#exercises li:last-child').classList.contains('done')")
 
+    def test_exercises_under_a_finger(self):
+        """On a phone corners go as far away as A in the view from above; then they are pointed at in the picture."""
+        self.size(390, 844, touch=True)
+        try:
+            self.setUp()
+            self.show("exercises")
+            self.script("document.querySelector('#exercises .above').scrollIntoView({block: 'center'})")
+            done = "[...document.querySelectorAll('#exercises li')].map((li) => li.classList.contains('done'))"
+            for name, solved in (("B", 4), ("C", 0)):
+                away = self.middle("#exercises .top .cornerA .dot")[1] - self.middle(f"#exercises .top .corner{name} .dot")[1]
+                self.swipe(f"#exercises .top .corner{name} .dot", away)
+                self.wait(f"{done}[{solved}]")
+            self.script("document.querySelector('#exercises li').scrollIntoView({block: 'end'})")
+            self.assertTrue(self.node("#exercises .result").is_displayed())
+            self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 390)
+            self.browser.save_screenshot(os.path.join(sys.argv[3], "phone_exercises_solved.png"))
+        finally:
+            self.size(1440, 900)
+
     def test_the_address_is_the_state(self):
         self.drag("#pixel .view .cornerA .dot", 40, -30)
         self.node("#pixel button[value='glsl']").click()
@@ -256,7 +294,7 @@ class Lessons(PageCase):
         """One of another picture, far beyond what may be dragged here, is the same when its address is opened."""
         self.show("weights")
         self.script("const v = rhw.views.weights, clips = [0, 1, 2].map((i) => ['X', 'Y', 'Z', 'W'].map((axis) => 100 * v.numbers[`${axis}_${i}`]));"
-                    "v.take(clips, v.pixel)")
+                    "v.take({ clips, space: [v.numbers.a, v.numbers.b, v.numbers.c] })")
         self.wait("rhw.views.weights.numbers?.W_0 > 100")
         n, saved = self.script("return [rhw.views.weights.numbers, Object.entries(rhw.views.weights.save())]")
         self.open(f"#weights?{'&'.join('='.join(pair) for pair in saved)}")

@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Rows of buttons of which one is chosen: <div class="choice" data-name="pattern"><button value="colors">..</div>; and sliders.
+import { say, whenLanguage } from './language.js';
 import { short } from './math.js';
+
+const NAMES = {
+  curve: { en: 'what is plotted', zh: '绘制的曲线' },
+  code: { en: 'programming language', zh: '编程语言' },
+  pattern: { en: 'what the triangle shows', zh: '三角形上显示的内容' },
+  method: { en: 'way of computing', zh: '算法' },
+  picture: { en: 'what the picture shows', zh: '图像显示的内容' },
+  interpolate: { en: 'way of mixing', zh: '插值方式' },
+};
 
 /** Calls `chosen(value)` for the row of that name; the first button is chosen at the start. */
 export function choice(section, name, chosen) {
-  const buttons = [...section.querySelectorAll(`[data-name="${name}"] button`)];
+  const row = section.querySelector(`[data-name="${name}"]`);
+  const buttons = [...row.querySelectorAll('button')];
+  row.setAttribute('role', 'group');
+  whenLanguage(() => row.setAttribute('aria-label', say(NAMES[name])));
   const choose = (button) => {
     buttons.forEach((other) => other.setAttribute('aria-pressed', other === button));
     chosen(button.value);

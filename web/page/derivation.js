@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The derivation of one pixel with its numbers: formulas whose terms can be pointed at, each with its value.
 import { exactWeights, threeWays } from './exact.js';
-import { say } from './language.js';
-import { formula, long, short } from './math.js';
+import { hear } from './heard.js';
+import { language, say } from './language.js';
+import { formulaIn, long, short } from './math.js';
+import { element, fill, slot, text, write } from './slots.js';
 import { METHOD } from './stage.js';
 
 const NAMES = ['A', 'B', 'C'];
@@ -64,31 +66,35 @@ export function termsOf(n) {
 }
 
 // A formula on a line of its own, and behind it what its right side is: with numbers, or as one number.
-function line(parent, text, behind) {
-  const row = parent.appendChild(document.createElement('div'));
-  row.className = 'line';
-  row.append(formula(text));
-  if (behind) {
-    row.append(formula(`= ${behind.text}`, behind.values));
-  }
-  return row;
+function line(parent, formula, behind, kind = 'line') {
+  fill(element(parent, 'div', kind), (row) => {
+    formulaIn(row, formula);
+    if (behind) {
+      formulaIn(row, `= ${behind.text}`, behind.values);
+    }
+  });
 }
 
 const number = (term, terms) => ({ text: term, values: { [term]: short(terms[term]) } });
 
-/** A part of a derivation with its heading, {en, zh}; `why`: the chapter that explains it, where that is another one. */
-export function section(parent, title, why) {
-  const block = parent.appendChild(document.createElement('section'));
-  const level = parent.closest('.chapter').querySelector('h1') ? 'h2' : 'h3'; // one below that of the chapter
-  const head = block.appendChild(document.createElement(level));
+/** A heading, {en, zh}, of a part of a derivation in `chapter`; `why`: the chapter that explains it, where that is another one. */
+export function headingOf(chapter, title, why) {
+  const head = document.createElement(chapter.querySelector('h1') ? 'h2' : 'h3'); // one below that of the chapter
   head.textContent = say(title);
-  if (why && why !== parent.closest('.chapter').id) {
+  if (why && why !== chapter.id) {
     const link = head.appendChild(document.createElement('a'));
     link.className = 'why';
     link.href = `#${why}`;
     link.textContent = say({ en: 'why?', zh: '为什么？' });
   }
-  return block;
+  return head;
+}
+
+function section(parent, title, why, writeRest) {
+  fill(element(parent, 'section'), (block) => {
+    slot(block, `${language()} ${title.en}`, () => headingOf(parent.closest('.chapter'), title, why));
+    writeRest(block);
+  });
 }
 
 const TITLES = {
@@ -110,28 +116,28 @@ const SPACE = [
 const INVERSE = '[1|W_P] = [r|W_A] + [s|W_B] + [t|W_C]';
 
 function screenSection(parent, n, terms) {
-  const block = section(parent, TITLES.screen, 'weights');
-  if (!Number.isNaN(n.e_0)) {
-    line(block, 'r : s : t = e_A : e_B : e_C');
-  }
-  for (const term of ['r', 's', 't']) {
-    line(block, term, number(term, terms)).classList.add('beside');
-  }
+  section(parent, TITLES.screen, 'weights', (block) => {
+    if (!Number.isNaN(n.e_0)) {
+      line(block, 'r : s : t = e_A : e_B : e_C');
+    }
+    for (const term of ['r', 's', 't']) {
+      line(block, term, number(term, terms), 'line beside');
+    }
+  });
 }
 
 function divideSection(parent, terms) {
-  const block = section(parent, TITLES.divide, 'inverse');
-  const values = Object.fromEntries(Object.entries(terms).map(([term, value]) => [term, short(value)]));
-  line(block, INVERSE);
-  line(block, '', { text: INVERSE.split(' = ')[1], values });
-  line(block, 'W_P', number('W_P', terms));
+  const names = ['r', 's', 't', 'W_A', 'W_B', 'W_C'];
+  const values = Object.fromEntries(names.map((term) => [term, short(terms[term])]));
+  section(parent, TITLES.divide, 'inverse', (block) => {
+    line(block, INVERSE);
+    line(block, '', { text: INVERSE.split(' = ')[1], values });
+    line(block, 'W_P', number('W_P', terms));
+  });
 }
 
 function spaceSection(parent, terms) {
-  const block = section(parent, TITLES.space, 'clip');
-  for (const [text, term] of SPACE) {
-    line(block, text, number(term, terms));
-  }
+  section(parent, TITLES.space, 'clip', (block) => SPACE.forEach(([formula, term]) => line(block, formula, number(term, terms))));
 }
 
 /** On the screen, 1/W, and in space: the steps that every perspective picture has. */
@@ -151,33 +157,28 @@ const AREAS = [
 // The other way to a, b, c: the numbers of the fragment function that went it.
 function worldSections(parent, n) {
   const terms = termsOf(n);
-  const back = section(parent, TITLES.back);
-  for (const term of ['x_P', 'y_P', 'd_P']) {
-    line(back, term, number(term, terms)).classList.add('beside');
-  }
-  const point = section(parent, TITLES.point);
-  const note = point.appendChild(document.createElement('p'));
-  note.className = 'note';
-  note.textContent = say({
-    en: '(x, y, d, 1) times the inverse of projection × view; then all by the fourth coordinate. That is a point of the world:',
-    zh: '把 (x, y, d, 1) 乘以“投影 × 视图”矩阵的逆，再除以第四个坐标，得到世界空间中的一点：',
+  section(parent, TITLES.back, undefined, (block) => {
+    for (const term of ['x_P', 'y_P', 'd_P']) {
+      line(block, term, number(term, terms), 'line beside');
+    }
   });
-  const place = point.appendChild(document.createElement('div'));
-  place.className = 'line world';
-  const digits = (value) => short(Number(value.toFixed(4))); // floats went there and back: more would be noise
-  place.textContent = `P = (${[n.world_x, n.world_y, n.world_z].map(digits).join(', ')})`;
-  const areas = section(parent, TITLES.areas, 'weights');
-  for (const [text, term] of AREAS) {
-    line(areas, text, number(term, terms));
-  }
+  section(parent, TITLES.point, undefined, (block) => {
+    write(element(block, 'p', 'note'), say({
+      en: '(x, y, d, 1) times the inverse of projection × view; then all by the fourth coordinate. That is a point of the world:',
+      zh: '把 (x, y, d, 1) 乘以“投影 × 视图”矩阵的逆，再除以第四个坐标，得到世界空间中的一点：',
+    }));
+    const digits = (value) => short(Number(value.toFixed(4))); // floats went there and back: more would be noise
+    write(element(block, 'div', 'line world'), `P = (${[n.world_x, n.world_y, n.world_z].map(digits).join(', ')})`);
+  });
+  section(parent, TITLES.areas, 'weights', (block) => AREAS.forEach(([formula, term]) => line(block, formula, number(term, terms))));
 }
 
 function tableRow(table, name, how, value, kind) {
-  const row = table.insertRow();
-  row.className = kind;
-  for (const cell of [say(name), how, value]) {
-    row.insertCell().append(cell);
-  }
+  fill(element(table, 'tr', kind), (row) => {
+    write(element(row, 'td'), say(name));
+    fill(element(row, 'td', 'how'), how);
+    write(element(row, 'td', 'value'), value);
+  });
 }
 
 /** A value three ways, by its name in the numbers ("u", "green"), in a picture of [width, height]; `written`: what was made of it. */
@@ -206,51 +207,48 @@ const notes = {
   }),
 };
 
+const ROWS = {
+  naive: { en: 'naive', zh: '未校正' },
+  correct: { en: 'correct', zh: '正确' },
+  written: { en: 'rhw wrote', zh: 'rhw 的结果' },
+};
+
 // `name`: which value, "u" or "green"
 function valueSection(parent, n, name, size) {
-  const block = section(parent, TITLES[name]);
-  const table = block.appendChild(document.createElement('table'));
   const byWorld = n.method === METHOD.world;
   const written = byWorld ? n[`world_${name}`] : n[name];
   const { naive, exact, error } = threeWaysOf(n, name, size, written);
   const symbol = name === 'u' ? 'u' : 'I';
-  const sum = (weights) => formula(weights.map((weight, i) => `${weight}·${symbol}_${NAMES[i]}`).join(' + '));
-  tableRow(table, { en: 'naive', zh: '未校正' }, sum(['r', 's', 't']), digits(naive), 'naive');
-  tableRow(table, { en: 'correct', zh: '正确' }, sum(['a', 'b', 'c']), digits(exact), 'correct');
+  const sum = (weights) => (cell) => formulaIn(cell, weights.map((weight, i) => `${weight}·${symbol}_${NAMES[i]}`).join(' + '));
   const how = byWorld ? { en: 'by the world', zh: '经世界空间' } : n.smooth === 1 ? 'smooth' : 'noperspective';
-  tableRow(table, { en: 'rhw wrote', zh: 'rhw 的结果' }, say(how), digits(written), 'written');
-  const note = block.appendChild(document.createElement('p'));
-  note.className = 'note';
-  hear(parent, `${symbol}: ${[...table.rows].map(({ cells }) => `${cells[0].textContent} ${cells[2].textContent}`).join(', ')}`);
-  const direct = threeWaysOf(n, name, size).error;
-  note.textContent = say(byWorld ? notes.world(error, direct) : notes.direct(error));
-}
-
-// What a screen reader says when the numbers change: it hears of what stays on the page alone, and panels are filled anew.
-function hear(panel, text) {
-  let heard = panel.parentElement.querySelector('.heard');
-  if (!heard) {
-    heard = document.createElement('p');
-    heard.className = 'heard';
-    heard.setAttribute('aria-live', 'polite');
-    panel.after(heard);
-  }
-  heard.textContent = text;
+  section(parent, TITLES[name], undefined, (block) => {
+    fill(element(block, 'table'), (table) => {
+      tableRow(table, ROWS.naive, sum(['r', 's', 't']), digits(naive), 'naive');
+      tableRow(table, ROWS.correct, sum(['a', 'b', 'c']), digits(exact), 'correct');
+      tableRow(table, ROWS.written, (cell) => text(cell, say(how)), digits(written), 'written');
+    });
+    const note = byWorld ? notes.world(error, threeWaysOf(n, name, size).error) : notes.direct(error);
+    write(element(block, 'p', 'note'), say(note));
+  });
+  const values = [[ROWS.naive, naive], [ROWS.correct, exact], [ROWS.written, written]];
+  hear(parent, `${symbol}: ${values.map(([title, value]) => `${say(title)} ${digits(value)}`).join(', ')}`);
 }
 
 /** Fills `panel` with the derivation of a pixel's value `name`, u or green; numbers null: says what to do. `size`: the picture's. */
 export function showDerivation(panel, n, pixel, size, name = 'u') {
-  panel.replaceChildren();
-  const head = panel.appendChild(document.createElement('p'));
-  head.className = 'pixel';
-  if (!n) {
-    head.textContent = say({
-      en: pixel ? 'No triangle here.' : 'Point at a pixel to see how it got its value.',
-      zh: pixel ? '这里没有三角形。' : '指向一个像素，看它的值从何而来。',
-    });
-    return;
-  }
-  head.textContent = say({ en: `Pixel P = (${pixel})`, zh: `像素 P = (${pixel})` });
-  (n.method === METHOD.world ? worldSections : weightSections)(panel, n);
-  valueSection(panel, n, name, size);
+  const head = n
+    ? { en: `Pixel P = (${pixel})`, zh: `像素 P = (${pixel})` }
+    : {
+        en: pixel ? 'No triangle here.' : 'Point at a pixel to see how it got its value.',
+        zh: pixel ? '这里没有三角形。' : '指向一个像素，看它的值从何而来。',
+      };
+  fill(panel, () => {
+    write(element(panel, 'p', 'pixel'), say(head));
+    if (n) {
+      (n.method === METHOD.world ? worldSections : weightSections)(panel, n);
+      valueSection(panel, n, name, size);
+    } else if (pixel) {
+      hear(panel, say(head));
+    }
+  });
 }

@@ -4,7 +4,10 @@
 // Each step between is a projective map, so lines stay lines, and the place from which one looks turns until it is the eye's.
 import { between, cutLine, cutTriangle } from './cut.js';
 import { say } from './language.js';
-import { points, set, svg } from './svg.js';
+import { short } from './math.js';
+import { sizeOf } from './size.js';
+import { fill } from './slots.js';
+import { drawn, points, set, svg } from './svg.js';
 
 const FIELDS = 8; // of the triangle, along u and v
 const YAW = (68 * Math.PI) / 180; // from where one looks at the start: from the side, a little from above
@@ -19,6 +22,7 @@ export class Flight {
   constructor(node, aspect) {
     this.aspect = aspect;
     this.k = 0;
+    this.unit = 1; // W of the screen
     this.root = svg(node, 'svg', { class: 'top flight', role: 'img' });
     this.rim = svg(this.root, 'polygon', { class: 'screen' });
     this.sight = [0, 1, 2, 3].map(() => svg(this.root, 'line', { class: 'sight-edge' }));
@@ -32,8 +36,9 @@ export class Flight {
   }
 
   // Where a place in clip coordinates, [X, Y, Z, W], is in the drawing after so much of the motion.
-  #at([x, y, , w]) {
-    const { k, width, height } = this;
+  #at(clip) {
+    const { k, unit, width, height } = this;
+    const [x, y, , w] = clip.map((value) => value / unit);
     const over = 1 / (1 - k + k * w);
     const [px, py, pz] = [x * this.aspect * over, y * over, w * over - mix(FAR / 2, 1, k)];
     const turn = (1 - k) ** 1.5;
@@ -43,6 +48,11 @@ export class Flight {
     const up = py * Math.cos(pitch) + away * Math.sin(pitch);
     const scale = Math.min(width / mix(FAR + 4, 2.3 * this.aspect, k), height / mix(7, 2.3, k));
     return [width / 2 + across * scale, height / 2 - (up + mix(LIFT, 0, k)) * scale];
+  }
+
+  // A place of the screen, -1..1, or where the line to it from the eye is so many times as far.
+  #onScreen(x, y, far = 1) {
+    return [x, y, 0, 1].map((value) => value * far * this.unit);
   }
 
   #line(node, from, to) {
@@ -66,8 +76,8 @@ export class Flight {
   }
 
   #label(text, [x, y], kind) {
-    svg(this.labels, 'circle', { cx: x, cy: y, r: 5, class: `dot ${kind}` });
-    svg(this.labels, 'text', { x: x + 9, y: y - 6 }, text);
+    drawn(this.labels, 'circle', { cx: x, cy: y, r: 5, class: `dot ${kind}` });
+    drawn(this.labels, 'text', { x: x + 9, y: y - 6 }, text);
   }
 
   /** `corners`: [X, Y, Z, W] of A, B and C; `k`: how far the motion is, 0..1. */
@@ -78,15 +88,15 @@ export class Flight {
   }
 
   update() {
-    const { clientWidth: width, clientHeight: height } = this.root;
+    const [width, height] = sizeOf(this.root);
     if (!width || !this.corners) {
       return;
     }
     Object.assign(this, { width, height });
     set(this.root, { viewBox: `0 0 ${width} ${height}` });
     const rim = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
-    set(this.rim, { points: points(rim.map(([x, y]) => this.#at([x, y, 0, 1]))) });
-    rim.forEach(([x, y], i) => this.#line(this.sight[i], [0, 0, 0, 0.02], [x, y, 0, 1].map((value) => value * FAR * 0.7)));
+    set(this.rim, { points: points(rim.map(([x, y]) => this.#at(this.#onScreen(x, y)))) });
+    rim.forEach(([x, y], i) => this.#line(this.sight[i], this.#onScreen(0, 0, 0.02), this.#onScreen(x, y, FAR * 0.7)));
     const [kept, gone] = cutTriangle(this.corners);
     set(this.body, { points: points(kept.map(({ clip }) => this.#at(clip))) });
     set(this.lattice, { d: this.#latticePath() });
@@ -118,7 +128,10 @@ export class Flight {
   }
 
   #placeLabels(early) {
-    this.labels.replaceChildren();
+    fill(this.labels, () => this.#writeLabels(early));
+  }
+
+  #writeLabels(early) {
     this.corners.forEach((corner, i) => {
       const isCut = corner[2] < 0;
       if (!isCut || early > 0.5) {
@@ -127,9 +140,9 @@ export class Flight {
     });
     if (this.k < 0.6) {
       const [x, y] = this.#at([0, 0, 0, 0]);
-      svg(this.labels, 'text', { x: x - 10, y: y + 22, class: 'caption' }, say({ en: 'eye', zh: '眼睛' }));
+      drawn(this.labels, 'text', { x: x - 10, y: y + 22, class: 'caption' }, say({ en: 'eye', zh: '眼睛' }));
     }
-    const [x, y] = this.#at([1, -1, 0, 1]);
-    svg(this.labels, 'text', { x: x + 4, y: y + 16, class: 'caption' }, say({ en: 'screen, W = 1', zh: '屏幕，W = 1' }));
+    const [x, y] = this.#at(this.#onScreen(1, -1));
+    drawn(this.labels, 'text', { x: x + 4, y: y + 16, class: 'caption' }, say({ en: `screen, W = ${short(this.unit)}`, zh: `屏幕，W = ${short(this.unit)}` }));
   }
 }

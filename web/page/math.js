@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formulas as MathML, from a notation for just what this page needs: names with one subscript (W_A, r), numbers, operators,
 // fractions [1|W_P], and spaces that are ignored. Every name is a term that can be pointed at: it carries data-term.
+import { slot, write } from './slots.js';
 
 const MATHML = 'http://www.w3.org/1998/Math/MathML';
 
@@ -62,6 +63,28 @@ export function formula(text, values) {
   const math = element('math', parse(text, values));
   math.setAttribute('displaystyle', 'true');
   return math;
+}
+
+const names = new Map(); // formula → the terms in it
+
+function namesIn(text) {
+  if (!names.has(text)) {
+    names.set(text, [...text.matchAll(TOKEN)].map(([, name]) => name).filter(Boolean));
+  }
+  return names.get(text);
+}
+
+const numbers = new WeakMap(); // <math> → its numbers that stand for terms
+
+/** A formula as the next child of a parent that is being filled (slots.js). */
+export function formulaIn(parent, text, values = {}) {
+  // A number that gets a sign may get parentheses.
+  const shape = namesIn(text).map((name) => (name in values ? (values[name].startsWith('−') ? '-' : '+') : ''));
+  const math = slot(parent, `${text} ${shape}`, () => formula(text, values));
+  if (!numbers.has(math)) {
+    numbers.set(math, [...math.querySelectorAll('mn[data-term]')]);
+  }
+  numbers.get(math).forEach((node) => write(node, values[node.dataset.term]));
 }
 
 /** Fills every <rhw-math> of the page. */

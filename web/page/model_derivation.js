@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How a pixel of a model got its value, in the page's words: what scene.explain of the npm package tells, as formulas and tables.
-import { section, weightSections } from './derivation.js';
+import { headingOf, weightSections } from './derivation.js';
 import { say } from './language.js';
 import { formula, long, short } from './math.js';
+import { fill, slot } from './slots.js';
 
 const BACKGROUND = -1;
 const GROUND = -2;
@@ -67,6 +68,13 @@ export function numbersOf(fragment) {
   return n;
 }
 
+/** [u, v] of its corners by the first texture's coordinates; undefined where it has none. */
+export function uvsOf({ varyings }) {
+  const named = (axis) => varyings?.find(({ name }) => name.startsWith('uv of ') && name.endsWith(` ${axis}`))?.vertices;
+  const [us, vs] = [named('u'), named('v')];
+  return us && vs && us.map((u, i) => [u, vs[i]]);
+}
+
 // Parts ------------------------------------------------------------------------------------------------
 
 function add(parent, tag, content = [], kind = '') {
@@ -74,6 +82,12 @@ function add(parent, tag, content = [], kind = '') {
   node.className = kind;
   node.append(...[content].flat());
   return node;
+}
+
+function section(parent, title, why) {
+  const block = add(parent, 'section');
+  block.append(headingOf(parent.closest('.chapter'), title, why));
+  return block;
 }
 
 function note(parent, texts) {
@@ -116,7 +130,7 @@ function subjectOf({ instance, node, triangle, front_facing: front }) {
 }
 
 function showHistory(parent, { fragments, orthographic }) {
-  const block = section(parent, TITLES.history);
+  const block = section(parent, TITLES.history, 'depth');
   const rows = fragments.map((fragment, i) => [
     String(i + 1),
     subjectOf(fragment),
@@ -133,7 +147,7 @@ function showHistory(parent, { fragments, orthographic }) {
 }
 
 function showCorners(parent, fragment) {
-  const block = section(parent, TITLES.corners);
+  const block = section(parent, TITLES.corners, 'motion');
   const { snapped, clipped } = fragment;
   const heads = ['X', 'Y', 'Z', 'W'].map((axis) => formula(axis));
   const rows = fragment.clip.map((corner, i) => [
@@ -152,7 +166,7 @@ function showCorners(parent, fragment) {
 }
 
 function showValues(parent, { varyings }) {
-  const block = section(parent, TITLES.values);
+  const block = section(parent, TITLES.values, 'pixel');
   const number = (value) => (value === null ? '–' : long(Number(value.toPrecision(6))));
   const rows = varyings.map(({ name, vertices, naive, exact, pipeline, error_ulp: error }) => [
     valueName(name),
@@ -220,22 +234,29 @@ function showHead(parent, { pixel, size, sample, samples, color }) {
 
 /** Fills `steps` with the way to the weights, as the other chapters have it, and `tables` with everything else. */
 export function showModelDerivation(steps, tables, explanation) {
-  steps.replaceChildren();
+  const seen = explanation && seenIn(explanation);
+  fill(steps, () => {
+    if (explanation) {
+      const head = document.createElement('div');
+      showHead(head, explanation);
+      if (!seen) {
+        note(head, { en: 'Nothing of the model is seen here.', zh: '此处看不到模型。' });
+      }
+      slot(steps, head, () => head);
+    }
+    if (seen) {
+      weightSections(steps, numbersOf(seen));
+    }
+  });
   tables.replaceChildren();
-  if (!explanation) {
-    return;
-  }
-  showHead(steps, explanation);
-  const seen = seenIn(explanation);
   if (seen) {
-    weightSections(steps, numbersOf(seen));
     showCorners(tables, seen);
-  } else {
-    note(steps, { en: 'Nothing of the model is seen here.', zh: '此处看不到模型。' });
   }
   if (seen?.varyings) {
     showValues(tables, seen);
     showTextures(tables, seen);
   }
-  showHistory(tables, explanation);
+  if (explanation) {
+    showHistory(tables, explanation);
+  }
 }

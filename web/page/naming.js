@@ -8,6 +8,9 @@ export function nameDrawing(root, name) {
   whenLanguage(() => root.setAttribute('aria-label', say(name)));
 }
 
+/** What makes a slider of a part of a drawing, at a part of its way. */
+export const percentOf = (part) => ({ role: 'slider', 'aria-valuemin': 0, 'aria-valuemax': 100, 'aria-valuenow': Math.round(100 * part) });
+
 /** Names a picture after its caption, or the heading of its chapter where it has none, and says its keys. */
 export function namePicture(canvas, figure) {
   whenLanguage(() => {

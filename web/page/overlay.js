@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What lies over a picture and belongs to the triangle that is explained: its outline with the names of its corners, the pixel
 // P, and the place of a term that is pointed at.
-import { points, set, svg } from './svg.js';
+import { fill } from './slots.js';
+import { drawn, points, set, svg } from './svg.js';
 import { clamp } from './vector.js';
 
 // The terms that are a share of the triangle, by the corner they belong to; corners by their names.
@@ -25,6 +26,7 @@ export class Overlay {
     this.part = svg(root, 'polygon', { class: 'part' });
     this.ray = svg(root, 'g', { class: 'rays' });
     this.mark = svg(root, 'g', { class: 'mark' });
+    svg(this.mark, 'circle', { class: 'under', r: 5 });
     svg(this.mark, 'circle', { r: 5 });
     svg(this.mark, 'text', { x: 8, y: -8 }, 'P');
     this.place({ size: [1, 1] });
@@ -41,14 +43,15 @@ export class Overlay {
     if (pixel) {
       set(this.mark, { transform: `translate(${this.#shown.p})` });
     }
-    this.outline.replaceChildren();
-    const cut = polygon?.map((clip) => onScreen(clip, size));
-    if (cut?.every(Boolean)) {
-      svg(this.outline, 'polygon', { points: points(cut) });
-    }
-    if (numbers && !named) {
-      this.#placeOutline(size, cornersOf(numbers).map((clip) => onScreen(clip, size)));
-    }
+    fill(this.outline, () => {
+      const cut = polygon?.map((clip) => onScreen(clip, size));
+      if (cut?.every(Boolean)) {
+        drawn(this.outline, 'polygon', { points: points(cut) });
+      }
+      if (numbers && !named) {
+        this.#placeOutline(size, cornersOf(numbers).map((clip) => onScreen(clip, size)));
+      }
+    });
     this.point(this.term);
   }
 
@@ -56,10 +59,10 @@ export class Overlay {
     if (!on.every(Boolean)) {
       return;
     }
-    svg(this.outline, 'polygon', { points: points(on) });
+    drawn(this.outline, 'polygon', { points: points(on) });
     on.forEach(([x, y], i) => {
       const at = { x: clamp(x, 14, width - 14), y: clamp(y, 18, height - 8), class: `corner${'ABC'[i]}` };
-      svg(this.outline, 'text', at, 'ABC'[i]);
+      drawn(this.outline, 'text', at, 'ABC'[i]);
     });
   }
 
@@ -75,10 +78,7 @@ export class Overlay {
       points: showPart ? points([p, on[(i + 1) % 3], on[(i + 2) % 3]]) : '',
       class: `part corner${'ABC'[i]}`,
     });
-    this.ray.replaceChildren();
     const at = on && corner !== undefined ? on[corner] : term?.endsWith('_P') ? p : null;
-    if (at) {
-      svg(this.ray, 'circle', { cx: at[0], cy: at[1], r: 16 });
-    }
+    fill(this.ray, () => at && drawn(this.ray, 'circle', { cx: at[0], cy: at[1], r: 16 }));
   }
 }

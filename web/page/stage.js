@@ -13,7 +13,10 @@ function surroundings(memory) {
     env: { emscripten_notify_memory_growth: no, __call_sighandler: no },
     wasi_snapshot_preview1: {
       clock_time_get(_clock, _precision, result) {
-        view().setBigUint64(result, BigInt(Math.round(performance.now() * 1e6)), true);
+        const nanoseconds = Math.round(performance.now() * 1e6);
+        const at = view();
+        at.setUint32(result, nanoseconds % 2 ** 32, true);
+        at.setUint32(result + 4, nanoseconds / 2 ** 32, true);
         return 0;
       },
       proc_exit(code) {
@@ -187,12 +190,11 @@ export class Stage {
     return Object.fromEntries(this.#names.map((name, i) => [name, numbers[i]]));
   }
 
-  /** What this stage was told, a call a line. */
-  script() {
-    const lines = [];
-    for (const [key, line] of this.#lines) {
-      lines.push(...(key === 'triangles' ? line : [line]));
-    }
-    return lines.map((line) => `${line.join(' ')}\n`).join('');
+  /** What this stage was told, a call in each: script() makes a text of them. */
+  lines() {
+    return [...this.#lines].flatMap(([key, line]) => (key === 'triangles' ? [...line] : [line]));
   }
 }
+
+/** What a stage was told, a call a line: a file that draws the same bytes natively. */
+export const script = (lines) => lines.map((line) => `${line.join(' ')}\n`).join('');

@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Elements of SVG.
+// Elements of SVG, and what drags them.
+import { beforeFrame } from './frame.js';
+import { slot } from './slots.js';
 
 const SVG = 'http://www.w3.org/2000/svg';
 
+// What an attribute was set to here. To write what is there already would make the browser style the page again.
+const written = new WeakMap();
+
 export function set(node, attributes) {
-  for (const [name, value] of Object.entries(attributes)) {
-    node.setAttribute(name, value);
+  let before = written.get(node);
+  if (!before) {
+    written.set(node, (before = {}));
+  }
+  for (const name in attributes) {
+    const value = String(attributes[name]);
+    if (before[name] !== value) {
+      before[name] = value;
+      node.setAttribute(name, value);
+    }
   }
   return node;
 }
@@ -15,6 +28,16 @@ export function svg(parent, name, attributes = {}, text = '') {
   const node = set(document.createElementNS(SVG, name), attributes);
   node.textContent = text;
   parent.append(node);
+  return node;
+}
+
+/** The next child of a parent that is being filled (slots.js), with these attributes. */
+export function drawn(parent, name, attributes, text = '') {
+  const node = slot(parent, name, () => document.createElementNS(SVG, name));
+  set(node, attributes);
+  if (node.textContent !== text) {
+    node.textContent = text;
+  }
   return node;
 }
 
@@ -47,16 +70,27 @@ export function draggable(node, { move, step, ends, scrolls = false }) {
     node.setPointerCapture(event.pointerId);
     node.focus({ preventScroll: true });
     let last = [event.clientX, event.clientY];
-    const drag = new AbortController();
-    const listen = (kind, callback) => node.addEventListener(kind, callback, { signal: drag.signal });
-    listen('pointermove', (at) => {
-      if (at.pointerId === event.pointerId) {
+    let latest = null; // event that nobody has heard of yet: there may be several in a frame
+    const tell = () => {
+      if (latest) {
+        const at = latest;
+        latest = null;
         move(at.clientX - last[0], at.clientY - last[1], at);
         last = [at.clientX, at.clientY];
       }
+    };
+    const drag = new AbortController();
+    const listen = (kind, callback) =>
+      node.addEventListener(kind, (at) => at.pointerId === event.pointerId && callback(at), { signal: drag.signal });
+    listen('pointermove', (at) => {
+      latest = at;
+      beforeFrame(tell);
     });
     for (const kind of ['pointerup', 'pointercancel']) {
-      listen(kind, (at) => at.pointerId === event.pointerId && drag.abort());
+      listen(kind, () => {
+        tell();
+        drag.abort();
+      });
     }
   });
   node.addEventListener('keydown', (event) => {

@@ -13,7 +13,7 @@ const chapters = new Map(); // section → {terms(), views}
  */
 export function chapterTerms(section, terms, views, meanings = {}) {
   chapters.set(section, { terms, views, meanings });
-  new MutationObserver(() => refresh(section)).observe(section, { childList: true, subtree: true });
+  new MutationObserver(() => refresh(section)).observe(section, { childList: true, characterData: true, subtree: true });
   refresh(section);
 }
 

@@ -3,6 +3,8 @@
 // the pixel and the point P that it meets. Here one sees why halfway on the screen is not halfway in space.
 import { say } from './language.js';
 import { nameDrawing } from './naming.js';
+import { sizeOf } from './size.js';
+import { write } from './slots.js';
 import { draggable, points, set, svg } from './svg.js';
 import { add, basis, clamp } from './vector.js';
 
@@ -17,6 +19,7 @@ export class TopView {
   constructor(node, view, range, planes = [SCREEN]) {
     this.view = view;
     this.range = range;
+    this.ownRange = range;
     this.root = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     this.root.classList.add('top');
     nameDrawing(this.root, { en: 'The scene from above', zh: '俯视图' });
@@ -57,7 +60,7 @@ export class TopView {
   }
 
   #layout() {
-    const { clientWidth: width, clientHeight: height } = this.root;
+    const [width, height] = sizeOf(this.root);
     const { x, z } = this.range;
     this.scale = Math.min((width - 2 * MARGIN) / (x[1] - x[0]), (height - 2 * MARGIN) / (z[1] - z[0]));
     this.left = (width - (x[1] - x[0]) * this.scale) / 2;
@@ -68,7 +71,8 @@ export class TopView {
   #placeSight() {
     const { camera } = this.view.scene;
     const { right, forward } = basis(camera);
-    const half = Math.tan((camera.yfov * Math.PI) / 360) * (this.view.figure.clientWidth / this.view.figure.clientHeight);
+    const [wide, high] = sizeOf(this.view.figure);
+    const half = Math.tan((camera.yfov * Math.PI) / 360) * (wide / high);
     const edge = (side, distance) => this.#at(add(add(camera.eye, forward, distance), right, side * half * distance));
     set(this.sight, { points: points([this.#at(camera.eye), edge(-1, 20), edge(1, 20)]) });
     this.planes.forEach((plane) => this.#placePlane(plane, edge));
@@ -80,8 +84,8 @@ export class TopView {
   #placePlane({ distance, name, line, text }, edge) {
     const [from, to] = distance > 0 ? [edge(-1, distance), edge(1, distance)] : this.#across(distance);
     set(line, { x1: from[0], y1: from[1], x2: to[0], y2: to[1] });
-    set(text, { x: clamp(to[0] + 6, 0, this.root.clientWidth - 60), y: to[1] - 4 });
-    text.textContent = say(name);
+    set(text, { x: clamp(to[0] + 6, 0, sizeOf(this.root)[0] - 60), y: to[1] - 4 });
+    write(text, say(name));
   }
 
   #across(distance) {
@@ -89,7 +93,7 @@ export class TopView {
     const [, y] = this.#at(add(camera.eye, basis(camera).forward, distance));
     return [
       [0, y],
-      [this.root.clientWidth - 66, y],
+      [sizeOf(this.root)[0] - 66, y],
     ];
   }
 
@@ -109,6 +113,18 @@ export class TopView {
     const eye = this.#at(this.view.scene.camera.eye);
     set(this.p, { transform: `translate(${this.place})` });
     set(this.ray, { x1: eye[0], y1: eye[1], x2: this.place[0], y2: this.place[1] });
+  }
+
+  /** Shows what of the world the corners and the eye need; or, with `all` false, what it showed first. */
+  reach(all) {
+    const { camera, corners } = this.view.scene;
+    const around = (axis) => {
+      const values = [camera.eye, ...corners.map(({ at }) => at)].map((at) => at[axis]);
+      const [low, high] = [Math.min(...values), Math.max(...values)];
+      const edge = 0.08 * (high - low);
+      return [low - edge, high + edge];
+    };
+    this.range = all ? { x: around(0), z: around(2) } : this.ownRange;
   }
 
   /** After the picture changed. */

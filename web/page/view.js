@@ -5,6 +5,8 @@ import { nextFrame } from './frame.js';
 import { say, whenLanguage } from './language.js';
 import { namePicture } from './naming.js';
 import { onScreen, Overlay } from './overlay.js';
+import { measure, sizeOf } from './size.js';
+import { script } from './stage.js';
 import { numbersIn, numbersText } from './state.js';
 import { draggable, set, svg } from './svg.js';
 import { add, basis, clamp, dot, normalize } from './vector.js';
@@ -12,6 +14,7 @@ import { add, basis, clamp, dot, normalize } from './vector.js';
 const MAX_PIXELS = 1280; // across
 const LAST = 0.999999; // of a picture's width or height
 const REST = 160; // ms without a change until the picture is refined
+const WORDS = 3; // pictures that move, until numbers are written again: nobody reads faster
 
 // How far the line between two ways of drawing is, for those who do not see it.
 function sliderAt(split) {
@@ -34,8 +37,10 @@ export class View {
     this.canvas.tabIndex = scene.quiet ? -1 : 0;
     this.canvas.setAttribute('role', scene.quiet ? 'img' : 'application');
     namePicture(this.canvas, figure);
+    this.context = this.canvas.getContext('2d', { alpha: false });
     this.overlay = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     figure.prepend(this.canvas, this.overlay);
+    this.moved = 0; // pictures since it began to move
     this.pixel = null; // by parts of the picture, so that it stays where it was when the size changes
     this.#build();
     if (!scene.quiet) {
@@ -75,7 +80,7 @@ export class View {
       this.update(true);
     };
     draggable(this.divider, {
-      move: (dx) => to(this.scene.split + dx / this.figure.clientWidth),
+      move: (dx) => to(this.scene.split + dx / sizeOf(this.figure)[0]),
       step: (dx, dy, deeper) => to(this.scene.split + (dx - dy) / 50 + deeper / 10),
       ends: (part) => to(part),
     });
@@ -109,7 +114,7 @@ export class View {
   #shift(corner, dx, dy) {
     const { right, up } = basis(this.scene.camera);
     const w = Math.abs(this.stageClip(corner.at)[3]);
-    const scale = (2 * Math.tan((this.scene.camera.yfov * Math.PI) / 360) * w) / this.figure.clientHeight;
+    const scale = (2 * Math.tan((this.scene.camera.yfov * Math.PI) / 360) * w) / sizeOf(this.figure)[1];
     this.moveCorner(corner, add(add(corner.at, right, dx * scale), up, -dy * scale));
   }
 
@@ -163,6 +168,7 @@ export class View {
           this.update(true);
         },
         step: (dx, dy) => this.#stepPixel(dx, dy),
+        ends: (part) => this.#toEnd(part),
         scrolls: true,
       });
     } else {
@@ -175,7 +181,15 @@ export class View {
     if (step) {
       event.preventDefault();
       this.#stepPixel(...step);
+    } else if (event.key === 'Home' || event.key === 'End') {
+      event.preventDefault();
+      this.#toEnd(event.key === 'Home' ? 0 : 1);
     }
+  }
+
+  // The first pixel of the row, or the last.
+  #toEnd(part) {
+    this.pick([part, this.pixel?.[1] ?? 0.5]);
   }
 
   #stepPixel(dx, dy) {
@@ -190,17 +204,26 @@ export class View {
   }
 
   explain = () => {
-    if (!this.pixel || !this.canvas.width) {
-      return;
+    if (this.pixel && this.canvas.width) {
+      this.#prepare(); // others may have used the stage
+      this.#tell();
+      this.#place();
     }
-    this.#prepare();
+  };
+
+  // What the stage knows of the pixel, once it was told of this picture.
+  #tell() {
     const [x, y] = [Math.floor(this.pixel[0] * this.canvas.width), Math.floor(this.pixel[1] * this.canvas.height)];
     this.numbers = this.stage.explain(x, y);
     this.place = [x, y];
     this.size = [this.canvas.width, this.canvas.height];
-    this.#place();
     this.changed(this.numbers, this.place, this.size);
-  };
+  }
+
+  /** Whether numbers are to be written for this picture: all that is still, and some of what moves. */
+  get writes() {
+    return !this.moving || this.moved % WORDS === 1;
+  }
 
   /** What was told, in the language of now. */
   retell() {
@@ -214,6 +237,7 @@ export class View {
 
   /** Something changed; `moving`: and may go on changing, so speed counts. */
   update(moving = false) {
+    this.moved = moving ? this.moved : 0;
     this.moving = moving;
     nextFrame(this.#frame);
     clearTimeout(this.timer);
@@ -232,36 +256,46 @@ export class View {
   }
 
   #frame = () => {
-    const width = this.figure.clientWidth;
+    const [width, high] = sizeOf(this.figure);
     if (!this.seen || width === 0) {
       return;
     }
     const across = this.scene.width ?? Math.min(Math.round(width * Math.min(devicePixelRatio, 2)), MAX_PIXELS);
-    const height = Math.round((across * this.figure.clientHeight) / width);
+    const height = Math.round((across * high) / width);
     if (this.canvas.width !== across || this.canvas.height !== height) {
       this.canvas.width = across;
       this.canvas.height = height;
     }
+    this.moved += this.moving;
     this.#prepare();
     const image = new ImageData(this.stage.draw(), across, height);
-    this.canvas.getContext('2d', { alpha: false }).putImageData(image, 0, 0);
-    this.script = this.stage.script();
+    this.context.putImageData(image, 0, 0);
+    this.lines = this.stage.lines();
     this.drawnAt ??= performance.now();
-    this.figure.dataset.drawn = this.moving ? 'moving' : 'still';
-    this.clips = this.scene.corners.map((corner) => this.stageClip(corner.at));
-    this.#place();
+    const drawn = this.moving ? 'moving' : 'still';
+    if (this.figure.dataset.drawn !== drawn) {
+      this.figure.dataset.drawn = drawn;
+    }
+    this.clips = this.scene.corners.map((corner) => this.stage.clip(corner.at));
     if (this.pixel) {
-      this.explain();
+      this.#tell();
     } else {
       this.changed(null, null);
     }
+    this.#place();
   };
+
+  /** What the stage was told for this picture, a call a line. */
+  get script() {
+    return script(this.lines);
+  }
 
   /** Draws at once, seen or not. */
   drawForPaper() {
     const { seen } = this;
     this.seen = true;
     this.moving = false;
+    measure(this.figure);
     this.#frame();
     this.seen = seen;
   }
@@ -277,7 +311,7 @@ export class View {
   }
 
   #place() {
-    const { clientWidth: width, clientHeight: height } = this.figure;
+    const [width, height] = sizeOf(this.figure);
     this.handles.forEach((handle, i) => {
       const at = this.clips && onScreen(this.clips[i], [width, height]);
       handle.toggleAttribute('hidden', !at);

@@ -342,6 +342,9 @@ static bool draw_pass(int samples, const struct question *question)
     def.depth.enabled = true;
     def.depth.store = RHW_STORE_DISCARD;
     def.samples = samples;
+    if (question) {
+        def.render_area = (struct rhw_rect){question->explain.x, question->explain.y, 1, 1};
+    }
     rhw_pass pass;
     enum rhw_result result = write_vertices();
     result = result != RHW_OK ? result : rhw_pass_begin(stage.context, &def, &pass);

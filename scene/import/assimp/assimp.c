@@ -14,6 +14,7 @@
 #include <strings.h>
 #include <sys/stat.h>
 
+#include "draw/camera/box.h"
 #include "elementary.h"
 #include "import/builder/complete_mesh.h"
 #include "import/builder/normals.h"
@@ -25,6 +26,7 @@ _Static_assert(sizeof(ai_real) == sizeof(float), "assimp is built with single pr
 
 struct reader {
     struct scene_import *import;
+    const struct scene_assimp_exact *exact;
     const struct aiScene *scene;
     uint32_t *meshes; // model mesh by assimp mesh
     int32_t (
@@ -177,7 +179,8 @@ static void add_mesh(struct reader *reader, uint32_t index)
     const struct aiMesh *source = reader->scene->mMeshes[index];
     struct scene_import *import = reader->import;
     const uint32_t count = source->mNumVertices;
-    struct scene_mesh mesh = {.name = scene_assimp_string(import, &source->mName), .vertex_count = count};
+    struct scene_mesh mesh = {.name = scene_assimp_exact_name(import, reader->exact, reader->scene, index),
+                              .vertex_count = count};
     const unsigned kinds = source->mPrimitiveTypes;
     mesh.primitive = kinds & (aiPrimitiveType_TRIANGLE | aiPrimitiveType_POLYGON) ? SCENE_PRIMITIVE_TRIANGLES
                      : kinds & aiPrimitiveType_LINE                               ? SCENE_PRIMITIVE_LINES
@@ -202,8 +205,11 @@ static void add_mesh(struct reader *reader, uint32_t index)
     }
     double origin[3] = {0, 0, 0};
     if (scene_assimp_is_skinned(import, source)) {
-        scene_assimp_skin(import, reader->scene, index, &mesh, origin);
-    } else if (source->mNumBones > 0) {
+        scene_assimp_skin(import, reader->exact, reader->scene, index, &mesh, origin);
+    } else {
+        memcpy(origin, scene_assimp_exact_offset(reader->exact, source), sizeof origin);
+    }
+    if (source->mNumBones > 0 && !import->is_posed) {
         scene_import_unsupported(import, "skins: drawn in the pose the meshes are stored in");
     }
     if (source->mNumAnimMeshes > 0) {
@@ -225,7 +231,7 @@ static void add_node(struct reader *reader, const struct aiNode *node,
     enum { DEEPEST = 4096 };
     struct scene_import *import = reader->import;
     const struct scene_import_place identity = scene_import_place_identity();
-    const struct scene_import_place local = scene_assimp_place(&node->mTransformation);
+    const struct scene_import_place local = scene_assimp_exact_place(reader->exact, node);
     const struct scene_import_place world = scene_import_place_multiply(parent, &local);
     if (++reader->depth > DEEPEST) {
         scene_import_fail(import, "its nodes are nested too deeply");
@@ -242,7 +248,10 @@ static void add_node(struct reader *reader, const struct aiNode *node,
         instance->mesh = reader->meshes[node->mMeshes[i]];
         instance->object = reader->objects;
         const bool skinned = scene_assimp_is_skinned(import, reader->scene->mMeshes[node->mMeshes[i]]);
-        scene_import_place_instance(import, skinned ? &identity : &world);
+        const struct scene_import_place placed = scene_assimp_settled(
+            reader->exact, world,
+            scene_assimp_exact_offset(reader->exact, reader->scene->mMeshes[node->mMeshes[i]]));
+        scene_import_place_instance(import, skinned ? &identity : &placed);
     }
     for (uint32_t i = 0; i < node->mNumChildren; i++) {
         if (node->mChildren[i] != NULL) { // the reader of RAW files leaves gaps
@@ -253,17 +262,18 @@ static void add_node(struct reader *reader, const struct aiNode *node,
 }
 
 // Find the place of the node with this name in the world. Return false where there is none.
-static bool find_node(const struct aiNode *node, const struct aiString *name,
-                      const struct scene_import_place *parent, struct scene_import_place *world)
+static bool find_node(const struct scene_assimp_exact *exact, const struct aiNode *node,
+                      const struct aiString *name, const struct scene_import_place *parent,
+                      struct scene_import_place *world)
 {
-    const struct scene_import_place local = scene_assimp_place(&node->mTransformation);
+    const struct scene_import_place local = scene_assimp_exact_place(exact, node);
     const struct scene_import_place here = scene_import_place_multiply(parent, &local);
     if (strcmp(node->mName.data, name->data) == 0) {
         *world = here;
         return true;
     }
     for (uint32_t i = 0; i < node->mNumChildren; i++) {
-        if (node->mChildren[i] != NULL && find_node(node->mChildren[i], name, &here, world)) {
+        if (node->mChildren[i] != NULL && find_node(exact, node->mChildren[i], name, &here, world)) {
             return true;
         }
     }
@@ -274,7 +284,7 @@ static struct scene_import_place place(const struct reader *reader, const struct
 {
     const struct scene_import_place identity = scene_import_place_identity();
     struct scene_import_place world = identity;
-    find_node(reader->scene->mRootNode, name, &identity, &world);
+    find_node(reader->exact, reader->scene->mRootNode, name, &identity, &world);
     return world;
 }
 
@@ -317,7 +327,8 @@ static void add_camera(struct reader *reader, const struct aiCamera *source)
     memcpy(local + 12, &source->mPosition, sizeof(float[3]));
     const struct scene_import_place node = place(reader, &source->mName);
     const struct scene_import_place own = scene_import_place_of(local);
-    const struct scene_import_place world = scene_import_place_multiply(&node, &own);
+    const struct scene_import_place world = scene_assimp_settled(
+        reader->exact, scene_import_place_multiply(&node, &own), (const double[]){0, 0, 0});
     memcpy(camera.world, world.world, sizeof camera.world);
     // assimp's importers store the whole horizontal angle, whatever its header says.
     const double aspect = source->mAspect > 0 ? (double)source->mAspect : 4.0 / 3.0;
@@ -339,29 +350,35 @@ static void add_camera(struct reader *reader, const struct aiCamera *source)
 }
 
 // Middle of what is drawn, in the world.
-static void find_middle(const struct scene_model *model, float middle[3])
+static void find_middle(const struct scene_import *import, double middle[3])
 {
-    float least[3] = {0, 0, 0}, most[3] = {0, 0, 0};
-    bool any = false;
+    const struct scene_model *const model = &import->model;
+    struct scene_box box = scene_box_empty();
     for (uint32_t i = 0; i < model->instance_count; i++) {
         const struct scene_mesh *mesh = &model->meshes[model->instances[i].mesh];
-        for (uint32_t v = 0; v < mesh->vertex_count; v++, any = true) {
-            float point[3];
-            scene_import_transform(model->instances[i].world, mesh->positions[v], point);
+        const double *const world = import->exact_instances.matrices[i];
+        const double *const moved = import->exact_meshes.matrices[model->instances[i].mesh] + 12;
+        for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+            double point[3], placed[3];
             for (int c = 0; c < 3; c++) {
-                least[c] = !any || point[c] < least[c] ? point[c] : least[c];
-                most[c] = !any || point[c] > most[c] ? point[c] : most[c];
+                point[c] = moved[c] + (double)mesh->positions[v][c];
             }
+            for (int row = 0; row < 3; row++) {
+                placed[row] = world[row] * point[0] + world[4 + row] * point[1] + world[8 + row] * point[2] +
+                              world[12 + row];
+            }
+            scene_box_extend_to(&box, placed);
         }
     }
     for (int c = 0; c < 3; c++) {
-        middle[c] = least[c] / 2 + most[c] / 2;
+        middle[c] = box.low[c] > box.high[c] ? 0 : box.low[c] / 2 + box.high[c] / 2;
     }
 }
 
 // The lights of these formats have no physical unit and their own laws of attenuation. What is kept is how
 // strongly they light the middle of the model: albedo times colour, no brighter than 1.
-static void set_strength(struct scene_model_light *light, const struct aiLight *source, const float middle[3])
+static void set_strength(struct scene_model_light *light, const struct aiLight *source, const double place[3],
+                         const double middle[3])
 {
     float strongest = 0;
     for (int c = 0; c < 3; c++) {
@@ -376,7 +393,7 @@ static void set_strength(struct scene_model_light *light, const struct aiLight *
     }
     double square = 0;
     for (int c = 0; c < 3; c++) {
-        const double difference = (double)light->position[c] - (double)middle[c];
+        const double difference = place[c] - middle[c];
         square += difference * difference;
     }
     const double attenuation = (double)source->mAttenuationConstant +
@@ -385,7 +402,7 @@ static void set_strength(struct scene_model_light *light, const struct aiLight *
     light->intensity = (float)(pi * square / (attenuation > 1 ? attenuation : 1));
 }
 
-static void add_light(struct reader *reader, const struct aiLight *source, const float middle[3])
+static void add_light(struct reader *reader, const struct aiLight *source, const double middle[3])
 {
     struct scene_import *import = reader->import;
     struct scene_model_light light = {.name = scene_assimp_string(import, &source->mName)};
@@ -419,18 +436,18 @@ static void add_light(struct reader *reader, const struct aiLight *source, const
     if (!(light.inner_cos > light.outer_cos)) {
         light.inner_cos = light.outer_cos + 1e-4f;
     }
-    set_strength(&light, source, middle);
+    struct scene_import_place own = scene_import_place_identity();
+    for (int c = 0; c < 3; c++) {
+        own.exact[12 + c] = (double)position[c];
+    }
+    own = scene_import_place_multiply(&node, &own);
+    set_strength(&light, source, own.exact + 12, middle);
     const bool good = (directed || light.type == SCENE_LIGHT_POINT) &&
                       scene_import_finite(light.position, 3) && scene_import_finite(light.color, 3) &&
                       scene_import_finite(&light.intensity, 1) &&
                       light.color[0] + light.color[1] + light.color[2] > 0 && light.intensity > 0;
     if (good) {
         *scene_import_add_light(import) = light;
-        struct scene_import_place own = scene_import_place_identity();
-        for (int c = 0; c < 3; c++) {
-            own.exact[12 + c] = (double)position[c];
-        }
-        own = scene_import_place_multiply(&node, &own);
         scene_import_place_light(import, &own);
     } else {
         scene_import_warn(import, "light \"%s\" gives no light: left out", light.name);
@@ -450,19 +467,33 @@ static uint64_t limit_memory(struct scene_import *import)
                : 0;
 }
 
-static const struct aiScene *read_scene(struct scene_import *import)
+// Read what the import is about. Return NULL if assimp cannot.
+static const struct aiScene *read_source(struct scene_import *import, const struct scene_assimp_exact *exact)
 {
+    struct scene_assimp_source source = {import, exact};
     struct aiPropertyStore *properties = aiCreatePropertyStore();
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
     // The matrices that a node of an FBX is made of stay nodes of their own: where assimp 5.2.5 multiplies them, it
     // turns the matrix that exporters aim cameras and lights with the wrong way.
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 1);
     const uint64_t before = limit_memory(import);
-    struct aiFileIO files = scene_assimp_files(import);
+    struct aiFileIO files = scene_assimp_files(&source);
     const struct aiScene *scene = aiImportFileExWithProperties(
         import->model.path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords, &files,
         properties);
     system_memory_limit_restore(before);
+    aiReleasePropertyStore(properties);
+    return scene;
+}
+
+static const struct aiScene *read_scene(struct scene_import *import, struct scene_assimp_exact *exact)
+{
+    const struct aiScene *scene = read_source(import, exact);
+    exact->is_moved = import->is_posed && scene != NULL && scene->mNumAnimations > 0;
+    if (scene != NULL && scene_assimp_is_far(import, exact, scene) && scene_assimp_rewrite(import, exact)) {
+        aiReleaseImport(scene);
+        scene = read_source(import, exact);
+    }
     if (scene != NULL) {
         return scene;
     }
@@ -558,22 +589,34 @@ static void set_up(struct scene_import *import, const struct aiScene *scene)
     import->up_is_open = strcasecmp(import->ending, "xgl") == 0 || strcasecmp(import->ending, "zgl") == 0;
 }
 
+// Return true if floats have lost what a model far from the origin has. Skins are moved by floats.
+static bool has_floats_alone(const struct reader *reader)
+{
+    bool is_skinned = false;
+    for (uint32_t i = 0; i < reader->scene->mNumMeshes; i++) {
+        is_skinned = is_skinned || scene_assimp_is_skinned(reader->import, reader->scene->mMeshes[i]);
+    }
+    return reader->exact->bytes == NULL || is_skinned ||
+           scene_assimp_is_far(reader->import, reader->exact, reader->scene);
+}
+
 void scene_import_assimp(struct scene_import *import)
 {
     scene_assimp_refuse_blender(import, false);
     scene_assimp_listen(import);
-    const struct aiScene *scene = read_scene(import);
+    struct scene_assimp_exact exact = {.bytes = NULL};
+    const struct aiScene *scene = read_scene(import, &exact);
     scene_assimp_find_gaps(import);
-    struct reader reader = {.import = import, .scene = scene};
+    struct reader reader = {.import = import, .exact = &exact, .scene = scene};
     import->model.format = format_of(import, scene);
     import->model.doubts_cameras = true;
-    import->has_floats_alone = true;
     set_up(import, scene);
     set_unit(import, scene);
     if (scene->mRootNode == NULL) {
         scene_import_fail(import, "has no nodes");
     }
     scene_assimp_pose(import, scene);
+    import->has_floats_alone = has_floats_alone(&reader);
     reader.meshes = scene_import_allocate(import, scene->mNumMeshes, sizeof *reader.meshes);
     reader.materials = scene_import_allocate(import, scene->mNumMaterials, sizeof *reader.materials);
     for (uint32_t i = 0; i < scene->mNumMaterials; i++) {
@@ -583,13 +626,13 @@ void scene_import_assimp(struct scene_import *import)
         add_mesh(&reader, i);
     }
     const struct scene_import_place identity = scene_import_place_identity();
-    float middle[3];
+    double middle[3];
     add_node(&reader, scene->mRootNode, &identity);
     for (uint32_t i = 0; i < scene->mNumCameras; i++) {
         add_camera(&reader, scene->mCameras[i]);
     }
     if (scene->mNumLights > 0) {
-        find_middle(&import->model, middle);
+        find_middle(import, middle);
     }
     for (uint32_t i = 0; i < scene->mNumLights; i++) {
         add_light(&reader, scene->mLights[i], middle);

@@ -6,7 +6,7 @@
 #include <assimp/cfileio.h>
 #include <assimp/scene.h>
 
-#include "import/builder/place.h"
+#include "assimp_exact.h"
 
 /// Adds a material of the scene, converted to metallic-roughness. `colored`: its mesh has vertex colours.
 uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene *scene,
@@ -15,20 +15,30 @@ uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene
 const char *scene_assimp_string(struct scene_import *import, const struct aiString *string);
 /// Column major.
 void scene_assimp_matrix(const struct aiMatrix4x4 *m, float matrix[16]);
-struct scene_import_place scene_assimp_place(const struct aiMatrix4x4 *m);
 /// Lists the animations in the model, and moves the scene's nodes as the one that is wanted says.
 void scene_assimp_pose(struct scene_import *import, const struct aiScene *scene);
 /// Whether the mesh follows bones in the pose that is wanted: it then stands in the world, not at its node.
 bool scene_assimp_is_skinned(const struct scene_import *import, const struct aiMesh *mesh);
 /// Brings the vertices of a skinned mesh there, less `origin`, which is not 0 if that is far away.
-void scene_assimp_skin(struct scene_import *import, const struct aiScene *scene, unsigned index,
-                       struct scene_mesh *mesh, double origin[3]);
+void scene_assimp_skin(struct scene_import *import, const struct scene_assimp_exact *exact,
+                       const struct aiScene *scene, unsigned index, struct scene_mesh *mesh,
+                       double origin[3]);
+/// The first node, from one on downward, that holds a mesh. NULL if none does.
+const struct aiNode *scene_assimp_holder(const struct aiNode *node, unsigned mesh);
 /// Tells the user what assimp says that it leaves out, from now to the end of the process.
 void scene_assimp_listen(struct scene_import *import);
 /// Tells the user what assimp leaves out without a word, as the file has it.
 void scene_assimp_find_gaps(struct scene_import *import);
-/// What opens regular files within import->confine, and the model itself; it lives as long as `import`.
-struct aiFileIO scene_assimp_files(struct scene_import *import);
+/// What assimp reads: the file of the import, or the bytes that stand for it.
+struct scene_assimp_source {
+    struct scene_import *import;
+    const struct scene_assimp_exact *exact;
+};
+
+/// What opens regular files within import->confine, and the model itself; it lives as long as `source`.
+struct aiFileIO scene_assimp_files(struct scene_assimp_source *source);
+/// Return the text of a Collada file as assimp can read it, a 0 behind it. Return NULL if the file is none.
+char *scene_assimp_collada(const struct scene_import *import, size_t *size);
 /// Move the white space at the ends of a document's texts into its tags. A 0 follows the text.
 void scene_assimp_collapse_texts(char *text, size_t size);
 /// Name the texture coordinates of a Collada document's textures by the numbers that assimp has for their sets. A 0

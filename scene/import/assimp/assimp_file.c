@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The files that assimp opens while it reads a model: regular ones, within the bounds that import->confine sets.
+// The files that assimp opens while it reads a model: regular ones, within the bounds that import->confine sets. Some
+// models are given to it in another form than their files have.
 #include <assimp/cfileio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -58,6 +59,7 @@ static void flush(struct aiFile *file)
 struct memory {
     char *bytes;
     size_t size, place;
+    bool owns; // the bytes
 };
 
 static struct memory *memory_of(struct aiFile *file)
@@ -104,49 +106,72 @@ static bool may_be_collada(const struct scene_import *import)
     return ending[0] == 0 || strcasecmp(ending, "dae") == 0 || strcasecmp(ending, "xml") == 0;
 }
 
-// Open a Collada file as assimp can read it. Return NULL if it is none.
-static struct aiFile *open_collada(const char *path)
+char *scene_assimp_collada(const struct scene_import *import, size_t *size)
 {
     const char *problem = NULL;
-    struct memory memory = {0};
-    memory.bytes = scene_import_read_bytes(path, &memory.size, &problem);
-    const char *const mark = memory.bytes == NULL ? NULL : strstr(memory.bytes, "<COLLADA");
-    struct aiFile *const file = mark == NULL ? NULL : malloc(sizeof *file);
-    struct memory *const kept = file == NULL ? NULL : malloc(sizeof *kept);
-    if (kept == NULL) {
-        free(file);
-        free(memory.bytes);
+    char *const text =
+        may_be_collada(import) ? scene_import_read_bytes(import->model.path, size, &problem) : NULL;
+    if (text == NULL || strstr(text, "<COLLADA") == NULL) {
+        free(text);
         return NULL;
     }
-    scene_assimp_collapse_texts(memory.bytes, memory.size);
-    scene_assimp_number_sets(memory.bytes, memory.size);
-    memory.bytes = scene_assimp_name_images(memory.bytes, &memory.size);
-    *kept = memory;
+    scene_assimp_collapse_texts(text, *size);
+    scene_assimp_number_sets(text, *size);
+    return scene_assimp_name_images(text, size);
+}
+
+// Open bytes, which the file frees if it owns them. Return NULL if there are none.
+static struct aiFile *open_memory(char *bytes, size_t size, bool owns)
+{
+    struct aiFile *const file = bytes == NULL ? NULL : malloc(sizeof *file);
+    struct memory *const memory = file == NULL ? NULL : malloc(sizeof *memory);
+    if (memory == NULL) {
+        free(file);
+        if (owns) {
+            free(bytes);
+        }
+        return NULL;
+    }
+    *memory = (struct memory){.bytes = bytes, .size = size, .owns = owns};
     *file = (struct aiFile){.ReadProc = read_memory,
                             .WriteProc = write_nothing,
                             .TellProc = tell_memory,
                             .FileSizeProc = size_of_memory,
                             .SeekProc = seek_memory,
                             .FlushProc = flush,
-                            .UserData = (aiUserData)(void *)kept};
+                            .UserData = (aiUserData)(void *)memory};
     return file;
+}
+
+// Open the model in another form than its file has. Return NULL if assimp reads the file as it is.
+static struct aiFile *open_model(const struct scene_assimp_source *source)
+{
+    if (source->exact->bytes != NULL) {
+        return open_memory(source->exact->bytes, source->exact->size, false);
+    }
+    size_t size = 0;
+    char *const collada = scene_assimp_collada(source->import, &size);
+    return open_memory(collada, size, true);
 }
 
 static void close_memory(struct aiFile *file)
 {
-    free(memory_of(file)->bytes);
+    if (memory_of(file)->owns) {
+        free(memory_of(file)->bytes);
+    }
     free(memory_of(file));
     free(file);
 }
 
 static struct aiFile *open_file(struct aiFileIO *files, const char *path, const char *mode)
 {
-    const struct scene_import *const import = (const struct scene_import *)(void *)files->UserData;
+    const struct scene_assimp_source *const source = (const void *)files->UserData;
+    const struct scene_import *const import = source->import;
     const bool is_model = strcmp(path, import->model.path) == 0;
     const bool may_read = mode[0] == 'r' && (is_model || scene_import_within(import, path));
-    struct aiFile *const collada = may_read && is_model && may_be_collada(import) ? open_collada(path) : NULL;
-    if (collada != NULL) {
-        return collada;
+    struct aiFile *const model = may_read && is_model ? open_model(source) : NULL;
+    if (model != NULL) {
+        return model;
     }
     const int descriptor = may_read ? system_file_open_regular(path) : -1;
     FILE *const stream = descriptor >= 0 ? fdopen(descriptor, "rb") : NULL;
@@ -181,8 +206,8 @@ static void close_file(struct aiFileIO *files, struct aiFile *file)
     free(file);
 }
 
-struct aiFileIO scene_assimp_files(struct scene_import *import)
+struct aiFileIO scene_assimp_files(struct scene_assimp_source *source)
 {
     return (struct aiFileIO){
-        .OpenProc = open_file, .CloseProc = close_file, .UserData = (aiUserData)(void *)import};
+        .OpenProc = open_file, .CloseProc = close_file, .UserData = (aiUserData)(void *)source};
 }

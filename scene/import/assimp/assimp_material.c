@@ -3,6 +3,7 @@
 #include <assimp/material.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "elementary.h"
 #include "assimp.h"
@@ -53,6 +54,19 @@ static bool get_color(const struct reader *reader, const char *key, float color[
     }
     memcpy(color, encoded, sizeof encoded);
     return true;
+}
+
+// Read how opaque a surface is. Exporters of FBX write TransparencyFactor or Opacity or both, and some a factor of 0 or
+// 1 that nobody meant. Blender, which says that Unity does, and three.js believe the factor between these two, and
+// else the opacity. assimp knows the latter, or finds it by TransparentColor.
+static void get_opacity(const struct reader *reader, float *opacity)
+{
+    float factor = 0;
+    get_float(reader, "$mat.opacity", opacity);
+    get_float(reader, "$mat.transparencyfactor", &factor);
+    if (strcasecmp(reader->import->ending, "fbx") == 0 && factor > 0 && factor < 1) {
+        *opacity = 1 - factor;
+    }
 }
 
 // Textures ------------------------------------------------------------------------------------------
@@ -262,7 +276,7 @@ uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene
     }
     get_color(&reader, "$clr.specular", phong.specular);
     get_color(&reader, "$clr.emissive", phong.emissive);
-    get_float(&reader, "$mat.opacity", &phong.opacity);
+    get_opacity(&reader, &phong.opacity);
     get_float(&reader, "$mat.shininess", &phong.shininess);
     get_float(&reader, "$mat.metallicFactor", &phong.metallic);
     get_float(&reader, "$mat.roughnessFactor", &phong.roughness);

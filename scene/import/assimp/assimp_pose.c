@@ -17,13 +17,6 @@ void scene_assimp_matrix(const struct aiMatrix4x4 *m, float matrix[16])
     memcpy(matrix, columns, sizeof columns);
 }
 
-struct scene_import_place scene_assimp_place(const struct aiMatrix4x4 *m)
-{
-    float matrix[16];
-    scene_assimp_matrix(m, matrix);
-    return scene_import_place_of(matrix);
-}
-
 static const double usual_rate = 25.0; // ticks a second where a file does not say
 
 static double rate_of(const struct aiAnimation *animation)
@@ -149,25 +142,24 @@ void scene_assimp_pose(struct scene_import *import, const struct aiScene *scene)
 
 // Skins ---------------------------------------------------------------------------------------------
 
-static struct scene_import_place node_world(const struct aiNode *node)
+static struct scene_import_place node_world(const struct scene_assimp_exact *exact, const struct aiNode *node)
 {
     struct scene_import_place world = scene_import_place_identity();
     for (; node != NULL; node = node->mParent) {
-        const struct scene_import_place local = scene_assimp_place(&node->mTransformation);
+        const struct scene_import_place local = scene_assimp_exact_place(exact, node);
         world = scene_import_place_multiply(&local, &world);
     }
     return world;
 }
 
-// The first node that holds the mesh.
-static const struct aiNode *find_holder(const struct aiNode *node, unsigned mesh)
+const struct aiNode *scene_assimp_holder(const struct aiNode *node, unsigned mesh)
 {
     const struct aiNode *found = NULL;
     for (unsigned i = 0; i < node->mNumMeshes && found == NULL; i++) {
         found = node->mMeshes[i] == mesh ? node : NULL;
     }
     for (unsigned i = 0; i < node->mNumChildren && found == NULL; i++) {
-        found = node->mChildren[i] != NULL ? find_holder(node->mChildren[i], mesh) : NULL;
+        found = node->mChildren[i] != NULL ? scene_assimp_holder(node->mChildren[i], mesh) : NULL;
     }
     return found;
 }
@@ -183,19 +175,43 @@ struct blend {
     float *weights;
 };
 
-// Adds a bone's share to the matrices of the vertices that it moves.
-static void add_bone(struct scene_import *import, const struct aiScene *scene, const struct aiBone *bone,
-                     uint32_t vertex_count, const double origin[3], const struct blend *blend)
+// A mesh that follows bones.
+struct skin {
+    struct scene_import *import;
+    const struct scene_assimp_exact *exact;
+    const struct aiScene *scene;
+    const struct aiMesh *source;
+    const struct aiNode *holder;
+};
+
+// Return a place from which the offset of the mesh is taken.
+static struct scene_import_place add_offset(const struct skin *skin, struct scene_import_place place)
 {
-    const struct scene_import_place node = node_world(find_node(scene->mRootNode, bone->mName.data));
-    const struct scene_import_place bind = scene_assimp_place(&bone->mOffsetMatrix);
+    const double *const offset = scene_assimp_exact_offset(skin->exact, skin->source), *const m = place.exact;
+    for (int row = 0; row < 3 && scene_origin_is_far(offset); row++) {
+        place.exact[12 + row] += m[row] * offset[0] + m[4 + row] * offset[1] + m[8 + row] * offset[2];
+        place.world[12 + row] = (float)place.exact[12 + row];
+    }
+    return place;
+}
+
+// Adds a bone's share to the matrices of the vertices that it moves.
+static void add_bone(const struct skin *skin, const struct aiBone *bone, const double origin[3],
+                     const struct blend *blend)
+{
+    const struct aiNode *const found = find_node(skin->scene->mRootNode, bone->mName.data);
+    const struct scene_import_place node = node_world(skin->exact, found);
+    float matrix[16];
+    scene_assimp_matrix(&bone->mOffsetMatrix, matrix);
+    const struct scene_import_place bind = add_offset(skin, scene_import_place_of(matrix));
     const struct scene_import_place place = scene_import_place_multiply(&node, &bind);
     float joint[16];
     scene_import_place_from(&place, origin, joint);
     for (unsigned i = 0; i < bone->mNumWeights; i++) {
         const struct aiVertexWeight *const weight = &bone->mWeights[i];
-        if (weight->mVertexId >= vertex_count) {
-            scene_import_fail(import, "a bone moves vertex %u of %u", weight->mVertexId, vertex_count);
+        if (weight->mVertexId >= skin->source->mNumVertices) {
+            scene_import_fail(skin->import, "a bone moves vertex %u of %u", weight->mVertexId,
+                              skin->source->mNumVertices);
         }
         blend->weights[weight->mVertexId] += weight->mWeight;
         for (int m = 0; m < 16; m++) {
@@ -205,15 +221,14 @@ static void add_bone(struct scene_import *import, const struct aiScene *scene, c
 }
 
 // Blends the matrices of a mesh, counted from `origin`. A vertex without bones gets that of the node.
-static struct blend blend_bones(struct scene_import *import, const struct aiScene *scene, unsigned index,
-                                uint32_t vertex_count, const double origin[3])
+static struct blend blend_bones(const struct skin *skin, const double origin[3])
 {
-    const struct aiMesh *const source = scene->mMeshes[index];
-    const struct blend blend = {scene_import_allocate(import, vertex_count, sizeof *blend.matrices),
-                                scene_import_allocate(import, vertex_count, sizeof *blend.weights)};
-    const struct scene_import_place holder = node_world(find_holder(scene->mRootNode, index));
-    for (unsigned i = 0; i < source->mNumBones; i++) {
-        add_bone(import, scene, source->mBones[i], vertex_count, origin, &blend);
+    const uint32_t vertex_count = skin->source->mNumVertices;
+    const struct blend blend = {scene_import_allocate(skin->import, vertex_count, sizeof *blend.matrices),
+                                scene_import_allocate(skin->import, vertex_count, sizeof *blend.weights)};
+    const struct scene_import_place holder = add_offset(skin, node_world(skin->exact, skin->holder));
+    for (unsigned i = 0; i < skin->source->mNumBones; i++) {
+        add_bone(skin, skin->source->mBones[i], origin, &blend);
     }
     for (uint32_t v = 0; v < vertex_count; v++) {
         if (!(blend.weights[v] > 0)) {
@@ -223,15 +238,17 @@ static struct blend blend_bones(struct scene_import *import, const struct aiScen
     return blend;
 }
 
-void scene_assimp_skin(struct scene_import *import, const struct aiScene *scene, unsigned index,
-                       struct scene_mesh *mesh, double origin[3])
+void scene_assimp_skin(struct scene_import *import, const struct scene_assimp_exact *exact,
+                       const struct aiScene *scene, unsigned index, struct scene_mesh *mesh, double origin[3])
 {
-    struct blend blend = blend_bones(import, scene, index, mesh->vertex_count, origin);
+    const struct skin skin = {import, exact, scene, scene->mMeshes[index],
+                              scene_assimp_holder(scene->mRootNode, index)};
+    struct blend blend = blend_bones(&skin, origin);
     scene_import_skin_origin(import, mesh, (const float(*)[16])blend.matrices, origin);
     if (scene_origin_is_far(origin)) {
         free(blend.matrices);
         free(blend.weights);
-        blend = blend_bones(import, scene, index, mesh->vertex_count, origin);
+        blend = blend_bones(&skin, origin);
     }
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         const float *const matrix = blend.matrices[v];

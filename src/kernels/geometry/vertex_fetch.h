@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The way from vertex buffers to 8 lanes of floats.
 //
-// Most vertices lie well inside their buffers: 16 bytes are loaded where each attribute begins, and 8 of these loads
-// are turned into four vectors. The general path takes one vertex at a time and checks it against the buffer's end; it
-// serves the groups that reach past this end.
+// Most vertices lie well inside their buffers: RHW_FETCH_BYTES are loaded where each attribute begins, and 8 of these
+// loads are turned into four vectors. The general path takes one vertex at a time and checks it against the buffer's
+// end; it serves the groups that reach past this end.
 #ifndef RHW_VERTEX_FETCH_H
 #define RHW_VERTEX_FETCH_H
 
@@ -78,7 +78,7 @@ static void fetch_packed(const void *const place[8], enum rhw_vertex_type type, 
 }
 
 // Fetch one attribute of 8 vertices. Four components are loaded at each place, however many the attribute has, and the
-// others are replaced: what lies behind a buffer may be read too (buffer.h).
+// others are replaced: lies_inside tells where that may be.
 RHW_INLINE void fetch_places(const void *const place[8], const struct rhw_fetch *fetch, f32x8 out[4])
 {
     const enum rhw_vertex_type type = (enum rhw_vertex_type)fetch->type;
@@ -116,7 +116,8 @@ static __attribute__((noinline)) void fetch_checked(const struct rhw_vertex_stre
     fetch_places(places, fetch, out);
 }
 
-// Return true if the attribute lies wholly inside the buffer for all of 8 vertices.
+// Return true if the attribute lies wholly inside the buffer for all of 8 vertices, and so does all that is loaded with
+// it, where nothing may be read behind the buffer.
 static bool lies_inside(const struct rhw_vertex_stream *stream, const struct rhw_fetch *fetch,
                         uint32_t stride, const uint32_t element[8])
 {
@@ -124,7 +125,8 @@ static bool lies_inside(const struct rhw_vertex_stream *stream, const struct rhw
     for (int lane = 1; lane < 8; lane++) {
         last = element[lane] > last ? element[lane] : last;
     }
-    return (uint64_t)last * stride + fetch->offset + fetch->size <= stream->size;
+    const uint32_t reach = fetch->size > stream->loaded ? fetch->size : stream->loaded;
+    return (uint64_t)last * stride + fetch->offset + reach <= stream->size;
 }
 
 // Fetch an attribute from a buffer that has all 8 elements.

@@ -288,6 +288,29 @@ static void test_warnings(void **state)
     }
 }
 
+// A pipeline whose attributes end behind their stride is made, and told in the log.
+static void test_a_short_stride_is_warned_of(void **state)
+{
+    (void)state;
+    struct rhw_context_def def = rhw_context_def_default();
+    def.validate = RHW_VALIDATE_ON;
+    def.log = keep_log;
+    struct rig rig;
+    rig_open_with(&rig, 8, 8, &def);
+    for (uint32_t stride = 31; stride <= 32; stride++) {
+        rig.pipeline.buffers[0].stride = stride;
+        logged[0] = 0;
+        rhw_pipeline pipeline;
+        assert_int_equal(rhw_pipeline_create(rig.context, &rig.pipeline, &pipeline), RHW_OK);
+        assert_string_equal(logged, stride == 32
+                                        ? ""
+                                        : "rhw_pipeline_create: attributes[1] ends at byte 32 of its "
+                                          "element and buffers[0].stride is 31");
+        rhw_pipeline_destroy(rig.context, pipeline);
+    }
+    rig_close(&rig);
+}
+
 // Depth that a zeroed definition clears to 1 lets nothing greater pass.
 static void test_greater_than_default_depth(void **state)
 {
@@ -607,6 +630,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_nothing_is_told_without),
     cmocka_unit_test(test_greater_than_default_depth),
     cmocka_unit_test(test_warnings),
+    cmocka_unit_test(test_a_short_stride_is_warned_of),
     cmocka_unit_test(test_vertex_functions),
     cmocka_unit_test(test_draws_stay_within_their_buffers),
     cmocka_unit_test(test_constants_are_there),

@@ -301,7 +301,7 @@ static void test_pipeline_definitions(void **state)
         case 11: def.attributes[1].format = RHW_VERTEX_FORMAT_COUNT; break;
         case 12: def.attributes[1].buffer = 1; break;
         case 13: def.attributes[1].buffer = -1; break;
-        case 14: def.attributes[1].offset = 17; break; // ends beyond the stride
+        case 14: def.buffers[0].instance_step = 1; break; // and not per_instance
         case 15: def.buffer_count = RHW_MAX_VERTEX_BUFFERS + 1; break;
         case 16: def.buffer_count = -1; break;
         case 17: def.topology = (enum rhw_topology)(RHW_LINE_LOOP + 1); break;

@@ -367,8 +367,8 @@ static void test_what_is_missing_is_told(void **state)
     def.targets[0] = (struct rhw_color_target){0};
     refuse_pipeline(&rig, &def, "targets[0].format");
     def = good;
-    def.buffers[0] = (struct rhw_vertex_layout){.constant = true, .per_instance = true};
-    refuse_pipeline(&rig, &def, "constant and per_instance");
+    def.buffers[0] = (struct rhw_vertex_layout){.constant = true, .per_instance = true, .instance_step = 2};
+    refuse_pipeline(&rig, &def, "buffers[0].instance_step is 2; it must be 0 in a buffer that is constant");
     def.buffers[0] = (struct rhw_vertex_layout){.constant = true, .stride = 32};
     refuse_pipeline(&rig, &def, "buffers[0].stride is 32");
     def = good;

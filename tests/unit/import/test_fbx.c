@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FBX files that are cut, which assimp would draw as far as they go.
+// FBX files that are cut, which assimp would draw as far as they go, and what assimp takes for something else.
 #include "model_files.h"
 
 #include <stdio.h>
@@ -80,10 +80,66 @@ static void test_light(void **state)
     scene_model_free(model);
 }
 
+// Exporters say how opaque a surface is in several ways.
+static void test_opacity(void **state)
+{
+    (void)state;
+#define NUMBER(name, value) "\t\t\tP: \"" name "\", \"Number\", \"\", \"A\"," value "\n"
+#define COLOR(value)        "\t\t\tP: \"TransparentColor\", \"Color\", \"\", \"A\"," value "," value "," value "\n"
+    static const struct {
+        const char *properties;
+        float opacity;
+    } materials[] = {
+        {"", 1},
+        {NUMBER("Opacity", "0.75"), 0.75f},
+        {NUMBER("TransparencyFactor", "0.25"), 0.75f},
+        {COLOR("0.8") NUMBER("TransparencyFactor", "0.25"), 0.75f}, // as Blender writes it
+        {COLOR("0") NUMBER("TransparencyFactor", "0.25"), 0.75f},
+        {COLOR("0.25") NUMBER("TransparencyFactor", "1") NUMBER("Opacity", "0.75"), 0.75f}, // Maya
+        {COLOR("1") NUMBER("TransparencyFactor", "0") NUMBER("Opacity", "0.75"), 0.75f},    // 3ds Max
+        {COLOR("0.25"), 0.75f},
+        {NUMBER("TransparencyFactor", "0.25") NUMBER("Opacity", "1"), 0.75f},
+        {NUMBER("TransparencyFactor", "0"), 1},
+        {NUMBER("TransparencyFactor", "1"), 1},
+        {COLOR("1") NUMBER("TransparencyFactor", "0"), 1},
+    };
+#undef NUMBER
+#undef COLOR
+    for (size_t i = 0; i < sizeof materials / sizeof materials[0]; i++) {
+        char text[2048];
+        snprintf(
+            text, sizeof text,
+            "; FBX 7.4.0 project file\n"
+            "FBXHeaderExtension:  {\n\tFBXHeaderVersion: 1003\n\tFBXVersion: 7400\n}\n"
+            "Objects:  {\n"
+            "\tGeometry: 10, \"Geometry::\", \"Mesh\" {\n"
+            "\t\tVertices: *9 {\n\t\t\ta: 0,0,0,1,0,0,0,1,0\n\t\t}\n"
+            "\t\tPolygonVertexIndex: *3 {\n\t\t\ta: 0,1,-3\n\t\t}\n\t\tGeometryVersion: 124\n"
+            "\t\tLayerElementMaterial: 0 {\n\t\t\tMappingInformationType: \"AllSame\"\n"
+            "\t\t\tReferenceInformationType: \"IndexToDirect\"\n"
+            "\t\t\tMaterials: *1 {\n\t\t\t\ta: 0\n\t\t\t}\n\t\t}\n"
+            "\t\tLayer: 0 {\n\t\t\tLayerElement:  {\n\t\t\t\tType: \"LayerElementMaterial\"\n"
+            "\t\t\t\tTypedIndex: 0\n\t\t\t}\n\t\t}\n\t}\n"
+            "\tModel: 11, \"Model::mesh\", \"Mesh\" {\n\t\tVersion: 232\n\t}\n"
+            "\tMaterial: 12, \"Material::m\", \"\" {\n\t\tShadingModel: \"phong\"\n\t\tProperties70:  {\n"
+            "\t\t\tP: \"DiffuseColor\", \"Color\", \"\", \"A\",0.8,0.2,0.1\n%s\t\t}\n\t}\n}\n"
+            "Connections:  {\n\tC: \"OO\",11,0\n\tC: \"OO\",10,11\n\tC: \"OO\",12,11\n}\n",
+            materials[i].properties);
+        struct scene_model *const model = load_text("opacity.fbx", text);
+        const struct scene_material *const material =
+            &model->materials[model->meshes[model->instances[0].mesh].material];
+        assert_true(material->base_color[3] == materials[i].opacity);
+        assert_int_equal(material->alpha_mode,
+                         materials[i].opacity < 1 ? SCENE_ALPHA_BLEND : SCENE_ALPHA_OPAQUE);
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_binary),
     cmocka_unit_test(test_text),
     cmocka_unit_test(test_light),
+    cmocka_unit_test(test_opacity),
 };
 
 const struct unit_tests test_fbx = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -143,8 +143,8 @@ static void write_xyz(const double place[3])
     write_text("x.xyz", text);
 }
 
-// A node of an assimp format, with the shape at `inside` of its mesh.
-static void write_dae(const double inside[3], const double place[3])
+// Writes a Collada document with the shape at `inside` of its mesh, and `place` before it in its node.
+static void write_dae(const double inside[3], const char *place)
 {
     strcpy(text,
            "<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
@@ -165,10 +165,56 @@ static void write_dae(const double inside[3], const double place[3])
     }
     append("</p></triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene "
            "id=\"s\">"
-           "<node><translate>%.9f %.9f %.9f</translate><instance_geometry url=\"#m\"/></node></visual_scene>"
+           "<node>%s<instance_geometry url=\"#m\"/></node></visual_scene>"
            "</library_visual_scenes><scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>",
-           place[0], place[1], place[2]);
+           place);
     write_text("x.dae", text);
+}
+
+static void write_dae_node(const double place[3])
+{
+    char translate[128];
+    snprintf(translate, sizeof translate, "<translate>%.9f %.9f %.9f</translate>", place[0], place[1],
+             place[2]);
+    write_dae(near, translate);
+}
+
+static void write_dae_vertices(const double place[3])
+{
+    write_dae(place, "");
+}
+
+// Writes an FBX of text, with the shape at `inside` of its geometry.
+static void write_fbx(const double inside[3], const double place[3])
+{
+    strcpy(
+        text,
+        "; FBX 7.4.0 project file\nFBXHeaderExtension:  {\n\tFBXHeaderVersion: 1003\n\tFBXVersion: 7400\n}\n"
+        "Objects:  {\n\tGeometry: 10, \"Geometry::g\", \"Mesh\" {\n\t\tVertices: *15 {\n\t\t\ta: ");
+    for (int i = 0; i < CORNERS; i++) {
+        const double *const p = shape[i];
+        append("%s%.9f,%.9f,%.9f", i > 0 ? "," : "", inside[0] + p[0], inside[1] + p[1], inside[2] + p[2]);
+    }
+    append("\n\t\t}\n\t\tPolygonVertexIndex: *18 {\n\t\t\ta: ");
+    for (int i = 0; i < FACES; i++) {
+        append("%s%d,%d,%d", i > 0 ? "," : "", faces[i][0], faces[i][1], -1 - faces[i][2]);
+    }
+    append("\n\t\t}\n\t\tGeometryVersion: 124\n\t}\n\tModel: 11, \"Model::m\", \"Mesh\" {\n\t\tVersion: 232\n"
+           "\t\tProperties70:  {\n\t\t\tP: \"Lcl Translation\", \"Lcl Translation\", \"\", "
+           "\"A\",%.9f,%.9f,%.9f\n"
+           "\t\t}\n\t}\n}\nConnections:  {\n\tC: \"OO\",11,0\n\tC: \"OO\",10,11\n}\n",
+           place[0], place[1], place[2]);
+    write_text("x.fbx", text);
+}
+
+static void write_fbx_node(const double place[3])
+{
+    write_fbx(near, place);
+}
+
+static void write_fbx_vertices(const double place[3])
+{
+    write_fbx(place, near);
 }
 
 static void test_text_formats(void **state)
@@ -181,12 +227,24 @@ static void test_text_formats(void **state)
     assert_one_shape("x.xyz", write_xyz);
 }
 
-// assimp keeps floats: of the place of a node it has a multiple of 4 here. What it may have lost is told.
 static void test_assimp(void **state)
 {
     (void)state;
+    assert_one_shape("x.dae", write_dae_node);
+    assert_one_shape("x.dae", write_dae_vertices);
+    assert_one_shape("x.fbx", write_fbx_node);
+    assert_one_shape("x.fbx", write_fbx_vertices);
+}
+
+// assimp keeps floats, of which some are not put right: what they may have lost is told. Of the place of the node they
+// have a multiple of 4 here.
+static void test_floats_of_assimp(void **state)
+{
+    (void)state;
+    static const char look[] =
+        "<lookat>54598148 -43210984 12345678 54598148 -43210984 12345677 0 1 0</lookat>";
     const double rounded[3] = {54598148, -43210984, 12345678};
-    write_dae(near, rounded);
+    write_dae(near, look);
     struct scene_model *model = load("x.dae");
     for (int c = 0; c < 3; c++) {
         assert_true(model->origin[c] + (double)model->instances[0].world[12 + c] == rounded[c]);
@@ -195,12 +253,18 @@ static void test_assimp(void **state)
     assert_true(has_warning(model, "places are up to 4 apart"));
     assert_int_equal(model->warning_count, 1);
     scene_model_free(model);
-    write_dae(near, near);
+    write_dae(near, "");
     model = load("x.dae");
     assert_int_equal(model->warning_count, 0);
     scene_model_free(model);
-    write_dae((const double[]){500000, 0, 0}, near);
-    model = load("x.dae");
+    // Another format is never rewritten.
+    strcpy(text, "xof 0303txt 0032\nMesh {\n5;\n");
+    for (int i = 0; i < CORNERS; i++) {
+        append("%.6f;%.6f;%.6f;%s\n", 500000 + shape[i][0], shape[i][1], shape[i][2],
+               i + 1 < CORNERS ? "," : ";");
+    }
+    append("1;\n3;0,1,3;;\n}\n");
+    model = load_text("x.x", text);
     assert_true(has_warning(model, "places are up to 0.031 apart"));
     scene_model_free(model);
 }
@@ -476,11 +540,17 @@ static void test_how_far(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_text_formats),  cmocka_unit_test(test_assimp),
-    cmocka_unit_test(test_gltf),          cmocka_unit_test(test_nodes_far_from_each_other),
-    cmocka_unit_test(test_brought_back),  cmocka_unit_test(test_camera_and_light),
-    cmocka_unit_test(test_clusters),      cmocka_unit_test(test_parts_of_a_mesh),
-    cmocka_unit_test(test_many_clusters), cmocka_unit_test(test_how_far),
+    cmocka_unit_test(test_text_formats),
+    cmocka_unit_test(test_assimp),
+    cmocka_unit_test(test_floats_of_assimp),
+    cmocka_unit_test(test_gltf),
+    cmocka_unit_test(test_nodes_far_from_each_other),
+    cmocka_unit_test(test_brought_back),
+    cmocka_unit_test(test_camera_and_light),
+    cmocka_unit_test(test_clusters),
+    cmocka_unit_test(test_parts_of_a_mesh),
+    cmocka_unit_test(test_many_clusters),
+    cmocka_unit_test(test_how_far),
 };
 
 const struct unit_tests test_origin = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -163,7 +163,9 @@ static void test_sources_and_places(void **state)
     rig_begin(&rig);
     rig_use_pipeline(&rig);
     begin_feedback(
-        &rig, (const struct rhw_feedback_target[4]){{{0}, 0, 0}, {one, 8, 0}, {{0}, 0, 0}, {three, 0, 0}}, 4);
+        &rig,
+        (const struct rhw_feedback_target[4]){[1] = {.buffer = one, .offset = 8}, [3] = {.buffer = three}},
+        4);
     rhw_pass_draw(rig.context, rig.recording, 5, 2, 7, 2);
     end_feedback(&rig, NULL);
     rig_end(&rig);
@@ -247,14 +249,17 @@ static void test_overflow(void **state)
         rig_begin(&rig);
         rig_use_pipeline(&rig);
         rhw_pass_begin_query(rig.context, rig.recording, query);
-        begin_feedback(
-            &rig, (const struct rhw_feedback_target[2]){{buffer, 4, wide == 2 ? 8 : 30}, {other, 0, 0}}, 2);
+        begin_feedback(&rig,
+                       (const struct rhw_feedback_target[2]){
+                           {.buffer = buffer, .offset = 4, .size = wide == 2 ? 8 : 30}, {.buffer = other}},
+                       2);
         rhw_pass_draw(rig.context, rig.recording, 1, 3, 0, 1);
         rhw_pass_draw(rig.context, rig.recording, 4, 9, 0, 1);
         end_feedback(&rig, written);
         // Behind what was written, another one.
         if (!wide) {
-            begin_feedback(&rig, &(struct rhw_feedback_target){buffer, 4 + written[0], 0}, 1);
+            begin_feedback(&rig, &(struct rhw_feedback_target){.buffer = buffer, .offset = 4 + written[0]},
+                           1);
             rhw_pass_draw(rig.context, rig.recording, 50, 3, 0, 1);
             end_feedback(&rig, NULL);
         }
@@ -378,9 +383,9 @@ static void test_misuse_in_a_pass(void **state)
     rig_expect_misuse(&rig, "rhw_pass_end_transform_feedback: it is not under way; begin it first");
     begin_feedback(&rig, &target, 5);
     rig_expect_misuse(&rig, "count is 5 and targets is set; 1..4 are asked for");
-    begin_feedback(&rig, &(struct rhw_feedback_target){buffer, 6, 0}, 1);
+    begin_feedback(&rig, &(struct rhw_feedback_target){.buffer = buffer, .offset = 6}, 1);
     rig_expect_misuse(&rig, "targets[0] has offset 6 and size 0");
-    begin_feedback(&rig, &(struct rhw_feedback_target){buffer, 8, 249}, 1);
+    begin_feedback(&rig, &(struct rhw_feedback_target){.buffer = buffer, .offset = 8, .size = 249}, 1);
     rig_expect_misuse(&rig, "targets[0] has offset 8 and size 249");
     rhw_pass_set_vertex_buffer(rig.context, rig.recording, 0, read, 0);
     begin_feedback(&rig, &(struct rhw_feedback_target){.buffer = read}, 1);
@@ -409,7 +414,7 @@ static void test_misuse_in_a_pass(void **state)
     rig_expect_misuse(&rig, "rhw_pass_set_pipeline: transform feedback is under way; end it first");
     rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
     end_feedback(&rig, NULL);
-    begin_feedback(&rig, &(struct rhw_feedback_target){buffer, 8, 4}, 1);
+    begin_feedback(&rig, &(struct rhw_feedback_target){.buffer = buffer, .offset = 8, .size = 4}, 1);
     rig_expect_misuse(&rig, "it writes bytes 8 to 12 of buffer 1 \"kept\"; the transform feedback of this "
                             "pass writes bytes 0 to 12");
     // What it did not come to, and other bytes of what is read, are free.
@@ -422,9 +427,9 @@ static void test_misuse_in_a_pass(void **state)
     assert_int_equal(rhw_buffer_write(rig.context, buffer, 70, "x", 1), RHW_ERROR_MISUSE);
     rig_expect_misuse(&rig, "this pass reads some of them and may write others; end the pass first");
     rhw_pass_set_storage_buffer(rig.context, rig.recording, 0, buffer, 128, 0);
-    begin_feedback(&rig, &(struct rhw_feedback_target){buffer, 60, 8}, 1);
+    begin_feedback(&rig, &(struct rhw_feedback_target){.buffer = buffer, .offset = 60, .size = 8}, 1);
     rig_expect_misuse(&rig, "a vertex, index or read-only buffer of this pass reads bytes 64 to 128");
-    begin_feedback(&rig, &(struct rhw_feedback_target){buffer, 12, 4}, 1);
+    begin_feedback(&rig, &(struct rhw_feedback_target){.buffer = buffer, .offset = 12, .size = 4}, 1);
     assert_int_equal(rhw_pass_end(rig.context, rig.recording, NULL), RHW_ERROR_MISUSE);
     rig_expect_misuse(&rig, "rhw_pass_end: transform feedback was begun and not ended");
     // Both targets of one pipeline.
@@ -434,7 +439,10 @@ static void test_misuse_in_a_pass(void **state)
     rig_use_pipeline(&rig);
     begin_feedback(&rig, &target, 1);
     rig_expect_misuse(&rig, "count is 1; the pipeline that is set writes target 1");
-    begin_feedback(&rig, (const struct rhw_feedback_target[2]){{buffer, 0, 128}, {buffer, 124, 0}}, 2);
+    begin_feedback(&rig,
+                   (const struct rhw_feedback_target[2]){{.buffer = buffer, .size = 128},
+                                                         {.buffer = buffer, .offset = 124}},
+                   2);
     rig_expect_misuse(&rig,
                       "it writes bytes 124 to 256 of buffer 1 \"kept\"; the transform feedback of this pass "
                       "writes bytes 0 to 128");
@@ -457,7 +465,8 @@ static void test_nothing_is_written(void **state)
         rig_use_pipeline(&rig);
         for (int i = 0; i < 10; i++) {
             const size_t offset = places[(i * 3 + n) % 5];
-            begin_feedback(&rig, &(struct rhw_feedback_target){buffer, offset, 32}, 1);
+            begin_feedback(&rig,
+                           &(struct rhw_feedback_target){.buffer = buffer, .offset = offset, .size = 32}, 1);
             if (i >= 5) {
                 rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
             }

@@ -378,7 +378,68 @@ static void test_a_buffer_bound_beyond_its_end(void **state)
     rig_close(&rig);
 }
 
+// Attributes reach into the elements behind theirs, as they do where a stride is shorter than a vertex.
+static void test_attributes_beyond_their_stride(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_rig(&rig);
+    float data[24];
+    for (int i = 0; i < 24; i++) {
+        data[i] = (float)(i + 1);
+    }
+    for (uint32_t stride = 1; stride <= 8; stride++) {
+        for (uint32_t offset = 0; offset <= 32; offset += 16) {
+            rig.pipeline.attributes[0] = (struct rhw_attribute){RHW_VERTEX_FLOAT4, 0, offset};
+            rig.pipeline.buffers[0].stride = 4 * stride;
+            rig_begin(&rig);
+            rig_use_pipeline(&rig);
+            rig_use_vertices(&rig, 0, data, sizeof data);
+            rhw_pass_draw(rig.context, rig.recording, 0, 9, 0, 1);
+            rig_end(&rig);
+            const float(*pixels)[4] = rig_read_float4(&rig);
+            for (uint32_t n = 0; n < 3; n++) {
+                const uint32_t first = 3 * n * stride + offset / 4; // of the vertex that provokes triangle n
+                for (uint32_t c = 0; c < 4; c++) {
+                    assert_true(pixels[n][c] == (first + 4 <= 24 ? (float)(first + c + 1) : 0.0f));
+                }
+            }
+        }
+    }
+    rig_close(&rig);
+}
+
+// A stride and a divisor of 0, as Vulkan has them: element 0 for all vertices of all instances, and element
+// first_instance for all instances of a draw.
+static void test_elements_that_all_share(void **state)
+{
+    (void)state;
+    enum { INSTANCES = 7 };
+    for (int divisor = 0; divisor < 2; divisor++) {
+        struct rig rig;
+        rig_open(&rig, INSTANCES, 1);
+        rig_set_program(&rig, instance_vertex, rig_fragment_pass);
+        rig.pipeline.program.varyings[0].qualifier = RHW_FLAT;
+        rig.pipeline.attributes[0] = (struct rhw_attribute){RHW_VERTEX_FLOAT1, 0, 4};
+        rig.pipeline.attribute_count = 1;
+        rig.pipeline.buffers[0] =
+            (struct rhw_vertex_layout){.constant = true, .per_instance = divisor, .stride = divisor ? 8 : 0};
+        const float data[] = {10, 11, 12, 13, 14, 15, 16, 17};
+        rig_begin(&rig);
+        rig_use_pipeline(&rig);
+        rig_use_vertices(&rig, 0, data, sizeof data);
+        rhw_pass_draw(rig.context, rig.recording, 0, 3, 2, INSTANCES);
+        rig_end(&rig);
+        for (uint32_t i = 0; i < INSTANCES; i++) {
+            assert_true(rig_read_float4(&rig)[i][0] == (divisor ? 15.0f : 11.0f));
+        }
+        rig_close(&rig);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_attributes_beyond_their_stride),
+    cmocka_unit_test(test_elements_that_all_share),
     cmocka_unit_test(test_every_format),
     cmocka_unit_test(test_sizes),
     cmocka_unit_test(test_buffers_strides_offsets_and_instances),

@@ -229,9 +229,9 @@ static void test_buffers(void **state)
     (void)state;
     struct rig rig;
     rig_open(&rig, 8, 8);
-    struct rig_vertex *const memory = (struct rig_vertex *)memory_of(6 * sizeof *memory + 64);
+    struct rig_vertex *const memory = (struct rig_vertex *)memory_of(6 * sizeof *memory);
     struct rhw_buffer_def def = {
-        .size = 6 * sizeof *memory, .memory = memory, .memory_size = 6 * sizeof *memory + 64, .label = "own"};
+        .size = 6 * sizeof *memory, .memory = memory, .memory_size = 6 * sizeof *memory, .label = "own"};
     rhw_buffer buffer;
     assert_int_equal(rhw_buffer_create(rig.context, &def, &buffer), RHW_OK);
     uint32_t word;
@@ -271,10 +271,11 @@ static void test_buffers(void **state)
     rig_end(&rig);
     rhw_buffer_destroy(rig.context, buffer);
     static const unsigned char three[3] = {7, 8, 9};
-    def.size = 3;
+    memset(memory, 1, 128);
+    def.size = def.memory_size = 3;
     def.data = three;
     assert_int_equal(rhw_buffer_create(rig.context, &def, &buffer), RHW_OK);
-    assert_memory_equal(memory, "\7\10\11\0\0\0\0", 7);
+    assert_memory_equal(memory, "\7\10\11\1\1\1\1", 7); // what stands behind it is the program's
     rig_close(&rig);
     free(memory);
 }
@@ -316,21 +317,185 @@ static void test_misuse(void **state)
         rhw_texture_create(rig.context, &def, &texture);
         rig_expect_misuse(&rig, pitches[i].message);
     }
-    struct rhw_buffer_def buffer_def = {.size = 64, .memory = memory, .memory_size = 127};
+    struct rhw_buffer_def buffer_def = {.size = 64, .memory = memory, .memory_size = 63};
     rhw_buffer buffer;
     assert_int_equal(rhw_buffer_create(rig.context, &buffer_def, &buffer), RHW_ERROR_MISUSE);
-    rig_expect_misuse(&rig, "rhw_buffer_create: memory_size is 127; 64 bytes need 64 more");
+    rig_expect_misuse(&rig, "rhw_buffer_create: memory_size is 63; it must be at least size, which is 64");
     buffer_def.memory = memory + 1;
     rhw_buffer_create(rig.context, &buffer_def, &buffer);
     rig_expect_misuse(&rig, "its address must be a multiple of 64");
     rig_close(&rig);
 }
 
+// A texture of two levels of one colour each on `memory`, which tells what it writes.
+static rhw_texture make_told(const struct rig *rig, unsigned char **memory, struct rhw_texture_layout *layout)
+{
+    struct rhw_texture_def def = {
+        .format = RHW_FORMAT_RGBA8_SRGB, .width = 16, .height = 16, .mip_levels = 2, .memory_is_told = true};
+    assert_int_equal(rhw_texture_query_layout(rig->context, &def, layout), RHW_OK);
+    *memory = memory_of(layout->size);
+    memset(*memory, 0, layout->size);
+    def.memory = *memory;
+    def.memory_size = layout->size;
+    return make(rig, &def);
+}
+
+static void sample_levels(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const rhw_float at[2] = {rhw_splat(0.5f), rhw_splat(0.5f)};
+        rhw_float texel[4];
+        for (int level = 0; level < 2; level++) {
+            rhw_sample_lod(groups[g].bindings, 0, at, rhw_splat((float)level), texel);
+            groups[g].color[0][level] = texel[0];
+        }
+        groups[g].color[0][2] = groups[g].color[0][3] = rhw_splat(0);
+    }
+}
+
+// Draw, and want what the sampler finds in the middle of both levels.
+static void expect_levels(struct rig *rig, rhw_texture texture, rhw_sampler sampler, float first,
+                          float second)
+{
+    struct rig_vertex vertices[6];
+    rig_cover(rig, 0, zero, vertices);
+    rig_begin(rig);
+    rhw_pass_set_texture(rig->context, rig->recording, 0, texture, sampler);
+    rig_draw(rig, vertices, 6);
+    rhw_texture_changed(rig->context, texture, 0, 0, 0);
+    rig_expect_misuse(rig,
+                      "rhw_texture_changed: texture 2 shares its texels with views or stands on memory of "
+                      "the program, and the pass being recorded samples them; end that first");
+    assert_int_equal(rhw_pass_end(rig->context, rig->recording, NULL), RHW_ERROR_MISUSE);
+    assert_true(rig_read_float4(rig)[0][0] == first);
+    assert_true(rig_read_float4(rig)[0][1] == second);
+}
+
+// The linear copy of a told texture is kept from pass to pass; a level that was told is decoded again, and no other.
+static void test_told_levels(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 8, 8);
+    rig_set_program(&rig, rig_vertex_pass, sample_levels);
+    unsigned char *memory;
+    struct rhw_texture_layout layout;
+    const rhw_texture texture = make_told(&rig, &memory, &layout);
+    rhw_sampler sampler;
+    assert_int_equal(rhw_sampler_create(rig.context, &(struct rhw_sampler_def){.lod_bias = 0}, &sampler),
+                     RHW_OK);
+    expect_levels(&rig, texture, sampler, 0, 0);
+    memset(memory, 255, layout.size);
+    expect_levels(&rig, texture, sampler, 0, 0); // nobody told
+    assert_int_equal(rhw_texture_changed(rig.context, texture, 1, 0, 0), RHW_OK);
+    expect_levels(&rig, texture, sampler, 0, 1);
+    assert_int_equal(rhw_texture_changed(rig.context, texture, 0, 0, 1), RHW_OK);
+    expect_levels(&rig, texture, sampler, 1, 1);
+    // What the library writes needs not be told.
+    static const unsigned char black[16 * 16 * 4];
+    assert_int_equal(rhw_texture_write(rig.context, texture, 0, black, 0), RHW_OK);
+    expect_levels(&rig, texture, sampler, 0, 1);
+    // What is told of a view holds for the texture.
+    rhw_texture view;
+    const struct rhw_texture_view_def def = {.texture = texture, .level = 1};
+    assert_int_equal(rhw_texture_view_create(rig.context, &def, &view), RHW_OK);
+    memset(memory + layout.level[1].offset, 0, 64 * 8);
+    expect_levels(&rig, texture, sampler, 0, 1);
+    assert_int_equal(rhw_texture_changed(rig.context, view, 0, 0, 0), RHW_OK);
+    expect_levels(&rig, texture, sampler, 0, 0);
+    rig_close(&rig);
+    free(memory);
+}
+
+// A pass clears tiles of a told texture anew where they were told, layer by layer.
+static void test_told_layers(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 70, 40);
+    struct rhw_texture_def def = {
+        .format = RHW_FORMAT_RGBA32_FLOAT, .width = 70, .height = 40, .layers = 3, .memory_is_told = true};
+    struct rhw_texture_layout layout;
+    assert_int_equal(rhw_texture_query_layout(rig.context, &def, &layout), RHW_OK);
+    float *const memory = (float *)memory_of(layout.size);
+    def.memory = memory;
+    def.memory_size = layout.size;
+    const rhw_texture texture = make(&rig, &def);
+    rig.pass.colors[0].texture = texture;
+    const size_t slice = layout.level[0].slice_pitch / sizeof *memory;
+    for (int told = -1; told < 4; told++) {
+        for (int layer = 0; layer < 3; layer++) {
+            rig.pass.colors[0].layer = layer;
+            rig_begin(&rig);
+            rhw_texture_changed(rig.context, texture, 0, 0, 0);
+            rig_expect_misuse(&rig,
+                              "rhw_texture_changed: texture 2 is an attachment of the pass being recorded");
+            assert_int_equal(rhw_pass_end(rig.context, rig.recording, NULL), RHW_ERROR_MISUSE);
+        }
+        for (int layer = 0; layer < 3; layer++) {
+            // The first passes clear all; those of the second and third round miss a change that nobody told.
+            const bool is_stale = told > 0 && told < 3 && layer != told && layer != 0;
+            assert_true(memory[(size_t)layer * slice] == (is_stale ? 5.0f : 0.0f));
+            memory[(size_t)layer * slice] = 5;
+        }
+        const int next = told + 1;
+        if (next < 3) {
+            assert_int_equal(rhw_texture_changed(rig.context, texture, 0, next, 1), RHW_OK);
+            assert_int_equal(rhw_texture_changed(rig.context, texture, 0, 0, next == 0 ? 0 : 1), RHW_OK);
+        } else {
+            assert_int_equal(rhw_texture_changed(rig.context, texture, 0, 0, 3), RHW_OK);
+        }
+    }
+    rig_close(&rig);
+    free(memory);
+}
+
+static void test_told_misuse(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, 4, 4);
+    struct rhw_texture_def def = {.format = RHW_FORMAT_RGBA8_UNORM, .width = 16, .height = 2, .layers = 2};
+    const rhw_texture own = make(&rig, &def);
+    static _Alignas(64) unsigned char memory[1024];
+    def.memory = memory;
+    def.memory_size = sizeof memory;
+    const rhw_texture texture = make(&rig, &def);
+    static const struct {
+        int level, layer, count;
+        const char *message;
+    } wrong[] = {{1, 0, 0, "rhw_texture_changed: level is 1; texture 3 has levels 0..0"},
+                 {-1, 0, 0, "rhw_texture_changed: level is -1; texture 3 has levels 0..0"},
+                 {0, 2, 0, "rhw_texture_changed: layer is 2; level 0 of texture 3 has 0..1"},
+                 {0, -1, 0, "rhw_texture_changed: layer is -1; level 0 of texture 3 has 0..1"},
+                 {0, 1, 2, "layer is 1 and layer_count is 2; level 0 of texture 3 has 0..1"},
+                 {0, 0, -1, "layer is 0 and layer_count is -1; level 0 of texture 3 has 0..1"}};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        assert_int_equal(
+            rhw_texture_changed(rig.context, texture, wrong[i].level, wrong[i].layer, wrong[i].count),
+            RHW_ERROR_MISUSE);
+        rig_expect_misuse(&rig, wrong[i].message);
+    }
+    assert_int_equal(rhw_texture_changed(rig.context, texture, 0, 1, 1),
+                     RHW_OK); // needless without memory_is_told
+    rhw_texture_changed(rig.context, own, 0, 0, 0);
+    rig_expect_misuse(&rig,
+                      "texture 2 stands on memory of the library; it must stand on memory of the program");
+    def.memory = NULL;
+    def.memory_size = 0;
+    def.memory_is_told = true;
+    rhw_texture refused;
+    rhw_texture_create(rig.context, &def, &refused);
+    rig_expect_misuse(&rig, "memory_is_told is true and memory is NULL; it must be false then");
+    rig_close(&rig);
+}
+
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_layout),     cmocka_unit_test(test_where_texels_are),
-    cmocka_unit_test(test_drawn_into), cmocka_unit_test(test_side_by_side),
-    cmocka_unit_test(test_sampled),    cmocka_unit_test(test_buffers),
-    cmocka_unit_test(test_misuse),
+    cmocka_unit_test(test_told_levels),      cmocka_unit_test(test_told_layers),
+    cmocka_unit_test(test_told_misuse),      cmocka_unit_test(test_layout),
+    cmocka_unit_test(test_where_texels_are), cmocka_unit_test(test_drawn_into),
+    cmocka_unit_test(test_side_by_side),     cmocka_unit_test(test_sampled),
+    cmocka_unit_test(test_buffers),          cmocka_unit_test(test_misuse),
 };
 
 const struct unit_tests test_caller_memory = UNIT_TESTS(tests, NULL, NULL);

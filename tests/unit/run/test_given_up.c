@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Passes that the program gives up while they run (rhw_context_set_goes_on): wherever that is, the pass says so, nobody is
-// asked again, and the next one draws as if nothing had been.
+// Passes, and mip levels, that the program gives up while they are made (rhw_context_set_goes_on): wherever that is, the
+// result says so, nobody is asked again, and the next one is made as if nothing had been.
 #include "harness.h"
 
 #include <string.h>
@@ -90,10 +90,61 @@ static void test_four_threads(void **state)
     check(4, 0);
 }
 
+static uint8_t last_level(rhw_context *context, rhw_texture texture, int level)
+{
+    uint8_t value = 0;
+    assert_int_equal(rhw_texture_read(context, texture, level, &value, 1), RHW_OK);
+    return value;
+}
+
+static void check_mips(int threads, enum rhw_texture_kind kind, int side, int depth, int levels)
+{
+    static uint8_t texels[1024 * 1024];
+    struct rhw_context_def context_def = rhw_context_def_default();
+    context_def.threads = threads;
+    rhw_context *context;
+    assert_int_equal(rhw_context_create(&context_def, &context), RHW_OK);
+    struct rhw_texture_def def = rhw_texture_def_default();
+    def.kind = kind;
+    def.format = RHW_FORMAT_R8_UNORM;
+    def.width = def.height = side;
+    def.depth = depth;
+    def.mip_levels = RHW_MIP_LEVELS_ALL;
+    rhw_texture texture;
+    assert_int_equal(rhw_texture_create(context, &def, &texture), RHW_OK);
+    memset(texels, 200, sizeof texels);
+    const struct rhw_texture_region whole = {.width = side, .height = side, .depth = depth};
+    assert_int_equal(rhw_texture_write_region(context, texture, &whole, texels, 0, 0), RHW_OK);
+    struct patience patience = {.left = 1 << 30};
+    rhw_context_set_goes_on(context, goes_on, &patience);
+    assert_int_equal(rhw_texture_generate_mips(context, texture), RHW_OK);
+    assert_int_equal(last_level(context, texture, levels - 1), 200);
+    const int all = patience.asked;
+    assert_true(all >= (threads == 1 ? 8 : 0)); // bands of 131072 texels, or slices
+    for (int left = 0; left < all && threads == 1; left++) {
+        patience = (struct patience){.left = left};
+        assert_int_equal(rhw_texture_generate_mips(context, texture), RHW_ERROR_GIVEN_UP);
+        assert_int_equal(patience.asked, left + 1);
+    }
+    rhw_context_set_goes_on(context, NULL, NULL);
+    assert_int_equal(rhw_texture_generate_mips(context, texture), RHW_OK);
+    assert_int_equal(last_level(context, texture, levels - 1), 200);
+    rhw_context_destroy(context);
+}
+
+static void test_mips(void **state)
+{
+    (void)state;
+    check_mips(1, RHW_TEXTURE_2D, 1024, 1, 11);
+    check_mips(1, RHW_TEXTURE_3D, 32, 32, 6);
+    check_mips(4, RHW_TEXTURE_2D, 1024, 1, 11);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_one_thread),
     cmocka_unit_test(test_one_thread_in_waves),
     cmocka_unit_test(test_four_threads),
+    cmocka_unit_test(test_mips),
 };
 
 const struct unit_tests test_given_up = UNIT_TESTS(tests, NULL, NULL);

@@ -55,7 +55,8 @@ static int close_context(void **state)
 static struct scene_surroundings make(enum scene_axis up, double rotation)
 {
     struct scene_surroundings s = {0};
-    assert_int_equal(scene_surroundings_make(&s, context, &panorama, up, rotation), RHW_OK);
+    const struct scene_view view = {.panorama = &panorama, .up = up, .panorama_rotation = rotation};
+    assert_int_equal(scene_surroundings_make(&s, context, &view), RHW_OK);
     return s;
 }
 
@@ -209,9 +210,52 @@ static void test_background(void **state)
     assert_string_equal(error, "background: there is no environment to show");
 }
 
+struct patience {
+    int left, asked;
+};
+
+static bool goes_on(void *user)
+{
+    struct patience *const patience = user;
+    patience->asked++;
+    return patience->left-- != 0;
+}
+
+// Each row that is measured is preceded by a question, the mips and passes ask too, and the first no ends it all.
+static void test_given_up(void **state)
+{
+    (void)state;
+    fill(0, HEIGHT, 0.1f, 0.1f, 0.1f);
+    patch(100, 40, 4, 5000, 4000, 3000); // a sun: all passes over the texels
+    struct patience patience = {.left = -1};
+    const struct scene_view view = {.panorama = &panorama, .goes_on = goes_on, .user = &patience};
+    struct scene_surroundings s = {0};
+    struct rhw_context_def def = rhw_context_def_default();
+    rhw_context *alone;
+    def.threads = 1; // others would take some of the questions
+    assert_int_equal(rhw_context_create(&def, &alone), RHW_OK);
+    rhw_context_set_goes_on(alone, goes_on, &patience);
+    assert_int_equal(scene_surroundings_make(&s, alone, &view), RHW_OK);
+    scene_surroundings_destroy(alone, &s);
+    const int all = patience.asked, measured = 5 * HEIGHT;
+    assert_true(all > measured + 100);
+    const int places[] = {0, HEIGHT + 1, measured - 1, measured, measured + 1, all - 1};
+    for (int i = 0; i < 6; i++) {
+        patience = (struct patience){.left = places[i]};
+        assert_int_equal(scene_surroundings_make(&s, alone, &view), RHW_ERROR_GIVEN_UP);
+        assert_int_equal(patience.asked, places[i] + 1);
+        assert_null(s.panorama);
+    }
+    patience = (struct patience){.left = -1};
+    assert_int_equal(scene_surroundings_make(&s, alone, &view), RHW_OK);
+    assert_true(s.sun.color[0] > 0.0f);
+    scene_surroundings_destroy(alone, &s);
+    rhw_context_destroy(alone);
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_even_light), cmocka_unit_test(test_half_sky),   cmocka_unit_test(test_sun),
-    cmocka_unit_test(test_directions), cmocka_unit_test(test_background),
+    cmocka_unit_test(test_directions), cmocka_unit_test(test_background), cmocka_unit_test(test_given_up),
 };
 
 const struct unit_tests test_panorama = UNIT_TESTS(tests, open_context, close_context);

@@ -3,31 +3,34 @@
 // below, and the weights of what is seen stay right.
 import { showDerivation, termsOf } from '../derivation.js';
 import { say } from '../language.js';
-import { formula, short } from '../math.js';
+import { formulaIn, short } from '../math.js';
+import { element, fill, write } from '../slots.js';
 import { METHOD, PATTERN } from '../stage.js';
+import { takeable } from '../taken.js';
 import { chapterTerms } from '../tips.js';
 import { TopView } from '../topview.js';
 import { within } from '../vector.js';
 import { View } from '../view.js';
 
 const NEAR = 0.5;
+const AXES = ['X', 'Y', 'Z', 'W'];
 
 // X, Y, Z, W of A, B and C, and of P as their mixture: the three equations that the derivation begins with.
 function showCoordinates(table, terms) {
-  table.replaceChildren();
-  const row = (cells, tag = 'td') => {
-    const line = table.insertRow();
-    for (const cell of cells) {
-      line.appendChild(document.createElement(tag)).append(cell);
+  fill(table, () => {
+    fill(element(table, 'tr'), (row) => {
+      write(element(row, 'th'), say({ en: 'corner', zh: '顶点' }));
+      AXES.forEach((axis) => fill(element(row, 'th', 'axis'), (cell) => formulaIn(cell, axis)));
+    });
+    for (const name of ['A', 'B', 'C', 'P']) {
+      fill(element(table, 'tr', terms[`W_${name}`] <= 0 ? 'behind' : ''), (row) => {
+        write(element(row, 'td'), name);
+        for (const term of AXES.map((axis) => `${axis}_${name}`)) {
+          fill(element(row, 'td', 'value'), (cell) => formulaIn(cell, term, { [term]: short(terms[term]) }));
+        }
+      });
     }
-    return line;
-  };
-  row([say({ en: 'corner', zh: '顶点' }), ...['X', 'Y', 'Z', 'W'].map((axis) => formula(axis))], 'th');
-  for (const name of ['A', 'B', 'C', 'P']) {
-    const values = ['X', 'Y', 'Z', 'W'].map((axis) => `${axis}_${name}`);
-    const line = row([name, ...values.map((term) => formula(term, { [term]: short(terms[term]) }))]);
-    line.classList.toggle('behind', terms[`W_${name}`] <= 0);
-  }
+  });
 }
 
 const SOME_BEHIND = {
@@ -43,8 +46,8 @@ const BEHIND = [
 ];
 
 function showBehind(note, corners) {
-  const behind = corners.filter((corner) => corner.at[2] > -1e-9).length;
-  note.textContent = say(BEHIND[behind]);
+  const behind = corners.filter((corner) => corner.at[2] > -1e-9).length; // the eye is at 0
+  write(note, say(BEHIND[behind]));
 }
 
 export function start(section, stage) {
@@ -63,11 +66,13 @@ export function start(section, stage) {
   const panel = section.querySelector('.derivation');
   const [table, note] = [section.querySelector('table.clip'), section.querySelector('.behind')];
   const view = new View(stage, section.querySelector('.view'), scene, (numbers, pixel, size) => {
-    showDerivation(panel, numbers, pixel, size);
-    showBehind(note, corners);
-    table.hidden = !numbers;
-    if (numbers) {
-      showCoordinates(table, termsOf(numbers));
+    if (view.writes) {
+      showDerivation(panel, numbers, pixel, size);
+      showBehind(note, corners);
+      table.hidden = !numbers;
+      if (numbers) {
+        showCoordinates(table, termsOf(numbers));
+      }
     }
     top.update(numbers);
   });
@@ -77,6 +82,12 @@ export function start(section, stage) {
   ];
   const top = new TopView(section.querySelector('.above'), view, { x: [-3.4, 3.4], z: [-5.6, 1.6] }, planes);
   chapterTerms(section, () => view.numbers && termsOf(view.numbers), [view, top]);
+  takeable(section, view, {
+    changed(taken) {
+      top.reach(taken);
+      top.planes[1].distance = scene.camera.near;
+    },
+  });
   view.pick([0.45, 0.62]);
   return view;
 }

@@ -2,9 +2,12 @@
 // Along a line of pixels over a slanted plane: depth and 1/W are straight, W is a hyperbola, and W mixed naively is wrong.
 import { choice } from '../controls.js';
 import { termsOf } from '../derivation.js';
-import { formula, short } from '../math.js';
+import { hear } from '../heard.js';
+import { formulaIn, short } from '../math.js';
 import { legend, Plot } from '../plot.js';
+import { fill, text } from '../slots.js';
 import { METHOD, PATTERN } from '../stage.js';
+import { takeable } from '../taken.js';
 import { chapterTerms } from '../tips.js';
 import { within } from '../vector.js';
 import { View } from '../view.js';
@@ -57,18 +60,25 @@ export function start(section, stage) {
     const curves = CURVES.map((curve) => ({ ...curve, values: along.map((n) => (n ? curve.of(n) : NaN)) }));
     plot.show(curves, view.pixel?.[0] ?? null);
     legend(section.querySelector('.legend'), CURVES);
-    line.replaceChildren();
-    if (numbers) {
-      const terms = termsOf(numbers);
-      const values = { d_P: short(terms.d_P), W_P: short(terms.W_P) };
-      line.append(formula('d_P'), formula('= d_P', values), ' ', formula('W_P'), formula('= W_P', values));
-    }
+    fill(line, () => {
+      if (numbers) {
+        const terms = termsOf(numbers);
+        const values = { d_P: short(terms.d_P), W_P: short(terms.W_P) };
+        hear(line, `Z/W ${values.d_P}, W ${values.W_P}`);
+        for (const term of ['d_P', 'W_P']) {
+          formulaIn(line, term);
+          formulaIn(line, `= ${term}`, values);
+          text(line, '\u2003');
+        }
+      }
+    });
   });
   choice(section, 'pattern', (value) => {
     scene.pattern = PATTERN[value];
     view.update();
   });
   chapterTerms(section, () => view.numbers && termsOf(view.numbers), [view]);
+  takeable(section, view, { nearer: 0.7 });
   view.pick([0.45, 0.55]);
   return view;
 }

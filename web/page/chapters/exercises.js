@@ -2,8 +2,10 @@
 // Exercises that the page checks: one triangle, naive on the left and correct on the right, and what to do with it. An answer
 // speaks of the triangle as the reader left it.
 import { termsOf } from '../derivation.js';
+import { hear } from '../heard.js';
 import { say, whenLanguage } from '../language.js';
 import { short } from '../math.js';
+import { sizeOf } from '../size.js';
 import { METHOD, PATTERN } from '../stage.js';
 import { chapterTerms } from '../tips.js';
 import { TopView } from '../topview.js';
@@ -13,7 +15,9 @@ import { View } from '../view.js';
 const NEAR = 0.3;
 const GRID = 48; // pixels across the small picture in which the largest error is looked for
 const REST = 400; // ms that the pointer or a corner rests until it is looked at
-const SAME = 0.01; // parts by which two W may differ and be one
+const SHARES = ['r', 's', 't', 'a', 'b', 'c'];
+const SAME = 0.03; // parts by which two W may differ and be one: some pixels under a finger
+const ALIKE = 0.01; // by which two shares may
 
 const START = [
   [-1.3, -0.7, 0.4],
@@ -73,7 +77,7 @@ export const EXERCISES = [
       en: 'Find a pixel where C has the same share on the screen as in space, t = c, away from the edges. What is special about P?',
       zh: '找一个离边较远的像素，使 C 在屏幕上与空间中的份额相同（t = c）。P 有什么特别之处？',
     },
-    met: (n, { ws }) => n && spread(ws) > 0.1 && Math.min(n.r, n.s, n.t) > 0.05 && Math.abs(n.t - n.c) < 0.005,
+    met: (n, { ws }) => n && spread(ws) > 0.1 && Math.min(n.r, n.s, n.t) > 0.05 && Math.abs(n.t - n.c) < ALIKE,
     answer: (n) => ({
       en: `c = t · W of P / W of C: they are equal where P is as far away as C. Here W is ${short(1 / n.inverse_w)} in P, ${short(n.W_2)} in C.`,
       zh: `c = t · P 的 W / C 的 W：P 与 C 一样远时两者相等。这里 P 的 W 是 ${short(1 / n.inverse_w)}，C 的是 ${short(n.W_2)}。`,
@@ -158,8 +162,8 @@ export function start(section, stage) {
   };
   // The largest error of a small picture, both of whose halves are drawn correctly: u is right in all of its pixels.
   const worst = () => {
-    const { clientWidth, clientHeight } = view.figure;
-    const [width, height] = [GRID, Math.round((GRID * clientHeight) / clientWidth)];
+    const [wide, high] = sizeOf(view.figure);
+    const [width, height] = [GRID, Math.round((GRID * high) / wide)];
     stage.resize(width, height, 1);
     stage.camera(scene.camera);
     stage.clear([0, 0, 0]);
@@ -184,6 +188,7 @@ export function start(section, stage) {
     // Whoever passes over a place has not pointed at it.
     clearTimeout(resting);
     resting = setTimeout(() => touched && check(numbers), REST);
+    hear(view.figure, numbers ? SHARES.map((name) => `${name} ${short(numbers[name])}`).join(', ') : '');
     top.update(numbers);
   };
   const view = new View(stage, section.querySelector('.view'), scene, look);

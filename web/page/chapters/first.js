@@ -3,6 +3,7 @@
 // floor is drawn twice, naive and divided by w, with the middle of each.
 import { say, whenLanguage } from '../language.js';
 import { onScreen } from '../overlay.js';
+import { sizeOf } from '../size.js';
 import { METHOD, PATTERN } from '../stage.js';
 import { numbersIn, numbersText } from '../state.js';
 import { draggable, points, set, svg } from '../svg.js';
@@ -71,7 +72,7 @@ class Floor {
   }
 
   place() {
-    const { clientWidth: width, clientHeight: height } = this.view.figure;
+    const [width, height] = sizeOf(this.view.figure);
     if (width === 0 || !this.view.clips) {
       return; // nothing was drawn yet
     }

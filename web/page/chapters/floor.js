@@ -50,9 +50,11 @@ export function start(section, stage) {
     },
   };
   const panel = section.querySelector('.derivation');
-  const view = new View(stage, section.querySelector('.view'), scene, (numbers, pixel, size) =>
-    showDerivation(panel, numbers, pixel, size),
-  );
+  const view = new View(stage, section.querySelector('.view'), scene, (numbers, pixel, size) => {
+    if (view.writes) {
+      showDerivation(panel, numbers, pixel, size);
+    }
+  });
   choice(section, 'method', (value) => {
     scene.method = value;
     section.querySelector('.bands').hidden = value !== 'all';

@@ -3,24 +3,31 @@
 // in space, and the distance Z of the point is not the mixture of the distances, but 1/Z is that of 1/Z. Beside it the curves of
 // Z, 1/Z, u/Z and u over the screen, and the edge's stripes as they are seen.
 import { choice } from '../controls.js';
+import { hear } from '../heard.js';
 import { whenLanguage } from '../language.js';
-import { formula, short } from '../math.js';
-import { nameDrawing } from '../naming.js';
+import { formulaIn, short } from '../math.js';
+import { nameDrawing, percentOf } from '../naming.js';
 import { legend, Plot } from '../plot.js';
+import { sizeOf } from '../size.js';
+import { element, fill, write } from '../slots.js';
 import { numbersIn, numbersText } from '../state.js';
 import { draggable, points, set, svg } from '../svg.js';
+import { takenNote } from '../taken.js';
 import { chapterTerms } from '../tips.js';
 import { clamp } from '../vector.js';
 
 const RANGE = { x: [-3.2, 3.2], z: [-0.3, 7.4] }; // of the drawing; the eye is at 0
 const SCREEN = 2; // its distance: 1 would be as good, and smaller
+const FARTHEST = 6.8; // an end of an edge of another picture, in the drawing
+const NAME = 76; // CSS pixels that the name of an end takes
+const ASIDE = 0.44; // its ends are seen so far to the left and to the right
+const OWN = [[-2, 3], [2.7, 7]];
 
 class Drawing {
   constructor(node, changed) {
-    this.ends = [
-      [-2, 3],
-      [2.7, 7],
-    ];
+    this.ends = OWN.map((end) => [...end]);
+    this.unit = 1; // of length: what the drawing's is in the numbers
+    this.screenAt = SCREEN;
     this.q = 0.5;
     this.changed = changed;
     this.root = svg(node, 'svg', { class: 'top' });
@@ -36,12 +43,14 @@ class Drawing {
     draggable(this.p, {
       move: (dx, dy) => this.#slideAlong(dx / this.scale, -dy / this.scale),
       step: (dx, dy) => this.#slideAlong(dx / 20, -dy / 20),
+      ends: (part) => this.set(part),
     });
     this.shadow = this.#mark("P'", "P'");
     this.pictures = ["A'", "B'"].map((name) => svg(this.root, 'text', { class: 'caption' }, name));
     draggable(this.shadow, {
       move: (dx) => this.#slide(dx / this.scale),
       step: (dx) => this.#slide(dx / 100),
+      ends: (part) => this.set(part),
     });
     new ResizeObserver(() => this.update()).observe(node);
   }
@@ -53,7 +62,7 @@ class Drawing {
     svg(node, 'text', { x: 11, y: 5 }, name);
     const by = (dx, dy) => {
       end[0] = clamp(end[0] + dx / this.scale, -3.2, 3.2);
-      end[1] = clamp(end[1] - dy / this.scale, SCREEN + 0.2, 7.2);
+      end[1] = clamp(end[1] - dy / this.scale, 1.1 * this.screenAt, 7.2);
       this.update();
     };
     draggable(node, { move: by, step: (dx, dy) => by(4 * dx, 4 * dy) });
@@ -61,7 +70,7 @@ class Drawing {
   }
 
   #mark(name, label) {
-    const node = svg(this.root, 'g', { class: 'handle mark', tabindex: 0, role: 'button', 'aria-label': label });
+    const node = svg(this.root, 'g', { class: 'handle mark', tabindex: 0, 'aria-label': label, ...percentOf(0) });
     svg(node, 'circle', { class: 'reach', r: 16 });
     svg(node, 'circle', { r: 6 });
     svg(node, 'text', { x: 10, y: 16 }, name);
@@ -85,7 +94,7 @@ class Drawing {
   }
 
   #slide(dx) {
-    const [from, to] = this.ends.map(([x, z]) => (SCREEN * x) / z);
+    const [from, to] = this.ends.map(([x, z]) => (this.screenAt * x) / z);
     this.set(this.q + (Math.abs(to - from) < 0.01 ? 0 : dx / (to - from)));
   }
 
@@ -96,7 +105,7 @@ class Drawing {
 
   // Weights on the screen and in space, and Z there three ways.
   numbers() {
-    const [zA, zB] = this.ends.map(([, z]) => z);
+    const [zA, zB] = this.ends.map(([, z]) => z * this.unit);
     const [r, s] = [1 - this.q, this.q];
     const inverse = r / zA + s / zB;
     const [a, b] = [r / zA / inverse, s / zB / inverse];
@@ -105,7 +114,8 @@ class Drawing {
   }
 
   #at([x, z]) {
-    return [this.root.clientWidth / 2 + x * this.scale, this.root.clientHeight - 14 - (z - RANGE.z[0]) * this.scale];
+    const [width, height] = sizeOf(this.root);
+    return [width / 2 + x * this.scale, height - 14 - (z - RANGE.z[0]) * this.scale];
   }
 
   #line(node, from, to) {
@@ -113,45 +123,82 @@ class Drawing {
     set(node, { x1, y1, x2, y2 });
   }
 
+  // Where an end has its name: on its outer side, or above it where there is no room.
+  #beside(x, isLeft) {
+    const fits = isLeft ? x > NAME : x < sizeOf(this.root)[0] - NAME;
+    const away = fits ? 11 : 8;
+    return { x: isLeft ? -away : away, y: fits ? 5 : -14, 'text-anchor': isLeft === fits ? 'end' : 'start' };
+  }
+
   update() {
-    const { clientWidth: width, clientHeight: height } = this.root;
+    const [width, height] = sizeOf(this.root);
     if (!width) {
       return;
     }
     this.scale = Math.min(width / (RANGE.x[1] - RANGE.x[0]), (height - 28) / (RANGE.z[1] - RANGE.z[0]));
     set(this.root, { viewBox: `0 0 ${width} ${height}` });
-    const { a, b } = this.numbers();
+    const { a, b, ...terms } = this.numbers();
     const [from, to] = this.ends;
     const p = [a * from[0] + b * to[0], a * from[1] + b * to[1]];
     [from, to, p].forEach((end, i) => this.#line(this.rays[i], [0, 0], end));
-    this.#line(this.screen, [-2.4, SCREEN], [2.4, SCREEN]);
+    this.#line(this.screen, [-2.4, this.screenAt], [2.4, this.screenAt]);
     this.#line(this.edge, from, to);
-    const onScreen = ([x, z]) => [(SCREEN * x) / z, SCREEN];
+    const onScreen = ([x, z]) => [(this.screenAt * x) / z, this.screenAt];
     this.#line(this.picture, onScreen(from), onScreen(to));
     this.ends.forEach((end, i) => {
       const [left, top] = this.#at(onScreen(end));
-      set(this.pictures[i], { x: left + (i === 0 ? -22 : 8), y: top + 18 });
+      set(this.pictures[i], { x: left + (i === 0 ? -22 : 8), y: top - 8 });
     });
     const middle = this.#at([(from[0] + to[0]) / 2, (from[1] + to[1]) / 2]);
     set(this.half, { cx: middle[0], cy: middle[1] });
     const eye = this.#at([0, 0]);
     set(this.root.querySelector('.eye'), { cx: eye[0], cy: eye[1] });
-    this.ends.forEach((end, i) => set(this.handles[i], { transform: `translate(${this.#at(end)})` }));
-    set(this.p, { transform: `translate(${this.#at(p)})` });
-    set(this.shadow, { transform: `translate(${this.#at(onScreen(p))})` });
+    this.ends.forEach((end, i) => {
+      set(this.handles[i], { transform: `translate(${this.#at(end)})` });
+      set(this.handles[i].lastChild, this.#beside(this.#at(end)[0], end[0] < this.ends[1 - i][0]));
+      write(this.handles[i].lastChild, `${'AB'[i]}, Z = ${short(Number(terms[`Z_${'AB'[i]}`].toPrecision(3)))}`);
+    });
+    set(this.p, { transform: `translate(${this.#at(p)})`, ...percentOf(b) });
+    set(this.shadow, { transform: `translate(${this.#at(onScreen(p))})`, ...percentOf(this.q) });
     this.changed();
+  }
+
+  /** The edge AB of a triangle with these clip coordinates, and the point of it where A and B have their shares on the screen. */
+  take({ clips, screen }) {
+    const [zA, zB] = clips.map((clip) => clip[3]);
+    this.#measure(Math.max(zA, zB) / FARTHEST);
+    this.ends = [[-ASIDE, zA / this.unit], [ASIDE, zB / this.unit]].map(([x, z]) => [x * z, z]);
+    this.screenAt = Math.min(SCREEN, 0.8 * this.ends[0][1], 0.8 * this.ends[1][1]);
+    this.set(screen[1] / (screen[0] + screen[1]));
+  }
+
+  /** The edge that it had first. */
+  giveBack() {
+    this.#measure(1);
+    this.ends = OWN.map((end) => [...end]);
+    this.screenAt = SCREEN;
+    this.set(0.5);
+  }
+
+  #measure(unit) {
+    this.unit = unit;
+    this.isTaken = unit !== 1;
   }
 
   /** {name: text} for the page's address. */
   save() {
-    return { A: numbersText(this.ends[0]), B: numbersText(this.ends[1]), q: numbersText([this.q]) };
+    const [A, B] = this.ends.map(numbersText);
+    return { A, B, q: numbersText([this.q]), ...(this.isTaken ? { taken: numbersText([this.unit, this.screenAt]) } : {}) };
   }
 
   restore(values) {
+    const [unit, screenAt] = numbersIn(values, 'taken', 2) ?? [1, SCREEN];
+    this.#measure(unit > 0 ? unit : 1);
+    this.screenAt = clamp(screenAt, 0.01, SCREEN);
     this.ends.forEach((end, i) => {
       const [x, z] = numbersIn(values, 'AB'[i], 2) ?? end;
       end[0] = clamp(x, -3.2, 3.2);
-      end[1] = clamp(z, SCREEN + 0.2, 7.2);
+      end[1] = clamp(z, 1.1 * this.screenAt, 7.2);
     });
     this.set((numbersIn(values, 'q', 1) ?? [this.q])[0]);
   }
@@ -188,30 +235,27 @@ const OF = {
   u: ({ r, s, zA, zB }) => s / zB / (r / zA + s / zB),
   naiveU: ({ s }) => s,
 };
-const CURVES = {
+const NAIVE_Z = { name: { en: 'r·ZA + s·ZB: a chord, wrong', zh: 'r·ZA + s·ZB：两端的连线，错误' }, kind: 'naive', of: OF.naiveZ };
+const NAIVE_U = { name: { en: 's, u mixed: a chord, wrong', zh: 's，直接插值的 u：两端的连线，错误' }, kind: 'naive', of: OF.naiveU };
+const INVERSE = { name: { en: '1/Z: straight', zh: '1/Z：直线' }, kind: 'inverse', of: OF.inverse };
+// What the two plots show, the upper one first. The curves of a plot have one scale.
+const PLOTS = {
   z: [
-    { name: { en: 'Z: curved', zh: 'Z：曲线' }, kind: 'w', scale: 'z', of: OF.z },
-    { name: { en: 'r·ZA + s·ZB: a straight line, wrong', zh: 'r·ZA + s·ZB：直线，错误' }, kind: 'naive', scale: 'z', of: OF.naiveZ },
-  ],
-  inverse: [{ name: { en: '1/Z: straight', zh: '1/Z：直线' }, kind: 'inverse', scale: 'inverse', of: OF.inverse }],
-  over: [
-    { name: { en: 'u/Z: straight', zh: 'u/Z：直线' }, kind: 'depth', scale: 'inverse', of: OF.over },
-    { name: { en: '1/Z: straight', zh: '1/Z：直线' }, kind: 'inverse', scale: 'inverse', of: OF.inverse },
+    { y: { en: 'Z, in units of length', zh: 'Z，长度单位' }, curves: [{ name: { en: 'Z: bent', zh: 'Z：弯曲' }, kind: 'w', of: OF.z }, NAIVE_Z] },
+    { y: { en: '1/Z, one over a length', zh: '1/Z，长度单位的倒数' }, curves: [INVERSE] },
   ],
   u: [
-    { name: { en: 'u = (u/Z) / (1/Z): curved', zh: 'u = (u/Z) ÷ (1/Z)：曲线' }, kind: 'w', scale: 'u', of: OF.u },
-    { name: { en: 's: u mixed on the screen, wrong', zh: 's：直接插值的 u，错误' }, kind: 'naive', scale: 'u', of: OF.naiveU },
+    {
+      y: { en: '1/Z and u/Z, one over a length', zh: '1/Z 与 u/Z，长度单位的倒数' },
+      curves: [INVERSE, { name: { en: 'u/Z: straight', zh: 'u/Z：直线' }, kind: 'depth', of: OF.over }],
+    },
+    {
+      y: { en: 'u, from 0 in A to 1 in B', zh: 'u：在 A 处为 0，在 B 处为 1' },
+      curves: [{ name: { en: 'u, their quotient: bent, right', zh: 'u，上面两者之商：弯曲，正确' }, kind: 'w', of: OF.u }, NAIVE_U],
+    },
   ],
 };
-const AXES = {
-  x: { en: "place on the screen, from A' to B'", zh: '屏幕位置，从 A′ 到 B′' },
-  y: {
-    z: { en: 'Z, distance from the eye', zh: 'Z：到眼睛的距离' },
-    inverse: { en: '1/Z', zh: '1/Z' },
-    over: { en: 'u/Z and 1/Z', zh: 'u/Z 与 1/Z' },
-    u: { en: 'u, 0 in A to 1 in B', zh: 'u：在 A 处为 0，在 B 处为 1' },
-  },
-};
+const PLACE = { en: "place on the screen, from A' to B'", zh: '屏幕位置，从 A′ 到 B′' };
 
 // The edge as it is seen: stripes of equal length in space, with a value that is right and with one that is mixed on the screen.
 class Stripes {
@@ -242,44 +286,62 @@ class Stripes {
 
 // The numbers of P, a line each.
 function showLines(panel, terms) {
-  panel.replaceChildren();
-  for (const [text, term] of LINES) {
-    const row = panel.appendChild(document.createElement('div'));
-    row.className = 'line';
-    const isName = term === 'Z_P';
-    row.append(formula(text), formula(isName ? ', Z_P =' : '='), formula(term, { [term]: short(terms[term]) }));
-  }
-  const naive = panel.appendChild(document.createElement('div'));
-  naive.className = 'line naive';
-  naive.append(formula('r·Z_A + s·Z_B'), formula(`= ${short(terms.r * terms.Z_A + terms.s * terms.Z_B)}`));
+  fill(panel, () => {
+    for (const [text, term] of LINES) {
+      fill(element(panel, 'div', text === term ? 'line beside' : 'line'), (row) => {
+        formulaIn(row, text);
+        formulaIn(row, term === 'Z_P' ? ', Z_P =' : '=');
+        formulaIn(row, term, { [term]: short(terms[term]) });
+      });
+    }
+    fill(element(panel, 'div', 'line naive'), (row) => {
+      formulaIn(row, 'r·Z_A + s·Z_B');
+      write(element(row, 'span'), `= ${short(terms.r * terms.Z_A + terms.s * terms.Z_B)}`);
+    });
+  });
+  hear(panel, ['r', 's', 'a', 'b'].map((term) => `${term} ${short(terms[term])}`).join(', '));
 }
 
-function curvesOf(kind, { Z_A: zA, Z_B: zB }) {
-  const at = (i) => ({ s: (i + 0.5) / SAMPLES, r: 1 - (i + 0.5) / SAMPLES, zA, zB });
-  return CURVES[kind].map((curve) => ({
+// Curves of the weights at places between A' and B', and at both.
+function curvesOf(curves, { Z_A: zA, Z_B: zB }) {
+  const at = (s) => ({ s, r: 1 - s, zA, zB });
+  return curves.map((curve) => ({
     ...curve,
-    values: Array.from({ length: SAMPLES }, (_, i) => curve.of(at(i))),
-    ends: [curve.of(at(-0.5)), curve.of(at(SAMPLES - 0.5))],
+    values: Array.from({ length: SAMPLES }, (_, i) => curve.of(at((i + 0.5) / SAMPLES))),
+    ends: [curve.of(at(0)), curve.of(at(1))],
   }));
 }
 
 export function start(section) {
   const panel = section.querySelector('.lines');
-  let kind = 'z';
+  const legends = [...section.querySelectorAll('.legend')];
+  const note = takenNote(section, () => drawing.giveBack(), {
+    en: 'This is the edge AB of the triangle of your model.',
+    zh: '这是你的模型中那个三角形的边 AB。',
+  });
+  let shown = PLOTS.z;
   const show = () => {
     const terms = drawing.numbers();
+    note.hidden = !drawing.isTaken;
     showLines(panel, terms);
-    const curves = curvesOf(kind, terms);
-    plot.axes = { x: AXES.x, y: AXES.y[kind], ends: ["A'", "B'"] };
-    plot.show(curves, drawing.q);
-    legend(section.querySelector('.legend'), curves);
+    shown.forEach(({ y, curves }, i) => {
+      plots[i].axes = { x: i === 1 ? PLACE : '', y, ends: ["A'", "B'"] };
+      plots[i].show(curvesOf(curves, terms), drawing.q);
+      legend(legends[i], curves);
+    });
     stripes.show(terms.Z_A, terms.Z_B, drawing.q);
   };
-  const plot = new Plot(section.querySelector('.plot-room'), { moved: (part) => drawing.slideBy(part) });
+  const rooms = [...section.querySelectorAll('.plot-room')];
+  const names = [
+    { en: 'Z, or 1/Z and u/Z, over the screen', zh: '屏幕上的 Z，或 1/Z 与 u/Z' },
+    { en: '1/Z, or u, over the screen', zh: '屏幕上的 1/Z，或 u' },
+  ];
+  const slides = { by: (part) => drawing.slideBy(part), to: (part) => drawing.set(part) };
+  const plots = rooms.map((room, i) => new Plot(room, { slides, name: names[i] }));
   const stripes = new Stripes(section.querySelector('.stripes'));
   const drawing = new Drawing(section.querySelector('.plane-room'), show);
   choice(section, 'curve', (value) => {
-    kind = value;
+    shown = PLOTS[value];
     drawing.update();
   });
   section.querySelector('.on-screen').addEventListener('click', () => drawing.set(0.5));

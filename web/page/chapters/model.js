@@ -3,10 +3,12 @@
 import { choice } from '../controls.js';
 import { termsOf } from '../derivation.js';
 import { chosenFiles, droppedFiles, modelOf } from '../dropped.js';
+import { hear } from '../heard.js';
 import { say } from '../language.js';
 import { Library } from '../library.js';
+import { short } from '../math.js';
 import { namePicture } from '../naming.js';
-import { numbersOf, seenIn, showModelDerivation } from '../model_derivation.js';
+import { numbersOf, seenIn, showModelDerivation, uvsOf } from '../model_derivation.js';
 import { cornersOf, Overlay } from '../overlay.js';
 import { centered, moved, panned, turned } from '../orbit.js';
 import { draggable, svg } from '../svg.js';
@@ -16,6 +18,7 @@ import { clamp } from '../vector.js';
 const SAMPLE = 'models/box.glb';
 const AGREEABLE = 40; // ms for a picture while it moves
 const REST = 180; // ms until it is refined
+const SHARES = ['r', 's', 't', 'a', 'b', 'c'];
 const CLICK = 4; // CSS pixels that a pointer may go and still have clicked
 
 class ModelView {
@@ -40,7 +43,7 @@ class ModelView {
     this.warnings = section.querySelector('.warnings');
     this.warnings.querySelector('button').addEventListener('click', () => this.#warn([]));
     this.info = section.querySelector('.info');
-    this.take = section.querySelector('.take');
+    this.takes = section.querySelector('.takes');
     this.steps = section.querySelector('.derivation');
     this.tables = section.querySelector('.explained');
     this.overlay = new Overlay(svg(this.figure, 'svg'));
@@ -84,14 +87,18 @@ class ModelView {
   #show() {
     showModelDerivation(this.steps, this.tables, this.explanation);
     const numbers = this.#numbers();
-    this.take.hidden = !numbers || cornersOf(numbers).some((clip) => !(clip[3] > 0));
+    hear(this.steps, numbers ? SHARES.map((name) => `${name} ${short(numbers[name])}`).join(', ') : '');
+    this.takes.hidden = !numbers;
+    const someBehind = numbers && cornersOf(numbers).some((clip) => !(clip[3] > 0));
+    this.takes.querySelectorAll('button').forEach((button) => (button.hidden = someBehind && button.value !== 'clip'));
     this.#place();
   }
 
-  /** Shows the triangle of the pixel in the chapter that says what shares are. */
+  /** Shows the triangle of the pixel in another chapter, by its view there. */
   takeTo(other) {
-    other?.take(cornersOf(this.#numbers()), this.pixel);
-    other?.figure.closest('section').scrollIntoView();
+    const seen = seenIn(this.explanation);
+    other?.take({ clips: seen.clip, space: seen.space, screen: seen.screen, uvs: uvsOf(seen) });
+    (other?.figure ?? other?.root).closest('section').scrollIntoView();
   }
 
   #place() {
@@ -366,7 +373,7 @@ function listenForHands(view) {
 
 export function start(section, _stage, views) {
   const view = new ModelView(section);
-  section.querySelector('.take').addEventListener('click', () => view.takeTo(views.weights));
+  section.querySelectorAll('.takes button').forEach((button) => button.addEventListener('click', () => view.takeTo(views[button.value])));
   for (const name of ['picture', 'interpolate']) {
     choice(section, name, (value) => view.set({ [name]: value }));
   }

@@ -6,10 +6,13 @@ import { cutTriangle } from '../cut.js';
 import { termsOf } from '../derivation.js';
 import { Flight } from '../flight.js';
 import { nextFrame } from '../frame.js';
+import { hear } from '../heard.js';
 import { say, whenLanguage } from '../language.js';
-import { formula, short } from '../math.js';
+import { formulaIn, short } from '../math.js';
 import { cornersOf } from '../overlay.js';
+import { element, fill, write } from '../slots.js';
 import { METHOD, PATTERN } from '../stage.js';
+import { takeable } from '../taken.js';
 import { chapterTerms } from '../tips.js';
 import { within } from '../vector.js';
 import { View } from '../view.js';
@@ -17,6 +20,7 @@ import { View } from '../view.js';
 const [COLUMNS, ROWS] = [64, 36];
 const NEAR = 1;
 const SECONDS = 4; // of the motion, played
+const FARTHEST = 6; // W that a triangle of another picture gets in the drawing
 
 // What is drawn in the pixels.
 const PICTURES = { colors: PATTERN.colors, raster: PATTERN.uvOverW, recover: PATTERN.uv };
@@ -36,6 +40,7 @@ const HEADS = {
   i: '[1|W]',
   q: '[u|W]',
 };
+const SPOKEN = { x: 'X/W', y: 'Y/W', column: HEADS.column, row: HEADS.row, d: 'Z/W', i: '1/W', q: 'u/W' };
 
 // The terms of every corner and of P, those of the division and of the raster among them, and of the corners that clipping
 // made: [{name, clip}..].
@@ -61,22 +66,26 @@ function stepTerms(n, polygon, [width, height]) {
 // The corners of what the near plane leaves of the explained triangle.
 const clipped = (n) => cutTriangle(cornersOf(n))[0];
 
+// A row of a table: a name, and behind it formulas, some with values.
+function rowIn(table, kind, tag, name, cells, values) {
+  fill(element(table, 'tr', kind), (row) => {
+    write(element(row, tag), name);
+    cells.forEach((cell) => fill(element(row, tag, 'value'), (node) => formulaIn(node, cell, values)));
+  });
+}
+
 function showTable(table, terms, step, polygon) {
-  table.replaceChildren();
-  const row = (cells, tag) => {
-    const line = table.insertRow();
-    cells.forEach((cell) => line.appendChild(document.createElement(tag)).append(cell));
-    return line;
-  };
   const names = STEPS[step];
-  row([say({ en: 'corner', zh: '顶点' }), ...names.map((name) => formula(say(HEADS[name] ?? name)))], 'th');
   const left = polygon.map(({ name }) => name);
   const all = { clip: [...new Set(['A', 'B', 'C', ...left])], divide: left }[step] ?? ['A', 'B', 'C'];
-  for (const corner of [...all, 'P']) {
-    const cells = names.map((name) => `${name}_${corner}`);
-    const line = row([corner, ...cells.map((term) => formula(term, { [term]: short(terms[term]) }))], 'td');
-    line.classList.toggle('behind', step === 'clip' && 'ABC'.includes(corner) && !left.includes(corner));
-  }
+  fill(table, () => {
+    rowIn(table, '', 'th', say({ en: 'corner', zh: '顶点' }), names.map((name) => say(HEADS[name] ?? name)));
+    for (const corner of [...all, 'P']) {
+      const cells = names.map((name) => `${name}_${corner}`);
+      const isBehind = step === 'clip' && 'ABC'.includes(corner) && !left.includes(corner);
+      rowIn(table, isBehind ? 'behind' : '', 'td', corner, cells, Object.fromEntries(cells.map((term) => [term, short(terms[term])])));
+    }
+  });
 }
 
 const SAID = [
@@ -173,7 +182,9 @@ export function start(section, stage) {
     if (view.numbers) {
       const polygon = clipped(view.numbers);
       const step = scene.picture === 'colors' ? (motion.k < 0.5 ? 'clip' : 'divide') : 'raster';
-      showTable(table, stepTerms(view.numbers, polygon, view.size), step, polygon);
+      const terms = stepTerms(view.numbers, polygon, view.size);
+      showTable(table, terms, step, polygon);
+      hear(table, `P: ${STEPS[step].map((name) => `${say(SPOKEN[name] ?? name)} ${short(terms[`${name}_P`])}`).join(', ')}`);
     }
   };
   const view = new View(stage, section.querySelector('.view'), scene, () => {
@@ -182,6 +193,8 @@ export function start(section, stage) {
     tell(view);
   });
   const showDistance = distanceSlider(section, view, corners[0]);
+  const slider = section.querySelector('[name="distance"]');
+  const { min, max } = slider;
   const motion = new Motion(section, flight, view, () => tell(view));
   choice(section, 'picture', (value) => {
     scene.picture = value;
@@ -193,6 +206,15 @@ export function start(section, stage) {
     () => view.numbers && stepTerms(view.numbers, clipped(view.numbers), view.size),
     [view],
   );
+  takeable(section, view, {
+    nearer: 0.5,
+    changed(taken) {
+      const w = corners.map(({ at }) => -at[2]);
+      flight.unit = taken ? Number((Math.max(...w) / FARTHEST).toPrecision(2)) : 1;
+      slider.min = taken ? 0.2 * Math.min(...w) : min;
+      slider.max = taken ? 2 * Math.max(...w) : max;
+    },
+  });
   view.pick([0.43, 0.5]);
   return view;
 }

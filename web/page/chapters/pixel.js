@@ -4,6 +4,7 @@
 import { Code, codeTerms } from '../code.js';
 import { showDerivation, termsOf } from '../derivation.js';
 import { METHOD, PATTERN } from '../stage.js';
+import { takeable } from '../taken.js';
 import { chapterTerms } from '../tips.js';
 import { TopView } from '../topview.js';
 import { within } from '../vector.js';
@@ -33,14 +34,16 @@ export function start(section, stage) {
     corners,
     split: 0.5,
     limit: within([-2.5, 0, -2.5], [2.5, 2.2, 2.2]),
-    triangleOf: (draw) => triangles[draw % 3],
+    triangleOf: (draw) => (scene.taken ? corners : triangles[draw % 3]),
     draw(to, { canvas }) {
       const middle = Math.round(this.split * canvas.width);
       for (const [method, first, end] of [
         [METHOD.naive, 0, middle],
         [METHOD.correct, middle, canvas.width],
       ]) {
-        TRIANGLES.forEach((triangle) => to.triangle(triangle, method, PATTERN.floor, first, end));
+        if (!this.taken) {
+          TRIANGLES.forEach((triangle) => to.triangle(triangle, method, PATTERN.floor, first, end));
+        }
         to.triangle(corners, method, PATTERN.checker, first, end);
       }
     },
@@ -49,12 +52,15 @@ export function start(section, stage) {
   const code = new Code(section);
   const terms = () => view.numbers && codeTerms(termsOf(view.numbers));
   const view = new View(stage, section.querySelector('.view'), scene, (numbers, pixel, size) => {
-    showDerivation(panel, numbers, pixel, size);
-    code.show(terms());
+    if (view.writes) {
+      showDerivation(panel, numbers, pixel, size);
+      code.show(terms());
+    }
     top.update(numbers);
   });
   const top = new TopView(section.querySelector('.above'), view, { x: [-2.6, 2.6], z: [-2.6, 3.1] });
   chapterTerms(section, terms, [view, top]);
+  takeable(section, view, { changed: (taken) => top.reach(taken) });
   view.pick([0.57, 0.5]);
   return view;
 }

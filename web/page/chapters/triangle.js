@@ -56,9 +56,11 @@ export function start(section, stage) {
     },
   };
   const panel = section.querySelector('.derivation');
-  const view = new View(stage, section.querySelector('.view'), scene, (numbers, pixel, size) =>
-    showDerivation(panel, numbers, pixel, size, scene.pattern === PATTERN.colors ? 'green' : 'u'),
-  );
+  const view = new View(stage, section.querySelector('.view'), scene, (numbers, pixel, size) => {
+    if (view.writes) {
+      showDerivation(panel, numbers, pixel, size, scene.pattern === PATTERN.colors ? 'green' : 'u');
+    }
+  });
   choice(section, 'pattern', (value) => {
     scene.pattern = PATTERN[value];
     view.update();

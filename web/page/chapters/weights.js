@@ -3,14 +3,16 @@
 // the triangle itself as it is seen straight on. Then the formula that leads from the ones to the others, term by term.
 import { distanceSlider } from '../controls.js';
 import { termsOf } from '../derivation.js';
+import { hear } from '../heard.js';
 import { say, whenLanguage } from '../language.js';
 import { short } from '../math.js';
 import { cornersOf, onScreen } from '../overlay.js';
+import { sizeOf } from '../size.js';
 import { METHOD, PATTERN } from '../stage.js';
-import { numbersIn } from '../state.js';
 import { points, set, svg } from '../svg.js';
+import { takeable } from '../taken.js';
 import { chapterTerms } from '../tips.js';
-import { add, basis, dot, within } from '../vector.js';
+import { add, dot, within } from '../vector.js';
 import { View } from '../view.js';
 
 const NAMES = ['A', 'B', 'C'];
@@ -30,7 +32,8 @@ class Parts {
     this.parts.forEach((part, i) => {
       const [from, to] = [corners[(i + 1) % 3], corners[(i + 2) % 3]];
       set(part, { points: points([p, from, to]) });
-      set(this.names[i], { x: (p[0] + from[0] + to[0]) / 3, y: (p[1] + from[1] + to[1]) / 3 + 6 });
+      const [x, y] = [0, 1].map((k) => 0.24 * p[k] + 0.38 * (from[k] + to[k])); // nearer to the edge than to P's name
+      set(this.names[i], { x, y: y + 6 });
       this.names[i].toggleAttribute('hidden', shares[i] < 0.04);
     });
   }
@@ -71,7 +74,7 @@ class StraightOn {
 
   update(numbers = this.numbers) {
     this.numbers = numbers;
-    const { clientWidth: width, clientHeight: height } = this.root;
+    const [width, height] = sizeOf(this.root);
     if (width === 0) {
       return;
     }
@@ -116,14 +119,12 @@ class Bars {
         return { term, bar: room.appendChild(document.createElement('b')) };
       }),
     );
-    this.heard = node.appendChild(document.createElement('p'));
-    this.heard.className = 'heard';
-    this.heard.setAttribute('aria-live', 'polite');
+    this.node = node;
   }
 
   show(numbers) {
     this.bars.forEach(({ term, bar }) => (bar.style.width = `${100 * (numbers?.[term] ?? 0)}%`));
-    this.heard.textContent = numbers ? PAIRS.flat().map((term) => `${term} ${short(numbers[term])}`).join(', ') : '';
+    hear(this.node, numbers ? PAIRS.flat().map((term) => `${term} ${short(numbers[term])}`).join(', ') : '');
   }
 }
 
@@ -144,35 +145,6 @@ function startSteps(section) {
   show(1);
 }
 
-// Makes room for corners that are so far away.
-function takeDistances({ scene }, ws) {
-  const [near, far] = [Math.min(...ws), Math.max(...ws)];
-  const z = scene.camera.eye[2];
-  Object.assign(scene.camera, { near: near / 10, far: far * 10 });
-  scene.limit = within([-4 * far, -4 * far, z - 4 * far], [4 * far, 4 * far, z - near / 4]);
-}
-
-// A triangle of another picture, [X, Y, Z, W] of its corners, all in front of the eye, with its P at parts of that picture: moved and
-// enlarged on the screen, which no share sees, with the W that it has.
-function take(view, clips, pixel) {
-  const { camera, corners } = view.scene;
-  const places = clips.map(([x, y, , w]) => [x / w, y / w]);
-  const [low, high] = [Math.min, Math.max].map((of) => [0, 1].map((k) => of(...places.map((place) => place[k]))));
-  const middle = [0, 1].map((k) => (low[k] + high[k]) / 2);
-  const scale = 1.5 / Math.max(high[0] - low[0], high[1] - low[1], 1e-9);
-  takeDistances(view, clips.map((clip) => clip[3]));
-  const { right, up, forward } = basis(camera);
-  const tall = Math.tan((camera.yfov * Math.PI) / 360);
-  const wide = (tall * view.figure.clientWidth) / view.figure.clientHeight;
-  clips.forEach((clip, i) => {
-    const [x, y] = places[i].map((place, k) => (place - middle[k]) * scale * clip[3]);
-    corners[i].at = add(add(add(camera.eye, forward, clip[3]), right, x * wide), up, y * tall);
-  });
-  const [x, y] = [2 * pixel[0] - 1, 1 - 2 * pixel[1]].map((place, k) => (place - middle[k]) * scale);
-  view.pick([(x + 1) / 2, (1 - y) / 2]);
-  view.update();
-}
-
 export function start(section, stage) {
   const pale = [0.93, 0.92, 0.9];
   const corners = [
@@ -191,7 +163,7 @@ export function start(section, stage) {
   const bars = new Bars(section.querySelector('.bars'));
   const figure = section.querySelector('.view');
   const view = new View(stage, figure, scene, (numbers) => {
-    const size = [figure.clientWidth, figure.clientHeight];
+    const size = sizeOf(figure);
     const places = numbers && cornersOf(numbers).map((clip) => onScreen(clip, size));
     const shown = Boolean(places?.every(Boolean));
     parts.show(shown);
@@ -207,16 +179,7 @@ export function start(section, stage) {
   view.overlay.prepend(layer);
   const parts = new Parts(layer, ['r', 's', 't']);
   const straight = new StraightOn(section.querySelector('.straight'), view);
-  view.take = (clips, pixel) => take(view, clips, pixel);
-  const restore = view.restore.bind(view);
-  view.restore = (values) => {
-    const saved = ['A', 'B', 'C'].map((name) => numbersIn(values, name, 3));
-    const ws = saved.filter(Boolean).map((at) => scene.camera.eye[2] - at[2]);
-    if (ws.length === 3 && Math.min(...ws) > 0 && saved.some((at) => at.some((value, k) => scene.limit(at)[k] !== value))) {
-      takeDistances(view, ws); // a triangle that was taken from another picture
-    }
-    restore(values);
-  };
+  takeable(section, view);
   startSteps(section);
   chapterTerms(section, () => view.numbers && termsOf(view.numbers), [parts, straight]);
   view.pick([0.5, 0.5]);

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The parts of an FBX that have places in them. A file is a tree of named records, in bytes or in text.
+#ifndef SCENE_IMPORT_FBX_FAR_H
+#define SCENE_IMPORT_FBX_FAR_H
+
+#include "assimp_exact.h"
+#include "fbx_transform.h"
+
+enum scene_fbx_kind {
+    SCENE_FBX_FILE,
+    SCENE_FBX_OBJECTS,
+    SCENE_FBX_GEOMETRY,
+    SCENE_FBX_POSITIONS,
+    SCENE_FBX_MODEL,
+    SCENE_FBX_PROPERTIES,
+    SCENE_FBX_PROPERTY,
+    SCENE_FBX_OTHER,
+};
+
+/// The marks of a model.
+struct scene_fbx_marks {
+    bool is_set[SCENE_FBX_MATRICES];
+    double marks[SCENE_FBX_MATRICES][3];
+};
+
+/// Return what a record is, by its name and by the record that it is in.
+enum scene_fbx_kind scene_fbx_kind_of(enum scene_fbx_kind parent, const char *name, size_t length);
+/// Return true for the type of a property that assimp reads as three numbers.
+bool scene_fbx_is_vector(const char *type, size_t length);
+/// Find the marks that the properties of a model need, one for each of its matrices. Return false if it needs none.
+bool scene_fbx_mark_model(struct scene_import *import, struct scene_assimp_exact *exact,
+                          const struct scene_fbx_transform *transform, struct scene_fbx_marks *marks);
+/// Find the numbers that a vector of the model gets. Return false if it stays as it is.
+bool scene_fbx_marked_vector(struct scene_import *import, struct scene_assimp_exact *exact,
+                             const struct scene_fbx_marks *marks, enum scene_fbx_vector vector,
+                             const double given[3], double numbers[3]);
+/// Return true for a class of geometries whose positions are places, not ways.
+bool scene_fbx_has_places(const char *class, size_t length);
+/// Return the name that a geometry with an offset gets.
+char *scene_fbx_mark_name(struct scene_import *import, size_t offset, const char *name, size_t *length);
+
+#endif

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// The program's word on whether work goes on (rhw_context_set_goes_on). Work begins with given_up false.
+#ifndef RHW_GIVEN_UP_H
+#define RHW_GIVEN_UP_H
+
+#include "context.h"
+
+// Return true if the program gives up the work that is under way. A task asks before it begins. Worker 0 asks the
+// program, on the program's own thread; the others hear of it.
+bool rhw_context_is_given_up(struct rhw_context *context, int worker);
+
+#endif

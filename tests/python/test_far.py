@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: MIT
+"""Formats that assimp reads as floats, far from the origin: they look as they do at the origin, by the pixel."""
+
+import numpy as np
+import pytest
+
+import rhw
+from far_files import (FAR, MESH, NEAR, add, attribute, collada, collada_geometry, dxf, dxf_faces, dxf_insert, dxf_lines,
+                       fbx, fbx_binary, fbx_text, geometry, model, translate, vector)
+
+
+def vertices(place):
+    """A geometry that is far, by a model that turns it about itself."""
+    return fbx([geometry(10, place), model(11, "Mesh", vector("Lcl Translation", (1, 2, 3)))], [(11, 0), (10, 11)])
+
+
+def nodes(place):
+    """A model that is far below one that is turned."""
+    x, y, z = place
+    return fbx([geometry(10, NEAR), model(11, "Mesh", vector("Lcl Translation", (x, z, -y)), vector("Lcl Scaling", (2, 1, 1))),
+                model(12, "Null", vector("Lcl Rotation", (90, 0, 0)))], [(12, 0), (11, 12), (10, 11)])
+
+
+def pivots(place):
+    """A geometry without a name that turns about a pivot, both far, and has a transform of its own."""
+    return fbx([geometry(10, place, ""), model(11, "Mesh", vector("Lcl Rotation", (0, 0, 90)), vector("RotationPivot", place),
+                                               vector("GeometricRotation", (0, 90, 0)),
+                                               vector("GeometricTranslation", add(place, (-place[2], -place[1], place[0])))),
+                model(12, "Mesh", vector("Lcl Scaling", (1, 2, 1)), vector("ScalingPivot", place))],
+               [(11, 0), (10, 11), (12, 11), (10, 12)])
+
+
+def scene(place):
+    """A geometry that is far, one of the same name that is not and whose model is, a camera and a light."""
+    return fbx([geometry(10, place), geometry(11, NEAR), model(20, "Mesh"),
+                model(21, "Mesh", vector("Lcl Translation", add(place, (1.5, 0, 0)))),
+                model(22, "Camera", vector("Lcl Translation", add(place, (5, 1, 1))), vector("Lcl Rotation", (0, 180, 0))),
+                model(23, "Light", vector("Lcl Translation", add(place, (1, 2, 3)))),
+                attribute(30, "Camera", ("P", ("FieldOfView", "FieldOfView", "", "A", 40.0), None)),
+                attribute(31, "Light", ("P", ("LightType", "enum", "", "", ("I", 0)), None))],
+               [(20, 0), (10, 20), (21, 0), (11, 21), (22, 0), (30, 22), (23, 0), (31, 23)])
+
+
+def dae_nodes(format):
+    return lambda place: collada(collada_geometry(NEAR), format(place))
+
+
+def upright(place):
+    """A place in a file in which z is up, which is turned."""
+    return place[0], -place[2], place[1]
+
+
+LIGHT = ('<library_lights><light id="l"><technique_common><point><color>1 1 1</color><linear_attenuation>0.25'
+         '</linear_attenuation></point></technique_common></light></library_lights>')
+
+#: A name, and what writes a file around a place.
+FILES = {
+    "text.fbx": lambda place: fbx_text(vertices(place)),
+    "text-nodes.fbx": lambda place: fbx_text(nodes(place)),
+    "text-pivots.fbx": lambda place: fbx_text(pivots(place)),
+    "text-scene.fbx": lambda place: fbx_text(scene(place)),
+    "7400.fbx": lambda place: fbx_binary(vertices(place), 7400),
+    "7400-packed.fbx": lambda place: fbx_binary(vertices(place), 7400, True),
+    "7500.fbx": lambda place: fbx_binary(vertices(place), 7500),
+    "7500-packed.fbx": lambda place: fbx_binary(vertices(place), 7500, True),
+    "7400-nodes.fbx": lambda place: fbx_binary(nodes(place), 7400, True),
+    "7500-pivots.fbx": lambda place: fbx_binary(pivots(place), 7500, True),
+    "7500-scene.fbx": lambda place: fbx_binary(scene(place), 7500, True),
+    "vertices.dae": lambda place: collada(collada_geometry(place), f"<node>{MESH}</node>"),
+    "mark.dae": lambda place: b"\xef\xbb\xbf" + collada(collada_geometry(place), f"<!-- <node> --><node>{MESH}</node>"),
+    "translate.dae": dae_nodes(lambda place: f"<node>{translate(place)}<scale>2 1 1</scale>{MESH}</node>"),
+    "matrix.dae": dae_nodes(lambda place: "<node><matrix>0 0 1 %r\n0 1 0 %r\n-1 0 0 %r\n0 0 0 1</matrix>%s</node>" %
+                            (*place, MESH)),
+    "turned.dae": dae_nodes(lambda place: f"<node><rotate>0 0 1 90</rotate>{translate((place[1], -place[0], place[2]))}"
+                            f"{MESH}</node>"),
+    "nested.dae": dae_nodes(lambda place: f"<node>{translate((1, 2, 3))}<node><node>{translate(place)}{MESH}</node></node>"
+                            "</node>"),
+    "pivot.dae": lambda place: collada(
+        collada_geometry(place), f"<node>{translate((1, 2, 3))}{translate(place)}<rotate>0 0 1 90</rotate>"
+        f"{translate([-x for x in place])}{MESH}</node>"),
+    "up.dae": lambda place: collada(collada_geometry(NEAR), f"<node>{translate(upright(place))}{MESH}</node>", "Z_UP"),
+    "unit.dae": lambda place: collada(collada_geometry(NEAR), f"<node>{translate([x / 0.0254 for x in place])}"
+                                      f"<scale>40 40 40</scale>{MESH}</node>", unit="0.0254"),
+    "light.dae": lambda place: collada(
+        collada_geometry(NEAR), f"<node>{translate(place)}{MESH}<node>{translate((1, 2, 3))}"
+        '<instance_light url="#l"/></node></node>', libraries=LIGHT),
+    "faces.dxf": lambda place: dxf(dxf_faces(upright(place))),
+    "lines.dxf": lambda place: dxf(dxf_faces(upright(place)) + dxf_lines(add(upright(place), (1, 0, 0)))),
+    "insert.dxf": lambda place: dxf(dxf_faces(upright(place)) + dxf_insert(add(upright(place), (1, 0, 0)), 2)),
+}
+
+
+def load(folder, name, data):
+    (folder / name).write_bytes(data)
+    return rhw.load(folder / name)
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_looks_as_near(tmp_path, name):
+    near, far = (load(tmp_path, name, FILES[name](place)) for place in (NEAR, FAR))
+    assert not near.warnings and not far.warnings and far.unsupported == near.unsupported
+    assert not any(near.origin) and min(np.abs(far.origin)) > 1e6
+    assert [mesh.name for mesh in far.meshes] == [mesh.name for mesh in near.meshes]
+    look = dict(outputs=("color", "position"))
+    a, b = near.render(64, **look), far.render(64, **look)
+    assert np.array_equal(a["color"], b["color"])
+    hit = a["position"][..., 3] > 0
+    assert hit.sum() > 300 and np.allclose(b["position"][hit] - (*FAR, 0), a["position"][hit], rtol=0, atol=1e-6)
+    eye, target = np.add(near.bounds[1], (2, 1, 3)), near.bounds.mean(0)
+    pictures = [each.render(64, rhw.Camera.look_at(eye + place, target + place, fovy=20))["color"]
+                for each, place in ((near, NEAR), (far, FAR))]
+    assert np.array_equal(*pictures)
+
+
+def test_parts_far_from_each_other(tmp_path):
+    """Geometries and nodes that are far from each other have places of their own."""
+    geometries = collada_geometry(NEAR, "m") + collada_geometry(FAR, "n")
+    other = translate(add(FAR, FAR))
+    parts = [f"<node>{MESH}</node>", '<node><instance_geometry url="#n"/></node>', f"<node>{other}{MESH}</node>"]
+    model = load(tmp_path, "parts.dae", collada(geometries, "".join(parts)))
+    assert not model.warnings
+    pictures = [model.render(64, rhw.Camera.look_at(np.add(at, (2, 1, 3)), np.add(at, 0.25), fovy=20))["color"].astype(int)
+                for at in (NEAR, FAR, add(FAR, FAR))]
+    assert len(np.unique(pictures[0])) > 20 and np.array_equal(pictures[0], pictures[2])
+    assert np.abs(pictures[0] - pictures[1]).max() <= 2  # positions that are counted from elsewhere round otherwise
