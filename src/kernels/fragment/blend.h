@@ -205,7 +205,7 @@ RHW_INLINE void encode_values(const struct rhw_format_info *format, const f32x8 
 // Groups of 8 fragments, and the rows of 8 texels of a target that they are put into.
 struct texel_rows {
     int count;
-    const f32x8 *color;    // of group 0, as blend_group takes colours
+    const f32x8 *color;    // 4 channels of group 0, and a second source behind them
     size_t stride;         // vectors from a group's color to the next one's
     unsigned char *texels; // a tile
     const int32_t *at;     // the number of the first texel of each row
