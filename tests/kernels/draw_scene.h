@@ -188,7 +188,8 @@ static void set_draw_state(struct rhw_draw_state *state, const struct scene *sce
     const enum rhw_paths paths = scene->pass.paths;
     memset(state, 0, sizeof *state);
     state->pipeline = &scene->pipelines[draw - in->draws];
-    state->streams[0] = (struct rhw_vertex_stream){(const unsigned char *)in->vertices, sizeof in->vertices};
+    state->streams[0] =
+        (struct rhw_vertex_stream){(const unsigned char *)in->vertices, sizeof in->vertices, RHW_FETCH_BYTES};
     state->indices = scene->indices;
     state->index_type = (enum rhw_index_type)draw->index_type;
     state->index_bytes = (size_t)SCENE_INDICES << draw->index_type;
