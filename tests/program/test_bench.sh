@@ -49,7 +49,8 @@ fi
 check "process: nothing left" test -z "$(ls leaves)"
 
 # Pictures of other formats, beside the peer where it draws into them.
-succeed bench $tiny --scene cliffs --csv
+run bench $tiny --scene cliffs --csv
+check "formats: status" test "$status" = 0
 check "formats: a row each" test "$(grep -cE '^cliffs_(flat|store|blend)_[a-z0-9]+,' "$folder/log/out")" = "$("$rhw" bench --list | grep -c '^cliffs_')"
 check "formats: pictures agree" sh -c "! grep -q ',no,' '$folder/log/out'"
 check "formats: no other line" sh -c "! grep -v 'not compared with' '$folder/log/err'"
