@@ -44,7 +44,7 @@ static void make_fetch(struct kernel_random *random, void *input)
 static void run_fetch(const void *input, void *result)
 {
     const struct fetch_input *const in = input;
-    const struct rhw_vertex_stream stream = {in->bytes, in->size};
+    const struct rhw_vertex_stream stream = {in->bytes, in->size, RHW_FETCH_BYTES};
     const struct rhw_fetch fetch = rhw_fetch_of((enum rhw_vertex_format)in->format, in->offset);
     f32x8 out[2][4];
     fetch_checked(&stream, &fetch, in->stride, in->element, out[0]);
