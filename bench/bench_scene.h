@@ -45,7 +45,21 @@ enum bench_format {
     BENCH_SRGB8_ALPHA8, // colours are decoded before they are filtered
     BENCH_RGBA16F,
     BENCH_R32F,
-    BENCH_D32F
+    BENCH_D32F,
+    // Of pictures alone.
+    BENCH_R8,
+    BENCH_RG8,
+    BENCH_BGRA8,
+    BENCH_R16,
+    BENCH_RG16,
+    BENCH_RGBA16,
+    BENCH_RGB10A2,
+    BENCH_RGB565,
+    BENCH_R16F,
+    BENCH_RG16F,
+    BENCH_RG32F,
+    BENCH_RGBA32F,
+    BENCH_FORMATS
 };
 
 enum bench_filter {
@@ -193,6 +207,7 @@ struct bench_scene {
     float (*shared)[4];
     struct bench_surfaces *surfaces; // of the physically based shader, scene_pbr.h; NULL: none
     bool has_color;                  // of the picture; else it is its depth
+    enum bench_format picture;       // its colour; scenes with `surfaces` have one of their own
     // Every fragment is to be shaded, hidden or not: fewer than `work` fragments are a failure.
     bool shades_all;
     // No picture to look at: the time is that of opening and closing rhw, or an empty texture; of making the mip chain

@@ -153,6 +153,8 @@ static bool take(struct bench_renderer *renderer, const struct bench_scene *scen
     s->width = width;
     s->height = height;
     if (!gles_upload(s)) {
+        while (s->gl.get_error() != GL_NO_ERROR) {
+        }
         return false;
     }
     s->gl.front_face(GL_CW); // y is turned round

@@ -30,6 +30,20 @@ static GLuint make_renderbuffer(const struct gles *gl, GLenum format, int sample
     return buffer;
 }
 
+// The format of the picture. Those of 16 bits and the order blue, green, red are extensions.
+static GLenum picture_format(const struct bench_scene *scene)
+{
+    static const GLenum formats[BENCH_FORMATS] = {[BENCH_RGBA8] = GL_RGBA8,    [BENCH_RGBA16F] = GL_RGBA16F,
+                                                  [BENCH_R32F] = GL_R32F,      [BENCH_R8] = GL_R8,
+                                                  [BENCH_RG8] = GL_RG8,        [BENCH_BGRA8] = 0x93a1,
+                                                  [BENCH_R16] = 0x822a,        [BENCH_RG16] = 0x822c,
+                                                  [BENCH_RGBA16] = 0x805b,     [BENCH_RGB10A2] = GL_RGB10_A2,
+                                                  [BENCH_RGB565] = GL_RGB565,  [BENCH_R16F] = GL_R16F,
+                                                  [BENCH_RG16F] = GL_RG16F,    [BENCH_RG32F] = GL_RG32F,
+                                                  [BENCH_RGBA32F] = GL_RGBA32F};
+    return scene->surfaces ? GL_SRGB8_ALPHA8 : formats[scene->picture];
+}
+
 // A framebuffer of several samples, which frames draw into and resolve.
 static bool make_samples(struct gles_state *s)
 {
@@ -106,8 +120,7 @@ bool gles_targets_make(struct gles_state *s)
     const struct bench_scene *const scene = s->scene;
     bool complete = true;
     if (scene->has_color) {
-        s->color =
-            make_renderbuffer(gl, scene->surfaces ? GL_SRGB8_ALPHA8 : GL_RGBA8, 0, s->width, s->height);
+        s->color = make_renderbuffer(gl, picture_format(scene), 0, s->width, s->height);
     } else {
         s->depth = make_depth_texture(s);
     }
@@ -191,8 +204,53 @@ bool gles_read_depth(struct gles_state *s, float *depth)
     return gl->get_error() == GL_NO_ERROR;
 }
 
+// Floats are read as such and rounded here.
+static bool read_floats(const struct gles_state *s, uint8_t *color)
+{
+    const size_t count = 4 * (size_t)s->width * (size_t)s->height;
+    float *const pixels = malloc(count * sizeof *pixels);
+    if (!pixels) {
+        return false;
+    }
+    s->gl.read_pixels(0, 0, s->width, s->height, GL_RGBA, GL_FLOAT, pixels);
+    for (size_t i = 0; i < count; i++) {
+        const float value = pixels[i] > 0.0f ? pixels[i] < 1.0f ? pixels[i] : 1.0f : 0.0f;
+        color[i] = (uint8_t)(value * 255.0f + 0.5f);
+    }
+    free(pixels);
+    return s->gl.get_error() == GL_NO_ERROR;
+}
+
+static bool is_float(enum bench_format format)
+{
+    return format == BENCH_RGBA16F || format == BENCH_R32F || format >= BENCH_R16F;
+}
+
+// Channels of 16 bits are read as such, of which the upper 8 are kept.
+static bool read_shorts(const struct gles_state *s, uint8_t *color)
+{
+    const size_t count = 4 * (size_t)s->width * (size_t)s->height;
+    uint16_t *const pixels = malloc(count * sizeof *pixels);
+    if (!pixels) {
+        return false;
+    }
+    s->gl.read_pixels(0, 0, s->width, s->height, GL_RGBA, GL_UNSIGNED_SHORT, pixels);
+    for (size_t i = 0; i < count; i++) {
+        color[i] = (uint8_t)((pixels[i] * 255u + 32767u) / 65535u);
+    }
+    free(pixels);
+    return s->gl.get_error() == GL_NO_ERROR;
+}
+
 bool gles_read_color(const struct gles_state *s, uint8_t *color)
 {
+    const enum bench_format format = s->scene->picture;
+    if (is_float(format)) {
+        return read_floats(s, color);
+    }
+    if (format == BENCH_R16 || format == BENCH_RG16 || format == BENCH_RGBA16) {
+        return read_shorts(s, color);
+    }
     s->gl.read_pixels(0, 0, s->width, s->height, GL_RGBA, GL_UNSIGNED_BYTE, color);
     return s->gl.get_error() == GL_NO_ERROR;
 }

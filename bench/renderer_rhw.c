@@ -194,9 +194,30 @@ static bool frame(struct bench_renderer *renderer)
     return works;
 }
 
+// Copies out a picture of any format as RGBA8.
+static bool read_converted(const struct bench_state *s, uint8_t *color)
+{
+    struct rhw_texture_def def = rhw_texture_def_default();
+    def.format = RHW_FORMAT_RGBA8_UNORM;
+    def.width = s->width;
+    def.height = s->height;
+    rhw_texture copy;
+    if (rhw_texture_create(s->context, &def, &copy) != RHW_OK) {
+        return false;
+    }
+    const struct rhw_blit_region all = {.x1 = s->width, .y1 = s->height, .z1 = 1};
+    const bool made = rhw_texture_blit(s->context, s->color, &all, copy, &all, RHW_FILTER_NEAREST) == RHW_OK;
+    rhw_texture_read(s->context, copy, 0, color, 0);
+    rhw_texture_destroy(s->context, copy);
+    return made;
+}
+
 static bool read_image(struct bench_renderer *renderer, struct bench_image *image)
 {
     const struct bench_state *const s = renderer->state;
+    if (image->color && s->scene->picture != BENCH_RGBA8) {
+        return read_converted(s, image->color);
+    }
     if (image->color) {
         rhw_texture_read(s->context, s->color, 0, image->color, 0);
     }

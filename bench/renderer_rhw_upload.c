@@ -8,11 +8,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const enum rhw_format formats[] = {[BENCH_RGBA8] = RHW_FORMAT_RGBA8_UNORM,
-                                          [BENCH_SRGB8_ALPHA8] = RHW_FORMAT_RGBA8_SRGB,
-                                          [BENCH_RGBA16F] = RHW_FORMAT_RGBA16_FLOAT,
-                                          [BENCH_R32F] = RHW_FORMAT_R32_FLOAT,
-                                          [BENCH_D32F] = RHW_FORMAT_D32_FLOAT};
+static const enum rhw_format formats[] = {
+    [BENCH_RGBA8] = RHW_FORMAT_RGBA8_UNORM,    [BENCH_SRGB8_ALPHA8] = RHW_FORMAT_RGBA8_SRGB,
+    [BENCH_RGBA16F] = RHW_FORMAT_RGBA16_FLOAT, [BENCH_R32F] = RHW_FORMAT_R32_FLOAT,
+    [BENCH_D32F] = RHW_FORMAT_D32_FLOAT,       [BENCH_R8] = RHW_FORMAT_R8_UNORM,
+    [BENCH_RG8] = RHW_FORMAT_RG8_UNORM,        [BENCH_BGRA8] = RHW_FORMAT_BGRA8_UNORM,
+    [BENCH_R16] = RHW_FORMAT_R16_UNORM,        [BENCH_RG16] = RHW_FORMAT_RG16_UNORM,
+    [BENCH_RGBA16] = RHW_FORMAT_RGBA16_UNORM,  [BENCH_RGB10A2] = RHW_FORMAT_RGB10A2_UNORM,
+    [BENCH_RGB565] = RHW_FORMAT_RGB565_UNORM,  [BENCH_R16F] = RHW_FORMAT_R16_FLOAT,
+    [BENCH_RG16F] = RHW_FORMAT_RG16_FLOAT,     [BENCH_RG32F] = RHW_FORMAT_RG32_FLOAT,
+    [BENCH_RGBA32F] = RHW_FORMAT_RGBA32_FLOAT};
 
 // Buffers and textures -------------------------------------------------------------------------------
 
@@ -142,8 +147,8 @@ static void set_targets(struct rhw_pipeline_def *def, const struct bench_scene *
     def->target_count = pass->color_count;
     for (int i = 0; i < pass->color_count; i++) {
         struct rhw_color_target *const target = &def->targets[i];
-        target->format =
-            formats[pass->colors[i] == BENCH_PICTURE ? BENCH_RGBA8 : scene->textures[pass->colors[i]].format];
+        target->format = formats[pass->colors[i] == BENCH_PICTURE ? scene->picture
+                                                                  : scene->textures[pass->colors[i]].format];
         target->blend = draw->blend != BENCH_BLEND_OFF;
         target->color = target->alpha = (struct rhw_blend_component){src, dst, RHW_BLEND_ADD};
         target->write_mask = draw->stencil == BENCH_STENCIL_COUNT ? RHW_WRITE_NONE : 0;
@@ -243,7 +248,7 @@ bool bench_rhw_upload(struct bench_state *s)
     s->textures = calloc((size_t)scene->texture_count + 1, sizeof *s->textures);
     s->pipelines = calloc((size_t)scene->draw_count + 1, sizeof *s->pipelines);
     return s->vertices && s->indices && s->instances && s->textures && s->pipelines && make_samplers(s) &&
-           (scene->has_color ? make_picture(s, RHW_FORMAT_RGBA8_UNORM, &s->color)
+           (scene->has_color ? make_picture(s, formats[scene->picture], &s->color)
                              : make_picture(s, RHW_FORMAT_D32_FLOAT, &s->depth)) &&
            make_meshes(s) && make_textures(s) && make_pipelines(s);
 }

@@ -17,6 +17,7 @@ enum bench_floor_variant {
     BENCH_FLOOR_PAINTER_FREE
 };
 
+// The variant of `entry` is one of these.
 bool bench_make_floor(const struct bench_scene_entry *entry, struct bench_scene *scene, int width, int height,
                       char *why, size_t why_size);
 

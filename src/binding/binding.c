@@ -95,6 +95,10 @@ struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_pa
     } else if (anisotropic) {
         binding.isotropic = binding.sample;
         binding.sample = binding.sample_offset = kernels->sample_anisotropic;
+        if (fixed) {
+            binding.sample =
+                special ? kernels->sample_fixed_anisotropic : kernels->sample_fixed_anisotropic_general;
+        }
     }
     binding.shares_footprints = fixed && special && !anisotropic;
     if (texture && texture->swizzles) {

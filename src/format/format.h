@@ -38,6 +38,28 @@ enum rhw_channel_order { RHW_ORDER_RGBA, RHW_ORDER_BGRA, RHW_ORDER_ABGR };
 // Formats that the sampler and blending have fast paths for.
 enum rhw_texel_path { RHW_TEXELS_GENERAL, RHW_TEXELS_RGBA8_UNORM, RHW_TEXELS_RGBA8_SRGB };
 
+// Formats whose texels blending reads and writes by code of their own. kernels/texel/known_formats.h has the row of
+// each.
+enum rhw_known_format {
+    RHW_KNOWN_NONE,
+    RHW_KNOWN_R8,
+    RHW_KNOWN_RG8,
+    RHW_KNOWN_BGRA8,
+    RHW_KNOWN_BGRA8_SRGB,
+    RHW_KNOWN_R16,
+    RHW_KNOWN_RG16,
+    RHW_KNOWN_RGBA16,
+    RHW_KNOWN_RGB10A2,
+    RHW_KNOWN_RGB565,
+    RHW_KNOWN_R16_FLOAT,
+    RHW_KNOWN_RG16_FLOAT,
+    RHW_KNOWN_RGBA16_FLOAT,
+    RHW_KNOWN_R32_FLOAT,
+    RHW_KNOWN_RG32_FLOAT,
+    RHW_KNOWN_RGBA32_FLOAT,
+    RHW_KNOWN_COUNT
+};
+
 // What a texture of a format can be. Each role is a bit.
 enum {
     RHW_ROLE_COLOR_TARGET = 1,
@@ -64,6 +86,7 @@ struct rhw_format_info {
     uint8_t roles;
     enum rhw_channel_order order; // for UNORM8 and SRGB8
     enum rhw_channel_type type;   // for FIELDS and BITS32
+    enum rhw_known_format known;
     // For FIELDS: bits are counted from the lowest bit of the texel, and no channel crosses a word of 32 bits.
     uint8_t first[4], bits[4];
 };
@@ -93,6 +116,17 @@ static inline bool rhw_format_is_normalized(const struct rhw_format_info *info)
     return info->type == RHW_CHANNEL_UNORM || info->type == RHW_CHANNEL_SNORM ||
            info->codec == RHW_CODEC_UNORM8 || info->codec == RHW_CODEC_SRGB8 ||
            info->codec == RHW_CODEC_DEPTH16 || info->codec == RHW_CODEC_DEPTH24;
+}
+
+// Return where a channel of a byte stands, counted from the lowest byte. A texel of four channels has all orders.
+static inline int rhw_channel_place(enum rhw_channel_order order, int channel)
+{
+    switch (order) {
+    case RHW_ORDER_RGBA: return channel;
+    case RHW_ORDER_BGRA: return channel == 3 ? 3 : 2 - channel;
+    case RHW_ORDER_ABGR: return 3 - channel;
+    }
+    return channel;
 }
 
 // Return the least value of a normalized format.

@@ -4,6 +4,7 @@
 #include "kernel_entries.h"
 
 #include "kernels/texture/anisotropy.h"
+#include "kernels/texture/anisotropy_fixed.h"
 #include "kernels/texture/filter_general.h"
 #include "kernels/texture/storage_image.h"
 #include "kernels/texture/texel_query.h"
@@ -18,6 +19,19 @@ void RHW_ISA_NAME(rhw_sample_anisotropic)(const struct rhw_binding *binding,
                                           const struct rhw_sample_request *request, rhw_float texel[4])
 {
     sample_anisotropic(binding, request, texel);
+}
+
+void RHW_ISA_NAME(rhw_sample_fixed_anisotropic)(const struct rhw_binding *binding,
+                                                const struct rhw_sample_request *request, rhw_float texel[4])
+{
+    sample_fixed_anisotropic(binding, request, FOOTPRINTS_INTERIOR, texel);
+}
+
+void RHW_ISA_NAME(rhw_sample_fixed_anisotropic_general)(const struct rhw_binding *binding,
+                                                        const struct rhw_sample_request *request,
+                                                        rhw_float texel[4])
+{
+    sample_fixed_anisotropic(binding, request, FOOTPRINTS_WRAPPED, texel);
 }
 
 void RHW_ISA_NAME(rhw_sample_biased)(const struct rhw_binding *binding,

@@ -110,8 +110,8 @@ struct rhw_tile_scratch {
     struct fragment_queue queue;
     struct collected_fragments collected;
     struct partial_group partial;
-    // 8 texels of each RGBA8 target that is replaced; see constant_color.h.
-    i32x8 constant[RHW_MAX_COLOR_ATTACHMENTS];
+    // 8 texels of each target whose texels are replaced; see constant_color.h.
+    _Alignas(32) unsigned char constant[RHW_MAX_COLOR_ATTACHMENTS][RHW_LANES * RHW_TEXEL_BYTES];
     // Multisampled passes have a bit for each block of 8×8 pixels: its samples have colours of their own. All samples
     // of other blocks have the first one's colour.
     uint64_t expanded;

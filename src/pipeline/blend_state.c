@@ -52,10 +52,12 @@ static enum rhw_blend_path choose_path(const struct rhw_blend_state *state)
     if (format->path == RHW_TEXELS_RGBA8_UNORM && is_sum(state->color) && is_sum(state->alpha)) {
         return BLEND_RGBA8_SUM;
     }
-    if (!rhw_format_is_integer(format) && state->replaces) {
-        return rhw_format_is_normalized(format) ? BLEND_NORMALIZED_REPLACE : BLEND_FLOAT_REPLACE;
+    // SNORM formats hold the factors to 1, which the general path does.
+    if (state->blend && state->writes_all && state->least == 0 && is_over(state->color) &&
+        is_over(state->alpha)) {
+        return BLEND_OVER;
     }
-    return BLEND_GENERAL;
+    return state->replaces ? BLEND_REPLACE : BLEND_GENERAL;
 }
 
 static float clamp(float value, float least)
@@ -112,19 +114,23 @@ void rhw_blend_state_init(struct rhw_blend_state *state, const struct rhw_color_
         }
         state->constant[i] = normalized ? clamp(constant[i], state->least) : constant[i];
     }
+    state->known = format->known;
+    state->is_sum = state->least == 0 && is_sum(state->color) && is_sum(state->alpha);
     state->path = choose_path(state);
 }
 
 void rhw_blend_state_generalize(struct rhw_blend_state *state)
 {
+    state->known = RHW_KNOWN_NONE;
+    state->is_sum = false;
     switch (state->path) {
     case BLEND_RGBA8_REPLACE:
     case BLEND_RGBA8_MASKED:
     case BLEND_SRGB8_REPLACE:
     case BLEND_SRGB8_OVER:
     case BLEND_RGBA8_SUM:
-    case BLEND_NORMALIZED_REPLACE:
-    case BLEND_FLOAT_REPLACE: state->path = BLEND_GENERAL; break;
+    case BLEND_REPLACE:
+    case BLEND_OVER: state->path = BLEND_GENERAL; break;
     default: break;
     }
 }

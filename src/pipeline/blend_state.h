@@ -16,9 +16,8 @@ enum rhw_blend_path {
     BLEND_SRGB8_OVER,    // the factors of BLEND_RGBA8_OVER
     BLEND_RGBA8_SUM,     // ONE and ONE, added
     BLEND_BITS_REPLACE,  // one channel of 32 bits
-    BLEND_FLOAT_REPLACE, // all channels of a float format
-    // All channels of a normalized format that has no path of its own.
-    BLEND_NORMALIZED_REPLACE,
+    BLEND_REPLACE,       // all channels of a format that has no path of its own
+    BLEND_OVER,          // the factors of BLEND_RGBA8_OVER, all channels of such a format
     BLEND_GENERAL
 };
 
@@ -28,8 +27,10 @@ static const enum rhw_format rhw_left_out_format = RHW_FORMAT_RGBA8_UNORM;
 struct rhw_blend_state {
     enum rhw_blend_path path;
     const struct rhw_format_info *format;
+    enum rhw_known_format known;
     bool blend;                // false too where blending is replacement spelled out
     bool color_one, alpha_one; // the source factor is ONE
+    bool is_sum;               // ONE and ONE, added, of a format whose general path has code for that
     // A factor is of the second source, color[1] of the fragment.
     bool reads_second;
     bool writes_all;        // all channels of the format

@@ -48,6 +48,13 @@ else
 fi
 check "process: nothing left" test -z "$(ls leaves)"
 
+# Pictures of other formats, beside the peer where it draws into them.
+run bench $tiny --scene cliffs --csv
+check "formats: status" test "$status" = 0
+check "formats: a row each" test "$(grep -cE '^cliffs_(flat|store|blend)_[a-z0-9]+,' "$folder/log/out")" = "$("$rhw" bench --list | grep -c '^cliffs_')"
+check "formats: pictures agree" sh -c "! grep -q ',no,' '$folder/log/out'"
+check "formats: no other line" sh -c "! grep -v 'not compared with' '$folder/log/err'"
+
 # The peer, or one line that says why there is none.
 run bench $tiny --scene fill_blend,sphere_10k,points,shadow_,reflection,deferred,particles,empty,draws_10k,context,texture,mips --json
 check "with the peer: status" test "$status" = 0
@@ -90,6 +97,40 @@ CSV
 "$root/script/bench_chart" results.csv >chart.svg
 check "chart: two bars" test "$(grep -c '<rect class="bar"' chart.svg)" = 2
 check "chart: labels" test "$(grep -cE '>(6.0|3.8)× ' chart.svg)" = 2
+
+# The tables of docs/performance.md.
+cat >older.csv <<'CSV'
+scene,rhw_ms,rhw_1_thread_ms,peer,peer_ms,ratio,peer_version
+fill_flat,2.0,3.0,llvmpipe,24.0,12.0,22.3.6
+CSV
+cat >newer.csv <<'CSV'
+scene,rhw_ms,rhw_1_thread_ms,peer,peer_ms,ratio,peer_version
+fill_flat,2.0,4.0,llvmpipe,12.0,6.0,25.0.7-2~bpo12+1
+fill_color,4.0,8.0,llvmpipe,4.0,1.0,25.0.7-2~bpo12+1
+cliffs_store_r8,5.0,9.0,llvmpipe,6.0,1.2,25.0.7-2~bpo12+1
+context,0.1,0.1,,,,
+CSV
+"$root/script/bench_table" scenes newer.csv older.csv >table
+check "table: names both" grep -qF '| scene | rhw, ms | llvmpipe 25.0.7, ms | times as fast | goal | than llvmpipe 22.3.6 | 2 threads over 1 |' table
+check "table: a goal that is met" grep -qF '| fill_flat | 2.00 | 12.0 | **6.0** | 4 | 12.0 | 2.0 |' table
+check "table: a goal that is missed" grep -qF '| fill_color | 4.00 | 4.00 | 1.0 | 2 |  | 2.0 |' table
+check "table: pictures that a peer drew" test "$(wc -l <table)" = 4
+"$root/script/bench_table" cliffs newer.csv >table
+check "table: a factor" grep -qF '| cliffs_store_r8 | fill_color | 5.00 | **1.25** | 1.3 | 6.00 | 1.50 |' table
+
+# The peer's libraries, which a command is given by its environment, or a line where they cannot be had.
+mkdir -p stubs peer/root/usr/lib peer/root/usr/share
+printf '#!/bin/sh\nexit 1\n' >stubs/apt-get
+chmod +x stubs/apt-get
+RHW_PEER=$PWD/none PATH=$PWD/stubs:$PATH "$root/script/peer" echo ran >out 2>err
+check "peer: runs without a network" grep -qx ran out
+check "peer: says so" test "$(grep -c '^script/peer: no Mesa from .*; going on with the system' err)" = 1 -a "$(wc -l <err)" = 1
+touch peer/root/usr/lib/libEGL_mesa.so.0 peer/root/usr/share/50_mesa.json
+echo 99.1 >peer/version
+RHW_PEER=$PWD/peer "$root/script/peer" sh -c 'echo "$LD_LIBRARY_PATH $__EGL_VENDOR_LIBRARY_FILENAMES"' >out 2>err
+check "peer: names the version" grep -q '^script/peer: Mesa 99.1 from ' err
+check "peer: the environment" grep -q "^$PWD/peer/root/usr/lib.* $PWD/peer/root/usr/share/50_mesa.json" out
+
 if command -v xmllint >/dev/null 2>&1; then
     check "chart: well-formed" xmllint --noout chart.svg
 fi

@@ -37,6 +37,7 @@ NOT_RUN = {
     r"(CTEST_ARGS='.*' )?script/test(-long)?( \w+)?": "runs this test",
     r"script/bench": MINUTES,
     r"script/isas": MINUTES,
+    r"script/peer COMMAND": "fetches packages; program_bench runs it without a network",
     r"script/growth": MINUTES,
     r"script/instructions( .*)?": MINUTES,
     r"script/fuzz \d+": MINUTES,

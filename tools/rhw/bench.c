@@ -107,10 +107,11 @@ static void free_images(struct bench *bench)
     }
 }
 
-static bool read_images(struct bench *bench, const struct bench_scene *scene)
+// Reads the pictures of the first `count` renderers.
+static bool read_images(struct bench *bench, const struct bench_scene *scene, int count)
 {
     const size_t pixels = (size_t)bench->job.width * (size_t)bench->job.height;
-    for (int i = 0; i < bench->renderer_count; i++) {
+    for (int i = 0; i < count; i++) {
         struct bench_image *const image = &bench->images[i];
         *image = (struct bench_image){.width = bench->job.width, .height = bench->job.height};
         image->color = scene->has_color ? malloc(4 * pixels) : NULL;
@@ -164,11 +165,10 @@ static bool save_image(const char *folder, const char *scene, const char *render
     return false;
 }
 
-static bool save_images(const struct bench *bench, const char *scene)
+static bool save_images(const struct bench *bench, const char *scene, bool with_peer)
 {
     return save_image(bench->job.save, scene, "rhw", &bench->images[ALL_THREADS]) &&
-           (bench->peer < 0 ||
-            save_image(bench->job.save, scene, bench->job.peer, &bench->images[bench->peer]));
+           (!with_peer || save_image(bench->job.save, scene, bench->job.peer, &bench->images[bench->peer]));
 }
 
 // rhw's own promise, while the pictures are at hand: the number of threads changes no byte.
@@ -197,11 +197,13 @@ static struct bench_tolerance tolerance_of(const struct bench *bench, const stru
 
 // Scenes --------------------------------------------------------------------------------------------
 
-static bool check_images(struct bench *bench, const struct bench_scene *scene,
+// `with_peer`: the peer has drawn the scene too.
+static bool check_images(struct bench *bench, const struct bench_scene *scene, bool with_peer,
                          struct cli_bench_result *result)
 {
     const char *const name = result->entry->name;
-    if (!read_images(bench, scene) || (bench->job.save && !save_images(bench, name))) {
+    const int count = bench->renderer_count - (bench->peer >= 0 && !with_peer);
+    if (!read_images(bench, scene, count) || (bench->job.save && !save_images(bench, name, with_peer))) {
         return false;
     }
     if (!same_for_threads(bench)) {
@@ -212,7 +214,7 @@ static bool check_images(struct bench *bench, const struct bench_scene *scene,
         cli_error(name, "fewer fragments were shaded than there are");
         bench->failed = true;
     }
-    if (bench->peer >= 0) {
+    if (with_peer) {
         char text[256];
         const struct bench_tolerance tolerance = tolerance_of(bench, scene);
         result->agreement = bench_agree(&bench->images[ALL_THREADS], &bench->images[bench->peer], &tolerance);
@@ -229,13 +231,22 @@ static bool measure_scene(struct bench *bench, const struct bench_scene *scene,
                           struct cli_bench_result *result)
 {
     struct bench_time times[RENDERERS_MAX];
-    const bool with_peer = bench->peer >= 0 && bench_scene_has_picture(scene); // the peer is the last
-    const int count = bench->renderer_count - (bench->peer >= 0 && !with_peer);
+    bool with_peer = bench->peer >= 0 && bench_scene_has_picture(scene); // the peer is the last
+    int count = bench->renderer_count - (bench->peer >= 0 && !with_peer);
     int failed = 0, taken = 0;
     bool works = true;
     for (; works && taken < count; taken++) {
         struct bench_renderer *const renderer = &bench->renderers[taken];
         works = renderer->take(renderer, scene, bench->job.width, bench->job.height);
+        if (!works && taken == bench->peer && scene->picture != BENCH_RGBA8) {
+            cli_warning(result->entry->name, "not compared with %s: it does not draw into this format",
+                        bench->job.peer);
+            renderer->release(renderer);
+            with_peer = false;
+            works = true;
+            count--;
+            break;
+        }
         if (!works) {
             cli_error(renderer->name, "cannot take the scene %s", result->entry->name);
         }
@@ -244,7 +255,7 @@ static bool measure_scene(struct bench *bench, const struct bench_scene *scene,
         cli_error(bench->renderers[failed].name, "cannot draw the scene %s", result->entry->name);
         works = false;
     }
-    works = works && (!bench_scene_has_picture(scene) || check_images(bench, scene, result));
+    works = works && (!bench_scene_has_picture(scene) || check_images(bench, scene, with_peer, result));
     free_images(bench);
     while (taken-- > 0) {
         bench->renderers[taken].release(&bench->renderers[taken]);

@@ -8,7 +8,7 @@
 
 #include <stdio.h>
 
-enum { CLI_BENCH_SCENES_MAX = 64 };
+enum { CLI_BENCH_SCENES_MAX = 128 };
 
 struct cli_bench_job {
     bool wanted[CLI_BENCH_SCENES_MAX]; // of bench_scene_entries

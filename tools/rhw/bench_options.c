@@ -167,7 +167,7 @@ static bool take_option(struct cli_bench_job *job, int id, const char *argument)
 static void print_list(void)
 {
     for (int i = 0; i < bench_scene_entry_count; i++) {
-        printf("%-16s %s\n", bench_scene_entries[i].name, bench_scene_entries[i].what);
+        printf("%-20s %s\n", bench_scene_entries[i].name, bench_scene_entries[i].what);
     }
 }
 

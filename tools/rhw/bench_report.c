@@ -24,6 +24,13 @@ static const char *peer_of(const struct cli_bench_report *report)
     return report->job->peer;
 }
 
+// The part of the driver's name from "Mesa" on, without a comma, or "".
+static const char *peer_version(const struct cli_bench_report *report)
+{
+    const char *const version = strstr(report->peer_name, "Mesa ");
+    return version && !strchr(version, ',') ? version + strlen("Mesa ") : "";
+}
+
 void cli_bench_describe(const struct cli_bench_result *result, char *text, size_t size)
 {
     const struct bench_agreement *const a = &result->agreement;
@@ -49,7 +56,7 @@ void cli_bench_print_head(const struct cli_bench_report *report)
     if (report->peer_name[0]) {
         printf("%s\n", report->peer_name);
     }
-    printf("%dx%d, milliseconds per frame: median (least-most) of %d\n\n%-16s", job->width, job->height,
+    printf("%dx%d, milliseconds per frame: median (least-most) of %d\n\n%-20s", job->width, job->height,
            job->frames, "scene");
     if (report->threads > 1) {
         printf(" %-23s", "1 thread");
@@ -68,7 +75,7 @@ static void print_time(const struct bench_time *time)
 
 void cli_bench_print_row(const struct cli_bench_report *report, const struct cli_bench_result *result)
 {
-    printf("%-16s", result->entry->name);
+    printf("%-20s", result->entry->name);
     if (result->has_one) {
         print_time(&result->one);
     } else if (report->threads > 1) {
@@ -186,7 +193,7 @@ static void csv_time(FILE *stream, bool present, const struct bench_time *time)
 void cli_bench_print_csv(FILE *stream, const struct cli_bench_report *report)
 {
     fputs("scene,rhw_ms,rhw_min_ms,rhw_max_ms,rhw_1_thread_ms,rhw_1_thread_min_ms,rhw_1_thread_max_ms,"
-          "rate,unit,peer,peer_ms,peer_min_ms,peer_max_ms,ratio,agrees\n",
+          "rate,unit,peer,peer_ms,peer_min_ms,peer_max_ms,ratio,agrees,peer_version\n",
           stream);
     for (int i = 0; i < report->result_count; i++) {
         const struct cli_bench_result *const r = &report->results[i];
@@ -201,9 +208,10 @@ void cli_bench_print_csv(FILE *stream, const struct cli_bench_report *report)
         fprintf(stream, ",%s", r->has_peer ? peer_of(report) : "");
         csv_time(stream, r->has_peer, &r->peer);
         if (r->has_peer) {
-            fprintf(stream, ",%.4f,%s", r->peer.median / r->all.median, r->agreement.agrees ? "yes" : "no");
+            fprintf(stream, ",%.4f,%s,%s", r->peer.median / r->all.median, r->agreement.agrees ? "yes" : "no",
+                    peer_version(report));
         } else {
-            fputs(",,", stream);
+            fputs(",,,", stream);
         }
         fputc('\n', stream);
     }

@@ -65,14 +65,6 @@ static __attribute__((noinline)) void blend_rgba8_sum(const struct rhw_blend_sta
     store_word_bits(texels, unorm8_texels(result), *mask & (i32x8)i32x8_splat((int32_t)state->texel_mask[0]));
 }
 
-RHW_INLINE void store_target(const struct rhw_blend_state *state, const f32x8 value[4], i32x8 mask,
-                             unsigned char *texels)
-{
-    struct raw_texels raw;
-    encode_texels(state->format, value, &raw);
-    store_texel_row(state->format->size, &raw, mask, texels);
-}
-
 // Return the factor of channel `i`; channel 3 is alpha. src[4..7] is the second source.
 static inline f32x8 any_blend_factor(const struct rhw_blend_state *state, enum rhw_blend_factor factor,
                                      const f32x8 *src, const f32x8 dst[4], int i)
@@ -152,24 +144,38 @@ RHW_INLINE i32x8 combine_bits(enum rhw_logic logic, i32x8 src, i32x8 dst)
     }
 }
 
-// Set the blended values of the channels.
-RHW_INLINE void blend_values(const struct rhw_blend_state *state, const struct raw_texels *old,
-                             const f32x8 *src, f32x8 result[4])
+// Set the blended values of the first `count` channels.
+static __attribute__((noinline)) void blend_any_values(const struct rhw_blend_state *state, const f32x8 *src,
+                                                       const f32x8 *dst, int count, f32x8 *result)
 {
-    f32x8 dst[4];
-    decode_texels(state->format, old, dst);
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < count; i++) {
         result[i] = blend_channel(state, src, dst, i);
     }
 }
 
-// Set four values as a normalized format holds them; NaN becomes 0.
-RHW_INLINE void clamp_values(const struct rhw_blend_state *state, const f32x8 *value, f32x8 *clamped)
+// Set the blended values of the channels that the format has. Sums have the operations of blend_channel.
+RHW_INLINE void blend_values(const struct rhw_blend_state *state, const struct rhw_format_info *format,
+                             const struct raw_texels *old, const f32x8 *src, f32x8 result[4])
 {
-    for (int i = 0; i < 4; i++) {
-        clamped[i] = rhw_clamp(value[i], rhw_splat(state->least), rhw_splat(1.0f));
+    f32x8 dst[4];
+    decode_texels(format, old, dst);
+    if (!state->is_sum) {
+        blend_any_values(state, src, dst, format->channels, result);
+        return;
     }
-    for (int i = 0; i < 4 && state->least < 0; i++) {
+    for (int i = 0; i < format->channels; i++) {
+        result[i] = src[i] + dst[i];
+    }
+}
+
+// Set four values as a normalized format holds them; NaN becomes 0.
+RHW_INLINE void clamp_values(const struct rhw_format_info *format, const f32x8 *value, f32x8 *clamped)
+{
+    const float least = rhw_format_least(format);
+    for (int i = 0; i < 4; i++) {
+        clamped[i] = rhw_clamp(value[i], rhw_splat(least), rhw_splat(1.0f));
+    }
+    for (int i = 0; i < 4 && least < 0; i++) {
         clamped[i] = rhw_select(rhw_equal(value[i], value[i]), clamped[i], rhw_splat(0.0f));
     }
 }
@@ -184,46 +190,182 @@ static __attribute__((noinline)) void merge_bits(const struct rhw_blend_state *s
     }
 }
 
-// Blend any format in any way. The write mask counts bits, so that what is kept stays as it was. The function is not
-// inline, being large and seldom hot.
-static __attribute__((noinline)) void blend_general(const struct rhw_blend_state *state, const f32x8 *color,
-                                                    const i32x8 *mask, unsigned char *texels)
+// Encode values. The codecs of normalized formats clamp, and make 0 of NaN.
+RHW_INLINE void encode_values(const struct rhw_format_info *format, const f32x8 *value,
+                              struct raw_texels *raw)
 {
-    const struct rhw_format_info *const format = state->format;
-    const bool normalized = rhw_format_is_normalized(format);
-    struct raw_texels old, raw;
-    f32x8 src[8], result[4];
-    load_texel_row(format->size, texels, &old);
-    for (int first = 0; first <= (state->reads_second ? 4 : 0); first += 4) {
-        if (normalized) {
-            clamp_values(state, color + first, src + first);
-        } else {
-            memcpy(src + first, color + first, sizeof result);
-        }
+    f32x8 number[4] = {rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f)};
+    const bool keeps_nan = rhw_format_is_normalized(format) || rhw_format_is_integer(format);
+    for (int i = 0; i < format->channels; i++) {
+        number[i] = keeps_nan ? value[i] : canonical_nan(value[i]);
     }
-    if (state->blend) {
-        blend_values(state, &old, src, result);
-    } else {
-        memcpy(result, src, sizeof result);
-    }
-    if (!rhw_format_is_integer(format)) {
-        for (int i = 0; i < 4; i++) {
-            result[i] = canonical_nan(result[i]);
-        }
-    }
-    encode_texels(format, result, &raw);
-    if (!state->writes_all || state->logic != RHW_LOGIC_OFF) {
-        merge_bits(state, &old, &raw);
-    }
-    store_texel_row(format->size, &raw, *mask, texels);
+    encode_texels(format, number, raw);
 }
 
-// Put values into the place of texels of a normalized format. The codecs clamp, and make 0 of NaN.
-static __attribute__((noinline)) void replace_normalized(const struct rhw_blend_state *state,
-                                                         const f32x8 *color, const i32x8 *mask,
-                                                         unsigned char *texels)
+// Groups of 8 fragments, and the rows of 8 texels of a target that they are put into.
+struct texel_rows {
+    int count;
+    const f32x8 *color;    // 4 channels of group 0, and a second source behind them
+    size_t stride;         // vectors from a group's color to the next one's
+    unsigned char *texels; // a tile
+    const int32_t *at;     // the number of the first texel of each row
+    const i32x8 *mask;     // lanes of the only group that count; NULL: all lanes of all groups
+};
+
+RHW_INLINE void store_row(const struct texel_rows *rows, const struct rhw_format_info *format,
+                          const struct raw_texels *raw, unsigned char *texels)
 {
-    store_target(state, color, *mask, texels);
+    if (rows->mask) {
+        store_texel_row(format->size, raw, *rows->mask, texels);
+    } else {
+        store_texel_row(format->size, raw, i32x8_splat(-1), texels);
+    }
+}
+
+// Put values into the place of texels of a format. In this function and the next the format is a constant where a call
+// names it. Texels may be anything to the compiler, so what the loops need of `rows` is loaded before them.
+RHW_INLINE void replace_format(const struct rhw_format_info *format, const struct texel_rows *rows)
+{
+    const struct texel_rows all = *rows;
+    for (int g = 0; g < all.count; g++) {
+        struct raw_texels raw;
+        encode_values(format, all.color + (size_t)g * all.stride, &raw);
+        store_row(&all, format, &raw, all.texels + (size_t)all.at[g] * format->size);
+    }
+}
+
+RHW_INLINE void blend_format(const struct rhw_blend_state *state, const struct rhw_format_info *format,
+                             const struct texel_rows *rows)
+{
+    const struct texel_rows all = *rows;
+    for (int g = 0; g < all.count; g++) {
+        unsigned char *const texels = all.texels + (size_t)all.at[g] * format->size;
+        const f32x8 *src = all.color + (size_t)g * all.stride;
+        struct raw_texels old, raw;
+        f32x8 clamped[8], result[4];
+        load_texel_row(format->size, texels, &old);
+        if (rhw_format_is_normalized(format)) {
+            if (state->reads_second) {
+                clamp_values(format, src + 4, clamped + 4);
+            }
+            clamp_values(format, src, clamped);
+            src = clamped;
+        }
+        if (state->blend) {
+            blend_values(state, format, &old, src, result);
+            src = result;
+        }
+        encode_values(format, src, &raw);
+        if (!state->writes_all || state->logic != RHW_LOGIC_OFF) {
+            merge_bits(state, &old, &raw);
+        }
+        store_row(&all, format, &raw, texels);
+    }
+}
+
+// Blend by the usual factors, with the operations of blend_format.
+RHW_INLINE void blend_format_over(const struct rhw_blend_state *state, const struct rhw_format_info *format,
+                                  const struct texel_rows *rows)
+{
+    const struct texel_rows all = *rows;
+    const bool color_one = state->color_one, alpha_one = state->alpha_one;
+    for (int g = 0; g < all.count; g++) {
+        unsigned char *const texels = all.texels + (size_t)all.at[g] * format->size;
+        const f32x8 *src = all.color + (size_t)g * all.stride;
+        struct raw_texels old, raw;
+        f32x8 clamped[4], dst[4], result[4];
+        load_texel_row(format->size, texels, &old);
+        decode_texels(format, &old, dst);
+        if (rhw_format_is_normalized(format)) {
+            clamp_values(format, src, clamped);
+            src = clamped;
+        }
+        const f32x8 keep = 1.0f - src[3];
+        for (int i = 0; i < format->channels; i++) {
+            result[i] = ((i == 3 ? alpha_one : color_one) ? src[i] : src[i] * src[3]) + dst[i] * keep;
+        }
+        encode_values(format, result, &raw);
+        store_row(&all, format, &raw, texels);
+    }
+}
+
+enum texel_action { BLEND_TEXELS, BLEND_TEXELS_OVER, REPLACE_TEXELS };
+
+RHW_INLINE void act_on_format(enum texel_action action, const struct rhw_blend_state *state,
+                              const struct rhw_format_info *format, const struct texel_rows *rows)
+{
+    switch (action) {
+    case REPLACE_TEXELS: replace_format(format, rows); break;
+    case BLEND_TEXELS_OVER: blend_format_over(state, format, rows); break;
+    case BLEND_TEXELS: blend_format(state, format, rows); break;
+    }
+}
+
+// Act on the state's format, as a constant where it is a known one.
+RHW_INLINE void act_on_known_format(enum texel_action action, const struct rhw_blend_state *state,
+                                    const struct texel_rows *rows)
+{
+    const struct rhw_format_info *const known = rhw_known_formats;
+    switch (state->known) {
+    case RHW_KNOWN_R8: act_on_format(action, state, &known[RHW_KNOWN_R8], rows); break;
+    case RHW_KNOWN_RG8: act_on_format(action, state, &known[RHW_KNOWN_RG8], rows); break;
+    case RHW_KNOWN_BGRA8: act_on_format(action, state, &known[RHW_KNOWN_BGRA8], rows); break;
+    case RHW_KNOWN_BGRA8_SRGB: act_on_format(action, state, &known[RHW_KNOWN_BGRA8_SRGB], rows); break;
+    case RHW_KNOWN_R16: act_on_format(action, state, &known[RHW_KNOWN_R16], rows); break;
+    case RHW_KNOWN_RG16: act_on_format(action, state, &known[RHW_KNOWN_RG16], rows); break;
+    case RHW_KNOWN_RGBA16: act_on_format(action, state, &known[RHW_KNOWN_RGBA16], rows); break;
+    case RHW_KNOWN_RGB10A2: act_on_format(action, state, &known[RHW_KNOWN_RGB10A2], rows); break;
+    case RHW_KNOWN_RGB565: act_on_format(action, state, &known[RHW_KNOWN_RGB565], rows); break;
+    case RHW_KNOWN_R16_FLOAT: act_on_format(action, state, &known[RHW_KNOWN_R16_FLOAT], rows); break;
+    case RHW_KNOWN_RG16_FLOAT: act_on_format(action, state, &known[RHW_KNOWN_RG16_FLOAT], rows); break;
+    case RHW_KNOWN_RGBA16_FLOAT: act_on_format(action, state, &known[RHW_KNOWN_RGBA16_FLOAT], rows); break;
+    case RHW_KNOWN_R32_FLOAT: act_on_format(action, state, &known[RHW_KNOWN_R32_FLOAT], rows); break;
+    case RHW_KNOWN_RG32_FLOAT: act_on_format(action, state, &known[RHW_KNOWN_RG32_FLOAT], rows); break;
+    case RHW_KNOWN_RGBA32_FLOAT: act_on_format(action, state, &known[RHW_KNOWN_RGBA32_FLOAT], rows); break;
+    case RHW_KNOWN_NONE:
+    case RHW_KNOWN_COUNT: act_on_format(action, state, state->format, rows); break;
+    }
+}
+
+// Blend any format in any way. The write mask counts bits, so that what is kept stays as it was. This function and the
+// next two are not inline, being large, and take rows together, for what a call costs.
+static __attribute__((noinline)) void blend_rows(const struct rhw_blend_state *state,
+                                                 const struct texel_rows *rows)
+{
+    act_on_known_format(BLEND_TEXELS, state, rows);
+}
+
+// Blend all channels of any format but SNORM ones by the usual factors.
+static __attribute__((noinline)) void blend_rows_over(const struct rhw_blend_state *state,
+                                                      const struct texel_rows *rows)
+{
+    act_on_known_format(BLEND_TEXELS_OVER, state, rows);
+}
+
+// Put values into the place of texels of any format.
+static __attribute__((noinline)) void replace_rows(const struct rhw_blend_state *state,
+                                                   const struct texel_rows *rows)
+{
+    act_on_known_format(REPLACE_TEXELS, state, rows);
+}
+
+// Take one of the paths of any format.
+RHW_INLINE void act_on_rows(const struct rhw_blend_state *state, const struct texel_rows *rows)
+{
+    if (state->path == BLEND_REPLACE) {
+        replace_rows(state, rows);
+    } else if (state->path == BLEND_OVER) {
+        blend_rows_over(state, rows);
+    } else {
+        blend_rows(state, rows);
+    }
+}
+
+// Return one row, at `texels`.
+RHW_INLINE struct texel_rows one_row(const f32x8 *color, const i32x8 *mask, unsigned char *texels)
+{
+    static const int32_t at = 0;
+    return (struct texel_rows){.count = 1, .color = color, .texels = texels, .at = &at, .mask = mask};
 }
 
 // Blend 8 fragments into the 8 texels at `texels`, in the target's format. Lanes whose mask is 0 keep their texels.
@@ -251,50 +393,55 @@ RHW_INLINE void blend_group(const struct rhw_blend_state *state, const f32x8 *co
     case BLEND_SRGB8_OVER: blend_srgb8_over(state, color, &mask, texels); break;
     case BLEND_RGBA8_SUM: blend_rgba8_sum(state, color, &mask, texels); break;
     case BLEND_BITS_REPLACE: store_words(texels, (i32x8)color[0], mask); break;
-    case BLEND_FLOAT_REPLACE: {
-        f32x8 value[4];
-        for (int i = 0; i < 4; i++) {
-            value[i] = canonical_nan(color[i]);
-        }
-        store_target(state, value, mask, texels);
+    case BLEND_REPLACE:
+    case BLEND_OVER:
+    case BLEND_GENERAL: {
+        const i32x8 lanes = mask; // a copy, so that the mask of other paths stays in a register
+        const struct texel_rows row = one_row(color, &lanes, texels);
+        act_on_rows(state, &row);
         break;
     }
-    case BLEND_NORMALIZED_REPLACE: replace_normalized(state, color, &mask, texels); break;
-    case BLEND_GENERAL: blend_general(state, color, &mask, texels); break;
     }
 }
 
-// Return true if a path puts words of 4 bytes in the place of texels, whatever the texels held.
-RHW_INLINE bool replaces_words(const struct rhw_blend_state *state)
+// Return true if a path puts whole texels in the place of others, whatever these held.
+RHW_INLINE bool replaces_texels(const struct rhw_blend_state *state)
 {
     switch (state->path) {
     case BLEND_RGBA8_REPLACE:
-    case BLEND_BITS_REPLACE: return true;
+    case BLEND_BITS_REPLACE:
+    case BLEND_REPLACE: return true;
     case BLEND_SRGB8_REPLACE: return state->writes_all;
-    case BLEND_NORMALIZED_REPLACE: return state->format->size == 4;
-    case BLEND_FLOAT_REPLACE:
-        return state->format->codec == RHW_CODEC_FLOAT32 && state->format->channels == 1;
     default: return false;
     }
 }
 
-static __attribute__((noinline)) void encode_normalized(const struct rhw_blend_state *state,
-                                                        const f32x8 *color, i32x8 *word)
+RHW_INLINE bool replaces_words(const struct rhw_blend_state *state)
 {
-    struct raw_texels raw;
-    encode_texels(state->format, color, &raw);
-    *word = raw.word[0];
+    return replaces_texels(state) && state->format->size == 4;
 }
 
-// Return the words of 4 bytes that a path puts in the place of texels.
+// Set the texels that a path puts in the place of others.
+RHW_INLINE void replacing_texels(const struct rhw_blend_state *state, const f32x8 *color,
+                                 unsigned char texels[RHW_LANES * RHW_TEXEL_BYTES])
+{
+    const struct texel_rows row = one_row(color, NULL, texels);
+    switch (state->path) {
+    case BLEND_RGBA8_REPLACE: i32x8_store(texels, unorm8_texels(color)); break;
+    case BLEND_SRGB8_REPLACE: i32x8_store(texels, srgb8_texels(color)); break;
+    case BLEND_REPLACE: replace_rows(state, &row); break;
+    default: i32x8_store(texels, (i32x8)color[0]); break;
+    }
+}
+
+// Return them as words, where they have 4 bytes.
 RHW_INLINE i32x8 replacing_words(const struct rhw_blend_state *state, const f32x8 *color)
 {
-    i32x8 word;
+    _Alignas(32) unsigned char texels[RHW_LANES * RHW_TEXEL_BYTES] = {0};
     switch (state->path) {
     case BLEND_RGBA8_REPLACE: return unorm8_texels(color);
     case BLEND_SRGB8_REPLACE: return srgb8_texels(color);
-    case BLEND_FLOAT_REPLACE: return (i32x8)canonical_nan(color[0]);
-    case BLEND_NORMALIZED_REPLACE: encode_normalized(state, color, &word); return word;
+    case BLEND_REPLACE: replacing_texels(state, color, texels); return i32x8_load(texels);
     default: return (i32x8)color[0];
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Some work of constant_color.h is left to a file that blends anyhow: it shades the constant colour of a draw, and
-// blends it in other ways than to replace texels of 4 bytes.
+// blends it in other ways than to replace texels.
 #ifndef RHW_CONSTANT_BLEND_H
 #define RHW_CONSTANT_BLEND_H
 
@@ -25,10 +25,8 @@ void RHW_ISA_NAME(rhw_prepare_constant)(struct tile_work *work)
     }
     work->counters->groups++;
     for (int t = 0; t < work->target->color_count; t++) {
-        if (work->state->blend[t].path == BLEND_RGBA8_REPLACE) {
-            const i32x8 all = i32x8_splat(-1);
-            blend_group_apart(&work->state->blend[t], queue->colors[0][t], &all,
-                              (unsigned char *)&work->scratch->constant[t]);
+        if (replaces_texels(&work->state->blend[t])) {
+            replacing_texels(&work->state->blend[t], queue->colors[0][t], work->scratch->constant[t]);
         }
     }
     work->constant_is_ready = true;

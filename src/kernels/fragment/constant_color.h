@@ -9,20 +9,37 @@
 #include "blend.h"
 #include "expand.h"
 
-// Put a texel of 4 bytes into the pixels of a block that are set in `mask`.
-RHW_INLINE void replace_block(unsigned char *texels, i32x8 texel, uint64_t mask)
+// Put 8 texels of `size` bytes into each row of a block, where `mask` is set.
+RHW_INLINE void replace_block(unsigned char *texels, const unsigned char *constant, uint64_t mask,
+                              size_t size)
 {
-    const size_t stride = RHW_TILE * sizeof(int32_t);
+    const size_t stride = RHW_TILE * size, bytes = RHW_LANES * size;
     // If a draw is large, most of its blocks are covered all over.
     if (mask == ~(uint64_t)0) {
         for (int row = 0; row < RHW_BLOCK; row++) {
-            i32x8_store(texels + (size_t)row * stride, texel);
+            memcpy(texels + (size_t)row * stride, constant, bytes);
         }
         return;
     }
+    struct raw_texels raw;
+    load_texel_row(size, constant, &raw);
     for (int row = 0; row < RHW_BLOCK; row++) {
-        store_words(texels + (size_t)row * stride, texel,
-                    i32x8_from_bits((unsigned)(mask >> (8 * row)) & 0xff));
+        store_texel_row(size, &raw, i32x8_from_bits((unsigned)(mask >> (8 * row)) & 0xff),
+                        texels + (size_t)row * stride);
+    }
+}
+
+// Do what replace_block does. The function is not inline, since formats of texels of 4 bytes are the usual ones.
+static __attribute__((noinline)) void replace_sized_block(unsigned char *texels,
+                                                          const unsigned char *constant, uint64_t mask,
+                                                          size_t size)
+{
+    switch (size) {
+    case 1: replace_block(texels, constant, mask, 1); break;
+    case 2: replace_block(texels, constant, mask, 2); break;
+    case 4: replace_block(texels, constant, mask, 4); break;
+    case 8: replace_block(texels, constant, mask, 8); break;
+    default: replace_block(texels, constant, mask, RHW_TEXEL_BYTES); break;
     }
 }
 
@@ -38,7 +55,11 @@ RHW_INLINE void blend_constant_sample(struct tile_work *work, int sample, int x,
         const size_t size = work->target->colors[t].texel_size;
         unsigned char *const texels = color_of_sample(scratch, t, sample) + (size_t)(y * RHW_TILE + x) * size;
         if (state->path == BLEND_RGBA8_REPLACE) {
-            replace_block(texels, scratch->constant[t], mask);
+            replace_block(texels, scratch->constant[t], mask, 4);
+            continue;
+        }
+        if (replaces_texels(state)) {
+            replace_sized_block(texels, scratch->constant[t], mask, size);
             continue;
         }
         RHW_ISA_NAME(rhw_blend_constant_block)(work, t, texels, mask);

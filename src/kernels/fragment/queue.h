@@ -57,7 +57,7 @@ RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend
     struct fragment_queue *const queue = &work->scratch->queue;
     unsigned char *const texels = work->scratch->color[t];
     const int count = queue->count;
-    const bool replaces = replaces_words(&state);
+    const bool replaces = replaces_texels(&state);
     const bool is_common = path == BLEND_RGBA8_REPLACE || path == BLEND_RGBA8_OVER;
     if (is_common && queue->only_full_rows && state.texel_mask[0] == UINT32_MAX) {
         // The compiler knows the mask from here on.
@@ -68,6 +68,15 @@ RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend
         }
         return;
     }
+    if (queue->only_full_rows && (path == BLEND_REPLACE || path == BLEND_OVER || path == BLEND_GENERAL)) {
+        const struct texel_rows rows = {.count = count,
+                                        .color = queue->colors[0][t],
+                                        .stride = sizeof queue->colors[0] / sizeof queue->colors[0][t][0],
+                                        .texels = texels,
+                                        .at = queue->row_at};
+        act_on_rows(&state, &rows);
+        return;
+    }
     for (int g = 0; g < count; g++) {
         const f32x8 *const color = queue->colors[g][t];
         if (!queue->is_scattered[g]) {
@@ -75,11 +84,11 @@ RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend
                         texels + (size_t)queue->row_at[g] * size);
             continue;
         }
-        _Alignas(32) unsigned char lanes[8 * 16];
+        _Alignas(32) unsigned char lanes[RHW_LANES * RHW_TEXEL_BYTES] = {0};
         const int32_t *const at = queue->texels[g];
         if (replaces) {
-            i32x8_store(lanes, replacing_words(&state, color));
-            scatter_sized(at, queue->live[g], texels, 4, lanes);
+            replacing_texels(&state, color, lanes);
+            scatter_texels(at, queue->live[g], texels, size, lanes);
             continue;
         }
         gather_texels(at, texels, size, lanes);

@@ -133,10 +133,10 @@ RHW_INLINE void blend_scattered_samples(const struct tile_work *work, int t, int
     const struct fragment_queue *const queue = &work->scratch->queue;
     const struct rhw_blend_state *const state = &work->state->blend[t];
     const size_t size = work->target->colors[t].texel_size;
-    const bool replaces = replaces_words(state);
-    _Alignas(32) unsigned char lanes[8 * 16];
+    const bool replaces = replaces_texels(state);
+    _Alignas(32) unsigned char lanes[RHW_LANES * RHW_TEXEL_BYTES] = {0};
     if (replaces) {
-        i32x8_store(lanes, replacing_words(state, queue->colors[g][t]));
+        replacing_texels(state, queue->colors[g][t], lanes);
     }
     for (int s = 0; s < (expanded == 0 ? 1 : work->samples); s++) {
         const unsigned bits = lanes_of_sample(samples, s) & (s == 0 ? 0xff : expanded);
@@ -145,7 +145,7 @@ RHW_INLINE void blend_scattered_samples(const struct tile_work *work, int t, int
             continue;
         }
         if (replaces) {
-            scatter_sized(queue->texels[g], bits, texels, 4, lanes);
+            scatter_texels(queue->texels[g], bits, texels, size, lanes);
             continue;
         }
         gather_texels(queue->texels[g], texels, size, lanes);

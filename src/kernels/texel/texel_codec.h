@@ -9,6 +9,7 @@
 #include "base/simd_layout.h"
 #include "format/srgb.h"
 #include "texel_fields.h"
+#include "known_formats.h"
 
 // 8 texels as they stand in memory, in words of 4 bytes. A smaller texel stands in the low bytes of the first word,
 // with zero above.
@@ -70,6 +71,14 @@ RHW_INLINE i32x8 in_order(enum rhw_channel_order order, i32x8 word)
     return word;
 }
 
+// Put four values into the order of the bytes that they become.
+RHW_INLINE void order_values(enum rhw_channel_order order, const f32x8 value[4], f32x8 ordered[4])
+{
+    for (int c = 0; c < 4; c++) {
+        ordered[rhw_channel_place(order, c)] = value[c];
+    }
+}
+
 // Make RGBA8_SRGB texels of four values.
 RHW_INLINE i32x8 srgb8_texels(const f32x8 value[4])
 {
@@ -85,6 +94,21 @@ RHW_INLINE i32x8 unorm8_texels(const f32x8 value[4])
         scaled[c] = value[c] * 255.0f;
     }
     return i32x8_bytes_from_f32x8(scaled);
+}
+
+// Make UNORM8 texels of the format's channels.
+RHW_INLINE i32x8 unorm8_channels(const struct rhw_format_info *format, const f32x8 value[4])
+{
+    if (format->channels < 4) {
+        i32x8 texel = unorm8_from_float(value[0]) & 0xff;
+        if (format->channels == 2) {
+            texel |= (unorm8_from_float(value[1]) & 0xff) << 8;
+        }
+        return texel;
+    }
+    f32x8 ordered[4];
+    order_values(format->order, value, ordered);
+    return unorm8_texels(ordered);
 }
 
 // Depth ----------------------------------------------------------------------------------------------
@@ -125,13 +149,11 @@ RHW_INLINE void decode_texels(const struct rhw_format_info *format, const struct
 {
     const int channels = format->channels;
     switch (format->codec) {
-    case RHW_CODEC_UNORM8: {
-        const i32x8 word = in_order(format->order, raw->word[0]);
-        for (int c = 0; c < 4; c++) {
-            value[c] = unorm8_to_float(channel_byte(word, c));
+    case RHW_CODEC_UNORM8:
+        for (int c = 0; c < channels; c++) {
+            value[c] = unorm8_to_float(channel_byte(raw->word[0], rhw_channel_place(format->order, c)));
         }
         break;
-    }
     case RHW_CODEC_SRGB8: {
         const i32x8 word = in_order(format->order, raw->word[0]);
         for (int c = 0; c < 3; c++) {
@@ -151,7 +173,13 @@ RHW_INLINE void decode_texels(const struct rhw_format_info *format, const struct
         value[0] = depth_from_steps(f64x8_from_i32x8(raw->word[0] & i32x8_splat((int32_t)steps)), steps);
         break;
     }
-    case RHW_CODEC_FIELDS: decode_fields(format, raw->word, value); break;
+    case RHW_CODEC_FIELDS:
+        if (__builtin_constant_p(format->bits[0])) {
+            decode_known_fields(format, raw->word, value);
+        } else {
+            decode_fields(format, raw->word, value);
+        }
+        break;
     case RHW_CODEC_FLOAT32:
     case RHW_CODEC_BITS32:
     case RHW_CODEC_NONE:
@@ -170,17 +198,17 @@ RHW_INLINE void encode_texels(const struct rhw_format_info *format, const f32x8 
                               struct raw_texels *raw)
 {
     switch (format->codec) {
-    case RHW_CODEC_UNORM8: raw->word[0] = in_order(format->order, unorm8_texels(value)); break;
+    case RHW_CODEC_UNORM8: raw->word[0] = unorm8_channels(format, value); break;
     case RHW_CODEC_SRGB8: raw->word[0] = in_order(format->order, srgb8_texels(value)); break;
     case RHW_CODEC_FLOAT16:
-        for (int w = 0; w < 2; w++) {
-            raw->word[w] =
-                i32x8_half_from_f32x8(value[2 * w]) | (i32x8_half_from_f32x8(value[2 * w + 1]) << 16);
+        for (int c = 0; c < format->channels; c++) {
+            const i32x8 half = i32x8_half_from_f32x8(value[c]);
+            raw->word[c / 2] = c % 2 == 0 ? half : raw->word[c / 2] | (half << 16);
         }
         break;
     case RHW_CODEC_FLOAT32:
     case RHW_CODEC_BITS32:
-        for (int c = 0; c < 4; c++) {
+        for (int c = 0; c < format->channels; c++) {
             raw->word[c] = (i32x8)value[c];
         }
         break;
@@ -191,7 +219,13 @@ RHW_INLINE void encode_texels(const struct rhw_format_info *format, const f32x8 
         raw->word[0] = rhw_int_from_float_unchecked(f32x8_from_f64x8(count));
         break;
     }
-    case RHW_CODEC_FIELDS: encode_fields(format, value, raw->word); break;
+    case RHW_CODEC_FIELDS:
+        if (__builtin_constant_p(format->bits[0])) {
+            encode_known_fields(format, value, raw->word);
+        } else {
+            encode_fields(format, value, raw->word);
+        }
+        break;
     case RHW_CODEC_NONE: break;
     }
 }
@@ -269,22 +303,13 @@ RHW_INLINE void store_texels16(const i32x8 word[4], unsigned live, unsigned char
     }
 }
 
-// Store the low bytes of words, `size` of each, 1 or 2, of lanes of which `live` has a bit.
-RHW_INLINE void store_small_texels(i32x8 word, unsigned live, size_t size, unsigned char *texels)
+// Store the low bytes of words, `size` of each, 1 or 2, of lanes that are set in `mask`.
+RHW_INLINE void store_small_texels(i32x8 word, i32x8 mask, size_t size, unsigned char *texels)
 {
-    unsigned char packed[RHW_LANES * 2];
     if (size == 2) {
-        i32x8_store_shorts(packed, word);
+        i32x8_store_shorts(texels, rhw_select_int(mask, word, i32x8_load_shorts(texels)));
     } else {
-        i32x8_store_low_bytes(packed, word);
-    }
-    if (live == 0xff) {
-        memcpy(texels, packed, RHW_LANES * size);
-        return;
-    }
-    for (; live != 0; live &= live - 1) {
-        const size_t at = (size_t)__builtin_ctz(live) * size;
-        memcpy(texels + at, packed + at, size);
+        i32x8_store_low_bytes(texels, rhw_select_int(mask, word, i32x8_load_bytes(texels)));
     }
 }
 
@@ -303,12 +328,11 @@ RHW_INLINE void store_texel_row(size_t size, const struct raw_texels *raw, i32x8
                     __builtin_shufflevector(mask, mask, 4, 4, 5, 5, 6, 6, 7, 7));
         return;
     }
-    const unsigned live = (unsigned)rhw_mask_bits(mask);
     if (size == 16) {
-        store_texels16(word, live, texels);
+        store_texels16(word, (unsigned)rhw_mask_bits(mask), texels);
         return;
     }
-    store_small_texels(word[0], live, size, texels);
+    store_small_texels(word[0], mask, size, texels);
 }
 
 #endif

@@ -9,22 +9,35 @@
 
 // Numbers -------------------------------------------------------------------------------------------
 
-// Round to whole numbers, to nearest, ties to even. Adding the constant leaves a double no room for a fraction, of
-// either sign.
-RHW_INLINE i32x8 whole_from_scaled(f32x8 value, double scale)
+// Return v · (2^bits − 1) rounded to nearest, ties to even, for v of 0..1 and up to 16 bits. Floats do it exactly:
+// v · 2^bits is exact, and so are the whole number n that is nearest to it and the distance d from n, of −1/2..1/2. The
+// product is n + d − v, so that n is right unless v > d + 1/2. That sum is exact where it can be less than v, which
+// then is at least 2^−(bits + 1). A tie, n + d − v = n − 1/2, is met by v = 1/2 alone, and n is even there.
+// The result stands in the lowest bits, with rubbish from bit 17 on.
+RHW_INLINE i32x8 steps_of_unit(f32x8 v, int bits)
 {
-    const f64x8 shift = f64x8_splat(0x1.8p52);
-    // The product is exact: 24 bits by 16.
-    const f64x8 scaled = f64x8_mul(f64x8_from_f32x8(value), f64x8_splat(scale));
-    return rhw_int_from_float_unchecked(f32x8_from_f64x8(f64x8_sub(f64x8_add(scaled, shift), shift)));
+    if (bits == 1) { // v = 1/2 is between 0 and 1 here, and n would be 1
+        return (i32x8)(v + 0x1p23f);
+    }
+    // From 2^23 on floats have no fraction.
+    const f32x8 scaled = v * (float)(1 << bits), shifted = scaled + 0x1p23f;
+    const f32x8 distance = scaled - (shifted - 0x1p23f);
+    return (i32x8)shifted + rhw_less(distance + 0.5f, v);
 }
 
-// Return values as normalized numbers (Vulkan 1.3 §3.9.2, "Conversion From Floating-Point to Normalized Fixed-Point").
-// NaN becomes 0.
-RHW_INLINE i32x8 normalized_from_float(f32x8 value, float least, int32_t most)
+// Return values as numbers of 0..2^bits − 1 (Vulkan 1.3 §3.9.2, "Conversion From Floating-Point to Normalized
+// Fixed-Point"). NaN becomes 0.
+RHW_INLINE i32x8 unorm_from_float(f32x8 value, int bits)
 {
-    const f32x8 number = rhw_select(rhw_equal(value, value), value, rhw_splat(0.0f));
-    return whole_from_scaled(rhw_clamp(number, rhw_splat(least), rhw_splat(1.0f)), most);
+    return steps_of_unit(rhw_saturate(value), bits);
+}
+
+// Return values as numbers with a sign, by the same rules.
+RHW_INLINE i32x8 snorm_from_float(f32x8 value, int bits)
+{
+    const i32x8 sign = (i32x8)value >> 31;
+    const f32x8 magnitude = (f32x8)((i32x8)value & 0x7fffffff);
+    return (steps_of_unit(rhw_saturate(magnitude), bits - 1) ^ sign) - sign;
 }
 
 // Return values as floats without a sign, of 5 bits of exponent and `places` of fraction (OpenGL 4.6 §2.3.4.3), rounded
@@ -104,16 +117,15 @@ RHW_INLINE f32x8 field_value(enum rhw_channel_type type, i32x8 word, int first, 
 RHW_INLINE i32x8 field_code(enum rhw_channel_type type, f32x8 value, int bits)
 {
     switch (type) {
-    case RHW_CHANNEL_UNORM: return normalized_from_float(value, 0.0f, (1 << bits) - 1);
-    case RHW_CHANNEL_SNORM: return normalized_from_float(value, -1.0f, (1 << (bits - 1)) - 1);
+    case RHW_CHANNEL_UNORM: return unorm_from_float(value, bits);
+    case RHW_CHANNEL_SNORM: return snorm_from_float(value, bits);
     case RHW_CHANNEL_UFLOAT: return ufloat_from_float(value, bits - 5);
     default: return (i32x8)value;
     }
 }
 
 // Decode the channels that the format has. Words are those of raw_texels (texel_codec.h).
-static __attribute__((noinline)) void decode_fields(const struct rhw_format_info *format, const i32x8 word[4],
-                                                    f32x8 *value)
+RHW_INLINE void decode_known_fields(const struct rhw_format_info *format, const i32x8 word[4], f32x8 *value)
 {
     for (int c = 0; c < format->channels; c++) {
         const int first = format->first[c];
@@ -121,8 +133,7 @@ static __attribute__((noinline)) void decode_fields(const struct rhw_format_info
     }
 }
 
-static __attribute__((noinline)) void encode_fields(const struct rhw_format_info *format, const f32x8 *value,
-                                                    i32x8 word[4])
+RHW_INLINE void encode_known_fields(const struct rhw_format_info *format, const f32x8 *value, i32x8 word[4])
 {
     word[0] = word[1] = i32x8_splat(0);
     if (format->type == RHW_CHANNEL_SHARED) {
@@ -131,9 +142,26 @@ static __attribute__((noinline)) void encode_fields(const struct rhw_format_info
     }
     for (int c = 0; c < format->channels; c++) {
         const int first = format->first[c], bits = format->bits[c];
-        const i32x8 code = field_code(format->type, value[c], bits) & i32x8_splat((1 << bits) - 1);
+        i32x8 code = field_code(format->type, value[c], bits);
+        // What stands above the highest channel falls out of the word, or of the texel.
+        if (first % 32 + bits != 32 && first + bits != 8 * format->size) {
+            code = code & i32x8_splat((1 << bits) - 1);
+        }
         word[first / 32] = word[first / 32] | (code << (first % 32));
     }
+}
+
+// These serve a format that the caller does not know. One that it knows is a constant of the functions above.
+static __attribute__((noinline)) void decode_fields(const struct rhw_format_info *format, const i32x8 word[4],
+                                                    f32x8 *value)
+{
+    decode_known_fields(format, word, value);
+}
+
+static __attribute__((noinline)) void encode_fields(const struct rhw_format_info *format, const f32x8 *value,
+                                                    i32x8 word[4])
+{
+    encode_known_fields(format, value, word);
 }
 
 #endif

@@ -18,14 +18,11 @@ struct long_axis {
     f32x8 change[MOST_COMPONENTS];
 };
 
-static inline void find_long_axis(const struct rhw_binding *binding, const struct rhw_sample_request *request,
-                                  struct long_axis *axis)
+// Find the axis of footprints whose squared lengths in texels are x and y, of a texture with so many components.
+RHW_INLINE void find_longer_axis(const struct rhw_binding *binding, const struct rhw_sample_request *request,
+                                 f32x8 x, f32x8 y, int components, struct long_axis *axis)
 {
-    const struct rhw_texture_data *const texture = binding->texture;
-    const int components = spatial_components(texture);
     const f32x8 *const by_x = request->gradient, *const by_y = by_x + components;
-    const f32x8 x = squared_length(texture, request->coordinates, by_x);
-    const f32x8 y = squared_length(texture, request->coordinates, by_y);
     const i32x8 along_y = rhw_less(x, y);
     const f32x8 longer = rhw_select(along_y, y, x), shorter = rhw_select(along_y, x, y);
     // The ratio stays 1 where both are 0, equal or NaN.
@@ -36,6 +33,16 @@ static inline void find_long_axis(const struct rhw_binding *binding, const struc
     for (int i = 0; i < MOST_COMPONENTS; i++) {
         axis->change[i] = i < components ? rhw_select(along_y, by_y[i], by_x[i]) : rhw_splat(0.0f);
     }
+}
+
+static inline void find_long_axis(const struct rhw_binding *binding, const struct rhw_sample_request *request,
+                                  struct long_axis *axis)
+{
+    const struct rhw_texture_data *const texture = binding->texture;
+    const int components = spatial_components(texture);
+    const f32x8 x = squared_length(texture, request->coordinates, request->gradient);
+    const f32x8 y = squared_length(texture, request->coordinates, request->gradient + components);
+    find_longer_axis(binding, request, x, y, components, axis);
 }
 
 // Return the largest of small whole numbers.

@@ -133,12 +133,37 @@ RHW_INLINE struct fixed_texels load_texels(const struct rhw_mip *mip, i32x8 xy, 
     return widen_texels(i32x8_gather(mip->texels, number));
 }
 
+// Return true if both coordinates repeat, in a level whose sides are powers of two.
+RHW_INLINE bool repeats_by_mask(const struct rhw_sampler_data *sampler, const struct rhw_mip *mip)
+{
+    return sampler->def.address_u == RHW_ADDRESS_REPEAT && sampler->def.address_v == RHW_ADDRESS_REPEAT &&
+           ((mip->width & (mip->width - 1)) | (mip->height & (mip->height - 1))) == 0;
+}
+
+// Load the footprint's texels of a level that repeats_by_mask. A mask wraps both coordinates of a texel.
+RHW_INLINE void load_masked_footprint(const struct rhw_mip *mip, i32x8 xy, enum rhw_texel_codec codec,
+                                      struct fixed_texels texel[4])
+{
+    const i32x8 inside = i32x8_splat((mip->width - 1) << 16 | (mip->height - 1));
+    const i32x8 low = xy & inside, high = (i32x8)((i16x16)xy + (i16x16)i32x8_splat(0x10001)) & inside;
+    const i32x8 right = sample_constants()->upper_half, below = sample_constants()->lower_half;
+    texel[0] = load_texels(mip, low, codec);
+    texel[1] = load_texels(mip, (high & right) | (low & below), codec);
+    texel[2] = load_texels(mip, (low & right) | (high & below), codec);
+    texel[3] = load_texels(mip, high, codec);
+}
+
 // Load the footprint's texels where some lie across an edge.
 static __attribute__((noinline)) void load_wrapped_footprint(const struct rhw_sampler_data *sampler,
                                                              const struct rhw_mip *mip, const i32x8 *xy,
                                                              enum rhw_texel_codec codec,
                                                              struct fixed_texels texel[4])
 {
+    // Where a load from a table is one instruction, four of them are a quarter of what follows.
+    if (I8_PERMUTES && repeats_by_mask(sampler, mip)) {
+        load_masked_footprint(mip, *xy, codec, texel);
+        return;
+    }
     const i32x8 x = *xy >> 16, y = (*xy << 16) >> 16;
     const i32x8 x0 = wrap_coordinate(sampler->def.address_u, x, mip->width) << 16;
     const i32x8 x1 = wrap_coordinate(sampler->def.address_u, x + 1, mip->width) << 16;
@@ -240,10 +265,11 @@ RHW_INLINE void mix_levels(struct fixed_texels a, struct fixed_texels b, i32x8 w
     unpack_fixed(without_negation(mix_fixed(a, b, weight, codec), codec), texel);
 }
 
-// Sample any lanes: one level after the other, each with the next where a lane has a weight there. A weight of 0 leaves
+// Filter any lanes: one level after the other, each with the next where a lane has a weight there. A weight of 0 leaves
 // a lane as it is.
-RHW_INLINE void sample_fixed_levels(const struct rhw_binding *binding, f32x8 s, f32x8 t, i32x8 lod,
-                                    enum rhw_texel_codec codec, enum footprint_path path, f32x8 texel[4])
+RHW_INLINE struct fixed_texels filter_fixed_levels(const struct rhw_binding *binding, f32x8 s, f32x8 t,
+                                                   i32x8 lod, enum rhw_texel_codec codec,
+                                                   enum footprint_path path)
 {
     const i32x8 level = lod >> 16, weight = i32x8_halve_lower(lod);
     struct fixed_texels result = {i32x8_splat(0), i32x8_splat(0)};
@@ -260,7 +286,13 @@ RHW_INLINE void sample_fixed_levels(const struct rhw_binding *binding, f32x8 s, 
         result.rb = rhw_select_int(same, fixed.rb, result.rb);
         result.ga = rhw_select_int(same, fixed.ga, result.ga);
     }
-    unpack_fixed(without_negation(result, codec), texel);
+    return result;
+}
+
+RHW_INLINE void sample_fixed_levels(const struct rhw_binding *binding, f32x8 s, f32x8 t, i32x8 lod,
+                                    enum rhw_texel_codec codec, enum footprint_path path, f32x8 texel[4])
+{
+    unpack_fixed(without_negation(filter_fixed_levels(binding, s, t, lod, codec, path), codec), texel);
 }
 
 // Sample lanes that the fast path of sample_fixed does not serve.

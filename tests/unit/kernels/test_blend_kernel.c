@@ -13,6 +13,7 @@
 #include <mpfr.h>
 
 #include "base/half.h"
+#include "kernels/texel/known_formats.h"
 #include "pipeline/blend_state.h"
 #include "reference.h"
 #include "resource/clear_texel.h"
@@ -344,10 +345,115 @@ static void test_normalized_formats_are_replaced(void **state)
         struct rhw_blend_state replace;
         rhw_blend_state_init(&replace, &target, RHW_LOGIC_OFF, constant);
         assert_int_not_equal(replace.path, BLEND_GENERAL);
-        replaced += replace.path == BLEND_NORMALIZED_REPLACE;
+        replaced += replace.path == BLEND_REPLACE;
         expect_the_general_path(&replace, &random);
     }
     assert_in_range(replaced, 40 * 10, 40 * RHW_FORMAT_COUNT);
+}
+
+// Blending by the usual factors, and sums, have code of their own for every format, which writes what the general path
+// writes on every instruction set.
+static void test_usual_blending_of_every_format(void **state)
+{
+    (void)state;
+    const float constant[4] = {0, 0, 0, 0};
+    uint64_t random = 13;
+    int over = 0, sums = 0;
+    for (int n = 0; n < 60 * RHW_FORMAT_COUNT; n++) {
+        struct rhw_color_target target = opaque((enum rhw_format)(n % RHW_FORMAT_COUNT));
+        if (!rhw_format_has_role(rhw_format_info(target.format), RHW_ROLE_BLENDED_TARGET)) {
+            continue;
+        }
+        const bool sum = n / RHW_FORMAT_COUNT % 3 == 0;
+        target.blend = true;
+        target.color.src = sum || rig_random_int(&random, 2) ? RHW_BLEND_ONE : RHW_BLEND_SRC_ALPHA;
+        target.alpha.src = sum || rig_random_int(&random, 2) ? RHW_BLEND_ONE : RHW_BLEND_SRC_ALPHA;
+        target.color.dst = target.alpha.dst = sum ? RHW_BLEND_ONE : RHW_BLEND_ONE_MINUS_SRC_ALPHA;
+        struct rhw_blend_state blend;
+        rhw_blend_state_init(&blend, &target, RHW_LOGIC_OFF, constant);
+        over += blend.path == BLEND_OVER;
+        sums += blend.is_sum;
+        if (blend.path != BLEND_RGBA8_OVER) { // which rounds once
+            expect_the_general_path(&blend, &random);
+        }
+    }
+    assert_in_range(over, 60 * 10, 60 * RHW_FORMAT_COUNT);
+    assert_in_range(sums, 20 * 10, 20 * RHW_FORMAT_COUNT);
+}
+
+// Every format whose row the codecs know has that row.
+static void test_known_formats_are_those_of_the_table(void **state)
+{
+    (void)state;
+    bool seen[RHW_KNOWN_COUNT] = {true};
+    for (int f = RHW_FORMAT_NONE + 1; f < RHW_PLAIN_FORMAT_COUNT; f++) {
+        const struct rhw_format_info *const info = rhw_format_info((enum rhw_format)f);
+        const struct rhw_format_info *const known = &rhw_known_formats[info->known];
+        if (info->known == RHW_KNOWN_NONE) {
+            continue;
+        }
+        assert_false(seen[info->known]);
+        seen[info->known] = true;
+        assert_int_equal(known->size, info->size);
+        assert_int_equal(known->channels, info->channels);
+        assert_int_equal(known->codec, info->codec);
+        assert_int_equal(known->order, info->order);
+        assert_int_equal(known->type, info->type);
+        assert_memory_equal(known->first, info->first, sizeof info->first);
+        assert_memory_equal(known->bits, info->bits, sizeof info->bits);
+    }
+    for (int known = 0; known < RHW_KNOWN_COUNT; known++) {
+        assert_true(seen[known]);
+    }
+}
+
+// The floats around every value that lies between two steps are rounded to the nearer one, and ties to even.
+static void test_values_between_two_steps(void **state)
+{
+    (void)state;
+    // Where a channel stands in the lowest bits of the texel.
+    static const struct {
+        enum rhw_format format;
+        int channel, bits, most;
+        bool has_sign;
+    } channels[] = {
+        {RHW_FORMAT_R16_UNORM, 0, 16, 65535, false},    {RHW_FORMAT_RGBA16_UNORM, 0, 16, 65535, false},
+        {RHW_FORMAT_RGB10A2_UNORM, 0, 10, 1023, false}, {RHW_FORMAT_RGB565_UNORM, 2, 5, 31, false},
+        {RHW_FORMAT_RGBA4_UNORM, 3, 4, 15, false},      {RHW_FORMAT_RGB5A1_UNORM, 3, 1, 1, false},
+        {RHW_FORMAT_R8_SNORM, 0, 8, 127, true},         {RHW_FORMAT_R16_SNORM, 0, 16, 32767, true},
+    };
+    const float constant[4] = {0, 0, 0, 0};
+    const rhw_int all = rhw_splat_int(-1);
+    for (size_t k = 0; k < sizeof channels / sizeof *channels; k++) {
+        const struct rhw_color_target target = opaque(channels[k].format);
+        const int most = channels[k].most, least = channels[k].has_sign ? -most : 0;
+        const size_t size = rhw_format_size(target.format);
+        struct rhw_blend_state blend;
+        rhw_blend_state_init(&blend, &target, RHW_LOGIC_OFF, constant);
+        for (int step = least - 1; step <= most; step += most > 1023 ? 5 : 1) {
+            const float middle = (float)((step + 0.5) / most);
+            rhw_float color[4] = {{0}};
+            for (int lane = 0; lane < RHW_LANES; lane++) {
+                color[channels[k].channel][lane] = from_bits(to_bits(middle) + (uint32_t)(lane - 3));
+            }
+            for (int isa = 0; isa < RHW_ISA_COUNT; isa++) {
+                const struct isa_templates *const templates = isa_templates_for((enum rhw_isa)isa);
+                unsigned char texels[TEXELS * TEXEL_BYTES] = {0};
+                if (templates) {
+                    templates->blend(&blend, color, &all, texels);
+                }
+                for (int lane = 0; lane < RHW_LANES && templates; lane++) {
+                    const double value = (double)color[channels[k].channel][lane];
+                    const double inside = fmax(channels[k].has_sign ? -1 : 0, fmin(value, 1));
+                    uint32_t word = 0;
+                    memcpy(&word, texels + (size_t)lane * size, size < 4 ? size : 4);
+                    const uint32_t field = (1u << channels[k].bits) - 1;
+                    // The product is exact in double.
+                    assert_int_equal(word & field, (uint32_t)(int)nearbyint(inside * most) & field);
+                }
+            }
+        }
+    }
 }
 
 // The usual blending of RGBA8 has code of its own: it may differ from the exact value by float rounding
@@ -451,6 +557,9 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_rgba8_over_against_the_formula),
     cmocka_unit_test(test_rgba8_sums_are_those_of_the_general_path),
     cmocka_unit_test(test_normalized_formats_are_replaced),
+    cmocka_unit_test(test_usual_blending_of_every_format),
+    cmocka_unit_test(test_known_formats_are_those_of_the_table),
+    cmocka_unit_test(test_values_between_two_steps),
     cmocka_unit_test(test_blending_keeps_every_destination_code),
     cmocka_unit_test(test_clear_values_are_what_drawing_writes),
 };
