@@ -80,8 +80,8 @@ def torn_pass():
     (60, lambda: _rhw.Pass(context, (0, 0), 1, (), True, None, False, 1.0)),
     (60, torn_pass),
     (60, lambda: rhw.write_png("/nowhere/x.png", np.zeros((99, 99, 3), np.uint8))),
-    (60, lambda: _rhw.encode_output("x", {"color": V}, (8, 8), 0, 8, False, (0.0,) * 3, (1.0,) * 3)),
-    (60, lambda: _rhw.encode_exr("x", {}, (8, 8), 1, NOBODY, model._model, 1)),
+    (60, lambda: _rhw.encode_output("x", {"color": V}, (8, 8), 0, 8, False, (0.0,) * 3, (1.0,) * 3, (0.0,) * 3)),
+    (60, lambda: _rhw.encode_exr("x", {}, (8, 8), 1, NOBODY, model._model, 1, (0.0,) * 3)),
     (60, lambda: dr.texture_grad(np.ones((1, 64, 64, 3)), np.ones((1, 9, 9, 2)), np.ones((1, 9, 8, 3)))),
     (60, lambda: _rhw.diff_rasterize_grad((F, len(V), 1, 64, 64, 1), V, True, V, V, None, V)),
 ])

@@ -472,7 +472,7 @@ static uint64_t limit_memory(struct scene_import *import)
 static void cut_polygon(void *user, const float (*positions)[3], const uint32_t *corners, uint32_t count,
                         uint32_t *triangles)
 {
-    const struct scene_mesh mesh = {.positions = (float(*)[3])positions}; // which is only read
+    const struct scene_mesh mesh = {.positions = (float(*)[3])positions}; // the cutter only reads positions
     scene_import_triangulate(user, &mesh, corners, count, triangles);
 }
 
