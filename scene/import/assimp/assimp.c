@@ -10,6 +10,7 @@
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
@@ -490,7 +491,9 @@ static const struct aiScene *read_source(struct scene_import *import, const stru
     struct aiFileIO files = scene_assimp_files(&source);
     const struct aiScene *scene = aiImportFileExWithProperties(import->model.path, 0, &files, properties);
     if (scene != NULL) {
-        scene_assimp_cut_faces(scene, cut_polygon, import);
+        if (!scene_assimp_cut_faces(scene, cut_polygon, import)) {
+            scene_import_fail(import, "needs more memory than there is");
+        }
         scene = aiApplyPostProcessing(scene,
                                       aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords);
     }
@@ -507,6 +510,11 @@ static const struct aiScene *read_scene(struct scene_import *import, struct scen
     if (scene != NULL && scene_assimp_is_far(import, exact, scene) && scene_assimp_rewrite(import, exact)) {
         aiReleaseImport(scene);
         scene = read_source(import, exact);
+        if (scene == NULL) { // assimp has read the file as it is
+            free(exact->bytes);
+            *exact = (struct scene_assimp_exact){.is_moved = exact->is_moved};
+            scene = read_source(import, exact);
+        }
     }
     if (scene != NULL) {
         return scene;

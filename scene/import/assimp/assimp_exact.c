@@ -168,7 +168,8 @@ static bool is_in_mark(const struct scene_assimp_exact *exact, const struct aiNo
 {
     const bool looks_down = is_inverse(node);
     const struct aiNode *other = node;
-    while (other != NULL && strstr(other->mName.data, chain_tag) != NULL && is_inverse(other) == looks_down) {
+    while (exact->place_count > 0 && other != NULL && strstr(other->mName.data, chain_tag) != NULL &&
+           is_inverse(other) == looks_down) {
         double sign, matrix[16];
         set_floats(&other->mTransformation, matrix);
         const struct scene_assimp_marked *const marked = find_place(exact, matrix, &sign);

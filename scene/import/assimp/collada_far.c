@@ -8,6 +8,8 @@
 #include "collada_markup.h"
 #include "import/builder/text_lines.h"
 
+enum { MOST_NAME = 1024 }; // bytes of a name that assimp does not keep
+
 static const char *skip_blanks(const char *text, const char *end)
 {
     while (text < end && scene_collada_is_blank(*text)) {
@@ -16,13 +18,21 @@ static const char *skip_blanks(const char *text, const char *end)
     return text;
 }
 
+static struct scene_word word_at(const char *text, const char *end)
+{
+    size_t length = 0;
+    while (length < (size_t)(end - text) && !scene_collada_is_blank(text[length])) {
+        length++;
+    }
+    return (struct scene_word){text, length};
+}
+
 size_t scene_collada_numbers(const char **text, const char *end, double *numbers, const char *(*ends)[2],
                              size_t most)
 {
     const char *c = skip_blanks(*text, end);
     size_t count = 0, length;
-    while (count < most &&
-           scene_word_number((struct scene_word){c, (size_t)(end - c)}, &numbers[count], &length)) {
+    while (count < most && scene_word_number(word_at(c, end), &numbers[count], &length)) {
         if (ends != NULL) {
             ends[count][0] = c;
             ends[count][1] = c + length;
@@ -199,8 +209,9 @@ void scene_collada_edit_geometries(struct scene_import *import, struct scene_ass
                 return;
             }
             const struct array array = find_array(&geometry, close, last);
-            // A name with an entity is another one to assimp.
-            if (geometry.id.length > 0 && memchr(geometry.id.text, '&', geometry.id.length) == NULL) {
+            // A name with an entity is another one to assimp, and a long one is none.
+            if (geometry.id.length > 0 && geometry.id.length < MOST_NAME &&
+                memchr(geometry.id.text, '&', geometry.id.length) == NULL) {
                 edit_geometry(import, exact, &geometry, &array, text, edits);
             }
             close = last;

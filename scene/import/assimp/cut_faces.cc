@@ -61,7 +61,8 @@ void cut_mesh(aiMesh &mesh, scene_cutter *cut, void *user)
             face.mIndices = nullptr;
             continue;
         }
-        cut(user, reinterpret_cast<const float(*)[3]>(mesh.mVertices), face.mIndices, face.mNumIndices, triangles);
+        cut(user, reinterpret_cast<const float(*)[3]>(mesh.mVertices), face.mIndices, face.mNumIndices,
+            triangles);
         for (unsigned k = 0; k + 2 < face.mNumIndices; k++) {
             set_triangle(faces[next++], face, triangles + 3 * static_cast<size_t>(k));
         }
@@ -78,9 +79,14 @@ void cut_mesh(aiMesh &mesh, scene_cutter *cut, void *user)
 
 } // namespace
 
-void scene_assimp_cut_faces(const aiScene *scene, scene_cutter *cut, void *user)
+bool scene_assimp_cut_faces(const aiScene *scene, scene_cutter *cut, void *user)
 {
-    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
-        cut_mesh(*scene->mMeshes[i], cut, user);
+    try {
+        for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+            cut_mesh(*scene->mMeshes[i], cut, user);
+        }
+    } catch (const std::bad_alloc &) {
+        return false;
     }
+    return true;
 }

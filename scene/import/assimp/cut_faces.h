@@ -4,6 +4,7 @@
 #ifndef SCENE_CUT_FACES_H
 #define SCENE_CUT_FACES_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 struct aiScene;
@@ -16,8 +17,9 @@ extern "C" {
 typedef void scene_cutter(void *user, const float (*positions)[3], const uint32_t *corners, uint32_t count,
                           uint32_t *triangles);
 
-/// Replace the faces of more than four corners of a scene that assimp has read and not processed by triangles.
-void scene_assimp_cut_faces(const struct aiScene *scene, scene_cutter *cut, void *user);
+/// Replace the faces of more than four corners of a scene that assimp has read and not processed by triangles. Return
+/// false if there is no memory; the scene is of no use then.
+bool scene_assimp_cut_faces(const struct aiScene *scene, scene_cutter *cut, void *user);
 
 #ifdef __cplusplus
 }

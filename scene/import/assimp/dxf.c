@@ -351,9 +351,9 @@ static void take(struct writer *writer, struct entity *entity, struct pair pair)
         entity->angles[ones] = value;
     } else if (pair.code >= 210 && pair.code <= 230 && ones == 0) {
         entity->extrusion[tens - 21] = value;
-    } else if (pair.code == 70) {
+    } else if (pair.code == 70 && fabs(value) < 1e9) {
         entity->flags = (long)value;
-    } else if (pair.code == 62) {
+    } else if (pair.code == 62 && fabs(value) < 1e9) {
         entity->color = (long)value;
         entity->has_color = true;
     }

@@ -18,7 +18,8 @@ struct number {
 };
 
 struct entity {
-    bool has_places, is_insert;
+    bool has_places, is_insert, is_vertex;
+    bool is_face; // a face of a polyface mesh, whose place means nothing
     struct number places[CORNERS][3], factors[3];
 };
 
@@ -38,7 +39,8 @@ struct reader {
 static struct entity entity_of(struct scene_word name)
 {
     static const char *const names[] = {"3DFACE", "LINE", "3DLINE", "VERTEX", "INSERT"};
-    struct entity entity = {.is_insert = scene_word_is(name, "INSERT")};
+    struct entity entity = {.is_insert = scene_word_is(name, "INSERT"),
+                            .is_vertex = scene_word_is(name, "VERTEX")};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         entity.has_places = entity.has_places || scene_word_is(name, names[i]);
     }
@@ -54,6 +56,10 @@ static void read_value(struct reader *reader, int code, struct scene_word word)
                                   : code >= 10 && code < 40 && corner < CORNERS
                                       ? &entity->places[corner][axis]
                                       : NULL;
+    double flags;
+    if (entity->is_vertex && code == 70 && scene_word_number(word, &flags, &length)) {
+        entity->is_face = flags > 127.5 && flags < 128.5;
+    }
     if (number != NULL && entity->has_places) {
         reader->is_odd = reader->is_odd || !scene_word_number(word, &number->value, &length);
         number->word = word;
@@ -96,7 +102,8 @@ static void end_place(struct reader *reader, const struct number place[3])
 
 static void end_entity(struct reader *reader)
 {
-    for (int i = 0; i < CORNERS && reader->is_within && reader->entity.has_places; i++) {
+    const bool counts = reader->is_within && reader->entity.has_places && !reader->entity.is_face;
+    for (int i = 0; i < CORNERS && counts; i++) {
         const struct number *const place = reader->entity.places[i];
         if (place[0].word.start != NULL || place[1].word.start != NULL || place[2].word.start != NULL) {
             end_place(reader, place);

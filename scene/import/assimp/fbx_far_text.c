@@ -64,7 +64,7 @@ static const char *read_number(const struct text *text, const char *c, double *n
 {
     size_t length = 0;
     c = skip_blanks(text, c);
-    const struct scene_word word = {c, (size_t)(text->end - c)};
+    const struct scene_word word = {c, strcspn(c, ", \t\r\n}\"")};
     return scene_word_number(word, number, &length) ? c + length : NULL;
 }
 
@@ -283,5 +283,10 @@ char *scene_assimp_rewrite_fbx_text(struct scene_import *import, struct scene_as
     while (c != NULL && c < text.end) {
         c = read_on(&text, c);
     }
-    return c == NULL ? NULL : scene_edits_apply(import, &text.edits, bytes, size);
+    char *const edited = scene_edits_apply(import, &text.edits, bytes, size); // scene_edits_apply frees the edits
+    if (c == NULL) {
+        free(edited);
+        return NULL;
+    }
+    return edited;
 }

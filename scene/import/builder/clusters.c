@@ -359,6 +359,20 @@ static uint32_t count_sized(const struct search *search)
     return count;
 }
 
+// Return the set of an element's first corner that has a place. Return MOST if it has none.
+static uint32_t set_of_element(const struct search *search, const struct scene_import_elements *list,
+                               const char *first, uint32_t size)
+{
+    double point[3];
+    for (uint32_t k = 0; k < size; k++) {
+        const uint32_t corner = corner_at(list, first, k);
+        if (find_point(search->points, corner, point)) {
+            return root_of(search, search->of_point[corner]);
+        }
+    }
+    return MOST;
+}
+
 // Number the clusters in the order of their first elements, and give each point the number of its cluster.
 static uint32_t number_clusters(struct search *search, const struct scene_import_elements *lists,
                                 size_t list_count)
@@ -368,9 +382,7 @@ static uint32_t number_clusters(struct search *search, const struct scene_import
     for (size_t i = 0; i < list_count; i++) {
         const char *first = lists[i].corners;
         for (size_t k = 0; k < lists[i].count; first = behind(&lists[i], first, k++)) {
-            const uint32_t root = size_of(&lists[i], k) > 0
-                                      ? root_of(search, search->of_point[corner_at(&lists[i], first, 0)])
-                                      : MOST;
+            const uint32_t root = set_of_element(search, &lists[i], first, size_of(&lists[i], k));
             if (root < MOST && search->sets[root].is_used) {
                 numbers[root] = (uint8_t)count++;
                 search->sets[root].is_used = false;

@@ -295,6 +295,8 @@ static void sort_instances(const struct scene_model *model, uint32_t *starts, ui
     }
 }
 
+enum { MOST_ADDED = 1 << 22 }; // instances of pieces of a model
+
 void scene_import_place_pieces(struct scene_import *import)
 {
     if (import->piece_count == 0) {
@@ -307,6 +309,13 @@ void scene_import_place_pieces(struct scene_import *import)
     uint32_t *const sorted = scene_import_allocate(import, instances, sizeof *sorted);
     sort_instances(model, starts, sorted);
     starts[meshes + 1] = instances;
+    uint64_t added = 0;
+    for (size_t i = 0; i < import->piece_count; i++) {
+        added += starts[import->pieces[i].of + 2] - starts[import->pieces[i].of + 1];
+    }
+    if (added > MOST_ADDED) {
+        scene_import_fail(import, "has too many parts that are far from each other");
+    }
     for (size_t i = 0; i < import->piece_count; i++) {
         const struct scene_import_piece *const piece = &import->pieces[i];
         *scene_import_add_mesh(import) = piece->mesh;

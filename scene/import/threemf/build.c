@@ -188,13 +188,19 @@ static void add_mesh(struct scene_3mf *file, const struct scene_3mf_object *obje
 static void add_beams_of(struct scene_import *import, const struct scene_3mf_object *object, uint32_t cluster,
                          uint32_t material, const float color[4])
 {
-    struct scene_mesh beams = {
-        .name = object->name,
-        .primitive = SCENE_PRIMITIVE_LINES,
-        .material = material,
-        .positions = scene_import_allocate(import, object->beam_count, sizeof *beams.positions),
-        .colors = scene_import_allocate(import, object->beam_count, sizeof *beams.colors),
-        .indices = scene_import_allocate(import, object->beam_count, sizeof *beams.indices)};
+    size_t count = 0;
+    for (size_t i = 0; i < object->beam_count; i++) {
+        count += cluster_of(object, object->beams[i / 2 * 2]) == cluster;
+    }
+    if (count == 0) {
+        return;
+    }
+    struct scene_mesh beams = {.name = object->name,
+                               .primitive = SCENE_PRIMITIVE_LINES,
+                               .material = material,
+                               .positions = scene_import_allocate(import, count, sizeof *beams.positions),
+                               .colors = scene_import_allocate(import, count, sizeof *beams.colors),
+                               .indices = scene_import_allocate(import, count, sizeof *beams.indices)};
     for (size_t i = 0; i < object->beam_count; i++) {
         if (cluster_of(object, object->beams[i / 2 * 2]) == cluster) {
             const uint32_t end = beams.vertex_count++;
@@ -202,9 +208,6 @@ static void add_beams_of(struct scene_import *import, const struct scene_3mf_obj
             memcpy(beams.positions[end], object->positions[object->beams[i]], sizeof *beams.positions);
             memcpy(beams.colors[end], color, sizeof *beams.colors);
         }
-    }
-    if (beams.index_count == 0) {
-        return;
     }
     *scene_import_add_mesh(import) = beams;
     scene_import_place_mesh(import, object->origins[cluster]);

@@ -196,7 +196,7 @@ static void test_drawings(void **state)
          2,
          0,
          {4, 1}},
-        {"CIRCLE\n10\n7\n20\n8\n30\n0\n40\n2\n", 64, 0, {4, 4}},
+        {"CIRCLE\n62\n1e20\n70\n-1e20\n10\n7\n20\n8\n30\n0\n40\n2\n", 64, 0, {4, 4}},
         {"CIRCLE\n10\n7\n20\n8\n30\n0\n40\n2\n210\n0\n220\n0\n230\n-1\n", 64, 0, {4, 4}},
         {"ARC\n10\n7\n20\n8\n30\n0\n40\n2\n50\n270\n51\n90\n", 32, 0, {2, 4}},
         {"ELLIPSE\n10\n0\n20\n0\n30\n0\n11\n0\n21\n3\n31\n0\n40\n0.5\n", 64, 0, {3, 6}},

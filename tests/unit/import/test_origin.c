@@ -645,6 +645,19 @@ static void test_one_mesh(void **state)
     }
 }
 
+// Elements with a corner without a place are left out, also where their other corners are far from each other.
+static void test_corners_without_a_place(void **state)
+{
+    (void)state;
+    struct scene_model *const model = load_text(
+        "n.off", "OFF\n11 6 0\n0 0 0\n1 0 0\n0 1 0\n10000000 0 0\n10000001 0 0\n10000000 1 0\n20000000 0 0\n"
+                 "20000001 0 0\n30000000 0 0\n30000001 0 0\nnan nan nan\n3 0 1 2\n3 3 4 5\n2 10 6\n2 10 7\n"
+                 "2 10 8\n2 10 9\n");
+    assert_int_equal(model->triangles_drawn, 2);
+    assert_true(has_warning(model, "primitives with positions that are not finite are left out"));
+    scene_model_free(model);
+}
+
 // 256 times its size away and less, a model has the numbers of its file.
 static void test_how_far(void **state)
 {
@@ -666,6 +679,7 @@ static void test_how_far(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_corners_without_a_place),
     cmocka_unit_test(test_text_formats),
     cmocka_unit_test(test_assimp),
     cmocka_unit_test(test_floats_of_assimp),
