@@ -15,7 +15,8 @@ struct memory_part {
 
 static struct memory_part part_of(const void *bytes, size_t size)
 {
-    return (struct memory_part){(uintptr_t)bytes, (uintptr_t)bytes + size};
+    const uintptr_t first = (uintptr_t)bytes;
+    return (struct memory_part){first, size < UINTPTR_MAX - first ? first + size : UINTPTR_MAX};
 }
 
 // Return true if some row of `size` bytes has some of the part's bytes. There are `count` rows, `pitch` bytes apart.

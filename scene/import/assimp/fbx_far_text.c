@@ -283,7 +283,7 @@ char *scene_assimp_rewrite_fbx_text(struct scene_import *import, struct scene_as
     while (c != NULL && c < text.end) {
         c = read_on(&text, c);
     }
-    char *const edited = scene_edits_apply(import, &text.edits, bytes, size); // scene_edits_apply frees the edits
+    char *const edited = scene_edits_apply(import, &text.edits, bytes, size);
     if (c == NULL) {
         free(edited);
         return NULL;

@@ -476,6 +476,8 @@ static void test_overlaps_are_told(void **state)
             rig_expect_misuse(&rig, "share some with a colour attachment of this pass; they must lie apart");
         }
     }
+    rhw_pass_set_vertex_memory(context, pass, 0, memory, SIZE_MAX); // a program that does not know the size
+    rig_expect_misuse(&rig, "share some with a colour attachment of this pass; they must lie apart");
     rhw_pass_set_index_memory(context, pass, memory + 5, RHW_INDEX_UINT8, 5);
     rig_expect_misuse(&rig, "rhw_pass_set_index_memory: 5 bytes at");
     rhw_pass_set_uniform_memory(context, pass, memory + 1024, 4);
