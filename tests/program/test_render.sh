@@ -519,8 +519,10 @@ DATA;
 ENDSEC;
 END-ISO-10303-21;
 IFC
-refuse 1 "crash.ifc: assimp, the library that reads it, crashed; assimp knows IFC2X3, and this is IFC4 \(.* [0-9]+\)$" \
-    render crash.ifc -o x.png
+if ! grep -aq __asan_init "$rhw"; then # a sanitizer has more lines to say
+    refuse 1 "crash.ifc: assimp, the library that reads it, crashed; assimp knows IFC2X3, and this is IFC4 \(.* [0-9]+\)$" \
+        render crash.ifc -o x.png
+fi
 cat >missing.mtl <<'MTL'
 newmtl m
 map_Kd not-there.png
