@@ -226,7 +226,7 @@ static bool is_float(enum bench_format format)
     return format == BENCH_RGBA16F || format == BENCH_R32F || format >= BENCH_R16F;
 }
 
-// Channels of 16 bits are read as such, of which the upper 8 are kept.
+// Channels of 16 bits are read as such, and rounded to 8.
 static bool read_shorts(const struct gles_state *s, uint8_t *color)
 {
     const size_t count = 4 * (size_t)s->width * (size_t)s->height;

@@ -174,8 +174,8 @@ static void add_up(struct rhw_workgroup *w)
     }
 }
 
-// The same, one invocation at a time. It returns true where it stands at a barrier, and is called again when all others
-// have come there.
+// Add a line up as add_up does, in a function of one invocation. It returns true where it stands at a barrier, and is
+// called again when all other invocations have come there.
 static bool add_up1(struct rhw_invocation1 *i)
 {
     const struct direction *const d = i->uniforms;
@@ -202,6 +202,8 @@ static bool add_up1(struct rhw_invocation1 *i)
 struct lens {
     float least, aperture; // radius in pixels at the focus, and how it grows with 1 / focus − 1 / distance
 };
+
+static const struct lens lenses[2] = {{.least = 8}, {.aperture = 180}}; // one radius everywhere, and a lens
 
 // Return the sum of all pixels up to and including x, y, or 0 beyond the upper or the left edge.
 static rhw_int sum_up_to(const struct rhw_bindings *bindings, rhw_int x, rhw_int y, int channel)
@@ -291,7 +293,6 @@ static rhw_texture make_blurred(rhw_context *context, rhw_buffer sums, rhw_textu
 
 int main(int argc, char **argv)
 {
-    static const struct lens lenses[2] = {{.least = 8}, {.aperture = 180}};
     static uint8_t picture[SIZE][3 * SIZE][4];
     static int32_t table[CHANNELS][SIZE][SIZE], table1[CHANNELS][SIZE][SIZE];
     const char *directory = argc > 1 ? argv[1] : ".";

@@ -49,8 +49,8 @@ static struct row find_row(const struct scene_panorama *p, int y)
     return (struct row){scene_cos(angle), scene_sin(angle), (above - below) * 2.0 * pi / p->width};
 }
 
-// The question whether the picture is still wanted. It is asked before each row, which of a large panorama is some
-// 100 µs of work. Loops end at the first no, and `measure` then drops what they found.
+// The question whether the picture is still wanted. It is asked before each row. A row of a large panorama is
+// some 100 µs of work. Loops end at the first no, and `measure` then drops what they found.
 struct asking {
     const struct scene_view *view;
     bool gave_up;

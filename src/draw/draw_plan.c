@@ -202,8 +202,8 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
 {
     const uint32_t uses = pipeline->def.program.uses;
     const bool reads_targets = uses & RHW_USE_TARGET_INPUT;
-    // Groups of the first three are rows. The order of fragments depends on the path, and where it would show there is
-    // one path.
+    // Groups of programs that read targets or ask what is fully covered, and of smooth pipelines, are rows. The order
+    // of fragments depends on the path, and where it would show there is one path.
     const bool is_general = reads_targets || uses & RHW_USE_FULLY_COVERED || pipeline->is_smooth ||
                             pipeline->def.program.uses_atomic_results;
     paths = is_general ? RHW_PATHS_GENERAL : paths;

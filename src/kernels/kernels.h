@@ -77,7 +77,7 @@ struct rhw_kernels {
     rhw_sample_function *sample_general;
     // Take several samples of the binding's isotropic function.
     rhw_sample_function *sample_anisotropic;
-    // Do that of RGBA8 textures, in fixed point as sample_unorm8 and sample_unorm8_general do.
+    // Take several samples of an RGBA8 texture, in fixed point as sample_unorm8 and sample_unorm8_general do.
     rhw_sample_function *sample_fixed_anisotropic, *sample_fixed_anisotropic_general;
     // Sample a bound texture at the level of a request with a bias, by the function that the binding has.
     rhw_sample_function *sample_biased;

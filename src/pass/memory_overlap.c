@@ -75,17 +75,17 @@ static bool is_in_set(const struct rhw_range_set *set, struct memory_part part)
     return rhw_range_set_find(set, part.first, part.end) != NULL;
 }
 
-// Return what the pass writes in the part, for messages, and what it reads there if `asks_read`. Storage is left out
-// unless `asks_stored`. Return NULL if there is nothing.
-static const char *user_of(const struct rhw_used_memory *used, struct memory_part part, bool asks_read,
-                           bool asks_stored)
+// Return what the pass does with the part, for messages, except what `own` has: a set that may share bytes with the
+// part. Return NULL if there is nothing.
+static const char *user_of(const struct rhw_used_memory *used, struct memory_part part,
+                           const struct rhw_range_set *own)
 {
     const char *const attachment = attachment_of(used, part);
-    return attachment                                      ? attachment
-           : is_in_set(&used->captured, part)              ? "transform feedback"
-           : asks_stored && is_in_set(&used->stored, part) ? "storage that shader functions write"
-           : asks_read && is_in_set(&used->read, part)     ? "what its draws read"
-                                                           : NULL;
+    return attachment                                               ? attachment
+           : is_in_set(&used->captured, part)                       ? "transform feedback"
+           : own != &used->stored && is_in_set(&used->stored, part) ? "storage that shader functions write"
+           : own != &used->read && is_in_set(&used->read, part)     ? "what its draws read"
+                                                                    : NULL;
 }
 
 // Report a part that the pass has another use for. Return false then.
@@ -105,30 +105,29 @@ static bool is_noted(const struct rhw_used_memory *used, size_t size)
     return used->context->validation && size != 0;
 }
 
-bool rhw_memory_note_read(struct rhw_used_memory *used, const void *bytes, size_t size, const char *where)
+// Note a part in a set that unites ranges. Report a part that the pass has another use for, and return false then.
+static bool note(struct rhw_used_memory *used, struct rhw_range_set *set, const void *bytes, size_t size,
+                 const char *where)
 {
     if (!is_noted(used, size)) {
         return true;
     }
     const struct memory_part part = part_of(bytes, size);
-    if (!check(used, part, user_of(used, part, false, true), where)) {
+    if (!check(used, part, user_of(used, part, set), where)) {
         return false;
     }
-    *used->out_of_memory |= !rhw_range_set_unite(&used->read, &used->pass->arena, part.first, part.end);
+    *used->out_of_memory |= !rhw_range_set_unite(set, &used->pass->arena, part.first, part.end);
     return true;
+}
+
+bool rhw_memory_note_read(struct rhw_used_memory *used, const void *bytes, size_t size, const char *where)
+{
+    return note(used, &used->read, bytes, size, where);
 }
 
 bool rhw_memory_note_stored(struct rhw_used_memory *used, const void *bytes, size_t size, const char *where)
 {
-    if (!is_noted(used, size)) {
-        return true;
-    }
-    const struct memory_part part = part_of(bytes, size);
-    if (!check(used, part, user_of(used, part, true, false), where)) {
-        return false;
-    }
-    *used->out_of_memory |= !rhw_range_set_unite(&used->stored, &used->pass->arena, part.first, part.end);
-    return true;
+    return note(used, &used->stored, bytes, size, where);
 }
 
 bool rhw_memory_note_stored_level(struct rhw_used_memory *used, const struct rhw_mip *mip, size_t texel_size,
@@ -156,7 +155,7 @@ bool rhw_memory_note_captured(struct rhw_used_memory *used, const void *bytes, s
         return true;
     }
     const struct memory_part part = part_of(bytes, size);
-    if (!check(used, part, user_of(used, part, true, true), where)) {
+    if (!check(used, part, user_of(used, part, &used->captured), where)) {
         return false;
     }
     *range = rhw_range_set_add(&used->captured, &used->pass->arena, part.first, part.end);

@@ -14,8 +14,8 @@ struct rhw_context;
 bool rhw_pipeline_check(const struct rhw_context *context, const struct rhw_pipeline_def *def, uint32_t flaws,
                         const rhw_pipeline *pipeline);
 
-// Report compiler flags of the program with which its shaders would draw other bytes. `where` is the public function
-// that was called.
+// Return true if no compiler flags of the program would make its shaders draw other bytes. Report misuse and return
+// false if some would. `where` is the public function that was called.
 bool rhw_check_flaws(const struct rhw_context *context, uint32_t flaws, const char *where);
 
 // Log a warning about each state of a valid definition that is set and switched off. Validation asks for the warnings.

@@ -135,7 +135,8 @@ struct rhw_texture_data *rhw_texture_data_create_on(struct rhw_memory *memory, e
 void rhw_texture_data_destroy(struct rhw_memory *memory, struct rhw_texture_data *texture);
 
 // Box-filter levels 1.. from level 0 in linear light, on all threads of the context. The texture has its memory, and a
-// format that is sampled. Return false when out of memory; the levels are unchanged then.
+// format that is sampled. Return RHW_ERROR_OUT_OF_MEMORY, and the levels are unchanged then; or RHW_ERROR_GIVEN_UP, and
+// the levels hold unspecified values.
 enum rhw_result rhw_texture_data_generate_mips(struct rhw_context *context,
                                                const struct rhw_texture_data *texture);
 

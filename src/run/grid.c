@@ -46,7 +46,9 @@ static int group_count(const struct job *job)
 static bool reserve(const struct job *job, struct rhw_arena *arena, struct room *room)
 {
     const struct rhw_compute_program *const program = job->grid->program;
-    const size_t groups = (size_t)group_count(job), invocations = (size_t)job->invocations;
+    // The one-at-a-time form alone keeps something for each invocation.
+    const size_t groups = (size_t)group_count(job),
+                 invocations = job->grid->function ? 0 : (size_t)job->invocations;
     rhw_arena_reset(arena);
     room->is_made = false;
     room->groups = rhw_arena_alloc(arena, groups * sizeof *room->groups, RHW_CACHE_LINE);
@@ -79,10 +81,8 @@ static void make(const struct job *job, struct room *room)
     workgroup->uniforms = grid->uniforms;
     workgroup->user = grid->program->user;
     workgroup->bindings = grid->bindings;
-    for (int c = 0; c < 3; c++) {
-        workgroup->counts[c] = grid->count[c];
-        workgroup->size[c] = grid->size[c];
-    }
+    memcpy(workgroup->counts, grid->count, sizeof workgroup->counts);
+    memcpy(workgroup->size, grid->size, sizeof workgroup->size);
     room->is_made = true;
 }
 
@@ -157,9 +157,8 @@ static void run_batch(void *user, int index, int worker)
     id[2] = (int32_t)(first / x / y);
     for (uint64_t i = 0; i < job->batch && i < left && !rhw_context_is_given_up(job->context, worker); i++) {
         run_workgroup(job, room);
-        for (int c = 0; c < 2 && ++id[c] == grid->count[c]; c++) {
+        for (int c = 0; c < 3 && ++id[c] == grid->count[c]; c++) {
             id[c] = 0;
-            id[2] += c; // y has gone through, too
         }
     }
 }

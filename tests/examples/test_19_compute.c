@@ -8,17 +8,6 @@
 #include "19_compute.c"
 #undef main
 
-static double linear_of(uint8_t code)
-{
-    const double encoded = code / 255.0;
-    return encoded <= 0.04045 ? encoded / 12.92 : pow((encoded + 0.055) / 1.055, 2.4);
-}
-
-static double encoded_of(double linear)
-{
-    return 255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1 / 2.4) - 0.055);
-}
-
 static int least_of(int a, int b)
 {
     return a < b ? a : b;
@@ -52,7 +41,7 @@ static int check_blur(rhw_context *context, rhw_texture blurred, const float *di
                 count++;
             }
         }
-        lesson_close(pixels[4 * p + 1], encoded_of(sum / count / FULL), 0.51);
+        lesson_close(pixels[4 * p + 1], 255 * ref_srgb_encode(sum / count / FULL), 0.51);
         compared++;
     }
     free(pixels);
@@ -64,7 +53,6 @@ static void sums_and_means(void **state)
     (void)state;
     static int32_t table[CHANNELS][SIZE][SIZE], numbers[CHANNELS][SIZE][SIZE];
     static float distances[SIZE * SIZE];
-    static const struct lens lenses[2] = {{.least = 8}, {.aperture = 180}};
     rhw_context *context = picture_context();
     const rhw_sampler sampler = make_sampler(context);
     const rhw_texture colors = picture_target(context, RHW_FORMAT_RGBA8_SRGB, SIZE, SIZE, 1),
@@ -81,7 +69,8 @@ static void sums_and_means(void **state)
         for (int y = 0; y < SIZE; y++) {
             int32_t row = 0;
             for (int x = 0; x < SIZE; x++) {
-                numbers[k][y][x] = (int32_t)floor(linear_of(pixels[4 * (y * SIZE + x) + k]) * FULL + 0.5);
+                numbers[k][y][x] =
+                    (int32_t)floor(ref_srgb_decode(pixels[4 * (y * SIZE + x) + k] / 255.0) * FULL + 0.5);
                 row += numbers[k][y][x];
                 assert_int_equal(table[k][y][x], row + (y > 0 ? table[k][y - 1][x] : 0));
             }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a screen reader says when numbers have changed and rest.
+import { short } from './math.js';
 import { write } from './slots.js';
 
 const REST = 250; // ms without a change until it is said
@@ -21,4 +22,12 @@ export function hear(panel, text) {
   const line = lines.get(panel);
   clearTimeout(line.timer);
   line.timer = setTimeout(() => write(line.node, text), REST);
+}
+
+/** Names of the shares of a pixel, on the screen and in space. */
+export const SHARES = ['r', 's', 't', 'a', 'b', 'c'];
+
+/** Says numbers with their names, or nothing where there are none. */
+export function hearNumbers(panel, numbers, names = SHARES) {
+  hear(panel, numbers ? names.map((name) => `${name} ${short(numbers[name])}`).join(', ') : '');
 }

@@ -77,8 +77,9 @@ export function takeable(section, view, { nearer = 0.1, changed = () => {} } = {
     changed(taken);
     view.update();
   };
+  const giveCornersBack = () => scene.corners.forEach((corner, i) => Object.assign(corner, { at: own.ats[i], uv: own.uvs[i] }));
   const note = takenNote(section, () => {
-    scene.corners.forEach((corner, i) => Object.assign(corner, { at: own.ats[i], uv: own.uvs[i] }));
+    giveCornersBack();
     Object.assign(scene.camera, own.camera);
     scene.limit = own.limit;
     use(false);
@@ -102,7 +103,7 @@ export function takeable(section, view, { nearer = 0.1, changed = () => {} } = {
         makeRoom(scene, nearer);
         use(true);
       } else {
-        scene.corners.forEach((corner, i) => Object.assign(corner, { at: own.ats[i], uv: own.uvs[i] }));
+        giveCornersBack();
       }
     }
     restore(values);

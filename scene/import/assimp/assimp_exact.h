@@ -50,7 +50,7 @@ bool scene_assimp_find_offset(struct scene_import *import, const double (*points
 /// Keep a matrix, and write the mark that stands for it. A mark whose numbers are negative stands for its inverse.
 void scene_assimp_mark_matrix(struct scene_import *import, struct scene_assimp_exact *exact,
                               const double matrix[16], double mark[3]);
-/// Keep a translation alone.
+/// Keep a translation, and write the mark that stands for it. The rest of the matrix stays that of floats.
 void scene_assimp_mark_way(struct scene_import *import, struct scene_assimp_exact *exact, const double way[3],
                            double mark[3]);
 /// Keep an offset. Return its number.
@@ -69,7 +69,7 @@ struct scene_import_place scene_assimp_exact_place(const struct scene_assimp_exa
 /// file near the origin, and the translation that doubles have.
 struct scene_import_place scene_assimp_settled(const struct scene_assimp_exact *exact,
                                                struct scene_import_place place, const double offset[3]);
-/// Write what floats hold of such a place: zeros for a translation that has a mark.
+/// Write the place of a node within its parent as floats hold it. A translation that has a mark is written as zeros.
 void scene_assimp_float_place(const struct scene_assimp_exact *exact, const struct aiNode *node,
                               double place[16]);
 /// Return what was subtracted from the positions of a mesh, or zeros.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Nodes of Collada that are far from their parents. The transforms of a node are multiplied here in double. assimp gets
-// the same ones without their translations, and a mark in the place of the first.
+// the transforms without their translations, and a mark in the place of the first translation.
 #include "collada_far.h"
 
 #include <stdlib.h>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // DXF that stands far from the origin, as assimp is to read it: all places of its entities are counted from one among
-// them. Those of blocks are counted from where a block is inserted, and stay.
+// them. Places within blocks are counted from where a block is inserted, and stay.
 #include "assimp_exact.h"
 #include "edits.h"
 #include "import/builder/text_lines.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -31,7 +30,7 @@ struct reader {
     double (*points)[3]; // the places of all entities
     size_t count, capacity;
     bool is_absent[3], is_odd; // an entity is without a coordinate on an axis
-    // The second time, changes are collected.
+    // Where changes are collected; NULL while places are.
     struct scene_edits *edits;
     double offset[3];
 };

@@ -93,9 +93,9 @@ static uint32_t count_runs(const struct set *set)
     return filled > 2 * MOST ? 1 : runs;
 }
 
-bool scene_import_clusters_may_be(const struct scene_import_points *points)
+static bool may_be(const struct scene_import_points *points, const struct scene_box *box)
 {
-    struct set set = {.box = bound(points)};
+    struct set set = {.box = *box};
     uint32_t filled = 0;
     choose_bins(&set);
     for (size_t i = 0; i < points->count && filled <= 2 * MOST && !set.is_whole; i++) {
@@ -107,6 +107,12 @@ bool scene_import_clusters_may_be(const struct scene_import_points *points)
         }
     }
     return filled <= 2 * MOST && count_runs(&set) > 1;
+}
+
+bool scene_import_clusters_may_be(const struct scene_import_points *points)
+{
+    const struct scene_box box = bound(points);
+    return may_be(points, &box);
 }
 
 // Sets ----------------------------------------------------------------------------------------------
@@ -410,7 +416,7 @@ struct scene_import_clusters scene_import_clusters_find(struct scene_import *imp
             return one;
         }
     }
-    if (!scene_import_clusters_may_be(points)) {
+    if (!may_be(points, &box)) {
         return one;
     }
     struct search *const search = scene_import_allocate(import, 1, sizeof *search);

@@ -6,7 +6,6 @@
 #include "large_polygon.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 static const uint64_t most_looks = 200000000; // half a second's
 
@@ -21,15 +20,10 @@ struct ring {
     uint64_t looks;
 };
 
-// Return twice the signed area of a triangle.
-static double area(const double a[2], const double b[2], const double c[2])
-{
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
 static bool turns_back(const struct ring *ring, uint32_t i)
 {
-    return !(area(ring->points[ring->before[i]], ring->points[i], ring->points[ring->after[i]]) > 0);
+    return !(scene_import_area(ring->points[ring->before[i]], ring->points[i], ring->points[ring->after[i]]) >
+             0);
 }
 
 static uint32_t cell_of(const struct ring *ring, double value, int axis)
@@ -104,8 +98,8 @@ static bool holds_corner(struct ring *ring, uint32_t cell, const double a[2], co
     for (uint32_t k = ring->cells[cell]; k != 0; k = ring->in_cell[k - 1]) {
         const double *const p = ring->points[k - 1];
         ring->looks++;
-        if (ring->turns_back[k - 1] && area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0 &&
-            !is_same(p, a) && !is_same(p, b) && !is_same(p, c)) {
+        if (ring->turns_back[k - 1] && scene_import_area(a, b, p) >= 0 && scene_import_area(b, c, p) >= 0 &&
+            scene_import_area(c, a, p) >= 0 && !is_same(p, a) && !is_same(p, b) && !is_same(p, c)) {
             return true;
         }
     }
@@ -143,18 +137,11 @@ static bool is_ear(struct ring *ring, uint32_t i)
     return true;
 }
 
-static void emit(uint32_t *out, uint32_t a, uint32_t b, uint32_t c)
-{
-    out[0] = a;
-    out[1] = b;
-    out[2] = c;
-}
-
 // Cut a corner off. A neighbour that turned back may not do so from now on.
 static void cut(struct ring *ring, uint32_t i, uint32_t *out)
 {
     const uint32_t before = ring->before[i], after = ring->after[i];
-    emit(out, before, i, after);
+    scene_import_emit(out, before, i, after);
     ring->after[before] = after;
     ring->before[after] = before;
     ring->turns_back[i] = false;
@@ -182,10 +169,10 @@ bool scene_import_cut_large(const double (*points)[2], uint32_t count, uint32_t 
     uint32_t second = is_made ? ring.after[place] : 1;
     for (uint32_t i = 2; i < left; i++) {
         const uint32_t third = is_made ? ring.after[second] : i;
-        emit(triangles, place, second, third);
+        scene_import_emit(triangles, place, second, third);
         triangles += 3;
         second = third;
     }
     free_ring(&ring);
-    return is_made && (left <= 3 || count <= 3);
+    return is_made && left <= 3;
 }

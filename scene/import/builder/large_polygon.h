@@ -6,6 +6,20 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/// Return twice the signed area of a triangle.
+static inline double scene_import_area(const double a[2], const double b[2], const double c[2])
+{
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/// Write the corners of a triangle.
+static inline void scene_import_emit(uint32_t *out, uint32_t a, uint32_t b, uint32_t c)
+{
+    out[0] = a;
+    out[1] = b;
+    out[2] = c;
+}
+
 /// Cut a polygon in a plane, whose corners run counter-clockwise, into count − 2 triangles of places in `points`.
 /// Return false if it takes too much time or memory. The triangles are a fan from there on.
 bool scene_import_cut_large(const double (*points)[2], uint32_t count, uint32_t *triangles);

@@ -281,17 +281,19 @@ static void place_beside(struct scene_import *import, uint32_t mesh, const uint3
     }
 }
 
-// Write the first `count` instances to `sorted` by their meshes, those of mesh m from starts[m] on.
+// Write the instances to `sorted` by their meshes, those of mesh m from starts[m] to starts[m + 1]. All starts are 0
+// before.
 static void sort_instances(const struct scene_model *model, uint32_t *starts, uint32_t *sorted)
 {
     for (uint32_t i = 0; i < model->instance_count; i++) {
-        starts[model->instances[i].mesh + 1]++;
+        starts[model->instances[i].mesh]++;
     }
-    for (uint32_t m = 0; m < model->mesh_count; m++) {
-        starts[m + 1] += starts[m];
+    for (uint32_t m = 1; m < model->mesh_count; m++) {
+        starts[m] += starts[m - 1];
     }
+    starts[model->mesh_count] = model->instance_count;
     for (uint32_t i = model->instance_count; i > 0; i--) {
-        sorted[--starts[model->instances[i - 1].mesh + 1]] = i - 1;
+        sorted[--starts[model->instances[i - 1].mesh]] = i - 1;
     }
 }
 
@@ -303,15 +305,12 @@ void scene_import_place_pieces(struct scene_import *import)
         return;
     }
     struct scene_model *const model = &import->model;
-    const uint32_t meshes = model->mesh_count, instances = model->instance_count;
-    // After sorting, those of mesh m begin at starts[m + 1], and those of the next at starts[m + 2].
-    uint32_t *const starts = scene_import_allocate(import, (size_t)meshes + 2, sizeof *starts);
-    uint32_t *const sorted = scene_import_allocate(import, instances, sizeof *sorted);
+    uint32_t *const starts = scene_import_allocate(import, (size_t)model->mesh_count + 1, sizeof *starts);
+    uint32_t *const sorted = scene_import_allocate(import, model->instance_count, sizeof *sorted);
     sort_instances(model, starts, sorted);
-    starts[meshes + 1] = instances;
     uint64_t added = 0;
     for (size_t i = 0; i < import->piece_count; i++) {
-        added += starts[import->pieces[i].of + 2] - starts[import->pieces[i].of + 1];
+        added += starts[import->pieces[i].of + 1] - starts[import->pieces[i].of];
     }
     if (added > MOST_ADDED) {
         scene_import_fail(import, "has too many parts that are far from each other");
@@ -320,8 +319,8 @@ void scene_import_place_pieces(struct scene_import *import)
         const struct scene_import_piece *const piece = &import->pieces[i];
         *scene_import_add_mesh(import) = piece->mesh;
         scene_import_place_mesh(import, piece->origin);
-        const uint32_t first = starts[piece->of + 1];
-        place_beside(import, model->mesh_count - 1, sorted + first, starts[piece->of + 2] - first);
+        const uint32_t first = starts[piece->of];
+        place_beside(import, model->mesh_count - 1, sorted + first, starts[piece->of + 1] - first);
     }
     free(sorted);
     free(starts);

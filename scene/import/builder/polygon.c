@@ -18,12 +18,6 @@ struct polygon {
     uint32_t count;
 };
 
-// Return twice the signed area of a triangle.
-static double area(const double a[2], const double b[2], const double c[2])
-{
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
 // Corners of a polygon of a mesh that has no more than positions yet.
 struct outline {
     const struct scene_mesh *mesh;
@@ -97,7 +91,7 @@ static bool is_ear(const struct polygon *polygon, uint32_t i)
     const uint32_t count = polygon->count, *ring = polygon->ring;
     const uint32_t before = ring[(i + count - 1) % count], here = ring[i], after = ring[(i + 1) % count];
     const double *a = polygon->points[before], *b = polygon->points[here], *c = polygon->points[after];
-    if (!(area(a, b, c) > 0)) {
+    if (!(scene_import_area(a, b, c) > 0)) {
         return false;
     }
     for (uint32_t k = 0; k < count; k++) {
@@ -105,24 +99,19 @@ static bool is_ear(const struct polygon *polygon, uint32_t i)
         const bool corner = memcmp(p, a, sizeof polygon->points[0]) == 0 ||
                             memcmp(p, b, sizeof polygon->points[0]) == 0 ||
                             memcmp(p, c, sizeof polygon->points[0]) == 0;
-        if (!corner && area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0) {
+        if (!corner && scene_import_area(a, b, p) >= 0 && scene_import_area(b, c, p) >= 0 &&
+            scene_import_area(c, a, p) >= 0) {
             return false;
         }
     }
     return true;
 }
 
-static void emit(uint32_t *out, uint32_t a, uint32_t b, uint32_t c)
-{
-    out[0] = a;
-    out[1] = b;
-    out[2] = c;
-}
-
 static void cut(struct polygon *polygon, uint32_t i, uint32_t *out)
 {
     const uint32_t count = polygon->count;
-    emit(out, polygon->ring[(i + count - 1) % count], polygon->ring[i], polygon->ring[(i + 1) % count]);
+    scene_import_emit(out, polygon->ring[(i + count - 1) % count], polygon->ring[i],
+                      polygon->ring[(i + 1) % count]);
     memmove(polygon->ring + i, polygon->ring + i + 1, (count - i - 1) * sizeof *polygon->ring);
     polygon->count--;
 }
@@ -131,7 +120,7 @@ static void cut(struct polygon *polygon, uint32_t i, uint32_t *out)
 static bool is_convex(const double (*points)[2], uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
-        if (area(points[i], points[(i + 1) % count], points[(i + 2) % count]) < 0) {
+        if (scene_import_area(points[i], points[(i + 1) % count], points[(i + 2) % count]) < 0) {
             return false;
         }
     }
@@ -141,7 +130,7 @@ static bool is_convex(const double (*points)[2], uint32_t count)
 static void fan(uint32_t count, uint32_t *triangles)
 {
     for (uint32_t i = 2; i < count; i++) {
-        emit(triangles + 3 * (size_t)(i - 2), 0, i - 1, i);
+        scene_import_emit(triangles + 3 * (size_t)(i - 2), 0, i - 1, i);
     }
 }
 
@@ -197,7 +186,7 @@ void scene_import_triangulate(struct scene_import *import, const struct scene_me
         cut(&polygon, ear < polygon.count ? ear : 0, triangles + next);
         next += 3;
     }
-    emit(triangles + next, polygon.ring[0], polygon.ring[1], polygon.ring[2]);
+    scene_import_emit(triangles + next, polygon.ring[0], polygon.ring[1], polygon.ring[2]);
 }
 
 void scene_polygons_add(struct scene_import *import, struct scene_polygons *polygons, size_t triangles_before,

@@ -7,53 +7,47 @@
 
 static const uint32_t none = UINT32_MAX;
 
-static void *copy_vertices(struct scene_import *import, const void *array, size_t size,
-                           const uint32_t *source, uint32_t count)
+// Return what an array has of some vertices, and free the array if it is given away.
+static void *take(struct scene_import *import, void *array, size_t size, const uint32_t *source,
+                  uint32_t count, bool is_given)
 {
     if (array == NULL) {
         return NULL;
     }
-    char *const copy = scene_import_allocate(import, count, size);
+    char *const taken = scene_import_allocate(import, count, size);
     for (uint32_t i = 0; i < count; i++) {
-        memcpy(copy + i * size, (const char *)array + source[i] * size, size);
+        memcpy(taken + i * size, (const char *)array + source[i] * size, size);
     }
-    return copy;
+    if (is_given) {
+        free(array);
+    }
+    return taken;
+}
+
+static void take_vertices(struct scene_import *import, struct scene_mesh *mesh, const uint32_t *source,
+                          uint32_t count, bool are_given)
+{
+    mesh->positions = take(import, mesh->positions, sizeof *mesh->positions, source, count, are_given);
+    mesh->exact = take(import, mesh->exact, sizeof *mesh->exact, source, count, are_given);
+    mesh->normals = take(import, mesh->normals, sizeof *mesh->normals, source, count, are_given);
+    mesh->tangents = take(import, mesh->tangents, sizeof *mesh->tangents, source, count, are_given);
+    for (int set = 0; set < SCENE_UV_SETS; set++) {
+        mesh->uvs[set] = take(import, mesh->uvs[set], sizeof *mesh->uvs[set], source, count, are_given);
+    }
+    mesh->colors = take(import, mesh->colors, sizeof *mesh->colors, source, count, are_given);
+    mesh->vertex_count = count;
 }
 
 void scene_import_copy_vertices(struct scene_import *import, struct scene_mesh *mesh, const uint32_t *source,
                                 uint32_t count)
 {
-    mesh->positions = copy_vertices(import, mesh->positions, sizeof *mesh->positions, source, count);
-    mesh->exact = copy_vertices(import, mesh->exact, sizeof *mesh->exact, source, count);
-    mesh->normals = copy_vertices(import, mesh->normals, sizeof *mesh->normals, source, count);
-    mesh->tangents = copy_vertices(import, mesh->tangents, sizeof *mesh->tangents, source, count);
-    for (int set = 0; set < SCENE_UV_SETS; set++) {
-        mesh->uvs[set] = copy_vertices(import, mesh->uvs[set], sizeof *mesh->uvs[set], source, count);
-    }
-    mesh->colors = copy_vertices(import, mesh->colors, sizeof *mesh->colors, source, count);
-    mesh->vertex_count = count;
-}
-
-static void *gather(struct scene_import *import, void *array, size_t size, const uint32_t *source,
-                    uint32_t count)
-{
-    void *const gathered = copy_vertices(import, array, size, source, count);
-    free(array);
-    return gathered;
+    take_vertices(import, mesh, source, count, false);
 }
 
 void scene_import_gather_vertices(struct scene_import *import, struct scene_mesh *mesh,
                                   const uint32_t *source, uint32_t count)
 {
-    mesh->positions = gather(import, mesh->positions, sizeof *mesh->positions, source, count);
-    mesh->exact = gather(import, mesh->exact, sizeof *mesh->exact, source, count);
-    mesh->normals = gather(import, mesh->normals, sizeof *mesh->normals, source, count);
-    mesh->tangents = gather(import, mesh->tangents, sizeof *mesh->tangents, source, count);
-    for (int set = 0; set < SCENE_UV_SETS; set++) {
-        mesh->uvs[set] = gather(import, mesh->uvs[set], sizeof *mesh->uvs[set], source, count);
-    }
-    mesh->colors = gather(import, mesh->colors, sizeof *mesh->colors, source, count);
-    mesh->vertex_count = count;
+    take_vertices(import, mesh, source, count, true);
 }
 
 void scene_import_drop_unused_vertices(struct scene_import *import, struct scene_mesh *mesh)

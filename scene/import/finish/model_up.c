@@ -74,15 +74,19 @@ static double lowest_area(const struct scene_model *model, int axis)
     return area / ((frame.high[u] - frame.low[u]) * (frame.high[v] - frame.low[v]));
 }
 
-// Return true if a model stands on feet or wheels along z, and along y on a nose or a side. One of its halves is the
-// mirror image of the other, and not the upper one of the lower one.
-static bool stands_on_feet(struct scene_import *import, const double side[3])
+// Return true if a model may be taken to stand on feet or wheels along z.
+static bool may_have_feet(const double side[3])
 {
     const double longest = fmax(side[0], fmax(side[1], side[2]));
-    const double as_y = standing_share(&import->model, 1), as_z = standing_share(&import->model, 2);
-    return side[1] > thin * longest && side[2] > thin * longest && as_z >= feet_share && as_y < nose_share &&
-           as_z > feet_ratio * as_y && lowest_area(&import->model, 2) < feet_area &&
-           scene_symmetry_share(import, 2) < mirrored &&
+    return side[1] > thin * longest && side[2] > thin * longest;
+}
+
+// Return true if a model stands on feet or wheels along z, and along y on a nose or a side, by its shares along both.
+// One of its halves is the mirror image of the other, and not the upper one of the lower one.
+static bool stands_on_feet(struct scene_import *import, double as_y, double as_z)
+{
+    return as_z >= feet_share && as_y < nose_share && as_z > feet_ratio * as_y &&
+           lowest_area(&import->model, 2) < feet_area && scene_symmetry_share(import, 2) < mirrored &&
            (scene_symmetry_share(import, 0) >= mirrored || scene_symmetry_share(import, 1) >= mirrored);
 }
 
@@ -110,12 +114,14 @@ enum scene_axis scene_model_guess_up(struct scene_import *import, enum scene_axi
     }
     const enum scene_axis other = usual == SCENE_AXIS_Y ? SCENE_AXIS_Z : SCENE_AXIS_Y;
     const int usual_axis = usual == SCENE_AXIS_Y ? 1 : 2, other_axis = 3 - usual_axis;
-    if (is_agreed && usual == SCENE_AXIS_Y && stands_on_feet(import, side)) {
-        return SCENE_AXIS_Z;
-    }
-    if (!may_stand(side, other_axis, is_agreed)) {
+    const bool asks_for_feet = is_agreed && usual == SCENE_AXIS_Y && may_have_feet(side);
+    const bool may = may_stand(side, other_axis, is_agreed);
+    if (!may && !asks_for_feet) {
         return usual;
     }
     const double as_usual = standing_share(model, usual_axis), as_other = standing_share(model, other_axis);
-    return as_other >= least_share && as_other > ratio * as_usual ? other : usual;
+    if (asks_for_feet && stands_on_feet(import, as_usual, as_other)) {
+        return SCENE_AXIS_Z;
+    }
+    return may && as_other >= least_share && as_other > ratio * as_usual ? other : usual;
 }

@@ -222,8 +222,8 @@ RHW_INLINE void store_row(const struct texel_rows *rows, const struct rhw_format
     }
 }
 
-// Put values into the place of texels of a format. In this function and the next the format is a constant where a call
-// names it. Texels may be anything to the compiler, so what the loops need of `rows` is loaded before them.
+// Put values into the place of texels of a format. Where a call names the format, it is a constant of this function.
+// Texels may be anything to the compiler, so what the loops need of `rows` is loaded before them.
 RHW_INLINE void replace_format(const struct rhw_format_info *format, const struct texel_rows *rows)
 {
     const struct texel_rows all = *rows;
@@ -434,7 +434,7 @@ RHW_INLINE void replacing_texels(const struct rhw_blend_state *state, const f32x
     }
 }
 
-// Return them as words, where they have 4 bytes.
+// Return texels of 4 bytes that replace others, as words.
 RHW_INLINE i32x8 replacing_words(const struct rhw_blend_state *state, const f32x8 *color)
 {
     _Alignas(32) unsigned char texels[RHW_LANES * RHW_TEXEL_BYTES] = {0};

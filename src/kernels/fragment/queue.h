@@ -77,6 +77,7 @@ RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend
         act_on_rows(&state, &rows);
         return;
     }
+    _Alignas(32) unsigned char lanes[RHW_LANES * RHW_TEXEL_BYTES] = {0};
     for (int g = 0; g < count; g++) {
         const f32x8 *const color = queue->colors[g][t];
         if (!queue->is_scattered[g]) {
@@ -84,7 +85,6 @@ RHW_INLINE void blend_target(const struct tile_work *work, int t, enum rhw_blend
                         texels + (size_t)queue->row_at[g] * size);
             continue;
         }
-        _Alignas(32) unsigned char lanes[RHW_LANES * RHW_TEXEL_BYTES] = {0};
         const int32_t *const at = queue->texels[g];
         if (replaces) {
             replacing_texels(&state, color, lanes);

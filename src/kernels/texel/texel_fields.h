@@ -151,7 +151,7 @@ RHW_INLINE void encode_known_fields(const struct rhw_format_info *format, const 
     }
 }
 
-// These serve a format that the caller does not know. One that it knows is a constant of the functions above.
+// decode_fields and encode_fields serve a format that the caller does not know.
 static __attribute__((noinline)) void decode_fields(const struct rhw_format_info *format, const i32x8 word[4],
                                                     f32x8 *value)
 {

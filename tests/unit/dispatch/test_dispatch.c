@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Dispatches: which invocations run, what they share and reach, in which order, and what is told of misuse.
 #include "harness.h"
+#include "patience.h"
 
 #include "base/thread.h"
 
@@ -408,17 +409,6 @@ static void test_results_of_atomics(void **state)
 }
 
 // Giving up --------------------------------------------------------------------------------------------
-
-struct patience {
-    int left, asked;
-};
-
-static bool goes_on(void *user)
-{
-    struct patience *const patience = user;
-    patience->asked++;
-    return patience->left-- > 0;
-}
 
 static void count_workgroup(struct rhw_workgroup *w)
 {

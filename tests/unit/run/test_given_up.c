@@ -2,21 +2,11 @@
 // Passes, and mip levels, that the program gives up while they are made (rhw_context_set_goes_on): wherever that is, the
 // result says so, nobody is asked again, and the next one is made as if nothing had been.
 #include "harness.h"
+#include "patience.h"
 
 #include <string.h>
 
 enum { SIZE = 320, TRIANGLES = 600 };
-
-struct patience {
-    int left, asked;
-};
-
-static bool goes_on(void *user)
-{
-    struct patience *const patience = user;
-    patience->asked++;
-    return patience->left-- > 0;
-}
 
 static void fill(struct rig *rig, struct rig_vertex *vertices)
 {

@@ -57,6 +57,9 @@ static uint64_t hash_of_numbers(struct rhw_context_def context)
     rig_draw(&rig, vertices, 3 * TRIANGLES);
     rig_end(&rig);
     assert_int_equal(rig.stats.threads, 1);
+    int32_t taken[2];
+    assert_int_equal(rhw_buffer_read(rig.context, buffer, 0, taken, sizeof taken), RHW_OK);
+    assert_true(taken[0] > 0 && taken[1] > 0); // vertices and fragments took numbers
     const uint64_t hash = rig_hash(&rig, 0);
     rig_close(&rig);
     return hash;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light from panoramas whose light is known: even ones, halves, a sun, patches in known directions.
+#include "patience.h"
 #include "tiny_model.h"
 
 #include <math.h>
@@ -210,24 +211,13 @@ static void test_background(void **state)
     assert_string_equal(error, "background: there is no environment to show");
 }
 
-struct patience {
-    int left, asked;
-};
-
-static bool goes_on(void *user)
-{
-    struct patience *const patience = user;
-    patience->asked++;
-    return patience->left-- != 0;
-}
-
 // Each row that is measured is preceded by a question, the mips and passes ask too, and the first no ends it all.
 static void test_given_up(void **state)
 {
     (void)state;
     fill(0, HEIGHT, 0.1f, 0.1f, 0.1f);
     patch(100, 40, 4, 5000, 4000, 3000); // a sun: all passes over the texels
-    struct patience patience = {.left = -1};
+    struct patience patience = {.left = 1 << 30};
     const struct scene_view view = {.panorama = &panorama, .goes_on = goes_on, .user = &patience};
     struct scene_surroundings s = {0};
     struct rhw_context_def def = rhw_context_def_default();
@@ -246,7 +236,7 @@ static void test_given_up(void **state)
         assert_int_equal(patience.asked, places[i] + 1);
         assert_null(s.panorama);
     }
-    patience = (struct patience){.left = -1};
+    patience = (struct patience){.left = 1 << 30};
     assert_int_equal(scene_surroundings_make(&s, alone, &view), RHW_OK);
     assert_true(s.sun.color[0] > 0.0f);
     scene_surroundings_destroy(alone, &s);

@@ -3,6 +3,7 @@
 import { choice } from '../controls.js';
 import { termsOf } from '../derivation.js';
 import { hear } from '../heard.js';
+import { whenLanguage } from '../language.js';
 import { formulaIn, short } from '../math.js';
 import { legend, Plot } from '../plot.js';
 import { fill, text } from '../slots.js';
@@ -55,11 +56,11 @@ export function start(section, stage) {
     const row = Math.floor(part * ROWS);
     return Array.from({ length: SAMPLES }, (_, x) => stage.explain(x, row));
   };
+  whenLanguage(() => legend(section.querySelector('.legend'), CURVES));
   const view = new View(stage, section.querySelector('.view'), scene, (numbers) => {
     const along = sample(view.pixel?.[1] ?? 0.5);
     const curves = CURVES.map((curve) => ({ ...curve, values: along.map((n) => (n ? curve.of(n) : NaN)) }));
     plot.show(curves, view.pixel?.[0] ?? null);
-    legend(section.querySelector('.legend'), CURVES);
     fill(line, () => {
       if (numbers) {
         const terms = termsOf(numbers);

@@ -2,7 +2,7 @@
 // Exercises that the page checks: one triangle, naive on the left and correct on the right, and what to do with it. An answer
 // speaks of the triangle as the reader left it.
 import { termsOf } from '../derivation.js';
-import { hear } from '../heard.js';
+import { hearNumbers } from '../heard.js';
 import { say, whenLanguage } from '../language.js';
 import { short } from '../math.js';
 import { sizeOf } from '../size.js';
@@ -15,7 +15,6 @@ import { View } from '../view.js';
 const NEAR = 0.3;
 const GRID = 48; // pixels across the small picture in which the largest error is looked for
 const REST = 400; // ms that the pointer or a corner rests until it is looked at
-const SHARES = ['r', 's', 't', 'a', 'b', 'c'];
 const SAME = 0.03; // parts by which two W may differ and be one: some pixels under a finger
 const ALIKE = 0.01; // by which two shares may
 
@@ -188,7 +187,7 @@ export function start(section, stage) {
     // Whoever passes over a place has not pointed at it.
     clearTimeout(resting);
     resting = setTimeout(() => touched && check(numbers), REST);
-    hear(view.figure, numbers ? SHARES.map((name) => `${name} ${short(numbers[name])}`).join(', ') : '');
+    hearNumbers(view.figure, numbers);
     top.update(numbers);
   };
   const view = new View(stage, section.querySelector('.view'), scene, look);

@@ -3,7 +3,7 @@
 // in space, and the distance Z of the point is not the mixture of the distances, but 1/Z is that of 1/Z. Beside it the curves of
 // Z, 1/Z, u/Z and u over the screen, and the edge's stripes as they are seen.
 import { choice } from '../controls.js';
-import { hear } from '../heard.js';
+import { hearNumbers } from '../heard.js';
 import { whenLanguage } from '../language.js';
 import { formulaIn, short } from '../math.js';
 import { nameDrawing, percentOf } from '../naming.js';
@@ -299,7 +299,7 @@ function showLines(panel, terms) {
       write(element(row, 'span'), `= ${short(terms.r * terms.Z_A + terms.s * terms.Z_B)}`);
     });
   });
-  hear(panel, ['r', 's', 'a', 'b'].map((term) => `${term} ${short(terms[term])}`).join(', '));
+  hearNumbers(panel, terms, ['r', 's', 'a', 'b']);
 }
 
 // Curves of the weights at places between A' and B', and at both.

@@ -3,10 +3,9 @@
 import { choice } from '../controls.js';
 import { termsOf } from '../derivation.js';
 import { chosenFiles, droppedFiles, modelOf } from '../dropped.js';
-import { hear } from '../heard.js';
+import { hearNumbers } from '../heard.js';
 import { say } from '../language.js';
 import { Library } from '../library.js';
-import { short } from '../math.js';
 import { namePicture } from '../naming.js';
 import { numbersOf, seenIn, showModelDerivation, uvsOf } from '../model_derivation.js';
 import { cornersOf, Overlay } from '../overlay.js';
@@ -18,7 +17,6 @@ import { clamp } from '../vector.js';
 const SAMPLE = 'models/box.glb';
 const AGREEABLE = 40; // ms for a picture while it moves
 const REST = 180; // ms until it is refined
-const SHARES = ['r', 's', 't', 'a', 'b', 'c'];
 const CLICK = 4; // CSS pixels that a pointer may go and still have clicked
 
 class ModelView {
@@ -87,7 +85,7 @@ class ModelView {
   #show() {
     showModelDerivation(this.steps, this.tables, this.explanation);
     const numbers = this.#numbers();
-    hear(this.steps, numbers ? SHARES.map((name) => `${name} ${short(numbers[name])}`).join(', ') : '');
+    hearNumbers(this.steps, numbers);
     this.takes.hidden = !numbers;
     const someBehind = numbers && cornersOf(numbers).some((clip) => !(clip[3] > 0));
     this.takes.querySelectorAll('button').forEach((button) => (button.hidden = someBehind && button.value !== 'clip'));

@@ -3,9 +3,8 @@
 // the triangle itself as it is seen straight on. Then the formula that leads from the ones to the others, term by term.
 import { distanceSlider } from '../controls.js';
 import { termsOf } from '../derivation.js';
-import { hear } from '../heard.js';
+import { hear, hearNumbers } from '../heard.js';
 import { say, whenLanguage } from '../language.js';
-import { short } from '../math.js';
 import { cornersOf, onScreen } from '../overlay.js';
 import { sizeOf } from '../size.js';
 import { METHOD, PATTERN } from '../stage.js';
@@ -124,7 +123,7 @@ class Bars {
 
   show(numbers) {
     this.bars.forEach(({ term, bar }) => (bar.style.width = `${100 * (numbers?.[term] ?? 0)}%`));
-    hear(this.node, numbers ? PAIRS.flat().map((term) => `${term} ${short(numbers[term])}`).join(', ') : '');
+    hearNumbers(this.node, numbers, PAIRS.flat());
   }
 }
 
