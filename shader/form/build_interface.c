@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// Inputs and outputs of a stage: by location, four components each, or built in.
+#include "build.h"
+
+enum { COMPONENTS = 4, MAX_LOCATIONS = 32 };
+
+struct built_in {
+    enum spirv_built_in number;
+    int slot; // the first component: enum shader_built_in of inputs, enum shader_output of outputs
+    uint32_t components;
+};
+
+static const struct built_in built_in_inputs[] = {
+    {SPIRV_VERTEX_INDEX, SHADER_IN_VERTEX_INDEX, 1},       {SPIRV_INSTANCE_INDEX, SHADER_IN_INSTANCE_INDEX, 1},
+    {SPIRV_FRAG_COORD, SHADER_IN_COORD, 4},                {SPIRV_FRONT_FACING, SHADER_IN_FRONT_FACING, 1},
+    {SPIRV_PRIMITIVE_ID, SHADER_IN_PRIMITIVE, 1},          {SPIRV_SAMPLE_ID, SHADER_IN_SAMPLE_ID, 1},
+    {SPIRV_SAMPLE_POSITION, SHADER_IN_SAMPLE_POSITION, 2}, {SPIRV_SAMPLE_MASK, SHADER_IN_SAMPLE_MASK, 1},
+    {SPIRV_POINT_COORD, SHADER_IN_POINT_COORD, 2},         {SPIRV_LAYER, SHADER_IN_LAYER, 1},
+    {SPIRV_VIEWPORT_INDEX, SHADER_IN_VIEWPORT, 1},
+};
+
+static const struct built_in built_in_outputs[] = {
+    {SPIRV_POSITION, SHADER_OUT_POSITION, 4},           {SPIRV_POINT_SIZE, SHADER_OUT_POINT_SIZE, 1},
+    {SPIRV_CLIP_DISTANCE, SHADER_OUT_CLIP_DISTANCE, 8}, {SPIRV_CULL_DISTANCE, SHADER_OUT_CULL_DISTANCE, 8},
+    {SPIRV_LAYER, SHADER_OUT_LAYER, 1},                 {SPIRV_VIEWPORT_INDEX, SHADER_OUT_VIEWPORT, 1},
+    {SPIRV_FRAG_DEPTH, SHADER_OUT_DEPTH, 1},            {SPIRV_SAMPLE_MASK, SHADER_OUT_SAMPLE_MASK, 1},
+};
+
+// One input or output as it is walked: scalars of the variable get slots.
+struct interface_walk {
+    struct shader_builder *builder;
+    const struct shader_variable *variable;
+    uint32_t *scalars; // of the variable
+    uint32_t next;     // scalar
+};
+
+static bool is_in_interface(const struct shader_builder *builder, uint32_t id)
+{
+    for (uint32_t i = 0; i < builder->entry->interface_count; i++) {
+        if (builder->entry->interface[i] == id) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static uint32_t output_home(struct shader_builder *builder, uint32_t slot)
+{
+    if (builder->output_homes[slot] == SHADER_NO_VALUE) {
+        builder->output_homes[slot] = shader_new_home(builder, 0);
+    }
+    return builder->output_homes[slot];
+}
+
+static void add_scalar(struct interface_walk *walk, enum shader_op input, uint32_t slot)
+{
+    struct shader_builder *const builder = walk->builder;
+    walk->scalars[walk->next++] = walk->variable->storage == SPIRV_OUTPUT
+                                      ? output_home(builder, slot)
+                                      : shader_emit_with(builder, input, slot, 0, 0, 0);
+}
+
+static void add_built_in(struct interface_walk *walk, const struct shader_type *type, int number)
+{
+    struct shader_builder *const builder = walk->builder;
+    const bool is_output = walk->variable->storage == SPIRV_OUTPUT;
+    const struct built_in *const table = is_output ? built_in_outputs : built_in_inputs;
+    const size_t count = is_output ? sizeof built_in_outputs / sizeof *built_in_outputs
+                                   : sizeof built_in_inputs / sizeof *built_in_inputs;
+    if (!is_output && (number == SPIRV_HELPER_INVOCATION || number == SPIRV_VIEW_INDEX || number == SPIRV_DEVICE_INDEX)) {
+        for (uint32_t i = 0; i < type->scalars; i++) {
+            walk->scalars[walk->next++] = shader_number(builder, 0);
+        }
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
+        if ((int)table[i].number != number) {
+            continue;
+        }
+        if (type->scalars > table[i].components) {
+            shader_build_refuse(builder, "built-in %d has at most %u components", number, (unsigned)table[i].components);
+        }
+        for (uint32_t c = 0; c < type->scalars; c++) {
+            add_scalar(walk, SHADER_BUILT_IN, (uint32_t)table[i].slot + c);
+        }
+        return;
+    }
+    shader_build_refuse(builder, "built-in %d is not supported as %s", number, is_output ? "an output" : "an input");
+}
+
+// Give the scalars of a type their slots from a location on. Return the location behind.
+static uint32_t add_located(struct interface_walk *walk, const struct shader_type *type, uint32_t location, uint32_t component)
+{
+    struct shader_builder *const builder = walk->builder;
+    const uint32_t scalars = type->kind == SHADER_VECTOR ? type->count : 1;
+    if (location >= MAX_LOCATIONS || component + scalars > COMPONENTS) {
+        shader_build_refuse(builder, "location %u, component %u is not among %d locations of %d components",
+                            (unsigned)location, (unsigned)component, MAX_LOCATIONS, COMPONENTS);
+    }
+    switch (type->kind) {
+    case SHADER_MATRIX:
+    case SHADER_ARRAY:
+        for (uint32_t i = 0; i < type->count; i++) {
+            location = add_located(walk, type->element, location, component);
+        }
+        return location;
+    case SHADER_STRUCT:
+        for (uint32_t i = 0; i < type->count; i++) {
+            location = add_located(walk, type->members[i].type, location, 0);
+        }
+        return location;
+    default: break;
+    }
+    const uint32_t first = walk->variable->storage == SPIRV_OUTPUT ? SHADER_OUT_VARYING : 0;
+    for (uint32_t i = 0; i < scalars; i++) {
+        add_scalar(walk, SHADER_INPUT, first + location * COMPONENTS + component + i);
+    }
+    return location + 1;
+}
+
+void shader_build_interface_variable(struct shader_builder *builder, const struct shader_variable *variable,
+                                     struct shader_place *place)
+{
+    if (!is_in_interface(builder, variable->id)) {
+        return; // of another entry point
+    }
+    const struct shader_type *const type = variable->type;
+    struct interface_walk walk = {builder, variable, shader_new_scalars(builder, type), 0};
+    if (variable->built_in >= 0) {
+        add_built_in(&walk, type, variable->built_in);
+    } else if (type->kind == SHADER_STRUCT && type->is_block) {
+        uint32_t location = variable->location < 0 ? 0 : (uint32_t)variable->location;
+        for (uint32_t i = 0; i < type->count; i++) {
+            const struct shader_member *const member = &type->members[i];
+            if (member->built_in >= 0) {
+                add_built_in(&walk, member->type, member->built_in);
+                continue;
+            }
+            location = member->location < 0 ? location : (uint32_t)member->location;
+            location = add_located(&walk, member->type, location, (uint32_t)member->component);
+        }
+    } else if (variable->location >= 0) {
+        (void)add_located(&walk, type, (uint32_t)variable->location,
+                          variable->component < 0 ? 0 : (uint32_t)variable->component);
+    } else {
+        shader_build_refuse(builder, "the variable has no location and is not built in");
+    }
+    place->kind = variable->storage == SPIRV_OUTPUT ? SHADER_PLACE_HOMES : SHADER_PLACE_INPUT;
+    place->scalars = walk.scalars;
+    for (uint32_t i = 0; variable->storage == SPIRV_OUTPUT && variable->initial && i < type->scalars; i++) {
+        shader_set_home(builder, place->scalars[i], shader_number(builder, variable->initial->scalars[i]));
+    }
+}
+
+void shader_write_outputs(struct shader_builder *builder)
+{
+    struct shader_program *const program = builder->program;
+    // Only what is stored to somewhere is an output.
+    bool *const is_set = shader_take(builder->memory, program->node_count, sizeof *is_set);
+    for (uint32_t i = 0; i < program->code_count; i++) {
+        const struct shader_node *const node = &program->nodes[program->code[i]];
+        if (node->op == SHADER_SET) {
+            is_set[node->operands[0]] = true;
+        }
+    }
+    for (uint32_t slot = 0; slot < SHADER_OUT_COUNT; slot++) {
+        const uint32_t home = builder->output_homes[slot];
+        if (home != SHADER_NO_VALUE && is_set[home]) {
+            program->writes[slot] = true;
+            (void)shader_emit_with(builder, SHADER_OUTPUT, slot, shader_get_home(builder, home), 0, 0);
+        }
+    }
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// See form.h.
+#include "form.h"
+
+struct op_description {
+    const char *name;
+    int operands;
+    enum shader_op_kind kind;
+};
+
+#define OP(name, operands, kind) {#name, operands, SHADER_KIND_##kind},
+static const struct op_description descriptions[] = {
+#include "op.inc"
+};
+#undef OP
+
+const char *shader_op_name(enum shader_op op)
+{
+    return descriptions[op].name;
+}
+
+int shader_op_operands(enum shader_op op)
+{
+    return descriptions[op].operands;
+}
+
+enum shader_op_kind shader_op_kind_of(enum shader_op op)
+{
+    return descriptions[op].kind;
+}
+
+uint32_t shader_add_node(struct shader_program *program, enum shader_op op, uint32_t immediate, uint32_t a, uint32_t b,
+                         uint32_t c)
+{
+    if (program->node_count >= SHADER_MAX_NODES) {
+        shader_refuse(program->module, 0, "the shader has more than %d operations after its calls are put in their places",
+                      SHADER_MAX_NODES);
+    }
+    if (program->node_count == program->node_room) {
+        program->nodes =
+            shader_grow(program->memory, program->nodes, &program->node_room, sizeof *program->nodes);
+    }
+    program->nodes[program->node_count] =
+        (struct shader_node){.op = (uint16_t)op, .immediate = immediate, .operands = {a, b, c}};
+    return program->node_count++;
+}

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// The form that shaders are translated into: operations on scalars of 32 bits, in structured order.
+//
+// A node is an operation and, if it has a result, that result: node number and value are one. `code` lists the nodes in
+// the order in which they are executed; IF, REGION and LOOP nest. A node is executed in the lanes that are active there:
+// IF keeps those whose condition is true, LEAVE takes lanes away until the end of what they leave. Values of nodes that
+// are not in `code` (constants, homes) are there from the beginning. A value may be read where it was computed in all
+// lanes that read it; a HOME may be read anywhere.
+#ifndef SHADER_FORM_H
+#define SHADER_FORM_H
+
+#include "module/module.h"
+
+#define OP(name, operands, kind) SHADER_##name,
+enum shader_op {
+#include "op.inc"
+    SHADER_OP_COUNT
+};
+#undef OP
+
+enum shader_op_kind { SHADER_KIND_VALUE, SHADER_KIND_READ, SHADER_KIND_EFFECT, SHADER_KIND_FLOW };
+
+enum { SHADER_MAX_NODES = 1 << 18, SHADER_MAX_NESTING = 128 };
+
+struct shader_node {
+    uint16_t op;
+    uint16_t flags; // enum shader_node_flag
+    uint32_t immediate;
+    uint32_t operands[3];
+};
+
+enum shader_node_flag {
+    SHADER_UNIFORM = 1, // the same in all lanes of a call
+    SHADER_EVERY_LANE = 2 // of SET: all lanes that live are active
+};
+
+// Built-in inputs and outputs, by component where there are several.
+enum shader_built_in {
+    SHADER_IN_VERTEX_INDEX,
+    SHADER_IN_INSTANCE_INDEX,
+    SHADER_IN_COORD, // 4
+    SHADER_IN_FRONT_FACING = SHADER_IN_COORD + 4,
+    SHADER_IN_PRIMITIVE,
+    SHADER_IN_SAMPLE_ID,
+    SHADER_IN_SAMPLE_POSITION, // 2
+    SHADER_IN_SAMPLE_MASK = SHADER_IN_SAMPLE_POSITION + 2,
+    SHADER_IN_POINT_COORD, // 2
+    SHADER_IN_LAYER = SHADER_IN_POINT_COORD + 2,
+    SHADER_IN_VIEWPORT,
+    SHADER_IN_COUNT
+};
+
+enum shader_output {
+    SHADER_OUT_POSITION, // 4
+    SHADER_OUT_POINT_SIZE = SHADER_OUT_POSITION + 4,
+    SHADER_OUT_CLIP_DISTANCE, // 8
+    SHADER_OUT_CULL_DISTANCE = SHADER_OUT_CLIP_DISTANCE + 8, // 8
+    SHADER_OUT_LAYER = SHADER_OUT_CULL_DISTANCE + 8,
+    SHADER_OUT_VIEWPORT,
+    SHADER_OUT_DEPTH,
+    SHADER_OUT_SAMPLE_MASK,
+    SHADER_OUT_VARYING, // 4 components for each location: vertices; [target][channel] of fragments
+    SHADER_OUT_COUNT = SHADER_OUT_VARYING + 128
+};
+
+// A resource that the program uses.
+struct shader_resource {
+    const struct shader_variable *variable;
+    const struct shader_type *type; // of one element
+    uint32_t count;                 // of elements; 0: as many as are bound
+};
+
+struct shader_program {
+    struct shader_memory *memory;
+    const struct shader_module *module;
+    const struct shader_entry_point *entry;
+    struct shader_node *nodes;
+    uint32_t node_count;
+    size_t node_room;
+    uint32_t *code;
+    uint32_t code_count;
+    size_t code_room;
+    uint32_t *lists; // a list is its length and as many values
+    uint32_t list_count;
+    size_t list_room;
+    struct shader_resource *resources;
+    uint32_t resource_count;
+    uint32_t varying_mask[4]; // components of inputs that are read, a bit each
+    bool writes[SHADER_OUT_COUNT];
+    uint32_t push_size; // bytes of push constants that are read
+};
+
+// Translate an entry point.
+struct shader_program *shader_build(const struct shader_module *module, const struct shader_entry_point *entry);
+
+// Add a node without putting it into the code. Equal constants are one node.
+uint32_t shader_add_node(struct shader_program *program, enum shader_op op, uint32_t immediate, uint32_t a, uint32_t b,
+                         uint32_t c);
+uint32_t shader_add_constant(struct shader_program *program, uint32_t bits);
+
+const char *shader_op_name(enum shader_op op);
+int shader_op_operands(enum shader_op op);
+enum shader_op_kind shader_op_kind_of(enum shader_op op);
+
+// fold.c. Return the value of an operation on constants. Return false where it has no value that is known.
+bool shader_fold(enum shader_op op, const uint32_t operands[3], uint32_t *result);
+
+#endif

@@ -1,0 +1,483 @@
+// SPDX-License-Identifier: MIT
+// The words of a module, one instruction after the other.
+#include "module.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+// Instructions ---------------------------------------------------------------------------------------
+
+struct known_instruction {
+    const char *name, *operands;
+    uint16_t number;
+};
+
+#define INSTRUCTION(name, number, operands) {#name, operands, number},
+static const struct known_instruction known_instructions[] = {
+#include "grammar.inc"
+};
+#undef INSTRUCTION
+
+enum { KNOWN_COUNT = sizeof known_instructions / sizeof *known_instructions };
+
+// The table is in the order of numbers.
+static const struct known_instruction *find_instruction(uint32_t opcode)
+{
+    size_t low = 0, high = KNOWN_COUNT;
+    while (low < high) {
+        const size_t middle = (low + high) / 2;
+        if (known_instructions[middle].number < opcode) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low < KNOWN_COUNT && known_instructions[low].number == opcode ? &known_instructions[low] : NULL;
+}
+
+const char *shader_instruction_name(uint32_t opcode)
+{
+    const struct known_instruction *const known = find_instruction(opcode);
+    return known ? known->name : "an unknown instruction";
+}
+
+const char *shader_instruction_operands(uint32_t opcode)
+{
+    const struct known_instruction *const known = find_instruction(opcode);
+    return known ? known->operands : NULL;
+}
+
+void shader_refuse(const struct shader_module *module, uint32_t word, const char *format, ...)
+{
+    char *const message = module->memory->message;
+    const uint32_t opcode = word < module->word_count ? module->words[word] & 0xffff : 0;
+    int length = 0;
+    if (word >= SPIRV_HEADER_WORDS) {
+        length = snprintf(message, SHADER_MESSAGE, "word %u, Op%s: ", (unsigned)word,
+                          find_instruction(opcode) ? shader_instruction_name(opcode) : "?");
+    }
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message + length, (size_t)(SHADER_MESSAGE - length), format, arguments);
+    va_end(arguments);
+    shader_memory_end(module->memory);
+}
+
+// Operands -------------------------------------------------------------------------------------------
+
+// The operands of one instruction as they are checked.
+struct operand_reader {
+    const struct shader_module *module;
+    uint32_t word, next, end; // of the instruction, the next operand, and behind the last
+};
+
+static uint32_t take_word(struct operand_reader *reader)
+{
+    if (reader->next >= reader->end) {
+        shader_refuse(reader->module, reader->word, "an operand is missing");
+    }
+    return reader->module->words[reader->next++];
+}
+
+static void check_id(struct operand_reader *reader)
+{
+    const uint32_t id = take_word(reader);
+    if (id == 0 || id >= reader->module->bound) {
+        shader_refuse(reader->module, reader->word, "%u is no id below the bound of %u", (unsigned)id,
+                      (unsigned)reader->module->bound);
+    }
+}
+
+static void check_string(struct operand_reader *reader)
+{
+    for (;;) {
+        const uint32_t word = take_word(reader);
+        if ((word & 0xff) == 0 || (word & 0xff00) == 0 || (word & 0xff0000) == 0 || (word >> 24) == 0) {
+            return;
+        }
+    }
+}
+
+static void check_memory_access(struct operand_reader *reader)
+{
+    const uint32_t mask = take_word(reader);
+    if (mask & ~7u) {
+        shader_refuse(reader->module, reader->word, "memory access 0x%x is not supported", (unsigned)mask);
+    }
+    if (mask & 2) {
+        (void)take_word(reader); // alignment
+    }
+}
+
+static void check_image_operands(struct operand_reader *reader)
+{
+    const uint32_t mask = take_word(reader);
+    if (mask >= 0x100) {
+        shader_refuse(reader->module, reader->word, "image operands 0x%x are not supported", (unsigned)mask);
+    }
+    for (uint32_t bit = 1; bit <= SPIRV_IMAGE_MIN_LOD; bit <<= 1) {
+        for (int i = 0; (mask & bit) && i < (bit == SPIRV_IMAGE_GRAD ? 2 : 1); i++) {
+            check_id(reader);
+        }
+    }
+}
+
+static void check_operand(struct operand_reader *reader, char letter)
+{
+    switch (letter) {
+    case 'T':
+    case 'R':
+    case 'i': check_id(reader); break;
+    case 's': check_string(reader); break;
+    case 'm': check_memory_access(reader); break;
+    case 'g': check_image_operands(reader); break;
+    case 'p':
+        check_id(reader);
+        check_id(reader);
+        break;
+    case 'w':
+        (void)take_word(reader);
+        check_id(reader);
+        break;
+    case 'q':
+        check_id(reader);
+        (void)take_word(reader);
+        break;
+    case 'd':
+    case 'x':
+    case 'u':
+    case 'o': // one number, and as many operands as it asks for: whoever reads them checks them
+        (void)take_word(reader);
+        reader->next = reader->end;
+        break;
+    default: (void)take_word(reader); break;
+    }
+}
+
+static void check_operands(const struct shader_module *module, uint32_t word, const char *operands)
+{
+    struct operand_reader reader = {module, word, word + 1, word + (module->words[word] >> 16)};
+    for (const char *letter = operands; *letter != '\0'; letter++) {
+        const char quantifier = letter[1] == '?' || letter[1] == '*' ? letter[1] : '\0';
+        if (quantifier == '\0') {
+            check_operand(&reader, *letter);
+            continue;
+        }
+        while (reader.next < reader.end) {
+            check_operand(&reader, *letter);
+            if (quantifier == '?') {
+                break;
+            }
+        }
+        letter++;
+    }
+    if (reader.next != reader.end) {
+        shader_refuse(module, word, "it has %u words too many", (unsigned)(reader.end - reader.next));
+    }
+}
+
+// Ids ------------------------------------------------------------------------------------------------
+
+// Note what the result of an instruction is, where it has one.
+static void define_result(struct shader_module *module, uint32_t word, const char *operands)
+{
+    const uint32_t *const words = module->words + word;
+    const bool has_type = operands[0] == 'T';
+    if (!has_type && operands[0] != 'R') {
+        return;
+    }
+    const uint32_t id = words[has_type ? 2 : 1];
+    struct shader_id *const defined = &module->ids[id];
+    if (defined->word != 0) {
+        shader_refuse(module, word, "id %u was defined before, at word %u", (unsigned)id, (unsigned)defined->word);
+    }
+    defined->word = word;
+    defined->opcode = (uint16_t)(words[0] & 0xffff);
+    defined->type = has_type ? words[1] : 0;
+    if (has_type && (module->ids[words[1]].word == 0 || !module->ids[words[1]].data.as_type)) {
+        shader_refuse(module, word, "id %u is no type", (unsigned)words[1]);
+    }
+}
+
+const struct shader_type *shader_type_of_id(const struct shader_module *module, uint32_t word, uint32_t id)
+{
+    const uint16_t opcode = module->ids[id].opcode;
+    const bool is_type = opcode >= SPIRV_OP_TypeVoid && opcode <= SPIRV_OP_TypeFunction;
+    if (!is_type || !module->ids[id].data.as_type) {
+        shader_refuse(module, word, "id %u is no type", (unsigned)id);
+    }
+    return module->ids[id].data.as_type;
+}
+
+static bool is_constant(uint16_t opcode)
+{
+    return (opcode >= SPIRV_OP_ConstantTrue && opcode <= SPIRV_OP_SpecConstantOp) || opcode == SPIRV_OP_Undef;
+}
+
+const struct shader_constant *shader_constant_of_id(const struct shader_module *module, uint32_t word, uint32_t id)
+{
+    if (!is_constant(module->ids[id].opcode) || !module->ids[id].data.as_constant) {
+        shader_refuse(module, word, "id %u is no constant", (unsigned)id);
+    }
+    return module->ids[id].data.as_constant;
+}
+
+const struct shader_type *shader_value_type(const struct shader_module *module, uint32_t word, uint32_t id)
+{
+    if (module->ids[id].type == 0) {
+        shader_refuse(module, word, "id %u is no value", (unsigned)id);
+    }
+    return shader_type_of_id(module, word, module->ids[id].type);
+}
+
+// Decorations ----------------------------------------------------------------------------------------
+
+static void add_decoration(struct shader_module *module, uint32_t word, uint32_t id, int member, uint32_t operand)
+{
+    const uint32_t end = word + (module->words[word] >> 16);
+    const uint32_t number = ++module->decoration_count;
+    module->decorations[number - 1] =
+        (struct shader_decoration){.next = module->ids[id].decorations,
+                                   .word = word,
+                                   .number = module->words[operand],
+                                   .member = member,
+                                   .value = operand + 1 < end ? module->words[operand + 1] : 0};
+    module->ids[id].decorations = number;
+}
+
+// Give an id, or a member of it, what a group was decorated with.
+static void copy_decorations(struct shader_module *module, uint32_t word, uint32_t group, uint32_t id, int member)
+{
+    for (uint32_t d = module->ids[group].decorations; d != 0; d = module->decorations[d - 1].next) {
+        if (module->decoration_count >= module->word_count) {
+            shader_refuse(module, word, "the module has too many decorations");
+        }
+        module->decorations[module->decoration_count] = module->decorations[d - 1];
+        struct shader_decoration *const copy = &module->decorations[module->decoration_count++];
+        copy->member = member;
+        copy->next = module->ids[id].decorations;
+        module->ids[id].decorations = module->decoration_count;
+    }
+}
+
+static void read_decoration(struct shader_module *module, uint32_t word)
+{
+    const uint32_t *const words = module->words + word;
+    const uint32_t opcode = words[0] & 0xffff, count = words[0] >> 16;
+    if (opcode == SPIRV_OP_Decorate) {
+        add_decoration(module, word, words[1], -1, word + 2);
+    } else if (opcode == SPIRV_OP_MemberDecorate) {
+        if (words[2] > SHADER_MAX_SCALARS) {
+            shader_refuse(module, word, "there is no member %u", (unsigned)words[2]);
+        }
+        add_decoration(module, word, words[1], (int)words[2], word + 3);
+    } else if (opcode == SPIRV_OP_GroupDecorate) {
+        for (uint32_t i = 2; i < count; i++) {
+            copy_decorations(module, word, words[1], words[i], -1);
+        }
+    } else {
+        for (uint32_t i = 2; i + 1 < count; i += 2) {
+            copy_decorations(module, word, words[1], words[i],
+                             (int)(words[i + 1] > SHADER_MAX_SCALARS ? SHADER_MAX_SCALARS : words[i + 1]));
+        }
+    }
+}
+
+const struct shader_decoration *shader_find_decoration(const struct shader_module *module, uint32_t id, int member,
+                                                       enum spirv_decoration number)
+{
+    for (uint32_t d = module->ids[id].decorations; d != 0; d = module->decorations[d - 1].next) {
+        const struct shader_decoration *const decoration = &module->decorations[d - 1];
+        if (decoration->member == member && decoration->number == (uint32_t)number) {
+            return decoration;
+        }
+    }
+    return NULL;
+}
+
+// Sections -------------------------------------------------------------------------------------------
+
+// Capabilities of SPIR-V 1.3 under which nothing is asked that is not here (SPIR-V Specification, "Capability").
+static bool is_supported(uint32_t capability)
+{
+    static const uint16_t supported[] = {
+        0,  1,  // Matrix, Shader
+        25, 26, // ImageGatherExtended, StorageImageMultisample
+        27, 28, 29, 30, 31, // UniformBuffer, SampledImage, StorageBuffer, StorageImage arrays; ClipDistance
+        32, 33, 34, 35, 36, // CullDistance, ImageCubeArray, SampleRateShading, ImageRect, SampledRect
+        40, 41, 42, 43, 44, 45, // InputAttachment, SparseResidency, MinLod, Sampled1D, Image1D, SampledCubeArray
+        46, 47, 48, 49, 50, 51, 52, // SampledBuffer … InterpolationFunction
+        55, 56, 57, // StorageImageRead, StorageImageWriteWithoutFormat, MultiViewport
+        61, 62, 63, 64, 65, 66, 67, 68, // GroupNonUniform and its kin
+        4423, 4427, 4433, 4434, 4435, 4436, 4437, 4439, 4441 // ShaderViewportIndexLayer … VariablePointers
+    };
+    for (size_t i = 0; i < sizeof supported / sizeof *supported; i++) {
+        if (supported[i] == capability) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static const char *string_at(const struct shader_module *module, uint32_t word)
+{
+    return (const char *)(module->words + word);
+}
+
+static void read_import(struct shader_module *module, uint32_t word)
+{
+    const char *const name = string_at(module, word + 2);
+    if (strcmp(name, "GLSL.std.450") == 0) {
+        module->glsl_import = module->words[word + 1];
+    } else if (strncmp(name, "NonSemantic.", 12) != 0) {
+        shader_refuse(module, word, "the instruction set '%.64s' is not supported", name);
+    }
+}
+
+static void read_function(struct shader_module *module, uint32_t word)
+{
+    struct shader_function *const function = &module->functions[module->function_count++];
+    *function = (struct shader_function){.id = module->words[word + 2],
+                                         .word = word,
+                                         .type = shader_type_of_id(module, word, module->words[word + 4])};
+    if (function->type->kind != SHADER_FUNCTION ||
+        function->type->element != shader_type_of_id(module, word, module->words[word + 1])) {
+        shader_refuse(module, word, "id %u is no type of a function that returns id %u",
+                      (unsigned)module->words[word + 4], (unsigned)module->words[word + 1]);
+    }
+    module->ids[function->id].data.as_function = function;
+}
+
+// Read an instruction outside of functions.
+static void read_global(struct shader_module *module, uint32_t word, const struct shader_specialization *values,
+                        size_t count)
+{
+    const uint32_t opcode = module->words[word] & 0xffff;
+    switch (opcode) {
+    case SPIRV_OP_Capability:
+        if (!is_supported(module->words[word + 1])) {
+            shader_refuse(module, word, "capability %u is not supported", (unsigned)module->words[word + 1]);
+        }
+        return;
+    case SPIRV_OP_MemoryModel:
+        if (module->words[word + 1] != 0 || (module->words[word + 2] != 1 && module->words[word + 2] != 3)) {
+            shader_refuse(module, word, "only logical addresses and the memory models GLSL450 and Vulkan are supported");
+        }
+        return;
+    case SPIRV_OP_ExtInstImport: read_import(module, word); return;
+    case SPIRV_OP_EntryPoint: shader_read_entry_point(module, word); return;
+    case SPIRV_OP_ExecutionMode: shader_read_execution_mode(module, word); return;
+    case SPIRV_OP_Name: module->names[module->words[word + 1]] = string_at(module, word + 2); return;
+    case SPIRV_OP_Decorate:
+    case SPIRV_OP_MemberDecorate:
+    case SPIRV_OP_GroupDecorate:
+    case SPIRV_OP_GroupMemberDecorate: read_decoration(module, word); return;
+    case SPIRV_OP_Variable: {
+        struct shader_variable *const variable = shader_read_variable(module, word);
+        if (variable->storage == SPIRV_FUNCTION) {
+            shader_refuse(module, word, "a variable of a function stands outside of functions");
+        }
+        module->variables[module->variable_count++] = variable;
+        return;
+    }
+    default: break;
+    }
+    if (opcode >= SPIRV_OP_TypeVoid && opcode <= SPIRV_OP_TypeFunction) {
+        shader_read_type(module, word);
+    } else if (is_constant((uint16_t)opcode)) {
+        shader_read_constant(module, word, values, count);
+    }
+}
+
+// Everything that a module has at most as many of as it has words.
+static void make_room(struct shader_module *module)
+{
+    size_t decorations = 0, entry_points = 0, variables = 0, functions = 0;
+    for (uint32_t word = SPIRV_HEADER_WORDS; word < module->word_count;) {
+        const uint32_t count = module->words[word] >> 16;
+        if (count == 0 || count > module->word_count - word) {
+            shader_refuse(module, word, "its %u words do not fit into the module", (unsigned)count);
+        }
+        switch (module->words[word] & 0xffff) {
+        case SPIRV_OP_Decorate:
+        case SPIRV_OP_MemberDecorate: decorations++; break;
+        case SPIRV_OP_GroupDecorate:
+        case SPIRV_OP_GroupMemberDecorate: decorations = module->word_count; break;
+        case SPIRV_OP_EntryPoint: entry_points++; break;
+        case SPIRV_OP_Variable: variables++; break;
+        case SPIRV_OP_Function: functions++; break;
+        default: break;
+        }
+        word += count;
+    }
+    struct shader_memory *const memory = module->memory;
+    decorations = decorations > module->word_count ? module->word_count : decorations;
+    module->decorations = shader_take(memory, decorations, sizeof *module->decorations);
+    module->entry_points = shader_take(memory, entry_points, sizeof *module->entry_points);
+    module->variables = shader_take(memory, variables, sizeof(struct shader_variable *));
+    module->functions = shader_take(memory, functions, sizeof *module->functions);
+    module->ids = shader_take(memory, module->bound, sizeof *module->ids);
+    module->names = shader_take(memory, module->bound, sizeof *module->names);
+}
+
+static void check_header(struct shader_module *module, const uint32_t *words, size_t word_count)
+{
+    if (word_count < SPIRV_HEADER_WORDS || words[0] != SPIRV_MAGIC) {
+        shader_refuse(module, 0, "this is no SPIR-V module: it does not begin with the magic number");
+    }
+    if (word_count > SHADER_MAX_WORDS) {
+        shader_refuse(module, 0, "the module has more than %d words", SHADER_MAX_WORDS);
+    }
+    if (words[1] < 0x10000 || words[1] > 0x10600) {
+        shader_refuse(module, 0, "version 0x%x of SPIR-V is not known", (unsigned)words[1]);
+    }
+    if (words[3] == 0 || words[3] > SHADER_MAX_IDS) {
+        shader_refuse(module, 0, "a bound of %u ids is not supported; it is 1 to %d", (unsigned)words[3], SHADER_MAX_IDS);
+    }
+}
+
+struct shader_module *shader_module_read(struct shader_memory *memory, const uint32_t *words, size_t word_count,
+                                         const struct shader_specialization *specialization, size_t count)
+{
+    struct shader_module *const module = shader_take(memory, 1, sizeof *module);
+    module->memory = memory;
+    check_header(module, words, word_count);
+    module->words = words;
+    module->word_count = (uint32_t)word_count;
+    module->bound = words[3];
+    make_room(module);
+    bool in_function = false;
+    for (uint32_t word = SPIRV_HEADER_WORDS; word < module->word_count; word += words[word] >> 16) {
+        const uint32_t opcode = words[word] & 0xffff;
+        const char *const operands = shader_instruction_operands(opcode);
+        if (!operands) {
+            shader_refuse(module, word, "instruction %u is not supported", (unsigned)opcode);
+        }
+        check_operands(module, word, operands);
+        define_result(module, word, operands);
+        if (opcode == SPIRV_OP_Function) {
+            if (in_function) {
+                shader_refuse(module, word, "a function begins within another");
+            }
+            in_function = true;
+            read_function(module, word);
+        } else if (opcode == SPIRV_OP_FunctionEnd) {
+            if (!in_function) {
+                shader_refuse(module, word, "no function has begun");
+            }
+            in_function = false;
+            module->functions[module->function_count - 1].end = word + 1;
+        } else if (!in_function) {
+            read_global(module, word, specialization, count);
+        } else if (opcode == SPIRV_OP_Undef) {
+            shader_read_constant(module, word, NULL, 0);
+        } else if (opcode == SPIRV_OP_Variable && shader_read_variable(module, word)->storage != SPIRV_FUNCTION) {
+            shader_refuse(module, word, "a variable of the module stands in a function");
+        }
+    }
+    if (in_function) {
+        shader_refuse(module, 0, "the last function has no end");
+    }
+    return module;
+}

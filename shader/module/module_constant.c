@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// Constants, with the values that specialization gives them.
+#include "module.h"
+
+#include <string.h>
+
+static uint32_t *new_constant(struct shader_module *module, uint32_t word, const struct shader_type *type)
+{
+    struct shader_constant *const constant = shader_take(module->memory, 1, sizeof *constant);
+    if (type->scalars == 0) {
+        shader_refuse(module, word, "there are no constants of the type of id %u", (unsigned)type->id);
+    }
+    uint32_t *const scalars = shader_take(module->memory, type->scalars, sizeof *scalars);
+    constant->type = type;
+    constant->scalars = scalars;
+    module->ids[module->words[word + 2]].data.as_constant = constant;
+    return scalars;
+}
+
+// A number of 8 or 16 bits as the 32 bits that stand for it: extended by its sign where it has one.
+static uint32_t narrow(const struct shader_type *type, uint32_t bits)
+{
+    if (type->kind != SHADER_INT || type->bits == 32) {
+        return bits;
+    }
+    const int shift = 32 - type->bits;
+    const uint32_t upper = bits << shift;
+    return type->is_signed ? (uint32_t)((int32_t)upper >> shift) : upper >> shift;
+}
+
+static void read_number(struct shader_module *module, uint32_t word, const struct shader_type *type, uint32_t *scalar)
+{
+    if ((type->kind != SHADER_INT && type->kind != SHADER_FLOAT) || (module->words[word] >> 16) != 4) {
+        shader_refuse(module, word, "a constant is a number of one word");
+    }
+    if (type->kind == SHADER_FLOAT && type->bits == 16) {
+        shader_refuse(module, word, "constants of 16-bit floats are not supported");
+    }
+    *scalar = narrow(type, module->words[word + 3]);
+}
+
+// Put the scalars of the parts of a composite behind one another.
+static void read_composite(struct shader_module *module, uint32_t word, const struct shader_type *type, uint32_t *scalars)
+{
+    const uint32_t count = (module->words[word] >> 16) - 3;
+    const bool is_struct = type->kind == SHADER_STRUCT;
+    const bool is_composite = is_struct || type->kind == SHADER_VECTOR || type->kind == SHADER_MATRIX ||
+                              type->kind == SHADER_ARRAY;
+    if (!is_composite || count != type->count) {
+        shader_refuse(module, word, "a constant of id %u has %u parts", (unsigned)type->id,
+                      is_composite ? (unsigned)type->count : 0);
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        const struct shader_constant *const part = shader_constant_of_id(module, word, module->words[word + 3 + i]);
+        if (part->type != (is_struct ? type->members[i].type : type->element)) {
+            shader_refuse(module, word, "part %u is of another type", (unsigned)i);
+        }
+        memcpy(scalars, part->scalars, part->type->scalars * sizeof *scalars);
+        scalars += part->type->scalars;
+    }
+}
+
+// Specialization -------------------------------------------------------------------------------------
+
+static const struct shader_specialization *find_value(const struct shader_module *module, uint32_t id,
+                                                      const struct shader_specialization *values, size_t count)
+{
+    const struct shader_decoration *const decoration = shader_find_decoration(module, id, -1, SPIRV_SPEC_ID);
+    for (size_t i = 0; decoration && i < count; i++) {
+        if (values[i].constant_id == decoration->value) {
+            return &values[i];
+        }
+    }
+    return NULL;
+}
+
+// The operands of an OpSpecConstantOp.
+struct operation {
+    const struct shader_module *module;
+    uint32_t word;
+    const struct shader_type *type; // of the result
+    const uint32_t *operands;       // behind the number of the operation
+    uint32_t count;
+};
+
+static const struct shader_constant *operand(const struct operation *operation, uint32_t index)
+{
+    if (index >= operation->count || operation->operands[index] >= operation->module->bound) {
+        shader_refuse(operation->module, operation->word, "operand %u is missing", (unsigned)index);
+    }
+    return shader_constant_of_id(operation->module, operation->word, operation->operands[index]);
+}
+
+static int32_t divide(int32_t a, int32_t b)
+{
+    return b == 0 ? -1 : b == -1 ? (int32_t)(0 - (uint32_t)a) : a / b;
+}
+
+// Return a scalar of the result. Divisions by 0 give what they give in shaders (shader_integer.h).
+static bool evaluate(uint32_t opcode, const uint32_t v[3], uint32_t *result)
+{
+    const int32_t a = (int32_t)v[0], b = (int32_t)v[1];
+    switch (opcode) {
+    case SPIRV_OP_SConvert:
+    case SPIRV_OP_UConvert:
+    case SPIRV_OP_CopyObject: *result = v[0]; return true;
+    case SPIRV_OP_SNegate: *result = 0 - v[0]; return true;
+    case SPIRV_OP_Not: *result = ~v[0]; return true;
+    case SPIRV_OP_IAdd: *result = v[0] + v[1]; return true;
+    case SPIRV_OP_ISub: *result = v[0] - v[1]; return true;
+    case SPIRV_OP_IMul: *result = v[0] * v[1]; return true;
+    case SPIRV_OP_UDiv: *result = v[1] ? v[0] / v[1] : UINT32_MAX; return true;
+    case SPIRV_OP_SDiv: *result = (uint32_t)divide(a, b); return true;
+    case SPIRV_OP_UMod: *result = v[1] ? v[0] % v[1] : UINT32_MAX; return true;
+    case SPIRV_OP_SRem: *result = v[0] - v[1] * (uint32_t)divide(a, b); return true;
+    case SPIRV_OP_SMod:
+        *result = v[0] - v[1] * (uint32_t)divide(a, b);
+        *result += *result != 0 && (int32_t)(*result ^ v[1]) < 0 ? v[1] : 0;
+        return true;
+    case SPIRV_OP_ShiftRightLogical: *result = v[0] >> (v[1] & 31); return true;
+    case SPIRV_OP_ShiftRightArithmetic: *result = (uint32_t)(a >> (v[1] & 31)); return true;
+    case SPIRV_OP_ShiftLeftLogical: *result = v[0] << (v[1] & 31); return true;
+    case SPIRV_OP_BitwiseOr:
+    case SPIRV_OP_LogicalOr: *result = v[0] | v[1]; return true;
+    case SPIRV_OP_BitwiseXor: *result = v[0] ^ v[1]; return true;
+    case SPIRV_OP_BitwiseAnd:
+    case SPIRV_OP_LogicalAnd: *result = v[0] & v[1]; return true;
+    case SPIRV_OP_LogicalNot: *result = ~v[0]; return true;
+    case SPIRV_OP_LogicalEqual:
+    case SPIRV_OP_IEqual: *result = 0 - (uint32_t)(v[0] == v[1]); return true;
+    case SPIRV_OP_LogicalNotEqual:
+    case SPIRV_OP_INotEqual: *result = 0 - (uint32_t)(v[0] != v[1]); return true;
+    case SPIRV_OP_ULessThan: *result = 0 - (uint32_t)(v[0] < v[1]); return true;
+    case SPIRV_OP_SLessThan: *result = 0 - (uint32_t)(a < b); return true;
+    case SPIRV_OP_UGreaterThan: *result = 0 - (uint32_t)(v[0] > v[1]); return true;
+    case SPIRV_OP_SGreaterThan: *result = 0 - (uint32_t)(a > b); return true;
+    case SPIRV_OP_ULessThanEqual: *result = 0 - (uint32_t)(v[0] <= v[1]); return true;
+    case SPIRV_OP_SLessThanEqual: *result = 0 - (uint32_t)(a <= b); return true;
+    case SPIRV_OP_UGreaterThanEqual: *result = 0 - (uint32_t)(v[0] >= v[1]); return true;
+    case SPIRV_OP_SGreaterThanEqual: *result = 0 - (uint32_t)(a >= b); return true;
+    case SPIRV_OP_Select: *result = v[0] ? v[1] : v[2]; return true;
+    default: return false;
+    }
+}
+
+// Scalar i of an operand; a condition of Select may be one scalar for all.
+static uint32_t scalar_of(const struct operation *operation, uint32_t index, uint32_t i)
+{
+    const struct shader_constant *const constant = operand(operation, index);
+    if (constant->type->scalars == 1) {
+        return constant->scalars[0];
+    }
+    if (i >= constant->type->scalars) {
+        shader_refuse(operation->module, operation->word, "operand %u has too few scalars", (unsigned)index);
+    }
+    return constant->scalars[i];
+}
+
+// Find the part of a composite that literals name. Return its type, and where its scalars begin.
+static const struct shader_type *find_part(const struct operation *operation, const struct shader_type *type,
+                                           uint32_t first, uint32_t *begin)
+{
+    *begin = 0;
+    for (uint32_t i = first; i < operation->count; i++) {
+        const uint32_t index = operation->operands[i];
+        if (index >= type->count || type->scalars == 0) {
+            shader_refuse(operation->module, operation->word, "there is no part %u", (unsigned)index);
+        }
+        if (type->kind == SHADER_STRUCT) {
+            for (uint32_t m = 0; m < index; m++) {
+                *begin += type->members[m].type->scalars;
+            }
+            type = type->members[index].type;
+        } else {
+            *begin += index * type->element->scalars;
+            type = type->element;
+        }
+    }
+    return type;
+}
+
+static void check_part(const struct operation *operation, const struct shader_type *part,
+                       const struct shader_type *expected)
+{
+    if (part != expected) {
+        shader_refuse(operation->module, operation->word, "the part is of another type");
+    }
+}
+
+static void evaluate_operation(const struct operation *operation, uint32_t opcode, uint32_t *scalars)
+{
+    const struct shader_type *const type = operation->type;
+    uint32_t begin;
+    if (opcode == SPIRV_OP_CompositeExtract) {
+        const struct shader_constant *const whole = operand(operation, 0);
+        check_part(operation, find_part(operation, whole->type, 1, &begin), type);
+        memcpy(scalars, whole->scalars + begin, type->scalars * sizeof *scalars);
+        return;
+    }
+    if (opcode == SPIRV_OP_CompositeInsert) {
+        const struct shader_constant *const part = operand(operation, 0), *const whole = operand(operation, 1);
+        check_part(operation, whole->type, type);
+        check_part(operation, find_part(operation, type, 2, &begin), part->type);
+        memcpy(scalars, whole->scalars, type->scalars * sizeof *scalars);
+        memcpy(scalars + begin, part->scalars, part->type->scalars * sizeof *scalars);
+        return;
+    }
+    if (opcode == SPIRV_OP_VectorShuffle) {
+        const struct shader_constant *const a = operand(operation, 0), *const b = operand(operation, 1);
+        for (uint32_t i = 0; i < type->scalars; i++) {
+            const uint32_t from = 2 + i < operation->count ? operation->operands[2 + i] : UINT32_MAX;
+            if (from < a->type->scalars) {
+                scalars[i] = a->scalars[from];
+            } else if (from - a->type->scalars < b->type->scalars) {
+                scalars[i] = b->scalars[from - a->type->scalars];
+            }
+        }
+        return;
+    }
+    const struct shader_type *const scalar = type->kind == SHADER_VECTOR ? type->element : type;
+    for (uint32_t i = 0; i < type->scalars; i++) {
+        uint32_t v[3] = {0, 0, 0};
+        for (uint32_t o = 0; o < operation->count && o < 3; o++) {
+            v[o] = scalar_of(operation, o, i);
+        }
+        if (!evaluate(opcode, v, &scalars[i])) {
+            shader_refuse(operation->module, operation->word, "Op%s of constants is not supported",
+                          shader_instruction_name(opcode));
+        }
+        scalars[i] = narrow(scalar, scalars[i]);
+    }
+}
+
+void shader_read_constant(struct shader_module *module, uint32_t word, const struct shader_specialization *values,
+                          size_t count)
+{
+    const uint32_t *const words = module->words + word;
+    const uint32_t opcode = words[0] & 0xffff;
+    const struct shader_type *const type = shader_type_of_id(module, word, words[1]);
+    uint32_t *const scalars = new_constant(module, word, type);
+    const bool is_true = opcode == SPIRV_OP_ConstantTrue || opcode == SPIRV_OP_SpecConstantTrue;
+    const bool is_false = opcode == SPIRV_OP_ConstantFalse || opcode == SPIRV_OP_SpecConstantFalse;
+    const struct shader_specialization *const given =
+        opcode >= SPIRV_OP_SpecConstantTrue ? find_value(module, words[2], values, count) : NULL;
+    if (is_true || is_false) {
+        if (type->kind != SHADER_BOOL) {
+            shader_refuse(module, word, "true and false are of the type bool");
+        }
+        scalars[0] = (given ? given->value != 0 : is_true) ? UINT32_MAX : 0;
+    } else if (opcode == SPIRV_OP_Constant || opcode == SPIRV_OP_SpecConstant) {
+        read_number(module, word, type, scalars);
+        scalars[0] = given ? narrow(type, given->value) : scalars[0];
+    } else if (opcode == SPIRV_OP_ConstantComposite || opcode == SPIRV_OP_SpecConstantComposite) {
+        read_composite(module, word, type, scalars);
+    } else if (opcode == SPIRV_OP_SpecConstantOp) {
+        const struct operation operation = {module, word, type, words + 4, (words[0] >> 16) - 4};
+        evaluate_operation(&operation, words[3], scalars);
+    } // What is left is null or undefined: zeroes.
+}
