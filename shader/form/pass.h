@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Passes over the form. Each keeps its meaning.
+#ifndef SHADER_PASS_H
+#define SHADER_PASS_H
+
+#include "form.h"
+
+// keep.c. Give a home to every value that is read behind the IF, REGION or LOOP in which it is computed: lanes that were
+// not active there, or have left a loop before its last round, read what they last computed, or 0.
+void shader_keep_values(struct shader_program *program);
+// copies.c. Read homes and values themselves instead of copies that hold the same wherever they are read.
+void shader_forward_copies(struct shader_program *program);
+// dead.c. Take out what nothing reads, and structure that holds nothing.
+void shader_remove_dead(struct shader_program *program);
+// uniform.c. Mark values that are the same in all lanes of a call, and SETs that reach every lane.
+void shader_mark_uniform(struct shader_program *program);
+
+// All of them, in the order that back ends expect.
+void shader_run_passes(struct shader_program *program);
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// See pass.h.
+#include "pass.h"
+
+static bool is_uniform_source(enum shader_op op)
+{
+    return op == SHADER_CONSTANT || op == SHADER_PUSH;
+}
+
+// Values that depend on the lane whatever their operands are.
+static bool is_varying_source(enum shader_op op)
+{
+    return op == SHADER_INPUT || op == SHADER_INPUT_DX || op == SHADER_INPUT_DY || op == SHADER_BUILT_IN ||
+           op == SHADER_DDX || op == SHADER_DDY || op == SHADER_LOAD_WORKGROUP;
+}
+
+// Mark what is not uniform, in rounds: a home that is set in some lanes only, or to what differs, is not.
+static void mark_varying(const struct shader_program *program, bool *varies)
+{
+    bool diverges[SHADER_MAX_NESTING * 2 + 2];
+    for (bool changed = true; changed;) {
+        uint32_t depth = 0;
+        changed = false;
+        diverges[0] = false;
+        // Once lanes may have left, those behind may be some only, until what they left ends.
+        for (uint32_t i = 0; i < program->code_count; i++) {
+            const uint32_t value = program->code[i];
+            const struct shader_node *const node = &program->nodes[value];
+            const enum shader_op op = (enum shader_op)node->op;
+            switch (op) {
+            case SHADER_IF:
+                diverges[depth + 1] = diverges[depth] || varies[node->operands[0]];
+                depth++;
+                continue;
+            case SHADER_REGION:
+            case SHADER_LOOP:
+                // Lanes leave on their own unless nothing in it diverges, which is found by what its IFs say.
+                diverges[depth + 1] = diverges[depth] || varies[value];
+                depth++;
+                continue;
+            case SHADER_END_IF:
+            case SHADER_END_REGION:
+            case SHADER_END_LOOP: depth--; continue;
+            case SHADER_LEAVE:
+                if (diverges[depth] && !varies[node->operands[0]]) {
+                    varies[node->operands[0]] = changed = true;
+                }
+                continue;
+            case SHADER_SET:
+                if (!varies[node->operands[0]] && (diverges[depth] || varies[node->operands[1]])) {
+                    varies[node->operands[0]] = changed = true;
+                }
+                continue;
+            default: break;
+            }
+            bool is_varying = is_varying_source(op);
+            for (int o = 0; !is_uniform_source(op) && o < shader_op_operands(op); o++) {
+                is_varying = is_varying || varies[node->operands[o]];
+            }
+            if (is_varying && !varies[value]) {
+                varies[value] = changed = true;
+            }
+        }
+    }
+}
+
+void shader_mark_uniform(struct shader_program *program)
+{
+    bool *const varies = shader_take(program->memory, program->node_count, sizeof *varies);
+    mark_varying(program, varies);
+    for (uint32_t i = 0; i < program->node_count; i++) {
+        program->nodes[i].flags = varies[i] ? 0 : SHADER_UNIFORM;
+    }
+}
+
+void shader_run_passes(struct shader_program *program)
+{
+    shader_keep_values(program);
+    shader_forward_copies(program);
+    shader_remove_dead(program);
+    shader_mark_uniform(program);
+}

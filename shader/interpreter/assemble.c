@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: MIT
+// See assemble.h.
+//
+// Registers are given out in the order of the code: a value has one from where it is computed to where it is last read,
+// and what is read in a loop that began behind it stays until the loop's end. Homes and the masks of structure are
+// values that live from the outermost IF, REGION or LOOP around their first use to the end of the one around the last.
+#include "assemble.h"
+
+#include <string.h>
+
+#define NONE UINT32_MAX
+
+struct live_range {
+    uint32_t begin, end; // numbers in the code
+};
+
+struct assembler {
+    struct shader_program *program;
+    struct shader_bytecode *bytecode;
+    struct live_range *ranges; // by value
+    uint32_t *registers;       // by value
+    uint32_t *mask_registers;  // by value: the second register of REGION and LOOP
+    struct shader_instruction *code;
+    uint32_t count;
+    size_t room;
+    uint32_t *outer_begin, *outer_end; // by place: of the outermost structure around it
+    uint32_t uniform_count;
+};
+
+// Ranges ---------------------------------------------------------------------------------------------
+
+static bool opens(uint16_t op)
+{
+    return op == SHADER_IF || op == SHADER_REGION || op == SHADER_LOOP;
+}
+
+static bool closes(uint16_t op)
+{
+    return op == SHADER_END_IF || op == SHADER_END_REGION || op == SHADER_END_LOOP;
+}
+
+static uint16_t op_at(const struct assembler *assembler, uint32_t place)
+{
+    return assembler->program->nodes[assembler->program->code[place]].op;
+}
+
+// Find the outermost structure around every place.
+static void find_outermost(struct assembler *assembler)
+{
+    uint32_t depth = 0, begin = 0;
+    for (uint32_t i = 0; i < assembler->program->code_count; i++) {
+        const uint16_t op = op_at(assembler, i);
+        begin = depth == 0 ? i : begin;
+        depth += opens(op) ? 1 : 0;
+        assembler->outer_begin[i] = begin;
+        depth -= closes(op) ? 1 : 0;
+    }
+    uint32_t end = 0;
+    for (uint32_t i = assembler->program->code_count; i-- > 0;) {
+        const uint16_t op = op_at(assembler, i);
+        end = depth == 0 ? i : end;
+        depth += closes(op) ? 1 : 0;
+        assembler->outer_end[i] = end;
+        depth -= opens(op) ? 1 : 0;
+    }
+}
+
+static void extend(struct live_range *range, uint32_t place)
+{
+    range->begin = place < range->begin ? place : range->begin;
+    range->end = place > range->end || range->end == NONE ? place : range->end;
+}
+
+static void read_at(struct assembler *assembler, uint32_t value, uint32_t place, const uint32_t *loops, uint32_t depth,
+                    const uint32_t *loop_end)
+{
+    struct live_range *const range = &assembler->ranges[value];
+    if (assembler->program->nodes[value].op == SHADER_HOME) {
+        extend(range, assembler->outer_begin[place]);
+        extend(range, assembler->outer_end[place]);
+        return;
+    }
+    for (uint32_t l = 0; l < depth; l++) {
+        if (loops[l] > range->begin) {
+            place = loop_end[loops[l]];
+            break;
+        }
+    }
+    extend(range, place);
+}
+
+static void find_ranges(struct assembler *assembler)
+{
+    const struct shader_program *const program = assembler->program;
+    uint32_t *const loop_end = shader_take(program->memory, program->code_count + 1, sizeof *loop_end);
+    uint32_t *const structure_end = shader_take(program->memory, program->code_count + 1, sizeof *structure_end);
+    uint32_t stack[2 * SHADER_MAX_NESTING + 2], depth = 0;
+    for (uint32_t i = program->code_count; i-- > 0;) {
+        const uint16_t op = op_at(assembler, i);
+        if (closes(op)) {
+            stack[depth++] = i;
+        } else if (opens(op)) {
+            structure_end[i] = stack[--depth];
+            loop_end[i] = op == SHADER_LOOP ? structure_end[i] : i;
+        }
+    }
+    uint32_t loops[SHADER_MAX_NESTING + 1], loop_depth = 0;
+    for (uint32_t i = 0; i < program->code_count; i++) {
+        const uint32_t value = program->code[i];
+        const struct shader_node *const node = &program->nodes[value];
+        const enum shader_op op = (enum shader_op)node->op;
+        const enum shader_op_kind kind = shader_op_kind_of(op);
+        if (kind == SHADER_KIND_VALUE || kind == SHADER_KIND_READ) {
+            extend(&assembler->ranges[value], i);
+        }
+        for (int o = 0; op != SHADER_LEAVE && o < shader_op_operands(op); o++) {
+            read_at(assembler, node->operands[o], i, loops, loop_depth, loop_end);
+        }
+        if (opens((uint16_t)op)) { // its masks
+            extend(&assembler->ranges[value], i);
+            extend(&assembler->ranges[value], structure_end[i]);
+        }
+        if (op == SHADER_IF) {
+            read_at(assembler, node->operands[0], structure_end[i], loops, loop_depth, loop_end); // ELSE reads it again
+        }
+        if (op == SHADER_LOOP) {
+            loops[loop_depth++] = i;
+        } else if (op == SHADER_END_LOOP) {
+            loop_depth--;
+        }
+    }
+}
+
+// Registers ------------------------------------------------------------------------------------------
+
+struct free_registers {
+    uint32_t *numbers;
+    uint32_t count, next; // of `numbers`, and the first register that was never given out
+};
+
+static uint32_t take_register(struct free_registers *registers)
+{
+    return registers->count > 0 ? registers->numbers[--registers->count] : registers->next++;
+}
+
+static bool is_placed(const struct shader_node *node)
+{
+    return node->op != SHADER_CONSTANT;
+}
+
+// Values whose range ends at each place, as lists.
+struct endings {
+    uint32_t *first, *next; // by place, by value; counted from 1
+};
+
+static void give_registers(struct assembler *assembler)
+{
+    const struct shader_program *const program = assembler->program;
+    struct shader_memory *const memory = program->memory;
+    const uint32_t places = program->code_count + 1, nodes = program->node_count;
+    struct endings begins = {shader_take(memory, places, sizeof(uint32_t)), shader_take(memory, nodes, sizeof(uint32_t))};
+    struct endings ends = {shader_take(memory, places, sizeof(uint32_t)), shader_take(memory, nodes, sizeof(uint32_t))};
+    struct free_registers varying = {shader_take(memory, 2 * nodes, sizeof(uint32_t)), 0, SHADER_FIXED_REGISTERS};
+    struct free_registers uniform = {shader_take(memory, nodes, sizeof(uint32_t)), 0, assembler->bytecode->constant_count};
+    for (uint32_t value = nodes; value-- > 0;) {
+        const struct live_range *const range = &assembler->ranges[value];
+        if (range->end != NONE && is_placed(&program->nodes[value])) {
+            begins.next[value] = begins.first[range->begin];
+            begins.first[range->begin] = value + 1;
+            ends.next[value] = ends.first[range->end];
+            ends.first[range->end] = value + 1;
+        }
+    }
+    for (uint32_t i = 0; i < program->code_count; i++) {
+        // A result never shares a register with an operand of the same instruction: some are read while it is written.
+        for (uint32_t v = begins.first[i]; v != 0; v = begins.next[v - 1]) {
+            const struct shader_node *const node = &program->nodes[v - 1];
+            const bool is_mask = node->op == SHADER_IF || node->op == SHADER_REGION || node->op == SHADER_LOOP;
+            const bool is_uniform = (node->flags & SHADER_UNIFORM) && !is_mask;
+            assembler->registers[v - 1] = take_register(is_uniform ? &uniform : &varying);
+            if (node->op == SHADER_REGION || node->op == SHADER_LOOP) {
+                assembler->mask_registers[v - 1] = take_register(&varying);
+            }
+        }
+        for (uint32_t v = ends.first[i]; v != 0; v = ends.next[v - 1]) {
+            const struct shader_node *const node = &program->nodes[v - 1];
+            const bool is_mask = node->op == SHADER_IF || node->op == SHADER_REGION || node->op == SHADER_LOOP;
+            struct free_registers *const registers = (node->flags & SHADER_UNIFORM) && !is_mask ? &uniform : &varying;
+            registers->numbers[registers->count++] = assembler->registers[v - 1];
+            if (node->op == SHADER_REGION || node->op == SHADER_LOOP) {
+                varying.numbers[varying.count++] = assembler->mask_registers[v - 1];
+            }
+        }
+    }
+    struct shader_bytecode *const bytecode = assembler->bytecode;
+    if (varying.next + uniform.next > SHADER_REGISTER_VECTORS) {
+        shader_refuse(program->module, 0, "the shader keeps more than %d values at a time", SHADER_REGISTER_VECTORS);
+    }
+    bytecode->batch = (SHADER_REGISTER_VECTORS - uniform.next) / varying.next;
+    bytecode->batch = bytecode->batch > SHADER_BATCH ? SHADER_BATCH : bytecode->batch;
+    bytecode->first_uniform = varying.next * bytecode->batch;
+}
+
+// Instructions ---------------------------------------------------------------------------------------
+
+static struct shader_operand_of varying_register(const struct assembler *assembler, uint32_t number)
+{
+    return (struct shader_operand_of){.vector = (number * assembler->bytecode->batch) & 0x7fffffff, .is_uniform = 0};
+}
+
+static struct shader_operand_of operand_of(const struct assembler *assembler, uint32_t value)
+{
+    const struct shader_node *const node = &assembler->program->nodes[value];
+    if ((node->flags & SHADER_UNIFORM) == 0) {
+        return varying_register(assembler, assembler->registers[value]);
+    }
+    return (struct shader_operand_of){
+        .vector = (assembler->bytecode->first_uniform + assembler->registers[value]) & 0x7fffffff, .is_uniform = 1};
+}
+
+static struct shader_instruction *add(struct assembler *assembler, uint32_t op)
+{
+    if (assembler->count == assembler->room) {
+        assembler->code =
+            shader_grow(assembler->program->memory, assembler->code, &assembler->room, sizeof *assembler->code);
+    }
+    struct shader_instruction *const instruction = &assembler->code[assembler->count++];
+    *instruction = (struct shader_instruction){.op = (uint8_t)op};
+    return instruction;
+}
+
+// Homes that begin to live at a place get what they begin with.
+static void fill_homes(struct assembler *assembler, const uint32_t *first, const uint32_t *next, uint32_t place)
+{
+    for (uint32_t v = first[place]; v != 0; v = next[v - 1]) {
+        struct shader_instruction *const fill = add(assembler, SHADER_FILL);
+        fill->immediate = assembler->program->nodes[v - 1].immediate;
+        fill->result = operand_of(assembler, v - 1);
+        fill->is_uniform = fill->result.is_uniform;
+    }
+}
+
+// Where structure that is open begins.
+struct open_structure {
+    uint32_t value;   // node
+    uint32_t begin;   // instruction
+    uint32_t to_else; // instruction of ELSE, or NONE
+};
+
+static void add_structure(struct assembler *assembler, uint32_t value, struct open_structure *stack, uint32_t *depth)
+{
+    const struct shader_node *const node = &assembler->program->nodes[value];
+    const uint16_t op = node->op;
+    struct shader_instruction *const instruction = add(assembler, op);
+    const uint32_t at = assembler->count - 1;
+    if (op == SHADER_LEAVE) {
+        instruction->result = varying_register(assembler, assembler->mask_registers[node->operands[0]]);
+        return;
+    }
+    if (opens(op)) {
+        instruction->result = varying_register(assembler, assembler->registers[value]);
+        if (op == SHADER_IF) {
+            instruction->a = operand_of(assembler, node->operands[0]);
+        } else {
+            instruction->b = varying_register(assembler, assembler->mask_registers[value]);
+        }
+        stack[(*depth)++] = (struct open_structure){value, at, NONE};
+        return;
+    }
+    struct open_structure *const open = &stack[*depth - 1];
+    const struct shader_node *const begin = &assembler->program->nodes[open->value];
+    instruction->result = varying_register(assembler, assembler->registers[open->value]);
+    if (op == SHADER_ELSE) {
+        instruction->a = operand_of(assembler, begin->operands[0]);
+        assembler->code[open->begin].immediate = at;
+        open->to_else = at;
+        return;
+    }
+    if (op == SHADER_END_IF) {
+        assembler->code[open->to_else == NONE ? open->begin : open->to_else].immediate = at;
+    } else {
+        instruction->b = varying_register(assembler, assembler->mask_registers[open->value]);
+        instruction->immediate = open->begin + 1; // END_LOOP goes back there
+    }
+    (*depth)--;
+}
+
+static void add_node(struct assembler *assembler, uint32_t value)
+{
+    const struct shader_node *const node = &assembler->program->nodes[value];
+    const enum shader_op op = (enum shader_op)node->op;
+    struct shader_instruction *const instruction = add(assembler, node->op);
+    struct shader_operand_of operands[3] = {{0, 0}, {0, 0}, {0, 0}};
+    for (int o = 0; o < shader_op_operands(op); o++) {
+        operands[o] = operand_of(assembler, node->operands[o]);
+    }
+    instruction->immediate = node->immediate;
+    if (op == SHADER_LOAD || op == SHADER_STORE || op == SHADER_LENGTH) {
+        const struct shader_node *const buffer = &assembler->program->nodes[node->operands[0]];
+        instruction->resource = buffer->op == SHADER_PUSH ? SHADER_NO_RESOURCE : (uint16_t)buffer->immediate;
+    }
+    instruction->a = operands[0];
+    instruction->b = operands[1];
+    instruction->c = operands[2];
+    if (op == SHADER_SET) {
+        instruction->result = operands[0];
+        instruction->a = operands[1];
+        instruction->is_uniform = operands[0].is_uniform;
+    } else if (shader_op_kind_of(op) != SHADER_KIND_EFFECT) {
+        instruction->result = operand_of(assembler, value);
+        instruction->is_uniform = instruction->result.is_uniform;
+    }
+}
+
+static void add_code(struct assembler *assembler)
+{
+    const struct shader_program *const program = assembler->program;
+    struct open_structure stack[2 * SHADER_MAX_NESTING + 2];
+    uint32_t depth = 0;
+    uint32_t *const first = shader_take(program->memory, program->code_count + 1, sizeof *first);
+    uint32_t *const next = shader_take(program->memory, program->node_count, sizeof *next);
+    for (uint32_t value = 0; value < program->node_count; value++) {
+        const struct live_range *const range = &assembler->ranges[value];
+        if (program->nodes[value].op == SHADER_HOME && range->end != NONE) {
+            next[value] = first[range->begin];
+            first[range->begin] = value + 1;
+        }
+    }
+    for (uint32_t i = 0; i < program->code_count; i++) {
+        const uint32_t value = program->code[i];
+        fill_homes(assembler, first, next, i);
+        if (shader_op_kind_of((enum shader_op)program->nodes[value].op) == SHADER_KIND_FLOW) {
+            add_structure(assembler, value, stack, &depth);
+        } else {
+            add_node(assembler, value);
+        }
+    }
+    (void)add(assembler, SHADER_END);
+}
+
+// Constants that are read get the first uniform registers.
+static void number_constants(struct assembler *assembler)
+{
+    const struct shader_program *const program = assembler->program;
+    uint32_t *const constants = shader_take(program->memory, program->node_count, sizeof *constants);
+    uint32_t count = 0;
+    for (uint32_t value = 0; value < program->node_count; value++) {
+        if (program->nodes[value].op == SHADER_CONSTANT && assembler->ranges[value].end != NONE) {
+            assembler->registers[value] = count;
+            constants[count++] = program->nodes[value].immediate;
+        }
+    }
+    assembler->bytecode->constants = constants;
+    assembler->bytecode->constant_count = count;
+}
+
+struct shader_bytecode *shader_assemble(struct shader_program *program)
+{
+    struct shader_memory *const memory = program->memory;
+    struct shader_bytecode *const bytecode = shader_take(memory, 1, sizeof *bytecode);
+    struct assembler assembler = {.program = program,
+                                  .bytecode = bytecode,
+                                  .ranges = shader_take(memory, program->node_count, sizeof(struct live_range)),
+                                  .registers = shader_take(memory, program->node_count, sizeof(uint32_t)),
+                                  .mask_registers = shader_take(memory, program->node_count, sizeof(uint32_t)),
+                                  .outer_begin = shader_take(memory, program->code_count + 1, sizeof(uint32_t)),
+                                  .outer_end = shader_take(memory, program->code_count + 1, sizeof(uint32_t))};
+    for (uint32_t value = 0; value < program->node_count; value++) {
+        assembler.ranges[value] = (struct live_range){NONE, NONE};
+    }
+    find_outermost(&assembler);
+    find_ranges(&assembler);
+    number_constants(&assembler);
+    give_registers(&assembler);
+    add_code(&assembler);
+    bytecode->code = assembler.code;
+    bytecode->code_count = assembler.count;
+    return bytecode;
+}

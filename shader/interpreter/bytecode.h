@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// What the interpreter executes: instructions on registers, for up to 16 groups of 8 lanes at a time, so that the cost of
+// finding out what to do is shared by 128 lanes.
+//
+// A register is a vector for each group of the batch, or one vector for all where the value is uniform. Registers lie
+// behind one another in one array; an operand names the first vector, and whether there is one for each group.
+#ifndef SHADER_BYTECODE_H
+#define SHADER_BYTECODE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+enum {
+    SHADER_BATCH = 16,           // most groups at a time
+    SHADER_REGISTER_VECTORS = 4096, // of the array: 128 KB of stack
+    SHADER_MAX_RESOURCES = 64,
+    SHADER_NO_RESOURCE = 0xffff
+};
+
+struct shader_operand_of {
+    uint32_t vector : 31;
+    uint32_t is_uniform : 1;
+};
+
+// Instructions are those of the form, and these.
+enum shader_extra_op {
+    SHADER_END = 200, // of the shader
+    SHADER_FILL,      // a register with the immediate
+    SHADER_COUNT_OPS
+};
+
+struct shader_instruction {
+    uint8_t op;
+    uint8_t is_uniform;  // one vector is computed
+    uint16_t resource;   // of LOAD, STORE and LENGTH; SHADER_NO_RESOURCE: push constants
+    uint32_t immediate;  // of the node; of structure: the instruction to jump to
+    struct shader_operand_of result, a, b, c;
+};
+
+// Registers that every program has.
+enum { SHADER_ACTIVE, SHADER_ALIVE, SHADER_KILLED, SHADER_FIXED_REGISTERS };
+
+// A buffer that is bound.
+struct shader_buffer {
+    unsigned char *bytes;
+    size_t size;
+};
+
+// What a draw or dispatch gives its shader: the uniforms of the functions point to it.
+struct shader_bound {
+    const struct shader_buffer *buffers; // by resource
+    struct shader_buffer push;
+};
+
+struct shader_bytecode {
+    const struct shader_instruction *code;
+    uint32_t code_count;
+    const uint32_t *constants; // values of the first uniform registers
+    uint32_t constant_count;
+    uint32_t first_uniform; // vector
+    uint32_t batch;         // groups at a time
+    uint32_t varying_count, target_count, clip_count, cull_count;
+    // Of fragment inputs: component that the pipeline has for location · 4 + component.
+    uint8_t component_of[128];
+};
+
+#endif

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// One batch under execution.
+#ifndef SHADER_FRAME_H
+#define SHADER_FRAME_H
+
+#include "bytecode.h"
+#include "rhw/shader.h"
+
+union vector {
+    rhw_float f;
+    rhw_int i;
+};
+
+struct frame {
+    union vector *registers;
+    const struct shader_bytecode *bytecode;
+    const struct shader_bound *bound;
+    int groups;
+    struct rhw_vertex *vertices;     // of the batch, or NULL
+    struct rhw_fragment *fragments;  // of the batch, or NULL
+    const struct shader_instruction *next;
+};
+
+typedef void shader_kernel(struct frame *frame, const struct shader_instruction *in);
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// The interpreter, compiled for every instruction set.
+#include "interpret.h"
+
+#include "kernel_arithmetic.h"
+#include "kernel_memory.h"
+
+#define ENTRY(name) [SHADER_##name] = run_##name
+static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
+    ENTRY(COPY), ENTRY(SET), ENTRY(FADD), ENTRY(FSUB), ENTRY(FMUL), ENTRY(FDIV), ENTRY(FMIN), ENTRY(FMAX),
+    ENTRY(FSQRT), ENTRY(FLOOR), ENTRY(CEIL), ENTRY(TRUNC), ENTRY(ROUND_EVEN), ENTRY(FEQUAL), ENTRY(FLESS),
+    ENTRY(FLESS_EQUAL), ENTRY(IADD), ENTRY(ISUB), ENTRY(IMUL), ENTRY(IMUL_HIGH), ENTRY(UMUL_HIGH), ENTRY(IDIV),
+    ENTRY(UDIV), ENTRY(IREM), ENTRY(UREM), ENTRY(AND), ENTRY(OR), ENTRY(XOR), ENTRY(NOT), ENTRY(SHIFT_LEFT),
+    ENTRY(SHIFT_RIGHT), ENTRY(SHIFT_RIGHT_SIGNED), ENTRY(IEQUAL), ENTRY(ILESS), ENTRY(ULESS), ENTRY(BIT_REVERSE),
+    ENTRY(BIT_COUNT), ENTRY(FIND_LOWEST), ENTRY(FIND_HIGHEST), ENTRY(SELECT), ENTRY(FLOAT_FROM_INT),
+    ENTRY(FLOAT_FROM_UINT), ENTRY(INT_FROM_FLOAT), ENTRY(UINT_FROM_FLOAT), ENTRY(PACK_HALVES),
+    ENTRY(UNPACK_LOW_HALF), ENTRY(UNPACK_HIGH_HALF), ENTRY(SIN), ENTRY(COS), ENTRY(TAN), ENTRY(ASIN), ENTRY(ACOS),
+    ENTRY(ATAN), ENTRY(ATAN2), ENTRY(SINH), ENTRY(COSH), ENTRY(TANH), ENTRY(ASINH), ENTRY(ACOSH), ENTRY(ATANH),
+    ENTRY(EXP), ENTRY(LOG), ENTRY(EXP2), ENTRY(LOG2), ENTRY(POW), ENTRY(RSQRT), ENTRY(LDEXP), ENTRY(FREXP_FRACTION),
+    ENTRY(FREXP_EXPONENT), ENTRY(INPUT), ENTRY(BUILT_IN), ENTRY(OUTPUT), ENTRY(DISCARD), ENTRY(LOAD), ENTRY(STORE),
+    ENTRY(LENGTH), ENTRY(IF), ENTRY(ELSE), ENTRY(END_IF), ENTRY(REGION), ENTRY(END_REGION), ENTRY(END_LOOP),
+    ENTRY(LEAVE), [SHADER_LOOP] = run_REGION, [SHADER_FILL] = run_FILL, [SHADER_BUFFER] = run_NOTHING,
+    [SHADER_PUSH] = run_NOTHING,
+};
+#undef ENTRY
+
+// Execute the shader for the groups of a frame whose lanes are active by now.
+static void execute(struct frame *frame)
+{
+    const struct shader_bytecode *const bytecode = frame->bytecode;
+    union vector *const uniform = frame->registers + bytecode->first_uniform;
+    for (uint32_t i = 0; i < bytecode->constant_count; i++) {
+        uniform[i].i = rhw_splat_int((int32_t)bytecode->constants[i]);
+    }
+    frame->next = bytecode->code;
+    while (frame->next->op != SHADER_END) {
+        const struct shader_instruction *const in = frame->next++;
+        kernels[in->op](frame, in);
+    }
+}
+
+// Make lanes active, and no lane killed.
+static void begin_lanes(struct frame *frame, int group, rhw_int mask)
+{
+    fixed_register(frame, SHADER_ACTIVE)[group].i = mask;
+    fixed_register(frame, SHADER_ALIVE)[group].i = mask;
+    fixed_register(frame, SHADER_KILLED)[group].i = rhw_splat_int(0);
+}
+
+void RHW_ISA_NAME(shader_interpret_vertices)(struct rhw_vertex *groups, int count)
+{
+    union vector registers[SHADER_REGISTER_VECTORS];
+    const struct shader_bytecode *const bytecode = groups[0].user;
+    for (int first = 0; first < count; first += (int)bytecode->batch) {
+        const int left = count - first;
+        struct frame frame = {.registers = registers,
+                              .bytecode = bytecode,
+                              .bound = groups[0].uniforms,
+                              .groups = left < (int)bytecode->batch ? left : (int)bytecode->batch,
+                              .vertices = groups + first};
+        for (int i = 0; i < frame.groups; i++) {
+            begin_lanes(&frame, i, frame.vertices[i].mask);
+        }
+        execute(&frame);
+    }
+}
+
+void RHW_ISA_NAME(shader_interpret_fragments)(struct rhw_fragment *groups, int count)
+{
+    union vector registers[SHADER_REGISTER_VECTORS];
+    const struct shader_bytecode *const bytecode = groups[0].user;
+    for (int first = 0; first < count; first += (int)bytecode->batch) {
+        const int left = count - first;
+        struct frame frame = {.registers = registers,
+                              .bytecode = bytecode,
+                              .bound = groups[0].uniforms,
+                              .groups = left < (int)bytecode->batch ? left : (int)bytecode->batch,
+                              .fragments = groups + first};
+        for (int i = 0; i < frame.groups; i++) {
+            begin_lanes(&frame, i, frame.fragments[i].mask);
+        }
+        execute(&frame);
+        for (int i = 0; i < frame.groups; i++) {
+            frame.fragments[i].mask &= ~fixed_register(&frame, SHADER_KILLED)[i].i;
+        }
+    }
+}

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The functions that a pipeline has in place of compiled shaders. The pipeline's `user` is the struct shader_bytecode.
+#ifndef SHADER_INTERPRET_H
+#define SHADER_INTERPRET_H
+
+#include "bytecode.h"
+#include "rhw/isa.h"
+#include "rhw/shader.h"
+
+void RHW_ISA_NAME(shader_interpret_vertices)(struct rhw_vertex *groups, int count);
+void RHW_ISA_NAME(shader_interpret_fragments)(struct rhw_fragment *groups, int count);
+
+#endif
