@@ -1,10 +1,294 @@
 // SPDX-License-Identifier: MIT
-// Images and samplers.
+// Images and samplers. A sampled image is the place of an image and that of a sampler.
 #include "build.h"
+
+#include <string.h>
+
+// One instruction as its operands are collected.
+struct image_access {
+    uint32_t values[SHADER_IMAGE_OPERANDS];
+    uint32_t flags;
+    const struct shader_type *image;
+    uint32_t spatial; // coordinates without the layer
+};
+
+static const struct shader_type *image_type_of(const struct shader_builder *builder, const struct shader_type *type)
+{
+    const struct shader_type *const image = type->kind == SHADER_SAMPLED_IMAGE ? type->element : type;
+    if (image->kind != SHADER_IMAGE) {
+        shader_build_refuse(builder, "the operand is no image");
+    }
+    return image;
+}
+
+static uint32_t spatial_of(const struct shader_builder *builder, const struct shader_type *image)
+{
+    switch (image->image.dim) {
+    case SPIRV_DIM_1D:
+    case SPIRV_DIM_BUFFER: return 1;
+    case SPIRV_DIM_2D:
+    case SPIRV_DIM_RECT:
+    case SPIRV_DIM_SUBPASS: return 2;
+    case SPIRV_DIM_3D:
+    case SPIRV_DIM_CUBE: return 3;
+    default: shader_build_refuse(builder, "images of this dimension are not supported");
+    }
+}
+
+static struct image_access begin_access(struct shader_builder *builder, uint32_t operand, enum shader_image_operation does)
+{
+    const uint32_t id = shader_operand(builder, operand);
+    const struct shader_place *const place = shader_place_of(builder, id);
+    struct image_access access = {.flags = (uint32_t)does};
+    if (place->kind != SHADER_PLACE_RESOURCE || place->is_array_of_resources) {
+        shader_build_refuse(builder, "id %u is no image", (unsigned)id);
+    }
+    memset(access.values, 0, sizeof access.values);
+    access.image = image_type_of(builder, shader_type_of_value(builder, id));
+    access.values[SHADER_IMAGE_TEXTURE] = place->buffer;
+    access.spatial = spatial_of(builder, access.image);
+    access.flags |= access.spatial << SHADER_IMAGE_SPATIAL_SHIFT;
+    access.flags |= access.image->image.is_arrayed ? (uint32_t)SHADER_IMAGE_IS_ARRAYED : 0;
+    const struct shader_place *const sampler = builder->built[id].sampler;
+    if (sampler) {
+        access.values[SHADER_IMAGE_SAMPLER] = sampler->buffer;
+        access.flags |= SHADER_IMAGE_HAS_SAMPLER;
+    }
+    return access;
+}
+
+// Components of an operand, at most `most`.
+static void take_components(struct shader_builder *builder, struct image_access *access, uint32_t id, uint32_t slot, uint32_t most)
+{
+    const uint32_t count = shader_type_of_value(builder, id)->scalars;
+    if (count > 4) {
+        shader_build_refuse(builder, "id %u has too many components", (unsigned)id);
+    }
+    for (uint32_t i = 0; i < count && i < most; i++) {
+        access->values[slot + i] = shader_scalars(builder, id)[i];
+    }
+}
+
+static void take_coordinates(struct shader_builder *builder, struct image_access *access, uint32_t id, bool is_projective)
+{
+    const uint32_t needed = access->spatial + (access->image->image.is_arrayed ? 1 : 0);
+    const uint32_t count = shader_type_of_value(builder, id)->scalars;
+    if (count < needed + (is_projective ? 1 : 0) || count > 4) {
+        shader_build_refuse(builder, "id %u has %u components; the image asks for %u", (unsigned)id, (unsigned)count,
+                            (unsigned)needed);
+    }
+    take_components(builder, access, id, SHADER_IMAGE_COORDINATES, needed);
+    for (uint32_t i = 0; is_projective && i < needed; i++) {
+        uint32_t *const coordinate = &access->values[SHADER_IMAGE_COORDINATES + i];
+        *coordinate = shader_emit(builder, SHADER_FDIV, *coordinate, shader_scalars(builder, id)[count - 1], 0);
+    }
+}
+
+// Read the image operands, whose mask stands at this operand. Return the mask.
+static uint32_t take_operands(struct shader_builder *builder, struct image_access *access, uint32_t operand)
+{
+    const uint32_t mask = operand < shader_word_count(builder) ? shader_operand(builder, operand) : 0;
+    uint32_t next = operand + 1;
+    if (mask & (SPIRV_IMAGE_CONST_OFFSETS | SPIRV_IMAGE_MIN_LOD)) {
+        shader_build_refuse(builder, "four offsets and a least level of detail are not supported");
+    }
+    if (mask & SPIRV_IMAGE_BIAS) {
+        take_components(builder, access, shader_operand(builder, next++), SHADER_IMAGE_BIAS, 1);
+        access->flags |= SHADER_IMAGE_HAS_BIAS;
+    }
+    if (mask & SPIRV_IMAGE_LOD) {
+        take_components(builder, access, shader_operand(builder, next++), SHADER_IMAGE_LOD, 1);
+        access->flags |= SHADER_IMAGE_HAS_LOD;
+    }
+    if (mask & SPIRV_IMAGE_GRAD) {
+        take_components(builder, access, shader_operand(builder, next++), SHADER_IMAGE_DX, 3);
+        take_components(builder, access, shader_operand(builder, next++), SHADER_IMAGE_DY, 3);
+        access->flags |= SHADER_IMAGE_HAS_GRADIENT;
+    }
+    if (mask & (SPIRV_IMAGE_CONST_OFFSET | SPIRV_IMAGE_OFFSET)) {
+        take_components(builder, access, shader_operand(builder, next++), SHADER_IMAGE_OFFSET, 3);
+        access->flags |= SHADER_IMAGE_HAS_OFFSET;
+    }
+    if (mask & SPIRV_IMAGE_SAMPLE) {
+        take_components(builder, access, shader_operand(builder, next++), SHADER_IMAGE_SAMPLE, 1);
+        access->flags |= SHADER_IMAGE_HAS_SAMPLE;
+    }
+    return mask;
+}
+
+// In fragments a level of detail that is not given follows from how the coordinates change from pixel to pixel.
+static void take_gradient(struct shader_builder *builder, struct image_access *access)
+{
+    if (builder->entry->model != SPIRV_FRAGMENT) {
+        return; // level 0
+    }
+    for (uint32_t i = 0; i < access->spatial; i++) {
+        const uint32_t at = access->values[SHADER_IMAGE_COORDINATES + i];
+        access->values[SHADER_IMAGE_DX + i] = shader_emit(builder, SHADER_DDX, at, 0, 0);
+        access->values[SHADER_IMAGE_DY + i] = shader_emit(builder, SHADER_DDY, at, 0, 0);
+    }
+    access->flags |= SHADER_IMAGE_HAS_GRADIENT;
+}
+
+// Put the access into the code, and define the result as its first components.
+static void finish_access(struct shader_builder *builder, const struct image_access *access)
+{
+    const struct shader_type *const type = shader_result_type(builder);
+    const uint32_t list = shader_add_list(builder->program, access->values, SHADER_IMAGE_OPERANDS);
+    const uint32_t sample = shader_emit_with(builder, SHADER_SAMPLE, access->flags, list, 0, 0);
+    uint32_t parts[4];
+    if (type->scalars == 0 || type->scalars > 4) {
+        shader_build_refuse(builder, "the result has 1 to 4 components");
+    }
+    for (uint32_t i = 0; i < type->scalars; i++) {
+        parts[i] = shader_emit_with(builder, SHADER_PART, i, sample, 0, 0);
+    }
+    shader_define(builder, parts);
+}
+
+// The sampling instructions: with or without a level, a reference and a division by the last coordinate.
+static void build_sample(struct shader_builder *builder, bool is_explicit, bool has_reference, bool is_projective)
+{
+    struct image_access access = begin_access(builder, 3, SHADER_DO_SAMPLE);
+    const uint32_t id = shader_operand(builder, 4);
+    take_coordinates(builder, &access, id, is_projective);
+    if (has_reference) {
+        uint32_t reference = shader_scalars(builder, shader_operand(builder, 5))[0];
+        if (is_projective) {
+            const uint32_t last = shader_type_of_value(builder, id)->scalars - 1;
+            reference = shader_emit(builder, SHADER_FDIV, reference, shader_scalars(builder, id)[last], 0);
+        }
+        access.values[SHADER_IMAGE_REFERENCE] = reference;
+        access.flags |= SHADER_IMAGE_HAS_REFERENCE;
+    }
+    (void)take_operands(builder, &access, has_reference ? 6 : 5);
+    if (!is_explicit) {
+        take_gradient(builder, &access);
+    }
+    finish_access(builder, &access);
+}
+
+static void build_gather(struct shader_builder *builder, bool has_reference)
+{
+    struct image_access access = begin_access(builder, 3, SHADER_DO_GATHER);
+    take_coordinates(builder, &access, shader_operand(builder, 4), false);
+    uint32_t channel = 0;
+    if (has_reference) {
+        take_components(builder, &access, shader_operand(builder, 5), SHADER_IMAGE_REFERENCE, 1);
+        access.flags |= SHADER_IMAGE_HAS_REFERENCE;
+    } else if (!shader_is_number(builder, shader_scalars(builder, shader_operand(builder, 5))[0], &channel) || channel > 3) {
+        shader_build_refuse(builder, "the channel is a constant of 0 to 3");
+    }
+    access.flags |= channel << SHADER_IMAGE_CHANNEL_SHIFT;
+    (void)take_operands(builder, &access, 6);
+    finish_access(builder, &access);
+}
+
+static void build_fetch(struct shader_builder *builder, enum shader_image_operation does)
+{
+    struct image_access access = begin_access(builder, 3, does);
+    take_coordinates(builder, &access, shader_operand(builder, 4), false);
+    (void)take_operands(builder, &access, 5);
+    finish_access(builder, &access);
+}
+
+static void build_query(struct shader_builder *builder, enum shader_image_operation does, bool has_level)
+{
+    struct image_access access = begin_access(builder, 3, does);
+    if (has_level) {
+        take_components(builder, &access, shader_operand(builder, 4), SHADER_IMAGE_LOD, 1);
+        access.flags |= SHADER_IMAGE_HAS_LOD;
+    }
+    finish_access(builder, &access);
+}
+
+static void build_query_lod(struct shader_builder *builder)
+{
+    struct image_access access = begin_access(builder, 3, SHADER_DO_QUERY_LOD);
+    take_coordinates(builder, &access, shader_operand(builder, 4), false);
+    take_gradient(builder, &access);
+    finish_access(builder, &access);
+}
+
+static void build_write(struct shader_builder *builder)
+{
+    struct image_access access = begin_access(builder, 1, SHADER_DO_LOAD);
+    take_coordinates(builder, &access, shader_operand(builder, 2), false);
+    take_components(builder, &access, shader_operand(builder, 3), SHADER_IMAGE_TEXEL, 4);
+    (void)take_operands(builder, &access, 4);
+    const uint32_t list = shader_add_list(builder->program, access.values, SHADER_IMAGE_OPERANDS);
+    (void)shader_emit_with(builder, SHADER_IMAGE_STORE, access.flags, list, 0, 0);
+}
+
+static void build_sampled_image(struct shader_builder *builder)
+{
+    const struct shader_place *const image = shader_place_of(builder, shader_operand(builder, 3));
+    struct shader_place *const sampler = shader_place_of(builder, shader_operand(builder, 4));
+    if (image->kind != SHADER_PLACE_RESOURCE || sampler->kind != SHADER_PLACE_RESOURCE ||
+        shader_type_of_value(builder, shader_operand(builder, 4))->kind != SHADER_SAMPLER) {
+        shader_build_refuse(builder, "a sampled image is made of an image and a sampler");
+    }
+    shader_define_place(builder, image);
+    builder->built[shader_operand(builder, 2)].sampler = sampler;
+}
+
+static void build_derivative(struct shader_builder *builder, uint32_t opcode)
+{
+    const struct shader_type *const type = shader_result_type(builder);
+    const uint32_t id = shader_operand(builder, 3);
+    const bool is_x = opcode == SPIRV_OP_DPdx || opcode == SPIRV_OP_DPdxFine || opcode == SPIRV_OP_DPdxCoarse;
+    const bool is_y = opcode == SPIRV_OP_DPdy || opcode == SPIRV_OP_DPdyFine || opcode == SPIRV_OP_DPdyCoarse;
+    uint32_t *const result = shader_new_scalars(builder, type);
+    if (shader_type_of_value(builder, id) != type || builder->entry->model != SPIRV_FRAGMENT) {
+        shader_build_refuse(builder, "a derivative is of the type of its operand, and in fragments alone");
+    }
+    for (uint32_t i = 0; i < type->scalars; i++) {
+        const uint32_t value = shader_scalars(builder, id)[i];
+        const uint32_t x = is_y ? 0 : shader_emit(builder, SHADER_DDX, value, 0, 0);
+        const uint32_t y = is_x ? 0 : shader_emit(builder, SHADER_DDY, value, 0, 0);
+        if (is_x || is_y) {
+            result[i] = is_x ? x : y;
+            continue;
+        }
+        const uint32_t positive = shader_number(builder, 0x7fffffff);
+        result[i] = shader_emit(builder, SHADER_FADD, shader_emit(builder, SHADER_AND, x, positive, 0),
+                                shader_emit(builder, SHADER_AND, y, positive, 0), 0);
+    }
+    shader_define(builder, result);
+}
 
 bool shader_build_image(struct shader_builder *builder, uint32_t opcode)
 {
-    (void)builder;
-    (void)opcode;
-    return false;
+    switch (opcode) {
+    case SPIRV_OP_SampledImage: build_sampled_image(builder); return true;
+    case SPIRV_OP_Image: shader_define_place(builder, shader_place_of(builder, shader_operand(builder, 3))); return true;
+    case SPIRV_OP_ImageSampleImplicitLod: build_sample(builder, false, false, false); return true;
+    case SPIRV_OP_ImageSampleExplicitLod: build_sample(builder, true, false, false); return true;
+    case SPIRV_OP_ImageSampleDrefImplicitLod: build_sample(builder, false, true, false); return true;
+    case SPIRV_OP_ImageSampleDrefExplicitLod: build_sample(builder, true, true, false); return true;
+    case SPIRV_OP_ImageSampleProjImplicitLod: build_sample(builder, false, false, true); return true;
+    case SPIRV_OP_ImageSampleProjExplicitLod: build_sample(builder, true, false, true); return true;
+    case SPIRV_OP_ImageSampleProjDrefImplicitLod: build_sample(builder, false, true, true); return true;
+    case SPIRV_OP_ImageSampleProjDrefExplicitLod: build_sample(builder, true, true, true); return true;
+    case SPIRV_OP_ImageGather: build_gather(builder, false); return true;
+    case SPIRV_OP_ImageDrefGather: build_gather(builder, true); return true;
+    case SPIRV_OP_ImageFetch: build_fetch(builder, SHADER_DO_FETCH); return true;
+    case SPIRV_OP_ImageRead: build_fetch(builder, SHADER_DO_LOAD); return true;
+    case SPIRV_OP_ImageWrite: build_write(builder); return true;
+    case SPIRV_OP_ImageQuerySizeLod: build_query(builder, SHADER_DO_SIZE, true); return true;
+    case SPIRV_OP_ImageQuerySize: build_query(builder, SHADER_DO_SIZE, false); return true;
+    case SPIRV_OP_ImageQueryLevels: build_query(builder, SHADER_DO_LEVELS, false); return true;
+    case SPIRV_OP_ImageQuerySamples: build_query(builder, SHADER_DO_SAMPLES, false); return true;
+    case SPIRV_OP_ImageQueryLod: build_query_lod(builder); return true;
+    case SPIRV_OP_DPdx:
+    case SPIRV_OP_DPdy:
+    case SPIRV_OP_Fwidth:
+    case SPIRV_OP_DPdxFine:
+    case SPIRV_OP_DPdyFine:
+    case SPIRV_OP_FwidthFine:
+    case SPIRV_OP_DPdxCoarse:
+    case SPIRV_OP_DPdyCoarse:
+    case SPIRV_OP_FwidthCoarse: build_derivative(builder, opcode); return true;
+    default: return false;
+    }
 }

@@ -29,15 +29,17 @@ static void find_readers(const struct shader_program *program, struct copies *co
     depth = 0;
     for (uint32_t i = 0; i < program->code_count; i++) {
         const uint32_t value = program->code[i];
-        const struct shader_node *const node = &program->nodes[value];
+        struct shader_node *const node = &program->nodes[value];
         const enum shader_op op = (enum shader_op)node->op;
         copies->place[value] = i + 1;
         if (op == SHADER_SET) {
             copies->set_next[i] = copies->set_first[node->operands[0]];
             copies->set_first[node->operands[0]] = i + 1;
         }
-        for (int o = 0; op != SHADER_LEAVE && o < shader_op_operands(op); o++) {
-            const uint32_t operand = node->operands[o];
+        uint32_t operand_count;
+        const uint32_t *const operands = shader_operands(program, node, &operand_count);
+        for (uint32_t o = 0; o < operand_count; o++) {
+            const uint32_t operand = operands[o];
             uint32_t at = i;
             // The outermost loop that began behind the operand.
             for (uint32_t l = 0; l < depth; l++) {
@@ -79,9 +81,11 @@ void shader_forward_copies(struct shader_program *program)
         const uint32_t value = program->code[i];
         struct shader_node *const node = &program->nodes[value];
         const enum shader_op op = (enum shader_op)node->op;
-        for (int o = 0; op != SHADER_LEAVE && o < shader_op_operands(op); o++) {
-            const uint32_t other = stands_for[node->operands[o]];
-            node->operands[o] = other != 0 ? other : node->operands[o];
+        uint32_t operand_count;
+        uint32_t *const operands = shader_operands(program, node, &operand_count);
+        for (uint32_t o = 0; o < operand_count; o++) {
+            const uint32_t other = stands_for[operands[o]];
+            operands[o] = other != 0 ? other : operands[o];
         }
         // A SET that reads the home at the place of the last reader reads before it writes.
         if (op == SHADER_COPY) {

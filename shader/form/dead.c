@@ -10,14 +10,16 @@ static void mark(const struct shader_program *program, bool *is_read)
         found = false;
         for (uint32_t i = program->code_count; i-- > 0;) {
             const uint32_t value = program->code[i];
-            const struct shader_node *const node = &program->nodes[value];
+            struct shader_node *const node = &program->nodes[value];
             const enum shader_op op = (enum shader_op)node->op;
             const enum shader_op_kind kind = shader_op_kind_of(op);
             const bool counts = op == SHADER_SET ? is_read[node->operands[0]]
                                                  : kind == SHADER_KIND_EFFECT || kind == SHADER_KIND_FLOW || is_read[value];
-            for (int o = op == SHADER_SET ? 1 : 0; counts && op != SHADER_LEAVE && o < shader_op_operands(op); o++) {
-                found = found || !is_read[node->operands[o]];
-                is_read[node->operands[o]] = true;
+            uint32_t operand_count;
+            const uint32_t *const operands = shader_operands(program, node, &operand_count);
+            for (uint32_t o = op == SHADER_SET ? 1 : 0; counts && o < operand_count; o++) {
+                found = found || !is_read[operands[o]];
+                is_read[operands[o]] = true;
             }
         }
     }

@@ -44,3 +44,26 @@ uint32_t shader_add_node(struct shader_program *program, enum shader_op op, uint
         (struct shader_node){.op = (uint16_t)op, .immediate = immediate, .operands = {a, b, c}};
     return program->node_count++;
 }
+
+uint32_t *shader_operands(const struct shader_program *program, struct shader_node *node, uint32_t *count)
+{
+    const enum shader_op op = (enum shader_op)node->op;
+    if (op == SHADER_SAMPLE || op == SHADER_IMAGE_STORE) {
+        *count = program->lists[node->operands[0]];
+        return &program->lists[node->operands[0] + 1];
+    }
+    *count = op == SHADER_LEAVE ? 0 : (uint32_t)shader_op_operands(op);
+    return node->operands;
+}
+
+uint32_t shader_add_list(struct shader_program *program, const uint32_t *values, uint32_t count)
+{
+    const uint32_t place = program->list_count;
+    for (uint32_t i = 0; i <= count; i++) {
+        if (program->list_count == program->list_room) {
+            program->lists = shader_grow(program->memory, program->lists, &program->list_room, sizeof *program->lists);
+        }
+        program->lists[program->list_count++] = i == 0 ? count : values[i - 1];
+    }
+    return place;
+}

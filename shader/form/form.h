@@ -90,6 +90,54 @@ struct shader_program {
     uint32_t push_size; // bytes of push constants that are read
 };
 
+// Operands of SHADER_SAMPLE and SHADER_IMAGE_STORE, in their list. Value 0, the constant 0, stands where there is none;
+// the immediate tells which there are.
+enum shader_image_operand {
+    SHADER_IMAGE_TEXTURE, // BUFFER node
+    SHADER_IMAGE_SAMPLER, // BUFFER node
+    SHADER_IMAGE_COORDINATES,
+    SHADER_IMAGE_REFERENCE = SHADER_IMAGE_COORDINATES + 4,
+    SHADER_IMAGE_BIAS,
+    SHADER_IMAGE_LOD,
+    SHADER_IMAGE_DX,
+    SHADER_IMAGE_DY = SHADER_IMAGE_DX + 3,
+    SHADER_IMAGE_OFFSET = SHADER_IMAGE_DY + 3,
+    SHADER_IMAGE_SAMPLE = SHADER_IMAGE_OFFSET + 3,
+    SHADER_IMAGE_TEXEL, // 4, that are stored
+    SHADER_IMAGE_OPERANDS = SHADER_IMAGE_TEXEL + 4
+};
+
+// What a SHADER_SAMPLE does, in the lowest 4 bits of its immediate.
+enum shader_image_operation {
+    SHADER_DO_SAMPLE,
+    SHADER_DO_FETCH,
+    SHADER_DO_GATHER,
+    SHADER_DO_SIZE,
+    SHADER_DO_LEVELS,
+    SHADER_DO_SAMPLES,
+    SHADER_DO_QUERY_LOD,
+    SHADER_DO_LOAD
+};
+
+// Fields of the immediate: the operation, spatial coordinates, the channel that is gathered, and which operands there are.
+enum {
+    SHADER_IMAGE_SPATIAL_SHIFT = 4,
+    SHADER_IMAGE_CHANNEL_SHIFT = 6,
+    SHADER_IMAGE_IS_ARRAYED = 1 << 8,
+    SHADER_IMAGE_HAS_SAMPLER = 1 << 9,
+    SHADER_IMAGE_HAS_REFERENCE = 1 << 10,
+    SHADER_IMAGE_HAS_BIAS = 1 << 11,
+    SHADER_IMAGE_HAS_LOD = 1 << 12,
+    SHADER_IMAGE_HAS_GRADIENT = 1 << 13,
+    SHADER_IMAGE_HAS_OFFSET = 1 << 14,
+    SHADER_IMAGE_HAS_SAMPLE = 1 << 15
+};
+
+// Return the operands of a node that are values, and how many there are.
+uint32_t *shader_operands(const struct shader_program *program, struct shader_node *node, uint32_t *count);
+// Add a list of values. Return its place.
+uint32_t shader_add_list(struct shader_program *program, const uint32_t *values, uint32_t count);
+
 // Translate an entry point.
 struct shader_program *shader_build(const struct shader_module *module, const struct shader_entry_point *entry);
 

@@ -46,11 +46,13 @@ static uint32_t find_kept(struct shader_program *program, uint32_t *scope_of, ui
     for (uint32_t i = 0; i < program->code_count; i++) {
         const uint32_t value = program->code[i];
         const uint16_t op = program->nodes[value].op;
-        const bool names_structure = op == SHADER_LEAVE;
-        for (int o = 0; !names_structure && o < shader_op_operands((enum shader_op)op); o++) {
-            const uint32_t operand = program->nodes[value].operands[o];
+        uint32_t operand_count;
+        const uint32_t *operands = shader_operands(program, &program->nodes[value], &operand_count);
+        for (uint32_t o = 0; o < operand_count; o++) {
+            const uint32_t operand = operands[o];
             if (is_placed(&program->nodes[operand]) && !scopes.is_open[scope_of[operand]] && home_of[operand] == 0) {
                 home_of[operand] = shader_add_node(program, SHADER_HOME, 0, 0, 0, 0);
+                operands = shader_operands(program, &program->nodes[value], &operand_count); // the nodes may have moved
                 kept++;
             }
         }
@@ -77,10 +79,12 @@ void shader_keep_values(struct shader_program *program)
     for (uint32_t i = 0; i < old_count; i++) {
         const uint32_t value = program->code[i];
         const uint16_t op = program->nodes[value].op;
-        for (int o = 0; op != SHADER_LEAVE && o < shader_op_operands((enum shader_op)op); o++) {
-            const uint32_t operand = program->nodes[value].operands[o];
+        uint32_t operand_count;
+        uint32_t *const operands = shader_operands(program, &program->nodes[value], &operand_count);
+        for (uint32_t o = 0; o < operand_count; o++) {
+            const uint32_t operand = operands[o];
             if (operand < nodes && home_of[operand] != 0 && !scopes.is_open[scope_of[operand]]) {
-                program->nodes[value].operands[o] = home_of[operand];
+                operands[o] = home_of[operand];
             }
         }
         follow(&scopes, op);

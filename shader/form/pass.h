@@ -12,6 +12,8 @@ void shader_keep_values(struct shader_program *program);
 void shader_forward_copies(struct shader_program *program);
 // dead.c. Take out what nothing reads, and structure that holds nothing.
 void shader_remove_dead(struct shader_program *program);
+// derivative.c. Replace DDX and DDY.
+void shader_build_derivatives(struct shader_program *program);
 // uniform.c. Mark values that are the same in all lanes of a call, and SETs that reach every lane.
 void shader_mark_uniform(struct shader_program *program);
 

@@ -27,6 +27,8 @@ static bool shows_immediate(enum shader_op op)
     case SHADER_INPUT:
     case SHADER_INPUT_DX:
     case SHADER_INPUT_DY:
+    case SHADER_INPUT_BESIDE:
+    case SHADER_INPUT_BELOW:
     case SHADER_BUILT_IN:
     case SHADER_OUTPUT:
     case SHADER_BUFFER:

@@ -10,7 +10,8 @@ static bool is_uniform_source(enum shader_op op)
 // Values that depend on the lane whatever their operands are.
 static bool is_varying_source(enum shader_op op)
 {
-    return op == SHADER_INPUT || op == SHADER_INPUT_DX || op == SHADER_INPUT_DY || op == SHADER_BUILT_IN ||
+    return op == SHADER_INPUT || op == SHADER_INPUT_DX || op == SHADER_INPUT_DY || op == SHADER_INPUT_BESIDE ||
+           op == SHADER_INPUT_BELOW || op == SHADER_BUILT_IN ||
            op == SHADER_DDX || op == SHADER_DDY || op == SHADER_LOAD_WORKGROUP;
 }
 
@@ -25,7 +26,7 @@ static void mark_varying(const struct shader_program *program, bool *varies)
         // Once lanes may have left, those behind may be some only, until what they left ends.
         for (uint32_t i = 0; i < program->code_count; i++) {
             const uint32_t value = program->code[i];
-            const struct shader_node *const node = &program->nodes[value];
+            struct shader_node *const node = &program->nodes[value];
             const enum shader_op op = (enum shader_op)node->op;
             switch (op) {
             case SHADER_IF:
@@ -54,8 +55,10 @@ static void mark_varying(const struct shader_program *program, bool *varies)
             default: break;
             }
             bool is_varying = is_varying_source(op);
-            for (int o = 0; !is_uniform_source(op) && o < shader_op_operands(op); o++) {
-                is_varying = is_varying || varies[node->operands[o]];
+            uint32_t operand_count;
+            const uint32_t *const operands = shader_operands(program, node, &operand_count);
+            for (uint32_t o = 0; !is_uniform_source(op) && o < operand_count; o++) {
+                is_varying = is_varying || varies[operands[o]];
             }
             if (is_varying && !varies[value]) {
                 varies[value] = changed = true;
@@ -75,6 +78,8 @@ void shader_mark_uniform(struct shader_program *program)
 
 void shader_run_passes(struct shader_program *program)
 {
+    shader_remove_dead(program); // so that no derivative is made of what nothing reads
+    shader_build_derivatives(program);
     shader_keep_values(program);
     shader_forward_copies(program);
     shader_remove_dead(program);

@@ -107,14 +107,16 @@ static void find_ranges(struct assembler *assembler)
     uint32_t loops[SHADER_MAX_NESTING + 1], loop_depth = 0;
     for (uint32_t i = 0; i < program->code_count; i++) {
         const uint32_t value = program->code[i];
-        const struct shader_node *const node = &program->nodes[value];
+        struct shader_node *const node = &program->nodes[value];
         const enum shader_op op = (enum shader_op)node->op;
         const enum shader_op_kind kind = shader_op_kind_of(op);
         if (kind == SHADER_KIND_VALUE || kind == SHADER_KIND_READ) {
             extend(&assembler->ranges[value], i);
         }
-        for (int o = 0; op != SHADER_LEAVE && o < shader_op_operands(op); o++) {
-            read_at(assembler, node->operands[o], i, loops, loop_depth, loop_end);
+        uint32_t operand_count;
+        const uint32_t *const operands = shader_operands(program, node, &operand_count);
+        for (uint32_t o = 0; o < operand_count; o++) {
+            read_at(assembler, operands[o], i, loops, loop_depth, loop_end);
         }
         if (opens((uint16_t)op)) { // its masks
             extend(&assembler->ranges[value], i);

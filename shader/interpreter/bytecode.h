@@ -59,9 +59,10 @@ struct shader_bytecode {
     uint32_t constant_count;
     uint32_t first_uniform; // vector
     uint32_t batch;         // groups at a time
-    uint32_t varying_count, target_count, clip_count, cull_count;
-    // Of fragment inputs: component that the pipeline has for location · 4 + component.
+    uint32_t target_count;
+    // Component of the program's varyings for location · 4 + component; 0xff: there is none.
     uint8_t component_of[128];
+    uint8_t w_component; // component that holds W of the position; 0xff: there is none
 };
 
 #endif

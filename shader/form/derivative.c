@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+// Derivatives. That of an input is analytic. That of anything else is a difference in the 2×2 quad (Vulkan 1.3,
+// "Derivative Operations"): what the value depends on is computed a second time, as it is at the partner pixel, which is
+// (x ^ 1, y) for d/dx and (x, y ^ 1) for d/dy. Each lane does so for itself, so there are no helper lanes.
+#include "pass.h"
+
+#define NONE UINT32_MAX
+
+// One of the two directions.
+struct direction {
+    struct shader_program *program;
+    enum shader_op derivative, analytic, beside; // DDX, INPUT_DX, INPUT_BESIDE, or those of y
+    uint32_t axis;                               // of the coordinates: 0 or 1
+    bool *is_needed;                             // by value: at the partner pixel
+    bool *differs;                               // by value: at the partner pixel it may be another
+    uint32_t *partner;                           // by value: its value there, or NONE
+    uint32_t step;                               // 1 − 2 · (the pixel's number & 1), as a float; NONE: not made yet
+    uint32_t *code;
+    uint32_t count;
+    size_t room;
+};
+
+static bool is_coordinate(const struct shader_node *node, uint32_t axis)
+{
+    return node->op == SHADER_BUILT_IN && node->immediate == SHADER_IN_COORD + axis;
+}
+
+// Mark values that may be others at the partner pixel, and among them those that derivatives need there.
+static void mark(struct direction *direction)
+{
+    struct shader_program *const program = direction->program;
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (uint32_t i = 0; i < program->code_count; i++) {
+            const uint32_t value = program->code[i];
+            struct shader_node *const node = &program->nodes[value];
+            uint32_t count;
+            const uint32_t *const operands = shader_operands(program, node, &count);
+            bool differs = node->op == SHADER_INPUT || is_coordinate(node, direction->axis);
+            for (uint32_t o = node->op == SHADER_SET ? 1 : 0; o < count; o++) {
+                differs = differs || direction->differs[operands[o]];
+            }
+            // A derivative is one number for the whole quad.
+            differs = differs && node->op != SHADER_DDX && node->op != SHADER_DDY;
+            const uint32_t result = node->op == SHADER_SET ? node->operands[0] : value;
+            changed = changed || (differs && !direction->differs[result]);
+            direction->differs[result] = direction->differs[result] || differs;
+        }
+        for (uint32_t i = program->code_count; i-- > 0;) {
+            const uint32_t value = program->code[i];
+            struct shader_node *const node = &program->nodes[value];
+            uint32_t count;
+            const uint32_t *const operands = shader_operands(program, node, &count);
+            const bool is_home = node->op == SHADER_SET;
+            const bool is_derivative = node->op == direction->derivative;
+            if (is_derivative ? program->nodes[operands[0]].op == SHADER_INPUT
+                              : !direction->is_needed[is_home ? node->operands[0] : value]) {
+                continue;
+            }
+            for (uint32_t o = is_home ? 1 : 0; o < count; o++) {
+                const bool needs = direction->differs[operands[o]];
+                changed = changed || (needs && !direction->is_needed[operands[o]]);
+                direction->is_needed[operands[o]] = direction->is_needed[operands[o]] || needs;
+            }
+        }
+    }
+}
+
+static void put(struct direction *direction, uint32_t node)
+{
+    if (direction->count == direction->room) {
+        direction->code =
+            shader_grow(direction->program->memory, direction->code, &direction->room, sizeof *direction->code);
+    }
+    direction->code[direction->count++] = node;
+}
+
+static uint32_t add(struct direction *direction, enum shader_op op, uint32_t immediate, uint32_t a, uint32_t b)
+{
+    const uint32_t node = shader_add_node(direction->program, op, immediate, a, b, 0);
+    put(direction, node);
+    return node;
+}
+
+// The value at the partner pixel.
+static uint32_t there(const struct direction *direction, uint32_t value, uint32_t nodes)
+{
+    return value < nodes && direction->partner[value] != NONE ? direction->partner[value] : value;
+}
+
+// Compute a node as it is at the partner pixel.
+static void put_partner(struct direction *direction, uint32_t value, uint32_t nodes)
+{
+    struct shader_program *const program = direction->program;
+    struct shader_node node = program->nodes[value];
+    if (node.op == SHADER_INPUT) {
+        direction->partner[value] = add(direction, direction->beside, node.immediate, 0, 0);
+        return;
+    }
+    if (is_coordinate(&node, direction->axis)) {
+        direction->partner[value] = add(direction, SHADER_FADD, 0, value, direction->step);
+        return;
+    }
+    if (node.op == SHADER_SET) {
+        (void)add(direction, SHADER_SET, 0, there(direction, node.operands[0], nodes), there(direction, node.operands[1], nodes));
+        return;
+    }
+    uint32_t count;
+    const uint32_t *const operands = shader_operands(program, &program->nodes[value], &count);
+    if (node.op == SHADER_SAMPLE) {
+        uint32_t values[SHADER_IMAGE_OPERANDS];
+        for (uint32_t o = 0; o < count; o++) {
+            values[o] = there(direction, operands[o], nodes);
+        }
+        node.operands[0] = shader_add_list(program, values, count);
+    } else {
+        for (uint32_t o = 0; o < count; o++) {
+            node.operands[o] = there(direction, operands[o], nodes);
+        }
+    }
+    const uint32_t copy = shader_add_node(program, (enum shader_op)node.op, node.immediate, node.operands[0],
+                                          node.operands[1], node.operands[2]);
+    put(direction, copy);
+    direction->partner[value] = copy;
+}
+
+// A derivative is the difference to the partner pixel, in the direction of the axis.
+static void put_derivative(struct direction *direction, uint32_t value, uint32_t nodes)
+{
+    struct shader_program *const program = direction->program;
+    const uint32_t operand = program->nodes[value].operands[0];
+    struct shader_node *const node = &program->nodes[value];
+    if (program->nodes[operand].op == SHADER_INPUT) {
+        *node = (struct shader_node){.op = (uint16_t)direction->analytic, .immediate = program->nodes[operand].immediate};
+        put(direction, value);
+        return;
+    }
+    if (!direction->differs[operand]) {
+        *node = (struct shader_node){.op = SHADER_COPY, .operands = {0, 0, 0}}; // constant 0
+        put(direction, value);
+        return;
+    }
+    const uint32_t difference = add(direction, SHADER_FSUB, 0, there(direction, operand, nodes), operand);
+    program->nodes[value] = (struct shader_node){.op = SHADER_FMUL, .operands = {difference, direction->step, 0}};
+    put(direction, value);
+}
+
+// The partner pixel lies a step to the right or down of pixels with an even number, and the other way of others.
+static void put_step(struct direction *direction)
+{
+    struct shader_program *const program = direction->program;
+    const uint32_t one = shader_add_node(program, SHADER_CONSTANT, 1, 0, 0, 0);
+    const uint32_t unit = shader_add_node(program, SHADER_CONSTANT, 0x3f800000, 0, 0, 0);
+    const uint32_t shift = shader_add_node(program, SHADER_CONSTANT, 31, 0, 0, 0);
+    const uint32_t coordinate = add(direction, SHADER_BUILT_IN, SHADER_IN_COORD + direction->axis, 0, 0);
+    const uint32_t pixel = add(direction, SHADER_INT_FROM_FLOAT, 0, coordinate, 0);
+    const uint32_t odd = add(direction, SHADER_AND, 0, pixel, one);
+    direction->step = add(direction, SHADER_OR, 0, add(direction, SHADER_SHIFT_LEFT, 0, odd, shift), unit);
+}
+
+static void differentiate(struct shader_program *program, enum shader_op derivative, enum shader_op analytic,
+                          enum shader_op beside, uint32_t axis)
+{
+    const uint32_t nodes = program->node_count, old_count = program->code_count;
+    struct shader_memory *const memory = program->memory;
+    bool has_any = false;
+    for (uint32_t i = 0; i < old_count; i++) {
+        has_any = has_any || program->nodes[program->code[i]].op == derivative;
+    }
+    if (!has_any) {
+        return;
+    }
+    struct direction direction = {.program = program,
+                                  .derivative = derivative,
+                                  .analytic = analytic,
+                                  .beside = beside,
+                                  .axis = axis,
+                                  .is_needed = shader_take(memory, nodes, sizeof(bool)),
+                                  .differs = shader_take(memory, nodes, sizeof(bool)),
+                                  .partner = shader_take(memory, nodes, sizeof(uint32_t)),
+                                  .step = NONE};
+    mark(&direction);
+    bool needs_any = false;
+    for (uint32_t value = 0; value < nodes; value++) {
+        direction.partner[value] = NONE;
+        needs_any = needs_any || direction.is_needed[value];
+        if (program->nodes[value].op == SHADER_HOME && direction.is_needed[value]) {
+            direction.partner[value] = shader_add_node(program, SHADER_HOME, program->nodes[value].immediate, 0, 0, 0);
+        }
+    }
+    if (needs_any) {
+        put_step(&direction);
+    }
+    const uint32_t *const old = program->code;
+    for (uint32_t i = 0; i < old_count; i++) {
+        const uint32_t value = old[i];
+        const uint16_t op = program->nodes[value].op;
+        const uint32_t home = op == SHADER_SET ? program->nodes[value].operands[0] : value;
+        if (op == derivative) {
+            put_derivative(&direction, value, nodes);
+            continue;
+        }
+        // What is sampled and its parts stay together.
+        uint32_t end = i + 1;
+        while (op == SHADER_SAMPLE && end < old_count && program->nodes[old[end]].op == SHADER_PART) {
+            end++;
+        }
+        for (uint32_t k = i; k < end; k++) {
+            put(&direction, old[k]);
+        }
+        for (uint32_t k = i; k < end; k++) {
+            if (direction.is_needed[k == i ? home : old[k]]) {
+                put_partner(&direction, old[k], nodes);
+            }
+        }
+        i = end - 1;
+    }
+    program->code = direction.code;
+    program->code_count = direction.count;
+    program->code_room = direction.room;
+}
+
+void shader_build_derivatives(struct shader_program *program)
+{
+    differentiate(program, SHADER_DDX, SHADER_INPUT_DX, SHADER_INPUT_BESIDE, 0);
+    differentiate(program, SHADER_DDY, SHADER_INPUT_DY, SHADER_INPUT_BELOW, 1);
+}
