@@ -4,6 +4,9 @@
 #ifndef RHW_BINDING_H
 #define RHW_BINDING_H
 
+#include <string.h>
+
+#include "base/constants.h"
 #include "kernels/kernels.h"
 #include "rhw/shader.h"
 #include "storage.h"
@@ -11,21 +14,30 @@
 struct rhw_texture_data;
 struct rhw_sampler_data;
 
+// What a binding is of.
+enum rhw_binding_kind {
+    RHW_BINDING_NONE,
+    RHW_BINDING_SAMPLED,     // a texture with a sampler, or neither
+    RHW_BINDING_MULTISAMPLED // a texture with several samples
+};
+
 // What one slot has.
-struct rhw_binding {
+struct rhw_binding_data {
     rhw_sample_function *sample;
-    rhw_sample_function *sample_offset; // for a request with offsets in texels
-    rhw_sample_function *isotropic;     // for an anisotropic sampler's single samples
-    rhw_sample_function *general;       // for an anisotropic sampler's single samples with offsets
-    // For a view with a swizzle: the functions that give the texels before it.
-    rhw_sample_function *own, *own_offset;
-    rhw_compare_window_function *compare_window; // NULL: footprints are compared one by one
-    const struct rhw_texture_data *texture;      // NULL: nothing is bound
-    const struct rhw_sampler_data *sampler;
+    rhw_sample_function *sample_offset;     // for a request with offsets in texels
+    rhw_sample_function *isotropic;         // for an anisotropic sampler's single samples
+    rhw_sample_function *own;               // for a view with a swizzle: gives the texels before it
+    const struct rhw_texture_data *texture; // NULL: there is nothing to sample
+    union {
+        const struct rhw_sampler_data *sampler;
+        const struct rhw_texture_data *multisampled; // texture of the kind RHW_BINDING_MULTISAMPLED
+    };
+    const struct rhw_kernels *kernels;
+    uint8_t kind; // enum rhw_binding_kind
     // The texture is filtered in fixed point and special paths are taken: rhw_sample_groups may sample it together with
     // others.
     bool shares_footprints;
-    const struct rhw_texture_data *multisampled; // takes the place of `texture`; NULL: none
+    bool compares_windows; // the kernels' compare_window takes the texture and the sampler
 };
 
 struct rhw_validation_messages;
@@ -42,20 +54,33 @@ struct rhw_sample_site {
 struct rhw_bindings {
     const struct rhw_kernels *kernels;
     struct rhw_sample_site site;
-    struct rhw_binding slot[RHW_MAX_TEXTURES];
     const struct rhw_storage *storage;
     // True for a function under validation whose program does not declare its effects.
     bool drops_effects;
+    int slot_count; // slots from here on have nothing, and there may be no memory for them
+    _Alignas(RHW_CACHE_LINE) struct rhw_binding_data slot[RHW_MAX_TEXTURES];
 };
+
+// Return the bytes of bindings with so many slots.
+static inline size_t rhw_bindings_size(int slot_count)
+{
+    return offsetof(struct rhw_bindings, slot) + (size_t)slot_count * sizeof(struct rhw_binding_data);
+}
+
+// Copy bindings with the slots that they have.
+static inline void rhw_bindings_copy(const struct rhw_bindings *from, struct rhw_bindings *to)
+{
+    memcpy(to, from, rhw_bindings_size(from->slot_count));
+}
 
 // Set bindings with no texture in any slot, and no storage.
 void rhw_bindings_init(struct rhw_bindings *bindings, const struct rhw_kernels *kernels);
 
-// Return a slot with this texture and sampler, or with neither if both are NULL. All that is chosen among the kernels'
+// Return a binding of this texture and sampler, or of neither if both are NULL. All that is chosen among the kernels'
 // functions is chosen here: `paths` decides between functions that give equal bytes. An RGBA8_SRGB texture must be
 // linearized.
-struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_paths paths,
-                                  const struct rhw_texture_data *texture,
-                                  const struct rhw_sampler_data *sampler);
+struct rhw_binding_data rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_paths paths,
+                                       const struct rhw_texture_data *texture,
+                                       const struct rhw_sampler_data *sampler);
 
 #endif

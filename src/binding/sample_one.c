@@ -16,7 +16,7 @@ struct widened {
 // Return the texture of a slot. Return NULL where the slot has none or does not exist.
 static const struct rhw_texture_data *texture_of(const struct rhw_bindings *bindings, int slot)
 {
-    return (unsigned)slot < RHW_MAX_TEXTURES ? bindings->slot[slot].texture : NULL;
+    return (unsigned)slot < (unsigned)bindings->slot_count ? bindings->slot[slot].texture : NULL;
 }
 
 // Return the number of components of a texture's coordinates, without the layer.
@@ -119,7 +119,8 @@ void rhw_sample_fetch1(const struct rhw_bindings *bindings, int slot, const int3
 void rhw_sample_fetch_sample1(const struct rhw_bindings *bindings, int slot, const int32_t *at,
                               int32_t sample, float texel[4])
 {
-    const bool has_layer = (unsigned)slot < RHW_MAX_TEXTURES && bindings->slot[slot].multisampled &&
+    const bool has_layer = (unsigned)slot < (unsigned)bindings->slot_count &&
+                           bindings->slot[slot].kind == RHW_BINDING_MULTISAMPLED &&
                            bindings->slot[slot].multisampled->shape.is_array;
     const rhw_int lanes[3] = {rhw_splat_int(at[0]), rhw_splat_int(at[1]),
                               rhw_splat_int(has_layer ? at[2] : 0)};

@@ -78,6 +78,19 @@ static bool linearize(struct rhw_context *context, struct rhw_texture_data *text
     return texture->samples > 1 || rhw_texture_linearize(context, texture);
 }
 
+// Bind what was set in a slot. Slots up to the last one that has something are there.
+static void bind_texture(struct rhw_encoder *encoder, int slot, const struct rhw_bound_texture *bound)
+{
+    const struct rhw_context *const context = encoder->context;
+    struct rhw_bindings *const slots = &encoder->slots;
+    for (; slots->slot_count <= slot; slots->slot_count++) {
+        slots->slot[slots->slot_count] = rhw_binding_of(context->kernels, context->paths, NULL, NULL);
+    }
+    slots->slot[slot] = rhw_binding_of(context->kernels, context->paths,
+                                       bound->texture ? *bound->texture : NULL, bound->sampler);
+    encoder->bindings_changed = true;
+}
+
 bool rhw_encoder_set_texture(struct rhw_encoder *encoder, int slot, rhw_texture texture, rhw_sampler sampler,
                              const char *where)
 {
@@ -103,8 +116,10 @@ bool rhw_encoder_set_texture(struct rhw_encoder *encoder, int slot, rhw_texture 
         rhw_pool_use(&context->samplers, sampler.index, context->recording.generation);
     }
     struct rhw_bound_texture *const current = &encoder->bound.textures[slot];
-    encoder->bindings_changed |= current->texture != bound.texture || current->sampler != bound.sampler;
-    *current = bound;
+    if (current->texture != bound.texture || current->sampler != bound.sampler) {
+        *current = bound;
+        bind_texture(encoder, slot, &bound);
+    }
     return true;
 }
 
@@ -163,7 +178,7 @@ bool rhw_encoder_set_storage_buffer(struct rhw_encoder *encoder, int slot, rhw_b
         return false;
     }
     encoder->bound.storage[slot] = range;
-    encoder->bindings_changed = true;
+    encoder->bindings_changed = encoder->storage_changed = true;
     return true;
 }
 
@@ -261,7 +276,7 @@ static bool check_image(const struct rhw_encoder *encoder, rhw_texture id,
 static void bind_image(struct rhw_encoder *encoder, int slot, struct rhw_bound_image image)
 {
     encoder->bound.images[slot] = image;
-    encoder->bindings_changed = true;
+    encoder->bindings_changed = encoder->storage_changed = true;
 }
 
 // Note that shader functions write the texels of a level. Return false where it is misuse.
@@ -414,39 +429,17 @@ static struct rhw_storage_words words_of(const struct rhw_bound_range *range)
                        : (struct rhw_storage_words){.words = NULL};
 }
 
-// Return a texel buffer as a texture of one row, or NULL when out of memory.
-static const struct rhw_texture_data *row_of_texels(const struct rhw_bound_image *bound,
-                                                    struct rhw_arena *arena)
+// Return the storage image of a slot.
+static struct rhw_storage_image image_of(const struct rhw_bound_image *bound)
 {
-    struct rhw_texture_data *const texture = rhw_arena_alloc(arena, sizeof *texture, RHW_CACHE_LINE);
-    const size_t count = bound->range.size / rhw_format_size(bound->format);
-    if (!texture) {
-        return NULL;
+    if (bound->texture) {
+        return rhw_storage_image_of_level(*bound->texture, bound->level, bound->is_read_only);
     }
-    const int width = count < RHW_MAX_TEXEL_BUFFER ? (int)count : RHW_MAX_TEXEL_BUFFER;
-    const struct rhw_texture_shape shape = {.kind = RHW_TEXTURE_1D,
-                                            .width = width,
-                                            .height = 1,
-                                            .depth = 1,
-                                            .layers = 1,
-                                            .levels = 1,
-                                            .samples = 1};
-    rhw_texture_data_init(texture, bound->format, &shape);
-    texture->mip[0].texels = bound->range.data->bytes + bound->range.offset;
-    return texture;
-}
-
-// Make the storage image of a slot. Return false when out of memory.
-static bool image_of(const struct rhw_bound_image *bound, struct rhw_arena *arena,
-                     struct rhw_storage_image *image)
-{
     const bool has_texels = bound->range.data && bound->range.size >= rhw_format_size(bound->format);
-    *image = (struct rhw_storage_image){bound->texture ? *bound->texture : NULL, bound->level,
-                                        bound->is_read_only};
-    if (has_texels) {
-        image->texture = row_of_texels(bound, arena);
-    }
-    return image->texture || !has_texels;
+    return has_texels
+               ? rhw_storage_image_of_texels(bound->format, bound->range.data->bytes + bound->range.offset,
+                                             bound->range.size, bound->is_read_only)
+               : (struct rhw_storage_image){.info = NULL};
 }
 
 // Return the storage of the next draw, with the bytes that its buffers have now, or NULL when out of memory.
@@ -461,33 +454,36 @@ static const struct rhw_storage *storage_of(struct rhw_encoder *encoder)
         storage->buffers[i] = words_of(&encoder->bound.storage[i]);
     }
     for (int i = 0; storage && i < RHW_MAX_STORAGE_IMAGES; i++) {
-        if (!image_of(&encoder->bound.images[i], &encoder->pass->arena, &storage->images[i])) {
-            return NULL;
-        }
+        storage->images[i] = image_of(&encoder->bound.images[i]);
     }
     return storage;
 }
 
 bool rhw_pass_resolve_bindings(struct rhw_encoder *encoder)
 {
-    struct rhw_context *const context = encoder->context;
     struct rhw_bindings *const bindings =
-        rhw_arena_alloc(&encoder->pass->arena, sizeof *bindings, RHW_CACHE_LINE);
-    if (!bindings) {
+        rhw_arena_alloc(&encoder->pass->arena, rhw_bindings_size(encoder->slots.slot_count), RHW_CACHE_LINE);
+    if (encoder->storage_changed) {
+        encoder->slots.storage = storage_of(encoder);
+    }
+    if (!bindings || !encoder->slots.storage) {
         return false;
     }
-    rhw_bindings_init(bindings, context->kernels);
-    for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
+    rhw_bindings_copy(&encoder->slots, bindings);
+    encoder->bindings = bindings;
+    encoder->bindings_changed = encoder->storage_changed = false;
+    return true;
+}
+
+bool rhw_pass_renew_bindings(struct rhw_encoder *encoder)
+{
+    for (int i = 0; i < encoder->slots.slot_count; i++) {
         const struct rhw_bound_texture *const bound = &encoder->bound.textures[i];
-        if (bound->texture) {
-            if (!linearize(context, *bound->texture)) {
-                return false;
-            }
-            bindings->slot[i] =
-                rhw_binding_of(context->kernels, context->paths, *bound->texture, bound->sampler);
+        if (bound->texture && !linearize(encoder->context, *bound->texture)) {
+            return false;
         }
+        bind_texture(encoder, i, bound);
     }
-    bindings->storage = storage_of(encoder);
-    encoder->pending.bindings = bindings;
-    return bindings->storage != NULL;
+    encoder->bindings_changed = encoder->storage_changed = true;
+    return true;
 }

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// What a binding that is not sampled plainly is asked for: windows, footprints, single texels, and sizes.
+#include "sample_access.h"
+
+#include "format/format.h"
+#include "resource/texture.h"
+#include "swizzle.h"
+
+// Compare the columns of a window's footprints one by one.
+static void compare_columns(const struct rhw_binding_data *binding, const struct rhw_sample_request *request,
+                            int column, int columns, int rows, int stride, rhw_float *parts)
+{
+    struct rhw_sample_request shifted = *request;
+    rhw_int offset[3] = {rhw_splat_int(0), rhw_splat_int(0), rhw_splat_int(0)}, first[3];
+    const int axes = rhw_texture_components(binding->texture->shape.kind);
+    for (int i = 0; request->offset && i < axes; i++) {
+        offset[i] = request->offset[i];
+    }
+    memcpy(first, offset, sizeof first);
+    shifted.offset = offset;
+    for (int row = 0; row < rows; row++) {
+        offset[1] = first[1] + row;
+        for (int i = 0; i < columns; i++) {
+            rhw_float texel[4];
+            offset[0] = first[0] + (column + i);
+            rhw_sample_bound(binding, &shifted, texel);
+            parts[row * stride + i] = texel[0];
+        }
+    }
+}
+
+void rhw_bound_compare_window(const struct rhw_binding_data *binding,
+                              const struct rhw_sample_request *request, int columns, int rows,
+                              rhw_float *parts)
+{
+    const bool is_bound = binding && binding->texture;
+    for (int i = 0; !is_bound && i < columns * rows; i++) {
+        parts[i] = rhw_splat(0);
+    }
+    for (int column = 0; is_bound && column < columns; column += RHW_WINDOW_COLUMNS) {
+        const int count = columns - column < RHW_WINDOW_COLUMNS ? columns - column : RHW_WINDOW_COLUMNS;
+        if (request->bias || !binding->compares_windows ||
+            !binding->kernels->compare_window(binding, request, column, count, rows, columns,
+                                              parts + column)) {
+            compare_columns(binding, request, column, count, rows, columns, parts + column);
+        }
+    }
+}
+
+void rhw_bound_gather(const struct rhw_binding_data *binding, const struct rhw_sample_request *request,
+                      int channel, rhw_float texel[4])
+{
+    const bool is_asked = binding && binding->texture && channel >= 0 && channel < 4;
+    if (!is_asked) {
+        texel[0] = texel[1] = texel[2] = texel[3] = rhw_splat(channel == 3 ? 1.0f : 0.0f);
+        return;
+    }
+    const enum rhw_swizzle swizzle = binding->texture->swizzle[channel];
+    if (rhw_swizzle_is_constant(swizzle)) {
+        texel[0] = rhw_constant_channel(binding->texture, swizzle);
+        texel[1] = texel[2] = texel[3] = texel[0];
+    } else {
+        binding->kernels->gather(binding, request, rhw_swizzled_channel(binding->texture, channel), texel);
+    }
+}
+
+void rhw_bound_fetch(const struct rhw_binding_data *binding, const rhw_int *at, const rhw_int *level,
+                     rhw_float texel[4])
+{
+    if (binding && binding->texture) {
+        binding->kernels->fetch(binding, at, level, texel);
+        rhw_swizzle_texel(binding->texture, texel);
+    } else {
+        rhw_no_texel(texel);
+    }
+}
+
+void rhw_bound_fetch_sample(const struct rhw_binding_data *binding, const rhw_int *at, const rhw_int *sample,
+                            rhw_float texel[4])
+{
+    if (binding && binding->kind == RHW_BINDING_MULTISAMPLED) {
+        binding->kernels->fetch_sample(binding->multisampled, at, sample, texel);
+        rhw_swizzle_texel(binding->multisampled, texel);
+    } else {
+        rhw_no_texel(texel);
+    }
+}
+
+void rhw_bound_query_lod(const struct rhw_binding_data *binding, const struct rhw_sample_request *request,
+                         rhw_float lod[2])
+{
+    lod[0] = lod[1] = rhw_splat(0);
+    if (binding && binding->texture) {
+        binding->kernels->query_level(binding, request, lod);
+    }
+}
+
+void rhw_bound_size(const struct rhw_binding_data *binding, const rhw_int *level, rhw_int size[3])
+{
+    const struct rhw_binding_data any = {.texture = rhw_bound_texture(binding)};
+    size[0] = size[1] = size[2] = rhw_splat_int(0);
+    if (any.texture) {
+        binding->kernels->query_size(&any, level, size);
+    }
+}
