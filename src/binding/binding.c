@@ -39,7 +39,8 @@ struct rhw_binding_data rhw_binding_of(const struct rhw_kernels *kernels, enum r
                                          .sample_offset = kernels->sample_float,
                                          .multisampled = texture,
                                          .kernels = kernels,
-                                         .kind = RHW_BINDING_MULTISAMPLED};
+                                         .kind = RHW_BINDING_MULTISAMPLED,
+                                         .paths = (uint8_t)paths};
     }
     const bool special = paths != RHW_PATHS_GENERAL;
     const bool fixed =
@@ -50,7 +51,8 @@ struct rhw_binding_data rhw_binding_of(const struct rhw_kernels *kernels, enum r
                                        .texture = texture,
                                        .sampler = sampler,
                                        .kernels = kernels,
-                                       .kind = RHW_BINDING_SAMPLED};
+                                       .kind = RHW_BINDING_SAMPLED,
+                                       .paths = (uint8_t)paths};
     if (texture && (!texture->is_plain || sampler->is_general)) {
         binding.sample = kernels->sample_general;
     } else if (fixed && texture->info->path == RHW_TEXELS_RGBA8_UNORM) {

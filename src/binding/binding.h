@@ -8,6 +8,7 @@
 
 #include "base/constants.h"
 #include "kernels/kernels.h"
+#include "rhw/bind.h"
 #include "rhw/shader.h"
 #include "storage.h"
 
@@ -16,29 +17,45 @@ struct rhw_sampler_data;
 
 // What a binding is of.
 enum rhw_binding_kind {
-    RHW_BINDING_NONE,
-    RHW_BINDING_SAMPLED,     // a texture with a sampler, or neither
-    RHW_BINDING_MULTISAMPLED // a texture with several samples
+    RHW_BINDING_EMPTY,
+    RHW_BINDING_SAMPLED,      // a texture with a sampler, or neither
+    RHW_BINDING_TEXTURE,      // a texture alone
+    RHW_BINDING_SAMPLER,      // a sampler alone
+    RHW_BINDING_MULTISAMPLED, // a texture with several samples
+    RHW_BINDING_WORDS,
+    RHW_BINDING_IMAGE
 };
 
-// What one slot has.
+// What a struct rhw_binding holds, and what one slot has.
 struct rhw_binding_data {
-    rhw_sample_function *sample;
-    rhw_sample_function *sample_offset;     // for a request with offsets in texels
-    rhw_sample_function *isotropic;         // for an anisotropic sampler's single samples
-    rhw_sample_function *own;               // for a view with a swizzle: gives the texels before it
-    const struct rhw_texture_data *texture; // NULL: there is nothing to sample
     union {
-        const struct rhw_sampler_data *sampler;
-        const struct rhw_texture_data *multisampled; // texture of the kind RHW_BINDING_MULTISAMPLED
+        struct {
+            rhw_sample_function *sample;
+            rhw_sample_function *sample_offset;     // for a request with offsets in texels
+            rhw_sample_function *isotropic;         // for an anisotropic sampler's single samples
+            rhw_sample_function *own;               // for a view with a swizzle: gives the texels before it
+            const struct rhw_texture_data *texture; // NULL: there is nothing to sample
+            union {
+                const struct rhw_sampler_data *sampler;
+                const struct rhw_texture_data *multisampled; // texture of the kind RHW_BINDING_MULTISAMPLED
+            };
+        };
+        struct rhw_storage_words words;
+        struct rhw_storage_image image;
     };
     const struct rhw_kernels *kernels;
-    uint8_t kind; // enum rhw_binding_kind
+    uint8_t kind;  // enum rhw_binding_kind
+    uint8_t paths; // enum rhw_paths
     // The texture is filtered in fixed point and special paths are taken: rhw_sample_groups may sample it together with
     // others.
     bool shares_footprints;
     bool compares_windows; // the kernels' compare_window takes the texture and the sampler
 };
+
+_Static_assert(sizeof(struct rhw_binding_data) <= sizeof(struct rhw_binding),
+               "a struct rhw_binding holds it");
+_Static_assert(_Alignof(struct rhw_binding_data) <= _Alignof(struct rhw_binding),
+               "a struct rhw_binding holds it");
 
 struct rhw_validation_messages;
 
@@ -60,6 +77,20 @@ struct rhw_bindings {
     int slot_count; // slots from here on have nothing, and there may be no memory for them
     _Alignas(RHW_CACHE_LINE) struct rhw_binding_data slot[RHW_MAX_TEXTURES];
 };
+
+// Return what a public binding holds.
+static inline const struct rhw_binding_data *rhw_binding_look(const struct rhw_binding *binding)
+{
+    return (const struct rhw_binding_data *)(const void *)binding;
+}
+
+// Return what a public binding holds, if it is of this kind. Return NULL if it is not, or NULL itself.
+static inline const struct rhw_binding_data *rhw_binding_of_kind(const struct rhw_binding *binding,
+                                                                 enum rhw_binding_kind kind)
+{
+    const struct rhw_binding_data *const data = rhw_binding_look(binding);
+    return data && data->kind == kind ? data : NULL;
+}
 
 // Return the bytes of bindings with so many slots.
 static inline size_t rhw_bindings_size(int slot_count)

@@ -6,9 +6,17 @@
 #include "resource/texture.h"
 #include "swizzle.h"
 
-// Compare the columns of a window's footprints one by one.
-static void compare_columns(const struct rhw_binding_data *binding, const struct rhw_sample_request *request,
-                            int column, int columns, int rows, int stride, rhw_float *parts)
+void rhw_no_texels(int count, uint32_t which, rhw_float (*texels)[4], int stride)
+{
+    for (; which != 0; which &= which - 1) {
+        for (int g = 0; g < count; g++) {
+            rhw_no_texel(texels[g * stride + __builtin_ctz(which)]);
+        }
+    }
+}
+
+void rhw_compare_columns(const struct rhw_binding_data *binding, const struct rhw_sample_request *request,
+                         int column, int columns, int rows, int stride, rhw_float *parts)
 {
     struct rhw_sample_request shifted = *request;
     rhw_int offset[3] = {rhw_splat_int(0), rhw_splat_int(0), rhw_splat_int(0)}, first[3];
@@ -29,24 +37,6 @@ static void compare_columns(const struct rhw_binding_data *binding, const struct
     }
 }
 
-void rhw_bound_compare_window(const struct rhw_binding_data *binding,
-                              const struct rhw_sample_request *request, int columns, int rows,
-                              rhw_float *parts)
-{
-    const bool is_bound = binding && binding->texture;
-    for (int i = 0; !is_bound && i < columns * rows; i++) {
-        parts[i] = rhw_splat(0);
-    }
-    for (int column = 0; is_bound && column < columns; column += RHW_WINDOW_COLUMNS) {
-        const int count = columns - column < RHW_WINDOW_COLUMNS ? columns - column : RHW_WINDOW_COLUMNS;
-        if (request->bias || !binding->compares_windows ||
-            !binding->kernels->compare_window(binding, request, column, count, rows, columns,
-                                              parts + column)) {
-            compare_columns(binding, request, column, count, rows, columns, parts + column);
-        }
-    }
-}
-
 void rhw_bound_gather(const struct rhw_binding_data *binding, const struct rhw_sample_request *request,
                       int channel, rhw_float texel[4])
 {
@@ -61,17 +51,6 @@ void rhw_bound_gather(const struct rhw_binding_data *binding, const struct rhw_s
         texel[1] = texel[2] = texel[3] = texel[0];
     } else {
         binding->kernels->gather(binding, request, rhw_swizzled_channel(binding->texture, channel), texel);
-    }
-}
-
-void rhw_bound_fetch(const struct rhw_binding_data *binding, const rhw_int *at, const rhw_int *level,
-                     rhw_float texel[4])
-{
-    if (binding && binding->texture) {
-        binding->kernels->fetch(binding, at, level, texel);
-        rhw_swizzle_texel(binding->texture, texel);
-    } else {
-        rhw_no_texel(texel);
     }
 }
 

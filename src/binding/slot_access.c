@@ -100,17 +100,6 @@ int rhw_sample_samples(const struct rhw_bindings *bindings, int slot)
 
 _Static_assert(RHW_MAX_TEXTURES == 32, "a bit of `slots` for each");
 
-// Give the texels of slots that have nothing, and for which there may be no memory.
-static __attribute__((cold, noinline)) void sample_absent(int count, uint32_t slots, rhw_float (*texels)[4],
-                                                          int stride)
-{
-    for (; slots != 0; slots &= slots - 1) {
-        for (int g = 0; g < count; g++) {
-            rhw_no_texel(texels[g * stride + __builtin_ctz(slots)]);
-        }
-    }
-}
-
 void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                        rhw_float (*texels)[4], int stride)
 {
@@ -119,9 +108,7 @@ void rhw_sample_groups(const struct rhw_fragment *groups, int count, uint32_t sl
         return;
     }
     const uint32_t present = (uint32_t)(((uint64_t)1 << bindings->slot_count) - 1) & slots;
-    if (present != slots) {
-        sample_absent(count, slots & ~present, texels, stride);
-    }
+    rhw_no_texels(count, slots & ~present, texels, stride);
     if (present != 0) {
         bindings->kernels->sample_groups(bindings->slot, groups, count, present, at, texels, stride);
     }

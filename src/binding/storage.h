@@ -32,6 +32,8 @@ struct rhw_storage_image {
     bool is_read_only;
 };
 
+// Return the whole words of `size` bytes.
+struct rhw_storage_words rhw_storage_words_of(void *bytes, size_t size, bool is_read_only);
 // Return a level of a texture as an image.
 struct rhw_storage_image rhw_storage_image_of_level(const struct rhw_texture_data *texture, int level,
                                                     bool is_read_only);

@@ -61,6 +61,12 @@ int32_t rhw_storage_word(uint32_t *word, enum rhw_storage_operation operation, u
     return 0;
 }
 
+struct rhw_storage_words rhw_storage_words_of(void *bytes, size_t size, bool is_read_only)
+{
+    const size_t count = size / sizeof(uint32_t);
+    return (struct rhw_storage_words){bytes, count < UINT32_MAX ? (uint32_t)count : UINT32_MAX, is_read_only};
+}
+
 void rhw_words_access(struct rhw_storage_words range, const struct rhw_storage_request *request,
                       rhw_int *before)
 {

@@ -34,8 +34,9 @@ static inline void rhw_swizzle_texel(const struct rhw_texture_data *texture, rhw
 {
     const rhw_float own[4] = {texel[0], texel[1], texel[2], texel[3]};
     for (int c = 0; texture->swizzles && c < 4; c++) {
-        texel[c] = rhw_swizzle_is_constant(texture->swizzle[c]) ? rhw_constant_channel(texture, texture->swizzle[c])
-                                                    : own[rhw_swizzled_channel(texture, c)];
+        texel[c] = rhw_swizzle_is_constant(texture->swizzle[c])
+                       ? rhw_constant_channel(texture, texture->swizzle[c])
+                       : own[rhw_swizzled_channel(texture, c)];
     }
 }
 

@@ -4,6 +4,7 @@
 #include "pass_binding.h"
 
 #include "binding/binding.h"
+#include "binding/binding_check.h"
 #include "context/context.h"
 #include "context/entry.h"
 #include "format/format.h"
@@ -26,10 +27,7 @@ static bool check_sampled(const struct rhw_encoder *encoder, rhw_texture id, int
 {
     const rhw_context *const context = encoder->context;
     const struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
-    return texture &&
-           rhw_check(context, rhw_format_has_role(texture->info, RHW_ROLE_SAMPLED),
-                     "%s: %s is %s; it cannot be sampled", where,
-                     rhw_name_of(&context->textures, id.index).text, texture->info->name) &&
+    return texture && rhw_binding_check_texture(context, id, texture, where) &&
            rhw_check(context, !rhw_pass_draws_into(encoder, texture, rhw_all_levels(texture)),
                      "%s: %s, for slot %d, is an attachment of this pass, or has a level and layer of one; "
                      "sample a view of others",
@@ -39,36 +37,6 @@ static bool check_sampled(const struct rhw_encoder *encoder, rhw_texture id, int
                      "sample a view of others",
                      where, rhw_name_of(&context->textures, id.index).text, slot,
                      rhw_recording_noun(&context->recording));
-}
-
-// Return true if a sampler gives texels as they are.
-static bool takes_texels(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler)
-{
-    const struct rhw_sampler_def *const def = &sampler->def;
-    return def->min_filter == RHW_FILTER_NEAREST && def->mag_filter == RHW_FILTER_NEAREST &&
-           (def->mip_filter != RHW_MIP_FILTER_LINEAR || texture->levels == 1) && !def->compares &&
-           def->max_anisotropy <= 1 && def->reduction == RHW_REDUCTION_AVERAGE;
-}
-
-// Check that a sampler fits a texture. Formats that cannot be filtered need a sampler that gives texels as they are.
-// Coordinates in texels need a single 1D or 2D image (Vulkan 1.3, VkSamplerCreateInfo).
-static bool check_sampler(const rhw_context *context, rhw_texture id, rhw_sampler sampler_id,
-                          const struct rhw_sampler_data *sampler, const char *where)
-{
-    const struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
-    const struct rhw_texture_shape *const shape = &texture->shape;
-    return rhw_check(context,
-                     rhw_format_has_role(texture->info, RHW_ROLE_FILTERED) || takes_texels(texture, sampler),
-                     "%s: %s is %s, which is not filtered; %s must have nearest filters, and no comparison, "
-                     "anisotropy or reduction",
-                     where, rhw_name_of(&context->textures, id.index).text, texture->info->name,
-                     rhw_name_of(&context->samplers, sampler_id.index).text) &&
-           rhw_check(context,
-                     !sampler->def.unnormalized || (!shape->is_array && (shape->kind == RHW_TEXTURE_1D ||
-                                                                         shape->kind == RHW_TEXTURE_2D)),
-                     "%s: %s is unnormalized and %s has kind %d, layers %d; it must be 1D or 2D and no array",
-                     where, rhw_name_of(&context->samplers, sampler_id.index).text,
-                     rhw_name_of(&context->textures, id.index).text, (int)shape->kind, shape->layers);
 }
 
 // Make the linear copy of an sRGB texture that is sampled. Textures with several samples need none, because they are
@@ -104,7 +72,7 @@ bool rhw_encoder_set_texture(struct rhw_encoder *encoder, int slot, rhw_texture 
         bound.sampler = check_sampled(encoder, texture, slot, where)
                             ? rhw_context_sampler(context, sampler, where)
                             : NULL;
-        if (!bound.sampler || !check_sampler(context, texture, sampler, bound.sampler, where)) {
+        if (!bound.sampler || !rhw_binding_check_sampler(context, texture, sampler, bound.sampler, where)) {
             return false;
         }
         bound.texture = rhw_pool_get(&context->textures, texture.index, texture.generation);
@@ -255,24 +223,6 @@ static bool check_read(const struct rhw_encoder *encoder, rhw_texture id,
                      rhw_recording_noun(&context->recording));
 }
 
-static bool check_image(const struct rhw_encoder *encoder, rhw_texture id,
-                        const struct rhw_texture_data *texture, int level, const char *where)
-{
-    const struct rhw_context *const context = encoder->context;
-    return rhw_check(context, level >= 0 && level < texture->levels, "%s: level is %d; %s has levels 0..%d",
-                     where, level, rhw_name_of(&context->textures, id.index).text, texture->levels - 1) &&
-           rhw_check(context,
-                     texture->info == rhw_format_info(texture->format) &&
-                         rhw_format_has_role(texture->info, RHW_ROLE_COLOR_TARGET),
-                     "%s: %s is %s; it must be a format that can be drawn into as colour", where,
-                     rhw_name_of(&context->textures, id.index).text,
-                     rhw_format_info(texture->format)->name) &&
-           rhw_check(context, !texture->swizzles, "%s: %s is a view that swizzles; it must not", where,
-                     rhw_name_of(&context->textures, id.index).text) &&
-           rhw_check(context, texture->samples == 1, "%s: %s has %d samples; it must have one", where,
-                     rhw_name_of(&context->textures, id.index).text, texture->samples);
-}
-
 static void bind_image(struct rhw_encoder *encoder, int slot, struct rhw_bound_image image)
 {
     encoder->bound.images[slot] = image;
@@ -306,7 +256,7 @@ bool rhw_encoder_set_storage_image(struct rhw_encoder *encoder, int slot, rhw_te
     }
     if (id.index != 0) {
         struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
-        if (!texture || !check_image(encoder, id, texture, level, where) ||
+        if (!texture || !rhw_binding_check_image(context, id, texture, level, where) ||
             !(is_read_only ? check_read(encoder, id, texture, level, where)
                            : check_written(encoder, id, texture, level, where))) {
             return false;
@@ -345,22 +295,6 @@ void rhw_pass_set_read_only_storage_image(rhw_context *context, rhw_pass id, int
     }
 }
 
-static bool check_texels(const struct rhw_context *context, enum rhw_format format, size_t offset,
-                         const char *where)
-{
-    if (!rhw_check_format(context, where, "format", format)) {
-        return false;
-    }
-    const struct rhw_format_info *const info = rhw_format_info(format);
-    const bool is_color = rhw_format_decoded(format) == format && info->codec != RHW_CODEC_NONE &&
-                          !rhw_format_has_role(info, RHW_ROLE_DEPTH_TARGET | RHW_ROLE_STENCIL_TARGET);
-    return rhw_check(context, is_color, "%s: format is %s; it must be of colour, and not compressed", where,
-                     info->name) &&
-           rhw_check(context, offset % info->size == 0,
-                     "%s: offset is %zu; it must be a multiple of the %d bytes of a texel of %s", where,
-                     offset, info->size, info->name);
-}
-
 bool rhw_encoder_set_texel_buffer(struct rhw_encoder *encoder, int slot, rhw_buffer id,
                                   enum rhw_format format, size_t offset, size_t size, bool is_read_only,
                                   const char *where)
@@ -371,7 +305,7 @@ bool rhw_encoder_set_texel_buffer(struct rhw_encoder *encoder, int slot, rhw_buf
         return false;
     }
     if (id.index != 0) {
-        if (!check_texels(context, format, offset, where) ||
+        if (!rhw_binding_check_texels(context, format, offset, where) ||
             !bind_range(encoder, id, offset, size, is_read_only, where, &bound.range)) {
             return false;
         }
@@ -422,11 +356,9 @@ static bool has_storage(const struct rhw_bound *bound)
 
 static struct rhw_storage_words words_of(const struct rhw_bound_range *range)
 {
-    const size_t count = range->size / 4;
-    return range->data ? (struct rhw_storage_words){(uint32_t *)(void *)(range->data->bytes + range->offset),
-                                                    count < UINT32_MAX ? (uint32_t)count : UINT32_MAX,
-                                                    range->is_read_only}
-                       : (struct rhw_storage_words){.words = NULL};
+    return range->data
+               ? rhw_storage_words_of(range->data->bytes + range->offset, range->size, range->is_read_only)
+               : (struct rhw_storage_words){.words = NULL};
 }
 
 // Return the storage image of a slot.

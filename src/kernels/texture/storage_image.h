@@ -53,7 +53,7 @@ static inline void find_texels(const struct rhw_storage_image *image, const i32x
     if (!texture) {
         const i32x8 x = keep_inside(at[0], i32x8_splat(image->count), inside);
         for (int lane = 0; lane < RHW_LANES; lane++) {
-            place[lane] = image->texels + (size_t)x[lane] * size;
+            place[lane] = image->count > 0 ? image->texels + (size_t)x[lane] * size : NULL;
         }
         return;
     }
