@@ -70,6 +70,8 @@ const struct bench_scene_entry bench_scene_entries[] = {
     {"empty", "a frame that is cleared and nothing else", bench_make_latency, BENCH_LATENCY_EMPTY},
     {"draws_10k", "10,000 draws of 12 triangles with uniforms of their own", bench_make_latency,
      BENCH_LATENCY_DRAWS},
+    {"draws_textures", "draws_10k with a texture of its own for each draw, one of 64", bench_make_latency,
+     BENCH_LATENCY_DRAWS_TEXTURES},
     {"context", "creating and destroying a context of rhw", bench_make_latency, BENCH_LATENCY_CONTEXT},
     {"texture", "creating and destroying a texture of 8192x8192", bench_make_latency, BENCH_LATENCY_TEXTURE},
     {"mips", "the mip chain of an sRGB texture of 2048x2048", bench_make_latency, BENCH_LATENCY_MIPS},

@@ -87,10 +87,10 @@ static enum rhw_result run(struct rhw_encoder *encoder, const struct rhw_dispatc
     if (encoder->out_of_memory || !rhw_pass_resolve_bindings(encoder)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    grid.bindings = encoder->pending.bindings;
+    grid.bindings = encoder->bindings;
     if (context->validation) {
         rhw_validation_messages_clear(context->validation);
-        bindings = *encoder->pending.bindings;
+        rhw_bindings_copy(encoder->bindings, &bindings);
         bindings.site =
             (struct rhw_sample_site){.validation = context->validation, .pipeline = "the program"};
         grid.bindings = &bindings;

@@ -41,6 +41,7 @@ struct rhw_buffer_data {
     // the old memory.
     uint32_t renewed_pass, renewed_draws;
     bool is_callers; // `bytes` is the program's memory
+    bool is_bound;   // a binding in memory of the program points at `bytes`, which stay there
     // See rhw_buffer_map. The second is true where the buffer is mapped for more than reading.
     bool is_mapped, is_map_written;
     size_t map_first, map_end; // the bytes that are mapped

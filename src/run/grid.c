@@ -9,6 +9,7 @@
 #include "base/scheduler.h"
 #include "context/context.h"
 #include "context/given_up.h"
+#include "resource/bound_texels.h"
 #include "executor.h"
 #include "rhw/shader.h"
 
@@ -173,7 +174,7 @@ enum rhw_result rhw_executor_run_grid(struct rhw_executor *executor, const struc
                       .invocations = grid->size[0] * grid->size[1] * grid->size[2],
                       .workgroups =
                           (uint64_t)grid->count[0] * (uint64_t)grid->count[1] * (uint64_t)grid->count[2]};
-    if (!rhw_executor_arenas_ready(executor)) {
+    if (!rhw_bound_texels_prepare(context) || !rhw_executor_arenas_ready(executor)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     for (int i = 0; i < context->threads; i++) {

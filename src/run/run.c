@@ -11,6 +11,7 @@
 #include "base/thread.h"
 #include "context/context.h"
 #include "context/given_up.h"
+#include "resource/bound_texels.h"
 #include "draw/used_query.h"
 #include "draw/wave.h"
 #include "effect_vertices.h"
@@ -438,7 +439,7 @@ enum rhw_result rhw_executor_run(struct rhw_executor *executor, struct rhw_recor
     struct rhw_wave *const wave = &executor->wave;
     struct position at = {0, 0};
     start_pass(executor, pass);
-    if (!rhw_executor_workers_ready(executor)) {
+    if (!rhw_bound_texels_prepare(context) || !rhw_executor_workers_ready(executor)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     struct rhw_stats s = stats_of(executor);

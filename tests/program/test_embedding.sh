@@ -110,7 +110,7 @@ library=$(dirname "$(find "$folder/prefix" -name pkgconfig)")
 export PKG_CONFIG_PATH="$library/pkgconfig" LD_LIBRARY_PATH="$library"
 cp -r "$root/examples/embedding" make
 warnings="-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror"
-all="resize stream threads allocator mesh arrays compute handles badge_user"
+all="resize stream threads allocator mesh arrays compute bindings handles badge_user"
 
 if [ -n "$sanitizers" ]; then
     # A library that was built with the sanitizer, in programs that are.
