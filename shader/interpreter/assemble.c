@@ -24,7 +24,9 @@ struct assembler {
     uint32_t count;
     size_t room;
     uint32_t *outer_begin, *outer_end; // by place: of the outermost structure around it
-    uint32_t uniform_count;
+    struct shader_operand_of *image_operands;
+    uint32_t image_operand_count;
+    size_t image_operand_room;
 };
 
 // Ranges ---------------------------------------------------------------------------------------------
@@ -287,10 +289,43 @@ static void add_structure(struct assembler *assembler, uint32_t value, struct op
     (*depth)--;
 }
 
+// Return the resource that a BUFFER node is an element of.
+static uint16_t resource_of(const struct assembler *assembler, uint32_t value)
+{
+    const struct shader_node *const buffer = &assembler->program->nodes[value];
+    return buffer->op == SHADER_PUSH ? SHADER_NO_RESOURCE : (uint16_t)buffer->immediate;
+}
+
+static void add_image(struct assembler *assembler, uint32_t value)
+{
+    struct shader_node *const node = &assembler->program->nodes[value];
+    struct shader_instruction *const instruction = add(assembler, node->op);
+    uint32_t count;
+    const uint32_t *const operands = shader_operands(assembler->program, node, &count);
+    instruction->immediate = node->immediate;
+    instruction->resource = resource_of(assembler, operands[SHADER_IMAGE_TEXTURE]);
+    instruction->b.vector = assembler->image_operand_count & 0x7fffffff;
+    if (node->immediate & SHADER_IMAGE_HAS_SAMPLER) {
+        instruction->c.vector = resource_of(assembler, operands[SHADER_IMAGE_SAMPLER]);
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        if (assembler->image_operand_count == assembler->image_operand_room) {
+            assembler->image_operands =
+                shader_grow(assembler->program->memory, assembler->image_operands, &assembler->image_operand_room,
+                            sizeof *assembler->image_operands);
+        }
+        assembler->image_operands[assembler->image_operand_count++] = operand_of(assembler, operands[i]);
+    }
+}
+
 static void add_node(struct assembler *assembler, uint32_t value)
 {
     const struct shader_node *const node = &assembler->program->nodes[value];
     const enum shader_op op = (enum shader_op)node->op;
+    if (op == SHADER_SAMPLE || op == SHADER_IMAGE_STORE) {
+        add_image(assembler, value);
+        return;
+    }
     struct shader_instruction *const instruction = add(assembler, node->op);
     struct shader_operand_of operands[3] = {{0, 0}, {0, 0}, {0, 0}};
     for (int o = 0; o < shader_op_operands(op); o++) {
@@ -298,8 +333,7 @@ static void add_node(struct assembler *assembler, uint32_t value)
     }
     instruction->immediate = node->immediate;
     if (op == SHADER_LOAD || op == SHADER_STORE || op == SHADER_LENGTH) {
-        const struct shader_node *const buffer = &assembler->program->nodes[node->operands[0]];
-        instruction->resource = buffer->op == SHADER_PUSH ? SHADER_NO_RESOURCE : (uint16_t)buffer->immediate;
+        instruction->resource = resource_of(assembler, node->operands[0]);
     }
     instruction->a = operands[0];
     instruction->b = operands[1];
@@ -356,6 +390,29 @@ static void number_constants(struct assembler *assembler)
     assembler->bytecode->constant_count = count;
 }
 
+// Bindings of a set lie behind one another in the order of their numbers.
+static void place_resources(struct assembler *assembler)
+{
+    const struct shader_program *const program = assembler->program;
+    struct shader_slot *const slots = shader_take(program->memory, program->resource_count, sizeof *slots);
+    for (uint32_t r = 0; r < program->resource_count; r++) {
+        const struct shader_resource *const resource = &program->resources[r];
+        const int set = resource->variable->set;
+        if (set < 0 || set >= SHADER_MAX_SETS || resource->variable->binding < 0) {
+            shader_refuse(program->module, program->module->ids[resource->variable->id].word,
+                          "a resource has a binding, and a set below %d", SHADER_MAX_SETS);
+        }
+        slots[r] = (struct shader_slot){.set = (uint32_t)set, .count = resource->count};
+        for (uint32_t o = 0; o < program->resource_count; o++) {
+            const struct shader_variable *const other = program->resources[o].variable;
+            if (other->set == set && other->binding < resource->variable->binding) {
+                slots[r].first += program->resources[o].count;
+            }
+        }
+    }
+    assembler->bytecode->slots = slots;
+}
+
 struct shader_bytecode *shader_assemble(struct shader_program *program)
 {
     struct shader_memory *const memory = program->memory;
@@ -372,10 +429,12 @@ struct shader_bytecode *shader_assemble(struct shader_program *program)
     }
     find_outermost(&assembler);
     find_ranges(&assembler);
+    place_resources(&assembler);
     number_constants(&assembler);
     give_registers(&assembler);
     add_code(&assembler);
     bytecode->code = assembler.code;
     bytecode->code_count = assembler.count;
+    bytecode->image_operands = assembler.image_operands;
     return bytecode;
 }

@@ -7,8 +7,11 @@
 #ifndef SHADER_BYTECODE_H
 #define SHADER_BYTECODE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+
+struct rhw_binding;
 
 enum {
     SHADER_BATCH = 16,           // most groups at a time
@@ -40,16 +43,18 @@ struct shader_instruction {
 // Registers that every program has.
 enum { SHADER_ACTIVE, SHADER_ALIVE, SHADER_KILLED, SHADER_FIXED_REGISTERS };
 
-// A buffer that is bound.
-struct shader_buffer {
-    unsigned char *bytes;
-    size_t size;
-};
+enum { SHADER_MAX_SETS = 8 };
 
 // What a draw or dispatch gives its shader: the uniforms of the functions point to it.
 struct shader_bound {
-    const struct shader_buffer *buffers; // by resource
-    struct shader_buffer push;
+    const struct rhw_binding *sets[SHADER_MAX_SETS];
+    const void *push; // push constants
+    uint32_t push_size;
+};
+
+// Where a resource of the program lies: as many bindings of a set from `first` on.
+struct shader_slot {
+    uint32_t set, first, count;
 };
 
 struct shader_bytecode {
@@ -59,10 +64,19 @@ struct shader_bytecode {
     uint32_t constant_count;
     uint32_t first_uniform; // vector
     uint32_t batch;         // groups at a time
+    const struct shader_slot *slots; // by resource
     uint32_t target_count;
     // Component of the program's varyings for location · 4 + component; 0xff: there is none.
     uint8_t component_of[128];
+    // Of SAMPLE and IMAGE_STORE: SHADER_IMAGE_OPERANDS from the number in b.vector on. c.vector is the sampler's resource.
+    const struct shader_operand_of *image_operands;
+    bool is_linear[32]; // by location: the input is flat or noperspective
     uint8_t w_component; // component that holds W of the position; 0xff: there is none
+};
+
+// What the functions of a pipeline get as `user`.
+struct shader_stages {
+    const struct shader_bytecode *vertex, *fragment;
 };
 
 #endif

@@ -19,6 +19,7 @@ struct frame {
     struct rhw_vertex *vertices;     // of the batch, or NULL
     struct rhw_fragment *fragments;  // of the batch, or NULL
     const struct shader_instruction *next;
+    rhw_float texels[SHADER_BATCH][4]; // what was sampled last
 };
 
 typedef void shader_kernel(struct frame *frame, const struct shader_instruction *in);

@@ -3,7 +3,7 @@
 #include "interpret.h"
 
 #include "kernel_arithmetic.h"
-#include "kernel_memory.h"
+#include "kernel_image.h"
 
 #define ENTRY(name) [SHADER_##name] = run_##name
 static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
@@ -19,7 +19,8 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     ENTRY(EXP), ENTRY(LOG), ENTRY(EXP2), ENTRY(LOG2), ENTRY(POW), ENTRY(RSQRT), ENTRY(LDEXP), ENTRY(FREXP_FRACTION),
     ENTRY(FREXP_EXPONENT), ENTRY(INPUT), ENTRY(BUILT_IN), ENTRY(OUTPUT), ENTRY(DISCARD), ENTRY(LOAD), ENTRY(STORE),
     ENTRY(LENGTH), ENTRY(IF), ENTRY(ELSE), ENTRY(END_IF), ENTRY(REGION), ENTRY(END_REGION), ENTRY(END_LOOP),
-    ENTRY(LEAVE), [SHADER_LOOP] = run_REGION, [SHADER_FILL] = run_FILL, [SHADER_BUFFER] = run_NOTHING,
+    ENTRY(LEAVE), [SHADER_LOOP] = run_REGION, [SHADER_FILL] = run_FILL, ENTRY(BUFFER), ENTRY(SAMPLE), ENTRY(PART), ENTRY(IMAGE_STORE), ENTRY(INPUT_DX), ENTRY(INPUT_DY), ENTRY(INPUT_BESIDE),
+    ENTRY(INPUT_BELOW),
     [SHADER_PUSH] = run_NOTHING,
 };
 #undef ENTRY
@@ -50,7 +51,7 @@ static void begin_lanes(struct frame *frame, int group, rhw_int mask)
 void RHW_ISA_NAME(shader_interpret_vertices)(struct rhw_vertex *groups, int count)
 {
     union vector registers[SHADER_REGISTER_VECTORS];
-    const struct shader_bytecode *const bytecode = groups[0].user;
+    const struct shader_bytecode *const bytecode = ((const struct shader_stages *)groups[0].user)->vertex;
     for (int first = 0; first < count; first += (int)bytecode->batch) {
         const int left = count - first;
         struct frame frame = {.registers = registers,
@@ -68,7 +69,7 @@ void RHW_ISA_NAME(shader_interpret_vertices)(struct rhw_vertex *groups, int coun
 void RHW_ISA_NAME(shader_interpret_fragments)(struct rhw_fragment *groups, int count)
 {
     union vector registers[SHADER_REGISTER_VECTORS];
-    const struct shader_bytecode *const bytecode = groups[0].user;
+    const struct shader_bytecode *const bytecode = ((const struct shader_stages *)groups[0].user)->fragment;
     for (int first = 0; first < count; first += (int)bytecode->batch) {
         const int left = count - first;
         struct frame frame = {.registers = registers,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The functions that a pipeline has in place of compiled shaders. The pipeline's `user` is the struct shader_bytecode.
+// The functions that a pipeline has in place of compiled shaders. The pipeline's `user` is a struct shader_stages.
 #ifndef SHADER_INTERPRET_H
 #define SHADER_INTERPRET_H
 

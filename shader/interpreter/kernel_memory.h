@@ -5,7 +5,9 @@
 
 #include <string.h>
 
+#include "kernel_arithmetic.h"
 #include "kernel_flow.h"
+#include "rhw/shader_binding.h"
 #include "form/form.h"
 
 static void run_INPUT(struct frame *frame, const struct shader_instruction *in)
@@ -63,6 +65,9 @@ static void vertex_output(const struct shader_bytecode *bytecode, struct rhw_ver
 {
     if (slot < SHADER_OUT_POSITION + 4) {
         vertex->position[slot - SHADER_OUT_POSITION] = value.f;
+        if (slot == SHADER_OUT_POSITION + 3 && bytecode->w_component != 0xff) {
+            vertex->varying[bytecode->w_component] = value.f;
+        }
     } else if (slot == SHADER_OUT_POINT_SIZE) {
         vertex->point_size = value.f;
     } else if (slot < SHADER_OUT_CULL_DISTANCE) {
@@ -103,73 +108,99 @@ static void run_OUTPUT(struct frame *frame, const struct shader_instruction *in)
     }
 }
 
-static const struct shader_buffer *buffer_of(const struct frame *frame, const struct shader_instruction *in)
+// Return an element of a resource, or NULL where there is none.
+static const struct rhw_binding *binding_of(const struct frame *frame, uint32_t resource, uint32_t element)
 {
-    return in->resource == SHADER_NO_RESOURCE ? &frame->bound->push : &frame->bound->buffers[in->resource];
+    const struct shader_slot *const slot = &frame->bytecode->slots[resource];
+    const struct rhw_binding *const set = frame->bound->sets[slot->set];
+    return set && element < slot->count ? set + slot->first + element : NULL;
 }
 
-// Return the place of a word, or NULL where it is not within the buffer.
-static unsigned char *word_at(const struct shader_buffer *buffer, uint32_t offset, uint32_t more)
+static int32_t load_push(const struct frame *frame, uint32_t index)
 {
-    const uint64_t at = (uint64_t)offset + more;
-    return at + 4 <= buffer->size && (at & 3) == 0 ? buffer->bytes + at : NULL;
-}
-
-static int32_t load_word(const struct shader_buffer *buffer, uint32_t offset, uint32_t more)
-{
-    const unsigned char *const word = word_at(buffer, offset, more);
     int32_t value = 0;
-    if (word) {
-        memcpy(&value, word, sizeof value);
+    if (index < frame->bound->push_size / 4) {
+        memcpy(&value, (const unsigned char *)frame->bound->push + 4 * (size_t)index, sizeof value);
     }
     return value;
 }
 
+static rhw_int load_words(const struct frame *frame, const struct shader_instruction *in, rhw_int index, rhw_int mask)
+{
+    if (in->resource == SHADER_NO_RESOURCE) {
+        rhw_int value;
+        for (int lane = 0; lane < RHW_LANES; lane++) {
+            value[lane] = load_push(frame, (uint32_t)index[lane]);
+        }
+        return value;
+    }
+    rhw_int value = rhw_splat_int(0);
+    const rhw_int element = frame->registers[in->a.vector].i;
+    if (in->a.is_uniform) {
+        return rhw_binding_storage_load(binding_of(frame, in->resource, (uint32_t)element[0]), index, mask);
+    }
+    for (rhw_int todo = mask, lanes; rhw_any(todo);) {
+        const uint32_t named = (uint32_t)rhw_binding_next(element, &todo, &lanes);
+        value |= rhw_binding_storage_load(binding_of(frame, in->resource, named), index, lanes) & lanes;
+    }
+    return value;
+}
+
+static rhw_int word_index(const struct frame *frame, const struct shader_instruction *in, int group)
+{
+    const rhw_uint offset = (rhw_uint)frame->registers[in->b.vector + (in->b.is_uniform ? 0u : (uint32_t)group)].i;
+    return (rhw_int)((offset + (rhw_uint)rhw_splat_int((int32_t)in->immediate)) >> 2);
+}
+
 static void run_LOAD(struct frame *frame, const struct shader_instruction *in)
 {
-    const struct shader_buffer *const buffer = buffer_of(frame, in);
     union vector *const d = &frame->registers[in->result.vector];
-    const union vector *const offset = &frame->registers[in->b.vector];
     if (in->is_uniform) {
-        d[0].i = rhw_splat_int(load_word(buffer, (uint32_t)offset[0].i[0], in->immediate));
+        const uint32_t index = (uint32_t)word_index(frame, in, 0)[0];
+        const uint32_t element = (uint32_t)frame->registers[in->a.vector].i[0];
+        d[0].i = rhw_splat_int(in->resource == SHADER_NO_RESOURCE
+                                   ? load_push(frame, index)
+                                   : rhw_binding_storage_load1(binding_of(frame, in->resource, element), index));
         return;
     }
+    const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
     for (int i = 0; i < frame->groups; i++) {
-        const rhw_int at = offset[in->b.is_uniform ? 0 : i].i;
-        rhw_int value = rhw_splat_int(0);
-        for (int lane = 0; lane < RHW_LANES; lane++) {
-            value[lane] = load_word(buffer, (uint32_t)at[lane], in->immediate);
-        }
-        d[i].i = value;
+        d[i].i = load_words(frame, in, word_index(frame, in, i), active[i].i);
     }
 }
 
 static void run_STORE(struct frame *frame, const struct shader_instruction *in)
 {
-    const struct shader_buffer *const buffer = buffer_of(frame, in);
     const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
-    const union vector *const offset = &frame->registers[in->b.vector], *const from = &frame->registers[in->c.vector];
+    const union vector *const from = &frame->registers[in->c.vector];
     for (int i = 0; i < frame->groups; i++) {
-        const rhw_int at = offset[in->b.is_uniform ? 0 : i].i, value = from[in->c.is_uniform ? 0 : i].i;
-        for (int lane = 0; lane < RHW_LANES; lane++) {
-            unsigned char *const word =
-                active[i].i[lane] ? word_at(buffer, (uint32_t)at[lane], in->immediate) : NULL;
-            if (word) {
-                const int32_t number = value[lane];
-                memcpy(word, &number, sizeof number);
-            }
+        const rhw_int element = frame->registers[in->a.vector + (in->a.is_uniform ? 0u : (uint32_t)i)].i;
+        for (rhw_int todo = active[i].i, lanes; rhw_any(todo);) {
+            const uint32_t named = (uint32_t)rhw_binding_next(element, &todo, &lanes);
+            rhw_binding_storage_store(binding_of(frame, in->resource, named), word_index(frame, in, i),
+                                      from[in->c.is_uniform ? 0 : i].i, lanes);
         }
     }
 }
 
 static void run_LENGTH(struct frame *frame, const struct shader_instruction *in)
 {
-    const size_t size = buffer_of(frame, in)->size;
     union vector *const d = &frame->registers[in->result.vector];
+    const union vector *const element = &frame->registers[in->a.vector];
     const int count = in->is_uniform ? 1 : frame->groups;
     for (int i = 0; i < count; i++) {
-        d[i].i = rhw_splat_int((int32_t)(size > UINT32_MAX ? UINT32_MAX : size));
+        for (int lane = 0; lane < RHW_LANES; lane++) {
+            const uint32_t named = (uint32_t)element[in->a.is_uniform ? 0 : i].i[lane];
+            const uint32_t words = rhw_binding_storage_count(binding_of(frame, in->resource, named));
+            d[i].i[lane] = (int32_t)(words > UINT32_MAX / 4 ? UINT32_MAX & ~3u : 4 * words);
+        }
     }
+}
+
+// A BUFFER is the number of the element, and push constants have none.
+static void run_BUFFER(struct frame *frame, const struct shader_instruction *in)
+{
+    run_COPY(frame, in);
 }
 
 static void run_NOTHING(struct frame *frame, const struct shader_instruction *in)

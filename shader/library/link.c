@@ -89,6 +89,7 @@ static const char *link_varyings(const struct shader_interface *vertex, const st
             return "there are too many varyings";
         }
         add_varying(program, fragment, location, first, end);
+        fragment_code->is_linear[location] = fragment->is_flat[location] || fragment->is_noperspective[location];
         for (uint32_t c = first; c < end; c++) {
             const uint32_t slot = location * COMPONENTS + c;
             if (reads[c] && !vertex->writes[SHADER_OUT_VARYING + slot]) {

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// Images: operands are gathered from registers and given to the sampling functions of librhw.
+#ifndef SHADER_KERNEL_IMAGE_H
+#define SHADER_KERNEL_IMAGE_H
+
+#include "kernel_memory.h"
+
+// The operands of one group.
+struct image_request {
+    rhw_float at[4];
+    rhw_int whole[4];  // the same bits as whole numbers
+    rhw_float gradient[6];
+    rhw_float level, reference, bias;
+    rhw_int offset[3];
+    struct rhw_sample_request request;
+};
+
+static rhw_int image_operand(const struct frame *frame, const struct shader_operand_of *operands, int number, int group)
+{
+    const struct shader_operand_of operand = operands[number];
+    return frame->registers[operand.vector + (operand.is_uniform ? 0u : (uint32_t)group)].i;
+}
+
+static rhw_float image_float(const struct frame *frame, const struct shader_operand_of *operands, int number, int group)
+{
+    return rhw_float_from_bits(image_operand(frame, operands, number, group));
+}
+
+static void read_image_request(const struct frame *frame, const struct shader_operand_of *operands, uint32_t flags, int group,
+                               struct image_request *r)
+{
+    const int spatial = (int)(flags >> SHADER_IMAGE_SPATIAL_SHIFT & 3);
+    for (int i = 0; i < 4; i++) {
+        r->whole[i] = image_operand(frame, operands, SHADER_IMAGE_COORDINATES + i, group);
+        r->at[i] = rhw_float_from_bits(r->whole[i]);
+    }
+    for (int i = 0; i < spatial; i++) {
+        r->gradient[i] = image_float(frame, operands, SHADER_IMAGE_DX + i, group);
+        r->gradient[spatial + i] = image_float(frame, operands, SHADER_IMAGE_DY + i, group);
+        r->offset[i] = image_operand(frame, operands, SHADER_IMAGE_OFFSET + i, group);
+    }
+    r->level = image_float(frame, operands, SHADER_IMAGE_LOD, group);
+    r->reference = image_float(frame, operands, SHADER_IMAGE_REFERENCE, group);
+    r->bias = image_float(frame, operands, SHADER_IMAGE_BIAS, group);
+    r->request = (struct rhw_sample_request){
+        .coordinates = r->at,
+        .gradient = flags & SHADER_IMAGE_HAS_GRADIENT ? r->gradient : NULL,
+        .lod = flags & SHADER_IMAGE_HAS_LOD ? &r->level : NULL,
+        .reference = flags & SHADER_IMAGE_HAS_REFERENCE ? &r->reference : NULL,
+        .offset = flags & SHADER_IMAGE_HAS_OFFSET ? r->offset : NULL,
+        .bias = flags & SHADER_IMAGE_HAS_BIAS ? &r->bias : NULL};
+}
+
+// Return the binding that lanes name first among `todo`, and which lanes name it. A texture and a sampler of their own
+// are put together in `pair`.
+static const struct rhw_binding *next_binding(const struct frame *frame, const struct shader_operand_of *operands,
+                                              const struct shader_instruction *in, int group, rhw_int *todo, rhw_int *lanes,
+                                              struct rhw_binding *pair)
+{
+    const uint32_t texture = (uint32_t)rhw_binding_next(image_operand(frame, operands, SHADER_IMAGE_TEXTURE, group), todo, lanes);
+    const struct rhw_binding *const binding = binding_of(frame, in->resource, texture);
+    if (!(in->immediate & SHADER_IMAGE_HAS_SAMPLER)) {
+        return binding;
+    }
+    // Lanes that name another sampler wait for their turn.
+    rhw_int same = *lanes, rest = *lanes;
+    const uint32_t sampler = (uint32_t)rhw_binding_next(image_operand(frame, operands, SHADER_IMAGE_SAMPLER, group), &rest, &same);
+    *todo |= rest;
+    *lanes = same;
+    const struct rhw_binding *const other = binding_of(frame, in->c.vector, sampler);
+    return binding && other && rhw_binding_of_pair(binding, other, pair) ? pair : NULL;
+}
+
+static void access_image(const struct rhw_binding *binding, uint32_t flags, struct image_request *r, rhw_int sample, rhw_float texel[4])
+{
+    const int channel = (int)(flags >> SHADER_IMAGE_CHANNEL_SHIFT & 3);
+    const rhw_int level = rhw_bits_from_float(r->level);
+    rhw_int size[3] = {rhw_splat_int(0), rhw_splat_int(0), rhw_splat_int(0)};
+    switch ((enum shader_image_operation)(flags & 15)) {
+    case SHADER_DO_SAMPLE: rhw_binding_sample(binding, &r->request, texel); return;
+    case SHADER_DO_GATHER: rhw_binding_sample_gather(binding, &r->request, channel, texel); return;
+    case SHADER_DO_FETCH:
+        if (flags & SHADER_IMAGE_HAS_SAMPLE) {
+            rhw_binding_sample_fetch_sample(binding, r->whole, &sample, texel);
+        } else {
+            rhw_binding_sample_fetch(binding, r->whole, flags & SHADER_IMAGE_HAS_LOD ? &level : NULL, texel);
+        }
+        return;
+    case SHADER_DO_LOAD: rhw_binding_image_load(binding, r->whole, texel); return;
+    case SHADER_DO_QUERY_LOD: rhw_binding_sample_query_lod(binding, &r->request, texel); return;
+    case SHADER_DO_SIZE: rhw_binding_sample_size(binding, flags & SHADER_IMAGE_HAS_LOD ? &level : NULL, size); break;
+    case SHADER_DO_LEVELS: size[0] = rhw_splat_int(rhw_binding_sample_levels(binding)); break;
+    case SHADER_DO_SAMPLES: size[0] = rhw_splat_int(rhw_binding_sample_samples(binding)); break;
+    }
+    for (int i = 0; i < 3; i++) {
+        texel[i] = rhw_float_from_bits(size[i]);
+    }
+}
+
+static void run_SAMPLE(struct frame *frame, const struct shader_instruction *in)
+{
+    const struct shader_operand_of *const operands = frame->bytecode->image_operands + in->b.vector;
+    const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
+    for (int i = 0; i < frame->groups; i++) {
+        struct image_request request;
+        rhw_float *const texels = frame->texels[i];
+        bool is_first = true;
+        if (!rhw_any(active[i].i)) {
+            continue;
+        }
+        read_image_request(frame, operands, in->immediate, i, &request);
+        const rhw_int sample = image_operand(frame, operands, SHADER_IMAGE_SAMPLE, i);
+        for (rhw_int todo = active[i].i, lanes; rhw_any(todo); is_first = false) {
+            struct rhw_binding pair;
+            const struct rhw_binding *const binding = next_binding(frame, operands, in, i, &todo, &lanes, &pair);
+            rhw_float texel[4] = {rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f)};
+            access_image(binding, in->immediate, &request, sample, texel);
+            for (int c = 0; c < 4; c++) {
+                texels[c] = is_first ? texel[c] : rhw_select(lanes, texel[c], texels[c]);
+            }
+        }
+    }
+}
+
+static void run_PART(struct frame *frame, const struct shader_instruction *in)
+{
+    union vector *const d = &frame->registers[in->result.vector];
+    for (int i = 0; i < frame->groups; i++) {
+        d[i].f = frame->texels[i][in->immediate];
+    }
+}
+
+static void run_IMAGE_STORE(struct frame *frame, const struct shader_instruction *in)
+{
+    const struct shader_operand_of *const operands = frame->bytecode->image_operands + in->b.vector;
+    const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
+    for (int i = 0; i < frame->groups; i++) {
+        struct image_request request;
+        read_image_request(frame, operands, in->immediate, i, &request);
+        for (rhw_int todo = active[i].i, lanes; rhw_any(todo);) {
+            struct rhw_binding pair;
+            const struct rhw_binding *const binding = next_binding(frame, operands, in, i, &todo, &lanes, &pair);
+            rhw_float texel[4];
+            for (int c = 0; c < 4; c++) {
+                texel[c] = image_float(frame, operands, SHADER_IMAGE_TEXEL + c, i);
+            }
+            rhw_binding_image_store(binding, request.whole, &lanes, texel);
+        }
+    }
+}
+
+// Derivatives of inputs, and inputs at partner pixels.
+static void run_INPUT_DX(struct frame *frame, const struct shader_instruction *in)
+{
+    union vector *const d = &frame->registers[in->result.vector];
+    const int component = frame->bytecode->component_of[in->immediate];
+    for (int i = 0; i < frame->groups; i++) {
+        d[i].f = frame->fragments[i].ddx[component];
+    }
+}
+
+static void run_INPUT_DY(struct frame *frame, const struct shader_instruction *in)
+{
+    union vector *const d = &frame->registers[in->result.vector];
+    const int component = frame->bytecode->component_of[in->immediate];
+    for (int i = 0; i < frame->groups; i++) {
+        d[i].f = frame->fragments[i].ddy[component];
+    }
+}
+
+static void read_partner(struct frame *frame, const struct shader_instruction *in, int axis)
+{
+    union vector *const d = &frame->registers[in->result.vector];
+    const struct shader_bytecode *const bytecode = frame->bytecode;
+    const int component = bytecode->component_of[in->immediate];
+    const bool is_linear = bytecode->is_linear[in->immediate / 4];
+    for (int i = 0; i < frame->groups; i++) {
+        const rhw_int odd = rhw_int_from_float(frame->fragments[i].coord[axis]) & 1;
+        rhw_float offset[2] = {rhw_splat(0.0f), rhw_splat(0.0f)};
+        offset[axis] = rhw_float_from_int(1 - 2 * odd);
+        d[i].f = rhw_interpolate_at(&frame->fragments[i], component, is_linear ? -1 : bytecode->w_component, offset);
+    }
+}
+
+static void run_INPUT_BESIDE(struct frame *frame, const struct shader_instruction *in)
+{
+    read_partner(frame, in, 0);
+}
+
+static void run_INPUT_BELOW(struct frame *frame, const struct shader_instruction *in)
+{
+    read_partner(frame, in, 1);
+}
+
+#endif
