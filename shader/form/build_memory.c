@@ -3,7 +3,14 @@
 // shader is translated, with indices that may be known when it runs.
 #include "build.h"
 
-enum { MAX_CANDIDATES = 1024 };
+enum { MAX_CANDIDATES = 1024, SHADER_MAX_WORKGROUP = 32768 };
+
+// Scalars of a type in the memory of a workgroup, where arrays may be larger than values.
+static uint64_t shared_scalars(const struct shader_type *type)
+{
+    const uint64_t all = type->kind == SHADER_ARRAY ? shared_scalars(type->element) * type->count : type->scalars;
+    return all < SHADER_MAX_WORKGROUP ? all : SHADER_MAX_WORKGROUP;
+}
 
 // Variables ------------------------------------------------------------------------------------------
 
@@ -44,6 +51,23 @@ static void build_resource(struct shader_builder *builder, const struct shader_v
     }
 }
 
+// A variable of the workgroup lies in its memory, scalar behind scalar.
+static void build_shared(struct shader_builder *builder, struct shader_place *place)
+{
+    struct shader_program *const program = builder->program;
+    if (place->type->scalars == 0 && place->type->kind != SHADER_ARRAY) {
+        shader_build_refuse(builder, "the variable holds no values");
+    }
+    const uint64_t bytes = program->workgroup_size + 4 * shared_scalars(place->type);
+    if (bytes > SHADER_MAX_WORKGROUP) {
+        shader_build_refuse(builder, "a workgroup has at most %d bytes of memory", SHADER_MAX_WORKGROUP);
+    }
+    place->kind = SHADER_PLACE_WORKGROUP;
+    place->buffer = shader_emit_with(builder, SHADER_WORKGROUP, 0, 0, 0, 0);
+    place->bytes = program->workgroup_size;
+    program->workgroup_size = (uint32_t)bytes;
+}
+
 void shader_build_variable(struct shader_builder *builder, const struct shader_variable *variable)
 {
     const struct shader_type *const type = variable->type;
@@ -58,7 +82,7 @@ void shader_build_variable(struct shader_builder *builder, const struct shader_v
         break;
     case SPIRV_INPUT:
     case SPIRV_OUTPUT: shader_build_interface_variable(builder, variable, &place); break;
-    case SPIRV_WORKGROUP: shader_build_refuse(builder, "variables of a workgroup are not supported");
+    case SPIRV_WORKGROUP: build_shared(builder, &place); break;
     default:
         place.kind = SHADER_PLACE_HOMES;
         place.scalars = shader_new_scalars(builder, type);
@@ -105,6 +129,10 @@ static void step_in_memory(struct shader_builder *builder, struct shader_place *
 {
     const struct shader_type *const type = place->type;
     uint32_t stride = 0;
+    if (place->kind == SHADER_PLACE_WORKGROUP) {
+        step_bytes(builder, place, index, 4 * (uint32_t)shared_scalars(type->element));
+        return;
+    }
     switch (type->kind) {
     case SHADER_ARRAY:
     case SHADER_RUNTIME_ARRAY: stride = type->stride; break;
@@ -144,11 +172,12 @@ static void step_in_struct(struct shader_builder *builder, struct shader_place *
                             (unsigned)place->type->count);
     }
     const struct shader_member *const member = &place->type->members[number];
-    place->bytes += member->offset;
-    place->matrix = member;
+    const uint32_t before = place->first;
     for (uint32_t m = 0; m < number; m++) {
         place->first += place->type->members[m].type->scalars;
     }
+    place->bytes += place->kind == SHADER_PLACE_WORKGROUP ? 4 * (place->first - before) : member->offset;
+    place->matrix = member;
     place->type = member->type;
 }
 
@@ -173,7 +202,7 @@ static void step(struct shader_builder *builder, struct shader_place *place, uin
         (type->kind != SHADER_RUNTIME_ARRAY || place->kind != SHADER_PLACE_BUFFER)) {
         shader_build_refuse(builder, "index %u picks from what has no elements", (unsigned)id);
     }
-    if (place->kind == SHADER_PLACE_BUFFER) {
+    if (place->kind == SHADER_PLACE_BUFFER || place->kind == SHADER_PLACE_WORKGROUP) {
         step_in_memory(builder, place, index);
     } else {
         step_in_scalars(builder, place, index);
@@ -281,9 +310,7 @@ static void access_memory(struct shader_builder *builder, const struct shader_pl
     for (uint32_t i = 0; i < type->count; i++) {
         struct shader_place part = *place;
         if (type->kind == SHADER_STRUCT) {
-            part.bytes += type->members[i].offset;
-            part.matrix = &type->members[i];
-            part.type = type->members[i].type;
+            step_in_struct(builder, &part, shader_number(builder, i));
         } else {
             step_in_memory(builder, &part, shader_number(builder, i));
             part.type = type->element;
@@ -295,7 +322,7 @@ static void access_memory(struct shader_builder *builder, const struct shader_pl
 // Read what a place holds into `scalars`.
 static void read_place(struct shader_builder *builder, const struct shader_place *place, uint32_t *scalars)
 {
-    if (place->kind == SHADER_PLACE_BUFFER) {
+    if (place->kind == SHADER_PLACE_BUFFER || place->kind == SHADER_PLACE_WORKGROUP) {
         uint32_t *next = scalars;
         access_memory(builder, place, &next, false);
         return;
@@ -311,7 +338,7 @@ static void read_place(struct shader_builder *builder, const struct shader_place
 
 static void write_place(struct shader_builder *builder, const struct shader_place *place, uint32_t *scalars)
 {
-    if (place->kind == SHADER_PLACE_BUFFER) {
+    if (place->kind == SHADER_PLACE_BUFFER || place->kind == SHADER_PLACE_WORKGROUP) {
         access_memory(builder, place, &scalars, true);
         return;
     }
@@ -386,6 +413,74 @@ static void build_array_length(struct shader_builder *builder)
     shader_define(builder, &length);
 }
 
+// Atomics --------------------------------------------------------------------------------------------
+
+// The operation of an instruction that has a pointer, a scope, an order and a value. Return false for others.
+static bool find_atomic(uint32_t opcode, enum shader_atomic *operation)
+{
+    switch (opcode) {
+    case SPIRV_OP_AtomicExchange: *operation = SHADER_ATOMIC_EXCHANGE; return true;
+    case SPIRV_OP_AtomicIAdd:
+    case SPIRV_OP_AtomicISub: *operation = SHADER_ATOMIC_ADD; return true;
+    case SPIRV_OP_AtomicSMin: *operation = SHADER_ATOMIC_MIN_INT; return true;
+    case SPIRV_OP_AtomicUMin: *operation = SHADER_ATOMIC_MIN_UINT; return true;
+    case SPIRV_OP_AtomicSMax: *operation = SHADER_ATOMIC_MAX_INT; return true;
+    case SPIRV_OP_AtomicUMax: *operation = SHADER_ATOMIC_MAX_UINT; return true;
+    case SPIRV_OP_AtomicAnd: *operation = SHADER_ATOMIC_AND; return true;
+    case SPIRV_OP_AtomicOr: *operation = SHADER_ATOMIC_OR; return true;
+    case SPIRV_OP_AtomicXor: *operation = SHADER_ATOMIC_XOR; return true;
+    default: return false;
+    }
+}
+
+static uint32_t emit_atomic(struct shader_builder *builder, enum shader_atomic operation, uint32_t pointer, uint32_t value,
+                            uint32_t comparand)
+{
+    const struct shader_place *const place = shader_place_of(builder, pointer);
+    if ((place->kind != SHADER_PLACE_BUFFER && place->kind != SHADER_PLACE_WORKGROUP) || place->type->kind != SHADER_INT ||
+        place->type->bits != 32) {
+        shader_build_refuse(builder, "id %u does not point to an integer of 32 bits in memory", (unsigned)pointer);
+    }
+    const uint32_t bytes = shader_number(builder, place->bytes);
+    const uint32_t values[SHADER_ATOMIC_OPERANDS] = {
+        place->buffer,
+        place->offset == SHADER_NO_VALUE ? bytes : shader_emit(builder, SHADER_IADD, place->offset, bytes, 0), value, comparand};
+    const uint32_t list = shader_add_list(builder->program, values, SHADER_ATOMIC_OPERANDS);
+    return shader_emit_with(builder, SHADER_ATOMIC, (uint32_t)operation, list, 0, 0);
+}
+
+static uint32_t atomic_value(struct shader_builder *builder, uint32_t operand)
+{
+    return shader_scalars(builder, shader_operand(builder, operand))[0];
+}
+
+static bool build_atomic(struct shader_builder *builder, uint32_t opcode)
+{
+    enum shader_atomic operation;
+    uint32_t before;
+    if (opcode == SPIRV_OP_AtomicStore) {
+        (void)emit_atomic(builder, SHADER_ATOMIC_STORE, shader_operand(builder, 1), atomic_value(builder, 4), 0);
+        return true;
+    }
+    if (opcode == SPIRV_OP_AtomicLoad) {
+        before = emit_atomic(builder, SHADER_ATOMIC_LOAD, shader_operand(builder, 3), 0, 0);
+    } else if (opcode == SPIRV_OP_AtomicCompareExchange) {
+        before = emit_atomic(builder, SHADER_ATOMIC_COMPARE_EXCHANGE, shader_operand(builder, 3), atomic_value(builder, 7),
+                             atomic_value(builder, 8));
+    } else if (opcode == SPIRV_OP_AtomicIIncrement || opcode == SPIRV_OP_AtomicIDecrement) {
+        const uint32_t step = opcode == SPIRV_OP_AtomicIIncrement ? 1 : UINT32_MAX;
+        before = emit_atomic(builder, SHADER_ATOMIC_ADD, shader_operand(builder, 3), shader_number(builder, step), 0);
+    } else if (find_atomic(opcode, &operation)) {
+        uint32_t value = atomic_value(builder, 6);
+        value = opcode == SPIRV_OP_AtomicISub ? shader_emit(builder, SHADER_ISUB, shader_number(builder, 0), value, 0) : value;
+        before = emit_atomic(builder, operation, shader_operand(builder, 3), value, 0);
+    } else {
+        return false;
+    }
+    shader_define(builder, &before);
+    return true;
+}
+
 bool shader_build_memory(struct shader_builder *builder, uint32_t opcode)
 {
     switch (opcode) {
@@ -395,6 +490,11 @@ bool shader_build_memory(struct shader_builder *builder, uint32_t opcode)
     case SPIRV_OP_Store: build_store(builder); return true;
     case SPIRV_OP_CopyMemory: build_copy(builder); return true;
     case SPIRV_OP_ArrayLength: build_array_length(builder); return true;
-    default: return false;
+    case SPIRV_OP_ControlBarrier:
+        (void)shader_emit_with(builder, SHADER_BARRIER, 0, 0, 0, 0);
+        builder->program->has_barriers = true;
+        return true;
+    case SPIRV_OP_MemoryBarrier: return true; // memory is written in the order of the operations
+    default: return build_atomic(builder, opcode);
     }
 }

@@ -48,7 +48,7 @@ uint32_t shader_add_node(struct shader_program *program, enum shader_op op, uint
 uint32_t *shader_operands(const struct shader_program *program, struct shader_node *node, uint32_t *count)
 {
     const enum shader_op op = (enum shader_op)node->op;
-    if (op == SHADER_SAMPLE || op == SHADER_IMAGE_STORE) {
+    if (op == SHADER_SAMPLE || op == SHADER_IMAGE_STORE || op == SHADER_ATOMIC) {
         *count = program->lists[node->operands[0]];
         return &program->lists[node->operands[0] + 1];
     }

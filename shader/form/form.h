@@ -47,6 +47,11 @@ enum shader_built_in {
     SHADER_IN_POINT_COORD, // 2
     SHADER_IN_LAYER = SHADER_IN_POINT_COORD + 2,
     SHADER_IN_VIEWPORT,
+    SHADER_IN_WORKGROUP_COUNT,                              // 3
+    SHADER_IN_WORKGROUP = SHADER_IN_WORKGROUP_COUNT + 3,    // 3
+    SHADER_IN_LOCAL = SHADER_IN_WORKGROUP + 3,              // 3
+    SHADER_IN_GLOBAL = SHADER_IN_LOCAL + 3,                 // 3
+    SHADER_IN_LOCAL_INDEX = SHADER_IN_GLOBAL + 3,
     SHADER_IN_COUNT
 };
 
@@ -87,7 +92,9 @@ struct shader_program {
     uint32_t resource_count;
     uint32_t varying_mask[4]; // components of inputs that are read, a bit each
     bool writes[SHADER_OUT_COUNT];
-    uint32_t push_size; // bytes of push constants that are read
+    uint32_t push_size;      // bytes of push constants that are read
+    uint32_t workgroup_size; // bytes of memory of the workgroup
+    bool has_barriers, uses_atomic_results;
 };
 
 // Operands of SHADER_SAMPLE and SHADER_IMAGE_STORE, in their list. Value 0, the constant 0, stands where there is none;
@@ -105,6 +112,30 @@ enum shader_image_operand {
     SHADER_IMAGE_SAMPLE = SHADER_IMAGE_OFFSET + 3,
     SHADER_IMAGE_TEXEL, // 4, that are stored
     SHADER_IMAGE_OPERANDS = SHADER_IMAGE_TEXEL + 4
+};
+
+// Operands of SHADER_ATOMIC, in their list. The immediate is its enum shader_atomic.
+enum shader_atomic_operand {
+    SHADER_ATOMIC_BUFFER,
+    SHADER_ATOMIC_OFFSET, // bytes
+    SHADER_ATOMIC_VALUE,
+    SHADER_ATOMIC_COMPARAND,
+    SHADER_ATOMIC_OPERANDS
+};
+
+enum shader_atomic {
+    SHADER_ATOMIC_LOAD,
+    SHADER_ATOMIC_STORE,
+    SHADER_ATOMIC_EXCHANGE,
+    SHADER_ATOMIC_COMPARE_EXCHANGE,
+    SHADER_ATOMIC_ADD,
+    SHADER_ATOMIC_MIN_INT,
+    SHADER_ATOMIC_MAX_INT,
+    SHADER_ATOMIC_MIN_UINT,
+    SHADER_ATOMIC_MAX_UINT,
+    SHADER_ATOMIC_AND,
+    SHADER_ATOMIC_OR,
+    SHADER_ATOMIC_XOR
 };
 
 // What a SHADER_SAMPLE does, in the lowest 4 bits of its immediate.

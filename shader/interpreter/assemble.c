@@ -112,7 +112,7 @@ static void find_ranges(struct assembler *assembler)
         struct shader_node *const node = &program->nodes[value];
         const enum shader_op op = (enum shader_op)node->op;
         const enum shader_op_kind kind = shader_op_kind_of(op);
-        if (kind == SHADER_KIND_VALUE || kind == SHADER_KIND_READ) {
+        if (kind == SHADER_KIND_VALUE || kind == SHADER_KIND_READ || op == SHADER_ATOMIC) {
             extend(&assembler->ranges[value], i);
         }
         uint32_t operand_count;
@@ -201,7 +201,15 @@ static void give_registers(struct assembler *assembler)
         shader_refuse(program->module, 0, "the shader keeps more than %d values at a time", SHADER_REGISTER_VECTORS);
     }
     bytecode->batch = (SHADER_REGISTER_VECTORS - uniform.next) / varying.next;
-    bytecode->batch = bytecode->batch > SHADER_BATCH ? SHADER_BATCH : bytecode->batch;
+    const uint32_t *const size = program->entry->local_size;
+    const uint32_t groups = (size[0] * size[1] * size[2] + 7) / 8;
+    if (program->has_barriers && bytecode->batch < groups) {
+        shader_refuse(program->module, 0, "the shader keeps too many values for a workgroup of %u with barriers",
+                      (unsigned)(size[0] * size[1] * size[2]));
+    }
+    const uint32_t most = program->has_barriers && groups > SHADER_BATCH ? groups : SHADER_BATCH;
+    bytecode->batch = bytecode->batch > most ? most : bytecode->batch;
+    bytecode->workgroup_size = program->workgroup_size;
     bytecode->first_uniform = varying.next * bytecode->batch;
 }
 
@@ -293,10 +301,13 @@ static void add_structure(struct assembler *assembler, uint32_t value, struct op
 static uint16_t resource_of(const struct assembler *assembler, uint32_t value)
 {
     const struct shader_node *const buffer = &assembler->program->nodes[value];
-    return buffer->op == SHADER_PUSH ? SHADER_NO_RESOURCE : (uint16_t)buffer->immediate;
+    return buffer->op == SHADER_PUSH        ? SHADER_NO_RESOURCE
+           : buffer->op == SHADER_WORKGROUP ? SHADER_SHARED
+                                            : (uint16_t)buffer->immediate;
 }
 
-static void add_image(struct assembler *assembler, uint32_t value)
+// Operations whose operands are a list: images and atomics.
+static void add_listed(struct assembler *assembler, uint32_t value)
 {
     struct shader_node *const node = &assembler->program->nodes[value];
     struct shader_instruction *const instruction = add(assembler, node->op);
@@ -305,7 +316,10 @@ static void add_image(struct assembler *assembler, uint32_t value)
     instruction->immediate = node->immediate;
     instruction->resource = resource_of(assembler, operands[SHADER_IMAGE_TEXTURE]);
     instruction->b.vector = assembler->image_operand_count & 0x7fffffff;
-    if (node->immediate & SHADER_IMAGE_HAS_SAMPLER) {
+    if (node->op == SHADER_ATOMIC) {
+        instruction->result = operand_of(assembler, value);
+        instruction->is_uniform = instruction->result.is_uniform;
+    } else if (node->immediate & SHADER_IMAGE_HAS_SAMPLER) {
         instruction->c.vector = resource_of(assembler, operands[SHADER_IMAGE_SAMPLER]);
     }
     for (uint32_t i = 0; i < count; i++) {
@@ -322,8 +336,8 @@ static void add_node(struct assembler *assembler, uint32_t value)
 {
     const struct shader_node *const node = &assembler->program->nodes[value];
     const enum shader_op op = (enum shader_op)node->op;
-    if (op == SHADER_SAMPLE || op == SHADER_IMAGE_STORE) {
-        add_image(assembler, value);
+    if (op == SHADER_SAMPLE || op == SHADER_IMAGE_STORE || op == SHADER_ATOMIC) {
+        add_listed(assembler, value);
         return;
     }
     struct shader_instruction *const instruction = add(assembler, node->op);

@@ -14,10 +14,11 @@
 struct rhw_binding;
 
 enum {
-    SHADER_BATCH = 16,           // most groups at a time
+    SHADER_BATCH = 16,           // most groups at a time; of a workgroup with barriers all
     SHADER_REGISTER_VECTORS = 4096, // of the array: 128 KB of stack
     SHADER_MAX_RESOURCES = 64,
-    SHADER_NO_RESOURCE = 0xffff
+    SHADER_NO_RESOURCE = 0xffff, // push constants
+    SHADER_SHARED = 0xfffe       // the memory of the workgroup
 };
 
 struct shader_operand_of {
@@ -64,6 +65,7 @@ struct shader_bytecode {
     uint32_t constant_count;
     uint32_t first_uniform; // vector
     uint32_t batch;         // groups at a time
+    uint32_t workgroup_size; // bytes of memory that a workgroup has
     const struct shader_slot *slots; // by resource
     uint32_t target_count;
     // Component of the program's varyings for location · 4 + component; 0xff: there is none.
@@ -76,7 +78,7 @@ struct shader_bytecode {
 
 // What the functions of a pipeline get as `user`.
 struct shader_stages {
-    const struct shader_bytecode *vertex, *fragment;
+    const struct shader_bytecode *vertex, *fragment, *compute;
 };
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "bytecode.h"
 #include "rhw/shader.h"
+#include "rhw/shader_binding.h"
 
 union vector {
     rhw_float f;
@@ -18,8 +19,11 @@ struct frame {
     int groups;
     struct rhw_vertex *vertices;     // of the batch, or NULL
     struct rhw_fragment *fragments;  // of the batch, or NULL
+    const struct rhw_workgroup *workgroup;            // of compute, or NULL
+    const struct rhw_invocations *invocations;        // of the batch
+    struct rhw_binding shared;                        // memory of the workgroup
     const struct shader_instruction *next;
-    rhw_float texels[SHADER_BATCH][4]; // what was sampled last
+    rhw_float texels[RHW_MAX_WORKGROUP_GROUPS][4]; // what was sampled last
 };
 
 typedef void shader_kernel(struct frame *frame, const struct shader_instruction *in);

@@ -21,7 +21,7 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     ENTRY(LENGTH), ENTRY(IF), ENTRY(ELSE), ENTRY(END_IF), ENTRY(REGION), ENTRY(END_REGION), ENTRY(END_LOOP),
     ENTRY(LEAVE), [SHADER_LOOP] = run_REGION, [SHADER_FILL] = run_FILL, ENTRY(BUFFER), ENTRY(SAMPLE), ENTRY(PART), ENTRY(IMAGE_STORE), ENTRY(INPUT_DX), ENTRY(INPUT_DY), ENTRY(INPUT_BESIDE),
     ENTRY(INPUT_BELOW),
-    [SHADER_PUSH] = run_NOTHING,
+    [SHADER_PUSH] = run_NOTHING, [SHADER_WORKGROUP] = run_NOTHING, [SHADER_BARRIER] = run_NOTHING, ENTRY(ATOMIC),
 };
 #undef ENTRY
 
@@ -84,5 +84,23 @@ void RHW_ISA_NAME(shader_interpret_fragments)(struct rhw_fragment *groups, int c
         for (int i = 0; i < frame.groups; i++) {
             frame.fragments[i].mask &= ~fixed_register(&frame, SHADER_KILLED)[i].i;
         }
+    }
+}
+
+void RHW_ISA_NAME(shader_interpret_workgroup)(const struct rhw_workgroup *workgroup)
+{
+    union vector registers[SHADER_REGISTER_VECTORS];
+    const struct shader_bytecode *const bytecode = ((const struct shader_stages *)workgroup->user)->compute;
+    struct frame frame = {
+        .registers = registers, .bytecode = bytecode, .bound = workgroup->uniforms, .workgroup = workgroup};
+    (void)rhw_binding_of_memory(workgroup->shared, bytecode->workgroup_size, false, &frame.shared);
+    for (int first = 0; first < workgroup->count; first += (int)bytecode->batch) {
+        const int left = workgroup->count - first;
+        frame.groups = left < (int)bytecode->batch ? left : (int)bytecode->batch;
+        frame.invocations = workgroup->groups + first;
+        for (int i = 0; i < frame.groups; i++) {
+            begin_lanes(&frame, i, frame.invocations[i].mask);
+        }
+        execute(&frame);
     }
 }

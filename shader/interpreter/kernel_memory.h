@@ -48,11 +48,32 @@ static rhw_int fragment_built_in(const struct rhw_fragment *fragment, uint32_t n
     }
 }
 
+static rhw_int invocation_built_in(const struct frame *frame, int group, uint32_t number)
+{
+    const struct rhw_invocations *const group_of = &frame->invocations[group];
+    const struct rhw_workgroup *const workgroup = frame->workgroup;
+    if (number >= SHADER_IN_LOCAL_INDEX) {
+        return group_of->index;
+    }
+    if (number >= SHADER_IN_GLOBAL) {
+        return group_of->id[number - SHADER_IN_GLOBAL];
+    }
+    if (number >= SHADER_IN_LOCAL) {
+        return group_of->local[number - SHADER_IN_LOCAL];
+    }
+    if (number >= SHADER_IN_WORKGROUP) {
+        return rhw_splat_int(workgroup->id[number - SHADER_IN_WORKGROUP]);
+    }
+    return rhw_splat_int(number >= SHADER_IN_WORKGROUP_COUNT ? workgroup->counts[number - SHADER_IN_WORKGROUP_COUNT] : 0);
+}
+
 static void run_BUILT_IN(struct frame *frame, const struct shader_instruction *in)
 {
     union vector *const d = &frame->registers[in->result.vector];
     for (int i = 0; i < frame->groups; i++) {
-        if (frame->fragments) {
+        if (frame->workgroup) {
+            d[i].i = invocation_built_in(frame, i, in->immediate);
+        } else if (frame->fragments) {
             d[i].i = fragment_built_in(&frame->fragments[i], in->immediate);
         } else {
             d[i].i = in->immediate == SHADER_IN_INSTANCE_INDEX ? frame->vertices[i].instance_index
@@ -111,6 +132,9 @@ static void run_OUTPUT(struct frame *frame, const struct shader_instruction *in)
 // Return an element of a resource, or NULL where there is none.
 static const struct rhw_binding *binding_of(const struct frame *frame, uint32_t resource, uint32_t element)
 {
+    if (resource == SHADER_SHARED) {
+        return &frame->shared;
+    }
     const struct shader_slot *const slot = &frame->bytecode->slots[resource];
     const struct rhw_binding *const set = frame->bound->sets[slot->set];
     return set && element < slot->count ? set + slot->first + element : NULL;
@@ -194,6 +218,51 @@ static void run_LENGTH(struct frame *frame, const struct shader_instruction *in)
             const uint32_t words = rhw_binding_storage_count(binding_of(frame, in->resource, named));
             d[i].i[lane] = (int32_t)(words > UINT32_MAX / 4 ? UINT32_MAX & ~3u : 4 * words);
         }
+    }
+}
+
+static enum rhw_storage_operation operation_of(uint32_t atomic)
+{
+    static const enum rhw_storage_operation operations[] = {
+        [SHADER_ATOMIC_LOAD] = RHW_STORAGE_LOAD,
+        [SHADER_ATOMIC_STORE] = RHW_STORAGE_STORE,
+        [SHADER_ATOMIC_EXCHANGE] = RHW_STORAGE_EXCHANGE,
+        [SHADER_ATOMIC_COMPARE_EXCHANGE] = RHW_STORAGE_COMPARE_EXCHANGE,
+        [SHADER_ATOMIC_ADD] = RHW_STORAGE_ADD,
+        [SHADER_ATOMIC_MIN_INT] = RHW_STORAGE_MIN,
+        [SHADER_ATOMIC_MAX_INT] = RHW_STORAGE_MAX,
+        [SHADER_ATOMIC_MIN_UINT] = RHW_STORAGE_MIN_UNSIGNED,
+        [SHADER_ATOMIC_MAX_UINT] = RHW_STORAGE_MAX_UNSIGNED,
+        [SHADER_ATOMIC_AND] = RHW_STORAGE_AND,
+        [SHADER_ATOMIC_OR] = RHW_STORAGE_OR,
+        [SHADER_ATOMIC_XOR] = RHW_STORAGE_XOR,
+    };
+    return operations[atomic];
+}
+
+static void run_ATOMIC(struct frame *frame, const struct shader_instruction *in)
+{
+    const struct shader_operand_of *const operands = frame->bytecode->image_operands + in->b.vector;
+    const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
+    union vector *const d = &frame->registers[in->result.vector];
+    for (int i = 0; i < frame->groups; i++) {
+        rhw_int v[SHADER_ATOMIC_OPERANDS], result = rhw_splat_int(0);
+        for (int o = 0; o < SHADER_ATOMIC_OPERANDS; o++) {
+            v[o] = frame->registers[operands[o].vector + (operands[o].is_uniform ? 0u : (uint32_t)i)].i;
+        }
+        const rhw_int index = (rhw_int)((rhw_uint)v[SHADER_ATOMIC_OFFSET] >> 2);
+        for (rhw_int todo = active[i].i, lanes; rhw_any(todo);) {
+            const uint32_t named = (uint32_t)rhw_binding_next(v[SHADER_ATOMIC_BUFFER], &todo, &lanes);
+            const struct rhw_storage_request request = {.operation = operation_of(in->immediate),
+                                                        .mask = &lanes,
+                                                        .index = &index,
+                                                        .value = &v[SHADER_ATOMIC_VALUE],
+                                                        .comparand = &v[SHADER_ATOMIC_COMPARAND]};
+            rhw_int before;
+            rhw_binding_storage_access(binding_of(frame, in->resource, named), &request, &before);
+            result = rhw_select_int(lanes, before, result);
+        }
+        d[i].i = result;
     }
 }
 
