@@ -47,8 +47,8 @@ export class View {
       this.#listen();
     }
     new ResizeObserver(() => this.update()).observe(figure);
-    new IntersectionObserver(([entry]) => {
-      this.seen = entry.isIntersecting;
+    new IntersectionObserver((entries) => {
+      this.seen = entries.at(-1).isIntersecting; // there may be several since the last call
       this.update();
     }).observe(figure);
   }

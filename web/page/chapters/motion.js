@@ -108,8 +108,8 @@ class Motion {
     section.querySelector('.play').addEventListener('click', () => this.play());
     whenLanguage(() => this.show());
     if (!matchMedia('(prefers-reduced-motion: reduce)').matches) {
-      const seen = new IntersectionObserver(([entry]) => {
-        if (entry.isIntersecting) {
+      const seen = new IntersectionObserver((entries) => {
+        if (entries.at(-1).isIntersecting) {
           seen.disconnect();
           this.play();
         }
