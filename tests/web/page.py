@@ -485,6 +485,7 @@ class Page(PageCase):
             self.show(name)
             self.script("arguments[0].focus()", self.node(f"#{name} .view canvas"))
             said = set()
+        self.assertEqual(self.script("return document.querySelectorAll('[aria-live=polite]').length"), 0, "nobody has worked with a chapter")
             for key, x in ((Keys.HOME, 0), (Keys.END, 0.999999)):
                 self.browser.switch_to.active_element.send_keys(key)
                 self.assertAlmostEqual(self.script(f"return rhw.views.{name}.pixel[0]"), x)
@@ -509,6 +510,9 @@ class Page(PageCase):
             self.wait(f"document.querySelector('#pixel .divider').getAttribute('aria-valuetext') === '{text}'")
         self.assertEqual(slider.get_attribute("aria-valuemax"), "100")
         heard = "document.querySelector('#pixel .heard').textContent"
+        heard_in = ("return [...new Set([...document.querySelectorAll('.chapter [aria-live=polite]')]"
+                    ".map((line) => line.closest('section').id))]")
+        self.assertEqual(self.script(heard_in), ["pixel"], "nothing of the other chapters, which change with the language too")
         self.wait(f"{heard}.startsWith('u: naive ') && document.querySelector('#pixel .heard').ariaLive === 'polite'")
         before = self.script(f"return {heard}")
         self.node("#pixel canvas").send_keys(Keys.ARROW_LEFT)

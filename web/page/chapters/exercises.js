@@ -113,7 +113,7 @@ class Exercise {
     this.text = this.node.appendChild(document.createElement('p'));
     this.result = this.node.appendChild(document.createElement('p'));
     this.result.className = 'result';
-    this.result.setAttribute('aria-live', 'polite');
+    this.result.setAttribute('aria-live', 'off');
     this.button = this.node.appendChild(document.createElement('button'));
     this.button.type = 'button';
     this.done = false;
