@@ -235,18 +235,87 @@ class Lessons(PageCase):
         self.node("#exercises li:last-child button").click()
         self.wait("!document.querySelector('#exercises li:last-child').classList.contains('done')")
 
+    # By the number of an exercise, what P has to be to solve it, well within what is asked.
+    SOLVED_BY = {
+        1: "error(n) > 0.95 * Math.max(...all.map(({ n: one }) => error(one)))",
+        2: "Math.abs(n.a - 0.5) < 0.03 && Math.abs(n.b - 0.5) < 0.03",
+        3: "Math.min(n.r, n.s, n.t) > 0.08 && Math.abs(n.t - n.c) < 0.006",
+        5: "true",
+    }
+
+    def place_for(self, exercise):
+        """A pixel of the picture, by parts of it, that solves an exercise; P stays where it is."""
+        return self.script(f"""
+            const v = rhw.views.exercises, kept = v.pixel, all = [];
+            const error = (n) => Math.abs((n.r - n.a) * n.u_0 + (n.s - n.b) * n.u_1 + (n.t - n.c) * n.u_2);
+            for (let y = 0.02; y < 1; y += 0.01) for (let x = 0.02; x < 1; x += 0.01) {{
+              v.pixel = [x, y]; v.explain();
+              if (v.numbers) all.push({{ at: [x, y], n: v.numbers }});
+            }}
+            v.pixel = kept; v.numbers = null;
+            return all.find(({{ n }}) => {self.SOLVED_BY[exercise]}).at""")
+
+    def wait_solved(self, exercise):
+        self.wait(f"document.querySelectorAll('#exercises li')[{exercise}].classList.contains('done')")
+
+    def test_exercises_by_keys(self):
+        """All six: P goes there by arrows in the picture; corners that the tab key comes to, by page up and down."""
+        self.show("exercises")
+        canvas = self.node("#exercises .view canvas")
+        self.script("arguments[0].focus()", canvas)
+
+        def go(exercise):
+            at = self.place_for(exercise)
+            self.script("rhw.views.exercises.pick(rhw.views.exercises.pixel ?? [0.5, 0.5])")
+            by = self.script("const v = rhw.views.exercises; return [v.canvas.width, v.canvas.height].map((size, i) =>"
+                             " Math.floor(arguments[0][i] * size) - Math.floor(v.pixel[i] * size))", at)
+            keys = [(Keys.ARROW_LEFT, Keys.ARROW_RIGHT), (Keys.ARROW_UP, Keys.ARROW_DOWN)]
+            for count, pair in zip(by, keys):
+                tens, ones = divmod(abs(count), 10)
+                canvas.send_keys(pair[count > 0] * ones, Keys.SHIFT, pair[count > 0] * tens)
+            self.wait_solved(exercise)
+
+        def push(name, presses):
+            self.script("arguments[0].focus()", canvas)
+            for _ in range(6):
+                self.browser.switch_to.active_element.send_keys(Keys.TAB)
+                if f"corner{name}" in (self.browser.switch_to.active_element.get_attribute("class") or ""):
+                    break
+            self.browser.switch_to.active_element.send_keys(Keys.SHIFT, Keys.PAGE_DOWN * presses)
+        for exercise in (1, 2, 3):
+            go(exercise)
+        push("B", 3)
+        self.wait_solved(4)
+        push("C", 1)
+        self.wait_solved(0)
+        push("C", 3)
+        self.still("exercises")
+        go(5)
+
     def test_exercises_under_a_finger(self):
-        """On a phone corners go as far away as A in the view from above; then they are pointed at in the picture."""
+        """All six on a phone: it points in the picture, and moves corners in the view from above."""
         self.size(390, 844, touch=True)
         try:
             self.setUp()
             self.show("exercises")
             self.script("document.querySelector('#exercises .above').scrollIntoView({block: 'center'})")
-            done = "[...document.querySelectorAll('#exercises li')].map((li) => li.classList.contains('done'))"
+
+            def tap(exercise):
+                box = self.script("const b = document.querySelector('#exercises .view canvas').getBoundingClientRect();"
+                                  "return [b.x, b.y, b.width, b.height]")
+                x, y = (round(box[i] + at * box[i + 2]) for i, at in enumerate(self.place_for(exercise)))
+                for kind, points in (("touchStart", [{"x": x, "y": y}]), ("touchEnd", [])):
+                    self.browser.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+                self.wait_solved(exercise)
+            for exercise in (1, 2, 3):
+                tap(exercise)
+            place = lambda node: self.middle(f"#exercises .top {node}")[1]  # noqa: E731
             for name, solved in (("B", 4), ("C", 0)):
-                away = self.middle("#exercises .top .cornerA .dot")[1] - self.middle(f"#exercises .top .corner{name} .dot")[1]
-                self.swipe(f"#exercises .top .corner{name} .dot", away)
-                self.wait(f"{done}[{solved}]")
+                self.swipe(f"#exercises .top .corner{name} .dot", place(".cornerA .dot") - place(f".corner{name} .dot"))
+                self.wait_solved(solved)
+            self.swipe("#exercises .top .cornerC .dot", place(".eye") + 15 - place(".cornerC .dot"))
+            self.still("exercises")
+            tap(5)
             self.script("document.querySelector('#exercises li').scrollIntoView({block: 'end'})")
             self.assertTrue(self.node("#exercises .result").is_displayed())
             self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 390)

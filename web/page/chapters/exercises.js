@@ -17,6 +17,7 @@ const GRID = 48; // pixels across the small picture in which the largest error i
 const REST = 400; // ms that the pointer or a corner rests until it is looked at
 const SAME = 0.03; // parts by which two W may differ and be one: some pixels under a finger
 const ALIKE = 0.01; // by which two shares may
+const MIDDLE = 0.05; // by which the shares of an edge's ends may differ from a half: a finger finds it
 
 const START = [
   [-1.3, -0.7, 0.4],
@@ -65,7 +66,7 @@ export const EXERCISES = [
       en: 'Point at the middle of the edge AB, as it lies in space.',
       zh: '指向边 AB 在空间中的中点。',
     },
-    met: (n) => n && n.W_0 > 0 && n.W_1 > 0 && Math.abs(n.a - 0.5) < 0.03 && Math.abs(n.b - 0.5) < 0.03,
+    met: (n) => n && n.W_0 > 0 && n.W_1 > 0 && Math.abs(n.a - 0.5) < MIDDLE && Math.abs(n.b - 0.5) < MIDDLE,
     answer: (n) => ({
       en: `There r : s is W_A : W_B = ${short(n.W_0)} : ${short(n.W_1)}, so s = ${short(n.W_1 / (n.W_0 + n.W_1))}. In space each has half of P there; on the screen each counts in proportion to its W.`.replaceAll('_', ''),
       zh: `那里 r : s = WA : WB = ${short(n.W_0)} : ${short(n.W_1)}，所以 s = ${short(n.W_1 / (n.W_0 + n.W_1))}。在空间中，两个顶点在中点各占一半；在屏幕上，各按自己的 W 成比例。`,
