@@ -31,9 +31,9 @@ export function svg(parent, name, attributes = {}, text = '') {
   return node;
 }
 
-/** The next child of a parent that is being filled (slots.js), with these attributes. */
+/** The next child of a parent that is being filled (slots.js), with these attributes and no others. */
 export function drawn(parent, name, attributes, text = '') {
-  const node = slot(parent, name, () => document.createElementNS(SVG, name));
+  const node = slot(parent, `${name} ${Object.keys(attributes)}`, () => document.createElementNS(SVG, name));
   set(node, attributes);
   if (node.textContent !== text) {
     node.textContent = text;
