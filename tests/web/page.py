@@ -308,12 +308,12 @@ class Page(PageCase):
             self.assertFalse(self.node(f"#{name} .taken").is_displayed())
         self.script("arguments[0].click()", self.node("#model .takes [value='inverse']"))
         n = self.script("return rhw.views.inverse.numbers()")
-        self.assertAlmostEqual(n["Z_A"], seen["clip"][0][3], places=5)
-        self.assertAlmostEqual(n["Z_B"], seen["clip"][1][3], places=5)
+        self.assertAlmostEqual(n["W_A"], seen["clip"][0][3], places=5)
+        self.assertAlmostEqual(n["W_B"], seen["clip"][1][3], places=5)
         self.assertAlmostEqual(n["s"] / n["r"], seen["screen"][1] / seen["screen"][0], places=5)
         self.browser.save_screenshot(os.path.join(sys.argv[3], "taken_inverse.png"))
         self.node("#inverse .taken button").click()
-        self.assertEqual(self.script("return rhw.views.inverse.numbers().Z_B"), 7)
+        self.assertEqual(self.script("return rhw.views.inverse.numbers().W_B"), 7)
 
     def check_model_derivation(self):
         """The library's numbers in the page's words, in both languages, and the triangle in the picture."""

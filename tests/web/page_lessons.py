@@ -102,9 +102,9 @@ class Lessons(PageCase):
                  " return Math.abs(a.y + (b.y - a.y) * (m.x - a.x) / (b.x - a.x) - m.y); }))")
         dots = "return [...document.querySelectorAll('#inverse .plot')].map((plot) => [...plot.querySelectorAll('.value')].map((t) => t.textContent))"
         n = self.script("return rhw.views.inverse.numbers()")
-        z, u = n["Z_P"], n["b"]
-        told = {"z": [[z, n["r"] * n["Z_A"] + n["s"] * n["Z_B"]], [1 / z]], "u": [[1 / z, u / z], [u, n["s"]]]}
-        for value, straight in (("z", [[False, True], [True]]), ("u", [[True, True], [False, True]])):
+        w, u = n["W_P"], n["b"]
+        told = {"w": [[w, n["r"] * n["W_A"] + n["s"] * n["W_B"]], [1 / w]], "u": [[1 / w, u / w], [u, n["s"]]]}
+        for value, straight in (("w", [[False, True], [True]]), ("u", [[True, True], [False, True]])):
             self.node(f"#inverse button[value='{value}']").click()
             self.assertEqual([[bend < 1 for bend in plot] for plot in self.script(bends)], straight, value)
             for shown, numbers in zip(self.script(dots), told[value]):
@@ -112,7 +112,7 @@ class Lessons(PageCase):
                 for text, number in zip(shown, numbers):
                     self.assertAlmostEqual(float(text), number, delta=2e-3)
             units = self.script("return [...document.querySelectorAll('#inverse .plot')].map((plot) => plot.textContent)")
-            self.assertTrue(all("unit" in text or "over a length" in text or "from 0 in A" in text for text in units), units)
+            self.assertTrue(all("unit of length" in text or "units of length" in text or "from 0 in A" in text for text in units), units)
         tops = self.script("return [...document.querySelectorAll('#inverse :is(.plot, .top)')].map((node) => node.getBoundingClientRect())"
                            ".map(({ top, bottom }) => [top, bottom])")
         self.assertTrue(max(bottom for _, bottom in tops) - min(top for top, _ in tops) < 850, "all three are seen at once")
@@ -123,7 +123,7 @@ class Lessons(PageCase):
         after = self.script("return rhw.views.inverse.q")
         self.assertGreater(after, before + 0.05)
         place = self.script("const d = rhw.views.inverse, n = d.numbers(); return n.b * d.ends[1][1] + n.a * d.ends[0][1]")
-        self.assertAlmostEqual(place, self.script("return rhw.views.inverse.numbers().Z_P"), places=9)  # P lies on the edge
+        self.assertAlmostEqual(place, self.script("return rhw.views.inverse.numbers().W_P"), places=9)  # P lies on the edge
 
     def test_the_program_says_the_same(self):
         """Its values are the pixel's, in three languages; and what stands there runs and gives them."""
