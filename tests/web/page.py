@@ -198,6 +198,8 @@ class Page(PageCase):
                     self.show(name)
                     for button in self.browser.find_elements(By.CSS_SELECTOR, f"#{name} .choice button"):
                         self.script("arguments[0].click()", button)
+                rows = self.script("return [...document.querySelectorAll('header :is(button, summary)')].map((node) => node.offsetHeight)")
+                self.assertLess(max(rows), 40, "the header has one row")
                         self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 360, f"{name} fits")
                     self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 360, f"{name} fits")
                     self.browser.save_screenshot(os.path.join(sys.argv[3], f"phone_{language}_{name}.png"))

@@ -140,7 +140,7 @@ export class Flight {
     });
     if (this.k < 0.6) {
       const [x, y] = this.#at([0, 0, 0, 0]);
-      drawn(this.labels, 'text', { x: x - 10, y: y + 22, class: 'caption' }, say({ en: 'eye', zh: '眼睛' }));
+      drawn(this.labels, 'text', { x: x - 9, y: y + 4, 'text-anchor': 'end', class: 'caption' }, say({ en: 'eye', zh: '眼睛' }));
     }
     const [x, y] = this.#at(this.#onScreen(1, -1));
     drawn(this.labels, 'text', { x: x + 4, y: y + 16, class: 'caption' }, say({ en: `screen, W = ${short(this.unit)}`, zh: `屏幕，W = ${short(this.unit)}` }));
