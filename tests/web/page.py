@@ -211,6 +211,10 @@ class Page(PageCase):
             for language in ["en", "zh"]:
                 rows = self.script("return [...document.querySelectorAll('header :is(button, summary)')].map((node) => node.offsetHeight)")
                 self.assertLess(max(rows), 40, "the header has one row")
+                self.node(".contents summary").click()
+                box = self.script("const b = document.querySelector('.contents ol').getBoundingClientRect(); return [b.left, b.right]")
+                self.assertTrue(0 <= box[0] < box[1] <= 360, f"the chapters' names are all on the screen: {box}")
+                self.node(".contents summary").click()
                 for name in ["first", *CHAPTERS, "inverse"]:
                     self.show(name)
                     for button in self.browser.find_elements(By.CSS_SELECTOR, f"#{name} .choice button"):

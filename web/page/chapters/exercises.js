@@ -42,8 +42,8 @@ export const EXERCISES = [
     },
     met: (_, { ws }) => spread(ws) < SAME,
     answer: (_, { ws }) => ({
-      en: `All W: yours are ${ws.map(short).join(', ')}. Then 1/W is the same everywhere, and r, s, t are a, b, c. A triangle that is flat to the camera needs no division.`,
-      zh: `三个 W 相等：现在是 ${ws.map(short).join('、')}。这时 1/W 处处相同，r、s、t 就是 a、b、c。正对相机的三角形不需要除法。`,
+      en: `All W: yours are ${ws.map(short).join(', ')}. Then 1/W is the same everywhere, and r, s, t are a, b, c. A triangle that is parallel to the screen needs no division.`,
+      zh: `三个 W 相等：现在是 ${ws.map(short).join('、')}。这时 1/W 处处相同，r、s、t 就是 a、b、c。与屏幕平行的三角形不需要除法。`,
     }),
   },
   {
