@@ -16,7 +16,8 @@ const char *scene_assimp_string(struct scene_import *import, const struct aiStri
 /// Column major.
 void scene_assimp_matrix(const struct aiMatrix4x4 *m, float matrix[16]);
 /// Lists the animations in the model, and moves the scene's nodes as the one that is wanted says.
-void scene_assimp_pose(struct scene_import *import, const struct aiScene *scene);
+void scene_assimp_pose(struct scene_import *import, struct scene_assimp_exact *exact,
+                       const struct aiScene *scene);
 /// Whether the mesh follows bones in the pose that is wanted: it then stands in the world, not at its node.
 bool scene_assimp_is_skinned(const struct scene_import *import, const struct aiMesh *mesh);
 /// Brings the vertices of a skinned mesh there, less `origin`, which is not 0 if that is far away.
