@@ -80,6 +80,9 @@ FILES = {
         collada_geometry(place), f"<node>{translate((1, 2, 3))}{translate(place)}<rotate>0 0 1 90</rotate>"
         f"{translate([-x for x in place])}{MESH}</node>"),
     "up.dae": lambda place: collada(collada_geometry(NEAR), f"<node>{translate(upright(place))}{MESH}</node>", "Z_UP"),
+    "lookat.dae": dae_nodes(lambda place: "<node><lookat>%r %r %r %r %r %r 0 1 0</lookat>%s</node>" %
+                            (*place, *add(place, (-3, 0, 4)), MESH)),
+    "skew.dae": dae_nodes(lambda place: f"<node>{translate(place)}<skew>45 0 1 0 1 0 0</skew>{MESH}</node>"),
     "unit.dae": lambda place: collada(collada_geometry(NEAR), f"<node>{translate([x / 0.0254 for x in place])}"
                                       f"<scale>40 40 40</scale>{MESH}</node>", unit="0.0254"),
     "light.dae": lambda place: collada(
@@ -238,6 +241,27 @@ def test_far_on_the_way(tmp_path):
         assert not model.warnings and not any(model.origin)
         pictures.append(model.render(64, outputs=("color", "position")))
     assert all(np.array_equal(pictures[0][name], pictures[1][name]) for name in ("color", "position"))
+
+
+SLOPE = 1.3660254037844386
+MATRICES = [  # a transform of Collada, and the rows of a matrix that is the same; those of none are told
+    ("<skew>45 0 2 0 3 0 0</skew>", (1, 1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)),
+    ("<skew>30 0 1 0 0 1 1</skew>", (1, 0, 0, 0, 0, 1 + SLOPE, -SLOPE, 0, 0, SLOPE, 1 - SLOPE, 0)),  # axes 45 degrees apart
+    ("<skew>90 0 1 0 1 0 0</skew>", (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)),
+    ("<skew sid='a'/>", (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)),
+    ("<lookat>1 2 3 1 2 -5 0 1 7</lookat>", (1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3)),  # an up that leans
+    ("<lookat>1 2 3 6 2 3 0 1 0</lookat>", (0, 0, -1, 1, 0, 1, 0, 2, 1, 0, 0, 3)),
+]
+
+
+@pytest.mark.parametrize("transform,rows", MATRICES)
+def test_collada_matrices(tmp_path, transform, rows):
+    pictures = []
+    for text in transform, f"<matrix>{' '.join(map(str, rows))} 0 0 0 1</matrix>":
+        model = load(tmp_path, "matrix.dae", collada(collada_geometry(NEAR), f"<node>{text}{MESH}</node>"))
+        pictures.append((model.render(64)["color"], model.bounds))
+        assert len(model.warnings) == (text == transform and ("90" in text or "/>" in text))
+    assert np.array_equal(pictures[0][0], pictures[1][0]) and np.allclose(pictures[0][1], pictures[1][1], atol=1e-6)
 
 
 def test_parts_far_from_each_other(tmp_path):

@@ -19,8 +19,8 @@ struct scene_assimp_offset {
     size_t length;
 };
 
-/// What a mark stands for: all nodes that assimp makes of one of the file, the matrix in which it is, or the translation
-/// of that matrix, where assimp's floats are the rest.
+/// What a mark stands for: all nodes that assimp makes of one of the file, the matrix that it is in, or the translation
+/// of it, where assimp's floats are the rest.
 enum scene_assimp_mark { SCENE_ASSIMP_NODES, SCENE_ASSIMP_MATRIX, SCENE_ASSIMP_WAY };
 
 struct scene_assimp_marked {

@@ -106,7 +106,7 @@ static bool may_be_collada(const struct scene_import *import)
     return ending[0] == 0 || strcasecmp(ending, "dae") == 0 || strcasecmp(ending, "xml") == 0;
 }
 
-char *scene_assimp_collada(const struct scene_import *import, size_t *size)
+char *scene_assimp_collada(struct scene_import *import, size_t *size)
 {
     const char *problem = NULL;
     char *const text =
@@ -117,7 +117,7 @@ char *scene_assimp_collada(const struct scene_import *import, size_t *size)
     }
     scene_assimp_collapse_texts(text, *size);
     scene_assimp_number_sets(text, *size);
-    return scene_assimp_name_images(text, size);
+    return scene_assimp_write_matrices(import, scene_assimp_name_images(text, size), size);
 }
 
 char *scene_assimp_dxf(struct scene_import *import, size_t *size)
@@ -180,7 +180,7 @@ static void close_memory(struct aiFile *file)
 static struct aiFile *open_file(struct aiFileIO *files, const char *path, const char *mode)
 {
     const struct scene_assimp_source *const source = (const void *)files->UserData;
-    const struct scene_import *const import = source->import;
+    struct scene_import *const import = source->import;
     const bool is_model = strcmp(path, import->model.path) == 0;
     const bool may_read = mode[0] == 'r' && (is_model || scene_import_within(import, path));
     struct aiFile *const model = may_read && is_model ? open_model(source) : NULL;
