@@ -2,8 +2,11 @@
 """Small files with a shape anywhere: the same shape far from the origin has to look as it does there."""
 
 import base64
+import io
 import json
 import struct
+import urllib.parse
+import zipfile
 import zlib
 
 SHAPE = [(0, 0, 0), (0.8125, 0.125, 0), (0.25, 0.9375, 0.0625), (0.125, 0.25, 0.71875), (0.375, 0.5, -0.5),
@@ -163,6 +166,19 @@ def collada(geometries, nodes, up="Y_UP", libraries="", unit="1"):
             f'<unit meter="{unit}"/><up_axis>{up}</up_axis></asset>{libraries}<library_geometries>{geometries}</library_geometries>'
             f'<library_visual_scenes><visual_scene id="s">{nodes}</visual_scene></library_visual_scenes><scene>'
             '<instance_visual_scene url="#s"/></scene></COLLADA>').encode()
+
+
+def zae(document, name, names_it=True, **files):
+    """An archive of a document and other files, with a manifest or without one."""
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
+        if names_it:
+            root = urllib.parse.quote(f"./{name}")
+            archive.writestr("manifest.xml", f'<?xml version="1.0"?>\n<!-- a -->\n<dae_root xmlns="x"> {root}\n</dae_root>')
+            archive.writestr("other.dae", "no document")
+        for path, data in {**files, name: document}.items():
+            archive.writestr(path, data)
+    return stream.getvalue()
 
 
 # DXF: pairs of a code and a value.

@@ -7,7 +7,7 @@ import pytest
 import rhw
 from far_files import (FAR, FLOATS, MESH, NEAR, REST, Gltf, add, attribute, collada, collada_geometry, curves, dxf, dxf_faces,
                        dxf_insert, dxf_lines,
-                       fbx, fbx_binary, fbx_text, geometry, model, skin, translate, vector)
+                       fbx, fbx_binary, fbx_text, geometry, model, skin, translate, vector, zae)
 
 
 def vertices(place):
@@ -85,6 +85,7 @@ FILES = {
     "skew.dae": dae_nodes(lambda place: f"<node>{translate(place)}<skew>45 0 1 0 1 0 0</skew>{MESH}</node>"),
     "unit.dae": lambda place: collada(collada_geometry(NEAR), f"<node>{translate([x / 0.0254 for x in place])}"
                                       f"<scale>40 40 40</scale>{MESH}</node>", unit="0.0254"),
+    "named.zae": lambda place: zae(collada(collada_geometry(place), f"<node>{MESH}</node>"), "a b/x.dae"),
     "light.dae": lambda place: collada(
         collada_geometry(NEAR), f"<node>{translate(place)}{MESH}<node>{translate((1, 2, 3))}"
         '<instance_light url="#l"/></node></node>', libraries=LIGHT),

@@ -38,6 +38,8 @@ struct scene_assimp_source {
 
 /// What opens regular files within import->confine, and the model itself; it lives as long as `source`.
 struct aiFileIO scene_assimp_files(struct scene_assimp_source *source);
+/// Return the document of an archive of Collada, a 0 behind it. Fail the import if there is none.
+char *scene_assimp_read_zae(struct scene_import *import, size_t *size);
 /// Return the text of a Collada file as assimp can read it, a 0 behind it. Return NULL if the file is none.
 char *scene_assimp_collada(struct scene_import *import, size_t *size);
 /// Return the text of a DXF as assimp can read it, a 0 behind it. Return NULL if the file is none.

@@ -106,11 +106,21 @@ static bool may_be_collada(const struct scene_import *import)
     return ending[0] == 0 || strcasecmp(ending, "dae") == 0 || strcasecmp(ending, "xml") == 0;
 }
 
+static bool is_zae(const struct scene_import *import)
+{
+    return strcasecmp(import->ending, "zae") == 0;
+}
+
 char *scene_assimp_collada(struct scene_import *import, size_t *size)
 {
     const char *problem = NULL;
-    char *const text =
-        may_be_collada(import) ? scene_import_read_bytes(import->model.path, size, &problem) : NULL;
+    char *text = may_be_collada(import) || is_zae(import)
+                     ? scene_import_read_bytes(import->model.path, size, &problem)
+                     : NULL;
+    if (text != NULL && is_zae(import) && strncmp(text, "PK", 2) == 0) {
+        free(text);
+        text = scene_assimp_read_zae(import, size);
+    }
     if (text == NULL || strstr(text, "<COLLADA") == NULL) {
         free(text);
         return NULL;

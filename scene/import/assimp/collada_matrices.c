@@ -102,8 +102,8 @@ static bool read_numbers(const char *close, size_t count, double numbers[MOST_NU
 }
 
 // Replace the transform whose start tag ends at `close`. A skew may not stay, as assimp ends the process there.
-static void edit_transform(struct scene_import *import, struct scene_edits *edits, char *text, const char *end,
-                           char *tag, char *close)
+static void edit_transform(struct scene_import *import, struct scene_edits *edits, char *text,
+                           const char *end, char *tag, char *close)
 {
     const bool is_skew = scene_collada_is_tag(tag, "skew");
     char *const behind = close[-1] == '/' ? close : strstr(close, is_skew ? "</skew" : "</lookat");
@@ -114,7 +114,8 @@ static void edit_transform(struct scene_import *import, struct scene_edits *edit
     if (is_skew && !is_good) {
         static const double identity[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
         memcpy(rows, identity, sizeof identity);
-        scene_import_warn(import, "a skew of a node has no angle and two axes that it may be between: left out");
+        scene_import_warn(import,
+                          "a skew of a node has no angle and two axes that it may be between: left out");
     }
     if (last != NULL && (is_good || is_skew)) {
         write_matrix(import, edits, (size_t)(tag - text), (size_t)(last + 1 - tag), rows);
