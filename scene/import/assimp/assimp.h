@@ -41,6 +41,9 @@ struct aiFileIO scene_assimp_files(struct scene_assimp_source *source);
 char *scene_assimp_collada(const struct scene_import *import, size_t *size);
 /// Return the text of a DXF as assimp can read it, a 0 behind it. Return NULL if the file is none.
 char *scene_assimp_dxf(struct scene_import *import, size_t *size);
+/// Return the bytes of an FBX with layers of materials where its geometries lack them, a 0 behind them. Return NULL if
+/// none does, or if the file is none.
+char *scene_assimp_fbx(struct scene_import *import, size_t *size);
 /// Move the white space at the ends of a document's texts into its tags. A 0 follows the text.
 void scene_assimp_collapse_texts(char *text, size_t size);
 /// Name the texture coordinates of a Collada document's textures by the numbers that assimp has for their sets. A 0

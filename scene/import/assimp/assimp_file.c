@@ -163,8 +163,9 @@ static struct aiFile *open_model(const struct scene_assimp_source *source)
         return open_memory(source->exact->bytes, source->exact->size, false);
     }
     size_t size = 0;
-    char *const collada = scene_assimp_collada(source->import, &size);
-    char *const changed = collada != NULL ? collada : scene_assimp_dxf(source->import, &size);
+    char *changed = scene_assimp_collada(source->import, &size);
+    changed = changed != NULL ? changed : scene_assimp_dxf(source->import, &size);
+    changed = changed != NULL ? changed : scene_assimp_fbx(source->import, &size);
     return open_memory(changed, size, true);
 }
 
