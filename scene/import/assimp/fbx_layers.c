@@ -66,8 +66,8 @@ static size_t begin(struct layers *layers, const char *name)
 // End the values of a record, of which there is one at most.
 static void end_values(struct layers *layers, size_t start)
 {
-    const size_t word = layers->file.word, values = start + scene_fbx_head(&layers->file) +
-                                                    layers->out[start + 3 * word];
+    const size_t word = layers->file.word,
+                 values = start + scene_fbx_head(&layers->file) + layers->out[start + 3 * word];
     set_number(layers, start + word, layers->written > values, word);
     set_number(layers, start + 2 * word, layers->written - values, word);
 }
@@ -186,8 +186,7 @@ static bool visit(struct layers *layers, size_t place, size_t limit, unsigned de
         } else if (depth == 1 && scene_fbx_is_named(&layers->file, &record, "Geometry")) {
             look_at_geometry(layers, &record);
         }
-        if ((corrects || is_objects) &&
-            !visit(layers, record.children, (size_t)record.end, depth + 1)) {
+        if ((corrects || is_objects) && !visit(layers, record.children, (size_t)record.end, depth + 1)) {
             return false;
         }
         place = (size_t)record.end;
@@ -230,8 +229,8 @@ static char *add_to_binary(struct scene_import *import, const struct scene_fbx_b
 // Text ----------------------------------------------------------------------------------------------
 
 struct scan {
-    struct scene_word name, string; // the last name of a record, and the last string
-    unsigned depth;                 // number of records that are open
+    struct scene_word name, string;          // the last name of a record, and the last string
+    unsigned depth;                          // number of records that are open
     bool is_objects, is_geometry, has_layer; // what the open records are and have
 };
 
@@ -245,8 +244,8 @@ static void open_record(struct scan *scan)
     if (scan->depth == 0) {
         scan->is_objects = scene_word_is(scan->name, "Objects");
     } else if (scan->depth == 1) {
-        scan->is_geometry = scan->is_objects && scene_word_is(scan->name, "Geometry") &&
-                            scene_word_is(scan->string, "Mesh");
+        scan->is_geometry =
+            scan->is_objects && scene_word_is(scan->name, "Geometry") && scene_word_is(scan->string, "Mesh");
         scan->has_layer = false;
     }
     scan->depth++;
@@ -283,10 +282,11 @@ static const char *pass(struct scan *scan, const char *c, const char *end)
 
 static char *add_to_text(struct scene_import *import, const char *bytes, size_t *size)
 {
-    static const char added[] = "LayerElementMaterial: 0 {\n MappingInformationType: \"AllSame\"\n"
-                                " ReferenceInformationType: \"IndexToDirect\"\n Materials: *1 {\n a: 0\n }\n}\n"
-                                "Layer: 0 {\n LayerElement:  {\n Type: \"LayerElementMaterial\"\n"
-                                " TypedIndex: 0\n }\n}\n";
+    static const char added[] =
+        "LayerElementMaterial: 0 {\n MappingInformationType: \"AllSame\"\n"
+        " ReferenceInformationType: \"IndexToDirect\"\n Materials: *1 {\n a: 0\n }\n}\n"
+        "Layer: 0 {\n LayerElement:  {\n Type: \"LayerElementMaterial\"\n"
+        " TypedIndex: 0\n }\n}\n";
     struct scene_edits edits = {0};
     struct scan scan = {.depth = 0};
     const char *const end = bytes + *size;
@@ -309,7 +309,7 @@ char *scene_assimp_fbx(struct scene_import *import, size_t *size)
     if (bytes == NULL) {
         return NULL;
     }
-    char *const changed = scene_fbx_is_binary(bytes, *size, &file)             ? add_to_binary(import, &file, size)
+    char *const changed = scene_fbx_is_binary(bytes, *size, &file)      ? add_to_binary(import, &file, size)
                           : strstr(bytes, "FBXHeaderExtension") != NULL ? add_to_text(import, bytes, size)
                                                                         : NULL;
     free(bytes);
