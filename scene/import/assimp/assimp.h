@@ -38,7 +38,7 @@ struct scene_assimp_source {
 /// What opens regular files within import->confine, and the model itself; it lives as long as `source`.
 struct aiFileIO scene_assimp_files(struct scene_assimp_source *source);
 /// Return the text of a Collada file as assimp can read it, a 0 behind it. Return NULL if the file is none.
-char *scene_assimp_collada(const struct scene_import *import, size_t *size);
+char *scene_assimp_collada(struct scene_import *import, size_t *size);
 /// Return the text of a DXF as assimp can read it, a 0 behind it. Return NULL if the file is none.
 char *scene_assimp_dxf(struct scene_import *import, size_t *size);
 /// Return the bytes of an FBX with layers of materials where its geometries lack them, a 0 behind them. Return NULL if
@@ -52,6 +52,9 @@ void scene_assimp_number_sets(char *text, size_t size);
 /// Name the images of a Collada document that name no file. Return the text, which may be another one by then. A 0
 /// follows it.
 char *scene_assimp_name_images(char *text, size_t *size);
+/// Write the cameras of a Collada document as assimp can read them. Return the text, which may be another one by then.
+/// A 0 follows it.
+char *scene_assimp_write_cameras(struct scene_import *import, char *text, size_t *size);
 /// Replace entities of a DXF that assimp does not know. Return the text, which is another one by then.
 char *scene_assimp_flatten_dxf(struct scene_import *import, char *bytes, size_t *size);
 /// Fail the import by its version if it is a Blender file that is too new for assimp. With `is_tried` fail it also for

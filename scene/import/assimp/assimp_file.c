@@ -106,7 +106,7 @@ static bool may_be_collada(const struct scene_import *import)
     return ending[0] == 0 || strcasecmp(ending, "dae") == 0 || strcasecmp(ending, "xml") == 0;
 }
 
-char *scene_assimp_collada(const struct scene_import *import, size_t *size)
+char *scene_assimp_collada(struct scene_import *import, size_t *size)
 {
     const char *problem = NULL;
     char *const text =
@@ -117,7 +117,7 @@ char *scene_assimp_collada(const struct scene_import *import, size_t *size)
     }
     scene_assimp_collapse_texts(text, *size);
     scene_assimp_number_sets(text, *size);
-    return scene_assimp_name_images(text, size);
+    return scene_assimp_write_cameras(import, scene_assimp_name_images(text, size), size);
 }
 
 char *scene_assimp_dxf(struct scene_import *import, size_t *size)
