@@ -106,11 +106,14 @@ static bool may_be_collada(const struct scene_import *import)
     return ending[0] == 0 || strcasecmp(ending, "dae") == 0 || strcasecmp(ending, "xml") == 0;
 }
 
+<<<<<<< HEAD
 static bool is_zae(const struct scene_import *import)
 {
     return strcasecmp(import->ending, "zae") == 0;
 }
 
+=======
+>>>>>>> silent7
 char *scene_assimp_collada(struct scene_import *import, size_t *size)
 {
     const char *problem = NULL;
@@ -127,7 +130,11 @@ char *scene_assimp_collada(struct scene_import *import, size_t *size)
     }
     scene_assimp_collapse_texts(text, *size);
     scene_assimp_number_sets(text, *size);
+<<<<<<< HEAD
     return scene_assimp_write_matrices(import, scene_assimp_name_images(text, size), size);
+=======
+    return scene_assimp_write_cameras(import, scene_assimp_name_images(text, size), size);
+>>>>>>> silent7
 }
 
 char *scene_assimp_dxf(struct scene_import *import, size_t *size)
@@ -173,8 +180,9 @@ static struct aiFile *open_model(const struct scene_assimp_source *source)
         return open_memory(source->exact->bytes, source->exact->size, false);
     }
     size_t size = 0;
-    char *const collada = scene_assimp_collada(source->import, &size);
-    char *const changed = collada != NULL ? collada : scene_assimp_dxf(source->import, &size);
+    char *changed = scene_assimp_collada(source->import, &size);
+    changed = changed != NULL ? changed : scene_assimp_dxf(source->import, &size);
+    changed = changed != NULL ? changed : scene_assimp_fbx(source->import, &size);
     return open_memory(changed, size, true);
 }
 
