@@ -133,47 +133,38 @@ static void color_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-ALWAYS_INLINE void add_coordinates(struct rhw_fragment *f, const struct bench_uniforms *u)
+// The colour with coordinates added, or derivatives, or both.
+ALWAYS_INLINE void add_to_color(struct rhw_fragment *groups, int count, bool coordinates, bool slopes)
 {
-    for (int c = 0; c < 4; c++) {
-        f->color[0][c] += f->coord[c] * u->color[c];
-    }
-}
-
-ALWAYS_INLINE void add_slopes(struct rhw_fragment *f, const struct bench_uniforms *u)
-{
-    for (int c = 0; c < 2; c++) {
-        f->color[0][2 * c] += f->ddx[c] * u->cutoff;
-        f->color[0][2 * c + 1] += f->ddy[c] * u->cutoff;
+    const struct bench_uniforms *const u = groups->uniforms;
+    for (int g = 0; g < count; g++) {
+        const struct rhw_fragment *const f = &groups[g];
+        for (int c = 0; c < 4; c++) {
+            rhw_float color = f->varying[c];
+            if (coordinates) {
+                color += f->coord[c] * u->color[c];
+            }
+            if (slopes) {
+                color += (c % 2 ? f->ddy : f->ddx)[c / 2] * u->cutoff;
+            }
+            groups[g].color[0][c] = color;
+        }
     }
 }
 
 static void coord_fragment(struct rhw_fragment *groups, int count)
 {
-    const struct bench_uniforms *const u = groups->uniforms;
-    color_fragment(groups, count);
-    for (int g = 0; g < count; g++) {
-        add_coordinates(&groups[g], u);
-    }
+    add_to_color(groups, count, true, false);
 }
 
 static void slopes_fragment(struct rhw_fragment *groups, int count)
 {
-    const struct bench_uniforms *const u = groups->uniforms;
-    color_fragment(groups, count);
-    for (int g = 0; g < count; g++) {
-        add_slopes(&groups[g], u);
-    }
+    add_to_color(groups, count, false, true);
 }
 
 static void coord_slopes_fragment(struct rhw_fragment *groups, int count)
 {
-    const struct bench_uniforms *const u = groups->uniforms;
-    color_fragment(groups, count);
-    for (int g = 0; g < count; g++) {
-        add_coordinates(&groups[g], u);
-        add_slopes(&groups[g], u);
-    }
+    add_to_color(groups, count, true, true);
 }
 
 static void discard_fragment(struct rhw_fragment *groups, int count)
