@@ -22,15 +22,14 @@ static double read_ascii(struct ply *ply)
 {
     struct scene_word word;
     double value = 0;
-    size_t length = 0;
-    while (!scene_text_word(&ply->line, &word)) {
+    while (!scene_text_double(&ply->line, &value)) {
+        if (scene_text_word(&ply->line, &word)) {
+            scene_import_fail(ply->import, "line %u: \"%s\" is not a number", ply->text.line,
+                              scene_word_string(ply->import, word));
+        }
         if (!scene_text_line(&ply->text, false, &ply->line)) {
             end_of_file(ply);
         }
-    }
-    if (!scene_word_number(word, &value, &length)) {
-        scene_import_fail(ply->import, "line %u: \"%s\" is not a number", ply->text.line,
-                          scene_word_string(ply->import, word));
     }
     return value;
 }
