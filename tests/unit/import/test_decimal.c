@@ -104,9 +104,9 @@ static void test_ends(void **state)
     static const struct {
         const char *text;
         int length; // 0 if there is no number
-    } samples[] = {{"", 0},      {"-", 0},    {".", 0},    {"e5", 0},    {"x", 0},        {"1x", 1},
+    } samples[] = {{"", 0},      {"-", 0},    {".", 0},    {"e5", 0},     {"x", 0},          {"1x", 1},
                    {"1.5.5", 3}, {"1e+", 1},  {"1e-x", 1}, {"1E+07z", 5}, {"12345678/9", 8}, {"+.5 ", 3},
-                   {"-0", 2},    {"5.e1", 4}, {"1 2", 1},  {"1:", 1},    {"1\xff", 1}};
+                   {"-0", 2},    {"5.e1", 4}, {"1 2", 1},  {"1:", 1},     {"1\xff", 1}};
     for (size_t i = 0; i < sizeof samples / sizeof samples[0]; i++) {
         const char *const text = samples[i].text;
         double value;
