@@ -28,11 +28,11 @@ struct smoothing {
     const uint32_t *polygons; // polygon of each face; NULL if no face was cut from one
     bool *folded;             // faces next to a fold of their polygon; NULL if there are no polygons
     uint32_t *point;          // point of each vertex: the first vertex at its place
-    double (*axes)[3];        // sum of the weighted normals of the faces around a point, and then its direction
-    uint32_t *face_count;     // number of corners at each point
-    bool *is_uneven;          // points whose corners are compared with each other
-    double *weights;          // weight of each corner at an uneven point
-    uint32_t *start;          // corners around an uneven point p are start[p] .. start[p + 1]
+    double (*axes)[3];    // sum of the weighted normals of the faces around a point, and then its direction
+    uint32_t *face_count; // number of corners at each point
+    bool *is_uneven;      // points whose corners are compared with each other
+    double *weights;      // weight of each corner at an uneven point
+    uint32_t *start;      // corners around an uneven point p are start[p] .. start[p + 1]
     uint32_t *corners;
     uint32_t *source; // vertex from which each new vertex was made
     float (*normals)[3];
@@ -47,7 +47,7 @@ static void weigh_face(const struct scene_mesh *mesh, uint32_t face, double norm
 {
     const uint32_t *const corner = mesh->indices + 3 * (size_t)face;
     const float *const p = mesh->positions[corner[0]], *const q = mesh->positions[corner[1]],
-                *const r = mesh->positions[corner[2]];
+                       *const r = mesh->positions[corner[2]];
     double a[3], b[3], opposite[3];
     scene_vector_between(p, q, a);
     scene_vector_between(p, r, b);
@@ -338,10 +338,9 @@ static void number_corners(const struct smoothing *smoothing, uint32_t *indices,
 
 static void release(struct smoothing *smoothing)
 {
-    void *const arrays[] = {smoothing->faces,     smoothing->folded,  smoothing->point,
-                            smoothing->axes,      smoothing->weights, smoothing->start,
-                            smoothing->corners,   smoothing->source,  smoothing->face_count,
-                            smoothing->is_uneven};
+    void *const arrays[] = {smoothing->faces,      smoothing->folded,   smoothing->point,   smoothing->axes,
+                            smoothing->weights,    smoothing->start,    smoothing->corners, smoothing->source,
+                            smoothing->face_count, smoothing->is_uneven};
     for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++) {
         free(arrays[i]);
     }

@@ -63,5 +63,4 @@ static inline double scene_vector_angle(double cosine)
     return cosine < 0 ? 3.14159265358979324 - angle : angle;
 }
 
-
 #endif

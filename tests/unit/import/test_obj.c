@@ -357,24 +357,7 @@ static void test_plain_lines(void **state)
             }
             struct scene_model *const a = load_text("plain.obj", plain), *const b =
                                                                              load_text("odd.obj", remarked);
-            assert_int_equal(a->mesh_count, b->mesh_count);
-            for (uint32_t k = 0; k < a->mesh_count; k++) {
-                const struct scene_mesh *const one = &a->meshes[k], *const other = &b->meshes[k];
-                assert_int_equal(one->vertex_count, other->vertex_count);
-                assert_int_equal(one->index_count, other->index_count);
-                assert_memory_equal(one->indices, other->indices, one->index_count * sizeof *one->indices);
-                assert_memory_equal(one->positions, other->positions,
-                                    one->vertex_count * sizeof *one->positions);
-                assert_memory_equal(one->normals, other->normals, one->vertex_count * sizeof *one->normals);
-                assert_int_equal(one->uvs[0] != NULL, other->uvs[0] != NULL);
-                assert_int_equal(one->colors != NULL, other->colors != NULL);
-                if (one->uvs[0] != NULL) {
-                    assert_memory_equal(one->uvs[0], other->uvs[0], one->vertex_count * sizeof *one->uvs[0]);
-                }
-                if (one->colors != NULL) {
-                    assert_memory_equal(one->colors, other->colors, one->vertex_count * sizeof *one->colors);
-                }
-            }
+            assert_same_meshes(a, b);
             scene_model_free(a);
             scene_model_free(b);
         }
