@@ -36,8 +36,8 @@ static inline double scene_ply_load_double(const unsigned char *bytes, bool is_b
 static inline double scene_ply_load(const unsigned char *bytes, enum type type, bool is_big)
 {
     const uint16_t word = (uint16_t)(type == TYPE_INT8 || type == TYPE_UINT8 ? bytes[0]
-                                     : is_big ? bytes[0] << 8 | bytes[1]
-                                              : bytes[1] << 8 | bytes[0]);
+                                     : is_big                                ? bytes[0] << 8 | bytes[1]
+                                                                             : bytes[1] << 8 | bytes[0]);
     switch (type) {
     case TYPE_INT8: return (int8_t)word;
     case TYPE_UINT8:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The vertices of a PLY. Their rows are nearly always of one size, and whole in the file. The numbers of binary rows are
-// loaded from known places then.
+// The vertices of a PLY. Their rows are nearly always of one size, and whole in the file. The numbers of binary rows
+// are loaded from known places then.
 #include <string.h>
 
 #include "import/builder/origin.h"
