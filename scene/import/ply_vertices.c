@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The vertices of a PLY. Their rows are nearly always of one size, and whole in the file. The numbers of binary rows
 // are loaded from known places then.
+#include <stdlib.h>
 #include <string.h>
 
 #include "import/builder/origin.h"
@@ -83,20 +84,38 @@ static bool has_floats_alone(const struct element *element, const enum target *t
     return is_so;
 }
 
-// Load rows that are whole, each of `size` bytes.
-static void load_rows(struct ply *ply, const struct element *element, const enum target *targets, size_t size)
+// Load rows that are x, y and z as floats, and whole. Return false if they cannot stay floats.
+static bool load_floats(struct ply *ply, const struct element *element)
 {
-    const bool is_big = ply->encoding == BIG_ENDIAN_BINARY, is_short = has_floats_alone(element, targets);
+    const size_t count = (size_t)element->count;
+    float(*const points)[3] = scene_import_allocate(ply->import, count, sizeof *points);
+    for (size_t i = 0; i < count; i++) {
+        for (size_t c = 0; c < 3; c++) {
+            const unsigned char *const bytes = ply->cursor + sizeof *points * i + sizeof **points * c;
+            const uint32_t word = scene_ply_load_32(bytes, ply->encoding == BIG_ENDIAN_BINARY);
+            memcpy(&points[i][c], &word, sizeof word);
+        }
+    }
+    if (!scene_import_stay_floats(ply->import, (const float(*)[3])points, count)) {
+        free(points);
+        return false;
+    }
+    ply->mesh.vertex_count = (uint32_t)count;
+    ply->mesh.positions = points;
+    ply->cursor += count * sizeof *points;
+    ply->row = element->count;
+    return true;
+}
+
+// Load rows that are whole.
+static void load_rows(struct ply *ply, const struct element *element, const enum target *targets)
+{
+    const bool is_big = ply->encoding == BIG_ENDIAN_BINARY;
     const uint32_t count = (uint32_t)element->count;
     const unsigned char *row = ply->cursor;
     float values[TARGETS + 1] = {0};
     double place[3];
-    for (uint32_t k = 0; k < count && is_short; k++, row += size) {
-        for (int c = 0; c < 3; c++) {
-            ply->read_positions[k][c] = scene_ply_load_float(row + 4 * c, is_big);
-        }
-    }
-    for (uint32_t k = 0; k < count && !is_short; k++) {
+    for (uint32_t k = 0; k < count; k++) {
         for (int i = 0; i < element->property_count; i++) {
             const enum type type = element->properties[i].type;
             if (targets[i] != UNUSED) {
@@ -131,10 +150,14 @@ void scene_ply_read_vertices(struct ply *ply, const struct element *element)
         scene_import_reserve(ply->import, &ply->vertex_colors.rows, &ply->vertex_colors.capacity,
                              (size_t)element->count, sizeof *ply->vertex_colors.rows);
     }
-    allocate_vertices(ply, present, (uint32_t)element->count);
     const size_t size = row_size(ply, element);
-    if (size > 0 && (size_t)(ply->end - ply->cursor) / size >= (size_t)element->count) {
-        load_rows(ply, element, targets, size);
+    const bool are_whole = size > 0 && (size_t)(ply->end - ply->cursor) / size >= (size_t)element->count;
+    if (are_whole && has_floats_alone(element, targets) && load_floats(ply, element)) {
+        return;
+    }
+    allocate_vertices(ply, present, (uint32_t)element->count);
+    if (are_whole) {
+        load_rows(ply, element, targets);
     } else {
         read_rows(ply, element, targets);
     }
