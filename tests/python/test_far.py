@@ -325,3 +325,30 @@ def test_many_nodes(tmp_path):
     model = load(tmp_path, "many.dae", collada(collada_geometry((0.25, 0, 0)), nodes))
     assert len(model.nodes) == 4000 and not model.warnings
     assert model.bounds[1][0] - model.bounds[0][0] >= 3999
+
+
+def material(number, red):
+    return ("Material", (number, f"Material::m{number}", ""), [
+        ("ShadingModel", ("phong",), None), ("Properties70", (), [("P", ("DiffuseColor", "Color", "", "A", red, 0.0, 0.0), None)])])
+
+
+@pytest.mark.parametrize("place", [NEAR, FAR])
+@pytest.mark.parametrize("write", [fbx_text, fbx_binary, lambda records: fbx_binary(records, 7700)])
+def test_fbx_without_a_layer_of_materials(write, place, tmp_path):
+    """Faces that do not say which of their model's materials they have have the first one."""
+    layer = [("LayerElementMaterial", (("I", 0),), [("MappingInformationType", ("AllSame",), None),
+                                                    ("ReferenceInformationType", ("IndexToDirect",), None),
+                                                    ("Materials", (("i", (1,)),), None)]),
+             ("Layer", (("I", 0),), [("LayerElement", (), [("Type", ("LayerElementMaterial",), None),
+                                                           ("TypedIndex", (("I", 0),), None)])])]
+    second = geometry(11, place)
+    second[2].extend(layer)
+    path = tmp_path / "a.fbx"
+    path.write_bytes(write(fbx([geometry(10, place), second, geometry(12, place), model(20, "Mesh"), model(21, "Mesh"),
+                                model(22, "Mesh"), material(30, 1.0), material(31, 0.5)],
+                               [(20, 0), (10, 20), (30, 20), (31, 20), (21, 0), (11, 21), (30, 21), (31, 21), (22, 0),
+                                (12, 22), (31, 22)])))
+    read = rhw.load(path)
+    names = [read.materials[read.meshes[node.mesh].material].name for node in read.nodes]
+    assert names == ["m30", "m31", "m31"] and not read.warnings and not read.unsupported
+    assert (read.origin == NEAR) == (place == NEAR)

@@ -333,13 +333,18 @@ static void add_camera(struct reader *reader, const struct aiCamera *source)
     const struct scene_import_place world = scene_assimp_settled(
         reader->exact, scene_import_place_multiply(&node, &own), (const double[]){0, 0, 0});
     memcpy(camera.world, world.world, sizeof camera.world);
+    // The width of an orthographic camera of Collada stands for an angle, which is marked by its aspect.
+    const bool is_marked = source->mAspect < 0 && strcmp(import->model.format, "Collada") == 0;
+    const double half_width =
+        is_marked ? (double)source->mHorizontalFOV * 180 / pi : (double)source->mOrthographicWidth;
+    const double width_aspect = is_marked ? -(double)source->mAspect : (double)source->mAspect;
     // assimp's importers store the whole horizontal angle, whatever its header says.
-    const double aspect = source->mAspect > 0 ? (double)source->mAspect : 4.0 / 3.0;
-    camera.aspect = source->mAspect > 0 ? source->mAspect : 0;
+    const double aspect = width_aspect > 0 ? width_aspect : 4.0 / 3.0;
+    camera.aspect = (float)(width_aspect > 0 ? width_aspect : 0);
     camera.yfov = (float)(2 * scene_atan(scene_tan((double)source->mHorizontalFOV / 2) / aspect));
-    camera.orthographic = source->mOrthographicWidth > 0;
-    camera.xmag = source->mOrthographicWidth;
-    camera.ymag = (float)((double)source->mOrthographicWidth / aspect);
+    camera.orthographic = half_width > 0;
+    camera.xmag = (float)half_width;
+    camera.ymag = (float)(half_width / aspect);
     camera.znear = source->mClipPlaneNear > 0 ? source->mClipPlaneNear : 0.01f;
     camera.zfar = source->mClipPlaneFar > camera.znear ? source->mClipPlaneFar : 0;
     const bool lens = camera.orthographic ? camera.zfar > 0 : camera.yfov > 0 && camera.yfov < 3.14159f;

@@ -44,6 +44,9 @@ char *scene_assimp_read_zae(struct scene_import *import, size_t *size);
 char *scene_assimp_collada(struct scene_import *import, size_t *size);
 /// Return the text of a DXF as assimp can read it, a 0 behind it. Return NULL if the file is none.
 char *scene_assimp_dxf(struct scene_import *import, size_t *size);
+/// Return the bytes of an FBX with layers of materials where its geometries lack them, a 0 behind them. Return NULL if
+/// none does, or if the file is none.
+char *scene_assimp_fbx(struct scene_import *import, size_t *size);
 /// Move the white space at the ends of a document's texts into its tags. A 0 follows the text.
 void scene_assimp_collapse_texts(char *text, size_t size);
 /// Name the texture coordinates of a Collada document's textures by the numbers that assimp has for their sets. A 0
@@ -55,6 +58,9 @@ char *scene_assimp_name_images(char *text, size_t *size);
 /// Write the skews and lookats of a Collada document as matrices. Return the text, which may be another one by then. A
 /// 0 follows it.
 char *scene_assimp_write_matrices(struct scene_import *import, char *text, size_t *size);
+/// Write the cameras of a Collada document as assimp can read them. Return the text, which may be another one by then.
+/// A 0 follows it.
+char *scene_assimp_write_cameras(struct scene_import *import, char *text, size_t *size);
 /// Replace entities of a DXF that assimp does not know. Return the text, which is another one by then.
 char *scene_assimp_flatten_dxf(struct scene_import *import, char *bytes, size_t *size);
 /// Write what the insertions of a DXF draw in their places. Return the text, which may be another one by then.

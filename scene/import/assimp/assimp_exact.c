@@ -372,9 +372,10 @@ static char *rewrite_other(struct scene_import *import, struct scene_assimp_exac
     const char *problem = NULL;
     const bool is_dxf = strcasecmp(import->ending, "dxf") == 0;
     const bool may_be_fbx = import->ending[0] == 0 || strcasecmp(import->ending, "fbx") == 0;
-    char *const bytes = is_dxf       ? scene_assimp_dxf(import, size)
-                        : may_be_fbx ? scene_import_read_file(import, import->model.path, size, &problem)
-                                     : NULL;
+    char *bytes = is_dxf ? scene_assimp_dxf(import, size) : scene_assimp_fbx(import, size);
+    if (bytes == NULL && may_be_fbx) {
+        bytes = scene_import_read_file(import, import->model.path, size, &problem);
+    }
     char *rewritten = NULL;
     if (bytes != NULL && is_dxf) {
         rewritten = scene_assimp_rewrite_dxf(import, exact, bytes, size);

@@ -127,7 +127,8 @@ char *scene_assimp_collada(struct scene_import *import, size_t *size)
     }
     scene_assimp_collapse_texts(text, *size);
     scene_assimp_number_sets(text, *size);
-    return scene_assimp_write_matrices(import, scene_assimp_name_images(text, size), size);
+    text = scene_assimp_write_cameras(import, scene_assimp_name_images(text, size), size);
+    return scene_assimp_write_matrices(import, text, size);
 }
 
 char *scene_assimp_dxf(struct scene_import *import, size_t *size)
@@ -173,8 +174,9 @@ static struct aiFile *open_model(const struct scene_assimp_source *source)
         return open_memory(source->exact->bytes, source->exact->size, false);
     }
     size_t size = 0;
-    char *const collada = scene_assimp_collada(source->import, &size);
-    char *const changed = collada != NULL ? collada : scene_assimp_dxf(source->import, &size);
+    char *changed = scene_assimp_collada(source->import, &size);
+    changed = changed != NULL ? changed : scene_assimp_dxf(source->import, &size);
+    changed = changed != NULL ? changed : scene_assimp_fbx(source->import, &size);
     return open_memory(changed, size, true);
 }
 

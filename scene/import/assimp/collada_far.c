@@ -203,8 +203,7 @@ void scene_collada_edit_geometries(struct scene_import *import, struct scene_ass
     }
 }
 
-// Return the unit of a document in metres, by which assimp multiplies all of it. Return 0 where it has none.
-static double find_unit(char *text, const char *end)
+double scene_collada_unit(char *text, const char *end)
 {
     double unit = 0;
     for (char *c = strchr(text, '<'); c != NULL && !is_end(c, "asset"); c = strchr(c, '<')) {
@@ -229,7 +228,7 @@ char *scene_assimp_rewrite_collada(struct scene_import *import, struct scene_ass
                                    size_t *size)
 {
     struct scene_edits edits = {.count = 0};
-    exact->unit = find_unit(bytes, bytes + *size);
+    exact->unit = scene_collada_unit(bytes, bytes + *size);
     scene_collada_edit_geometries(import, exact, bytes, *size, &edits);
     scene_collada_edit_nodes(import, exact, bytes, *size, &edits);
     return scene_edits_apply(import, &edits, bytes, size);

@@ -240,8 +240,8 @@ static void read_block(struct drawing *drawing, struct scene_text *text)
     if (block.name.length > 0) {
         scene_import_reserve(drawing->import, &drawing->blocks, &drawing->capacity, drawing->count + 1,
                              sizeof *drawing->blocks);
-        scene_hash_add(drawing->import, &drawing->names, scene_hash_bytes(block.name.start, block.name.length),
-                       (uint32_t)drawing->count);
+        scene_hash_add(drawing->import, &drawing->names,
+                       scene_hash_bytes(block.name.start, block.name.length), (uint32_t)drawing->count);
         drawing->blocks[drawing->count++] = block;
     }
 }
@@ -263,8 +263,8 @@ static void copy_entities(struct drawing *drawing, struct scene_text *text)
     struct scene_dxf_pair pair = {.code = -1};
     double identity[16];
     set_identity(identity);
-    for (char *start = text->cursor;
-         !scene_dxf_begins(&pair, "ENDSEC") && scene_dxf_read_pair(text, &pair); start = text->cursor) {
+    for (char *start = text->cursor; !scene_dxf_begins(&pair, "ENDSEC") && scene_dxf_read_pair(text, &pair);
+         start = text->cursor) {
         if (scene_dxf_begins(&pair, "INSERT")) {
             const struct entity insertion = read_entity(text);
             insert(drawing, &insertion, identity);

@@ -7,7 +7,7 @@
 #include "import/builder/text_lines.h"
 
 struct scene_dxf_pair {
-    long code; ///< −1 for a line that is no number
+    long code;               ///< −1 for a line that is no number
     struct scene_word value; ///< the first word of the line behind it
     struct scene_word line;  ///< all of that line but blanks at its ends
 };

@@ -98,6 +98,9 @@ struct scene_import {
     bool has_floats_alone;
     // Nothing in the format says which side of a surface is the front.
     bool sides_are_open;
+    // Looks at corners that polygons took beyond what is usual, and polygons that became fans for it (polygon.c).
+    uint64_t more_looks;
+    uint32_t fan_count;
     // Pieces of meshes that are not in the model yet.
     struct scene_import_piece *pieces;
     size_t piece_count, piece_capacity;

@@ -63,14 +63,17 @@ static struct scene_import_spread find_spread(struct scene_import *import)
 // Return the longest side of the box around all vertices of a mesh.
 static double longest_side(const struct scene_mesh *mesh)
 {
+    float low[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, high[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
     double longest = 0;
-    for (int c = 0; c < 3; c++) {
-        float low = FLT_MAX, high = -FLT_MAX;
-        for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-            low = fminf(low, mesh->positions[v][c]);
-            high = fmaxf(high, mesh->positions[v][c]);
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        for (int c = 0; c < 3; c++) {
+            const float at = mesh->positions[v][c];
+            low[c] = at < low[c] ? at : low[c];
+            high[c] = at > high[c] ? at : high[c];
         }
-        longest = fmax(longest, (double)high - (double)low);
+    }
+    for (int c = 0; c < 3; c++) {
+        longest = fmax(longest, (double)high[c] - (double)low[c]);
     }
     return longest;
 }
