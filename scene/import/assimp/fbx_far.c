@@ -280,12 +280,12 @@ static void find_transform(struct copy *copy, const struct scene_fbx_record *mod
         place = (size_t)record.end;
     }
     size_t length;
-    const size_t name_at = value_end(copy, model->values, model->children);
-    const size_t name = string_at(copy, name_at, model->children, &length);
+    const size_t name_at = scene_fbx_value_end(&copy->file, model->values, model->children);
+    const size_t name = scene_fbx_string_at(&copy->file, name_at, model->children, &length);
     if (is_found && is_good && name_at != 0 && name != 0) {
-        copy->marks =
-            scene_fbx_mark_model(copy->import, copy->exact, &copy->transform,
-                                 scene_fbx_is_moved(copy->exact, (const char *)copy->bytes + name, length));
+        copy->marks = scene_fbx_mark_model(
+            copy->import, copy->exact, &copy->transform,
+            scene_fbx_is_moved(copy->exact, (const char *)copy->file.bytes + name, length));
     }
 }
 
@@ -333,38 +333,27 @@ static void put_geometry(struct copy *copy, const struct scene_fbx_record *recor
     free(marked);
 }
 
-<<<<<<< HEAD
 // Write an array of doubles in the place of the first value of a record.
-static void put_doubles(struct copy *copy, const struct record *record, const double *values, size_t count)
+static void put_doubles(struct copy *copy, const struct scene_fbx_record *record, const double *values,
+                        size_t count)
 {
     put(copy, "d", 1);
     put_number(copy, count);
     put_number(copy, 0);
     put_number(copy, count * sizeof *values);
     put(copy, values, count * sizeof *values);
-    put_file(copy, value_end(copy, record->values, record->children), record->children);
+    put_file(copy, scene_fbx_value_end(&copy->file, record->values, record->children), record->children);
 }
 
-static void put_positions(struct copy *copy, const struct record *record)
-{
-    put_doubles(copy, record, copy->points[0], 3 * copy->point_count);
-=======
 static void put_positions(struct copy *copy, const struct scene_fbx_record *record)
 {
-    const size_t size = copy->point_count * sizeof *copy->points;
-    put(copy, "d", 1);
-    put_number(copy, 3 * copy->point_count);
-    put_number(copy, 0);
-    put_number(copy, size);
-    put(copy, copy->points, size);
-    put_file(copy, scene_fbx_value_end(&copy->file, record->values, record->children), record->children);
->>>>>>> silent7
+    put_doubles(copy, record, copy->points[0], 3 * copy->point_count);
     free(copy->points);
     copy->points = NULL;
 }
 
 // Copy the matrix of a bone, with a mark.
-static void put_bind(struct copy *copy, const struct record *record)
+static void put_bind(struct copy *copy, const struct scene_fbx_record *record)
 {
     size_t count = 0;
     double *const matrix = read_doubles(copy, record->values, record->children, &count);
