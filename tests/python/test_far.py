@@ -237,6 +237,24 @@ def test_moves_as_near(tmp_path, name):
     assert_same_picture(*(load(tmp_path, name, MOVED[name](place), time=time) for place in (NEAR, FAR)))
 
 
+def test_collada_movement_is_told(tmp_path):
+    """Of a movement of Collada far away assimp has floats, which is told."""
+    def source(name, numbers, params):
+        names = "".join(f'<param name="{param}" type="float"/>' for param in params)
+        return (f'<source id="{name}"><float_array id="{name}a" count="{len(numbers)}">{" ".join(map(repr, numbers))}'
+                f'</float_array><technique_common><accessor source="#{name}a" count="2" stride="{len(params)}">'
+                f'{names}</accessor></technique_common></source>')
+    moves = ('<library_animations><animation>' + source("t", [0.0, 2.0], ["TIME"]) +
+             source("v", [*FAR, *add(FAR, (8, 16, -8))], "XYZ") +
+             '<sampler id="a"><input semantic="INPUT" source="#t"/><input semantic="OUTPUT" source="#v"/></sampler>'
+             '<channel source="#a" target="n/w"/></animation></library_animations>')
+    nodes = f'<node id="n"><translate sid="w">0 0 0</translate>{MESH}</node>'
+    document = collada(collada_geometry(NEAR), nodes, libraries=moves)
+    model = load(tmp_path, "moves.dae", document, time=0.75)
+    assert "places are up to 4 apart" in str(model.warnings)
+    assert np.allclose(model.bounds.mean(0), add(FAR, (3.5, 6.5, -3)), atol=4)
+
+
 def test_far_on_the_way(tmp_path):
     """Joints and a movement far away that bring a shape back, as far as floats have what brings it."""
     pictures = []
