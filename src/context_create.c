@@ -7,6 +7,7 @@
 #include "context/context.h"
 #include "base/cpu.h"
 #include "context/entry.h"
+#include "context/given_up.h"
 #include "binding/validation/validation.h"
 #include "kernels/kernels.h"
 #include "context/misuse.h"
@@ -234,11 +235,17 @@ int rhw_context_threads(const rhw_context *context)
     return rhw_check(context, context != NULL, "rhw_context_threads: context is NULL") ? context->threads : 0;
 }
 
+static void ask(void *user)
+{
+    (void)rhw_context_is_given_up(user, 0);
+}
+
 void rhw_context_set_goes_on(rhw_context *context, bool (*goes_on)(void *user), void *user)
 {
     if (rhw_context_enter(context, "rhw_context_set_goes_on")) {
         context->goes_on = goes_on;
         context->goes_on_user = user;
+        rhw_scheduler_set_idle(context->scheduler, goes_on ? ask : NULL, context);
         rhw_context_leave(context);
     }
 }

@@ -46,10 +46,12 @@ RHW_API int rhw_context_threads(const rhw_context *context);
 
 /// Set a function that decides whether a pass or a dispatch of the context, or rhw_texture_generate_mips, goes on. The
 /// thread that called the library calls it before each of its tasks, some thousand times a second, and before each of
-/// its workgroups. If it returns false, the tasks under way are done, which are a tile, 8192 triangles or a workgroup
-/// each, and the call returns RHW_ERROR_GIVEN_UP. All that it wrote to then holds unspecified values, the queries of a
-/// pass have no result, and rhw_pass_end does not write the stats. `goes_on` must not call the library with the same
-/// context; that is misuse. A `goes_on` of NULL, as at first, lets all go on.
+/// its workgroups. Within a task of a pass, which is a tile or some thousand triangles, it calls it every 10 ms, or
+/// before each call of a shader function that takes longer, and every 10 ms while it waits for other threads. If the
+/// function returns false, the calls of shader functions that are under way are the last ones, and the call returns
+/// RHW_ERROR_GIVEN_UP. All that it wrote to then holds unspecified values, the queries of a pass have no result, and
+/// rhw_pass_end does not write the stats. `goes_on` must not call the library with the same context; that is misuse. A
+/// `goes_on` of NULL, as at first, lets all go on.
 RHW_API void rhw_context_set_goes_on(rhw_context *context, bool (*goes_on)(void *user), void *user);
 
 /// Return the instruction set that the context uses.

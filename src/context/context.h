@@ -97,6 +97,10 @@ struct rhw_context {
     // It is asked while a pass runs or mip levels are made. NULL: nobody is asked.
     bool (*goes_on)(void *user);
     void *goes_on_user;
+    // Worker 0 writes these within tasks (given_up.h): when the program was last asked, when the clock was last looked
+    // at, how many groups lie between two looks, and how many are left until the next.
+    uint64_t asked_ns, looked_ns;
+    int look_groups, groups_to_look;
     // The pass that runs, or the making of mip levels, was given up. The thread that called the library writes it.
     _Atomic bool given_up;
 };

@@ -412,6 +412,7 @@ static void start_pass(struct rhw_executor *executor, struct rhw_recorded_pass *
 {
     struct rhw_wave *const wave = &executor->wave;
     wave->pass = pass;
+    wave->asked = executor->context->goes_on ? executor->context : NULL;
     wave->target = pass->target;
     wave->is_first = true;
     wave->entries_most = entries_most(executor);
@@ -446,7 +447,7 @@ enum rhw_result rhw_executor_run(struct rhw_executor *executor, struct rhw_recor
         expect_clean(&wave->target.colors[i]);
     }
     expect_clean(&wave->target.depth);
-    atomic_store(&context->given_up, false);
+    rhw_context_begin_work(context);
     stamp_queries(pass, 0);
     if (!shade_first_vertices(executor, &s)) {
         return failure(context);
