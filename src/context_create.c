@@ -15,6 +15,7 @@
 #include "pass/encoder.h"
 #include "pipeline/pipeline.h"
 #include "pass/query.h"
+#include "recording/recorder.h"
 #include "rhw/rhw.h"
 #include "resource/sampler.h"
 #include "run/run.h"
@@ -211,12 +212,18 @@ enum rhw_result rhw_context_create_probed(const struct rhw_context_def *def, boo
 void rhw_context_destroy(rhw_context *context)
 {
     static const char *const where = "rhw_context_destroy";
-    if (context == NULL || !rhw_context_enter(context, where)) {
+    if (context == NULL || !rhw_context_enter_any(context, where)) {
         return;
     }
     if (!rhw_check(context, !context->recording.active, "%s: a pass is being recorded; end it first",
+                   where) ||
+        !rhw_check(context, context->recorders == 0, "%s: a recorder of the context lives; destroy it first",
                    where)) {
         rhw_context_leave(context);
+        return;
+    }
+    if (context->owner) {
+        rhw_recorder_destroy(context);
         return;
     }
     rhw_encoder_destroy(context->encoder);

@@ -13,6 +13,7 @@
 #include "limits.h"
 #include "explain.h"
 #include "pass_def.h"
+#include "recording.h"
 #include "stats.h"
 #include "transfer.h"
 #include "types.h"

@@ -40,6 +40,7 @@ struct rhw_buffer_data {
     // The pass in which the buffer last got other memory, and the number of draws that were recorded before and read
     // the old memory.
     uint32_t renewed_pass, renewed_draws;
+    uint32_t moves;  // times that the buffer got other memory
     bool is_callers; // `bytes` is the program's memory
     // See rhw_buffer_map. The second is true where the buffer is mapped for more than reading.
     bool is_mapped, is_map_written;
