@@ -30,6 +30,13 @@ typedef struct rhw_recording rhw_recording;
 
 struct rhw_recording_def {
     const char *label; ///< name in messages; NULL takes that of the pass
+    /// Keep the triangles from one run to the next, and do not call vertex functions again as long as nothing was
+    /// written to the buffers that the pass reads. This takes memory. The program says by it that the vertex functions
+    /// see nothing else that changes, or calls rhw_recording_changed: memory of the program, also under buffers, what
+    /// program.user points to, and texels that vertex functions read. Triangles are made by each run in a context that
+    /// validates, in a pass that does not fit the bins at once (bin_memory), and where vertex functions have effects or
+    /// are captured.
+    bool keeps_triangles;
 };
 
 /// Create a recorder of a context. It takes rhw_pass_begin, all functions that set the state of a pass or draw,
@@ -50,6 +57,10 @@ RHW_API enum rhw_result rhw_pass_keep(rhw_context *recorder, rhw_pass pass,
 /// is misuse while a pass of the context is recorded. If the call is misuse, nothing is drawn. `stats` may be NULL.
 RHW_API enum rhw_result rhw_recording_run(rhw_context *context, rhw_recording *recording,
                                           struct rhw_stats *stats);
+
+/// Tell that something has changed that the vertex functions of a recording see: the next run makes its triangles anew.
+/// It is for recordings with keeps_triangles. The thread that runs the recording calls this.
+RHW_API void rhw_recording_changed(rhw_recording *recording);
 
 /// Destroy a recording. `recording` may be NULL. Any thread may call this, also when the context was destroyed.
 RHW_API void rhw_recording_destroy(rhw_recording *recording);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/thread.h"
+#include "binding/validation/validation.h"
 #include "context/context.h"
 #include "context/entry.h"
 #include "context/lookup.h"
@@ -19,6 +20,7 @@
 #include "resource/shared_texels.h"
 #include "resource/srgb_texture.h"
 #include "resource/texture.h"
+#include "run/kept_triangles.h"
 
 struct rhw_recording *rhw_recording_create(struct rhw_allocator allocator, uint32_t number)
 {
@@ -45,6 +47,7 @@ void rhw_recording_destroy(rhw_recording *recording)
     if (!recording) {
         return;
     }
+    rhw_kept_triangles_destroy(recording->kept);
     rhw_recorded_pass_destroy(&recording->memory, recording->pass);
     struct rhw_memory memory = {.allocator = recording->memory.allocator, .used = recording->memory.used};
     rhw_memory_release(&memory, recording, sizeof *recording);
@@ -52,6 +55,12 @@ void rhw_recording_destroy(rhw_recording *recording)
 }
 
 // Keeping -----------------------------------------------------------------------------------------------
+
+// Return true if the triangles of a pass may be those of an earlier run.
+static bool may_keep_triangles(const struct rhw_context *recorder, const struct rhw_recorded_pass *pass)
+{
+    return !recorder->validation && !pass->shades_first && !pass->has_feedback;
+}
 
 // Take what the recorder has recorded, and give it another recording to record into. Return NULL when out of memory.
 static struct rhw_recording *take(struct rhw_encoder *encoder, const struct rhw_recording_def *def)
@@ -61,6 +70,13 @@ static struct rhw_recording *take(struct rhw_encoder *encoder, const struct rhw_
     struct rhw_recording *const next = rhw_recording_create(recorder->memory.allocator, recorder->number);
     if (!next) {
         return NULL;
+    }
+    if (def && def->keeps_triangles && may_keep_triangles(recorder, kept->pass)) {
+        kept->kept = kept->pass->kept = rhw_kept_triangles_create(&kept->memory, recorder->threads);
+        if (!kept->kept) {
+            rhw_recording_destroy(next);
+            return NULL;
+        }
     }
     recorder->next_recording = next;
     recorder->pass = encoder->pass = next->pass;
@@ -194,6 +210,43 @@ static bool note_uses(struct rhw_context *context, const struct rhw_recording *r
     return is_noted;
 }
 
+// Return how often the buffers that the recording reads may have been written. What it writes itself counts once more.
+static uint64_t count_writes(const struct rhw_context *context, const struct rhw_recording *recording)
+{
+    uint64_t writes = 0;
+    for (uint32_t i = 0; i < recording->uses.places; i++) {
+        const struct rhw_use *const use = &recording->uses.uses[i];
+        if (!use->item || use->pool != &context->buffers) {
+            continue;
+        }
+        struct rhw_buffer_data *const buffer = rhw_pool_item(&context->buffers, use->index);
+        buffer->writes += use->used[RHW_BUFFER_STORED].root || use->used[RHW_BUFFER_CAPTURED].root;
+        writes += use->used[RHW_BUFFER_READ].root ? buffer->writes : 0;
+    }
+    return writes;
+}
+
+// Have the triangles made anew where buffers have been written since they were made.
+static void look_for_writes(const struct rhw_context *context, struct rhw_recording *recording)
+{
+    const uint64_t writes = count_writes(context, recording);
+    if (recording->kept) {
+        recording->kept->is_made &= writes == recording->writes;
+    }
+    recording->writes = writes;
+}
+
+// Under validation uniforms are copied when they are recorded. Copy those of the program's memory anew.
+static void renew_uniforms(const struct rhw_recorded_pass *pass)
+{
+    for (uint32_t i = 0; i < pass->draws.count; i++) {
+        const struct rhw_draw *const draw = rhw_draw_list_at(&pass->draws, i);
+        if (draw->state->pipeline->validator) {
+            rhw_validated_uniforms_renew(draw->uniforms);
+        }
+    }
+}
+
 // Run a recording whose uses were checked.
 static enum rhw_result run_checked(struct rhw_context *context, struct rhw_recording *recording,
                                    struct rhw_stats *stats)
@@ -206,6 +259,10 @@ static enum rhw_result run_checked(struct rhw_context *context, struct rhw_recor
     pass->begun_ns = rhw_time_ns();
     if (!note_uses(context, recording)) {
         return RHW_ERROR_OUT_OF_MEMORY;
+    }
+    look_for_writes(context, recording);
+    if (context->validation) {
+        renew_uniforms(pass);
     }
     rhw_queries_begin(context, pass);
     rhw_pass_empty_reports(pass);
@@ -224,6 +281,13 @@ static enum rhw_result run(struct rhw_context *context, struct rhw_recording *re
         return RHW_ERROR_MISUSE;
     }
     return run_checked(context, recording, stats);
+}
+
+void rhw_recording_changed(rhw_recording *recording)
+{
+    if (rhw_check(NULL, recording != NULL, "rhw_recording_changed: recording is NULL") && recording->kept) {
+        recording->kept->is_made = false;
+    }
 }
 
 enum rhw_result rhw_recording_run(rhw_context *context, rhw_recording *recording, struct rhw_stats *stats)

@@ -9,6 +9,7 @@
 #include "rhw/recording.h"
 
 struct rhw_clean_part;
+struct rhw_kept_triangles;
 
 struct rhw_recording {
     struct rhw_memory memory; // the recording is a block of it, too
@@ -17,6 +18,8 @@ struct rhw_recording {
     struct rhw_use_table uses;          // in the arena of the pass
     struct rhw_clean_part *clean_parts; // a list, in the arena of the pass
     char label[RHW_LABEL_SIZE];
+    struct rhw_kept_triangles *kept; // NULL: each run makes its triangles
+    uint64_t writes;                 // to the buffers that it reads, when it made the triangles that are kept
 };
 
 // Return a recording without draws for the context of that number, or NULL when out of memory.

@@ -41,6 +41,7 @@ struct rhw_buffer_data {
     // the old memory.
     uint32_t renewed_pass, renewed_draws;
     uint32_t moves;  // times that the buffer got other memory
+    uint32_t writes; // times that something may have written the bytes
     bool is_callers; // `bytes` is the program's memory
     // See rhw_buffer_map. The second is true where the buffer is mapped for more than reading.
     bool is_mapped, is_map_written;

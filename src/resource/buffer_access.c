@@ -80,7 +80,8 @@ static bool renew(struct rhw_context *context, uint32_t index, struct rhw_buffer
 
 bool rhw_buffer_to_write(struct rhw_context *context, const struct rhw_buffer_part *part, size_t written)
 {
-    const struct rhw_buffer_data *const data = part->data;
+    struct rhw_buffer_data *const data = part->data;
+    data->writes++;
     return !rhw_buffer_is_read(context, part) ||
            !rhw_context_draws_read(context, &context->buffers, part->id.index, data->renewed_pass,
                                    data->renewed_draws) ||

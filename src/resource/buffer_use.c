@@ -109,6 +109,7 @@ struct rhw_range *rhw_buffer_note_use(struct rhw_context *context, struct rhw_ar
             *used = (struct rhw_used_bytes){.pass = generation};
         }
         rhw_pool_use(&context->buffers, part->id.index, generation);
+        data->writes += part->use != RHW_BUFFER_READ;
     }
     return goes_with_itself(part->use) ? rhw_range_set_unite(ranges, arena, part->first, part->end)
                                        : rhw_range_set_add(ranges, arena, part->first, part->end);

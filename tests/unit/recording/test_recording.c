@@ -133,8 +133,8 @@ static rhw_recording *keep(const struct scene *s, bool copies_tint)
 {
     rhw_recording *recording;
     const rhw_pass pass = record(s, s->recorder, copies_tint);
-    assert_int_equal(rhw_pass_keep(s->recorder, pass, &(struct rhw_recording_def){"scene"}, &recording),
-                     RHW_OK);
+    assert_int_equal(
+        rhw_pass_keep(s->recorder, pass, &(struct rhw_recording_def){.label = "scene"}, &recording), RHW_OK);
     return recording;
 }
 
@@ -347,6 +347,104 @@ static void test_feedback_is_captured_by_each_run(void **state)
     close_scene(&s);
 }
 
+// Triangles ---------------------------------------------------------------------------------------------
+
+static _Atomic int vertex_calls;
+static float shift; // what the vertex function reads beside its inputs
+
+static void count_vertices(struct rhw_vertex *groups, int count)
+{
+    vertex_calls++;
+    rig_vertex_pass(groups, count);
+    for (int g = 0; g < count; g++) {
+        groups[g].position[0] += rhw_splat(shift);
+    }
+}
+
+static bool calls_vertices(struct scene *s, rhw_recording *recording)
+{
+    vertex_calls = 0;
+    (void)drawn_again(s, recording);
+    return vertex_calls != 0;
+}
+
+static void check_kept_triangles(size_t bin_memory, enum rhw_validation validate, bool keeps)
+{
+    struct scene s;
+    struct rhw_context_def def = rhw_context_def_default();
+    def.threads = 2;
+    def.bin_memory = bin_memory;
+    def.validate = validate;
+    open_scene(&s, &def);
+    struct rhw_pipeline_def pipeline = s.rig.pipeline;
+    rig_set_program(&s.rig, count_vertices, shade);
+    pipeline.program = s.rig.pipeline.program;
+    pipeline.program.uniform_size = sizeof s.tint;
+    pipeline.program.uses = RHW_USE_EFFECTS;
+    rhw_pipeline_destroy(s.rig.context, s.pipeline);
+    assert_int_equal(rhw_pipeline_create(s.rig.context, &pipeline, &s.pipeline), RHW_OK);
+    rhw_pass pass;
+    assert_int_equal(rhw_pass_begin(s.recorder, &s.rig.pass, &pass), RHW_OK);
+    rhw_pass_set_pipeline(s.recorder, pass, s.pipeline);
+    rhw_pass_set_vertex_buffer(s.recorder, pass, 0, s.vertices, 0);
+    rhw_pass_set_texture(s.recorder, pass, 0, s.texture, s.sampler);
+    rhw_pass_set_storage_buffer(s.recorder, pass, 0, s.counter, 0, 0);
+    rhw_pass_set_uniform_memory(s.recorder, pass, s.tint, sizeof s.tint);
+    for (uint32_t i = 0; i < 20; i++) {
+        rhw_pass_draw(s.recorder, pass, 0, 4 * QUADS / 3 * 3, 0, 20);
+    }
+    rhw_recording *recording;
+    assert_int_equal(
+        rhw_pass_keep(s.recorder, pass, &(struct rhw_recording_def){.keeps_triangles = true}, &recording),
+        RHW_OK);
+    shift = 0;
+    vertex_calls = 0;
+    const uint64_t whole = drawn_again(&s, recording);
+    assert_true(vertex_calls != 0);
+    clear_target(&s);
+    const uint32_t fragments = counted(&s);
+    vertex_calls = 0;
+    struct rhw_stats stats;
+    assert_int_equal(rhw_recording_run(s.rig.context, recording, &stats), RHW_OK);
+    assert_int_equal(vertex_calls == 0, keeps);
+    assert_int_equal(stats.vertices_shaded == 0, keeps);
+    assert_true(stats.triangles_rasterized != 0);
+    assert_int_equal(rig_hash(&s.rig, 0), whole);
+    assert_int_equal(counted(&s), 2 * fragments);
+    s.tint[0] = 0.5f; // fragments are shaded by each run
+    assert_int_not_equal(drawn_again(&s, recording), whole);
+    s.tint[0] = 1;
+
+    // What is written is seen; what the library does not see is told.
+    assert_int_equal(calls_vertices(&s, recording), !keeps);
+    struct rig_vertex vertex = {{0.5f, 0.5f, 0, 1}, {1, 1, 1, 1}};
+    assert_int_equal(rhw_buffer_write(s.rig.context, s.vertices, 0, &vertex, sizeof vertex), RHW_OK);
+    assert_true(calls_vertices(&s, recording));
+    void *mapped;
+    assert_int_equal(rhw_buffer_map(s.rig.context, s.vertices, 0, 0, RHW_MAP_READ_WRITE, &mapped), RHW_OK);
+    rhw_buffer_unmap(s.rig.context, s.vertices);
+    assert_true(calls_vertices(&s, recording));
+    const uint64_t before = drawn_again(&s, recording);
+    shift = 0.25f;
+    rhw_recording_changed(recording);
+    assert_int_not_equal(drawn_again(&s, recording), before);
+    rhw_recording_destroy(recording);
+    close_scene(&s);
+}
+
+static void test_triangles_are_kept(void **state)
+{
+    (void)state;
+    check_kept_triangles(0, RHW_VALIDATE_OFF, true);
+}
+
+static void test_triangles_that_are_not_kept(void **state)
+{
+    (void)state;
+    check_kept_triangles(1 << 12, RHW_VALIDATE_OFF, false); // several waves
+    check_kept_triangles(0, RHW_VALIDATE_ON, false);
+}
+
 // Refusals ----------------------------------------------------------------------------------------------
 
 static void expect_refused(struct scene *s, rhw_recording *recording, const char *part)
@@ -532,8 +630,8 @@ static void test_validation_tells(void **state)
     rhw_pass_draw(s.recorder, pass, 0, 3, 0, 1);
     rhw_pass_pop_debug_group(s.recorder, pass);
     rhw_recording *recording;
-    assert_int_equal(rhw_pass_keep(s.recorder, pass, &(struct rhw_recording_def){"told"}, &recording),
-                     RHW_OK);
+    assert_int_equal(
+        rhw_pass_keep(s.recorder, pass, &(struct rhw_recording_def){.label = "told"}, &recording), RHW_OK);
     for (int i = 0; i < 2; i++) {
         assert_int_equal(rhw_recording_run(s.rig.context, recording, NULL), RHW_ERROR_MISUSE);
         rig_expect_misuse(&s.rig, "[draw 0 in group of pass \"told\"]");
@@ -622,6 +720,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_runs_load_attachments),
     cmocka_unit_test(test_queries_answer_for_the_last_run),
     cmocka_unit_test(test_feedback_is_captured_by_each_run),
+    cmocka_unit_test(test_triangles_are_kept),
+    cmocka_unit_test(test_triangles_that_are_not_kept),
     cmocka_unit_test(test_what_was_destroyed_is_told),
     cmocka_unit_test(test_other_memory_is_told),
     cmocka_unit_test(test_mapped_bytes_are_told),
