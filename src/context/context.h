@@ -13,6 +13,7 @@
 #include "pool.h"
 #include "rhw/types.h"
 
+struct rhw_buffer_part;
 struct rhw_validation_messages;
 struct rhw_encoder;
 struct rhw_executor;
@@ -112,6 +113,10 @@ struct rhw_context {
     // validated.
     bool (*validate_pipeline)(struct rhw_context *context, struct rhw_pipeline_data *pipeline,
                               const char *name);
+
+    // Copy what recorded draws read of a part of a live buffer as vertices and indices, and let them read the copies, so
+    // that the part can be written. Return false when out of memory. Recording sets this.
+    bool (*keep_reads)(struct rhw_context *context, const struct rhw_buffer_part *part);
 
     // It is asked while a pass runs or mip levels are made. NULL: nobody is asked.
     bool (*goes_on)(void *user);

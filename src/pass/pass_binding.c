@@ -160,6 +160,9 @@ static bool bind_range(struct rhw_encoder *encoder, rhw_buffer id, size_t offset
         return false;
     }
     encoder->out_of_memory |= !rhw_buffer_note_use(context, &encoder->pass->arena, &part);
+    if (is_read_only && !context->uses) {
+        data->bound_pass = context->recording.generation;
+    }
     *range = (struct rhw_bound_range){data, offset, length, is_read_only};
     return true;
 }

@@ -85,5 +85,6 @@ bool rhw_buffer_to_write(struct rhw_context *context, const struct rhw_buffer_pa
     return !rhw_buffer_is_read(context, part) ||
            !rhw_context_draws_read(context, &context->buffers, part->id.index, data->renewed_pass,
                                    data->renewed_draws) ||
+           (data->bound_pass != context->recording.generation && context->keep_reads(context, part)) ||
            renew(context, part->id.index, part->data, written);
 }
