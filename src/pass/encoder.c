@@ -42,6 +42,7 @@ void rhw_encoder_renew(struct rhw_encoder *encoder)
     encoder->uses = (struct rhw_use_table){0};
     encoder->clean_parts = NULL;
     encoder->out_of_memory = false;
+    encoder->given_up = false;
     encoder->memory = (struct rhw_used_memory){
         .context = encoder->context, .pass = encoder->pass, .out_of_memory = &encoder->out_of_memory};
     memset(&encoder->bound, 0, sizeof encoder->bound);

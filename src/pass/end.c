@@ -110,7 +110,8 @@ static enum rhw_result end(struct rhw_encoder *encoder, struct rhw_stats *stats)
         !rhw_encoder_end(encoder, where)) {
         return RHW_ERROR_MISUSE;
     }
-    const enum rhw_result result = encoder->out_of_memory
+    const enum rhw_result result = encoder->given_up ? RHW_ERROR_GIVEN_UP
+                                   : encoder->out_of_memory
                                        ? RHW_ERROR_OUT_OF_MEMORY
                                        : rhw_recorded_pass_run(context, encoder->pass, stats);
     // A hook of the program that is told something may not return.

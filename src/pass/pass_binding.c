@@ -73,9 +73,14 @@ static bool check_sampler(const rhw_context *context, rhw_texture id, rhw_sample
 
 // Make the linear copy of an sRGB texture that is sampled. Textures with several samples need none, because they are
 // not filtered. A recording makes it when it runs. Return false when out of memory.
-static bool linearize(struct rhw_context *context, struct rhw_texture_data *texture)
+static bool linearize(struct rhw_encoder *encoder, struct rhw_texture_data *texture)
 {
-    return context->uses || texture->samples > 1 || rhw_texture_linearize(context, texture);
+    if (encoder->context->uses || texture->samples > 1 || encoder->given_up) {
+        return true;
+    }
+    const enum rhw_result result = rhw_texture_linearize(encoder->context, texture);
+    encoder->given_up = result == RHW_ERROR_GIVEN_UP;
+    return result != RHW_ERROR_OUT_OF_MEMORY;
 }
 
 // Note in the texture that draws sample it. A recording does when it runs.
@@ -114,7 +119,7 @@ bool rhw_encoder_set_texture(struct rhw_encoder *encoder, int slot, rhw_texture 
         note_sampled(encoder, bound.texture);
         encoder->out_of_memory |=
             !rhw_pass_note_read(encoder, bound.texture, rhw_all_levels(*bound.texture)) ||
-            !linearize(context, *bound.texture);
+            !linearize(encoder, *bound.texture);
     }
     struct rhw_bound_texture *const current = &encoder->bound.textures[slot];
     encoder->bindings_changed |= current->texture != bound.texture || current->sampler != bound.sampler;
@@ -495,7 +500,7 @@ bool rhw_pass_resolve_bindings(struct rhw_encoder *encoder)
     for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
         const struct rhw_bound_texture *const bound = &encoder->bound.textures[i];
         if (bound->texture) {
-            if (!linearize(context, *bound->texture)) {
+            if (!linearize(encoder, *bound->texture)) {
                 return false;
             }
             bindings->slot[i] =

@@ -174,10 +174,10 @@ static bool check_uses(const struct rhw_context *context, const struct rhw_use_t
     return true;
 }
 
-// Note in a texture what the pass does with it, as recording does where a pass is not kept. Return false when out of
-// memory.
-static bool note_texture(struct rhw_context *context, const struct rhw_use *use,
-                         struct rhw_texture_data *texture)
+// Note in a texture what the pass does with it, as recording does where a pass is not kept. Return
+// RHW_ERROR_OUT_OF_MEMORY, or RHW_ERROR_GIVEN_UP, where what it is sampled by could not be made.
+static enum rhw_result note_texture(struct rhw_context *context, const struct rhw_use *use,
+                                    struct rhw_texture_data *texture)
 {
     const uint32_t generation = context->recording.generation;
     if (use->stored_levels != 0) {
@@ -185,29 +185,31 @@ static bool note_texture(struct rhw_context *context, const struct rhw_use *use,
         rhw_texture_note_written(texture);
         texture->written |= use->stored_levels;
     }
-    if (use->is_sampled) {
-        rhw_texture_note_sampled(texture, generation);
-        return texture->samples > 1 || rhw_texture_linearize(context, texture);
+    if (!use->is_sampled) {
+        return RHW_OK;
     }
-    return true;
+    rhw_texture_note_sampled(texture, generation);
+    return texture->samples > 1 ? RHW_OK : rhw_texture_linearize(context, texture);
 }
 
-// Note what the pass uses, where it is not kept alive by it. Return false when out of memory.
-static bool note_uses(struct rhw_context *context, const struct rhw_recording *recording)
+// Note in all textures what the pass does with them.
+static enum rhw_result note_uses(struct rhw_context *context, const struct rhw_recording *recording)
 {
     const struct rhw_use_table *const uses = &recording->uses;
-    bool is_noted = true;
-    for (const struct rhw_clean_part *part = recording->clean_parts; is_noted && part; part = part->next) {
-        is_noted = rhw_attached_part_take(context, &recording->pass->target, *part->texture, part->part,
-                                          part->clean);
-    }
-    for (uint32_t i = 0; is_noted && i < uses->places; i++) {
-        const struct rhw_use *const use = &uses->uses[i];
-        if (use->item && use->pool == &context->textures) {
-            is_noted = note_texture(context, use, *(struct rhw_texture_data *const *)use->item);
+    enum rhw_result result = RHW_OK;
+    for (const struct rhw_clean_part *part = recording->clean_parts; part; part = part->next) {
+        if (!rhw_attached_part_take(context, &recording->pass->target, *part->texture, part->part,
+                                    part->clean)) {
+            return RHW_ERROR_OUT_OF_MEMORY;
         }
     }
-    return is_noted;
+    for (uint32_t i = 0; result == RHW_OK && i < uses->places; i++) {
+        const struct rhw_use *const use = &uses->uses[i];
+        if (use->item && use->pool == &context->textures) {
+            result = note_texture(context, use, *(struct rhw_texture_data *const *)use->item);
+        }
+    }
+    return result;
 }
 
 // Return how often the buffers that the recording reads may have been written. What it writes itself counts once more.
@@ -257,8 +259,9 @@ static enum rhw_result run_checked(struct rhw_context *context, struct rhw_recor
     context->recording.misused = false;
     atomic_store_explicit(&context->refused, false, memory_order_relaxed);
     pass->begun_ns = rhw_time_ns();
-    if (!note_uses(context, recording)) {
-        return RHW_ERROR_OUT_OF_MEMORY;
+    const enum rhw_result noted = note_uses(context, recording);
+    if (noted != RHW_OK) {
+        return noted;
     }
     look_for_writes(context, recording);
     if (context->validation) {
