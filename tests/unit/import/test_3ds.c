@@ -62,7 +62,8 @@ static void put_material(struct chunks *chunks, const unsigned char color[3], un
 
 static void put_triangle(struct chunks *chunks)
 {
-    static const float positions[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, uvs[3][2] = {{0, 0}, {4, 0}, {0, 4}};
+    static const float positions[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                       uvs[3][2] = {{0, 0}, {4, 0}, {0, 4}};
     const size_t object = begin(chunks, 0x4000);
     put(chunks, "o", 2);
     const size_t mesh = begin(chunks, 0x4100), vertices = begin(chunks, 0x4110);
