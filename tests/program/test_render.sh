@@ -613,6 +613,21 @@ check "far away a model looks the same" cmp near.png far.png
 run render both.obj $view -o near.png --camera "$(look_at 0 0 0)"
 run render both.obj $view -o far.png --camera "$(look_at 5000000 4000000 -6000000)"
 check "each of two that are far apart looks the same" cmp near.png far.png
+# A sheet says where its places count from, and what its ids are called, as a picture does; it has no one camera.
+attribute() { # NAME FILE: whether an EXR has the attribute
+    grep -aq "$1" "$2"
+}
+succeed render far.obj $view -o far.exr --output position,object
+succeed render far.obj $view -o sheet.exr --output position,object --views front,top
+origin_of() { # FILE: the three doubles of its origin, in hexadecimal
+    at=$(grep -abo "origin.v3d" "$1" | head -n 1 | cut -d : -f 1)
+    od -A n -t x8 -j $((at + 15)) -N 24 "$1" | tr -d '\n'
+}
+check "a far picture has an origin" test -n "$(origin_of far.exr)"
+check "a sheet has the origin of a picture" test "$(origin_of sheet.exr)" = "$(origin_of far.exr)"
+check "a sheet has names of objects" attribute objectNames sheet.exr
+check "a picture has a camera" attribute originToNDC far.exr
+check "a sheet has no camera" sh -c '! grep -aq ToCamera sheet.exr && ! grep -aq ToNDC sheet.exr'
 run render near.obj $view -o near.png
 run render far.obj $view -o far.png
 check "and fitted" cmp near.png far.png

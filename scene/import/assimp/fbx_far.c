@@ -34,6 +34,8 @@ enum scene_fbx_kind scene_fbx_kind_of(enum scene_fbx_kind parent, const char *na
         {SCENE_FBX_GEOMETRY, SCENE_FBX_POSITIONS, "Points"},
         {SCENE_FBX_MODEL, SCENE_FBX_PROPERTIES, "Properties70"},
         {SCENE_FBX_PROPERTIES, SCENE_FBX_PROPERTY, "P"},
+        {SCENE_FBX_OBJECTS, SCENE_FBX_DEFORMER, "Deformer"},
+        {SCENE_FBX_DEFORMER, SCENE_FBX_BIND, "Transform"},
     };
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
         if (parent == kinds[i].parent && is(name, length, kinds[i].name)) {
@@ -54,37 +56,50 @@ bool scene_fbx_is_vector(const char *type, size_t length)
     return found;
 }
 
-bool scene_fbx_mark_model(struct scene_import *import, struct scene_assimp_exact *exact,
-                          const struct scene_fbx_transform *transform, struct scene_fbx_marks *marks)
+// In bytes a name comes before its class, with two bytes between them, and in text behind it.
+bool scene_fbx_is_moved(const struct scene_assimp_exact *exact, const char *name, size_t length)
 {
-    *marks = (struct scene_fbx_marks){.is_set = {false}};
-    for (int i = 0; i < SCENE_FBX_MATRICES && !exact->is_moved; i++) {
+    static const char class[] = "Model::";
+    const char *const end = memchr(name, 0, length);
+    const size_t skipped =
+        length >= strlen(class) && memcmp(name, class, strlen(class)) == 0 ? strlen(class) : 0;
+    length = end != NULL ? (size_t)(end - name) : length;
+    return scene_assimp_may_move(exact, name + skipped, length - skipped);
+}
+
+struct scene_fbx_marks scene_fbx_mark_model(struct scene_import *import, struct scene_assimp_exact *exact,
+                                            const struct scene_fbx_transform *transform, bool is_moved)
+{
+    struct scene_fbx_marks marks = {.is_moved = is_moved};
+    for (int i = 0; i < SCENE_FBX_MATRICES && !is_moved; i++) {
         double matrix[16];
-        marks->is_set[i] = scene_fbx_find_matrix(transform, i, matrix);
-        if (marks->is_set[i]) {
-            scene_assimp_mark_matrix(import, exact, matrix, marks->marks[i]);
+        marks.is_set[i] = scene_fbx_find_matrix(transform, i, matrix);
+        if (marks.is_set[i]) {
+            scene_assimp_mark_matrix(import, exact, SCENE_ASSIMP_NODES, matrix, marks.marks[i]);
         }
     }
-    return marks->is_set[0] || marks->is_set[1];
+    return marks;
 }
 
 bool scene_fbx_marked_vector(struct scene_import *import, struct scene_assimp_exact *exact,
                              const struct scene_fbx_marks *marks, enum scene_fbx_vector vector,
                              const double given[3], double numbers[3])
 {
-    if (exact->is_moved) { // an animation knows the vectors one by one
-        const bool is_wide = scene_fbx_is_way(vector) && scene_assimp_is_wide(given);
-        if (is_wide) {
-            scene_assimp_mark_way(import, exact, given, numbers);
-        }
-        return is_wide;
-    }
     const int matrix = scene_fbx_matrix_of(vector);
-    const bool is_marked = scene_fbx_is_way(vector) && marks->is_set[matrix];
-    for (int c = 0; c < 3 && is_marked; c++) {
+    const bool is_way = scene_fbx_is_way(vector);
+    if (marks->is_moved && is_way && scene_assimp_is_way(given)) {
+        scene_assimp_mark_way(import, exact, given, numbers);
+        return true;
+    }
+    for (int c = 0; c < 3 && is_way && marks->is_set[matrix]; c++) {
         numbers[c] = vector == scene_fbx_mover_of(matrix) ? marks->marks[matrix][c] : 0;
     }
-    return is_marked;
+    return is_way && marks->is_set[matrix];
+}
+
+void scene_fbx_mark_bind(struct scene_import *import, struct scene_assimp_exact *exact, double matrix[16])
+{
+    scene_assimp_mark_matrix(import, exact, SCENE_ASSIMP_MATRIX, matrix, matrix + 12);
 }
 
 bool scene_fbx_has_places(const char *class, size_t length)
@@ -122,11 +137,10 @@ struct copy {
     // The model that is being copied has a transform and marks.
     struct scene_fbx_transform transform;
     struct scene_fbx_marks marks;
-    bool is_changed;
 };
 
 // Return the doubles of an array. Return NULL if the value at `place` is none, or is not as it should be.
-static double (*read_points(const struct copy *copy, size_t place, size_t limit, size_t *count))[3]
+static double *read_doubles(const struct copy *copy, size_t place, size_t limit, size_t *count)
 {
     enum { LEAST = 1032 }; // zlib makes at most so many bytes of one
     const size_t end = scene_fbx_value_end(&copy->file, place, limit);
@@ -136,20 +150,19 @@ static double (*read_points(const struct copy *copy, size_t place, size_t limit,
     const unsigned char *const head = copy->file.bytes + place + 1;
     const uint64_t numbers = scene_fbx_number(head, 4), encoding = scene_fbx_number(head + 4, 4);
     const size_t stored = end - place - 13, size = (size_t)numbers * sizeof(double);
-    if (numbers == 0 || numbers % 3 != 0 || encoding > 1 || (encoding == 0 && size != stored) ||
-        size / LEAST > stored) {
+    if (encoding > 1 || (encoding == 0 && size != stored) || size / LEAST > stored) {
         return NULL;
     }
-    double(*const points)[3] = scene_import_allocate(copy->import, (size_t)numbers / 3, sizeof *points);
+    double *const values = scene_import_allocate(copy->import, (size_t)numbers, sizeof *values);
     uLongf made = size;
     if (encoding == 0) {
-        memcpy(points, head + 12, size);
-    } else if (uncompress((Bytef *)points, &made, head + 12, stored) != Z_OK || made != size) {
-        free(points);
+        memcpy(values, head + 12, size);
+    } else if (uncompress((Bytef *)values, &made, head + 12, stored) != Z_OK || made != size) {
+        free(values);
         return NULL;
     }
-    *count = (size_t)numbers / 3;
-    return points;
+    *count = (size_t)numbers;
+    return values;
 }
 
 // Find the positions of a geometry. They are kept where they are far.
@@ -173,10 +186,12 @@ static void find_points(struct copy *copy, const struct scene_fbx_record *geomet
                                      record.name_length) == SCENE_FBX_POSITIONS;
         place = (size_t)record.end;
     }
+    size_t count = 0;
     double(*const points)[3] =
-        is_found ? read_points(copy, record.values, record.children, &copy->point_count) : NULL;
+        is_found ? (void *)read_doubles(copy, record.values, record.children, &count) : NULL;
     double offset[3];
-    if (points == NULL ||
+    copy->point_count = count / 3;
+    if (points == NULL || count % 3 != 0 ||
         !scene_assimp_find_offset(copy->import, (const double(*)[3])points, copy->point_count, offset)) {
         free(points);
         return;
@@ -188,7 +203,6 @@ static void find_points(struct copy *copy, const struct scene_fbx_record *geomet
     }
     copy->points = points;
     copy->offset = scene_assimp_keep_offset(copy->import, copy->exact, offset);
-    copy->is_changed = true;
 }
 
 // A property of a model.
@@ -265,8 +279,13 @@ static void find_transform(struct copy *copy, const struct scene_fbx_record *mod
         copy->transform.order = order >= 0 ? order : copy->transform.order;
         place = (size_t)record.end;
     }
-    if (is_found && is_good) {
-        scene_fbx_mark_model(copy->import, copy->exact, &copy->transform, &copy->marks);
+    size_t length;
+    const size_t name_at = scene_fbx_value_end(&copy->file, model->values, model->children);
+    const size_t name = scene_fbx_string_at(&copy->file, name_at, model->children, &length);
+    if (is_found && is_good && name_at != 0 && name != 0) {
+        copy->marks = scene_fbx_mark_model(
+            copy->import, copy->exact, &copy->transform,
+            scene_fbx_is_moved(copy->exact, (const char *)copy->file.bytes + name, length));
     }
 }
 
@@ -314,17 +333,37 @@ static void put_geometry(struct copy *copy, const struct scene_fbx_record *recor
     free(marked);
 }
 
+// Write an array of doubles in the place of the first value of a record.
+static void put_doubles(struct copy *copy, const struct scene_fbx_record *record, const double *values,
+                        size_t count)
+{
+    put(copy, "d", 1);
+    put_number(copy, count);
+    put_number(copy, 0);
+    put_number(copy, count * sizeof *values);
+    put(copy, values, count * sizeof *values);
+    put_file(copy, scene_fbx_value_end(&copy->file, record->values, record->children), record->children);
+}
+
 static void put_positions(struct copy *copy, const struct scene_fbx_record *record)
 {
-    const size_t size = copy->point_count * sizeof *copy->points;
-    put(copy, "d", 1);
-    put_number(copy, 3 * copy->point_count);
-    put_number(copy, 0);
-    put_number(copy, size);
-    put(copy, copy->points, size);
-    put_file(copy, scene_fbx_value_end(&copy->file, record->values, record->children), record->children);
+    put_doubles(copy, record, copy->points[0], 3 * copy->point_count);
     free(copy->points);
     copy->points = NULL;
+}
+
+// Copy the matrix of a bone, with a mark.
+static void put_bind(struct copy *copy, const struct scene_fbx_record *record)
+{
+    size_t count = 0;
+    double *const matrix = read_doubles(copy, record->values, record->children, &count);
+    if (count == 16) {
+        scene_fbx_mark_bind(copy->import, copy->exact, matrix);
+        put_doubles(copy, record, matrix, count);
+    } else {
+        put_file(copy, record->values, record->children);
+    }
+    free(matrix);
 }
 
 // Copy a property. The three doubles of a vector may become others.
@@ -339,7 +378,6 @@ static void put_property(struct copy *copy, const struct scene_fbx_record *recor
         for (size_t c = 0; c < 3; c++) {
             memcpy(copy->out + copy->written - (3 - c) * DOUBLE + 1, &numbers[c], sizeof numbers[c]);
         }
-        copy->is_changed = true;
     }
 }
 
@@ -380,6 +418,8 @@ static void put_values(struct copy *copy, enum scene_fbx_kind kind, const struct
         put_positions(copy, record);
     } else if (kind == SCENE_FBX_PROPERTY) {
         put_property(copy, record);
+    } else if (kind == SCENE_FBX_BIND) {
+        put_bind(copy, record);
     } else {
         put_file(copy, record->values, record->children);
     }
@@ -411,7 +451,6 @@ static size_t copy_record(struct copy *copy, size_t place, size_t limit, enum sc
     for (int i = 0; i < SCENE_FBX_MATRICES && kind == SCENE_FBX_PROPERTIES; i++) {
         if (copy->marks.is_set[i] && !copy->transform.is_given[scene_fbx_mover_of(i)]) {
             put_mark(copy, i);
-            copy->is_changed = true;
         }
     }
     size_t child = record.children;
@@ -440,7 +479,7 @@ char *scene_assimp_rewrite_fbx(struct scene_import *import, struct scene_assimp_
         place = copy_record(&copy, place, *size, SCENE_FBX_FILE, 0);
         is_good = place != 0 && scene_fbx_read_record(&copy.file, place, *size, &record);
     }
-    if (!is_good || !copy.is_changed) {
+    if (!is_good) {
         free(copy.points);
         free(copy.out);
         return NULL;

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "import/builder/readers.h"
-#include "zip.h"
+#include "import/builder/zip.h"
 
 // The value of an attribute in the element that ends at `end`: NULL where it has none.
 static const char *find_value(struct scene_import *import, const char *element, const char *end,

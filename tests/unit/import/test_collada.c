@@ -290,28 +290,62 @@ static void test_no_color(void **state)
     }
 }
 
-// A document and its texture in a ZIP archive, with a manifest that names the document, and without.
+// A document and its texture in a ZIP archive, with a manifest that names the document, and without. The document has the
+// name of the texture, and the archive the entry.
 static void test_package(void **state)
 {
     (void)state;
     static const char picture[] = "P6\n1 1\n255\n\x10\x20\x30";
-    char text[8192];
-    make_document("", text);
-    for (int with_manifest = 0; with_manifest < 2; with_manifest++) {
+    static const struct {
+        const char *document, *root, *name, *entry;
+    } cases[] = {
+        {"x.dae", "./x.dae", "gone.png", "gone.png"},
+        {"x.dae", " x.dae ", "tex/gone.png", "tex/gone.png"},
+        {"x.dae", "x.dae", "file:///C:/work/tex/gone.png", "tex/gone.png"},
+        {"in it/x.dae", "in%20it/x.dae", "../tex/a%20b.png", "tex/a b.png"},
+        {"in it/x.dae", "./in%20it/x.dae", ".\\tex\\gone.png", "in it/tex/Gone.PNG"},
+        {"a/b/x.dae", "/a/b/x.dae", "../c/../gone.png", "a/gone.png"},
+        {"x.dae", "x.dae", "gone.png", "images/gone.png"},
+        {"x.dae", "x.dae", "images/gone.png", "gone.png"},
+    };
+    for (size_t i = 0; i < 2 * sizeof cases / sizeof cases[0]; i++) {
+        char given[8192], text[8192], manifest[128];
+        make_document("", given);
+        const char *const place = strstr(given, "gone.png");
+        snprintf(text, sizeof text, "%.*s%s%s", (int)(place - given), given, cases[i / 2].name,
+                 place + strlen("gone.png"));
+        snprintf(manifest, sizeof manifest, "<?xml version=\"1.0\"?>\n<dae_root>%s</dae_root>",
+                 cases[i / 2].root);
         zipFile zip = package_begin("x.zae");
-        if (with_manifest) {
-            package_add_text(zip, "manifest.xml", "<?xml version=\"1.0\"?><dae_root>./x.dae</dae_root>");
+        if (i % 2 == 0) {
+            package_add_text(zip, "manifest.xml", manifest);
+            package_add_text(zip, "other.dae", "no document");
         }
-        package_add_text(zip, "x.dae", text);
-        package_add(zip, "gone.png", picture, sizeof picture - 1);
+        package_add_text(zip, cases[i / 2].document, text);
+        package_add(zip, cases[i / 2].entry, picture, sizeof picture - 1);
         package_end(zip);
         struct scene_model *const model = load("x.zae");
         assert_int_equal(model->triangles_drawn, 1);
-        assert_false(has_warning(model, "gone.png"));
+        assert_false(has_warning(model, "png"));
         assert_int_equal(model->image_count, 1);
         assert_memory_equal(model->images[0].texels, "\x10\x20\x30\xff", 4);
         scene_model_free(model);
     }
+}
+
+// Archives without a document, and one whose text is not in an archive at all.
+static void test_packages_of_none(void **state)
+{
+    (void)state;
+    zipFile zip = package_begin("x.zae");
+    package_add_text(zip, "manifest.xml", "<dae_root>gone.dae</dae_root>");
+    package_end(zip);
+    expect_refused("x.zae", "without a document of Collada");
+    char text[8192];
+    make_document("", text);
+    struct scene_model *const model = load_text("x.zae", text);
+    assert_int_equal(model->triangles_drawn, 1);
+    scene_model_free(model);
 }
 
 // A wall with a gable whose corners lie in one line with others. Its triangles cover it once and nothing else.
@@ -349,6 +383,7 @@ static void test_polygons(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_package),
+    cmocka_unit_test(test_packages_of_none),
     cmocka_unit_test(test_polygons),
     cmocka_unit_test(test_no_color),
     cmocka_unit_test(test_blanks),
