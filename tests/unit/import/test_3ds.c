@@ -43,10 +43,14 @@ static void put_text(struct chunks *chunks, unsigned kind, const char *text)
     end(chunks, place);
 }
 
-static void put_material(struct chunks *chunks, const unsigned char color[3], unsigned tiling)
+static void put_material(struct chunks *chunks, const unsigned char color[3], unsigned shading,
+                         unsigned tiling)
 {
     const size_t material = begin(chunks, 0xafff);
     put_text(chunks, 0xa000, "m");
+    const size_t shade = begin(chunks, 0xa100);
+    put_short(chunks, shading);
+    end(chunks, shade);
     const size_t diffuse = begin(chunks, 0xa020), rgb = begin(chunks, 0x11);
     put(chunks, color, 3);
     end(chunks, rgb);
@@ -88,6 +92,21 @@ static void put_triangle(struct chunks *chunks)
     end(chunks, object);
 }
 
+enum { WIRE = 0, PHONG = 3 }; // shading
+
+static struct scene_model *make_model(const unsigned char color[3], unsigned shading, unsigned tiling)
+{
+    struct chunks chunks = {.size = 0};
+    const size_t file = begin(&chunks, 0x4d4d), editor = begin(&chunks, 0x3d3d);
+    put_material(&chunks, color, shading, tiling);
+    put_triangle(&chunks);
+    end(&chunks, editor);
+    end(&chunks, file);
+    write_bytes("a.png", "P6\n1 1\n255\n\x10\x20\x30", 14);
+    write_bytes("x.3ds", chunks.bytes, chunks.size);
+    return load("x.3ds");
+}
+
 // Beside a decal the material's own colour shows: under a grey that gives way to the texture it is that grey, and a
 // colour tints both.
 static void test_decal(void **state)
@@ -103,16 +122,8 @@ static void test_decal(void **state)
         {{188, 0, 0}, 0x11, RHW_ADDRESS_BORDER, {0.502887f, 0, 0}, {1, 1, 1, 1}},
         {{188, 188, 188}, 0, RHW_ADDRESS_REPEAT, {1, 1, 1}, {0.502887f, 0.502887f, 0.502887f, 1}},
     };
-    write_bytes("a.png", "P6\n1 1\n255\n\x10\x20\x30", 14);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        struct chunks chunks = {.size = 0};
-        const size_t file = begin(&chunks, 0x4d4d), editor = begin(&chunks, 0x3d3d);
-        put_material(&chunks, cases[i].color, cases[i].tiling);
-        put_triangle(&chunks);
-        end(&chunks, editor);
-        end(&chunks, file);
-        write_bytes("x.3ds", chunks.bytes, chunks.size);
-        struct scene_model *const model = load("x.3ds");
+        struct scene_model *const model = make_model(cases[i].color, PHONG, cases[i].tiling);
         const struct scene_material *const material = &model->materials[model->meshes[0].material];
         const struct scene_texture_slot *const slot = &material->slots[SCENE_SLOT_BASE_COLOR];
         assert_true(slot->image >= 0);
@@ -124,7 +135,18 @@ static void test_decal(void **state)
     }
 }
 
+static void test_wires(void **state)
+{
+    (void)state;
+    for (unsigned shading = WIRE; shading <= PHONG; shading++) {
+        struct scene_model *const model = make_model((const unsigned char[]){9, 9, 9}, shading, 0);
+        assert_true(is_unsupported(model, "wire frames: drawn as surfaces") == (shading == WIRE));
+        scene_model_free(model);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_wires),
     cmocka_unit_test(test_decal),
 };
 
