@@ -162,7 +162,8 @@ static void write_obj(FILE *out, const struct ball *ball)
     for (uint32_t i = 0; i < triangles; i++) {
         uint32_t c[3];
         if (i * MATERIALS / triangles != (i - 1) * MATERIALS / triangles || i == 0) {
-            fprintf(out, "g part%u\nusemtl material%u\n", i * MATERIALS / triangles, i * MATERIALS / triangles);
+            fprintf(out, "g part%u\nusemtl material%u\n", i * MATERIALS / triangles,
+                    i * MATERIALS / triangles);
         }
         find_triangle(ball, i, c);
         fprintf(out, "f %u/%u/%u %u/%u/%u %u/%u/%u\n", c[0] + 1, c[0] + 1, c[0] + 1, c[1] + 1, c[1] + 1,
@@ -210,8 +211,7 @@ static bool make_file(struct bench_files *files, enum bench_process_variant vari
     }
     free(ball.points);
     const bool is_written = out && ferror(out) == 0;
-    return out && fclose(out) == 0 && is_written &&
-           (variant != BENCH_PROCESS_MTL || write_materials(files));
+    return out && fclose(out) == 0 && is_written && (variant != BENCH_PROCESS_MTL || write_materials(files));
 }
 
 // Finds a file that is not made, and says where in `files`.
