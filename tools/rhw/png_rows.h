@@ -12,7 +12,7 @@ enum { CLI_PNG_CHUNK = 8192 }; // bytes of image data in a chunk
 
 struct cli_png_rows {
     FILE *stream;
-    size_t size;                    // bytes of a row
+    size_t size;                     // bytes of a row
     uint8_t *row, *above, *filtered; // filtered begins with the number of the filter
     struct cli_png_deflate *deflate;
 };
