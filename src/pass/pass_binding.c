@@ -73,9 +73,14 @@ static bool check_sampler(const rhw_context *context, rhw_texture id, rhw_sample
 
 // Make the linear copy of an sRGB texture that is sampled. Textures with several samples need none, because they are
 // not filtered. Return false when out of memory.
-static bool linearize(struct rhw_context *context, struct rhw_texture_data *texture)
+static bool linearize(struct rhw_encoder *encoder, struct rhw_texture_data *texture)
 {
-    return texture->samples > 1 || rhw_texture_linearize(context, texture);
+    if (texture->samples > 1 || encoder->given_up) {
+        return true;
+    }
+    const enum rhw_result result = rhw_texture_linearize(encoder->context, texture);
+    encoder->given_up = result == RHW_ERROR_GIVEN_UP;
+    return result != RHW_ERROR_OUT_OF_MEMORY;
 }
 
 bool rhw_encoder_set_texture(struct rhw_encoder *encoder, int slot, rhw_texture texture, rhw_sampler sampler,
@@ -98,7 +103,7 @@ bool rhw_encoder_set_texture(struct rhw_encoder *encoder, int slot, rhw_texture 
         rhw_texture_note_sampled(*bound.texture, context->recording.generation);
         encoder->out_of_memory |=
             !rhw_pass_note_read(encoder, bound.texture, rhw_all_levels(*bound.texture)) ||
-            !linearize(context, *bound.texture);
+            !linearize(encoder, *bound.texture);
         rhw_pool_use(&context->textures, texture.index, context->recording.generation);
         rhw_pool_use(&context->samplers, sampler.index, context->recording.generation);
     }
@@ -480,7 +485,7 @@ bool rhw_pass_resolve_bindings(struct rhw_encoder *encoder)
     for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
         const struct rhw_bound_texture *const bound = &encoder->bound.textures[i];
         if (bound->texture) {
-            if (!linearize(context, *bound->texture)) {
+            if (!linearize(encoder, *bound->texture)) {
                 return false;
             }
             bindings->slot[i] =

@@ -3,8 +3,6 @@
 // and a box around all would hide that the others are far.
 #include "origin.h"
 
-#include "numbers.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -152,25 +150,4 @@ float (*scene_import_settle(struct scene_import *import, double (*points)[3], si
     narrow((char *)points, 3 * count, origin);
     void *const smaller = realloc(points, (count > 0 ? 3 * count : 1) * sizeof(float));
     return smaller != NULL ? smaller : (void *)points;
-}
-
-void scene_import_skin_origin(struct scene_import *import, const struct scene_mesh *mesh,
-                              const float (*matrices)[16], double origin[3])
-{
-    double(*points)[3] = scene_import_allocate(import, mesh->vertex_count, sizeof *points);
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        float point[3];
-        scene_import_transform(matrices[i], mesh->positions[i], point);
-        for (int c = 0; c < 3; c++) {
-            points[i][c] = (double)point[c];
-        }
-    }
-    const struct scene_import_spread spread =
-        scene_import_spread_find(import, (const double(*)[3])points, mesh->vertex_count);
-    free(points);
-    memset(origin, 0, 3 * sizeof *origin);
-    // So far away that floats make one point of all, they have no size left.
-    if (spread.is_far || (spread.size <= 0.0 && spread.distance > 0.0)) {
-        memcpy(origin, spread.middle, sizeof spread.middle);
-    }
 }

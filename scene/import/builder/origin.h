@@ -31,8 +31,4 @@ bool scene_import_are_far(struct scene_import *import, const float (*points)[3],
 float (*scene_import_settle(struct scene_import *import, double (*points)[3], size_t count,
                             double origin[3]))[3];
 
-/// Find the origin of a mesh that a matrix for each vertex brings into the world. It is 0 if that is near.
-void scene_import_skin_origin(struct scene_import *import, const struct scene_mesh *mesh,
-                              const float (*matrices)[16], double origin[3]);
-
 #endif

@@ -147,6 +147,14 @@ static void warn_of_no_area(struct scene_import *import)
     }
 }
 
+static void warn_of_fans(struct scene_import *import)
+{
+    if (import->fan_count > 0) {
+        scene_import_warn(import, "its polygons take too long to cut: a part of %u of them is a fan",
+                          import->fan_count);
+    }
+}
+
 static void find_frame(struct scene_import *import)
 {
     struct scene_seen_mesh *seen = scene_seen_find(import);
@@ -287,6 +295,7 @@ void scene_import_run(struct scene_import *import)
     struct scene_model *model = &import->model;
     set_directory(import);
     read_what_shows(import);
+    warn_of_fans(import);
     if (import->variant != NULL && model->variant_count == 0) {
         scene_import_fail(import, "has no variants of its materials");
     }
