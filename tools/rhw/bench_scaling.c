@@ -7,9 +7,9 @@
 #include "json.h"
 #include "rhw/rhw.h"
 
-static const char *const columns[] = {"ms",         "min_ms",        "max_ms",       "speedup",
-                                      "efficiency", "front_ms",      "front_busy",   "front_wait_ms",
-                                      "back_ms",    "back_busy",     "back_wait_ms", "rest_ms"};
+static const char *const columns[] = {"ms",         "min_ms",    "max_ms",       "speedup",
+                                      "efficiency", "front_ms",  "front_busy",   "front_wait_ms",
+                                      "back_ms",    "back_busy", "back_wait_ms", "rest_ms"};
 
 enum { COLUMNS = sizeof columns / sizeof *columns };
 
@@ -52,8 +52,8 @@ void cli_bench_print_scaling_head(const struct cli_bench_report *report)
     printf("%dx%d, milliseconds per frame: median (least-most) of %d; stages are means\n\n", job->width,
            job->height, job->frames);
     printf("%-20s %7s %-24s %7s %10s   %-24s %-24s %s\n", "", "", "", "", "", "front end", "tiles", "");
-    printf("%-20s %7s %-24s %7s %10s   %-24s %-24s %s\n", "scene", "threads", " frame", "speedup", "efficiency",
-           "     ms  busy    waiting", "     ms  busy    waiting", "rest");
+    printf("%-20s %7s %-24s %7s %10s   %-24s %-24s %s\n", "scene", "threads", " frame", "speedup",
+           "efficiency", "     ms  busy    waiting", "     ms  busy    waiting", "rest");
     fflush(stdout);
 }
 

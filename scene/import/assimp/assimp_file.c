@@ -106,14 +106,11 @@ static bool may_be_collada(const struct scene_import *import)
     return ending[0] == 0 || strcasecmp(ending, "dae") == 0 || strcasecmp(ending, "xml") == 0;
 }
 
-<<<<<<< HEAD
 static bool is_zae(const struct scene_import *import)
 {
     return strcasecmp(import->ending, "zae") == 0;
 }
 
-=======
->>>>>>> silent7
 char *scene_assimp_collada(struct scene_import *import, size_t *size)
 {
     const char *problem = NULL;
@@ -130,11 +127,8 @@ char *scene_assimp_collada(struct scene_import *import, size_t *size)
     }
     scene_assimp_collapse_texts(text, *size);
     scene_assimp_number_sets(text, *size);
-<<<<<<< HEAD
-    return scene_assimp_write_matrices(import, scene_assimp_name_images(text, size), size);
-=======
-    return scene_assimp_write_cameras(import, scene_assimp_name_images(text, size), size);
->>>>>>> silent7
+    text = scene_assimp_write_cameras(import, scene_assimp_name_images(text, size), size);
+    return scene_assimp_write_matrices(import, text, size);
 }
 
 char *scene_assimp_dxf(struct scene_import *import, size_t *size)
@@ -147,7 +141,7 @@ char *scene_assimp_dxf(struct scene_import *import, size_t *size)
         free(text);
         return NULL;
     }
-    return scene_assimp_flatten_dxf(import, text, size);
+    return scene_assimp_insert_blocks(import, scene_assimp_flatten_dxf(import, text, size), size);
 }
 
 // Open bytes, which the file frees if it owns them. Return NULL if there are none.

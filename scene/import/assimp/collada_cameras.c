@@ -90,11 +90,12 @@ static void write_camera(const struct lens *lens, struct scene_collada_value id,
     scene_assimp_write_number(ratio, lens->is_orthographic ? -aspect : aspect);
     scene_assimp_write_number(near, n[NEAR] * unit);
     scene_assimp_write_number(far, n[FAR] * unit);
-    snprintf(text, size,
-             "<camera id=\"%.*s\" name=\"%.*s\"><optics><technique_common><perspective><xfov>%s</xfov>"
-             "<aspect_ratio>%s</aspect_ratio><znear>%s</znear><zfar>%s</zfar></perspective></technique_common>"
-             "</optics></camera>",
-             (int)id.length, id.text, (int)id.length, id.text, wide, ratio, near, far);
+    snprintf(
+        text, size,
+        "<camera id=\"%.*s\" name=\"%.*s\"><optics><technique_common><perspective><xfov>%s</xfov>"
+        "<aspect_ratio>%s</aspect_ratio><znear>%s</znear><zfar>%s</zfar></perspective></technique_common>"
+        "</optics></camera>",
+        (int)id.length, id.text, (int)id.length, id.text, wide, ratio, near, far);
 }
 
 char *scene_assimp_write_cameras(struct scene_import *import, char *text, size_t *size)
