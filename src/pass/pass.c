@@ -135,7 +135,7 @@ static void append_draw(struct rhw_encoder *encoder, const struct rhw_draw *draw
 }
 
 // Check that the index buffer lives. Recording looks at indices, and what a recorder has set may be destroyed.
-static bool check_indices_live(const struct rhw_encoder *encoder, const char *where)
+static __attribute__((noinline)) bool check_indices_live(const struct rhw_encoder *encoder, const char *where)
 {
     const struct rhw_context *const context = encoder->context;
     const struct rhw_use *const use = rhw_use_table_find(context->uses, encoder->bound.indices.data);
