@@ -227,8 +227,9 @@ struct bench_scene {
     // of the first texture; or of the program that renders this file.
     bool opens_context, opens_texture, makes_mips;
     const char *renders_file;
-    int max_anisotropy; // of all textures; 0: off
-    int samples;        // of a pixel of the picture, resolved at the end of a frame; 0: one
+    struct bench_files *files; // what was made for it, scene_process.h; NULL: nothing
+    int max_anisotropy;        // of all textures; 0: off
+    int samples;               // of a pixel of the picture, resolved at the end of a frame; 0: one
     struct bench_tolerance tolerance;
     enum bench_unit unit;
     double work; // units per frame
