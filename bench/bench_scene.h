@@ -221,6 +221,8 @@ struct bench_scene {
     bool shades_all;
     // rhw records the pass of the scene, which has one, once, and runs it in each frame; and keeps its triangles besides.
     bool replays, keeps_triangles;
+    // Before each draw the first vertex of its mesh is written, as it is.
+    bool writes_between;
     // No picture to look at: the time is that of opening and closing rhw, or an empty texture; of making the mip chain
     // of the first texture; or of the program that renders this file.
     bool opens_context, opens_texture, makes_mips;
