@@ -4,12 +4,8 @@
 #include "scene_latency.h"
 
 #include "elementary.h"
-#include "process.h"
-#include "scene_model.h"
 
-#include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { SIDE = 100, FACES = 6 };
 
@@ -61,15 +57,6 @@ static void place_cube(struct bench_draw *draw, int number, double aspect)
     memcpy(draw->uniforms.color, color, sizeof color);
 }
 
-static bool choose_file(struct bench_scene *scene, char *why, size_t why_size)
-{
-    const bool there = access(bench_bunny_path, R_OK) == 0;
-    snprintf(why, why_size, there ? "this machine does not say where the program is" : "there is no %s",
-             bench_bunny_path);
-    scene->renders_file = bench_bunny_path;
-    return there && bench_can_start_itself();
-}
-
 // Texels without a pattern: what decoding one costs may depend on the one before it.
 static bool make_noise(struct bench_texture *texture)
 {
@@ -90,13 +77,13 @@ static bool make_noise(struct bench_texture *texture)
 bool bench_make_latency(const struct bench_scene_entry *entry, struct bench_scene *scene, int width,
                         int height, char *why, size_t why_size)
 {
-    const bool draws = entry->variant == BENCH_LATENCY_DRAWS;
+    (void)why, (void)why_size; // nothing is missing
+    scene->keeps_triangles = entry->variant == BENCH_LATENCY_DRAWS_REPLAYED;
+    scene->replays = scene->keeps_triangles || entry->variant == BENCH_LATENCY_DRAWS_RECORDED;
+    const bool draws = scene->replays || entry->variant == BENCH_LATENCY_DRAWS;
     scene->opens_context = entry->variant == BENCH_LATENCY_CONTEXT;
     scene->opens_texture = entry->variant == BENCH_LATENCY_TEXTURE;
     scene->makes_mips = entry->variant == BENCH_LATENCY_MIPS;
-    if (entry->variant == BENCH_LATENCY_PROCESS && !choose_file(scene, why, why_size)) {
-        return false;
-    }
     scene->mesh_count = draws;
     scene->texture_count = scene->makes_mips;
     scene->draw_count = draws ? SIDE * SIDE : 0;

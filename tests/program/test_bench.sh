@@ -12,6 +12,14 @@ succeed bench $tiny --peer none --scene fill --threads 2
 check "table has its rows" test "$(grep -cE '^fill_(flat|color|blend|tex) ' "$folder/log/out")" = 4
 check "no ratio without a peer" sh -c "! grep -q ratio '$folder/log/out'"
 
+# Several numbers of threads: each is timed, and the stages of a frame are part of it.
+succeed bench $tiny --scene fill_color,sphere_10k,shadow_map --threads 1,3,2 --csv=scaling.csv --json=scaling.json
+check "scaling: a row for each number" test "$(grep -cE '^(fill_color|sphere_10k|shadow_map| ) +[123] +[0-9.]+ ' "$folder/log/out")" = 9
+check "scaling: csv" test "$(awk -F, 'NR == 1 { n = NF } NF == n { print $2 }' scaling.csv | paste -sd ,)" = threads,1,3,2,1,3,2,1,3,2
+check "scaling: stages within the frame" awk -F, 'NR > 1 && ($8 <= 0 || $11 <= 0 || $14 < 0 || $9 > 1.01 || $12 > 1.01) { exit 1 }' scaling.csv
+check "scaling: one thread does not wait" awk -F, '$2 == 1 && ($9 < 0.5 || $12 < 0.5 || $6 != 1) { exit 1 }' scaling.csv
+check "scaling: json" python3 -c 'import json; assert [len(s["scaling"]) for s in json.load(open("scaling.json"))["scenes"]] == [3, 3, 3]'
+
 succeed bench $tiny --peer none --scene fill_flat,sphere_10k --threads 1 --csv
 check "csv: head and one line per scene" test "$(wc -l <"$folder/log/out")" = 3
 check "csv: equal number of fields" test "$(awk -F, '{print NF}' "$folder/log/out" | sort -u | wc -l)" = 1
