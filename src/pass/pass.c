@@ -120,6 +120,7 @@ static void append_draw(struct rhw_encoder *encoder, const struct rhw_draw *draw
         return;
     }
     pass->shades_first |= slot->is_shaded_first;
+    pass->shades_samples |= state->plans[RHW_PHASE_ONLY].sampling == RHW_SAMPLING_SAMPLE;
     pass->shows_order |= state->pipeline->def.program.uses_atomic_results;
     pass->draws.count++;
     encoder->context->recording.draw = pass->draws.count;
