@@ -7,12 +7,13 @@
 #include "scene_floor.h"
 #include "scene_sphere.h"
 
-// Coordinates and derivatives are added in parts that keep the colour between 0 and 1.
-static void set_uniforms(struct bench_uniforms *uniforms, enum bench_shader shader)
+// Coordinates and derivatives are added in parts that keep the colour between 0 and 1. Derivatives are greater the fewer
+// pixels there are.
+static void set_uniforms(struct bench_uniforms *uniforms, enum bench_shader shader, int width)
 {
     static const float scale[4] = {1.0f / 16384, 1.0f / 16384, 0.05f, 0.01f};
     memcpy(uniforms->color, scale, sizeof scale);
-    uniforms->cutoff = shader == BENCH_SHADER_DISCARD ? 0.6f : 4.0f;
+    uniforms->cutoff = shader == BENCH_SHADER_DISCARD ? 0.6f : 0.25f * (float)width / 1920;
 }
 
 // The peer takes derivatives as differences of 2×2 pixels. Layers that read what is there are rounded to 8 bits one
@@ -45,7 +46,7 @@ bool bench_make_asked(const struct bench_scene_entry *entry, struct bench_scene 
     for (uint32_t i = 0; i < scene->draw_count; i++) {
         struct bench_draw *const draw = &scene->draws[i];
         draw->shader = shader;
-        set_uniforms(&draw->uniforms, shader);
+        set_uniforms(&draw->uniforms, shader, width);
         if (shader == BENCH_SHADER_MOVE) {
             draw->depth = BENCH_DEPTH_LESS;
             draw->uniforms.color[3] = 1.0f - 0.05f * (float)i; // later floors are nearer
