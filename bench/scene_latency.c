@@ -90,7 +90,9 @@ static bool make_noise(struct bench_texture *texture)
 bool bench_make_latency(const struct bench_scene_entry *entry, struct bench_scene *scene, int width,
                         int height, char *why, size_t why_size)
 {
-    const bool draws = entry->variant == BENCH_LATENCY_DRAWS;
+    scene->keeps_triangles = entry->variant == BENCH_LATENCY_DRAWS_REPLAYED;
+    scene->replays = scene->keeps_triangles || entry->variant == BENCH_LATENCY_DRAWS_RECORDED;
+    const bool draws = scene->replays || entry->variant == BENCH_LATENCY_DRAWS;
     scene->opens_context = entry->variant == BENCH_LATENCY_CONTEXT;
     scene->opens_texture = entry->variant == BENCH_LATENCY_TEXTURE;
     scene->makes_mips = entry->variant == BENCH_LATENCY_MIPS;
