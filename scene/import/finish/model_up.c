@@ -110,9 +110,13 @@ static bool rests_on_ground(const struct scene_model *model)
 static bool stands_on_feet(struct scene_import *import, double as_y, double as_z)
 {
     const bool stands_on_nose = as_y < nose_share && as_z > feet_ratio * as_y;
-    return as_z >= feet_share && (stands_on_nose || rests_on_ground(&import->model)) &&
-           lowest_area(&import->model, 2) < feet_area && scene_symmetry_share(import, 2) < mirrored &&
-           (scene_symmetry_share(import, 0) >= mirrored || scene_symmetry_share(import, 1) >= mirrored);
+    double shares[3];
+    if (as_z < feet_share || !(stands_on_nose || rests_on_ground(&import->model)) ||
+        lowest_area(&import->model, 2) >= feet_area) {
+        return false;
+    }
+    scene_symmetry_find(import, shares);
+    return shares[2] < mirrored && (shares[0] >= mirrored || shares[1] >= mirrored);
 }
 
 // Return true if a model of these sides may be taken to stand along an axis. `is_agreed` is as in
