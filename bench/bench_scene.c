@@ -4,6 +4,7 @@
 
 #include "scene_deferred.h"
 #include "scene_floor.h"
+#include "scene_asked.h"
 #include "scene_format.h"
 #include "scene_latency.h"
 #include "scene_model.h"
@@ -143,6 +144,44 @@ const struct bench_scene_entry bench_scene_entries[] = {
      BENCH_FORMAT_VARIANT(BENCH_RG32F, BENCH_FORMAT_BLEND)},
     {"cliffs_blend_rgba32f", "fill_blend into a picture of RGBA32F", bench_make_format,
      BENCH_FORMAT_VARIANT(BENCH_RGBA32F, BENCH_FORMAT_BLEND)},
+    {"cliffs_mesh", "a sphere of 82,000 triangles in the colours of its vertices", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_COLOR, BENCH_ASKED_MESH)},
+    {"cliffs_coord_fill", "fill_color, and coordinates", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_COORD, BENCH_ASKED_FILL)},
+    {"cliffs_coord_mesh", "cliffs_mesh, and coordinates", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_COORD, BENCH_ASKED_MESH)},
+    {"cliffs_slopes_fill", "fill_color, and derivatives", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_SLOPES, BENCH_ASKED_FILL)},
+    {"cliffs_slopes_mesh", "cliffs_mesh, and derivatives", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_SLOPES, BENCH_ASKED_MESH)},
+    {"cliffs_coord_slopes_fill", "cliffs_slopes_fill, and coordinates", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_COORD_SLOPES, BENCH_ASKED_FILL)},
+    {"cliffs_coord_slopes_mesh", "cliffs_slopes_mesh, and coordinates", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_COORD_SLOPES, BENCH_ASKED_MESH)},
+    {"cliffs_screen_fill", "fill_color, interpolated on the screen", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_SCREEN, BENCH_ASKED_FILL)},
+    {"cliffs_screen_mesh", "cliffs_mesh, interpolated on the screen", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_SCREEN, BENCH_ASKED_MESH)},
+    {"cliffs_discard_fill", "fill_color, of which a part is discarded", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_DISCARD, BENCH_ASKED_FILL)},
+    {"cliffs_discard_mesh", "cliffs_mesh, of which a part is discarded", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_DISCARD, BENCH_ASKED_MESH)},
+    {"cliffs_move_fill", "fill_color, with depths that the shader writes", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_MOVE, BENCH_ASKED_FILL)},
+    {"cliffs_move_mesh", "cliffs_mesh, with depths that the shader writes", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_MOVE, BENCH_ASKED_MESH)},
+    {"cliffs_sample4_fill", "fill_color with 4 samples, each shaded", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_SAMPLE, BENCH_ASKED_FILL_SAMPLES)},
+    {"cliffs_sample4_mesh", "cliffs_mesh with 4 samples, each shaded", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_SAMPLE, BENCH_ASKED_MESH_SAMPLES)},
+    {"cliffs_input_fill", "fill_blend, blended by the shader", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_INPUT, BENCH_ASKED_FILL)},
+    {"cliffs_input_mesh", "cliffs_mesh, blended by the shader", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_INPUT, BENCH_ASKED_MESH)},
+    {"cliffs_input4_fill", "cliffs_input_fill with 4 samples", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_INPUT, BENCH_ASKED_FILL_SAMPLES)},
+    {"cliffs_input4_mesh", "cliffs_input_mesh with 4 samples", bench_make_asked,
+     BENCH_ASKED_VARIANT(BENCH_SHADER_INPUT, BENCH_ASKED_MESH_SAMPLES)},
 };
 const int bench_scene_entry_count = (int)(sizeof bench_scene_entries / sizeof *bench_scene_entries);
 

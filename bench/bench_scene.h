@@ -93,6 +93,15 @@ enum bench_shader {
     BENCH_SHADER_DEPTH,       // no colour at all
     BENCH_SHADER_PARTICLE,    // a disc of the instance's tint, on the plane of the first two rows of `world`
     BENCH_SHADER_VOLUME,      // no colour; what faces along `color`, in the model, is moved by it
+    // BENCH_SHADER_COLOR, and what a fragment function may ask for or do beside it.
+    BENCH_SHADER_SCREEN,       // the colour is interpolated on the screen
+    BENCH_SHADER_COORD,        // coordinates of the fragment, times `color`, are added
+    BENCH_SHADER_SLOPES,       // derivatives of the first two components, times the cutoff, are added
+    BENCH_SHADER_COORD_SLOPES, // both
+    BENCH_SHADER_DISCARD,      // a fragment whose first component is below the cutoff is discarded
+    BENCH_SHADER_MOVE,         // the fourth component, times that of `color`, is the fragment's depth
+    BENCH_SHADER_SAMPLE,       // the colour is interpolated at every sample
+    BENCH_SHADER_INPUT,        // the colour is weighed by its fourth component, and what is there by the rest
     // Those that read what earlier passes drew, shaders_lanes_passes.c. All but the last draw bodies.
     BENCH_SHADER_SHADOWED, // Blinn-Phong times the light that a shadow map lets through; shared: rows from the world to
                            // u, v and depth of the map, and the size of a texel

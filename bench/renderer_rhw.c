@@ -130,15 +130,23 @@ static void record_draws(const struct bench_state *s, rhw_pass pass, uint32_t fi
     }
 }
 
-static bool run_pass(struct bench_state *s, const struct bench_pass *pass, uint64_t *fragments)
+static void add_stats(struct bench_renderer *renderer, const struct rhw_stats *stats)
+{
+    renderer->fragments += stats->fragments_shaded;
+    renderer->stages.front += stats->front_ms;
+    renderer->stages.back += stats->back_ms;
+    renderer->stages.front_busy += stats->front_busy_ms;
+    renderer->stages.back_busy += stats->back_busy_ms;
+}
+
+static bool run_pass(struct bench_state *s, const struct bench_pass *pass, struct rhw_stats *stats)
 {
     const struct bench_surfaces *const surfaces = s->scene->surfaces;
     if (surfaces && pass->color_count == 0) {
         return scene_shadow_draw(&s->upload, &s->surface_pipelines, &surfaces->light_frame, &surfaces->map,
-                                 &s->map) == RHW_OK;
+                                 &s->map, stats) == RHW_OK;
     }
     const struct rhw_pass_def def = describe(s, pass);
-    struct rhw_stats stats;
     rhw_pass id;
     if (rhw_pass_begin(s->context, &def, &id) != RHW_OK) {
         return false;
@@ -149,8 +157,7 @@ static bool run_pass(struct bench_state *s, const struct bench_pass *pass, uint6
     } else {
         record_draws(s, id, pass->first_draw, pass->draw_count);
     }
-    const enum rhw_result ended = rhw_pass_end(s->context, id, &stats);
-    *fragments += ended == RHW_OK ? stats.fragments_shaded : 0;
+    const enum rhw_result ended = rhw_pass_end(s->context, id, stats);
     return recorded == RHW_OK && ended == RHW_OK &&
            (!pass->makes_levels ||
             rhw_texture_generate_mips(s->context, s->textures[pass->colors[0]]) == RHW_OK);
@@ -188,8 +195,13 @@ static bool frame(struct bench_renderer *renderer)
     }
     bool works = true;
     renderer->fragments = 0;
+    renderer->stages = (struct bench_stages){0};
     for (uint32_t i = 0; works && i < scene->pass_count; i++) {
-        works = run_pass(s, &scene->passes[i], &renderer->fragments);
+        struct rhw_stats stats;
+        works = run_pass(s, &scene->passes[i], &stats);
+        if (works) {
+            add_stats(renderer, &stats);
+        }
     }
     return works;
 }

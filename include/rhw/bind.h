@@ -20,7 +20,8 @@ struct RHW_MAY_ALIAS rhw_binding {
 };
 
 // Bindings of what a context owns. These functions look up ids, so the calling thread is the one that is inside the
-// context. They may be called while a pass is recorded. On failure the binding is empty.
+// context. They may be called while a pass is recorded. They return RHW_OK, RHW_ERROR_OUT_OF_MEMORY,
+// RHW_ERROR_GIVEN_UP (rhw_context_set_goes_on) or RHW_ERROR_MISUSE. On failure the binding is empty.
 
 /// Make a binding of a texture with a sampler, for the sampling functions. The rules about the pair are those of
 /// rhw_pass_set_texture. A null sampler gives a binding for fetches and sizes, and for rhw_binding_of_pair.

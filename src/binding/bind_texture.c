@@ -26,8 +26,11 @@ static enum rhw_result bind_texture(struct rhw_context *context, rhw_texture id,
             return RHW_ERROR_MISUSE;
         }
     }
-    if (!rhw_texture_pin(context, id, texture) || !rhw_texture_note_bound(context, texture)) {
-        return RHW_ERROR_OUT_OF_MEMORY;
+    const bool is_pinned = rhw_texture_pin(context, id, texture);
+    const enum rhw_result result =
+        is_pinned ? rhw_texture_note_bound(context, texture) : RHW_ERROR_OUT_OF_MEMORY;
+    if (result != RHW_OK) {
+        return result;
     }
     const bool is_alone = !sampler && texture->samples == 1;
     const struct rhw_binding_data data =

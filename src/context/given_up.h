@@ -5,6 +5,9 @@
 
 #include "context.h"
 
+// Bytes that a copy moves between two questions, in some 200 µs.
+enum { RHW_ASKED_BYTES = 1 << 20 };
+
 // Return true if the program gives up the work that is under way. A task asks before it begins. Worker 0 asks the
 // program, on the program's own thread; the others hear of it.
 bool rhw_context_is_given_up(struct rhw_context *context, int worker);

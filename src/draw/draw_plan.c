@@ -40,8 +40,8 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
 {
     const uint32_t uses = pipeline->def.program.uses;
     // What groups can be filled with together.
-    const uint32_t together =
-        RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_EFFECTS | RHW_USE_LAYER;
+    const uint32_t together = RHW_USE_COORD | RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_FACING | RHW_USE_IDS |
+                              RHW_USE_EFFECTS | RHW_USE_LAYER;
     if (!(pipeline->fragment || pipeline->def.program.fragment1) || phase == RHW_PHASE_DEPTH) {
         return RHW_SHADING_NONE;
     }
@@ -56,8 +56,7 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
     if (uses == 0 && pipeline->varying_components == 0 && !masks_samples(&pipeline->def)) {
         return RHW_SHADING_CONSTANT;
     }
-    const bool smooth = !pipeline->any_noperspective && !pipeline->any_constant_derivatives;
-    return smooth && !(uses & ~together) ? RHW_SHADING_SMOOTH : RHW_SHADING_ANY;
+    return uses & ~together ? RHW_SHADING_ANY : RHW_SHADING_SMOOTH;
 }
 
 // 1 and −1 for comparisons that let depth move one way alone.
@@ -221,7 +220,10 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
     plan.needs_depth = plan.depth_mode != RHW_DEPTH_NONE || plan.keeps_depth;
     plan.keeps_identity = plan.shading == RHW_SHADING_SMOOTH && uses & (RHW_USE_FACING | RHW_USE_IDS);
     const bool screen = pipeline->any_noperspective || uses & (RHW_USE_BARYCENTRIC | RHW_USE_POINT_COORD);
-    plan.needs_screen = plan.shading == RHW_SHADING_ROWS || (plan.shading == RHW_SHADING_ANY && screen);
+    plan.needs_screen = plan.shading == RHW_SHADING_ROWS || (shades && screen);
+    plan.fills_more =
+        plan.shading == RHW_SHADING_SMOOTH &&
+        (uses & RHW_USE_COORD || pipeline->any_noperspective || pipeline->any_constant_derivatives);
     plan.needs_distance = shades && (pipeline->any_derivatives || uses & RHW_USE_BARYCENTRIC_DERIVATIVES);
     if (paths != RHW_PATHS_GENERAL && !plan.is_skipped) {
         plan_paths(&plan, phase, samples);

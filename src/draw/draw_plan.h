@@ -26,7 +26,7 @@ enum rhw_shading {
     RHW_SHADING_NONE,     // they get none: depth is all that is drawn
     RHW_SHADING_CONSTANT, // the fragment function receives nothing, so one call tells the colour of all
     // Any 8 fragments make a group. It receives
-    RHW_SHADING_SMOOTH, // smooth and flat varyings, facing and ids, which several groups are filled with together, or
+    RHW_SHADING_SMOOTH, // varyings, coordinates, facing and ids, which several groups are filled with together, or
     RHW_SHADING_ANY, // anything
     RHW_SHADING_ROWS // A group is a row of 8 pixels with anything. The general path
 };
@@ -95,6 +95,7 @@ struct rhw_draw_plan {
     bool needs_depth;    // depth is tested, or given to the fragment function
     bool keeps_depth;    // groups carry it
     bool keeps_identity; // groups of RHW_SHADING_SMOOTH carry facing or ids
+    bool fills_more; // groups of RHW_SHADING_SMOOTH have more than smooth and flat varyings and their derivatives
     bool needs_screen;   // weights on the screen are wanted
     bool needs_distance; // derivatives that change from pixel to pixel are wanted
     bool is_skipped;     // nothing is drawn in this phase

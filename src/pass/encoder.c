@@ -38,6 +38,7 @@ void rhw_encoder_renew(struct rhw_encoder *encoder)
     encoder->read = NULL;
     encoder->stored = NULL;
     encoder->out_of_memory = false;
+    encoder->given_up = false;
     encoder->memory = (struct rhw_used_memory){
         .context = encoder->context, .pass = encoder->pass, .out_of_memory = &encoder->out_of_memory};
     memset(&encoder->bound, 0, sizeof encoder->bound);

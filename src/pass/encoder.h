@@ -53,6 +53,7 @@ struct rhw_encoder {
     struct rhw_context *context;
     struct rhw_recorded_pass *pass; // the pass that is recorded
     bool out_of_memory;             // something could not be recorded: the pass fails when it ends
+    bool given_up;                  // the program gave it up while it was recorded
     bool names_size;                // the definition names the size, and attachments may be larger
     bool depth_by_default;          // RHW_LOAD_DEFAULT clears depth to 1, because no other value was given
 

@@ -79,7 +79,8 @@ static enum rhw_result end(struct rhw_encoder *encoder, struct rhw_stats *stats)
     }
     context->recording.active = false;
     bool misused = context->recording.misused;
-    const enum rhw_result result = encoder->out_of_memory
+    const enum rhw_result result = encoder->given_up ? RHW_ERROR_GIVEN_UP
+                                   : encoder->out_of_memory
                                        ? RHW_ERROR_OUT_OF_MEMORY
                                        : rhw_executor_run(context->executor, encoder->pass, stats);
     if (result == RHW_OK) {

@@ -41,9 +41,14 @@ static bool check_sampled(const struct rhw_encoder *encoder, rhw_texture id, int
 
 // Make the linear copy of an sRGB texture that is sampled. Textures with several samples need none, because they are
 // not filtered. Return false when out of memory.
-static bool linearize(struct rhw_context *context, struct rhw_texture_data *texture)
+static bool linearize(struct rhw_encoder *encoder, struct rhw_texture_data *texture)
 {
-    return texture->samples > 1 || rhw_texture_linearize(context, texture);
+    if (texture->samples > 1 || encoder->given_up) {
+        return true;
+    }
+    const enum rhw_result result = rhw_texture_linearize(encoder->context, texture);
+    encoder->given_up = result == RHW_ERROR_GIVEN_UP;
+    return result != RHW_ERROR_OUT_OF_MEMORY;
 }
 
 // Bind what was set in a slot. Slots up to the last one that has something are there.
@@ -79,7 +84,7 @@ bool rhw_encoder_set_texture(struct rhw_encoder *encoder, int slot, rhw_texture 
         rhw_texture_note_sampled(*bound.texture, context->recording.generation);
         encoder->out_of_memory |=
             !rhw_pass_note_read(encoder, bound.texture, rhw_all_levels(*bound.texture)) ||
-            !linearize(context, *bound.texture);
+            !linearize(encoder, *bound.texture);
         rhw_pool_use(&context->textures, texture.index, context->recording.generation);
         rhw_pool_use(&context->samplers, sampler.index, context->recording.generation);
     }
@@ -411,7 +416,7 @@ bool rhw_pass_renew_bindings(struct rhw_encoder *encoder)
 {
     for (int i = 0; i < encoder->slots.slot_count; i++) {
         const struct rhw_bound_texture *const bound = &encoder->bound.textures[i];
-        if (bound->texture && !linearize(encoder->context, *bound->texture)) {
+        if (bound->texture && !linearize(encoder, *bound->texture)) {
             return false;
         }
         bind_texture(encoder, i, bound);

@@ -439,7 +439,11 @@ enum rhw_result rhw_executor_run(struct rhw_executor *executor, struct rhw_recor
     struct rhw_wave *const wave = &executor->wave;
     struct position at = {0, 0};
     start_pass(executor, pass);
-    if (!rhw_bound_texels_prepare(context) || !rhw_executor_workers_ready(executor)) {
+    const enum rhw_result prepared = rhw_bound_texels_prepare(context);
+    if (prepared != RHW_OK) {
+        return prepared;
+    }
+    if (!rhw_executor_workers_ready(executor)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     struct rhw_stats s = stats_of(executor);

@@ -81,16 +81,20 @@ function rowOf(kind) {
   return row;
 }
 
+// A text of the program: a narrow room breaks no name at the hyphen of its arrow.
+const piecesOf = (text) =>
+  text.split(/(\S*->\S*)/).map((piece, i) => (i % 2 ? Object.assign(document.createElement('span'), { className: 'whole', textContent: piece }) : piece));
+
 function frameNode(line) {
   const row = rowOf('frame');
-  row.firstChild.textContent = line;
+  row.firstChild.append(...piecesOf(line));
   return row;
 }
 
 function lineNode({ term, how, share, kind = '' }, language) {
   const row = rowOf(kind);
   row.firstChild.append(language.declare, termNode(term, language), ' = ');
-  (how ?? language.share(share)).split('$').forEach((part, i) => row.firstChild.append(i % 2 ? termNode(part, language) : part));
+  (how ?? language.share(share)).split('$').forEach((part, i) => row.firstChild.append(...(i % 2 ? [termNode(part, language)] : piecesOf(part))));
   row.firstChild.append(language.end);
   row.appendChild(document.createElement('code')).className = 'said';
   return row;

@@ -198,12 +198,12 @@ const digits = (value) => long(Number(value.toPrecision(9)));
 // By way of the world floats lose more on their way than the pipeline does.
 const notes = {
   world: (error, direct) => ({
-    en: `Naive and correct are computed in exact arithmetic here; by way of the world it came ${error.toFixed(2)} ULP of the largest corner value from the correct one, by r/W, s/W, t/W it is ${direct.toFixed(2)}: see “pipeline”.`,
-    zh: `前两行在此用精确有理数算出；经世界空间的结果相差 ${error.toFixed(2)} ULP（以顶点最大值计），由 r/W、s/W、t/W 求得的（见“管线”）相差 ${direct.toFixed(2)}。`,
+    en: `Naive and correct are computed in exact arithmetic here; by way of the world rhw is ${error.toFixed(2)} ULP from the correct one (a ULP is a unit in the last place of the largest corner value), by r/W, s/W, t/W it is ${direct.toFixed(2)}: see “pipeline”.`,
+    zh: `前两行在此用精确有理数算出；经世界空间的结果相差 ${error.toFixed(2)} ULP（ULP：顶点最大值的末位单位），由 r/W、s/W、t/W 求得的（见“管线”）相差 ${direct.toFixed(2)}。`,
   }),
   direct: (error) => ({
-    en: `Naive and correct are computed in exact arithmetic here; rhw is ${error.toFixed(2)} ULP of the largest corner value from the one it was asked for.`,
-    zh: `前两行在此用精确有理数算出；rhw 与所要求的一行相差 ${error.toFixed(2)} ULP（以顶点最大值计）。`,
+    en: `Naive and correct are computed in exact arithmetic here; rhw is ${error.toFixed(2)} ULP from the one it was asked for (a ULP is a unit in the last place of the largest corner value).`,
+    zh: `前两行在此用精确有理数算出；rhw 与所要求的一行相差 ${error.toFixed(2)} ULP（ULP：顶点最大值的末位单位）。`,
   }),
 };
 

@@ -13,6 +13,7 @@ const FIELDS = 8; // of the triangle, along u and v
 const YAW = (68 * Math.PI) / 180; // from where one looks at the start: from the side, a little from above
 const PITCH = (24 * Math.PI) / 180;
 const FAR = 7; // W up to which the start is in the picture
+const CAPTION = 120; // CSS pixels that the name of the screen takes at most
 const LIFT = 0.3; // of the start, as what is near stands low in it
 
 const mix = (from, to, k) => from + (to - from) * k;
@@ -140,9 +141,11 @@ export class Flight {
     });
     if (this.k < 0.6) {
       const [x, y] = this.#at([0, 0, 0, 0]);
-      drawn(this.labels, 'text', { x: x - 10, y: y + 22, class: 'caption' }, say({ en: 'eye', zh: '眼睛' }));
+      drawn(this.labels, 'text', { x: x - 9, y: y + 4, 'text-anchor': 'end', class: 'caption' }, say({ en: 'eye', zh: '眼睛' }));
     }
     const [x, y] = this.#at(this.#onScreen(1, -1));
-    drawn(this.labels, 'text', { x: x + 4, y: y + 16, class: 'caption' }, say({ en: `screen, W = ${short(this.unit)}`, zh: `屏幕，W = ${short(this.unit)}` }));
+    const fits = x + CAPTION < this.width; // else it ends where the screen does
+    const at = { x: fits ? x + 4 : x, y: y + 16, 'text-anchor': fits ? 'start' : 'end' };
+    drawn(this.labels, 'text', { ...at, class: 'caption' }, say({ en: `screen, W = ${short(this.unit)}`, zh: `屏幕，W = ${short(this.unit)}` }));
   }
 }

@@ -106,18 +106,29 @@ static bool may_be_collada(const struct scene_import *import)
     return ending[0] == 0 || strcasecmp(ending, "dae") == 0 || strcasecmp(ending, "xml") == 0;
 }
 
-char *scene_assimp_collada(const struct scene_import *import, size_t *size)
+static bool is_zae(const struct scene_import *import)
+{
+    return strcasecmp(import->ending, "zae") == 0;
+}
+
+char *scene_assimp_collada(struct scene_import *import, size_t *size)
 {
     const char *problem = NULL;
-    char *const text =
-        may_be_collada(import) ? scene_import_read_bytes(import->model.path, size, &problem) : NULL;
+    char *text = may_be_collada(import) || is_zae(import)
+                     ? scene_import_read_bytes(import->model.path, size, &problem)
+                     : NULL;
+    if (text != NULL && is_zae(import) && strncmp(text, "PK", 2) == 0) {
+        free(text);
+        text = scene_assimp_read_zae(import, size);
+    }
     if (text == NULL || strstr(text, "<COLLADA") == NULL) {
         free(text);
         return NULL;
     }
     scene_assimp_collapse_texts(text, *size);
     scene_assimp_number_sets(text, *size);
-    return scene_assimp_name_images(text, size);
+    text = scene_assimp_write_cameras(import, scene_assimp_name_images(text, size), size);
+    return scene_assimp_write_matrices(import, text, size);
 }
 
 char *scene_assimp_dxf(struct scene_import *import, size_t *size)
@@ -163,8 +174,9 @@ static struct aiFile *open_model(const struct scene_assimp_source *source)
         return open_memory(source->exact->bytes, source->exact->size, false);
     }
     size_t size = 0;
-    char *const collada = scene_assimp_collada(source->import, &size);
-    char *const changed = collada != NULL ? collada : scene_assimp_dxf(source->import, &size);
+    char *changed = scene_assimp_collada(source->import, &size);
+    changed = changed != NULL ? changed : scene_assimp_dxf(source->import, &size);
+    changed = changed != NULL ? changed : scene_assimp_fbx(source->import, &size);
     return open_memory(changed, size, true);
 }
 
@@ -180,7 +192,7 @@ static void close_memory(struct aiFile *file)
 static struct aiFile *open_file(struct aiFileIO *files, const char *path, const char *mode)
 {
     const struct scene_assimp_source *const source = (const void *)files->UserData;
-    const struct scene_import *const import = source->import;
+    struct scene_import *const import = source->import;
     const bool is_model = strcmp(path, import->model.path) == 0;
     const bool may_read = mode[0] == 'r' && (is_model || scene_import_within(import, path));
     struct aiFile *const model = may_read && is_model ? open_model(source) : NULL;

@@ -125,7 +125,8 @@ static void look_for_words(struct scene_import *import, const char *bytes, size_
     };
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         const size_t length = strlen(words[i].word);
-        if (strcasecmp(import->ending, words[i].ending) != 0) {
+        const char *const ending = import->archive != NULL ? "dae" : import->ending;
+        if (strcasecmp(ending, words[i].ending) != 0) {
             continue;
         }
         const char *place = bytes, *end = bytes + size;
@@ -182,7 +183,9 @@ void scene_assimp_find_gaps(struct scene_import *import)
 {
     const char *problem = NULL;
     size_t size = 0;
-    char *bytes = scene_import_read_file(import, import->model.path, &size, &problem);
+    char *const document = scene_assimp_collada(import, &size);
+    char *const bytes =
+        document != NULL ? document : scene_import_read_file(import, import->model.path, &size, &problem);
     if (bytes == NULL) {
         scene_import_warn(import, "cannot be looked through for what is not drawn: %s", problem);
         return;

@@ -154,24 +154,6 @@ static struct array find_array(const struct geometry *geometry, char *text, cons
     return (struct array){.text = NULL};
 }
 
-// Write positions as they are counted from an offset.
-static void move_points(struct scene_import *import, struct scene_edits *edits, const char *start,
-                        const struct array *array, const double (*points)[3], size_t count,
-                        const double offset[3])
-{
-    char *written = NULL;
-    size_t capacity = 0, length = 0;
-    for (size_t i = 0; i < 3 * count; i++) {
-        scene_import_reserve(import, &written, &capacity, length + 33, 1);
-        written[length] = ' ';
-        length += i > 0;
-        length += scene_assimp_write_number(written + length, points[i / 3][i % 3] - offset[i % 3]);
-    }
-    scene_edits_add(import, edits,
-                    (struct scene_edit){(size_t)(array->text - start), (size_t)(array->end - array->text),
-                                        written, length});
-}
-
 static void edit_geometry(struct scene_import *import, struct scene_assimp_exact *exact,
                           const struct geometry *geometry, const struct array *array, const char *start,
                           struct scene_edits *edits)
@@ -188,7 +170,8 @@ static void edit_geometry(struct scene_import *import, struct scene_assimp_exact
     if (scene_assimp_name_offset(import, exact, geometry->id.text, geometry->id.length,
                                  is_far ? offset : (const double[]){0, 0, 0}) &&
         is_far) {
-        move_points(import, edits, start, array, points, count / 3, offset);
+        scene_assimp_edit_points(import, edits, (size_t)(array->text - start),
+                                 (size_t)(array->end - array->text), ' ', points, count / 3, offset);
     }
     free(numbers);
 }
@@ -220,8 +203,7 @@ void scene_collada_edit_geometries(struct scene_import *import, struct scene_ass
     }
 }
 
-// Return the unit of a document in metres, by which assimp multiplies all of it. Return 0 where it has none.
-static double find_unit(char *text, const char *end)
+double scene_collada_unit(char *text, const char *end)
 {
     double unit = 0;
     for (char *c = strchr(text, '<'); c != NULL && !is_end(c, "asset"); c = strchr(c, '<')) {
@@ -246,7 +228,7 @@ char *scene_assimp_rewrite_collada(struct scene_import *import, struct scene_ass
                                    size_t *size)
 {
     struct scene_edits edits = {.count = 0};
-    exact->unit = find_unit(bytes, bytes + *size);
+    exact->unit = scene_collada_unit(bytes, bytes + *size);
     scene_collada_edit_geometries(import, exact, bytes, *size, &edits);
     scene_collada_edit_nodes(import, exact, bytes, *size, &edits);
     return scene_edits_apply(import, &edits, bytes, size);

@@ -128,7 +128,8 @@ bool scene_fbx_find_matrix(const struct scene_fbx_transform *transform, int numb
         const double *const vector = v[i];
         for (int c = 0; c < 3 && scene_fbx_matrix_of((enum scene_fbx_vector)i) == number; c++) {
             const bool is_turn = vectors[i].kind == ANGLES && (vector[c] < 0 || vector[c] > 0);
-            is_wide = is_wide || is_turn || (double)(float)vector[c] != vector[c];
+            const bool is_way = vectors[i].kind == WAY && (vector[c] < 0 || vector[c] > 0);
+            is_wide = is_wide || is_turn || is_way || (double)(float)vector[c] != vector[c];
         }
     }
     for (int i = 0; i < 16; i++) {

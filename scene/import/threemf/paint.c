@@ -6,7 +6,7 @@
 #include "threemf.h"
 #include "import/builder/name_forms.h"
 #include "import/builder/phong.h"
-#include "zip.h"
+#include "import/builder/zip.h"
 
 struct scene_3mf_group *scene_3mf_find_group(const struct scene_3mf *file, uint32_t part, uint32_t id)
 {

@@ -379,6 +379,34 @@ static void test_named_part(void **state)
         package_end(zip);
         struct scene_model *model = load("x.3mf");
         assert_int_equal(model->triangles_drawn, 1);
+        assert_int_equal(model->unsupported_count, 0);
+        scene_model_free(model);
+    }
+}
+
+// A package has one model. Of several the first is drawn, and a second relationship to it is none.
+static void test_two_models(void **state)
+{
+    (void)state;
+    static const char *const targets[] = {"/3D/a.model", "/3D/b.model"};
+    for (int i = 0; i < 2; i++) {
+        static const char type[] = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
+        char text[512];
+        snprintf(text, sizeof text,
+                 "<Relationships><Relationship\n Target=\"/3D/a.model\" Type=\"%s\"/>"
+                 "<Relationship\tTarget=\"%s\" Type=\"%s\"/></Relationships>",
+                 type, targets[i], type);
+        zipFile zip = package_begin("x.3mf");
+        package_add_text(zip, "_rels/.rels", text);
+        for (int k = 0; k < 2; k++) {
+            package_add_model(zip, targets[k] + 1,
+                              "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+                              "<item objectid=\"1\"/>");
+        }
+        package_end(zip);
+        struct scene_model *model = load("x.3mf");
+        assert_int_equal(model->triangles_drawn, 1);
+        assert_true(is_unsupported(model, "several models in the package: the first alone is drawn") == i);
         scene_model_free(model);
     }
 }
@@ -584,6 +612,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_many_colors_below),
     cmocka_unit_test(test_two_of_one_id),
     cmocka_unit_test(test_empty_relationships),
+    cmocka_unit_test(test_two_models),
     cmocka_unit_test(test_named_part),
     cmocka_unit_test(test_missing_object),
     cmocka_unit_test(test_beams),

@@ -114,7 +114,8 @@ static void test_polygons(void **state)
             whole += 0.5 * ((double)a[0] * (double)b[1] - (double)a[1] * (double)b[0]);
         }
         const struct scene_mesh mesh = {.positions = points};
-        scene_import_triangulate(NULL, &mesh, corners, count, triangles);
+        struct scene_import import = {.fan_count = 0};
+        scene_import_triangulate(&import, &mesh, corners, count, triangles);
         for (uint32_t i = 0; i < count - 2; i++) {
             const double area = area_of((const float(*)[3])points, triangles + 3 * i);
             assert_true(area > -1e-9);
@@ -146,13 +147,46 @@ static void test_large_polygons(void **state)
         whole += 0.5 * ((double)a[0] * (double)b[1] - (double)a[1] * (double)b[0]);
     }
     const struct scene_mesh mesh = {.positions = points};
-    scene_import_triangulate(NULL, &mesh, corners, CORNERS, triangles);
+    struct scene_import import = {.fan_count = 0};
+    scene_import_triangulate(&import, &mesh, corners, CORNERS, triangles);
     for (uint32_t i = 0; i < CORNERS - 2; i++) {
         const double area = area_of((const float(*)[3])points, triangles + 3 * i);
         assert_true(area >= 0);
         sum += area;
     }
     assert_true(whole > 0 && fabs(sum - whole) < 1e-6 * whole);
+    assert_int_equal(import.fan_count, 0);
+}
+
+// A file of 10,000 polygons that cross themselves everywhere. Each takes many times the looks of a usual one, which
+// would be half a minute for all. What they may take together is over at some of them, and the file says of how many a
+// part is a fan.
+static void test_hostile_polygons(void **state)
+{
+    (void)state;
+    enum { POLYGONS = 10000, CORNERS = 120 };
+    char *text = NULL;
+    size_t size = 0;
+    FILE *file = open_memstream(&text, &size);
+    for (int i = 0; i < CORNERS; i++) {
+        fprintf(file, "v %u %u 0\n", next_random() % 1000, next_random() % 1000);
+    }
+    for (int i = 0; i < POLYGONS; i++) {
+        fprintf(file, "f");
+        for (int k = 1; k <= CORNERS; k++) {
+            fprintf(file, " %d", k);
+        }
+        fprintf(file, "\n");
+    }
+    fclose(file);
+    struct scene_model *model = load_text("hostile.obj", text);
+    free(text);
+    assert_int_equal(model->warning_count, 1);
+    unsigned fans = 0;
+    assert_int_equal(
+        sscanf(model->warnings[0], "its polygons take too long to cut: a part of %u of them is a", &fans), 1);
+    assert_in_range(fans, 1, POLYGONS - 1);
+    scene_model_free(model);
 }
 
 // OBJ -----------------------------------------------------------------------------------------------
@@ -759,6 +793,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_numbers),
     cmocka_unit_test(test_polygons),
     cmocka_unit_test(test_large_polygons),
+    cmocka_unit_test(test_hostile_polygons),
     cmocka_unit_test(test_obj_cube),
     cmocka_unit_test(test_obj_smooth),
     cmocka_unit_test(test_a_ridge_is_not_torn),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Passes, and mip levels, that the program gives up while they are made (rhw_context_set_goes_on): wherever that is, the
-// result says so, nobody is asked again, and the next one is made as if nothing had been.
+// Passes, mip levels and texels that the program gives up while they are made (rhw_context_set_goes_on): wherever that
+// is, the result says so, nobody is asked again, and the next one is made as if nothing had been.
 #include "harness.h"
 #include "patience.h"
 
@@ -130,11 +130,93 @@ static void test_mips(void **state)
     check_mips(4, RHW_TEXTURE_2D, 1024, 1, 11);
 }
 
+// A step in the way of a texture to what the sampler reads, which asks at least so often.
+struct step {
+    enum rhw_result (*take)(rhw_context *context, rhw_texture texture);
+    enum rhw_format format;
+    int asked;
+};
+
+enum { STEP_SIDE = 1024 };
+
+static uint32_t step_texels[STEP_SIDE * STEP_SIDE];
+
+static enum rhw_result take_write(rhw_context *context, rhw_texture texture)
+{
+    return rhw_texture_write(context, texture, 0, step_texels, 0);
+}
+
+static enum rhw_result take_write_region(rhw_context *context, rhw_texture texture)
+{
+    const struct rhw_texture_region region = {.x = 4, .width = STEP_SIDE - 4};
+    return rhw_texture_write_region(context, texture, &region, step_texels, 0, 0);
+}
+
+// The copy that samplers read is made in the pass, which then has nothing to draw.
+static enum rhw_result take_bind(rhw_context *context, rhw_texture texture)
+{
+    struct rhw_pass_def def = rhw_pass_def_default();
+    def.width = def.height = 1;
+    def.color_count = 0;
+    def.depth.enabled = false;
+    struct rhw_sampler_def sampler_def = rhw_sampler_def_default();
+    rhw_sampler sampler;
+    rhw_pass pass;
+    assert_int_equal(rhw_sampler_create(context, &sampler_def, &sampler), RHW_OK);
+    assert_int_equal(take_write(context, texture), RHW_OK);
+    assert_int_equal(rhw_pass_begin(context, &def, &pass), RHW_OK);
+    rhw_pass_set_texture(context, pass, 0, texture, sampler);
+    const enum rhw_result result = rhw_pass_end(context, pass, NULL);
+    rhw_sampler_destroy(context, sampler);
+    return result;
+}
+
+static void check_step(const struct step *step)
+{
+    struct rhw_context_def context_def = rhw_context_def_default();
+    context_def.threads = 1;
+    rhw_context *context;
+    assert_int_equal(rhw_context_create(&context_def, &context), RHW_OK);
+    struct rhw_texture_def def = rhw_texture_def_default();
+    def.format = step->format;
+    def.width = def.height = STEP_SIDE;
+    rhw_texture texture;
+    assert_int_equal(rhw_texture_create(context, &def, &texture), RHW_OK);
+    struct patience patience = {.left = 1 << 30};
+    rhw_context_set_goes_on(context, goes_on, &patience);
+    assert_int_equal(step->take(context, texture), RHW_OK);
+    const int all = patience.asked,
+              first = step->take == take_bind ? 4 : 0; // the bound texture is written before
+    assert_true(all >= first + step->asked);
+    for (int left = first; left < all; left++) {
+        patience = (struct patience){.left = left};
+        assert_int_equal(step->take(context, texture), RHW_ERROR_GIVEN_UP);
+        assert_int_equal(patience.asked, left + 1);
+    }
+    patience = (struct patience){.left = 1 << 30};
+    assert_int_equal(step->take(context, texture), RHW_OK);
+    assert_int_equal(patience.asked, all);
+    rhw_context_destroy(context);
+}
+
+static void test_textures(void **state)
+{
+    (void)state;
+    static const struct step steps[] = {
+        {take_write, RHW_FORMAT_RGBA8_UNORM, 4}, // a megabyte at a time
+        {take_write_region, RHW_FORMAT_RGBA8_UNORM, 4},
+        {take_write, RHW_FORMAT_BC7_UNORM, 80}, // rows of blocks
+        {take_bind, RHW_FORMAT_RGBA8_SRGB, 15},
+    };
+    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+        check_step(&steps[i]);
+    }
+}
+
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_one_thread),
-    cmocka_unit_test(test_one_thread_in_waves),
-    cmocka_unit_test(test_four_threads),
-    cmocka_unit_test(test_mips),
+    cmocka_unit_test(test_one_thread),   cmocka_unit_test(test_one_thread_in_waves),
+    cmocka_unit_test(test_four_threads), cmocka_unit_test(test_mips),
+    cmocka_unit_test(test_textures),
 };
 
 const struct unit_tests test_given_up = UNIT_TESTS(tests, NULL, NULL);

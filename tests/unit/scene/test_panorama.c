@@ -227,7 +227,7 @@ static void test_given_up(void **state)
     rhw_context_set_goes_on(alone, goes_on, &patience);
     assert_int_equal(scene_surroundings_make(&s, alone, &view), RHW_OK);
     scene_surroundings_destroy(alone, &s);
-    const int all = patience.asked, measured = 5 * HEIGHT;
+    const int all = patience.asked, measured = 6 * HEIGHT;
     assert_true(all > measured + 100);
     const int places[] = {0, HEIGHT + 1, measured - 1, measured, measured + 1, all - 1};
     for (int i = 0; i < 6; i++) {

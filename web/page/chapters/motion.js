@@ -90,7 +90,7 @@ function showTable(table, terms, step, polygon) {
 
 const SAID = [
   { en: 'Clip space: X, Y and W as the vertex function gave them. What is nearer than the near plane is cut off.', zh: '裁剪空间：X、Y、W 是顶点函数给出的值。比近平面更近的部分被切掉。' },
-  { en: 'Everything moves along its line to the eye; the farther, the more it shrinks.', zh: '每个点沿着通向眼睛的直线移动；越远的缩得越多。' },
+  { en: 'Every point moves along its line to the eye. What is farther shrinks more.', zh: '每个点沿着通向眼睛的直线移动；越远的缩得越多。' },
   { en: 'The screen: X/W and Y/W. Lines are still lines, but equal steps are no longer equal.', zh: '屏幕：X/W 与 Y/W。直线仍是直线，但原来等长的步子不再等长。' },
 ];
 
@@ -108,8 +108,8 @@ class Motion {
     section.querySelector('.play').addEventListener('click', () => this.play());
     whenLanguage(() => this.show());
     if (!matchMedia('(prefers-reduced-motion: reduce)').matches) {
-      const seen = new IntersectionObserver(([entry]) => {
-        if (entry.isIntersecting) {
+      const seen = new IntersectionObserver((entries) => {
+        if (entries.at(-1).isIntersecting) {
           seen.disconnect();
           this.play();
         }
