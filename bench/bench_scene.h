@@ -219,6 +219,8 @@ struct bench_scene {
     enum bench_format picture;       // its colour; scenes with `surfaces` have one of their own
     // Every fragment is to be shaded, hidden or not: fewer than `work` fragments are a failure.
     bool shades_all;
+    // rhw records the pass of the scene, which has one, once, and runs it in each frame; and keeps its triangles besides.
+    bool replays, keeps_triangles;
     // No picture to look at: the time is that of opening and closing rhw, or an empty texture; of making the mip chain
     // of the first texture; or of the program that renders this file.
     bool opens_context, opens_texture, makes_mips;

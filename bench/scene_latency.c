@@ -97,7 +97,9 @@ bool bench_make_latency(const struct bench_scene_entry *entry, struct bench_scen
                         int height, char *why, size_t why_size)
 {
     const bool is_textured = entry->variant == BENCH_LATENCY_DRAWS_TEXTURES;
-    const bool draws = is_textured || entry->variant == BENCH_LATENCY_DRAWS;
+    scene->keeps_triangles = entry->variant == BENCH_LATENCY_DRAWS_REPLAYED;
+    scene->replays = scene->keeps_triangles || entry->variant == BENCH_LATENCY_DRAWS_RECORDED;
+    const bool draws = is_textured || scene->replays || entry->variant == BENCH_LATENCY_DRAWS;
     scene->opens_context = entry->variant == BENCH_LATENCY_CONTEXT;
     scene->opens_texture = entry->variant == BENCH_LATENCY_TEXTURE;
     scene->makes_mips = entry->variant == BENCH_LATENCY_MIPS;

@@ -14,6 +14,7 @@
 #include "limits.h"
 #include "explain.h"
 #include "pass_def.h"
+#include "recording.h"
 #include "stats.h"
 #include "transfer.h"
 #include "types.h"
@@ -47,12 +48,14 @@ RHW_API int rhw_context_threads(const rhw_context *context);
 
 /// Set a function that decides whether a pass or a dispatch of the context, rhw_texture_generate_mips, or a function
 /// that writes or copies texels into a texture goes on. The thread that called the library calls it before each of
-/// its tasks, some thousand times a second, and before each of its workgroups. If it returns false, the tasks under way
-/// are done, which are a tile, 8192 triangles, a workgroup or a megabyte each, and the call returns
-/// RHW_ERROR_GIVEN_UP. All that it wrote to then holds unspecified values, the queries of a pass have no result, and
-/// rhw_pass_end does not write the stats. rhw_pass_set_texture asks too, where a large texture is bound at first; the
-/// end of the pass then says that it was given up. `goes_on` must not call the library with the same context; that is
-/// misuse. A `goes_on` of NULL, as at first, lets all go on.
+/// its tasks, some thousand times a second, and before each of its workgroups. Within a task of a pass, which is a tile
+/// or some thousand triangles, it calls it every 10 ms, or before each call of a shader function that takes longer. It
+/// calls it every 10 ms while it waits for other threads. If the function returns false, the calls of shader functions
+/// and the tasks outside of passes, of a workgroup or a megabyte each, that are under way are the last ones, and the
+/// call returns RHW_ERROR_GIVEN_UP. All that it wrote to then holds unspecified values, the queries of a pass have no
+/// result, and rhw_pass_end does not write the stats. rhw_pass_set_texture asks too, where a large texture is bound at
+/// first; the end of the pass then says that it was given up. `goes_on` must not call the library with the same
+/// context; that is misuse. A `goes_on` of NULL, as at first, lets all go on.
 RHW_API void rhw_context_set_goes_on(rhw_context *context, bool (*goes_on)(void *user), void *user);
 
 /// Return the instruction set that the context uses.

@@ -96,7 +96,8 @@ static bool same_place(const struct scene_texture_slot *a, const struct scene_te
 {
     return a->uv_set == b->uv_set && a->address_u == b->address_u && a->address_v == b->address_v &&
            a->min_filter == b->min_filter && a->mag_filter == b->mag_filter &&
-           a->mip_filter == b->mip_filter && memcmp(a->transform, b->transform, sizeof a->transform) == 0;
+           a->mip_filter == b->mip_filter && memcmp(a->transform, b->transform, sizeof a->transform) == 0 &&
+           memcmp(a->border, b->border, sizeof a->border) == 0;
 }
 
 enum scene_occlusion scene_occlusion_of(const struct scene_model *model,

@@ -6,6 +6,7 @@
 #include "pool.h"
 #include "rhw/types.h"
 
+struct rhw_arena;
 struct rhw_buffer_data;
 struct rhw_texture_data;
 struct rhw_sampler_data;
@@ -23,6 +24,18 @@ struct rhw_sampler_data *rhw_context_sampler(const struct rhw_context *context, 
 struct rhw_pipeline_data *rhw_context_pipeline(const struct rhw_context *context, rhw_pipeline id,
                                                const char *where);
 struct rhw_query_data *rhw_context_query(const struct rhw_context *context, rhw_query id, const char *where);
+
+// Return the item that an id names in one of the context's pools, as the functions above do.
+void *rhw_context_item(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index,
+                       uint32_t generation, const char *where);
+
+// Make the pools of a recorder those that its owner has now.
+void rhw_recorder_look_at_pools(struct rhw_context *recorder);
+
+// Note that the pass or dispatch being recorded uses the live item at `index`. `moves` is how often it has got other
+// memory, or 0 for an item that has none. Set `*out_of_memory` where it cannot be noted.
+void rhw_context_note_use(struct rhw_context *context, struct rhw_arena *arena, const struct rhw_pool *pool,
+                          uint32_t index, uint32_t moves, bool *out_of_memory);
 
 // What messages call a live item: 'texture 3 "albedo"', or 'texture 3' where it has no label.
 struct rhw_name {

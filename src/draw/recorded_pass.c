@@ -22,6 +22,7 @@ void rhw_recorded_pass_clear(struct rhw_recorded_pass *pass)
     pass->explained.ask.fragment = NULL;
     pass->tile_reports = NULL;
     pass->queries = NULL;
+    pass->kept = NULL;
     pass->draws.count = 0;
     pass->triangle_count = 0;
     pass->triangles_most = 1;

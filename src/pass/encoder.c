@@ -6,6 +6,7 @@
 
 #include "context/context.h"
 #include "context/misuse.h"
+#include "kept_reads.h"
 
 struct rhw_encoder *rhw_encoder_create(struct rhw_context *context, struct rhw_recorded_pass *pass)
 {
@@ -14,6 +15,7 @@ struct rhw_encoder *rhw_encoder_create(struct rhw_context *context, struct rhw_r
     if (encoder) {
         memset(encoder, 0, sizeof *encoder);
         encoder->context = context;
+        context->keep_reads = rhw_encoder_keep_reads;
         encoder->pass = pass;
     }
     return encoder;
@@ -28,7 +30,7 @@ void rhw_encoder_destroy(struct rhw_encoder *encoder)
 
 void rhw_encoder_renew(struct rhw_encoder *encoder)
 {
-    struct rhw_recording *const recording = &encoder->context->recording;
+    struct rhw_recording_place *const recording = &encoder->context->recording;
     struct rhw_target *const target = &encoder->pass->target;
     rhw_recorded_pass_clear(encoder->pass);
     encoder->pass->paths = encoder->context->paths;
@@ -37,6 +39,8 @@ void rhw_encoder_renew(struct rhw_encoder *encoder)
     target->depth = target->stencil = (struct rhw_attachment){.target = NULL};
     encoder->read = NULL;
     encoder->stored = NULL;
+    encoder->uses = (struct rhw_use_table){0};
+    encoder->clean_parts = NULL;
     encoder->out_of_memory = false;
     encoder->given_up = false;
     encoder->memory = (struct rhw_used_memory){
@@ -45,9 +49,7 @@ void rhw_encoder_renew(struct rhw_encoder *encoder)
     encoder->slots.kernels = encoder->context->kernels;
     encoder->slots.slot_count = 0;
     encoder->bindings_changed = encoder->storage_changed = true;
-    if (++recording->generation == 0) {
-        recording->generation = 1; // 0: no pass has used an item yet
-    }
+    rhw_recording_next(recording);
 }
 
 void rhw_pass_report(const rhw_context *context, rhw_pass id, const char *where)

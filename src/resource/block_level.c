@@ -71,7 +71,7 @@ enum rhw_result rhw_decode_level(struct rhw_context *context, enum rhw_format fo
                                  unsigned char *texels)
 {
     struct decoded_level level = {context, rhw_block_format(format), blocks, row_pitch, mip, texels, 0};
-    atomic_store(&context->given_up, false);
+    rhw_context_begin_work(context);
     level.band = 1 + BAND_TEXELS / (mip->width * level.format->height);
     rhw_scheduler_run(context->scheduler, decode_band, &level,
                       (rows_of_blocks(&level) + level.band - 1) / level.band);

@@ -66,7 +66,7 @@ static enum rhw_result write_texels(struct rhw_context *context, const struct rh
 {
     const size_t size = rhw_region_row_size(region), asked = 1 + RHW_ASKED_BYTES / size;
     size_t done = 0;
-    atomic_store(&context->given_up, false);
+    rhw_context_begin_work(context);
     for (int z = 0; z < region->depth; z++) {
         for (int y = 0; y < region->height; y++) {
             if (done++ % asked == 0 && rhw_context_is_given_up(context, 0)) {

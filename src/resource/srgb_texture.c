@@ -87,7 +87,7 @@ enum rhw_result rhw_texture_linearize(struct rhw_context *context, struct rhw_te
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     struct decoded_level level = {.context = context};
-    atomic_store(&context->given_up, false);
+    rhw_context_begin_work(context);
     for (int i = 0; i < 256; i++) {
         level.table[i] = (uint16_t)(rhw_srgb_decode_table[i] * (float)RHW_LINEAR_ONE + 0.5f);
     }

@@ -97,7 +97,7 @@ static enum rhw_result write_rows(struct rhw_context *context, const struct copy
         return rhw_decode_level(context, copy->texture->format, outside, copy->row_pitch, mip,
                                 rhw_mip_slice(mip, copy->layer));
     }
-    atomic_store(&context->given_up, false);
+    rhw_context_begin_work(context);
     const size_t rows = 1 + RHW_ASKED_BYTES / copy->row;
     for (size_t y = 0; y < (size_t)mip->height; y++) {
         if (y % rows == 0 && rhw_context_is_given_up(context, 0)) {

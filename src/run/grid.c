@@ -186,7 +186,7 @@ enum rhw_result rhw_executor_run_grid(struct rhw_executor *executor, const struc
             return RHW_ERROR_OUT_OF_MEMORY;
         }
     }
-    atomic_store(&context->given_up, false);
+    rhw_context_begin_work(context);
     if (rhw_context_is_given_up(context, 0)) {
         return RHW_ERROR_GIVEN_UP;
     }

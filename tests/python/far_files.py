@@ -191,10 +191,10 @@ def _corner(number, place):
     return [(10 * (axis + 1) + number, repr(float(place[axis]))) for axis in range(3)]
 
 
-def dxf_faces(place):
-    """The shape as faces."""
-    return "".join(_dxf((0, "3DFACE"), (8, "L"), *(pair for i in range(4)
-                                                 for pair in _corner(i, add(SHAPE[face[min(i, len(face) - 1)]], place))))
+def dxf_faces(place, turn=lambda point: point):
+    """The shape as faces, each corner turned and then moved."""
+    return "".join(_dxf((0, "3DFACE"), (8, "L"),
+                        *(pair for i in range(4) for pair in _corner(i, add(turn(SHAPE[face[min(i, len(face) - 1)]]), place))))
                    for face in FACES)
 
 
@@ -205,15 +205,17 @@ def dxf_lines(place):
             "".join(_dxf((0, "VERTEX"), (8, "M"), *_corner(0, add(place, point))) for point in SHAPE) + _dxf((0, "SEQEND")))
 
 
-def dxf_insert(place, factor):
-    """A block in another size, which assimp moves before it scales it."""
-    return _dxf((0, "INSERT"), (8, "L"), (2, "B"), *_corner(0, [x / factor for x in place]),
-                *((41 + axis, float(factor)) for axis in range(3)))
+def dxf_insert(place, name="B", *pairs):
+    """An insertion of a block, with more pairs of its own."""
+    return _dxf((0, "INSERT"), (8, "L"), (2, name), *_corner(0, place), *pairs)
 
 
-def dxf(entities):
-    block = _dxf((0, "BLOCK"), (2, "B"), *_corner(0, NEAR)) + dxf_faces(NEAR) + _dxf((0, "ENDBLK"))
-    return (_dxf((0, "SECTION"), (2, "BLOCKS")) + block + _dxf((0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")) + entities +
+def dxf_block(name, entities, base=NEAR):
+    return _dxf((0, "BLOCK"), (8, "0"), (2, name), *_corner(0, base), (3, name)) + entities + _dxf((0, "ENDBLK"), (8, "0"))
+
+
+def dxf(entities, blocks=dxf_block("B", dxf_faces(NEAR))):
+    return (_dxf((0, "SECTION"), (2, "BLOCKS")) + blocks + _dxf((0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")) + entities +
             _dxf((0, "ENDSEC"), (0, "EOF"))).encode()
 
 

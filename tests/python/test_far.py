@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import rhw
-from far_files import (FAR, FLOATS, MESH, NEAR, REST, Gltf, add, attribute, collada, collada_geometry, curves, dxf, dxf_faces,
+from far_files import (FAR, FLOATS, MESH, NEAR, REST, Gltf, add, attribute, collada, collada_geometry, curves, dxf, dxf_block, dxf_faces,
                        dxf_insert, dxf_lines,
                        fbx, fbx_binary, fbx_text, geometry, model, skin, translate, vector, zae)
 
@@ -54,6 +54,8 @@ def upright(place):
 LIGHT = ('<library_lights><light id="l"><technique_common><point><color>1 1 1</color><linear_attenuation>0.25'
          '</linear_attenuation></point></technique_common></light></library_lights>')
 
+TWICE = [(41 + axis, 2.0) for axis in range(3)]
+
 #: A name, and what writes a file around a place.
 FILES = {
     "text.fbx": lambda place: fbx_text(vertices(place)),
@@ -91,7 +93,11 @@ FILES = {
         '<instance_light url="#l"/></node></node>', libraries=LIGHT),
     "faces.dxf": lambda place: dxf(dxf_faces(upright(place))),
     "lines.dxf": lambda place: dxf(dxf_faces(upright(place)) + dxf_lines(add(upright(place), (1, 0, 0)))),
-    "insert.dxf": lambda place: dxf(dxf_faces(upright(place)) + dxf_insert(add(upright(place), (1, 0, 0)), 2)),
+    "insert.dxf": lambda place: dxf(dxf_faces(upright(place)) + dxf_insert(add(upright(place), (1, 0, 0)), "B", *TWICE)),
+    "block.dxf": lambda place: dxf(dxf_insert((1, 2, 3), "C"), dxf_block("C", dxf_faces(upright(place)))),
+    "nested.dxf": lambda place: dxf(
+        dxf_insert(upright(place), "C"), dxf_block("B", dxf_faces(upright(place)), upright(place)) +
+        dxf_block("C", dxf_insert(upright(place), "B", (50, 90.0)), upright(place))),
 }
 
 
@@ -231,6 +237,24 @@ def test_moves_as_near(tmp_path, name):
     assert_same_picture(*(load(tmp_path, name, MOVED[name](place), time=time) for place in (NEAR, FAR)))
 
 
+def test_collada_movement_is_told(tmp_path):
+    """Of a movement of Collada far away assimp has floats, which is told."""
+    def source(name, numbers, params):
+        names = "".join(f'<param name="{param}" type="float"/>' for param in params)
+        return (f'<source id="{name}"><float_array id="{name}a" count="{len(numbers)}">{" ".join(map(repr, numbers))}'
+                f'</float_array><technique_common><accessor source="#{name}a" count="2" stride="{len(params)}">'
+                f'{names}</accessor></technique_common></source>')
+    moves = ('<library_animations><animation>' + source("t", [0.0, 2.0], ["TIME"]) +
+             source("v", [*FAR, *add(FAR, (8, 16, -8))], "XYZ") +
+             '<sampler id="a"><input semantic="INPUT" source="#t"/><input semantic="OUTPUT" source="#v"/></sampler>'
+             '<channel source="#a" target="n/w"/></animation></library_animations>')
+    nodes = f'<node id="n"><translate sid="w">0 0 0</translate>{MESH}</node>'
+    document = collada(collada_geometry(NEAR), nodes, libraries=moves)
+    model = load(tmp_path, "moves.dae", document, time=0.75)
+    assert "places are up to 4 apart" in str(model.warnings)
+    assert np.allclose(model.bounds.mean(0), add(FAR, (3.5, 6.5, -3)), atol=4)
+
+
 def test_far_on_the_way(tmp_path):
     """Joints and a movement far away that bring a shape back, as far as floats have what brings it."""
     pictures = []
@@ -263,6 +287,40 @@ def test_collada_matrices(tmp_path, transform, rows):
         pictures.append((model.render(64)["color"], model.bounds))
         assert len(model.warnings) == (text == transform and ("90" in text or "/>" in text))
     assert np.array_equal(pictures[0][0], pictures[1][0]) and np.allclose(pictures[0][1], pictures[1][1], atol=1e-6)
+
+
+#: A DXF with insertions, and the entities that they draw: turned, scaled and from another base; from below (an extrusion
+#: of −z, whose x points to −x), in a block of another and in rows.
+BLOCKS = {
+    "base": (dxf(dxf_insert((4, 0, 0), "B", (41, 2.0), (50, 90.0)), dxf_block("B", dxf_faces(NEAR), (1, 0, 0))),
+             dxf_faces((4, -2, 0), lambda point: (-point[1], 2 * point[0], point[2]))),
+    "below": (dxf(dxf_insert((1, 2, 3), "B", (210, 0.0), (220, 0.0), (230, -1.0))),
+              dxf_faces((-1, 2, -3), lambda point: (-point[0], point[1], -point[2]))),
+    "rows": (dxf(dxf_insert((1, 0, 0), "a b"), dxf_block("a b", dxf_insert((1, 0, 0), "a c", (70, 2), (71, 2), (44, 3.0),
+                                                                         (45, 4.0))) + dxf_block("a c", dxf_faces(NEAR))),
+             "".join(dxf_faces((2 + x, y, 0)) for y in (0, 4) for x in (0, 3))),
+}
+
+
+@pytest.mark.parametrize("name", BLOCKS)
+def test_blocks(tmp_path, name):
+    """Insertions look as the entities that they draw."""
+    inserted, entities = BLOCKS[name]
+    models = load(tmp_path, "inserted.dxf", inserted), load(tmp_path, "entities.dxf", dxf(entities))
+    assert not models[0].warnings and not models[0].unsupported
+    assert np.array_equal(*(model.bounds for model in models))
+    assert np.array_equal(*(model.render(64)["color"] for model in models))
+
+
+def test_blocks_of_none(tmp_path):
+    """Blocks that insert themselves, or each other too often, are refused, and one that is not there is told."""
+    model = load(tmp_path, "none.dxf", dxf(dxf_faces(NEAR) + dxf_insert(NEAR, "Z")))
+    assert "insertions of a block that there is not (DXF): left out" in model.unsupported
+    twice = dxf_insert(NEAR, "B") * 2
+    many = dxf_insert(NEAR, "C", (70, 30000), (71, 30000))
+    for text in dxf_block("B", twice), dxf_block("B", many) + dxf_block("C", dxf_faces(NEAR)):
+        with pytest.raises(rhw.Error, match="inserts blocks into each other more often"):
+            load(tmp_path, "often.dxf", dxf(twice, text))
 
 
 def test_parts_far_from_each_other(tmp_path):

@@ -227,6 +227,19 @@ class Page(PageCase):
         finally:
             self.size(1440, 900)
 
+    def test_no_width_scrolls_sideways(self):
+        for name in [*CHAPTERS, "inverse", "exercises"]:
+            self.show(name)
+        try:
+            for width in (320, 360, 641, 819, 820, 1000, 1001, 1024, 1280, 1440):
+                self.size(width, 800)
+                for language in ("en", "zh"):
+                    self.script("document.documentElement.lang === arguments[0] || document.querySelector('#language').click()", language)
+                    time.sleep(0.1)
+                    self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), width, language)
+        finally:
+            self.size(1440, 900)
+
     def test_phone_keeps_the_picture_beside_its_derivation(self):
         """The picture and all of the derivation are on the screen at once, once one has scrolled there."""
         self.size(390, 844, touch=True)

@@ -180,8 +180,11 @@ class Lessons(PageCase):
                 self.assertTrue(0 < x < width and 0 < y < height, (k, x, y))  # every corner is in the drawing
             texts = self.script("return [...document.querySelectorAll('#motion .flight text')].map((text) => text.getBBox()).map((b) => [b.x, b.x + b.width])")
             self.assertTrue(all(0 <= left and right <= width for left, right in texts), (k, texts))
+        self.size(1024, 900)
+        time.sleep(0.2)
         fits = "const room = document.querySelector('#motion .scroll'); return room.scrollWidth <= room.clientWidth"
         self.assertTrue(self.script(fits), "the widest table has room beside the motion")
+        self.size(1440, 900)
         distance = "const a = document.querySelector('#motion [name=distance]'); a.value = arguments[0]; a.dispatchEvent(new Event('input'))"
         for w, hidden in ((-1, "true"), (2, "false")):  # behind the eye a corner has no place in the picture, and comes back
             self.script(distance, w)

@@ -145,7 +145,7 @@ export class Flight {
     }
     const [x, y] = this.#at(this.#onScreen(1, -1));
     const fits = x + CAPTION < this.width; // else it ends where the screen does
-    const at = { x: fits ? x + 4 : x, y: y + 16, 'text-anchor': fits ? 'start' : 'end' };
+    const at = { x: fits ? x + 4 : x - 4, y: y + 20 < this.height ? y + 16 : y - 6, 'text-anchor': fits ? 'start' : 'end' };
     drawn(this.labels, 'text', { ...at, class: 'caption' }, say({ en: `screen, W = ${short(this.unit)}`, zh: `屏幕，W = ${short(this.unit)}` }));
   }
 }

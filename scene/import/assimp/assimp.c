@@ -632,7 +632,12 @@ static void set_up(struct scene_import *import, const struct aiScene *scene)
 // Return true if floats have lost what a model far from the origin has.
 static bool has_floats_alone(const struct reader *reader)
 {
-    return reader->exact->bytes == NULL || scene_assimp_is_far(reader->import, reader->exact, reader->scene);
+    bool is_skinned = false;
+    for (uint32_t i = 0; i < reader->scene->mNumMeshes; i++) {
+        is_skinned = is_skinned || scene_assimp_is_skinned(reader->import, reader->scene->mMeshes[i]);
+    }
+    return reader->exact->bytes == NULL || (reader->exact->rounds_movements && is_skinned) ||
+           scene_assimp_is_far(reader->import, reader->exact, reader->scene);
 }
 
 void scene_import_assimp(struct scene_import *import)

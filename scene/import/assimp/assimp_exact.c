@@ -302,8 +302,10 @@ void scene_assimp_float_place(const struct scene_assimp_exact *exact, const stru
     double sign;
     set_floats(&node->mTransformation, place);
     const struct scene_assimp_marked *const marked = find_place(exact, place, &sign);
+    const bool is_rounded = exact->bytes == NULL || (exact->rounds_movements && marked != NULL &&
+                                                     marked->kind == SCENE_ASSIMP_MATRIX);
     for (int c = 0; c < 3 && marked != NULL; c++) {
-        place[12 + c] = exact->bytes == NULL ? sign * marked->matrix[12 + c] : 0;
+        place[12 + c] = is_rounded ? sign * marked->matrix[12 + c] : 0;
     }
 }
 

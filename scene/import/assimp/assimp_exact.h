@@ -38,10 +38,10 @@ struct scene_assimp_exact {
     size_t offset_count, offset_capacity;
     struct scene_hash_table names; ///< offsets by their names
     double common[3];              ///< what was subtracted from all positions without an offset of their own
-    struct scene_hash_table
-        moved;         ///< hashes of the names of nodes that an animation moves, and of what begins them
-    double model_size; ///< size of all of it, by the floats of the file as it is
-    double unit;       ///< factor of the root node; 0 where floats have it
+    struct scene_hash_table moved; ///< hashes of names of nodes that an animation moves
+    bool rounds_movements;         ///< assimp makes floats of what animations and skins have in double
+    double model_size;             ///< size of all of it, by the floats of the file as it is
+    double unit;                   ///< factor of the root node; 0 where floats have it
 };
 
 /// Names of geometries in an FBX, which need not differ, get this and the number of their offset and this again.
@@ -89,7 +89,7 @@ void scene_assimp_unmark_way(const struct scene_assimp_exact *exact, const struc
 struct scene_import_place scene_assimp_settled(const struct scene_assimp_exact *exact,
                                                struct scene_import_place place, const double offset[3]);
 /// Write the place of a node within its parent as floats hold it. What has a mark is exact and does not count: its
-/// translation is written as zeros, but while the file is read as it is.
+/// translation is written as zeros, but while the file is read as it is, and where a movement is rounded.
 void scene_assimp_float_place(const struct scene_assimp_exact *exact, const struct aiNode *node,
                               double place[16]);
 /// Return what was subtracted from the positions of a mesh, or zeros.

@@ -141,7 +141,7 @@ char *scene_assimp_dxf(struct scene_import *import, size_t *size)
         free(text);
         return NULL;
     }
-    return scene_assimp_flatten_dxf(import, text, size);
+    return scene_assimp_insert_blocks(import, scene_assimp_flatten_dxf(import, text, size), size);
 }
 
 // Open bytes, which the file frees if it owns them. Return NULL if there are none.

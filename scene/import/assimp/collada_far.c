@@ -228,6 +228,7 @@ char *scene_assimp_rewrite_collada(struct scene_import *import, struct scene_ass
                                    size_t *size)
 {
     struct scene_edits edits = {.count = 0};
+    exact->rounds_movements = true;
     exact->unit = scene_collada_unit(bytes, bytes + *size);
     scene_collada_edit_geometries(import, exact, bytes, *size, &edits);
     scene_collada_edit_nodes(import, exact, bytes, *size, &edits);

@@ -146,7 +146,7 @@ static void mark_node(struct nodes *nodes, const struct transform *transforms, s
 {
     static const double zeros[3] = {0, 0, 0};
     double mark[3];
-    scene_assimp_mark_matrix(nodes->import, nodes->exact, SCENE_ASSIMP_MATRIX, matrix, mark);
+    scene_assimp_mark_matrix(nodes->import, nodes->exact, SCENE_ASSIMP_NODES, matrix, mark);
     const bool is_first = transforms[0].kind == TRANSLATE || transforms[0].kind == MATRIX;
     if (!is_first) {
         char text[160] = "<translate>";

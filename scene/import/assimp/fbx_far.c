@@ -165,10 +165,37 @@ static double *read_doubles(const struct copy *copy, size_t place, size_t limit,
     return values;
 }
 
+// Find the first record of a kind among those in another. Return false if there is none.
+static bool find_child(const struct copy *copy, const struct scene_fbx_record *parent,
+                       enum scene_fbx_kind parent_kind, enum scene_fbx_kind kind,
+                       struct scene_fbx_record *child)
+{
+    bool is_found = false;
+    for (size_t place = parent->children;
+         !is_found && scene_fbx_read_record(&copy->file, place, (size_t)parent->end, child) &&
+         child->end > place;
+         place = (size_t)child->end) {
+        is_found = scene_fbx_kind_of(parent_kind, (const char *)copy->file.bytes + child->name,
+                                     child->name_length) == kind;
+    }
+    return is_found;
+}
+
+// Return where the numbers of a property begin, behind its name, its type, its label and its flags. Return 0 if it is
+// too short for them.
+static size_t find_numbers(const struct copy *copy, const struct scene_fbx_record *property)
+{
+    size_t place = property->values;
+    for (int i = 0; i < 4 && place != 0; i++) {
+        place = scene_fbx_value_end(&copy->file, place, property->children);
+    }
+    return place;
+}
+
 // Find the positions of a geometry. They are kept where they are far.
 static void find_points(struct copy *copy, const struct scene_fbx_record *geometry)
 {
-    size_t name_length, class_length, place = geometry->children;
+    size_t name_length, class_length;
     const size_t name_at = scene_fbx_value_end(&copy->file, geometry->values, geometry->children);
     const size_t name = scene_fbx_string_at(&copy->file, name_at, geometry->children, &name_length);
     const size_t class_at =
@@ -179,13 +206,7 @@ static void find_points(struct copy *copy, const struct scene_fbx_record *geomet
         !scene_fbx_has_places((const char *)copy->file.bytes + class_at, class_length)) {
         return;
     }
-    bool is_found = false;
-    while (!is_found && scene_fbx_read_record(&copy->file, place, (size_t)geometry->end, &record) &&
-           record.end > place) {
-        is_found = scene_fbx_kind_of(SCENE_FBX_GEOMETRY, (const char *)copy->file.bytes + record.name,
-                                     record.name_length) == SCENE_FBX_POSITIONS;
-        place = (size_t)record.end;
-    }
+    const bool is_found = find_child(copy, geometry, SCENE_FBX_GEOMETRY, SCENE_FBX_POSITIONS, &record);
     size_t count = 0;
     double(*const points)[3] =
         is_found ? (void *)read_doubles(copy, record.values, record.children, &count) : NULL;
@@ -215,8 +236,8 @@ struct property {
 static bool read_property(const struct copy *copy, const struct scene_fbx_record *record,
                           struct property *property)
 {
-    size_t length, type_length, place = record->values;
-    const size_t name = scene_fbx_string_at(&copy->file, place, record->children, &length);
+    size_t length, type_length;
+    const size_t name = scene_fbx_string_at(&copy->file, record->values, record->children, &length);
     const size_t type =
         name == 0 ? 0 : scene_fbx_string_at(&copy->file, name + length, record->children, &type_length);
     property->vector =
@@ -226,9 +247,7 @@ static bool read_property(const struct copy *copy, const struct scene_fbx_record
         property->vector = SCENE_FBX_VECTORS;
         return true;
     }
-    for (int i = 0; i < 4 && place != 0; i++) { // the name, the type, the label, the flags
-        place = scene_fbx_value_end(&copy->file, place, record->children);
-    }
+    const size_t place = find_numbers(copy, record);
     bool is_good = place != 0 && record->children - place == 3 * DOUBLE;
     for (size_t c = 0; c < 3 && is_good; c++) {
         is_good = copy->file.bytes[place + c * DOUBLE] == 'D';
@@ -240,14 +259,12 @@ static bool read_property(const struct copy *copy, const struct scene_fbx_record
 // Return the whole number that the property RotationOrder of a model has. Return -1 if the record is another property.
 static double read_order(const struct copy *copy, const struct scene_fbx_record *record)
 {
-    size_t length, place = record->values;
-    const size_t name = scene_fbx_string_at(&copy->file, place, record->children, &length);
+    size_t length;
+    const size_t name = scene_fbx_string_at(&copy->file, record->values, record->children, &length);
     if (name == 0 || !is((const char *)copy->file.bytes + name, length, "RotationOrder")) {
         return -1;
     }
-    for (int i = 0; i < 4 && place != 0; i++) {
-        place = scene_fbx_value_end(&copy->file, place, record->children);
-    }
+    const size_t place = find_numbers(copy, record);
     const bool is_number = place != 0 && record->children - place == 5 && copy->file.bytes[place] == 'I';
     return is_number ? (double)scene_fbx_number(copy->file.bytes + place + 1, 4) : -1;
 }
@@ -257,17 +274,11 @@ static void find_transform(struct copy *copy, const struct scene_fbx_record *mod
 {
     struct scene_fbx_record list = {.end = 0}, record;
     struct property property;
-    size_t place = model->children;
-    bool is_found = false, is_good = true;
+    bool is_good = true;
     copy->marks = (struct scene_fbx_marks){.is_set = {false}};
     copy->transform = scene_fbx_transform_default();
-    while (!is_found && scene_fbx_read_record(&copy->file, place, (size_t)model->end, &list) &&
-           list.end > place) {
-        is_found = scene_fbx_kind_of(SCENE_FBX_MODEL, (const char *)copy->file.bytes + list.name,
-                                     list.name_length) == SCENE_FBX_PROPERTIES;
-        place = (size_t)list.end;
-    }
-    place = is_found ? list.children : (size_t)list.end;
+    const bool is_found = find_child(copy, model, SCENE_FBX_MODEL, SCENE_FBX_PROPERTIES, &list);
+    size_t place = is_found ? list.children : (size_t)list.end;
     while (is_found && scene_fbx_read_record(&copy->file, place, (size_t)list.end, &record) &&
            record.end > place) {
         is_good = is_good && read_property(copy, &record, &property);

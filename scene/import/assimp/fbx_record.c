@@ -16,9 +16,14 @@ uint64_t scene_fbx_number(const unsigned char *bytes, size_t size)
     return number;
 }
 
+bool scene_fbx_has_mark(const char *bytes, size_t size)
+{
+    return size >= sizeof magic && memcmp(bytes, magic, sizeof magic) == 0;
+}
+
 bool scene_fbx_is_binary(const char *bytes, size_t size, struct scene_fbx_bytes *file)
 {
-    if (size <= SCENE_FBX_HEADER || memcmp(bytes, magic, sizeof magic) != 0) {
+    if (size <= SCENE_FBX_HEADER || !scene_fbx_has_mark(bytes, size)) {
         return false;
     }
     *file = (struct scene_fbx_bytes){.bytes = (const void *)bytes, .size = size};

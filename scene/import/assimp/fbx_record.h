@@ -22,7 +22,9 @@ struct scene_fbx_record {
     size_t values, children; ///< where they begin
 };
 
-/// Return true if a file is a binary FBX.
+/// Return true if a file begins as a binary FBX does.
+bool scene_fbx_has_mark(const char *bytes, size_t size);
+/// Return true if a file is a binary FBX with room for records.
 bool scene_fbx_is_binary(const char *bytes, size_t size, struct scene_fbx_bytes *file);
 /// Return a number of some bytes, the lowest first.
 uint64_t scene_fbx_number(const unsigned char *bytes, size_t size);

@@ -12,6 +12,7 @@
 static const double slab = 0.02; // part of the model's extent that is lowest
 static const double least_share = 0.1, ratio = 8, flat = 0.06, thin = 0.2;
 static const double feet_share = 0.4, feet_area = 0.05, nose_share = 0.25, feet_ratio = 2.5, mirrored = 0.8;
+static const double at_ground = 0.01, at_middle = 0.1; // parts of a side
 
 struct rectangle {
     double low[2], high[2];
@@ -91,11 +92,25 @@ static bool may_have_feet(const double side[3])
     return side[1] > thin * longest && side[2] > thin * longest;
 }
 
-// Return true if a model stands on feet or wheels along z, and along y on a nose or a side, by its shares along both.
-// One of its halves is the mirror image of the other, and not the upper one of the lower one.
+// Return true if a model lies on the plane z = 0, and the axes of x and y go through its middle.
+static bool rests_on_ground(const struct scene_model *model)
+{
+    const struct scene_box frame = scene_subject_frame(model);
+    bool rests = true;
+    for (int i = 0; i < 3; i++) {
+        const double side = frame.high[i] - frame.low[i], low = frame.low[i] + model->origin[i];
+        rests = rests && (i == 2 ? fabs(low) < at_ground * side : fabs(low + 0.5 * side) < at_middle * side);
+    }
+    return rests;
+}
+
+// Return true if a model stands on feet or wheels along z, and along y on a nose or a side, by its shares along both,
+// unless the place where it stands is as good as that. One of its halves is the mirror image of the other, and not the
+// upper one of the lower one.
 static bool stands_on_feet(struct scene_import *import, double as_y, double as_z)
 {
-    return as_z >= feet_share && as_y < nose_share && as_z > feet_ratio * as_y &&
+    const bool stands_on_nose = as_y < nose_share && as_z > feet_ratio * as_y;
+    return as_z >= feet_share && (stands_on_nose || rests_on_ground(&import->model)) &&
            lowest_area(&import->model, 2) < feet_area && scene_symmetry_share(import, 2) < mirrored &&
            (scene_symmetry_share(import, 0) >= mirrored || scene_symmetry_share(import, 1) >= mirrored);
 }

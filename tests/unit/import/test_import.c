@@ -747,22 +747,27 @@ static void write_box(FILE *file, const double low[3], const double high[3], con
     }
 }
 
-enum car { CAR, CAR_ON_A_BOARD, CAR_WITH_WHEELS_APART };
+enum car { CAR, CAR_ON_A_BOARD, CAR_WITH_WHEELS_APART, BUS, BUS_ASIDE, BUS_ABOVE };
 
 static enum scene_axis up_of_car(const int order[3], int sign, enum car car)
 {
     FILE *const file = fopen(path_of("car.obj"), "w");
     assert_non_null(file);
-    write_box(file, (double[]){-1, -2, 0.4}, (double[]){1, 2, 1}, order, sign);
-    write_box(file, (double[]){-0.9, -1, 1}, (double[]){0.9, 1.5, 1.6}, order, sign);
-    write_box(file, (double[]){-0.6, -2.2, 0.5}, (double[]){0.6, -2, 0.7}, order, sign);
+    const double lift = car == BUS_ABOVE ? 0.1 : 0; // its wheels do not reach the ground
+    write_box(file, (double[]){-1, -2, lift + 0.4}, (double[]){1, 2, lift + 1}, order, sign);
+    write_box(file, (double[]){-0.9, -1, lift + 1}, (double[]){0.9, 1.5, lift + 1.6}, order, sign);
+    const double half = car < BUS ? 0.6 : 1, low = car < BUS ? 0.5 : 0.4, high = car < BUS ? 0.7 : 1.6;
+    write_box(file, (double[]){-half, -2.2, lift + low}, (double[]){half, -2, lift + high}, order, sign);
     for (int i = 0; i < 4; i++) {
         const double x = i % 2 == 0 ? -1 : 0.8,
                      y = (i < 2 ? -1.4 : 1) + (car == CAR_WITH_WHEELS_APART && i % 2 == 0 ? 0.4 : 0);
-        write_box(file, (double[]){x, y, 0}, (double[]){x + 0.2, y + 0.4, 0.8}, order, sign);
+        write_box(file, (double[]){x, y, lift}, (double[]){x + 0.2, y + 0.4, lift + 0.8}, order, sign);
     }
     if (car == CAR_ON_A_BOARD) {
         write_box(file, (double[]){-1, -2, 0}, (double[]){1, 2, 0.01}, order, sign);
+    }
+    if (car == BUS_ASIDE) { // the middle is elsewhere by a thing behind it
+        write_box(file, (double[]){-0.1, 3.4, 0.4}, (double[]){0.1, 3.6, 0.6}, order, sign);
     }
     assert_int_equal(fclose(file), 0);
     struct scene_model *const model = load("car.obj");
@@ -783,10 +788,16 @@ static void test_cars(void **state)
         assert_int_equal(up_of_car(usual_along_z, sign, CAR), SCENE_AXIS_Y);
         assert_int_equal(up_of_car(usual_along_x, sign, CAR), SCENE_AXIS_Y);
     }
-    // Its side is a plane. What is on a back, or is no mirror image of itself, is no car.
-    assert_int_equal(up_of_car(along_x, 1, CAR), SCENE_AXIS_Y);
+    // What is on a back, or is no mirror image of itself, is no car.
     assert_int_equal(up_of_car(along_y, 1, CAR_ON_A_BOARD), SCENE_AXIS_Y);
     assert_int_equal(up_of_car(along_y, 1, CAR_WITH_WHEELS_APART), SCENE_AXIS_Y);
+    // A bus may as well stand on its nose, and a car on its side, unless it rests in the middle of the ground.
+    assert_int_equal(up_of_car(along_y, 1, BUS), SCENE_AXIS_Z);
+    assert_int_equal(up_of_car(along_x, 1, CAR), SCENE_AXIS_Z);
+    assert_int_equal(up_of_car(along_x, 1, BUS_ABOVE), SCENE_AXIS_Y);
+    assert_int_equal(up_of_car(usual_along_z, 1, BUS), SCENE_AXIS_Y);
+    assert_int_equal(up_of_car(along_y, 1, BUS_ASIDE), SCENE_AXIS_Y);
+    assert_int_equal(up_of_car(along_y, 1, BUS_ABOVE), SCENE_AXIS_Y);
 }
 
 static const struct CMUnitTest tests[] = {

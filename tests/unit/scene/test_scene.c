@@ -295,6 +295,20 @@ static void test_texture_transform_and_mask(void **state)
     assert_pixel(&pictures.color[4 * (8 * 2 + 5)], 0, 0, 255, 255);
     assert_pixel(&pictures.color[4 * (8 * 5 + 2)], 0, 255, 0, 255);
     scene_pictures_free(&pictures);
+    // Outside of a decal, which is as large as the square's lower right quarter, its border shows.
+    const struct scene_texture_slot decal = {.transform = {2, 0, -1, 0, 2, -1},
+                                             .min_filter = RHW_FILTER_NEAREST,
+                                             .mag_filter = RHW_FILTER_NEAREST,
+                                             .mip_filter = RHW_MIP_FILTER_NONE,
+                                             .address_u = RHW_ADDRESS_BORDER,
+                                             .address_v = RHW_ADDRESS_BORDER,
+                                             .border = {1, 0, 1, 1}};
+    *slot = decal;
+    pictures = draw_model(&t.model, &view);
+    assert_pixel(&pictures.color[4 * (8 * 2 + 2)], 255, 0, 255, 255);
+    assert_pixel(&pictures.color[4 * (8 * 4 + 3)], 255, 0, 255, 255);
+    assert_pixel(&pictures.color[4 * (8 * 4 + 4)], 255, 0, 0, 255);
+    scene_pictures_free(&pictures);
 }
 
 enum { SIDE = 8 };
