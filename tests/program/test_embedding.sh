@@ -71,6 +71,7 @@ refused: 1, left: 0 bytes
 TEXT
 echo b7b6f989734a816b >expected/mesh
 echo 2caafbd101cb2219 >expected/arrays
+echo 62b565a1b2c7f325 >expected/bindings
 cat >expected/compute <<'TEXT'
 0/8 14
 1/8 244071
