@@ -10,6 +10,7 @@
 #include "scene_model.h"
 #include "scene_particles.h"
 #include "scene_pbr.h"
+#include "scene_process.h"
 #include "scene_reflection.h"
 #include "scene_shadow_map.h"
 #include "scene_shadow_volume.h"
@@ -80,8 +81,20 @@ const struct bench_scene_entry bench_scene_entries[] = {
     {"context", "creating and destroying a context of rhw", bench_make_latency, BENCH_LATENCY_CONTEXT},
     {"texture", "creating and destroying a texture of 8192x8192", bench_make_latency, BENCH_LATENCY_TEXTURE},
     {"mips", "the mip chain of an sRGB texture of 2048x2048", bench_make_latency, BENCH_LATENCY_MIPS},
-    {"process", "rhw render of the bunny as a process, file to file", bench_make_latency,
-     BENCH_LATENCY_PROCESS},
+    {"process", "rhw render of the bunny, an OBJ, as a process, file to file", bench_make_process,
+     BENCH_PROCESS_OBJ},
+    {"process_ply", "the same of a ball as a binary PLY of 872,356 triangles", bench_make_process,
+     BENCH_PROCESS_PLY},
+    {"process_stl", "the same of a ball as a binary STL of 250,000 facets", bench_make_process,
+     BENCH_PROCESS_STL},
+    {"process_glb", "the same of DamagedHelmet, a GLB with 5 textures", bench_make_process,
+     BENCH_PROCESS_GLB},
+    {"process_mtl", "the same of a ball as an OBJ of 40,000 triangles, 12 materials and textures",
+     bench_make_process, BENCH_PROCESS_MTL},
+    {"cliffs_write_none", "1,000 draws of 12 triangles, from a buffer of a mebibyte", bench_make_latency,
+     BENCH_LATENCY_WRITES_NONE},
+    {"cliffs_write_between", "the same, a vertex of the buffer written before each", bench_make_latency,
+     BENCH_LATENCY_WRITES_BETWEEN},
     {"cliffs_flat_r8", "fill_flat into a picture of R8", bench_make_format,
      BENCH_FORMAT_VARIANT(BENCH_R8, BENCH_FORMAT_FLAT)},
     {"cliffs_flat_bgra8", "fill_flat into a picture of BGRA8", bench_make_format,
@@ -221,6 +234,7 @@ void bench_scene_free(struct bench_scene *scene)
     free(scene->passes);
     free(scene->shared);
     bench_surfaces_free(scene->surfaces);
+    bench_files_remove(scene->files);
     *scene = (struct bench_scene){0};
 }
 

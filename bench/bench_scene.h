@@ -221,12 +221,15 @@ struct bench_scene {
     bool shades_all;
     // rhw records the pass of the scene, which has one, once, and runs it in each frame; and keeps its triangles besides.
     bool replays, keeps_triangles;
+    // Before each draw the first vertex of its mesh is written, as it is.
+    bool writes_between;
     // No picture to look at: the time is that of opening and closing rhw, or an empty texture; of making the mip chain
     // of the first texture; or of the program that renders this file.
     bool opens_context, opens_texture, makes_mips;
     const char *renders_file;
-    int max_anisotropy; // of all textures; 0: off
-    int samples;        // of a pixel of the picture, resolved at the end of a frame; 0: one
+    struct bench_files *files; // what was made for it, scene_process.h; NULL: nothing
+    int max_anisotropy;        // of all textures; 0: off
+    int samples;               // of a pixel of the picture, resolved at the end of a frame; 0: one
     struct bench_tolerance tolerance;
     enum bench_unit unit;
     double work; // units per frame

@@ -116,6 +116,10 @@ static void record_draws(const struct bench_state *s, rhw_context *context, rhw_
     for (uint32_t i = first; i < first + count; i++) {
         const struct bench_draw *const draw = &scene->draws[i];
         const struct bench_mesh *const mesh = &scene->meshes[draw->mesh];
+        if (scene->writes_between) {
+            rhw_buffer_write(s->context, s->vertices[draw->mesh], 0, mesh->vertices,
+                             bench_mesh_stride(mesh) * sizeof *mesh->vertices);
+        }
         rhw_pass_set_pipeline(context, pass, s->pipelines[i]);
         rhw_pass_set_vertex_buffer(context, pass, 0, s->vertices[draw->mesh], 0);
         if (mesh->instance_count) {

@@ -13,6 +13,7 @@
 #include "context/misuse.h"
 #include "draw/recorded_pass.h"
 #include "pass/encoder.h"
+#include "pass/kept_reads.h"
 #include "pipeline/pipeline.h"
 #include "pass/query.h"
 #include "recording/recorder.h"
@@ -188,6 +189,7 @@ enum rhw_result rhw_context_create_probed(const struct rhw_context_def *def, boo
         .paths = def->paths,
         .bin_memory = def->bin_memory,
         .kernels = rhw_kernels_for(isa),
+        .keep_reads = rhw_encoder_keep_reads,
     };
     rhw_label_copy(created->label, def->label);
     rhw_pool_init(&created->buffers, "buffer", sizeof(struct rhw_buffer_data));

@@ -80,11 +80,11 @@ RHW_API enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw
 RHW_API void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer);
 
 /// Replace `size` bytes at `offset`. Draws that were recorded before still read the old bytes: if the pass being
-/// recorded reads some of the bytes, the first write after a draw gives the buffer new memory. If there is no memory
-/// for that, the function returns RHW_ERROR_OUT_OF_MEMORY and the buffer stays as it is. It is misuse to write bytes
-/// that the pass being recorded may write, as storage or by transform feedback. It is also misuse to write bytes that
-/// the pass reads, if the pass may write other bytes of the buffer. Bytes that the pass does not use may be written.
-/// These rules hold for all functions that write to buffers.
+/// recorded reads some of the bytes, a write after a draw copies what draws read there, or the whole buffer if that is
+/// in a slot. If there is no memory for that, it returns RHW_ERROR_OUT_OF_MEMORY and writes nothing. It is misuse to
+/// write bytes that the pass being recorded may write, as storage or by transform feedback. It is also misuse to write
+/// bytes that the pass reads, if the pass may write other bytes of the buffer. Bytes that the pass does not use may be
+/// written. These rules hold for all functions that write to buffers.
 RHW_API enum rhw_result rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t offset,
                                          const void *data, size_t size);
 

@@ -58,6 +58,9 @@ struct obj {
     uint32_t small_faces;   // number of faces with fewer than three corners
     uint32_t zero_elements; // number of faces, lines and points with an index of 0
     bool has_zero_others;   // a texture coordinate or a normal has the index 0
+    bool joins_corners;     // corners with the same numbers become one vertex at once
+    // The last vertex of the part at each position. SCENE_OBJ_NONE where there is none.
+    uint32_t *first_vertices;
 };
 
 // Add what a line has, by its numbers.

@@ -121,8 +121,8 @@ struct rhw_context {
     bool (*validate_pipeline)(struct rhw_context *context, struct rhw_pipeline_data *pipeline,
                               const char *name);
 
-    // Copy what recorded draws read of a part of a live buffer as vertices and indices, and let them read the copies, so
-    // that the part can be written. Return false when out of memory. Recording sets this.
+    // Copy what recorded draws read of a part of a live buffer as vertices and indices, and let them read the copies,
+    // so that the part can be written. Return false when out of memory.
     bool (*keep_reads)(struct rhw_context *context, const struct rhw_buffer_part *part);
 
     // It is asked while a pass runs or mip levels are made. NULL: nobody is asked.

@@ -6,7 +6,6 @@
 
 #include "context.h"
 #include "misuse.h"
-#include "use_table.h"
 
 // The members that all kinds of ids have.
 struct id {
@@ -71,16 +70,6 @@ void rhw_recorder_look_at_pools(struct rhw_context *recorder)
     rhw_pool_view(&recorder->samplers, &recorder->owner->samplers);
     rhw_pool_view(&recorder->pipelines, &recorder->owner->pipelines);
     rhw_pool_view(&recorder->queries, &recorder->owner->queries);
-}
-
-void rhw_context_note_use(struct rhw_context *context, struct rhw_arena *arena, const struct rhw_pool *pool,
-                          uint32_t index, uint32_t moves, bool *out_of_memory)
-{
-    if (context->uses == NULL) {
-        rhw_pool_use(pool, index, context->recording.generation);
-    } else {
-        *out_of_memory |= rhw_use_table_note(context->uses, arena, pool, index, moves) == NULL;
-    }
 }
 
 struct rhw_buffer_data *rhw_context_buffer(const struct rhw_context *context, rhw_buffer id,

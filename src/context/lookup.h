@@ -6,7 +6,6 @@
 #include "pool.h"
 #include "rhw/types.h"
 
-struct rhw_arena;
 struct rhw_buffer_data;
 struct rhw_texture_data;
 struct rhw_sampler_data;
@@ -31,11 +30,6 @@ void *rhw_context_item(const struct rhw_context *context, const struct rhw_pool 
 
 // Make the pools of a recorder those that its owner has now.
 void rhw_recorder_look_at_pools(struct rhw_context *recorder);
-
-// Note that the pass or dispatch being recorded uses the live item at `index`. `moves` is how often it has got other
-// memory, or 0 for an item that has none. Set `*out_of_memory` where it cannot be noted.
-void rhw_context_note_use(struct rhw_context *context, struct rhw_arena *arena, const struct rhw_pool *pool,
-                          uint32_t index, uint32_t moves, bool *out_of_memory);
 
 // What messages call a live item: 'texture 3 "albedo"', or 'texture 3' where it has no label.
 struct rhw_name {

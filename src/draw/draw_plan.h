@@ -85,6 +85,7 @@ struct rhw_draw_plan {
     enum rhw_depth_mode depth_mode;
     struct rhw_depth_rule early, late; // before and after the fragment function
     enum rhw_rule_name early_name;
+    bool collects;              // fragments of rows that are not full may share groups, wherever they lie
     enum rhw_sampling sampling; // CENTER where pixels have one sample
     bool reads_targets;         // before the fragment function (kernels/fragment/target_input.h)
     bool weighs_alpha;          // after the fragment function: by the area that a smooth line covers

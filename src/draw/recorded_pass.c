@@ -30,6 +30,7 @@ void rhw_recorded_pass_clear(struct rhw_recorded_pass *pass)
     pass->shades_first = false;
     pass->has_large_draws = false;
     pass->has_feedback = false;
+    pass->shades_samples = false;
     pass->shows_order = false;
 }
 

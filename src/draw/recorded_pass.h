@@ -35,6 +35,7 @@ struct rhw_recorded_pass {
     bool shades_first;    // some draw has vertices that are shaded before the first wave
     bool has_large_draws; // some indexed draw has at least RHW_SHARING_TRIANGLES
     bool has_feedback;    // some draw writes to buffers
+    bool shades_samples;  // some draw is shaded at every sample of a pixel
     bool shows_order;     // the order of calls would show in what some draw writes
 };
 

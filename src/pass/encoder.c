@@ -6,7 +6,6 @@
 
 #include "context/context.h"
 #include "context/misuse.h"
-#include "kept_reads.h"
 
 struct rhw_encoder *rhw_encoder_create(struct rhw_context *context, struct rhw_recorded_pass *pass)
 {
@@ -15,7 +14,6 @@ struct rhw_encoder *rhw_encoder_create(struct rhw_context *context, struct rhw_r
     if (encoder) {
         memset(encoder, 0, sizeof *encoder);
         encoder->context = context;
-        context->keep_reads = rhw_encoder_keep_reads;
         encoder->pass = pass;
     }
     return encoder;

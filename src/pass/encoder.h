@@ -110,8 +110,12 @@ void rhw_encoder_renew(struct rhw_encoder *encoder);
 static inline void rhw_encoder_note_use(struct rhw_encoder *encoder, const struct rhw_pool *pool,
                                         uint32_t index, uint32_t moves)
 {
-    rhw_context_note_use(encoder->context, &encoder->pass->arena, pool, index, moves,
-                         &encoder->out_of_memory);
+    if (!encoder->context->uses) { // the common case, for each call of the program
+        rhw_pool_use(pool, index, encoder->context->recording.generation);
+        return;
+    }
+    encoder->out_of_memory |=
+        !rhw_use_table_note(encoder->context->uses, &encoder->pass->arena, pool, index, moves);
 }
 
 // Report that an id names no pass under way.

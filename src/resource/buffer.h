@@ -37,8 +37,8 @@ struct rhw_used_bytes {
 struct rhw_buffer_data {
     unsigned char *bytes; // aligned to a cache line
     size_t size;          // what the user gave, without padding
-    // The pass in which the buffer was last written between draws, and the number of draws that were recorded before and
-    // read other memory since.
+    // The pass in which the buffer was last written between draws, and the number of draws that were recorded before
+    // and read other memory since.
     uint32_t renewed_pass, renewed_draws;
     uint32_t bound_pass; // generation of the last pass in which the buffer was in a read-only slot
     uint32_t moves;      // times that the buffer got other memory

@@ -237,6 +237,18 @@ def test_moves_as_near(tmp_path, name):
     assert_same_picture(*(load(tmp_path, name, MOVED[name](place), time=time) for place in (NEAR, FAR)))
 
 
+@pytest.mark.parametrize("y", range(1, 5))
+def test_moves_past_a_number(tmp_path, y):
+    """A movement may pass any number that a node far away is counted by."""
+    def write(place):
+        floats, rest = split(place)
+        objects, links = curves(50, 11, [(floats[0] + step, y) for step in (0, 8)])
+        return fbx_text(fbx([geometry(10, NEAR), model(11, "Mesh", vector("Lcl Translation", place)),
+                             model(12, "Null", vector("Lcl Translation", (rest[0], place[1], 0))), *objects],
+                            [(12, 0), (11, 12), (10, 11), *links]))
+    assert_same_picture(*(load(tmp_path, "past.fbx", write(place), time=0.75) for place in (NEAR, FAR)))
+
+
 def test_collada_movement_is_told(tmp_path):
     """Of a movement of Collada far away assimp has floats, which is told."""
     def source(name, numbers, params):

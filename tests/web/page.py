@@ -23,7 +23,7 @@ from page_lessons import Lessons  # noqa: F401: its tests are run, too
 
 # Of a machine that does other things too; what it took is printed.
 FIRST_PICTURE = 5.0  # seconds
-FRAMES = 5  # a second
+FRAMES = 2  # a second
 
 
 class Page(PageCase):

@@ -7,13 +7,13 @@
 #include "growing.h"
 #include "image_webp.h"
 #include "message.h"
+#include "png_rows.h"
 
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <webp/mux.h>
-#include <zlib.h>
 
 static bool fail(const struct cli_moving *moving)
 {
@@ -35,26 +35,11 @@ static uint32_t load_big_endian(const unsigned char *from)
     return (uint32_t)from[0] << 24 | (uint32_t)from[1] << 16 | (uint32_t)from[2] << 8 | from[3];
 }
 
-// `head` goes before `data` in the same chunk.
-static bool write_chunk(FILE *stream, const char name[4], const void *head, size_t head_size,
-                        const void *data, size_t size)
-{
-    unsigned char start[8], end[4];
-    store_big_endian(start, (uint32_t)(head_size + size));
-    memcpy(start + 4, name, 4);
-    uLong check = crc32(crc32(0, start + 4, 4), head, (uInt)head_size);
-    check = size > 0 ? crc32(check, data, (uInt)size) : check;
-    store_big_endian(end, (uint32_t)check);
-    return fwrite(start, 1, sizeof start, stream) == sizeof start &&
-           fwrite(head, 1, head_size, stream) == head_size && fwrite(data, 1, size, stream) == size &&
-           fwrite(end, 1, sizeof end, stream) == sizeof end;
-}
-
 static bool write_animation_control(const struct cli_moving *moving)
 {
     unsigned char control[8] = {0}; // frames; 0: played without end
     store_big_endian(control, (uint32_t)moving->frame_count);
-    return write_chunk(moving->file->stream, "acTL", control, sizeof control, "", 0);
+    return cli_png_chunk(moving->file->stream, "acTL", control, sizeof control, "", 0);
 }
 
 static bool write_frame_control(struct cli_moving *moving, const struct cli_raster *raster)
@@ -68,7 +53,7 @@ static bool write_frame_control(struct cli_moving *moving, const struct cli_rast
     control[21] = PARTS;
     control[22] = (unsigned char)(divisor >> 8);
     control[23] = (unsigned char)divisor; // disposal and blending 0: each picture takes the place of the last
-    return write_chunk(moving->file->stream, "fcTL", control, sizeof control, "", 0);
+    return cli_png_chunk(moving->file->stream, "fcTL", control, sizeof control, "", 0);
 }
 
 // One chunk of an ordinary PNG file.
@@ -91,7 +76,7 @@ static bool write_part(struct cli_moving *moving, const struct cli_raster *raste
     unsigned char number[4];
     store_big_endian(number, moving->sequence);
     moving->sequence += is_data;
-    return !is_data || write_chunk(stream, "fdAT", number, sizeof number, chunk + 8, size);
+    return !is_data || cli_png_chunk(stream, "fdAT", number, sizeof number, chunk + 8, size);
 }
 
 enum { SIGNATURE = 8 };
@@ -211,7 +196,7 @@ bool cli_moving_finish(struct cli_moving *moving)
         return finish_webp(moving);
     }
     errno = 0;
-    return write_chunk(moving->file->stream, "IEND", "", 0, "", 0) || fail(moving);
+    return cli_png_chunk(moving->file->stream, "IEND", "", 0, "", 0) || fail(moving);
 }
 
 void cli_moving_close(struct cli_moving *moving)

@@ -10,9 +10,10 @@
 #include "assimp.h"
 #include "import/builder/origin.h"
 
-// The first and the last number of a mark. They are odd and have 24 bits, so that no one writes them by chance.
-static const double first_mark = 13421773, last_mark = 11184811;
-enum { MOST_PLACES = 1 << 24 }; // floats hold all whole numbers up to here
+// The first and the last number of a mark, and what the one between them counts from. They have 24 bits, as many as
+// floats hold, so that no one writes them by chance, nor does an animation pass them.
+static const double first_mark = 13421773, middle_mark = 1 << 23, last_mark = 11184811;
+enum { MOST_PLACES = 1 << 23 };
 
 // What begins the names, behind that of a model in an FBX, of the nodes that assimp makes of it.
 static const char chain_tag[] = "_$AssimpFbx$_";
@@ -73,7 +74,7 @@ static void mark(struct scene_import *import, struct scene_assimp_exact *exact,
                          sizeof *exact->places);
     exact->places[exact->place_count++] = *marked;
     numbers[0] = first_mark;
-    numbers[1] = (double)exact->place_count;
+    numbers[1] = middle_mark + (double)exact->place_count;
     numbers[2] = last_mark;
 }
 
@@ -165,7 +166,7 @@ static const struct scene_assimp_marked *find_place(const struct scene_assimp_ex
                                                     const double matrix[16], double *sign)
 {
     *sign = matrix[12] < 0 ? -1 : 1;
-    const double number = *sign * matrix[13];
+    const double number = *sign * matrix[13] - middle_mark;
     const bool is_mark = *sign * matrix[12] == first_mark && *sign * matrix[14] == last_mark && number >= 1 &&
                          number <= (double)exact->place_count;
     return is_mark ? &exact->places[(size_t)number - 1] : NULL;

@@ -29,9 +29,20 @@ static bool has_any(const char *text, const char *const *words, size_t count)
 // lines, and what concerns no picture is not told.
 static bool tells_of_gap(const char *line)
 {
-    static const char *const gaps[] = {
-        "unsupported", "not supported", "not currently supported", "skip",         "ignor", "not implemented",
-        "discard",     "dropped",       "neither material",        "with no faces"};
+    static const char *const gaps[] = {"unsupported",
+                                       "not supported",
+                                       "not currently supported",
+                                       "skip",
+                                       "ignor",
+                                       "not implemented",
+                                       "discard",
+                                       "dropped",
+                                       "neither material",
+                                       "with no faces",
+                                       "external file",
+                                       "unable to find",
+                                       "unknown data object in m",
+                                       "unknown node"};
     static const char *const others[] = {
         "format version",
         "blenddna",

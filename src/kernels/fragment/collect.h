@@ -126,7 +126,7 @@ static inline bool scatters_any(const struct tile_work *work, uint64_t mask)
 RHW_INLINE bool can_scatter(const struct tile_work *work, const struct triangle_work *triangle,
                             const struct block *block, uint64_t mask)
 {
-    return !block->leaves_triangle && triangle->planes.kind != PLANES_EXACT &&
+    return work->plan.collects && !block->leaves_triangle && triangle->planes.kind != PLANES_EXACT &&
            !interpolates_in_double(work->pipeline, triangle) &&
            (work->plan.shading == RHW_SHADING_SMOOTH || scatters_any(work, mask));
 }

@@ -116,9 +116,6 @@ static __attribute__((noinline)) void fill_any_rows(const struct tile_work *work
                                                     const struct block *block, const struct block_rows *rows,
                                                     int first)
 {
-    if (work->plan.reads_targets) {
-        read_targets(work, first, rows->count);
-    }
     const struct planes *const planes = &triangle->planes;
     const bool is_general = work->plan.shading == RHW_SHADING_ROWS;
     const enum weight_path best = weight_path_of(planes);
@@ -291,15 +288,17 @@ RHW_INLINE void fill_inverse_w(struct rhw_fragment *groups, const struct planes 
     }
 }
 
-// Set the coordinates of the rows of a block, at the centres of their pixels. Groups have their depth already.
+// Set the coordinates of the rows of a block. Groups have their depth already.
 RHW_INLINE void fill_row_coordinates(const struct tile_work *work, const struct planes *planes,
                                      const struct block *block, const struct block_rows *rows)
 {
     struct rhw_fragment *const groups = &work->scratch->queue.groups[work->scratch->queue.count];
-    const f32x8 center = f32x8_splat((float)sample_offset());
-    const f32x8 x = rhw_float_from_int(i32x8_splat(work->x + block->x) + rhw_lane_index) + center;
+    const bool at_sample = work->plan.sampling == RHW_SAMPLING_SAMPLE;
+    const float center = (float)sample_offset(), right = at_sample ? block->samples->position[0] : center,
+                down = at_sample ? block->samples->position[1] : center;
+    const f32x8 x = rhw_float_from_int(i32x8_splat(work->x + block->x) + rhw_lane_index) + f32x8_splat(right);
     float y[RHW_BLOCK];
-    f32x8_store(y, rhw_float_from_int(i32x8_splat(work->y + block->y) + rhw_lane_index) + center);
+    f32x8_store(y, rhw_float_from_int(i32x8_splat(work->y + block->y) + rhw_lane_index) + f32x8_splat(down));
     for (int n = 0; n < rows->count; n++) {
         groups[n].coord[0] = x;
         groups[n].coord[1] = f32x8_splat(y[rows == &all_rows ? n : rows->row[n]]);
@@ -363,12 +362,36 @@ RHW_INLINE void place_rows(struct fragment_queue *queue, const struct block_rows
     }
 }
 
+// Set that the groups from the queue's end on stand for one sample of their pixels. `asks` is true if the fragment
+// function asks which.
+RHW_INLINE void place_one_sample(struct fragment_queue *queue, const struct block_samples *from,
+                                 const struct block_rows *rows, bool asks)
+{
+    struct rhw_fragment *const groups = &queue->groups[queue->count];
+    const i32x8 sample = i32x8_splat(1 << from->only), id = i32x8_splat(from->only);
+    const f32x8 x = f32x8_splat(from->position[0]), y = f32x8_splat(from->position[1]);
+    for (int n = 0; n < rows->count; n++) {
+        queue->samples[queue->count + n] = sample & groups[n].mask;
+    }
+    for (int n = 0; n < rows->count && asks; n++) {
+        groups[n].sample_mask = sample & groups[n].mask;
+        groups[n].sample_id = id;
+        groups[n].sample_position[0] = x;
+        groups[n].sample_position[1] = y;
+    }
+}
+
 // Set which samples the groups from the queue's end on cover.
 static __attribute__((noinline)) void place_samples(const struct tile_work *work, const struct block *block,
                                                     const struct block_rows *rows)
 {
     const struct block_samples *const from = block->samples;
     struct fragment_queue *const queue = &work->scratch->queue;
+    if (from->only >= 0 && !from->depth) {
+        const uint32_t uses = work->pipeline->def.program.uses;
+        place_one_sample(queue, from, rows, uses & (RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK));
+        return;
+    }
     for (int n = 0; n < rows->count; n++) {
         const int g = queue->count + n, row = rows->row[n];
         i32x8 samples = i32x8_splat(0);
@@ -425,7 +448,9 @@ RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangl
                            const struct block_rows *rows)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
-    if (queue->count + rows->count > RHW_FRAGMENT_GROUPS || (work->plan.reads_targets && queue->count != 0)) {
+    // What a program reads of targets is what earlier triangles left; no sample is among a triangle's fragments twice.
+    const bool ends_others = work->plan.reads_targets && !triangle->has_values && queue->count != 0;
+    if (queue->count + rows->count > RHW_FRAGMENT_GROUPS || ends_others) {
         RHW_ISA_NAME(rhw_shade_queue)(work);
     }
     if (!triangle->has_values) {
@@ -437,6 +462,9 @@ RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangl
     }
     for (int n = 0; n < rows->count && work->plan.weighs_alpha; n++) {
         queue->coverage[queue->count + n] = triangle->coverage[rows->row[n]];
+    }
+    if (work->plan.reads_targets) {
+        read_targets(work, queue->count, rows->count);
     }
     if (work->plan.keeps_depth || work->plan.keeps_identity) {
         fill_kept(work, triangle, block, rows, queue->count);

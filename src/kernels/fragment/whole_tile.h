@@ -30,7 +30,7 @@ RHW_INLINE void fill_block_depths(const struct tile_work *work, const struct tri
     }
 }
 
-// Set depth, and what groups have beside smooth and flat varyings, of the block at (x, y).
+// Set depth, what targets hold, and what groups have beside smooth and flat varyings, of the block at (x, y).
 static __attribute__((noinline)) void fill_more_block(const struct tile_work *work,
                                                       const struct triangle_work *triangle, int x, int y)
 {
@@ -38,6 +38,10 @@ static __attribute__((noinline)) void fill_more_block(const struct tile_work *wo
     block.x = x;
     block.y = y;
     block.at = block_offset(work, &triangle->planes, x, y);
+    block.samples = NULL;
+    if (work->plan.reads_targets) {
+        read_targets(work, work->scratch->queue.count, RHW_BLOCK);
+    }
     if (work->plan.keeps_depth) {
         fill_block_depths(work, triangle, &block.at);
     }
@@ -50,7 +54,7 @@ RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_wo
                                 enum derivatives derivatives, enum weight_path path)
 {
     const bool weighs = derivatives == DERIVATIVES || wants_weights(work->pipeline);
-    const bool more = work->plan.keeps_depth || work->plan.fills_more;
+    const bool more = work->plan.keeps_depth || work->plan.fills_more || work->plan.reads_targets;
     const struct planes *const planes = &triangle->planes;
     struct fragment_queue *const queue = &work->scratch->queue;
     for (int y = 0; y < RHW_TILE; y += RHW_BLOCK) {

@@ -171,6 +171,28 @@ static void test_vertices(void **state)
 #define PLY_COLORS "property uchar red\nproperty uchar green\nproperty uchar blue\n"
 #define PLY_FACE   "element face 1\nproperty list uchar int vertex_indices\n"
 
+#define X_FILE(mesh, material)                                                                              \
+    "xof 0303txt 0032\nMesh {\n 3;\n 0.0;0.0;0.0;,\n 1.0;0.0;0.0;,\n 0.0;1.0;0.0;;\n 1;\n 3;0,1,2;;\n" mesh \
+    " MeshMaterialList {\n  1;\n  1;\n  0;\n  Material {\n   1.0;0.0;0.0;0.25;;\n   5.0;\n   "              \
+    "0.0;0.0;0.0;;\n"                                                                                       \
+    "   0.0;0.0;0.0;;\n" material "  }\n }\n}\n"
+
+// What assimp has of a material and does not call by the usual name: the alpha of a face of DirectX, and the colour of
+// NFF.
+static void test_materials(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_text("a.x", X_FILE("", ""));
+    assert_floats(model->materials[model->meshes[0].material].base_color, (const float[]){1, 0, 0, 0.25f}, 4,
+                  1e-6f);
+    assert_int_equal(model->unsupported_count, 0);
+    scene_model_free(model);
+    model = load_text("a.nff", "f 1 0 0 1 0 0 0 1\np 3\n0 0 0\n1 0 0\n0 1 0\n");
+    assert_floats(model->materials[model->meshes[0].material].base_color, (const float[]){1, 0, 0, 1}, 4,
+                  1e-6f);
+    scene_model_free(model);
+}
+
 // What other readers leave out.
 static void test_texts(void **state)
 {
@@ -187,6 +209,10 @@ static void test_texts(void **state)
                   "property float s\nproperty float t\n" PLY_FACE
                   "end_header\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n",
          "textures after the first (PLY): no face has the number of one"},
+        {"t.x", X_FILE(" FVFData { 0; 0; }\n", ""),
+         "assimp leaves out: Unknown data object in mesh in x file"},
+        {"t.x", X_FILE("", "   EffectInstance { \"a.fx\"; }\n"),
+         "assimp leaves out: Unknown data object in material in x file"},
         {"t.off", "COFF\n3 1 0\n0 0 0 9 9 9 255\n1 0 0 9 9 9 255\n0 1 0 9 9 9 255\n3 0 1 2 1 2 3\n",
          "colours of faces (OFF): not drawn, as its vertices have colours"},
         {"t.stl",
@@ -362,11 +388,17 @@ static void test_meshes_without_faces(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_vertices), cmocka_unit_test(test_texts),
-    cmocka_unit_test(test_entities), cmocka_unit_test(test_drawings),
-    cmocka_unit_test(test_schema),   cmocka_unit_test(test_meshes_without_faces),
-    cmocka_unit_test(test_log),      cmocka_unit_test(test_textures),
-    cmocka_unit_test(test_words),    cmocka_unit_test(test_cameras_and_lights),
+    cmocka_unit_test(test_vertices),
+    cmocka_unit_test(test_materials),
+    cmocka_unit_test(test_texts),
+    cmocka_unit_test(test_entities),
+    cmocka_unit_test(test_drawings),
+    cmocka_unit_test(test_schema),
+    cmocka_unit_test(test_meshes_without_faces),
+    cmocka_unit_test(test_log),
+    cmocka_unit_test(test_textures),
+    cmocka_unit_test(test_words),
+    cmocka_unit_test(test_cameras_and_lights),
 };
 
 const struct unit_tests test_gaps = UNIT_TESTS(tests, make_directory, remove_directory);

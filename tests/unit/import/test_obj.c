@@ -342,8 +342,8 @@ static void test_plain_lines(void **state)
         "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 1 0 0 1\nf 1 2 3\n",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.5\nvt 1 0.25\nvt 0 1 0\nf 1/1 2/2 3/3\nf 3/-1 2/-2 1/-3\n",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 1\nvn 0 0 1\nvn 0 1 1\nf 1//1 2//2 3//1\nf 1/1/1 2/1/2 3/1/2\n",
-        "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 1 2 0\nv 0 2 0\nv -1 1 0\nv -2 1 0\nv -3 .5 0\nv -2 .1 0\n"
-        "f 1 2 3 4 5 6 7 8 9\nf 1 2 3 4 5 6 7 8\nf 1  2\t3 \n",
+        ("v 0 0 0\nv 1 0 0\nv 2 1 0\nv 1 2 0\nv 0 2 0\nv -1 1 0\nv -2 1 0\nv -3 .5 0\nv -2 .1 0\n"
+         "f 1 2 3 4 5 6 7 8 9\nf 1 2 3 4 5 6 7 8\nf 1  2\t3 \n"),
     };
     for (size_t i = 0; i < sizeof bodies / sizeof bodies[0]; i++) {
         for (int ending = 0; ending < 3; ending++) {

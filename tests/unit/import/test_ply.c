@@ -304,14 +304,13 @@ static void write_grid(const char *name, const struct grid_form *form, int last,
             size += put_number(text + size, form, "short", -i);
         }
     }
-    for (int i = 0, cell = 0; cell < (SIDE - 1) * (SIDE - 1); cell++) {
+    for (int cell = 0; cell < (SIDE - 1) * (SIDE - 1); cell++) {
         const int a = cell / (SIDE - 1) * SIDE + cell % (SIDE - 1),
                   quad[] = {a, a + 1, a + SIDE + 1, a + SIDE};
         const bool is_whole = cell == 5 || cell == 6, is_last = cell == (SIDE - 1) * (SIDE - 1) - 1;
         const int rest[] = {quad[0], quad[2], is_last ? last : quad[3]};
         size += put_face(text + size, form, quad, is_whole ? 4 : 3);
         size += is_whole ? 0 : put_face(text + size, form, rest, 3);
-        i += is_whole ? 1 : 2;
     }
     write_bytes(name, text, size - cut);
 }
