@@ -79,6 +79,8 @@ const struct bench_scene_entry bench_scene_entries[] = {
     {"empty", "a frame that is cleared and nothing else", bench_make_latency, BENCH_LATENCY_EMPTY},
     {"draws_10k", "10,000 draws of 12 triangles with uniforms of their own", bench_make_latency,
      BENCH_LATENCY_DRAWS},
+    {"draws_textures", "draws_10k with a texture of its own for each draw, one of 64", bench_make_latency,
+     BENCH_LATENCY_DRAWS_TEXTURES},
     {"draws_10k_recorded", "the same pass, recorded once and run again", bench_make_latency,
      BENCH_LATENCY_DRAWS_RECORDED},
     {"draws_10k_replayed", "the same pass, of which the triangles are kept too", bench_make_latency,

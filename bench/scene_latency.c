@@ -10,6 +10,7 @@
 enum {
     SIDE = 100,
     FACES = 6,
+    TEXTURES = 64,
     LARGE_MESH = (1 << 20) / 24, // vertices of a mebibyte
     LARGE_DRAWS = 1000
 };
@@ -26,9 +27,11 @@ static const struct scene_camera camera = {
 
 // Four vertices per face; `axis` is the one that the face looks along. `room` vertices or more are made, of which the
 // others are in no face.
-static bool make_cube(struct bench_mesh *mesh, uint32_t room)
+static bool make_cube(struct bench_mesh *mesh, uint32_t room, bool is_textured)
 {
+    const int stride = is_textured ? 8 : 6;
     mesh->has[BENCH_POSITION] = mesh->has[BENCH_NORMAL] = true;
+    mesh->has[BENCH_UV] = is_textured;
     if (!bench_mesh_allocate(mesh, room > 4 * FACES ? room : 4 * FACES, 6 * FACES)) {
         return false;
     }
@@ -36,11 +39,15 @@ static bool make_cube(struct bench_mesh *mesh, uint32_t room)
     for (int face = 0; face < FACES; face++) {
         const int axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
         const float sign = face & 1 ? 1.0f : -1.0f;
-        for (int i = 0; i < 4; i++, to += 6) {
+        for (int i = 0; i < 4; i++, to += stride) {
             to[axis] = sign;
             to[u] = (i & 1 ? 1.0f : -1.0f) * sign; // keeps the winding of the opposite face
             to[v] = i & 2 ? 1.0f : -1.0f;
             to[3 + axis] = sign;
+            if (is_textured) {
+                to[6] = i & 1 ? 1.0f : 0.0f;
+                to[7] = i & 2 ? 1.0f : 0.0f;
+            }
         }
         const uint32_t first = (uint32_t)(4 * face);
         const uint32_t quad[6] = {first, first + 1, first + 3, first, first + 3, first + 2};
@@ -49,13 +56,15 @@ static bool make_cube(struct bench_mesh *mesh, uint32_t room)
     return true;
 }
 
-static void place_cube(struct bench_draw *draw, int number, double aspect)
+static void place_cube(struct bench_draw *draw, int number, double aspect, bool is_textured)
 {
     const int column = number % SIDE, row = number / SIDE;
     const double turn = 0.37 * number, c = size * scene_cos(turn), s = size * scene_sin(turn);
     const double x = 1.6 * (column - 0.5 * (SIDE - 1)), z = 1.6 * (row - 0.5 * (SIDE - 1));
     const double world[16] = {c, 0, -s, 0, 0, size, 0, 0, s, 0, c, 0, x, 0, z, 1};
-    *draw = (struct bench_draw){.shader = BENCH_SHADER_LIT,
+    *draw = (struct bench_draw){.shader = is_textured ? BENCH_SHADER_LIT_TEXTURE : BENCH_SHADER_LIT,
+                                .texture_count = is_textured,
+                                .textures = {(uint32_t)number % TEXTURES},
                                 .depth = BENCH_DEPTH_LESS,
                                 .cull_back = true,
                                 .uniforms = bench_look(&camera, aspect, world)};
@@ -64,15 +73,13 @@ static void place_cube(struct bench_draw *draw, int number, double aspect)
 }
 
 // Texels without a pattern: what decoding one costs may depend on the one before it.
-static bool make_noise(struct bench_texture *texture)
+static bool make_noise(struct bench_texture *texture, int size_in_texels, uint32_t state)
 {
-    enum { SIZE = 2048 };
     texture->format = BENCH_SRGB8_ALPHA8;
-    if (!bench_texture_allocate(texture, SIZE, SIZE)) {
+    if (!bench_texture_allocate(texture, size_in_texels, size_in_texels)) {
         return false;
     }
-    uint32_t state = 1;
-    for (size_t i = 0; i < (size_t)SIZE * SIZE * 4; i++) {
+    for (size_t i = 0; i < (size_t)size_in_texels * (size_t)size_in_texels * 4; i++) {
         state = state * 1664525 + 1013904223;
         texture->texels[0][i] = (uint8_t)(state >> 24);
     }
@@ -83,27 +90,33 @@ static bool make_noise(struct bench_texture *texture)
 bool bench_make_latency(const struct bench_scene_entry *entry, struct bench_scene *scene, int width,
                         int height, char *why, size_t why_size)
 {
+    const bool is_textured = entry->variant == BENCH_LATENCY_DRAWS_TEXTURES;
     (void)why, (void)why_size; // nothing is missing
     scene->keeps_triangles = entry->variant == BENCH_LATENCY_DRAWS_REPLAYED;
     scene->replays = scene->keeps_triangles || entry->variant == BENCH_LATENCY_DRAWS_RECORDED;
     scene->writes_between = entry->variant == BENCH_LATENCY_WRITES_BETWEEN;
     const bool is_large = scene->writes_between || entry->variant == BENCH_LATENCY_WRITES_NONE;
-    const bool draws = scene->replays || is_large || entry->variant == BENCH_LATENCY_DRAWS;
+    const bool draws = is_textured || scene->replays || is_large || entry->variant == BENCH_LATENCY_DRAWS;
     scene->opens_context = entry->variant == BENCH_LATENCY_CONTEXT;
     scene->opens_texture = entry->variant == BENCH_LATENCY_TEXTURE;
     scene->makes_mips = entry->variant == BENCH_LATENCY_MIPS;
     scene->mesh_count = draws;
-    scene->texture_count = scene->makes_mips;
+    scene->texture_count = is_textured ? TEXTURES : scene->makes_mips;
     scene->draw_count = is_large ? LARGE_DRAWS : draws ? SIDE * SIDE : 0;
     scene->unit = BENCH_DRAWS;
     scene->work = scene->draw_count;
     scene->tolerance.outliers = draws ? 5e-5 : 0.0;
-    if (!bench_scene_allocate(scene) || (draws && !make_cube(&scene->meshes[0], is_large ? LARGE_MESH : 0)) ||
-        (scene->makes_mips && !make_noise(&scene->textures[0]))) {
+    if (!bench_scene_allocate(scene) ||
+        (draws && !make_cube(&scene->meshes[0], is_large ? LARGE_MESH : 0, is_textured))) {
         return false;
     }
+    for (uint32_t i = 0; i < scene->texture_count; i++) {
+        if (!make_noise(&scene->textures[i], is_textured ? 32 : 2048, i + 1)) {
+            return false;
+        }
+    }
     for (uint32_t i = 0; i < scene->draw_count; i++) {
-        place_cube(&scene->draws[i], (int)i, (double)width / (double)height);
+        place_cube(&scene->draws[i], (int)i, (double)width / (double)height, is_textured);
     }
     return true;
 }

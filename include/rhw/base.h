@@ -41,6 +41,13 @@
 #define RHW_HAS_LANES 0
 #endif
 
+/// RHW_MAY_ALIAS stands in the definition of a struct that the library reads as another one.
+#if defined(__GNUC__) || defined(__clang__)
+#define RHW_MAY_ALIAS __attribute__((may_alias))
+#else
+#define RHW_MAY_ALIAS
+#endif
+
 /// RHW_QUIET_BEGIN and RHW_QUIET_END enclose the inline functions of a header and switch off warnings there that a
 /// program may have switched on. -Wpsabi does not apply, because the functions are inlined and lanes cross no ABI. The
 /// C++ warnings do not apply, because code that C and C++ share uses C's casts and C's NULL.

@@ -9,6 +9,7 @@
 #ifndef RHW_RHW_H
 #define RHW_RHW_H
 
+#include "bind.h"
 #include "dispatch.h"
 #include "limits.h"
 #include "explain.h"

@@ -119,6 +119,7 @@ struct rhw_fragment1 {
     bool fully_covered;
 };
 
+#include "shader_binding.h"
 #include "shader_bits_one.h"
 #include "shader_compute.h"
 #include "shader_one.h"

@@ -4,29 +4,58 @@
 #ifndef RHW_BINDING_H
 #define RHW_BINDING_H
 
+#include <string.h>
+
+#include "base/constants.h"
 #include "kernels/kernels.h"
+#include "rhw/bind.h"
 #include "rhw/shader.h"
 #include "storage.h"
 
 struct rhw_texture_data;
 struct rhw_sampler_data;
 
-// What one slot has.
-struct rhw_binding {
-    rhw_sample_function *sample;
-    rhw_sample_function *sample_offset; // for a request with offsets in texels
-    rhw_sample_function *isotropic;     // for an anisotropic sampler's single samples
-    rhw_sample_function *general;       // for an anisotropic sampler's single samples with offsets
-    // For a view with a swizzle: the functions that give the texels before it.
-    rhw_sample_function *own, *own_offset;
-    rhw_compare_window_function *compare_window; // NULL: footprints are compared one by one
-    const struct rhw_texture_data *texture;      // NULL: nothing is bound
-    const struct rhw_sampler_data *sampler;
+// What a binding is of.
+enum rhw_binding_kind {
+    RHW_BINDING_EMPTY,
+    RHW_BINDING_SAMPLED,      // a texture with a sampler, or neither
+    RHW_BINDING_TEXTURE,      // a texture alone
+    RHW_BINDING_SAMPLER,      // a sampler alone
+    RHW_BINDING_MULTISAMPLED, // a texture with several samples
+    RHW_BINDING_WORDS,
+    RHW_BINDING_IMAGE
+};
+
+// What a struct rhw_binding holds, and what one slot has.
+struct rhw_binding_data {
+    union {
+        struct {
+            rhw_sample_function *sample;
+            rhw_sample_function *sample_offset;     // for a request with offsets in texels
+            rhw_sample_function *isotropic;         // for an anisotropic sampler's single samples
+            rhw_sample_function *own;               // for a view with a swizzle: gives the texels before it
+            const struct rhw_texture_data *texture; // NULL: there is nothing to sample
+            union {
+                const struct rhw_sampler_data *sampler;
+                const struct rhw_texture_data *multisampled; // texture of the kind RHW_BINDING_MULTISAMPLED
+            };
+        };
+        struct rhw_storage_words words;
+        struct rhw_storage_image image;
+    };
+    const struct rhw_kernels *kernels;
+    uint8_t kind;  // enum rhw_binding_kind
+    uint8_t paths; // enum rhw_paths
     // The texture is filtered in fixed point and special paths are taken: rhw_sample_groups may sample it together with
     // others.
     bool shares_footprints;
-    const struct rhw_texture_data *multisampled; // takes the place of `texture`; NULL: none
+    bool compares_windows; // the kernels' compare_window takes the texture and the sampler
 };
+
+_Static_assert(sizeof(struct rhw_binding_data) <= sizeof(struct rhw_binding),
+               "a struct rhw_binding holds it");
+_Static_assert(_Alignof(struct rhw_binding_data) <= _Alignof(struct rhw_binding),
+               "a struct rhw_binding holds it");
 
 struct rhw_validation_messages;
 
@@ -42,20 +71,47 @@ struct rhw_sample_site {
 struct rhw_bindings {
     const struct rhw_kernels *kernels;
     struct rhw_sample_site site;
-    struct rhw_binding slot[RHW_MAX_TEXTURES];
     const struct rhw_storage *storage;
     // True for a function under validation whose program does not declare its effects.
     bool drops_effects;
+    int slot_count; // slots from here on have nothing, and there may be no memory for them
+    _Alignas(RHW_CACHE_LINE) struct rhw_binding_data slot[RHW_MAX_TEXTURES];
 };
+
+// Return what a public binding holds.
+static inline const struct rhw_binding_data *rhw_binding_look(const struct rhw_binding *binding)
+{
+    return (const struct rhw_binding_data *)(const void *)binding;
+}
+
+// Return what a public binding holds, if it is of this kind. Return NULL if it is not, or NULL itself.
+static inline const struct rhw_binding_data *rhw_binding_of_kind(const struct rhw_binding *binding,
+                                                                 enum rhw_binding_kind kind)
+{
+    const struct rhw_binding_data *const data = rhw_binding_look(binding);
+    return data && data->kind == kind ? data : NULL;
+}
+
+// Return the bytes of bindings with so many slots.
+static inline size_t rhw_bindings_size(int slot_count)
+{
+    return offsetof(struct rhw_bindings, slot) + (size_t)slot_count * sizeof(struct rhw_binding_data);
+}
+
+// Copy bindings with the slots that they have.
+static inline void rhw_bindings_copy(const struct rhw_bindings *from, struct rhw_bindings *to)
+{
+    memcpy(to, from, rhw_bindings_size(from->slot_count));
+}
 
 // Set bindings with no texture in any slot, and no storage.
 void rhw_bindings_init(struct rhw_bindings *bindings, const struct rhw_kernels *kernels);
 
-// Return a slot with this texture and sampler, or with neither if both are NULL. All that is chosen among the kernels'
+// Return a binding of this texture and sampler, or of neither if both are NULL. All that is chosen among the kernels'
 // functions is chosen here: `paths` decides between functions that give equal bytes. An RGBA8_SRGB texture must be
 // linearized.
-struct rhw_binding rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_paths paths,
-                                  const struct rhw_texture_data *texture,
-                                  const struct rhw_sampler_data *sampler);
+struct rhw_binding_data rhw_binding_of(const struct rhw_kernels *kernels, enum rhw_paths paths,
+                                       const struct rhw_texture_data *texture,
+                                       const struct rhw_sampler_data *sampler);
 
 #endif

@@ -61,6 +61,41 @@ int32_t rhw_storage_word(uint32_t *word, enum rhw_storage_operation operation, u
     return 0;
 }
 
+struct rhw_storage_words rhw_storage_words_of(void *bytes, size_t size, bool is_read_only)
+{
+    const size_t count = size / sizeof(uint32_t);
+    return (struct rhw_storage_words){bytes, count < UINT32_MAX ? (uint32_t)count : UINT32_MAX, is_read_only};
+}
+
+void rhw_words_access(struct rhw_storage_words range, const struct rhw_storage_request *request,
+                      rhw_int *before)
+{
+    const enum rhw_storage_operation operation = request->operation;
+    const rhw_int mask = request->mask ? *request->mask : rhw_splat_int(-1);
+    const rhw_uint index = (rhw_uint)*request->index;
+    const rhw_int inside = (rhw_int)(index < range.count) & mask;
+    rhw_int result = rhw_splat_int(0);
+    for (unsigned left = (unsigned)rhw_mask_bits(inside); left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        const uint32_t value = request->value ? (uint32_t)(*request->value)[lane] : 0;
+        const uint32_t comparand = request->comparand ? (uint32_t)(*request->comparand)[lane] : 0;
+        result[lane] = rhw_storage_word(&range.words[index[lane]], operation, value, comparand);
+    }
+    if (before) {
+        *before = result;
+    }
+}
+
+int32_t rhw_words_access1(struct rhw_storage_words range, enum rhw_storage_operation operation,
+                          uint32_t index, int32_t value, int32_t comparand)
+{
+    return index < range.count
+               ? rhw_storage_word(&range.words[index], operation, (uint32_t)value, (uint32_t)comparand)
+               : 0;
+}
+
+// By slot ----------------------------------------------------------------------------------------------
+
 // Return the words of a slot. Return none where the slot has no buffer or does not exist. Return none to an operation
 // that changes them where the slot is set for reading, or where validation finds that the program did not declare the
 // effect.
@@ -80,31 +115,14 @@ static struct rhw_storage_words words_of(const struct rhw_bindings *bindings, in
 void rhw_storage_access(const struct rhw_bindings *bindings, int slot,
                         const struct rhw_storage_request *request, rhw_int *before)
 {
-    const enum rhw_storage_operation operation = request->operation;
-    const struct rhw_storage_words range = words_of(bindings, slot, operation);
-    const rhw_int mask = request->mask ? *request->mask : rhw_splat_int(-1);
-    const rhw_uint index = (rhw_uint)*request->index;
-    const rhw_int inside = (rhw_int)(index < range.count) & mask;
-    rhw_int result = rhw_splat_int(0);
-    for (unsigned left = (unsigned)rhw_mask_bits(inside); left != 0; left &= left - 1) {
-        const int lane = __builtin_ctz(left);
-        const uint32_t value = request->value ? (uint32_t)(*request->value)[lane] : 0;
-        const uint32_t comparand = request->comparand ? (uint32_t)(*request->comparand)[lane] : 0;
-        result[lane] = rhw_storage_word(&range.words[index[lane]], operation, value, comparand);
-    }
-    if (before) {
-        *before = result;
-    }
+    rhw_words_access(words_of(bindings, slot, request->operation), request, before);
 }
 
 int32_t rhw_storage_access1(const struct rhw_bindings *bindings, int slot,
                             enum rhw_storage_operation operation, uint32_t index, int32_t value,
                             int32_t comparand)
 {
-    const struct rhw_storage_words range = words_of(bindings, slot, operation);
-    return index < range.count
-               ? rhw_storage_word(&range.words[index], operation, (uint32_t)value, (uint32_t)comparand)
-               : 0;
+    return rhw_words_access1(words_of(bindings, slot, operation), operation, index, value, comparand);
 }
 
 uint32_t rhw_storage_count(const struct rhw_bindings *bindings, int slot)

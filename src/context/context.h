@@ -23,6 +23,7 @@ struct rhw_recording;
 struct rhw_use_table;
 struct rhw_recorded_pass;
 struct rhw_scheduler;
+struct rhw_shared_texels;
 
 // A debug group of the pass being recorded.
 struct rhw_debug_group {
@@ -61,6 +62,11 @@ static inline const char *rhw_recording_noun(const struct rhw_recording_place *r
 {
     return recording->dispatches ? "dispatch" : "pass";
 }
+
+// Shared texels that bindings sample and that were written: see resource/bound_texels.h.
+struct rhw_bound_texels {
+    struct rhw_shared_texels *stale; // a list by next_stale
+};
 
 struct rhw_context {
     struct rhw_memory memory;
@@ -107,6 +113,7 @@ struct rhw_context {
     struct rhw_recorded_pass *pass;
     struct rhw_executor *executor;
     struct rhw_recording_place recording;
+    struct rhw_bound_texels bound_texels;
     // What validation found in the pass. NULL: nothing is validated.
     struct rhw_validation_messages *validation;
     // Put a validator before the functions of a new pipeline. Return false when out of memory. NULL where nothing is

@@ -90,10 +90,10 @@ static enum rhw_result run(struct rhw_encoder *encoder, const struct rhw_dispatc
     if (encoder->given_up) {
         return RHW_ERROR_GIVEN_UP;
     }
-    grid.bindings = encoder->pending.bindings;
+    grid.bindings = encoder->bindings;
     if (context->validation) {
         rhw_validation_messages_clear(context->validation);
-        bindings = *encoder->pending.bindings;
+        rhw_bindings_copy(encoder->bindings, &bindings);
         bindings.site =
             (struct rhw_sample_site){.validation = context->validation, .pipeline = "the program"};
         grid.bindings = &bindings;

@@ -33,16 +33,15 @@ struct rhw_vertex_stream {
     uint32_t loaded;
 };
 
-// A draw state holds everything that a set_ function changes for a draw, except for its uniforms. Draws point at an
-// immutable copy, and share it as long as nothing of it changes. Sharing keeps ten thousand draws with uniforms of
-// their own in the cache.
+// A draw state holds everything that a set_ function changes for a draw, except for its uniforms and bindings. Draws
+// point at an immutable copy, and share it as long as nothing of it changes. Sharing keeps ten thousand draws with
+// uniforms and textures of their own in the cache.
 struct rhw_draw_state {
     const struct rhw_pipeline_data *pipeline;
     struct rhw_vertex_stream streams[RHW_MAX_VERTEX_BUFFERS];
     const unsigned char *indices;
     size_t index_bytes;
     enum rhw_index_type index_type;
-    const struct rhw_bindings *bindings;
     struct rhw_viewport viewport;
     struct rhw_rect scissor; // already within target and viewport
     float blend_constant[4];
@@ -87,6 +86,7 @@ struct rhw_strip_stipple {
 
 struct rhw_draw {
     const struct rhw_draw_state *state;
+    const struct rhw_bindings *bindings; // what the slots have
     const void *uniforms;
     // The vertex indices of strips and fans with restart, or the slots of effect_vertices.h stand here. NULL: neither.
     const uint32_t (*expanded)[3];

@@ -32,6 +32,7 @@ rhw_fetch_function RHW_ISA_NAME(rhw_fetch_texels);
 rhw_query_level_function RHW_ISA_NAME(rhw_query_level);
 rhw_query_size_function RHW_ISA_NAME(rhw_query_size);
 rhw_fetch_sample_function RHW_ISA_NAME(rhw_fetch_sample_texels);
+rhw_image_load_function RHW_ISA_NAME(rhw_load_image);
 rhw_image_store_function RHW_ISA_NAME(rhw_store_image);
 // mip_band.c defines these functions.
 void RHW_ISA_NAME(rhw_make_mip_band)(const struct rhw_mip_job *job, int index, int worker);

@@ -25,6 +25,7 @@ const struct rhw_kernels RHW_ISA_NAME(rhw_kernels) = {
     .query_level = RHW_ISA_NAME(rhw_query_level),
     .query_size = RHW_ISA_NAME(rhw_query_size),
     .fetch_sample = RHW_ISA_NAME(rhw_fetch_sample_texels),
+    .image_load = RHW_ISA_NAME(rhw_load_image),
     .image_store = RHW_ISA_NAME(rhw_store_image),
     .mip_band = RHW_ISA_NAME(rhw_make_mip_band),
     .mip_slice = RHW_ISA_NAME(rhw_make_mip_slice),

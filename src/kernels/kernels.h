@@ -15,39 +15,42 @@ struct rhw_mip_volume_job;
 struct rhw_blit_job;
 struct rhw_resolve_job;
 
-struct rhw_binding;
+struct rhw_binding_data;
 struct rhw_storage_image;
 struct rhw_texture_data;
 
 // Do what rhw_sample does, for one slot.
-typedef void rhw_sample_function(const struct rhw_binding *binding, const struct rhw_sample_request *request,
-                                 rhw_float texel[4]);
+typedef void rhw_sample_function(const struct rhw_binding_data *binding,
+                                 const struct rhw_sample_request *request, rhw_float texel[4]);
 // Columns of footprints that a kernel takes at once: a row of their texels is 16 bytes.
 enum { RHW_WINDOW_COLUMNS = 3 };
 
 // Do what rhw_sample_compare_window does in `columns` columns of footprints, RHW_WINDOW_COLUMNS at most, from number
 // `column` on, of a window that has `stride` columns. Return false, with nothing done, where the function takes no such
 // request.
-typedef bool rhw_compare_window_function(const struct rhw_binding *binding,
+typedef bool rhw_compare_window_function(const struct rhw_binding_data *binding,
                                          const struct rhw_sample_request *request, int column, int columns,
                                          int rows, int stride, rhw_float *parts);
-// Do what rhw_sample_groups does.
-typedef void rhw_sample_groups_function(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
+// Do what rhw_sample_groups does, for the bindings whose bits `slots` has.
+typedef void rhw_sample_groups_function(const struct rhw_binding_data *bindings,
+                                        const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                                         rhw_float (*texels)[4], int stride);
 
 // Give the texels of rhw_sample_gather or of rhw_sample_fetch, or the answers of rhw_sample_query_lod or
 // rhw_sample_size, of a slot that has a texture.
-typedef void rhw_gather_function(const struct rhw_binding *binding, const struct rhw_sample_request *request,
-                                 int channel, rhw_float texel[4]);
-typedef void rhw_fetch_function(const struct rhw_binding *binding, const rhw_int *at, const rhw_int *level,
-                                rhw_float texel[4]);
-typedef void rhw_query_level_function(const struct rhw_binding *binding,
+typedef void rhw_gather_function(const struct rhw_binding_data *binding,
+                                 const struct rhw_sample_request *request, int channel, rhw_float texel[4]);
+typedef void rhw_fetch_function(const struct rhw_binding_data *binding, const rhw_int *at,
+                                const rhw_int *level, rhw_float texel[4]);
+typedef void rhw_query_level_function(const struct rhw_binding_data *binding,
                                       const struct rhw_sample_request *request, rhw_float lod[2]);
-typedef void rhw_query_size_function(const struct rhw_binding *binding, const rhw_int *level,
+typedef void rhw_query_size_function(const struct rhw_binding_data *binding, const rhw_int *level,
                                      rhw_int size[3]);
 
 typedef void rhw_fetch_sample_function(const struct rhw_texture_data *texture, const rhw_int *at,
                                        const rhw_int *sample, rhw_float texel[4]);
+typedef void rhw_image_load_function(const struct rhw_storage_image *image, const rhw_int *at,
+                                     rhw_float texel[4]);
 typedef void rhw_image_store_function(const struct rhw_storage_image *image, const rhw_int *at,
                                       const rhw_int *mask, const rhw_float texel[4]);
 
@@ -87,6 +90,8 @@ struct rhw_kernels {
     rhw_query_size_function *query_size;
     // Do what rhw_sample_fetch_sample does, of a multisampled texture.
     rhw_fetch_sample_function *fetch_sample;
+    // Do what rhw_image_load does, for one image.
+    rhw_image_load_function *image_load;
     // Do what rhw_image_store does, for one image whose format can be encoded.
     rhw_image_store_function *image_store;
     // Make a band of rows of a few levels of a texture: see mip_work.h.

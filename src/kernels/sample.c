@@ -8,7 +8,7 @@
 #include "kernels/texture/filter_float.h"
 #include "kernels/texture/multi_texture.h"
 
-void RHW_ISA_NAME(rhw_sample_float)(const struct rhw_binding *binding,
+void RHW_ISA_NAME(rhw_sample_float)(const struct rhw_binding_data *binding,
                                     const struct rhw_sample_request *request, rhw_float texel[4])
 {
     if (!binding->texture) {
@@ -19,19 +19,19 @@ void RHW_ISA_NAME(rhw_sample_float)(const struct rhw_binding *binding,
     }
 }
 
-void RHW_ISA_NAME(rhw_sample_halves)(const struct rhw_binding *binding,
+void RHW_ISA_NAME(rhw_sample_halves)(const struct rhw_binding_data *binding,
                                      const struct rhw_sample_request *request, rhw_float texel[4])
 {
     sample_float(binding, request, true, texel);
 }
 
-void RHW_ISA_NAME(rhw_sample_compared)(const struct rhw_binding *binding,
+void RHW_ISA_NAME(rhw_sample_compared)(const struct rhw_binding_data *binding,
                                        const struct rhw_sample_request *request, rhw_float texel[4])
 {
     sample_compared(binding, request, texel);
 }
 
-bool RHW_ISA_NAME(rhw_compare_window)(const struct rhw_binding *binding,
+bool RHW_ISA_NAME(rhw_compare_window)(const struct rhw_binding_data *binding,
                                       const struct rhw_sample_request *request, int column, int columns,
                                       int rows, int stride, rhw_float *parts)
 {
@@ -39,34 +39,35 @@ bool RHW_ISA_NAME(rhw_compare_window)(const struct rhw_binding *binding,
     return compare_window(binding, request, &window, parts);
 }
 
-void RHW_ISA_NAME(rhw_sample_unorm8)(const struct rhw_binding *binding,
+void RHW_ISA_NAME(rhw_sample_unorm8)(const struct rhw_binding_data *binding,
                                      const struct rhw_sample_request *request, rhw_float texel[4])
 {
     sample_fixed(binding, request->coordinates,
                  fixed_level_of_detail(binding, request->gradient, request->lod), RHW_CODEC_UNORM8, texel);
 }
 
-void RHW_ISA_NAME(rhw_sample_srgb8)(const struct rhw_binding *binding,
+void RHW_ISA_NAME(rhw_sample_srgb8)(const struct rhw_binding_data *binding,
                                     const struct rhw_sample_request *request, rhw_float texel[4])
 {
     sample_fixed(binding, request->coordinates,
                  fixed_level_of_detail(binding, request->gradient, request->lod), RHW_CODEC_SRGB8, texel);
 }
 
-void RHW_ISA_NAME(rhw_sample_unorm8_general)(const struct rhw_binding *binding,
+void RHW_ISA_NAME(rhw_sample_unorm8_general)(const struct rhw_binding_data *binding,
                                              const struct rhw_sample_request *request, rhw_float texel[4])
 {
     sample_fixed_general(binding, request, RHW_CODEC_UNORM8, texel);
 }
 
-void RHW_ISA_NAME(rhw_sample_srgb8_general)(const struct rhw_binding *binding,
+void RHW_ISA_NAME(rhw_sample_srgb8_general)(const struct rhw_binding_data *binding,
                                             const struct rhw_sample_request *request, rhw_float texel[4])
 {
     sample_fixed_general(binding, request, RHW_CODEC_SRGB8, texel);
 }
 
-void RHW_ISA_NAME(rhw_sample_groups)(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
+void RHW_ISA_NAME(rhw_sample_groups)(const struct rhw_binding_data *bindings,
+                                     const struct rhw_fragment *groups, int count, uint32_t slots, int at,
                                      rhw_float (*texels)[4], int stride)
 {
-    sample_groups(groups, count, slots, at, texels, stride);
+    sample_groups(bindings, groups, count, slots, at, texels, stride);
 }

@@ -9,45 +9,45 @@
 #include "kernels/texture/storage_image.h"
 #include "kernels/texture/texel_query.h"
 
-void RHW_ISA_NAME(rhw_sample_general)(const struct rhw_binding *binding,
+void RHW_ISA_NAME(rhw_sample_general)(const struct rhw_binding_data *binding,
                                       const struct rhw_sample_request *request, rhw_float texel[4])
 {
     sample_general(binding, request, texel);
 }
 
-void RHW_ISA_NAME(rhw_sample_anisotropic)(const struct rhw_binding *binding,
+void RHW_ISA_NAME(rhw_sample_anisotropic)(const struct rhw_binding_data *binding,
                                           const struct rhw_sample_request *request, rhw_float texel[4])
 {
     sample_anisotropic(binding, request, texel);
 }
 
-void RHW_ISA_NAME(rhw_sample_fixed_anisotropic)(const struct rhw_binding *binding,
+void RHW_ISA_NAME(rhw_sample_fixed_anisotropic)(const struct rhw_binding_data *binding,
                                                 const struct rhw_sample_request *request, rhw_float texel[4])
 {
     sample_fixed_anisotropic(binding, request, FOOTPRINTS_INTERIOR, texel);
 }
 
-void RHW_ISA_NAME(rhw_sample_fixed_anisotropic_general)(const struct rhw_binding *binding,
+void RHW_ISA_NAME(rhw_sample_fixed_anisotropic_general)(const struct rhw_binding_data *binding,
                                                         const struct rhw_sample_request *request,
                                                         rhw_float texel[4])
 {
     sample_fixed_anisotropic(binding, request, FOOTPRINTS_WRAPPED, texel);
 }
 
-void RHW_ISA_NAME(rhw_sample_biased)(const struct rhw_binding *binding,
+void RHW_ISA_NAME(rhw_sample_biased)(const struct rhw_binding_data *binding,
                                      const struct rhw_sample_request *request, rhw_float texel[4])
 {
     sample_biased(binding, request, texel);
 }
 
-void RHW_ISA_NAME(rhw_gather_texels)(const struct rhw_binding *binding,
+void RHW_ISA_NAME(rhw_gather_texels)(const struct rhw_binding_data *binding,
                                      const struct rhw_sample_request *request, int channel,
                                      rhw_float texel[4])
 {
     gather(binding, request, channel, texel);
 }
 
-void RHW_ISA_NAME(rhw_fetch_texels)(const struct rhw_binding *binding, const rhw_int *at,
+void RHW_ISA_NAME(rhw_fetch_texels)(const struct rhw_binding_data *binding, const rhw_int *at,
                                     const rhw_int *level, rhw_float texel[4])
 {
     if (!level && binding->texture->is_plain) {
@@ -57,15 +57,22 @@ void RHW_ISA_NAME(rhw_fetch_texels)(const struct rhw_binding *binding, const rhw
     }
 }
 
-void RHW_ISA_NAME(rhw_query_level)(const struct rhw_binding *binding,
+void RHW_ISA_NAME(rhw_query_level)(const struct rhw_binding_data *binding,
                                    const struct rhw_sample_request *request, rhw_float lod[2])
 {
     query_level(binding, request, lod);
 }
 
-void RHW_ISA_NAME(rhw_query_size)(const struct rhw_binding *binding, const rhw_int *level, rhw_int size[3])
+void RHW_ISA_NAME(rhw_query_size)(const struct rhw_binding_data *binding, const rhw_int *level,
+                                  rhw_int size[3])
 {
     query_size(binding->texture, level ? *level : rhw_splat_int(0), size);
+}
+
+void RHW_ISA_NAME(rhw_load_image)(const struct rhw_storage_image *image, const rhw_int *at,
+                                  rhw_float texel[4])
+{
+    image_load(image, at, texel);
 }
 
 void RHW_ISA_NAME(rhw_store_image)(const struct rhw_storage_image *image, const rhw_int *at,

@@ -213,7 +213,7 @@ static void restore_state(struct rhw_encoder *encoder, const struct kept_state *
     encoder->uniform_size = kept->uniform_size;
     encoder->refused_pipeline = kept->refused_pipeline;
     encoder->feedback.is_active = kept->has_feedback;
-    encoder->pending_changed = encoder->bindings_changed = true;
+    encoder->pending_changed = true;
 }
 
 void rhw_pass_clear_attachments(rhw_context *context, rhw_pass id, const struct rhw_clear *clear)

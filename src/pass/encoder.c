@@ -44,7 +44,9 @@ void rhw_encoder_renew(struct rhw_encoder *encoder)
     encoder->memory = (struct rhw_used_memory){
         .context = encoder->context, .pass = encoder->pass, .out_of_memory = &encoder->out_of_memory};
     memset(&encoder->bound, 0, sizeof encoder->bound);
-    encoder->bindings_changed = true;
+    encoder->slots.kernels = encoder->context->kernels;
+    encoder->slots.slot_count = 0;
+    encoder->bindings_changed = encoder->storage_changed = true;
     rhw_recording_next(recording);
 }
 

@@ -62,9 +62,11 @@ struct rhw_encoder {
 
     struct rhw_bound bound;
     struct rhw_draw_state pending; // what the next draw would use
-    bool pending_changed, bindings_changed;
-    uint32_t rewrites_seen; // the last value of context->recording.rewrites that was seen
-    const void *uniforms;   // uniforms of the next draw
+    bool pending_changed, bindings_changed, storage_changed;
+    struct rhw_bindings slots;           // what the slots have for the next draw
+    const struct rhw_bindings *bindings; // last copy of `slots`
+    uint32_t rewrites_seen;              // the last value of context->recording.rewrites that was seen
+    const void *uniforms;                // uniforms of the next draw
     uint32_t uniform_size;
     const struct rhw_draw_state *current;             // last copy of `pending`
     bool refused_pipeline;                            // rhw_pass_set_pipeline was misuse

@@ -105,6 +105,7 @@ static void append_draw(struct rhw_encoder *encoder, const struct rhw_draw *draw
     }
     *slot = *draw;
     slot->state = state;
+    slot->bindings = encoder->bindings;
     slot->uniforms = uniforms_of(encoder);
     slot->index = pass->draws.count;
     slot->group = encoder->context->recording.group;

@@ -4,6 +4,7 @@
 #include "pass_binding.h"
 
 #include "binding/binding.h"
+#include "binding/binding_check.h"
 #include "context/context.h"
 #include "context/entry.h"
 #include "format/format.h"
@@ -26,10 +27,7 @@ static bool check_sampled(const struct rhw_encoder *encoder, rhw_texture id, int
 {
     const rhw_context *const context = encoder->context;
     const struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
-    return texture &&
-           rhw_check(context, rhw_format_has_role(texture->info, RHW_ROLE_SAMPLED),
-                     "%s: %s is %s; it cannot be sampled", where,
-                     rhw_name_of(&context->textures, id.index).text, texture->info->name) &&
+    return texture && rhw_binding_check_texture(context, id, texture, where) &&
            rhw_check(context, !rhw_pass_draws_into(encoder, texture, rhw_all_levels(texture)),
                      "%s: %s, for slot %d, is an attachment of this pass, or has a level and layer of one; "
                      "sample a view of others",
@@ -39,36 +37,6 @@ static bool check_sampled(const struct rhw_encoder *encoder, rhw_texture id, int
                      "sample a view of others",
                      where, rhw_name_of(&context->textures, id.index).text, slot,
                      rhw_recording_noun(&context->recording));
-}
-
-// Return true if a sampler gives texels as they are.
-static bool takes_texels(const struct rhw_texture_data *texture, const struct rhw_sampler_data *sampler)
-{
-    const struct rhw_sampler_def *const def = &sampler->def;
-    return def->min_filter == RHW_FILTER_NEAREST && def->mag_filter == RHW_FILTER_NEAREST &&
-           (def->mip_filter != RHW_MIP_FILTER_LINEAR || texture->levels == 1) && !def->compares &&
-           def->max_anisotropy <= 1 && def->reduction == RHW_REDUCTION_AVERAGE;
-}
-
-// Check that a sampler fits a texture. Formats that cannot be filtered need a sampler that gives texels as they are.
-// Coordinates in texels need a single 1D or 2D image (Vulkan 1.3, VkSamplerCreateInfo).
-static bool check_sampler(const rhw_context *context, rhw_texture id, rhw_sampler sampler_id,
-                          const struct rhw_sampler_data *sampler, const char *where)
-{
-    const struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
-    const struct rhw_texture_shape *const shape = &texture->shape;
-    return rhw_check(context,
-                     rhw_format_has_role(texture->info, RHW_ROLE_FILTERED) || takes_texels(texture, sampler),
-                     "%s: %s is %s, which is not filtered; %s must have nearest filters, and no comparison, "
-                     "anisotropy or reduction",
-                     where, rhw_name_of(&context->textures, id.index).text, texture->info->name,
-                     rhw_name_of(&context->samplers, sampler_id.index).text) &&
-           rhw_check(context,
-                     !sampler->def.unnormalized || (!shape->is_array && (shape->kind == RHW_TEXTURE_1D ||
-                                                                         shape->kind == RHW_TEXTURE_2D)),
-                     "%s: %s is unnormalized and %s has kind %d, layers %d; it must be 1D or 2D and no array",
-                     where, rhw_name_of(&context->samplers, sampler_id.index).text,
-                     rhw_name_of(&context->textures, id.index).text, (int)shape->kind, shape->layers);
 }
 
 // Make the linear copy of an sRGB texture that is sampled. Textures with several samples need none, because they are
@@ -81,6 +49,19 @@ static bool linearize(struct rhw_encoder *encoder, struct rhw_texture_data *text
     const enum rhw_result result = rhw_texture_linearize(encoder->context, texture);
     encoder->given_up = result == RHW_ERROR_GIVEN_UP;
     return result != RHW_ERROR_OUT_OF_MEMORY;
+}
+
+// Bind what was set in a slot. Slots up to the last one that has something are there.
+static void bind_texture(struct rhw_encoder *encoder, int slot, const struct rhw_bound_texture *bound)
+{
+    const struct rhw_context *const context = encoder->context;
+    struct rhw_bindings *const slots = &encoder->slots;
+    for (; slots->slot_count <= slot; slots->slot_count++) {
+        slots->slot[slots->slot_count] = rhw_binding_of(context->kernels, context->paths, NULL, NULL);
+    }
+    slots->slot[slot] = rhw_binding_of(context->kernels, context->paths,
+                                       bound->texture ? *bound->texture : NULL, bound->sampler);
+    encoder->bindings_changed = true;
 }
 
 // Note in the texture that draws sample it. A recording does when it runs.
@@ -110,7 +91,7 @@ bool rhw_encoder_set_texture(struct rhw_encoder *encoder, int slot, rhw_texture 
         bound.sampler = check_sampled(encoder, texture, slot, where)
                             ? rhw_context_sampler(context, sampler, where)
                             : NULL;
-        if (!bound.sampler || !check_sampler(context, texture, sampler, bound.sampler, where)) {
+        if (!bound.sampler || !rhw_binding_check_sampler(context, texture, sampler, bound.sampler, where)) {
             return false;
         }
         bound.texture = rhw_pool_get(&context->textures, texture.index, texture.generation);
@@ -122,8 +103,10 @@ bool rhw_encoder_set_texture(struct rhw_encoder *encoder, int slot, rhw_texture 
             !linearize(encoder, *bound.texture);
     }
     struct rhw_bound_texture *const current = &encoder->bound.textures[slot];
-    encoder->bindings_changed |= current->texture != bound.texture || current->sampler != bound.sampler;
-    *current = bound;
+    if (current->texture != bound.texture || current->sampler != bound.sampler) {
+        *current = bound;
+        bind_texture(encoder, slot, &bound);
+    }
     return true;
 }
 
@@ -185,7 +168,7 @@ bool rhw_encoder_set_storage_buffer(struct rhw_encoder *encoder, int slot, rhw_b
         return false;
     }
     encoder->bound.storage[slot] = range;
-    encoder->bindings_changed = true;
+    encoder->bindings_changed = encoder->storage_changed = true;
     return true;
 }
 
@@ -256,28 +239,10 @@ static bool check_read(const struct rhw_encoder *encoder, rhw_texture id,
                      rhw_recording_noun(&context->recording));
 }
 
-static bool check_image(const struct rhw_encoder *encoder, rhw_texture id,
-                        const struct rhw_texture_data *texture, int level, const char *where)
-{
-    const struct rhw_context *const context = encoder->context;
-    return rhw_check(context, level >= 0 && level < texture->levels, "%s: level is %d; %s has levels 0..%d",
-                     where, level, rhw_name_of(&context->textures, id.index).text, texture->levels - 1) &&
-           rhw_check(context,
-                     texture->info == rhw_format_info(texture->format) &&
-                         rhw_format_has_role(texture->info, RHW_ROLE_COLOR_TARGET),
-                     "%s: %s is %s; it must be a format that can be drawn into as colour", where,
-                     rhw_name_of(&context->textures, id.index).text,
-                     rhw_format_info(texture->format)->name) &&
-           rhw_check(context, !texture->swizzles, "%s: %s is a view that swizzles; it must not", where,
-                     rhw_name_of(&context->textures, id.index).text) &&
-           rhw_check(context, texture->samples == 1, "%s: %s has %d samples; it must have one", where,
-                     rhw_name_of(&context->textures, id.index).text, texture->samples);
-}
-
 static void bind_image(struct rhw_encoder *encoder, int slot, struct rhw_bound_image image)
 {
     encoder->bound.images[slot] = image;
-    encoder->bindings_changed = true;
+    encoder->bindings_changed = encoder->storage_changed = true;
 }
 
 // Note that shader functions write the texels of a level. Return false where it is misuse.
@@ -311,7 +276,7 @@ bool rhw_encoder_set_storage_image(struct rhw_encoder *encoder, int slot, rhw_te
     }
     if (id.index != 0) {
         struct rhw_texture_data *const texture = rhw_context_texture(context, id, where);
-        if (!texture || !check_image(encoder, id, texture, level, where) ||
+        if (!texture || !rhw_binding_check_image(context, id, texture, level, where) ||
             !(is_read_only ? check_read(encoder, id, texture, level, where)
                            : check_written(encoder, id, texture, level, where))) {
             return false;
@@ -350,22 +315,6 @@ void rhw_pass_set_read_only_storage_image(rhw_context *context, rhw_pass id, int
     }
 }
 
-static bool check_texels(const struct rhw_context *context, enum rhw_format format, size_t offset,
-                         const char *where)
-{
-    if (!rhw_check_format(context, where, "format", format)) {
-        return false;
-    }
-    const struct rhw_format_info *const info = rhw_format_info(format);
-    const bool is_color = rhw_format_decoded(format) == format && info->codec != RHW_CODEC_NONE &&
-                          !rhw_format_has_role(info, RHW_ROLE_DEPTH_TARGET | RHW_ROLE_STENCIL_TARGET);
-    return rhw_check(context, is_color, "%s: format is %s; it must be of colour, and not compressed", where,
-                     info->name) &&
-           rhw_check(context, offset % info->size == 0,
-                     "%s: offset is %zu; it must be a multiple of the %d bytes of a texel of %s", where,
-                     offset, info->size, info->name);
-}
-
 bool rhw_encoder_set_texel_buffer(struct rhw_encoder *encoder, int slot, rhw_buffer id,
                                   enum rhw_format format, size_t offset, size_t size, bool is_read_only,
                                   const char *where)
@@ -376,7 +325,7 @@ bool rhw_encoder_set_texel_buffer(struct rhw_encoder *encoder, int slot, rhw_buf
         return false;
     }
     if (id.index != 0) {
-        if (!check_texels(context, format, offset, where) ||
+        if (!rhw_binding_check_texels(context, format, offset, where) ||
             !bind_range(encoder, id, offset, size, is_read_only, where, &bound.range)) {
             return false;
         }
@@ -427,46 +376,22 @@ static bool has_storage(const struct rhw_bound *bound)
 
 static struct rhw_storage_words words_of(const struct rhw_bound_range *range)
 {
-    const size_t count = range->size / 4;
-    return range->data ? (struct rhw_storage_words){(uint32_t *)(void *)(range->data->bytes + range->offset),
-                                                    count < UINT32_MAX ? (uint32_t)count : UINT32_MAX,
-                                                    range->is_read_only}
-                       : (struct rhw_storage_words){.words = NULL};
+    return range->data
+               ? rhw_storage_words_of(range->data->bytes + range->offset, range->size, range->is_read_only)
+               : (struct rhw_storage_words){.words = NULL};
 }
 
-// Return a texel buffer as a texture of one row, or NULL when out of memory.
-static const struct rhw_texture_data *row_of_texels(const struct rhw_bound_image *bound,
-                                                    struct rhw_arena *arena)
+// Return the storage image of a slot.
+static struct rhw_storage_image image_of(const struct rhw_bound_image *bound)
 {
-    struct rhw_texture_data *const texture = rhw_arena_alloc(arena, sizeof *texture, RHW_CACHE_LINE);
-    const size_t count = bound->range.size / rhw_format_size(bound->format);
-    if (!texture) {
-        return NULL;
+    if (bound->texture) {
+        return rhw_storage_image_of_level(*bound->texture, bound->level, bound->is_read_only);
     }
-    const int width = count < RHW_MAX_TEXEL_BUFFER ? (int)count : RHW_MAX_TEXEL_BUFFER;
-    const struct rhw_texture_shape shape = {.kind = RHW_TEXTURE_1D,
-                                            .width = width,
-                                            .height = 1,
-                                            .depth = 1,
-                                            .layers = 1,
-                                            .levels = 1,
-                                            .samples = 1};
-    rhw_texture_data_init(texture, bound->format, &shape);
-    texture->mip[0].texels = bound->range.data->bytes + bound->range.offset;
-    return texture;
-}
-
-// Make the storage image of a slot. Return false when out of memory.
-static bool image_of(const struct rhw_bound_image *bound, struct rhw_arena *arena,
-                     struct rhw_storage_image *image)
-{
     const bool has_texels = bound->range.data && bound->range.size >= rhw_format_size(bound->format);
-    *image = (struct rhw_storage_image){bound->texture ? *bound->texture : NULL, bound->level,
-                                        bound->is_read_only};
-    if (has_texels) {
-        image->texture = row_of_texels(bound, arena);
-    }
-    return image->texture || !has_texels;
+    return has_texels
+               ? rhw_storage_image_of_texels(bound->format, bound->range.data->bytes + bound->range.offset,
+                                             bound->range.size, bound->is_read_only)
+               : (struct rhw_storage_image){.info = NULL};
 }
 
 // Return the storage of the next draw, with the bytes that its buffers have now, or NULL when out of memory.
@@ -481,33 +406,36 @@ static const struct rhw_storage *storage_of(struct rhw_encoder *encoder)
         storage->buffers[i] = words_of(&encoder->bound.storage[i]);
     }
     for (int i = 0; storage && i < RHW_MAX_STORAGE_IMAGES; i++) {
-        if (!image_of(&encoder->bound.images[i], &encoder->pass->arena, &storage->images[i])) {
-            return NULL;
-        }
+        storage->images[i] = image_of(&encoder->bound.images[i]);
     }
     return storage;
 }
 
 bool rhw_pass_resolve_bindings(struct rhw_encoder *encoder)
 {
-    struct rhw_context *const context = encoder->context;
     struct rhw_bindings *const bindings =
-        rhw_arena_alloc(&encoder->pass->arena, sizeof *bindings, RHW_CACHE_LINE);
-    if (!bindings) {
+        rhw_arena_alloc(&encoder->pass->arena, rhw_bindings_size(encoder->slots.slot_count), RHW_CACHE_LINE);
+    if (encoder->storage_changed) {
+        encoder->slots.storage = storage_of(encoder);
+    }
+    if (!bindings || !encoder->slots.storage) {
         return false;
     }
-    rhw_bindings_init(bindings, context->kernels);
-    for (int i = 0; i < RHW_MAX_TEXTURES; i++) {
+    rhw_bindings_copy(&encoder->slots, bindings);
+    encoder->bindings = bindings;
+    encoder->bindings_changed = encoder->storage_changed = false;
+    return true;
+}
+
+bool rhw_pass_renew_bindings(struct rhw_encoder *encoder)
+{
+    for (int i = 0; i < encoder->slots.slot_count; i++) {
         const struct rhw_bound_texture *const bound = &encoder->bound.textures[i];
-        if (bound->texture) {
-            if (!linearize(encoder, *bound->texture)) {
-                return false;
-            }
-            bindings->slot[i] =
-                rhw_binding_of(context->kernels, context->paths, *bound->texture, bound->sampler);
+        if (bound->texture && !linearize(encoder, *bound->texture)) {
+            return false;
         }
+        bind_texture(encoder, i, bound);
     }
-    bindings->storage = storage_of(encoder);
-    encoder->pending.bindings = bindings;
-    return bindings->storage != NULL;
+    encoder->bindings_changed = encoder->storage_changed = true;
+    return true;
 }

@@ -22,7 +22,9 @@ bool rhw_encoder_set_texel_buffer(struct rhw_encoder *encoder, int slot, rhw_buf
                                   enum rhw_format format, size_t offset, size_t size, bool is_read_only,
                                   const char *where);
 
-// Give the next draw the textures and the storage that are bound, as they are now. Return false when out of memory.
+// Give the next draw the textures and the storage that are bound. Return false when out of memory.
 bool rhw_pass_resolve_bindings(struct rhw_encoder *encoder);
+// Bind anew what is bound, as it is now: the program has rewritten something. Return false when out of memory.
+bool rhw_pass_renew_bindings(struct rhw_encoder *encoder);
 
 #endif

@@ -39,17 +39,14 @@ static bool resolve(struct rhw_encoder *encoder)
 {
     const uint32_t rewrites = encoder->context->recording.rewrites;
     const bool rewritten = rewrites != encoder->rewrites_seen;
-    if (!rewritten && !encoder->bindings_changed && !encoder->pending_changed) {
-        return true;
+    if ((rewritten && !rhw_pass_renew_bindings(encoder)) ||
+        (encoder->bindings_changed && !rhw_pass_resolve_bindings(encoder))) {
+        return false;
     }
-    if (encoder->bindings_changed || rewritten) {
-        if (!rhw_pass_resolve_bindings(encoder)) {
-            return false;
-        }
-        encoder->bindings_changed = false;
+    if (rewritten || encoder->pending_changed) {
+        resolve_buffers(encoder);
         encoder->pending_changed = true;
     }
-    resolve_buffers(encoder);
     encoder->rewrites_seen = rewrites;
     return true;
 }

@@ -222,7 +222,8 @@ static uint64_t count_writes(const struct rhw_context *context, const struct rhw
             continue;
         }
         struct rhw_buffer_data *const buffer = rhw_pool_item(&context->buffers, use->index);
-        buffer->writes += use->used[RHW_BUFFER_STORED].root || use->used[RHW_BUFFER_CAPTURED].root;
+        buffer->writes +=
+            buffer->has_stores || use->used[RHW_BUFFER_STORED].root || use->used[RHW_BUFFER_CAPTURED].root;
         writes += use->used[RHW_BUFFER_READ].root ? buffer->writes : 0;
     }
     return writes;

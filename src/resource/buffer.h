@@ -44,6 +44,8 @@ struct rhw_buffer_data {
     uint32_t moves;      // times that the buffer got other memory
     uint32_t writes;     // times that something may have written the bytes
     bool is_callers;     // `bytes` is the program's memory
+    bool is_bound;       // a binding in memory of the program points at `bytes`, which stay there
+    bool has_stores;     // shader functions may write the bytes through a binding, in any pass
     // See rhw_buffer_map. The second is true where the buffer is mapped for more than reading.
     bool is_mapped, is_map_written;
     size_t map_first, map_end; // the bytes that are mapped

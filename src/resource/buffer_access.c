@@ -44,7 +44,11 @@ bool rhw_buffer_check_writable(const struct rhw_context *context, const struct r
     // A buffer whose bytes the pass reads would get new memory. A buffer that the pass also writes cannot: the pass
     // would have to write the new memory too.
     return !rhw_buffer_is_read(context, part) ||
-           (rhw_check(context, !data->is_callers,
+           (rhw_check(context, !data->is_bound || data->is_callers,
+                      "%s: %s has a binding and the pass being recorded reads some of bytes %zu to %zu; end "
+                      "that first",
+                      where, name.text, part->first, part->end) &&
+            rhw_check(context, !data->is_callers,
                       "%s: %s stands on memory of the program and the pass being recorded reads some of "
                       "bytes %zu to %zu; end that first",
                       where, name.text, part->first, part->end) &&

@@ -3,6 +3,7 @@
 #include "shared_texels.h"
 
 #include "clean_tiles.h"
+#include "context/context.h"
 #include "base/memory.h"
 #include "texture.h"
 
@@ -22,21 +23,48 @@ bool rhw_texture_share(struct rhw_memory *memory, struct rhw_texture_data *textu
     return true;
 }
 
+void rhw_shared_texels_note_stale(struct rhw_shared_texels *shared)
+{
+    if (shared->bound_texels && !shared->is_stale) {
+        shared->is_stale = true;
+        shared->next_stale = shared->bound_texels->stale;
+        shared->bound_texels->stale = shared;
+    }
+}
+
+void rhw_shared_texels_unbind(struct rhw_texture_data *texture)
+{
+    struct rhw_texture_data **next = texture->is_bound ? &texture->shared->bound : NULL;
+    while (next && *next != texture) {
+        next = &(*next)->next_bound;
+    }
+    if (next) {
+        *next = texture->next_bound;
+    }
+}
+
+// Take a record that is released out of the list of those that need a look.
+static void forget_stale(struct rhw_shared_texels *shared)
+{
+    struct rhw_shared_texels **next = shared->is_stale ? &shared->bound_texels->stale : NULL;
+    while (next && *next != shared) {
+        next = &(*next)->next_stale;
+    }
+    if (next) {
+        *next = shared->next_stale;
+    }
+}
+
 void rhw_shared_texels_release(struct rhw_memory *memory, struct rhw_shared_texels *shared)
 {
     if (--shared->owners != 0) {
         return;
     }
+    forget_stale(shared);
     if (!shared->is_callers) {
         rhw_memory_release(memory, shared->bytes, shared->size);
     }
     rhw_memory_release(memory, shared, sizeof *shared);
-}
-
-// Return true if others may have written the texels before a pass, and do not say so.
-static bool is_unsaid(const struct rhw_shared_texels *shared)
-{
-    return shared->is_callers && !shared->is_told;
 }
 
 // Drop what the texture kept about its texels where somebody else has written them.
@@ -57,17 +85,18 @@ void rhw_texture_note_attached(struct rhw_texture_data *texture, uint32_t pass_g
     if (!shared) {
         return;
     }
-    shared->version += is_unsaid(shared) && shared->attached != pass_generation;
+    shared->version += rhw_shared_texels_are_unsaid(shared) && shared->attached != pass_generation;
     shared->attached = pass_generation;
     catch_up(texture);
     texture->version = ++shared->version;
+    rhw_shared_texels_note_stale(shared);
 }
 
 void rhw_texture_note_sampled(struct rhw_texture_data *texture, uint32_t pass_generation)
 {
     struct rhw_shared_texels *const shared = texture->shared;
     if (shared) {
-        shared->version += is_unsaid(shared) && shared->sampled != pass_generation;
+        shared->version += rhw_shared_texels_are_unsaid(shared) && shared->sampled != pass_generation;
         shared->sampled = pass_generation;
         catch_up(texture);
     }
@@ -79,6 +108,7 @@ void rhw_texture_note_changed(struct rhw_texture_data *texture, int level, int l
     texture->linear_levels &= ~(1u << level);
     rhw_clean_tiles_forget_part(texture->clean, level, layer, layer_count);
     texture->version = ++texture->shared->version;
+    rhw_shared_texels_note_stale(texture->shared);
 }
 
 void rhw_texture_note_written(struct rhw_texture_data *texture)
@@ -87,5 +117,6 @@ void rhw_texture_note_written(struct rhw_texture_data *texture)
     rhw_clean_tiles_forget(texture->clean);
     if (texture->shared) {
         texture->version = ++texture->shared->version;
+        rhw_shared_texels_note_stale(texture->shared);
     }
 }

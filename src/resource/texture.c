@@ -121,6 +121,7 @@ static bool allocate_levels(struct rhw_memory *memory, struct rhw_texture_data *
 void rhw_texture_data_destroy(struct rhw_memory *memory, struct rhw_texture_data *texture)
 {
     if (texture->shared) {
+        rhw_shared_texels_unbind(texture);
         rhw_shared_texels_release(memory, texture->shared);
     } else {
         rhw_memory_release(memory, texture->memory, texture->memory_size);

@@ -95,6 +95,8 @@ struct rhw_texture_data {
     struct rhw_shared_texels *shared;
     // The version of the shared texels up to which `clean` and `linear_levels` hold.
     uint32_t version;
+    bool is_bound; // the texture is in the list of shared->bound
+    struct rhw_texture_data *next_bound;
     bool swizzles; // the view's channels are other ones than the texels'
     enum rhw_swizzle swizzle[4];
     // Generation of the last pass that has the texture as a storage image, hence as attached too.

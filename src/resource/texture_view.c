@@ -3,6 +3,7 @@
 // them.
 #include <string.h>
 
+#include "bound_texels.h"
 #include "format/block_format.h"
 #include "context/context.h"
 #include "context/entry.h"
@@ -232,18 +233,6 @@ static bool set_levels(const struct plan *plan, const struct rhw_texture_view_de
     return view->is_plain || last <= INT32_MAX;
 }
 
-// Make the parent's texels shared; the parent may be recorded already. Return false when out of memory.
-static bool share(struct rhw_context *context, const struct plan *plan)
-{
-    if (!rhw_texture_share(&context->memory, plan->parent)) {
-        return false;
-    }
-    if (rhw_context_records(context, &context->textures, plan->id.index)) {
-        plan->parent->shared->sampled = context->recording.generation;
-    }
-    return true;
-}
-
 static void set_view(const struct plan *plan, const struct rhw_texture_view_def *def,
                      struct rhw_texture_data *view)
 {
@@ -274,7 +263,7 @@ static struct rhw_texture_data *make_view(struct rhw_context *context, const str
     rhw_texture_data_init(view, plan->format, &plan->shape);
     const bool fits = rhw_check(context, set_levels(plan, def, view),
                                 "%s: the view has 2^31 texels or more between its first and its last", where);
-    if (!fits || !share(context, plan)) {
+    if (!fits || !rhw_texture_pin(context, plan->id, plan->parent)) {
         *result = fits ? RHW_ERROR_OUT_OF_MEMORY : RHW_ERROR_MISUSE;
         rhw_memory_release(&context->memory, view, sizeof *view);
         return NULL;

@@ -9,6 +9,7 @@
 #include "base/scheduler.h"
 #include "context/context.h"
 #include "context/given_up.h"
+#include "resource/bound_texels.h"
 #include "executor.h"
 #include "rhw/shader.h"
 
@@ -173,6 +174,10 @@ enum rhw_result rhw_executor_run_grid(struct rhw_executor *executor, const struc
                       .invocations = grid->size[0] * grid->size[1] * grid->size[2],
                       .workgroups =
                           (uint64_t)grid->count[0] * (uint64_t)grid->count[1] * (uint64_t)grid->count[2]};
+    const enum rhw_result prepared = rhw_bound_texels_prepare(context);
+    if (prepared != RHW_OK) {
+        return prepared;
+    }
     if (!rhw_executor_arenas_ready(executor)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }

@@ -11,6 +11,7 @@
 #include "base/thread.h"
 #include "context/context.h"
 #include "context/given_up.h"
+#include "resource/bound_texels.h"
 #include "draw/used_query.h"
 #include "draw/wave.h"
 #include "effect_vertices.h"
@@ -471,6 +472,10 @@ enum rhw_result rhw_executor_run(struct rhw_executor *executor, struct rhw_recor
     struct rhw_context *const context = executor->context;
     struct rhw_wave *const wave = &executor->wave;
     start_pass(executor, pass);
+    const enum rhw_result prepared = rhw_bound_texels_prepare(context);
+    if (prepared != RHW_OK) {
+        return prepared;
+    }
     if (!rhw_executor_workers_ready(executor)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }

@@ -123,7 +123,7 @@ static void run_sample(const void *input, void *result)
     const rhw_float lod = f32x8_load(in->lod);
     set_texture(&texture, in, texels, linear);
     rhw_sampler_data_init(&sampler, &in->sampler);
-    const struct rhw_binding binding =
+    const struct rhw_binding_data binding =
         rhw_binding_of(&RHW_ISA_NAME(rhw_kernels), (enum rhw_paths)in->paths, &texture, &sampler);
     memcpy(uv, in->uv, sizeof uv);
     memcpy(gradient, in->gradient, sizeof gradient);

@@ -64,7 +64,7 @@ check "formats: pictures agree" sh -c "! grep -q ',no,' '$folder/log/out'"
 check "formats: no other line" sh -c "! grep -v 'not compared with' '$folder/log/err'"
 
 # The peer, or one line that says why there is none.
-run bench $tiny --scene fill_blend,sphere_10k,points,shadow_,reflection,deferred,particles,empty,draws_10k,context,texture,mips --json
+run bench $tiny --scene fill_blend,sphere_10k,points,shadow_,reflection,deferred,particles,empty,draws_10k,draws_textures,context,texture,mips --json
 check "with the peer: status" test "$status" = 0
 if grep -q 'not compared with' "$folder/log/err"; then
     check "without Mesa: one line" test "$(wc -l <"$folder/log/err")" = 1

@@ -37,7 +37,7 @@ static void levels_of(const struct rhw_texture_data *texture, const struct rhw_s
 // Return a level that is read and was never written. Return 0 where there is none, or where the texture is not a plain
 // 2D one, whose gradients say other things. Lanes whose level of detail is NaN do not count: what their gradients come
 // from is at fault.
-static int unwritten_level(const struct rhw_binding *binding, const struct rhw_sample_request *request,
+static int unwritten_level(const struct rhw_binding_data *binding, const struct rhw_sample_request *request,
                            const rhw_int *mask)
 {
     const struct rhw_texture_data *const texture = binding->texture;
@@ -62,8 +62,10 @@ static int unwritten_level(const struct rhw_binding *binding, const struct rhw_s
 static void tell_missing(const struct rhw_bindings *bindings, int slot)
 {
     const struct rhw_sample_site *const site = &bindings->site;
-    const struct rhw_binding *const binding = &bindings->slot[slot];
-    const char *const what = binding->multisampled
+    static const struct rhw_binding_data none;
+    const struct rhw_binding_data *const binding =
+        slot < bindings->slot_count ? &bindings->slot[slot] : &none;
+    const char *const what = binding->kind == RHW_BINDING_MULTISAMPLED
                                  ? "whose texture is multisampled; rhw_sample_fetch_sample reads it"
                              : binding->texture ? "whose texture is not multisampled"
                                                 : "in which no texture is set";
@@ -75,7 +77,7 @@ void rhw_validate_samples(const struct rhw_bindings *bindings, int slot)
 {
     if ((unsigned)slot >= RHW_MAX_TEXTURES) {
         (void)rhw_validate_slot(bindings, slot);
-    } else if (!bindings->slot[slot].multisampled) {
+    } else if (slot >= bindings->slot_count || bindings->slot[slot].kind != RHW_BINDING_MULTISAMPLED) {
         tell_missing(bindings, slot);
     }
 }
@@ -89,7 +91,7 @@ bool rhw_validate_slot(const struct rhw_bindings *bindings, int slot)
                                     site->pipeline, slot, RHW_MAX_TEXTURES - 1);
         return false;
     }
-    if (!bindings->slot[slot].texture) {
+    if (slot >= bindings->slot_count || !bindings->slot[slot].texture) {
         tell_missing(bindings, slot);
         return false;
     }
@@ -198,5 +200,5 @@ void rhw_validate_image(const struct rhw_bindings *bindings, int slot, enum rhw_
     const int count = RHW_MAX_STORAGE_IMAGES;
     const struct rhw_storage_image *const image =
         (unsigned)slot < (unsigned)count ? &bindings->storage->images[slot] : &rhw_no_storage.images[0];
-    validate_effect(bindings, slot, count, image->texture, image->is_read_only, "image", operation);
+    validate_effect(bindings, slot, count, image->info, image->is_read_only, "image", operation);
 }

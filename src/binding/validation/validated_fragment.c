@@ -132,7 +132,7 @@ static void prepare(const struct rhw_validator *validator, const struct rhw_frag
     if (validator->uses & RHW_USE_COLOR_INPUT) {
         memcpy(out->color[g], group->color, (size_t)pipeline->def.target_count * sizeof group->color[0]);
     }
-    out->bindings[g] = *group->bindings;
+    rhw_bindings_copy(group->bindings, &out->bindings[g]);
     out->bindings[g].drops_effects = !has_effects(validator);
     if (changed == 0) { // in other runs coordinates may come from another rubbish
         out->bindings[g].site = rhw_validator_site(validator, group->uniforms, &group->mask);

@@ -40,7 +40,7 @@ static void prepare(const struct rhw_validator *validator, const struct rhw_vert
     for (int i = 0; i < RHW_MAX_CLIP_DISTANCES; i++) {
         out->distance[g][0][i] = out->distance[g][1][i] = output;
     }
-    out->bindings[g] = *group->bindings;
+    rhw_bindings_copy(group->bindings, &out->bindings[g]);
     out->bindings[g].drops_effects = !has_effects(validator);
     if (changed == 0) {
         out->bindings[g].site = rhw_validator_site(validator, group->uniforms, NULL);

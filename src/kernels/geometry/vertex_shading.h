@@ -150,7 +150,7 @@ static void fetch_group(struct rhw_geometry_scratch *scratch, const struct rhw_s
         (i32x8)((u32x8)i32x8_load(instances) + (u32x8)i32x8_splat((int32_t)segment->draw->first_instance));
     group->uniforms = segment->draw->uniforms;
     group->user = def->program.user;
-    group->bindings = state->bindings;
+    group->bindings = segment->draw->bindings;
     group->varying = scratch->varyings + g * state->pipeline->varying_components;
 }
 

@@ -74,7 +74,7 @@ static inline void set_offsets(struct lookup *lookup, const i32x8 *offset)
     }
 }
 
-static inline void look_up(const struct rhw_binding *binding, const struct rhw_sample_request *request,
+static inline void look_up(const struct rhw_binding_data *binding, const struct rhw_sample_request *request,
                            struct lookup *lookup)
 {
     const struct rhw_sampler_def *const def = &binding->sampler->def;

@@ -19,8 +19,9 @@ struct long_axis {
 };
 
 // Find the axis of footprints whose squared lengths in texels are x and y, of a texture with so many components.
-RHW_INLINE void find_longer_axis(const struct rhw_binding *binding, const struct rhw_sample_request *request,
-                                 f32x8 x, f32x8 y, int components, struct long_axis *axis)
+RHW_INLINE void find_longer_axis(const struct rhw_binding_data *binding,
+                                 const struct rhw_sample_request *request, f32x8 x, f32x8 y, int components,
+                                 struct long_axis *axis)
 {
     const f32x8 *const by_x = request->gradient, *const by_y = by_x + components;
     const i32x8 along_y = rhw_less(x, y);
@@ -35,8 +36,8 @@ RHW_INLINE void find_longer_axis(const struct rhw_binding *binding, const struct
     }
 }
 
-static inline void find_long_axis(const struct rhw_binding *binding, const struct rhw_sample_request *request,
-                                  struct long_axis *axis)
+static inline void find_long_axis(const struct rhw_binding_data *binding,
+                                  const struct rhw_sample_request *request, struct long_axis *axis)
 {
     const struct rhw_texture_data *const texture = binding->texture;
     const int components = spatial_components(texture);
@@ -69,10 +70,10 @@ static inline void add_sample(const struct rhw_sampler_def *def, int n, i32x8 co
     }
 }
 
-static void sample_anisotropic(const struct rhw_binding *binding, const struct rhw_sample_request *request,
-                               f32x8 texel[4])
+static void sample_anisotropic(const struct rhw_binding_data *binding,
+                               const struct rhw_sample_request *request, f32x8 texel[4])
 {
-    rhw_sample_function *const sample = request->offset ? binding->general : binding->isotropic;
+    rhw_sample_function *const sample = request->offset ? sample_general : binding->isotropic;
     if (!request->gradient) {
         sample(binding, request, texel);
         return;
@@ -101,7 +102,7 @@ static void sample_anisotropic(const struct rhw_binding *binding, const struct r
 }
 
 // Sample a request with a bias: its level of detail is worked out and given.
-static void sample_biased(const struct rhw_binding *binding, const struct rhw_sample_request *request,
+static void sample_biased(const struct rhw_binding_data *binding, const struct rhw_sample_request *request,
                           f32x8 texel[4])
 {
     rhw_sample_function *const sample = request->offset ? binding->sample_offset : binding->sample;

@@ -31,7 +31,7 @@ struct fixed_axis {
 };
 
 // Sample lanes that have more than two levels, or a texture where footprints are not told apart.
-static __attribute__((noinline)) void sample_fixed_apart_levels(const struct rhw_binding *binding,
+static __attribute__((noinline)) void sample_fixed_apart_levels(const struct rhw_binding_data *binding,
                                                                 const f32x8 at[2], const i32x8 *lod,
                                                                 enum rhw_texel_codec codec,
                                                                 enum footprint_path path,
@@ -44,7 +44,7 @@ static __attribute__((noinline)) void sample_fixed_apart_levels(const struct rhw
     }
 }
 
-RHW_INLINE void sample_fixed_axis(const struct rhw_binding *binding, const struct fixed_axis *axis,
+RHW_INLINE void sample_fixed_axis(const struct rhw_binding_data *binding, const struct fixed_axis *axis,
                                   enum rhw_texel_codec codec, enum footprint_path path,
                                   struct fixed_sums *sums)
 {
@@ -80,8 +80,8 @@ RHW_INLINE f32x8 average_to_float(i32x8 sum, f32x8 count)
 }
 
 // Do what find_long_axis does, of a plain 2D texture.
-RHW_INLINE void find_plain_axis(const struct rhw_binding *binding, const struct rhw_sample_request *request,
-                                struct long_axis *axis)
+RHW_INLINE void find_plain_axis(const struct rhw_binding_data *binding,
+                                const struct rhw_sample_request *request, struct long_axis *axis)
 {
     const float width = (float)binding->texture->shape.width, height = (float)binding->texture->shape.height;
     const f32x8 *const gradient = request->gradient;
@@ -90,7 +90,7 @@ RHW_INLINE void find_plain_axis(const struct rhw_binding *binding, const struct 
     find_longer_axis(binding, request, ux * ux + vx * vx, uy * uy + vy * vy, 2, axis);
 }
 
-RHW_INLINE void sample_fixed_anisotropic(const struct rhw_binding *binding,
+RHW_INLINE void sample_fixed_anisotropic(const struct rhw_binding_data *binding,
                                          const struct rhw_sample_request *request, enum footprint_path path,
                                          f32x8 texel[4])
 {

@@ -45,7 +45,7 @@ RHW_INLINE void compare_footprint(enum rhw_compare compare, f32x8 reference, f32
     }
 }
 
-static inline void sample_compared(const struct rhw_binding *binding,
+static inline void sample_compared(const struct rhw_binding_data *binding,
                                    const struct rhw_sample_request *request, f32x8 texel[4])
 {
     const struct rhw_sampler_def *const def = &binding->sampler->def;
@@ -92,7 +92,7 @@ RHW_INLINE void place_along(enum rhw_address address, f32x8 coordinate, int size
 }
 
 // Find where a window lies. Return false where an offset is beyond its limits.
-RHW_INLINE bool find_window(const struct rhw_binding *binding, const struct rhw_sample_request *request,
+RHW_INLINE bool find_window(const struct rhw_binding_data *binding, const struct rhw_sample_request *request,
                             const struct compared_window *window, struct window_place *place)
 {
     const struct rhw_sampler_def *const def = &binding->sampler->def;
@@ -166,7 +166,8 @@ RHW_INLINE void compare_rows(const struct rhw_sampler_def *def, const struct rhw
     }
 }
 
-static inline bool compare_window(const struct rhw_binding *binding, const struct rhw_sample_request *request,
+static inline bool compare_window(const struct rhw_binding_data *binding,
+                                  const struct rhw_sample_request *request,
                                   const struct compared_window *window, f32x8 *parts)
 {
     const struct rhw_sampler_def *const def = &binding->sampler->def;

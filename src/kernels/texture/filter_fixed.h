@@ -267,7 +267,7 @@ RHW_INLINE void mix_levels(struct fixed_texels a, struct fixed_texels b, i32x8 w
 
 // Filter any lanes: one level after the other, each with the next where a lane has a weight there. A weight of 0 leaves
 // a lane as it is.
-RHW_INLINE struct fixed_texels filter_fixed_levels(const struct rhw_binding *binding, f32x8 s, f32x8 t,
+RHW_INLINE struct fixed_texels filter_fixed_levels(const struct rhw_binding_data *binding, f32x8 s, f32x8 t,
                                                    i32x8 lod, enum rhw_texel_codec codec,
                                                    enum footprint_path path)
 {
@@ -289,15 +289,15 @@ RHW_INLINE struct fixed_texels filter_fixed_levels(const struct rhw_binding *bin
     return result;
 }
 
-RHW_INLINE void sample_fixed_levels(const struct rhw_binding *binding, f32x8 s, f32x8 t, i32x8 lod,
+RHW_INLINE void sample_fixed_levels(const struct rhw_binding_data *binding, f32x8 s, f32x8 t, i32x8 lod,
                                     enum rhw_texel_codec codec, enum footprint_path path, f32x8 texel[4])
 {
     unpack_fixed(without_negation(filter_fixed_levels(binding, s, t, lod, codec, path), codec), texel);
 }
 
 // Sample lanes that the fast path of sample_fixed does not serve.
-static __attribute__((noinline)) void sample_fixed_apart(const struct rhw_binding *binding, f32x8 s, f32x8 t,
-                                                         i32x8 lod, enum rhw_texel_codec codec,
+static __attribute__((noinline)) void sample_fixed_apart(const struct rhw_binding_data *binding, f32x8 s,
+                                                         f32x8 t, i32x8 lod, enum rhw_texel_codec codec,
                                                          f32x8 texel[4])
 {
     if (codec == RHW_CODEC_SRGB8) {
@@ -308,7 +308,7 @@ static __attribute__((noinline)) void sample_fixed_apart(const struct rhw_bindin
 }
 
 // Return the level of detail within the sampler's limits and the texture's levels, 16.16.
-RHW_INLINE i32x8 fixed_level_of_detail(const struct rhw_binding *binding, const f32x8 *gradient,
+RHW_INLINE i32x8 fixed_level_of_detail(const struct rhw_binding_data *binding, const f32x8 *gradient,
                                        const f32x8 *lod)
 {
     const struct rhw_texture_data *const texture = binding->texture;
@@ -323,7 +323,7 @@ RHW_INLINE i32x8 fixed_level_of_detail(const struct rhw_binding *binding, const 
 }
 
 // Take the general path, whatever the lanes are: one level after the other, each texel wrapped.
-RHW_INLINE void sample_fixed_general(const struct rhw_binding *binding,
+RHW_INLINE void sample_fixed_general(const struct rhw_binding_data *binding,
                                      const struct rhw_sample_request *request, enum rhw_texel_codec codec,
                                      f32x8 texel[4])
 {
@@ -355,7 +355,7 @@ RHW_INLINE bool interior_footprints(const struct rhw_mip *fine, f32x8 s, f32x8 t
 }
 
 // Take the fast path, or turn to the other.
-RHW_INLINE void sample_fixed(const struct rhw_binding *binding, const f32x8 uv[2], i32x8 lod,
+RHW_INLINE void sample_fixed(const struct rhw_binding_data *binding, const f32x8 uv[2], i32x8 lod,
                              enum rhw_texel_codec codec, f32x8 texel[4])
 {
     const struct rhw_sampler_def *const def = &binding->sampler->def;

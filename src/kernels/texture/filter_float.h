@@ -154,7 +154,7 @@ static inline void filter_levels(const struct float_source *source, i32x8 level,
 }
 
 // Sample in floats. `halves`: filter_half.h serves the texture and its sampler.
-static __attribute__((noinline)) void sample_float(const struct rhw_binding *binding,
+static __attribute__((noinline)) void sample_float(const struct rhw_binding_data *binding,
                                                    const struct rhw_sample_request *request, bool halves,
                                                    f32x8 texel[4])
 {

@@ -218,7 +218,7 @@ static inline void mix_next_level(const struct lookup *lookup, i32x8 number, f32
     }
 }
 
-static __attribute__((noinline)) void sample_general(const struct rhw_binding *binding,
+static __attribute__((noinline)) void sample_general(const struct rhw_binding_data *binding,
                                                      const struct rhw_sample_request *request, f32x8 texel[4])
 {
     struct lookup lookup;

@@ -21,14 +21,14 @@ struct footprint_pair {
     i32x8 weight;               // weight of the next level
 };
 
-RHW_INLINE enum rhw_texel_codec codec_of(const struct rhw_binding *binding)
+RHW_INLINE enum rhw_texel_codec codec_of(const struct rhw_binding_data *binding)
 {
     return binding->texture->info->codec;
 }
 
 // Find the footprints. Return false where lanes need more than the fast path of sample_fixed.
-RHW_INLINE bool find_footprints(const struct rhw_binding *binding, const f32x8 uv[2], const f32x8 gradient[4],
-                                struct footprint_pair *pair)
+RHW_INLINE bool find_footprints(const struct rhw_binding_data *binding, const f32x8 uv[2],
+                                const f32x8 gradient[4], struct footprint_pair *pair)
 {
     const struct rhw_sampler_def *const def = &binding->sampler->def;
     const f32x8 s = fold_coordinate(def->address_u, uv[0]);
@@ -41,7 +41,8 @@ RHW_INLINE bool find_footprints(const struct rhw_binding *binding, const f32x8 u
 }
 
 // Return true if what was found for one binding holds for another.
-RHW_INLINE bool has_same_footprints(const struct rhw_binding *found, const struct rhw_binding *binding)
+RHW_INLINE bool has_same_footprints(const struct rhw_binding_data *found,
+                                    const struct rhw_binding_data *binding)
 {
     const struct rhw_texture_data *const a = found->texture, *const b = binding->texture;
     const struct rhw_sampler_data *const as = found->sampler, *const bs = binding->sampler;
@@ -49,8 +50,8 @@ RHW_INLINE bool has_same_footprints(const struct rhw_binding *found, const struc
            a->mip[0].height == b->mip[0].height && memcmp(&as->def, &bs->def, sizeof as->def) == 0;
 }
 
-RHW_INLINE uint32_t sharing_slots(const struct rhw_binding *bindings, uint32_t slots,
-                                  const struct rhw_binding *found)
+RHW_INLINE uint32_t sharing_slots(const struct rhw_binding_data *bindings, uint32_t slots,
+                                  const struct rhw_binding_data *found)
 {
     uint32_t sharing = 0;
     for (uint32_t todo = slots; todo != 0; todo &= todo - 1) {
@@ -61,7 +62,7 @@ RHW_INLINE uint32_t sharing_slots(const struct rhw_binding *bindings, uint32_t s
 }
 
 // Prefetch the finer level's texels, of every second lane: neighbours mostly share cache lines.
-RHW_INLINE void prefetch_footprint(const struct rhw_binding *binding, const struct footprint_pair *pair)
+RHW_INLINE void prefetch_footprint(const struct rhw_binding_data *binding, const struct footprint_pair *pair)
 {
     const struct rhw_texture_data *const texture = binding->texture;
     const struct rhw_mip *const mip = &texture->mip[pair->level];
@@ -95,7 +96,7 @@ RHW_INLINE void group_gradient(const struct rhw_fragment *group, int at, f32x8 g
 }
 
 // Sample one group by itself, as rhw_sample does.
-RHW_INLINE void sample_group(const struct rhw_binding *binding, const struct rhw_fragment *group, int at,
+RHW_INLINE void sample_group(const struct rhw_binding_data *binding, const struct rhw_fragment *group, int at,
                              f32x8 texel[4])
 {
     f32x8 gradient[6];
@@ -114,7 +115,8 @@ enum { SHARING_GROUPS = 8 };
 
 // Sample one texture at the footprints of the groups whose bits are set in `found`. Meanwhile prefetch texels of the
 // next texture.
-RHW_INLINE void filter_found_groups(const struct rhw_texture_data *texture, const struct rhw_binding *next,
+RHW_INLINE void filter_found_groups(const struct rhw_texture_data *texture,
+                                    const struct rhw_binding_data *next,
                                     const struct footprint_pair pair[SHARING_GROUPS], unsigned found,
                                     enum rhw_texel_codec codec, f32x8 (*texels)[4], int stride)
 {
@@ -129,11 +131,10 @@ RHW_INLINE void filter_found_groups(const struct rhw_texture_data *texture, cons
 
 // Sample at most SHARING_GROUPS groups of slots that share what is found for the first slot. There are two slots at
 // least.
-static void sample_sharing_slots(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
-                                 f32x8 (*texels)[4], int stride)
+static void sample_sharing_slots(const struct rhw_binding_data *bindings, const struct rhw_fragment *groups,
+                                 int count, uint32_t slots, int at, f32x8 (*texels)[4], int stride)
 {
-    const struct rhw_binding *const bindings = groups->bindings->slot;
-    const struct rhw_binding *const first = &bindings[__builtin_ctz(slots)];
+    const struct rhw_binding_data *const first = &bindings[__builtin_ctz(slots)];
     struct footprint_pair pair[SHARING_GROUPS];
     f32x8 gradient[4];
     unsigned found = 0;
@@ -148,7 +149,7 @@ static void sample_sharing_slots(const struct rhw_fragment *groups, int count, u
         const int slot = __builtin_ctz(todo);
         const struct rhw_texture_data *const texture = bindings[slot].texture;
         const uint32_t later = todo & (todo - 1);
-        const struct rhw_binding *const next = later ? &bindings[__builtin_ctz(later)] : NULL;
+        const struct rhw_binding_data *const next = later ? &bindings[__builtin_ctz(later)] : NULL;
         if (codec_of(&bindings[slot]) == RHW_CODEC_SRGB8) {
             filter_found_groups(texture, next, pair, found, RHW_CODEC_SRGB8, texels + slot, stride);
         } else {
@@ -163,7 +164,7 @@ static void sample_sharing_slots(const struct rhw_fragment *groups, int count, u
 
 // Sample one texture on the fixed-point path by itself. The level of detail takes a chain of operations, each of which
 // waits for the one before: the chains of all groups come first, so that they wait together.
-RHW_INLINE void sample_fixed_groups(const struct rhw_binding *binding, const struct rhw_fragment *groups,
+RHW_INLINE void sample_fixed_groups(const struct rhw_binding_data *binding, const struct rhw_fragment *groups,
                                     int count, int at, enum rhw_texel_codec codec, f32x8 (*texels)[4],
                                     int stride)
 {
@@ -179,7 +180,7 @@ RHW_INLINE void sample_fixed_groups(const struct rhw_binding *binding, const str
 }
 
 // Sample one slot by itself, with a texture or without.
-static void sample_slot(const struct rhw_binding *binding, const struct rhw_fragment *groups, int count,
+static void sample_slot(const struct rhw_binding_data *binding, const struct rhw_fragment *groups, int count,
                         int at, f32x8 (*texels)[4], int stride)
 {
     if (binding->shares_footprints && codec_of(binding) == RHW_CODEC_UNORM8) {
@@ -196,11 +197,10 @@ static void sample_slot(const struct rhw_binding *binding, const struct rhw_frag
 }
 
 // Sample groups for rhw_sample_groups.
-static void sample_groups(const struct rhw_fragment *groups, int count, uint32_t slots, int at,
-                          rhw_float (*texels)[4], int stride)
+static void sample_groups(const struct rhw_binding_data *bindings, const struct rhw_fragment *groups,
+                          int count, uint32_t slots, int at, rhw_float (*texels)[4], int stride)
 {
-    const struct rhw_binding *const bindings = groups->bindings->slot;
-    const struct rhw_binding *const first = &bindings[__builtin_ctz(slots)];
+    const struct rhw_binding_data *const first = &bindings[__builtin_ctz(slots)];
     uint32_t sharing = first->shares_footprints ? sharing_slots(bindings, slots, first) : 0;
     sharing = sharing & (sharing - 1) ? sharing : 0; // a slot does not share with itself alone
     for (uint32_t todo = slots & ~sharing; todo != 0; todo &= todo - 1) {
@@ -209,7 +209,7 @@ static void sample_groups(const struct rhw_fragment *groups, int count, uint32_t
     }
     for (int g = 0; g < count && sharing; g += SHARING_GROUPS) {
         const int n = count - g < SHARING_GROUPS ? count - g : SHARING_GROUPS;
-        sample_sharing_slots(groups + g, n, sharing, at, texels + g * stride, stride);
+        sample_sharing_slots(bindings, groups + g, n, sharing, at, texels + g * stride, stride);
     }
 }
 

@@ -85,7 +85,7 @@ static inline void fetch_sample(const struct rhw_texture_data *texture, const i3
 
 // Gather one channel of the texels that a linear filter would mix in level 0: below left, below right, above right,
 // above left, v down (Vulkan 1.3, "Texel Gathering"). The result is zeros where there are not four texels.
-static inline void gather(const struct rhw_binding *binding, const struct rhw_sample_request *request,
+static inline void gather(const struct rhw_binding_data *binding, const struct rhw_sample_request *request,
                           int channel, f32x8 texel[4])
 {
     static const int order[4] = {2, 3, 1, 0};
@@ -105,8 +105,8 @@ static inline void gather(const struct rhw_binding *binding, const struct rhw_sa
 
 // Return the level that a sample would read, and the level of detail before limits (Vulkan 1.3, "Image Level(s)
 // Selection").
-static inline void query_level(const struct rhw_binding *binding, const struct rhw_sample_request *request,
-                               f32x8 lod[2])
+static inline void query_level(const struct rhw_binding_data *binding,
+                               const struct rhw_sample_request *request, f32x8 lod[2])
 {
     const struct rhw_sampler_data *const sampler = binding->sampler;
     f32x8 requested = requested_level(binding->texture, request);

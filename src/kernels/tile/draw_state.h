@@ -82,7 +82,6 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
         group->ddx = queue->ddx + offset;
         group->ddy = queue->ddy + offset;
         group->user = pipeline->def.program.user;
-        group->bindings = state->bindings;
         group->color = queue->colors[g];
         if (pipeline->def.program.uses & RHW_USE_LAYER) {
             group->layer = i32x8_splat(work->layer);
@@ -91,12 +90,16 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
     }
 }
 
-// Make a draw the one under way, out of line. Draws that differ in their uniforms alone have one state.
+// Make a draw the one under way, out of line. Draws that differ in uniforms and bindings alone have one state.
 static void set_draw(struct tile_work *work, const struct rhw_draw *draw)
 {
     RHW_ISA_NAME(rhw_flush)(work);
     if (!work->draw || work->draw->state != draw->state) {
         set_state(work, draw->state);
+    }
+    const bool is_bound = work->draw && work->draw->bindings == draw->bindings;
+    for (int g = 0; g < RHW_FRAGMENT_GROUPS && !is_bound; g++) {
+        work->scratch->queue.groups[g].bindings = draw->bindings;
     }
     work->draw = draw;
     work->constant_is_ready = false;

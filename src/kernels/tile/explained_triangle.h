@@ -58,7 +58,7 @@ static void describe_triangle(struct rhw_explained *e, const struct rhw_segment 
                                    : edge_value(t->x_24_8[j], t->y_24_8[j], t->x_24_8[k], t->y_24_8[k],
                                                 t->flags & RHW_TRIANGLE_NEGATIVE ? -1 : 1, *sample);
     }
-    f->bindings = segment->draw->state->bindings;
+    f->bindings = segment->draw->bindings;
     f->component_count = pipeline->varying_components;
     f->varyings = e->varyings;
     f->ddx = e->ddx;

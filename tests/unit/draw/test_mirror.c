@@ -67,7 +67,7 @@ static void compare(struct rhw_texture_data *texture, const struct rhw_sampler_d
     for (int isa = RHW_ISA_BASELINE; isa < RHW_ISA_COUNT; isa++) {
         for (int way = 0; way < 3 && rhw_isa_supported((enum rhw_isa)isa); way++) {
             const struct rhw_kernels *const kernels = rhw_kernels_for((enum rhw_isa)isa);
-            const struct rhw_binding binding =
+            const struct rhw_binding_data binding =
                 rhw_binding_of(kernels, way == 0 ? RHW_PATHS_ALL : RHW_PATHS_GENERAL, texture, sampler);
             rhw_float texel[4];
             (way == 2 ? kernels->sample_general : binding.sample)(&binding, &request, texel);

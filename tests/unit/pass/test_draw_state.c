@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // State that changes between the draws of one pass: uniforms, pipelines, textures, blend constant, viewport,
 // scissor; each draw sees what was set when it was recorded. And many draws, and draws in order.
+#include "context/context.h"
+#include "draw/recorded_pass.h"
 #include "harness.h"
 
 #include <math.h>
@@ -195,6 +197,81 @@ static void test_textures_change_between_draws(void **state)
     rig_close(&rig);
 }
 
+// Sample slot 1, which has a texture, and slot 9, behind which no slot has one.
+static void empty_slot_fragment(struct rhw_fragment *groups, int count)
+{
+    static const uint32_t slots = 1u << 1 | 1u << 9;
+    rhw_float texels[RHW_MAX_GROUPS][10][4];
+    rhw_sample_groups(groups, count, slots, 0, texels[0], 10);
+    for (int g = 0; g < count; g++) {
+        const struct rhw_bindings *const bindings = groups[g].bindings;
+        const rhw_int at[2] = {rhw_splat_int(0), rhw_splat_int(0)};
+        rhw_float fetched[4];
+        rhw_sample_fetch(bindings, 9, at, NULL, fetched);
+        groups[g].color[0][0] = texels[g][1][0];
+        groups[g].color[0][1] = texels[g][9][0] + fetched[0];
+        groups[g].color[0][2] = texels[g][9][3] + fetched[3];
+        groups[g].color[0][3] =
+            rhw_splat((float)(rhw_sample_levels(bindings, 1) + 10 * rhw_sample_levels(bindings, 9)));
+    }
+}
+
+static void test_slots_behind_the_last_texture_are_empty(void **state)
+{
+    (void)state;
+    struct rig rig;
+    open_rig(&rig);
+    rig_set_program(&rig, uniform_vertex, empty_slot_fragment);
+    rig.pipeline.program.varyings[0] = (struct rhw_varying){.components = 2, .derivatives = true};
+    rig.pipeline.program.varying_count = 1;
+    const rhw_texture texture = plain_texture(&rig, 11);
+    const struct rhw_sampler_def sampler_def = rhw_sampler_def_default();
+    rhw_sampler sampler;
+    assert_int_equal(rhw_sampler_create(rig.context, &sampler_def, &sampler), RHW_OK);
+    rig_begin(&rig);
+    rig_use_pipeline(&rig);
+    rhw_pass_set_texture(rig.context, rig.recording, 1, texture, sampler);
+    set_uniforms(&rig, 0, 0, SIZE, SIZE, 1);
+    rhw_pass_draw(rig.context, rig.recording, 0, 6, 0, 1);
+    rig_end(&rig);
+    const float(*pixels)[4] = rig_read_float4(&rig);
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        assert_true(pixels[i][0] == 11 && pixels[i][1] == 0 && pixels[i][2] == 2 && pixels[i][3] == 1);
+    }
+    rhw_texture_destroy(rig.context, texture);
+    rhw_sampler_destroy(rig.context, sampler);
+    rig_close(&rig);
+}
+
+// A changed texture costs a draw what its slots hold, and no other copy of what is set.
+static void test_a_changed_texture_takes_little_memory(void **state)
+{
+    (void)state;
+    enum { DRAWS = 1000, BYTES = 256 };
+    struct rig rig;
+    open_rig(&rig);
+    rig_set_program(&rig, uniform_vertex, texture_fragment);
+    rig.pipeline.program.uniform_size = 0;
+    const rhw_texture textures[2] = {plain_texture(&rig, 11), plain_texture(&rig, 12)};
+    const struct rhw_sampler_def sampler_def = rhw_sampler_def_default();
+    rhw_sampler sampler;
+    assert_int_equal(rhw_sampler_create(rig.context, &sampler_def, &sampler), RHW_OK);
+    rig_begin(&rig);
+    rig_use_pipeline(&rig);
+    size_t before = 0;
+    for (int i = 0; i <= DRAWS; i++) {
+        rhw_pass_set_texture(rig.context, rig.recording, 0, textures[i % 2], sampler);
+        rhw_pass_draw(rig.context, rig.recording, 0, 6, 0, 1);
+        before = i == 0 ? rhw_arena_used(&rig.context->pass->arena) : before;
+    }
+    assert_true(rhw_arena_used(&rig.context->pass->arena) - before < DRAWS * BYTES);
+    rhw_pass_cancel(rig.context, rig.recording);
+    rhw_texture_destroy(rig.context, textures[0]);
+    rhw_texture_destroy(rig.context, textures[1]);
+    rhw_sampler_destroy(rig.context, sampler);
+    rig_close(&rig);
+}
+
 static void test_blend_constant_changes_between_draws(void **state)
 {
     (void)state;
@@ -308,6 +385,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_uniforms_of_the_largest_size),
     cmocka_unit_test(test_pipelines_and_uniforms_persist_and_change),
     cmocka_unit_test(test_textures_change_between_draws),
+    cmocka_unit_test(test_slots_behind_the_last_texture_are_empty),
+    cmocka_unit_test(test_a_changed_texture_takes_little_memory),
     cmocka_unit_test(test_blend_constant_changes_between_draws),
     cmocka_unit_test(test_order_is_kept_within_and_across_draws),
     cmocka_unit_test(test_many_draws),

@@ -25,8 +25,9 @@ static struct rhw_sampler_def default_sampler(void)
 }
 
 // Textures are linearized, as rhw_pass_set_texture does; samplers go with the context.
-static struct rhw_binding bind(rhw_context *context, rhw_texture texture,
-                               const struct rhw_sampler_def *sampler, enum rhw_isa isa, enum rhw_paths paths)
+static struct rhw_binding_data bind(rhw_context *context, rhw_texture texture,
+                                    const struct rhw_sampler_def *sampler, enum rhw_isa isa,
+                                    enum rhw_paths paths)
 {
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, "test");
     assert_int_equal(rhw_texture_linearize(context, data), RHW_OK);
@@ -61,7 +62,7 @@ static float clear_lod(uint64_t *random)
 }
 
 // Every isa's result on every path, which must be the same bits, in `texel`.
-static void sample_all_isas(struct rhw_binding *binding, const rhw_float uv[2], const rhw_float grad[4],
+static void sample_all_isas(struct rhw_binding_data *binding, const rhw_float uv[2], const rhw_float grad[4],
                             const rhw_float *lod, rhw_float texel[4])
 {
     const struct rhw_sample_request request = {.coordinates = uv, .gradient = grad, .lod = lod};
@@ -138,7 +139,8 @@ static void test_samples_follow_the_model(void **state)
                                                          n & 1 ? 1 : RHW_MIP_LEVELS_ALL, &random);
         struct rhw_sampler_def sampler;
         random_sampler(&random, &sampler);
-        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
+        struct rhw_binding_data binding =
+            bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
         for (int repeat = 0; repeat < 8; repeat++) {
             rhw_float uv[2], lod, texel[4];
             const float common = clear_lod(&random);
@@ -171,7 +173,8 @@ static void test_derivatives_choose_the_level(void **state)
             model_random_texture(rig.context, format, 64, n & 2 ? 16 : 64, RHW_MIP_LEVELS_ALL, &random);
         struct rhw_sampler_def sampler = default_sampler();
         sampler.lod_bias = n & 4 ? 0.5f : 0.0f;
-        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
+        struct rhw_binding_data binding =
+            bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
         const struct rhw_texture_data *const data = binding.texture;
         rhw_float uv[2], grad[4], texel[4];
         const float scale = exp2f(rig_random_float(&random, -7, 1));
@@ -226,7 +229,8 @@ static void test_texel_centres_are_exact(void **state)
         rhw_texture texture;
         assert_int_equal(rhw_texture_create(rig.context, &def, &texture), RHW_OK);
         rhw_texture_write(rig.context, texture, 0, codes, 0);
-        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
+        struct rhw_binding_data binding =
+            bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
         const bool linear_copy = (n & 1) && !(n & 4) && !(n & 8);
         float previous = -1;
         for (int first = 0; first < 256; first += RHW_LANES) { // eight texels of a row at once
@@ -273,7 +277,7 @@ static void test_every_half_is_converted_exactly(void **state)
     rhw_texture_write(rig.context, texture, 0, halves, 0);
     struct rhw_sampler_def sampler = default_sampler();
     sampler.min_filter = sampler.mag_filter = RHW_FILTER_NEAREST;
-    struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
+    struct rhw_binding_data binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
     for (int i = 0; i < 65536 / 4; i += RHW_LANES) { // eight texels of a row at once
         rhw_float uv[2] = {rhw_splat(0), rhw_splat(((float)(i / 128) + 0.5f) / 128)}, texel[4];
         for (int lane = 0; lane < RHW_LANES; lane++) {
@@ -311,7 +315,8 @@ static void test_one_colour_stays_one_colour(void **state)
         rhw_texture_write(rig.context, texture, 0, texels, 0);
         rhw_texture_generate_mips(rig.context, texture);
         const struct rhw_sampler_def sampler = default_sampler();
-        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
+        struct rhw_binding_data binding =
+            bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
         float srgb = 0;
         for (int n = 0; n < 16; n++) {
             rhw_float uv[2], lod, texel[4];
@@ -533,7 +538,8 @@ static void test_lanes_are_independent(void **state)
                                                          32, 32, RHW_MIP_LEVELS_ALL, &random);
         struct rhw_sampler_def sampler;
         random_sampler(&random, &sampler);
-        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
+        struct rhw_binding_data binding =
+            bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
         rhw_float uv[2], grad[4], lod, texel[4];
         for (int i = 0; i < RHW_LANES; i++) {
             uv[0][i] = rig_random_float(&random, -2, 2);
@@ -585,7 +591,8 @@ static void test_hostile_coordinates(void **state)
         struct rhw_sampler_def sampler;
         random_sampler(&random, &sampler);
         memset(sampler.border, 0, sizeof sampler.border);
-        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
+        struct rhw_binding_data binding =
+            bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
         for (int repeat = 0; repeat < 20; repeat++) {
             rhw_float in[7], texel[4];
             for (int j = 0; j < 7; j++) {
@@ -619,7 +626,8 @@ static void test_a_nan_slope_means_the_last_level(void **state)
         const rhw_texture texture =
             model_random_texture(rig.context, format, 64, 64, RHW_MIP_LEVELS_ALL, &random);
         const struct rhw_sampler_def sampler = default_sampler();
-        struct rhw_binding binding = bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
+        struct rhw_binding_data binding =
+            bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
         for (size_t i = 0; i < sizeof slopes / sizeof slopes[0]; i++) {
             const rhw_float uv[2] = {rhw_splat(0.3f), rhw_splat(0.8f)}, lod = rhw_splat(6.0f);
             const rhw_float slope = rhw_float_from_bits(rhw_splat_int((int32_t)slopes[i]));
@@ -673,7 +681,7 @@ static void test_a_border_has_the_channels_of_the_format(void **state)
                 .border = {0.25f, 0.5f, 0.75f, 0},
                 .border_integer = {5, 6, 7, 8},
                 .max_anisotropy = mode == 2 ? 4 : 0};
-            struct rhw_binding binding =
+            struct rhw_binding_data binding =
                 bind(rig.context, texture, &sampler, RHW_ISA_BASELINE, RHW_PATHS_ALL);
             const rhw_float uv[2] = {rhw_splat(-2.5f), rhw_splat(0.5f)}, lod = rhw_splat(0.0f);
             rhw_float texel[4];
