@@ -71,9 +71,11 @@ bool rhw_encoder_end(struct rhw_encoder *encoder, const char *where)
     if (context->recording.active && context->recording.generation == generation) {
         rhw_feedback_check_ended(encoder, where);
     }
-    const bool is_open = context->recording.active && context->recording.generation == generation;
+    if (!context->recording.active || context->recording.generation != generation) {
+        return false; // A hook of the program ended the pass itself, and may have begun another one.
+    }
     context->recording.active = false;
-    return is_open;
+    return true;
 }
 
 enum rhw_result rhw_recorded_pass_run(struct rhw_context *context, struct rhw_recorded_pass *pass,
