@@ -101,6 +101,10 @@ class Lessons(PageCase):
                  " const [a, b, m] = [q[0], q[q.length - 1], q[q.length >> 1]];"
                  " return Math.abs(a.y + (b.y - a.y) * (m.x - a.x) / (b.x - a.x) - m.y); }))")
         dots = "return [...document.querySelectorAll('#inverse .plot')].map((plot) => [...plot.querySelectorAll('.value')].map((t) => t.textContent))"
+        overlaps = ("return [...document.querySelectorAll('#inverse .plot')].flatMap((plot) => {"
+                    " const boxes = [...plot.querySelectorAll('.value, .mark text')].map((text) => [text.textContent, text.getBoundingClientRect()]);"
+                    " return boxes.flatMap(([one, a], i) => boxes.slice(i + 1).filter(([, b]) =>"
+                    " a.left < b.right && b.left < a.right && a.top + 4 < b.bottom && b.top + 4 < a.bottom).map(([other]) => [one, other])); })")
         n = self.script("return rhw.views.inverse.numbers()")
         w, u = n["W_P"], n["b"]
         told = {"w": [[w, n["r"] * n["W_A"] + n["s"] * n["W_B"]], [1 / w]], "u": [[1 / w, u / w], [u, n["s"]]]}
@@ -111,6 +115,8 @@ class Lessons(PageCase):
                 self.assertEqual(len(shown), len(numbers))
                 for text, number in zip(shown, numbers):
                     self.assertAlmostEqual(float(text), number, delta=2e-3)
+            over = self.script(overlaps)
+            self.assertEqual(over, [], f"{value}: every number can be read")
             units = self.script("return [...document.querySelectorAll('#inverse .plot')].map((plot) => plot.textContent)")
             self.assertTrue(all("unit of length" in text or "units of length" in text or "from 0 in A" in text for text in units), units)
         tops = self.script("return [...document.querySelectorAll('#inverse :is(.plot, .top)')].map((node) => node.getBoundingClientRect())"
