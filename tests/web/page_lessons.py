@@ -246,6 +246,11 @@ class Lessons(PageCase):
         point(self.script("const v = rhw.views.exercises; for (let y = 0.05; y < 1; y += 0.05) {"
                           " v.pixel = [0.5, y]; v.explain(); if (v.numbers) return v.pixel; }"))
         self.assertTrue(done()[5], self.script("return rhw.views.exercises.numbers"))
+        asked = ("const [n, ws] = arguments; return import('./chapters/exercises.js')"
+                 ".then(({ EXERCISES }) => EXERCISES[1].met(n, { ws, worst: () => 1 }))")
+        wrong = {"r": 1, "s": 0, "t": 0, "u_0": 1, "u_1": 0, "u_2": 0, "u": 0}
+        for ws, met in (([1, 2, 3], True), ([1, 2, -3], False)):  # √W, which its answer is about, is a number
+            self.assertIs(self.script(asked, wrong, ws), met)
         self.assertIn("✓", self.node("#exercises li:last-child .result").text)
         self.node("#exercises li:last-child button").click()
         self.wait("!document.querySelector('#exercises li:last-child').classList.contains('done')")

@@ -48,10 +48,10 @@ export const EXERCISES = [
   },
   {
     asked: {
-      en: 'Point at the pixel where the naive value is most wrong. Nine tenths of the largest error will do.',
-      zh: '指向“未校正”误差最大的像素（达到最大误差的九成即可）。',
+      en: 'With all corners in front of the eye, point at the pixel where the naive value is most wrong. Nine tenths of the largest error will do.',
+      zh: '所有顶点都在眼睛前方时，指向“未校正”误差最大的像素（达到最大误差的九成即可）。',
     },
-    met: (n, { worst }) => n && worst() > 0.01 && Math.abs(naiveOf(n) - n.u) > 0.9 * worst(),
+    met: (n, { ws, worst }) => n && Math.min(...ws) > 0 && worst() > 0.01 && Math.abs(naiveOf(n) - n.u) > 0.9 * worst(),
     answer: (n, { ws }) => {
       const [low, high] = [Math.min(...ws), Math.max(...ws)];
       const at = Math.sqrt(high) / (Math.sqrt(high) + Math.sqrt(low));
@@ -69,7 +69,7 @@ export const EXERCISES = [
     met: (n) => n && n.W_0 > 0 && n.W_1 > 0 && Math.abs(n.a - 0.5) < MIDDLE && Math.abs(n.b - 0.5) < MIDDLE,
     answer: (n) => ({
       en: `There r : s is W_A : W_B = ${short(n.W_0)} : ${short(n.W_1)}, so s = ${short(n.W_1 / (n.W_0 + n.W_1))}. In space A and B have a half each there; on the screen their shares are in proportion to their W.`.replaceAll('_', ''),
-      zh: `那里 r : s = WA : WB = ${short(n.W_0)} : ${short(n.W_1)}，所以 s = ${short(n.W_1 / (n.W_0 + n.W_1))}。在空间中，两个顶点在中点各占一半；在屏幕上，各按自己的 W 成比例。`,
+      zh: `那里 r : s = WA : WB = ${short(n.W_0)} : ${short(n.W_1)}，所以 s = ${short(n.W_1 / (n.W_0 + n.W_1))}。在空间中，两个顶点在中点各占一半；在屏幕上，两者的份额与各自的 W 成正比。`,
     }),
   },
   {
