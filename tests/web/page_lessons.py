@@ -178,7 +178,7 @@ class Lessons(PageCase):
         self.assertNotEqual(self.script("return document.querySelector('#motion .cut-off').getAttribute('points')"), "")
         names = self.script("return [...document.querySelectorAll('#motion .flight text')].map((t) => [t.textContent, t.getAttribute('class')])")
         self.assertTrue(all((kind is None) == (name in "ABC") for name, kind in names), f"after another place of the slider: {names}")
-        self.assertIn("−0.2182", self.node("#motion table").text)  # Z of A, nearer than the near plane
+        self.assertIn("−1.527", self.node("#motion table").text)  # Z of A, behind the eye
         width, height = self.script("const { clientWidth: w, clientHeight: h } = document.querySelector('#motion .flight'); return [w, h]")
         for k in (0, 0.1, 0.2, 0.4, 0.6, 0.8, 1):
             self.script(slide, k)

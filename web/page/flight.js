@@ -76,9 +76,10 @@ export class Flight {
       .join('');
   }
 
-  #label(text, [x, y], kind) {
+  // What is cut off has its name below it: above it may stand that of the eye.
+  #label(text, [x, y], kind, isCut) {
     drawn(this.labels, 'circle', { cx: x, cy: y, r: 5, class: `dot ${kind}` });
-    drawn(this.labels, 'text', { x: x + 9, y: y - 6 }, text);
+    drawn(this.labels, 'text', isCut ? { x: x - 4, y: y + 20 } : { x: x + 9, y: y - 6 }, text);
   }
 
   /** `corners`: [X, Y, Z, W] of A, B and C; `k`: how far the motion is, 0..1. */
@@ -136,7 +137,7 @@ export class Flight {
     this.corners.forEach((corner, i) => {
       const isCut = corner[2] < 0;
       if (!isCut || early > 0.5) {
-        this.#label('ABC'[i], isCut ? this.#unmoved(corner) : this.#at(corner), `corner${'ABC'[i]}`);
+        this.#label('ABC'[i], isCut ? this.#unmoved(corner) : this.#at(corner), `corner${'ABC'[i]}`, isCut);
       }
     });
     if (this.k < 0.6) {
