@@ -5,9 +5,8 @@ import numpy as np
 import pytest
 
 import rhw
-from far_files import (FAR, FLOATS, MESH, NEAR, REST, Gltf, add, attribute, collada, collada_geometry, curves, dxf, dxf_block, dxf_faces,
-                       dxf_insert, dxf_lines,
-                       fbx, fbx_binary, fbx_text, geometry, model, skin, translate, vector, zae)
+from far_files import (FAR, FLOATS, MESH, NEAR, REST, Gltf, add, attribute, collada, collada_geometry, curves, dxf,
+                       dxf_block, dxf_faces, dxf_insert, dxf_lines, fbx, fbx_binary, fbx_text, geometry, model, skin, translate, vector, zae)
 
 
 def vertices(place):
@@ -330,9 +329,12 @@ def test_blocks_of_none(tmp_path):
     assert "insertions of a block that there is not (DXF): left out" in model.unsupported
     twice = dxf_insert(NEAR, "B") * 2
     many = dxf_insert(NEAR, "C", (70, 30000), (71, 30000))
-    for text in dxf_block("B", twice), dxf_block("B", many) + dxf_block("C", dxf_faces(NEAR)):
+    rows = (70, 256), (71, 256)
+    nothing = dxf_block("B", dxf_insert(NEAR, "C", *rows) * 2) + dxf_block("C", "")
+    twice_many = dxf_block("B", many) + dxf_block("C", dxf_faces(NEAR))
+    for text in dxf_block("B", twice), twice_many, nothing:
         with pytest.raises(rhw.Error, match="inserts blocks into each other more often"):
-            load(tmp_path, "often.dxf", dxf(twice, text))
+            load(tmp_path, "often.dxf", dxf(dxf_insert(NEAR, "B", *rows) if text == nothing else twice, text))
 
 
 def test_parts_far_from_each_other(tmp_path):
