@@ -300,8 +300,12 @@ def test_collada_matrices(tmp_path, transform, rows):
     assert np.array_equal(pictures[0][0], pictures[1][0]) and np.allclose(pictures[0][1], pictures[1][1], atol=1e-6)
 
 
+def dxf_colored(number):
+    return dxf_faces(NEAR).replace("3DFACE\r\n", f"3DFACE\r\n 62\r\n{number}\r\n")
+
+
 #: A DXF with insertions, and the entities that they draw: turned, scaled and from another base; from below (an extrusion
-#: of −z, whose x points to −x), in a block of another and in rows.
+#: of −z, whose x points to −x), in a block of another and in rows, and with the colour of the insertion around all.
 BLOCKS = {
     "base": (dxf(dxf_insert((4, 0, 0), "B", (41, 2.0), (50, 90.0)), dxf_block("B", dxf_faces(NEAR), (1, 0, 0))),
              dxf_faces((4, -2, 0), lambda point: (-point[1], 2 * point[0], point[2]))),
@@ -310,6 +314,8 @@ BLOCKS = {
     "rows": (dxf(dxf_insert((1, 0, 0), "a b"), dxf_block("a b", dxf_insert((1, 0, 0), "a c", (70, 2), (71, 2), (44, 3.0),
                                                                          (45, 4.0))) + dxf_block("a c", dxf_faces(NEAR))),
              "".join(dxf_faces((2 + x, y, 0)) for y in (0, 4) for x in (0, 3))),
+    "colour": (dxf(dxf_insert(NEAR, "C", (62, 3)), dxf_block("C", dxf_insert(NEAR, "D", (62, 0))) +
+                   dxf_block("D", dxf_insert(NEAR, "B", (62, 0))) + dxf_block("B", dxf_colored(0))), dxf_colored(3)),
 }
 
 

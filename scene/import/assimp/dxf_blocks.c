@@ -185,6 +185,15 @@ static void count_read(struct drawing *drawing, size_t size)
                            drawing->read / READ_OF_WRITTEN > drawing->most;
 }
 
+// Give an insertion within a block its colour, which may be that of the insertion of the block (0).
+static void inherit_color(struct entity *inner, const struct entity *insertion)
+{
+    if (inner->has_color && inner->color == 0) {
+        inner->color = insertion->color;
+        inner->has_color = insertion->has_color;
+    }
+}
+
 static void insert(struct drawing *drawing, const struct entity *insertion, const double outer[16]);
 
 // Write the entities of a block where a matrix brings them.
@@ -197,7 +206,8 @@ static void write_block(struct drawing *drawing, const struct block *block, cons
     for (char *start = text.cursor; !drawing->is_too_much && scene_dxf_read_pair(&text, &pair);
          start = text.cursor) {
         if (scene_dxf_begins(&pair, "INSERT")) {
-            const struct entity inner = read_entity(&text);
+            struct entity inner = read_entity(&text);
+            inherit_color(&inner, insertion);
             insert(drawing, &inner, matrix);
         }
         for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
