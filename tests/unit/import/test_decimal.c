@@ -98,6 +98,20 @@ static void test_lengths(void **state)
     }
 }
 
+// Whole digits after the hundredth count as 0, with their place.
+static void test_many_digits(void **state)
+{
+    (void)state;
+    char text[256];
+    memset(text, '0', sizeof text);
+    text[0] = '2';
+    for (int i = 0; i < 3; i++) {
+        static const char *const ends[] = {"", ".5", "e-149"};
+        strcpy(text + 150, ends[i]);
+        check(text);
+    }
+}
+
 static void test_ends(void **state)
 {
     (void)state;
@@ -131,7 +145,7 @@ static void test_digits(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_random), cmocka_unit_test(test_halfway), cmocka_unit_test(test_lengths),
-    cmocka_unit_test(test_ends),   cmocka_unit_test(test_digits),
+    cmocka_unit_test(test_ends),   cmocka_unit_test(test_digits),  cmocka_unit_test(test_many_digits),
 };
 
 const struct unit_tests test_decimal = UNIT_TESTS(tests, NULL, NULL);
