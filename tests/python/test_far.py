@@ -6,7 +6,8 @@ import pytest
 
 import rhw
 from far_files import (FAR, FLOATS, MESH, NEAR, REST, Gltf, add, attribute, collada, collada_geometry, curves, dxf,
-                       dxf_block, dxf_faces, dxf_insert, dxf_lines, fbx, fbx_binary, fbx_text, geometry, model, skin, translate, vector, zae)
+                       dxf_block, dxf_faces, dxf_insert, dxf_lines, fbx, fbx_binary, fbx_text,
+                       geometry, model, skin, translate, vector, zae)
 
 
 def vertices(place):
@@ -284,6 +285,7 @@ MATRICES = [  # a transform of Collada, and the rows of a matrix that is the sam
     ("<skew>45 0 2 0 3 0 0</skew>", (1, 1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)),
     ("<skew>30 0 1 0 0 1 1</skew>", (1, 0, 0, 0, 0, 1 + SLOPE, -SLOPE, 0, 0, SLOPE, 1 - SLOPE, 0)),  # axes 45 degrees apart
     ("<skew>90 0 1 0 1 0 0</skew>", (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)),
+    ("<skew>90 <!-- </skew> --> 0 1 0 1 0 0</skew>", (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)),
     ("<skew sid='a'/>", (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)),
     ("<lookat>1 2 3 1 2 -5 0 1 7</lookat>", (1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3)),  # an up that leans
     ("<lookat>1 2 3 6 2 3 0 1 0</lookat>", (0, 0, -1, 1, 0, 1, 0, 2, 1, 0, 0, 3)),
