@@ -14,6 +14,7 @@
 #include "draw/recorded_pass.h"
 #include "pass/encoder.h"
 #include "pass/kept_reads.h"
+#include "pass/pass_end.h"
 #include "pipeline/pipeline.h"
 #include "pass/query.h"
 #include "recording/recorder.h"
@@ -183,6 +184,7 @@ enum rhw_result rhw_context_create_probed(const struct rhw_context_def *def, boo
         .assert_ = def->assert_,
         .user = def->user,
         .number = number_of(created),
+        .pass_number = number_of(created),
         .cores = cores,
         .threads = thread_count(def->threads, cores),
         .isa = isa,
@@ -228,6 +230,7 @@ void rhw_context_destroy(rhw_context *context)
         rhw_recorder_destroy(context);
         return;
     }
+    rhw_pass_release_retired(context);
     rhw_encoder_destroy(context->encoder);
     rhw_executor_destroy(context->executor);
     rhw_recorded_pass_destroy(&context->memory, context->pass);

@@ -61,7 +61,8 @@ RHW_API enum rhw_result rhw_binding_of_texels(rhw_context *context, rhw_buffer b
 
 /// Make a binding of the texture of one binding with the sampler of another. `texture` comes from
 /// rhw_binding_of_texture, and `sampler` from there or from rhw_binding_of_sampler. Each may be `binding` itself. The
-/// rules about the pair are those of rhw_pass_set_texture. Both are of one context.
+/// binding of a multisampled texture has no sampler to give. The rules about the pair are those of
+/// rhw_pass_set_texture. Both are of one context.
 RHW_API bool rhw_binding_of_pair(const struct rhw_binding *texture, const struct rhw_binding *sampler,
                                  struct rhw_binding *binding);
 

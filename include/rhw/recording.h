@@ -33,7 +33,8 @@ struct rhw_recording_def {
     /// Keep the triangles from one run to the next, and do not call vertex functions again as long as nothing was
     /// written to the buffers that the pass reads. This takes memory. The program says by it that the vertex functions
     /// see nothing else that changes, or calls rhw_recording_changed: memory of the program, also under buffers, what
-    /// program.user points to, and texels that vertex functions read. Triangles are made by each run in a context that
+    /// program.user points to, what bindings (bind.h) lead to, buffers in slots that are not read-only, and texels that
+    /// vertex functions read. Triangles are made by each run in a context that
     /// validates, in a pass that does not fit the bins at once (bin_memory), and where vertex functions have effects or
     /// are captured.
     bool keeps_triangles;
@@ -42,13 +43,15 @@ struct rhw_recording_def {
 /// Create a recorder of a context. It takes rhw_pass_begin, all functions that set the state of a pass or draw,
 /// rhw_pass_keep, rhw_pass_cancel and rhw_context_destroy; all other functions take the context. Ids of the context's
 /// things are valid in the recorder, and its hooks are called by the thread that records. One thread at a time may use
-/// a recorder, beside another one that uses the context. Things that a recorder uses must not be destroyed meanwhile. A
-/// recorder is destroyed by rhw_context_destroy, before its context.
+/// a recorder, beside another one that uses the context. Things that a recorder uses must not be destroyed, written,
+/// mapped or unmapped by another thread while it records. A recorder is destroyed by rhw_context_destroy, before its
+/// context.
 RHW_API enum rhw_result rhw_recorder_create(rhw_context *context, rhw_context **recorder);
 
 /// End a pass of a recorder, and keep it as a recording, which the caller destroys. `def` may be NULL. On failure
-/// `*recording` is NULL: RHW_ERROR_MISUSE says that misuse was reported since the pass began. A pass that cannot
-/// be kept has ended all the same.
+/// `*recording` is NULL: RHW_ERROR_MISUSE says that misuse was reported since the pass began. A pass of a recorder that
+/// cannot be kept has ended all the same. A pass of another context goes on, as does one of a recorder that is given to
+/// rhw_pass_end.
 RHW_API enum rhw_result rhw_pass_keep(rhw_context *recorder, rhw_pass pass,
                                       const struct rhw_recording_def *def, rhw_recording **recording);
 

@@ -113,7 +113,7 @@ bool rhw_binding_of_pair(const struct rhw_binding *texture, const struct rhw_bin
     const bool has_sampler = by && (by->kind == RHW_BINDING_SAMPLED || by->kind == RHW_BINDING_SAMPLER);
     struct rhw_binding_data data = {.kind = RHW_BINDING_EMPTY};
     if (of && of->kind == RHW_BINDING_MULTISAMPLED && has_sampler) {
-        data = *of;
+        data = rhw_sampler_fits(of->multisampled, by->sampler) ? *of : data;
     } else if (has_texture && has_sampler && rhw_sampler_fits(of->texture, by->sampler)) {
         data = rhw_binding_of(of->kernels, (enum rhw_paths)of->paths, of->texture, by->sampler);
     }

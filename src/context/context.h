@@ -75,7 +75,10 @@ struct rhw_context {
     void *user;
     char label[RHW_LABEL_SIZE];
 
-    uint32_t number; // every id carries it; see context_create.c
+    uint32_t number; // every id carries it, but those of passes; see context_create.c
+    // Ids of passes carry this number. A recorder has another one than its owner and than its other recorders.
+    uint32_t pass_number;
+    _Atomic uint32_t recorders_made; // how many recorders this context has had
     // The public function that is at work, or `idle` when there is none. Every thread that calls one writes it.
     _Atomic(const char *) entered;
     // NULL; or the mark of a recorder, which functions other than those of passes do not enter.
@@ -84,6 +87,9 @@ struct rhw_context {
     // no recorder.
     struct rhw_context *owner;
     _Atomic int recorders; // number of recorders of this context
+    // Number of passes that recorders of this context record. As long as there is one, memory that was replaced stays,
+    // because the pass may look at it.
+    _Atomic int open_recordings;
     // What the pass being recorded uses, where the context is a recorder. NULL: things note it themselves.
     struct rhw_use_table *uses;
     struct rhw_recording *next_recording; // what a recorder records into

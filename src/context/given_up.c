@@ -44,7 +44,7 @@ bool rhw_context_is_given_up_amid(struct rhw_context *context, int worker, int g
     }
     const uint64_t now = rhw_time_ns();
     const bool is_quick = now - context->looked_ns < long_ns;
-    const int more = context->look_groups < GROUPS_MOST ? 2 * context->look_groups + 1 : GROUPS_MOST;
+    const int twice = 2 * context->look_groups + 1, more = twice < GROUPS_MOST ? twice : GROUPS_MOST;
     context->looked_ns = now;
     if (now - context->asked_ns >= least_ns) {
         context->asked_ns = now;

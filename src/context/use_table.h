@@ -19,8 +19,8 @@ struct rhw_use {
     uint32_t index, generation;
     uint32_t moves; // how often the item had got other memory when it was used first
     struct rhw_range_set used[RHW_USED_RANGES]; // bytes of a buffer
-    // A bit for each level of a texture: levels that are attached, read, and written as storage images.
-    uint32_t attached_levels, read_levels, stored_levels;
+    // A bit for each level of a texture: levels that are read, and written as storage images.
+    uint32_t read_levels, stored_levels;
     bool is_sampled;
 };
 

@@ -82,6 +82,9 @@ static void begin_recording(struct rhw_context *context, const struct rhw_pass_d
     struct rhw_recording_place *const recording = &context->recording;
     atomic_store_explicit(&context->refused, false, memory_order_relaxed);
     recording->active = true;
+    if (context->owner) {
+        atomic_fetch_add(&context->owner->open_recordings, 1);
+    }
     recording->misused = false;
     recording->draw = 0;
     recording->group = NULL;
@@ -125,7 +128,7 @@ static enum rhw_result begin(rhw_context *context, const struct rhw_pass_def *de
         rhw_context_log(context, RHW_LOG_WARNING, "%s: depth.texture is set and depth.enabled is false",
                         where);
     }
-    *id = (rhw_pass){1, context->recording.generation, context->number};
+    *id = (rhw_pass){1, context->recording.generation, context->pass_number};
     return RHW_OK;
 }
 

@@ -52,7 +52,7 @@ void rhw_encoder_renew(struct rhw_encoder *encoder)
 
 void rhw_pass_report(const rhw_context *context, rhw_pass id, const char *where)
 {
-    const bool foreign = id.index != 0 && id.context != context->number;
+    const bool foreign = id.index != 0 && id.context != context->pass_number;
     rhw_misuse(context, "%s: %s", where,
                foreign ? "the pass belongs to another context" : "the pass id is null or its pass has ended");
 }

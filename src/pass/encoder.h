@@ -129,7 +129,7 @@ static inline struct rhw_encoder *rhw_pass_enter(rhw_context *context, rhw_pass 
         return NULL;
     }
     const struct rhw_recording_place *const recording = &context->recording;
-    if (recording->active && id.generation == recording->generation && id.context == context->number) {
+    if (recording->active && id.generation == recording->generation && id.context == context->pass_number) {
         return context->encoder;
     }
     rhw_pass_report(context, id, where);

@@ -14,9 +14,11 @@
 #include "rhw/rhw.h"
 #include "resource/texture.h"
 
-// Release items that were destroyed, and memory that was replaced, while the pass needed them.
-static void release_retired(rhw_context *context)
+void rhw_pass_release_retired(struct rhw_context *context)
 {
+    if (atomic_load(&context->open_recordings) > 0) {
+        return;
+    }
     struct rhw_buffer_data *buffer;
     while ((buffer = rhw_pool_unretire(&context->buffers)) != NULL) {
         rhw_buffer_data_release(&context->memory, buffer);
@@ -59,6 +61,14 @@ static void report_validation(struct rhw_context *context, const struct rhw_reco
     }
 }
 
+static void close_recording(struct rhw_context *context)
+{
+    context->recording.active = false;
+    if (context->owner) {
+        atomic_fetch_sub(&context->owner->open_recordings, 1);
+    }
+}
+
 bool rhw_encoder_end(struct rhw_encoder *encoder, const char *where)
 {
     rhw_context *const context = encoder->context;
@@ -74,7 +84,7 @@ bool rhw_encoder_end(struct rhw_encoder *encoder, const char *where)
     if (!context->recording.active || context->recording.generation != generation) {
         return false; // A hook of the program ended the pass itself, and may have begun another one.
     }
-    context->recording.active = false;
+    close_recording(context);
     return true;
 }
 
@@ -117,15 +127,15 @@ static enum rhw_result end(struct rhw_encoder *encoder, struct rhw_stats *stats)
                                        ? RHW_ERROR_OUT_OF_MEMORY
                                        : rhw_recorded_pass_run(context, encoder->pass, stats);
     // A hook of the program that is told something may not return.
-    release_retired(context);
+    rhw_pass_release_retired(context);
     return rhw_recorded_pass_tell(context, encoder->pass, result);
 }
 
 void rhw_pass_cancel(rhw_context *context, rhw_pass id)
 {
     if (rhw_pass_enter(context, id, "rhw_pass_cancel")) {
-        context->recording.active = false;
-        release_retired(context);
+        close_recording(context);
+        rhw_pass_release_retired(context);
         rhw_context_leave(context);
     }
 }

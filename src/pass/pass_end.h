@@ -24,4 +24,8 @@ enum rhw_result rhw_recorded_pass_tell(struct rhw_context *context, const struct
 // Empty the reports on tiles that the program asked for (reports.c).
 void rhw_pass_empty_reports(struct rhw_recorded_pass *pass);
 
+// Release items that were destroyed, and memory that was replaced, while a pass needed them, unless a recorder of the
+// context records a pass.
+void rhw_pass_release_retired(struct rhw_context *context);
+
 #endif

@@ -14,6 +14,13 @@
 // It stands in `entered` of a recorder that no function is in.
 static const char idle[] = "a recorder";
 
+// Return a number for the passes of a new recorder. Those of one owner differ, as an odd step makes them.
+static uint32_t pass_number_of(struct rhw_context *owner)
+{
+    static const uint32_t step = 0x9e3779b9;
+    return owner->number + step * (atomic_fetch_add(&owner->recorders_made, 1) + 1);
+}
+
 static struct rhw_context recorder_of(struct rhw_context *owner)
 {
     const struct rhw_allocator allocator = owner->memory.allocator;
@@ -22,6 +29,7 @@ static struct rhw_context recorder_of(struct rhw_context *owner)
                                    .assert_ = owner->assert_,
                                    .user = owner->user,
                                    .number = owner->number,
+                                   .pass_number = pass_number_of(owner),
                                    .entered = idle,
                                    .idle = idle,
                                    .owner = owner,

@@ -212,8 +212,10 @@ static enum rhw_result note_uses(struct rhw_context *context, const struct rhw_r
     return result;
 }
 
-// Return how often the buffers that the recording reads may have been written. What it writes itself counts once more.
-static uint64_t count_writes(const struct rhw_context *context, const struct rhw_recording *recording)
+// Note that a run writes the buffers that the recording writes. Return how often those that it reads may have been
+// written.
+static uint64_t note_and_count_writes(const struct rhw_context *context,
+                                      const struct rhw_recording *recording)
 {
     uint64_t writes = 0;
     for (uint32_t i = 0; i < recording->uses.places; i++) {
@@ -232,7 +234,7 @@ static uint64_t count_writes(const struct rhw_context *context, const struct rhw
 // Have the triangles made anew where buffers have been written since they were made.
 static void look_for_writes(const struct rhw_context *context, struct rhw_recording *recording)
 {
-    const uint64_t writes = count_writes(context, recording);
+    const uint64_t writes = note_and_count_writes(context, recording);
     if (recording->kept) {
         recording->kept->is_made &= writes == recording->writes;
     }

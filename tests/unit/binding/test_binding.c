@@ -409,7 +409,8 @@ static void sample_table(struct rhw_fragment *groups, int count)
         for (rhw_int todo = groups[g].mask, lanes; rhw_any(todo);) {
             rhw_float texel[4];
             const int32_t i = rhw_binding_next(index, &todo, &lanes);
-            rhw_binding_sample_lod(i < table->count ? &table->bindings[i] : NULL, uv, rhw_splat(0), texel);
+            rhw_binding_sample_lod((uint32_t)i < (uint32_t)table->count ? &table->bindings[i] : NULL, uv,
+                                   rhw_splat(0), texel);
             for (int c = 0; c < 4; c++) {
                 result[c] = rhw_select(lanes, texel[c], result[c]);
             }
@@ -425,7 +426,8 @@ static void sample_table1(struct rhw_fragment1 *f)
     const struct table *const table = f->uniforms;
     const float uv[2] = {0.5f, 0.5f};
     const int32_t i = (int32_t)f->coord[1] * SIDE + (int32_t)f->coord[0];
-    rhw_binding_sample_lod1(i < table->count ? &table->bindings[i] : NULL, uv, 0, f->color[0]);
+    rhw_binding_sample_lod1((uint32_t)i < (uint32_t)table->count ? &table->bindings[i] : NULL, uv, 0,
+                            f->color[0]);
     (void)rhw_binding_storage_atomic1(table->counts, RHW_STORAGE_ADD, 0, 1);
 }
 

@@ -572,6 +572,20 @@ static void test_what_recorders_do_not_do(void **state)
     rhw_pass_cancel(s.rig.context, pass);
     expect_refused(&s, NULL, "recording is NULL");
 
+    // Each recorder has passes of its own.
+    rhw_context *second;
+    rhw_pass own;
+    assert_int_equal(rhw_recorder_create(s.rig.context, &second), RHW_OK);
+    assert_int_equal(rhw_pass_begin(second, &s.rig.pass, &own), RHW_OK);
+    pass = record(&s, s.recorder, true);
+    rhw_pass_set_pipeline(second, pass, s.pipeline);
+    rig_expect_misuse(&s.rig, "the pass belongs to another context");
+    rhw_pass_set_pipeline(s.recorder, own, s.pipeline);
+    rig_expect_misuse(&s.rig, "the pass belongs to another context");
+    rhw_pass_cancel(second, own);
+    rhw_pass_cancel(s.recorder, pass);
+    rhw_context_destroy(second);
+
     // A level that is attached is not sampled, in recordings too.
     assert_int_equal(rhw_pass_begin(s.recorder, &s.rig.pass, &pass), RHW_OK);
     rhw_pass_set_texture(s.recorder, pass, 0, s.rig.pass.colors[0].texture, s.sampler);
@@ -606,6 +620,25 @@ static void test_indices_that_were_destroyed(void **state)
     rhw_buffer_destroy(s.rig.context, s.indices);
     rhw_pass_draw_indexed(s.recorder, pass, 0, 5 * QUADS, 0, 0, 1);
     rig_expect_misuse(&s.rig, "it was destroyed");
+    rhw_pass_cancel(s.recorder, pass);
+    close_scene(&s);
+}
+
+// What a pass of a recorder looks at stays, also where the texture got other memory meanwhile.
+static void test_replaced_memory_stays(void **state)
+{
+    (void)state;
+    struct scene s;
+    open_usual(&s);
+    struct rhw_pass_def def = rhw_pass_def_default();
+    def.color_count = 1;
+    def.colors[0].texture = s.texture;
+    rhw_pass pass;
+    assert_int_equal(rhw_pass_begin(s.recorder, &def, &pass), RHW_OK);
+    const rhw_pass other = record(&s, s.rig.context, true);
+    write_texture(&s, 3);
+    assert_int_equal(rhw_pass_end(s.rig.context, other, NULL), RHW_OK);
+    rhw_pass_set_texture(s.recorder, pass, 0, s.rig.pass.colors[0].texture, s.sampler);
     rhw_pass_cancel(s.recorder, pass);
     close_scene(&s);
 }
@@ -734,6 +767,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_mapped_bytes_are_told),
     cmocka_unit_test(test_what_recorders_do_not_do),
     cmocka_unit_test(test_indices_that_were_destroyed),
+    cmocka_unit_test(test_replaced_memory_stays),
     cmocka_unit_test(test_validation_tells),
     cmocka_unit_test(test_threads_record_at_once),
 };
