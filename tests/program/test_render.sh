@@ -347,7 +347,7 @@ refuse 1 "cameras.gltf: nothing of the model is in the picture; --strict allows 
     render cameras.gltf $view -o none.png --strict --quiet --camera-index 0
 for each in cameras dot; do
     refuse 1 "$each.gltf: its camera does not show the model; --strict lets none take its place, --fit does" \
-        render $each.gltf $view -o none.png --strict --quiet
+        render $each.gltf $view -o none.png --strict
     refuse 1 "$each.gltf: its camera does not show the model" \
         render $each.gltf $view -o 'none-{frame}.png' --turntable 2 --strict --quiet
 done

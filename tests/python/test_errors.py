@@ -235,7 +235,7 @@ def test_ctrl_c_ends_the_reading_of_an_environment(tmp_path):
     end = time.monotonic() + 60
     while len(os.listdir(tasks)) > before and time.monotonic() < end:
         time.sleep(0.01)
-    assert len(os.listdir(tasks)) == before
+    assert len(os.listdir(tasks)) <= before
     with pytest.raises(rhw.Error, match="is empty"):
         (tmp_path / "none.hdr").touch()
         rhw.Environment(tmp_path / "none.hdr")

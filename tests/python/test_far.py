@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 
 import rhw
-from far_files import (FAR, FLOATS, MESH, NEAR, REST, Gltf, add, attribute, collada, collada_geometry, curves, dxf, dxf_block, dxf_faces,
-                       dxf_insert, dxf_lines,
-                       fbx, fbx_binary, fbx_text, geometry, model, skin, translate, vector, zae)
+from far_files import (FAR, FLOATS, MESH, NEAR, REST, Gltf, add, attribute, collada, collada_geometry, curves, dxf,
+                       dxf_block, dxf_faces, dxf_insert, dxf_lines, fbx, fbx_binary, fbx_text,
+                       geometry, model, skin, translate, vector, zae)
 
 
 def vertices(place):
@@ -285,6 +285,7 @@ MATRICES = [  # a transform of Collada, and the rows of a matrix that is the sam
     ("<skew>45 0 2 0 3 0 0</skew>", (1, 1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)),
     ("<skew>30 0 1 0 0 1 1</skew>", (1, 0, 0, 0, 0, 1 + SLOPE, -SLOPE, 0, 0, SLOPE, 1 - SLOPE, 0)),  # axes 45 degrees apart
     ("<skew>90 0 1 0 1 0 0</skew>", (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)),
+    ("<skew>90 <!-- </skew> --> 0 1 0 1 0 0</skew>", (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)),
     ("<skew sid='a'/>", (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)),
     ("<lookat>1 2 3 1 2 -5 0 1 7</lookat>", (1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3)),  # an up that leans
     ("<lookat>1 2 3 6 2 3 0 1 0</lookat>", (0, 0, -1, 1, 0, 1, 0, 2, 1, 0, 0, 3)),
@@ -301,8 +302,12 @@ def test_collada_matrices(tmp_path, transform, rows):
     assert np.array_equal(pictures[0][0], pictures[1][0]) and np.allclose(pictures[0][1], pictures[1][1], atol=1e-6)
 
 
+def dxf_colored(number):
+    return dxf_faces(NEAR).replace("3DFACE\r\n", f"3DFACE\r\n 62\r\n{number}\r\n")
+
+
 #: A DXF with insertions, and the entities that they draw: turned, scaled and from another base; from below (an extrusion
-#: of −z, whose x points to −x), in a block of another and in rows.
+#: of −z, whose x points to −x), in a block of another and in rows, and with the colour of the insertion around all.
 BLOCKS = {
     "base": (dxf(dxf_insert((4, 0, 0), "B", (41, 2.0), (50, 90.0)), dxf_block("B", dxf_faces(NEAR), (1, 0, 0))),
              dxf_faces((4, -2, 0), lambda point: (-point[1], 2 * point[0], point[2]))),
@@ -311,6 +316,8 @@ BLOCKS = {
     "rows": (dxf(dxf_insert((1, 0, 0), "a b"), dxf_block("a b", dxf_insert((1, 0, 0), "a c", (70, 2), (71, 2), (44, 3.0),
                                                                          (45, 4.0))) + dxf_block("a c", dxf_faces(NEAR))),
              "".join(dxf_faces((2 + x, y, 0)) for y in (0, 4) for x in (0, 3))),
+    "colour": (dxf(dxf_insert(NEAR, "C", (62, 3)), dxf_block("C", dxf_insert(NEAR, "D", (62, 0))) +
+                   dxf_block("D", dxf_insert(NEAR, "B", (62, 0))) + dxf_block("B", dxf_colored(0))), dxf_colored(3)),
 }
 
 
@@ -330,9 +337,12 @@ def test_blocks_of_none(tmp_path):
     assert "insertions of a block that there is not (DXF): left out" in model.unsupported
     twice = dxf_insert(NEAR, "B") * 2
     many = dxf_insert(NEAR, "C", (70, 30000), (71, 30000))
-    for text in dxf_block("B", twice), dxf_block("B", many) + dxf_block("C", dxf_faces(NEAR)):
+    rows = (70, 256), (71, 256)
+    nothing = dxf_block("B", dxf_insert(NEAR, "C", *rows) * 2) + dxf_block("C", "")
+    twice_many = dxf_block("B", many) + dxf_block("C", dxf_faces(NEAR))
+    for text in dxf_block("B", twice), twice_many, nothing:
         with pytest.raises(rhw.Error, match="inserts blocks into each other more often"):
-            load(tmp_path, "often.dxf", dxf(twice, text))
+            load(tmp_path, "often.dxf", dxf(dxf_insert(NEAR, "B", *rows) if text == nothing else twice, text))
 
 
 def test_parts_far_from_each_other(tmp_path):

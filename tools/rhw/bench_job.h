@@ -52,7 +52,7 @@ void cli_bench_print_head(const struct cli_bench_report *report);
 void cli_bench_print_row(const struct cli_bench_report *report, const struct cli_bench_result *result);
 void cli_bench_print_json(FILE *stream, const struct cli_bench_report *report);
 void cli_bench_print_csv(FILE *stream, const struct cli_bench_report *report);
-// bench_scaling.c. The same for several numbers of threads.
+// bench_scaling.c. The report where rhw is timed with several numbers of threads.
 void cli_bench_print_scaling_head(const struct cli_bench_report *report);
 void cli_bench_print_scaling_rows(const struct cli_bench_report *report,
                                   const struct cli_bench_result *result);

@@ -23,13 +23,6 @@ static bool fail(const struct cli_moving *moving)
 
 // APNG ----------------------------------------------------------------------------------------------
 
-static void store_big_endian(unsigned char *to, uint32_t value)
-{
-    for (int i = 0; i < 4; i++) {
-        to[i] = (unsigned char)(value >> (24 - 8 * i));
-    }
-}
-
 static uint32_t load_big_endian(const unsigned char *from)
 {
     return (uint32_t)from[0] << 24 | (uint32_t)from[1] << 16 | (uint32_t)from[2] << 8 | from[3];
@@ -38,7 +31,7 @@ static uint32_t load_big_endian(const unsigned char *from)
 static bool write_animation_control(const struct cli_moving *moving)
 {
     unsigned char control[8] = {0}; // frames; 0: played without end
-    store_big_endian(control, (uint32_t)moving->frame_count);
+    cli_png_store(control, (uint32_t)moving->frame_count);
     return cli_png_chunk(moving->file->stream, "acTL", control, sizeof control, "", 0);
 }
 
@@ -47,9 +40,9 @@ static bool write_frame_control(struct cli_moving *moving, const struct cli_rast
     enum { PARTS = 100 }; // of a second, per frame, in the fraction that is its delay
     unsigned char control[26] = {0};
     const unsigned divisor = (unsigned)(moving->rate * PARTS + 0.5);
-    store_big_endian(control, moving->sequence++);
-    store_big_endian(control + 4, (uint32_t)raster->width);
-    store_big_endian(control + 8, (uint32_t)raster->height);
+    cli_png_store(control, moving->sequence++);
+    cli_png_store(control + 4, (uint32_t)raster->width);
+    cli_png_store(control + 8, (uint32_t)raster->height);
     control[21] = PARTS;
     control[22] = (unsigned char)(divisor >> 8);
     control[23] = (unsigned char)divisor; // disposal and blending 0: each picture takes the place of the last
@@ -74,7 +67,7 @@ static bool write_part(struct cli_moving *moving, const struct cli_raster *raste
         return fwrite(chunk, 1, size + 12, stream) == size + 12;
     }
     unsigned char number[4];
-    store_big_endian(number, moving->sequence);
+    cli_png_store(number, moving->sequence);
     moving->sequence += is_data;
     return !is_data || cli_png_chunk(stream, "fdAT", number, sizeof number, chunk + 8, size);
 }

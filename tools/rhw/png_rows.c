@@ -3,7 +3,6 @@
 // the time of a picture.
 #include "png_rows.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,7 +17,7 @@ struct cli_png_deflate {
     uint8_t out[CLI_PNG_CHUNK];
 };
 
-static void store_big_endian(unsigned char *to, uint32_t value)
+void cli_png_store(unsigned char to[4], uint32_t value)
 {
     for (int i = 0; i < 4; i++) {
         to[i] = (unsigned char)(value >> (24 - 8 * i));
@@ -29,11 +28,11 @@ bool cli_png_chunk(FILE *stream, const char name[4], const void *head, size_t he
                    size_t size)
 {
     unsigned char start[8], end[4];
-    store_big_endian(start, (uint32_t)(head_size + size));
+    cli_png_store(start, (uint32_t)(head_size + size));
     memcpy(start + 4, name, 4);
     uLong check = crc32(crc32(0, start + 4, 4), head, (uInt)head_size);
     check = size > 0 ? crc32(check, data, (uInt)size) : check;
-    store_big_endian(end, (uint32_t)check);
+    cli_png_store(end, (uint32_t)check);
     return fwrite(start, 1, sizeof start, stream) == sizeof start &&
            fwrite(head, 1, head_size, stream) == head_size && fwrite(data, 1, size, stream) == size &&
            fwrite(end, 1, sizeof end, stream) == sizeof end;

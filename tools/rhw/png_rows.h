@@ -25,6 +25,8 @@ bool cli_png_rows_add(struct cli_png_rows *rows);
 bool cli_png_rows_finish(struct cli_png_rows *rows);
 void cli_png_rows_close(struct cli_png_rows *rows);
 
+// Stores a number as PNG has them.
+void cli_png_store(unsigned char to[4], uint32_t value);
 // Writes a chunk of a PNG. `head` goes before `data`. False with errno.
 bool cli_png_chunk(FILE *stream, const char name[4], const void *head, size_t head_size, const void *data,
                    size_t size);

@@ -194,7 +194,7 @@ static bool draw_again(struct render *render)
     if (!takes_own_camera(render)) {
         return accept_blank(render, "nothing");
     }
-    if (!job->quiet) {
+    if (!job->quiet && !job->strict) {
         cli_warning(job->model_path, "its camera sees nothing of the model, which is fitted instead");
     }
     render->distrusts_camera = true;

@@ -18,26 +18,17 @@ static const char *skip_blanks(const char *text, const char *end)
     return text;
 }
 
-static struct scene_word word_at(const char *text, const char *end)
-{
-    size_t length = 0;
-    while (length < (size_t)(end - text) && !scene_collada_is_blank(text[length])) {
-        length++;
-    }
-    return (struct scene_word){text, length};
-}
-
 size_t scene_collada_numbers(const char **text, const char *end, double *numbers, const char *(*ends)[2],
                              size_t most)
 {
-    const char *c = skip_blanks(*text, end);
-    size_t count = 0, length;
-    while (count < most && scene_word_number(word_at(c, end), &numbers[count], &length)) {
+    const char *c = skip_blanks(*text, end), *stop;
+    size_t count = 0;
+    while (count < most && (stop = scene_number_read(c, end, " \t\r\n", &numbers[count])) != NULL) {
         if (ends != NULL) {
             ends[count][0] = c;
-            ends[count][1] = c + length;
+            ends[count][1] = stop;
         }
-        c = skip_blanks(c + length, end);
+        c = skip_blanks(stop, end);
         count++;
     }
     *text = c;

@@ -5,6 +5,7 @@
 #include "collada_far.h"
 #include "collada_markup.h"
 #include "elementary.h"
+#include "import/builder/vector.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -13,27 +14,14 @@
 
 enum { MOST_NUMBERS = 9 };
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 // Make a vector unit. Return false if it has no direction.
 static bool make_unit(double vector[3])
 {
-    const double length = sqrt(dot(vector, vector));
+    const double length = sqrt(scene_vector_dot(vector, vector));
     for (int c = 0; c < 3; c++) {
         vector[c] /= length;
     }
     return length > 0 && length < 1e30;
-}
-
-static void cross(const double a[3], const double b[3], double product[3])
-{
-    for (int c = 0; c < 3; c++) {
-        const int u = (c + 1) % 3, v = (c + 2) % 3;
-        product[c] = a[u] * b[v] - a[v] * b[u];
-    }
 }
 
 // Write the rows of the matrix that stands at a place and looks at another, with −z. Numbers are both places, and up.
@@ -44,9 +32,9 @@ static bool look_at(const double numbers[MOST_NUMBERS], double rows[3][4])
         back[c] = numbers[c] - numbers[3 + c];
     }
     const bool has_back = make_unit(back);
-    cross(numbers + 6, back, right);
+    scene_vector_cross(numbers + 6, back, right);
     const bool has_right = make_unit(right);
-    cross(back, right, up);
+    scene_vector_cross(back, right, up);
     for (int row = 0; row < 3; row++) {
         const double values[4] = {right[row], up[row], back[row], numbers[row]};
         memcpy(rows[row], values, sizeof values);
@@ -61,7 +49,8 @@ static bool skew(const double numbers[MOST_NUMBERS], double rows[3][4])
     double from[3] = {numbers[1], numbers[2], numbers[3]}, along[3] = {numbers[4], numbers[5], numbers[6]};
     double sine, cosine;
     const bool has_axes = make_unit(from) && make_unit(along);
-    const double shared = dot(from, along), square = 1 - shared * shared; // 0 for axes that are one
+    const double shared = scene_vector_dot(from, along),
+                 square = 1 - shared * shared; // 0 for axes that are one
     scene_sin_cos_degrees(numbers[0], &sine, &cosine);
     const double factor = sine / (sqrt(square) * cosine - shared * sine);
     bool is_good = has_axes && square > 1e-12;
@@ -82,12 +71,7 @@ static void write_matrix(struct scene_import *import, struct scene_edits *edits,
 {
     char text[3 * 4 * 32 + 64] = "<matrix>";
     for (int i = 0; i < 12; i++) {
-        char *const place = text + strlen(text);
-        snprintf(place, 32, "%.17g ", rows[i / 4][i % 4]);
-        char *const comma = strchr(place, ','); // the point of some locales
-        if (comma != NULL) {
-            *comma = '.';
-        }
+        snprintf(text + strlen(text), 32, "%.17g ", rows[i / 4][i % 4]);
     }
     strcat(text, "0 0 0 1</matrix>");
     scene_edits_add_string(import, edits, at, length, text);
@@ -101,12 +85,24 @@ static bool read_numbers(const char *close, size_t count, double numbers[MOST_NU
            scene_collada_numbers(&place, behind, numbers, NULL, count) == count;
 }
 
+// Return the end tag of an element of numbers whose start tag ends at `close`. Return NULL if something else than
+// comments is before it.
+static char *find_end_tag(char *close, const char *end, const char *name)
+{
+    char *c = strchr(close + 1, '<');
+    while (c != NULL && (c[1] == '!' || c[1] == '?')) {
+        char *const last = scene_collada_markup_end(c, end);
+        c = last != NULL ? strchr(last, '<') : NULL;
+    }
+    return c != NULL && c[1] == '/' && strncmp(c + 2, name, strlen(name)) == 0 ? c : NULL;
+}
+
 // Replace the transform whose start tag ends at `close`. A skew may not stay, as assimp ends the process there.
 static void edit_transform(struct scene_import *import, struct scene_edits *edits, char *text,
                            const char *end, char *tag, char *close)
 {
     const bool is_skew = scene_collada_is_tag(tag, "skew");
-    char *const behind = close[-1] == '/' ? close : strstr(close, is_skew ? "</skew" : "</lookat");
+    char *const behind = close[-1] == '/' ? close : find_end_tag(close, end, is_skew ? "skew" : "lookat");
     char *const last = behind != NULL ? scene_collada_markup_end(behind, end) : NULL;
     double numbers[MOST_NUMBERS], rows[3][4];
     bool is_good = read_numbers(close, is_skew ? 7 : 9, numbers);

@@ -13,6 +13,8 @@
 
 enum { CORNERS = 4, DEEPEST = 16, MOST_COPIES = 1 << 16 };
 static const size_t most_written = (size_t)1 << 26; // bytes of insertions, beside 16 for each of the file
+// Bytes of blocks that insertions read, for each byte that they may write, and what a copy of a block counts as.
+enum { READ_OF_WRITTEN = 4, COPY = 512 };
 
 struct block {
     struct scene_word name;
@@ -26,9 +28,9 @@ struct drawing {
     size_t count, capacity;
     struct scene_hash_table names; // the table finds blocks by their names
     struct scene_dxf_writer out;
-    size_t most;
-    unsigned depth;   // number of insertions that are in each other
-    bool is_too_much; // more is inserted than is written
+    size_t most, read; // bytes that may be written, and bytes that insertions have read
+    unsigned depth;    // number of insertions that are in each other
+    bool is_too_much;  // more is inserted than is written
 };
 
 // What is read of an entity or an insertion.
@@ -175,6 +177,23 @@ static void write_entity(struct drawing *drawing, char *start, struct scene_text
     }
 }
 
+// Count bytes that an insertion reads. What is never written is limited, too, as blocks may have nothing to draw.
+static void count_read(struct drawing *drawing, size_t size)
+{
+    drawing->read += size;
+    drawing->is_too_much = drawing->is_too_much || drawing->out.size > drawing->most ||
+                           drawing->read / READ_OF_WRITTEN > drawing->most;
+}
+
+// Give an insertion within a block its colour, which may be that of the insertion of the block (0).
+static void inherit_color(struct entity *inner, const struct entity *insertion)
+{
+    if (inner->has_color && inner->color == 0) {
+        inner->color = insertion->color;
+        inner->has_color = insertion->has_color;
+    }
+}
+
 static void insert(struct drawing *drawing, const struct entity *insertion, const double outer[16]);
 
 // Write the entities of a block where a matrix brings them.
@@ -184,13 +203,11 @@ static void write_block(struct drawing *drawing, const struct block *block, cons
     static const char *const names[] = {"3DFACE", "LINE", "3DLINE", "POLYLINE", "VERTEX", "SEQEND"};
     struct scene_text text = {.cursor = block->start, .end = block->end};
     struct scene_dxf_pair pair;
-    for (char *start = text.cursor; scene_dxf_read_pair(&text, &pair); start = text.cursor) {
-        drawing->is_too_much = drawing->is_too_much || drawing->out.size > drawing->most;
-        if (drawing->is_too_much) {
-            return;
-        }
+    for (char *start = text.cursor; !drawing->is_too_much && scene_dxf_read_pair(&text, &pair);
+         start = text.cursor) {
         if (scene_dxf_begins(&pair, "INSERT")) {
-            const struct entity inner = read_entity(&text);
+            struct entity inner = read_entity(&text);
+            inherit_color(&inner, insertion);
             insert(drawing, &inner, matrix);
         }
         for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
@@ -199,6 +216,7 @@ static void write_block(struct drawing *drawing, const struct block *block, cons
                 break;
             }
         }
+        count_read(drawing, (size_t)(text.cursor - start));
     }
 }
 
@@ -219,6 +237,7 @@ static void insert(struct drawing *drawing, const struct entity *insertion, cons
         double matrix[16];
         find_matrix(insertion, block, i % columns, i / columns, matrix);
         scene_import_multiply_exact(outer, matrix, matrix);
+        count_read(drawing, COPY);
         write_block(drawing, block, insertion, matrix);
     }
     drawing->depth--;

@@ -404,7 +404,7 @@ static void put_mark(struct copy *copy, int matrix)
 {
     static const unsigned char zeros[25] = {0};
     const char *const name = scene_fbx_vector_name(scene_fbx_mover_of(matrix));
-    const size_t start = copy->written, head = 3 * copy->file.word + 1;
+    const size_t start = copy->written, head = scene_fbx_head(&copy->file);
     put(copy, zeros, head);
     copy->out[start + head - 1] = 1;
     put(copy, "P", 1);
@@ -444,7 +444,7 @@ static size_t copy_record(struct copy *copy, size_t place, size_t limit, enum sc
     if (depth > DEEPEST || !scene_fbx_read_record(&copy->file, place, limit, &record)) {
         return 0;
     }
-    const size_t start = copy->written, head = 3 * copy->file.word + 1;
+    const size_t start = copy->written, head = scene_fbx_head(&copy->file);
     put_file(copy, place, record.values);
     if (record.end == 0) {
         return record.values;

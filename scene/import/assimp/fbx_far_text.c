@@ -63,10 +63,7 @@ static const char *read_string(const struct text *text, const char *c, struct sc
 // Read a number from `c` on. Return where it ends. Return NULL if there is none.
 static const char *read_number(const struct text *text, const char *c, double *number)
 {
-    size_t length = 0;
-    c = skip_blanks(text, c);
-    const struct scene_word word = {c, strcspn(c, ", \t\r\n}\"")};
-    return scene_word_number(word, number, &length) ? c + length : NULL;
+    return scene_number_read(skip_blanks(text, c), text->end, ", \t\r\n}\"", number);
 }
 
 static const char *read_geometry(struct text *text, const char *c)

@@ -10,8 +10,9 @@ void scene_import_enter_archive(struct scene_import *import, struct scene_zip *z
 {
     const char *const slash = strrchr(entry, '/');
     struct scene_import_archive *const archive = scene_import_allocate(import, 1, sizeof *archive);
-    *archive = (struct scene_import_archive){
-        zip, scene_import_string(import, entry, slash == NULL ? 0 : (size_t)(slash + 1 - entry))};
+    const size_t length = slash == NULL ? 0 : (size_t)(slash + 1 - entry);
+    archive->zip = zip;
+    archive->folder = scene_import_string(import, entry, length);
     import->archive = archive;
 }
 
@@ -37,6 +38,45 @@ static void simplify(char *path)
     *out = 0;
 }
 
+// Return a name in small letters, as the case of an entry's name is ignored.
+static char *in_small_letters(struct scene_import *import, const char *name)
+{
+    const size_t length = strlen(name);
+    char *const small = scene_import_allocate(import, length + 1, 1);
+    for (size_t i = 0; i < length; i++) {
+        small[i] = (char)(name[i] >= 'A' && name[i] <= 'Z' ? name[i] - 'A' + 'a' : name[i]);
+    }
+    return small;
+}
+
+// Return the bytes of an entry, which is read where it was not yet. Return NULL if there is none.
+static void *read_entry(struct scene_import *import, const char *name, size_t *size)
+{
+    struct scene_import_archive *const archive = import->archive;
+    char *const small = in_small_letters(import, name);
+    const uint32_t hash = scene_hash_bytes(small, strlen(small));
+    size_t place = SIZE_MAX;
+    uint32_t i = scene_hash_next(&archive->names, hash, &place);
+    while (i != UINT32_MAX && strcmp(archive->entries[i].name, small) != 0) {
+        i = scene_hash_next(&archive->names, hash, &place);
+    }
+    if (i != UINT32_MAX) {
+        free(small);
+        *size = archive->entries[i].size;
+        return archive->entries[i].bytes;
+    }
+    void *const bytes = scene_zip_read_all(archive->zip, name, size);
+    if (bytes == NULL) {
+        free(small);
+        return NULL;
+    }
+    scene_import_reserve(import, &archive->entries, &archive->capacity, archive->count + 1,
+                         sizeof *archive->entries);
+    scene_hash_add(import, &archive->names, hash, (uint32_t)archive->count);
+    archive->entries[archive->count++] = (struct scene_import_entry){small, bytes, *size};
+    return bytes;
+}
+
 // Find a name in the folder of the model, and then its last component anywhere.
 static void *find_form(struct scene_import *import, const char *name, size_t *size)
 {
@@ -47,17 +87,17 @@ static void *find_form(struct scene_import *import, const char *name, size_t *si
     memcpy(path, archive->folder, folder);
     strcpy(path + folder, name);
     simplify(path);
-    void *bytes = path[0] == 0 ? NULL : scene_zip_read_all(archive->zip, path, size);
+    void *bytes = path[0] == 0 ? NULL : read_entry(import, path, size);
     const char *const slash = strrchr(path, '/'), *const file = slash == NULL ? path : slash + 1;
     if (bytes == NULL && file[0] != 0) {
-        bytes = scene_zip_read_all(archive->zip, file, size);
+        bytes = read_entry(import, file, size);
     }
     if (bytes == NULL && file[0] != 0) {
         char *const ending = scene_import_allocate(import, strlen(file) + 2, 1);
         ending[0] = '/';
         strcpy(ending + 1, file);
         const char *const moved = scene_zip_find_ending(archive->zip, ending);
-        bytes = moved == NULL ? NULL : scene_zip_read_all(archive->zip, moved, size);
+        bytes = moved == NULL ? NULL : read_entry(import, moved, size);
         free(ending);
     }
     free(path);

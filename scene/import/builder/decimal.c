@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Large scans come as text, so digits are read 8 at a time, in the bytes of a word. Three ways make a double of them,
-// each exactly rounded, and nothing depends on the locale:
+// each exactly rounded for up to a hundred characters, and nothing depends on the locale:
 // - the product or the quotient of two doubles that are exact (Clinger, How to read floating point numbers accurately,
 //   1990), for up to 15 digits;
 // - whole numbers of 128 bits, for up to 19 digits and a power of ten that fits a word without its twos. These are what
@@ -185,13 +185,15 @@ static bool fits_wide(const struct decimal *decimal)
 }
 #endif
 
-// Convert digits, which have no exponent part, times 10^exponent. Digits after the hundredth are left out.
-static double convert_slowly(const char *digits, size_t length, int exponent)
+// Convert digits, `whole` of which are before the point, times 10^exponent. Those after the hundredth count as 0.
+static double convert_slowly(const char *digits, size_t length, int64_t whole, int exponent)
 {
+    enum { MOST = 100 };
     char text[128];
-    const size_t kept = length < 100 ? length : 100;
+    const size_t kept = length < MOST ? length : MOST;
+    const long long power = exponent + (whole > MOST ? whole - MOST : 0);
     memcpy(text, digits, kept);
-    snprintf(text + kept, sizeof text - kept, "e%d", exponent);
+    snprintf(text + kept, sizeof text - kept, "e%lld", power);
     return strtod(text, NULL);
 }
 
@@ -229,7 +231,7 @@ const char *scene_decimal_read(const char *text, const char *end, double *value)
     decimal.power = exponent - (decimal.digits - before);
     const double size = is_exact(&decimal)    ? convert_exact(&decimal)
                         : fits_wide(&decimal) ? convert_wide(decimal.mantissa, (int)decimal.power)
-                                              : convert_slowly(digits, length, exponent);
+                                              : convert_slowly(digits, length, before, exponent);
     *value = decimal.is_negative ? -size : size;
     return c;
 }

@@ -23,7 +23,8 @@ struct scene_import_skin scene_import_skin_open(struct scene_import *import, str
 void scene_import_skin_add(struct scene_import_skin *skin, uint32_t vertex,
                            const struct scene_import_place *joint, float weight);
 /// Write the vertices to the mesh, less `origin`, which is not 0 if they are far away. With `divides` the weights of a
-/// vertex count by their shares in its sum. A vertex without weights is brought to 0.
+/// vertex count by their shares in its sum. They always do where the places are summed in double. A vertex without
+/// weights is brought to 0.
 void scene_import_skin_close(struct scene_import_skin *skin, bool divides, double origin[3]);
 
 #endif

@@ -34,6 +34,8 @@ struct smoothing {
     double *weights;      // weight of each corner at an uneven point
     uint32_t *start;      // corners around an uneven point p are start[p] .. start[p + 1]
     uint32_t *corners;
+    uint32_t
+        *newest; // number, from 1, of the last new vertex that was made from each vertex; 0 if there is none
     uint32_t *source; // vertex from which each new vertex was made
     float (*normals)[3];
     uint32_t count; // number of new vertices
@@ -149,12 +151,13 @@ static uint32_t find_uneven(struct smoothing *smoothing)
 static uint32_t find_or_add(struct smoothing *smoothing, uint32_t first, uint32_t source,
                             const float normal[3])
 {
-    for (uint32_t i = first; i < smoothing->count; i++) {
-        if (smoothing->source[i] == source &&
-            memcmp(smoothing->normals[i], normal, sizeof smoothing->normals[i]) == 0) {
-            return i;
+    for (uint32_t i = smoothing->newest[source]; i > first; i--) {
+        if (smoothing->source[i - 1] == source &&
+            memcmp(smoothing->normals[i - 1], normal, sizeof smoothing->normals[0]) == 0) {
+            return i - 1;
         }
     }
+    smoothing->newest[source] = smoothing->count + 1;
     smoothing->source[smoothing->count] = source;
     memcpy(smoothing->normals[smoothing->count], normal, sizeof smoothing->normals[0]);
     return smoothing->count++;
@@ -288,6 +291,7 @@ static void sort_corners(struct scene_import *import, struct smoothing *smoothin
     smoothing->start =
         scene_import_allocate(import, (size_t)mesh->vertex_count + 2, sizeof *smoothing->start);
     smoothing->corners = scene_import_allocate(import, corners, sizeof *smoothing->corners);
+    smoothing->newest = scene_import_allocate(import, mesh->vertex_count, sizeof *smoothing->newest);
     smoothing->weights = scene_import_allocate(import, mesh->index_count, sizeof *smoothing->weights);
     uint32_t *next = smoothing->start + 1;
     for (uint32_t point = 0; point < mesh->vertex_count; point++) {
@@ -338,9 +342,10 @@ static void number_corners(const struct smoothing *smoothing, uint32_t *indices,
 
 static void release(struct smoothing *smoothing)
 {
-    void *const arrays[] = {smoothing->faces,      smoothing->folded,   smoothing->point,   smoothing->axes,
-                            smoothing->weights,    smoothing->start,    smoothing->corners, smoothing->source,
-                            smoothing->face_count, smoothing->is_uneven};
+    void *const arrays[] = {smoothing->faces,     smoothing->folded,  smoothing->point,
+                            smoothing->axes,      smoothing->weights, smoothing->start,
+                            smoothing->corners,   smoothing->source,  smoothing->face_count,
+                            smoothing->is_uneven, smoothing->newest};
     for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++) {
         free(arrays[i]);
     }

@@ -170,6 +170,21 @@ bool scene_word_number(struct scene_word word, double *value, size_t *length)
     return true;
 }
 
+const char *scene_number_read(const char *text, const char *end, const char *separators, double *value)
+{
+    enum { MOST = 64 }; // bytes of a word that are looked at for what has not digits alone
+    const char *const stop = scene_decimal_read(text, end, value);
+    if (stop != NULL && (stop == end || *stop != '#' || stop - text >= MOST)) {
+        return stop;
+    }
+    struct scene_word word = {text, 0};
+    while (word.length < MOST && text + word.length < end && strchr(separators, text[word.length]) == NULL) {
+        word.length++;
+    }
+    size_t length;
+    return scene_word_number(word, value, &length) ? text + length : NULL;
+}
+
 bool scene_text_double(struct scene_line *line, double *value)
 {
     const char *start = line->cursor;

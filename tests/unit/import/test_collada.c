@@ -333,6 +333,30 @@ static void test_package(void **state)
     }
 }
 
+// Two textures that are one entry of the archive have one image.
+static void test_shared_entry(void **state)
+{
+    (void)state;
+    static const char picture[] = "P6\n1 1\n255\n\x10\x20\x30";
+    static const char color[] = "<color>0.5 0 0 1</color>";
+    char given[8192], text[8192];
+    make_document("", given);
+    const char *const place = strstr(given, color);
+    snprintf(text, sizeof text, "%.*s<texture texture=\"s\" texcoord=\"UV\"/>%s", (int)(place - given), given,
+             place + strlen(color));
+    zipFile zip = package_begin("x.zae");
+    package_add_text(zip, "x.dae", text);
+    package_add(zip, "gone.png", picture, sizeof picture - 1);
+    package_end(zip);
+    struct scene_model *const model = load("x.zae");
+    const struct scene_material *material =
+        &model->materials[model->meshes[model->instances[0].mesh].material];
+    assert_int_equal(model->image_count, 1);
+    assert_int_equal(material->slots[SCENE_SLOT_BASE_COLOR].image, 0);
+    assert_int_equal(material->slots[SCENE_SLOT_EMISSIVE].image, 0);
+    scene_model_free(model);
+}
+
 // Archives without a document, and one whose text is not in an archive at all.
 static void test_packages_of_none(void **state)
 {
@@ -384,6 +408,7 @@ static void test_polygons(void **state)
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_package),
     cmocka_unit_test(test_packages_of_none),
+    cmocka_unit_test(test_shared_entry),
     cmocka_unit_test(test_polygons),
     cmocka_unit_test(test_no_color),
     cmocka_unit_test(test_blanks),

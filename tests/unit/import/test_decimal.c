@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Decimal numbers against strtod, bit by bit: numbers of any length, and those halfway between two doubles.
 #include "import/builder/decimal.h"
+#include "import/builder/text_lines.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -98,6 +99,44 @@ static void test_lengths(void **state)
     }
 }
 
+// Whole digits after the hundredth count as 0, with their place.
+static void test_many_digits(void **state)
+{
+    (void)state;
+    char text[256];
+    memset(text, '0', sizeof text);
+    text[0] = '2';
+    for (int i = 0; i < 3; i++) {
+        static const char *const ends[] = {"", ".5", "e-149"};
+        strcpy(text + 150, ends[i]);
+        check(text);
+    }
+}
+
+// A word of a million numbers takes as long as numbers that are apart, which a pass over the word for each would not.
+static void test_words_of_numbers(void **state)
+{
+    (void)state;
+    enum { COUNT = 1000000 };
+    char *const text = malloc(2 * COUNT);
+    for (int i = 0; i < COUNT; i++) {
+        memcpy(text + 2 * (size_t)i, "-1", 2);
+    }
+    const char *place = text;
+    double value, sum = 0;
+    while ((place = scene_number_read(place, text + 2 * (size_t)COUNT, " ", &value)) != NULL) {
+        sum += value;
+    }
+    assert_true(sum == -COUNT);
+    free(text);
+    static const char special[] = "1.#IND,2,-inf";
+    place = scene_number_read(special, special + strlen(special), ",", &value);
+    assert_true(place == special + 6 && value != value);
+    place = scene_number_read(special + 9, special + strlen(special), ",", &value);
+    assert_true(place == special + strlen(special) && value < 0 && value * 2 == value);
+    assert_null(scene_number_read(special + 2, special + strlen(special), ",", &value));
+}
+
 static void test_ends(void **state)
 {
     (void)state;
@@ -130,8 +169,10 @@ static void test_digits(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_random), cmocka_unit_test(test_halfway), cmocka_unit_test(test_lengths),
-    cmocka_unit_test(test_ends),   cmocka_unit_test(test_digits),
+    cmocka_unit_test(test_random),           cmocka_unit_test(test_halfway),
+    cmocka_unit_test(test_lengths),          cmocka_unit_test(test_ends),
+    cmocka_unit_test(test_digits),           cmocka_unit_test(test_many_digits),
+    cmocka_unit_test(test_words_of_numbers),
 };
 
 const struct unit_tests test_decimal = UNIT_TESTS(tests, NULL, NULL);
