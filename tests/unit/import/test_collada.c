@@ -301,7 +301,7 @@ static void test_package(void **state)
     } cases[] = {
         {"x.dae", "./x.dae", "gone.png", "gone.png"},
         {"x.dae", " x.dae ", "tex/gone.png", "tex/gone.png"},
-        {"x.dae", "x.dae", "file:///C:/work/tex/gone.png", "tex/gone.png"},
+        {"x.dae", "x.dae", "file:///C:/models/tex/gone.png", "tex/gone.png"},
         {"in it/x.dae", "in%20it/x.dae", "../tex/a%20b.png", "tex/a b.png"},
         {"in it/x.dae", "./in%20it/x.dae", ".\\tex\\gone.png", "in it/tex/Gone.PNG"},
         {"a/b/x.dae", "/a/b/x.dae", "../c/../gone.png", "a/gone.png"},
