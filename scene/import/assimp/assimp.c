@@ -482,7 +482,7 @@ static void cut_polygon(void *user, const float (*positions)[3], const uint32_t 
 // Read what the import is about. Return NULL if assimp cannot.
 static const struct aiScene *read_source(struct scene_import *import, const struct scene_assimp_exact *exact)
 {
-    struct scene_assimp_source source = {import, exact};
+    struct scene_assimp_source source = {.import = import, .exact = exact};
     struct aiPropertyStore *properties = aiCreatePropertyStore();
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
     // The matrices that a node of an FBX is made of stay nodes of their own: where assimp 5.2.5 multiplies them, it
@@ -499,6 +499,7 @@ static const struct aiScene *read_source(struct scene_import *import, const stru
         scene = aiApplyPostProcessing(scene,
                                       aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords);
     }
+    free(source.changed);
     system_memory_limit_restore(before);
     scene_import_enter(import, NULL, "");
     aiReleasePropertyStore(properties);

@@ -34,6 +34,10 @@ void scene_assimp_find_gaps(struct scene_import *import);
 struct scene_assimp_source {
     struct scene_import *import;
     const struct scene_assimp_exact *exact;
+    // What the model becomes for assimp, which opens it several times. NULL: it is read as it is.
+    char *changed;
+    size_t changed_size;
+    bool is_looked_at; // it is known whether the model becomes anything else
 };
 
 /// What opens regular files within import->confine, and the model itself; it lives as long as `source`.

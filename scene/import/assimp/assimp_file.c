@@ -57,9 +57,8 @@ static void flush(struct aiFile *file)
 // Files in memory ------------------------------------------------------------------------------------
 
 struct memory {
-    char *bytes;
+    const char *bytes; // they outlive the file
     size_t size, place;
-    bool owns; // the bytes
 };
 
 static struct memory *memory_of(struct aiFile *file)
@@ -144,19 +143,16 @@ char *scene_assimp_dxf(struct scene_import *import, size_t *size)
     return scene_assimp_insert_blocks(import, scene_assimp_flatten_dxf(import, text, size), size);
 }
 
-// Open bytes, which the file frees if it owns them. Return NULL if there are none.
-static struct aiFile *open_memory(char *bytes, size_t size, bool owns)
+// Open bytes. Return NULL if there are none.
+static struct aiFile *open_memory(const char *bytes, size_t size)
 {
     struct aiFile *const file = bytes == NULL ? NULL : malloc(sizeof *file);
     struct memory *const memory = file == NULL ? NULL : malloc(sizeof *memory);
     if (memory == NULL) {
         free(file);
-        if (owns) {
-            free(bytes);
-        }
         return NULL;
     }
-    *memory = (struct memory){.bytes = bytes, .size = size, .owns = owns};
+    *memory = (struct memory){.bytes = bytes, .size = size};
     *file = (struct aiFile){.ReadProc = read_memory,
                             .WriteProc = write_nothing,
                             .TellProc = tell_memory,
@@ -168,30 +164,30 @@ static struct aiFile *open_memory(char *bytes, size_t size, bool owns)
 }
 
 // Open the model in another form than its file has. Return NULL if assimp reads the file as it is.
-static struct aiFile *open_model(const struct scene_assimp_source *source)
+static struct aiFile *open_model(struct scene_assimp_source *source)
 {
     if (source->exact->bytes != NULL) {
-        return open_memory(source->exact->bytes, source->exact->size, false);
+        return open_memory(source->exact->bytes, source->exact->size);
     }
-    size_t size = 0;
-    char *changed = scene_assimp_collada(source->import, &size);
-    changed = changed != NULL ? changed : scene_assimp_dxf(source->import, &size);
-    changed = changed != NULL ? changed : scene_assimp_fbx(source->import, &size);
-    return open_memory(changed, size, true);
+    if (!source->is_looked_at) {
+        char *changed = scene_assimp_collada(source->import, &source->changed_size);
+        changed = changed != NULL ? changed : scene_assimp_dxf(source->import, &source->changed_size);
+        changed = changed != NULL ? changed : scene_assimp_fbx(source->import, &source->changed_size);
+        source->changed = changed;
+        source->is_looked_at = true;
+    }
+    return open_memory(source->changed, source->changed_size);
 }
 
 static void close_memory(struct aiFile *file)
 {
-    if (memory_of(file)->owns) {
-        free(memory_of(file)->bytes);
-    }
     free(memory_of(file));
     free(file);
 }
 
 static struct aiFile *open_file(struct aiFileIO *files, const char *path, const char *mode)
 {
-    const struct scene_assimp_source *const source = (const void *)files->UserData;
+    struct scene_assimp_source *const source = (void *)files->UserData;
     struct scene_import *const import = source->import;
     const bool is_model = strcmp(path, import->model.path) == 0;
     const bool may_read = mode[0] == 'r' && (is_model || scene_import_within(import, path));

@@ -194,9 +194,9 @@ void scene_assimp_find_gaps(struct scene_import *import)
 {
     const char *problem = NULL;
     size_t size = 0;
-    char *const document = scene_assimp_collada(import, &size);
-    char *const bytes =
-        document != NULL ? document : scene_import_read_file(import, import->model.path, &size, &problem);
+    char *const bytes = import->archive != NULL
+                            ? scene_assimp_read_zae(import, &size)
+                            : scene_import_read_file(import, import->model.path, &size, &problem);
     if (bytes == NULL) {
         scene_import_warn(import, "cannot be looked through for what is not drawn: %s", problem);
         return;

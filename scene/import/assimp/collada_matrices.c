@@ -17,7 +17,7 @@ enum { MOST_NUMBERS = 9 };
 // Make a vector unit. Return false if it has no direction.
 static bool make_unit(double vector[3])
 {
-    const double length = sqrt(scene_vector_dot(vector, vector));
+    const double length = sqrt(scene_dot(vector, vector));
     for (int c = 0; c < 3; c++) {
         vector[c] /= length;
     }
@@ -32,9 +32,9 @@ static bool look_at(const double numbers[MOST_NUMBERS], double rows[3][4])
         back[c] = numbers[c] - numbers[3 + c];
     }
     const bool has_back = make_unit(back);
-    scene_vector_cross(numbers + 6, back, right);
+    scene_cross(numbers + 6, back, right);
     const bool has_right = make_unit(right);
-    scene_vector_cross(back, right, up);
+    scene_cross(back, right, up);
     for (int row = 0; row < 3; row++) {
         const double values[4] = {right[row], up[row], back[row], numbers[row]};
         memcpy(rows[row], values, sizeof values);
@@ -49,7 +49,7 @@ static bool skew(const double numbers[MOST_NUMBERS], double rows[3][4])
     double from[3] = {numbers[1], numbers[2], numbers[3]}, along[3] = {numbers[4], numbers[5], numbers[6]};
     double sine, cosine;
     const bool has_axes = make_unit(from) && make_unit(along);
-    const double shared = scene_vector_dot(from, along),
+    const double shared = scene_dot(from, along),
                  square = 1 - shared * shared; // 0 for axes that are one
     scene_sin_cos_degrees(numbers[0], &sine, &cosine);
     const double factor = sine / (sqrt(square) * cosine - shared * sine);

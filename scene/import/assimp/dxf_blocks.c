@@ -94,13 +94,6 @@ static struct entity read_entity(struct scene_text *text)
 
 // Insertions ----------------------------------------------------------------------------------------
 
-static void set_identity(double m[16])
-{
-    for (int i = 0; i < 16; i++) {
-        m[i] = i % 5 == 0;
-    }
-}
-
 // Find the matrix from a block to where an insertion draws one of its copies.
 static void find_matrix(const struct entity *insertion, const struct block *block, long column, long row,
                         double matrix[16])
@@ -108,9 +101,9 @@ static void find_matrix(const struct entity *insertion, const struct block *bloc
     double axes[3][3], sine, cosine, turn[16], scale[16];
     scene_dxf_find_axes(insertion->extrusion, axes);
     scene_sin_cos_degrees(insertion->angle, &sine, &cosine);
-    set_identity(matrix);
-    set_identity(turn);
-    set_identity(scale);
+    scene_import_identity_exact(matrix);
+    scene_import_identity_exact(turn);
+    scene_import_identity_exact(scale);
     for (int i = 0; i < 9; i++) {
         matrix[i / 3 * 4 + i % 3] = axes[i / 3][i % 3];
     }
@@ -281,7 +274,7 @@ static void copy_entities(struct drawing *drawing, struct scene_text *text)
 {
     struct scene_dxf_pair pair = {.code = -1};
     double identity[16];
-    set_identity(identity);
+    scene_import_identity_exact(identity);
     for (char *start = text->cursor; !scene_dxf_begins(&pair, "ENDSEC") && scene_dxf_read_pair(text, &pair);
          start = text->cursor) {
         if (scene_dxf_begins(&pair, "INSERT")) {

@@ -297,7 +297,7 @@ static char *add_to_text(struct scene_import *import, const char *bytes, size_t 
             scene_edits_add_string(import, &edits, (size_t)(c - bytes), 0, added);
         }
     }
-    return scene_edits_apply(import, &edits, bytes, size);
+    return edits.count > 0 ? scene_edits_apply(import, &edits, bytes, size) : NULL;
 }
 
 char *scene_assimp_fbx(struct scene_import *import, size_t *size)

@@ -8,6 +8,9 @@
 
 void scene_import_enter_archive(struct scene_import *import, struct scene_zip *zip, const char *entry)
 {
+    if (import->archive != NULL) {
+        return;
+    }
     const char *const slash = strrchr(entry, '/');
     struct scene_import_archive *const archive = scene_import_allocate(import, 1, sizeof *archive);
     const size_t length = slash == NULL ? 0 : (size_t)(slash + 1 - entry);

@@ -18,7 +18,7 @@ void scene_import_move_normal(const float matrix[16], float normal[3])
         axes[i / 3][i % 3] = (double)matrix[i / 3 * 4 + i % 3];
     }
     for (int i = 0; i < 3; i++) {
-        scene_vector_cross(axes[(i + 1) % 3], axes[(i + 2) % 3], cofactors);
+        scene_cross(axes[(i + 1) % 3], axes[(i + 2) % 3], cofactors);
         for (int c = 0; c < 3; c++) {
             sum[c] += (double)normal[i] * cofactors[c];
         }
@@ -35,7 +35,7 @@ static void face_normal(const struct scene_mesh *mesh, uint32_t first_corner, do
     // The product of two long edges of a large mesh could leave the range.
     scene_vector_unit(a);
     scene_vector_unit(b);
-    scene_vector_cross(a, b, normal);
+    scene_cross(a, b, normal);
     scene_vector_unit(normal);
 }
 
@@ -75,7 +75,7 @@ static int count_opposed(const struct scene_mesh *mesh, uint32_t first_corner)
     for (uint32_t k = 0; k < 3; k++) {
         const float *const normal = mesh->normals[mesh->indices[first_corner + k]];
         const double given[3] = {(double)normal[0], (double)normal[1], (double)normal[2]};
-        opposed += scene_vector_dot(facet, given) < 0;
+        opposed += scene_dot(facet, given) < 0;
     }
     return opposed;
 }
@@ -152,7 +152,7 @@ bool scene_import_has_area(const struct scene_mesh *mesh)
         double a[3], b[3], product[3];
         scene_vector_between(mesh->positions[corner[0]], mesh->positions[corner[1]], a);
         scene_vector_between(mesh->positions[corner[0]], mesh->positions[corner[2]], b);
-        scene_vector_cross(a, b, product);
+        scene_cross(a, b, product);
         if (product[0] != 0 || product[1] != 0 || product[2] != 0) {
             return true;
         }
@@ -223,14 +223,14 @@ static void set_tangent(const float normal[3], const double sum[3], float tangen
 {
     const double n[3] = {normal[0], normal[1], normal[2]};
     double t[3] = {sum[0], sum[1], sum[2]};
-    const double along = scene_vector_dot(n, t);
+    const double along = scene_dot(n, t);
     for (int c = 0; c < 3; c++) {
         t[c] -= along * n[c];
     }
     // A vector without a direction becomes any that is at right angles to the normal.
-    if (!(scene_vector_dot(t, t) > 1e-12)) {
+    if (!(scene_dot(t, t) > 1e-12)) {
         const double x[3] = {1, 0, 0}, y[3] = {0, 1, 0};
-        scene_vector_cross(n, n[0] * n[0] < 0.5 ? x : y, t);
+        scene_cross(n, n[0] * n[0] < 0.5 ? x : y, t);
     }
     scene_vector_unit(t);
     for (int c = 0; c < 3; c++) {
@@ -247,7 +247,7 @@ static double corner_angle(const struct scene_mesh *mesh, uint32_t corner)
     scene_vector_between(here, mesh->positions[mesh->indices[first + (corner + 2) % 3]], b);
     scene_vector_unit(a);
     scene_vector_unit(b);
-    return scene_vector_angle(scene_vector_dot(a, b));
+    return scene_vector_angle(scene_dot(a, b));
 }
 
 void scene_import_make_tangents(struct scene_import *import, struct scene_mesh *mesh,
@@ -265,7 +265,7 @@ void scene_import_make_tangents(struct scene_import *import, struct scene_mesh *
         // MikkTSpace puts the face's tangent into the vertex's own plane and weights it by the corner's angle too.
         const float *normal = mesh->normals[mesh->indices[i]];
         const double n[3] = {normal[0], normal[1], normal[2]};
-        const double along = scene_vector_dot(n, faces[i / 3]);
+        const double along = scene_dot(n, faces[i / 3]);
         double projected[3];
         for (int c = 0; c < 3; c++) {
             projected[c] = faces[i / 3][c] - along * n[c];

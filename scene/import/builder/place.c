@@ -22,6 +22,13 @@ struct scene_import_place scene_import_place_identity(void)
     return scene_import_place_of(identity);
 }
 
+void scene_import_identity_exact(double matrix[16])
+{
+    for (int i = 0; i < 16; i++) {
+        matrix[i] = i % 5 == 0;
+    }
+}
+
 void scene_import_multiply_exact(const double a[16], const double b[16], double product[16])
 {
     double result[16];

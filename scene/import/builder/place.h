@@ -25,6 +25,8 @@ void scene_import_place_camera(struct scene_import *import, const struct scene_i
 void scene_import_place_light(struct scene_import *import, const struct scene_import_place *place);
 /// Say what was subtracted from the positions of the mesh that was added last.
 void scene_import_place_mesh(struct scene_import *import, const double origin[3]);
+/// Write the matrix that moves nothing.
+void scene_import_identity_exact(double matrix[16]);
 /// Write `a`·`b` to `product`, which may be one of them.
 void scene_import_multiply_exact(const double a[16], const double b[16], double product[16]);
 /// Write where a matrix brings a point.

@@ -14,14 +14,16 @@
 // Find the middle and the sides of the box around the positions of a mesh.
 static void find_box(const struct scene_mesh *mesh, double middle[3], double sides[3])
 {
-    for (int c = 0; c < 3; c++) {
-        float low = FLT_MAX, high = -FLT_MAX;
-        for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-            low = fminf(low, mesh->positions[v][c]);
-            high = fmaxf(high, mesh->positions[v][c]);
+    float low[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, high[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        for (int c = 0; c < 3; c++) {
+            low[c] = fminf(low[c], mesh->positions[v][c]);
+            high[c] = fmaxf(high[c], mesh->positions[v][c]);
         }
-        middle[c] = low > high ? 0 : (double)low / 2 + (double)high / 2;
-        sides[c] = low > high ? 0 : (double)high - (double)low;
+    }
+    for (int c = 0; c < 3; c++) {
+        middle[c] = low[c] > high[c] ? 0 : (double)low[c] / 2 + (double)high[c] / 2;
+        sides[c] = low[c] > high[c] ? 0 : (double)high[c] - (double)low[c];
     }
 }
 

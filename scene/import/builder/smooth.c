@@ -18,6 +18,9 @@ static const double crease_cosine = 0.5;
 // Quads of round surfaces are folded by less.
 static const double fold_cosine = 0.8660254037844387;
 
+// The cosine of 30°. Of faces that are no further from one axis, no two are a crease apart.
+static const double even_cosine = 0.8660254037844387;
+
 // The most faces around one point that are compared pair by pair. Where more meet, as only a hostile file has it, all
 // are averaged.
 enum { MOST_FACES = 256 };
@@ -54,8 +57,8 @@ static void weigh_face(const struct scene_mesh *mesh, uint32_t face, double norm
     scene_vector_between(p, q, a);
     scene_vector_between(p, r, b);
     scene_vector_between(q, r, opposite);
-    scene_vector_cross(a, b, normal);
-    const double length = __builtin_sqrt(scene_vector_dot(normal, normal));
+    scene_cross(a, b, normal);
+    const double length = __builtin_sqrt(scene_dot(normal, normal));
     const double divisor = length > 0 ? length : 1;
     for (int c = 0; c < 3; c++) {
         normal[c] = length > 0 ? normal[c] / divisor : 0;
@@ -64,9 +67,9 @@ static void weigh_face(const struct scene_mesh *mesh, uint32_t face, double norm
     scene_vector_unit(a);
     scene_vector_unit(b);
     scene_vector_unit(opposite);
-    weights[0] = length * scene_vector_angle(scene_vector_dot(a, b));
-    weights[1] = length * scene_vector_angle(-scene_vector_dot(a, opposite));
-    weights[2] = length * scene_vector_angle(scene_vector_dot(b, opposite));
+    weights[0] = length * scene_vector_angle(scene_dot(a, b));
+    weights[1] = length * scene_vector_angle(-scene_dot(a, opposite));
+    weights[2] = length * scene_vector_angle(scene_dot(b, opposite));
 }
 
 static uint32_t face_total(const struct smoothing *smoothing)
@@ -104,13 +107,13 @@ static void sum_all(struct smoothing *smoothing)
 static bool are_folded(const struct smoothing *smoothing, uint32_t a, uint32_t b)
 {
     return smoothing->polygons != NULL && smoothing->polygons[a] == smoothing->polygons[b] &&
-           scene_vector_dot(smoothing->faces[a], smoothing->faces[b]) < fold_cosine;
+           scene_dot(smoothing->faces[a], smoothing->faces[b]) < fold_cosine;
 }
 
 // Mark the faces next to folds. Faces of one polygon follow each other.
 static void find_folds(struct scene_import *import, struct smoothing *smoothing, const uint32_t *polygons)
 {
-    const uint32_t count = smoothing->mesh->index_count / 3;
+    const uint32_t count = face_total(smoothing);
     smoothing->polygons = polygons;
     smoothing->folded =
         polygons == NULL ? NULL : scene_import_allocate(import, count, sizeof *smoothing->folded);
@@ -133,9 +136,9 @@ static uint32_t find_uneven(struct smoothing *smoothing)
         const bool is_folded = smoothing->folded != NULL && smoothing->folded[face];
         for (uint32_t k = 0; k < 3; k++) {
             const uint32_t point = point_of(smoothing, 3 * (size_t)face + k);
-            const double cosine = scene_vector_dot(smoothing->axes[point], smoothing->faces[face]);
+            const double cosine = scene_dot(smoothing->axes[point], smoothing->faces[face]);
             smoothing->is_uneven[point] |=
-                (is_folded || !(cosine >= 0.8660254037844387)) && smoothing->face_count[point] <= MOST_FACES;
+                (is_folded || !(cosine >= even_cosine)) && smoothing->face_count[point] <= MOST_FACES;
         }
     }
     uint32_t corners = 0;
@@ -181,7 +184,7 @@ static void sum_faces(const struct smoothing *smoothing, struct faces faces, con
     memset(sum, 0, 3 * sizeof *sum);
     for (uint32_t i = 0; i < faces.count; i++) {
         const double *face = face_of(smoothing, faces.corners[i]);
-        if (axis != NULL && scene_vector_dot(axis, face) < crease_cosine) {
+        if (axis != NULL && scene_dot(axis, face) < crease_cosine) {
             continue;
         }
         for (int c = 0; c < 3; c++) {
@@ -194,7 +197,7 @@ static bool all_within(const struct smoothing *smoothing, struct faces faces, co
                        double cosine)
 {
     uint32_t near = 0;
-    while (near < faces.count && scene_vector_dot(axis, face_of(smoothing, faces.corners[near])) >= cosine) {
+    while (near < faces.count && scene_dot(axis, face_of(smoothing, faces.corners[near])) >= cosine) {
         near++;
     }
     return near == faces.count;
@@ -214,7 +217,7 @@ static bool are_joined(const struct smoothing *smoothing, uint32_t a, uint32_t b
     const bool meet = ends[0][0] == ends[1][0] || ends[0][0] == ends[1][1] || ends[0][1] == ends[1][0] ||
                       ends[0][1] == ends[1][1];
     return meet && !are_folded(smoothing, a / 3, b / 3) &&
-           scene_vector_dot(face_of(smoothing, a), face_of(smoothing, b)) >= crease_cosine;
+           scene_dot(face_of(smoothing, a), face_of(smoothing, b)) >= crease_cosine;
 }
 
 // Reorder the corners so that corners whose faces are joined, one with the next, stand together. Return how many there
@@ -235,7 +238,7 @@ static uint32_t gather_group(const struct smoothing *smoothing, uint32_t *corner
 }
 
 // Return true if all faces lie within 30° of one axis and none is next to a fold. No two are a crease apart then, so
-// that no pairs are compared. This is the common case.
+// that no pairs are compared.
 static bool are_even(const struct smoothing *smoothing, struct faces faces)
 {
     double axis[3];
@@ -246,7 +249,7 @@ static bool are_even(const struct smoothing *smoothing, struct faces faces)
     }
     sum_faces(smoothing, faces, NULL, axis);
     scene_vector_unit(axis);
-    return all_within(smoothing, faces, axis, 0.8660254037844387);
+    return all_within(smoothing, faces, axis, even_cosine);
 }
 
 // Give a group its normals. It has one, so that a ridge is not torn where it is a little sharper, unless its faces look

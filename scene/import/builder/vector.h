@@ -5,6 +5,8 @@
 
 #include <stdbool.h>
 
+#include "draw/camera/camera_math.h"
+
 static inline void scene_vector_between(const float from[3], const float to[3], double between[3])
 {
     for (int c = 0; c < 3; c++) {
@@ -12,22 +14,10 @@ static inline void scene_vector_between(const float from[3], const float to[3], 
     }
 }
 
-static inline double scene_vector_dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static inline void scene_vector_cross(const double a[3], const double b[3], double product[3])
-{
-    product[0] = a[1] * b[2] - a[2] * b[1];
-    product[1] = a[2] * b[0] - a[0] * b[2];
-    product[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 /// Scale to length 1, or to 0 when there is no direction. Squares of doubles made of floats stay in range.
 static inline void scene_vector_unit(double vector[3])
 {
-    const double length = __builtin_sqrt(scene_vector_dot(vector, vector));
+    const double length = __builtin_sqrt(scene_dot(vector, vector));
     const double scale = length > 0 ? 1 / length : 0;
     for (int c = 0; c < 3; c++) {
         vector[c] *= scale;

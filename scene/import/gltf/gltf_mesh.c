@@ -263,8 +263,9 @@ static void apply_skin(struct primitive *primitive, int64_t skin_index,
                        const struct scene_import_place *world)
 {
     struct scene_import *const import = primitive->gltf->import;
-    const bool has_joints = json_object_get(primitive->attributes, "JOINTS_0") != NULL &&
-                            json_object_get(primitive->attributes, "WEIGHTS_0") != NULL;
+    struct scene_gltf *const gltf = primitive->gltf;
+    const bool has_joints = scene_gltf_integer(gltf, primitive->attributes, "JOINTS_0", -1) >= 0 &&
+                            scene_gltf_integer(gltf, primitive->attributes, "WEIGHTS_0", -1) >= 0;
     size_t count = 0;
     struct scene_import_place *const joints = find_joints(primitive->gltf, skin_index, &count);
     struct scene_import_skin skin =
