@@ -2,12 +2,9 @@
 // Times the recording of 10,000 draws of a pass that does not run, on one thread. Each draw has uniforms of its own, and
 // beside them nothing else, a texture in one slot, textures in four slots, or a binding in its uniforms. Prints
 // "WHAT MICROSECONDS", of a draw, the least of some passes.
-#include <rhw/rhw.h>
-#include <rhw/shader.h>
+#include "times.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <time.h>
+#include <rhw/shader.h>
 
 enum { DRAWS = 10000, TEXTURES = 64, TIMES = 40, SLOTS = 4 };
 
@@ -26,21 +23,6 @@ struct bench {
 
 // How the textures of a draw are given.
 enum way { UNIFORMS, SLOT, FOUR_SLOTS, BINDING, WAYS };
-
-static double now_us(void)
-{
-    struct timespec now;
-    timespec_get(&now, TIME_UTC);
-    return (double)now.tv_sec * 1e6 + (double)now.tv_nsec * 1e-3;
-}
-
-static void must(enum rhw_result result)
-{
-    if (result != RHW_OK) {
-        fprintf(stderr, "draw_times: %s\n", rhw_result_string(result));
-        exit(1);
-    }
-}
 
 static void place(struct rhw_vertex1 *v)
 {

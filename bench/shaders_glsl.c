@@ -38,16 +38,17 @@ static const char fragment_common[] =
 
 #define SLOPES "vec4 slopes() { vec2 c = varying_color.rg; return vec4(dFdx(c), dFdy(c)).xzyw; }\n"
 
+static const char color_vertex[] = "out vec4 varying_color;\n"
+                                   "void main() { to_clip(); varying_color = color; }\n";
+
 static const struct {
     const char *vertex, *fragment;
 } mains[BENCH_SHADERS] = {
     [BENCH_SHADER_FLAT] = {"void main() { to_clip(); }\n", "void main() { target = u[9]; }\n"},
     [BENCH_SHADER_LITERAL] = {"void main() { to_clip(); }\n",
                               "void main() { target = vec4(0.85, 0.2, 0.15, 1.0); }\n"},
-    [BENCH_SHADER_COLOR] = {"out vec4 varying_color;\n"
-                            "void main() { to_clip(); varying_color = color; }\n",
-                            "in vec4 varying_color;\n"
-                            "void main() { target = varying_color; }\n"},
+    [BENCH_SHADER_COLOR] = {color_vertex, "in vec4 varying_color;\n"
+                                          "void main() { target = varying_color; }\n"},
     [BENCH_SHADER_TEXTURE] = {"out vec2 varying_uv;\n"
                               "void main() { to_clip(); varying_uv = uv; }\n",
                               "in vec2 varying_uv;\n"
@@ -103,35 +104,25 @@ static const struct {
                              "void main() { to_clip(); varying_color = color * gl_Position.w; }\n",
                              "in vec4 varying_color;\n"
                              "void main() { target = varying_color * gl_FragCoord.w; }\n"},
-    [BENCH_SHADER_COORD] = {"out vec4 varying_color;\n"
-                            "void main() { to_clip(); varying_color = color; }\n",
-                            "in vec4 varying_color;\n"
-                            "void main() { target = varying_color + gl_FragCoord * u[9]; }\n"},
-    [BENCH_SHADER_SLOPES] = {"out vec4 varying_color;\n"
-                             "void main() { to_clip(); varying_color = color; }\n",
-                             "in vec4 varying_color;\n" SLOPES
-                             "void main() { target = varying_color + slopes() * u[10].y; }\n"},
+    [BENCH_SHADER_COORD] = {color_vertex, "in vec4 varying_color;\n"
+                                          "void main() { target = varying_color + gl_FragCoord * u[9]; }\n"},
+    [BENCH_SHADER_SLOPES] = {color_vertex, "in vec4 varying_color;\n" SLOPES
+                                           "void main() { target = varying_color + slopes() * u[10].y; }\n"},
     [BENCH_SHADER_COORD_SLOPES] =
-        {"out vec4 varying_color;\n"
-         "void main() { to_clip(); varying_color = color; }\n",
+        {color_vertex,
          "in vec4 varying_color;\n" SLOPES
          "void main() { target = varying_color + gl_FragCoord * u[9] + slopes() * u[10].y; }\n"},
     [BENCH_SHADER_DISCARD] =
-        {"out vec4 varying_color;\n"
-         "void main() { to_clip(); varying_color = color; }\n",
-         "in vec4 varying_color;\n"
-         "void main() { if (varying_color.r < u[10].y) discard; target = varying_color; }\n"},
+        {color_vertex, "in vec4 varying_color;\n"
+                       "void main() { if (varying_color.r < u[10].y) discard; target = varying_color; }\n"},
     [BENCH_SHADER_MOVE] =
-        {"out vec4 varying_color;\n"
-         "void main() { to_clip(); varying_color = color; }\n",
-         "in vec4 varying_color;\n"
-         "void main() { target = varying_color; gl_FragDepth = varying_color.a * u[9].a; }\n"},
+        {color_vertex, "in vec4 varying_color;\n"
+                       "void main() { target = varying_color; gl_FragDepth = varying_color.a * u[9].a; }\n"},
     [BENCH_SHADER_SAMPLE] = {"sample out vec4 varying_color;\n"
                              "void main() { to_clip(); varying_color = color; }\n",
                              "sample in vec4 varying_color;\n"
                              "void main() { target = varying_color; }\n"},
-    [BENCH_SHADER_INPUT] = {"out vec4 varying_color;\n"
-                            "void main() { to_clip(); varying_color = color; }\n",
+    [BENCH_SHADER_INPUT] = {color_vertex,
                             "in vec4 varying_color;\n"
                             "void main() { target = mix(target, varying_color, varying_color.a); }\n"},
 };

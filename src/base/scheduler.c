@@ -279,17 +279,18 @@ void rhw_scheduler_set_idle(struct rhw_scheduler *scheduler, void (*idle)(void *
     scheduler->idle_user = user;
 }
 
-// Sleep until the job is done, and wake to do what the caller does meanwhile. The mutex is locked.
-static void sleep_between_idles(struct rhw_scheduler *scheduler)
+// Sleep until something happens, and do what the caller does meanwhile. The mutex is locked.
+static void sleep_awhile(struct rhw_scheduler *scheduler)
 {
+    if (!scheduler->idle) {
+        rhw_condition_wait(&scheduler->done, &scheduler->mutex);
+        return;
+    }
     rhw_condition_wait_for(&scheduler->done, &scheduler->mutex, idle_ns);
-    while (!job_is_done(scheduler)) {
+    if (!job_is_done(scheduler)) {
         rhw_mutex_unlock(&scheduler->mutex);
         scheduler->idle(scheduler->idle_user);
         rhw_mutex_lock(&scheduler->mutex);
-        if (!job_is_done(scheduler)) {
-            rhw_condition_wait_for(&scheduler->done, &scheduler->mutex, idle_ns);
-        }
     }
 }
 
@@ -300,11 +301,8 @@ static void wait_for_job(struct rhw_scheduler *scheduler)
     }
     rhw_mutex_lock(&scheduler->mutex);
     atomic_store(&scheduler->caller_sleeps, true);
-    if (scheduler->idle && !job_is_done(scheduler)) {
-        sleep_between_idles(scheduler);
-    }
     while (!job_is_done(scheduler)) {
-        rhw_condition_wait(&scheduler->done, &scheduler->mutex);
+        sleep_awhile(scheduler);
     }
     atomic_store(&scheduler->caller_sleeps, false);
     rhw_mutex_unlock(&scheduler->mutex);

@@ -151,7 +151,6 @@ static const struct rhw_pipeline_data *make_pipeline(struct rhw_encoder *encoder
     struct rhw_pipeline_data *const pipeline =
         rhw_arena_alloc(&encoder->pass->arena, sizeof *pipeline, RHW_CACHE_LINE);
     if (pipeline) {
-        memset(pipeline, 0, sizeof *pipeline);
         rhw_pipeline_data_init(pipeline, &def, encoder->context->isa);
     }
     return pipeline;

@@ -204,6 +204,6 @@ bool rhw_encoder_keep_reads(struct rhw_context *context, const struct rhw_buffer
         data->renewed_pass = generation;
         data->renewed_draws = context->recording.draw;
     }
-    context->recording.rewrites++; // the next draw has a state of its own
+    encoder->pending_changed = true; // the next draw has a state of its own
     return true;
 }

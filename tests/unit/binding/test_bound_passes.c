@@ -447,11 +447,9 @@ static void misuse(void **state)
     rig_close(&rig);
 }
 
-static const struct CMUnitTest tests[] = {cmocka_unit_test(thousands_in_draws_and_dispatches),
-                                          cmocka_unit_test(groups_as_slots),
-                                          cmocka_unit_test(srgb_is_prepared_for_each_pass),
-                                          cmocka_unit_test(what_images_write_is_cleared),
-                                          cmocka_unit_test(bound_things_stay_where_they_are),
-                                          cmocka_unit_test(misuse)};
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(thousands_in_draws_and_dispatches), cmocka_unit_test(groups_as_slots),
+    cmocka_unit_test(srgb_is_prepared_for_each_pass),    cmocka_unit_test(what_images_write_is_cleared),
+    cmocka_unit_test(bound_things_stay_where_they_are),  cmocka_unit_test(misuse)};
 
 const struct unit_tests test_bound_passes = UNIT_TESTS(tests, NULL, NULL);

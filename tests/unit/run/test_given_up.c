@@ -53,7 +53,9 @@ static void check(int threads, size_t bin_memory)
         // A machine that is busy holds some draws up, and they ask more often.
         const bool is_refused = patience.asked > left;
         assert_int_equal(result, is_refused ? RHW_ERROR_GIVEN_UP : RHW_OK);
-        assert_int_equal(patience.asked, is_refused ? left + 1 : patience.asked);
+        if (is_refused) {
+            assert_int_equal(patience.asked, left + 1);
+        }
     }
     for (int turn = 0; turn < 50; turn++) { // the other threads are somewhere
         patience = (struct patience){0};
