@@ -93,6 +93,15 @@ enum bench_shader {
     BENCH_SHADER_DEPTH,       // no colour at all
     BENCH_SHADER_PARTICLE,    // a disc of the instance's tint, on the plane of the first two rows of `world`
     BENCH_SHADER_VOLUME,      // no colour; what faces along `color`, in the model, is moved by it
+    // BENCH_SHADER_COLOR, and what a fragment function may ask for or do beside it.
+    BENCH_SHADER_SCREEN,       // the colour is interpolated on the screen
+    BENCH_SHADER_COORD,        // coordinates of the fragment, times `color`, are added
+    BENCH_SHADER_SLOPES,       // derivatives of the first two components, times the cutoff, are added
+    BENCH_SHADER_COORD_SLOPES, // both
+    BENCH_SHADER_DISCARD,      // a fragment whose first component is below the cutoff is discarded
+    BENCH_SHADER_MOVE,         // the fourth component, times that of `color`, is the fragment's depth
+    BENCH_SHADER_SAMPLE,       // the colour is interpolated at every sample
+    BENCH_SHADER_INPUT,        // the colour is weighed by its fourth component, and what is there by the rest
     // Those that read what earlier passes drew, shaders_lanes_passes.c. All but the last draw bodies.
     BENCH_SHADER_SHADOWED, // Blinn-Phong times the light that a shadow map lets through; shared: rows from the world to
                            // u, v and depth of the map, and the size of a texel
@@ -210,12 +219,17 @@ struct bench_scene {
     enum bench_format picture;       // its colour; scenes with `surfaces` have one of their own
     // Every fragment is to be shaded, hidden or not: fewer than `work` fragments are a failure.
     bool shades_all;
+    // rhw records the pass of the scene, which has one, once, and runs it in each frame; and keeps its triangles besides.
+    bool replays, keeps_triangles;
+    // Before each draw the first vertex of its mesh is written, as it is.
+    bool writes_between;
     // No picture to look at: the time is that of opening and closing rhw, or an empty texture; of making the mip chain
     // of the first texture; or of the program that renders this file.
     bool opens_context, opens_texture, makes_mips;
     const char *renders_file;
-    int max_anisotropy; // of all textures; 0: off
-    int samples;        // of a pixel of the picture, resolved at the end of a frame; 0: one
+    struct bench_files *files; // what was made for it, scene_process.h; NULL: nothing
+    int max_anisotropy;        // of all textures; 0: off
+    int samples;               // of a pixel of the picture, resolved at the end of a frame; 0: one
     struct bench_tolerance tolerance;
     enum bench_unit unit;
     double work; // units per frame

@@ -3,11 +3,9 @@
 // one thread. Prints "WHAT MICROSECONDS", the least of some. valgrind counts the instructions of each:
 //   dispatch_times WHAT   does one thing alone, 10 times: nothing, many, dispatch or pass
 #include "dispatch_blur.h"
+#include "times.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { WIDTH = 960, HEIGHT = 540, TIMES = 10, SIDE = 8 };
 
@@ -17,21 +15,6 @@ struct bench {
     rhw_sampler sampler;
     rhw_pipeline pipeline;
 };
-
-static double now_us(void)
-{
-    struct timespec now;
-    timespec_get(&now, TIME_UTC);
-    return (double)now.tv_sec * 1e6 + (double)now.tv_nsec * 1e-3;
-}
-
-static void must(enum rhw_result result)
-{
-    if (result != RHW_OK) {
-        fprintf(stderr, "dispatch_times: %s\n", rhw_result_string(result));
-        exit(1);
-    }
-}
 
 static void open_bench(struct bench *bench)
 {

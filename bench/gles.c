@@ -37,6 +37,7 @@ static bool load(struct gles *gl, PFNEGLGETPROCADDRESSPROC find)
         {"glGenBuffers", &gl->gen_buffers},
         {"glBindBuffer", &gl->bind_buffer},
         {"glBufferData", &gl->buffer_data},
+        {"glBufferSubData", &gl->buffer_sub_data},
         {"glDeleteBuffers", &gl->delete_buffers},
         {"glVertexAttribPointer", &gl->vertex_attrib_pointer},
         {"glEnableVertexAttribArray", &gl->enable_vertex_attrib_array},

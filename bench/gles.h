@@ -32,6 +32,7 @@ struct gles {
     PFNGLGENBUFFERSPROC gen_buffers;
     PFNGLBINDBUFFERPROC bind_buffer;
     PFNGLBUFFERDATAPROC buffer_data;
+    PFNGLBUFFERSUBDATAPROC buffer_sub_data;
     PFNGLDELETEBUFFERSPROC delete_buffers;
     PFNGLVERTEXATTRIBPOINTERPROC vertex_attrib_pointer;
     PFNGLENABLEVERTEXATTRIBARRAYPROC enable_vertex_attrib_array;

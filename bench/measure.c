@@ -29,28 +29,39 @@ struct bench_time bench_time_of(double *samples, int count)
         .median = samples[(count - 1) / 2], .least = samples[0], .most = samples[count - 1]};
 }
 
+static void add_stages(struct bench_stages *sum, const struct bench_stages *frame, double weight)
+{
+    sum->frame += weight * frame->frame;
+    sum->front += weight * frame->front;
+    sum->back += weight * frame->back;
+    sum->front_busy += weight * frame->front_busy;
+    sum->back_busy += weight * frame->back_busy;
+}
+
 bool bench_measure(struct bench_renderer *renderers, int count, int frames, struct bench_time *times,
                    int *failed)
 {
     double *const samples = malloc((size_t)count * (size_t)frames * sizeof *samples);
+    struct bench_stages *const stages = calloc((size_t)count, sizeof *stages);
+    bool works = samples && stages;
     *failed = 0;
-    for (int f = -BENCH_WARM_UP; samples && f < frames; f++) {
-        for (int i = 0; i < count; i++) {
+    for (int f = -BENCH_WARM_UP; works && f < frames; f++) {
+        for (int i = 0; works && i < count; i++) {
             nanosleep(&(struct timespec){.tv_nsec = pause_ns}, NULL);
             const double start = bench_now_ms();
-            if (!renderers[i].frame(&renderers[i])) {
-                *failed = i;
-                free(samples);
-                return false;
-            }
+            works = renderers[i].frame(&renderers[i]);
+            *failed = i;
             if (f >= 0) {
-                samples[i * frames + f] = bench_now_ms() - start;
+                samples[i * frames + f] = renderers[i].stages.frame = bench_now_ms() - start;
+                add_stages(&stages[i], &renderers[i].stages, 1.0 / frames);
             }
         }
     }
-    for (int i = 0; samples && i < count; i++) {
+    for (int i = 0; works && i < count; i++) {
         times[i] = bench_time_of(&samples[i * frames], frames);
+        times[i].stages = stages[i];
     }
+    free(stages);
     free(samples);
-    return samples != NULL;
+    return works;
 }

@@ -10,6 +10,7 @@ enum { BENCH_WARM_UP = 3, BENCH_FRAMES_MAX = 10000 };
 
 struct bench_time {
     double median, least, most; // milliseconds
+    struct bench_stages stages; // means of the frames that count, where the renderer measures them
 };
 
 // Draws BENCH_WARM_UP frames that nobody counts and then `frames` that count, with each of the renderers, which

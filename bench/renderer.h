@@ -15,11 +15,19 @@ struct bench_image {
     float *depth;
 };
 
+// Milliseconds of the passes of a frame, as struct rhw_stats has them.
+struct bench_stages {
+    double frame;                 // the whole of it, on the wall
+    double front, back;           // on the wall
+    double front_busy, back_busy; // of all threads
+};
+
 struct bench_renderer {
-    char name[160];     // for people
-    int threads;        // of rhw; 0: not known
-    enum rhw_isa isa;   // of rhw
-    uint64_t fragments; // shaded in the last frame, where the renderer counts them
+    char name[160];             // for people
+    int threads;                // of rhw; 0: not known
+    enum rhw_isa isa;           // of rhw
+    uint64_t fragments;         // shaded in the last frame, where the renderer counts them
+    struct bench_stages stages; // of the last frame, where the renderer measures them
     void *state;
     // Takes a scene, which must stay until `release`. False when the renderer cannot.
     bool (*take)(struct bench_renderer *renderer, const struct bench_scene *scene, int width, int height);

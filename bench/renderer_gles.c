@@ -86,6 +86,12 @@ static void draw(const struct gles_state *s, uint32_t i)
         gl->bind_texture(scene->textures[draw->textures[t]].cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D,
                          s->textures[draw->textures[t]]);
     }
+    if (scene->writes_between) {
+        const struct bench_mesh *const mesh = &scene->meshes[draw->mesh];
+        gl->bind_buffer(GL_ARRAY_BUFFER, s->vertices[draw->mesh]);
+        gl->buffer_sub_data(GL_ARRAY_BUFFER, 0,
+                            (GLsizeiptr)(bench_mesh_stride(mesh) * sizeof *mesh->vertices), mesh->vertices);
+    }
     draw_mesh(s, draw->mesh);
 }
 

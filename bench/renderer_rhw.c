@@ -97,48 +97,86 @@ static enum rhw_result record_surfaces(struct bench_state *s, rhw_pass pass, boo
     return scene_surfaces_record(&s->upload, &s->surface_pipelines, &def, pass);
 }
 
-static void set_uniforms(const struct bench_state *s, rhw_pass pass, const struct bench_draw *draw)
+static void set_uniforms(const struct bench_state *s, rhw_context *context, rhw_pass pass,
+                         const struct bench_draw *draw)
 {
     float both[BENCH_UNIFORMS_MAX];
     if (bench_shader_shared[draw->shader] == 0) {
-        rhw_pass_set_uniforms(s->context, pass, &draw->uniforms, sizeof draw->uniforms);
+        rhw_pass_set_uniforms(context, pass, &draw->uniforms, sizeof draw->uniforms);
         return;
     }
-    rhw_pass_set_uniforms(s->context, pass, both, bench_uniforms_copy(s->scene, draw, both) * sizeof *both);
+    rhw_pass_set_uniforms(context, pass, both, bench_uniforms_copy(s->scene, draw, both) * sizeof *both);
 }
 
-static void record_draws(const struct bench_state *s, rhw_pass pass, uint32_t first, uint32_t count)
+// Records draws in the context of the scene, or in its recorder.
+static void record_draws(const struct bench_state *s, rhw_context *context, rhw_pass pass, uint32_t first,
+                         uint32_t count)
 {
     const struct bench_scene *const scene = s->scene;
     for (uint32_t i = first; i < first + count; i++) {
         const struct bench_draw *const draw = &scene->draws[i];
         const struct bench_mesh *const mesh = &scene->meshes[draw->mesh];
-        rhw_pass_set_pipeline(s->context, pass, s->pipelines[i]);
-        rhw_pass_set_vertex_buffer(s->context, pass, 0, s->vertices[draw->mesh], 0);
-        if (mesh->instance_count) {
-            rhw_pass_set_vertex_buffer(s->context, pass, 1, s->instances[draw->mesh], 0);
+        if (scene->writes_between) {
+            rhw_buffer_write(s->context, s->vertices[draw->mesh], 0, mesh->vertices,
+                             bench_mesh_stride(mesh) * sizeof *mesh->vertices);
         }
-        rhw_pass_set_index_buffer(s->context, pass, s->indices[draw->mesh], RHW_INDEX_UINT32, 0);
-        set_uniforms(s, pass, draw);
+        rhw_pass_set_pipeline(context, pass, s->pipelines[i]);
+        rhw_pass_set_vertex_buffer(context, pass, 0, s->vertices[draw->mesh], 0);
+        if (mesh->instance_count) {
+            rhw_pass_set_vertex_buffer(context, pass, 1, s->instances[draw->mesh], 0);
+        }
+        rhw_pass_set_index_buffer(context, pass, s->indices[draw->mesh], RHW_INDEX_UINT32, 0);
+        set_uniforms(s, context, pass, draw);
         for (int t = 0; t < draw->texture_count; t++) {
             const uint32_t texture = draw->textures[t];
-            rhw_pass_set_texture(s->context, pass, t, s->textures[texture],
+            rhw_pass_set_texture(context, pass, t, s->textures[texture],
                                  s->samplers[scene->textures[texture].filter]);
         }
-        rhw_pass_draw_indexed(s->context, pass, 0, mesh->index_count, 0, 0,
+        rhw_pass_draw_indexed(context, pass, 0, mesh->index_count, 0, 0,
                               mesh->instance_count ? mesh->instance_count : 1);
     }
 }
 
-static bool run_pass(struct bench_state *s, const struct bench_pass *pass, uint64_t *fragments)
+// Records the pass of a scene that is replayed, once.
+static bool keep_pass(struct bench_state *s, const struct bench_pass *pass)
+{
+    const struct rhw_pass_def def = describe(s, pass);
+    const struct rhw_recording_def kept = {.label = "replayed", .keeps_triangles = s->scene->keeps_triangles};
+    rhw_pass id;
+    if (rhw_recorder_create(s->context, &s->recorder) != RHW_OK ||
+        rhw_pass_begin(s->recorder, &def, &id) != RHW_OK) {
+        return false;
+    }
+    record_draws(s, s->recorder, id, pass->first_draw, pass->draw_count);
+    return rhw_pass_keep(s->recorder, id, &kept, &s->recording) == RHW_OK;
+}
+
+static bool replay_pass(struct bench_state *s, const struct bench_pass *pass, struct rhw_stats *stats)
+{
+    return (s->recording || keep_pass(s, pass)) &&
+           rhw_recording_run(s->context, s->recording, stats) == RHW_OK;
+}
+
+static void add_stats(struct bench_renderer *renderer, const struct rhw_stats *stats)
+{
+    renderer->fragments += stats->fragments_shaded;
+    renderer->stages.front += stats->front_ms;
+    renderer->stages.back += stats->back_ms;
+    renderer->stages.front_busy += stats->front_busy_ms;
+    renderer->stages.back_busy += stats->back_busy_ms;
+}
+
+static bool run_pass(struct bench_state *s, const struct bench_pass *pass, struct rhw_stats *stats)
 {
     const struct bench_surfaces *const surfaces = s->scene->surfaces;
     if (surfaces && pass->color_count == 0) {
         return scene_shadow_draw(&s->upload, &s->surface_pipelines, &surfaces->light_frame, &surfaces->map,
-                                 &s->map) == RHW_OK;
+                                 &s->map, stats) == RHW_OK;
+    }
+    if (s->scene->replays) {
+        return replay_pass(s, pass, stats);
     }
     const struct rhw_pass_def def = describe(s, pass);
-    struct rhw_stats stats;
     rhw_pass id;
     if (rhw_pass_begin(s->context, &def, &id) != RHW_OK) {
         return false;
@@ -147,10 +185,9 @@ static bool run_pass(struct bench_state *s, const struct bench_pass *pass, uint6
     if (surfaces) {
         recorded = record_surfaces(s, id, pass->colors[0] == BENCH_PICTURE);
     } else {
-        record_draws(s, id, pass->first_draw, pass->draw_count);
+        record_draws(s, s->context, id, pass->first_draw, pass->draw_count);
     }
-    const enum rhw_result ended = rhw_pass_end(s->context, id, &stats);
-    *fragments += ended == RHW_OK ? stats.fragments_shaded : 0;
+    const enum rhw_result ended = rhw_pass_end(s->context, id, stats);
     return recorded == RHW_OK && ended == RHW_OK &&
            (!pass->makes_levels ||
             rhw_texture_generate_mips(s->context, s->textures[pass->colors[0]]) == RHW_OK);
@@ -188,8 +225,13 @@ static bool frame(struct bench_renderer *renderer)
     }
     bool works = true;
     renderer->fragments = 0;
+    renderer->stages = (struct bench_stages){0};
     for (uint32_t i = 0; works && i < scene->pass_count; i++) {
-        works = run_pass(s, &scene->passes[i], &renderer->fragments);
+        struct rhw_stats stats;
+        works = run_pass(s, &scene->passes[i], &stats);
+        if (works) {
+            add_stats(renderer, &stats);
+        }
     }
     return works;
 }

@@ -24,7 +24,9 @@ struct bench_state {
     struct scene_upload upload; // of the model of a physically based scene, instead of the above
     struct scene_surface_pipelines surface_pipelines;
     struct scene_triangle_order order;
-    struct scene_plane map; // what shadows are looked up in, of such a scene
+    rhw_context *recorder;    // of a scene that is replayed
+    rhw_recording *recording; // its only pass; NULL: it was not recorded yet
+    struct scene_plane map;   // what shadows are looked up in, of such a scene
 };
 
 // Makes everything of `state->scene` in `state->context`. What there is after a failure is for bench_rhw_drop, which

@@ -269,6 +269,8 @@ static void drop_pipelines(struct bench_state *s)
 
 void bench_rhw_drop(struct bench_state *s)
 {
+    rhw_recording_destroy(s->recording);
+    rhw_context_destroy(s->recorder);
     for (uint32_t i = 0; s->vertices && s->indices && s->instances && i < s->scene->mesh_count; i++) {
         rhw_buffer_destroy(s->context, s->vertices[i]);
         rhw_buffer_destroy(s->context, s->indices[i]);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// In place of scene_model.c and scene_pbr.c where a build reads no model files.
+// In place of scene_model.c, scene_pbr.c and scene_process.c where a build reads no model files.
 #include "scene_model.h"
 #include "scene_pbr.h"
+#include "scene_process.h"
 
 #include <stdio.h>
-
-const char bench_bunny_path[] = "";
 
 static bool refuse(char *why, size_t why_size)
 {
@@ -25,6 +24,18 @@ bool bench_make_pbr(const struct bench_scene_entry *entry, struct bench_scene *s
 {
     (void)entry, (void)scene, (void)width, (void)height;
     return refuse(why, why_size);
+}
+
+bool bench_make_process(const struct bench_scene_entry *entry, struct bench_scene *scene, int width,
+                        int height, char *why, size_t why_size)
+{
+    (void)entry, (void)scene, (void)width, (void)height;
+    return refuse(why, why_size);
+}
+
+void bench_files_remove(struct bench_files *files)
+{
+    (void)files; // there are none
 }
 
 void bench_surfaces_free(struct bench_surfaces *surfaces)

@@ -4,14 +4,16 @@
 #include "scene_latency.h"
 
 #include "elementary.h"
-#include "process.h"
-#include "scene_model.h"
 
-#include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
-enum { SIDE = 100, FACES = 6, TEXTURES = 64 };
+enum {
+    SIDE = 100,
+    FACES = 6,
+    TEXTURES = 64,
+    LARGE_MESH = (1 << 20) / 24, // vertices of a mebibyte
+    LARGE_DRAWS = 1000
+};
 
 static const double size = 0.1; // half an edge; cubes stand 1.6 apart
 
@@ -23,13 +25,14 @@ static const struct scene_camera camera = {
     .zfar = 300.0,
 };
 
-// Four vertices per face; `axis` is the one that the face looks along.
-static bool make_cube(struct bench_mesh *mesh, bool is_textured)
+// Four vertices per face; `axis` is the one that the face looks along. `room` vertices or more are made, of which the
+// others are in no face.
+static bool make_cube(struct bench_mesh *mesh, uint32_t room, bool is_textured)
 {
     const int stride = is_textured ? 8 : 6;
     mesh->has[BENCH_POSITION] = mesh->has[BENCH_NORMAL] = true;
     mesh->has[BENCH_UV] = is_textured;
-    if (!bench_mesh_allocate(mesh, 4 * FACES, 6 * FACES)) {
+    if (!bench_mesh_allocate(mesh, room > 4 * FACES ? room : 4 * FACES, 6 * FACES)) {
         return false;
     }
     float *to = mesh->vertices;
@@ -69,15 +72,6 @@ static void place_cube(struct bench_draw *draw, int number, double aspect, bool 
     memcpy(draw->uniforms.color, color, sizeof color);
 }
 
-static bool choose_file(struct bench_scene *scene, char *why, size_t why_size)
-{
-    const bool there = access(bench_bunny_path, R_OK) == 0;
-    snprintf(why, why_size, there ? "this machine does not say where the program is" : "there is no %s",
-             bench_bunny_path);
-    scene->renders_file = bench_bunny_path;
-    return there && bench_can_start_itself();
-}
-
 // Texels without a pattern: what decoding one costs may depend on the one before it.
 static bool make_noise(struct bench_texture *texture, int size_in_texels, uint32_t state)
 {
@@ -97,20 +91,23 @@ bool bench_make_latency(const struct bench_scene_entry *entry, struct bench_scen
                         int height, char *why, size_t why_size)
 {
     const bool is_textured = entry->variant == BENCH_LATENCY_DRAWS_TEXTURES;
-    const bool draws = is_textured || entry->variant == BENCH_LATENCY_DRAWS;
+    (void)why, (void)why_size; // nothing is missing
+    scene->keeps_triangles = entry->variant == BENCH_LATENCY_DRAWS_REPLAYED;
+    scene->replays = scene->keeps_triangles || entry->variant == BENCH_LATENCY_DRAWS_RECORDED;
+    scene->writes_between = entry->variant == BENCH_LATENCY_WRITES_BETWEEN;
+    const bool is_large = scene->writes_between || entry->variant == BENCH_LATENCY_WRITES_NONE;
+    const bool draws = is_textured || scene->replays || is_large || entry->variant == BENCH_LATENCY_DRAWS;
     scene->opens_context = entry->variant == BENCH_LATENCY_CONTEXT;
     scene->opens_texture = entry->variant == BENCH_LATENCY_TEXTURE;
     scene->makes_mips = entry->variant == BENCH_LATENCY_MIPS;
-    if (entry->variant == BENCH_LATENCY_PROCESS && !choose_file(scene, why, why_size)) {
-        return false;
-    }
     scene->mesh_count = draws;
     scene->texture_count = is_textured ? TEXTURES : scene->makes_mips;
-    scene->draw_count = draws ? SIDE * SIDE : 0;
+    scene->draw_count = is_large ? LARGE_DRAWS : draws ? SIDE * SIDE : 0;
     scene->unit = BENCH_DRAWS;
     scene->work = scene->draw_count;
     scene->tolerance.outliers = draws ? 5e-5 : 0.0;
-    if (!bench_scene_allocate(scene) || (draws && !make_cube(&scene->meshes[0], is_textured))) {
+    if (!bench_scene_allocate(scene) ||
+        (draws && !make_cube(&scene->meshes[0], is_large ? LARGE_MESH : 0, is_textured))) {
         return false;
     }
     for (uint32_t i = 0; i < scene->texture_count; i++) {

@@ -140,19 +140,27 @@ static bool make_sponza(struct bench_scene *scene, const struct scene_model *mod
     return make_scene(scene, model, &bench_sponza_camera, aspect);
 }
 
-struct scene_model *bench_model_load(const char *file, char *why, size_t why_size)
+bool bench_model_find(const char *file, char *path, size_t size, char *why, size_t why_size)
 {
-    char path[4096], error[256];
     const char *const folder = getenv("RHW_MODELS");
     const bool absolute = file[0] == '/';
     if (absolute) {
-        snprintf(path, sizeof path, "%s", file);
+        snprintf(path, size, "%s", file);
     } else {
-        snprintf(path, sizeof path, "%s/%s", folder ? folder : "../shared/models", file);
+        snprintf(path, size, "%s/%s", folder ? folder : "../shared/models", file);
     }
     if (access(path, R_OK) != 0) {
         snprintf(why, why_size, "there is no %.300s%s", path,
                  absolute ? "" : "; RHW_MODELS names the folder of models");
+        return false;
+    }
+    return true;
+}
+
+struct scene_model *bench_model_load(const char *file, char *why, size_t why_size)
+{
+    char path[4096], error[256];
+    if (!bench_model_find(file, path, sizeof path, why, why_size)) {
         return NULL;
     }
     struct scene_model *const model = scene_model_load(path, NULL, error, sizeof error);

@@ -46,6 +46,9 @@ static void place_vertex(const struct bench_mesh *mesh, double theta, double phi
         *to++ = (float)(phi / pi * 2.0);
         *to++ = (float)(theta / pi * 2.0);
     }
+    for (int c = 0; c < 4 && mesh->has[BENCH_COLOR]; c++) {
+        *to++ = (float)(0.5 + 0.4 * (c < 3 ? normal[c] / sqrt(length) : sp));
+    }
 }
 
 // Two triangles for each quad of the grid.
@@ -131,7 +134,8 @@ static uint32_t stacks_of(enum bench_sphere_variant variant)
     switch (variant) {
     case BENCH_SPHERE_10K: return 50;
     case BENCH_SPHERE_82K:
-    case BENCH_SPHERE_82K_FLAT: return 143;
+    case BENCH_SPHERE_82K_FLAT:
+    case BENCH_SPHERE_82K_COLOR: return 143;
     case BENCH_SPHERE_1M_POINTS: return 706;
     default: return 500;
     }
@@ -149,7 +153,8 @@ bool bench_make_sphere(const struct bench_scene_entry *entry, struct bench_scene
 {
     (void)why, (void)why_size; // nothing but memory can fail
     const enum bench_sphere_variant variant = (enum bench_sphere_variant)entry->variant;
-    const bool depth_only = variant == BENCH_SPHERE_1M_DEPTH, textured = variant == BENCH_SPHERE_1M_TEXTURE;
+    const bool depth_only = variant == BENCH_SPHERE_1M_DEPTH, textured = variant == BENCH_SPHERE_1M_TEXTURE,
+               colored = variant == BENCH_SPHERE_82K_COLOR;
     const enum bench_topology topology = variant == BENCH_SPHERE_1M_LINES    ? BENCH_LINE_LIST
                                          : variant == BENCH_SPHERE_1M_POINTS ? BENCH_POINT_LIST
                                                                              : BENCH_TRIANGLE_LIST;
@@ -166,7 +171,8 @@ bool bench_make_sphere(const struct bench_scene_entry *entry, struct bench_scene
     struct bench_mesh *const mesh = &scene->meshes[0];
     mesh->topology = topology;
     mesh->has[BENCH_POSITION] = true;
-    mesh->has[BENCH_NORMAL] = !depth_only;
+    mesh->has[BENCH_NORMAL] = !depth_only && !colored;
+    mesh->has[BENCH_COLOR] = colored;
     mesh->has[BENCH_UV] = textured;
     if (!make_mesh(mesh, stacks, 2 * stacks)) {
         return false;
@@ -177,6 +183,7 @@ bool bench_make_sphere(const struct bench_scene_entry *entry, struct bench_scene
     struct bench_draw *const draw = &scene->draws[0];
     *draw = (struct bench_draw){.shader = depth_only                         ? BENCH_SHADER_DEPTH
                                           : textured                         ? BENCH_SHADER_LIT_TEXTURE
+                                          : colored                          ? BENCH_SHADER_COLOR
                                           : variant == BENCH_SPHERE_82K_FLAT ? BENCH_SHADER_LIT_FLAT
                                           : topology == BENCH_POINT_LIST     ? BENCH_SHADER_LIT_POINT
                                                                              : BENCH_SHADER_LIT,

@@ -9,6 +9,7 @@ enum bench_sphere_variant {
     BENCH_SPHERE_10K,
     BENCH_SPHERE_82K,
     BENCH_SPHERE_82K_FLAT,
+    BENCH_SPHERE_82K_COLOR, // the colour of a vertex is its normal, without light
     BENCH_SPHERE_1M,
     BENCH_SPHERE_1M_TEXTURE,
     BENCH_SPHERE_1M_DEPTH,

@@ -31,6 +31,14 @@ const uint32_t bench_shader_attributes[BENCH_SHADERS] = {
     [BENCH_SHADER_DEPTH] = P,
     [BENCH_SHADER_PARTICLE] = P | PLACE | TINT,
     [BENCH_SHADER_VOLUME] = P | N,
+    [BENCH_SHADER_SCREEN] = P | C,
+    [BENCH_SHADER_COORD] = P | C,
+    [BENCH_SHADER_SLOPES] = P | C,
+    [BENCH_SHADER_COORD_SLOPES] = P | C,
+    [BENCH_SHADER_DISCARD] = P | C,
+    [BENCH_SHADER_MOVE] = P | C,
+    [BENCH_SHADER_SAMPLE] = P | C,
+    [BENCH_SHADER_INPUT] = P | C,
     [BENCH_SHADER_SHADOWED] = P | N,
     [BENCH_SHADER_REFLECT] = P | N,
     [BENCH_SHADER_SURFACE] = P | N,
@@ -38,9 +46,10 @@ const uint32_t bench_shader_attributes[BENCH_SHADERS] = {
 };
 
 static const uint32_t uses[BENCH_SHADERS] = {
-    [BENCH_SHADER_LIT_FLAT] = RHW_USE_IDS,
-    [BENCH_SHADER_LIT_MASKED] = RHW_USE_DISCARD,
-    [BENCH_SHADER_SURFACE] = RHW_USE_COORD,
+    [BENCH_SHADER_LIT_FLAT] = RHW_USE_IDS,      [BENCH_SHADER_LIT_MASKED] = RHW_USE_DISCARD,
+    [BENCH_SHADER_COORD] = RHW_USE_COORD,       [BENCH_SHADER_COORD_SLOPES] = RHW_USE_COORD,
+    [BENCH_SHADER_DISCARD] = RHW_USE_DISCARD,   [BENCH_SHADER_MOVE] = RHW_USE_DEPTH,
+    [BENCH_SHADER_INPUT] = RHW_USE_COLOR_INPUT, [BENCH_SHADER_SURFACE] = RHW_USE_COORD,
     [BENCH_SHADER_LIGHTS] = RHW_USE_COORD,
 };
 
@@ -69,6 +78,18 @@ static void add_flat(struct rhw_program *program, int components)
         (struct rhw_varying){.components = components, .qualifier = RHW_FLAT};
 }
 
+// The colour, as the shader wants it.
+static void add_color(struct rhw_program *program, enum bench_shader shader)
+{
+    const bool slopes = shader == BENCH_SHADER_SLOPES || shader == BENCH_SHADER_COORD_SLOPES;
+    for (int first = 0; first < 4; first += slopes ? 2 : 4) {
+        add_varying(program, slopes ? 2 : 4, slopes && first == 0);
+        struct rhw_varying *const color = &program->varyings[program->varying_count - 1];
+        color->qualifier = shader == BENCH_SHADER_SCREEN ? RHW_NOPERSPECTIVE : RHW_SMOOTH;
+        color->sampling = shader == BENCH_SHADER_SAMPLE ? RHW_SAMPLING_SAMPLE : RHW_SAMPLING_CENTER;
+    }
+}
+
 void bench_program(struct rhw_program *program, enum bench_shader shader)
 {
     *program = (struct rhw_program){.uniform_size = (uint32_t)sizeof(struct bench_uniforms) +
@@ -83,7 +104,7 @@ void bench_program(struct rhw_program *program, enum bench_shader shader)
     }
     const uint32_t attributes = bench_shader_attributes[shader];
     if (attributes & C) {
-        add_varying(program, 4, false);
+        add_color(program, shader);
     }
     if ((attributes & N) && shader != BENCH_SHADER_VOLUME) {
         add_varying(program, 3, false); // normal, or ray

@@ -24,6 +24,10 @@ static const char fragment_head[] = "precision highp float;\n"
                                     "uniform sampler2D base;\n"
                                     "layout(location = 0) out vec4 target;\n";
 
+static const char input_head[] = "precision highp float;\n"
+                                 "uniform vec4 u[UNIFORMS];\n"
+                                 "layout(location = 0) inout vec4 target;\n";
+
 static const char fragment_common[] =
     "vec3 shade(vec3 normal, vec3 position, vec3 base_color) {\n"
     "    vec3 n = normalize(normal), v = normalize(u[7].xyz - position), h = normalize(v + u[8].xyz);\n"
@@ -32,16 +36,19 @@ static const char fragment_common[] =
     "    return base_color * (u[8].w + (1.0 - u[8].w) * n_dot_l) + vec3(gloss);\n"
     "}\n";
 
+#define SLOPES "vec4 slopes() { vec2 c = varying_color.rg; return vec4(dFdx(c), dFdy(c)).xzyw; }\n"
+
+static const char color_vertex[] = "out vec4 varying_color;\n"
+                                   "void main() { to_clip(); varying_color = color; }\n";
+
 static const struct {
     const char *vertex, *fragment;
 } mains[BENCH_SHADERS] = {
     [BENCH_SHADER_FLAT] = {"void main() { to_clip(); }\n", "void main() { target = u[9]; }\n"},
     [BENCH_SHADER_LITERAL] = {"void main() { to_clip(); }\n",
                               "void main() { target = vec4(0.85, 0.2, 0.15, 1.0); }\n"},
-    [BENCH_SHADER_COLOR] = {"out vec4 varying_color;\n"
-                            "void main() { to_clip(); varying_color = color; }\n",
-                            "in vec4 varying_color;\n"
-                            "void main() { target = varying_color; }\n"},
+    [BENCH_SHADER_COLOR] = {color_vertex, "in vec4 varying_color;\n"
+                                          "void main() { target = varying_color; }\n"},
     [BENCH_SHADER_TEXTURE] = {"out vec2 varying_uv;\n"
                               "void main() { to_clip(); varying_uv = uv; }\n",
                               "in vec2 varying_uv;\n"
@@ -91,7 +98,45 @@ static const struct {
         {"void main() { to_clip(dot(normal, u[9].xyz) > 0.0 ? position + u[9].xyz : position); }\n",
          "void main() { }\n"},
     [BENCH_SHADER_DEPTH] = {"void main() { to_clip(); }\n", "void main() { }\n"},
+    // Times W and over W: GL_NV_shader_noperspective_interpolation is not everywhere, and with Mesa 25.0.7 llvmpipe loses
+    // clipped triangles of it.
+    [BENCH_SHADER_SCREEN] = {"out vec4 varying_color;\n"
+                             "void main() { to_clip(); varying_color = color * gl_Position.w; }\n",
+                             "in vec4 varying_color;\n"
+                             "void main() { target = varying_color * gl_FragCoord.w; }\n"},
+    [BENCH_SHADER_COORD] = {color_vertex, "in vec4 varying_color;\n"
+                                          "void main() { target = varying_color + gl_FragCoord * u[9]; }\n"},
+    [BENCH_SHADER_SLOPES] = {color_vertex, "in vec4 varying_color;\n" SLOPES
+                                           "void main() { target = varying_color + slopes() * u[10].y; }\n"},
+    [BENCH_SHADER_COORD_SLOPES] =
+        {color_vertex,
+         "in vec4 varying_color;\n" SLOPES
+         "void main() { target = varying_color + gl_FragCoord * u[9] + slopes() * u[10].y; }\n"},
+    [BENCH_SHADER_DISCARD] =
+        {color_vertex, "in vec4 varying_color;\n"
+                       "void main() { if (varying_color.r < u[10].y) discard; target = varying_color; }\n"},
+    [BENCH_SHADER_MOVE] =
+        {color_vertex, "in vec4 varying_color;\n"
+                       "void main() { target = varying_color; gl_FragDepth = varying_color.a * u[9].a; }\n"},
+    [BENCH_SHADER_SAMPLE] = {"sample out vec4 varying_color;\n"
+                             "void main() { to_clip(); varying_color = color; }\n",
+                             "sample in vec4 varying_color;\n"
+                             "void main() { target = varying_color; }\n"},
+    [BENCH_SHADER_INPUT] = {color_vertex,
+                            "in vec4 varying_color;\n"
+                            "void main() { target = mix(target, varying_color, varying_color.a); }\n"},
 };
+
+// The first piece: what the shader needs beside GLSL ES 3.00.
+static const char *version_of(enum bench_shader shader)
+{
+    switch (shader) {
+    case BENCH_SHADER_SAMPLE: return "#version 320 es\n#define UNIFORMS 11\n";
+    case BENCH_SHADER_INPUT:
+        return "#version 300 es\n#extension GL_EXT_shader_framebuffer_fetch : require\n#define UNIFORMS 11\n";
+    default: return version;
+    }
+}
 
 void bench_glsl(enum bench_shader shader, const char *vertex[BENCH_GLSL_PIECES],
                 const char *fragment[BENCH_GLSL_PIECES])
@@ -108,7 +153,10 @@ void bench_glsl(enum bench_shader shader, const char *vertex[BENCH_GLSL_PIECES],
         bench_glsl_passes(shader, vertex, fragment);
         return;
     }
-    vertex[0] = fragment[0] = version;
+    vertex[0] = fragment[0] = version_of(shader);
+    if (shader == BENCH_SHADER_INPUT) {
+        fragment[1] = input_head;
+    }
     vertex[3] = mains[shader].vertex;
     fragment[3] = mains[shader].fragment;
 }

@@ -133,6 +133,70 @@ static void color_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
+// The colour with coordinates added, or derivatives, or both.
+ALWAYS_INLINE void add_to_color(struct rhw_fragment *groups, int count, bool coordinates, bool slopes)
+{
+    const struct bench_uniforms *const u = groups->uniforms;
+    for (int g = 0; g < count; g++) {
+        const struct rhw_fragment *const f = &groups[g];
+        for (int c = 0; c < 4; c++) {
+            rhw_float color = f->varying[c];
+            if (coordinates) {
+                color += f->coord[c] * u->color[c];
+            }
+            if (slopes) {
+                color += (c % 2 ? f->ddy : f->ddx)[c / 2] * u->cutoff;
+            }
+            groups[g].color[0][c] = color;
+        }
+    }
+}
+
+static void coord_fragment(struct rhw_fragment *groups, int count)
+{
+    add_to_color(groups, count, true, false);
+}
+
+static void slopes_fragment(struct rhw_fragment *groups, int count)
+{
+    add_to_color(groups, count, false, true);
+}
+
+static void coord_slopes_fragment(struct rhw_fragment *groups, int count)
+{
+    add_to_color(groups, count, true, true);
+}
+
+static void discard_fragment(struct rhw_fragment *groups, int count)
+{
+    const struct bench_uniforms *const u = groups->uniforms;
+    color_fragment(groups, count);
+    for (int g = 0; g < count; g++) {
+        groups[g].mask &= rhw_less_equal(u->cutoff, groups[g].varying[0]);
+    }
+}
+
+static void move_fragment(struct rhw_fragment *groups, int count)
+{
+    const struct bench_uniforms *const u = groups->uniforms;
+    color_fragment(groups, count);
+    for (int g = 0; g < count; g++) {
+        groups[g].depth = groups[g].varying[3] * u->color[3];
+    }
+}
+
+static void input_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        const rhw_float *const v = groups[g].varying;
+        rhw_float *const color = groups[g].color[0];
+        const rhw_float rest = 1.0f - v[3];
+        for (int c = 0; c < 4; c++) {
+            color[c] = v[c] * v[3] + color[c] * rest;
+        }
+    }
+}
+
 static void texture_fragment(struct rhw_fragment *groups, int count)
 {
     rhw_sample_groups(groups, count, 1, 0, groups->color, RHW_MAX_COLOR_ATTACHMENTS);
@@ -252,6 +316,14 @@ const struct bench_shader_table RHW_ISA_NAME(bench_shader_table) = {
             [BENCH_SHADER_DEPTH] = position_vertex,
             [BENCH_SHADER_PARTICLE] = particle_vertex,
             [BENCH_SHADER_VOLUME] = volume_vertex,
+            [BENCH_SHADER_SCREEN] = color_vertex,
+            [BENCH_SHADER_COORD] = color_vertex,
+            [BENCH_SHADER_SLOPES] = color_vertex,
+            [BENCH_SHADER_COORD_SLOPES] = color_vertex,
+            [BENCH_SHADER_DISCARD] = color_vertex,
+            [BENCH_SHADER_MOVE] = color_vertex,
+            [BENCH_SHADER_SAMPLE] = color_vertex,
+            [BENCH_SHADER_INPUT] = color_vertex,
         },
     .fragment =
         {
@@ -265,5 +337,13 @@ const struct bench_shader_table RHW_ISA_NAME(bench_shader_table) = {
             [BENCH_SHADER_LIT_TEXTURE] = lit_texture_fragment,
             [BENCH_SHADER_LIT_MASKED] = lit_masked_fragment,
             [BENCH_SHADER_PARTICLE] = particle_fragment,
+            [BENCH_SHADER_SCREEN] = color_fragment,
+            [BENCH_SHADER_COORD] = coord_fragment,
+            [BENCH_SHADER_SLOPES] = slopes_fragment,
+            [BENCH_SHADER_COORD_SLOPES] = coord_slopes_fragment,
+            [BENCH_SHADER_DISCARD] = discard_fragment,
+            [BENCH_SHADER_MOVE] = move_fragment,
+            [BENCH_SHADER_SAMPLE] = color_fragment,
+            [BENCH_SHADER_INPUT] = input_fragment,
         },
 };

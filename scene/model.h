@@ -111,6 +111,7 @@ struct scene_texture_slot {
     enum rhw_address address_u, address_v;
     enum rhw_filter min_filter, mag_filter;
     enum rhw_mip_filter mip_filter;
+    float border[4]; ///< what RHW_ADDRESS_BORDER reads outside of the image, linear, 0..1
 };
 
 enum scene_alpha_mode { SCENE_ALPHA_OPAQUE, SCENE_ALPHA_MASK, SCENE_ALPHA_BLEND };

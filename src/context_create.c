@@ -7,13 +7,17 @@
 #include "context/context.h"
 #include "base/cpu.h"
 #include "context/entry.h"
+#include "context/given_up.h"
 #include "binding/validation/validation.h"
 #include "kernels/kernels.h"
 #include "context/misuse.h"
 #include "draw/recorded_pass.h"
 #include "pass/encoder.h"
+#include "pass/kept_reads.h"
+#include "pass/pass_end.h"
 #include "pipeline/pipeline.h"
 #include "pass/query.h"
+#include "recording/recorder.h"
 #include "rhw/rhw.h"
 #include "resource/sampler.h"
 #include "run/run.h"
@@ -180,12 +184,14 @@ enum rhw_result rhw_context_create_probed(const struct rhw_context_def *def, boo
         .assert_ = def->assert_,
         .user = def->user,
         .number = number_of(created),
+        .pass_number = number_of(created),
         .cores = cores,
         .threads = thread_count(def->threads, cores),
         .isa = isa,
         .paths = def->paths,
         .bin_memory = def->bin_memory,
         .kernels = rhw_kernels_for(isa),
+        .keep_reads = rhw_encoder_keep_reads,
     };
     rhw_label_copy(created->label, def->label);
     rhw_pool_init(&created->buffers, "buffer", sizeof(struct rhw_buffer_data));
@@ -210,14 +216,21 @@ enum rhw_result rhw_context_create_probed(const struct rhw_context_def *def, boo
 void rhw_context_destroy(rhw_context *context)
 {
     static const char *const where = "rhw_context_destroy";
-    if (context == NULL || !rhw_context_enter(context, where)) {
+    if (context == NULL || !rhw_context_enter_any(context, where)) {
         return;
     }
     if (!rhw_check(context, !context->recording.active, "%s: a pass is being recorded; end it first",
+                   where) ||
+        !rhw_check(context, context->recorders == 0, "%s: a recorder of the context lives; destroy it first",
                    where)) {
         rhw_context_leave(context);
         return;
     }
+    if (context->owner) {
+        rhw_recorder_destroy(context);
+        return;
+    }
+    rhw_pass_release_retired(context);
     rhw_encoder_destroy(context->encoder);
     rhw_executor_destroy(context->executor);
     rhw_recorded_pass_destroy(&context->memory, context->pass);
@@ -234,11 +247,17 @@ int rhw_context_threads(const rhw_context *context)
     return rhw_check(context, context != NULL, "rhw_context_threads: context is NULL") ? context->threads : 0;
 }
 
+static void ask(void *user)
+{
+    (void)rhw_context_is_given_up(user, 0);
+}
+
 void rhw_context_set_goes_on(rhw_context *context, bool (*goes_on)(void *user), void *user)
 {
     if (rhw_context_enter(context, "rhw_context_set_goes_on")) {
         context->goes_on = goes_on;
         context->goes_on_user = user;
+        rhw_scheduler_set_idle(context->scheduler, goes_on ? ask : NULL, context);
         rhw_context_leave(context);
     }
 }

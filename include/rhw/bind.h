@@ -20,7 +20,8 @@ struct RHW_MAY_ALIAS rhw_binding {
 };
 
 // Bindings of what a context owns. These functions look up ids, so the calling thread is the one that is inside the
-// context. They may be called while a pass is recorded. On failure the binding is empty.
+// context. They may be called while a pass is recorded. They return RHW_OK, RHW_ERROR_OUT_OF_MEMORY,
+// RHW_ERROR_GIVEN_UP (rhw_context_set_goes_on) or RHW_ERROR_MISUSE. On failure the binding is empty.
 
 /// Make a binding of a texture with a sampler, for the sampling functions. The rules about the pair are those of
 /// rhw_pass_set_texture. A null sampler gives a binding for fetches and sizes, and for rhw_binding_of_pair.
@@ -60,7 +61,8 @@ RHW_API enum rhw_result rhw_binding_of_texels(rhw_context *context, rhw_buffer b
 
 /// Make a binding of the texture of one binding with the sampler of another. `texture` comes from
 /// rhw_binding_of_texture, and `sampler` from there or from rhw_binding_of_sampler. Each may be `binding` itself. The
-/// rules about the pair are those of rhw_pass_set_texture. Both are of one context.
+/// binding of a multisampled texture has no sampler to give. The rules about the pair are those of
+/// rhw_pass_set_texture. Both are of one context.
 RHW_API bool rhw_binding_of_pair(const struct rhw_binding *texture, const struct rhw_binding *sampler,
                                  struct rhw_binding *binding);
 

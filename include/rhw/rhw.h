@@ -14,6 +14,7 @@
 #include "limits.h"
 #include "explain.h"
 #include "pass_def.h"
+#include "recording.h"
 #include "stats.h"
 #include "transfer.h"
 #include "types.h"
@@ -45,11 +46,15 @@ RHW_API void rhw_context_destroy(rhw_context *context);
 /// Return the number of threads that draw, the calling thread included.
 RHW_API int rhw_context_threads(const rhw_context *context);
 
-/// Set a function that decides whether a pass or a dispatch of the context, or rhw_texture_generate_mips, goes on. The
-/// thread that called the library calls it before each of its tasks, some thousand times a second, and before each of
-/// its workgroups. If it returns false, the tasks under way are done, which are a tile, 8192 triangles or a workgroup
-/// each, and the call returns RHW_ERROR_GIVEN_UP. All that it wrote to then holds unspecified values, the queries of a
-/// pass have no result, and rhw_pass_end does not write the stats. `goes_on` must not call the library with the same
+/// Set a function that decides whether a pass or a dispatch of the context, rhw_texture_generate_mips, or a function
+/// that writes or copies texels into a texture goes on. The thread that called the library calls it before each of
+/// its tasks, some thousand times a second, and before each of its workgroups. Within a task of a pass, which is a tile
+/// or some thousand triangles, it calls it every 10 ms, or before each call of a shader function that takes longer. It
+/// calls it every 10 ms while it waits for other threads. If the function returns false, the calls of shader functions
+/// and the tasks outside of passes, of a workgroup or a megabyte each, that are under way are the last ones, and the
+/// call returns RHW_ERROR_GIVEN_UP. All that it wrote to then holds unspecified values, the queries of a pass have no
+/// result, and rhw_pass_end does not write the stats. rhw_pass_set_texture asks too, where a large texture is bound at
+/// first; the end of the pass then says that it was given up. `goes_on` must not call the library with the same
 /// context; that is misuse. A `goes_on` of NULL, as at first, lets all go on.
 RHW_API void rhw_context_set_goes_on(rhw_context *context, bool (*goes_on)(void *user), void *user);
 
@@ -75,11 +80,11 @@ RHW_API enum rhw_result rhw_buffer_create(rhw_context *context, const struct rhw
 RHW_API void rhw_buffer_destroy(rhw_context *context, rhw_buffer buffer);
 
 /// Replace `size` bytes at `offset`. Draws that were recorded before still read the old bytes: if the pass being
-/// recorded reads some of the bytes, the first write after a draw gives the buffer new memory. If there is no memory
-/// for that, the function returns RHW_ERROR_OUT_OF_MEMORY and the buffer stays as it is. It is misuse to write bytes
-/// that the pass being recorded may write, as storage or by transform feedback. It is also misuse to write bytes that
-/// the pass reads, if the pass may write other bytes of the buffer. Bytes that the pass does not use may be written.
-/// These rules hold for all functions that write to buffers.
+/// recorded reads some of the bytes, a write after a draw copies what draws read there, or the whole buffer if that is
+/// in a slot. If there is no memory for that, it returns RHW_ERROR_OUT_OF_MEMORY and writes nothing. It is misuse to
+/// write bytes that the pass being recorded may write, as storage or by transform feedback. It is also misuse to write
+/// bytes that the pass reads, if the pass may write other bytes of the buffer. Bytes that the pass does not use may be
+/// written. These rules hold for all functions that write to buffers.
 RHW_API enum rhw_result rhw_buffer_write(rhw_context *context, rhw_buffer buffer, size_t offset,
                                          const void *data, size_t size);
 

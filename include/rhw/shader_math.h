@@ -91,37 +91,32 @@ static inline rhw_float rhw_from_double(struct rhw_double8 a)
 #endif
 }
 
-// Return the square root of 4 doubles, correctly rounded. C's sqrt may set errno, so it is not called where an
+// Return the square root of 2 doubles, correctly rounded. C's sqrt may set errno, so it is not called where an
 // instruction does.
+static inline rhw_double2 rhw_sqrt_double2(rhw_double2 a)
+{
+#if defined(__SSE2__)
+    return (rhw_double2)_mm_sqrt_pd((__m128d)a);
+#elif defined(__aarch64__)
+    return (rhw_double2)vsqrtq_f64((float64x2_t)a);
+#elif defined(__wasm_simd128__)
+    return (rhw_double2)wasm_f64x2_sqrt((v128_t)a);
+#else
+    return (rhw_double2){__builtin_sqrt(a[0]), __builtin_sqrt(a[1])};
+#endif
+}
+
+// Return the square root of 4 doubles, correctly rounded.
 static inline rhw_double4 rhw_sqrt_double(rhw_double4 a)
 {
 #if defined(__AVX2__)
     return (rhw_double4)_mm256_sqrt_pd((__m256d)a);
-#elif defined(__SSE2__)
-    __m128d half[2];
-    memcpy(half, &a, sizeof a);
-    half[0] = _mm_sqrt_pd(half[0]);
-    half[1] = _mm_sqrt_pd(half[1]);
-    memcpy(&a, half, sizeof a);
-    return a;
-#elif defined(__aarch64__)
-    float64x2_t half[2];
-    memcpy(half, &a, sizeof a);
-    half[0] = vsqrtq_f64(half[0]);
-    half[1] = vsqrtq_f64(half[1]);
-    memcpy(&a, half, sizeof a);
-    return a;
-#elif defined(__wasm_simd128__)
-    v128_t half[2];
-    memcpy(half, &a, sizeof a);
-    half[0] = wasm_f64x2_sqrt(half[0]);
-    half[1] = wasm_f64x2_sqrt(half[1]);
-    memcpy(&a, half, sizeof a);
-    return a;
 #else
-    for (int i = 0; i < 4; i++) {
-        a[i] = __builtin_sqrt(a[i]);
-    }
+    rhw_double2 half[2];
+    memcpy(half, &a, sizeof a);
+    half[0] = rhw_sqrt_double2(half[0]);
+    half[1] = rhw_sqrt_double2(half[1]);
+    memcpy(&a, half, sizeof a);
     return a;
 #endif
 }

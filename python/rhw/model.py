@@ -303,6 +303,8 @@ class Model:
             drawn, _, origin = _draw(scene, (width, height), seen_by, names, look)
         elif rasterized == 0:
             warnings.warn(f"{self.path}: nothing of the model is in the picture", stacklevel=2)
+        elif camera is not None and _rhw.camera_shows_a_dot(self._model, fitted, width / height):
+            warnings.warn(f"{self.path}: next to nothing of the model is in the picture", stacklevel=2)
         arrays = {each: np.asarray(drawn[each]) for each in names}
         from_origin = arrays.get("position") if any(origin) else None
         if from_origin is not None:

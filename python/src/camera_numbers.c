@@ -140,6 +140,21 @@ static PyObject *camera_sight(PyObject *module, PyObject *arguments)
     return PyUnicode_FromString(words[scene_camera_sight(model, &camera, aspect)]);
 }
 
+// (model, camera, aspect): whether this camera, which was asked for, sees next to nothing
+static PyObject *camera_shows_a_dot(PyObject *module, PyObject *arguments)
+{
+    (void)module;
+    PyObject *object, *tuple;
+    double aspect;
+    struct scene_camera camera;
+    const struct scene_model *model;
+    if (!PyArg_ParseTuple(arguments, "OOd:camera_shows_a_dot", &object, &tuple, &aspect) ||
+        !(model = python_model_get(object)) || !python_camera_read(tuple, &camera)) {
+        return NULL;
+    }
+    return PyBool_FromLong(scene_camera_shows_a_dot(model, &camera, aspect));
+}
+
 // (camera, aspect): world to camera and camera to clip space, doubles, column major
 static PyObject *camera_matrices(PyObject *module, PyObject *arguments)
 {
@@ -205,6 +220,7 @@ PyMethodDef python_camera_functions[] = {{"camera_fit", camera_fit, METH_VARARGS
                                          {"camera_look", camera_look, METH_VARARGS, NULL},
                                          {"camera_enclose", camera_enclose, METH_VARARGS, NULL},
                                          {"camera_sight", camera_sight, METH_VARARGS, NULL},
+                                         {"camera_shows_a_dot", camera_shows_a_dot, METH_VARARGS, NULL},
                                          {"camera_matrices", camera_matrices, METH_VARARGS, NULL},
                                          {"lens_angle", lens_angle, METH_VARARGS, NULL},
                                          {"sin_cos_degrees", sin_cos_degrees, METH_O, NULL},

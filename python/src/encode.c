@@ -198,7 +198,7 @@ static bool write_exr(struct cli_output_file *file, const void *user)
 {
     const struct exr *exr = user;
     return cli_exr_write(file, exr->pictures.width, exr->pictures.height, exr->channels, exr->channel_count,
-                         exr->about.objects ? &exr->about : NULL, exr->threads);
+                         &exr->about, exr->threads);
 }
 
 // Whether those are outputs of a model, one at least. False with an exception.

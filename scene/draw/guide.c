@@ -129,14 +129,63 @@ enum rhw_result scene_guide_draw(struct scene_guide *guide, const struct scene_u
     return scene_pass_end(context, pass, result, NULL);
 }
 
+static bool is_seen(float distance)
+{
+    return distance < 1e30f;
+}
+
+// Return the first texel of a row, from `first` on, that a surface is seen in, or `end`.
+static int find_seen(const float *row, int first, int end)
+{
+    while (first < end && !is_seen(row[first])) {
+        first++;
+    }
+    return first;
+}
+
+// Find a rectangle of whole blocks around all texels that surfaces are seen in. It has one texel where there are none.
+static struct rhw_rect seen_rectangle(const struct scene_guide *guide)
+{
+    enum { BLOCK = 8 };
+    int left = guide->width, right = 0, top = guide->height, bottom = 0;
+    for (int y = 0; y < guide->height; y++) {
+        const float *const row = &guide->distance.texels[(size_t)y * (size_t)guide->distance.pitch];
+        const int first = find_seen(row, 0, guide->width);
+        if (first == guide->width) {
+            continue;
+        }
+        int last = guide->width - 1;
+        while (last >= right && !is_seen(row[last])) {
+            last--;
+        }
+        left = first < left ? first : left;
+        right = last + 1 > right ? last + 1 : right;
+        top = y < top ? y : top;
+        bottom = y + 1;
+    }
+    if (left >= right) {
+        return (struct rhw_rect){0, 0, 1, 1};
+    }
+    left -= left % BLOCK;
+    top -= top % BLOCK;
+    return (struct rhw_rect){left, top, (right - left + BLOCK - 1) / BLOCK * BLOCK,
+                             (bottom - top + BLOCK - 1) / BLOCK * BLOCK};
+}
+
+// Draw a plane of occlusion. All is open where nothing is seen, so that only the rectangle `seen` is shaded.
 static enum rhw_result draw_plane(const struct scene_guide *guide, rhw_context *context, rhw_sampler nearest,
                                   enum scene_screen_kind kind, const struct scene_ambient *uniforms,
-                                  const struct scene_plane *plane)
+                                  const struct rhw_rect *seen, const struct scene_plane *plane)
 {
     static const enum rhw_format format = RHW_FORMAT_R32_FLOAT;
+    struct rhw_pass_def def = rhw_pass_def_default();
+    def.color_count = 1;
+    def.colors[0] = (struct rhw_color_attachment){.texture = plane->texture, .clear = {1.0f}};
+    def.depth = (struct rhw_depth_attachment){.enabled = false};
     rhw_pass pass;
-    enum rhw_result result = scene_screen_begin(context, plane->texture, &pass);
+    enum rhw_result result = rhw_pass_begin(context, &def, &pass);
     if (result == RHW_OK) {
+        rhw_pass_set_scissor(context, pass, seen);
         rhw_pass_set_texture(context, pass, 0, guide->normal.texture, nearest);
         result = scene_screen_record(context, pass, kind, &format, 1, uniforms);
         result = scene_pass_end(context, pass, result, NULL);
@@ -180,19 +229,22 @@ enum rhw_result scene_guide_occlude(struct scene_guide *guide, rhw_context *cont
         }
     }
     struct scene_ambient uniforms = occlusion_uniforms(guide, view, radius);
+    const struct rhw_rect seen = seen_rectangle(guide);
     if (result == RHW_OK) {
-        result = draw_plane(guide, context, nearest, SCENE_SCREEN_OCCLUSION, &uniforms, &guide->occlusion);
+        result =
+            draw_plane(guide, context, nearest, SCENE_SCREEN_OCCLUSION, &uniforms, &seen, &guide->occlusion);
     }
     uniforms.source = guide->occlusion.texels;
     uniforms.step = 1;
     if (result == RHW_OK) {
-        result = draw_plane(guide, context, nearest, SCENE_SCREEN_OCCLUSION_BLUR, &uniforms, &guide->scratch);
+        result = draw_plane(guide, context, nearest, SCENE_SCREEN_OCCLUSION_BLUR, &uniforms, &seen,
+                            &guide->scratch);
     }
     uniforms.source = guide->scratch.texels;
     uniforms.step = guide->distance.pitch;
     if (result == RHW_OK) {
-        result =
-            draw_plane(guide, context, nearest, SCENE_SCREEN_OCCLUSION_BLUR, &uniforms, &guide->occlusion);
+        result = draw_plane(guide, context, nearest, SCENE_SCREEN_OCCLUSION_BLUR, &uniforms, &seen,
+                            &guide->occlusion);
     }
     return result;
 }

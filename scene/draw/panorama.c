@@ -364,7 +364,7 @@ static enum rhw_result create_samplers(struct scene_surroundings *s, rhw_context
 }
 
 static enum rhw_result create_picture(struct scene_surroundings *s, rhw_context *context,
-                                      const struct scene_panorama *p, struct asking *asking)
+                                      const struct scene_panorama *p)
 {
     struct rhw_texture_def def = rhw_texture_def_default();
     def.format = RHW_FORMAT_RGBA32_FLOAT;
@@ -372,15 +372,19 @@ static enum rhw_result create_picture(struct scene_surroundings *s, rhw_context 
     def.height = p->height;
     def.mip_levels = RHW_MIP_LEVELS_ALL;
     enum rhw_result result = rhw_texture_create(context, &def, &s->picture);
-    const int rows = 1 + (1 << 20) / p->width; // between questions
-    for (int y = 0; y < p->height && result == RHW_OK; y += rows) {
-        const struct rhw_texture_region region = {
-            .y = y, .width = p->width, .height = p->height - y < rows ? p->height - y : rows};
-        result = goes_on(asking) ? rhw_texture_write_region(context, s->picture, &region,
-                                                            p->texels[(size_t)y * (size_t)p->width], 0, 0)
-                                 : RHW_ERROR_GIVEN_UP;
+    if (result == RHW_OK) {
+        result = rhw_texture_write(context, s->picture, 0, p->texels, 0);
     }
     return result == RHW_OK ? rhw_texture_generate_mips(context, s->picture) : result;
+}
+
+static void copy_rows(const struct scene_panorama *from, const struct scene_panorama *to,
+                      struct asking *asking)
+{
+    const size_t width = (size_t)from->width;
+    for (size_t y = 0; y < (size_t)from->height && goes_on(asking); y++) {
+        memcpy(to->texels[y * width], from->texels[y * width], width * sizeof *to->texels);
+    }
 }
 
 // Light comes from a copy without the sun, the background shows it.
@@ -396,13 +400,13 @@ static enum rhw_result make(struct scene_surroundings *s, rhw_context *context, 
     if (!copy.texels) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    memcpy(copy.texels, panorama->texels, size);
+    copy_rows(panorama, &copy, &asking);
     enum rhw_result result = measure(s, &copy, turn, &asking);
     if (result == RHW_OK) {
         result = create_samplers(s, context);
     }
     if (result == RHW_OK) {
-        result = create_picture(s, context, &copy, &asking);
+        result = create_picture(s, context, &copy);
     }
     free(copy.texels);
     if (result == RHW_OK) {
@@ -411,7 +415,7 @@ static enum rhw_result make(struct scene_surroundings *s, rhw_context *context, 
     if (result == RHW_OK && s->sun.color[1] > 0.0f) {
         rhw_texture_destroy(context, s->picture);
         s->picture = (rhw_texture){0};
-        result = create_picture(s, context, panorama, &asking);
+        result = create_picture(s, context, panorama);
     }
     return result;
 }

@@ -194,7 +194,8 @@ void scene_shadow_projection(const struct scene_shadow_map *map, double m[16])
 
 enum rhw_result scene_shadow_draw(const struct scene_upload *upload,
                                   struct scene_surface_pipelines *pipelines, const struct scene_frame *frame,
-                                  const struct scene_shadow_map *map, const struct scene_plane *plane)
+                                  const struct scene_shadow_map *map, const struct scene_plane *plane,
+                                  struct rhw_stats *stats)
 {
     struct scene_surface_pass surfaces = {.frame = frame, .shadow = true};
     scene_shadow_projection(map, surfaces.view_projection);
@@ -206,7 +207,7 @@ enum rhw_result scene_shadow_draw(const struct scene_upload *upload,
     enum rhw_result result = rhw_pass_begin(upload->context, &def, &pass);
     if (result == RHW_OK) {
         result = scene_surfaces_record(upload, pipelines, &surfaces, pass);
-        result = scene_pass_end(upload->context, pass, result, NULL);
+        result = scene_pass_end(upload->context, pass, result, stats);
     }
     return result;
 }
@@ -221,7 +222,7 @@ static enum rhw_result draw_map(const struct scene_upload *upload, struct scene_
         own.eye[c] = (float)light->origin[c];
         own.forward[c] = (float)light->ahead[c];
     }
-    return scene_shadow_draw(upload, pipelines, &own, map, plane);
+    return scene_shadow_draw(upload, pipelines, &own, map, plane, NULL);
 }
 
 // Sets a map, gives it a plane and draws it.

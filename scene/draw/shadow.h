@@ -32,10 +32,11 @@ struct scene_shadow_map scene_shadow_cover(const struct scene_model *model,
                                            const struct scene_shader_light *light, const double up[3]);
 /// World to clip coordinates of a map, with reversed depth.
 void scene_shadow_projection(const struct scene_shadow_map *map, double matrix[16]);
-/// Draws a map into its plane. `frame` looks as the light does.
+/// Draws a map into its plane. `frame` looks as the light does. `stats` of the pass, or NULL.
 enum rhw_result scene_shadow_draw(const struct scene_upload *upload,
                                   struct scene_surface_pipelines *pipelines, const struct scene_frame *frame,
-                                  const struct scene_shadow_map *map, const struct scene_plane *plane);
+                                  const struct scene_shadow_map *map, const struct scene_plane *plane,
+                                  struct rhw_stats *stats);
 void scene_shadows_destroy(rhw_context *context, struct scene_shadows *shadows);
 
 #endif

@@ -207,6 +207,7 @@ static enum rhw_result upload_material(struct scene_upload *upload, uint32_t m)
         def.mip_filter = slot->mip_filter;
         def.address_u = slot->address_u;
         def.address_v = slot->address_v;
+        memcpy(def.border, slot->border, sizeof def.border);
         material->slots[s].texture = as_color ? image->color : image->data;
         const enum rhw_result result = rhw_sampler_create(upload->context, &def, &material->slots[s].sampler);
         if (result != RHW_OK) {

@@ -291,6 +291,11 @@ static bool material_valid(const struct scene_material *material, const struct s
             (unsigned)slot->mip_filter > RHW_MIP_FILTER_NONE) {
             return false;
         }
+        for (int c = 0; c < 4; c++) {
+            if (!(slot->border[c] >= 0 && slot->border[c] <= 1)) {
+                return false;
+            }
+        }
     }
     return true;
 }

@@ -14,7 +14,7 @@
 #include "import/builder/stored_colors.h"
 #include "obj.h"
 
-static const uint32_t none = UINT32_MAX;
+static const uint32_t none = SCENE_OBJ_NONE;
 // Stands for white until it is known whether 1 or 255 is. No file has it, as colours are not below 0.
 static const float white = -1;
 
@@ -32,14 +32,8 @@ _Noreturn static void refuse(struct obj *obj, const char *problem)
 
 // Vertices ------------------------------------------------------------------------------------------
 
-// Read v x y z [w] or v x y z [w] r g b. The number w weights free-form curves and says nothing about polygons.
-static void read_position(struct obj *obj, struct scene_line line)
+void scene_obj_add_position(struct obj *obj, const double *values, int count)
 {
-    double values[7];
-    const int count = scene_text_doubles(&line, values, 7);
-    if (count < 3) {
-        refuse(obj, "a vertex needs three numbers");
-    }
     if (obj->position_count >= INT_MAX) {
         refuse(obj, "has too many vertices");
     }
@@ -63,26 +57,51 @@ static void read_position(struct obj *obj, struct scene_line line)
     }
 }
 
+static void read_position(struct obj *obj, struct scene_line line)
+{
+    double values[SCENE_OBJ_NUMBERS];
+    const int count = scene_text_doubles(&line, values, SCENE_OBJ_NUMBERS);
+    if (count < 3) {
+        refuse(obj, "a vertex needs three numbers");
+    }
+    scene_obj_add_position(obj, values, count);
+}
+
+void scene_obj_add_uv(struct obj *obj, const double *values, int count)
+{
+    scene_import_reserve(obj->import, &obj->uvs, &obj->uv_capacity, obj->uv_count + 1, sizeof *obj->uvs);
+    float *const uv = obj->uvs[obj->uv_count++];
+    uv[0] = (float)values[0];
+    uv[1] = 1 - (count > 1 ? (float)values[1] : 0); // the format's v points up
+}
+
 static void read_uv(struct obj *obj, struct scene_line line)
 {
-    float values[2] = {0, 0};
-    if (scene_text_numbers(&line, values, 2) < 1) {
+    double values[2];
+    const int count = scene_text_doubles(&line, values, 2);
+    if (count < 1) {
         refuse(obj, "a texture coordinate needs a number");
     }
-    scene_import_reserve(obj->import, &obj->uvs, &obj->uv_capacity, obj->uv_count + 1, sizeof *obj->uvs);
-    obj->uvs[obj->uv_count][0] = values[0];
-    obj->uvs[obj->uv_count++][1] = 1 - values[1]; // the format's v points up
+    scene_obj_add_uv(obj, values, count);
+}
+
+void scene_obj_add_normal(struct obj *obj, const double values[3])
+{
+    scene_import_reserve(obj->import, &obj->normals, &obj->normal_capacity, obj->normal_count + 1,
+                         sizeof *obj->normals);
+    float *const normal = obj->normals[obj->normal_count++];
+    for (int c = 0; c < 3; c++) {
+        normal[c] = (float)values[c];
+    }
 }
 
 static void read_normal(struct obj *obj, struct scene_line line)
 {
-    float values[3];
-    if (scene_text_numbers(&line, values, 3) < 3) {
+    double values[3];
+    if (scene_text_doubles(&line, values, 3) < 3) {
         refuse(obj, "a normal needs three numbers");
     }
-    scene_import_reserve(obj->import, &obj->normals, &obj->normal_capacity, obj->normal_count + 1,
-                         sizeof *obj->normals);
-    memcpy(obj->normals[obj->normal_count++], values, sizeof values);
+    scene_obj_add_normal(obj, values);
 }
 
 static int hex_digit(char c)
@@ -218,8 +237,8 @@ static struct part *find_part(struct obj *obj, const struct part_key *key)
     return &obj->parts[found];
 }
 
-static void add_element(struct obj *obj, enum scene_primitive primitive, const struct corner *corners,
-                        uint32_t count)
+void scene_obj_add_element(struct obj *obj, enum scene_primitive primitive, const struct corner *corners,
+                           uint32_t count)
 {
     struct part_key key = {
         (uint32_t)obj->object_count - 1, obj->material, SMOOTHING_NOT_SAID, primitive, true, true};
@@ -259,15 +278,15 @@ static void read_element(struct obj *obj, enum scene_primitive primitive, struct
         return;
     }
     if (primitive == SCENE_PRIMITIVE_TRIANGLES && count >= 3) {
-        add_element(obj, primitive, obj->polygon, count);
+        scene_obj_add_element(obj, primitive, obj->polygon, count);
     } else if (primitive == SCENE_PRIMITIVE_TRIANGLES) {
         obj->small_faces++;
     }
     for (uint32_t i = 1; primitive == SCENE_PRIMITIVE_LINES && i < count; i++) {
-        add_element(obj, primitive, obj->polygon + i - 1, 2);
+        scene_obj_add_element(obj, primitive, obj->polygon + i - 1, 2);
     }
     for (uint32_t i = 0; primitive == SCENE_PRIMITIVE_POINTS && i < count; i++) {
-        add_element(obj, primitive, obj->polygon + i, 1);
+        scene_obj_add_element(obj, primitive, obj->polygon + i, 1);
     }
 }
 
@@ -404,7 +423,7 @@ static void read_line(struct obj *obj, struct scene_word key, struct scene_line 
 static void add_all_points(struct obj *obj)
 {
     for (size_t i = 0; i < obj->position_count; i++) {
-        add_element(obj, SCENE_PRIMITIVE_POINTS, &(struct corner){(uint32_t)i, none, none}, 1);
+        scene_obj_add_element(obj, SCENE_PRIMITIVE_POINTS, &(struct corner){(uint32_t)i, none, none}, 1);
     }
 }
 
@@ -478,7 +497,11 @@ void scene_import_obj(struct scene_import *import)
     start_object(&obj, "");
     struct scene_line line;
     struct scene_word key;
-    while (scene_text_line(&obj.text, true, &line)) {
+    for (;;) {
+        scene_obj_read_plain(&obj);
+        if (!scene_text_line(&obj.text, true, &line)) {
+            break;
+        }
         if (scene_text_word(&line, &key) && key.start[0] != '#') {
             read_line(&obj, key, line);
         } else if (obj.position_count == 0) {

@@ -9,9 +9,11 @@
 #include "mtl.h"
 
 enum { SMOOTHING_NOT_SAID = -1, SMOOTHING_OFF = 0 };
+enum { SCENE_OBJ_NUMBERS = 7 }; // the most numbers of a line that count
+#define SCENE_OBJ_NONE UINT32_MAX
 
 struct corner {
-    uint32_t position, uv, normal; // uv and normal are UINT32_MAX where the file gives none
+    uint32_t position, uv, normal; // uv and normal are SCENE_OBJ_NONE where the file gives none
 };
 
 struct part_key {
@@ -56,8 +58,24 @@ struct obj {
     uint32_t small_faces;   // number of faces with fewer than three corners
     uint32_t zero_elements; // number of faces, lines and points with an index of 0
     bool has_zero_others;   // a texture coordinate or a normal has the index 0
+    bool joins_corners;     // corners with the same numbers become one vertex at once
+    // The last vertex of the part at each position. SCENE_OBJ_NONE where there is none.
+    uint32_t *first_vertices;
 };
 
+// Add what a line has, by its numbers.
+
+/// Add a vertex: x y z [w] or x y z [w] r g b. The number w weights free-form curves and says nothing about polygons.
+void scene_obj_add_position(struct obj *obj, const double *values, int count);
+/// Add texture coordinates: u [v].
+void scene_obj_add_uv(struct obj *obj, const double *values, int count);
+void scene_obj_add_normal(struct obj *obj, const double values[3]);
+/// Add a triangle or polygon, a line or a point of corners that are good.
+void scene_obj_add_element(struct obj *obj, enum scene_primitive primitive, const struct corner *corners,
+                           uint32_t count);
+
+/// Read all lines that are plain, up to one that is not.
+void scene_obj_read_plain(struct obj *obj);
 /// Make meshes of all parts, and free the parts.
 void scene_obj_add_parts(struct obj *obj);
 

@@ -2,7 +2,7 @@
 // The Stanford polygon format, which scans of a million triangles come in. It is read in one pass, several times faster
 // than through assimp, whose reader also crashes on files that only begin with an odd byte.
 //
-// Here are the order of a read, vertices, and the meshes that the data become.
+// Here are the order of a read, and the meshes that the data become.
 #include "ply.h"
 
 #include <stdlib.h>
@@ -34,10 +34,8 @@ bool scene_import_is_ply(const char *path, const unsigned char *start, size_t si
     return has_magic(start, size) || (dot != NULL && strcasecmp(dot, ".ply") == 0);
 }
 
-// Vertices ------------------------------------------------------------------------------------------
-
 // Tell of properties that would change how a surface looks.
-static void tell_of_property(struct ply *ply, struct scene_word name)
+void scene_ply_tell_of_property(struct ply *ply, struct scene_word name)
 {
     static const struct {
         const char *start, *what;
@@ -53,77 +51,6 @@ static void tell_of_property(struct ply *ply, struct scene_word name)
             scene_import_unsupported(ply->import, "%s (PLY): not drawn", looks[i].what);
         }
     }
-}
-
-static void allocate_vertices(struct ply *ply, const bool present[TARGETS], uint32_t count)
-{
-    struct scene_mesh *mesh = &ply->mesh;
-    if (!present[X] || !present[Y] || !present[Z]) {
-        scene_import_fail(ply->import, "its vertices have no positions");
-    }
-    mesh->vertex_count = count;
-    ply->read_positions = scene_import_allocate(ply->import, count, sizeof *ply->read_positions);
-    if (present[NX] && present[NY] && present[NZ]) {
-        mesh->normals = scene_import_allocate(ply->import, count, sizeof *mesh->normals);
-    }
-    if (present[U] && present[V]) {
-        mesh->uvs[0] = scene_import_allocate(ply->import, count, sizeof *mesh->uvs[0]);
-    }
-}
-
-static void store_vertex(struct ply *ply, uint32_t i, const double place[3], const float values[TARGETS])
-{
-    struct scene_mesh *mesh = &ply->mesh;
-    memcpy(ply->read_positions[i], place, sizeof ply->read_positions[i]);
-    if (mesh->normals != NULL) {
-        memcpy(mesh->normals[i], values + NX, sizeof mesh->normals[i]);
-    }
-    if (mesh->uvs[0] != NULL) {
-        mesh->uvs[0][i][0] = values[U];
-        mesh->uvs[0][i][1] = 1 - values[V]; // the format's v points up
-    }
-    if (ply->vertex_colors.present) {
-        scene_ply_add_color(ply, &ply->vertex_colors, values);
-    }
-}
-
-static void read_vertices(struct ply *ply, const struct element *element)
-{
-    enum target targets[MOST_PROPERTIES];
-    bool present[TARGETS + 1] = {false};
-    float values[TARGETS + 1] = {0};
-    double place[3];
-    for (int i = 0; i < element->property_count; i++) {
-        targets[i] = scene_ply_target(&element->properties[i]);
-        present[targets[i]] = true;
-        tell_of_property(ply, element->properties[i].name);
-    }
-    if (ply->mesh.positions != NULL) {
-        scene_import_fail(ply->import, "has two lists of vertices");
-    }
-    scene_ply_find_colors(element, &ply->vertex_colors);
-    if (ply->vertex_colors.present) {
-        scene_import_reserve(ply->import, &ply->vertex_colors.rows, &ply->vertex_colors.capacity,
-                             (size_t)element->count, sizeof *ply->vertex_colors.rows);
-    }
-    allocate_vertices(ply, present, (uint32_t)element->count);
-    for (ply->row = 0; ply->row < element->count; ply->row++) {
-        for (int i = 0; i < element->property_count; i++) {
-            if (targets[i] == UNUSED) {
-                scene_ply_skip(ply, &element->properties[i]);
-            } else {
-                const double number = scene_ply_number(ply, element->properties[i].type);
-                values[targets[i]] = (float)number;
-                if (targets[i] <= Z) {
-                    place[targets[i] - X] = number;
-                }
-            }
-        }
-        store_vertex(ply, (uint32_t)ply->row, place, values);
-    }
-    scene_import_keep_exact(ply->import, &ply->mesh, (const double(*)[3])ply->read_positions);
-    ply->mesh.positions =
-        scene_import_settle(ply->import, ply->read_positions, (size_t)element->count, ply->origin);
 }
 
 // Elements ------------------------------------------------------------------------------------------
@@ -155,7 +82,7 @@ static void read_element(struct ply *ply, const struct element *element)
         return;
     }
     if (scene_word_is(element->name, "vertex")) {
-        read_vertices(ply, element);
+        scene_ply_read_vertices(ply, element);
     } else if (scene_word_is(element->name, "face")) {
         scene_ply_read_faces(ply, element);
     } else if (scene_word_is(element->name, "tristrips")) {
@@ -249,7 +176,7 @@ static void find_rows(struct ply *ply)
         }
         for (int k = 0; k < element->property_count; k++) {
             numbered = numbered || scene_word_is(element->properties[k].name, "texnumber");
-            tell_of_property(ply, element->properties[k].name);
+            scene_ply_tell_of_property(ply, element->properties[k].name);
         }
     }
     if (ply->texture_count > 1 && !numbered) {

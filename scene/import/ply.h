@@ -98,7 +98,11 @@ void scene_ply_add_color(struct ply *ply, struct ply_colors *colors, const float
 /// Make the colours of the rows linear. Return true if any is translucent.
 bool scene_ply_decode_colors(struct ply_colors *colors);
 
+/// Tell of a property that would change how a surface looks.
+void scene_ply_tell_of_property(struct ply *ply, struct scene_word name);
+
 // Read the rows of an element.
+void scene_ply_read_vertices(struct ply *ply, const struct element *element);
 void scene_ply_read_faces(struct ply *ply, const struct element *element);
 void scene_ply_read_strips(struct ply *ply, const struct element *element);
 void scene_ply_read_edges(struct ply *ply, const struct element *element);

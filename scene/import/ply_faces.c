@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ply.h"
+#include "ply_load.h"
 
 static uint32_t checked_index(struct ply *ply, double index)
 {
@@ -120,6 +120,66 @@ static void read_wedges(struct ply *ply, const struct property *property, struct
     }
 }
 
+// Where triangles stand in rows that are a list of corners alone.
+struct triangles {
+    enum type count_type, type;
+    size_t count_size, size; // bytes of a count and of an index
+    bool is_big, are_plain;  // are_plain: rows have nothing else, and need nothing else
+};
+
+static struct triangles find_triangles(const struct ply *ply, const struct element *element,
+                                       const struct face *face)
+{
+    const struct property *const list = &element->properties[0];
+    return (struct triangles){
+        .count_type = list->count_type,
+        .type = list->type,
+        .count_size = scene_ply_type_size(list->count_type),
+        .size = scene_ply_type_size(list->type),
+        .is_big = ply->encoding == BIG_ENDIAN_BINARY,
+        .are_plain = ply->encoding != ASCII && element->property_count == 1 && face->uses[0] == USE_CORNERS &&
+                     !ply->has_rows && ply->wedges == NULL &&
+                     (list->type == TYPE_INT32 || list->type == TYPE_UINT32),
+    };
+}
+
+// Load the triangles of rows up to one that is no triangle of good corners, or is the last that fits.
+static void load_triangles(struct ply *ply, const struct element *element, const struct triangles *triangles)
+{
+    const size_t row = triangles->count_size + 3 * triangles->size;
+    const uint32_t vertices = ply->mesh.vertex_count;
+    while (ply->row < element->count && (size_t)(ply->end - ply->cursor) >= row &&
+           ply->index_count + 3 <= ply->index_capacity) {
+        const unsigned char *const corners = ply->cursor + triangles->count_size;
+        uint32_t *const out = ply->mesh.indices + ply->index_count;
+        bool is_good = scene_ply_load(ply->cursor, triangles->count_type, triangles->is_big) == 3;
+        for (int k = 0; k < 3; k++) {
+            out[k] = scene_ply_load_32(corners + 4 * k, triangles->is_big);
+            // A negative index is above all others here.
+            is_good = is_good && out[k] < vertices && out[k] <= INT32_MAX;
+        }
+        if (!is_good) {
+            return;
+        }
+        ply->index_count += 3;
+        ply->cursor += row;
+        ply->row++;
+        ply->row_count++;
+    }
+}
+
+// Make room for triangles of all rows, as far as the file can hold them.
+static void reserve_triangles(struct ply *ply, const struct element *element,
+                              const struct triangles *triangles)
+{
+    const size_t fit = (size_t)(ply->end - ply->cursor) / (triangles->count_size + 3 * triangles->size);
+    const size_t rows = (size_t)element->count < fit ? (size_t)element->count : fit;
+    if (ply->index_count + 3 * rows <= UINT32_MAX) {
+        scene_import_reserve(ply->import, &ply->mesh.indices, &ply->index_capacity,
+                             ply->index_count + 3 * rows, sizeof *ply->mesh.indices);
+    }
+}
+
 static int32_t texture_number(double number)
 {
     return number >= 0 && number < MOST_TEXTURES ? (int32_t)number : -1;
@@ -182,7 +242,17 @@ void scene_ply_read_faces(struct ply *ply, const struct element *element)
 {
     struct face face = {.count = 0};
     prepare_face(ply, element, &face);
+    const struct triangles triangles = find_triangles(ply, element, &face);
+    if (triangles.are_plain) {
+        reserve_triangles(ply, element, &triangles);
+    }
     for (ply->row = 0; ply->row < element->count; ply->row++) {
+        if (triangles.are_plain && ply->polygons.of_triangle == NULL) {
+            load_triangles(ply, element, &triangles);
+        }
+        if (ply->row == element->count) {
+            break;
+        }
         face.count = face.wedge_count = 0;
         for (int i = 0; i < element->property_count; i++) {
             const struct property *property = &element->properties[i];

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "import/builder/stored_colors.h"
-#include "ply.h"
+#include "ply_load.h"
 
 size_t scene_ply_type_size(enum type type)
 {
@@ -22,15 +22,14 @@ static double read_ascii(struct ply *ply)
 {
     struct scene_word word;
     double value = 0;
-    size_t length = 0;
-    while (!scene_text_word(&ply->line, &word)) {
+    while (!scene_text_double(&ply->line, &value)) {
+        if (scene_text_word(&ply->line, &word)) {
+            scene_import_fail(ply->import, "line %u: \"%s\" is not a number", ply->text.line,
+                              scene_word_string(ply->import, word));
+        }
         if (!scene_text_line(&ply->text, false, &ply->line)) {
             end_of_file(ply);
         }
-    }
-    if (!scene_word_number(word, &value, &length)) {
-        scene_import_fail(ply->import, "line %u: \"%s\" is not a number", ply->text.line,
-                          scene_word_string(ply->import, word));
     }
     return value;
 }
@@ -38,32 +37,12 @@ static double read_ascii(struct ply *ply)
 static double read_binary(struct ply *ply, enum type type)
 {
     const size_t size = scene_ply_type_size(type);
-    unsigned char bytes[8] = {0};
     if ((size_t)(ply->end - ply->cursor) < size) {
         end_of_file(ply);
     }
-    if (ply->encoding == BIG_ENDIAN_BINARY) {
-        for (size_t i = 0; i < size; i++) {
-            bytes[size - 1 - i] = ply->cursor[i];
-        }
-    } else {
-        memcpy(bytes, ply->cursor, size);
-    }
+    const double value = scene_ply_load(ply->cursor, type, ply->encoding == BIG_ENDIAN_BINARY);
     ply->cursor += size;
-    uint16_t word;
-    uint32_t integer;
-    float single;
-    double value;
-    switch (type) {
-    case TYPE_INT8: return (int8_t)bytes[0];
-    case TYPE_UINT8: return bytes[0];
-    case TYPE_INT16: memcpy(&word, bytes, sizeof word); return (int16_t)word;
-    case TYPE_UINT16: memcpy(&word, bytes, sizeof word); return word;
-    case TYPE_INT32: memcpy(&integer, bytes, sizeof integer); return (int32_t)integer;
-    case TYPE_UINT32: memcpy(&integer, bytes, sizeof integer); return integer;
-    case TYPE_FLOAT: memcpy(&single, bytes, sizeof single); return (double)single;
-    default: memcpy(&value, bytes, sizeof value); return value;
-    }
+    return value;
 }
 
 double scene_ply_number(struct ply *ply, enum type type)

@@ -22,7 +22,8 @@ enum { HEADER = 84, FACET = 50 }; // bytes of a binary file's head with its coun
 // The facets of one solid.
 struct solid {
     const char *name;
-    double (*positions)[3];
+    double (*positions)[3];            // NULL if the file is binary
+    float (*floats)[3];                // NULL if the file is text
     float (*normals)[3], (*colors)[4]; // for each corner, as positions; colors may be NULL
     size_t corners, position_capacity, normal_capacity;
     bool has_normals; // at least one facet has a normal
@@ -98,12 +99,26 @@ static void complete_normals(struct scene_mesh *mesh)
     }
 }
 
+static void settle(struct scene_import *import, struct solid *solid, struct scene_mesh *mesh)
+{
+    double origin[3] = {0, 0, 0};
+    if (solid->floats != NULL &&
+        scene_import_stay_floats(import, (const float(*)[3])solid->floats, solid->corners)) {
+        mesh->positions = solid->floats;
+    } else {
+        double(*const points)[3] = solid->floats != NULL
+                                       ? scene_import_widen(import, solid->floats, solid->corners)
+                                       : solid->positions;
+        scene_import_settle_mesh(import, mesh, points, origin);
+    }
+    scene_import_place_mesh(import, origin);
+}
+
 static void add_solid(struct scene_import *import, struct solid *solid)
 {
     if (solid->corners > UINT32_MAX) {
         scene_import_fail(import, "has too many facets");
     }
-    double origin[3];
     struct scene_phong phong = scene_phong_default();
     phong.colored = solid->colors != NULL;
     struct scene_mesh *mesh = scene_import_add_mesh(import);
@@ -113,8 +128,7 @@ static void add_solid(struct scene_import *import, struct solid *solid)
     for (uint32_t i = 0; i < mesh->index_count; i++) {
         mesh->indices[i] = i;
     }
-    scene_import_settle_mesh(import, mesh, solid->positions, origin);
-    scene_import_place_mesh(import, origin);
+    settle(import, solid, mesh);
     mesh->normals = solid->has_normals ? solid->normals : NULL;
     mesh->colors = solid->colors;
     if (solid->has_normals) {
@@ -276,7 +290,7 @@ static void read_binary(struct scene_import *import, const unsigned char *bytes,
     const struct palette palette = find_palette(bytes, count);
     tell_of_head(import, bytes);
     struct solid solid = {.name = "", .corners = 3 * count};
-    solid.positions = scene_import_allocate(import, solid.corners, sizeof *solid.positions);
+    solid.floats = scene_import_allocate(import, solid.corners, sizeof *solid.floats);
     solid.normals = scene_import_allocate(import, solid.corners, sizeof *solid.normals);
     if (palette.colored) {
         solid.colors = scene_import_allocate(import, solid.corners, sizeof *solid.colors);
@@ -286,8 +300,10 @@ static void read_binary(struct scene_import *import, const unsigned char *bytes,
         float normal[3];
         for (int c = 0; c < 3; c++) {
             normal[c] = read_float(facet + 4 * c);
-            for (int k = 0; k < 3; k++) {
-                solid.positions[3 * i + (size_t)k][c] = (double)read_float(facet + 12 + 12 * k + 4 * c);
+        }
+        for (size_t k = 0; k < 3; k++) {
+            for (size_t c = 0; c < 3; c++) {
+                solid.floats[3 * i + k][c] = read_float(facet + 12 + 12 * k + 4 * c);
             }
         }
         set_normal(&solid, 3 * i, normal);

@@ -19,6 +19,8 @@
 
 // Nanoseconds that a thread spins before it sleeps: about twice what falling asleep and waking cost.
 static const uint64_t spin_ns = 80000;
+// Nanoseconds between two calls of rhw_scheduler::idle.
+static const uint32_t idle_ns = 10000000;
 
 enum {
     // Spin steps between two looks at the clock, each of which costs as much as a few steps.
@@ -51,6 +53,9 @@ struct rhw_scheduler {
     _Atomic bool quit;
     _Atomic uint32_t sleepers;
     _Atomic bool caller_sleeps;
+    // The caller sets these between jobs; see rhw_scheduler_set_idle.
+    void (*idle)(void *user);
+    void *idle_user;
     // The thread that runs a job, or 0 where none does. What is told to other threads depends on it.
     _Atomic uintptr_t caller;
 
@@ -268,6 +273,27 @@ void rhw_scheduler_destroy(struct rhw_memory *memory, struct rhw_scheduler *sche
     rhw_memory_release(memory, scheduler, scheduler_size(scheduler->threads));
 }
 
+void rhw_scheduler_set_idle(struct rhw_scheduler *scheduler, void (*idle)(void *user), void *user)
+{
+    scheduler->idle = idle;
+    scheduler->idle_user = user;
+}
+
+// Sleep until something happens, and do what the caller does meanwhile. The mutex is locked.
+static void sleep_awhile(struct rhw_scheduler *scheduler)
+{
+    if (!scheduler->idle) {
+        rhw_condition_wait(&scheduler->done, &scheduler->mutex);
+        return;
+    }
+    rhw_condition_wait_for(&scheduler->done, &scheduler->mutex, idle_ns);
+    if (!job_is_done(scheduler)) {
+        rhw_mutex_unlock(&scheduler->mutex);
+        scheduler->idle(scheduler->idle_user);
+        rhw_mutex_lock(&scheduler->mutex);
+    }
+}
+
 static void wait_for_job(struct rhw_scheduler *scheduler)
 {
     if (spin_until(scheduler, job_is_done)) {
@@ -276,7 +302,7 @@ static void wait_for_job(struct rhw_scheduler *scheduler)
     rhw_mutex_lock(&scheduler->mutex);
     atomic_store(&scheduler->caller_sleeps, true);
     while (!job_is_done(scheduler)) {
-        rhw_condition_wait(&scheduler->done, &scheduler->mutex);
+        sleep_awhile(scheduler);
     }
     atomic_store(&scheduler->caller_sleeps, false);
     rhw_mutex_unlock(&scheduler->mutex);

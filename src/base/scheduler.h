@@ -23,6 +23,9 @@ void rhw_scheduler_destroy(struct rhw_memory *memory, struct rhw_scheduler *sche
 // nanoseconds that threads had tasks, summed over the threads.
 uint64_t rhw_scheduler_run(struct rhw_scheduler *scheduler, rhw_task_function *task, void *user, int count);
 
+// Set what the caller of rhw_scheduler_run does every 10 ms while it waits for the last tasks of others. NULL: nothing.
+void rhw_scheduler_set_idle(struct rhw_scheduler *scheduler, void (*idle)(void *user), void *user);
+
 // Return true if the calling thread is in a task of this scheduler.
 bool rhw_scheduler_runs_here(const struct rhw_scheduler *scheduler);
 

@@ -43,6 +43,8 @@ void rhw_mutex_unlock(struct rhw_mutex *mutex);
 bool rhw_condition_init(struct rhw_condition *condition);
 void rhw_condition_destroy(struct rhw_condition *condition);
 void rhw_condition_wait(struct rhw_condition *condition, struct rhw_mutex *mutex);
+// Wait, and go on after `ns` nanoseconds, less than a second, at the latest.
+void rhw_condition_wait_for(struct rhw_condition *condition, struct rhw_mutex *mutex, uint32_t ns);
 void rhw_condition_signal(struct rhw_condition *condition);
 void rhw_condition_broadcast(struct rhw_condition *condition);
 

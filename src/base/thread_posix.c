@@ -3,6 +3,7 @@
 #include "thread.h"
 
 #include <assert.h>
+#include <errno.h>
 #include <sched.h>
 #include <signal.h>
 #include <time.h>
@@ -54,6 +55,20 @@ void rhw_condition_wait(struct rhw_condition *condition, struct rhw_mutex *mutex
 {
     const int error = pthread_cond_wait(&condition->handle, &mutex->handle);
     assert(error == 0);
+    (void)error;
+}
+
+// The default clock of a condition is that of the time of day, which all systems have.
+void rhw_condition_wait_for(struct rhw_condition *condition, struct rhw_mutex *mutex, uint32_t ns)
+{
+    const long second = 1000000000;
+    struct timespec time;
+    clock_gettime(CLOCK_REALTIME, &time);
+    time.tv_nsec += (long)ns;
+    time.tv_sec += time.tv_nsec >= second;
+    time.tv_nsec -= time.tv_nsec >= second ? second : 0;
+    const int error = pthread_cond_timedwait(&condition->handle, &mutex->handle, &time);
+    assert(error == 0 || error == ETIMEDOUT);
     (void)error;
 }
 

@@ -63,6 +63,13 @@ void rhw_condition_wait(struct rhw_condition *condition, struct rhw_mutex *mutex
     (void)woken;
 }
 
+void rhw_condition_wait_for(struct rhw_condition *condition, struct rhw_mutex *mutex, uint32_t ns)
+{
+    const BOOL woken = SleepConditionVariableSRW(variable_of(condition), lock_of(mutex), ns / 1000000 + 1, 0);
+    assert(woken || GetLastError() == ERROR_TIMEOUT);
+    (void)woken;
+}
+
 void rhw_condition_signal(struct rhw_condition *condition)
 {
     WakeConditionVariable(variable_of(condition));

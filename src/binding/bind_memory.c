@@ -52,13 +52,14 @@ struct bytes {
 
 // Find bytes of a buffer, which stay where they are from now on. Report misuse and return false where there are none.
 static bool find_bytes(struct rhw_context *context, rhw_buffer id, size_t offset, size_t size,
-                       struct bytes *bytes, const char *where)
+                       bool is_read_only, struct bytes *bytes, const char *where)
 {
     struct rhw_buffer_data *const data = rhw_context_buffer(context, id, where);
     if (!data || !rhw_buffer_check_range(context, id, data, offset, size, where)) {
         return false;
     }
     data->is_bound = true;
+    data->has_stores |= !is_read_only;
     *bytes = (struct bytes){data->bytes + offset, size == 0 ? data->size - offset : size};
     return true;
 }
@@ -73,7 +74,7 @@ enum rhw_result rhw_binding_of_buffer(rhw_context *context, rhw_buffer buffer, s
     }
     const bool is_valid =
         rhw_check(context, offset % 4 == 0, "%s: offset is %zu; it must be a multiple of 4", where, offset) &&
-        find_bytes(context, buffer, offset, size, &bytes, where);
+        find_bytes(context, buffer, offset, size, read_only, &bytes, where);
     if (is_valid) {
         put_words(bytes.first, bytes.size, read_only, binding);
     }
@@ -90,7 +91,7 @@ enum rhw_result rhw_binding_of_texels(rhw_context *context, rhw_buffer buffer, e
         return RHW_ERROR_MISUSE;
     }
     const bool is_valid = rhw_binding_check_texels(context, format, offset, where) &&
-                          find_bytes(context, buffer, offset, size, &bytes, where);
+                          find_bytes(context, buffer, offset, size, read_only, &bytes, where);
     if (is_valid) {
         put_texels(context->kernels, bytes.first, bytes.size, format, read_only, binding);
     }

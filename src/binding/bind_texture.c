@@ -26,8 +26,11 @@ static enum rhw_result bind_texture(struct rhw_context *context, rhw_texture id,
             return RHW_ERROR_MISUSE;
         }
     }
-    if (!rhw_texture_pin(context, id, texture) || !rhw_texture_note_bound(context, texture)) {
-        return RHW_ERROR_OUT_OF_MEMORY;
+    const bool is_pinned = rhw_texture_pin(context, id, texture);
+    const enum rhw_result result =
+        is_pinned ? rhw_texture_note_bound(context, texture) : RHW_ERROR_OUT_OF_MEMORY;
+    if (result != RHW_OK) {
+        return result;
     }
     const bool is_alone = !sampler && texture->samples == 1;
     const struct rhw_binding_data data =
@@ -110,7 +113,7 @@ bool rhw_binding_of_pair(const struct rhw_binding *texture, const struct rhw_bin
     const bool has_sampler = by && (by->kind == RHW_BINDING_SAMPLED || by->kind == RHW_BINDING_SAMPLER);
     struct rhw_binding_data data = {.kind = RHW_BINDING_EMPTY};
     if (of && of->kind == RHW_BINDING_MULTISAMPLED && has_sampler) {
-        data = *of;
+        data = rhw_sampler_fits(of->multisampled, by->sampler) ? *of : data;
     } else if (has_texture && has_sampler && rhw_sampler_fits(of->texture, by->sampler)) {
         data = rhw_binding_of(of->kernels, (enum rhw_paths)of->paths, of->texture, by->sampler);
     }

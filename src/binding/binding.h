@@ -42,8 +42,12 @@ struct rhw_binding_data {
         };
         struct rhw_storage_words words;
         struct rhw_storage_image image;
+        uint64_t room[6]; // as much as the largest takes where pointers have 8 bytes
     };
-    const struct rhw_kernels *kernels;
+    union {
+        const struct rhw_kernels *kernels;
+        uint64_t kernels_room;
+    };
     uint8_t kind;  // enum rhw_binding_kind
     uint8_t paths; // enum rhw_paths
     // The texture is filtered in fixed point and special paths are taken: rhw_sample_groups may sample it together with
@@ -52,9 +56,10 @@ struct rhw_binding_data {
     bool compares_windows; // the kernels' compare_window takes the texture and the sampler
 };
 
-_Static_assert(sizeof(struct rhw_binding_data) <= sizeof(struct rhw_binding),
+// A table of one is a table of the other.
+_Static_assert(sizeof(struct rhw_binding_data) == sizeof(struct rhw_binding),
                "a struct rhw_binding holds it");
-_Static_assert(_Alignof(struct rhw_binding_data) <= _Alignof(struct rhw_binding),
+_Static_assert(_Alignof(struct rhw_binding_data) == _Alignof(struct rhw_binding),
                "a struct rhw_binding holds it");
 
 struct rhw_validation_messages;

@@ -16,13 +16,6 @@ static const struct rhw_binding_data *textured(const struct rhw_binding *binding
     return data ? data : rhw_binding_of_kind(binding, RHW_BINDING_TEXTURE);
 }
 
-// Return a binding of a texture. Return NULL for others.
-static const struct rhw_binding_data *of_texture(const struct rhw_binding *binding)
-{
-    const struct rhw_binding_data *const data = textured(binding);
-    return data ? data : rhw_binding_of_kind(binding, RHW_BINDING_MULTISAMPLED);
-}
-
 void rhw_binding_sample(const struct rhw_binding *binding, const struct rhw_sample_request *request,
                         rhw_float texel[4])
 {
@@ -56,7 +49,7 @@ void rhw_binding_sample_fetch(const struct rhw_binding *binding, const rhw_int *
 void rhw_binding_sample_fetch_sample(const struct rhw_binding *binding, const rhw_int *at,
                                      const rhw_int *sample, rhw_float texel[4])
 {
-    rhw_bound_fetch_sample(of_texture(binding), at, sample, texel);
+    rhw_bound_fetch_sample(rhw_binding_textured(binding), at, sample, texel);
 }
 
 void rhw_binding_sample_query_lod(const struct rhw_binding *binding, const struct rhw_sample_request *request,
@@ -67,18 +60,18 @@ void rhw_binding_sample_query_lod(const struct rhw_binding *binding, const struc
 
 void rhw_binding_sample_size(const struct rhw_binding *binding, const rhw_int *level, rhw_int size[3])
 {
-    rhw_bound_size(of_texture(binding), level, size);
+    rhw_bound_size(rhw_binding_textured(binding), level, size);
 }
 
 int rhw_binding_sample_levels(const struct rhw_binding *binding)
 {
-    const struct rhw_texture_data *const texture = rhw_bound_texture(of_texture(binding));
+    const struct rhw_texture_data *const texture = rhw_bound_texture(rhw_binding_textured(binding));
     return texture ? texture->levels : 0;
 }
 
 int rhw_binding_sample_samples(const struct rhw_binding *binding)
 {
-    const struct rhw_texture_data *const texture = rhw_bound_texture(of_texture(binding));
+    const struct rhw_texture_data *const texture = rhw_bound_texture(rhw_binding_textured(binding));
     return texture ? texture->samples : 0;
 }
 

@@ -6,11 +6,7 @@
 // Return the texture of a binding, of one sample or more. Return NULL where it is of none.
 static const struct rhw_texture_data *texture_of(const struct rhw_binding *binding)
 {
-    const struct rhw_binding_data *const data = rhw_binding_look(binding);
-    const bool has_texture =
-        data && (data->kind == RHW_BINDING_SAMPLED || data->kind == RHW_BINDING_TEXTURE ||
-                 data->kind == RHW_BINDING_MULTISAMPLED);
-    return has_texture ? rhw_bound_texture(data) : NULL;
+    return rhw_bound_texture(rhw_binding_textured(binding));
 }
 
 void rhw_binding_sample1(const struct rhw_binding *binding, const struct rhw_sample_request1 *request,

@@ -174,8 +174,8 @@ void rhw_bound_image_size1(const struct rhw_kernels *kernels, const struct rhw_s
 // Return the image of a slot. Return no image where the slot has none or does not exist. Return no image to an
 // operation that changes it where the slot is set for reading, or where validation finds that the program did not
 // declare the effect.
-static struct rhw_storage_image image_of(const struct rhw_bindings *bindings, int slot,
-                                         enum rhw_storage_operation operation)
+static const struct rhw_storage_image *image_of(const struct rhw_bindings *bindings, int slot,
+                                                enum rhw_storage_operation operation)
 {
     static const struct rhw_storage_image none;
     if (bindings->site.validation) {
@@ -184,56 +184,48 @@ static struct rhw_storage_image image_of(const struct rhw_bindings *bindings, in
     const struct rhw_storage_image *const image =
         (unsigned)slot < RHW_MAX_STORAGE_IMAGES ? &bindings->storage->images[slot] : &none;
     const bool is_dropped = operation != RHW_STORAGE_LOAD && (bindings->drops_effects || image->is_read_only);
-    return is_dropped ? none : *image;
+    return is_dropped ? &none : image;
 }
 
 void rhw_image_load(const struct rhw_bindings *bindings, int slot, const rhw_int *at, rhw_float texel[4])
 {
-    const struct rhw_storage_image image = image_of(bindings, slot, RHW_STORAGE_LOAD);
-    rhw_bound_image_load(bindings->kernels, &image, at, texel);
+    rhw_bound_image_load(bindings->kernels, image_of(bindings, slot, RHW_STORAGE_LOAD), at, texel);
 }
 
 void rhw_image_store(const struct rhw_bindings *bindings, int slot, const rhw_int *at, const rhw_int *mask,
                      const rhw_float texel[4])
 {
-    const struct rhw_storage_image image = image_of(bindings, slot, RHW_STORAGE_STORE);
-    rhw_bound_image_store(bindings->kernels, &image, at, mask, texel);
+    rhw_bound_image_store(bindings->kernels, image_of(bindings, slot, RHW_STORAGE_STORE), at, mask, texel);
 }
 
 void rhw_image_atomic(const struct rhw_bindings *bindings, int slot,
                       const struct rhw_storage_request *request, rhw_int *before)
 {
-    const struct rhw_storage_image image = image_of(bindings, slot, request->operation);
-    rhw_bound_image_atomic(&image, request, before);
+    rhw_bound_image_atomic(image_of(bindings, slot, request->operation), request, before);
 }
 
 void rhw_image_size(const struct rhw_bindings *bindings, int slot, rhw_int size[3])
 {
-    const struct rhw_storage_image image = image_of(bindings, slot, RHW_STORAGE_LOAD);
-    rhw_bound_image_size(bindings->kernels, &image, size);
+    rhw_bound_image_size(bindings->kernels, image_of(bindings, slot, RHW_STORAGE_LOAD), size);
 }
 
 void rhw_image_load1(const struct rhw_bindings *bindings, int slot, const int32_t *at, float texel[4])
 {
-    const struct rhw_storage_image image = image_of(bindings, slot, RHW_STORAGE_LOAD);
-    rhw_bound_image_load1(bindings->kernels, &image, at, texel);
+    rhw_bound_image_load1(bindings->kernels, image_of(bindings, slot, RHW_STORAGE_LOAD), at, texel);
 }
 
 void rhw_image_store1(const struct rhw_bindings *bindings, int slot, const int32_t *at, const float texel[4])
 {
-    const struct rhw_storage_image image = image_of(bindings, slot, RHW_STORAGE_STORE);
-    rhw_bound_image_store1(bindings->kernels, &image, at, texel);
+    rhw_bound_image_store1(bindings->kernels, image_of(bindings, slot, RHW_STORAGE_STORE), at, texel);
 }
 
 int32_t rhw_image_atomic1(const struct rhw_bindings *bindings, int slot, enum rhw_storage_operation operation,
                           const int32_t *at, int32_t value, int32_t comparand)
 {
-    const struct rhw_storage_image image = image_of(bindings, slot, operation);
-    return rhw_bound_image_atomic1(&image, operation, at, value, comparand);
+    return rhw_bound_image_atomic1(image_of(bindings, slot, operation), operation, at, value, comparand);
 }
 
 void rhw_image_size1(const struct rhw_bindings *bindings, int slot, int32_t size[3])
 {
-    const struct rhw_storage_image image = image_of(bindings, slot, RHW_STORAGE_LOAD);
-    rhw_bound_image_size1(bindings->kernels, &image, size);
+    rhw_bound_image_size1(bindings->kernels, image_of(bindings, slot, RHW_STORAGE_LOAD), size);
 }

@@ -82,4 +82,14 @@ static inline const struct rhw_texture_data *rhw_bound_texture(const struct rhw_
                                                        : binding->texture;
 }
 
+// Return a binding of a texture, of one sample or more. Return NULL for others.
+static inline const struct rhw_binding_data *rhw_binding_textured(const struct rhw_binding *binding)
+{
+    const struct rhw_binding_data *const data = rhw_binding_look(binding);
+    const bool has_texture =
+        data && (data->kind == RHW_BINDING_SAMPLED || data->kind == RHW_BINDING_TEXTURE ||
+                 data->kind == RHW_BINDING_MULTISAMPLED);
+    return has_texture ? data : NULL;
+}
+
 #endif

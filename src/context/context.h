@@ -13,11 +13,14 @@
 #include "pool.h"
 #include "rhw/types.h"
 
+struct rhw_buffer_part;
 struct rhw_validation_messages;
 struct rhw_encoder;
 struct rhw_executor;
 struct rhw_kernels;
 struct rhw_pipeline_data;
+struct rhw_recording;
+struct rhw_use_table;
 struct rhw_recorded_pass;
 struct rhw_scheduler;
 struct rhw_shared_texels;
@@ -29,7 +32,7 @@ struct rhw_debug_group {
 };
 
 // The place where recording is, for messages.
-struct rhw_recording {
+struct rhw_recording_place {
     bool active;         // between the beginning of a pass and its end
     bool misused;        // misuse was reported since the beginning
     bool dispatches;     // a dispatch sets what it uses, as a pass of its own
@@ -41,13 +44,21 @@ struct rhw_recording {
 };
 
 // Return true while a pass is recorded, or while a dispatch sets what it uses.
-static inline bool rhw_recording_is_open(const struct rhw_recording *recording)
+static inline bool rhw_recording_is_open(const struct rhw_recording_place *recording)
 {
     return recording->active || recording->dispatches;
 }
 
+// Begin a pass, a dispatch, or a run of a recording.
+static inline void rhw_recording_next(struct rhw_recording_place *recording)
+{
+    if (++recording->generation == 0) {
+        recording->generation = 1; // 0: no pass has used an item yet
+    }
+}
+
 // Return what messages call that which uses things: "pass" or "dispatch".
-static inline const char *rhw_recording_noun(const struct rhw_recording *recording)
+static inline const char *rhw_recording_noun(const struct rhw_recording_place *recording)
 {
     return recording->dispatches ? "dispatch" : "pass";
 }
@@ -64,9 +75,24 @@ struct rhw_context {
     void *user;
     char label[RHW_LABEL_SIZE];
 
-    uint32_t number; // every id carries it; see context_create.c
-    // The public function that is at work, or NULL when there is none. Every thread that calls one writes it.
+    uint32_t number; // every id carries it, but those of passes; see context_create.c
+    // Ids of passes carry this number. A recorder has another one than its owner and than its other recorders.
+    uint32_t pass_number;
+    _Atomic uint32_t recorders_made; // how many recorders this context has had
+    // The public function that is at work, or `idle` when there is none. Every thread that calls one writes it.
     _Atomic(const char *) entered;
+    // NULL; or the mark of a recorder, which functions other than those of passes do not enter.
+    const char *idle;
+    // A recorder records passes for this context, and has the parts of it that recording looks at. NULL: the context is
+    // no recorder.
+    struct rhw_context *owner;
+    _Atomic int recorders; // number of recorders of this context
+    // Number of passes that recorders of this context record. As long as there is one, memory that was replaced stays,
+    // because the pass may look at it.
+    _Atomic int open_recordings;
+    // What the pass being recorded uses, where the context is a recorder. NULL: things note it themselves.
+    struct rhw_use_table *uses;
+    struct rhw_recording *next_recording; // what a recorder records into
     // The label of the definition that the public function was given, or NULL where there is none. It is the caller's
     // memory. The thread that is inside sets it.
     const char *definition;
@@ -92,7 +118,7 @@ struct rhw_context {
     struct rhw_encoder *encoder;
     struct rhw_recorded_pass *pass;
     struct rhw_executor *executor;
-    struct rhw_recording recording;
+    struct rhw_recording_place recording;
     struct rhw_bound_texels bound_texels;
     // What validation found in the pass. NULL: nothing is validated.
     struct rhw_validation_messages *validation;
@@ -101,9 +127,17 @@ struct rhw_context {
     bool (*validate_pipeline)(struct rhw_context *context, struct rhw_pipeline_data *pipeline,
                               const char *name);
 
+    // Copy what recorded draws read of a part of a live buffer as vertices and indices, and let them read the copies,
+    // so that the part can be written. Return false when out of memory.
+    bool (*keep_reads)(struct rhw_context *context, const struct rhw_buffer_part *part);
+
     // It is asked while a pass runs or mip levels are made. NULL: nobody is asked.
     bool (*goes_on)(void *user);
     void *goes_on_user;
+    // Worker 0 writes these within tasks (given_up.h): when the program was last asked, when the clock was last looked
+    // at, how many groups lie between two looks, and how many are left until the next.
+    uint64_t asked_ns, looked_ns;
+    int look_groups, groups_to_look;
     // The pass that runs, or the making of mip levels, was given up. The thread that called the library writes it.
     _Atomic bool given_up;
 };

@@ -19,6 +19,13 @@ bool rhw_context_refuse(const rhw_context *context, const char *where)
                            where);
         return false;
     }
+    if (context->owner && atomic_load_explicit(&context->entered, memory_order_relaxed) == context->idle) {
+        rhw_misuse_outside(context,
+                           "%s: the context is a recorder, which records passes alone; call the "
+                           "function with the context that it was created for",
+                           where);
+        return false;
+    }
     const char *const other = atomic_load_explicit(&context->entered, memory_order_relaxed);
     rhw_misuse_outside(
         context, "%s: called while %s is under way in this context; one thread at a time may use a context",

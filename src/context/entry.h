@@ -20,9 +20,19 @@ static inline bool rhw_context_enter(rhw_context *context, const char *where)
            rhw_context_refuse(context, where);
 }
 
+// Enter the context, which may be a recorder, as rhw_context_enter does. It is for functions that recorders have.
+static inline bool rhw_context_enter_any(rhw_context *context, const char *where)
+{
+    const char *nobody = context ? context->idle : NULL;
+    return (context != NULL &&
+            atomic_compare_exchange_strong_explicit(&context->entered, &nobody, where, memory_order_acquire,
+                                                    memory_order_relaxed)) ||
+           rhw_context_refuse(context, where);
+}
+
 static inline void rhw_context_leave(rhw_context *context)
 {
-    atomic_store_explicit(&context->entered, NULL, memory_order_release);
+    atomic_store_explicit(&context->entered, context->idle, memory_order_release);
 }
 
 // Return true if a function may look at the context, which needs no leaving. Report misuse of `where` and return false

@@ -46,11 +46,30 @@ static __attribute__((cold)) void report(const struct rhw_context *context, cons
 static void *find(const struct rhw_context *context, const struct rhw_pool *pool, struct id id,
                   const char *where)
 {
-    void *const item = id.context == context->number ? rhw_pool_get(pool, id.index, id.generation) : NULL;
+    void *item = id.context == context->number ? rhw_pool_get(pool, id.index, id.generation) : NULL;
+    if (item == NULL && context->owner != NULL) {
+        rhw_recorder_look_at_pools((struct rhw_context *)context);
+        item = id.context == context->number ? rhw_pool_get(pool, id.index, id.generation) : NULL;
+    }
     if (item == NULL) {
         report(context, pool, id, where);
     }
     return item;
+}
+
+void *rhw_context_item(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index,
+                       uint32_t generation, const char *where)
+{
+    return find(context, pool, (struct id){index, generation, context->number}, where);
+}
+
+void rhw_recorder_look_at_pools(struct rhw_context *recorder)
+{
+    rhw_pool_view(&recorder->buffers, &recorder->owner->buffers);
+    rhw_pool_view(&recorder->textures, &recorder->owner->textures);
+    rhw_pool_view(&recorder->samplers, &recorder->owner->samplers);
+    rhw_pool_view(&recorder->pipelines, &recorder->owner->pipelines);
+    rhw_pool_view(&recorder->queries, &recorder->owner->queries);
 }
 
 struct rhw_buffer_data *rhw_context_buffer(const struct rhw_context *context, rhw_buffer id,
@@ -97,7 +116,7 @@ bool rhw_context_records(const struct rhw_context *context, const struct rhw_poo
 bool rhw_context_draws_read(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index,
                             uint32_t renewed_pass, uint32_t renewed_draws)
 {
-    const struct rhw_recording *const recording = &context->recording;
+    const struct rhw_recording_place *const recording = &context->recording;
     const uint32_t before = renewed_pass == recording->generation ? renewed_draws : 0;
     return rhw_context_records(context, pool, index) && recording->draw > before;
 }

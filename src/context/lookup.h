@@ -24,6 +24,13 @@ struct rhw_pipeline_data *rhw_context_pipeline(const struct rhw_context *context
                                                const char *where);
 struct rhw_query_data *rhw_context_query(const struct rhw_context *context, rhw_query id, const char *where);
 
+// Return the item that an id names in one of the context's pools, as the functions above do.
+void *rhw_context_item(const struct rhw_context *context, const struct rhw_pool *pool, uint32_t index,
+                       uint32_t generation, const char *where);
+
+// Make the pools of a recorder those that its owner has now.
+void rhw_recorder_look_at_pools(struct rhw_context *recorder);
+
 // What messages call a live item: 'texture 3 "albedo"', or 'texture 3' where it has no label.
 struct rhw_name {
     char text[RHW_LABEL_SIZE + 32];

@@ -95,7 +95,7 @@ static void append_groups(struct message *message, const struct rhw_debug_group 
 }
 
 // Append which draw is being recorded. Draws are counted from 0, as shaders see them.
-static void append_draw(struct message *message, const struct rhw_recording *recording)
+static void append_draw(struct message *message, const struct rhw_recording_place *recording)
 {
     append(message, "draw %u", (unsigned)recording->draw);
     if (recording->group != NULL) {
@@ -108,7 +108,7 @@ static void append_draw(struct message *message, const struct rhw_recording *rec
 }
 
 static void append_place(struct message *message, const struct rhw_context *context,
-                         const struct rhw_recording *place)
+                         const struct rhw_recording_place *place)
 {
     const bool recording = place->active, labelled = context->label[0] != 0;
     if (!recording && !labelled) {
@@ -124,7 +124,7 @@ static void append_place(struct message *message, const struct rhw_context *cont
     append(message, "]");
 }
 
-void rhw_context_warn_at(const struct rhw_context *context, const struct rhw_recording *place,
+void rhw_context_warn_at(const struct rhw_context *context, const struct rhw_recording_place *place,
                          const char *text)
 {
     if (is_heard(context, RHW_LOG_WARNING)) {
@@ -146,7 +146,7 @@ static void tell(const struct rhw_context *context, const char *text)
 
 // Call the hook of a context that this thread is in. The hook may leave by longjmp or by an exception. So the context
 // is left before the call, and entered again after it for the call that found the misuse to go on.
-static void tell_inside(struct rhw_context *context, const struct rhw_recording *place,
+static void tell_inside(struct rhw_context *context, const struct rhw_recording_place *place,
                         struct message *message)
 {
     name_definition(message, context->definition);
@@ -155,7 +155,8 @@ static void tell_inside(struct rhw_context *context, const struct rhw_recording 
     append_place(message, context, place);
     context->recording.misused |= context->recording.active;
     context->recording.dispatches = false; // misuse ends a dispatch
-    const char *const where = atomic_exchange_explicit(&context->entered, NULL, memory_order_relaxed);
+    const char *const where =
+        atomic_exchange_explicit(&context->entered, context->idle, memory_order_relaxed);
     tell(context, message->text);
     atomic_store_explicit(&context->entered, where, memory_order_relaxed);
 }
@@ -175,8 +176,8 @@ void rhw_misuse(const struct rhw_context *context, const char *format, ...)
     }
 }
 
-void rhw_misuse_at(const struct rhw_context *context, const struct rhw_recording *place, const char *format,
-                   ...)
+void rhw_misuse_at(const struct rhw_context *context, const struct rhw_recording_place *place,
+                   const char *format, ...)
 {
     struct message message = {.length = 0};
     va_list arguments;
@@ -193,6 +194,6 @@ void rhw_misuse_outside(const struct rhw_context *context, const char *format, .
     va_start(arguments, format);
     append_list(&message, format, arguments);
     va_end(arguments);
-    append_place(&message, context, &(const struct rhw_recording){.active = false});
+    append_place(&message, context, &(const struct rhw_recording_place){.active = false});
     tell(context, message.text);
 }

@@ -9,8 +9,8 @@ __attribute__((format(printf, 3, 4))) void rhw_context_log(const struct rhw_cont
                                                            enum rhw_log_level level, const char *format, ...);
 
 // Log a warning about something that was recorded earlier. Its place is named behind the warning.
-struct rhw_recording;
-void rhw_context_warn_at(const struct rhw_context *context, const struct rhw_recording *place,
+struct rhw_recording_place;
+void rhw_context_warn_at(const struct rhw_context *context, const struct rhw_recording_place *place,
                          const char *text);
 
 // Report misuse: format the message and call the assert hook (the default one when `context` is NULL). Messages read
@@ -20,7 +20,7 @@ __attribute__((format(printf, 2, 3), cold)) void rhw_misuse(const struct rhw_con
                                                             const char *format, ...);
 // Report misuse with something that was recorded earlier as the place.
 __attribute__((format(printf, 3, 4), cold)) void rhw_misuse_at(const struct rhw_context *context,
-                                                               const struct rhw_recording *place,
+                                                               const struct rhw_recording_place *place,
                                                                const char *format, ...);
 // Report misuse of a call that could not enter the context. It does not look at what another thread may be changing.
 __attribute__((format(printf, 2, 3), cold)) void rhw_misuse_outside(const struct rhw_context *context,

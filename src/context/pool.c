@@ -7,6 +7,7 @@
 
 #include "base/constants.h"
 #include "base/memory.h"
+#include "base/thread.h"
 
 struct slot {
     // Generation of the item that is live or, when none is, of the next one. It is aligned, so that the items behind
@@ -59,6 +60,39 @@ static void *item_at(const struct rhw_pool *pool, uint32_t index)
 static size_t chunk_size(const struct rhw_pool *pool, int chunk)
 {
     return chunk_capacity(chunk) * (sizeof(struct slot) + pool->item_size);
+}
+
+// Keep other threads out of `slots` and `chunks`. It is for a few instructions, so others spin.
+static void begin_growing(struct rhw_pool *pool)
+{
+    while (atomic_exchange_explicit(&pool->is_growing, true, memory_order_acquire)) {
+        rhw_cpu_relax();
+    }
+}
+
+static void end_growing(struct rhw_pool *pool)
+{
+    atomic_store_explicit(&pool->is_growing, false, memory_order_release);
+}
+
+void rhw_pool_view(struct rhw_pool *view, struct rhw_pool *pool)
+{
+    begin_growing(pool);
+    rhw_pool_init(view, pool->noun, pool->item_size);
+    view->viewed = pool;
+    view->slots = pool->slots;
+    memcpy(view->chunks, pool->chunks, sizeof view->chunks);
+    end_growing(pool);
+}
+
+void *rhw_pool_item(const struct rhw_pool *pool, uint32_t index)
+{
+    return item_at(pool, index);
+}
+
+uint32_t rhw_pool_generation(const struct rhw_pool *pool, uint32_t index)
+{
+    return slot_at(pool, index)->generation;
 }
 
 void rhw_pool_init(struct rhw_pool *pool, const char *noun, size_t item_size)
@@ -137,15 +171,18 @@ static uint32_t take_slot(struct rhw_memory *memory, struct rhw_pool *pool)
     if (place.chunk == RHW_POOL_CHUNKS) {
         return 0;
     }
-    if (pool->chunks[place.chunk] == NULL) {
-        void *const block = rhw_memory_allocate(memory, chunk_size(pool, place.chunk), RHW_CACHE_LINE);
+    void *block = pool->chunks[place.chunk];
+    if (block == NULL) {
+        block = rhw_memory_allocate(memory, chunk_size(pool, place.chunk), RHW_CACHE_LINE);
         if (block == NULL) {
             return 0;
         }
-        pool->chunks[place.chunk] = block;
     }
+    begin_growing(pool);
+    pool->chunks[place.chunk] = block;
     pool->slots = index;
     *slot_at(pool, index) = (struct slot){.generation = 1};
+    end_growing(pool);
     return index;
 }
 

@@ -8,6 +8,7 @@
 #ifndef RHW_POOL_H
 #define RHW_POOL_H
 
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -30,6 +31,8 @@ struct rhw_pool {
     uint32_t free;    // index of the first free slot, 0: none
     uint32_t retired; // index of the first retired item, 0: none
     void *chunks[RHW_POOL_CHUNKS];
+    _Atomic bool is_growing; // a thread takes a new slot, or a view of the pool
+    struct rhw_pool *viewed; // the pool that a view is of; NULL: it is no view
 };
 
 // Make an empty pool. This allocates nothing.
@@ -49,6 +52,12 @@ bool rhw_pool_retire_copy(struct rhw_memory *memory, struct rhw_pool *pool, uint
 // Return any retired item, or NULL. Its slot is free from now on; the caller releases its contents before the next
 // rhw_pool_add.
 void *rhw_pool_unretire(struct rhw_pool *pool);
+// Return the live item at an index, and its generation.
+void *rhw_pool_item(const struct rhw_pool *pool, uint32_t index);
+uint32_t rhw_pool_generation(const struct rhw_pool *pool, uint32_t index);
+// Make `view` a pool that finds the items of `pool` as they are now. Every thread may call this while another one adds
+// items. Nothing is added to a view, and it is not destroyed.
+void rhw_pool_view(struct rhw_pool *view, struct rhw_pool *pool);
 // Return the label of a live item, or NULL where it has none.
 const char *rhw_pool_label(const struct rhw_pool *pool, uint32_t index);
 // Return the label of the last item that was destroyed at `index`, if it had that generation. Return NULL where it had

@@ -87,6 +87,9 @@ static enum rhw_result run(struct rhw_encoder *encoder, const struct rhw_dispatc
     if (encoder->out_of_memory || !rhw_pass_resolve_bindings(encoder)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
+    if (encoder->given_up) {
+        return RHW_ERROR_GIVEN_UP;
+    }
     grid.bindings = encoder->bindings;
     if (context->validation) {
         rhw_validation_messages_clear(context->validation);

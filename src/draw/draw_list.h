@@ -94,6 +94,8 @@ struct rhw_draw {
     // shares no vertices, as most draws.
     const struct rhw_shared_vertices *shared;
     uint32_t first, base_vertex, first_instance, instances;
+    // One behind the last vertex that the draw reads, as pass/kept_reads.c finds it. 0: nobody asked.
+    uint32_t vertex_end;
     uint32_t index;                           // number of the draw in its pass
     const struct rhw_draw_feedback *feedback; // what the draw writes to buffers; NULL: nothing
     const struct rhw_debug_group *group;      // innermost group that holds the draw; NULL: none

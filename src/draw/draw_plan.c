@@ -40,8 +40,10 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
 {
     const uint32_t uses = pipeline->def.program.uses;
     // What groups can be filled with together.
-    const uint32_t together =
-        RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_FACING | RHW_USE_IDS | RHW_USE_EFFECTS | RHW_USE_LAYER;
+    const uint32_t together = RHW_USE_COORD | RHW_USE_DISCARD | RHW_USE_DEPTH | RHW_USE_FACING | RHW_USE_IDS |
+                              RHW_USE_EFFECTS | RHW_USE_LAYER | RHW_USE_TARGET_INPUT;
+    const enum rhw_sampling sampling = choose_sampling(pipeline, samples);
+    const bool per_sample = sampling == RHW_SAMPLING_SAMPLE;
     if (!(pipeline->fragment || pipeline->def.program.fragment1) || phase == RHW_PHASE_DEPTH) {
         return RHW_SHADING_NONE;
     }
@@ -49,15 +51,18 @@ static enum rhw_shading choose_shading(const struct rhw_pipeline_data *pipeline,
     // twice, which effects must not meet.
     const bool by_rows =
         samples > 1 && (masks_samples(&pipeline->def) || uses & (RHW_USE_DEPTH | RHW_USE_EFFECTS) ||
-                        choose_sampling(pipeline, samples) != RHW_SAMPLING_CENTER);
+                        sampling == RHW_SAMPLING_CENTROID);
     if (paths == RHW_PATHS_GENERAL || by_rows) {
         return RHW_SHADING_ROWS;
     }
     if (uses == 0 && pipeline->varying_components == 0 && !masks_samples(&pipeline->def)) {
         return RHW_SHADING_CONSTANT;
     }
-    const bool smooth = !pipeline->any_noperspective && !pipeline->any_constant_derivatives;
-    return smooth && !(uses & ~together) ? RHW_SHADING_SMOOTH : RHW_SHADING_ANY;
+    // Groups of single samples are told of their sample by rows.
+    if (!(uses & ~(together | (per_sample ? RHW_USE_SAMPLE : 0)))) {
+        return RHW_SHADING_SMOOTH;
+    }
+    return per_sample || uses & RHW_USE_TARGET_INPUT ? RHW_SHADING_ROWS : RHW_SHADING_ANY;
 }
 
 // 1 and −1 for comparisons that let depth move one way alone.
@@ -191,7 +196,7 @@ static void plan_paths(struct rhw_draw_plan *plan, enum rhw_phase phase, int sam
         plan->draws_small = true;
         plan->draws_tiny = is_forward && plan->shading != RHW_SHADING_NONE && !plan->is_biased;
     } else {
-        plan->draws_small = is_forward && plan->shading != RHW_SHADING_ROWS;
+        plan->draws_small = is_forward && (plan->shading == RHW_SHADING_NONE || plan->collects);
         plan->draws_tiny = samples == 4 && plan->draws_small && !plan->is_biased;
     }
 }
@@ -202,17 +207,21 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
 {
     const uint32_t uses = pipeline->def.program.uses;
     const bool reads_targets = uses & RHW_USE_TARGET_INPUT;
-    // Groups of programs that read targets or ask what is fully covered, and of smooth pipelines, are rows. The order
-    // of fragments depends on the path, and where it would show there is one path.
-    const bool is_general = reads_targets || uses & RHW_USE_FULLY_COVERED || pipeline->is_smooth ||
-                            pipeline->def.program.uses_atomic_results;
-    paths = is_general ? RHW_PATHS_GENERAL : paths;
+    // Groups of programs that ask what is fully covered, and of smooth pipelines, are rows. The order of fragments
+    // depends on the path, and where it would show there is one path.
+    const bool is_general =
+        uses & RHW_USE_FULLY_COVERED || pipeline->is_smooth || pipeline->def.program.uses_atomic_results;
+    const enum rhw_paths shading_paths = is_general ? RHW_PATHS_GENERAL : paths;
+    // Programs that read targets are drawn by rows of blocks, which are filled together.
+    paths = reads_targets ? RHW_PATHS_GENERAL : shading_paths;
     struct rhw_draw_plan plan = {.reads_targets = reads_targets,
-                                 .shading = choose_shading(pipeline, phase, samples, paths),
+                                 .shading = choose_shading(pipeline, phase, samples, shading_paths),
                                  .sampling = choose_sampling(pipeline, samples),
                                  .weighs_alpha = weighs_alpha(pipeline),
                                  .masks_samples = masks_samples(&pipeline->def)};
     const bool shades = plan.shading != RHW_SHADING_NONE;
+    plan.collects = (plan.shading == RHW_SHADING_SMOOTH || plan.shading == RHW_SHADING_ANY) &&
+                    plan.sampling == RHW_SAMPLING_CENTER && !reads_targets;
     plan_depth(&plan, &pipeline->def, depth_stencil, phase, samples, paths);
     plan.is_skipped = phase == RHW_PHASE_DEPTH && (uses & RHW_USE_DISCARD || plan.masks_samples);
     plan.keeps_depth =
@@ -221,7 +230,10 @@ static struct rhw_draw_plan plan_of(const struct rhw_pipeline_data *pipeline,
     plan.needs_depth = plan.depth_mode != RHW_DEPTH_NONE || plan.keeps_depth;
     plan.keeps_identity = plan.shading == RHW_SHADING_SMOOTH && uses & (RHW_USE_FACING | RHW_USE_IDS);
     const bool screen = pipeline->any_noperspective || uses & (RHW_USE_BARYCENTRIC | RHW_USE_POINT_COORD);
-    plan.needs_screen = plan.shading == RHW_SHADING_ROWS || (plan.shading == RHW_SHADING_ANY && screen);
+    plan.needs_screen = plan.shading == RHW_SHADING_ROWS || (shades && screen);
+    plan.fills_more =
+        plan.shading == RHW_SHADING_SMOOTH &&
+        (uses & RHW_USE_COORD || pipeline->any_noperspective || pipeline->any_constant_derivatives);
     plan.needs_distance = shades && (pipeline->any_derivatives || uses & RHW_USE_BARYCENTRIC_DERIVATIVES);
     if (paths != RHW_PATHS_GENERAL && !plan.is_skipped) {
         plan_paths(&plan, phase, samples);

@@ -26,7 +26,7 @@ enum rhw_shading {
     RHW_SHADING_NONE,     // they get none: depth is all that is drawn
     RHW_SHADING_CONSTANT, // the fragment function receives nothing, so one call tells the colour of all
     // Any 8 fragments make a group. It receives
-    RHW_SHADING_SMOOTH, // smooth and flat varyings, facing and ids, which several groups are filled with together, or
+    RHW_SHADING_SMOOTH, // varyings, coordinates, facing and ids, which several groups are filled with together, or
     RHW_SHADING_ANY, // anything
     RHW_SHADING_ROWS // A group is a row of 8 pixels with anything. The general path
 };
@@ -85,6 +85,7 @@ struct rhw_draw_plan {
     enum rhw_depth_mode depth_mode;
     struct rhw_depth_rule early, late; // before and after the fragment function
     enum rhw_rule_name early_name;
+    bool collects;              // fragments of rows that are not full may share groups, wherever they lie
     enum rhw_sampling sampling; // CENTER where pixels have one sample
     bool reads_targets;         // before the fragment function (kernels/fragment/target_input.h)
     bool weighs_alpha;          // after the fragment function: by the area that a smooth line covers
@@ -95,6 +96,7 @@ struct rhw_draw_plan {
     bool needs_depth;    // depth is tested, or given to the fragment function
     bool keeps_depth;    // groups carry it
     bool keeps_identity; // groups of RHW_SHADING_SMOOTH carry facing or ids
+    bool fills_more; // groups of RHW_SHADING_SMOOTH have more than smooth and flat varyings and their derivatives
     bool needs_screen;   // weights on the screen are wanted
     bool needs_distance; // derivatives that change from pixel to pixel are wanted
     bool is_skipped;     // nothing is drawn in this phase

@@ -22,6 +22,7 @@ void rhw_recorded_pass_clear(struct rhw_recorded_pass *pass)
     pass->explained.ask.fragment = NULL;
     pass->tile_reports = NULL;
     pass->queries = NULL;
+    pass->kept = NULL;
     pass->draws.count = 0;
     pass->triangle_count = 0;
     pass->triangles_most = 1;
@@ -29,6 +30,7 @@ void rhw_recorded_pass_clear(struct rhw_recorded_pass *pass)
     pass->shades_first = false;
     pass->has_large_draws = false;
     pass->has_feedback = false;
+    pass->shades_samples = false;
     pass->shows_order = false;
 }
 

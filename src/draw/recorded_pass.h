@@ -11,6 +11,7 @@
 #include "rhw/stats.h"
 #include "target.h"
 
+struct rhw_kept_triangles;
 struct rhw_used_query;
 
 struct rhw_recorded_pass {
@@ -24,15 +25,17 @@ struct rhw_recorded_pass {
     // There is a report for each tile, which writes it. NULL: nobody asks.
     struct rhw_tile_report *tile_reports;
 
-    struct rhw_arena arena;         // memory of states, uniforms and bindings that draws point at
-    struct rhw_used_query *queries; // a list, the last query first; running writes their counts
-    struct rhw_draw_list draws;     // each wave sets the vertices that its draws share
+    struct rhw_arena arena;          // memory of states, uniforms and bindings that draws point at
+    struct rhw_used_query *queries;  // a list, the last query first; running writes their counts
+    struct rhw_draw_list draws;      // each wave sets the vertices that its draws share
+    struct rhw_kept_triangles *kept; // run/kept_triangles.h; NULL: each run makes its triangles
     uint64_t triangle_count;
     int triangles_most;   // most triangles that tiles draw for a primitive of any draw
     int components_most;  // most components that varyings have together in any draw
     bool shades_first;    // some draw has vertices that are shaded before the first wave
     bool has_large_draws; // some indexed draw has at least RHW_SHARING_TRIANGLES
     bool has_feedback;    // some draw writes to buffers
+    bool shades_samples;  // some draw is shaded at every sample of a pixel
     bool shows_order;     // the order of calls would show in what some draw writes
 };
 

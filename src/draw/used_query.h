@@ -16,6 +16,7 @@ struct rhw_used_query {
     enum rhw_query_kind kind;
     uint64_t place; // triangles of the pass before it, if it is a timestamp
     struct rhw_query_counts counts;
+    struct rhw_query_counts recorded; // what recording counted, where the pass was kept
     // The workers write these, once for each tile and change of state.
     _Alignas(RHW_CACHE_LINE) _Atomic uint64_t samples, fragments;
 };

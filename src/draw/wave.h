@@ -6,6 +6,7 @@
 
 #include "recorded_pass.h"
 
+struct rhw_context;
 struct rhw_geometry_scratch;
 struct rhw_tile_scratch;
 struct rhw_sample_tile;
@@ -39,6 +40,7 @@ struct rhw_worker {
 
 struct rhw_wave {
     struct rhw_recorded_pass *pass;
+    struct rhw_context *asked; // its program decides whether the pass goes on; NULL: nobody is asked
     // This is the target of the pass. From the second wave on, attachments that exist in tiles alone have memory here.
     struct rhw_target target;
     // The first wave of the pass has the load operations, and the last wave has the store operations.

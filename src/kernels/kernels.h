@@ -19,7 +19,7 @@ struct rhw_binding_data;
 struct rhw_storage_image;
 struct rhw_texture_data;
 
-// Do what rhw_sample does, for one slot.
+// Do what rhw_sample does, for one binding.
 typedef void rhw_sample_function(const struct rhw_binding_data *binding,
                                  const struct rhw_sample_request *request, rhw_float texel[4]);
 // Columns of footprints that a kernel takes at once: a row of their texels is 16 bytes.
@@ -37,7 +37,7 @@ typedef void rhw_sample_groups_function(const struct rhw_binding_data *bindings,
                                         rhw_float (*texels)[4], int stride);
 
 // Give the texels of rhw_sample_gather or of rhw_sample_fetch, or the answers of rhw_sample_query_lod or
-// rhw_sample_size, of a slot that has a texture.
+// rhw_sample_size, of a binding that has a texture.
 typedef void rhw_gather_function(const struct rhw_binding_data *binding,
                                  const struct rhw_sample_request *request, int channel, rhw_float texel[4]);
 typedef void rhw_fetch_function(const struct rhw_binding_data *binding, const rhw_int *at,

@@ -4,6 +4,7 @@
 // compiled once per instruction set, and RHW_ISA_SUFFIX names the set.
 #include "kernel_entries.h"
 
+#include "context/given_up.h"
 #include "integer.h"
 #include "kernels/tile/depth_bias.h"
 #include "kernels/tile/draw_state.h"
@@ -115,13 +116,19 @@ static void draw_bin(struct tile_work *work, const struct bin *bin, uint32_t num
     }
 }
 
+// Return true if the program gives up the pass. A bin has many triangles, so it counts as a call of a shader function.
+static bool is_given_up(const struct tile_work *work)
+{
+    return work->wave->asked && rhw_context_is_given_up_amid(work->wave->asked, work->worker, 1);
+}
+
 static void draw_run(struct tile_work *work, struct bin_run run, enum rhw_phase phase)
 {
     // The tile's depth in a sample is looked at between bins. At least this number of triangles lies between two looks.
     enum { REFRESH = 16 };
     uint32_t number = 0, looked = 0;
     start_phase(work, phase);
-    for (const struct bin *bin = run.first; bin < run.end; bin++) {
+    for (const struct bin *bin = run.first; bin < run.end && !is_given_up(work); bin++) {
         if (phase == RHW_PHASE_DEPTH && number - looked >= REFRESH && work->scratch->depth.direction != 0) {
             refresh_bounds(work);
             looked = number;
@@ -143,7 +150,7 @@ static void draw_backwards(struct tile_work *work, struct bin_run run)
 {
     start_phase(work, RHW_PHASE_BACKWARDS);
     const struct bin *bin = run.end;
-    while (bin > run.first && !is_hidden(work)) {
+    while (bin > run.first && !is_hidden(work) && !is_given_up(work)) {
         draw_bin(work, --bin, 0);
     }
 }
@@ -241,6 +248,7 @@ void RHW_ISA_NAME(rhw_draw_tile)(const struct rhw_wave *wave, int number, int wo
                              .target = target,
                              .scratch = scratch,
                              .counters = &wave->workers[worker].counters,
+                             .worker = worker,
                              .tile = tile,
                              .layer = number / tiles,
                              .x = tile_x * RHW_TILE,

@@ -161,6 +161,7 @@ struct tile_work {
     const struct rhw_target *target; // the wave's target
     struct rhw_tile_scratch *scratch;
     struct rhw_counters *counters;
+    int worker;        // number of the worker
     int tile;          // number of the tile, row by row
     int layer;         // layer of the pass
     int x, y;          // the tile's first pixel in the target

@@ -102,18 +102,13 @@ static bool check_attached_samples(const struct rhw_encoder *encoder, rhw_textur
                      name_of(encoder->context, id).text, texture->samples, samples);
 }
 
-// Note that the pass writes a part of a texture, and give the record of its clean tiles in `clean`. Several layers and
-// a part of a level have no record: `clean` is NULL, and what the texture recorded is forgotten. Return false when out
-// of memory.
-static bool take(struct rhw_encoder *encoder, rhw_texture id, struct rhw_texture_data *texture,
-                 struct rhw_attached_part part, struct rhw_clean_tiles **clean)
+bool rhw_attached_part_take(struct rhw_context *context, const struct rhw_target *target,
+                            struct rhw_texture_data *texture, struct rhw_attached_part part,
+                            struct rhw_clean_tiles **clean)
 {
-    const struct rhw_target *const target = &encoder->pass->target;
-    struct rhw_context *const context = encoder->context;
+    const struct rhw_mip *const mip = &texture->mip[part.level];
     rhw_texture_note_attached(texture, context->recording.generation);
     texture->written |= 1u << part.level;
-    rhw_pool_use(&context->textures, id.index, context->recording.generation);
-    const struct rhw_mip *const mip = &texture->mip[part.level];
     *clean = NULL;
     if (target->layers > 1 || mip->width != target->width || mip->height != target->height) {
         rhw_clean_tiles_forget(texture->clean);
@@ -122,6 +117,30 @@ static bool take(struct rhw_encoder *encoder, rhw_texture id, struct rhw_texture
     *clean = rhw_clean_tiles_of_part(&context->memory, &texture->clean, part.layer, part.level, mip->width,
                                      mip->height);
     return *clean != NULL;
+}
+
+// Make a recording take a part of a texture whenever it runs. Return false when out of memory.
+static bool take_when_run(struct rhw_encoder *encoder, rhw_texture id, struct rhw_attached_part part,
+                          struct rhw_clean_tiles **clean)
+{
+    struct rhw_clean_part *const taken =
+        rhw_arena_alloc(&encoder->pass->arena, sizeof *taken, _Alignof(struct rhw_clean_part));
+    if (taken) {
+        *taken = (struct rhw_clean_part){encoder->clean_parts,
+                                         rhw_pool_item(&encoder->context->textures, id.index), part, clean};
+        encoder->clean_parts = taken;
+    }
+    return taken != NULL;
+}
+
+// Take a part of a texture, whose record of clean tiles is given in `clean`. Return false when out of memory.
+static bool take(struct rhw_encoder *encoder, rhw_texture id, struct rhw_texture_data *texture,
+                 struct rhw_attached_part part, struct rhw_clean_tiles **clean)
+{
+    struct rhw_context *const context = encoder->context;
+    rhw_encoder_note_use(encoder, &context->textures, id.index, texture->moves);
+    return context->uses ? take_when_run(encoder, id, part, clean)
+                         : rhw_attached_part_take(context, &encoder->pass->target, texture, part, clean);
 }
 
 // Return the texture of the attachment `name`. Report misuse and return NULL when there is none.
@@ -145,10 +164,6 @@ enum rhw_result rhw_pass_attach_texture(struct rhw_encoder *encoder, rhw_texture
         !check_attached_samples(encoder, id, texture, name)) {
         return RHW_ERROR_MISUSE;
     }
-    struct rhw_clean_tiles *clean;
-    if (!take(encoder, id, texture, part, &clean)) {
-        return RHW_ERROR_OUT_OF_MEMORY;
-    }
     attachment->layer = part.layer;
     attachment->level = part.level;
     attachment->format = texture->format;
@@ -156,13 +171,13 @@ enum rhw_result rhw_pass_attach_texture(struct rhw_encoder *encoder, rhw_texture
     attachment->loads_resolved = texture->samples != encoder->pass->target.pattern->count;
     if (attachment->loads_resolved) {
         attachment->resolve = &texture->mip[part.level];
-        attachment->resolve_clean = clean;
     } else {
         attachment->target = &texture->mip[part.level];
-        attachment->clean = clean;
         attachment->sample_stride = texture->samples > 1 ? texture->sample_stride : 0;
     }
-    return RHW_OK;
+    struct rhw_clean_tiles **const clean =
+        attachment->loads_resolved ? &attachment->resolve_clean : &attachment->clean;
+    return take(encoder, id, texture, part, clean) ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
 }
 
 enum rhw_result rhw_pass_attach_resolve(struct rhw_encoder *encoder, rhw_texture id, const char *name,

@@ -79,9 +79,12 @@ static bool set_area(struct rhw_encoder *encoder)
 
 static void begin_recording(struct rhw_context *context, const struct rhw_pass_def *def)
 {
-    struct rhw_recording *const recording = &context->recording;
+    struct rhw_recording_place *const recording = &context->recording;
     atomic_store_explicit(&context->refused, false, memory_order_relaxed);
     recording->active = true;
+    if (context->owner) {
+        atomic_fetch_add(&context->owner->open_recordings, 1);
+    }
     recording->misused = false;
     recording->draw = 0;
     recording->group = NULL;
@@ -125,13 +128,13 @@ static enum rhw_result begin(rhw_context *context, const struct rhw_pass_def *de
         rhw_context_log(context, RHW_LOG_WARNING, "%s: depth.texture is set and depth.enabled is false",
                         where);
     }
-    *id = (rhw_pass){1, context->recording.generation, context->number};
+    *id = (rhw_pass){1, context->recording.generation, context->pass_number};
     return RHW_OK;
 }
 
 enum rhw_result rhw_pass_begin(rhw_context *context, const struct rhw_pass_def *def, rhw_pass *id)
 {
-    if (!rhw_context_enter(context, where)) {
+    if (!rhw_context_enter_any(context, where)) {
         return RHW_ERROR_MISUSE;
     }
     // While a pass is being recorded, `id` may be its only name: it is kept, because that pass has to end.

@@ -9,6 +9,7 @@
 #include "format/format.h"
 #include "context/misuse.h"
 #include "encoder.h"
+#include "pipeline/pipeline.h"
 #include "rhw/rhw.h"
 
 static const char *const where = "rhw_pass_clear_attachments";
@@ -142,15 +143,29 @@ static struct clear_uniforms uniforms_of(const struct rhw_encoder *encoder, cons
     return uniforms;
 }
 
-static void draw(rhw_context *context, rhw_pass id, const struct rhw_encoder *encoder,
-                 const struct rhw_clear *clear, rhw_pipeline pipeline)
+// Return the pipeline of a clear, which belongs to the pass. Return NULL when out of memory.
+static const struct rhw_pipeline_data *make_pipeline(struct rhw_encoder *encoder,
+                                                     const struct rhw_clear *clear)
+{
+    const struct rhw_pipeline_def def = pipeline_of(encoder, clear);
+    struct rhw_pipeline_data *const pipeline =
+        rhw_arena_alloc(&encoder->pass->arena, sizeof *pipeline, RHW_CACHE_LINE);
+    if (pipeline) {
+        rhw_pipeline_data_init(pipeline, &def, encoder->context->isa);
+    }
+    return pipeline;
+}
+
+static void draw(rhw_context *context, rhw_pass id, struct rhw_encoder *encoder,
+                 const struct rhw_clear *clear, const struct rhw_pipeline_data *pipeline)
 {
     const struct rhw_target *const target = &encoder->pass->target;
     const struct rhw_viewport viewport = {0, 0, (float)target->width, (float)target->height, 0, 1};
     const struct rhw_rect whole = {0, 0, target->width, target->height};
     const struct clear_uniforms uniforms = uniforms_of(encoder, clear);
     const int layers = clear->layer_count != 0 ? clear->layer_count : target->layers - clear->layer;
-    rhw_pass_set_pipeline(context, id, pipeline);
+    encoder->pending.pipeline = pipeline;
+    encoder->pending_changed = true;
     rhw_pass_set_viewport(context, id, &viewport);
     rhw_pass_set_uniforms(context, id, &uniforms, sizeof uniforms);
     rhw_pass_set_stencil_reference(context, id, clear->stencil_value, clear->stencil_value);
@@ -211,9 +226,8 @@ void rhw_pass_clear_attachments(rhw_context *context, rhw_pass id, const struct 
     if (!is_good) {
         return;
     }
-    const struct rhw_pipeline_def def = pipeline_of(encoder, clear);
-    rhw_pipeline pipeline;
-    if (rhw_pipeline_create(context, &def, &pipeline) != RHW_OK) {
+    const struct rhw_pipeline_data *const pipeline = make_pipeline(encoder, clear);
+    if (!pipeline) {
         encoder->out_of_memory = true;
         return;
     }
@@ -221,5 +235,4 @@ void rhw_pass_clear_attachments(rhw_context *context, rhw_pass id, const struct 
     keep_state(encoder, &kept);
     draw(context, id, encoder, clear, pipeline);
     restore_state(encoder, &kept);
-    rhw_pipeline_destroy(context, pipeline);
 }

@@ -28,7 +28,7 @@ void rhw_encoder_destroy(struct rhw_encoder *encoder)
 
 void rhw_encoder_renew(struct rhw_encoder *encoder)
 {
-    struct rhw_recording *const recording = &encoder->context->recording;
+    struct rhw_recording_place *const recording = &encoder->context->recording;
     struct rhw_target *const target = &encoder->pass->target;
     rhw_recorded_pass_clear(encoder->pass);
     encoder->pass->paths = encoder->context->paths;
@@ -37,21 +37,22 @@ void rhw_encoder_renew(struct rhw_encoder *encoder)
     target->depth = target->stencil = (struct rhw_attachment){.target = NULL};
     encoder->read = NULL;
     encoder->stored = NULL;
+    encoder->uses = (struct rhw_use_table){0};
+    encoder->clean_parts = NULL;
     encoder->out_of_memory = false;
+    encoder->given_up = false;
     encoder->memory = (struct rhw_used_memory){
         .context = encoder->context, .pass = encoder->pass, .out_of_memory = &encoder->out_of_memory};
     memset(&encoder->bound, 0, sizeof encoder->bound);
     encoder->slots.kernels = encoder->context->kernels;
     encoder->slots.slot_count = 0;
     encoder->bindings_changed = encoder->storage_changed = true;
-    if (++recording->generation == 0) {
-        recording->generation = 1; // 0: no pass has used an item yet
-    }
+    rhw_recording_next(recording);
 }
 
 void rhw_pass_report(const rhw_context *context, rhw_pass id, const char *where)
 {
-    const bool foreign = id.index != 0 && id.context != context->number;
+    const bool foreign = id.index != 0 && id.context != context->pass_number;
     rhw_misuse(context, "%s: %s", where,
                foreign ? "the pass belongs to another context" : "the pass id is null or its pass has ended");
 }

@@ -7,12 +7,15 @@
 #include "binding/binding.h"
 #include "context/context.h"
 #include "context/entry.h"
+#include "context/lookup.h"
+#include "context/use_table.h"
 #include "draw/recorded_pass.h"
 #include "memory_overlap.h"
 #include "resource/buffer.h"
 #include "rhw/shader.h"
 #include "transform_feedback.h"
 
+struct rhw_clean_part;
 struct rhw_read_texture;
 struct rhw_stored_level;
 
@@ -53,6 +56,7 @@ struct rhw_encoder {
     struct rhw_context *context;
     struct rhw_recorded_pass *pass; // the pass that is recorded
     bool out_of_memory;             // something could not be recorded: the pass fails when it ends
+    bool given_up;                  // the program gave it up while it was recorded
     bool names_size;                // the definition names the size, and attachments may be larger
     bool depth_by_default;          // RHW_LOAD_DEFAULT clears depth to 1, because no other value was given
 
@@ -75,6 +79,9 @@ struct rhw_encoder {
     const struct rhw_stored_level *stored;
     struct rhw_feedback_state feedback;
     struct rhw_used_memory memory; // see pass/memory_overlap.h
+    struct rhw_use_table uses;     // what the pass uses, where the context is a recorder
+    // Parts of textures whose records of clean tiles a recording looks up when it runs.
+    struct rhw_clean_part *clean_parts;
 };
 
 // Return true if a buffer or memory is set.
@@ -98,6 +105,19 @@ void rhw_encoder_destroy(struct rhw_encoder *encoder);
 // another, which has the next generation.
 void rhw_encoder_renew(struct rhw_encoder *encoder);
 
+// Note that the pass uses the live item at `index`. `moves` is how often it has got other memory, or 0 for an item that
+// has none.
+static inline void rhw_encoder_note_use(struct rhw_encoder *encoder, const struct rhw_pool *pool,
+                                        uint32_t index, uint32_t moves)
+{
+    if (!encoder->context->uses) { // the common case, for each call of the program
+        rhw_pool_use(pool, index, encoder->context->recording.generation);
+        return;
+    }
+    encoder->out_of_memory |=
+        !rhw_use_table_note(encoder->context->uses, &encoder->pass->arena, pool, index, moves);
+}
+
 // Report that an id names no pass under way.
 __attribute__((cold)) void rhw_pass_report(const rhw_context *context, rhw_pass id, const char *where);
 
@@ -105,11 +125,11 @@ __attribute__((cold)) void rhw_pass_report(const rhw_context *context, rhw_pass 
 // the context and return NULL if `id` names no pass under way.
 static inline struct rhw_encoder *rhw_pass_enter(rhw_context *context, rhw_pass id, const char *where)
 {
-    if (!rhw_context_enter(context, where)) {
+    if (!rhw_context_enter_any(context, where)) {
         return NULL;
     }
-    const struct rhw_recording *const recording = &context->recording;
-    if (recording->active && id.generation == recording->generation && id.context == context->number) {
+    const struct rhw_recording_place *const recording = &context->recording;
+    if (recording->active && id.generation == recording->generation && id.context == context->pass_number) {
         return context->encoder;
     }
     rhw_pass_report(context, id, where);

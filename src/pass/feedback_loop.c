@@ -74,11 +74,18 @@ static struct rhw_texel_range range_of_level(const struct rhw_texture_data *text
     return rhw_texel_range_of(mip, 0, mip->slices);
 }
 
+// Return true if the pass may draw into the texture, or into texels that it shares. A recording does not note it in the
+// texture.
+static bool may_be_attached(const struct rhw_encoder *encoder, const struct rhw_texture_data *texture)
+{
+    return encoder->context->uses || rhw_texture_is_attached(encoder->context, texture);
+}
+
 // Most textures that are set are attached in no pass, neither themselves nor by a view: their levels are not looked at.
 bool rhw_pass_draws_into(const struct rhw_encoder *encoder, const struct rhw_texture_data *texture,
                          uint32_t levels)
 {
-    levels = rhw_texture_is_attached(encoder->context, texture) ? levels : 0;
+    levels = may_be_attached(encoder, texture) ? levels : 0;
     for (; levels != 0; levels &= levels - 1) {
         if (draws_into(encoder, range_of_level(texture, __builtin_ctz(levels)))) {
             return true;
@@ -102,7 +109,7 @@ static bool levels_have(const struct rhw_texture_data *texture, uint32_t levels,
 bool rhw_pass_stores_texture(const struct rhw_encoder *encoder, const struct rhw_texture_data *texture,
                              uint32_t levels)
 {
-    if (!rhw_texture_is_attached(encoder->context, texture)) {
+    if (!may_be_attached(encoder, texture)) {
         return false;
     }
     for (const struct rhw_stored_level *stored = encoder->stored; stored; stored = stored->next) {
@@ -123,37 +130,61 @@ bool rhw_pass_reads(const struct rhw_encoder *encoder, struct rhw_texel_range te
     return false;
 }
 
-bool rhw_pass_note_read(struct rhw_encoder *encoder, struct rhw_texture_data *const *item, uint32_t levels)
+// The levels of a texture that the pass reads, and those that it stores, as far as is noted.
+struct noted_levels {
+    uint32_t *read, *stored;
+};
+
+// Return where it is noted which levels the pass reads and stores. Return NULLs where a recording has no memory for it.
+static struct noted_levels noted_levels(const struct rhw_encoder *encoder,
+                                        struct rhw_texture_data *const *item)
 {
+    if (encoder->context->uses) {
+        struct rhw_use *const use = rhw_use_table_find(encoder->context->uses, item);
+        return use ? (struct noted_levels){&use->read_levels, &use->stored_levels}
+                   : (struct noted_levels){NULL, NULL};
+    }
     struct rhw_texture_data *const texture = *item;
     const uint32_t generation = encoder->context->recording.generation;
     texture->read_levels = texture->read_pass == generation ? texture->read_levels : 0;
-    const uint32_t added = levels & ~texture->read_levels;
+    texture->stored_levels = texture->stored_pass == generation ? texture->stored_levels : 0;
+    texture->read_pass = texture->stored_pass = generation;
+    return (struct noted_levels){&texture->read_levels, &texture->stored_levels};
+}
+
+bool rhw_pass_note_read(struct rhw_encoder *encoder, struct rhw_texture_data *const *item, uint32_t levels)
+{
+    uint32_t *const read_levels = noted_levels(encoder, item).read;
+    const uint32_t added = read_levels ? levels & ~*read_levels : 0;
     if (added == 0) {
-        return true;
+        return read_levels != NULL;
     }
     struct rhw_read_texture *const read =
         rhw_arena_alloc(&encoder->pass->arena, sizeof *read, _Alignof(struct rhw_read_texture));
     if (read) {
         *read = (struct rhw_read_texture){encoder->read, item, added};
         encoder->read = read;
-        texture->read_pass = generation;
-        texture->read_levels |= added;
+        *read_levels |= added;
     }
     return read != NULL;
 }
 
-bool rhw_pass_note_stored(struct rhw_encoder *encoder, struct rhw_texture_data *texture, int level)
+bool rhw_pass_note_stored(struct rhw_encoder *encoder, struct rhw_texture_data *const *item, int level)
 {
-    const uint32_t generation = encoder->context->recording.generation;
-    texture->stored_levels = texture->stored_pass == generation ? texture->stored_levels : 0;
+    uint32_t *const stored_levels = noted_levels(encoder, item).stored;
     struct rhw_stored_level *const stored =
         rhw_arena_alloc(&encoder->pass->arena, sizeof *stored, _Alignof(struct rhw_stored_level));
-    if (stored) {
-        *stored = (struct rhw_stored_level){encoder->stored, range_of_level(texture, level)};
-        encoder->stored = stored;
-        texture->stored_pass = generation;
-        texture->stored_levels |= 1u << level;
+    if (!stored || !stored_levels) {
+        return false;
     }
-    return stored != NULL;
+    *stored = (struct rhw_stored_level){encoder->stored, range_of_level(*item, level)};
+    encoder->stored = stored;
+    *stored_levels |= 1u << level;
+    return true;
+}
+
+bool rhw_pass_stores_level(const struct rhw_encoder *encoder, struct rhw_texture_data *const *item, int level)
+{
+    const uint32_t *const stored_levels = noted_levels(encoder, item).stored;
+    return stored_levels && (*stored_levels >> level & 1) != 0;
 }

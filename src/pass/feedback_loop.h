@@ -31,8 +31,12 @@ static inline uint32_t rhw_all_levels(const struct rhw_texture_data *texture)
 }
 
 // Keep in mind what is set to be read, or to be written. `item` stands in the context's pool, and what it holds may be
-// renewed until the pass ends. Return false when out of memory.
+// renewed until the pass ends. The use of the item has been noted. Return false when out of memory.
 bool rhw_pass_note_read(struct rhw_encoder *encoder, struct rhw_texture_data *const *item, uint32_t levels);
-bool rhw_pass_note_stored(struct rhw_encoder *encoder, struct rhw_texture_data *texture, int level);
+bool rhw_pass_note_stored(struct rhw_encoder *encoder, struct rhw_texture_data *const *item, int level);
+
+// Return true if the level was set in this pass already as a storage image to be written.
+bool rhw_pass_stores_level(const struct rhw_encoder *encoder, struct rhw_texture_data *const *item,
+                           int level);
 
 #endif

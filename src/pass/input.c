@@ -43,14 +43,14 @@ static inline struct rhw_bound_buffer bind_buffer(struct rhw_encoder *encoder, r
     const uint32_t generation = context->recording.generation;
     const size_t length = size == 0 ? buffer->size - offset : size, end = offset + length;
     const struct rhw_used_bytes *const used = &buffer->used[RHW_BUFFER_READ];
-    const bool is_noted = used->pass == generation && used->ranges.last &&
+    const bool is_noted = !context->uses && used->pass == generation && used->ranges.last &&
                           used->ranges.last->first <= offset && end <= used->ranges.last->end;
     const struct rhw_buffer_part part = {id, buffer, RHW_BUFFER_READ, offset, end};
     if ((buffer->is_map_written && !rhw_buffer_check_unmapped(context, &part, where)) ||
         (!is_noted && !note_read(encoder, &part, where))) {
         return (struct rhw_bound_buffer){.data = NULL};
     }
-    rhw_pool_use(&context->buffers, id.index, generation);
+    rhw_encoder_note_use(encoder, &context->buffers, id.index, buffer->moves);
     return (struct rhw_bound_buffer){buffer, NULL, offset, length, id.index};
 }
 

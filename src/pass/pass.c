@@ -98,7 +98,7 @@ static void append_draw(struct rhw_encoder *encoder, const struct rhw_draw *draw
     const uint64_t environment = rhw_cpu_float_enter();
     const struct rhw_draw_state *const state = rhw_pass_draw_state(encoder);
     rhw_cpu_float_leave(environment);
-    struct rhw_draw *const slot = state ? rhw_draw_list_next(&encoder->context->memory, &pass->draws) : NULL;
+    struct rhw_draw *const slot = state ? rhw_draw_list_next(pass->arena.memory, &pass->draws) : NULL;
     if (!slot) {
         encoder->out_of_memory = true;
         return;
@@ -121,6 +121,7 @@ static void append_draw(struct rhw_encoder *encoder, const struct rhw_draw *draw
         return;
     }
     pass->shades_first |= slot->is_shaded_first;
+    pass->shades_samples |= state->plans[RHW_PHASE_ONLY].sampling == RHW_SAMPLING_SAMPLE;
     pass->shows_order |= state->pipeline->def.program.uses_atomic_results;
     pass->draws.count++;
     encoder->context->recording.draw = pass->draws.count;
@@ -135,10 +136,19 @@ static void append_draw(struct rhw_encoder *encoder, const struct rhw_draw *draw
     }
 }
 
+// Check that the index buffer lives. Recording looks at indices, and what a recorder has set may be destroyed.
+static __attribute__((noinline)) bool check_indices_live(const struct rhw_encoder *encoder, const char *where)
+{
+    const struct rhw_context *const context = encoder->context;
+    const struct rhw_use *const use = rhw_use_table_find(context->uses, encoder->bound.indices.data);
+    return !use || rhw_context_item(context, &context->buffers, use->index, use->generation, where);
+}
+
 void rhw_pass_record(struct rhw_encoder *encoder, const struct rhw_draw *draw, uint32_t count,
                      const char *where)
 {
     if (!encoder->out_of_memory && check_draw(encoder, draw->indexed, where) &&
+        (!encoder->context->uses || !draw->indexed || check_indices_live(encoder, where)) &&
         (!encoder->context->validation || rhw_draw_range_check(encoder, draw, count, where))) {
         append_draw(encoder, draw, count);
     }

@@ -40,10 +40,15 @@ static bool check_sampled(const struct rhw_encoder *encoder, rhw_texture id, int
 }
 
 // Make the linear copy of an sRGB texture that is sampled. Textures with several samples need none, because they are
-// not filtered. Return false when out of memory.
-static bool linearize(struct rhw_context *context, struct rhw_texture_data *texture)
+// not filtered. A recording makes it when it runs. Return false when out of memory.
+static bool linearize(struct rhw_encoder *encoder, struct rhw_texture_data *texture)
 {
-    return texture->samples > 1 || rhw_texture_linearize(context, texture);
+    if (encoder->context->uses || texture->samples > 1 || encoder->given_up) {
+        return true;
+    }
+    const enum rhw_result result = rhw_texture_linearize(encoder->context, texture);
+    encoder->given_up = result == RHW_ERROR_GIVEN_UP;
+    return result != RHW_ERROR_OUT_OF_MEMORY;
 }
 
 // Bind what was set in a slot. Slots up to the last one that has something are there.
@@ -57,6 +62,20 @@ static void bind_texture(struct rhw_encoder *encoder, int slot, const struct rhw
     slots->slot[slot] = rhw_binding_of(context->kernels, context->paths,
                                        bound->texture ? *bound->texture : NULL, bound->sampler);
     encoder->bindings_changed = true;
+}
+
+// Note in the texture that draws sample it. A recording does when it runs.
+static void note_sampled(struct rhw_encoder *encoder, struct rhw_texture_data *const *texture)
+{
+    const rhw_context *const context = encoder->context;
+    if (!context->uses) {
+        rhw_texture_note_sampled(*texture, context->recording.generation);
+        return;
+    }
+    struct rhw_use *const use = rhw_use_table_find(context->uses, texture);
+    if (use) {
+        use->is_sampled = true;
+    }
 }
 
 bool rhw_encoder_set_texture(struct rhw_encoder *encoder, int slot, rhw_texture texture, rhw_sampler sampler,
@@ -76,12 +95,12 @@ bool rhw_encoder_set_texture(struct rhw_encoder *encoder, int slot, rhw_texture 
             return false;
         }
         bound.texture = rhw_pool_get(&context->textures, texture.index, texture.generation);
-        rhw_texture_note_sampled(*bound.texture, context->recording.generation);
+        rhw_encoder_note_use(encoder, &context->textures, texture.index, (*bound.texture)->moves);
+        rhw_encoder_note_use(encoder, &context->samplers, sampler.index, 0);
+        note_sampled(encoder, bound.texture);
         encoder->out_of_memory |=
             !rhw_pass_note_read(encoder, bound.texture, rhw_all_levels(*bound.texture)) ||
-            !linearize(context, *bound.texture);
-        rhw_pool_use(&context->textures, texture.index, context->recording.generation);
-        rhw_pool_use(&context->samplers, sampler.index, context->recording.generation);
+            !linearize(encoder, *bound.texture);
     }
     struct rhw_bound_texture *const current = &encoder->bound.textures[slot];
     if (current->texture != bound.texture || current->sampler != bound.sampler) {
@@ -129,6 +148,9 @@ static bool bind_range(struct rhw_encoder *encoder, rhw_buffer id, size_t offset
         return false;
     }
     encoder->out_of_memory |= !rhw_buffer_note_use(context, &encoder->pass->arena, &part);
+    if (is_read_only && !context->uses) {
+        data->bound_pass = context->recording.generation;
+    }
     *range = (struct rhw_bound_range){data, offset, length, is_read_only};
     return true;
 }
@@ -180,22 +202,16 @@ static bool check_slot(const struct rhw_context *context, int slot, const char *
                      where, slot, RHW_MAX_STORAGE_IMAGES - 1);
 }
 
-// Return true if the level was set in this pass already as a storage image to be written.
-static bool is_stored(const struct rhw_encoder *encoder, const struct rhw_texture_data *texture, int level)
-{
-    return texture->stored_pass == encoder->context->recording.generation &&
-           (texture->stored_levels >> level & 1) != 0;
-}
-
 // Check that the pass neither draws into nor reads a texel of a level that is to be written. Texels are told apart by
 // level and layer.
 static bool check_written(const struct rhw_encoder *encoder, rhw_texture id,
                           const struct rhw_texture_data *texture, int level, const char *where)
 {
     const struct rhw_context *const context = encoder->context;
+    struct rhw_texture_data *const *const item = rhw_pool_item(&context->textures, id.index);
     const struct rhw_texel_range texels =
         rhw_texel_range_of(&texture->mip[level], 0, texture->mip[level].slices);
-    return is_stored(encoder, texture, level) ||
+    return rhw_pass_stores_level(encoder, item, level) ||
            (rhw_check(context, !rhw_pass_attaches(encoder, texels),
                       "%s: level %d of %s is an attachment of this pass, or has a layer of one; it must be "
                       "another",
@@ -230,15 +246,19 @@ static void bind_image(struct rhw_encoder *encoder, int slot, struct rhw_bound_i
 }
 
 // Note that shader functions write the texels of a level. Return false where it is misuse.
-static bool note_written(struct rhw_encoder *encoder, struct rhw_texture_data *texture, int level,
+static bool note_written(struct rhw_encoder *encoder, struct rhw_texture_data *const *item, int level,
                          const char *where)
 {
-    if (!is_stored(encoder, texture, level)) {
+    struct rhw_texture_data *const texture = *item;
+    if (!rhw_pass_stores_level(encoder, item, level)) {
         if (!rhw_memory_note_stored_level(&encoder->memory, &texture->mip[level], texture->info->size,
                                           where)) {
             return false;
         }
-        encoder->out_of_memory |= !rhw_pass_note_stored(encoder, texture, level);
+        encoder->out_of_memory |= !rhw_pass_note_stored(encoder, item, level);
+    }
+    if (encoder->context->uses) {
+        return true; // a recording notes it in the texture when it runs
     }
     rhw_texture_note_attached(texture, encoder->context->recording.generation);
     rhw_texture_note_written(texture);
@@ -262,13 +282,13 @@ bool rhw_encoder_set_storage_image(struct rhw_encoder *encoder, int slot, rhw_te
             return false;
         }
         bound.texture = rhw_pool_get(&context->textures, id.index, id.generation);
+        rhw_encoder_note_use(encoder, &context->textures, id.index, texture->moves);
         if (is_read_only) {
-            rhw_texture_note_sampled(texture, context->recording.generation);
+            note_sampled(encoder, bound.texture);
             encoder->out_of_memory |= !rhw_pass_note_read(encoder, bound.texture, 1u << level);
-        } else if (!note_written(encoder, texture, level, where)) {
+        } else if (!note_written(encoder, bound.texture, level, where)) {
             return false;
         }
-        rhw_pool_use(&context->textures, id.index, context->recording.generation);
     }
     bind_image(encoder, slot, bound);
     return true;
@@ -411,7 +431,7 @@ bool rhw_pass_renew_bindings(struct rhw_encoder *encoder)
 {
     for (int i = 0; i < encoder->slots.slot_count; i++) {
         const struct rhw_bound_texture *const bound = &encoder->bound.textures[i];
-        if (bound->texture && !linearize(encoder->context, *bound->texture)) {
+        if (bound->texture && !linearize(encoder, *bound->texture)) {
             return false;
         }
         bind_texture(encoder, i, bound);

@@ -76,7 +76,7 @@ void rhw_pass_set_pipeline(rhw_context *context, rhw_pass id, rhw_pipeline pipel
         rhw_check(context, !encoder->feedback.is_active, "%s: transform feedback is under way; end it first",
                   where) &&
         targets_match(encoder, pipeline_id, pipeline, where)) {
-        rhw_pool_use(&context->pipelines, pipeline_id.index, context->recording.generation);
+        rhw_encoder_note_use(encoder, &context->pipelines, pipeline_id.index, 0);
         encoder->pending_changed |= encoder->pending.pipeline != pipeline;
         encoder->pending.pipeline = pipeline;
         encoder->bound.pipeline = pipeline_id;

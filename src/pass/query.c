@@ -128,13 +128,28 @@ static void set_active(struct rhw_encoder *encoder, enum rhw_query_kind kind, st
     encoder->pending_changed = true;
 }
 
+static bool same_query(rhw_query a, rhw_query b)
+{
+    return a.index == b.index && a.generation == b.generation;
+}
+
+// Return true if the pass being recorded has used a query. A recording does not note it in the query.
+static bool is_used(const struct rhw_encoder *encoder, rhw_query id, const struct rhw_query_data *data)
+{
+    const struct rhw_used_query *query = encoder->pass->queries;
+    while (encoder->context->uses && query && !same_query(query->id, id)) {
+        query = query->next;
+    }
+    return encoder->context->uses ? query != NULL : data->pass == encoder->context->recording.generation;
+}
+
 // Return the record of a query that the pass uses for the first time. Return NULL where the pass has used it before,
 // which is misuse, or when out of memory.
 static struct rhw_used_query *use(struct rhw_encoder *encoder, rhw_query id, struct rhw_query_data *data,
                                   const char *where)
 {
     struct rhw_context *const context = encoder->context;
-    if (!rhw_check(context, data->pass != context->recording.generation,
+    if (!rhw_check(context, !is_used(encoder, id, data),
                    "%s: %s was used in this pass; a query is used once in a pass", where,
                    rhw_name_of(&context->queries, id.index).text)) {
         return NULL;
@@ -150,8 +165,10 @@ static struct rhw_used_query *use(struct rhw_encoder *encoder, rhw_query id, str
     query->kind = data->kind;
     query->next = encoder->pass->queries;
     encoder->pass->queries = query;
-    data->pass = context->recording.generation;
-    data->is_answered = false;
+    if (!context->uses) {
+        data->pass = context->recording.generation;
+        data->is_answered = false;
+    }
     return query;
 }
 
@@ -182,11 +199,6 @@ void rhw_pass_begin_query(rhw_context *context, rhw_pass id, rhw_query query)
         begin(encoder, query);
         rhw_context_leave(context);
     }
-}
-
-static bool same_query(rhw_query a, rhw_query b)
-{
-    return a.index == b.index && a.generation == b.generation;
 }
 
 static void end(struct rhw_encoder *encoder, rhw_query id)
@@ -262,13 +274,13 @@ void rhw_queries_count_feedback(const struct rhw_draw *draw, uint64_t written, u
     }
 }
 
-void rhw_queries_check_ended(const struct rhw_encoder *encoder)
+void rhw_queries_check_ended(const struct rhw_encoder *encoder, const char *where)
 {
     const struct rhw_context *const context = encoder->context;
     for (int kind = 0; kind < RHW_QUERY_KIND_COUNT && !encoder->out_of_memory; kind++) {
         const struct rhw_used_query *const query = active(encoder, (enum rhw_query_kind)kind);
         if (query && rhw_pool_get(&context->queries, query->id.index, query->id.generation)) {
-            rhw_misuse(context, "rhw_pass_end: %s was begun and not ended",
+            rhw_misuse(context, "%s: %s was begun and not ended", where,
                        rhw_name_of(&context->queries, query->id.index).text);
             return;
         }
@@ -277,11 +289,33 @@ void rhw_queries_check_ended(const struct rhw_encoder *encoder)
 
 // After running ----------------------------------------------------------------------------------------
 
-void rhw_queries_answer(const struct rhw_encoder *encoder)
+void rhw_queries_begin(struct rhw_context *context, struct rhw_recorded_pass *pass)
 {
-    for (struct rhw_used_query *query = encoder->pass->queries; query; query = query->next) {
+    for (struct rhw_used_query *query = pass->queries; query; query = query->next) {
         struct rhw_query_data *const data =
-            rhw_pool_get(&encoder->context->queries, query->id.index, query->id.generation);
+            rhw_pool_get(&context->queries, query->id.index, query->id.generation);
+        if (data) {
+            data->pass = context->recording.generation;
+            data->is_answered = false;
+        }
+        query->counts = query->recorded;
+        atomic_store_explicit(&query->samples, 0, memory_order_relaxed);
+        atomic_store_explicit(&query->fragments, 0, memory_order_relaxed);
+    }
+}
+
+void rhw_queries_keep(struct rhw_recorded_pass *pass)
+{
+    for (struct rhw_used_query *query = pass->queries; query; query = query->next) {
+        query->recorded = query->counts;
+    }
+}
+
+void rhw_queries_answer(struct rhw_context *context, const struct rhw_recorded_pass *pass)
+{
+    for (struct rhw_used_query *query = pass->queries; query; query = query->next) {
+        struct rhw_query_data *const data =
+            rhw_pool_get(&context->queries, query->id.index, query->id.generation);
         if (!data) {
             continue;
         }

@@ -7,7 +7,9 @@
 #include "rhw/stats.h"
 
 struct rhw_draw;
+struct rhw_context;
 struct rhw_encoder;
+struct rhw_recorded_pass;
 
 struct rhw_query_data {
     enum rhw_query_kind kind;
@@ -21,8 +23,13 @@ void rhw_queries_count_draw(const struct rhw_draw *draw, uint32_t count);
 // Add what transform feedback does for a draw, in primitives.
 void rhw_queries_count_feedback(const struct rhw_draw *draw, uint64_t written, uint64_t needed);
 // Report queries that were begun and not ended.
-void rhw_queries_check_ended(const struct rhw_encoder *encoder);
+void rhw_queries_check_ended(const struct rhw_encoder *encoder, const char *where);
 // Give queries the answers of the pass that has run.
-void rhw_queries_answer(const struct rhw_encoder *encoder);
+void rhw_queries_answer(struct rhw_context *context, const struct rhw_recorded_pass *pass);
+
+// Keep what recording counted, for all runs of the pass.
+void rhw_queries_keep(struct rhw_recorded_pass *pass);
+// Begin a run of a pass that was kept: its queries have no answer yet, and have counted what recording did.
+void rhw_queries_begin(struct rhw_context *context, struct rhw_recorded_pass *pass);
 
 #endif

@@ -5,6 +5,7 @@
 #include "context/entry.h"
 #include "context/misuse.h"
 #include "encoder.h"
+#include "pass_end.h"
 #include "rhw/explain.h"
 #include "rhw/stats.h"
 
@@ -81,6 +82,13 @@ static struct rhw_tile_report empty_report(const struct rhw_target *target, int 
                                     .layer = number / (target->tiles_x * target->tiles_y)};
 }
 
+void rhw_pass_empty_reports(struct rhw_recorded_pass *pass)
+{
+    for (int i = 0; pass->tile_reports && i < rhw_target_tiles(&pass->target); i++) {
+        pass->tile_reports[i] = empty_report(&pass->target, i);
+    }
+}
+
 void rhw_pass_report_tiles(rhw_context *context, rhw_pass id, struct rhw_tile_report *reports, int count)
 {
     static const char *const where = "rhw_pass_report_tiles";
@@ -89,10 +97,8 @@ void rhw_pass_report_tiles(rhw_context *context, rhw_pass id, struct rhw_tile_re
         return;
     }
     if (check_reports(context, encoder, reports, count, where)) {
-        for (int i = 0; i < count; i++) {
-            reports[i] = empty_report(&encoder->pass->target, i);
-        }
         encoder->pass->tile_reports = reports;
+        rhw_pass_empty_reports(encoder->pass);
     }
     rhw_context_leave(context);
 }

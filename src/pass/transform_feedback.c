@@ -196,7 +196,8 @@ void rhw_pass_begin_transform_feedback(rhw_context *context, rhw_pass id,
 static size_t end_target(struct rhw_encoder *encoder, const struct rhw_feedback_place *place)
 {
     if (place->range) {
-        rhw_range_set_shorten(&place->data->used[RHW_BUFFER_CAPTURED].ranges, place->range, place->at);
+        rhw_range_set_shorten(rhw_buffer_ranges(encoder->context, place->data, RHW_BUFFER_CAPTURED),
+                              place->range, place->at);
     }
     if (place->memory_range) {
         rhw_range_set_shorten(&encoder->memory.captured, place->memory_range,
@@ -271,8 +272,8 @@ bool rhw_feedback_add_draw(struct rhw_encoder *encoder, struct rhw_draw *draw)
     return true;
 }
 
-void rhw_feedback_check_ended(const struct rhw_encoder *encoder)
+void rhw_feedback_check_ended(const struct rhw_encoder *encoder, const char *where)
 {
     (void)rhw_check(encoder->context, encoder->out_of_memory || !encoder->feedback.is_active,
-                    "rhw_pass_end: transform feedback was begun and not ended");
+                    "%s: transform feedback was begun and not ended", where);
 }

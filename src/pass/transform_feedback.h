@@ -32,6 +32,6 @@ struct rhw_feedback_state {
 // Give a prepared draw its place in the buffers while feedback is under way. Return false when out of memory.
 bool rhw_feedback_add_draw(struct rhw_encoder *encoder, struct rhw_draw *draw);
 // Report transform feedback that was begun and not ended.
-void rhw_feedback_check_ended(const struct rhw_encoder *encoder);
+void rhw_feedback_check_ended(const struct rhw_encoder *encoder, const char *where);
 
 #endif

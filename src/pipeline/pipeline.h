@@ -59,10 +59,11 @@ struct rhw_pipeline_data {
     } vector_qualifier[RHW_MAX_VARYING_COMPONENTS / 8];
     int flat_count;
     uint8_t flat_component[RHW_MAX_VARYING_COMPONENTS];
-    int smooth_runs; // number of runs of smooth components beside each other
+    int smooth_runs,
+        screen_runs; // numbers of runs of smooth, and of noperspective, components beside each other
     struct rhw_component_run {
         int first, end; // end is one behind the last component
-    } smooth_run[RHW_MAX_VARYING_COMPONENTS];
+    } smooth_run[RHW_MAX_VARYING_COMPONENTS], screen_run[RHW_MAX_VARYING_COMPONENTS];
     bool any_constant_derivatives; // a component that is not smooth has derivatives
     // −1 for components with the qualifier, and 0 for others.
     int32_t noperspective_mask[RHW_MAX_VARYING_COMPONENTS], flat_mask[RHW_MAX_VARYING_COMPONENTS];

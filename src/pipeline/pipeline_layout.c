@@ -92,12 +92,12 @@ static void resolve_functions(struct rhw_pipeline_data *data, enum rhw_isa isa)
     }
 }
 
-static void add_smooth(struct rhw_pipeline_data *data, int component)
+static void add_to_runs(struct rhw_component_run *runs, int *count, int component)
 {
-    if (data->smooth_runs == 0 || data->smooth_run[data->smooth_runs - 1].end != component) {
-        data->smooth_run[data->smooth_runs++].first = component;
+    if (*count == 0 || runs[*count - 1].end != component) {
+        runs[(*count)++].first = component;
     }
-    data->smooth_run[data->smooth_runs - 1].end = component + 1;
+    runs[*count - 1].end = component + 1;
 }
 
 static void lay_out_varyings(struct rhw_pipeline_data *data)
@@ -114,7 +114,9 @@ static void lay_out_varyings(struct rhw_pipeline_data *data)
             if (varying->qualifier == RHW_FLAT) {
                 data->flat_component[data->flat_count++] = (uint8_t)next;
             } else if (varying->qualifier == RHW_SMOOTH) {
-                add_smooth(data, next);
+                add_to_runs(data->smooth_run, &data->smooth_runs, next);
+            } else {
+                add_to_runs(data->screen_run, &data->screen_runs, next);
             }
             data->any_constant_derivatives |= varying->derivatives && varying->qualifier != RHW_SMOOTH;
             data->noperspective_mask[next] = varying->qualifier == RHW_NOPERSPECTIVE ? -1 : 0;

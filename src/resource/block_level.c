@@ -7,6 +7,7 @@
 
 #include "format/block_format.h"
 #include "context/context.h"
+#include "context/given_up.h"
 #include "base/scheduler.h"
 #include "texture.h"
 
@@ -14,6 +15,7 @@
 enum { BAND_TEXELS = 1 << 13 };
 
 struct decoded_level {
+    struct rhw_context *context;
     const struct rhw_block_format *format;
     const unsigned char *blocks;
     size_t row_pitch;
@@ -54,19 +56,24 @@ static int rows_of_blocks(const struct decoded_level *level)
 
 static void decode_band(void *user, int index, int worker)
 {
-    (void)worker;
     const struct decoded_level *const level = user;
+    if (rhw_context_is_given_up(level->context, worker)) {
+        return;
+    }
     const int end = smaller((index + 1) * level->band, rows_of_blocks(level));
     for (int row = index * level->band; row < end; row++) {
         decode_row(level, row);
     }
 }
 
-void rhw_decode_level(struct rhw_context *context, enum rhw_format format, const unsigned char *blocks,
-                      size_t row_pitch, const struct rhw_mip *mip, unsigned char *texels)
+enum rhw_result rhw_decode_level(struct rhw_context *context, enum rhw_format format,
+                                 const unsigned char *blocks, size_t row_pitch, const struct rhw_mip *mip,
+                                 unsigned char *texels)
 {
-    struct decoded_level level = {rhw_block_format(format), blocks, row_pitch, mip, texels, 0};
+    struct decoded_level level = {context, rhw_block_format(format), blocks, row_pitch, mip, texels, 0};
+    rhw_context_begin_work(context);
     level.band = 1 + BAND_TEXELS / (mip->width * level.format->height);
     rhw_scheduler_run(context->scheduler, decode_band, &level,
                       (rows_of_blocks(&level) + level.band - 1) / level.band);
+    return atomic_load(&context->given_up) ? RHW_ERROR_GIVEN_UP : RHW_OK;
 }

@@ -26,11 +26,11 @@ static bool is_attached(const struct rhw_context *context, const struct rhw_text
     return texture->attached == context->recording.generation;
 }
 
-bool rhw_texture_note_bound(struct rhw_context *context, struct rhw_texture_data *texture)
+enum rhw_result rhw_texture_note_bound(struct rhw_context *context, struct rhw_texture_data *texture)
 {
     struct rhw_shared_texels *const shared = texture->shared;
     if (texture->info->path != RHW_TEXELS_RGBA8_SRGB || !texture->is_plain || texture->samples > 1) {
-        return true;
+        return RHW_OK;
     }
     if (!texture->is_bound) {
         texture->is_bound = true;
@@ -40,33 +40,36 @@ bool rhw_texture_note_bound(struct rhw_context *context, struct rhw_texture_data
     }
     rhw_shared_texels_note_stale(shared);
     const bool waits = rhw_recording_is_open(&context->recording) && is_attached(context, texture);
-    return waits || rhw_texture_linearize(context, texture);
+    return waits ? RHW_OK : rhw_texture_linearize(context, texture);
 }
 
 // Prepare the textures of a record. Where the pass writes some of the texels, the copies hold until it has run.
-static bool prepare(struct rhw_context *context, const struct rhw_shared_texels *shared, bool is_written)
+static enum rhw_result prepare(struct rhw_context *context, const struct rhw_shared_texels *shared,
+                               bool is_written)
 {
     for (struct rhw_texture_data *texture = shared->bound; texture; texture = texture->next_bound) {
         if (is_attached(context, texture)) {
             continue;
         }
         rhw_texture_note_sampled(texture, context->recording.generation);
-        if (!rhw_texture_linearize(context, texture)) {
-            return false;
+        const enum rhw_result result = rhw_texture_linearize(context, texture);
+        if (result != RHW_OK) {
+            return result;
         }
         texture->linear_levels = is_written ? 0 : texture->linear_levels;
     }
-    return true;
+    return RHW_OK;
 }
 
-bool rhw_bound_texels_prepare(struct rhw_context *context)
+enum rhw_result rhw_bound_texels_prepare(struct rhw_context *context)
 {
     struct rhw_shared_texels **next = &context->bound_texels.stale;
     while (*next) {
         struct rhw_shared_texels *const shared = *next;
         const bool is_written = shared->attached == context->recording.generation;
-        if (!prepare(context, shared, is_written)) {
-            return false;
+        const enum rhw_result result = prepare(context, shared, is_written);
+        if (result != RHW_OK) {
+            return result;
         }
         if (is_written || rhw_shared_texels_are_unsaid(shared)) {
             next = &shared->next_stale;
@@ -75,5 +78,5 @@ bool rhw_bound_texels_prepare(struct rhw_context *context)
             *next = shared->next_stale;
         }
     }
-    return true;
+    return RHW_OK;
 }

@@ -37,11 +37,15 @@ struct rhw_used_bytes {
 struct rhw_buffer_data {
     unsigned char *bytes; // aligned to a cache line
     size_t size;          // what the user gave, without padding
-    // The pass in which the buffer last got other memory, and the number of draws that were recorded before and read
-    // the old memory.
+    // The pass in which the buffer was last written between draws, and the number of draws that were recorded before
+    // and read other memory since.
     uint32_t renewed_pass, renewed_draws;
-    bool is_callers; // `bytes` is the program's memory
-    bool is_bound;   // a binding in memory of the program points at `bytes`, which stay there
+    uint32_t bound_pass; // generation of the last pass in which the buffer was in a read-only slot
+    uint32_t moves;      // times that the buffer got other memory
+    uint32_t writes;     // times that something may have written the bytes
+    bool is_callers;     // `bytes` is the program's memory
+    bool is_bound;       // a binding in memory of the program points at `bytes`, which stay there
+    bool has_stores;     // shader functions may write the bytes through a binding, in any pass
     // See rhw_buffer_map. The second is true where the buffer is mapped for more than reading.
     bool is_mapped, is_map_written;
     size_t map_first, map_end; // the bytes that are mapped

@@ -35,7 +35,7 @@ bool rhw_buffer_check_writable(const struct rhw_context *context, const struct r
                                const char *where)
 {
     const struct rhw_name name = rhw_name_of(&context->buffers, part->id.index);
-    const struct rhw_buffer_data *const data = part->data;
+    struct rhw_buffer_data *const data = part->data;
     if (!rhw_check(context, !data->is_mapped, "%s: %s is mapped; call rhw_buffer_unmap first", where,
                    name.text) ||
         !rhw_buffer_check_readable(context, part, where)) {
@@ -75,6 +75,7 @@ static bool renew(struct rhw_context *context, uint32_t index, struct rhw_buffer
     }
     memset(bytes + data->size, 0, RHW_BUFFER_PADDING);
     data->bytes = bytes;
+    data->moves++;
     data->renewed_pass = context->recording.generation;
     data->renewed_draws = context->recording.draw;
     context->recording.rewrites++;
@@ -83,9 +84,11 @@ static bool renew(struct rhw_context *context, uint32_t index, struct rhw_buffer
 
 bool rhw_buffer_to_write(struct rhw_context *context, const struct rhw_buffer_part *part, size_t written)
 {
-    const struct rhw_buffer_data *const data = part->data;
+    struct rhw_buffer_data *const data = part->data;
+    data->writes++;
     return !rhw_buffer_is_read(context, part) ||
            !rhw_context_draws_read(context, &context->buffers, part->id.index, data->renewed_pass,
                                    data->renewed_draws) ||
+           (data->bound_pass != context->recording.generation && context->keep_reads(context, part)) ||
            renew(context, part->id.index, part->data, written);
 }

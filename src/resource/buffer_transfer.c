@@ -145,6 +145,7 @@ void rhw_buffer_unmap(rhw_context *context, rhw_buffer buffer)
     struct rhw_buffer_data *const data = rhw_context_buffer(context, buffer, where);
     if (data && rhw_check(context, data->is_mapped, "%s: %s is not mapped", where,
                           rhw_name_of(&context->buffers, buffer.index).text)) {
+        data->writes += data->is_map_written;
         data->is_mapped = data->is_map_written = false;
     }
     rhw_context_leave(context);

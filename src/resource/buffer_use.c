@@ -7,13 +7,20 @@
 #include "context/context.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
+#include "context/use_table.h"
 
-// Return the ranges of a use in the pass being recorded. Return NULL if there are none.
-static const struct rhw_range_set *ranges_of(const struct rhw_context *context,
-                                             const struct rhw_buffer_data *data, enum rhw_buffer_use use)
+_Static_assert((int)RHW_USED_RANGES == (int)RHW_BUFFER_USES,
+               "a table of uses has a set for each use of a buffer");
+
+struct rhw_range_set *rhw_buffer_ranges(const struct rhw_context *context, struct rhw_buffer_data *data,
+                                        enum rhw_buffer_use use)
 {
-    const struct rhw_used_bytes *const used = &data->used[use];
-    const struct rhw_recording *const recording = &context->recording;
+    if (context->uses) {
+        struct rhw_use *const noted = rhw_use_table_find(context->uses, data);
+        return noted ? &noted->used[use] : NULL;
+    }
+    struct rhw_used_bytes *const used = &data->used[use];
+    const struct rhw_recording_place *const recording = &context->recording;
     return rhw_recording_is_open(recording) && used->pass == recording->generation ? &used->ranges : NULL;
 }
 
@@ -21,7 +28,7 @@ static const struct rhw_range_set *ranges_of(const struct rhw_context *context,
 static const struct rhw_range *find(const struct rhw_context *context, const struct rhw_buffer_part *part,
                                     enum rhw_buffer_use use)
 {
-    const struct rhw_range_set *const ranges = ranges_of(context, part->data, use);
+    const struct rhw_range_set *const ranges = rhw_buffer_ranges(context, part->data, use);
     return ranges ? rhw_range_set_find(ranges, part->first, part->end) : NULL;
 }
 
@@ -63,10 +70,10 @@ bool rhw_buffer_is_read(const struct rhw_context *context, const struct rhw_buff
     return find(context, part, RHW_BUFFER_READ);
 }
 
-bool rhw_buffer_is_written(const struct rhw_context *context, const struct rhw_buffer_data *data)
+bool rhw_buffer_is_written(const struct rhw_context *context, struct rhw_buffer_data *data)
 {
-    const struct rhw_range_set *const stored = ranges_of(context, data, RHW_BUFFER_STORED),
-                                      *const captured = ranges_of(context, data, RHW_BUFFER_CAPTURED);
+    const struct rhw_range_set *const stored = rhw_buffer_ranges(context, data, RHW_BUFFER_STORED),
+                                      *const captured = rhw_buffer_ranges(context, data, RHW_BUFFER_CAPTURED);
     return (stored && stored->root) || (captured && captured->root);
 }
 
@@ -86,12 +93,24 @@ bool rhw_buffer_check_use(const struct rhw_context *context, const struct rhw_bu
 struct rhw_range *rhw_buffer_note_use(struct rhw_context *context, struct rhw_arena *arena,
                                       const struct rhw_buffer_part *part)
 {
-    struct rhw_used_bytes *const used = &part->data->used[part->use];
+    struct rhw_buffer_data *const data = part->data;
+    struct rhw_used_bytes *const used = &data->used[part->use];
+    struct rhw_range_set *ranges = &used->ranges;
     const uint32_t generation = context->recording.generation;
-    if (used->pass != generation) {
-        *used = (struct rhw_used_bytes){.pass = generation};
+    if (context->uses) {
+        struct rhw_use *const noted =
+            rhw_use_table_note(context->uses, arena, &context->buffers, part->id.index, data->moves);
+        if (!noted) {
+            return NULL;
+        }
+        ranges = &noted->used[part->use];
+    } else {
+        if (used->pass != generation) {
+            *used = (struct rhw_used_bytes){.pass = generation};
+        }
+        rhw_pool_use(&context->buffers, part->id.index, generation);
+        data->writes += part->use != RHW_BUFFER_READ;
     }
-    rhw_pool_use(&context->buffers, part->id.index, generation);
-    return goes_with_itself(part->use) ? rhw_range_set_unite(&used->ranges, arena, part->first, part->end)
-                                       : rhw_range_set_add(&used->ranges, arena, part->first, part->end);
+    return goes_with_itself(part->use) ? rhw_range_set_unite(ranges, arena, part->first, part->end)
+                                       : rhw_range_set_add(ranges, arena, part->first, part->end);
 }

@@ -22,6 +22,10 @@ struct rhw_buffer_part {
     size_t first, end;
 };
 
+// Return the ranges of a use in the pass being recorded. Return NULL if there are none.
+struct rhw_range_set *rhw_buffer_ranges(const struct rhw_context *context, struct rhw_buffer_data *data,
+                                        enum rhw_buffer_use use);
+
 // Report a part that shares bytes with another part of its buffer, `first` to `end`, which is for the use `use`.
 bool rhw_buffer_check_apart(const struct rhw_context *context, const struct rhw_buffer_part *part,
                             enum rhw_buffer_use use, size_t first, size_t end, const char *where);
@@ -35,7 +39,7 @@ bool rhw_buffer_check_unused(const struct rhw_context *context, const struct rhw
 bool rhw_buffer_is_read(const struct rhw_context *context, const struct rhw_buffer_part *part);
 
 // Return true if the pass being recorded may write some of the buffer.
-bool rhw_buffer_is_written(const struct rhw_context *context, const struct rhw_buffer_data *data);
+bool rhw_buffer_is_written(const struct rhw_context *context, struct rhw_buffer_data *data);
 
 // Report bytes that the pass has another use for, which does not go with the part's use.
 bool rhw_buffer_check_use(const struct rhw_context *context, const struct rhw_buffer_part *part,

@@ -145,7 +145,7 @@ static bool make_volume(struct rhw_context *context, const struct rhw_texture_da
 enum rhw_result rhw_texture_data_generate_mips(struct rhw_context *context,
                                                const struct rhw_texture_data *texture)
 {
-    atomic_store(&context->given_up, false);
+    rhw_context_begin_work(context);
     if (texture->levels > 1 &&
         !(texture->shape.kind == RHW_TEXTURE_3D ? make_volume : make_layers)(context, texture)) {
         return RHW_ERROR_OUT_OF_MEMORY;

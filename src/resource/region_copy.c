@@ -8,6 +8,7 @@
 #include "buffer_access.h"
 #include "context/context.h"
 #include "context/entry.h"
+#include "context/given_up.h"
 #include "format/format.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
@@ -46,39 +47,58 @@ static size_t row_size(const struct rhw_region *region, struct unit unit)
     return (size_t)units(region->width, unit.width) * unit.bytes;
 }
 
-static void copy_rows(const struct rhw_region *region, const struct rows *rows, enum direction direction)
+static unsigned char *outside_row(const struct rows *rows, int y, int z)
 {
-    const size_t size = rhw_region_row_size(region);
+    return rows->first + (size_t)z * rows->slice_pitch + (size_t)y * rows->row_pitch;
+}
+
+static void read_rows(const struct rhw_region *region, const struct rows *rows)
+{
     for (int z = 0; z < region->depth; z++) {
         for (int y = 0; y < region->height; y++) {
-            unsigned char *const inside = rhw_region_row(region, y, z);
-            unsigned char *const outside =
-                rows->first + (size_t)z * rows->slice_pitch + (size_t)y * rows->row_pitch;
-            memcpy(direction == INTO_TEXTURE ? inside : outside, direction == INTO_TEXTURE ? outside : inside,
-                   size);
+            memcpy(outside_row(rows, y, z), rhw_region_row(region, y, z), rhw_region_row_size(region));
         }
     }
 }
 
+static enum rhw_result write_texels(struct rhw_context *context, const struct rhw_region *region,
+                                    const struct rows *rows)
+{
+    const size_t size = rhw_region_row_size(region), asked = 1 + RHW_ASKED_BYTES / size;
+    size_t done = 0;
+    rhw_context_begin_work(context);
+    for (int z = 0; z < region->depth; z++) {
+        for (int y = 0; y < region->height; y++) {
+            if (done++ % asked == 0 && rhw_context_is_given_up(context, 0)) {
+                return RHW_ERROR_GIVEN_UP;
+            }
+            memcpy(rhw_region_row(region, y, z), outside_row(rows, y, z), size);
+        }
+    }
+    return RHW_OK;
+}
+
 // Decode blocks into texels. The rows outside have blocks.
-static void decode_rows(struct rhw_context *context, const struct rhw_region *region, const struct rows *rows)
+static enum rhw_result decode_rows(struct rhw_context *context, const struct rhw_region *region,
+                                   const struct rows *rows)
 {
     struct rhw_mip part = rhw_region_aspect(region, 0);
     part.width = region->width;
     part.height = region->height;
-    for (int z = 0; z < region->depth; z++) {
-        rhw_decode_level(context, region->texture->format, rows->first + (size_t)z * rows->slice_pitch,
-                         rows->row_pitch, &part, rhw_region_row(region, 0, z));
+    enum rhw_result result = RHW_OK;
+    for (int z = 0; z < region->depth && result == RHW_OK; z++) {
+        result =
+            rhw_decode_level(context, region->texture->format, rows->first + (size_t)z * rows->slice_pitch,
+                             rows->row_pitch, &part, rhw_region_row(region, 0, z));
     }
+    return result;
 }
 
-static void write_rows(struct rhw_context *context, const struct rhw_region *region, const struct rows *rows)
+static enum rhw_result write_rows(struct rhw_context *context, const struct rhw_region *region,
+                                  const struct rows *rows)
 {
-    if (rhw_block_format(region->texture->format)) {
-        decode_rows(context, region, rows);
-    } else {
-        copy_rows(region, rows, INTO_TEXTURE);
-    }
+    return rhw_block_format(region->texture->format) ? decode_rows(context, region, rows)
+                                                     : write_texels(context, region, rows);
 }
 
 static bool check_block_axis(const struct rhw_context *context, const struct rhw_region *region,
@@ -144,8 +164,7 @@ static enum rhw_result write_region(struct rhw_context *context, rhw_texture tex
     if (!rhw_region_to_write(context, &checked)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    write_rows(context, &checked, rows);
-    return RHW_OK;
+    return write_rows(context, &checked, rows);
 }
 
 enum rhw_result rhw_texture_write_region(rhw_context *context, rhw_texture texture,
@@ -175,7 +194,7 @@ enum rhw_result rhw_texture_read_region(rhw_context *context, rhw_texture textur
     const struct rhw_region checked = rhw_region_check(context, texture, region, "region", where);
     const bool is_valid = checked.texture && check_pitches(context, &checked, OUT_OF_TEXTURE, &rows, where);
     if (is_valid) {
-        copy_rows(&checked, &rows, OUT_OF_TEXTURE);
+        read_rows(&checked, &rows);
     }
     rhw_context_leave(context);
     return is_valid ? RHW_OK : RHW_ERROR_MISUSE;
@@ -247,8 +266,7 @@ static enum rhw_result copy_from_buffer(struct rhw_context *context, rhw_texture
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     rows.first = part.data->bytes + layout->offset;
-    write_rows(context, &checked, &rows);
-    return RHW_OK;
+    return write_rows(context, &checked, &rows);
 }
 
 static enum rhw_result copy_to_buffer(struct rhw_context *context, rhw_texture texture,
@@ -268,7 +286,7 @@ static enum rhw_result copy_to_buffer(struct rhw_context *context, rhw_texture t
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     rows.first = part.data->bytes + layout->offset;
-    copy_rows(&checked, &rows, OUT_OF_TEXTURE);
+    read_rows(&checked, &rows);
     return RHW_OK;
 }
 
@@ -346,13 +364,14 @@ static enum rhw_result copy_texture(struct rhw_context *context, rhw_texture fro
     if (!rhw_region_to_write(context, &to)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
-    for (int sample = 0; sample < to.texture->samples; sample++) {
+    enum rhw_result result = RHW_OK;
+    for (int sample = 0; sample < to.texture->samples && result == RHW_OK; sample++) {
         from.sample = to.sample = sample;
         const struct rhw_mip aspect = rhw_region_aspect(&from, sample);
-        copy_rows(&to, &(struct rows){rhw_region_row(&from, 0, 0), aspect.row_pitch, aspect.slice_pitch},
-                  INTO_TEXTURE);
+        const struct rows rows = {rhw_region_row(&from, 0, 0), aspect.row_pitch, aspect.slice_pitch};
+        result = write_texels(context, &to, &rows);
     }
-    return RHW_OK;
+    return result;
 }
 
 enum rhw_result rhw_texture_copy(rhw_context *context, rhw_texture from_texture,

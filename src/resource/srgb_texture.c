@@ -15,6 +15,7 @@
 
 #include "base/constants.h"
 #include "context/context.h"
+#include "context/given_up.h"
 #include "format/format.h"
 #include "base/memory.h"
 #include "base/scheduler.h"
@@ -55,6 +56,7 @@ enum { BAND_TEXELS = 1 << 16 }; // texels of a task: some 50 µs
 
 // One level while it is decoded.
 struct decoded_level {
+    struct rhw_context *context;
     const struct rhw_mip *mip;
     int band; // rows of a task
     uint16_t table[256];
@@ -62,9 +64,11 @@ struct decoded_level {
 
 static void decode_band(void *user, int index, int worker)
 {
-    (void)worker;
     const struct decoded_level *const level = user;
     const struct rhw_mip *const mip = level->mip;
+    if (rhw_context_is_given_up(level->context, worker)) {
+        return;
+    }
     const int begin = index * level->band;
     const int end = mip->height - begin < level->band ? mip->height : begin + level->band;
     for (size_t y = (size_t)begin; y < (size_t)end; y++) {
@@ -73,16 +77,17 @@ static void decode_band(void *user, int index, int worker)
     }
 }
 
-bool rhw_texture_linearize(struct rhw_context *context, struct rhw_texture_data *texture)
+enum rhw_result rhw_texture_linearize(struct rhw_context *context, struct rhw_texture_data *texture)
 {
     const uint32_t all = (1u << texture->levels) - 1;
     if (texture->info->path != RHW_TEXELS_RGBA8_SRGB || !texture->is_plain || texture->linear_levels == all) {
-        return true;
+        return RHW_OK;
     }
     if (!texture->linear_memory && !allocate_levels(&context->memory, texture)) {
-        return false;
+        return RHW_ERROR_OUT_OF_MEMORY;
     }
-    struct decoded_level level;
+    struct decoded_level level = {.context = context};
+    rhw_context_begin_work(context);
     for (int i = 0; i < 256; i++) {
         level.table[i] = (uint16_t)(rhw_srgb_decode_table[i] * (float)RHW_LINEAR_ONE + 0.5f);
     }
@@ -92,6 +97,9 @@ bool rhw_texture_linearize(struct rhw_context *context, struct rhw_texture_data 
         rhw_scheduler_run(context->scheduler, decode_band, &level,
                           (level.mip->height + level.band - 1) / level.band);
     }
+    if (atomic_load(&context->given_up)) {
+        return RHW_ERROR_GIVEN_UP;
+    }
     texture->linear_levels = all;
-    return true;
+    return RHW_OK;
 }

@@ -3,7 +3,7 @@
 #ifndef RHW_SRGB_TEXTURE_H
 #define RHW_SRGB_TEXTURE_H
 
-#include <stdbool.h>
+#include "rhw/base.h"
 
 struct rhw_context;
 struct rhw_texture_data;
@@ -16,7 +16,7 @@ enum {
 };
 
 // Make the copy, or renew levels whose texels have changed, on all threads of the context. Nothing is made for other
-// formats. Return false when out of memory.
-bool rhw_texture_linearize(struct rhw_context *context, struct rhw_texture_data *texture);
+// formats. Return RHW_OK, RHW_ERROR_OUT_OF_MEMORY or RHW_ERROR_GIVEN_UP.
+enum rhw_result rhw_texture_linearize(struct rhw_context *context, struct rhw_texture_data *texture);
 
 #endif

@@ -90,6 +90,7 @@ struct rhw_texture_data {
     // The pass in which the texture last got other memory, and the number of draws that were recorded before and read
     // the old memory.
     uint32_t renewed_pass, renewed_draws;
+    uint32_t moves; // times that the texture got other memory
     // The record of texels with views, or of texels of the caller. NULL: the texels are the texture's own.
     struct rhw_shared_texels *shared;
     // The version of the shared texels up to which `clean` and `linear_levels` hold.

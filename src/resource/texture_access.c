@@ -13,7 +13,7 @@
 
 bool rhw_texture_is_attached(const struct rhw_context *context, const struct rhw_texture_data *texture)
 {
-    const struct rhw_recording *const recording = &context->recording;
+    const struct rhw_recording_place *const recording = &context->recording;
     const uint32_t attached = texture->shared ? texture->shared->attached : texture->attached;
     return rhw_recording_is_open(recording) && attached == recording->generation;
 }
@@ -21,7 +21,7 @@ bool rhw_texture_is_attached(const struct rhw_context *context, const struct rhw
 bool rhw_texture_check_unread(const struct rhw_context *context, rhw_texture id,
                               const struct rhw_texture_data *texture, const char *where)
 {
-    const struct rhw_recording *const recording = &context->recording;
+    const struct rhw_recording_place *const recording = &context->recording;
     return rhw_check(
         context, !texture->shared || !recording->active || texture->shared->sampled != recording->generation,
         "%s: %s shares its texels with views or stands on memory of the program, and the pass "
@@ -53,6 +53,7 @@ static struct rhw_texture_data *renew(struct rhw_context *context, rhw_texture i
     }
     memcpy(data->memory, old->memory, old->memory_size);
     data->written = old->written;
+    data->moves = old->moves + 1;
     data->renewed_pass = context->recording.generation;
     data->renewed_draws = context->recording.draw;
     *item = data;

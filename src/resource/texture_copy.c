@@ -9,6 +9,7 @@
 #include "block_level.h"
 #include "context/context.h"
 #include "context/entry.h"
+#include "context/given_up.h"
 #include "format/format.h"
 #include "context/lookup.h"
 #include "context/misuse.h"
@@ -88,6 +89,25 @@ static unsigned char *row_of(const struct copy *copy, size_t y)
            (copy->stencil ? mip->stencil + stencil : rhw_mip_slice(mip, copy->layer) + y * mip->row_pitch);
 }
 
+// Write rows that are texels, or blocks that become texels.
+static enum rhw_result write_rows(struct rhw_context *context, const struct copy *copy, const void *outside)
+{
+    struct rhw_mip *const mip = &copy->texture->mip[copy->level];
+    if (rhw_block_format(copy->texture->format)) {
+        return rhw_decode_level(context, copy->texture->format, outside, copy->row_pitch, mip,
+                                rhw_mip_slice(mip, copy->layer));
+    }
+    rhw_context_begin_work(context);
+    const size_t rows = 1 + RHW_ASKED_BYTES / copy->row;
+    for (size_t y = 0; y < (size_t)mip->height; y++) {
+        if (y % rows == 0 && rhw_context_is_given_up(context, 0)) {
+            return RHW_ERROR_GIVEN_UP;
+        }
+        memcpy(row_of(copy, y), (const unsigned char *)outside + y * copy->row_pitch, copy->row);
+    }
+    return RHW_OK;
+}
+
 static enum rhw_result write_level(struct rhw_context *context, rhw_texture texture,
                                    const struct copy_request *request, const char *where)
 {
@@ -97,21 +117,13 @@ static enum rhw_result write_level(struct rhw_context *context, rhw_texture text
     struct copy copy = check_copy(context, texture, request, where);
     const bool is_valid = copy.texture && rhw_texture_check_unread(context, texture, copy.texture, where);
     copy.texture = is_valid ? rhw_texture_to_write(context, texture, copy.texture) : NULL;
+    enum rhw_result result = is_valid ? RHW_ERROR_OUT_OF_MEMORY : RHW_ERROR_MISUSE;
     if (copy.texture) {
         copy.texture->written |= 1u << copy.level;
-    }
-    if (copy.texture && rhw_block_format(copy.texture->format)) {
-        struct rhw_mip *const mip = &copy.texture->mip[copy.level];
-        rhw_decode_level(context, copy.texture->format, request->outside, copy.row_pitch, mip,
-                         rhw_mip_slice(mip, copy.layer));
-        rhw_context_leave(context);
-        return RHW_OK;
-    }
-    for (size_t y = 0; copy.texture && y < (size_t)copy.texture->mip[copy.level].height; y++) {
-        memcpy(row_of(&copy, y), (const unsigned char *)request->outside + y * copy.row_pitch, copy.row);
+        result = write_rows(context, &copy, request->outside);
     }
     rhw_context_leave(context);
-    return !is_valid ? RHW_ERROR_MISUSE : copy.texture ? RHW_OK : RHW_ERROR_OUT_OF_MEMORY;
+    return result;
 }
 
 static enum rhw_result read_level(struct rhw_context *context, rhw_texture texture,

@@ -174,7 +174,11 @@ enum rhw_result rhw_executor_run_grid(struct rhw_executor *executor, const struc
                       .invocations = grid->size[0] * grid->size[1] * grid->size[2],
                       .workgroups =
                           (uint64_t)grid->count[0] * (uint64_t)grid->count[1] * (uint64_t)grid->count[2]};
-    if (!rhw_bound_texels_prepare(context) || !rhw_executor_arenas_ready(executor)) {
+    const enum rhw_result prepared = rhw_bound_texels_prepare(context);
+    if (prepared != RHW_OK) {
+        return prepared;
+    }
+    if (!rhw_executor_arenas_ready(executor)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     for (int i = 0; i < context->threads; i++) {
@@ -182,7 +186,7 @@ enum rhw_result rhw_executor_run_grid(struct rhw_executor *executor, const struc
             return RHW_ERROR_OUT_OF_MEMORY;
         }
     }
-    atomic_store(&context->given_up, false);
+    rhw_context_begin_work(context);
     if (rhw_context_is_given_up(context, 0)) {
         return RHW_ERROR_GIVEN_UP;
     }

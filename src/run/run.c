@@ -16,6 +16,7 @@
 #include "draw/wave.h"
 #include "effect_vertices.h"
 #include "executor.h"
+#include "kept_triangles.h"
 #include "kernels/kernels.h"
 #include "strip_stipple.h"
 #include "vertex_sharing.h"
@@ -379,12 +380,29 @@ static void expect_clean(struct rhw_attachment *attachment)
     }
 }
 
+// Return true if the wave has the triangles of all of the pass, which an earlier run made.
+static bool takes_kept(struct rhw_executor *executor, struct position *at, struct rhw_stats *stats)
+{
+    const struct rhw_recorded_pass *const pass = executor->wave.pass;
+    if (!pass->kept || !pass->kept->is_used) {
+        return false;
+    }
+    for (int i = 0; i < executor->context->threads; i++) {
+        rhw_arena_reset(&executor->wave.workers[i].arena);
+    }
+    *at = (struct position){pass->triangle_count, pass->draws.count};
+    sum_front(executor, stats);
+    stats->vertices_shaded = 0;
+    return true;
+}
+
 // Draw the next wave, as run_front finds it. Return false when out of memory or given up.
 static bool run_wave(struct rhw_executor *executor, struct position *at, struct rhw_stats *stats)
 {
     struct rhw_context *const context = executor->context;
     const uint64_t start = rhw_time_ns();
-    if (!run_front(executor, at, stats)) {
+    const bool is_made = executor->wave.is_first && takes_kept(executor, at, stats);
+    if (is_made ? !rhw_executor_bins_ready(executor) : !run_front(executor, at, stats)) {
         return false;
     }
     executor->wave.is_last = at->triangle == executor->wave.pass->triangle_count;
@@ -413,6 +431,7 @@ static void start_pass(struct rhw_executor *executor, struct rhw_recorded_pass *
 {
     struct rhw_wave *const wave = &executor->wave;
     wave->pass = pass;
+    wave->asked = executor->context->goes_on ? executor->context : NULL;
     wave->target = pass->target;
     wave->is_first = true;
     wave->entries_most = entries_most(executor);
@@ -432,14 +451,32 @@ static struct rhw_stats stats_of(const struct rhw_executor *executor)
                               .isa = context->isa};
 }
 
+// Draw all waves of a pass. Return false when out of memory or given up.
+static bool run_waves(struct rhw_executor *executor, struct rhw_stats *stats)
+{
+    struct position at = {0, 0};
+    if (!shade_first_vertices(executor, stats)) {
+        return false;
+    }
+    do {
+        if (!run_wave(executor, &at, stats)) {
+            return false;
+        }
+    } while (!executor->wave.is_last);
+    return true;
+}
+
 enum rhw_result rhw_executor_run(struct rhw_executor *executor, struct rhw_recorded_pass *pass,
                                  struct rhw_stats *stats)
 {
     struct rhw_context *const context = executor->context;
     struct rhw_wave *const wave = &executor->wave;
-    struct position at = {0, 0};
     start_pass(executor, pass);
-    if (!rhw_bound_texels_prepare(context) || !rhw_executor_workers_ready(executor)) {
+    const enum rhw_result prepared = rhw_bound_texels_prepare(context);
+    if (prepared != RHW_OK) {
+        return prepared;
+    }
+    if (!rhw_executor_workers_ready(executor)) {
         return RHW_ERROR_OUT_OF_MEMORY;
     }
     struct rhw_stats s = stats_of(executor);
@@ -447,16 +484,19 @@ enum rhw_result rhw_executor_run(struct rhw_executor *executor, struct rhw_recor
         expect_clean(&wave->target.colors[i]);
     }
     expect_clean(&wave->target.depth);
-    atomic_store(&context->given_up, false);
+    rhw_context_begin_work(context);
     stamp_queries(pass, 0);
-    if (!shade_first_vertices(executor, &s)) {
+    if (pass->kept) {
+        rhw_kept_triangles_begin(pass->kept, wave);
+    }
+    const bool is_done = run_waves(executor, &s);
+    if (pass->kept) {
+        // Every wave but the last is a flush.
+        rhw_kept_triangles_end(pass->kept, wave, is_done && s.flushes == 0);
+    }
+    if (!is_done) {
         return failure(context);
     }
-    do {
-        if (!run_wave(executor, &at, &s)) {
-            return failure(context);
-        }
-    } while (!wave->is_last);
     sum_counters(executor, &s);
     s.memory_peak = context->memory.peak;
     if (stats) {

@@ -238,7 +238,8 @@ static void run_groups(const void *input, void *result)
         groups[g].ddy = (const f32x8 *)(const void *)in->ddy[g];
         groups[g].bindings = &together;
     }
-    together.kernels->sample_groups(groups, in->count, in->chosen, AT, out->together[0], SLOTS);
+    together.kernels->sample_groups(together.slot, groups, in->count, in->chosen, AT, out->together[0],
+                                    SLOTS);
     sample_alone(&alone, groups, in, out);
     unify_nans(out, sizeof *out / sizeof(float));
 }

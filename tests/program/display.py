@@ -150,7 +150,8 @@ def serve(display):
             print(1, repr(error).replace("\n", " "), flush=True)
 
 
-if sys.argv[1] == "serve":
-    serve(sys.argv[2])
-else:
-    freeze(sys.argv[2])
+if __name__ == "__main__":
+    if sys.argv[1] == "serve":
+        serve(sys.argv[2])
+    else:
+        freeze(sys.argv[2])

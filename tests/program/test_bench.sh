@@ -12,6 +12,14 @@ succeed bench $tiny --peer none --scene fill --threads 2
 check "table has its rows" test "$(grep -cE '^fill_(flat|color|blend|tex) ' "$folder/log/out")" = 4
 check "no ratio without a peer" sh -c "! grep -q ratio '$folder/log/out'"
 
+# Several numbers of threads: each is timed, and the stages of a frame are part of it.
+succeed bench $tiny --scene fill_color,sphere_10k,shadow_map --threads 1,3,2 --csv=scaling.csv --json=scaling.json
+check "scaling: a row for each number" test "$(grep -cE '^(fill_color|sphere_10k|shadow_map| ) +[123] +[0-9.]+ ' "$folder/log/out")" = 9
+check "scaling: csv" test "$(awk -F, 'NR == 1 { n = NF } NF == n { print $2 }' scaling.csv | paste -sd ,)" = threads,1,3,2,1,3,2,1,3,2
+check "scaling: stages within the frame" awk -F, 'NR > 1 && ($8 <= 0 || $11 <= 0 || $14 < 0 || $9 > 1.01 || $12 > 1.01) { exit 1 }' scaling.csv
+check "scaling: one thread does not wait" awk -F, '$2 == 1 && ($9 < 0.5 || $12 < 0.5 || $6 != 1) { exit 1 }' scaling.csv
+check "scaling: json" python3 -c 'import json; assert [len(s["scaling"]) for s in json.load(open("scaling.json"))["scenes"]] == [3, 3, 3]'
+
 succeed bench $tiny --peer none --scene fill_flat,sphere_10k --threads 1 --csv
 check "csv: head and one line per scene" test "$(wc -l <"$folder/log/out")" = 3
 check "csv: equal number of fields" test "$(awk -F, '{print NF}' "$folder/log/out" | sort -u | wc -l)" = 1
@@ -51,7 +59,7 @@ check "process: nothing left" test -z "$(ls leaves)"
 # Pictures of other formats, beside the peer where it draws into them.
 run bench $tiny --scene cliffs --csv
 check "formats: status" test "$status" = 0
-check "formats: a row each" test "$(grep -cE '^cliffs_(flat|store|blend)_[a-z0-9]+,' "$folder/log/out")" = "$("$rhw" bench --list | grep -c '^cliffs_')"
+check "formats: a row each" test "$(grep -cE '^cliffs_[a-z0-9_]+,' "$folder/log/out")" = "$("$rhw" bench --list | grep -c '^cliffs_')"
 check "formats: pictures agree" sh -c "! grep -q ',no,' '$folder/log/out'"
 check "formats: no other line" sh -c "! grep -v 'not compared with' '$folder/log/err'"
 
@@ -108,6 +116,8 @@ scene,rhw_ms,rhw_1_thread_ms,peer,peer_ms,ratio,peer_version
 fill_flat,2.0,4.0,llvmpipe,12.0,6.0,25.0.7-2~bpo12+1
 fill_color,4.0,8.0,llvmpipe,4.0,1.0,25.0.7-2~bpo12+1
 cliffs_store_r8,5.0,9.0,llvmpipe,6.0,1.2,25.0.7-2~bpo12+1
+cliffs_move_fill,6.0,9.0,llvmpipe,8.0,1.3,25.0.7-2~bpo12+1
+cliffs_sample4_fill,24.0,40.0,llvmpipe,32.0,1.3,25.0.7-2~bpo12+1
 context,0.1,0.1,,,,
 CSV
 "$root/script/bench_table" scenes newer.csv older.csv >table
@@ -117,6 +127,9 @@ check "table: a goal that is missed" grep -qF '| fill_color | 4.00 | 4.00 | 1.0 
 check "table: pictures that a peer drew" test "$(wc -l <table)" = 4
 "$root/script/bench_table" cliffs newer.csv >table
 check "table: a factor" grep -qF '| cliffs_store_r8 | fill_color | 5.00 | **1.25** | 1.3 | 6.00 | 1.50 |' table
+
+check "table: a factor no worse than the peer's" grep -qF '| cliffs_move_fill | fill_color | 6.00 | **1.50** | 2.00 | 8.00 | 2.00 |' table
+check "table: a factor beside 4 frames" grep -qF '| cliffs_sample4_fill | 4 × fill_color | 24.0 | 1.50 | 1.3 | 32.0 | 2.00 |' table
 
 # The peer's libraries, which a command is given by its environment, or a line where they cannot be had.
 mkdir -p stubs peer/root/usr/lib peer/root/usr/share

@@ -47,13 +47,14 @@ static void test_json_with_a_peer(void **state)
     report.result_count = 2;
     report.results[0] = (struct cli_bench_result){.entry = &fill,
                                                   .work = 1e6,
-                                                  .all = {2.0, 1.0, 3.0},
-                                                  .one = {4.0, 3.0, 5.0},
-                                                  .peer = {8.0, 7.0, 9.0},
+                                                  .all = {.median = 2.0, .least = 1.0, .most = 3.0},
+                                                  .one = {.median = 4.0, .least = 3.0, .most = 5.0},
+                                                  .peer = {.median = 8.0, .least = 7.0, .most = 9.0},
                                                   .has_one = true,
                                                   .has_peer = true,
                                                   .agreement = {.agrees = true, .pixels = 2048}};
-    report.results[1] = (struct cli_bench_result){.entry = &sphere, .all = {0.5, 0.25, 1.0}};
+    report.results[1] =
+        (struct cli_bench_result){.entry = &sphere, .all = {.median = 0.5, .least = 0.25, .most = 1.0}};
     json_t *const root = print_and_read(&report);
     assert_string_equal(json_string_value(json_object_get(root, "cpu")), "A \"CPU\"\\");
     const json_t *const scenes = json_object_get(root, "scenes");

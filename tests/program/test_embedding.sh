@@ -71,6 +71,13 @@ refused: 1, left: 0 bytes
 TEXT
 echo b7b6f989734a816b >expected/mesh
 echo 2caafbd101cb2219 >expected/arrays
+echo 62b565a1b2c7f325 >expected/bindings
+cat >expected/replay <<'TEXT'
+d21083fa23d52325
+30e0f0047d694225
+1ef89db7ed80d725
+d21083fa23d52325
+TEXT
 cat >expected/compute <<'TEXT'
 0/8 14
 1/8 244071
@@ -110,7 +117,7 @@ library=$(dirname "$(find "$folder/prefix" -name pkgconfig)")
 export PKG_CONFIG_PATH="$library/pkgconfig" LD_LIBRARY_PATH="$library"
 cp -r "$root/examples/embedding" make
 warnings="-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror"
-all="resize stream threads allocator mesh arrays compute bindings handles badge_user"
+all="resize stream threads allocator mesh arrays compute replay bindings handles badge_user"
 
 if [ -n "$sanitizers" ]; then
     # A library that was built with the sanitizer, in programs that are.

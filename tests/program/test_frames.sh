@@ -77,7 +77,7 @@ check "the same, by 5 threads" diff -r many-1 many-5
 # What cannot be written ends the work, with a line for it, and leaves nothing half.
 for out in big.apng big.webp 'big-{frame}.png'; do
     status=0
-    (ulimit -f 4; exec "$rhw" render move.gltf -o "$out" --animate 30 --size 300 --threads 4) 2>"$folder/log/err" || status=$?
+    (ulimit -f 8; exec "$rhw" render move.gltf -o "$out" --animate 30 --size 300 --threads 4) 2>"$folder/log/err" || status=$?
     check "$out: status" test "$status" = 1
     check "$out: says so" grep -q '^rhw: big.*: cannot be written: File too large$' "$folder/log/err"
     check "$out: leaves nothing" sh -c '! ls big* >/dev/null 2>&1'

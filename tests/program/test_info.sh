@@ -63,6 +63,19 @@ printf 'v 5000000.5 0 0\nv 5000001.5 0 0\nv 5000000.5 1 0\nf 1 2 3\n' >far.obj
 run info --json far.obj
 check "JSON of an origin that is far" grep -Eq '"origin": \[500000[0-9.]*, [-0-9.]*, 0\],$' "$folder/log/out"
 
+
+# Places of cameras and lights of a part that is far away, which floats would round to multiples of 4.
+sed 's/\[{"mesh": 0}\]/[{"mesh": 0}, {"mesh": 0, "translation": [54598150.3, 0, 0]}, {"camera": 0, "translation": [54598150.3, 0.7, 5]},\
+    {"translation": [-12345678.9, 1, 2], "extensions": {"KHR_lights_punctual": {"light": 0}}}, {"camera": 0, "translation": [0.7, 0, 5]}]/
+    s/"nodes": \[0\]/"nodes": [0, 1, 2, 3, 4]/
+    s/^{/{"cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}], "extensions": {"KHR_lights_punctual": {"lights":\
+    [{"type": "point"}]}}, /' layers.gltf >parts.gltf
+run info --json parts.gltf
+check "JSON of a far camera" grep -q '"world": \[.*, 54598150.3, 0.7, 5, 1\]}' "$folder/log/out"
+check "JSON of a far light" grep -q '"position": \[-12345678.9, 1, 2\]' "$folder/log/out"
+run info parts.gltf
+check "a far camera" grep -q "at 54598150.3 0.7 5, perspective" "$folder/log/out"
+
 # Samplers, where they are not linear and repeating.
 printf 'P6\n1 1\n255\nabc' >dot.ppm
 sed 's/{"name": "plain"}\],/{"name": "plain", "emissiveTexture": {"index": 0}, "normalTexture": {"index": 1}, "occlusionTexture":\

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files that move, taken apart again: APNG into a PNG for each frame, which another's decoder reads; WebP by libwebp.
+// Files that move, taken apart again: APNG into a PNG for each frame, which another decoder reads; WebP by libwebp. PNG
+// beside those of libspng.
 #include "moving_write.h"
 
 #include <setjmp.h>
@@ -224,9 +225,76 @@ static void test_lossy_webp(void **state)
     WebPDemuxDelete(demuxer);
 }
 
+// Samples that pack somewhat.
+static void fill_wave(const void *user, int y, void *row)
+{
+    const struct cli_raster *const raster = user;
+    uint8_t *const bytes = row;
+    for (int i = 0; i < raster->width * raster->channels * raster->bits / 8; i++) {
+        bytes[i] = (uint8_t)(i * i / 64 + y * (i % 5));
+    }
+}
+
+// Encode a raster by libspng alone. Return the bytes, to be freed.
+static uint8_t *encode_by_spng(const struct cli_raster *raster, size_t *size)
+{
+    struct spng_ihdr header = {.width = (uint32_t)raster->width,
+                               .height = (uint32_t)raster->height,
+                               .bit_depth = (uint8_t)raster->bits,
+                               .color_type = raster->channels == 1   ? SPNG_COLOR_TYPE_GRAYSCALE
+                                             : raster->channels == 3 ? SPNG_COLOR_TYPE_TRUECOLOR
+                                                                     : SPNG_COLOR_TYPE_TRUECOLOR_ALPHA};
+    const size_t row = (size_t)raster->width * (size_t)raster->channels * (size_t)raster->bits / 8;
+    uint8_t *const pixels = malloc(row * (size_t)raster->height);
+    for (int y = 0; y < raster->height; y++) {
+        fill_wave(raster, y, pixels + (size_t)y * row);
+    }
+    spng_ctx *const context = spng_ctx_new(SPNG_CTX_ENCODER);
+    int error = 0;
+    assert_int_equal(spng_set_option(context, SPNG_ENCODE_TO_BUFFER, 1), 0);
+    assert_int_equal(spng_set_ihdr(context, &header), 0);
+    assert_int_equal(spng_set_option(context, SPNG_IMG_COMPRESSION_LEVEL, 2), 0);
+    assert_int_equal(spng_set_option(context, SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_UP), 0);
+    assert_int_equal(
+        spng_encode_image(context, pixels, row * (size_t)raster->height, SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE),
+        0);
+    uint8_t *const bytes = spng_get_png_buffer(context, size, &error);
+    assert_non_null(bytes);
+    spng_ctx_free(context);
+    free(pixels);
+    return bytes;
+}
+
+// The rows that are filtered and compressed here are those of libspng.
+static void test_png(void **state)
+{
+    (void)state;
+    static const int sizes[][2] = {{1, 1}, {33, 17}, {1500, 40}, {7, 3000}}, channels[] = {1, 3, 4};
+    for (int i = 0; i < 24; i++) {
+        struct cli_raster raster = {.width = sizes[i % 4][0],
+                                    .height = sizes[i % 4][1],
+                                    .channels = channels[i / 4 % 3],
+                                    .bits = i / 12 == 0 ? 8 : 16,
+                                    .row = fill_wave};
+        raster.user = &raster;
+        struct cli_output_file file = {.stream = tmpfile(), .path = "picture"};
+        assert_non_null(file.stream);
+        assert_true(cli_png_write(&file, &raster));
+        size_t size = 0;
+        uint8_t *const expected = encode_by_spng(&raster, &size);
+        uint8_t *const written = malloc(size + 1);
+        rewind(file.stream);
+        assert_int_equal(fread(written, 1, size + 1, file.stream), size);
+        assert_memory_equal(written, expected, size);
+        fclose(file.stream);
+        free(written);
+        free(expected);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_apng), cmocka_unit_test(test_webp),
-                                       cmocka_unit_test(test_lossy_webp)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_png), cmocka_unit_test(test_apng),
+                                       cmocka_unit_test(test_webp), cmocka_unit_test(test_lossy_webp)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

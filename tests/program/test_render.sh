@@ -338,6 +338,30 @@ check "a camera in which the model is a dot is not taken" equal dot.png fit.png
 check "and said so" grep -q "^rhw: dot.gltf: warning: its camera sees next to nothing" "$folder/log/err"
 run render cameras.gltf $view -o first.png --camera-index 0
 check "unless it was asked for" grep -q "^rhw: cameras.gltf: warning: nothing of the model is in" "$folder/log/err"
+run render cameras.gltf $view -o first.png --camera 0,0,90,0,0,0,0,1,0,30
+check "a dot that was asked for" \
+    grep -q "^rhw: cameras.gltf: warning: next to nothing of the model is in" "$folder/log/err"
+refuse 1 "cameras.gltf: next to nothing of the model is in the picture; --strict allows no such picture" \
+    render cameras.gltf $view -o none.png --strict --camera 0,0,90,0,0,0,0,1,0,30
+refuse 1 "cameras.gltf: nothing of the model is in the picture; --strict allows no such picture" \
+    render cameras.gltf $view -o none.png --strict --quiet --camera-index 0
+for each in cameras dot; do
+    refuse 1 "$each.gltf: its camera does not show the model; --strict lets none take its place, --fit does" \
+        render $each.gltf $view -o none.png --strict
+    refuse 1 "$each.gltf: its camera does not show the model" \
+        render $each.gltf $view -o 'none-{frame}.png' --turntable 2 --strict --quiet
+done
+succeed render cameras.gltf $view -o first.png --strict --fit
+check "nothing is left of them" test ! -e none.png -a ! -e none-0000.png
+# A triangle that the usual view sees from its edge.
+cat >edge.obj <<'OBJ'
+v 0 0 0
+v .469846310 .342020143 .813797681
+v 1.10094856 .171010072 -.093101160
+f 1 2 3
+OBJ
+succeed render edge.obj $view -o edge.png --strict
+refuse 1 "edge.obj: nothing of the model is in the picture" render edge.obj $view -o none.png --strict --orbit 30,20
 
 # A camera of the file that stands beside the triangle, one within a cube's bounds, and what is said of neither.
 partial="the file's camera shows part of the model; --fit shows all"
@@ -589,6 +613,21 @@ check "far away a model looks the same" cmp near.png far.png
 run render both.obj $view -o near.png --camera "$(look_at 0 0 0)"
 run render both.obj $view -o far.png --camera "$(look_at 5000000 4000000 -6000000)"
 check "each of two that are far apart looks the same" cmp near.png far.png
+# A sheet says where its places count from, and what its ids are called, as a picture does; it has no one camera.
+attribute() { # NAME FILE: whether an EXR has the attribute
+    grep -aq "$1" "$2"
+}
+succeed render far.obj $view -o far.exr --output position,object
+succeed render far.obj $view -o sheet.exr --output position,object --views front,top
+origin_of() { # FILE: the three doubles of its origin, in hexadecimal
+    at=$(grep -abo "origin.v3d" "$1" | head -n 1 | cut -d : -f 1)
+    od -A n -t x8 -j $((at + 15)) -N 24 "$1" | tr -d '\n'
+}
+check "a far picture has an origin" test -n "$(origin_of far.exr)"
+check "a sheet has the origin of a picture" test "$(origin_of sheet.exr)" = "$(origin_of far.exr)"
+check "a sheet has names of objects" attribute objectNames sheet.exr
+check "a picture has a camera" attribute originToNDC far.exr
+check "a sheet has no camera" sh -c '! grep -aq ToCamera sheet.exr && ! grep -aq ToNDC sheet.exr'
 run render near.obj $view -o near.png
 run render far.obj $view -o far.png
 check "and fitted" cmp near.png far.png

@@ -140,6 +140,7 @@ def calls():
         "camera_of_file": (_rhw.camera_of_file, (model, 1.5, 0)),
         "camera_look": (_rhw.camera_look, (model, (1.0, 2.0, 3.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0), 30.0)),
         "camera_enclose": (_rhw.camera_enclose, (model, CAMERA)),
+        "camera_shows_a_dot": (_rhw.camera_shows_a_dot, (model, CAMERA, 1.5)),
         "camera_sight": (_rhw.camera_sight, (model, CAMERA, 1.5)),
         "camera_matrices": (_rhw.camera_matrices, (CAMERA, 1.5)),
         "lens_angle": (_rhw.lens_angle, (480, 300.0)),

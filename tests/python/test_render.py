@@ -82,6 +82,8 @@ def test_what_is_seen_is_framed(program, tmp_path):
         pictures = model.render(64, outputs=("color", "object"))
     assert pictures.png() == program(path, "x.png", "--size", "64") == program(path, "y.png", "--size", "64", "--fit")
     assert (pictures["object"] == 1).mean() > 0.3
+    with pytest.warns(UserWarning, match="next to nothing of the model is in the picture"):
+        model.render(64, rhw.Camera.look_at((0, 0, 90), (0, 0, 0)))
 
 
 def test_shapes(box_obj):

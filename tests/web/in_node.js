@@ -8,6 +8,7 @@ import { isMainThread, parentPort, Worker, workerData } from 'node:worker_thread
 
 import * as rhw from 'rhw';
 
+import { checkAddressesOf } from './addresses.js';
 import { check } from './checks.js';
 
 function checkHere(folder) {
@@ -67,8 +68,14 @@ async function checkThreads(folder) {
     return { count: 3, failures };
 }
 
+async function checkAddresses() {
+    const { platform } = await import(new URL('node_modules/rhw/platform.js', import.meta.url).href);
+    return checkAddressesOf(rhw, platform);
+}
+
 if (isMainThread) {
     const folder = process.argv[2];
+    report('addresses', await checkAddresses());
     report('messages', await checkReply());
     report('threads', await checkThreads(folder));
     report('node', await checkHere(folder));

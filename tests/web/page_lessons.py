@@ -101,18 +101,24 @@ class Lessons(PageCase):
                  " const [a, b, m] = [q[0], q[q.length - 1], q[q.length >> 1]];"
                  " return Math.abs(a.y + (b.y - a.y) * (m.x - a.x) / (b.x - a.x) - m.y); }))")
         dots = "return [...document.querySelectorAll('#inverse .plot')].map((plot) => [...plot.querySelectorAll('.value')].map((t) => t.textContent))"
+        overlaps = ("return [...document.querySelectorAll('#inverse .plot')].flatMap((plot) => {"
+                    " const boxes = [...plot.querySelectorAll('.value, .mark text')].map((text) => [text.textContent, text.getBoundingClientRect()]);"
+                    " return boxes.flatMap(([one, a], i) => boxes.slice(i + 1).filter(([, b]) =>"
+                    " a.left < b.right && b.left < a.right && a.top + 4 < b.bottom && b.top + 4 < a.bottom).map(([other]) => [one, other])); })")
         n = self.script("return rhw.views.inverse.numbers()")
-        z, u = n["Z_P"], n["b"]
-        told = {"z": [[z, n["r"] * n["Z_A"] + n["s"] * n["Z_B"]], [1 / z]], "u": [[1 / z, u / z], [u, n["s"]]]}
-        for value, straight in (("z", [[False, True], [True]]), ("u", [[True, True], [False, True]])):
+        w, u = n["W_P"], n["b"]
+        told = {"w": [[w, n["r"] * n["W_A"] + n["s"] * n["W_B"]], [1 / w]], "u": [[1 / w, u / w], [u, n["s"]]]}
+        for value, straight in (("w", [[False, True], [True]]), ("u", [[True, True], [False, True]])):
             self.node(f"#inverse button[value='{value}']").click()
             self.assertEqual([[bend < 1 for bend in plot] for plot in self.script(bends)], straight, value)
             for shown, numbers in zip(self.script(dots), told[value]):
                 self.assertEqual(len(shown), len(numbers))
                 for text, number in zip(shown, numbers):
                     self.assertAlmostEqual(float(text), number, delta=2e-3)
+            over = self.script(overlaps)
+            self.assertEqual(over, [], f"{value}: every number can be read")
             units = self.script("return [...document.querySelectorAll('#inverse .plot')].map((plot) => plot.textContent)")
-            self.assertTrue(all("unit" in text or "over a length" in text or "from 0 in A" in text for text in units), units)
+            self.assertTrue(all("unit of length" in text or "units of length" in text or "from 0 in A" in text for text in units), units)
         tops = self.script("return [...document.querySelectorAll('#inverse :is(.plot, .top)')].map((node) => node.getBoundingClientRect())"
                            ".map(({ top, bottom }) => [top, bottom])")
         self.assertTrue(max(bottom for _, bottom in tops) - min(top for top, _ in tops) < 850, "all three are seen at once")
@@ -123,7 +129,7 @@ class Lessons(PageCase):
         after = self.script("return rhw.views.inverse.q")
         self.assertGreater(after, before + 0.05)
         place = self.script("const d = rhw.views.inverse, n = d.numbers(); return n.b * d.ends[1][1] + n.a * d.ends[0][1]")
-        self.assertAlmostEqual(place, self.script("return rhw.views.inverse.numbers().Z_P"), places=9)  # P lies on the edge
+        self.assertAlmostEqual(place, self.script("return rhw.views.inverse.numbers().W_P"), places=9)  # P lies on the edge
 
     def test_the_program_says_the_same(self):
         """Its values are the pixel's, in three languages; and what stands there runs and gives them."""
@@ -170,12 +176,21 @@ class Lessons(PageCase):
             self.browser.save_screenshot(os.path.join(sys.argv[3], f"motion_{k}.png"))
         self.script(slide, 0)
         self.assertNotEqual(self.script("return document.querySelector('#motion .cut-off').getAttribute('points')"), "")
-        self.assertIn("−0.2182", self.node("#motion table").text)  # Z of A, nearer than the near plane
+        names = self.script("return [...document.querySelectorAll('#motion .flight text')].map((t) => [t.textContent, t.getAttribute('class')])")
+        self.assertTrue(all((kind is None) == (name in "ABC") for name, kind in names), f"after another place of the slider: {names}")
+        self.assertIn("−1.527", self.node("#motion table").text)  # Z of A, behind the eye
         width, height = self.script("const { clientWidth: w, clientHeight: h } = document.querySelector('#motion .flight'); return [w, h]")
         for k in (0, 0.1, 0.2, 0.4, 0.6, 0.8, 1):
             self.script(slide, k)
             for x, y in self.script(places):
                 self.assertTrue(0 < x < width and 0 < y < height, (k, x, y))  # every corner is in the drawing
+            texts = self.script("return [...document.querySelectorAll('#motion .flight text')].map((text) => text.getBBox()).map((b) => [b.x, b.x + b.width])")
+            self.assertTrue(all(0 <= left and right <= width for left, right in texts), (k, texts))
+        self.size(1024, 900)
+        time.sleep(0.2)
+        fits = "const room = document.querySelector('#motion .scroll'); return room.scrollWidth <= room.clientWidth"
+        self.assertTrue(self.script(fits), "the widest table has room beside the motion")
+        self.size(1440, 900)
         distance = "const a = document.querySelector('#motion [name=distance]'); a.value = arguments[0]; a.dispatchEvent(new Event('input'))"
         for w, hidden in ((-1, "true"), (2, "false")):  # behind the eye a corner has no place in the picture, and comes back
             self.script(distance, w)
@@ -231,22 +246,96 @@ class Lessons(PageCase):
         point(self.script("const v = rhw.views.exercises; for (let y = 0.05; y < 1; y += 0.05) {"
                           " v.pixel = [0.5, y]; v.explain(); if (v.numbers) return v.pixel; }"))
         self.assertTrue(done()[5], self.script("return rhw.views.exercises.numbers"))
+        asked = ("const [n, ws] = arguments; return import('./chapters/exercises.js')"
+                 ".then(({ EXERCISES }) => EXERCISES[1].met(n, { ws, worst: () => 1 }))")
+        wrong = {"r": 1, "s": 0, "t": 0, "u_0": 1, "u_1": 0, "u_2": 0, "u": 0}
+        for ws, met in (([1, 2, 3], True), ([1, 2, -3], False)):  # √W, which its answer is about, is a number
+            self.assertIs(self.script(asked, wrong, ws), met)
         self.assertIn("✓", self.node("#exercises li:last-child .result").text)
         self.node("#exercises li:last-child button").click()
         self.wait("!document.querySelector('#exercises li:last-child').classList.contains('done')")
 
+    # By the number of an exercise, what P has to be to solve it, well within what is asked.
+    SOLVED_BY = {
+        1: "error(n) > 0.95 * Math.max(...all.map(({ n: one }) => error(one)))",
+        2: "Math.abs(n.a - 0.5) < 0.03 && Math.abs(n.b - 0.5) < 0.03",
+        3: "Math.min(n.r, n.s, n.t) > 0.08 && Math.abs(n.t - n.c) < 0.006",
+        5: "true",
+    }
+
+    def place_for(self, exercise):
+        """A pixel of the picture, by parts of it, that solves an exercise; P stays where it is."""
+        return self.script(f"""
+            const v = rhw.views.exercises, kept = v.pixel, all = [];
+            const error = (n) => Math.abs((n.r - n.a) * n.u_0 + (n.s - n.b) * n.u_1 + (n.t - n.c) * n.u_2);
+            for (let y = 0.02; y < 1; y += 0.01) for (let x = 0.02; x < 1; x += 0.01) {{
+              v.pixel = [x, y]; v.explain();
+              if (v.numbers) all.push({{ at: [x, y], n: v.numbers }});
+            }}
+            v.pixel = kept; v.numbers = null;
+            return all.find(({{ n }}) => {self.SOLVED_BY[exercise]}).at""")
+
+    def wait_solved(self, exercise):
+        self.wait(f"document.querySelectorAll('#exercises li')[{exercise}].classList.contains('done')")
+
+    def test_exercises_by_keys(self):
+        """All six: P goes there by arrows in the picture; corners that the tab key comes to, by page up and down."""
+        self.show("exercises")
+        canvas = self.node("#exercises .view canvas")
+        self.script("arguments[0].focus()", canvas)
+
+        def go(exercise):
+            at = self.place_for(exercise)
+            self.script("rhw.views.exercises.pick(rhw.views.exercises.pixel ?? [0.5, 0.5])")
+            by = self.script("const v = rhw.views.exercises; return [v.canvas.width, v.canvas.height].map((size, i) =>"
+                             " Math.floor(arguments[0][i] * size) - Math.floor(v.pixel[i] * size))", at)
+            keys = [(Keys.ARROW_LEFT, Keys.ARROW_RIGHT), (Keys.ARROW_UP, Keys.ARROW_DOWN)]
+            for count, pair in zip(by, keys):
+                tens, ones = divmod(abs(count), 10)
+                canvas.send_keys(pair[count > 0] * ones, Keys.SHIFT, pair[count > 0] * tens)
+            self.wait_solved(exercise)
+
+        def push(name, presses):
+            self.script("arguments[0].focus()", canvas)
+            for _ in range(6):
+                self.browser.switch_to.active_element.send_keys(Keys.TAB)
+                if f"corner{name}" in (self.browser.switch_to.active_element.get_attribute("class") or ""):
+                    break
+            self.browser.switch_to.active_element.send_keys(Keys.SHIFT, Keys.PAGE_DOWN * presses)
+        for exercise in (1, 2, 3):
+            go(exercise)
+        push("B", 3)
+        self.wait_solved(4)
+        push("C", 1)
+        self.wait_solved(0)
+        push("C", 3)
+        self.still("exercises")
+        go(5)
+
     def test_exercises_under_a_finger(self):
-        """On a phone corners go as far away as A in the view from above; then they are pointed at in the picture."""
+        """All six on a phone: it points in the picture, and moves corners in the view from above."""
         self.size(390, 844, touch=True)
         try:
             self.setUp()
             self.show("exercises")
             self.script("document.querySelector('#exercises .above').scrollIntoView({block: 'center'})")
-            done = "[...document.querySelectorAll('#exercises li')].map((li) => li.classList.contains('done'))"
+
+            def tap(exercise):
+                box = self.script("const b = document.querySelector('#exercises .view canvas').getBoundingClientRect();"
+                                  "return [b.x, b.y, b.width, b.height]")
+                x, y = (round(box[i] + at * box[i + 2]) for i, at in enumerate(self.place_for(exercise)))
+                for kind, points in (("touchStart", [{"x": x, "y": y}]), ("touchEnd", [])):
+                    self.browser.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+                self.wait_solved(exercise)
+            for exercise in (1, 2, 3):
+                tap(exercise)
+            place = lambda node: self.middle(f"#exercises .top {node}")[1]  # noqa: E731
             for name, solved in (("B", 4), ("C", 0)):
-                away = self.middle("#exercises .top .cornerA .dot")[1] - self.middle(f"#exercises .top .corner{name} .dot")[1]
-                self.swipe(f"#exercises .top .corner{name} .dot", away)
-                self.wait(f"{done}[{solved}]")
+                self.swipe(f"#exercises .top .corner{name} .dot", place(".cornerA .dot") - place(f".corner{name} .dot"))
+                self.wait_solved(solved)
+            self.swipe("#exercises .top .cornerC .dot", place(".eye") + 15 - place(".cornerC .dot"))
+            self.still("exercises")
+            tap(5)
             self.script("document.querySelector('#exercises li').scrollIntoView({block: 'end'})")
             self.assertTrue(self.node("#exercises .result").is_displayed())
             self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 390)

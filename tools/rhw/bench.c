@@ -13,7 +13,7 @@
 #include <string.h>
 
 // In the order in which they take turns.
-enum { ALL_THREADS, OTHERS, RENDERERS_MAX = 3 };
+enum { ALL_THREADS, OTHERS, RENDERERS_MAX = CLI_BENCH_COUNTS_MAX };
 
 struct bench {
     struct cli_bench_job job;
@@ -21,6 +21,7 @@ struct bench {
     struct bench_renderer renderers[RENDERERS_MAX];
     int renderer_count;
     int one, peer; // numbers of renderers; −1: there is none
+    bool scaling;  // the renderers are rhw with one number of threads after the other
     struct bench_image images[RENDERERS_MAX];
     bool table; // print rows as they come
     bool failed;
@@ -57,6 +58,20 @@ static bool open_rhw(struct bench *bench, int threads)
     return true;
 }
 
+// The numbers of threads in the order in which they were asked for.
+static bool open_counts(struct bench *bench)
+{
+    bench->scaling = true;
+    bench->one = bench->peer = -1;
+    for (int i = 0; i < bench->job.thread_counts; i++) {
+        if (!open_rhw(bench, bench->job.threads[i])) {
+            return false;
+        }
+    }
+    bench->report.isa = bench->renderers[0].isa;
+    return true;
+}
+
 // A machine without the peer is no failure: rhw is then timed alone.
 static void open_peer(struct bench *bench)
 {
@@ -83,7 +98,10 @@ static void open_peer(struct bench *bench)
 static bool open_renderers(struct bench *bench)
 {
     struct cli_bench_report *const report = &bench->report;
-    if (!open_rhw(bench, bench->job.threads)) {
+    if (bench->job.thread_counts > 1) {
+        return open_counts(bench);
+    }
+    if (!open_rhw(bench, bench->job.threads[0])) {
         return false;
     }
     report->threads = bench->renderers[ALL_THREADS].threads;
@@ -176,12 +194,15 @@ static bool same_for_threads(const struct bench *bench)
 {
     const struct bench_image *const a = &bench->images[ALL_THREADS];
     const size_t pixels = (size_t)a->width * (size_t)a->height;
-    if (bench->one < 0) {
-        return true;
+    bool same = true;
+    for (int i = 1; i < bench->renderer_count; i++) {
+        const struct bench_image *const b = &bench->images[i];
+        if (i != bench->peer) {
+            same = same && (a->color ? memcmp(a->color, b->color, 4 * pixels) == 0
+                                     : memcmp(a->depth, b->depth, pixels * sizeof *a->depth) == 0);
+        }
     }
-    const struct bench_image *const b = &bench->images[bench->one];
-    return a->color ? memcmp(a->color, b->color, 4 * pixels) == 0
-                    : memcmp(a->depth, b->depth, pixels * sizeof *a->depth) == 0;
+    return same;
 }
 
 // softpipe takes the longer component of a texel footprint's axis for its length, as OpenGL ES 3.0 §3.8.10 allows:
@@ -266,6 +287,9 @@ static bool measure_scene(struct bench *bench, const struct bench_scene *scene,
     result->all = times[ALL_THREADS];
     result->has_one = bench->one >= 0;
     result->has_peer = with_peer;
+    if (bench->scaling) {
+        memcpy(result->scaling, times, (size_t)count * sizeof *times);
+    }
     if (result->has_one) {
         result->one = times[bench->one];
     }
@@ -297,7 +321,7 @@ static void run_scene(struct bench *bench, const struct bench_scene_entry *entry
     }
     report->result_count++;
     if (bench->table) {
-        cli_bench_print_row(report, result);
+        (bench->scaling ? cli_bench_print_scaling_rows : cli_bench_print_row)(report, result);
     }
 }
 
@@ -325,7 +349,7 @@ static void run_scenes(struct bench *bench)
     const struct cli_bench_job *const job = &bench->job;
     bench->table = !(job->json && !job->json_path) && !(job->csv && !job->csv_path);
     if (bench->table) {
-        cli_bench_print_head(&bench->report);
+        (bench->scaling ? cli_bench_print_scaling_head : cli_bench_print_head)(&bench->report);
     }
     for (int i = 0; i < bench_scene_entry_count; i++) {
         if (job->wanted[i]) {
@@ -336,8 +360,10 @@ static void run_scenes(struct bench *bench)
         cli_error("bench", "no scene was timed");
         bench->failed = true;
     }
-    if ((job->json && !write_report(&bench->report, job->json_path, cli_bench_print_json)) ||
-        (job->csv && !write_report(&bench->report, job->csv_path, cli_bench_print_csv))) {
+    if ((job->json && !write_report(&bench->report, job->json_path,
+                                    bench->scaling ? cli_bench_print_scaling_json : cli_bench_print_json)) ||
+        (job->csv && !write_report(&bench->report, job->csv_path,
+                                   bench->scaling ? cli_bench_print_scaling_csv : cli_bench_print_csv))) {
         bench->failed = true;
     }
 }

@@ -8,12 +8,13 @@
 
 #include <stdio.h>
 
-enum { CLI_BENCH_SCENES_MAX = 128 };
+enum { CLI_BENCH_SCENES_MAX = 128, CLI_BENCH_COUNTS_MAX = 8 };
 
 struct cli_bench_job {
     bool wanted[CLI_BENCH_SCENES_MAX]; // of bench_scene_entries
     int width, height, frames;
-    int threads; // 0: as the library chooses
+    int threads[CLI_BENCH_COUNTS_MAX]; // 0: as the library chooses
+    int thread_counts;                 // of `threads`; with several, rhw is timed alone, with each of them
     enum rhw_isa isa;
     const char *peer; // driver, or NULL: none
     int peer_threads; // 0: as the peer likes
@@ -31,6 +32,7 @@ struct cli_bench_result {
     bool has_one, has_peer;
     struct bench_agreement agreement; // with the peer
     struct bench_tolerance tolerance;
+    struct bench_time scaling[CLI_BENCH_COUNTS_MAX]; // where there are several numbers of threads
 };
 
 struct cli_bench_report {
@@ -50,7 +52,14 @@ void cli_bench_print_head(const struct cli_bench_report *report);
 void cli_bench_print_row(const struct cli_bench_report *report, const struct cli_bench_result *result);
 void cli_bench_print_json(FILE *stream, const struct cli_bench_report *report);
 void cli_bench_print_csv(FILE *stream, const struct cli_bench_report *report);
-// One sentence: how far the pictures of rhw and the peer are apart.
+// bench_scaling.c. The report where rhw is timed with several numbers of threads.
+void cli_bench_print_scaling_head(const struct cli_bench_report *report);
+void cli_bench_print_scaling_rows(const struct cli_bench_report *report,
+                                  const struct cli_bench_result *result);
+void cli_bench_print_scaling_json(FILE *stream, const struct cli_bench_report *report);
+void cli_bench_print_scaling_csv(FILE *stream, const struct cli_bench_report *report);
+
+// bench_report.c. One sentence: how far the pictures of rhw and the peer are apart.
 void cli_bench_describe(const struct cli_bench_result *result, char *text, size_t size);
 
 #endif

@@ -29,9 +29,9 @@ static const struct cli_option options[] = {
     {"list", OPTION_LIST, NULL, "list the scenes and exit"},
     {"size", OPTION_SIZE, "WxH", "pixels, each way 1..16384; default 1920x1080"},
     {"frames", OPTION_FRAMES, "N", "frames that count, 1..10000, after 3 that do not; default 15"},
-    {"threads", OPTION_THREADS, "N",
+    {"threads", OPTION_THREADS, "LIST",
      "threads of rhw, 1..64; default: one for each core that the process may\nuse; one thread is timed as "
-     "well"},
+     "well. Up to 8 numbers: each is timed, beside\nno peer, with what threads do and wait for in a frame"},
     {"isa", OPTION_ISA, "NAME", "baseline, avx2 or avx512; default: avx2 where the CPU has it"},
     {"peer", OPTION_PEER, "NAME", "what to compare with: llvmpipe (the default), softpipe or none"},
     {"peer-threads", OPTION_PEER_THREADS, "N", "threads of llvmpipe, 1..32; default: all cores"},
@@ -99,6 +99,28 @@ static bool parse_number(const char *option, const char *text, int least, int mo
     return false;
 }
 
+static bool parse_threads(struct cli_bench_job *job, const char *list)
+{
+    job->thread_counts = 0;
+    for (;;) {
+        char number[16];
+        const size_t length = strcspn(list, ",");
+        snprintf(number, sizeof number, "%.*s", (int)length, list);
+        if (job->thread_counts == CLI_BENCH_COUNTS_MAX) {
+            cli_error("--threads", "takes %d numbers at most", CLI_BENCH_COUNTS_MAX);
+            return false;
+        }
+        if (!parse_number("--threads", length < sizeof number ? number : list, 1, RHW_MAX_THREADS,
+                          &job->threads[job->thread_counts++])) {
+            return false;
+        }
+        if (list[length] == '\0') {
+            return true;
+        }
+        list += length + 1;
+    }
+}
+
 static bool parse_isa(struct cli_bench_job *job, const char *text)
 {
     const char *names[RHW_ISA_COUNT];
@@ -153,7 +175,7 @@ static bool take_option(struct cli_bench_job *job, int id, const char *argument)
     case OPTION_SCENE: return parse_scenes(job, argument);
     case OPTION_SIZE: return parse_size(job, argument);
     case OPTION_FRAMES: return parse_number("--frames", argument, 1, BENCH_FRAMES_MAX, &job->frames);
-    case OPTION_THREADS: return parse_number("--threads", argument, 1, RHW_MAX_THREADS, &job->threads);
+    case OPTION_THREADS: return parse_threads(job, argument);
     case OPTION_ISA: return parse_isa(job, argument);
     case OPTION_PEER: return parse_peer(job, argument);
     case OPTION_PEER_THREADS: return parse_number("--peer-threads", argument, 1, 32, &job->peer_threads);
@@ -174,8 +196,12 @@ static void print_list(void)
 int cli_bench_options(int argc, char **argv, struct cli_bench_job *job, bool *go)
 {
     struct cli_parser parser;
-    *job = (struct cli_bench_job){
-        .width = 1920, .height = 1080, .frames = 15, .isa = RHW_ISA_COUNT, .peer = "llvmpipe"};
+    *job = (struct cli_bench_job){.width = 1920,
+                                  .height = 1080,
+                                  .frames = 15,
+                                  .isa = RHW_ISA_COUNT,
+                                  .peer = "llvmpipe",
+                                  .thread_counts = 1};
     *go = false;
     cli_parser_start(&parser, &verb, argc, argv);
     bool list = false, chosen = false;

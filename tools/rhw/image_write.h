@@ -52,8 +52,9 @@ struct cli_exr_channel {
 
 /// What an EXR file says beside its channels: the standard attributes worldToCamera and worldToNDC, and objectNames.
 struct cli_exr_about {
+    bool has_camera; ///< one camera saw the whole picture; without it no matrix is read
     double world_to_camera[16], world_to_ndc[16]; ///< column major, for column vectors
-    /// Of a model far from the origin: where its own origin is, and the matrices for what is counted from there.
+    /// A model far from the origin has its own origin, and matrices for what is counted from there.
     bool is_far;
     double origin[3], origin_to_camera[16], origin_to_ndc[16];
     const char **objects; ///< names of the ids from 1 on
@@ -69,7 +70,7 @@ bool cli_ppm_write(struct cli_output_file *file, const struct cli_raster *raster
 bool cli_jpeg_write(struct cli_output_file *file, const struct cli_raster *raster, int quality);
 /// 8 bits, at most 16383 pixels each way; quality 1..100, or 0: lossless.
 bool cli_webp_write(struct cli_output_file *file, const struct cli_raster *raster, int quality);
-/// Scan lines, ZIP compression on `threads` threads; the bytes do not depend on their number. `about` may be NULL.
+/// Scan lines, ZIP compression on `threads` threads; the bytes do not depend on their number.
 bool cli_exr_write(struct cli_output_file *file, int width, int height,
                    const struct cli_exr_channel *channels, int channel_count,
                    const struct cli_exr_about *about, int threads);

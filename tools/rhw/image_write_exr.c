@@ -173,20 +173,30 @@ static exr_result_t set_origin(const struct encoder *encoder, int part)
 {
     const struct cli_exr_about *const about = encoder->about;
     const exr_attr_v3d_t origin = {.x = about->origin[0], .y = about->origin[1], .z = about->origin[2]};
-    exr_result_t result = exr_attr_set_v3d(encoder->context, part, "origin", &origin);
-    if (!result) {
-        result = set_matrix(encoder, part, "originToCamera", about->origin_to_camera);
-    }
-    return result ? result : set_matrix(encoder, part, "originToNDC", about->origin_to_ndc);
+    return exr_attr_set_v3d(encoder->context, part, "origin", &origin);
 }
 
-static exr_result_t set_about(const struct encoder *encoder, int part)
+// Write the camera for the coordinates of the file and, far from its origin, for what is counted from the model's.
+static exr_result_t set_camera(const struct encoder *encoder, int part)
 {
     const struct cli_exr_about *const about = encoder->about;
     exr_result_t result = set_matrix(encoder, part, "worldToCamera", about->world_to_camera);
     if (!result) {
         result = set_matrix(encoder, part, "worldToNDC", about->world_to_ndc);
     }
+    if (!result && about->is_far) {
+        result = set_matrix(encoder, part, "originToCamera", about->origin_to_camera);
+    }
+    if (!result && about->is_far) {
+        result = set_matrix(encoder, part, "originToNDC", about->origin_to_ndc);
+    }
+    return result;
+}
+
+static exr_result_t set_about(const struct encoder *encoder, int part)
+{
+    const struct cli_exr_about *const about = encoder->about;
+    exr_result_t result = about->has_camera ? set_camera(encoder, part) : EXR_ERR_SUCCESS;
     if (!result && about->is_far) {
         result = set_origin(encoder, part);
     }
@@ -214,7 +224,7 @@ static exr_result_t write_header(struct encoder *encoder)
                                  channel->integer ? EXR_PIXEL_UINT : EXR_PIXEL_FLOAT,
                                  EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
     }
-    if (!result && encoder->about) {
+    if (!result) {
         result = set_about(encoder, part);
     }
     if (!result) {

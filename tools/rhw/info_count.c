@@ -66,6 +66,23 @@ int cli_info_digits(const struct scene_model *model, int near)
     return digits;
 }
 
+bool cli_info_find_place(const struct scene_model *model, const float floats[3], const double exact[3],
+                         double place[3])
+{
+    enum { SEEN = 1 << 16 }; // parts of the model's size that a large picture shows
+    double size = 0.0, lost = 0.0;
+    scene_exact_place(floats, exact, place);
+    for (int c = 0; c < 3; c++) {
+        size = fmax(size, (double)model->bounds_max[c] - (double)model->bounds_min[c]);
+        lost = fmax(lost, fabs(place[c] - (double)floats[c]));
+    }
+    const bool is_far = scene_origin_is_far(model->origin) || model->is_scattered || lost * SEEN > size;
+    for (int c = 0; c < 3; c++) {
+        place[c] = is_far ? place[c] + model->origin[c] : (double)floats[c];
+    }
+    return is_far;
+}
+
 bool cli_info_draws_anything(const struct scene_model *model)
 {
     return model->bounds_min[0] <= model->bounds_max[0];

@@ -30,18 +30,40 @@ static void json_floats(const char *key, const float *values, int count)
     printf("]");
 }
 
-// Values whose last three are a place, in the coordinates of the file.
-static void json_places(const struct scene_model *model, const char *key, const float *values, int count)
+static void json_place(const struct scene_model *model, const float floats[3], const double exact[3])
 {
-    const int place = count >= 12 ? 12 : 0;
+    double place[3];
+    const bool is_far = cli_info_find_place(model, floats, exact, place);
+    for (int c = 0; c < 3; c++) {
+        printf(c > 0 ? ", " : "");
+        (is_far ? cli_json_double : cli_json_number)(stdout, place[c]);
+    }
+}
+
+// Write the matrix of a camera, whose last column is a place.
+static void json_world(const struct scene_model *model, const struct scene_model_camera *camera)
+{
+    printf(", \"world\": [");
+    for (int i = 0; i < 12; i++) {
+        cli_json_number(stdout, (double)camera->world[i]);
+        printf(", ");
+    }
+    json_place(model, camera->world + 12, camera->place);
+    printf(", ");
+    cli_json_number(stdout, (double)camera->world[15]);
+    printf("]");
+}
+
+// Write a corner of a box, in the coordinates of the file.
+static void json_corner(const struct scene_model *model, const char *key, const float corner[3])
+{
     printf(", \"%s\": [", key);
-    for (int i = 0; i < count; i++) {
-        const double moved = i >= place && i < place + 3 ? model->origin[i - place] : 0.0;
-        printf(i > 0 ? ", " : "");
+    for (int c = 0; c < 3; c++) {
+        printf(c > 0 ? ", " : "");
         if (scene_origin_is_far(model->origin)) {
-            printf("%.*g", cli_info_digits(model, 9), (double)values[i] + moved);
+            printf("%.*g", cli_info_digits(model, 9), (double)corner[c] + model->origin[c]);
         } else {
-            cli_json_number(stdout, (double)values[i]);
+            cli_json_number(stdout, (double)corner[c]);
         }
     }
     printf("]");
@@ -158,7 +180,7 @@ static void json_cameras(const struct scene_model *model)
         }
         json_float("near", camera->znear);
         json_float("far", camera->zfar);
-        json_places(model, "world", camera->world, 16);
+        json_world(model, camera);
         printf("}");
     }
     printf("]");
@@ -172,7 +194,9 @@ static void json_lights(const struct scene_model *model)
         json_next(i);
         json_named(light->name);
         printf(", \"type\": \"%s\"", cli_light_names[light->type]);
-        json_places(model, "position", light->position, 3);
+        printf(", \"position\": [");
+        json_place(model, light->position, light->place);
+        printf("]");
         json_floats("direction", light->direction, 3);
         json_floats("color", light->color, 3);
         json_float("intensity", light->intensity);
@@ -223,8 +247,8 @@ static void json_box(const struct scene_model *model, const char *key, const flo
     printf(",\n  \"%s\": ", key);
     if (cli_info_draws_anything(model)) {
         printf("{\"empty\": false");
-        json_places(model, "min", low, 3);
-        json_places(model, "max", high, 3);
+        json_corner(model, "min", low);
+        json_corner(model, "max", high);
         printf("}");
     } else {
         printf("{\"empty\": true}");

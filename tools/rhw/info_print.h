@@ -26,6 +26,10 @@ uint32_t cli_info_elements(const struct scene_mesh *mesh);
 /// Digits for places of the model in the coordinates of its file: `near`, and far from the origin as many more as the
 /// distance takes.
 int cli_info_digits(const struct scene_model *model, int near);
+/// Find a place in the coordinates of the file, of which a model has floats and what it knows more exactly. Return true
+/// if the floats lose digits of it that can be seen. Otherwise write what they are.
+bool cli_info_find_place(const struct scene_model *model, const float floats[3], const double exact[3],
+                         double place[3]);
 bool cli_info_draws_anything(const struct scene_model *model);
 /// Bytes of vertices and indices, and of textures with their mip chains, when they are drawn.
 uint64_t cli_info_mesh_bytes(const struct scene_model *model);

@@ -116,6 +116,15 @@ static void print_place(const struct scene_model *model, const float place[3], i
     }
 }
 
+static void print_camera_place(const struct scene_model *model, const struct scene_model_camera *camera)
+{
+    double place[3];
+    const bool is_far = cli_info_find_place(model, camera->world + 12, camera->place, place);
+    for (int c = 0; c < 3; c++) {
+        printf(" %.*g", is_far ? 15 : 4, place[c]);
+    }
+}
+
 static void print_cameras_and_lights(const struct scene_model *model)
 {
     if (model->camera_count > 0) {
@@ -124,7 +133,7 @@ static void print_cameras_and_lights(const struct scene_model *model)
     for (uint32_t i = 0; i < model->camera_count; i++) {
         const struct scene_model_camera *camera = &model->cameras[i];
         printf("  %3" PRIu32 "  at", i);
-        print_place(model, camera->world + 12, 4);
+        print_camera_place(model, camera);
         printf(", ");
         if (camera->orthographic) {
             printf("orthographic %.4g x %.4g", 2 * (double)camera->xmag, 2 * (double)camera->ymag);

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <stdlib.h>
 
 // Bytes of the well-formed UTF-8 sequence at `text` (RFC 3629 §4), or 0.
 static int utf8_length(const unsigned char *text)
@@ -43,6 +44,18 @@ void cli_json_string(FILE *stream, const char *text)
         c += length ? length : 1;
     }
     fputc('"', stream);
+}
+
+void cli_json_double(FILE *stream, double number)
+{
+    char text[40];
+    for (int digits = 15; digits <= 17; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, number);
+        if (strtod(text, NULL) == number) {
+            break;
+        }
+    }
+    fputs(isfinite(number) ? text : "null", stream);
 }
 
 void cli_json_number(FILE *stream, double number)

@@ -7,6 +7,8 @@
 
 /// Quoted and escaped. Bytes that are not UTF-8, which file names may hold, become U+FFFD.
 void cli_json_string(FILE *stream, const char *text);
+/// Write the fewest digits, 15 or more, that are read as the number again; null when it is not finite.
+void cli_json_double(FILE *stream, double number);
 /// Nine digits; null when it is not finite, which JSON cannot say.
 void cli_json_number(FILE *stream, double number);
 

@@ -7,13 +7,13 @@
 #include "growing.h"
 #include "image_webp.h"
 #include "message.h"
+#include "png_rows.h"
 
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <webp/mux.h>
-#include <zlib.h>
 
 static bool fail(const struct cli_moving *moving)
 {
@@ -23,38 +23,16 @@ static bool fail(const struct cli_moving *moving)
 
 // APNG ----------------------------------------------------------------------------------------------
 
-static void store_big_endian(unsigned char *to, uint32_t value)
-{
-    for (int i = 0; i < 4; i++) {
-        to[i] = (unsigned char)(value >> (24 - 8 * i));
-    }
-}
-
 static uint32_t load_big_endian(const unsigned char *from)
 {
     return (uint32_t)from[0] << 24 | (uint32_t)from[1] << 16 | (uint32_t)from[2] << 8 | from[3];
 }
 
-// `head` goes before `data` in the same chunk.
-static bool write_chunk(FILE *stream, const char name[4], const void *head, size_t head_size,
-                        const void *data, size_t size)
-{
-    unsigned char start[8], end[4];
-    store_big_endian(start, (uint32_t)(head_size + size));
-    memcpy(start + 4, name, 4);
-    uLong check = crc32(crc32(0, start + 4, 4), head, (uInt)head_size);
-    check = size > 0 ? crc32(check, data, (uInt)size) : check;
-    store_big_endian(end, (uint32_t)check);
-    return fwrite(start, 1, sizeof start, stream) == sizeof start &&
-           fwrite(head, 1, head_size, stream) == head_size && fwrite(data, 1, size, stream) == size &&
-           fwrite(end, 1, sizeof end, stream) == sizeof end;
-}
-
 static bool write_animation_control(const struct cli_moving *moving)
 {
     unsigned char control[8] = {0}; // frames; 0: played without end
-    store_big_endian(control, (uint32_t)moving->frame_count);
-    return write_chunk(moving->file->stream, "acTL", control, sizeof control, "", 0);
+    cli_png_store(control, (uint32_t)moving->frame_count);
+    return cli_png_chunk(moving->file->stream, "acTL", control, sizeof control, "", 0);
 }
 
 static bool write_frame_control(struct cli_moving *moving, const struct cli_raster *raster)
@@ -62,13 +40,13 @@ static bool write_frame_control(struct cli_moving *moving, const struct cli_rast
     enum { PARTS = 100 }; // of a second, per frame, in the fraction that is its delay
     unsigned char control[26] = {0};
     const unsigned divisor = (unsigned)(moving->rate * PARTS + 0.5);
-    store_big_endian(control, moving->sequence++);
-    store_big_endian(control + 4, (uint32_t)raster->width);
-    store_big_endian(control + 8, (uint32_t)raster->height);
+    cli_png_store(control, moving->sequence++);
+    cli_png_store(control + 4, (uint32_t)raster->width);
+    cli_png_store(control + 8, (uint32_t)raster->height);
     control[21] = PARTS;
     control[22] = (unsigned char)(divisor >> 8);
     control[23] = (unsigned char)divisor; // disposal and blending 0: each picture takes the place of the last
-    return write_chunk(moving->file->stream, "fcTL", control, sizeof control, "", 0);
+    return cli_png_chunk(moving->file->stream, "fcTL", control, sizeof control, "", 0);
 }
 
 // One chunk of an ordinary PNG file.
@@ -89,9 +67,9 @@ static bool write_part(struct cli_moving *moving, const struct cli_raster *raste
         return fwrite(chunk, 1, size + 12, stream) == size + 12;
     }
     unsigned char number[4];
-    store_big_endian(number, moving->sequence);
+    cli_png_store(number, moving->sequence);
     moving->sequence += is_data;
-    return !is_data || write_chunk(stream, "fdAT", number, sizeof number, chunk + 8, size);
+    return !is_data || cli_png_chunk(stream, "fdAT", number, sizeof number, chunk + 8, size);
 }
 
 enum { SIGNATURE = 8 };
@@ -211,7 +189,7 @@ bool cli_moving_finish(struct cli_moving *moving)
         return finish_webp(moving);
     }
     errno = 0;
-    return write_chunk(moving->file->stream, "IEND", "", 0, "", 0) || fail(moving);
+    return cli_png_chunk(moving->file->stream, "IEND", "", 0, "", 0) || fail(moving);
 }
 
 void cli_moving_close(struct cli_moving *moving)

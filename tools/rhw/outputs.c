@@ -473,7 +473,8 @@ bool cli_outputs_exr_describe(const struct scene_model *model, const struct scen
     for (uint32_t i = 0; i < model->instance_count; i++) {
         largest = model->instances[i].object > largest ? model->instances[i].object : largest;
     }
-    *about = (struct cli_exr_about){.object_count = (int)largest,
+    *about = (struct cli_exr_about){.has_camera = true,
+                                    .object_count = (int)largest,
                                     .objects = calloc((size_t)largest + 1, sizeof *about->objects)};
     const struct scene_camera from_origin = scene_camera_from_origin(camera, origin);
     memcpy(about->origin, origin, sizeof about->origin);

@@ -110,7 +110,7 @@ bool cli_camera_choose(const struct cli_render_job *job, const struct scene_mode
                                        ? scene_camera_sight(model, camera, aspect)
                                        : SCENE_SIGHT_ENOUGH;
     if (sight != SCENE_SIGHT_ENOUGH) {
-        if (!job->quiet) {
+        if (!job->quiet && !job->strict) {
             cli_warning(job->model_path, "its camera sees %s of the model, which is fitted instead",
                         sight == SCENE_SIGHT_NOTHING ? "nothing" : "next to nothing");
         }

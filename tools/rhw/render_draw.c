@@ -117,40 +117,6 @@ static void log_line(void *user, enum rhw_log_level level, const char *message)
     }
 }
 
-// Nothing was seen. Who asked for that view gets it, with a warning; but a camera that merely stands in the
-// file, as many exporters leave one, is no reason for an empty picture.
-static enum rhw_result draw_again(struct render *render)
-{
-    const struct cli_render_job *job = &render->job;
-    if (render->model->lacks_area) {
-        return RHW_OK; // a warning about the model has said why
-    }
-    const bool refit =
-        job->camera == CLI_CAMERA_AUTO && cli_camera_find(job, render->model) && !render->distrusts_camera;
-    if (!job->quiet) {
-        cli_warning(job->model_path, refit ? "its camera sees nothing of the model, which is fitted instead"
-                                           : "nothing of the model is in the picture");
-    }
-    if (!refit) {
-        return RHW_OK;
-    }
-    render->view.camera = cli_camera_fit(job, render->model);
-    scene_pictures_free(&render->pictures);
-    return scene_draw(render->scene, &render->view, &render->pictures, &render->stats);
-}
-
-// The camera of a file that nobody asked for may stand within the model, or look past most of it.
-static void warn_of_a_partial_view(const struct render *render)
-{
-    const struct cli_render_job *job = &render->job;
-    if (!job->quiet && job->camera == CLI_CAMERA_AUTO && cli_camera_find(job, render->model) &&
-        !render->distrusts_camera &&
-        !scene_camera_shows_most(render->model, &render->view.camera,
-                                 (double)job->width / (double)job->height)) {
-        cli_warning(job->model_path, "the file's camera shows part of the model; --fit shows all");
-    }
-}
-
 static bool report(const struct render *render, enum rhw_result result)
 {
     cli_stage_end();
@@ -162,9 +128,23 @@ static bool report(const struct render *render, enum rhw_result result)
     return result == RHW_OK;
 }
 
+// With --strict a camera of the file does not give way. Reports failure.
+static bool accept_camera(const struct render *render)
+{
+    const bool accepted = !render->job.strict || !render->distrusts_camera;
+    if (!accepted) {
+        cli_error(render->job.model_path,
+                  "its camera does not show the model; --strict lets none take its place, --fit does");
+    }
+    return accepted;
+}
+
 bool cli_render_open_scene(struct render *render)
 {
     struct rhw_context_def def = rhw_context_def_default();
+    if (!accept_camera(render)) {
+        return false;
+    }
     def.threads = render->job.threads;
     def.isa_limit = rhw_isa_up_to(render->job.isa);
     def.paths = render->job.paths;
@@ -184,15 +164,68 @@ bool cli_render_draw(struct render *render)
     return report(render, scene_draw(render->scene, &render->view, &render->pictures, &render->stats));
 }
 
+// Who asked for a view in which nothing is seen gets it, with a warning; with --strict nobody gets a picture.
+static bool accept_blank(const struct render *render, const char *sight)
+{
+    const struct cli_render_job *job = &render->job;
+    if (job->strict) {
+        cli_error(job->model_path, "%s of the model is in the picture; --strict allows no such picture",
+                  sight);
+    } else if (!job->quiet) {
+        cli_warning(job->model_path, "%s of the model is in the picture", sight);
+    }
+    return !job->strict;
+}
+
+static bool takes_own_camera(const struct render *render)
+{
+    return render->job.camera == CLI_CAMERA_AUTO && cli_camera_find(&render->job, render->model) &&
+           !render->distrusts_camera;
+}
+
+// Nothing was seen. A camera that merely stands in the file, as many exporters leave one, is no reason for an empty
+// picture. Reports failure.
+static bool draw_again(struct render *render)
+{
+    const struct cli_render_job *job = &render->job;
+    if (render->model->lacks_area) {
+        return true; // a warning about the model has said why
+    }
+    if (!takes_own_camera(render)) {
+        return accept_blank(render, "nothing");
+    }
+    if (!job->quiet && !job->strict) {
+        cli_warning(job->model_path, "its camera sees nothing of the model, which is fitted instead");
+    }
+    render->distrusts_camera = true;
+    if (!accept_camera(render)) {
+        return false;
+    }
+    render->view.camera = cli_camera_fit(job, render->model);
+    return cli_render_draw(render);
+}
+
+// The camera of a file that nobody asked for may stand within the model, or look past most of it. One that was asked
+// for may see next to nothing. Reports failure.
+static bool judge_view(const struct render *render)
+{
+    const struct cli_render_job *job = &render->job;
+    const struct scene_camera *const camera = &render->view.camera;
+    const double aspect = (double)job->width / (double)job->height;
+    if (!takes_own_camera(render)) {
+        return job->camera <= CLI_CAMERA_FIT || job->camera == CLI_CAMERA_VIEWS ||
+               !scene_camera_shows_a_dot(render->model, camera, aspect) ||
+               accept_blank(render, "next to nothing");
+    }
+    if (!job->quiet && !scene_camera_shows_most(render->model, camera, aspect)) {
+        cli_warning(job->model_path, "the file's camera shows part of the model; --fit shows all");
+    }
+    return true;
+}
+
 bool cli_render_draw_seen(struct render *render)
 {
-    scene_pictures_free(&render->pictures);
     cli_stage("drawing", render->job.model_path);
-    enum rhw_result result = scene_draw(render->scene, &render->view, &render->pictures, &render->stats);
-    if (result == RHW_OK && render->stats.pipeline.triangles_rasterized == 0) {
-        result = draw_again(render);
-    } else if (result == RHW_OK) {
-        warn_of_a_partial_view(render);
-    }
-    return report(render, result);
+    return accept_camera(render) && cli_render_draw(render) &&
+           (render->stats.pipeline.triangles_rasterized == 0 ? draw_again(render) : judge_view(render));
 }

@@ -135,8 +135,9 @@ static bool encode_exr(struct render *render, struct cli_output_file *file)
         return false;
     }
     const bool is_sheet = render->job.view_count > 0 && !cli_render_has_file_per_view(&render->job);
+    about.has_camera = !is_sheet;
     const bool written = cli_exr_write(file, render->pictures.width, render->pictures.height, channels, count,
-                                       is_sheet ? NULL : &about, rhw_context_threads(render->context));
+                                       &about, rhw_context_threads(render->context));
     free(about.objects);
     free(positions);
     return written;

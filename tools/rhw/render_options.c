@@ -142,7 +142,8 @@ static const struct cli_option options[] = {
     {"stats", OPTION_STATS, "[FILE]",
      "write the time of each stage, memory and counts as JSON, to standard output\nwithout FILE"},
     {"strict", OPTION_STRICT, NULL,
-     "no picture where the file has something that is not drawn as it is meant"},
+     "no picture where the file has something that is not drawn as it is meant, or next to\nnothing of it is "
+     "seen"},
     {"quiet", OPTION_QUIET, NULL, "no warnings"},
     {"thumb-mark", OPTION_THUMB_MARK, "TEXT", NULL}, // of rhw thumbs, which starts this verb
 };

@@ -15,7 +15,7 @@ bool cli_thumb_is_model(const char *name)
         "amf",     "ac",   "acc",   "ase",  "b3d",     "blend", "bvh",  "cob", "coff", "cnoff", "dxf",
         "hmp",     "ifc",  "iqm",   "irr",  "irrmesh", "lwo",   "lws",  "lxo", "m3d",  "md2",   "md3",
         "md5mesh", "mdc",  "mdl",   "ms3d", "nff",     "noff",  "ogex", "pmx", "pts",  "q3o",   "q3s",
-        "sib",     "smd",  "stoff", "uc",   "x",       "x3d",   "xgl",  "xyz", "zgl"};
+        "sib",     "smd",  "stoff", "uc",   "x",       "x3d",   "xgl",  "xyz", "zae",  "zgl"};
     const char *const dot = strrchr(name, '.');
     if (strcmp(name, "configure.ac") == 0) {
         return false; // a script of autoconf, and no model of AC3D

@@ -9,15 +9,15 @@ import { write } from './slots.js';
 
 // A line: what it computes, how, and the term whose value stands behind it. In $..$ stand terms.
 const LINES = [
-  { term: 'r', share: 'A' },
-  { term: 's', share: 'B' },
-  { term: 't', share: 'C' },
+  { term: 'r', share: 'A', note: { en: 'share of A on the screen', zh: 'A 在屏幕上的份额' } },
+  { term: 's', share: 'B', note: { en: 'share of B on the screen', zh: 'B 在屏幕上的份额' } },
+  { term: 't', share: 'C', note: { en: 'share of C on the screen', zh: 'C 在屏幕上的份额' } },
   { term: 'naive', how: '$r$ * $u_A$ + $s$ * $u_B$ + $t$ * $u_C$', note: { en: 'naive: wrong', zh: '未校正：错误' }, kind: 'wrong' },
-  { term: 'i_P', how: '$r$ / $W_A$ + $s$ / $W_B$ + $t$ / $W_C$', note: { en: 'straight on the screen', zh: '在屏幕上是直线' } },
-  { term: 'W_P', how: '1 / $i_P$', note: { en: 'the one division', zh: '唯一的一次除法' } },
-  { term: 'a', how: '$r$ * $W_P$ / $W_A$' },
-  { term: 'b', how: '$s$ * $W_P$ / $W_B$' },
-  { term: 'c', how: '$t$ * $W_P$ / $W_C$' },
+  { term: 'i_P', how: '$r$ / $W_A$ + $s$ / $W_B$ + $t$ / $W_C$', note: { en: 'linear on the screen', zh: '在屏幕上是线性的' } },
+  { term: 'W_P', how: '1 / $i_P$', note: { en: 'one division per pixel', zh: '每像素一次除法' } },
+  { term: 'a', how: '$r$ * $W_P$ / $W_A$', note: { en: '1/W_A once per triangle', zh: '1/W_A 每个三角形只算一次' } },
+  { term: 'b', how: '$s$ * $W_P$ / $W_B$', note: { en: '1/W_B once per triangle', zh: '1/W_B 每个三角形只算一次' } },
+  { term: 'c', how: '$t$ * $W_P$ / $W_C$', note: { en: '1/W_C once per triangle', zh: '1/W_C 每个三角形只算一次' } },
   { term: 'u_P', how: '$a$ * $u_A$ + $b$ * $u_B$ + $c$ * $u_C$', note: { en: 'corrected', zh: '校正后' }, kind: 'right' },
 ];
 
@@ -81,16 +81,20 @@ function rowOf(kind) {
   return row;
 }
 
+// A text of the program: a narrow room breaks no name at the hyphen of its arrow.
+const piecesOf = (text) =>
+  text.split(/(\S*->\S*)/).map((piece, i) => (i % 2 ? Object.assign(document.createElement('span'), { className: 'whole', textContent: piece }) : piece));
+
 function frameNode(line) {
   const row = rowOf('frame');
-  row.firstChild.textContent = line;
+  row.firstChild.append(...piecesOf(line));
   return row;
 }
 
 function lineNode({ term, how, share, kind = '' }, language) {
   const row = rowOf(kind);
   row.firstChild.append(language.declare, termNode(term, language), ' = ');
-  (how ?? language.share(share)).split('$').forEach((part, i) => row.firstChild.append(i % 2 ? termNode(part, language) : part));
+  (how ?? language.share(share)).split('$').forEach((part, i) => row.firstChild.append(...(i % 2 ? [termNode(part, language)] : piecesOf(part))));
   row.firstChild.append(language.end);
   row.appendChild(document.createElement('code')).className = 'said';
   return row;

@@ -164,7 +164,7 @@ function worldSections(parent, n) {
   });
   section(parent, TITLES.point, undefined, (block) => {
     write(element(block, 'p', 'note'), say({
-      en: '(x, y, d, 1) times the inverse of projection × view; then all by the fourth coordinate. That is a point of the world:',
+      en: '(x, y, d, 1) times the inverse of projection × view, then all divided by the fourth coordinate. That is a point of the world:',
       zh: '把 (x, y, d, 1) 乘以“投影 × 视图”矩阵的逆，再除以第四个坐标，得到世界空间中的一点：',
     }));
     const digits = (value) => short(Number(value.toFixed(4))); // floats went there and back: more would be noise
@@ -195,15 +195,20 @@ export function threeWaysOf(n, name, size, written = n[name]) {
 
 const digits = (value) => long(Number(value.toPrecision(9)));
 
+const ULP = {
+  en: 'A ULP is the step between neighbouring floats at the largest corner value.',
+  zh: 'ULP 是顶点最大值处相邻浮点数的间距。',
+};
+
 // By way of the world floats lose more on their way than the pipeline does.
 const notes = {
   world: (error, direct) => ({
-    en: `Naive and correct are computed in exact arithmetic here; by way of the world it came ${error.toFixed(2)} ULP of the largest corner value from the correct one, by r/W, s/W, t/W it is ${direct.toFixed(2)}: see “pipeline”.`,
-    zh: `前两行在此用精确有理数算出；经世界空间的结果相差 ${error.toFixed(2)} ULP（以顶点最大值计），由 r/W、s/W、t/W 求得的（见“管线”）相差 ${direct.toFixed(2)}。`,
+    en: `Naive and correct are computed in exact arithmetic. The last row is what rhw, the library that draws this page, put into the picture: by way of the world rhw is ${error.toFixed(2)} ULP from the correct one, by r/W, s/W, t/W it is ${direct.toFixed(2)} (see “pipeline”). ${ULP.en}`,
+    zh: `前两行用精确有理数算出，最后一行是绘制本页的库 rhw 实际写入图像的值：经世界空间的结果与正确值相差 ${error.toFixed(2)} ULP，由 r/W、s/W、t/W 求得的（见“管线”）相差 ${direct.toFixed(2)}。${ULP.zh}`,
   }),
   direct: (error) => ({
-    en: `Naive and correct are computed in exact arithmetic here; rhw is ${error.toFixed(2)} ULP of the largest corner value from the one it was asked for.`,
-    zh: `前两行在此用精确有理数算出；rhw 与所要求的一行相差 ${error.toFixed(2)} ULP（以顶点最大值计）。`,
+    en: `Naive and correct are computed in exact arithmetic. The last row is what rhw, the library that draws this page, put into the picture: rhw is ${error.toFixed(2)} ULP from the one it was asked for. ${ULP.en}`,
+    zh: `前两行用精确有理数算出，最后一行是绘制本页的库 rhw 实际写入图像的值，与所要求的一行相差 ${error.toFixed(2)} ULP。${ULP.zh}`,
   }),
 };
 

@@ -13,6 +13,7 @@ const FIELDS = 8; // of the triangle, along u and v
 const YAW = (68 * Math.PI) / 180; // from where one looks at the start: from the side, a little from above
 const PITCH = (24 * Math.PI) / 180;
 const FAR = 7; // W up to which the start is in the picture
+const CAPTION = 120; // CSS pixels that the name of the screen takes at most
 const LIFT = 0.3; // of the start, as what is near stands low in it
 
 const mix = (from, to, k) => from + (to - from) * k;
@@ -75,9 +76,10 @@ export class Flight {
       .join('');
   }
 
-  #label(text, [x, y], kind) {
+  // What is cut off has its name below it: above it may stand that of the eye.
+  #label(text, [x, y], kind, isCut) {
     drawn(this.labels, 'circle', { cx: x, cy: y, r: 5, class: `dot ${kind}` });
-    drawn(this.labels, 'text', { x: x + 9, y: y - 6 }, text);
+    drawn(this.labels, 'text', isCut ? { x: x - 4, y: y + 20 } : { x: x + 9, y: y - 6 }, text);
   }
 
   /** `corners`: [X, Y, Z, W] of A, B and C; `k`: how far the motion is, 0..1. */
@@ -135,14 +137,16 @@ export class Flight {
     this.corners.forEach((corner, i) => {
       const isCut = corner[2] < 0;
       if (!isCut || early > 0.5) {
-        this.#label('ABC'[i], isCut ? this.#unmoved(corner) : this.#at(corner), `corner${'ABC'[i]}`);
+        this.#label('ABC'[i], isCut ? this.#unmoved(corner) : this.#at(corner), `corner${'ABC'[i]}`, isCut);
       }
     });
     if (this.k < 0.6) {
       const [x, y] = this.#at([0, 0, 0, 0]);
-      drawn(this.labels, 'text', { x: x - 10, y: y + 22, class: 'caption' }, say({ en: 'eye', zh: '眼睛' }));
+      drawn(this.labels, 'text', { x: x - 9, y: y + 4, 'text-anchor': 'end', class: 'caption' }, say({ en: 'eye', zh: '眼睛' }));
     }
     const [x, y] = this.#at(this.#onScreen(1, -1));
-    drawn(this.labels, 'text', { x: x + 4, y: y + 16, class: 'caption' }, say({ en: `screen, W = ${short(this.unit)}`, zh: `屏幕，W = ${short(this.unit)}` }));
+    const fits = x + CAPTION < this.width; // else it ends where the screen does
+    const at = { x: fits ? x + 4 : x - 4, y: y + 20 < this.height ? y + 16 : y - 6, 'text-anchor': fits ? 'start' : 'end' };
+    drawn(this.labels, 'text', { ...at, class: 'caption' }, say({ en: `screen, W = ${short(this.unit)}`, zh: `屏幕，W = ${short(this.unit)}` }));
   }
 }

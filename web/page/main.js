@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Begins: loads the library, starts each chapter when it comes near, and the three switches.
 import { startContents } from './contents.js';
+import { startHearing } from './heard.js';
 import { language, setLanguage, whenLanguage } from './language.js';
 import { typeset } from './math.js';
 import { Stage } from './stage.js';
@@ -221,6 +222,7 @@ startPrinting();
 startContents(document.querySelector('.contents ol'));
 typeset(document);
 startTips();
+startHearing();
 showAddressed();
 addEventListener('hashchange', showAddressed);
 compiled

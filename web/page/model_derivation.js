@@ -94,12 +94,16 @@ function note(parent, texts) {
   add(parent, 'p', say(texts), 'note');
 }
 
+// Numbers, as texts or formulas, have their last digits below each other; words, {en, zh}, and colours their beginnings.
+const isWord = (cell) => typeof cell === 'object' && !(cell instanceof MathMLElement);
+
 // Cells are texts, {en, zh} or nodes.
 function table(parent, heads, rows) {
   const node = add(add(parent, 'div', [], 'scroll'), 'table', [], 'numbers');
+  const kinds = heads.map((_, column) => (rows.some((cells) => isWord(cells[column])) ? 'word' : ''));
   for (const [i, cells] of [heads, ...rows].entries()) {
     const row = node.insertRow();
-    cells.forEach((cell) => add(row, i === 0 ? 'th' : 'td', cell instanceof Node ? cell : say(cell)));
+    cells.forEach((cell, column) => add(row, i === 0 ? 'th' : 'td', cell instanceof Node ? cell : say(cell), kinds[column]));
   }
 }
 
@@ -225,7 +229,7 @@ function showHead(parent, { pixel, size, sample, samples, color }) {
   const head = add(parent, 'p', [], 'pixel');
   const node = add(head, 'span', [], 'swatch');
   node.style.background = color;
-  const of = samples > 1 ? { en: `, sample ${sample} of ${samples}`, zh: `，第 ${sample} 个采样（共 ${samples} 个）` } : { en: '', zh: '' };
+  const of = samples > 1 ? { en: `, sample ${sample + 1} of ${samples}`, zh: `，第 ${sample + 1} 个采样（共 ${samples} 个）` } : { en: '', zh: '' };
   head.append(say({
     en: `Pixel P = (${pixel}) of ${size.join('×')}${of.en}, is ${color}`,
     zh: `像素 P = (${pixel})，图像 ${size.join('×')}${of.zh}，颜色 ${color}`,

@@ -10,6 +10,7 @@ import { element, fill, write } from './slots.js';
 import { draggable, drawn, points, set, svg } from './svg.js';
 
 const [LEFT, RIGHT, TOP, BOTTOM] = [46, 14, 16, 34];
+const ABOVE_AXIS = 40; // CSS pixels above the axis that a value below its dot and the name of the place take
 
 export class Plot {
   /**
@@ -54,7 +55,7 @@ export class Plot {
       }
       const lines = curves.map((curve) => this.#curve(curve, this.#largest(curve), x, floor));
       if (this.handle && place !== null) {
-        this.#dots(lines, x(place));
+        this.#dots(lines, x(place), floor);
       }
     });
     if (this.handle) {
@@ -100,12 +101,14 @@ export class Plot {
     return { kind, value, y: at(value, 0)[1], rises: values.at(-1) > values[0] };
   }
 
-  // The upper one of two values stands above its dot, the other one below, each on the side to which its curve leaves room.
-  #dots(lines, x) {
+  // The upper one of two values stands above its dot, the other one below where the axis leaves room, each on the side to which its
+  // curve leaves some.
+  #dots(lines, x, floor) {
     const highest = Math.min(...lines.map(({ y }) => y));
     for (const { kind, value, y, rises } of lines) {
-      const isLeft = this.place > 0.85 || (this.place > 0.15 && (y === highest) === rises);
-      const at = { x: x + (isLeft ? -8 : 8), y: y === highest ? Math.max(y - 7, TOP + 4) : y + 18 };
+      const isAbove = y === highest || floor - y < ABOVE_AXIS;
+      const isLeft = this.place > 0.85 || (this.place > 0.15 && isAbove === rises);
+      const at = { x: x + (isLeft ? -8 : 8), y: isAbove ? Math.max(y - 7, TOP + 4) : y + 18 };
       drawn(this.lines, 'circle', { class: `on-curve ${kind}`, cx: x, cy: y, r: 5 });
       drawn(this.lines, 'text', { class: `value ${kind}`, ...at, 'text-anchor': isLeft ? 'end' : 'start' }, short(value));
     }

@@ -31,9 +31,9 @@ export function svg(parent, name, attributes = {}, text = '') {
   return node;
 }
 
-/** The next child of a parent that is being filled (slots.js), with these attributes. */
+/** The next child of a parent that is being filled (slots.js), with these attributes and no others. */
 export function drawn(parent, name, attributes, text = '') {
-  const node = slot(parent, name, () => document.createElementNS(SVG, name));
+  const node = slot(parent, `${name} ${Object.keys(attributes)}`, () => document.createElementNS(SVG, name));
   set(node, attributes);
   if (node.textContent !== text) {
     node.textContent = text;
@@ -52,9 +52,13 @@ const KEYS = {
   PageDown: [0, 0, -1],
 };
 
+/** How many steps a press of a key goes. */
+export const stepsOf = ({ shiftKey }) => (shiftKey ? 10 : 1);
+
 /**
  * Lets a node be dragged by mouse, pen and one finger: `move(dx, dy, event)` in CSS pixels; and by keys: `step(dx, dy, deeper)`
- * for arrows, page up and down; and `ends(part)` for home, 0, and end, 1, where there are some. A finger that drags does not scroll the page, unless `scrolls`.
+ * for arrows, page up and down, in steps, ten at once with shift; and `ends(part)` for home, 0, and end, 1, where there are some. A
+ * finger that drags does not scroll the page, unless `scrolls`.
  */
 export function draggable(node, { move, step, ends, scrolls = false }) {
   if (!scrolls) {
@@ -97,7 +101,7 @@ export function draggable(node, { move, step, ends, scrolls = false }) {
     if (KEYS[event.key]) {
       event.preventDefault();
       event.stopPropagation();
-      step(...KEYS[event.key]);
+      step(...KEYS[event.key].map((part) => part * stepsOf(event)));
     } else if (ends && (event.key === 'Home' || event.key === 'End')) {
       event.preventDefault();
       ends(event.key === 'Home' ? 0 : 1);

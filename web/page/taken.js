@@ -21,7 +21,7 @@ export function takenNote(section, giveBack, texts = TRIANGLE) {
   whenLanguage(() => {
     text.textContent = say(texts);
     back.textContent = say({ en: 'Back to the model', zh: '回到模型' });
-    own.textContent = say({ en: 'what this chapter had', zh: '换回本章原来的' });
+    own.textContent = say({ en: 'restore this chapter’s own figure', zh: '恢复本章原来的图形' });
   });
   note.hidden = true;
   section.querySelector(':scope > :is(.stage, .pair)').before(note);

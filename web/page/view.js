@@ -8,12 +8,13 @@ import { onScreen, Overlay } from './overlay.js';
 import { measure, sizeOf } from './size.js';
 import { script } from './stage.js';
 import { numbersIn, numbersText } from './state.js';
-import { draggable, set, svg } from './svg.js';
+import { draggable, set, stepsOf, svg } from './svg.js';
 import { add, basis, clamp, dot, normalize } from './vector.js';
 
 const MAX_PIXELS = 1280; // across
 const LAST = 0.999999; // of a picture's width or height
 const REST = 160; // ms without a change until the picture is refined
+const TAP = 4; // CSS pixels that a pointer may go and still have tapped
 const WORDS = 3; // pictures that move, until numbers are written again: nobody reads faster
 
 // How far the line between two ways of drawing is, for those who do not see it.
@@ -47,8 +48,8 @@ export class View {
       this.#listen();
     }
     new ResizeObserver(() => this.update()).observe(figure);
-    new IntersectionObserver(([entry]) => {
-      this.seen = entry.isIntersecting;
+    new IntersectionObserver((entries) => {
+      this.seen = entries.at(-1).isIntersecting; // there may be several since the last call
       this.update();
     }).observe(figure);
   }
@@ -160,6 +161,9 @@ export class View {
       }
     });
     this.canvas.addEventListener('pointerdown', (event) => this.pick(at(event)));
+    if (this.divider) {
+      this.#listenOnDivider(at);
+    }
     if (this.scene.turn) {
       draggable(this.canvas, {
         move: (dx, dy, event) => {
@@ -176,11 +180,23 @@ export class View {
     }
   }
 
+  // What lies under the line between two ways of drawing is pointed at by who passes over it, or taps and does not drag.
+  #listenOnDivider(at) {
+    let down = [0, 0];
+    this.divider.addEventListener('pointerdown', ({ clientX, clientY }) => (down = [clientX, clientY]));
+    this.divider.addEventListener('pointermove', (event) => event.buttons === 0 && this.pick(at(event)));
+    this.divider.addEventListener('pointerup', (event) => {
+      if (Math.hypot(event.clientX - down[0], event.clientY - down[1]) < TAP) {
+        this.pick(at(event));
+      }
+    });
+  }
+
   #onKey(event) {
     const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
     if (step) {
       event.preventDefault();
-      this.#stepPixel(...step);
+      this.#stepPixel(...step.map((part) => part * stepsOf(event)));
     } else if (event.key === 'Home' || event.key === 'End') {
       event.preventDefault();
       this.#toEnd(event.key === 'Home' ? 0 : 1);

@@ -45,7 +45,8 @@ double scene_camera_default_yfov(void);
 double scene_camera_fit_margin(void);
 
 /// Return the angle from which a model shows best: from the front, a little to the side and from above. A flat model
-/// shows best from the side that it faces.
+/// shows best from the side that it faces. Where next to nothing is seen, because all of it stands edge-on, the angle
+/// is that of the side that most of its surface faces, if it covers more than 16 times as many pixels then.
 struct scene_orbit scene_camera_default_orbit(const struct scene_model *model, enum scene_axis up);
 
 /// Return the camera at the orbit's angles that is as near as it can be with every vertex of the subject in the picture
@@ -104,6 +105,11 @@ enum scene_sight {
 /// Return what a camera sees, in a picture of a few hundred pixels.
 enum scene_sight scene_camera_sight(const struct scene_model *model, const struct scene_camera *camera,
                                     double aspect);
+
+/// Return true if a camera that was asked for sees next to nothing: fitted, the model would cover more than 256 times
+/// as many pixels.
+bool scene_camera_shows_a_dot(const struct scene_model *model, const struct scene_camera *camera,
+                              double aspect);
 
 /// Return how many digits tell the place of a camera. There are more far from the origin, so that the same is seen when
 /// they are read.

@@ -7,6 +7,7 @@
 
 #include "camera.h"
 #include "camera_math.h"
+#include "orbit.h"
 #include "subject.h"
 
 static const double pi = 3.14159265358979323846;
@@ -15,80 +16,6 @@ static const double fit_margin = 0.04; // part of the picture on each side
 double scene_camera_default_yfov(void)
 {
     return 30.0 * (pi / 180.0);
-}
-
-// Return the component along `axis` of the sum of all triangles' area vectors, as part of what it would be if all faced
-// one way: 1 to -1. Its sign tells which way a flat model faces. Of a solid plate rounding alone remains.
-static double facing(const struct scene_model *model, int axis)
-{
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    double sum = 0.0, all = 0.0;
-    for (uint32_t i = 0; i < model->instance_count; i++) {
-        const struct scene_instance *instance = &model->instances[i];
-        const struct scene_mesh *mesh = &model->meshes[instance->mesh];
-        if (mesh->primitive != SCENE_PRIMITIVE_TRIANGLES) {
-            continue;
-        }
-        double part = 0.0;
-        for (uint32_t k = 0; k + 2 < mesh->index_count; k += 3) {
-            double p[3][3];
-            for (int c = 0; c < 3; c++) {
-                scene_place_point(instance->world, mesh->positions[mesh->indices[k + (uint32_t)c]], p[c]);
-            }
-            const double area =
-                (p[1][u] - p[0][u]) * (p[2][v] - p[0][v]) - (p[1][v] - p[0][v]) * (p[2][u] - p[0][u]);
-            part += area;
-            all += area < 0.0 ? -area : area;
-        }
-        sum += instance->mirrored ? -part : part;
-    }
-    return all > 0.0 ? sum / all : 0.0;
-}
-
-// Return the axis of the world that `axis`, counted with y up, becomes. Set `*against` to true if it points against the
-// world's axis, and to false if not.
-static int turned_axis(enum scene_axis up, int axis, bool *against)
-{
-    double v[3] = {axis == 0, axis == 1, axis == 2};
-    scene_axis_turn(up, v);
-    const int found = v[0] != 0.0 ? 0 : v[1] != 0.0 ? 1 : 2;
-    *against = v[found] < 0.0;
-    return found;
-}
-
-// Return true if a model that is flat along an axis, counted with y up, faces the far end of that axis. A plate, which
-// faces both, does not.
-static bool faces_back(const struct scene_model *model, enum scene_axis up, int axis)
-{
-    const double least = 0.1;
-    bool against;
-    const int world = turned_axis(up, axis, &against);
-    const double way = facing(model, world);
-    return (against ? -way : way) < -least;
-}
-
-struct scene_orbit scene_camera_default_orbit(const struct scene_model *model, enum scene_axis up)
-{
-    const double flat = 0.06;
-    const struct scene_box frame = scene_subject_frame(model);
-    double extent[3], largest = 0.0;
-    for (int i = 0; i < 3; i++) {
-        bool against;
-        const int world = turned_axis(up, i, &against);
-        extent[i] = frame.high[world] - frame.low[world];
-        largest = extent[i] > largest ? extent[i] : largest;
-    }
-    struct scene_orbit orbit = {.azimuth = 30.0, .elevation = 20.0, .up = up};
-    if (extent[2] <= flat * largest) {
-        orbit.azimuth = faces_back(model, up, 2) ? 180.0 : 0.0;
-        orbit.elevation = 0.0;
-    } else if (extent[0] <= flat * largest) {
-        orbit.azimuth = faces_back(model, up, 0) ? -90.0 : 90.0;
-        orbit.elevation = 0.0;
-    } else if (extent[1] <= flat * largest) {
-        orbit.elevation = faces_back(model, up, 1) ? -40.0 : 40.0;
-    }
-    return orbit;
 }
 
 // Extreme values over all vertices, in camera axes (right, up, back).
@@ -201,17 +128,9 @@ double scene_camera_fit_margin(void)
 struct scene_camera scene_camera_fit(const struct scene_model *model, struct scene_orbit orbit, double yfov,
                                      double aspect)
 {
-    double sin_a, cos_a, sin_e, cos_e;
-    scene_sin_cos_degrees(orbit.azimuth, &sin_a, &cos_a);
-    scene_sin_cos_degrees(orbit.elevation, &sin_e, &cos_e);
     struct scene_camera camera = {.yfov = yfov};
-    // At ±90 degrees `back` is vertical; this `up` is right at every angle in between.
-    double back[3] = {cos_e * sin_a, sin_e, cos_e * cos_a};
-    double up[3] = {-sin_e * sin_a, cos_e, -sin_e * cos_a};
-    double right[3];
-    scene_axis_turn(orbit.up, back);
-    scene_axis_turn(orbit.up, up);
-    scene_cross(up, back, right);
+    double right[3], up[3], back[3];
+    scene_orbit_axes(&orbit, right, up, back);
     const double axes[3][3] = {
         {right[0], right[1], right[2]}, {up[0], up[1], up[2]}, {back[0], back[1], back[2]}};
 

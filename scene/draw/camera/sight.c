@@ -8,6 +8,8 @@
 // then as large as an icon of 32. Cameras that were made for their model show more of it, and Blender's factory camera,
 // which stands in the files of small parts, mostly less.
 static const uint32_t largest_ratio = 16;
+// Who asks for a camera may want a model that is small in its picture, but hardly a dot.
+static const uint32_t largest_ratio_asked = 256;
 
 static bool is_inside(const struct scene_model *model, const struct scene_camera *camera)
 {
@@ -88,23 +90,38 @@ static enum scene_sight poor_sight(const struct scene_model *model, const struct
                                                                 : SCENE_SIGHT_NOTHING;
 }
 
+// Return true if a fitted model would cover more than `ratio` times as many pixels as it does in a camera's picture.
+// Write how many it covers there to `*covered`, which is exact in that case.
+static bool is_dwarfed(const struct scene_model *model, const struct scene_camera *camera, double aspect,
+                       uint32_t ratio, uint32_t *covered)
+{
+    // A model covers a whole picture at most.
+    const uint32_t ample = scene_coverage_cells(aspect) / ratio + 1;
+    *covered = scene_coverage_count(model, camera, aspect, ample);
+    if (*covered >= ample) {
+        return false;
+    }
+    const struct scene_camera fitted = scene_camera_fit(model, scene_camera_default_orbit(model, model->up),
+                                                        scene_camera_default_yfov(), aspect);
+    const uint32_t much = *covered * ratio + 1;
+    return scene_coverage_count(model, &fitted, aspect, much) >= much;
+}
+
 enum scene_sight scene_camera_sight(const struct scene_model *model, const struct scene_camera *camera,
                                     double aspect)
 {
     if (model->doubts_cameras && !scene_camera_is_believable(model, camera, aspect)) {
         return poor_sight(model, camera, aspect, scene_coverage_count(model, camera, aspect, 1));
     }
-    // A model covers a whole picture at most.
-    const uint32_t ample = scene_coverage_cells(aspect) / largest_ratio + 1;
-    const uint32_t covered = scene_coverage_count(model, camera, aspect, ample);
-    if (covered >= ample) {
-        return SCENE_SIGHT_ENOUGH;
-    }
-    const struct scene_camera fitted = scene_camera_fit(model, scene_camera_default_orbit(model, model->up),
-                                                        scene_camera_default_yfov(), aspect);
-    const uint32_t much = covered * largest_ratio + 1;
-    if (scene_coverage_count(model, &fitted, aspect, much) < much) {
-        return SCENE_SIGHT_ENOUGH;
-    }
-    return poor_sight(model, camera, aspect, covered);
+    uint32_t covered;
+    return is_dwarfed(model, camera, aspect, largest_ratio, &covered)
+               ? poor_sight(model, camera, aspect, covered)
+               : SCENE_SIGHT_ENOUGH;
+}
+
+bool scene_camera_shows_a_dot(const struct scene_model *model, const struct scene_camera *camera,
+                              double aspect)
+{
+    uint32_t covered;
+    return is_dwarfed(model, camera, aspect, largest_ratio_asked, &covered);
 }

@@ -17,6 +17,8 @@
 #include "guide_normal.h"
 #include "scene_shaders.h"
 
+#include <string.h>
+
 #define ALWAYS_INLINE static inline __attribute__((always_inline))
 
 enum { SLICES = 2, STEPS = 5 };
@@ -56,11 +58,34 @@ ALWAYS_INLINE rhw_float radius_texels(const struct scene_ambient *o, rhw_float d
     return o->orthographic ? rhw_splat(o->texels) : o->texels / distance;
 }
 
+// Return the index of a texel of the picture.
+ALWAYS_INLINE rhw_int index_of(const struct scene_ambient *o, rhw_float x, rhw_float y)
+{
+    return rhw_int_from_float_unchecked(y) * o->pitch + rhw_int_from_float_unchecked(x);
+}
+
 ALWAYS_INLINE rhw_int texel_index(const struct scene_ambient *o, rhw_float x, rhw_float y)
 {
-    const rhw_int column = rhw_int_from_float_unchecked(rhw_clamp(x, 0.0f, (float)(o->width - 1)));
-    const rhw_int row = rhw_int_from_float_unchecked(rhw_clamp(y, 0.0f, (float)(o->height - 1)));
-    return row * o->pitch + column;
+    return index_of(o, rhw_clamp(x, 0.0f, (float)(o->width - 1)), rhw_clamp(y, 0.0f, (float)(o->height - 1)));
+}
+
+// Return true if the texels of all lanes follow each other, as they do where a group is a row of pixels.
+ALWAYS_INLINE bool is_row(rhw_int index)
+{
+    const rhw_int lanes = {0, 1, 2, 3, 4, 5, 6, 7};
+    return !rhw_any(index != lanes + index[0]);
+}
+
+// Return what a plane of the picture has at texels.
+ALWAYS_INLINE rhw_float read_plane(const struct scene_ambient *o, const float *plane, rhw_int index,
+                                   bool in_row)
+{
+    if (!in_row) {
+        return rhw_gather(plane, o->pitch * o->height, index);
+    }
+    rhw_float values;
+    memcpy(&values, plane + index[0], sizeof values);
+    return values;
 }
 
 // Fetch the folded normals of the pixel: of the mesh, and of the facet.
@@ -108,7 +133,7 @@ ALWAYS_INLINE rhw_float horizon(const struct scene_ambient *o, const struct seen
         // A place beyond the picture's edge is moved to the edge, with what is there.
         const rhw_float x = rhw_clamp(rhw_floor(p->coord[0] + dx * spread), 0.0f, (float)(o->width - 1)),
                         y = rhw_clamp(rhw_floor(p->coord[1] + dy * spread), 0.0f, (float)(o->height - 1));
-        const rhw_float distance = rhw_gather(o->distance, o->pitch * o->height, texel_index(o, x, y));
+        const rhw_float distance = rhw_gather(o->distance, o->pitch * o->height, index_of(o, x, y));
         rhw_float other[3];
         place(o, x + 0.5f, y + 0.5f, distance, other);
         for (int c = 0; c < 3; c++) {
@@ -225,8 +250,9 @@ static void blur_fragment(struct rhw_fragment *groups, int count)
             const rhw_float x = upright ? coord[0] : within(coord[0] + (float)k, (float)o->width),
                             y = upright ? within(coord[1] + (float)k, (float)o->height) : coord[1];
             const rhw_int at = texel_index(o, rhw_floor(x), rhw_floor(y));
-            const rhw_float there = rhw_gather(o->distance, o->pitch * o->height, at);
-            const rhw_float value = rhw_gather(o->source, o->pitch * o->height, at);
+            const bool in_row = is_row(at);
+            const rhw_float there = read_plane(o, o->distance, at, in_row);
+            const rhw_float value = read_plane(o, o->source, at, in_row);
             rhw_float other[3];
             place(o, x, y, rhw_min(there, 1e30f), other);
             for (int c = 0; c < 3; c++) {

@@ -333,13 +333,18 @@ static void add_camera(struct reader *reader, const struct aiCamera *source)
     const struct scene_import_place world = scene_assimp_settled(
         reader->exact, scene_import_place_multiply(&node, &own), (const double[]){0, 0, 0});
     memcpy(camera.world, world.world, sizeof camera.world);
+    // The width of an orthographic camera of Collada stands for an angle, which is marked by its aspect.
+    const bool is_marked = source->mAspect < 0 && strcmp(import->model.format, "Collada") == 0;
+    const double half_width =
+        is_marked ? (double)source->mHorizontalFOV * 180 / pi : (double)source->mOrthographicWidth;
+    const double width_aspect = is_marked ? -(double)source->mAspect : (double)source->mAspect;
     // assimp's importers store the whole horizontal angle, whatever its header says.
-    const double aspect = source->mAspect > 0 ? (double)source->mAspect : 4.0 / 3.0;
-    camera.aspect = source->mAspect > 0 ? source->mAspect : 0;
+    const double aspect = width_aspect > 0 ? width_aspect : 4.0 / 3.0;
+    camera.aspect = (float)(width_aspect > 0 ? width_aspect : 0);
     camera.yfov = (float)(2 * scene_atan(scene_tan((double)source->mHorizontalFOV / 2) / aspect));
-    camera.orthographic = source->mOrthographicWidth > 0;
-    camera.xmag = source->mOrthographicWidth;
-    camera.ymag = (float)((double)source->mOrthographicWidth / aspect);
+    camera.orthographic = half_width > 0;
+    camera.xmag = (float)half_width;
+    camera.ymag = (float)(half_width / aspect);
     camera.znear = source->mClipPlaneNear > 0 ? source->mClipPlaneNear : 0.01f;
     camera.zfar = source->mClipPlaneFar > camera.znear ? source->mClipPlaneFar : 0;
     const bool lens = camera.orthographic ? camera.zfar > 0 : camera.yfov > 0 && camera.yfov < 3.14159f;
@@ -366,10 +371,7 @@ static void find_middle(const struct scene_import *import, double middle[3])
             for (int c = 0; c < 3; c++) {
                 point[c] = moved[c] + (double)mesh->positions[v][c];
             }
-            for (int row = 0; row < 3; row++) {
-                placed[row] = world[row] * point[0] + world[4 + row] * point[1] + world[8 + row] * point[2] +
-                              world[12 + row];
-            }
+            scene_import_transform_exact(world, point, placed);
             scene_box_extend_to(&box, placed);
         }
     }
@@ -480,7 +482,7 @@ static void cut_polygon(void *user, const float (*positions)[3], const uint32_t 
 // Read what the import is about. Return NULL if assimp cannot.
 static const struct aiScene *read_source(struct scene_import *import, const struct scene_assimp_exact *exact)
 {
-    struct scene_assimp_source source = {import, exact};
+    struct scene_assimp_source source = {.import = import, .exact = exact};
     struct aiPropertyStore *properties = aiCreatePropertyStore();
     aiSetImportPropertyInteger(properties, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
     // The matrices that a node of an FBX is made of stay nodes of their own: where assimp 5.2.5 multiplies them, it
@@ -497,23 +499,36 @@ static const struct aiScene *read_source(struct scene_import *import, const stru
         scene = aiApplyPostProcessing(scene,
                                       aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenUVCoords);
     }
+    free(source.changed);
     system_memory_limit_restore(before);
     scene_import_enter(import, NULL, "");
     aiReleasePropertyStore(properties);
     return scene;
 }
 
+// Read the scene, and pose it. Return NULL if assimp cannot.
+static const struct aiScene *read_posed(struct scene_import *import, struct scene_assimp_exact *exact)
+{
+    const struct aiScene *const scene = read_source(import, exact);
+    if (scene != NULL && scene->mRootNode == NULL) {
+        scene_import_fail(import, "has no nodes");
+    }
+    if (scene != NULL) {
+        scene_assimp_pose(import, exact, scene);
+    }
+    return scene;
+}
+
 static const struct aiScene *read_scene(struct scene_import *import, struct scene_assimp_exact *exact)
 {
-    const struct aiScene *scene = read_source(import, exact);
-    exact->is_moved = import->is_posed && scene != NULL && scene->mNumAnimations > 0;
+    const struct aiScene *scene = read_posed(import, exact);
     if (scene != NULL && scene_assimp_is_far(import, exact, scene) && scene_assimp_rewrite(import, exact)) {
         aiReleaseImport(scene);
-        scene = read_source(import, exact);
+        scene = read_posed(import, exact);
         if (scene == NULL) { // assimp has read the file as it is
             free(exact->bytes);
-            *exact = (struct scene_assimp_exact){.is_moved = exact->is_moved};
-            scene = read_source(import, exact);
+            *exact = (struct scene_assimp_exact){.bytes = NULL};
+            scene = read_posed(import, exact);
         }
     }
     if (scene != NULL) {
@@ -615,14 +630,14 @@ static void set_up(struct scene_import *import, const struct aiScene *scene)
     import->up_is_open = strcasecmp(import->ending, "xgl") == 0 || strcasecmp(import->ending, "zgl") == 0;
 }
 
-// Return true if floats have lost what a model far from the origin has. Skins are moved by floats.
+// Return true if floats have lost what a model far from the origin has.
 static bool has_floats_alone(const struct reader *reader)
 {
     bool is_skinned = false;
     for (uint32_t i = 0; i < reader->scene->mNumMeshes; i++) {
         is_skinned = is_skinned || scene_assimp_is_skinned(reader->import, reader->scene->mMeshes[i]);
     }
-    return reader->exact->bytes == NULL || is_skinned ||
+    return reader->exact->bytes == NULL || (reader->exact->rounds_movements && is_skinned) ||
            scene_assimp_is_far(reader->import, reader->exact, reader->scene);
 }
 
@@ -638,10 +653,6 @@ void scene_import_assimp(struct scene_import *import)
     import->model.doubts_cameras = true;
     set_up(import, scene);
     set_unit(import, scene);
-    if (scene->mRootNode == NULL) {
-        scene_import_fail(import, "has no nodes");
-    }
-    scene_assimp_pose(import, scene);
     import->has_floats_alone = has_floats_alone(&reader);
     reader.meshes = scene_import_allocate(import, scene->mNumMeshes, sizeof *reader.meshes);
     reader.materials = scene_import_allocate(import, scene->mNumMaterials, sizeof *reader.materials);

@@ -16,7 +16,8 @@ const char *scene_assimp_string(struct scene_import *import, const struct aiStri
 /// Column major.
 void scene_assimp_matrix(const struct aiMatrix4x4 *m, float matrix[16]);
 /// Lists the animations in the model, and moves the scene's nodes as the one that is wanted says.
-void scene_assimp_pose(struct scene_import *import, const struct aiScene *scene);
+void scene_assimp_pose(struct scene_import *import, struct scene_assimp_exact *exact,
+                       const struct aiScene *scene);
 /// Whether the mesh follows bones in the pose that is wanted: it then stands in the world, not at its node.
 bool scene_assimp_is_skinned(const struct scene_import *import, const struct aiMesh *mesh);
 /// Brings the vertices of a skinned mesh there, less `origin`, which is not 0 if that is far away.
@@ -33,14 +34,23 @@ void scene_assimp_find_gaps(struct scene_import *import);
 struct scene_assimp_source {
     struct scene_import *import;
     const struct scene_assimp_exact *exact;
+    // What the model becomes for assimp, which opens it several times. NULL: it is read as it is.
+    char *changed;
+    size_t changed_size;
+    bool is_looked_at; // it is known whether the model becomes anything else
 };
 
 /// What opens regular files within import->confine, and the model itself; it lives as long as `source`.
 struct aiFileIO scene_assimp_files(struct scene_assimp_source *source);
+/// Return the document of an archive of Collada, a 0 behind it. Fail the import if there is none.
+char *scene_assimp_read_zae(struct scene_import *import, size_t *size);
 /// Return the text of a Collada file as assimp can read it, a 0 behind it. Return NULL if the file is none.
-char *scene_assimp_collada(const struct scene_import *import, size_t *size);
+char *scene_assimp_collada(struct scene_import *import, size_t *size);
 /// Return the text of a DXF as assimp can read it, a 0 behind it. Return NULL if the file is none.
 char *scene_assimp_dxf(struct scene_import *import, size_t *size);
+/// Return the bytes of an FBX with layers of materials where its geometries lack them, a 0 behind them. Return NULL if
+/// none does, or if the file is none.
+char *scene_assimp_fbx(struct scene_import *import, size_t *size);
 /// Move the white space at the ends of a document's texts into its tags. A 0 follows the text.
 void scene_assimp_collapse_texts(char *text, size_t size);
 /// Name the texture coordinates of a Collada document's textures by the numbers that assimp has for their sets. A 0
@@ -49,8 +59,16 @@ void scene_assimp_number_sets(char *text, size_t size);
 /// Name the images of a Collada document that name no file. Return the text, which may be another one by then. A 0
 /// follows it.
 char *scene_assimp_name_images(char *text, size_t *size);
+/// Write the skews and lookats of a Collada document as matrices. Return the text, which may be another one by then. A
+/// 0 follows it.
+char *scene_assimp_write_matrices(struct scene_import *import, char *text, size_t *size);
+/// Write the cameras of a Collada document as assimp can read them. Return the text, which may be another one by then.
+/// A 0 follows it.
+char *scene_assimp_write_cameras(struct scene_import *import, char *text, size_t *size);
 /// Replace entities of a DXF that assimp does not know. Return the text, which is another one by then.
 char *scene_assimp_flatten_dxf(struct scene_import *import, char *bytes, size_t *size);
+/// Write what the insertions of a DXF draw in their places. Return the text, which may be another one by then.
+char *scene_assimp_insert_blocks(struct scene_import *import, char *bytes, size_t *size);
 /// Fail the import by its version if it is a Blender file that is too new for assimp. With `is_tried` fail it also for
 /// the versions of which assimp reads some files.
 void scene_assimp_refuse_blender(struct scene_import *import, bool is_tried);

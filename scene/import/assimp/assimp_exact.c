@@ -10,18 +10,49 @@
 #include "assimp.h"
 #include "import/builder/origin.h"
 
-// The first and the last number of a mark. They are odd and have 24 bits, so that no one writes them by chance.
-static const double first_mark = 13421773, last_mark = 11184811;
-enum { MOST_PLACES = 1 << 24 }; // floats hold all whole numbers up to here
+// The first and the last number of a mark, and what the one between them counts from. They have 24 bits, as many as
+// floats hold, so that no one writes them by chance, nor does an animation pass them.
+static const double first_mark = 13421773, middle_mark = 1 << 23, last_mark = 11184811;
+enum { MOST_PLACES = 1 << 23 };
 
-bool scene_assimp_is_wide(const double numbers[3])
+// What begins the names, behind that of a model in an FBX, of the nodes that assimp makes of it.
+static const char chain_tag[] = "_$AssimpFbx$_";
+
+bool scene_assimp_is_way(const double numbers[3])
 {
-    bool is_wide = false, is_usable = true;
+    bool is_way = false, is_usable = true;
     for (int c = 0; c < 3; c++) {
         is_usable = is_usable && fabs(numbers[c]) < 1e30; // false for NaN
-        is_wide = is_wide || (is_usable && (double)(float)numbers[c] != numbers[c]);
+        is_way = is_way || numbers[c] != 0;
     }
-    return is_wide && is_usable;
+    return is_way && is_usable;
+}
+
+static bool has_hash(const struct scene_hash_table *table, uint32_t hash)
+{
+    size_t place = SIZE_MAX;
+    return scene_hash_next(table, hash, &place) != UINT32_MAX;
+}
+
+// assimp puts numbers behind the names of nodes that would have one name, so that what comes before digits counts too.
+void scene_assimp_keep_moved(struct scene_import *import, struct scene_assimp_exact *exact, const char *name)
+{
+    const char *const tail = strstr(name, chain_tag);
+    size_t length = tail != NULL ? (size_t)(tail - name) : strlen(name);
+    bool is_digit = true;
+    while (is_digit) {
+        const uint32_t hash = scene_hash_bytes(name, length);
+        if (!has_hash(&exact->moved, hash)) {
+            scene_hash_add(import, &exact->moved, hash, 0);
+        }
+        is_digit = length > 0 && name[length - 1] >= '0' && name[length - 1] <= '9';
+        length -= is_digit;
+    }
+}
+
+bool scene_assimp_may_move(const struct scene_assimp_exact *exact, const char *name, size_t length)
+{
+    return has_hash(&exact->moved, scene_hash_bytes(name, length));
 }
 
 bool scene_assimp_find_offset(struct scene_import *import, const double (*points)[3], size_t count,
@@ -43,14 +74,14 @@ static void mark(struct scene_import *import, struct scene_assimp_exact *exact,
                          sizeof *exact->places);
     exact->places[exact->place_count++] = *marked;
     numbers[0] = first_mark;
-    numbers[1] = (double)exact->place_count;
+    numbers[1] = middle_mark + (double)exact->place_count;
     numbers[2] = last_mark;
 }
 
 void scene_assimp_mark_matrix(struct scene_import *import, struct scene_assimp_exact *exact,
-                              const double matrix[16], double numbers[3])
+                              enum scene_assimp_mark kind, const double matrix[16], double numbers[3])
 {
-    struct scene_assimp_marked marked = {.is_way = false};
+    struct scene_assimp_marked marked = {.kind = kind};
     memcpy(marked.matrix, matrix, sizeof marked.matrix);
     mark(import, exact, &marked, numbers);
 }
@@ -58,9 +89,9 @@ void scene_assimp_mark_matrix(struct scene_import *import, struct scene_assimp_e
 void scene_assimp_mark_way(struct scene_import *import, struct scene_assimp_exact *exact, const double way[3],
                            double numbers[3])
 {
-    struct scene_assimp_marked marked = {.is_way = true};
-    memcpy(marked.matrix + 12, way, 3 * sizeof *way);
-    mark(import, exact, &marked, numbers);
+    struct scene_import_place place = scene_import_place_identity();
+    memcpy(place.exact + 12, way, 3 * sizeof *way);
+    scene_assimp_mark_matrix(import, exact, SCENE_ASSIMP_WAY, place.exact, numbers);
 }
 
 size_t scene_assimp_keep_offset(struct scene_import *import, struct scene_assimp_exact *exact,
@@ -114,13 +145,28 @@ size_t scene_assimp_write_number(char text[32], double number)
     return (size_t)length;
 }
 
+void scene_assimp_edit_points(struct scene_import *import, struct scene_edits *edits, size_t at,
+                              size_t length, char between, const double (*points)[3], size_t count,
+                              const double offset[3])
+{
+    char *written = NULL;
+    size_t capacity = 0, size = 0;
+    for (size_t i = 0; i < 3 * count; i++) {
+        scene_import_reserve(import, &written, &capacity, size + 33, 1);
+        written[size] = between;
+        size += i > 0;
+        size += scene_assimp_write_number(written + size, points[i / 3][i % 3] - offset[i % 3]);
+    }
+    scene_edits_add(import, edits, (struct scene_edit){at, length, written, size});
+}
+
 // Return what a matrix has a mark of, and the sign of it: the inverse of a way has the mark turned around. Return NULL
 // if there is no mark.
 static const struct scene_assimp_marked *find_place(const struct scene_assimp_exact *exact,
                                                     const double matrix[16], double *sign)
 {
     *sign = matrix[12] < 0 ? -1 : 1;
-    const double number = *sign * matrix[13];
+    const double number = *sign * matrix[13] - middle_mark;
     const bool is_mark = *sign * matrix[12] == first_mark && *sign * matrix[14] == last_mark && number >= 1 &&
                          number <= (double)exact->place_count;
     return is_mark ? &exact->places[(size_t)number - 1] : NULL;
@@ -154,8 +200,6 @@ static void invert(const double m[16], double inverse[16])
     }
 }
 
-static const char chain_tag[] = "_$AssimpFbx$_";
-
 static bool is_inverse(const struct aiNode *node)
 {
     const size_t length = strlen(node->mName.data), tail = strlen("Inverse");
@@ -174,22 +218,23 @@ static bool is_in_mark(const struct scene_assimp_exact *exact, const struct aiNo
         set_floats(&other->mTransformation, matrix);
         const struct scene_assimp_marked *const marked = find_place(exact, matrix, &sign);
         if (marked != NULL) {
-            return other != node && !marked->is_way;
+            return other != node && marked->kind == SCENE_ASSIMP_NODES;
         }
         other = !looks_down ? other->mParent : other->mNumChildren == 1 ? other->mChildren[0] : NULL;
     }
     return false;
 }
 
-struct scene_import_place scene_assimp_exact_place(const struct scene_assimp_exact *exact,
-                                                   const struct aiNode *node)
+// Return the place of a matrix of assimp's. `has_mark` says whether a mark in it stood for more than its floats.
+static struct scene_import_place unmark(const struct scene_assimp_exact *exact,
+                                        const struct aiMatrix4x4 *matrix, bool *has_mark)
 {
     float m[16];
     double sign;
-    scene_assimp_matrix(&node->mTransformation, m);
+    scene_assimp_matrix(matrix, m);
     struct scene_import_place place = scene_import_place_of(m);
     const struct scene_assimp_marked *const marked = find_place(exact, place.exact, &sign);
-    if (marked != NULL && marked->is_way) {
+    if (marked != NULL && marked->kind == SCENE_ASSIMP_WAY) {
         for (int c = 0; c < 3; c++) {
             place.exact[12 + c] = sign * marked->matrix[12 + c];
         }
@@ -197,25 +242,52 @@ struct scene_import_place scene_assimp_exact_place(const struct scene_assimp_exa
         invert(marked->matrix, place.exact);
     } else if (marked != NULL) {
         memcpy(place.exact, marked->matrix, sizeof place.exact);
-    } else if (is_in_mark(exact, node)) {
-        const struct scene_import_place identity = scene_import_place_identity();
-        memcpy(place.exact, identity.exact, sizeof place.exact);
     }
     for (int c = 0; c < 3 && marked != NULL; c++) {
         place.world[12 + c] = (float)place.exact[12 + c];
     }
+    *has_mark = marked != NULL;
+    return place;
+}
+
+struct scene_import_place scene_assimp_exact_place(const struct scene_assimp_exact *exact,
+                                                   const struct aiNode *node)
+{
+    bool has_mark;
+    struct scene_import_place place = unmark(exact, &node->mTransformation, &has_mark);
+    if (!has_mark && is_in_mark(exact, node)) {
+        const struct scene_import_place identity = scene_import_place_identity();
+        memcpy(place.exact, identity.exact, sizeof place.exact);
+    }
     for (int i = 0; i < 12 && node->mParent == NULL && exact->unit > 0; i++) {
-        sign = m[i] < 0 ? -1 : 1;
+        const double sign = place.world[i] < 0 ? -1 : 1;
         place.exact[i] =
             sign * place.exact[i] == (double)(float)exact->unit ? sign * exact->unit : place.exact[i];
     }
     return place;
 }
 
+struct scene_import_place scene_assimp_exact_bone(const struct scene_assimp_exact *exact,
+                                                  const struct aiBone *bone)
+{
+    bool has_mark;
+    return unmark(exact, &bone->mOffsetMatrix, &has_mark);
+}
+
+void scene_assimp_unmark_way(const struct scene_assimp_exact *exact, const struct aiNode *node, double way[3])
+{
+    double matrix[16], sign;
+    set_floats(&node->mTransformation, matrix);
+    const struct scene_assimp_marked *const marked = find_place(exact, matrix, &sign);
+    for (int c = 0; c < 3 && marked != NULL; c++) {
+        way[c] = way[c] == matrix[12 + c] ? sign * marked->matrix[12 + c] : way[c];
+    }
+}
+
 struct scene_import_place scene_assimp_settled(const struct scene_assimp_exact *exact,
                                                struct scene_import_place place, const double offset[3])
 {
-    for (int i = 0; i < 12 && exact->bytes != NULL; i++) {
+    for (int i = 0; i < 12 && (exact->bytes != NULL || exact->place_count > 0); i++) {
         const double turn = (double)place.world[i];
         if (i % 4 < 3) {
             place.exact[12 + i % 4] += (place.exact[i] - turn) * offset[i / 4];
@@ -230,8 +302,11 @@ void scene_assimp_float_place(const struct scene_assimp_exact *exact, const stru
 {
     double sign;
     set_floats(&node->mTransformation, place);
-    if (find_place(exact, place, &sign) != NULL) {
-        memset(place + 12, 0, 3 * sizeof *place);
+    const struct scene_assimp_marked *const marked = find_place(exact, place, &sign);
+    const bool is_rounded = exact->bytes == NULL || (exact->rounds_movements && marked != NULL &&
+                                                     marked->kind == SCENE_ASSIMP_MATRIX);
+    for (int c = 0; c < 3 && marked != NULL; c++) {
+        place[12 + c] = is_rounded ? sign * marked->matrix[12 + c] : 0;
     }
 }
 
@@ -300,9 +375,10 @@ static char *rewrite_other(struct scene_import *import, struct scene_assimp_exac
     const char *problem = NULL;
     const bool is_dxf = strcasecmp(import->ending, "dxf") == 0;
     const bool may_be_fbx = import->ending[0] == 0 || strcasecmp(import->ending, "fbx") == 0;
-    char *const bytes = is_dxf       ? scene_assimp_dxf(import, size)
-                        : may_be_fbx ? scene_import_read_file(import, import->model.path, size, &problem)
-                                     : NULL;
+    char *bytes = is_dxf ? scene_assimp_dxf(import, size) : scene_assimp_fbx(import, size);
+    if (bytes == NULL && may_be_fbx) {
+        bytes = scene_import_read_file(import, import->model.path, size, &problem);
+    }
     char *rewritten = NULL;
     if (bytes != NULL && is_dxf) {
         rewritten = scene_assimp_rewrite_dxf(import, exact, bytes, size);

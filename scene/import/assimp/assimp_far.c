@@ -39,14 +39,6 @@ static void find_box(const struct aiMesh *mesh, float center[3], float extent[3]
     }
 }
 
-static void transform(const double matrix[16], const float point[3], double result[3])
-{
-    for (int row = 0; row < 3; row++) {
-        result[row] = matrix[row] * (double)point[0] + matrix[4 + row] * (double)point[1] +
-                      matrix[8 + row] * (double)point[2] + matrix[12 + row];
-    }
-}
-
 static double longest(const float extent[3])
 {
     return (double)fmaxf(extent[0], fmaxf(extent[1], extent[2]));
@@ -59,7 +51,7 @@ static void look_at(struct survey *survey, unsigned mesh, const double world[16]
     const float *const center = survey->centers[mesh], *const extent = survey->extents[mesh];
     const double own_size = longest(extent);
     double distance = 0, own = 0, size = 0, place[3];
-    transform(world, center, place);
+    scene_import_transform_floats(world, center, place);
     for (int row = 0; row < 3; row++) {
         double along = 0;
         for (int k = 0; k < 3; k++) {
@@ -81,7 +73,7 @@ static void sample_mesh(struct survey *survey, const struct aiMesh *mesh, const 
     const uint32_t count = mesh->mVertices == NULL ? 0 : mesh->mNumVertices;
     for (uint64_t v = survey->skipped; v < count && survey->count < SAMPLE; v += survey->step) {
         const float point[3] = {mesh->mVertices[v].x, mesh->mVertices[v].y, mesh->mVertices[v].z};
-        transform(world, point, survey->points[survey->count++]);
+        scene_import_transform_floats(world, point, survey->points[survey->count++]);
     }
     const uint64_t left = count > survey->skipped ? count - survey->skipped : 0;
     survey->skipped =

@@ -57,9 +57,8 @@ static void flush(struct aiFile *file)
 // Files in memory ------------------------------------------------------------------------------------
 
 struct memory {
-    char *bytes;
+    const char *bytes; // they outlive the file
     size_t size, place;
-    bool owns; // the bytes
 };
 
 static struct memory *memory_of(struct aiFile *file)
@@ -106,18 +105,29 @@ static bool may_be_collada(const struct scene_import *import)
     return ending[0] == 0 || strcasecmp(ending, "dae") == 0 || strcasecmp(ending, "xml") == 0;
 }
 
-char *scene_assimp_collada(const struct scene_import *import, size_t *size)
+static bool is_zae(const struct scene_import *import)
+{
+    return strcasecmp(import->ending, "zae") == 0;
+}
+
+char *scene_assimp_collada(struct scene_import *import, size_t *size)
 {
     const char *problem = NULL;
-    char *const text =
-        may_be_collada(import) ? scene_import_read_bytes(import->model.path, size, &problem) : NULL;
+    char *text = may_be_collada(import) || is_zae(import)
+                     ? scene_import_read_bytes(import->model.path, size, &problem)
+                     : NULL;
+    if (text != NULL && is_zae(import) && strncmp(text, "PK", 2) == 0) {
+        free(text);
+        text = scene_assimp_read_zae(import, size);
+    }
     if (text == NULL || strstr(text, "<COLLADA") == NULL) {
         free(text);
         return NULL;
     }
     scene_assimp_collapse_texts(text, *size);
     scene_assimp_number_sets(text, *size);
-    return scene_assimp_name_images(text, size);
+    text = scene_assimp_write_cameras(import, scene_assimp_name_images(text, size), size);
+    return scene_assimp_write_matrices(import, text, size);
 }
 
 char *scene_assimp_dxf(struct scene_import *import, size_t *size)
@@ -130,22 +140,19 @@ char *scene_assimp_dxf(struct scene_import *import, size_t *size)
         free(text);
         return NULL;
     }
-    return scene_assimp_flatten_dxf(import, text, size);
+    return scene_assimp_insert_blocks(import, scene_assimp_flatten_dxf(import, text, size), size);
 }
 
-// Open bytes, which the file frees if it owns them. Return NULL if there are none.
-static struct aiFile *open_memory(char *bytes, size_t size, bool owns)
+// Open bytes. Return NULL if there are none.
+static struct aiFile *open_memory(const char *bytes, size_t size)
 {
     struct aiFile *const file = bytes == NULL ? NULL : malloc(sizeof *file);
     struct memory *const memory = file == NULL ? NULL : malloc(sizeof *memory);
     if (memory == NULL) {
         free(file);
-        if (owns) {
-            free(bytes);
-        }
         return NULL;
     }
-    *memory = (struct memory){.bytes = bytes, .size = size, .owns = owns};
+    *memory = (struct memory){.bytes = bytes, .size = size};
     *file = (struct aiFile){.ReadProc = read_memory,
                             .WriteProc = write_nothing,
                             .TellProc = tell_memory,
@@ -157,30 +164,31 @@ static struct aiFile *open_memory(char *bytes, size_t size, bool owns)
 }
 
 // Open the model in another form than its file has. Return NULL if assimp reads the file as it is.
-static struct aiFile *open_model(const struct scene_assimp_source *source)
+static struct aiFile *open_model(struct scene_assimp_source *source)
 {
     if (source->exact->bytes != NULL) {
-        return open_memory(source->exact->bytes, source->exact->size, false);
+        return open_memory(source->exact->bytes, source->exact->size);
     }
-    size_t size = 0;
-    char *const collada = scene_assimp_collada(source->import, &size);
-    char *const changed = collada != NULL ? collada : scene_assimp_dxf(source->import, &size);
-    return open_memory(changed, size, true);
+    if (!source->is_looked_at) {
+        char *changed = scene_assimp_collada(source->import, &source->changed_size);
+        changed = changed != NULL ? changed : scene_assimp_dxf(source->import, &source->changed_size);
+        changed = changed != NULL ? changed : scene_assimp_fbx(source->import, &source->changed_size);
+        source->changed = changed;
+        source->is_looked_at = true;
+    }
+    return open_memory(source->changed, source->changed_size);
 }
 
 static void close_memory(struct aiFile *file)
 {
-    if (memory_of(file)->owns) {
-        free(memory_of(file)->bytes);
-    }
     free(memory_of(file));
     free(file);
 }
 
 static struct aiFile *open_file(struct aiFileIO *files, const char *path, const char *mode)
 {
-    const struct scene_assimp_source *const source = (const void *)files->UserData;
-    const struct scene_import *const import = source->import;
+    struct scene_assimp_source *const source = (void *)files->UserData;
+    struct scene_import *const import = source->import;
     const bool is_model = strcmp(path, import->model.path) == 0;
     const bool may_read = mode[0] == 'r' && (is_model || scene_import_within(import, path));
     struct aiFile *const model = may_read && is_model ? open_model(source) : NULL;

@@ -29,9 +29,20 @@ static bool has_any(const char *text, const char *const *words, size_t count)
 // lines, and what concerns no picture is not told.
 static bool tells_of_gap(const char *line)
 {
-    static const char *const gaps[] = {
-        "unsupported", "not supported", "not currently supported", "skip",         "ignor", "not implemented",
-        "discard",     "dropped",       "neither material",        "with no faces"};
+    static const char *const gaps[] = {"unsupported",
+                                       "not supported",
+                                       "not currently supported",
+                                       "skip",
+                                       "ignor",
+                                       "not implemented",
+                                       "discard",
+                                       "dropped",
+                                       "neither material",
+                                       "with no faces",
+                                       "external file",
+                                       "unable to find",
+                                       "unknown data object in m",
+                                       "unknown node"};
     static const char *const others[] = {
         "format version",
         "blenddna",
@@ -125,7 +136,8 @@ static void look_for_words(struct scene_import *import, const char *bytes, size_
     };
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         const size_t length = strlen(words[i].word);
-        if (strcasecmp(import->ending, words[i].ending) != 0) {
+        const char *const ending = import->archive != NULL ? "dae" : import->ending;
+        if (strcasecmp(ending, words[i].ending) != 0) {
             continue;
         }
         const char *place = bytes, *end = bytes + size;
@@ -182,7 +194,9 @@ void scene_assimp_find_gaps(struct scene_import *import)
 {
     const char *problem = NULL;
     size_t size = 0;
-    char *bytes = scene_import_read_file(import, import->model.path, &size, &problem);
+    char *const bytes = import->archive != NULL
+                            ? scene_assimp_read_zae(import, &size)
+                            : scene_import_read_file(import, import->model.path, &size, &problem);
     if (bytes == NULL) {
         scene_import_warn(import, "cannot be looked through for what is not drawn: %s", problem);
         return;

@@ -64,6 +64,11 @@ static void get_opacity(const struct reader *reader, float *opacity)
     float factor = 0;
     get_float(reader, "$mat.opacity", opacity);
     get_float(reader, "$mat.transparencyfactor", &factor);
+    struct aiColor4D face;
+    if (strcasecmp(reader->import->ending, "x") == 0 &&
+        aiGetMaterialColor(reader->source, "$clr.diffuse", 0, 0, &face) == aiReturn_SUCCESS && face.a >= 0) {
+        *opacity = face.a; // the face colour of DirectX has an alpha
+    }
     if (strcasecmp(reader->import->ending, "fbx") == 0 && factor > 0 && factor < 1) {
         *opacity = 1 - factor;
     }
@@ -259,6 +264,18 @@ static void read_textures(const struct reader *reader, struct scene_phong *phong
     }
 }
 
+// Return true for a colour of the material that assimp gives to what has none. Its reader of NFF gives the name of that
+// material to all.
+static bool is_default_grey(const float color[3])
+{
+    static const float greys[] = {0.6f, 0.8f};
+    bool is_default = false;
+    for (size_t i = 0; i < sizeof greys / sizeof greys[0]; i++) {
+        is_default = is_default || (color[0] == greys[i] && color[1] == greys[i] && color[2] == greys[i]);
+    }
+    return is_default;
+}
+
 uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene *scene,
                                const struct aiMaterial *source, bool colored)
 {
@@ -271,7 +288,7 @@ uint32_t scene_assimp_material(struct scene_import *import, const struct aiScene
     phong.colored = colored;
     phong.described =
         get_color(&reader, "$clr.base", phong.diffuse) || get_color(&reader, "$clr.diffuse", phong.diffuse);
-    if (strcmp(phong.name, AI_DEFAULT_MATERIAL_NAME) == 0) {
+    if (strcmp(phong.name, AI_DEFAULT_MATERIAL_NAME) == 0 && is_default_grey(phong.diffuse)) {
         phong.described = false;
     }
     get_color(&reader, "$clr.specular", phong.specular);

@@ -5,10 +5,8 @@
 #include <string.h>
 
 #include "assimp.h"
-#include "import/builder/normals.h"
-#include "import/builder/numbers.h"
-#include "import/builder/origin.h"
 #include "import/builder/pose.h"
+#include "import/builder/skin.h"
 
 void scene_assimp_matrix(const struct aiMatrix4x4 *m, float matrix[16])
 {
@@ -57,7 +55,7 @@ static unsigned find_key(const void *keys, size_t size, unsigned count, double t
     return key;
 }
 
-static void sample_vectors(const struct aiVectorKey *keys, unsigned count, double time, float value[3])
+static void sample_vectors(const struct aiVectorKey *keys, unsigned count, double time, double value[3])
 {
     if (count == 0) {
         return;
@@ -67,11 +65,11 @@ static void sample_vectors(const struct aiVectorKey *keys, unsigned count, doubl
     const struct aiVector3D *const a = &keys[key].mValue, *const b = part > 0.0 ? &keys[key + 1].mValue : a;
     const float from[3] = {a->x, a->y, a->z}, to[3] = {b->x, b->y, b->z};
     for (int c = 0; c < 3; c++) {
-        value[c] = (float)((double)from[c] + ((double)to[c] - (double)from[c]) * part);
+        value[c] = (double)from[c] + ((double)to[c] - (double)from[c]) * part;
     }
 }
 
-static void sample_turns(const struct aiQuatKey *keys, unsigned count, double time, float value[4])
+static void sample_turns(const struct aiQuatKey *keys, unsigned count, double time, double value[4])
 {
     if (count == 0) {
         return;
@@ -99,29 +97,37 @@ static void set_matrix(struct aiMatrix4x4 *to, const float m[16])
     *to = matrix;
 }
 
-static void move_nodes(struct scene_import *import, const struct aiScene *scene,
-                       const struct aiAnimation *animation)
+static void move_nodes(struct scene_import *import, struct scene_assimp_exact *exact,
+                       const struct aiScene *scene, const struct aiAnimation *animation)
 {
     const double time = import->time * rate_of(animation);
     for (unsigned i = 0; i < animation->mNumChannels; i++) {
         const struct aiNodeAnim *const channel = animation->mChannels[i];
         struct aiNode *const node = find_node(scene->mRootNode, channel->mNodeName.data);
+        scene_assimp_keep_moved(import, exact, channel->mNodeName.data);
         if (node == NULL) {
             continue;
         }
-        float place[3] = {0, 0, 0}, turn[4] = {0, 0, 0, 1}, size[3] = {1, 1, 1}, matrix[16];
-        sample_vectors(channel->mPositionKeys, channel->mNumPositionKeys, time, place);
+        double way[3] = {0, 0, 0}, turn[4] = {0, 0, 0, 1}, size[3] = {1, 1, 1};
+        sample_vectors(channel->mPositionKeys, channel->mNumPositionKeys, time, way);
         sample_turns(channel->mRotationKeys, channel->mNumRotationKeys, time, turn);
         sample_vectors(channel->mScalingKeys, channel->mNumScalingKeys, time, size);
-        scene_import_compose(place, turn, size, matrix);
-        set_matrix(&node->mTransformation, matrix);
+        scene_assimp_unmark_way(exact, node, way);
+        struct scene_import_place place = scene_import_compose(way, turn, size);
+        double mark[3];
+        scene_assimp_mark_matrix(import, exact, SCENE_ASSIMP_MATRIX, place.exact, mark);
+        for (int c = 0; c < 3; c++) {
+            place.world[12 + c] = (float)mark[c];
+        }
+        set_matrix(&node->mTransformation, place.world);
     }
     if (animation->mNumMeshChannels > 0 || animation->mNumMorphMeshChannels > 0) {
         scene_import_unsupported(import, "animations of meshes and morph targets: left as at rest");
     }
 }
 
-void scene_assimp_pose(struct scene_import *import, const struct aiScene *scene)
+void scene_assimp_pose(struct scene_import *import, struct scene_assimp_exact *exact,
+                       const struct aiScene *scene)
 {
     list_animations(import, scene);
     if (scene->mNumAnimations == 0) {
@@ -137,7 +143,7 @@ void scene_assimp_pose(struct scene_import *import, const struct aiScene *scene)
         scene_import_fail(import, "has no animation '%s'; rhw info lists those that it has",
                           import->animation);
     }
-    move_nodes(import, scene, scene->mAnimations[index]);
+    move_nodes(import, exact, scene, scene->mAnimations[index]);
 }
 
 // Skins ---------------------------------------------------------------------------------------------
@@ -169,99 +175,70 @@ bool scene_assimp_is_skinned(const struct scene_import *import, const struct aiM
     return import->is_posed && mesh->mNumBones > 0;
 }
 
-// The matrices that bring the vertices of a skinned mesh into the world, and the sums of their weights.
-struct blend {
-    float (*matrices)[16];
-    float *weights;
-};
-
 // A mesh that follows bones.
-struct skin {
+struct bones {
     struct scene_import *import;
     const struct scene_assimp_exact *exact;
     const struct aiScene *scene;
     const struct aiMesh *source;
-    const struct aiNode *holder;
 };
 
-// Return a place from which the offset of the mesh is taken.
-static struct scene_import_place add_offset(const struct skin *skin, struct scene_import_place place)
+// Return where a node has what is counted from the offset of the mesh.
+static struct scene_import_place add_offset(const struct bones *bones, struct scene_import_place place)
 {
-    const double *const offset = scene_assimp_exact_offset(skin->exact, skin->source), *const m = place.exact;
-    for (int row = 0; row < 3 && scene_origin_is_far(offset); row++) {
-        place.exact[12 + row] += m[row] * offset[0] + m[4 + row] * offset[1] + m[8 + row] * offset[2];
-        place.world[12 + row] = (float)place.exact[12 + row];
+    const double *const offset = scene_assimp_exact_offset(bones->exact, bones->source);
+    if (scene_origin_is_far(offset)) {
+        scene_import_add_offset(place.exact, offset);
+    }
+    for (int c = 0; c < 3 && scene_origin_is_far(offset); c++) {
+        place.world[12 + c] = (float)place.exact[12 + c];
     }
     return place;
 }
 
-// Adds a bone's share to the matrices of the vertices that it moves.
-static void add_bone(const struct skin *skin, const struct aiBone *bone, const double origin[3],
-                     const struct blend *blend)
+// Return where a bone brings the vertices of the mesh.
+static struct scene_import_place bone_place(const struct bones *bones, const struct aiBone *bone)
 {
-    const struct aiNode *const found = find_node(skin->scene->mRootNode, bone->mName.data);
-    const struct scene_import_place node = node_world(skin->exact, found);
-    float matrix[16];
-    scene_assimp_matrix(&bone->mOffsetMatrix, matrix);
-    const struct scene_import_place bind = add_offset(skin, scene_import_place_of(matrix));
-    const struct scene_import_place place = scene_import_place_multiply(&node, &bind);
-    float joint[16];
-    scene_import_place_from(&place, origin, joint);
-    for (unsigned i = 0; i < bone->mNumWeights; i++) {
-        const struct aiVertexWeight *const weight = &bone->mWeights[i];
-        if (weight->mVertexId >= skin->source->mNumVertices) {
-            scene_import_fail(skin->import, "a bone moves vertex %u of %u", weight->mVertexId,
-                              skin->source->mNumVertices);
-        }
-        blend->weights[weight->mVertexId] += weight->mWeight;
-        for (int m = 0; m < 16; m++) {
-            blend->matrices[weight->mVertexId][m] += weight->mWeight * joint[m];
-        }
-    }
+    const struct aiNode *const found = find_node(bones->scene->mRootNode, bone->mName.data);
+    const struct scene_import_place node = node_world(bones->exact, found);
+    const struct scene_import_place bind = add_offset(bones, scene_assimp_exact_bone(bones->exact, bone));
+    return scene_import_place_multiply(&node, &bind);
 }
 
-// Blends the matrices of a mesh, counted from `origin`. A vertex without bones gets that of the node.
-static struct blend blend_bones(const struct skin *skin, const double origin[3])
+static void add_bone(const struct bones *bones, const struct aiBone *bone,
+                     const struct scene_import_place *place, struct scene_import_skin *skin)
 {
-    const uint32_t vertex_count = skin->source->mNumVertices;
-    const struct blend blend = {scene_import_allocate(skin->import, vertex_count, sizeof *blend.matrices),
-                                scene_import_allocate(skin->import, vertex_count, sizeof *blend.weights)};
-    const struct scene_import_place holder = add_offset(skin, node_world(skin->exact, skin->holder));
-    for (unsigned i = 0; i < skin->source->mNumBones; i++) {
-        add_bone(skin, skin->source->mBones[i], origin, &blend);
-    }
-    for (uint32_t v = 0; v < vertex_count; v++) {
-        if (!(blend.weights[v] > 0)) {
-            scene_import_place_from(&holder, origin, blend.matrices[v]);
+    for (unsigned i = 0; i < bone->mNumWeights; i++) {
+        const struct aiVertexWeight *const weight = &bone->mWeights[i];
+        if (weight->mVertexId >= bones->source->mNumVertices) {
+            scene_import_fail(bones->import, "a bone moves vertex %u of %u", weight->mVertexId,
+                              bones->source->mNumVertices);
+        }
+        if (weight->mWeight > 0) {
+            scene_import_skin_add(skin, weight->mVertexId, place, weight->mWeight);
         }
     }
-    return blend;
 }
 
 void scene_assimp_skin(struct scene_import *import, const struct scene_assimp_exact *exact,
                        const struct aiScene *scene, unsigned index, struct scene_mesh *mesh, double origin[3])
 {
-    const struct skin skin = {import, exact, scene, scene->mMeshes[index],
-                              scene_assimp_holder(scene->mRootNode, index)};
-    struct blend blend = blend_bones(&skin, origin);
-    scene_import_skin_origin(import, mesh, (const float(*)[16])blend.matrices, origin);
-    if (scene_origin_is_far(origin)) {
-        free(blend.matrices);
-        free(blend.weights);
-        blend = blend_bones(&skin, origin);
+    const struct bones bones = {import, exact, scene, scene->mMeshes[index]};
+    const unsigned count = bones.source->mNumBones;
+    struct scene_import_place *const places = scene_import_allocate(import, count + 1, sizeof *places);
+    for (unsigned i = 0; i < count; i++) {
+        places[i] = bone_place(&bones, bones.source->mBones[i]);
+    }
+    places[count] = add_offset(&bones, node_world(exact, scene_assimp_holder(scene->mRootNode, index)));
+    struct scene_import_skin skin = scene_import_skin_open(import, mesh, places, count + 1);
+    for (unsigned i = 0; i < count; i++) {
+        add_bone(&bones, bones.source->mBones[i], &places[i], &skin);
     }
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-        const float *const matrix = blend.matrices[v];
-        const float share = blend.weights[v] > 0 ? 1 / blend.weights[v] : 1; // exporters round
-        float point[3];
-        scene_import_transform(matrix, mesh->positions[v], point);
-        for (int c = 0; c < 3; c++) {
-            mesh->positions[v][c] = point[c] * share;
-        }
-        if (mesh->normals != NULL) {
-            scene_import_move_normal(matrix, mesh->normals[v]);
+        if (!(skin.weights[v] > 0)) { // a vertex without bones follows the node
+            scene_import_skin_add(&skin, v, &places[count], 1);
         }
     }
-    free(blend.matrices);
-    free(blend.weights);
+    scene_import_skin_close(&skin, true, origin);
+    free(places);
 }

@@ -18,26 +18,17 @@ static const char *skip_blanks(const char *text, const char *end)
     return text;
 }
 
-static struct scene_word word_at(const char *text, const char *end)
-{
-    size_t length = 0;
-    while (length < (size_t)(end - text) && !scene_collada_is_blank(text[length])) {
-        length++;
-    }
-    return (struct scene_word){text, length};
-}
-
 size_t scene_collada_numbers(const char **text, const char *end, double *numbers, const char *(*ends)[2],
                              size_t most)
 {
-    const char *c = skip_blanks(*text, end);
-    size_t count = 0, length;
-    while (count < most && scene_word_number(word_at(c, end), &numbers[count], &length)) {
+    const char *c = skip_blanks(*text, end), *stop;
+    size_t count = 0;
+    while (count < most && (stop = scene_number_read(c, end, " \t\r\n", &numbers[count])) != NULL) {
         if (ends != NULL) {
             ends[count][0] = c;
-            ends[count][1] = c + length;
+            ends[count][1] = stop;
         }
-        c = skip_blanks(c + length, end);
+        c = skip_blanks(stop, end);
         count++;
     }
     *text = c;
@@ -154,24 +145,6 @@ static struct array find_array(const struct geometry *geometry, char *text, cons
     return (struct array){.text = NULL};
 }
 
-// Write positions as they are counted from an offset.
-static void move_points(struct scene_import *import, struct scene_edits *edits, const char *start,
-                        const struct array *array, const double (*points)[3], size_t count,
-                        const double offset[3])
-{
-    char *written = NULL;
-    size_t capacity = 0, length = 0;
-    for (size_t i = 0; i < 3 * count; i++) {
-        scene_import_reserve(import, &written, &capacity, length + 33, 1);
-        written[length] = ' ';
-        length += i > 0;
-        length += scene_assimp_write_number(written + length, points[i / 3][i % 3] - offset[i % 3]);
-    }
-    scene_edits_add(import, edits,
-                    (struct scene_edit){(size_t)(array->text - start), (size_t)(array->end - array->text),
-                                        written, length});
-}
-
 static void edit_geometry(struct scene_import *import, struct scene_assimp_exact *exact,
                           const struct geometry *geometry, const struct array *array, const char *start,
                           struct scene_edits *edits)
@@ -188,7 +161,8 @@ static void edit_geometry(struct scene_import *import, struct scene_assimp_exact
     if (scene_assimp_name_offset(import, exact, geometry->id.text, geometry->id.length,
                                  is_far ? offset : (const double[]){0, 0, 0}) &&
         is_far) {
-        move_points(import, edits, start, array, points, count / 3, offset);
+        scene_assimp_edit_points(import, edits, (size_t)(array->text - start),
+                                 (size_t)(array->end - array->text), ' ', points, count / 3, offset);
     }
     free(numbers);
 }
@@ -220,8 +194,7 @@ void scene_collada_edit_geometries(struct scene_import *import, struct scene_ass
     }
 }
 
-// Return the unit of a document in metres, by which assimp multiplies all of it. Return 0 where it has none.
-static double find_unit(char *text, const char *end)
+double scene_collada_unit(char *text, const char *end)
 {
     double unit = 0;
     for (char *c = strchr(text, '<'); c != NULL && !is_end(c, "asset"); c = strchr(c, '<')) {
@@ -246,7 +219,8 @@ char *scene_assimp_rewrite_collada(struct scene_import *import, struct scene_ass
                                    size_t *size)
 {
     struct scene_edits edits = {.count = 0};
-    exact->unit = find_unit(bytes, bytes + *size);
+    exact->rounds_movements = true;
+    exact->unit = scene_collada_unit(bytes, bytes + *size);
     scene_collada_edit_geometries(import, exact, bytes, *size, &edits);
     scene_collada_edit_nodes(import, exact, bytes, *size, &edits);
     return scene_edits_apply(import, &edits, bytes, size);

@@ -17,5 +17,7 @@ void scene_collada_edit_geometries(struct scene_import *import, struct scene_ass
 /// Collect the changes that the places of nodes need.
 void scene_collada_edit_nodes(struct scene_import *import, struct scene_assimp_exact *exact, char *text,
                               size_t size, struct scene_edits *edits);
+/// Return the unit of a document in metres, by which assimp multiplies all of it. Return 0 where it has none.
+double scene_collada_unit(char *text, const char *end);
 
 #endif

@@ -112,7 +112,8 @@ static bool find_product(const struct transform *transforms, size_t count, doubl
     for (size_t i = 0; i < count && is_good; i++) {
         is_good = transforms[i].kind != OTHER && is_affine(&transforms[i]);
         find_matrix(&transforms[i], matrix);
-        is_wide = is_wide || transforms[i].kind == ROTATE || !is_narrow(matrix);
+        is_wide =
+            is_wide || transforms[i].kind == ROTATE || scene_assimp_is_way(matrix + 12) || !is_narrow(matrix);
         scene_import_multiply_exact(product, matrix, product);
     }
     for (int i = 0; i < 16; i++) {
@@ -145,7 +146,7 @@ static void mark_node(struct nodes *nodes, const struct transform *transforms, s
 {
     static const double zeros[3] = {0, 0, 0};
     double mark[3];
-    scene_assimp_mark_matrix(nodes->import, nodes->exact, matrix, mark);
+    scene_assimp_mark_matrix(nodes->import, nodes->exact, SCENE_ASSIMP_NODES, matrix, mark);
     const bool is_first = transforms[0].kind == TRANSLATE || transforms[0].kind == MATRIX;
     if (!is_first) {
         char text[160] = "<translate>";
@@ -281,7 +282,7 @@ void scene_collada_edit_nodes(struct scene_import *import, struct scene_assimp_e
 {
     struct nodes nodes = {
         .import = import, .exact = exact, .start = text, .end = text + size, .edits = edits};
-    if (exact->is_moved) {
+    if (exact->moved.count > 0) {
         find_moved(&nodes, text);
     }
     read_nodes(&nodes, text);

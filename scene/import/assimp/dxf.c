@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Entities of drawings for assimp. assimp 5.2.5 reads the 3DFACE, LINE and POLYLINE of a DXF alone, and of a POLYLINE
 // that is no mesh every second line. POLYLINE, LWPOLYLINE, CIRCLE, ARC and ELLIPSE become LINE, and SOLID and TRACE
-// become 3DFACE. A text of DXF is pairs of lines: a number that says what the next line is, and that line. An entity
-// begins with a 0 and its name.
+// become 3DFACE.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "assimp.h"
+#include "dxf_text.h"
 #include "elementary.h"
-#include "import/builder/text_lines.h"
 
 // Lines of a circle, and of one in a large file, which many circles would make a hundred times larger.
 enum { STEPS = 64, FEW_STEPS = 24, LARGE = 1 << 21 };
@@ -44,6 +43,7 @@ struct entity {
     double angles[2];          // the values of 50 and 51
     double elevation;          // height of all corners of an LWPOLYLINE
     double extrusion[3];
+    double axes[3][3]; // axes of the plane that the extrusion stands on
     long flags, color;
     bool has_color;
     struct corner *corners;
@@ -51,65 +51,15 @@ struct entity {
 };
 
 struct writer {
-    struct scene_import *import;
-    char *bytes;
-    size_t size, capacity;
+    struct scene_dxf_writer text;
     double first[3], last[3]; // ends of what was written of a polyline
     bool has_last;
     int steps; // lines of a circle
 };
 
-struct pair {
-    long code;
-    struct scene_word value;
-};
-
-static void write_bytes(struct writer *writer, const char *bytes, size_t size)
-{
-    scene_import_reserve(writer->import, &writer->bytes, &writer->capacity, writer->size + size + 1, 1);
-    memcpy(writer->bytes + writer->size, bytes, size);
-    writer->size += size;
-    writer->bytes[writer->size] = 0;
-}
-
-static void write_number(struct writer *writer, int code, double value)
-{
-    char text[64];
-    const int length = snprintf(text, sizeof text, "%d\n%.17g\n", code, value);
-    write_bytes(writer, text, (size_t)length);
-}
-
-static void write_text(struct writer *writer, const char *text)
-{
-    write_bytes(writer, text, strlen(text));
-}
-
-// Find the axes of an entity's plane by the arbitrary axis algorithm of DXF.
-static void find_axes(const double extrusion[3], double axes[3][3])
-{
-    const double length =
-        sqrt(extrusion[0] * extrusion[0] + extrusion[1] * extrusion[1] + extrusion[2] * extrusion[2]);
-    double z[3] = {0, 0, 1};
-    for (int c = 0; c < 3 && length > 0; c++) {
-        z[c] = extrusion[c] / length;
-    }
-    const bool is_near_z = fabs(z[0]) < 1.0 / 64 && fabs(z[1]) < 1.0 / 64;
-    double x[3] = {is_near_z ? z[2] : -z[1], is_near_z ? 0 : z[0], is_near_z ? -z[0] : 0};
-    const double size = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
-    for (int c = 0; c < 3; c++) {
-        axes[0][c] = x[c] / size;
-        axes[2][c] = z[c];
-    }
-    for (int c = 0; c < 3; c++) {
-        const int u = (c + 1) % 3, v = (c + 2) % 3;
-        axes[1][c] = z[u] * axes[0][v] - z[v] * axes[0][u];
-    }
-}
-
 static void to_world(const struct entity *entity, const double place[3], double world[3])
 {
-    double axes[3][3];
-    find_axes(entity->extrusion, axes);
+    const double(*const axes)[3] = entity->axes;
     for (int c = 0; c < 3; c++) {
         world[c] = place[0] * axes[0][c] + place[1] * axes[1][c] + place[2] * axes[2][c];
     }
@@ -118,13 +68,13 @@ static void to_world(const struct entity *entity, const double place[3], double 
 static void write_line(struct writer *writer, const struct entity *entity, const double from[3],
                        const double to[3])
 {
-    write_text(writer, "0\nLINE\n");
+    scene_dxf_write_text(&writer->text, "0\nLINE\n");
     if (entity->has_color) {
-        write_number(writer, 62, (double)entity->color);
+        scene_dxf_write_number(&writer->text, 62, (double)entity->color);
     }
     for (int c = 0; c < 3; c++) {
-        write_number(writer, 10 * (c + 1), from[c]);
-        write_number(writer, 10 * (c + 1) + 1, to[c]);
+        scene_dxf_write_number(&writer->text, 10 * (c + 1), from[c]);
+        scene_dxf_write_number(&writer->text, 10 * (c + 1) + 1, to[c]);
     }
 }
 
@@ -179,9 +129,6 @@ static void write_bulge(struct writer *writer, const struct entity *entity, cons
 static void write_polyline(struct writer *writer, struct entity *entity)
 {
     const bool is_closed = (entity->flags & FLAG_CLOSED) != 0;
-    if (entity->kind == KIND_POLYLINE && (entity->flags & FLAG_IN_SPACE) != 0) {
-        memcpy(entity->extrusion, (const double[3]){0, 0, 1}, sizeof entity->extrusion);
-    }
     begin_polyline(writer);
     for (size_t i = 0; i < entity->corner_count; i++) {
         struct corner *const corner = &entity->corners[i];
@@ -217,10 +164,10 @@ static void write_arc(struct writer *writer, const struct entity *entity, const 
 static void write_round(struct writer *writer, const struct entity *entity)
 {
     const bool is_ellipse = entity->kind == KIND_ELLIPSE;
-    double axes[3][3], major[3], minor[3], middle[3];
+    const double(*const axes)[3] = entity->axes;
+    double major[3], minor[3], middle[3];
     double first = is_ellipse ? entity->numbers[1] : entity->angles[0] * pi / 180;
     double last = is_ellipse ? entity->numbers[2] : entity->angles[1] * pi / 180;
-    find_axes(entity->extrusion, axes);
     for (int c = 0; c < 3; c++) {
         const int u = (c + 1) % 3, v = (c + 2) % 3;
         const double *const m = entity->points[1];
@@ -245,21 +192,23 @@ static void write_round(struct writer *writer, const struct entity *entity)
 static void write_solid(struct writer *writer, const struct entity *entity)
 {
     static const int order[CORNERS] = {0, 1, 3, 2};
-    write_text(writer, "0\n3DFACE\n");
+    scene_dxf_write_text(&writer->text, "0\n3DFACE\n");
     if (entity->has_color) {
-        write_number(writer, 62, (double)entity->color);
+        scene_dxf_write_number(&writer->text, 62, (double)entity->color);
     }
     for (int i = 0; i < CORNERS; i++) {
         double world[3];
         to_world(entity, entity->points[order[i]], world);
         for (int c = 0; c < 3; c++) {
-            write_number(writer, 10 * (c + 1) + i, world[c]);
+            scene_dxf_write_number(&writer->text, 10 * (c + 1) + i, world[c]);
         }
     }
 }
 
 static void write_entity(struct writer *writer, struct entity *entity)
 {
+    const bool is_in_space = entity->kind == KIND_POLYLINE && (entity->flags & FLAG_IN_SPACE) != 0;
+    scene_dxf_find_axes(is_in_space ? (const double[3]){0, 0, 1} : entity->extrusion, entity->axes);
     switch (entity->kind) {
     case KIND_POLYLINE:
     case KIND_LWPOLYLINE: write_polyline(writer, entity); break;
@@ -273,30 +222,7 @@ static void write_entity(struct writer *writer, struct entity *entity)
 
 // Reading -------------------------------------------------------------------------------------------
 
-static bool read_pair(struct scene_text *text, struct pair *pair)
-{
-    struct scene_line line;
-    struct scene_word word;
-    if (!scene_text_line(text, false, &line)) {
-        return false;
-    }
-    char digits[16] = "";
-    if (scene_text_word(&line, &word) && word.length < sizeof digits) {
-        memcpy(digits, word.start, word.length);
-    }
-    char *end;
-    pair->code = strtol(digits, &end, 10);
-    pair->code = end == digits ? -1 : pair->code;
-    if (!scene_text_line(text, false, &line)) {
-        return false;
-    }
-    if (!scene_text_word(&line, &pair->value)) {
-        pair->value = (struct scene_word){"", 0};
-    }
-    return true;
-}
-
-static enum kind find_kind(struct pair pair)
+static enum kind find_kind(struct scene_dxf_pair pair)
 {
     static const struct {
         const char *name;
@@ -316,8 +242,8 @@ static enum kind find_kind(struct pair pair)
 
 static void add_corner(struct writer *writer, struct entity *entity, double x)
 {
-    scene_import_reserve(writer->import, &entity->corners, &entity->corner_capacity, entity->corner_count + 1,
-                         sizeof *entity->corners);
+    scene_import_reserve(writer->text.import, &entity->corners, &entity->corner_capacity,
+                         entity->corner_count + 1, sizeof *entity->corners);
     entity->corners[entity->corner_count++] = (struct corner){.place = {x, 0}};
 }
 
@@ -332,7 +258,7 @@ static void take_corner(struct writer *writer, struct entity *entity, long code,
     }
 }
 
-static void take(struct writer *writer, struct entity *entity, struct pair pair)
+static void take(struct writer *writer, struct entity *entity, struct scene_dxf_pair pair)
 {
     double value = 0;
     size_t length;
@@ -361,9 +287,9 @@ static void take(struct writer *writer, struct entity *entity, struct pair pair)
     const bool is_width =
         entity->kind == KIND_LWPOLYLINE && (pair.code == 40 || pair.code == 41 || pair.code == 43);
     if (fabs(value) > 0 && is_width) {
-        scene_import_unsupported(writer->import, "the width of polylines (DXF): drawn as lines");
+        scene_import_unsupported(writer->text.import, "the width of polylines (DXF): drawn as lines");
     } else if (fabs(value) > 0 && pair.code == 39) {
-        scene_import_unsupported(writer->import, "the thickness of entities (DXF): drawn without");
+        scene_import_unsupported(writer->text.import, "the thickness of entities (DXF): drawn without");
     }
 }
 
@@ -371,14 +297,14 @@ static void take(struct writer *writer, struct entity *entity, struct pair pair)
 static bool read_vertices(struct writer *writer, struct scene_text *text, struct entity *entity)
 {
     struct scene_text next = *text;
-    struct pair pair;
+    struct scene_dxf_pair pair;
     if ((entity->flags & (FLAG_MESH | FLAG_FACES)) != 0) {
         return false;
     }
-    while (read_pair(&next, &pair) && find_kind(pair) == KIND_VERTEX) {
+    while (scene_dxf_read_pair(&next, &pair) && find_kind(pair) == KIND_VERTEX) {
         struct entity vertex = {.kind = KIND_VERTEX};
         *text = next;
-        while (read_pair(&next, &pair) && pair.code != 0) {
+        while (scene_dxf_read_pair(&next, &pair) && pair.code != 0) {
             take(writer, &vertex, pair);
             *text = next;
         }
@@ -398,9 +324,9 @@ static bool read_vertices(struct writer *writer, struct scene_text *text, struct
 static bool replace_entity(struct writer *writer, struct scene_text *text, struct entity *entity)
 {
     struct scene_text next = *text;
-    struct pair pair;
+    struct scene_dxf_pair pair;
     bool has_fourth = false;
-    while (read_pair(&next, &pair) && pair.code != 0) {
+    while (scene_dxf_read_pair(&next, &pair) && pair.code != 0) {
         take(writer, entity, pair);
         has_fourth = has_fourth || pair.code == 13;
         *text = next;
@@ -417,12 +343,12 @@ static bool replace_entity(struct writer *writer, struct scene_text *text, struc
 
 char *scene_assimp_flatten_dxf(struct scene_import *import, char *bytes, size_t *size)
 {
-    struct writer writer = {.import = import, .steps = *size > LARGE ? FEW_STEPS : STEPS};
+    struct writer writer = {.text = {.import = import}, .steps = *size > LARGE ? FEW_STEPS : STEPS};
     struct entity entity = {.kind = KIND_NONE};
     struct scene_text text = scene_text_open(import, bytes, *size);
     const char *kept = text.cursor;
-    struct pair pair;
-    for (const char *start = text.cursor; read_pair(&text, &pair); start = text.cursor) {
+    struct scene_dxf_pair pair;
+    for (const char *start = text.cursor; scene_dxf_read_pair(&text, &pair); start = text.cursor) {
         const enum kind kind = find_kind(pair);
         if (kind == KIND_NONE || kind == KIND_VERTEX || kind == KIND_SEQEND) {
             continue;
@@ -432,12 +358,12 @@ char *scene_assimp_flatten_dxf(struct scene_import *import, char *bytes, size_t 
                                  .numbers = {0, 0, kind == KIND_ELLIPSE ? 2 * pi : 0},
                                  .corners = entity.corners,
                                  .corner_capacity = entity.corner_capacity};
-        write_bytes(&writer, kept, (size_t)(start - kept));
+        scene_dxf_write(&writer.text, kept, (size_t)(start - kept));
         kept = replace_entity(&writer, &text, &entity) ? text.cursor : start;
     }
-    write_bytes(&writer, kept, (size_t)(text.end - kept));
+    scene_dxf_write(&writer.text, kept, (size_t)(text.end - kept));
     free(entity.corners);
     free(bytes);
-    *size = writer.size;
-    return writer.bytes;
+    *size = writer.text.size;
+    return writer.text.bytes;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // DXF that stands far from the origin, as assimp is to read it: all places of its entities are counted from one among
-// them. Places within blocks are counted from where a block is inserted, and stay.
+// them. What blocks have is among them by then.
 #include "assimp_exact.h"
 #include "edits.h"
 #include "import/builder/text_lines.h"
@@ -17,9 +17,9 @@ struct number {
 };
 
 struct entity {
-    bool has_places, is_insert, is_vertex;
+    bool has_places, is_vertex;
     bool is_face; // a face of a polyface mesh, whose place means nothing
-    struct number places[CORNERS][3], factors[3];
+    struct number places[CORNERS][3];
 };
 
 struct reader {
@@ -37,9 +37,8 @@ struct reader {
 
 static struct entity entity_of(struct scene_word name)
 {
-    static const char *const names[] = {"3DFACE", "LINE", "3DLINE", "VERTEX", "INSERT"};
-    struct entity entity = {.is_insert = scene_word_is(name, "INSERT"),
-                            .is_vertex = scene_word_is(name, "VERTEX")};
+    static const char *const names[] = {"3DFACE", "LINE", "3DLINE", "VERTEX"};
+    struct entity entity = {.is_vertex = scene_word_is(name, "VERTEX")};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         entity.has_places = entity.has_places || scene_word_is(name, names[i]);
     }
@@ -51,10 +50,8 @@ static void read_value(struct reader *reader, int code, struct scene_word word)
     struct entity *const entity = &reader->entity;
     const int corner = code % 10, axis = code / 10 - 1;
     size_t length;
-    struct number *const number = entity->is_insert && code >= 41 && code <= 43 ? &entity->factors[code - 41]
-                                  : code >= 10 && code < 40 && corner < CORNERS
-                                      ? &entity->places[corner][axis]
-                                      : NULL;
+    struct number *const number =
+        code >= 10 && code < 40 && corner < CORNERS ? &entity->places[corner][axis] : NULL;
     double flags;
     if (entity->is_vertex && code == 70 && scene_word_number(word, &flags, &length)) {
         entity->is_face = flags > 127.5 && flags < 128.5;
@@ -63,12 +60,6 @@ static void read_value(struct reader *reader, int code, struct scene_word word)
         reader->is_odd = reader->is_odd || !scene_word_number(word, &number->value, &length);
         number->word = word;
     }
-}
-
-// Return by what an insertion multiplies its place: assimp moves a block before it scales it.
-static double factor_of(const struct entity *entity, int axis)
-{
-    return entity->factors[axis].word.start != NULL ? entity->factors[axis].value : 1;
 }
 
 static void edit_place(struct reader *reader, const struct number *number, double offset)
@@ -81,15 +72,12 @@ static void edit_place(struct reader *reader, const struct number *number, doubl
 
 static void end_place(struct reader *reader, const struct number place[3])
 {
-    const struct entity *const entity = &reader->entity;
     double point[3];
     for (int axis = 0; axis < 3; axis++) {
-        const double factor = factor_of(entity, axis);
-        point[axis] = place[axis].word.start != NULL ? place[axis].value * factor : 0;
+        point[axis] = place[axis].word.start != NULL ? place[axis].value : 0;
         reader->is_absent[axis] = reader->is_absent[axis] || place[axis].word.start == NULL;
-        reader->is_odd = reader->is_odd || !(factor < 0 || factor > 0);
         if (reader->edits != NULL && place[axis].word.start != NULL && reader->offset[axis] != 0) {
-            edit_place(reader, &place[axis], reader->offset[axis] / factor);
+            edit_place(reader, &place[axis], reader->offset[axis]);
         }
     }
     if (reader->edits == NULL) {

@@ -47,8 +47,7 @@ char *scene_edits_apply(struct scene_import *import, struct scene_edits *edits, 
         qsort(edits->list, edits->count, sizeof *edits->list, compare);
     }
     const size_t result = find_size(edits, *size);
-    char *const text =
-        edits->count > 0 && result < SIZE_MAX ? scene_import_allocate(import, result + 1, 1) : NULL;
+    char *const text = result < SIZE_MAX ? scene_import_allocate(import, result + 1, 1) : NULL;
     char *out = text;
     size_t done = 0;
     for (size_t i = 0; i < edits->count; i++) {

@@ -23,8 +23,8 @@ void scene_edits_add(struct scene_import *import, struct scene_edits *edits, str
 /// Add a change to a text that ends with a 0.
 void scene_edits_add_string(struct scene_import *import, struct scene_edits *edits, size_t at, size_t length,
                             const char *text);
-/// Return a copy of a text with all changes, a 0 behind it. Return NULL if there are none, or if two are in each
-/// other's way. Free the changes.
+/// Return a copy of a text with all changes, a 0 behind it. Return NULL if two are in each other's way. Free the
+/// changes.
 char *scene_edits_apply(struct scene_import *import, struct scene_edits *edits, const char *bytes,
                         size_t *size);
 

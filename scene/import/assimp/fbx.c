@@ -4,34 +4,25 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fbx_record.h"
 #include "import/builder/readers.h"
 
-static const char magic[] = "Kaydara FBX Binary  "; // with the 0 at its end
-enum { ORDER_AT = 22, VERSION_AT = 23, HEADER = 27, WIDE_SINCE = 7500, END_MARK = 16 };
-
-static uint64_t read_number(const unsigned char *bytes, size_t size)
-{
-    uint64_t number = 0;
-    for (size_t i = size; i > 0; i--) {
-        number = number << 8 | bytes[i - 1];
-    }
-    return number;
-}
+enum { ORDER_AT = 22, END_MARK = 16 };
 
 // A record begins with the place where it ends; an empty one, whose place is 0, is the last. What follows ends with a
 // mark that is the same in all files.
-static void check_binary(struct scene_import *import, const unsigned char *bytes, size_t size)
+static void check_binary(struct scene_import *import, const struct scene_fbx_bytes *file)
 {
     static const unsigned char end_mark[END_MARK] = {0xf8, 0x5a, 0x8c, 0x6a, 0xde, 0xf5, 0xd9, 0x7e,
                                                      0xec, 0xe9, 0x0c, 0xe3, 0x75, 0x8f, 0x29, 0x0b};
-    const size_t word = size > HEADER && read_number(bytes + VERSION_AT, 4) >= WIDE_SINCE ? 8 : 4;
-    uint64_t place = HEADER;
+    const size_t size = file->size, word = file->word;
+    uint64_t place = SCENE_FBX_HEADER;
     for (;;) {
         if (size < word || place > size - word) {
             scene_import_fail(import, "is cut: a part of it should begin at byte %llu; it has %zu",
                               (unsigned long long)place, size);
         }
-        const uint64_t end = read_number(bytes + place, word);
+        const uint64_t end = scene_fbx_number(file->bytes + place, word);
         if (end == 0) {
             break;
         }
@@ -44,7 +35,7 @@ static void check_binary(struct scene_import *import, const unsigned char *bytes
         }
         place = end;
     }
-    if (size < END_MARK || memcmp(bytes + size - END_MARK, end_mark, END_MARK) != 0) {
+    if (size < END_MARK || memcmp(file->bytes + size - END_MARK, end_mark, END_MARK) != 0) {
         scene_import_warn(import, "has no mark at its end: it may be cut");
     }
 }
@@ -76,12 +67,14 @@ void scene_import_check_fbx(struct scene_import *import)
     if (bytes == NULL) {
         scene_import_fail(import, "cannot be read: %s", problem);
     }
-    if (size >= sizeof magic && memcmp(bytes, magic, sizeof magic) == 0) {
+    struct scene_fbx_bytes file = {.bytes = (const void *)bytes, .size = size, .word = 4};
+    if (scene_fbx_has_mark(bytes, size)) {
         if (size > ORDER_AT && bytes[ORDER_AT] == 1) {
             scene_import_fail(import, "is a binary FBX in big-endian order, which is not supported");
         }
-        check_binary(import, (const unsigned char *)bytes, size);
-    } else if (strncmp(bytes, magic, strlen(magic)) != 0 && memchr(bytes, 0, size) == NULL) {
+        scene_fbx_is_binary(bytes, size, &file);
+        check_binary(import, &file);
+    } else if (strncmp(bytes, "Kaydara FBX Binary", 18) != 0 && memchr(bytes, 0, size) == NULL) {
         check_text(import, bytes, size);
     }
     free(bytes);

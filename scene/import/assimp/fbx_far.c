@@ -2,14 +2,14 @@
 // Binary FBX that stands far from the origin, as assimp is to read it. Records are copied one by one, since each says
 // where in the file it ends, and the arrays of far positions are written uncompressed.
 #include "fbx_far.h"
+#include "fbx_record.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
 
-static const char magic[] = "Kaydara FBX Binary  "; // with the 0 at its end
-enum { VERSION_AT = 23, HEADER = 27, WIDE_SINCE = 7500, DEEPEST = 64 };
+enum { DEEPEST = 64 };
 enum { DOUBLE = sizeof(double) + 1 };              // bytes of a double behind its type
 static const size_t most_copied = (size_t)1 << 30; // bytes of a copy, beside 64 for each of the file
 enum { MOST_NAME = 512 };                          // assimp drops names of more than a thousand bytes
@@ -34,6 +34,8 @@ enum scene_fbx_kind scene_fbx_kind_of(enum scene_fbx_kind parent, const char *na
         {SCENE_FBX_GEOMETRY, SCENE_FBX_POSITIONS, "Points"},
         {SCENE_FBX_MODEL, SCENE_FBX_PROPERTIES, "Properties70"},
         {SCENE_FBX_PROPERTIES, SCENE_FBX_PROPERTY, "P"},
+        {SCENE_FBX_OBJECTS, SCENE_FBX_DEFORMER, "Deformer"},
+        {SCENE_FBX_DEFORMER, SCENE_FBX_BIND, "Transform"},
     };
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
         if (parent == kinds[i].parent && is(name, length, kinds[i].name)) {
@@ -54,37 +56,50 @@ bool scene_fbx_is_vector(const char *type, size_t length)
     return found;
 }
 
-bool scene_fbx_mark_model(struct scene_import *import, struct scene_assimp_exact *exact,
-                          const struct scene_fbx_transform *transform, struct scene_fbx_marks *marks)
+// In bytes a name comes before its class, with two bytes between them, and in text behind it.
+bool scene_fbx_is_moved(const struct scene_assimp_exact *exact, const char *name, size_t length)
 {
-    *marks = (struct scene_fbx_marks){.is_set = {false}};
-    for (int i = 0; i < SCENE_FBX_MATRICES && !exact->is_moved; i++) {
+    static const char class[] = "Model::";
+    const char *const end = memchr(name, 0, length);
+    const size_t skipped =
+        length >= strlen(class) && memcmp(name, class, strlen(class)) == 0 ? strlen(class) : 0;
+    length = end != NULL ? (size_t)(end - name) : length;
+    return scene_assimp_may_move(exact, name + skipped, length - skipped);
+}
+
+struct scene_fbx_marks scene_fbx_mark_model(struct scene_import *import, struct scene_assimp_exact *exact,
+                                            const struct scene_fbx_transform *transform, bool is_moved)
+{
+    struct scene_fbx_marks marks = {.is_moved = is_moved};
+    for (int i = 0; i < SCENE_FBX_MATRICES && !is_moved; i++) {
         double matrix[16];
-        marks->is_set[i] = scene_fbx_find_matrix(transform, i, matrix);
-        if (marks->is_set[i]) {
-            scene_assimp_mark_matrix(import, exact, matrix, marks->marks[i]);
+        marks.is_set[i] = scene_fbx_find_matrix(transform, i, matrix);
+        if (marks.is_set[i]) {
+            scene_assimp_mark_matrix(import, exact, SCENE_ASSIMP_NODES, matrix, marks.marks[i]);
         }
     }
-    return marks->is_set[0] || marks->is_set[1];
+    return marks;
 }
 
 bool scene_fbx_marked_vector(struct scene_import *import, struct scene_assimp_exact *exact,
                              const struct scene_fbx_marks *marks, enum scene_fbx_vector vector,
                              const double given[3], double numbers[3])
 {
-    if (exact->is_moved) { // an animation knows the vectors one by one
-        const bool is_wide = scene_fbx_is_way(vector) && scene_assimp_is_wide(given);
-        if (is_wide) {
-            scene_assimp_mark_way(import, exact, given, numbers);
-        }
-        return is_wide;
-    }
     const int matrix = scene_fbx_matrix_of(vector);
-    const bool is_marked = scene_fbx_is_way(vector) && marks->is_set[matrix];
-    for (int c = 0; c < 3 && is_marked; c++) {
+    const bool is_way = scene_fbx_is_way(vector);
+    if (marks->is_moved && is_way && scene_assimp_is_way(given)) {
+        scene_assimp_mark_way(import, exact, given, numbers);
+        return true;
+    }
+    for (int c = 0; c < 3 && is_way && marks->is_set[matrix]; c++) {
         numbers[c] = vector == scene_fbx_mover_of(matrix) ? marks->marks[matrix][c] : 0;
     }
-    return is_marked;
+    return is_way && marks->is_set[matrix];
+}
+
+void scene_fbx_mark_bind(struct scene_import *import, struct scene_assimp_exact *exact, double matrix[16])
+{
+    scene_assimp_mark_matrix(import, exact, SCENE_ASSIMP_MATRIX, matrix, matrix + 12);
 }
 
 bool scene_fbx_has_places(const char *class, size_t length)
@@ -112,9 +127,8 @@ char *scene_fbx_mark_name(struct scene_import *import, size_t offset, const char
 struct copy {
     struct scene_import *import;
     struct scene_assimp_exact *exact;
-    const unsigned char *bytes;
+    struct scene_fbx_bytes file;
     size_t most;        // bytes that the copy may have
-    size_t word;        // bytes of the numbers of a record
     unsigned char *out; // the copy
     size_t written, capacity;
     // The points of the geometry that is being copied are NULL if they stay as they are.
@@ -123,132 +137,82 @@ struct copy {
     // The model that is being copied has a transform and marks.
     struct scene_fbx_transform transform;
     struct scene_fbx_marks marks;
-    bool is_changed;
 };
-
-// A record, with places in the file.
-struct record {
-    uint64_t end, count; // where it ends; how many values it has
-    size_t name, name_length;
-    size_t values, children; // where they begin
-};
-
-static uint64_t read_number(const unsigned char *bytes, size_t size)
-{
-    uint64_t number = 0;
-    for (size_t i = size; i > 0; i--) {
-        number = number << 8 | bytes[i - 1];
-    }
-    return number;
-}
-
-// Read the head of a record that ends at `limit` or before. Return false if it is not as it should be. Its end is 0 for
-// the record that ends a list.
-static bool read_record(const struct copy *copy, size_t place, size_t limit, struct record *record)
-{
-    const size_t word = copy->word, head = 3 * word + 1;
-    if (place > limit || limit - place < head) {
-        return false;
-    }
-    const unsigned char *const bytes = copy->bytes + place;
-    const uint64_t length = read_number(bytes + 2 * word, word);
-    record->end = read_number(bytes, word);
-    record->count = read_number(bytes + word, word);
-    record->name = place + head;
-    record->name_length = bytes[3 * word];
-    record->values = record->name + record->name_length;
-    if (record->values > limit) {
-        return false;
-    }
-    if (record->end == 0) {
-        return true;
-    }
-    if (record->end > limit || record->values > record->end || length > record->end - record->values) {
-        return false;
-    }
-    record->children = record->values + (size_t)length;
-    return true;
-}
-
-// Return where the value at `place` ends. Return 0 if it does not end before `limit`.
-static size_t value_end(const struct copy *copy, size_t place, size_t limit)
-{
-    if (place >= limit) {
-        return 0;
-    }
-    const char type = (char)copy->bytes[place++];
-    const size_t left = limit - place;
-    const bool is_array = strchr("fdlicb", type) != NULL && type != 0, is_long = type == 'S' || type == 'R';
-    uint64_t size = type == 'C' || type == 'B'   ? 1
-                    : type == 'Y'                ? 2
-                    : type == 'I' || type == 'F' ? 4
-                    : type == 'D' || type == 'L' ? 8
-                    : is_long && left >= 4       ? 4 + read_number(copy->bytes + place, 4)
-                    : is_array && left >= 12     ? 12 + read_number(copy->bytes + place + 8, 4)
-                                                 : UINT64_MAX;
-    return size > left ? 0 : place + (size_t)size;
-}
-
-// Return where the text of a string begins, and its length. Return 0 if the value at `place` is none.
-static size_t string_at(const struct copy *copy, size_t place, size_t limit, size_t *length)
-{
-    if (value_end(copy, place, limit) == 0 || copy->bytes[place] != 'S') {
-        return 0;
-    }
-    *length = (size_t)read_number(copy->bytes + place + 1, 4);
-    return place + 5;
-}
 
 // Return the doubles of an array. Return NULL if the value at `place` is none, or is not as it should be.
-static double (*read_points(const struct copy *copy, size_t place, size_t limit, size_t *count))[3]
+static double *read_doubles(const struct copy *copy, size_t place, size_t limit, size_t *count)
 {
     enum { LEAST = 1032 }; // zlib makes at most so many bytes of one
-    const size_t end = value_end(copy, place, limit);
-    if (end == 0 || copy->bytes[place] != 'd') {
+    const size_t end = scene_fbx_value_end(&copy->file, place, limit);
+    if (end == 0 || copy->file.bytes[place] != 'd') {
         return NULL;
     }
-    const unsigned char *const head = copy->bytes + place + 1;
-    const uint64_t numbers = read_number(head, 4), encoding = read_number(head + 4, 4);
+    const unsigned char *const head = copy->file.bytes + place + 1;
+    const uint64_t numbers = scene_fbx_number(head, 4), encoding = scene_fbx_number(head + 4, 4);
     const size_t stored = end - place - 13, size = (size_t)numbers * sizeof(double);
-    if (numbers == 0 || numbers % 3 != 0 || encoding > 1 || (encoding == 0 && size != stored) ||
-        size / LEAST > stored) {
+    if (encoding > 1 || (encoding == 0 && size != stored) || size / LEAST > stored) {
         return NULL;
     }
-    double(*const points)[3] = scene_import_allocate(copy->import, (size_t)numbers / 3, sizeof *points);
+    double *const values = scene_import_allocate(copy->import, (size_t)numbers, sizeof *values);
     uLongf made = size;
     if (encoding == 0) {
-        memcpy(points, head + 12, size);
-    } else if (uncompress((Bytef *)points, &made, head + 12, stored) != Z_OK || made != size) {
-        free(points);
+        memcpy(values, head + 12, size);
+    } else if (uncompress((Bytef *)values, &made, head + 12, stored) != Z_OK || made != size) {
+        free(values);
         return NULL;
     }
-    *count = (size_t)numbers / 3;
-    return points;
+    *count = (size_t)numbers;
+    return values;
+}
+
+// Find the first record of a kind among those in another. Return false if there is none.
+static bool find_child(const struct copy *copy, const struct scene_fbx_record *parent,
+                       enum scene_fbx_kind parent_kind, enum scene_fbx_kind kind,
+                       struct scene_fbx_record *child)
+{
+    bool is_found = false;
+    for (size_t place = parent->children;
+         !is_found && scene_fbx_read_record(&copy->file, place, (size_t)parent->end, child) &&
+         child->end > place;
+         place = (size_t)child->end) {
+        is_found = scene_fbx_kind_of(parent_kind, (const char *)copy->file.bytes + child->name,
+                                     child->name_length) == kind;
+    }
+    return is_found;
+}
+
+// Return where the numbers of a property begin, behind its name, its type, its label and its flags. Return 0 if it is
+// too short for them.
+static size_t find_numbers(const struct copy *copy, const struct scene_fbx_record *property)
+{
+    size_t place = property->values;
+    for (int i = 0; i < 4 && place != 0; i++) {
+        place = scene_fbx_value_end(&copy->file, place, property->children);
+    }
+    return place;
 }
 
 // Find the positions of a geometry. They are kept where they are far.
-static void find_points(struct copy *copy, const struct record *geometry)
+static void find_points(struct copy *copy, const struct scene_fbx_record *geometry)
 {
-    size_t name_length, class_length, place = geometry->children;
-    const size_t name_at = value_end(copy, geometry->values, geometry->children);
-    const size_t name = string_at(copy, name_at, geometry->children, &name_length);
+    size_t name_length, class_length;
+    const size_t name_at = scene_fbx_value_end(&copy->file, geometry->values, geometry->children);
+    const size_t name = scene_fbx_string_at(&copy->file, name_at, geometry->children, &name_length);
     const size_t class_at =
-        name == 0 ? 0 : string_at(copy, name + name_length, geometry->children, &class_length);
-    struct record record;
+        name == 0 ? 0
+                  : scene_fbx_string_at(&copy->file, name + name_length, geometry->children, &class_length);
+    struct scene_fbx_record record;
     if (name_at == 0 || name == 0 || name_length > MOST_NAME || class_at == 0 ||
-        !scene_fbx_has_places((const char *)copy->bytes + class_at, class_length)) {
+        !scene_fbx_has_places((const char *)copy->file.bytes + class_at, class_length)) {
         return;
     }
-    bool is_found = false;
-    while (!is_found && read_record(copy, place, (size_t)geometry->end, &record) && record.end > place) {
-        is_found = scene_fbx_kind_of(SCENE_FBX_GEOMETRY, (const char *)copy->bytes + record.name,
-                                     record.name_length) == SCENE_FBX_POSITIONS;
-        place = (size_t)record.end;
-    }
+    const bool is_found = find_child(copy, geometry, SCENE_FBX_GEOMETRY, SCENE_FBX_POSITIONS, &record);
+    size_t count = 0;
     double(*const points)[3] =
-        is_found ? read_points(copy, record.values, record.children, &copy->point_count) : NULL;
+        is_found ? (void *)read_doubles(copy, record.values, record.children, &count) : NULL;
     double offset[3];
-    if (points == NULL ||
+    copy->point_count = count / 3;
+    if (points == NULL || count % 3 != 0 ||
         !scene_assimp_find_offset(copy->import, (const double(*)[3])points, copy->point_count, offset)) {
         free(points);
         return;
@@ -260,7 +224,6 @@ static void find_points(struct copy *copy, const struct record *geometry)
     }
     copy->points = points;
     copy->offset = scene_assimp_keep_offset(copy->import, copy->exact, offset);
-    copy->is_changed = true;
 }
 
 // A property of a model.
@@ -270,60 +233,54 @@ struct property {
 };
 
 // Read a property. Return false if it is not as it should be.
-static bool read_property(const struct copy *copy, const struct record *record, struct property *property)
+static bool read_property(const struct copy *copy, const struct scene_fbx_record *record,
+                          struct property *property)
 {
-    size_t length, type_length, place = record->values;
-    const size_t name = string_at(copy, place, record->children, &length);
-    const size_t type = name == 0 ? 0 : string_at(copy, name + length, record->children, &type_length);
+    size_t length, type_length;
+    const size_t name = scene_fbx_string_at(&copy->file, record->values, record->children, &length);
+    const size_t type =
+        name == 0 ? 0 : scene_fbx_string_at(&copy->file, name + length, record->children, &type_length);
     property->vector =
-        name == 0 ? SCENE_FBX_VECTORS : scene_fbx_vector_of((const char *)copy->bytes + name, length);
+        name == 0 ? SCENE_FBX_VECTORS : scene_fbx_vector_of((const char *)copy->file.bytes + name, length);
     if (property->vector == SCENE_FBX_VECTORS || type == 0 ||
-        !scene_fbx_is_vector((const char *)copy->bytes + type, type_length)) {
+        !scene_fbx_is_vector((const char *)copy->file.bytes + type, type_length)) {
         property->vector = SCENE_FBX_VECTORS;
         return true;
     }
-    for (int i = 0; i < 4 && place != 0; i++) { // the name, the type, the label, the flags
-        place = value_end(copy, place, record->children);
-    }
+    const size_t place = find_numbers(copy, record);
     bool is_good = place != 0 && record->children - place == 3 * DOUBLE;
     for (size_t c = 0; c < 3 && is_good; c++) {
-        is_good = copy->bytes[place + c * DOUBLE] == 'D';
-        memcpy(&property->numbers[c], copy->bytes + place + c * DOUBLE + 1, sizeof property->numbers[c]);
+        is_good = copy->file.bytes[place + c * DOUBLE] == 'D';
+        memcpy(&property->numbers[c], copy->file.bytes + place + c * DOUBLE + 1, sizeof property->numbers[c]);
     }
     return is_good;
 }
 
 // Return the whole number that the property RotationOrder of a model has. Return -1 if the record is another property.
-static double read_order(const struct copy *copy, const struct record *record)
+static double read_order(const struct copy *copy, const struct scene_fbx_record *record)
 {
-    size_t length, place = record->values;
-    const size_t name = string_at(copy, place, record->children, &length);
-    if (name == 0 || !is((const char *)copy->bytes + name, length, "RotationOrder")) {
+    size_t length;
+    const size_t name = scene_fbx_string_at(&copy->file, record->values, record->children, &length);
+    if (name == 0 || !is((const char *)copy->file.bytes + name, length, "RotationOrder")) {
         return -1;
     }
-    for (int i = 0; i < 4 && place != 0; i++) {
-        place = value_end(copy, place, record->children);
-    }
-    const bool is_number = place != 0 && record->children - place == 5 && copy->bytes[place] == 'I';
-    return is_number ? (double)read_number(copy->bytes + place + 1, 4) : -1;
+    const size_t place = find_numbers(copy, record);
+    const bool is_number = place != 0 && record->children - place == 5 && copy->file.bytes[place] == 'I';
+    return is_number ? (double)scene_fbx_number(copy->file.bytes + place + 1, 4) : -1;
 }
 
 // Find the transform of a model, and the marks that it needs. It needs none if a vector of it is not as it should be.
-static void find_transform(struct copy *copy, const struct record *model)
+static void find_transform(struct copy *copy, const struct scene_fbx_record *model)
 {
-    struct record list = {.end = 0}, record;
+    struct scene_fbx_record list = {.end = 0}, record;
     struct property property;
-    size_t place = model->children;
-    bool is_found = false, is_good = true;
+    bool is_good = true;
     copy->marks = (struct scene_fbx_marks){.is_set = {false}};
     copy->transform = scene_fbx_transform_default();
-    while (!is_found && read_record(copy, place, (size_t)model->end, &list) && list.end > place) {
-        is_found = scene_fbx_kind_of(SCENE_FBX_MODEL, (const char *)copy->bytes + list.name,
-                                     list.name_length) == SCENE_FBX_PROPERTIES;
-        place = (size_t)list.end;
-    }
-    place = is_found ? list.children : (size_t)list.end;
-    while (is_found && read_record(copy, place, (size_t)list.end, &record) && record.end > place) {
+    const bool is_found = find_child(copy, model, SCENE_FBX_MODEL, SCENE_FBX_PROPERTIES, &list);
+    size_t place = is_found ? list.children : (size_t)list.end;
+    while (is_found && scene_fbx_read_record(&copy->file, place, (size_t)list.end, &record) &&
+           record.end > place) {
         is_good = is_good && read_property(copy, &record, &property);
         if (is_good && property.vector < SCENE_FBX_VECTORS) {
             memcpy(copy->transform.vectors[property.vector], property.numbers, sizeof property.numbers);
@@ -333,8 +290,13 @@ static void find_transform(struct copy *copy, const struct record *model)
         copy->transform.order = order >= 0 ? order : copy->transform.order;
         place = (size_t)record.end;
     }
-    if (is_found && is_good) {
-        scene_fbx_mark_model(copy->import, copy->exact, &copy->transform, &copy->marks);
+    size_t length;
+    const size_t name_at = scene_fbx_value_end(&copy->file, model->values, model->children);
+    const size_t name = scene_fbx_string_at(&copy->file, name_at, model->children, &length);
+    if (is_found && is_good && name_at != 0 && name != 0) {
+        copy->marks = scene_fbx_mark_model(
+            copy->import, copy->exact, &copy->transform,
+            scene_fbx_is_moved(copy->exact, (const char *)copy->file.bytes + name, length));
     }
 }
 
@@ -349,7 +311,7 @@ static void put(struct copy *copy, const void *bytes, size_t size)
 
 static void put_file(struct copy *copy, size_t place, size_t end)
 {
-    put(copy, copy->bytes + place, end - place);
+    put(copy, copy->file.bytes + place, end - place);
 }
 
 static void set_number(struct copy *copy, size_t place, uint64_t number, size_t size)
@@ -367,13 +329,14 @@ static void put_number(struct copy *copy, uint64_t number)
 }
 
 // Copy the values of a geometry with far positions, which gets a mark in its name.
-static void put_geometry(struct copy *copy, const struct record *record)
+static void put_geometry(struct copy *copy, const struct scene_fbx_record *record)
 {
     size_t length;
-    const size_t name_at = value_end(copy, record->values, record->children);
-    const size_t name = string_at(copy, name_at, record->children, &length), end = name + length;
+    const size_t name_at = scene_fbx_value_end(&copy->file, record->values, record->children);
+    const size_t name = scene_fbx_string_at(&copy->file, name_at, record->children, &length),
+                 end = name + length;
     char *const marked =
-        scene_fbx_mark_name(copy->import, copy->offset, (const char *)copy->bytes + name, &length);
+        scene_fbx_mark_name(copy->import, copy->offset, (const char *)copy->file.bytes + name, &length);
     put_file(copy, record->values, name_at + 1);
     put_number(copy, length);
     put(copy, marked, length);
@@ -381,21 +344,41 @@ static void put_geometry(struct copy *copy, const struct record *record)
     free(marked);
 }
 
-static void put_positions(struct copy *copy, const struct record *record)
+// Write an array of doubles in the place of the first value of a record.
+static void put_doubles(struct copy *copy, const struct scene_fbx_record *record, const double *values,
+                        size_t count)
 {
-    const size_t size = copy->point_count * sizeof *copy->points;
     put(copy, "d", 1);
-    put_number(copy, 3 * copy->point_count);
+    put_number(copy, count);
     put_number(copy, 0);
-    put_number(copy, size);
-    put(copy, copy->points, size);
-    put_file(copy, value_end(copy, record->values, record->children), record->children);
+    put_number(copy, count * sizeof *values);
+    put(copy, values, count * sizeof *values);
+    put_file(copy, scene_fbx_value_end(&copy->file, record->values, record->children), record->children);
+}
+
+static void put_positions(struct copy *copy, const struct scene_fbx_record *record)
+{
+    put_doubles(copy, record, copy->points[0], 3 * copy->point_count);
     free(copy->points);
     copy->points = NULL;
 }
 
+// Copy the matrix of a bone, with a mark.
+static void put_bind(struct copy *copy, const struct scene_fbx_record *record)
+{
+    size_t count = 0;
+    double *const matrix = read_doubles(copy, record->values, record->children, &count);
+    if (count == 16) {
+        scene_fbx_mark_bind(copy->import, copy->exact, matrix);
+        put_doubles(copy, record, matrix, count);
+    } else {
+        put_file(copy, record->values, record->children);
+    }
+    free(matrix);
+}
+
 // Copy a property. The three doubles of a vector may become others.
-static void put_property(struct copy *copy, const struct record *record)
+static void put_property(struct copy *copy, const struct scene_fbx_record *record)
 {
     struct property property;
     double numbers[3];
@@ -406,7 +389,6 @@ static void put_property(struct copy *copy, const struct record *record)
         for (size_t c = 0; c < 3; c++) {
             memcpy(copy->out + copy->written - (3 - c) * DOUBLE + 1, &numbers[c], sizeof numbers[c]);
         }
-        copy->is_changed = true;
     }
 }
 
@@ -422,7 +404,7 @@ static void put_mark(struct copy *copy, int matrix)
 {
     static const unsigned char zeros[25] = {0};
     const char *const name = scene_fbx_vector_name(scene_fbx_mover_of(matrix));
-    const size_t start = copy->written, head = 3 * copy->word + 1;
+    const size_t start = copy->written, head = scene_fbx_head(&copy->file);
     put(copy, zeros, head);
     copy->out[start + head - 1] = 1;
     put(copy, "P", 1);
@@ -434,12 +416,12 @@ static void put_mark(struct copy *copy, int matrix)
         put(copy, "D", 1);
         put(copy, &copy->marks.marks[matrix][c], sizeof(double));
     }
-    set_number(copy, start, copy->written, copy->word);
-    set_number(copy, start + copy->word, 7, copy->word);
-    set_number(copy, start + 2 * copy->word, copy->written - start - head - 1, copy->word);
+    set_number(copy, start, copy->written, copy->file.word);
+    set_number(copy, start + copy->file.word, 7, copy->file.word);
+    set_number(copy, start + 2 * copy->file.word, copy->written - start - head - 1, copy->file.word);
 }
 
-static void put_values(struct copy *copy, enum scene_fbx_kind kind, const struct record *record)
+static void put_values(struct copy *copy, enum scene_fbx_kind kind, const struct scene_fbx_record *record)
 {
     if (kind == SCENE_FBX_GEOMETRY && copy->points != NULL) {
         put_geometry(copy, record);
@@ -447,6 +429,8 @@ static void put_values(struct copy *copy, enum scene_fbx_kind kind, const struct
         put_positions(copy, record);
     } else if (kind == SCENE_FBX_PROPERTY) {
         put_property(copy, record);
+    } else if (kind == SCENE_FBX_BIND) {
+        put_bind(copy, record);
     } else {
         put_file(copy, record->values, record->children);
     }
@@ -456,36 +440,36 @@ static void put_values(struct copy *copy, enum scene_fbx_kind kind, const struct
 static size_t copy_record(struct copy *copy, size_t place, size_t limit, enum scene_fbx_kind parent,
                           unsigned depth)
 {
-    struct record record;
-    if (depth > DEEPEST || !read_record(copy, place, limit, &record)) {
+    struct scene_fbx_record record;
+    if (depth > DEEPEST || !scene_fbx_read_record(&copy->file, place, limit, &record)) {
         return 0;
     }
-    const size_t start = copy->written, head = 3 * copy->word + 1;
+    const size_t start = copy->written, head = scene_fbx_head(&copy->file);
     put_file(copy, place, record.values);
     if (record.end == 0) {
         return record.values;
     }
     const enum scene_fbx_kind kind =
-        scene_fbx_kind_of(parent, (const char *)copy->bytes + record.name, record.name_length);
+        scene_fbx_kind_of(parent, (const char *)copy->file.bytes + record.name, record.name_length);
     if (kind == SCENE_FBX_GEOMETRY) {
         find_points(copy, &record);
     } else if (kind == SCENE_FBX_MODEL) {
         find_transform(copy, &record);
     }
     put_values(copy, kind, &record);
-    set_number(copy, start + 2 * copy->word, copy->written - start - head - record.name_length, copy->word);
+    set_number(copy, start + 2 * copy->file.word, copy->written - start - head - record.name_length,
+               copy->file.word);
     for (int i = 0; i < SCENE_FBX_MATRICES && kind == SCENE_FBX_PROPERTIES; i++) {
         if (copy->marks.is_set[i] && !copy->transform.is_given[scene_fbx_mover_of(i)]) {
             put_mark(copy, i);
-            copy->is_changed = true;
         }
     }
     size_t child = record.children;
     while (child != 0 && child < record.end) {
         child = copy_record(copy, child, (size_t)record.end, kind, depth + 1);
     }
-    set_number(copy, start, copy->written, copy->word);
-    const bool is_small = copy->written < copy->most && (copy->word == 8 || copy->written <= UINT32_MAX);
+    set_number(copy, start, copy->written, copy->file.word);
+    const bool is_small = copy->written < copy->most && (copy->file.word == 8 || copy->written <= UINT32_MAX);
     return child == record.end && is_small && (kind != SCENE_FBX_GEOMETRY || copy->points == NULL)
                ? (size_t)record.end
                : 0;
@@ -494,21 +478,19 @@ static size_t copy_record(struct copy *copy, size_t place, size_t limit, enum sc
 char *scene_assimp_rewrite_fbx(struct scene_import *import, struct scene_assimp_exact *exact,
                                const char *bytes, size_t *size)
 {
-    struct copy copy = {
-        .import = import, .exact = exact, .bytes = (const void *)bytes, .most = most_copied + 64 * *size};
-    struct record record;
-    if (*size <= HEADER || memcmp(bytes, magic, sizeof magic) != 0) {
+    struct copy copy = {.import = import, .exact = exact, .most = most_copied + 64 * *size};
+    struct scene_fbx_record record;
+    if (!scene_fbx_is_binary(bytes, *size, &copy.file)) {
         return NULL;
     }
-    copy.word = read_number(copy.bytes + VERSION_AT, 4) >= WIDE_SINCE ? 8 : 4;
-    put_file(&copy, 0, HEADER);
-    size_t place = HEADER;
-    bool is_good = read_record(&copy, place, *size, &record);
+    put_file(&copy, 0, SCENE_FBX_HEADER);
+    size_t place = SCENE_FBX_HEADER;
+    bool is_good = scene_fbx_read_record(&copy.file, place, *size, &record);
     while (is_good && record.end != 0) {
         place = copy_record(&copy, place, *size, SCENE_FBX_FILE, 0);
-        is_good = place != 0 && read_record(&copy, place, *size, &record);
+        is_good = place != 0 && scene_fbx_read_record(&copy.file, place, *size, &record);
     }
-    if (!is_good || !copy.is_changed) {
+    if (!is_good) {
         free(copy.points);
         free(copy.out);
         return NULL;

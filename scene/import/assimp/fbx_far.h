@@ -14,11 +14,15 @@ enum scene_fbx_kind {
     SCENE_FBX_MODEL,
     SCENE_FBX_PROPERTIES,
     SCENE_FBX_PROPERTY,
+    SCENE_FBX_DEFORMER,
+    SCENE_FBX_BIND,
     SCENE_FBX_OTHER,
 };
 
-/// The marks of a model.
+/// The marks of a model: one for each of its matrices, or where an animation moves it, which knows the vectors one by
+/// one, one for each of its ways.
 struct scene_fbx_marks {
+    bool is_moved;
     bool is_set[SCENE_FBX_MATRICES];
     double marks[SCENE_FBX_MATRICES][3];
 };
@@ -27,9 +31,13 @@ struct scene_fbx_marks {
 enum scene_fbx_kind scene_fbx_kind_of(enum scene_fbx_kind parent, const char *name, size_t length);
 /// Return true for the type of a property that assimp reads as three numbers.
 bool scene_fbx_is_vector(const char *type, size_t length);
-/// Find the marks that the properties of a model need, one for each of its matrices. Return false if it needs none.
-bool scene_fbx_mark_model(struct scene_import *import, struct scene_assimp_exact *exact,
-                          const struct scene_fbx_transform *transform, struct scene_fbx_marks *marks);
+/// Return true if an animation moves a model.
+bool scene_fbx_is_moved(const struct scene_assimp_exact *exact, const char *name, size_t length);
+/// Find the marks that the properties of a model need.
+struct scene_fbx_marks scene_fbx_mark_model(struct scene_import *import, struct scene_assimp_exact *exact,
+                                            const struct scene_fbx_transform *transform, bool is_moved);
+/// Put a mark into the 16 numbers of a bone's bind.
+void scene_fbx_mark_bind(struct scene_import *import, struct scene_assimp_exact *exact, double matrix[16]);
 /// Find the numbers that a vector of the model gets. Return false if it stays as it is.
 bool scene_fbx_marked_vector(struct scene_import *import, struct scene_assimp_exact *exact,
                              const struct scene_fbx_marks *marks, enum scene_fbx_vector vector,

@@ -24,7 +24,8 @@ struct text {
     const char *properties;
     struct scene_fbx_transform transform;
     const char *vectors[SCENE_FBX_VECTORS][2];
-    bool is_odd; // a vector is not as it should be
+    bool is_moved; // an animation moves the model
+    bool is_odd;   // a vector is not as it should be
 };
 
 static bool is_blank(char c)
@@ -62,10 +63,7 @@ static const char *read_string(const struct text *text, const char *c, struct sc
 // Read a number from `c` on. Return where it ends. Return NULL if there is none.
 static const char *read_number(const struct text *text, const char *c, double *number)
 {
-    size_t length = 0;
-    c = skip_blanks(text, c);
-    const struct scene_word word = {c, strcspn(c, ", \t\r\n}\"")};
-    return scene_word_number(word, number, &length) ? c + length : NULL;
+    return scene_number_read(skip_blanks(text, c), text->end, ", \t\r\n}\"", number);
 }
 
 static const char *read_geometry(struct text *text, const char *c)
@@ -79,6 +77,16 @@ static const char *read_geometry(struct text *text, const char *c)
     if (place != NULL && name.length <= MOST_NAME && scene_fbx_has_places(class.start, class.length)) {
         text->name = name;
     }
+    return place == NULL ? c : place;
+}
+
+static const char *read_model(struct text *text, const char *c)
+{
+    struct scene_word name;
+    double id;
+    const char *place = read_number(text, c, &id);
+    place = place == NULL ? NULL : read_string(text, place, &name);
+    text->is_moved = place != NULL && scene_fbx_is_moved(text->exact, name.start, name.length);
     return place == NULL ? c : place;
 }
 
@@ -141,7 +149,7 @@ static void end_properties(struct text *text)
     struct scene_fbx_marks marks = {.is_set = {false}};
     double numbers[3];
     if (!text->is_odd) {
-        scene_fbx_mark_model(text->import, text->exact, &text->transform, &marks);
+        marks = scene_fbx_mark_model(text->import, text->exact, &text->transform, text->is_moved);
     }
     for (int i = 0; i < SCENE_FBX_VECTORS && !text->is_odd; i++) {
         if (text->transform.is_given[i] &&
@@ -175,56 +183,66 @@ static void close_record(struct text *text)
     }
 }
 
-static double (*read_points(const struct text *text, const char **c, size_t *count))[3]
+static double *read_doubles(const struct text *text, const char **c, size_t *count)
 {
     double *numbers = NULL, number;
-    size_t capacity = 0, read = 0;
+    size_t capacity = 0;
+    *count = 0;
     for (const char *place = read_number(text, *c, &number); place != NULL;
          place = read_number(text, place, &number)) {
-        scene_import_reserve(text->import, &numbers, &capacity, read + 1, sizeof *numbers);
-        numbers[read++] = number;
+        scene_import_reserve(text->import, &numbers, &capacity, *count + 1, sizeof *numbers);
+        numbers[(*count)++] = number;
         *c = place;
     }
-    *count = read % 3 == 0 ? read / 3 : 0;
-    return (double(*)[3])numbers;
+    return numbers;
 }
 
-static void move_points(struct text *text, const char *first, const char *last, const double (*points)[3],
-                        size_t count, const double offset[3])
+static void mark_name(struct text *text, const double offset[3])
 {
-    char *written = NULL;
-    size_t capacity = 0, length = 0;
-    for (size_t i = 0; i < 3 * count; i++) {
-        scene_import_reserve(text->import, &written, &capacity, length + 33, 1);
-        written[length] = ',';
-        length += i > 0;
-        length += scene_assimp_write_number(written + length, points[i / 3][i % 3] - offset[i % 3]);
-    }
-    scene_edits_add(
-        text->import, &text->edits,
-        (struct scene_edit){(size_t)(first - text->start), (size_t)(last - first), written, length});
-    size_t name_length = text->name.length;
+    size_t length = text->name.length;
     const size_t number = scene_assimp_keep_offset(text->import, text->exact, offset);
-    char *const name = scene_fbx_mark_name(text->import, number, text->name.start, &name_length);
+    char *const name = scene_fbx_mark_name(text->import, number, text->name.start, &length);
     scene_edits_add(
         text->import, &text->edits,
-        (struct scene_edit){(size_t)(text->name.start - text->start), text->name.length, name, name_length});
+        (struct scene_edit){(size_t)(text->name.start - text->start), text->name.length, name, length});
 }
 
 // Read the numbers of an array of positions.
 static const char *read_positions(struct text *text, const char *c)
 {
-    const char *const first = skip_blanks(text, c);
+    const char *const first = skip_blanks(text, c), *last = first;
     size_t count;
     double offset[3];
-    const char *last = first;
-    double(*const points)[3] = read_points(text, &last, &count);
-    if (text->name.start != NULL && count > 0 &&
-        scene_assimp_find_offset(text->import, (const double(*)[3])points, count, offset)) {
-        move_points(text, first, last, (const double(*)[3])points, count, offset);
+    double(*const points)[3] = (void *)read_doubles(text, &last, &count);
+    if (text->name.start != NULL && count > 0 && count % 3 == 0 &&
+        scene_assimp_find_offset(text->import, (const double(*)[3])points, count / 3, offset)) {
+        scene_assimp_edit_points(text->import, &text->edits, (size_t)(first - text->start),
+                                 (size_t)(last - first), ',', (const double(*)[3])points, count / 3, offset);
+        mark_name(text, offset);
     }
     text->name.start = NULL; // the first array alone counts
     free(points);
+    return last;
+}
+
+// Read the matrix of a bone, which gets a mark.
+static const char *read_bind(struct text *text, const char *c)
+{
+    const char *const first = skip_blanks(text, c), *last = first;
+    size_t count;
+    double *const matrix = read_doubles(text, &last, &count);
+    if (count == 16) {
+        char written[16 * 32];
+        size_t length = 0;
+        scene_fbx_mark_bind(text->import, text->exact, matrix);
+        for (size_t i = 0; i < count; i++) {
+            length += scene_assimp_write_number(written + length, matrix[i]);
+            written[length++] = i + 1 < count ? ',' : 0;
+        }
+        scene_edits_add_string(text->import, &text->edits, (size_t)(first - text->start),
+                               (size_t)(last - first), written);
+    }
+    free(matrix);
     return last;
 }
 
@@ -235,8 +253,12 @@ static const char *read_values(struct text *text, const char *name, size_t lengt
     if (parent == SCENE_FBX_POSITIONS && length == 1 && *name == 'a') {
         return read_positions(text, c);
     }
+    if (parent == SCENE_FBX_BIND && length == 1 && *name == 'a') {
+        return read_bind(text, c);
+    }
     text->kind = scene_fbx_kind_of(parent, name, length);
     return text->kind == SCENE_FBX_GEOMETRY   ? read_geometry(text, c)
+           : text->kind == SCENE_FBX_MODEL    ? read_model(text, c)
            : text->kind == SCENE_FBX_PROPERTY ? read_property(text, c)
                                               : c;
 }

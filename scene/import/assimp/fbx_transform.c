@@ -57,17 +57,10 @@ struct scene_fbx_transform scene_fbx_transform_default(void)
     return transform;
 }
 
-static void set_identity(double m[16])
-{
-    for (int i = 0; i < 16; i++) {
-        m[i] = i % 5 == 0;
-    }
-}
-
 static void move(double product[16], const double way[3], double sign)
 {
     double m[16];
-    set_identity(m);
+    scene_import_identity_exact(m);
     for (int c = 0; c < 3; c++) {
         m[12 + c] = sign * way[c];
     }
@@ -77,7 +70,7 @@ static void move(double product[16], const double way[3], double sign)
 static void scale(double product[16], const double factors[3])
 {
     double m[16];
-    set_identity(m);
+    scene_import_identity_exact(m);
     for (int c = 0; c < 3; c++) {
         m[5 * c] = factors[c];
     }
@@ -93,7 +86,7 @@ static void turn(double product[16], const double angles[3], double order, bool 
         const int axis = orders[number][is_backward ? 2 - i : i] - '0';
         const int next = (axis + 1) % 3, last = (axis + 2) % 3;
         double m[16], sine, cosine;
-        set_identity(m);
+        scene_import_identity_exact(m);
         scene_sin_cos_degrees(is_backward ? -angles[axis] : angles[axis], &sine, &cosine);
         m[5 * next] = m[5 * last] = cosine;
         m[4 * next + last] = sine;
@@ -106,7 +99,7 @@ bool scene_fbx_find_matrix(const struct scene_fbx_transform *transform, int numb
 {
     const double(*const v)[3] = transform->vectors;
     bool is_wide = false, is_good = true;
-    set_identity(matrix);
+    scene_import_identity_exact(matrix);
     if (number == 0) {
         move(matrix, v[SCENE_FBX_TRANSLATION], 1);
         move(matrix, v[SCENE_FBX_ROTATION_OFFSET], 1);
@@ -128,7 +121,8 @@ bool scene_fbx_find_matrix(const struct scene_fbx_transform *transform, int numb
         const double *const vector = v[i];
         for (int c = 0; c < 3 && scene_fbx_matrix_of((enum scene_fbx_vector)i) == number; c++) {
             const bool is_turn = vectors[i].kind == ANGLES && (vector[c] < 0 || vector[c] > 0);
-            is_wide = is_wide || is_turn || (double)(float)vector[c] != vector[c];
+            const bool is_way = vectors[i].kind == WAY && (vector[c] < 0 || vector[c] > 0);
+            is_wide = is_wide || is_turn || is_way || (double)(float)vector[c] != vector[c];
         }
     }
     for (int i = 0; i < 16; i++) {

@@ -44,10 +44,33 @@ static bool find_point(const struct scene_import_points *points, size_t number, 
     return is_good;
 }
 
+// Bound points by the lesser and the greater of two numbers, which no branch depends on. Return false if one of them is
+// no good point.
+static bool bound_good(const struct scene_import_points *points, double low[3], double high[3])
+{
+    bool is_good = true;
+    for (size_t i = 0; i < points->count; i++) {
+        for (int c = 0; c < 3; c++) {
+            const double at = points->exact != NULL ? points->exact[i][c] : (double)points->floats[i][c];
+            low[c] = at < low[c] ? at : low[c];
+            high[c] = at > high[c] ? at : high[c];
+            is_good &= at == at; // false of what is not a number
+        }
+    }
+    for (int c = 0; c < 3; c++) {
+        is_good &= low[c] > -huge && high[c] < huge;
+    }
+    return is_good;
+}
+
 static struct scene_box bound(const struct scene_import_points *points)
 {
     struct scene_box box = scene_box_empty();
     double point[3];
+    if (points->count > 0 && bound_good(points, box.low, box.high)) {
+        return box;
+    }
+    box = scene_box_empty();
     for (size_t i = 0; i < points->count; i++) {
         if (find_point(points, i, point)) {
             scene_box_extend_to(&box, point);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "archive.h"
 #include "confine.h"
 #include "data_uri.h"
 #include "folder.h"
@@ -240,6 +241,10 @@ void scene_import_find_image(struct scene_import *import, const char *folder, co
     if (scene_data_uri_is(name)) {
         source->bytes = scene_data_uri_decode(import, name, &source->size);
         source->problem = "its data URI is not valid base64";
+        return;
+    }
+    source->bytes = scene_import_find_entry(import, name, &source->size);
+    if (source->bytes != NULL) {
         return;
     }
     source->file = find(import, folder, name, true);

@@ -51,6 +51,7 @@ struct scene_import_exact {
 };
 
 struct scene_import;
+struct scene_import_archive;
 struct scene_import_folder;
 struct scene_import_piece;
 struct system_child;
@@ -87,6 +88,8 @@ struct scene_import {
     struct scene_progress *progress;     // progress of the options
     const char *missing;                 // why scene_import_find_file returned NULL last
     struct scene_import_folder *folders; // folders whose names were read (folder.c)
+    // The archive that the model is in (archive.c). NULL if it is a file of its own.
+    struct scene_import_archive *archive;
     // model.up is what is usual in the format, and the model's shape decides.
     bool up_is_open;
     // With up_is_open: nearly all programs that write the format have what is usual.
@@ -95,6 +98,9 @@ struct scene_import {
     bool has_floats_alone;
     // Nothing in the format says which side of a surface is the front.
     bool sides_are_open;
+    // Looks at corners that polygons took beyond what is usual, and polygons that became fans for it (polygon.c).
+    uint64_t more_looks;
+    uint32_t fan_count;
     // Pieces of meshes that are not in the model yet.
     struct scene_import_piece *pieces;
     size_t piece_count, piece_capacity;

@@ -2,12 +2,10 @@
 // Ears of large polygons. A corner that turns clockwise is all that can lie in an ear (Meisters, Polygons have ears,
 // 1975). A grid holds these corners, so that an ear of the usual size looks at a few of them. The search for the next
 // ear goes on behind the last one. A hostile polygon, all of whose ears are long, still takes time in the square of its
-// corners, so that there is a limit.
+// corners, so that the caller gives a limit.
 #include "large_polygon.h"
 
 #include <stdlib.h>
-
-static const uint64_t most_looks = 200000000; // half a second's
 
 struct ring {
     const double (*points)[2];
@@ -149,7 +147,8 @@ static void cut(struct ring *ring, uint32_t i, uint32_t *out)
     ring->turns_back[after] = ring->turns_back[after] && turns_back(ring, after);
 }
 
-bool scene_import_cut_large(const double (*points)[2], uint32_t count, uint32_t *triangles)
+bool scene_import_cut_large(const double (*points)[2], uint32_t count, uint64_t most_looks, uint64_t *looks,
+                            uint32_t *triangles)
 {
     struct ring ring = {.points = points};
     uint32_t left = count, place = 0, passed = 0;
@@ -174,5 +173,6 @@ bool scene_import_cut_large(const double (*points)[2], uint32_t count, uint32_t 
         second = third;
     }
     free_ring(&ring);
+    *looks += ring.looks;
     return is_made && left <= 3;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Polygons of thousands of corners become triangles.
+// Polygons of many corners become triangles.
 #ifndef SCENE_LARGE_POLYGON_H
 #define SCENE_LARGE_POLYGON_H
 
@@ -21,7 +21,9 @@ static inline void scene_import_emit(uint32_t *out, uint32_t a, uint32_t b, uint
 }
 
 /// Cut a polygon in a plane, whose corners run counter-clockwise, into count − 2 triangles of places in `points`.
-/// Return false if it takes too much time or memory. The triangles are a fan from there on.
-bool scene_import_cut_large(const double (*points)[2], uint32_t count, uint32_t *triangles);
+/// Return false if that takes more than `most_looks` looks at corners, or too much memory. The triangles are a fan from
+/// there on. Add the looks that it took to `looks`.
+bool scene_import_cut_large(const double (*points)[2], uint32_t count, uint64_t most_looks, uint64_t *looks,
+                            uint32_t *triangles);
 
 #endif

@@ -23,13 +23,12 @@ enum { SCENE_IMPORT_FAR = 256 };
 struct scene_import_spread scene_import_spread_find(struct scene_import *import, const double (*points)[3],
                                                     size_t count);
 
+/// Return true if points that are floats are far from the origin.
+bool scene_import_are_far(struct scene_import *import, const float (*points)[3], size_t count);
+
 /// Make floats of an array from scene_import_allocate or scene_import_reserve, in its own memory. If the points are
 /// far, subtract their middle and write it to `origin`, which is 0 otherwise.
 float (*scene_import_settle(struct scene_import *import, double (*points)[3], size_t count,
                             double origin[3]))[3];
-
-/// Find the origin of a mesh that a matrix for each vertex brings into the world. It is 0 if that is near.
-void scene_import_skin_origin(struct scene_import *import, const struct scene_mesh *mesh,
-                              const float (*matrices)[16], double origin[3]);
 
 #endif

@@ -157,6 +157,26 @@ static void set_base_color(const struct scene_phong *phong, struct scene_materia
     }
 }
 
+// Let the material alone show where a texture that is not repeated, a decal, ends.
+static void set_borders(const struct scene_phong *phong, struct scene_material *material)
+{
+    static const float none[4] = {1, 1, 1, 1}, straight[4] = {0.5f, 0.5f, 1, 1};
+    const float *const factor = material->base_color;
+    const bool is_replaced = !phong->colored && factor[0] == 1 && factor[1] == 1 && factor[2] == 1;
+    float own[4] = {default_grey, default_grey, default_grey, 1};
+    if (phong->described) {
+        decode(phong->diffuse, own);
+    }
+    for (int s = 0; s < SCENE_SLOT_COUNT; s++) {
+        float *const border = material->slots[s].border;
+        if (s == SCENE_SLOT_BASE_COLOR && is_replaced) {
+            memcpy(border, own, sizeof own);
+        } else if (s != SCENE_SLOT_EMISSIVE) {
+            memcpy(border, s == SCENE_SLOT_NORMAL ? straight : none, sizeof none);
+        }
+    }
+}
+
 static void set_surface(const struct scene_phong *phong, struct scene_material *material)
 {
     const bool shiny = phong->shininess > 0;
@@ -240,5 +260,6 @@ uint32_t scene_phong_add(struct scene_import *import, const struct scene_phong *
     for (int c = 0; c < 3 && glows && is_black(phong->emissive); c++) {
         material->emissive[c] = 1;
     }
+    set_borders(phong, material);
     return import->model.material_count - 1;
 }

@@ -43,6 +43,24 @@ void scene_import_settle_mesh(struct scene_import *import, struct scene_mesh *me
     mesh->positions = scene_import_settle(import, points, mesh->vertex_count, origin);
 }
 
+bool scene_import_stay_floats(struct scene_import *import, const float (*points)[3], size_t count)
+{
+    const struct scene_import_points all = {.floats = points, .count = count};
+    return !scene_import_clusters_may_be(&all) && !scene_import_are_far(import, points, count);
+}
+
+double (*scene_import_widen(struct scene_import *import, float (*points)[3], size_t count))[3]
+{
+    double(*const wide)[3] = scene_import_allocate(import, count, sizeof *wide);
+    for (size_t i = 0; i < count; i++) {
+        for (int c = 0; c < 3; c++) {
+            wide[i][c] = (double)points[i][c];
+        }
+    }
+    free(points);
+    return wide;
+}
+
 float (*scene_import_settle_clusters(struct scene_import *import, double (*points)[3], size_t count,
                                      const struct scene_import_clusters *clusters, double (*origins)[3]))[3]
 {

@@ -22,6 +22,11 @@ typedef void scene_import_piece_work(struct scene_import *import, struct scene_m
 /// parts far from each other. Its indices are there.
 void scene_import_settle_mesh(struct scene_import *import, struct scene_mesh *mesh, double (*points)[3],
                               double origin[3]);
+/// Return true if points that are floats in their file can stay so: they are not far from the origin, nor from each
+/// other.
+bool scene_import_stay_floats(struct scene_import *import, const float (*points)[3], size_t count);
+/// Make doubles of points, which are freed.
+double (*scene_import_widen(struct scene_import *import, float (*points)[3], size_t count))[3];
 /// Make floats of points, which are freed. Those of each cluster count from an origin of their own.
 float (*scene_import_settle_clusters(struct scene_import *import, double (*points)[3], size_t count,
                                      const struct scene_import_clusters *clusters, double (*origins)[3]))[3];

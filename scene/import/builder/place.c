@@ -22,6 +22,13 @@ struct scene_import_place scene_import_place_identity(void)
     return scene_import_place_of(identity);
 }
 
+void scene_import_identity_exact(double matrix[16])
+{
+    for (int i = 0; i < 16; i++) {
+        matrix[i] = i % 5 == 0;
+    }
+}
+
 void scene_import_multiply_exact(const double a[16], const double b[16], double product[16])
 {
     double result[16];
@@ -35,6 +42,25 @@ void scene_import_multiply_exact(const double a[16], const double b[16], double 
         }
     }
     memcpy(product, result, sizeof result);
+}
+
+void scene_import_transform_exact(const double matrix[16], const double point[3], double result[3])
+{
+    const double x = point[0], y = point[1], z = point[2];
+    for (int row = 0; row < 3; row++) {
+        result[row] = matrix[row] * x + matrix[4 + row] * y + matrix[8 + row] * z + matrix[12 + row];
+    }
+}
+
+void scene_import_transform_floats(const double matrix[16], const float point[3], double result[3])
+{
+    const double exact[3] = {(double)point[0], (double)point[1], (double)point[2]};
+    scene_import_transform_exact(matrix, exact, result);
+}
+
+void scene_import_add_offset(double matrix[16], const double offset[3])
+{
+    scene_import_transform_exact(matrix, offset, matrix + 12);
 }
 
 struct scene_import_place scene_import_place_multiply(const struct scene_import_place *a,

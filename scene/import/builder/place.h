@@ -25,7 +25,15 @@ void scene_import_place_camera(struct scene_import *import, const struct scene_i
 void scene_import_place_light(struct scene_import *import, const struct scene_import_place *place);
 /// Say what was subtracted from the positions of the mesh that was added last.
 void scene_import_place_mesh(struct scene_import *import, const double origin[3]);
+/// Write the matrix that moves nothing.
+void scene_import_identity_exact(double matrix[16]);
 /// Write `a`·`b` to `product`, which may be one of them.
 void scene_import_multiply_exact(const double a[16], const double b[16], double product[16]);
+/// Write where a matrix brings a point.
+void scene_import_transform_exact(const double matrix[16], const double point[3], double result[3]);
+/// Write where a matrix brings a point of floats.
+void scene_import_transform_floats(const double matrix[16], const float point[3], double result[3]);
+/// Move the place that a matrix brings 0 to by an offset that is counted as what the matrix moves is.
+void scene_import_add_offset(double matrix[16], const double offset[3]);
 
 #endif

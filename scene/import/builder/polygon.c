@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Polygons become triangles, concave ones too, by cutting ears off (Meisters, Polygons have ears, 1975).
+// Polygons become triangles, concave ones too, by cutting ears off (Meisters, Polygons have ears, 1975). Polygons of
+// files as people have them take some looks at each corner. A hostile one takes as many as it has corners, so that what
+// all polygons of a file take beyond what is usual has a limit.
 #include "polygon.h"
 
 #include <math.h>
@@ -8,14 +10,21 @@
 
 #include "large_polygon.h"
 
-// The most corners of a polygon whose ears are cut here, which takes time in the square of them. large_polygon.c cuts
-// one with more.
-enum { MOST_CORNERS = 2048 };
+enum {
+    // The most corners of a polygon whose ears are cut here, which takes time in the square of them. large_polygon.c
+    // cuts one with more.
+    MOST_CORNERS = 64,
+    // Looks at each corner that a polygon may always take. Outlines of letters, parts and coasts take fewer.
+    USUAL_LOOKS = 128,
+    // Looks that all polygons of a file may take beyond the usual ones, which is half a second's.
+    MORE_LOOKS = 200000000,
+};
 
 struct polygon {
     double points[MOST_CORNERS][2]; // corners in the plane that shows most of the polygon, counter-clockwise
     uint32_t ring[MOST_CORNERS];    // corners that are left
     uint32_t count;
+    uint64_t looks; // looks at corners that it took
 };
 
 // Corners of a polygon of a mesh that has no more than positions yet.
@@ -86,15 +95,17 @@ static void flatten(const struct outline *outline, double (*points)[2])
 }
 
 // Return true if the corner at place `i` of the ring can be cut off: it is convex and no other corner lies in it.
-static bool is_ear(const struct polygon *polygon, uint32_t i)
+static bool is_ear(struct polygon *polygon, uint32_t i)
 {
     const uint32_t count = polygon->count, *ring = polygon->ring;
     const uint32_t before = ring[(i + count - 1) % count], here = ring[i], after = ring[(i + 1) % count];
     const double *a = polygon->points[before], *b = polygon->points[here], *c = polygon->points[after];
+    polygon->looks++;
     if (!(scene_import_area(a, b, c) > 0)) {
         return false;
     }
     for (uint32_t k = 0; k < count; k++) {
+        polygon->looks++;
         const double *p = polygon->points[ring[k]];
         const bool corner = memcmp(p, a, sizeof polygon->points[0]) == 0 ||
                             memcmp(p, b, sizeof polygon->points[0]) == 0 ||
@@ -134,7 +145,41 @@ static void fan(uint32_t count, uint32_t *triangles)
     }
 }
 
-static bool cut_large(const struct outline *outline, uint32_t *triangles)
+// Cut the ears off. Return false if it takes more looks than these. The triangles are a fan from there on.
+static bool cut_ears(struct polygon *polygon, uint64_t most_looks, uint32_t *triangles)
+{
+    while (polygon->count > 3) {
+        uint32_t ear = 0;
+        while (ear < polygon->count && polygon->looks < most_looks && !is_ear(polygon, ear)) {
+            ear++;
+        }
+        // Without an ear the polygon crosses itself or has no area, and any corner will do.
+        cut(polygon, ear < polygon->count ? ear : 0, triangles);
+        triangles += 3;
+    }
+    scene_import_emit(triangles, polygon->ring[0], polygon->ring[1], polygon->ring[2]);
+    return polygon->looks < most_looks;
+}
+
+static bool cut_small(const struct outline *outline, uint64_t most_looks, uint64_t *looks,
+                      uint32_t *triangles)
+{
+    struct polygon polygon = {.count = outline->count, .looks = 0};
+    flatten(outline, polygon.points);
+    if (is_convex((const double(*)[2])polygon.points, polygon.count)) {
+        fan(polygon.count, triangles);
+        return true;
+    }
+    for (uint32_t i = 0; i < polygon.count; i++) {
+        polygon.ring[i] = i;
+    }
+    const bool is_whole = cut_ears(&polygon, most_looks, triangles);
+    *looks += polygon.looks;
+    return is_whole;
+}
+
+static bool cut_large(const struct outline *outline, uint64_t most_looks, uint64_t *looks,
+                      uint32_t *triangles)
 {
     const uint32_t count = outline->count;
     double(*const points)[2] = malloc(count * sizeof *points);
@@ -145,7 +190,7 @@ static bool cut_large(const struct outline *outline, uint32_t *triangles)
     if (!is_whole || is_convex((const double(*)[2])points, count)) {
         fan(count, triangles);
     } else {
-        is_whole = scene_import_cut_large((const double(*)[2])points, count, triangles);
+        is_whole = scene_import_cut_large((const double(*)[2])points, count, most_looks, looks, triangles);
     }
     free(points);
     return is_whole;
@@ -154,39 +199,18 @@ static bool cut_large(const struct outline *outline, uint32_t *triangles)
 void scene_import_triangulate(struct scene_import *import, const struct scene_mesh *mesh,
                               const uint32_t *corners, uint32_t count, uint32_t *triangles)
 {
-    struct polygon polygon;
-    const struct outline outline = outline_of(mesh, corners, count);
-    if (count > MOST_CORNERS) {
-        if (!cut_large(&outline, triangles)) {
-            scene_import_warn(import, "a polygon of %u corners takes too long to cut: a part of it is a fan",
-                              count);
-        }
-        return;
-    }
     if (count <= 3) {
         fan(count, triangles);
         return;
     }
-    flatten(&outline, polygon.points);
-    if (is_convex((const double(*)[2])polygon.points, count)) {
-        fan(count, triangles);
-        return;
-    }
-    polygon.count = count;
-    for (uint32_t i = 0; i < count; i++) {
-        polygon.ring[i] = i;
-    }
-    uint32_t next = 0;
-    while (polygon.count > 3) {
-        uint32_t ear = 0;
-        while (ear < polygon.count && !is_ear(&polygon, ear)) {
-            ear++;
-        }
-        // Without an ear the polygon crosses itself or has no area, and any corner will do.
-        cut(&polygon, ear < polygon.count ? ear : 0, triangles + next);
-        next += 3;
-    }
-    scene_import_emit(triangles + next, polygon.ring[0], polygon.ring[1], polygon.ring[2]);
+    const struct outline outline = outline_of(mesh, corners, count);
+    const uint64_t usual = (uint64_t)count * USUAL_LOOKS, most = usual + MORE_LOOKS - import->more_looks;
+    uint64_t looks = 0;
+    const bool is_whole = count > MOST_CORNERS ? cut_large(&outline, most, &looks, triangles)
+                                               : cut_small(&outline, most, &looks, triangles);
+    const uint64_t more = looks > usual ? looks - usual : 0, left = MORE_LOOKS - import->more_looks;
+    import->more_looks += more < left ? more : left;
+    import->fan_count += !is_whole;
 }
 
 void scene_polygons_add(struct scene_import *import, struct scene_polygons *polygons, size_t triangles_before,

@@ -17,7 +17,8 @@ void scene_polygons_add(struct scene_import *import, struct scene_polygons *poly
                         size_t triangles);
 
 /// Cut a polygon of 3 or more corners (vertices of a mesh that has no more than positions yet) into count − 2
-/// triangles. The triangles are places in `corners`. Warn if a polygon is so large that a part of it is a fan.
+/// triangles. The triangles are places in `corners`. Where the file's polygons have taken too long, a part of a polygon
+/// is a fan, and counts as one.
 void scene_import_triangulate(struct scene_import *import, const struct scene_mesh *mesh,
                               const uint32_t *corners, uint32_t count, uint32_t *triangles);
 

@@ -29,7 +29,7 @@ int64_t scene_import_find_animation(const struct scene_import *import)
                                                                                             : -1;
 }
 
-void scene_import_slerp(const float from[4], const float to[4], double part, float result[4])
+void scene_import_slerp(const float from[4], const float to[4], double part, double result[4])
 {
     double cosine = 0.0;
     for (int c = 0; c < 4; c++) {
@@ -45,11 +45,11 @@ void scene_import_slerp(const float from[4], const float to[4], double part, flo
     }
     far = cosine < 0.0 ? -far : far;
     for (int c = 0; c < 4; c++) {
-        result[c] = (float)((double)from[c] * near + (double)to[c] * far);
+        result[c] = (double)from[c] * near + (double)to[c] * far;
     }
 }
 
-void scene_import_compose(const float t[3], const float q[4], const float s[3], float matrix[16])
+static void compose_floats(const float t[3], const float q[4], const float s[3], float matrix[16])
 {
     const float square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
     const float scale = square > 0 ? 1 / __builtin_sqrtf(square) : 0;
@@ -68,7 +68,7 @@ void scene_import_compose(const float t[3], const float q[4], const float s[3], 
     memcpy(matrix + 12, t, 3 * sizeof *t);
 }
 
-void scene_import_compose_exact(const double t[3], const double q[4], const double s[3], double matrix[16])
+static void compose_exact(const double t[3], const double q[4], const double s[3], double matrix[16])
 {
     const double square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
     const double scale = square > 0 ? 1 / __builtin_sqrt(square) : 0;
@@ -86,4 +86,15 @@ void scene_import_compose_exact(const double t[3], const double q[4], const doub
         matrix[4 * column + 3] = 0.0;
     }
     matrix[15] = 1.0;
+}
+
+struct scene_import_place scene_import_compose(const double t[3], const double q[4], const double s[3])
+{
+    struct scene_import_place place;
+    const float translation[3] = {(float)t[0], (float)t[1], (float)t[2]};
+    const float rotation[4] = {(float)q[0], (float)q[1], (float)q[2], (float)q[3]};
+    const float scale[3] = {(float)s[0], (float)s[1], (float)s[2]};
+    compose_floats(translation, rotation, scale, place.world);
+    compose_exact(t, q, s, place.exact);
+    return place;
 }

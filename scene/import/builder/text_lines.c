@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Lines, words and numbers. Large scans come as text, so numbers are read without strtod where plain arithmetic is
-// exact, and nothing depends on the locale.
+// Lines, words and numbers.
 #include "text_lines.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+
+#include "decimal.h"
 
 static bool is_blank(char c)
 {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == 0;
-}
-
-static bool is_digit(char c)
-{
-    return c >= '0' && c <= '9';
 }
 
 // Convert UTF-16 to UTF-8. A code that is no character becomes '?'.
@@ -56,6 +51,26 @@ struct scene_text scene_text_open(struct scene_import *import, char *bytes, size
     return (struct scene_text){bytes, bytes + size, 0};
 }
 
+// Return the first LF or CR, or the end. Eight characters are looked at together: a byte of a word is 0 where it has
+// what is looked for, and the lowest such byte is found by what borrows from it.
+static char *find_line_end(char *c, char *end)
+{
+    const uint64_t ones = 0x0101010101010101u, tops = 0x8080808080808080u;
+    while (end - c >= 8) {
+        uint64_t word;
+        memcpy(&word, c, sizeof word);
+        const uint64_t feeds = word ^ ones * '\n', returns = word ^ ones * '\r';
+        if ((((feeds - ones) & ~feeds) | ((returns - ones) & ~returns)) & tops) {
+            break;
+        }
+        c += 8;
+    }
+    while (c < end && *c != '\n' && *c != '\r') {
+        c++;
+    }
+    return c;
+}
+
 bool scene_text_line(struct scene_text *text, bool continued, struct scene_line *line)
 {
     if (text->cursor == text->end) {
@@ -63,9 +78,7 @@ bool scene_text_line(struct scene_text *text, bool continued, struct scene_line 
     }
     char *start = text->cursor, *c = start;
     for (;; c++) {
-        while (c < text->end && *c != '\n' && *c != '\r') {
-            c++;
-        }
+        c = find_line_end(c, text->end);
         text->line++;
         const bool pair = c + 1 < text->end && c[0] == '\r' && c[1] == '\n';
         text->cursor = c < text->end ? c + 1 + pair : c;
@@ -127,16 +140,6 @@ const char *scene_word_bytes(struct scene_import *import, struct scene_word word
 
 // Numbers -------------------------------------------------------------------------------------------
 
-// Return value · 10^exponent for a number that plain arithmetic does not give exactly. `digits` has no exponent part.
-static double convert_slowly(const char *digits, size_t length, int exponent)
-{
-    char text[128];
-    const size_t kept = length < 100 ? length : 100;
-    memcpy(text, digits, kept);
-    snprintf(text + kept, sizeof text - kept, "e%d", exponent);
-    return strtod(text, NULL);
-}
-
 static bool read_special(struct scene_word word, double *value, size_t *length)
 {
     const size_t sign = word.length > 0 && (word.start[0] == '-' || word.start[0] == '+');
@@ -151,82 +154,72 @@ static bool read_special(struct scene_word word, double *value, size_t *length)
     return true;
 }
 
-// Read "e-12" at `c`. Return where it ends, which is `c` when there is no exponent.
-static const char *read_exponent(const char *c, const char *end, int *exponent)
-{
-    *exponent = 0;
-    if (c == end || (*c != 'e' && *c != 'E')) {
-        return c;
-    }
-    const char *digit = c + 1;
-    const bool negative = digit < end && *digit == '-';
-    digit += digit < end && (*digit == '-' || *digit == '+');
-    for (; digit < end && is_digit(*digit); c = ++digit) {
-        *exponent = *exponent < 100000 ? *exponent * 10 + (*digit - '0') : *exponent;
-    }
-    *exponent = negative ? -*exponent : *exponent;
-    return c;
-}
-
 bool scene_word_number(struct scene_word word, double *value, size_t *length)
 {
-    static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                    1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-    const char *c = word.start, *end = word.start + word.length;
-    const bool negative = c < end && *c == '-';
-    if (c < end && (*c == '-' || *c == '+')) {
-        c++;
-    }
-    const char *digits = c;
-    uint64_t mantissa = 0;
-    int count = 0, exponent = 0, scale = 0;
-    bool point = false;
-    for (; c < end && (is_digit(*c) || (*c == '.' && !point)); c++) {
-        point = point || *c == '.';
-        if (*c == '.') {
-            continue;
-        }
-        mantissa = count < 18 ? mantissa * 10 + (uint64_t)(*c - '0') : mantissa; // stays below 10^18
-        count++;
-        scale -= point;
-    }
-    if (count == 0) {
+    const char *const end = word.start + word.length, *const stop =
+                                                          scene_decimal_read(word.start, end, value);
+    if (stop == NULL) {
         return read_special(word, value, length);
     }
-    const size_t digit_length = (size_t)(c - digits);
-    const bool indefinite = c < end && *c == '#'; // old Microsoft libraries print a NaN as 1.#IND
-    c = read_exponent(c, end, &exponent);
-    const int power = exponent + scale;
-    // Both factors are exact, and IEEE rounds their product or quotient once.
-    if (mantissa <= (uint64_t)1 << 53 && count <= 18 && power >= -22 && power <= 22) {
-        *value = power < 0 ? (double)mantissa / powers[-power] : (double)mantissa * powers[power];
-    } else {
-        *value = convert_slowly(digits, digit_length, exponent);
+    // Old Microsoft libraries print a NaN as 1.#IND.
+    const bool is_indefinite = stop < end && *stop == '#' &&
+                               memchr(word.start, 'e', (size_t)(stop - word.start)) == NULL &&
+                               memchr(word.start, 'E', (size_t)(stop - word.start)) == NULL;
+    *value = is_indefinite ? (double)NAN : *value;
+    *length = is_indefinite ? word.length : (size_t)(stop - word.start);
+    return true;
+}
+
+const char *scene_number_read(const char *text, const char *end, const char *separators, double *value)
+{
+    enum { MOST = 64 }; // bytes of a word that are looked at for what has not digits alone
+    const char *const stop = scene_decimal_read(text, end, value);
+    if (stop != NULL && (stop == end || *stop != '#' || stop - text >= MOST)) {
+        return stop;
     }
-    *value = indefinite ? (double)NAN : negative ? -*value : *value;
-    *length = indefinite ? word.length : (size_t)(c - word.start);
+    struct scene_word word = {text, 0};
+    while (word.length < MOST && text + word.length < end && strchr(separators, text[word.length]) == NULL) {
+        word.length++;
+    }
+    size_t length;
+    return scene_word_number(word, value, &length) ? text + length : NULL;
+}
+
+bool scene_text_double(struct scene_line *line, double *value)
+{
+    const char *start = line->cursor;
+    while (start < line->end && is_blank(*start)) {
+        start++;
+    }
+    const char *const stop = scene_decimal_read(start, line->end, value);
+    if (stop != NULL && (stop == line->end || is_blank(*stop))) {
+        line->cursor = stop;
+        return true;
+    }
+    struct scene_line after = *line;
+    struct scene_word word;
+    size_t length;
+    if (!scene_text_word(&after, &word) || !scene_word_number(word, value, &length)) {
+        return false;
+    }
+    *line = after;
     return true;
 }
 
 int scene_text_doubles(struct scene_line *line, double *values, int most)
 {
-    for (int count = 0; count < most; count++) {
-        const struct scene_line before = *line;
-        struct scene_word word;
-        size_t length = 0;
-        if (!scene_text_word(line, &word) || !scene_word_number(word, &values[count], &length)) {
-            *line = before;
-            return count;
-        }
+    int count = 0;
+    while (count < most && scene_text_double(line, &values[count])) {
+        count++;
     }
-    return most;
+    return count;
 }
 
 int scene_text_numbers(struct scene_line *line, float *values, int most)
 {
     double value;
     int count = 0;
-    while (count < most && scene_text_doubles(line, &value, 1) == 1) {
+    while (count < most && scene_text_double(line, &value)) {
         values[count++] = (float)value;
     }
     return count;

@@ -36,6 +36,12 @@ bool scene_word_is(struct scene_word word, const char *text); ///< case matters
 /// Read the number at the start of a word, and set `length` to its bytes. Return false if the word starts with none.
 /// "nan" and "inf" in any spelling are numbers.
 bool scene_word_number(struct scene_word word, double *value, size_t *length);
+/// Read the number at the start of a word that ends at `end` or before one of `separators`, and return where it ends.
+/// Return NULL if there is none. The time it takes is that of the number, however long the word is, so that text in
+/// which numbers follow each other without separators is read in one pass.
+const char *scene_number_read(const char *text, const char *end, const char *separators, double *value);
+/// Read the number at the start of the next word of a line. Return false, and stay, if the word starts with none.
+bool scene_text_double(struct scene_line *line, double *value);
 /// Read up to `most` numbers from a line, and stop at a word that is none. Return how many were read.
 int scene_text_numbers(struct scene_line *line, float *values, int most);
 int scene_text_doubles(struct scene_line *line, double *values, int most);

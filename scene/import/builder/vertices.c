@@ -96,38 +96,21 @@ static struct vertex_table make_table(struct scene_import *import, uint32_t vert
     return table;
 }
 
-static uint64_t mix(uint64_t hash, const void *bytes, size_t size)
+// Return a word of 8 bytes.
+static uint64_t word_at(const void *bytes)
 {
-    for (size_t i = 0; i < size; i += sizeof(uint32_t)) {
-        uint32_t word;
-        memcpy(&word, (const char *)bytes + i, sizeof word);
-        hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
-        hash ^= hash >> 29;
-    }
-    return hash;
+    uint64_t word;
+    memcpy(&word, bytes, sizeof word);
+    return word;
 }
 
-uint32_t *scene_import_weld_positions(struct scene_import *import, const struct scene_mesh *mesh)
+// Add an element of 8 to 16 bytes to a hash, by its first 8 bytes and its last.
+static uint64_t mix(uint64_t hash, const char *element, size_t size)
 {
-    uint32_t *group = scene_import_allocate(import, mesh->vertex_count, sizeof *group);
-    struct vertex_table table = make_table(import, mesh->vertex_count);
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        const float *p = mesh->positions[i];
-        const float key[3] = {p[0] + 0.0f, p[1] + 0.0f, p[2] + 0.0f}; // −0 and 0 are one place
-        uint32_t slot = (uint32_t)mix(0, key, sizeof key) & table.mask;
-        for (; table.slots[slot] != none; slot = (slot + 1) & table.mask) {
-            const float *q = mesh->positions[table.slots[slot]];
-            if (q[0] == p[0] && q[1] == p[1] && q[2] == p[2]) {
-                break;
-            }
-        }
-        if (table.slots[slot] == none) {
-            table.slots[slot] = i;
-        }
-        group[i] = table.slots[slot];
-    }
-    free(table.slots);
-    return group;
+    const uint64_t factor = 0x9e3779b97f4a7c15u;
+    hash = (hash ^ word_at(element)) * factor;
+    hash = (hash ^ hash >> 32 ^ word_at(element + size - 8)) * factor;
+    return hash ^ hash >> 32;
 }
 
 // The arrays of a mesh as bytes, for comparing whole vertices.
@@ -135,6 +118,7 @@ struct vertex_bytes {
     const char *arrays[6];
     size_t sizes[6];
     int count;
+    bool are_places; // vertices are equal at one place, where −0 and 0 are one number
 };
 
 static struct vertex_bytes bytes_of(const struct scene_mesh *mesh)
@@ -152,39 +136,87 @@ static struct vertex_bytes bytes_of(const struct scene_mesh *mesh)
     return bytes;
 }
 
-static bool same_vertex(const struct vertex_bytes *bytes, uint32_t a, uint32_t b)
+static const float *place_of(const struct vertex_bytes *bytes, uint32_t vertex)
 {
+    return (const float *)bytes->arrays[0] + 3 * (size_t)vertex;
+}
+
+static inline uint64_t hash_of(const struct vertex_bytes *bytes, uint32_t vertex)
+{
+    uint64_t hash = 0;
+    if (bytes->are_places) {
+        const float *const p = place_of(bytes, vertex);
+        const float key[3] = {p[0] + 0.0f, p[1] + 0.0f, p[2] + 0.0f};
+        return mix(hash, (const char *)key, sizeof key);
+    }
+    for (int k = 0; k < bytes->count; k++) {
+        hash = mix(hash, bytes->arrays[k] + vertex * bytes->sizes[k], bytes->sizes[k]);
+    }
+    return hash;
+}
+
+static inline bool same_vertex(const struct vertex_bytes *bytes, uint32_t a, uint32_t b)
+{
+    if (bytes->are_places) {
+        const float *const p = place_of(bytes, a), *const q = place_of(bytes, b);
+        return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
+    }
     for (int i = 0; i < bytes->count; i++) {
-        if (memcmp(bytes->arrays[i] + a * bytes->sizes[i], bytes->arrays[i] + b * bytes->sizes[i],
-                   bytes->sizes[i]) != 0) {
+        const size_t size = bytes->sizes[i];
+        const char *const one = bytes->arrays[i] + a * size, *const other = bytes->arrays[i] + b * size;
+        if (word_at(one) != word_at(other) || word_at(one + size - 8) != word_at(other + size - 8)) {
             return false;
         }
     }
     return true;
 }
 
+// Write the first vertex that is equal to each to `first`, which is itself where none before is.
+static void find_first(struct scene_import *import, const struct vertex_bytes *bytes, uint32_t count,
+                       uint32_t *first)
+{
+    enum { SOME = 16 }; // slots that are on their way from memory together
+    const struct vertex_table table = make_table(import, count);
+    for (uint32_t start = 0; start < count; start += SOME) {
+        const uint32_t end = count - start < SOME ? count : start + SOME;
+        uint32_t slots[SOME];
+        for (uint32_t i = start; i < end; i++) {
+            slots[i - start] = (uint32_t)hash_of(bytes, i) & table.mask;
+            __builtin_prefetch(&table.slots[slots[i - start]], 1);
+        }
+        for (uint32_t i = start; i < end; i++) {
+            uint32_t slot = slots[i - start];
+            while (table.slots[slot] != none && !same_vertex(bytes, table.slots[slot], i)) {
+                slot = (slot + 1) & table.mask;
+            }
+            table.slots[slot] = table.slots[slot] == none ? i : table.slots[slot];
+            first[i] = table.slots[slot];
+        }
+    }
+    free(table.slots);
+}
+
+uint32_t *scene_import_weld_positions(struct scene_import *import, const struct scene_mesh *mesh)
+{
+    uint32_t *const group = scene_import_allocate(import, mesh->vertex_count, sizeof *group);
+    const struct vertex_bytes places = {.arrays = {(const char *)mesh->positions}, .are_places = true};
+    find_first(import, &places, mesh->vertex_count, group);
+    return group;
+}
+
 void scene_import_join_vertices(struct scene_import *import, struct scene_mesh *mesh)
 {
+    uint32_t *const place = scene_import_allocate(import, mesh->vertex_count, sizeof *place);
+    uint32_t *const source = scene_import_allocate(import, mesh->vertex_count, sizeof *source);
     const struct vertex_bytes bytes = bytes_of(mesh);
-    struct vertex_table table = make_table(import, mesh->vertex_count);
-    uint32_t *place = scene_import_allocate(import, mesh->vertex_count, sizeof *place);
-    uint32_t *source = scene_import_allocate(import, mesh->vertex_count, sizeof *source);
     uint32_t count = 0;
+    find_first(import, &bytes, mesh->vertex_count, place);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        uint64_t hash = 0;
-        for (int k = 0; k < bytes.count; k++) {
-            hash = mix(hash, bytes.arrays[k] + i * bytes.sizes[k], bytes.sizes[k]);
-        }
-        uint32_t slot = (uint32_t)hash & table.mask;
-        while (table.slots[slot] != none && !same_vertex(&bytes, table.slots[slot], i)) {
-            slot = (slot + 1) & table.mask;
-        }
-        if (table.slots[slot] == none) {
-            table.slots[slot] = i;
-            place[i] = count;
-            source[count++] = i;
+        if (place[i] == i) {
+            source[count] = i;
+            place[i] = count++;
         } else {
-            place[i] = place[table.slots[slot]];
+            place[i] = place[place[i]]; // the first vertex has its new number
         }
     }
     if (count < mesh->vertex_count) {
@@ -193,7 +225,6 @@ void scene_import_join_vertices(struct scene_import *import, struct scene_mesh *
         }
         scene_import_gather_vertices(import, mesh, source, count);
     }
-    free(table.slots);
     free(place);
     free(source);
 }

@@ -44,11 +44,18 @@ static void bound_mesh(struct scene_mesh *mesh)
 static bool bound_instance(const struct scene_mesh *mesh, const float world[16], float least[3],
                            float most[3])
 {
+    float identity[16];
+    scene_import_identity(identity);
+    const bool is_moved = memcmp(world, identity, sizeof identity) != 0;
     empty_bounds(least, most);
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+    for (uint32_t i = 0; i < mesh->vertex_count && is_moved; i++) {
         float point[3];
         scene_import_transform(world, mesh->positions[i], point);
         extend(least, most, point);
+    }
+    for (int c = 0; c < 3 && !is_moved; c++) {
+        least[c] = mesh->bounds_min[c] + 0.0f; // a matrix makes 0 of −0
+        most[c] = mesh->bounds_max[c] + 0.0f;
     }
     const float size[3] = {most[0] - least[0], most[1] - least[1], most[2] - least[2]};
     return scene_import_finite(world, 16) && scene_import_finite(least, 3) && scene_import_finite(most, 3) &&
@@ -137,6 +144,14 @@ static void warn_of_no_area(struct scene_import *import)
     model->lacks_area = !has_area;
     if (model->lacks_area) {
         scene_import_warn(import, "none of its triangles has an area: there is nothing to see");
+    }
+}
+
+static void warn_of_fans(struct scene_import *import)
+{
+    if (import->fan_count > 0) {
+        scene_import_warn(import, "its polygons take too long to cut: a part of %u of them is a fan",
+                          import->fan_count);
     }
 }
 
@@ -280,6 +295,7 @@ void scene_import_run(struct scene_import *import)
     struct scene_model *model = &import->model;
     set_directory(import);
     read_what_shows(import);
+    warn_of_fans(import);
     if (import->variant != NULL && model->variant_count == 0) {
         scene_import_fail(import, "has no variants of its materials");
     }

@@ -152,14 +152,12 @@ static int widest_gap(bool used[3][GAP_BINS])
     return widest;
 }
 
-// Mark the bins of vertices from `first` on, of some thousands at most. Return the number of the vertex after them.
-static uint32_t use_bins(const struct search *search, const struct scene_instance *instance, uint32_t first,
-                         bool used[3][GAP_BINS])
+// Mark the bins of every so many vertices of an instance, from `first` up to `end`.
+static void use_bins(const struct search *search, const struct scene_instance *instance, uint32_t first,
+                     uint32_t end, uint32_t step, bool used[3][GAP_BINS])
 {
-    enum { SOME = 2048 };
     const struct scene_mesh *mesh = &search->model->meshes[instance->mesh];
-    const uint32_t end = mesh->vertex_count - first < SOME ? mesh->vertex_count : first + SOME;
-    for (uint32_t v = first; v < end; v++) {
+    for (uint32_t v = first; v < end; v += step) {
         struct scene_box point = scene_box_empty();
         double place[3];
         scene_place_point(instance->world, mesh->positions[v], place);
@@ -167,22 +165,39 @@ static uint32_t use_bins(const struct search *search, const struct scene_instanc
         for (int c = 0; c < 3 && scene_box_holds(&search->all, &point); c++) {
             used[c][find_bin(search, c, place[c], GAP_BINS)] = true;
         }
+        if (end - v <= step) {
+            break;
+        }
     }
-    return end;
+}
+
+static bool is_closed(bool used[3][GAP_BINS])
+{
+    return widest_gap(used) < GAP_BINS / 4;
 }
 
 // Return true if a quarter of the extent along an axis is without vertices. Hardly a model has so wide a gap, so this
-// spares the rest of the search, and some of its vertices tell.
+// spares the rest of the search. Some vertices from everywhere tell, or else the next thousands of them.
 static bool has_gap(const struct search *search)
 {
+    enum { SOME = 2048 };
     bool used[3][GAP_BINS] = {{false}};
-    for (uint32_t i = 0; i < search->model->instance_count; i++) {
-        const struct scene_instance *instance = &search->model->instances[i];
-        const uint32_t count =
-            is_searched(search, i) ? search->model->meshes[instance->mesh].vertex_count : 0;
-        for (uint32_t v = 0; v < count;) {
-            v = use_bins(search, instance, v, used);
-            if (widest_gap(used) < GAP_BINS / 4) {
+    for (int is_whole = 0; is_whole < 2; is_whole++) {
+        for (uint32_t i = 0; i < search->model->instance_count; i++) {
+            const struct scene_instance *instance = &search->model->instances[i];
+            const uint32_t count =
+                is_searched(search, i) ? search->model->meshes[instance->mesh].vertex_count : 0;
+            for (uint32_t v = 0; v < count && is_whole; v += SOME) {
+                const uint32_t end = count - v < SOME ? count : v + SOME;
+                use_bins(search, instance, v, end, 1, used);
+                if (end == count || is_closed(used)) {
+                    break;
+                }
+            }
+            if (!is_whole) {
+                use_bins(search, instance, 0, count, count / SOME + 1, used);
+            }
+            if (is_closed(used)) {
                 return false;
             }
         }

@@ -18,14 +18,6 @@ static bool is_given(const double matrix[16])
     return matrix[15] != 0;
 }
 
-static void add_to_place(double matrix[16], const double offset[3])
-{
-    for (int row = 0; row < 3; row++) {
-        matrix[12 + row] +=
-            matrix[row] * offset[0] + matrix[4 + row] * offset[1] + matrix[8 + row] * offset[2];
-    }
-}
-
 // Find the matrix from the positions of an instance's mesh to the coordinates of the file.
 static void find_place(const struct scene_import *import, uint32_t number, double matrix[16])
 {
@@ -34,7 +26,7 @@ static void find_place(const struct scene_import *import, uint32_t number, doubl
     for (int i = 0; i < 16; i++) {
         matrix[i] = given[i];
     }
-    add_to_place(matrix, import->exact_meshes.matrices[instance->mesh] + 12);
+    scene_import_add_offset(matrix, import->exact_meshes.matrices[instance->mesh] + 12);
 }
 
 static void sample_instance(const struct scene_import *import, uint32_t number, uint64_t step,
@@ -44,12 +36,7 @@ static void sample_instance(const struct scene_import *import, uint32_t number, 
     double matrix[16];
     find_place(import, number, matrix);
     for (uint64_t v = *skipped; v < mesh->vertex_count && *count < SAMPLE; v += step) {
-        const float *const p = mesh->positions[v];
-        for (int row = 0; row < 3; row++) {
-            points[*count][row] = matrix[row] * (double)p[0] + matrix[4 + row] * (double)p[1] +
-                                  matrix[8 + row] * (double)p[2] + matrix[12 + row];
-        }
-        ++*count;
+        scene_import_transform_floats(matrix, mesh->positions[v], points[(*count)++]);
     }
     const uint64_t left = mesh->vertex_count > *skipped ? mesh->vertex_count - *skipped : 0;
     *skipped = left > 0 ? (step - left % step) % step : *skipped - mesh->vertex_count;
@@ -76,14 +63,17 @@ static struct scene_import_spread find_spread(struct scene_import *import)
 // Return the longest side of the box around all vertices of a mesh.
 static double longest_side(const struct scene_mesh *mesh)
 {
+    float low[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, high[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
     double longest = 0;
-    for (int c = 0; c < 3; c++) {
-        float low = FLT_MAX, high = -FLT_MAX;
-        for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-            low = fminf(low, mesh->positions[v][c]);
-            high = fmaxf(high, mesh->positions[v][c]);
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        for (int c = 0; c < 3; c++) {
+            const float at = mesh->positions[v][c];
+            low[c] = at < low[c] ? at : low[c];
+            high[c] = at > high[c] ? at : high[c];
         }
-        longest = fmax(longest, (double)high - (double)low);
+    }
+    for (int c = 0; c < 3; c++) {
+        longest = fmax(longest, (double)high[c] - (double)low[c]);
     }
     return longest;
 }

@@ -12,6 +12,7 @@
 static const double slab = 0.02; // part of the model's extent that is lowest
 static const double least_share = 0.1, ratio = 8, flat = 0.06, thin = 0.2;
 static const double feet_share = 0.4, feet_area = 0.05, nose_share = 0.25, feet_ratio = 2.5, mirrored = 0.8;
+static const double at_ground = 0.01, at_middle = 0.1; // parts of a side
 
 struct rectangle {
     double low[2], high[2];
@@ -25,28 +26,38 @@ static void extend(struct rectangle *r, double u, double v)
     r->high[1] = v > r->high[1] ? v : r->high[1];
 }
 
-// Return how much of the model's rectangle across an axis its lowest vertices cover.
-static double standing_share(const struct scene_model *model, int axis)
+// Find how much of the model's rectangle across y, and across z, its lowest vertices cover: shares[1] and shares[2].
+static void find_standing_shares(const struct scene_model *model, double shares[3])
 {
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const struct scene_box frame = scene_subject_frame(model), room = scene_subject_room(model);
-    const double low = frame.low[axis], high = frame.high[axis];
-    const double limit = low + slab * (high - low);
-    struct rectangle lowest = {{1e300, 1e300}, {-1e300, -1e300}};
+    struct rectangle lowest[3];
+    double limits[3];
+    for (int axis = 1; axis < 3; axis++) {
+        limits[axis] = frame.low[axis] + slab * (frame.high[axis] - frame.low[axis]);
+        lowest[axis] = (struct rectangle){{1e300, 1e300}, {-1e300, -1e300}};
+    }
     for (uint32_t i = 0; i < model->instance_count; i++) {
         const struct scene_instance *instance = &model->instances[i];
         const struct scene_mesh *mesh = &model->meshes[instance->mesh];
         for (uint32_t k = 0; k < mesh->vertex_count && !instance->unseen; k++) {
             double p[3];
             scene_place_point(instance->world, mesh->positions[k], p);
-            if (p[axis] <= limit && scene_box_has(&room, p)) {
-                extend(&lowest, p[u], p[v]);
+            if ((p[1] <= limits[1] || p[2] <= limits[2]) && scene_box_has(&room, p)) {
+                for (int axis = 1; axis < 3; axis++) {
+                    if (p[axis] <= limits[axis]) {
+                        extend(&lowest[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]);
+                    }
+                }
             }
         }
     }
-    const double width = frame.high[u] - frame.low[u], height = frame.high[v] - frame.low[v];
-    const double covered = (lowest.high[0] - lowest.low[0]) * (lowest.high[1] - lowest.low[1]);
-    return width > 0 && height > 0 && covered > 0 ? covered / (width * height) : 0;
+    for (int axis = 1; axis < 3; axis++) {
+        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+        const double width = frame.high[u] - frame.low[u], height = frame.high[v] - frame.low[v];
+        const double covered =
+            (lowest[axis].high[0] - lowest[axis].low[0]) * (lowest[axis].high[1] - lowest[axis].low[1]);
+        shares[axis] = width > 0 && height > 0 && covered > 0 ? covered / (width * height) : 0;
+    }
 }
 
 // Return how much of the model's rectangle across an axis the surface has that lies within its lowest vertices.
@@ -81,13 +92,31 @@ static bool may_have_feet(const double side[3])
     return side[1] > thin * longest && side[2] > thin * longest;
 }
 
-// Return true if a model stands on feet or wheels along z, and along y on a nose or a side, by its shares along both.
-// One of its halves is the mirror image of the other, and not the upper one of the lower one.
+// Return true if a model lies on the plane z = 0, and the axes of x and y go through its middle.
+static bool rests_on_ground(const struct scene_model *model)
+{
+    const struct scene_box frame = scene_subject_frame(model);
+    bool rests = true;
+    for (int i = 0; i < 3; i++) {
+        const double side = frame.high[i] - frame.low[i], low = frame.low[i] + model->origin[i];
+        rests = rests && (i == 2 ? fabs(low) < at_ground * side : fabs(low + 0.5 * side) < at_middle * side);
+    }
+    return rests;
+}
+
+// Return true if a model stands on feet or wheels along z, and along y on a nose or a side, by its shares along both,
+// unless the place where it stands is as good as that. One of its halves is the mirror image of the other, and not the
+// upper one of the lower one.
 static bool stands_on_feet(struct scene_import *import, double as_y, double as_z)
 {
-    return as_z >= feet_share && as_y < nose_share && as_z > feet_ratio * as_y &&
-           lowest_area(&import->model, 2) < feet_area && scene_symmetry_share(import, 2) < mirrored &&
-           (scene_symmetry_share(import, 0) >= mirrored || scene_symmetry_share(import, 1) >= mirrored);
+    const bool stands_on_nose = as_y < nose_share && as_z > feet_ratio * as_y;
+    double shares[3];
+    if (as_z < feet_share || !(stands_on_nose || rests_on_ground(&import->model)) ||
+        lowest_area(&import->model, 2) >= feet_area) {
+        return false;
+    }
+    scene_symmetry_find(import, shares);
+    return shares[2] < mirrored && (shares[0] >= mirrored || shares[1] >= mirrored);
 }
 
 // Return true if a model of these sides may be taken to stand along an axis. `is_agreed` is as in
@@ -119,7 +148,9 @@ enum scene_axis scene_model_guess_up(struct scene_import *import, enum scene_axi
     if (!may && !asks_for_feet) {
         return usual;
     }
-    const double as_usual = standing_share(model, usual_axis), as_other = standing_share(model, other_axis);
+    double shares[3];
+    find_standing_shares(model, shares);
+    const double as_usual = shares[usual_axis], as_other = shares[other_axis];
     if (asks_for_feet && stands_on_feet(import, as_usual, as_other)) {
         return SCENE_AXIS_Z;
     }

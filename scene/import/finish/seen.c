@@ -94,7 +94,8 @@ static float image_alpha(struct search *search, const struct scene_mesh *mesh,
                          const struct scene_texture_slot *slot, const uint32_t *corners, uint32_t count)
 {
     const struct scene_image *image = &search->import->model.images[slot->image];
-    if (!image->has_alpha) {
+    const bool has_border = slot->address_u == RHW_ADDRESS_BORDER || slot->address_v == RHW_ADDRESS_BORDER;
+    if (!image->has_alpha || (has_border && slot->border[3] > 0)) {
         return 1;
     }
     float low[2] = {0, 0}, high[2] = {0, 0};

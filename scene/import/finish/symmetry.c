@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The vertices are sorted into cells, a hundred along the longest side. The mirror image of a vertex is there if its
-// cell or one beside it has a vertex.
+// cell or one beside it has a vertex. All axes are looked along in one walk over the vertices.
 #include "symmetry.h"
 
 #include <math.h>
@@ -57,9 +57,8 @@ static bool has_cell_beside(const struct cells *cells, const int cell[3])
 struct walk {
     struct scene_box frame;
     struct cells cells;
-    int axis;
     bool is_search; // look for mirror images instead of filling cells
-    uint64_t step, seen, asked, found;
+    uint64_t step, seen, asked, found[3];
 };
 
 static void visit(struct walk *walk, const double point[3])
@@ -74,12 +73,15 @@ static void visit(struct walk *walk, const double point[3])
         walk->seen++;
         return;
     }
-    if (walk->seen++ % walk->step == 0) {
+    if (walk->seen++ % walk->step != 0) {
+        return;
+    }
+    walk->asked++;
+    for (int axis = 0; axis < 3; axis++) {
         double image[3] = {point[0], point[1], point[2]};
-        image[walk->axis] = walk->frame.low[walk->axis] + walk->frame.high[walk->axis] - point[walk->axis];
+        image[axis] = walk->frame.low[axis] + walk->frame.high[axis] - point[axis];
         cell_of(&walk->frame, image, cell);
-        walk->asked++;
-        walk->found += has_cell_beside(&walk->cells, cell);
+        walk->found[axis] += has_cell_beside(&walk->cells, cell);
     }
 }
 
@@ -96,11 +98,12 @@ static void visit_all(struct walk *walk, const struct scene_model *model)
     }
 }
 
-double scene_symmetry_share(struct scene_import *import, int axis)
+void scene_symmetry_find(struct scene_import *import, double shares[3])
 {
     const struct scene_model *const model = &import->model;
-    struct walk walk = {.frame = scene_subject_frame(model), .axis = axis};
+    struct walk walk = {.frame = scene_subject_frame(model)};
     size_t vertices = 0, size = 16;
+    shares[0] = shares[1] = shares[2] = 0;
     for (uint32_t i = 0; i < model->instance_count; i++) {
         vertices += model->meshes[model->instances[i].mesh].vertex_count;
     }
@@ -109,7 +112,7 @@ double scene_symmetry_share(struct scene_import *import, int axis)
         size *= 2;
     }
     if (!(scene_box_longest(&walk.frame) > 0)) {
-        return 0;
+        return;
     }
     walk.cells = (struct cells){scene_import_allocate(import, size, sizeof *walk.cells.places), size - 1};
     visit_all(&walk, model);
@@ -118,5 +121,7 @@ double scene_symmetry_share(struct scene_import *import, int axis)
     walk.is_search = true;
     visit_all(&walk, model);
     free(walk.cells.places);
-    return walk.asked > 0 ? (double)walk.found / (double)walk.asked : 0;
+    for (int axis = 0; axis < 3 && walk.asked > 0; axis++) {
+        shares[axis] = (double)walk.found[axis] / (double)walk.asked;
+    }
 }

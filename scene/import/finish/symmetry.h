@@ -5,9 +5,9 @@
 
 #include "import/builder/import.h"
 
-/// Return the part, 0..1, of the model's vertices that have another vertex, or themselves, where a mirror across the
-/// middle of the axis shows them. They may be off by a hundredth of the model's longest side. What is never seen and
-/// specks far away do not count.
-double scene_symmetry_share(struct scene_import *import, int axis);
+/// Find, for each axis, the part, 0..1, of the model's vertices that have another vertex, or themselves, where a mirror
+/// across the middle of the axis shows them. They may be off by a hundredth of the model's longest side. What is never
+/// seen and specks far away do not count.
+void scene_symmetry_find(struct scene_import *import, double shares[3]);
 
 #endif

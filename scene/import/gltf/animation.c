@@ -51,22 +51,24 @@ static double hermite(const float *key, const float *next, size_t width, size_t 
            (3.0 * t2 - 2.0 * t3) * (double)next[width + c] + seconds * (t3 - t2) * (double)next[c];
 }
 
-static void sample(const struct sampler *sampler, double time, bool is_rotation, float *result)
+static void sample(const struct sampler *sampler, double time, bool is_rotation, double *result)
 {
     const struct moment moment = find_moment(sampler, time);
     const size_t width = sampler->width, step = sampler->interpolation == CUBIC ? 3 * width : width;
     const float *const key = sampler->values + moment.key * step, *const next = key + step;
     if (!(moment.part > 0.0) || sampler->interpolation == STEP) {
-        memcpy(result, sampler->interpolation == CUBIC ? key + width : key, width * sizeof *result);
+        for (size_t c = 0; c < width; c++) {
+            result[c] = (double)(sampler->interpolation == CUBIC ? key + width : key)[c];
+        }
     } else if (sampler->interpolation == CUBIC) {
         for (size_t c = 0; c < width; c++) {
-            result[c] = (float)hermite(key, next, width, c, &moment);
+            result[c] = hermite(key, next, width, c, &moment);
         }
     } else if (is_rotation) {
         scene_import_slerp(key, next, moment.part, result);
     } else {
         for (size_t c = 0; c < width; c++) {
-            result[c] = (float)((double)key[c] + ((double)next[c] - (double)key[c]) * moment.part);
+            result[c] = (double)key[c] + ((double)next[c] - (double)key[c]) * moment.part;
         }
     }
 }
@@ -141,11 +143,11 @@ static void apply_channel(const struct channel *channel, const json_t *object, d
         refuse(channel, "moves a node that has a matrix");
     }
     const struct sampler sampler = read_sampler(channel, object, (enum path)path);
-    float *const values = scene_import_allocate(gltf->import, sampler.width, sizeof *values);
+    double *const values = scene_import_allocate(gltf->import, sampler.width, sizeof *values);
     sample(&sampler, time, path == ROTATION, values);
     struct scene_gltf_node *const place = &gltf->nodes[index];
-    const float **const slots[PATHS] = {&place->translation, &place->rotation, &place->scale,
-                                        &place->weights};
+    const double **const slots[PATHS] = {&place->translation, &place->rotation, &place->scale,
+                                         &place->weights};
     *slots[path] = values;
     place->weight_count = path == WEIGHTS ? sampler.width : place->weight_count;
     free((void *)sampler.times);

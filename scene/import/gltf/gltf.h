@@ -30,7 +30,7 @@ struct scene_gltf_node {
     bool placed;     // `world` is set
     bool in_scene, visited;
     // Values that an animation gives the node. NULL where the node's own hold.
-    const float *translation, *rotation, *scale, *weights;
+    const double *translation, *rotation, *scale, *weights;
     size_t weight_count;
 };
 

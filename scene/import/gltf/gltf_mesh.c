@@ -6,9 +6,7 @@
 
 #include "gltf.h"
 #include "import/builder/complete_mesh.h"
-#include "import/builder/normals.h"
-#include "import/builder/numbers.h"
-#include "import/builder/origin.h"
+#include "import/builder/skin.h"
 
 enum { MODE_POINTS, MODE_LINES, MODE_LINE_LOOP, MODE_LINE_STRIP, MODE_TRIANGLES, MODE_STRIP, MODE_FAN };
 
@@ -163,7 +161,7 @@ static void add_scaled(float *values, int width, const float *deltas, uint32_t c
 }
 
 struct weights {
-    const float *values;
+    const double *values;
     size_t count;
 };
 
@@ -174,7 +172,7 @@ static void apply_morphs(struct primitive *primitive, struct weights weights)
     json_t *target;
     json_array_foreach(scene_gltf_array(primitive->gltf, primitive->object, "targets"), i, target)
     {
-        const float weight = i < weights.count ? weights.values[i] : 0;
+        const float weight = i < weights.count ? (float)weights.values[i] : 0;
         if (weight == 0) {
             continue;
         }
@@ -195,24 +193,14 @@ static void apply_morphs(struct primitive *primitive, struct weights weights)
     }
 }
 
-static void rotate(const float matrix[16], float vector[3])
-{
-    float turned[3];
-    for (int row = 0; row < 3; row++) {
-        turned[row] = matrix[row] * vector[0] + matrix[4 + row] * vector[1] + matrix[8 + row] * vector[2];
-    }
-    memcpy(vector, turned, sizeof turned);
-}
-
-// Return the joint matrices of a skin: world matrix of the joint × inverse bind matrix (§3.7.3.1).
-static float (*joint_matrices(struct scene_gltf *gltf, int64_t skin_index, const double origin[3],
-                              size_t *count))[16]
+// Return the places of a skin's joints: world matrix of the joint × inverse bind matrix (§3.7.3.1).
+static struct scene_import_place *find_joints(struct scene_gltf *gltf, int64_t skin_index, size_t *count)
 {
     const json_t *skin = scene_gltf_item(gltf, "skins", skin_index);
     const json_t *joints = scene_gltf_array(gltf, skin, "joints");
     const int64_t accessor = scene_gltf_integer(gltf, skin, "inverseBindMatrices", -1);
     *count = json_array_size(joints);
-    float(*matrices)[16] = scene_import_allocate(gltf->import, *count, sizeof *matrices);
+    struct scene_import_place *places = scene_import_allocate(gltf->import, *count, sizeof *places);
     float *binds = NULL;
     uint32_t bind_count = 0;
     if (accessor >= 0) {
@@ -225,21 +213,19 @@ static float (*joint_matrices(struct scene_gltf *gltf, int64_t skin_index, const
             scene_import_fail(gltf->import, "skins[%lld] has a joint that does not exist",
                               (long long)skin_index);
         }
-        struct scene_import_place place = gltf->nodes[(size_t)node].world;
+        places[i] = gltf->nodes[(size_t)node].world;
         if (i < bind_count) {
             const struct scene_import_place bind = scene_import_place_of(binds + 16 * i);
-            place = scene_import_place_multiply(&place, &bind);
+            places[i] = scene_import_place_multiply(&places[i], &bind);
         }
-        scene_import_place_from(&place, origin, matrices[i]);
     }
     free(binds);
-    return matrices;
+    return places;
 }
 
-// Add what joint and weight set `set` gives to the blended matrix of each vertex. Return false if there is no set of
-// this number.
-static bool blend_joints(struct primitive *primitive, int set, const float (*joints)[16], size_t joint_count,
-                         float (*blended)[16])
+// Add what joint and weight set `set` gives to each vertex. Return false if there is no set of this number.
+static bool add_joints(struct primitive *primitive, int set, const struct scene_import_place *joints,
+                       size_t joint_count, struct scene_import_skin *skin)
 {
     char joint_name[32], weight_name[32];
     snprintf(joint_name, sizeof joint_name, "JOINTS_%d", set);
@@ -263,9 +249,7 @@ static bool blend_joints(struct primitive *primitive, int set, const float (*joi
             if (joint >= joint_count) {
                 refuse(primitive, "refers to a joint that its skin does not have");
             }
-            for (int m = 0; m < 16; m++) {
-                blended[i][m] += weights[i][k] * joints[joint][m];
-            }
+            scene_import_skin_add(skin, i, &joints[joint], weights[i][k]);
         }
     }
     free(weights);
@@ -273,48 +257,26 @@ static bool blend_joints(struct primitive *primitive, int set, const float (*joi
     return true;
 }
 
-// Return the matrix that brings each vertex of a skinned node into the world, counted from the primitive's origin. A
-// primitive without joints is brought there by the node's own matrix.
-static float (*blend_matrices(struct primitive *primitive, int64_t skin,
-                              const struct scene_import_place *world))[16]
+// Bring the vertices of a skinned node into the world. A primitive without joints is brought there by the node's own
+// matrix.
+static void apply_skin(struct primitive *primitive, int64_t skin_index,
+                       const struct scene_import_place *world)
 {
+    struct scene_import *const import = primitive->gltf->import;
     struct scene_gltf *const gltf = primitive->gltf;
-    const uint32_t vertices = primitive->mesh.vertex_count;
-    size_t joint_count = 0;
-    float(*joints)[16] = joint_matrices(gltf, skin, primitive->origin, &joint_count);
-    float(*blended)[16] = scene_import_allocate(gltf->import, vertices, sizeof *blended);
-    int sets = 0;
-    while (blend_joints(primitive, sets, (const float(*)[16])joints, joint_count, blended)) {
-        sets++;
+    const bool has_joints = scene_gltf_integer(gltf, primitive->attributes, "JOINTS_0", -1) >= 0 &&
+                            scene_gltf_integer(gltf, primitive->attributes, "WEIGHTS_0", -1) >= 0;
+    size_t count = 0;
+    struct scene_import_place *const joints = find_joints(primitive->gltf, skin_index, &count);
+    struct scene_import_skin skin =
+        scene_import_skin_open(import, &primitive->mesh, has_joints ? joints : world, has_joints ? count : 1);
+    for (int set = 0; add_joints(primitive, set, joints, count, &skin); set++) {
     }
-    for (uint32_t i = 0; i < vertices && sets == 0; i++) {
-        scene_import_place_from(world, primitive->origin, blended[i]);
+    for (uint32_t i = 0; i < primitive->mesh.vertex_count && !has_joints; i++) {
+        scene_import_skin_add(&skin, i, world, 1);
     }
+    scene_import_skin_close(&skin, false, primitive->origin);
     free(joints);
-    return blended;
-}
-
-static void apply_skin(struct primitive *primitive, int64_t skin, const struct scene_import_place *world)
-{
-    struct scene_mesh *mesh = &primitive->mesh;
-    float(*blended)[16] = blend_matrices(primitive, skin, world);
-    scene_import_skin_origin(primitive->gltf->import, mesh, (const float(*)[16])blended, primitive->origin);
-    if (scene_origin_is_far(primitive->origin)) {
-        free(blended);
-        blended = blend_matrices(primitive, skin, world);
-    }
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        float point[3];
-        scene_import_transform(blended[i], mesh->positions[i], point);
-        memcpy(mesh->positions[i], point, sizeof point);
-        if (mesh->normals != NULL) {
-            scene_import_move_normal(blended[i], mesh->normals[i]);
-        }
-        if (mesh->tangents != NULL) {
-            rotate(blended[i], mesh->tangents[i]);
-        }
-    }
-    free(blended);
 }
 
 // Return the material of the variant that is wanted, or the primitive's own (KHR_materials_variants).
@@ -384,9 +346,9 @@ static struct weights find_weights(struct scene_gltf *gltf, const json_t *node, 
     const json_t *const own = scene_gltf_array(gltf, node, "weights");
     const json_t *const list = own != NULL ? own : scene_gltf_array(gltf, mesh, "weights");
     const size_t count = json_array_size(list);
-    float *const values = scene_import_allocate(gltf->import, count, sizeof *values);
+    double *const values = scene_import_allocate(gltf->import, count, sizeof *values);
     for (size_t i = 0; i < count; i++) {
-        values[i] = (float)json_number_value(json_array_get(list, i));
+        values[i] = json_number_value(json_array_get(list, i));
     }
     return (struct weights){values, count};
 }

@@ -53,25 +53,13 @@ static void find_parents(struct scene_gltf *gltf)
 }
 
 // Read one of a node's properties, or take it from an animation.
-static void read_property(struct scene_gltf *gltf, const json_t *node, const char *key, const float *animated,
-                          int count, double *values)
+static void read_property(struct scene_gltf *gltf, const json_t *node, const char *key,
+                          const double *animated, int count, double *values)
 {
     scene_gltf_numbers(gltf, node, key, values, (size_t)count);
     for (int i = 0; i < count && animated != NULL; i++) {
-        values[i] = (double)animated[i];
+        values[i] = animated[i];
     }
-}
-
-// Compose a place of numbers in both of its forms. Floats are composed of floats.
-static struct scene_import_place compose(const double t[3], const double q[4], const double s[3])
-{
-    struct scene_import_place place;
-    const float translation[3] = {(float)t[0], (float)t[1], (float)t[2]};
-    const float rotation[4] = {(float)q[0], (float)q[1], (float)q[2], (float)q[3]};
-    const float scale[3] = {(float)s[0], (float)s[1], (float)s[2]};
-    scene_import_compose(translation, rotation, scale, place.world);
-    scene_import_compose_exact(t, q, s, place.exact);
-    return place;
 }
 
 static struct scene_import_place local_place(struct scene_gltf *gltf, const json_t *node,
@@ -88,7 +76,7 @@ static struct scene_import_place local_place(struct scene_gltf *gltf, const json
     read_property(gltf, node, "translation", animated->translation, 3, t);
     read_property(gltf, node, "rotation", animated->rotation, 4, q);
     read_property(gltf, node, "scale", animated->scale, 3, s);
-    return compose(t, q, s);
+    return scene_import_compose(t, q, s);
 }
 
 // Push the children of a node, the first on top. A child that another node or place has, too, is pushed once.
@@ -185,7 +173,7 @@ static void add_many(struct scene_gltf *gltf, const json_t *node, struct scene_g
         take(moves, i, 3, t);
         take(turns, i, 4, q);
         take(scales, i, 3, s);
-        const struct scene_import_place local = compose(t, q, s);
+        const struct scene_import_place local = scene_import_compose(t, q, s);
         const struct scene_import_place place = scene_import_place_multiply(world, &local);
         add_instance(gltf, node, meshes, &place, ++*objects);
     }

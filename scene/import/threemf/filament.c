@@ -8,7 +8,7 @@
 #include "import/builder/text_lines.h"
 #include "threemf.h"
 #include "xml.h"
-#include "zip.h"
+#include "import/builder/zip.h"
 
 enum { MOST_FILAMENTS = 1024 };
 

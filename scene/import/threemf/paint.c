@@ -6,7 +6,7 @@
 #include "threemf.h"
 #include "import/builder/name_forms.h"
 #include "import/builder/phong.h"
-#include "zip.h"
+#include "import/builder/zip.h"
 
 struct scene_3mf_group *scene_3mf_find_group(const struct scene_3mf *file, uint32_t part, uint32_t id)
 {
@@ -202,6 +202,17 @@ static int32_t add_layered_image(struct scene_3mf *file, const struct scene_3mf_
     return scene_import_add_image(import, import->model.images[top].name, &source);
 }
 
+// Show what lies below a texture where it is not repeated, as a surface that is not described where nothing does. What
+// is blended is seen through there.
+static void set_border(const struct scene_3mf_paint *paint, bool blended, float border[4])
+{
+    const float grey = 0.6f;
+    for (int c = 0; c < 3; c++) {
+        border[c] = blended ? 0 : paint->layered ? paint->ground[c] : grey;
+    }
+    border[3] = blended ? 0 : 1;
+}
+
 static uint32_t add_material(struct scene_3mf *file, const struct scene_3mf_paint *paint, bool blended)
 {
     struct scene_phong phong = scene_phong_default();
@@ -220,6 +231,7 @@ static uint32_t add_material(struct scene_3mf *file, const struct scene_3mf_pain
         slot->address_u = paint->texture->address_u;
         slot->address_v = paint->texture->address_v;
         slot->min_filter = slot->mag_filter = paint->texture->filter;
+        set_border(paint, blended, slot->border);
     }
     return index;
 }

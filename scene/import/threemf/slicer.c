@@ -7,7 +7,7 @@
 
 #include "threemf.h"
 #include "xml.h"
-#include "zip.h"
+#include "import/builder/zip.h"
 
 struct reader {
     struct scene_3mf_xml xml;

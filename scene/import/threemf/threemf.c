@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "import/builder/readers.h"
-#include "zip.h"
+#include "import/builder/zip.h"
 
 // The value of an attribute in the element that ends at `end`: NULL where it has none.
 static const char *find_value(struct scene_import *import, const char *element, const char *end,
@@ -24,20 +24,37 @@ static const char *find_value(struct scene_import *import, const char *element, 
     return NULL;
 }
 
-// The part that the package's relationships name as its model.
+// Return the next element of a name, or NULL if there is none.
+static const char *find_element(const char *text, const char *start)
+{
+    const size_t length = strlen(start);
+    const char *element = strstr(text, start);
+    while (element != NULL && strchr(" \t\r\n", element[length]) == NULL) {
+        element = strstr(element + 1, start);
+    }
+    return element;
+}
+
+// Return the part that the package's relationships name as its model. There is to be one (Core, 2.1).
 static const char *find_root(struct scene_3mf *file)
 {
+    static const char start[] = "<Relationship";
     size_t size;
-    const char *text = scene_zip_read_all(file->zip, "_rels/.rels", &size);
-    const char *const first = text == NULL ? NULL : strstr(text, "<Relationship ");
-    for (const char *element = first; element != NULL; element = strstr(element + 1, "<Relationship ")) {
+    const char *const text = scene_zip_read_all(file->zip, "_rels/.rels", &size), *root = NULL;
+    const char *const first = text == NULL ? NULL : find_element(text, start);
+    for (const char *element = first; element != NULL; element = find_element(element + 1, start)) {
         const char *end = strchr(element, '>');
         const char *type = end == NULL ? NULL : find_value(file->import, element, end, "Type");
-        if (type != NULL && strstr(type, "/3dmodel") != NULL) {
-            return find_value(file->import, element, end, "Target");
+        if (type == NULL || strstr(type, "/3dmodel") == NULL) {
+            continue;
         }
+        const char *const target = find_value(file->import, element, end, "Target");
+        if (root != NULL && target != NULL && strcmp(root, target) != 0) {
+            scene_import_unsupported(file->import, "several models in the package: the first alone is drawn");
+        }
+        root = root != NULL ? root : target;
     }
-    return NULL;
+    return root;
 }
 
 static int compare_groups(const void *left, const void *right)

@@ -5,7 +5,7 @@
 // standard's own consortium use some that they do not declare. What stands where nothing is known is passed over.
 #include "xml.h"
 
-#include "zip.h"
+#include "import/builder/zip.h"
 
 #include <string.h>
 

@@ -93,9 +93,15 @@ const void *rhw_validated_uniforms(struct rhw_arena *arena, const void *uniforms
     if (!header) {
         return NULL;
     }
-    *header = (struct rhw_validated_uniforms){draw, second};
-    unsigned char *const first = (unsigned char *)(header + 1);
-    put_copy(first, uniforms, size, rhw_validator_input[0]);
-    put_copy(first + second, uniforms, size, rhw_validator_input[1]);
-    return first;
+    *header = (struct rhw_validated_uniforms){draw, size, second, uniforms};
+    rhw_validated_uniforms_renew(header + 1);
+    return header + 1;
+}
+
+void rhw_validated_uniforms_renew(const void *validated)
+{
+    const struct rhw_validated_uniforms *const header = rhw_validator_draw(validated);
+    unsigned char *const first = (unsigned char *)validated;
+    put_copy(first, header->own, header->size, rhw_validator_input[0]);
+    put_copy(first + header->second, header->own, header->size, rhw_validator_input[1]);
 }

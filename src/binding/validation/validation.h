@@ -72,7 +72,9 @@ static inline int rhw_validated_count(const struct rhw_pipeline_data *pipeline)
 // What stands before the uniforms of a draw under validation: two copies, each with its own rubbish behind it.
 struct rhw_validated_uniforms {
     _Alignas(64) uint32_t draw;
-    size_t second; // bytes from the first copy to the second
+    uint32_t size;   // bytes of the uniforms
+    size_t second;   // bytes from the first copy to the second
+    const void *own; // the uniforms that the copies are of
 };
 
 // Put a validator, which the pipeline owns from then on, in the place of the pipeline's functions. Return false when
@@ -85,6 +87,8 @@ bool rhw_validate_pipeline(struct rhw_context *context, struct rhw_pipeline_data
 struct rhw_arena;
 const void *rhw_validated_uniforms(struct rhw_arena *arena, const void *uniforms, uint32_t size,
                                    uint32_t draw);
+// Copy uniforms that rhw_validated_uniforms gave once more from where they stand, as a pass that runs again reads them.
+void rhw_validated_uniforms_renew(const void *validated);
 
 void rhw_validated_vertex(struct rhw_vertex *groups, int count);
 void rhw_validated_fragment(struct rhw_fragment *groups, int count);

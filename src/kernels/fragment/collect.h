@@ -112,16 +112,13 @@ static void collect_samples(struct tile_work *work, struct triangle_work *triang
 
 // Return true if the fragments of a block that are set in `mask`, with inputs of any kind, are collected rather than
 // shaded row by row. A group of such fragments from anywhere costs as much as a row and a half, and more the more
-// targets it is blended into. Homogeneous noperspective values are made in double (interpolate.h); packing makes none
-// in double.
-static inline bool scatters_any(const struct tile_work *work, const struct triangle_work *triangle,
-                                uint64_t mask)
+// targets it is blended into.
+static inline bool scatters_any(const struct tile_work *work, uint64_t mask)
 {
-    const bool is_double = triangle->planes.is_homogeneous && work->pipeline->any_noperspective;
     uint64_t rows = mask | mask >> 4; // at bit 8·row: some pixel of the row
     rows |= rows >> 2;
     rows = (rows | rows >> 1) & 0x0101010101010101u;
-    return work->plan.shading == RHW_SHADING_ANY && !is_double &&
+    return work->plan.shading == RHW_SHADING_ANY &&
            __builtin_popcountll(mask) < ROW_PIXELS * __builtin_popcountll(rows);
 }
 
@@ -129,8 +126,9 @@ static inline bool scatters_any(const struct tile_work *work, const struct trian
 RHW_INLINE bool can_scatter(const struct tile_work *work, const struct triangle_work *triangle,
                             const struct block *block, uint64_t mask)
 {
-    return !block->leaves_triangle && triangle->planes.kind != PLANES_EXACT &&
-           (work->plan.shading == RHW_SHADING_SMOOTH || scatters_any(work, triangle, mask));
+    return work->plan.collects && !block->leaves_triangle && triangle->planes.kind != PLANES_EXACT &&
+           !interpolates_in_double(work->pipeline, triangle) &&
+           (work->plan.shading == RHW_SHADING_SMOOTH || scatters_any(work, mask));
 }
 
 // Collect the fragments of a block whose bits are set in `mask`, or queue them as rows.

@@ -126,25 +126,25 @@ static inline struct screen_derivative screen_derivative(const struct plane *n1,
     return (struct screen_derivative){(float)(n1->dx * d1 + n2->dx * d2), (float)(n1->dy * d1 + n2->dy * d2)};
 }
 
-// Set the derivatives of the components of group g that are not smooth.
-static void constant_derivatives(struct fragment_queue *queue, int g,
+// Set the derivatives of the components of `count` groups from `first` on that are not smooth.
+static void constant_derivatives(struct fragment_queue *queue, int first, int count,
                                  const struct rhw_pipeline_data *pipeline,
                                  const struct triangle_work *triangle)
 {
     const float *const varyings[3] = {triangle->v[0]->varyings, triangle->v[1]->varyings,
                                       triangle->v[2]->varyings};
-    f32x8 *const ddx = queue->ddx + g * pipeline->varying_components;
-    f32x8 *const ddy = queue->ddy + g * pipeline->varying_components;
-    for (int i = 0; i < pipeline->varying_components; i++) {
+    const ptrdiff_t components = pipeline->varying_components;
+    for (int i = 0; i < components; i++) {
         if (!pipeline->component_derivatives[i] || pipeline->component_qualifier[i] == RHW_SMOOTH) {
             continue;
         }
-        ddx[i] = ddy[i] = f32x8_splat(0);
+        struct screen_derivative d = {0, 0};
         if (pipeline->component_qualifier[i] == RHW_NOPERSPECTIVE) {
-            const struct screen_derivative d =
-                screen_derivative(&triangle->planes.n1, &triangle->planes.n2, varyings, i);
-            ddx[i] = f32x8_splat(d.by_x);
-            ddy[i] = f32x8_splat(d.by_y);
+            d = screen_derivative(&triangle->planes.n1, &triangle->planes.n2, varyings, i);
+        }
+        for (int g = first; g < first + count; g++) {
+            queue->ddx[g * components + i] = f32x8_splat(d.by_x);
+            queue->ddy[g * components + i] = f32x8_splat(d.by_y);
         }
     }
 }

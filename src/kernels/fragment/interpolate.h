@@ -39,6 +39,12 @@ RHW_INLINE f32x8 interpolate_component(const struct triangle_work *triangle, int
                        f32x8_splat(triangle->d2[i]), b, c);
 }
 
+// Return true if groups that are filled together have components beside noperspective ones.
+RHW_INLINE bool wants_weights(const struct rhw_pipeline_data *pipeline)
+{
+    return pipeline->any_noperspective ? pipeline->smooth_runs != 0 : pipeline->varying_components != 0;
+}
+
 // The perspective weights of some groups.
 struct group_weights {
     f32x8 b[RHW_BLOCK], c[RHW_BLOCK];
@@ -92,6 +98,13 @@ RHW_INLINE void interpolate_any_groups(f32x8 *varyings, const struct rhw_pipelin
     set_flat_groups(varyings, pipeline, triangle, count);
 }
 
+// Return true if noperspective varyings of a triangle are made in double, by interpolate_homogeneous. Rows alone are.
+RHW_INLINE bool interpolates_in_double(const struct rhw_pipeline_data *pipeline,
+                                       const struct triangle_work *triangle)
+{
+    return triangle->planes.is_homogeneous && pipeline->any_noperspective;
+}
+
 // Set noperspective varyings of a triangle with a vertex that is not snapped. Weights on the screen may have any size
 // and either sign there, and what float loses while they cancel would pass the bound: the values are computed in double
 // and rounded once. The added 0 keeps a constant −0, whose differences times negative weights are −0.
@@ -125,7 +138,7 @@ static void interpolate_any(f32x8 *varyings, const struct rhw_pipeline_data *pip
         default: varyings[i] = f32x8_splat(triangle->provoking[i]); break;
         }
     }
-    if (triangle->planes.is_homogeneous && pipeline->any_noperspective) {
+    if (interpolates_in_double(pipeline, triangle)) {
         interpolate_homogeneous(varyings, pipeline, triangle, screen);
     }
 }

@@ -165,7 +165,7 @@ static void pack_barycentric_derivatives(struct tile_work *work, struct rhw_frag
                       derivative_of(lanes[3], squared));
 }
 
-// Set what groups of RHW_SHADING_ANY have beside smooth varyings and their derivatives.
+// Set varyings, and what groups have beside them and the derivatives of smooth ones.
 static __attribute__((noinline)) void pack_any(struct tile_work *work, int g, const struct weights *weights,
                                                const struct packed_weights *in_space)
 {
@@ -253,7 +253,7 @@ static void pack_group(struct tile_work *work, unsigned bits)
                 viewport_clamp(&work->scratch->depth, f32x8_load(partial->sample_depth[s]));
         }
     }
-    if (work->plan.shading == RHW_SHADING_ANY) {
+    if (work->plan.shading == RHW_SHADING_ANY || work->plan.fills_more) {
         pack_any(work, g, &weights, &lanes);
     } else {
         pack_varyings(work, g, &lanes);
@@ -321,6 +321,8 @@ static const struct packed_triangle *pack_triangle(struct tile_work *work, struc
     }
     if (work->plan.shading == RHW_SHADING_ANY) {
         to->weights = triangle->planes.weights;
+    }
+    if (work->plan.needs_screen) {
         to->n1 = triangle->planes.n1;
         to->n2 = triangle->planes.n2;
     }
@@ -404,9 +406,10 @@ static void pack_collected(struct tile_work *work, struct triangle_work *triangl
 {
     const struct packed_triangle *const packed = pack_triangle(work, triangle);
     const bool late = work->plan.depth_mode >= RHW_DEPTH_LATE;
-    if (work->samples > 1 && work->plan.shading == RHW_SHADING_SMOOTH && !late && !packed->clamps_depth) {
+    const bool plain = work->plan.shading == RHW_SHADING_SMOOTH && !work->plan.needs_screen;
+    if (work->samples > 1 && plain && !late && !packed->clamps_depth) {
         pack_fragments(work, &triangle->planes.quantities, packed, PACKED_SAMPLES);
-    } else if (work->plan.shading == RHW_SHADING_ANY || work->samples > 1) {
+    } else if (!plain || work->samples > 1) {
         pack_fragments(work, &triangle->planes.quantities, packed, PACKED_ANY);
     } else if (work->pipeline->any_derivatives) {
         pack_fragments(work, &triangle->planes.quantities, packed, PACKED_DISTANCE);

@@ -6,6 +6,7 @@
 #define RHW_QUEUE_H
 
 #include "binding/shader_adapter.h"
+#include "context/given_up.h"
 #include "kernels/depth/stencil_test.h"
 #include "kernels/tile_units.h"
 #include "blend.h"
@@ -127,10 +128,21 @@ RHW_INLINE void finish_queue(struct tile_work *work)
     }
 }
 
-// Shade and blend all groups. Fragments without a group go on waiting.
+static void empty_queue(struct fragment_queue *queue)
+{
+    queue->count = 0;
+    queue->only_full_rows = true;
+}
+
+// Shade and blend all groups. Fragments without a group go on waiting. A program that gives up the pass gets none of
+// the groups.
 void RHW_ISA_NAME(rhw_shade_queue)(struct tile_work *work)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
+    if (work->wave->asked && rhw_context_is_given_up_amid(work->wave->asked, work->worker, queue->count)) {
+        empty_queue(queue);
+        return;
+    }
     run_fragment_function(work, queue->count);
     if (work->explained) {
         explain_shaded(work);
@@ -144,8 +156,7 @@ void RHW_ISA_NAME(rhw_shade_queue)(struct tile_work *work)
         finish_queue(work);
     }
     work->counters->groups += (uint64_t)queue->count;
-    queue->count = 0;
-    queue->only_full_rows = true;
+    empty_queue(queue);
 }
 
 #endif

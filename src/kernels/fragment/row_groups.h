@@ -80,7 +80,7 @@ static void fill_builtins(const struct tile_work *work, int g, const struct tria
     if (work->plan.needs_distance) {
         const f64x8 squared = f64x8_mul(w->inverse_s, w->inverse_s);
         smooth_derivatives(queue, g, pipeline, triangle->derivatives, &place->at, squared);
-        constant_derivatives(queue, g, pipeline, triangle);
+        constant_derivatives(queue, g, 1, pipeline, triangle);
         if (uses & RHW_USE_BARYCENTRIC_DERIVATIVES) {
             fill_barycentric_derivatives(group, &triangle->planes.weights, &place->at, squared);
         }
@@ -116,9 +116,6 @@ static __attribute__((noinline)) void fill_any_rows(const struct tile_work *work
                                                     const struct block *block, const struct block_rows *rows,
                                                     int first)
 {
-    if (work->plan.reads_targets) {
-        read_targets(work, first, rows->count);
-    }
     const struct planes *const planes = &triangle->planes;
     const bool is_general = work->plan.shading == RHW_SHADING_ROWS;
     const enum weight_path best = weight_path_of(planes);
@@ -162,7 +159,7 @@ static __attribute__((noinline)) void fill_any_rows(const struct tile_work *work
     }
 }
 
-// Smooth varyings alone --------------------------------------------------------------------------------
+// Varyings and coordinates -----------------------------------------------------------------------------
 
 // Set the derivatives of smooth components of the rows of a block, in the groups from `first` on. The numbers are those
 // of smooth_derivatives; what the rows share is worked out once. `squared` has a vector for each row.
@@ -215,7 +212,7 @@ RHW_INLINE void fill_steps(const struct tile_work *work, const struct triangle_w
         interpolate_groups(work->scratch->queue.varyings + (first + n) * components, components, all,
                            triangle, &weights, count);
     }
-    // Flat components overwrite what interpolation made of them.
+    // Flat components overwrite what interpolation made of them, as noperspective ones do later.
     if (work->pipeline->flat_count != 0) {
         set_flat_groups(work->scratch->queue.varyings + first * components, work->pipeline, triangle,
                         rows->count);
@@ -245,6 +242,107 @@ RHW_INLINE void fill_rows(const struct tile_work *work, const struct triangle_wo
     }
 }
 
+// Set the noperspective varyings of the rows of a block.
+RHW_INLINE void fill_screen_rows(const struct tile_work *work, const struct triangle_work *triangle,
+                                 const struct anchor_offset *at, const struct block_rows *rows)
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    const ptrdiff_t components = pipeline->varying_components;
+    f32x8 *const varyings = work->scratch->queue.varyings + work->scratch->queue.count * components;
+    struct block_planes over;
+    struct group_weights screen;
+    block_screen_weights(&over, &triangle->planes, at);
+    for (int n = 0; n < rows->count; n++) {
+        const int row = rows == &all_rows ? n : rows->row[n];
+        const struct screen_weights w = screen_weights_of_row(&triangle->planes, &over, row);
+        screen.b[n] = f32x8_from_f64x8(w.s);
+        screen.c[n] = f32x8_from_f64x8(w.t);
+    }
+    for (int run = 0; run < pipeline->screen_runs; run++) {
+        interpolate_groups(varyings, components, pipeline->screen_run[run], triangle, &screen, rows->count);
+    }
+}
+
+// Set 1/W of the rows of a block, as coordinates have it.
+RHW_INLINE void fill_inverse_w(struct rhw_fragment *groups, const struct planes *planes,
+                               const struct anchor_offset *at, const struct block_rows *rows)
+{
+    const struct plane s = plane_of(&planes->quantities, QUANTITY_S);
+    if (planes->kind != PLANES_EXACT && plane_is_level(s)) {
+        float by_row[RHW_BLOCK];
+        plane_level_rows(s, at->dy, by_row);
+        for (int n = 0; n < rows->count; n++) {
+            groups[n].coord[3] = f32x8_splat(by_row[rows == &all_rows ? n : rows->row[n]]);
+        }
+        return;
+    }
+    struct block_planes over;
+    if (planes->kind == PLANES_EXACT) {
+        block_edges(&over, planes, at);
+    } else {
+        block_plane_set(&over.s, s, at);
+    }
+    for (int n = 0; n < rows->count; n++) {
+        const int row = rows == &all_rows ? n : rows->row[n];
+        groups[n].coord[3] = f32x8_from_f64x8(inverse_w_of_row(planes, &over, row));
+    }
+}
+
+// Set the coordinates of the rows of a block. Groups have their depth already.
+RHW_INLINE void fill_row_coordinates(const struct tile_work *work, const struct planes *planes,
+                                     const struct block *block, const struct block_rows *rows)
+{
+    struct rhw_fragment *const groups = &work->scratch->queue.groups[work->scratch->queue.count];
+    const bool at_sample = work->plan.sampling == RHW_SAMPLING_SAMPLE;
+    const float center = (float)sample_offset(), right = at_sample ? block->samples->position[0] : center,
+                down = at_sample ? block->samples->position[1] : center;
+    const f32x8 x = rhw_float_from_int(i32x8_splat(work->x + block->x) + rhw_lane_index) + f32x8_splat(right);
+    float y[RHW_BLOCK];
+    f32x8_store(y, rhw_float_from_int(i32x8_splat(work->y + block->y) + rhw_lane_index) + f32x8_splat(down));
+    for (int n = 0; n < rows->count; n++) {
+        groups[n].coord[0] = x;
+        groups[n].coord[1] = f32x8_splat(y[rows == &all_rows ? n : rows->row[n]]);
+        groups[n].coord[2] = groups[n].depth;
+    }
+    fill_inverse_w(groups, planes, &block->at, rows);
+}
+
+// Set what groups that are rows of a block have beside smooth and flat varyings.
+RHW_INLINE void fill_more(const struct tile_work *work, const struct triangle_work *triangle,
+                          const struct block *block, const struct block_rows *rows)
+{
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    struct fragment_queue *const queue = &work->scratch->queue;
+    if (pipeline->any_noperspective) {
+        fill_screen_rows(work, triangle, &block->at, rows);
+    }
+    if (pipeline->any_noperspective && pipeline->smooth_runs == 0) {
+        set_flat_groups(queue->varyings + queue->count * pipeline->varying_components, pipeline, triangle,
+                        rows->count);
+    }
+    if (pipeline->any_constant_derivatives) {
+        constant_derivatives(queue, queue->count, rows->count, pipeline, triangle);
+    }
+    if (pipeline->def.program.uses & RHW_USE_COORD) {
+        fill_row_coordinates(work, &triangle->planes, block, rows);
+    }
+}
+
+static __attribute__((noinline)) void fill_more_of_block(const struct tile_work *work,
+                                                         const struct triangle_work *triangle,
+                                                         const struct block *block)
+{
+    fill_more(work, triangle, block, &all_rows);
+}
+
+static __attribute__((noinline)) void fill_more_of_rows(const struct tile_work *work,
+                                                        const struct triangle_work *triangle,
+                                                        const struct block *block,
+                                                        const struct block_rows *rows)
+{
+    fill_more(work, triangle, block, rows);
+}
+
 // Queueing ---------------------------------------------------------------------------------------------
 
 // Set where the groups from the queue's end on stand: they are the rows of a block at (x, y).
@@ -264,12 +362,36 @@ RHW_INLINE void place_rows(struct fragment_queue *queue, const struct block_rows
     }
 }
 
+// Set that the groups from the queue's end on stand for one sample of their pixels. `asks` is true if the fragment
+// function asks which.
+RHW_INLINE void place_one_sample(struct fragment_queue *queue, const struct block_samples *from,
+                                 const struct block_rows *rows, bool asks)
+{
+    struct rhw_fragment *const groups = &queue->groups[queue->count];
+    const i32x8 sample = i32x8_splat(1 << from->only), id = i32x8_splat(from->only);
+    const f32x8 x = f32x8_splat(from->position[0]), y = f32x8_splat(from->position[1]);
+    for (int n = 0; n < rows->count; n++) {
+        queue->samples[queue->count + n] = sample & groups[n].mask;
+    }
+    for (int n = 0; n < rows->count && asks; n++) {
+        groups[n].sample_mask = sample & groups[n].mask;
+        groups[n].sample_id = id;
+        groups[n].sample_position[0] = x;
+        groups[n].sample_position[1] = y;
+    }
+}
+
 // Set which samples the groups from the queue's end on cover.
 static __attribute__((noinline)) void place_samples(const struct tile_work *work, const struct block *block,
                                                     const struct block_rows *rows)
 {
     const struct block_samples *const from = block->samples;
     struct fragment_queue *const queue = &work->scratch->queue;
+    if (from->only >= 0 && !from->depth) {
+        const uint32_t uses = work->pipeline->def.program.uses;
+        place_one_sample(queue, from, rows, uses & (RHW_USE_SAMPLE | RHW_USE_SAMPLE_MASK));
+        return;
+    }
     for (int n = 0; n < rows->count; n++) {
         const int g = queue->count + n, row = rows->row[n];
         i32x8 samples = i32x8_splat(0);
@@ -305,12 +427,30 @@ static void fill_kept(const struct tile_work *work, const struct triangle_work *
     }
 }
 
+// Fill the groups from the queue's end on with the rows of a block, together.
+RHW_INLINE void fill_together(const struct tile_work *work, const struct triangle_work *triangle,
+                              const struct block *block, const struct block_rows *rows)
+{
+    if (work->pipeline->derivative_pairs != 0) {
+        fill_rows(work, triangle, &block->at, rows, DERIVATIVES);
+    } else if (wants_weights(work->pipeline)) {
+        fill_rows(work, triangle, &block->at, rows, NO_DERIVATIVES);
+    }
+    if (work->plan.fills_more && rows == &all_rows) {
+        fill_more_of_block(work, triangle, block);
+    } else if (work->plan.fills_more) {
+        fill_more_of_rows(work, triangle, block, rows);
+    }
+}
+
 // Queue the rows of a block as groups.
 RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangle, const struct block *block,
                            const struct block_rows *rows)
 {
     struct fragment_queue *const queue = &work->scratch->queue;
-    if (queue->count + rows->count > RHW_FRAGMENT_GROUPS || (work->plan.reads_targets && queue->count != 0)) {
+    // What a program reads of targets is what earlier triangles left; no sample is among a triangle's fragments twice.
+    const bool ends_others = work->plan.reads_targets && !triangle->has_values && queue->count != 0;
+    if (queue->count + rows->count > RHW_FRAGMENT_GROUPS || ends_others) {
         RHW_ISA_NAME(rhw_shade_queue)(work);
     }
     if (!triangle->has_values) {
@@ -323,15 +463,17 @@ RHW_INLINE void queue_rows(struct tile_work *work, struct triangle_work *triangl
     for (int n = 0; n < rows->count && work->plan.weighs_alpha; n++) {
         queue->coverage[queue->count + n] = triangle->coverage[rows->row[n]];
     }
+    if (work->plan.reads_targets) {
+        read_targets(work, queue->count, rows->count);
+    }
     if (work->plan.keeps_depth || work->plan.keeps_identity) {
         fill_kept(work, triangle, block, rows, queue->count);
     }
-    if (work->plan.shading != RHW_SHADING_SMOOTH || block->leaves_triangle) {
+    if (work->plan.shading != RHW_SHADING_SMOOTH || block->leaves_triangle ||
+        interpolates_in_double(work->pipeline, triangle)) {
         fill_any_rows(work, triangle, block, rows, queue->count);
-    } else if (work->pipeline->any_derivatives) {
-        fill_rows(work, triangle, &block->at, rows, DERIVATIVES);
-    } else if (work->pipeline->varying_components != 0) {
-        fill_rows(work, triangle, &block->at, rows, NO_DERIVATIVES);
+    } else {
+        fill_together(work, triangle, block, rows);
     }
     queue->count += rows->count;
     shade_if_full(work);

@@ -9,6 +9,7 @@
 #include "blend.h"
 #include "expand.h"
 #include "explained_fragment.h"
+#include "row_sample.h"
 #include "woven.h"
 
 // Return the lanes whose fragment covers sample s.
@@ -221,6 +222,47 @@ RHW_INLINE void blend_samples(const struct tile_work *work, int g, i32x8 samples
     }
 }
 
+// Blend groups, which are rows of one sample each, into target t: the lanes whose sample is in `samples`. `path` is the
+// target's, a constant where a call names it.
+RHW_INLINE void blend_rows_of_samples(const struct tile_work *work, int t, enum rhw_blend_path path,
+                                      const i32x8 *samples)
+{
+    struct rhw_blend_state state = work->state->blend[t];
+    state.path = path;
+    const struct fragment_queue *const queue = &work->scratch->queue;
+    const size_t size = work->target->colors[t].texel_size;
+    for (int g = 0; g < queue->count; g++) {
+        const i32x8 live = ~rhw_equal_int(samples[g], i32x8_splat(0));
+        if (rhw_any(live)) {
+            blend_group(&state, queue->colors[g][t], live,
+                        color_of_sample(work->scratch, t, sample_of_group(queue, g)) +
+                            (size_t)queue->row_at[g] * size);
+        }
+    }
+}
+
+// Finish groups that are rows of one sample each: what is left of them in `samples`.
+static __attribute__((noinline)) void finish_rows_of_samples(struct tile_work *work, const i32x8 *samples)
+{
+    const struct fragment_queue *const queue = &work->scratch->queue;
+    for (int g = 0; g < queue->count; g++) {
+        const int block = block_of_texel(queue->row_at[g]);
+        if (!(work->scratch->expanded >> block & 1)) {
+            expand_block(work, block);
+        }
+    }
+    for (int t = 0; t < work->target->color_count; t++) {
+        const enum rhw_blend_path path = work->state->blend[t].path;
+        if (path == BLEND_RGBA8_REPLACE) {
+            blend_rows_of_samples(work, t, BLEND_RGBA8_REPLACE, samples);
+        } else if (path == BLEND_RGBA8_OVER) {
+            blend_rows_of_samples(work, t, BLEND_RGBA8_OVER, samples);
+        } else {
+            blend_rows_of_samples(work, t, path, samples);
+        }
+    }
+}
+
 // Blend, after the fragment function, what is left of all groups, in their order.
 static __attribute__((noinline)) void finish_sample_queue(struct tile_work *work)
 {
@@ -228,15 +270,23 @@ static __attribute__((noinline)) void finish_sample_queue(struct tile_work *work
     const struct rhw_pipeline_def *const def = &work->pipeline->def;
     const bool drops = work->plan.masks_samples || work->plan.depth_mode >= RHW_DEPTH_LATE ||
                        def->program.uses & RHW_USE_DISCARD;
+    const bool is_single = work->plan.sampling == RHW_SAMPLING_SAMPLE && !work->scratch->is_woven;
+    i32x8 left[RHW_FRAGMENT_GROUPS];
     for (int g = 0; g < queue->count; g++) {
         const i32x8 samples = drops ? finish_samples(work, g) : queue->samples[g];
+        left[g] = samples;
         if (def->alpha_to_one) {
             queue->colors[g][0][3] = f32x8_splat(1);
         }
         if (work->explained) {
             explain_written(work, g, lanes_of_sample(samples, work->explained->ask.sample));
         }
-        blend_samples(work, g, samples);
+        if (!is_single) {
+            blend_samples(work, g, samples);
+        }
+    }
+    if (is_single) {
+        finish_rows_of_samples(work, left);
     }
 }
 

@@ -58,6 +58,46 @@ RHW_INLINE void fill_scattered(const struct tile_work *work, const struct triang
     set_flat_groups(varyings, pipeline, triangle, count);
 }
 
+// Set what the queue's next `count` groups have beside smooth and flat varyings. Where no component wants weights in
+// space, set depth and flat varyings too, which fill_scattered sets else.
+static __attribute__((noinline)) void fill_more_scattered(const struct tile_work *work,
+                                                          const struct triangle_work *triangle,
+                                                          const int32_t *texel, int count)
+{
+    const struct planes *const planes = &triangle->planes;
+    const struct rhw_pipeline_data *const pipeline = work->pipeline;
+    struct fragment_queue *const queue = &work->scratch->queue;
+    const float center = (float)sample_offset();
+    const bool alone = !wants_weights(pipeline);
+    struct group_weights screen;
+    for (int n = 0; n < count; n++) {
+        const struct anchor_offset at = texel_offsets(work, planes, &texel[8 * n]);
+        if (pipeline->any_noperspective) {
+            screen.b[n] = f32x8_from_f64x8(plane_value8(planes->n1, at.dx, at.dy));
+            screen.c[n] = f32x8_from_f64x8(plane_value8(planes->n2, at.dx, at.dy));
+        }
+        if (alone && work->plan.keeps_depth) {
+            queue->groups[queue->count + n].depth = scattered_depth(work, triangle, &at);
+        }
+        if (pipeline->def.program.uses & RHW_USE_COORD) {
+            fill_coordinates(work, &queue->groups[queue->count + n], i32x8_load(&texel[8 * n]),
+                             (const float[]){center, center},
+                             plane_value8(plane_of(&planes->quantities, QUANTITY_S), at.dx, at.dy));
+        }
+    }
+    f32x8 *const varyings = queue->varyings + queue->count * pipeline->varying_components;
+    for (int run = 0; run < pipeline->screen_runs; run++) {
+        interpolate_groups(varyings, pipeline->varying_components, pipeline->screen_run[run], triangle,
+                           &screen, count);
+    }
+    if (alone) {
+        set_flat_groups(varyings, pipeline, triangle, count);
+    }
+    if (pipeline->any_constant_derivatives) {
+        constant_derivatives(queue, queue->count, count, pipeline, triangle);
+    }
+}
+
 // Fill the queue's next `count` groups with everything that a fragment function may ask for.
 static __attribute__((noinline)) void fill_any_scattered(const struct tile_work *work,
                                                          const struct triangle_work *triangle,
@@ -145,10 +185,13 @@ static void queue_scattered(struct tile_work *work, struct triangle_work *triang
         }
         if (work->plan.shading != RHW_SHADING_SMOOTH) {
             fill_any_scattered(work, triangle, texel, n);
-        } else if (work->pipeline->any_derivatives) {
+        } else if (work->pipeline->derivative_pairs != 0) {
             fill_scattered(work, triangle, texel, n, DERIVATIVES);
-        } else {
+        } else if (!work->plan.fills_more || wants_weights(work->pipeline)) {
             fill_scattered(work, triangle, texel, n, NO_DERIVATIVES);
+        }
+        if (work->plan.fills_more) { // never with RHW_SHADING_ANY
+            fill_more_scattered(work, triangle, texel, n);
         }
         queue->only_full_rows = false;
         queue->count = first + n;

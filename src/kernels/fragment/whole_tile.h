@@ -3,22 +3,76 @@
 #ifndef RHW_WHOLE_TILE_H
 #define RHW_WHOLE_TILE_H
 
+#include "kernels/depth/depth_test.h"
 #include "row_groups.h"
+
+// Set the depths of the groups from the queue's end on, which are the rows of a block.
+RHW_INLINE void fill_block_depths(const struct tile_work *work, const struct triangle_work *triangle,
+                                  const struct anchor_offset *at)
+{
+    struct rhw_fragment *const groups = &work->scratch->queue.groups[work->scratch->queue.count];
+    const struct plane z = plane_of(&triangle->planes.quantities, QUANTITY_Z);
+    if (plane_is_level(z)) {
+        float by_row[RHW_BLOCK];
+        plane_level_rows(z, at->dy, by_row);
+        for (int row = 0; row < RHW_BLOCK; row++) {
+            groups[row].depth = f32x8_splat(by_row[row]);
+        }
+    } else {
+        struct block_plane over;
+        block_plane_set(&over, z, at);
+        for (int row = 0; row < RHW_BLOCK; row++) {
+            groups[row].depth = f32x8_from_f64x8(block_plane_value(&over, row));
+        }
+    }
+    for (int row = 0; row < RHW_BLOCK && triangle->clamps_depth; row++) {
+        groups[row].depth = viewport_clamp(&work->scratch->depth, groups[row].depth);
+    }
+}
+
+// Set depth, what targets hold, and what groups have beside smooth and flat varyings, of the block at (x, y).
+static __attribute__((noinline)) void fill_more_block(const struct tile_work *work,
+                                                      const struct triangle_work *triangle, int x, int y)
+{
+    struct block block;
+    block.x = x;
+    block.y = y;
+    block.at = block_offset(work, &triangle->planes, x, y);
+    block.samples = NULL;
+    if (work->plan.reads_targets) {
+        read_targets(work, work->scratch->queue.count, RHW_BLOCK);
+    }
+    if (work->plan.keeps_depth) {
+        fill_block_depths(work, triangle, &block.at);
+    }
+    if (work->plan.fills_more) {
+        fill_more(work, triangle, &block, &all_rows);
+    }
+}
 
 RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_work *triangle,
                                 enum derivatives derivatives, enum weight_path path)
 {
+    const bool weighs = derivatives == DERIVATIVES || wants_weights(work->pipeline);
+    const bool more = work->plan.keeps_depth || work->plan.fills_more || work->plan.reads_targets;
     const struct planes *const planes = &triangle->planes;
     struct fragment_queue *const queue = &work->scratch->queue;
     for (int y = 0; y < RHW_TILE; y += RHW_BLOCK) {
         struct block_planes over;
         const f64x8 dy = block_offset(work, planes, 0, y).dy;
-        block_weight_rows(&over, planes, dy, path);
+        if (weighs) {
+            block_weight_rows(&over, planes, dy, path);
+        }
         for (int x = 0; x < RHW_TILE; x += RHW_BLOCK) {
             const struct anchor_offset at = {block_offset(work, planes, x, y).dx, dy};
-            block_weight_columns(&over, planes, at.dx);
             place_rows(queue, &all_rows, x, y);
-            fill_steps(work, triangle, &over, &at, &all_rows, derivatives, path);
+            if (weighs) {
+                block_weight_columns(&over, planes, at.dx);
+                fill_steps(work, triangle, &over, &at, &all_rows, derivatives, path);
+            }
+            if (more) {
+                fill_more_block(work, triangle, x, y);
+            }
             queue->count += RHW_BLOCK;
             shade_if_full(work);
         }
@@ -29,7 +83,7 @@ RHW_INLINE void fill_whole_tile(struct tile_work *work, const struct triangle_wo
 static void queue_tile(struct tile_work *work, struct triangle_work *triangle)
 {
     set_inputs(work, triangle);
-    const bool derivatives = work->pipeline->any_derivatives;
+    const bool derivatives = work->pipeline->derivative_pairs != 0;
     const bool per_row = weight_path_of(&triangle->planes) == WEIGHTS_PER_ROW;
     if (derivatives && per_row) {
         fill_whole_tile(work, triangle, DERIVATIVES, WEIGHTS_PER_ROW);

@@ -45,7 +45,7 @@ struct run_extent {
     uint32_t first_primitive, count; // counted within an instance
 };
 
-// Assemble and shade a run. Return false when out of memory.
+// Assemble and shade a run. Return false when out of memory, or given up.
 static bool start_run(struct rhw_worker *worker, const struct rhw_draw *draw, const struct run_extent *extent)
 {
     struct rhw_geometry_scratch *const scratch = worker->geometry;
@@ -75,7 +75,9 @@ static bool start_run(struct rhw_worker *worker, const struct rhw_draw *draw, co
     if (!segment->vertices) {
         return false;
     }
-    shade_vertices(scratch, segment, snapped, vertices, each);
+    if (!shade_vertices(scratch, segment, snapped, vertices, each)) {
+        return false;
+    }
     scratch->counters.vertices_shaded += vertices;
     scratch->vertex_count += rounded_up;
     return true;
@@ -95,7 +97,7 @@ static struct run_extent next_extent(const struct rhw_draw *draw, uint64_t at, u
     return extent;
 }
 
-// Assemble and shade what the chunk has of each draw. Return false when out of memory.
+// Assemble and shade what the chunk has of each draw. Return false when out of memory, or given up.
 static bool start_runs(const struct rhw_wave *wave, const struct rhw_chunk *chunk, struct rhw_worker *worker)
 {
     uint64_t at = chunk->first;
@@ -180,7 +182,7 @@ static void setup_routed(struct rhw_geometry_scratch *scratch, uint32_t run_inde
     }
 }
 
-// Make the vertices and triangles of a chunk. Return false when out of memory.
+// Make the vertices and triangles of a chunk. Return false when out of memory, or given up.
 static bool make_triangles(const struct rhw_wave *wave, const struct rhw_chunk *chunk,
                            struct rhw_worker *worker, struct rhw_triangle_list *list)
 {
@@ -192,6 +194,8 @@ static bool make_triangles(const struct rhw_wave *wave, const struct rhw_chunk *
     scratch->run_count = scratch->polygon_count = 0;
     scratch->index_count = scratch->vertex_count = 0;
     scratch->arena = &worker->arena;
+    scratch->asked = wave->asked;
+    scratch->worker = (int)(worker - wave->workers);
     scratch->made_run = UINT32_MAX;
     scratch->out_of_memory = false;
     scratch->layers = wave->target.layers;
@@ -307,13 +311,15 @@ static void shade_shared_part(const struct rhw_wave *wave, const struct rhw_shar
     const uint64_t start = rhw_time_ns();
     struct rhw_segment segment = part->shared->segment;
     segment.vertices += (size_t)part->first * (size_t)segment.vertex_stride;
+    scratch->asked = wave->asked;
+    scratch->worker = (int)(worker - wave->workers);
     scratch->special_paths = rhw_pass_takes_special_paths(wave->pass);
     for (uint32_t i = 0; i < part->count; i++) {
         const uint32_t slot = part->first + i;
         scratch->unique[i] =
             segment.draw->base_vertex + (part->shared->indices ? part->shared->indices[slot] : slot);
     }
-    shade_vertices(scratch, &segment, part->shared->snapped + part->first, part->count, part->count);
+    (void)shade_vertices(scratch, &segment, part->shared->snapped + part->first, part->count, part->count);
     worker->counters.vertex_ns += rhw_time_ns() - start;
 }
 

@@ -76,6 +76,9 @@ struct rhw_geometry_scratch {
     // Number of triangles of `indices`, and number of vertices.
     uint32_t index_count, vertex_count;
     int run_count, polygon_count, segment_count;
+    // See rhw_wave, and the worker that has this scratch.
+    struct rhw_context *asked;
+    int worker;
     bool special_paths; // see rhw_pass_takes_special_paths
     // See cull_uncovered.h. NULL: nothing is culled there.
     const struct rhw_sample_pattern *uncovered_pattern;

@@ -5,6 +5,7 @@
 #define RHW_VERTEX_SHADING_H
 
 #include "binding/shader_adapter.h"
+#include "context/given_up.h"
 #include "geometry_scratch.h"
 #include "projection.h"
 #include "vertex_fetch.h"
@@ -164,8 +165,9 @@ static __attribute__((noinline)) void mask_vertices(struct rhw_geometry_scratch 
 }
 
 // Shade `count` vertices, `each` of an instance, whose indices are scratch->unique, into the segment. `count` is
-// rounded up to 8: the last group repeats its last vertex, and there is room for it.
-static void shade_vertices(struct rhw_geometry_scratch *scratch, const struct rhw_segment *segment,
+// rounded up to 8: the last group repeats its last vertex, and there is room for it. Return false if the program gives
+// up the pass.
+static bool shade_vertices(struct rhw_geometry_scratch *scratch, const struct rhw_segment *segment,
                            struct rhw_snapped_vertex *vertices, uint32_t count, uint32_t each)
 {
     const struct rhw_draw_state *const state = segment->draw->state;
@@ -176,6 +178,9 @@ static void shade_vertices(struct rhw_geometry_scratch *scratch, const struct rh
     }
     for (uint32_t first = 0; first < total; first += RHW_VERTEX_GROUPS) {
         const int groups = (int)(total - first < RHW_VERTEX_GROUPS ? total - first : RHW_VERTEX_GROUPS);
+        if (scratch->asked && rhw_context_is_given_up_amid(scratch->asked, scratch->worker, groups)) {
+            return false;
+        }
         for (int g = 0; g < groups; g++) {
             fetch_group(scratch, segment, g, 8 * (first + (uint32_t)g), each);
         }
@@ -197,6 +202,7 @@ static void shade_vertices(struct rhw_geometry_scratch *scratch, const struct rh
                           segment->vertices + slot * (size_t)segment->vertex_stride, vertices + slot);
         }
     }
+    return true;
 }
 
 #endif

@@ -62,6 +62,19 @@ RHW_INLINE f64x8 plane_value8(struct plane p, f64x8 dx, f64x8 dy)
     return f64x8_add(plane_column(p, dx), plane_row(p, dy));
 }
 
+// Return true if a plane has one value along a row. A sum with a product that is 0 is then the row's part, bit for bit:
+// that is no −0, as `at` is none.
+RHW_INLINE bool plane_is_level(struct plane p)
+{
+    return p.dx == 0 && !__builtin_signbit(p.at);
+}
+
+// Set the values of the rows of a level plane, rounded.
+RHW_INLINE void plane_level_rows(struct plane p, f64x8 dy, float by_row[RHW_BLOCK])
+{
+    f32x8_store(by_row, f32x8_from_f64x8(plane_row(p, dy)));
+}
+
 // Return the value at one pixel.
 RHW_INLINE double plane_value(struct plane p, double dx, double dy)
 {
@@ -256,6 +269,15 @@ RHW_INLINE struct weights weights_of(f64x8 s, f64x8 inverse_s, f64x8 b, f64x8 c)
 {
     return (struct weights){f32x8_from_f64x8(f64x8_mul(b, inverse_s)),
                             f32x8_from_f64x8(f64x8_mul(c, inverse_s)), s, inverse_s};
+}
+
+// Return 1/W of a row.
+RHW_INLINE f64x8 inverse_w_of_row(const struct planes *p, const struct block_planes *block, int row)
+{
+    return p->kind == PLANES_EXACT
+               ? combine_edges(&p->factors, QUANTITY_S, block_plane_value(&block->e1, row),
+                               block_plane_value(&block->e2, row))
+               : block_plane_value(&block->s, row);
 }
 
 RHW_INLINE struct weights weights_of_row(const struct planes *p, const struct block_planes *block, int row,

@@ -65,7 +65,8 @@ static void set_state(struct tile_work *work, const struct rhw_draw_state *state
         work->orders_lanes = work->orders_lanes && !blend->blend && blend->logic == RHW_LOGIC_OFF;
     }
     work->packs_plainly = work->orders_lanes && work->plan.shading == RHW_SHADING_SMOOTH &&
-                          !work->plan.needs_distance && !work->plan.keeps_depth && !work->plan.keeps_identity;
+                          !work->plan.needs_distance && !work->plan.needs_screen &&
+                          !work->plan.keeps_identity;
     work->drawn_cell = (pipeline->def.sample_mask & 0xf) * 0x1111111111111111u;
     work->scratch->collected.overtakes = false;
     work->tests_bounds = hiz_follow(depth, &work->plan);

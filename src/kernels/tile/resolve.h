@@ -157,7 +157,7 @@ static bool stores_samples(const struct rhw_wave *wave)
 }
 
 // Return true if the tile can be kept woven. It cannot if a sample is explained: an explanation looks into single
-// samples, and the general path draws them.
+// samples, and the general path draws them. It does not pay if fragments are single samples.
 static bool can_weave(const struct tile_work *work)
 {
     const struct rhw_target *const target = work->target;
@@ -165,7 +165,7 @@ static bool can_weave(const struct tile_work *work)
     for (int t = 0; t < target->color_count; t++) {
         has_size = has_size && target->colors[t].texel_size == WOVEN_SIZE;
     }
-    return has_size && !stores_samples(work->wave) && !work->explained &&
+    return has_size && !stores_samples(work->wave) && !work->explained && !work->wave->pass->shades_samples &&
            rhw_pass_takes_special_paths(work->wave->pass);
 }
 

@@ -135,8 +135,8 @@ RHW_INLINE bool takes_whole_tile(const struct tile_work *work)
     const struct rhw_draw_plan *const plan = &work->plan;
     const bool all_open =
         work->phase == RHW_PHASE_BACKWARDS && work->scratch->depth.open_count == RHW_TILE * RHW_TILE;
-    return plan->shading == RHW_SHADING_SMOOTH && !plan->needs_depth && !plan->keeps_identity &&
-           !work->is_scissored && (work->phase == RHW_PHASE_ONLY || all_open);
+    return plan->shading == RHW_SHADING_SMOOTH && plan->depth_mode == RHW_DEPTH_NONE &&
+           !plan->keeps_identity && !work->is_scissored && (work->phase == RHW_PHASE_ONLY || all_open);
 }
 
 // Draw a triangle that covers the tile all over where no depth is tested, as in full-screen passes: what its blocks

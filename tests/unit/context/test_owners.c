@@ -443,7 +443,8 @@ static void test_memory_comes_back_at_the_end(void **state)
     rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
     assert_int_equal(rhw_buffer_write(rig.context, buffer, 0, bytes, 1), RHW_OK);
     rhw_buffer_destroy(rig.context, buffer);
-    assert_true(live_bytes > before + 2 * sizeof bytes);
+    assert_true(live_bytes >
+                before + sizeof bytes); // the buffer, and what the draw reads of what was written
     rig_end(&rig);
     assert_true(live_bytes <= before);
     rig_close(&rig);

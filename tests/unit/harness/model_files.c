@@ -111,6 +111,30 @@ void expect_refused(const char *name, const char *cause)
     }
 }
 
+static void assert_same_arrays(const void *one, const void *other, size_t size)
+{
+    assert_int_equal(one != NULL, other != NULL);
+    if (one != NULL && size > 0) {
+        assert_memory_equal(one, other, size);
+    }
+}
+
+void assert_same_meshes(const struct scene_model *one, const struct scene_model *other)
+{
+    assert_int_equal(one->mesh_count, other->mesh_count);
+    for (uint32_t i = 0; i < one->mesh_count; i++) {
+        const struct scene_mesh *const a = &one->meshes[i], *const b = &other->meshes[i];
+        const size_t count = a->vertex_count;
+        assert_int_equal(a->vertex_count, b->vertex_count);
+        assert_int_equal(a->index_count, b->index_count);
+        assert_same_arrays(a->indices, b->indices, a->index_count * sizeof *a->indices);
+        assert_same_arrays(a->positions, b->positions, count * sizeof *a->positions);
+        assert_same_arrays(a->normals, b->normals, count * sizeof *a->normals);
+        assert_same_arrays(a->uvs[0], b->uvs[0], count * sizeof *a->uvs[0]);
+        assert_same_arrays(a->colors, b->colors, count * sizeof *a->colors);
+    }
+}
+
 bool has_warning(const struct scene_model *model, const char *part)
 {
     for (uint32_t i = 0; i < model->warning_count; i++) {

@@ -22,6 +22,8 @@ struct scene_model *load(const char *name);
 struct scene_model *load_text(const char *name, const char *text);
 /// Loads a file that must not load and checks that the line holds `cause`.
 void expect_refused(const char *name, const char *cause);
+/// Check that two models have meshes with the same bytes.
+void assert_same_meshes(const struct scene_model *one, const struct scene_model *other);
 bool has_warning(const struct scene_model *model, const char *part);
 bool is_unsupported(const struct scene_model *model, const char *part);
 

@@ -274,6 +274,38 @@ static void test_moved_texture(void **state)
     }
 }
 
+// Outside of a texture that is not repeated, what lies below it shows: a grey if nothing does.
+static void test_decal(void **state)
+{
+    (void)state;
+    static const char *const properties[] = {
+        "", "<m:multiproperties id=\"8\" pids=\"1 4\"><m:multi pindices=\"0 0\"/></m:multiproperties>"};
+    static const float borders[2][4] = {{0.6f, 0.6f, 0.6f, 1}, {1, 0, 0, 1}};
+    for (int i = 0; i < 2; i++) {
+        char resources[4096];
+        unsigned char tga[64];
+        snprintf(resources, sizeof resources,
+                 "<basematerials id=\"1\"><base name=\"a\" displaycolor=\"#FF0000\"/></basematerials>"
+                 "<m:texture2d id=\"2\" path=\"/3D/a.tga\" tilestyleu=\"none\" tilestylev=\"none\"/>"
+                 "<m:texture2dgroup id=\"4\" texid=\"2\"><m:tex2coord u=\"3\" v=\"2\"/></m:texture2dgroup>%s"
+                 "<object id=\"7\" pid=\"%d\" pindex=\"0\">" MESH(
+                     "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+                 properties[i], i == 0 ? 4 : 8);
+        zipFile zip = package_begin("x.3mf");
+        package_add_relationships(zip);
+        package_add_model(zip, "3D/3dmodel.model", resources, "<item objectid=\"7\"/>");
+        package_add(zip, "3D/a.tga", tga, make_tga(tga, 1, (const unsigned char[]){0, 255, 0, 255}));
+        package_end(zip);
+        struct scene_model *const model = load("x.3mf");
+        const struct scene_mesh *const mesh = mesh_of(model, 0);
+        const struct scene_texture_slot *const slot =
+            &model->materials[mesh->material].slots[SCENE_SLOT_BASE_COLOR];
+        assert_int_equal(slot->address_u, RHW_ADDRESS_BORDER);
+        assert_floats(slot->border, borders[i], 4, 1e-5f);
+        scene_model_free(model);
+    }
+}
+
 static void test_missing_texture(void **state)
 {
     (void)state;
@@ -379,6 +411,34 @@ static void test_named_part(void **state)
         package_end(zip);
         struct scene_model *model = load("x.3mf");
         assert_int_equal(model->triangles_drawn, 1);
+        assert_int_equal(model->unsupported_count, 0);
+        scene_model_free(model);
+    }
+}
+
+// A package has one model. Of several the first is drawn, and a second relationship to it is none.
+static void test_two_models(void **state)
+{
+    (void)state;
+    static const char *const targets[] = {"/3D/a.model", "/3D/b.model"};
+    for (int i = 0; i < 2; i++) {
+        static const char type[] = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
+        char text[512];
+        snprintf(text, sizeof text,
+                 "<Relationships><Relationship\n Target=\"/3D/a.model\" Type=\"%s\"/>"
+                 "<Relationship\tTarget=\"%s\" Type=\"%s\"/></Relationships>",
+                 type, targets[i], type);
+        zipFile zip = package_begin("x.3mf");
+        package_add_text(zip, "_rels/.rels", text);
+        for (int k = 0; k < 2; k++) {
+            package_add_model(zip, targets[k] + 1,
+                              "<object id=\"1\">" MESH("<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>") "</object>",
+                              "<item objectid=\"1\"/>");
+        }
+        package_end(zip);
+        struct scene_model *model = load("x.3mf");
+        assert_int_equal(model->triangles_drawn, 1);
+        assert_true(is_unsupported(model, "several models in the package: the first alone is drawn") == i);
         scene_model_free(model);
     }
 }
@@ -576,6 +636,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_texture),
     cmocka_unit_test(test_layers),
     cmocka_unit_test(test_multiplied),
+    cmocka_unit_test(test_decal),
     cmocka_unit_test(test_missing_texture),
     cmocka_unit_test(test_moved_texture),
     cmocka_unit_test(test_components),
@@ -584,6 +645,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_many_colors_below),
     cmocka_unit_test(test_two_of_one_id),
     cmocka_unit_test(test_empty_relationships),
+    cmocka_unit_test(test_two_models),
     cmocka_unit_test(test_named_part),
     cmocka_unit_test(test_missing_object),
     cmocka_unit_test(test_beams),

@@ -200,6 +200,78 @@ static void test_images_without_names(void **state)
     }
 }
 
+#define PERSPECTIVE(numbers)  "<perspective>" numbers "</perspective>"
+#define ORTHOGRAPHIC(numbers) "<orthographic>" numbers "</orthographic>"
+
+// A camera may lack a name, and its lens one of its numbers. Its planes are in the unit of the document.
+static void test_cameras(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *lens;
+        float yfov, aspect, size[2], near, far;
+    } cases[] = {
+        {PERSPECTIVE("<xfov>90</xfov><aspect_ratio>2</aspect_ratio><znear>50</znear><zfar>900</zfar>"),
+         53.130102f,
+         2,
+         {0, 0},
+         0.5f,
+         9},
+        {PERSPECTIVE("<xfov sid=\"x\"> 90 </xfov>\n<yfov>53.130102</yfov><znear>50</znear>"),
+         53.130102f,
+         2,
+         {0, 0},
+         0.5f,
+         0},
+        {PERSPECTIVE("<yfov>40</yfov><aspect_ratio>1.5</aspect_ratio>"), 40, 1.5f, {0, 0}, 0.01f, 0},
+        {PERSPECTIVE("<yfov>40</yfov>"), 40, 0, {0, 0}, 0.01f, 0},
+        {PERSPECTIVE("<yfov>40</yfov><aspect_ratio>0</aspect_ratio>"), 40, 0, {0, 0}, 0.01f, 0},
+        {ORTHOGRAPHIC("<xmag>300</xmag><ymag>100</ymag><znear>50</znear><zfar>900</zfar>"),
+         0,
+         3,
+         {3, 1},
+         0.5f,
+         9},
+        {ORTHOGRAPHIC("<ymag>100</ymag><aspect_ratio>2</aspect_ratio><zfar>900</zfar>"),
+         0,
+         2,
+         {2, 1},
+         0.01f,
+         9},
+        {ORTHOGRAPHIC("<xmag>200</xmag><zfar>900</zfar>"), 0, 4.0f / 3, {2, 1.5f}, 0.01f, 9},
+    };
+    static const char *const names[] = {"<camera id=\"eye\">", "<camera name=\"a &amp; b\" id=\"eye\">"};
+    for (size_t i = 0; i < 2 * sizeof cases / sizeof cases[0]; i++) {
+        char document[8192], text[8192 + 1024];
+        make_document("", document);
+        char *const unit = strstr(document, "<asset>") + strlen("<asset>"),
+                    *const library = strstr(unit, "<library_i"),
+                    *const place = strstr(library, "<node>") + strlen("<node>");
+        snprintf(
+            text, sizeof text,
+            "%.*s<unit meter=\"0.01\"/>%.*s<library_cameras>%s<optics><technique_common>%s</technique_common>"
+            "<technique "
+            "profile=\"x\"><xfov>1</xfov></technique></optics><extra/></camera></library_cameras>%.*s"
+            "<node><instance_camera url=\"#eye\"/></node>%s",
+            (int)(unit - document), document, (int)(library - unit), unit, names[i % 2], cases[i / 2].lens,
+            (int)(place - library), library, place);
+        struct scene_model *const model = load_text("x.dae", text);
+        assert_int_equal(model->camera_count, 1);
+        const struct scene_model_camera *const camera = &model->cameras[0];
+        const bool is_orthographic = cases[i / 2].size[0] > 0;
+        assert_true(camera->orthographic == is_orthographic);
+        assert_floats(is_orthographic ? &camera->xmag : &camera->yfov,
+                      is_orthographic ? cases[i / 2].size : &(const float){cases[i / 2].yfov * 0.017453293f},
+                      1, 1e-5f);
+        assert_true(!is_orthographic || fabsf(camera->ymag - cases[i / 2].size[1]) < 1e-5f);
+        assert_floats(&camera->aspect, &cases[i / 2].aspect, 1, 1e-5f);
+        assert_floats(&camera->znear, &cases[i / 2].near, 1, 1e-5f);
+        assert_floats(&camera->zfar, &cases[i / 2].far, 1, 1e-4f);
+        assert_int_equal(model->unsupported_count, 0);
+        scene_model_free(model);
+    }
+}
+
 // A colour that is no number is none.
 static void test_no_color(void **state)
 {
@@ -218,28 +290,86 @@ static void test_no_color(void **state)
     }
 }
 
-// A document and its texture in a ZIP archive, with a manifest that names the document, and without.
+// A document and its texture in a ZIP archive, with a manifest that names the document, and without. The document has the
+// name of the texture, and the archive the entry.
 static void test_package(void **state)
 {
     (void)state;
     static const char picture[] = "P6\n1 1\n255\n\x10\x20\x30";
-    char text[8192];
-    make_document("", text);
-    for (int with_manifest = 0; with_manifest < 2; with_manifest++) {
+    static const struct {
+        const char *document, *root, *name, *entry;
+    } cases[] = {
+        {"x.dae", "./x.dae", "gone.png", "gone.png"},
+        {"x.dae", " x.dae ", "tex/gone.png", "tex/gone.png"},
+        {"x.dae", "x.dae", "file:///C:/models/tex/gone.png", "tex/gone.png"},
+        {"in it/x.dae", "in%20it/x.dae", "../tex/a%20b.png", "tex/a b.png"},
+        {"in it/x.dae", "./in%20it/x.dae", ".\\tex\\gone.png", "in it/tex/Gone.PNG"},
+        {"a/b/x.dae", "/a/b/x.dae", "../c/../gone.png", "a/gone.png"},
+        {"x.dae", "x.dae", "gone.png", "images/gone.png"},
+        {"x.dae", "x.dae", "images/gone.png", "gone.png"},
+    };
+    for (size_t i = 0; i < 2 * sizeof cases / sizeof cases[0]; i++) {
+        char given[8192], text[8192], manifest[128];
+        make_document("", given);
+        const char *const place = strstr(given, "gone.png");
+        snprintf(text, sizeof text, "%.*s%s%s", (int)(place - given), given, cases[i / 2].name,
+                 place + strlen("gone.png"));
+        snprintf(manifest, sizeof manifest, "<?xml version=\"1.0\"?>\n<dae_root>%s</dae_root>",
+                 cases[i / 2].root);
         zipFile zip = package_begin("x.zae");
-        if (with_manifest) {
-            package_add_text(zip, "manifest.xml", "<?xml version=\"1.0\"?><dae_root>./x.dae</dae_root>");
+        if (i % 2 == 0) {
+            package_add_text(zip, "manifest.xml", manifest);
+            package_add_text(zip, "other.dae", "no document");
         }
-        package_add_text(zip, "x.dae", text);
-        package_add(zip, "gone.png", picture, sizeof picture - 1);
+        package_add_text(zip, cases[i / 2].document, text);
+        package_add(zip, cases[i / 2].entry, picture, sizeof picture - 1);
         package_end(zip);
         struct scene_model *const model = load("x.zae");
         assert_int_equal(model->triangles_drawn, 1);
-        assert_false(has_warning(model, "gone.png"));
+        assert_false(has_warning(model, "png"));
         assert_int_equal(model->image_count, 1);
         assert_memory_equal(model->images[0].texels, "\x10\x20\x30\xff", 4);
         scene_model_free(model);
     }
+}
+
+// Two textures that are one entry of the archive have one image.
+static void test_shared_entry(void **state)
+{
+    (void)state;
+    static const char picture[] = "P6\n1 1\n255\n\x10\x20\x30";
+    static const char color[] = "<color>0.5 0 0 1</color>";
+    char given[8192], text[8192];
+    make_document("", given);
+    const char *const place = strstr(given, color);
+    snprintf(text, sizeof text, "%.*s<texture texture=\"s\" texcoord=\"UV\"/>%s", (int)(place - given), given,
+             place + strlen(color));
+    zipFile zip = package_begin("x.zae");
+    package_add_text(zip, "x.dae", text);
+    package_add(zip, "gone.png", picture, sizeof picture - 1);
+    package_end(zip);
+    struct scene_model *const model = load("x.zae");
+    const struct scene_material *material =
+        &model->materials[model->meshes[model->instances[0].mesh].material];
+    assert_int_equal(model->image_count, 1);
+    assert_int_equal(material->slots[SCENE_SLOT_BASE_COLOR].image, 0);
+    assert_int_equal(material->slots[SCENE_SLOT_EMISSIVE].image, 0);
+    scene_model_free(model);
+}
+
+// Archives without a document, and one whose text is not in an archive at all.
+static void test_packages_of_none(void **state)
+{
+    (void)state;
+    zipFile zip = package_begin("x.zae");
+    package_add_text(zip, "manifest.xml", "<dae_root>gone.dae</dae_root>");
+    package_end(zip);
+    expect_refused("x.zae", "without a document of Collada");
+    char text[8192];
+    make_document("", text);
+    struct scene_model *const model = load_text("x.zae", text);
+    assert_int_equal(model->triangles_drawn, 1);
+    scene_model_free(model);
 }
 
 // A wall with a gable whose corners lie in one line with others. Its triangles cover it once and nothing else.
@@ -277,9 +407,12 @@ static void test_polygons(void **state)
 
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_package),
+    cmocka_unit_test(test_packages_of_none),
+    cmocka_unit_test(test_shared_entry),
     cmocka_unit_test(test_polygons),
     cmocka_unit_test(test_no_color),
     cmocka_unit_test(test_blanks),
+    cmocka_unit_test(test_cameras),
     cmocka_unit_test(test_texture_coordinate_sets),
     cmocka_unit_test(test_images_without_names),
 };

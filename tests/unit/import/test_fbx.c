@@ -92,6 +92,28 @@ static void test_light(void **state)
     scene_model_free(model);
 }
 
+// Faces that do not say which of their model's materials they have have the first one. Words in strings and comments
+// are no records.
+static void test_first_material(void **state)
+{
+    (void)state;
+    struct scene_model *model =
+        load_text("first.fbx", "; FBX 7.4.0 project file LayerElementMaterial: {\n"
+                               "FBXHeaderExtension:  {\n\tFBXVersion: 7400\n}\n"
+                               "Objects:  {\n"
+                               "\tGeometry: 10, \"Geometry::LayerElementMaterial: }\", \"Mesh\" {\n"
+                               "\t\tVertices: *9 {\n\t\t\ta: 0,0,0,1,0,0,0,1,0\n\t\t}\n"
+                               "\t\tPolygonVertexIndex: *3 {\n\t\t\ta: 0,1,-3\n\t\t}\n\t}\n"
+                               "\tModel: 11, \"Model::mesh\", \"Mesh\" {\n\t\tVersion: 232\n\t}\n"
+                               "\tMaterial: 12, \"Material::first\", \"\" {\n\t\tVersion: 102\n\t}\n"
+                               "\tMaterial: 13, \"Material::second\", \"\" {\n\t\tVersion: 102\n\t}\n"
+                               "}\n"
+                               "Connections:  {\n\tC: \"OO\",11,0\n\tC: \"OO\",10,11\n"
+                               "\tC: \"OO\",12,11\n\tC: \"OO\",13,11\n}\n");
+    assert_string_equal(model->materials[model->meshes[0].material].name, "first");
+    scene_model_free(model);
+}
+
 // Exporters say how opaque a surface is in several ways.
 static void test_opacity(void **state)
 {
@@ -148,8 +170,8 @@ static void test_opacity(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_binary), cmocka_unit_test(test_order),   cmocka_unit_test(test_text),
-    cmocka_unit_test(test_light),  cmocka_unit_test(test_opacity),
+    cmocka_unit_test(test_binary),         cmocka_unit_test(test_order), cmocka_unit_test(test_text),
+    cmocka_unit_test(test_first_material), cmocka_unit_test(test_light), cmocka_unit_test(test_opacity),
 };
 
 const struct unit_tests test_fbx = UNIT_TESTS(tests, make_directory, remove_directory);

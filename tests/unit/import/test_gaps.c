@@ -97,6 +97,143 @@ static void test_textures(void **state)
     }
 }
 
+#define SOURCE(id, width, params, numbers)                                                            \
+    "<source id=\"" id "\"><float_array id=\"" id "a\" count=\"" width "\">" numbers "</float_array>" \
+    "<technique_common><accessor source=\"#" id "a\" count=\"3\" stride=\"" params "</accessor>"      \
+    "</technique_common></source>"
+#define TWO "2\"><param name=\"S\" type=\"float\"/><param name=\"T\" type=\"float\"/>"
+#define THREE                                                                                    \
+    "3\"><param name=\"R\" type=\"float\"/><param name=\"G\" type=\"float\"/><param name=\"B\" " \
+    "type=\"float\"/>"
+#define FOUR                                                                                     \
+    "4\"><param name=\"R\" type=\"float\"/><param name=\"G\" type=\"float\"/><param name=\"B\" " \
+    "type=\"float\"/>"                                                                           \
+    "<param name=\"A\" type=\"float\"/>"
+#define INPUT(semantic, source, set) \
+    "<input semantic=\"" semantic "\" source=\"#" source "\" offset=\"0\" set=\"" set "\"/>"
+#define UVS SOURCE("t", "6", TWO, "0 0 1 0 0 1")
+
+// What a triangle of Collada may have beside its positions.
+static void test_vertices(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *sources, *inputs, *slot, *set, *told;
+    } cases[] = {
+        {SOURCE("c", "12", FOUR, "1 0 0 1 0 1 0 0.5 0 0 1 1"), INPUT("COLOR", "c", "0"), "diffuse", "0",
+         "alpha of vertex colours: not used"},
+        {SOURCE("c", "9", THREE, "1 0 0 0 1 0 0 0 1"), INPUT("COLOR", "c", "0") INPUT("COLOR", "c", "1"),
+         "diffuse", "0", "vertex colours beyond the first set: ignored"},
+        {UVS, INPUT("TEXCOORD", "t", "0") INPUT("TEXCOORD", "t", "1") INPUT("TEXCOORD", "t", "2"), "diffuse",
+         "2", "texture coordinate set 2: set 0 is read instead"},
+        {UVS, INPUT("TEXCOORD", "t", "0"), "specular", "0", "specular textures: not used"},
+        {UVS, INPUT("TEXCOORD", "t", "0"), "ambient", "0", "light textures: not used"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[8192];
+        snprintf(
+            text, sizeof text,
+            COLLADA
+            "<library_images><image id=\"i\"><init_from>gone.png</init_from></image></library_images>"
+            "<library_effects><effect id=\"e\"><profile_COMMON><newparam sid=\"f\"><surface "
+            "type=\"2D\"><init_from>i</init_from></surface></newparam><newparam sid=\"s\"><sampler2D>"
+            "<source>f</source></sampler2D></newparam><technique sid=\"c\"><phong><%s><texture "
+            "texture=\"s\" texcoord=\"UV\"/></%s></phong></technique></profile_COMMON></effect>"
+            "</library_effects><library_materials><material id=\"m\"><instance_effect url=\"#e\"/>"
+            "</material></library_materials><library_geometries><geometry id=\"g\"><mesh>" SOURCE(
+                "p", "9", THREE,
+                "0 0 0 1 0 0 0 1 0") "%s<vertices id=\"v\"><input "
+                                     "semantic=\"POSITION\" source=\"#p\"/></vertices><triangles count=\"1\" "
+                                     "material=\"s\">"
+                                     "<input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/>%s<p>0 1 "
+                                     "2</p></triangles></mesh>"
+                                     "</geometry></library_geometries><library_visual_scenes><visual_scene "
+                                     "id=\"z\"><node>"
+                                     "<instance_geometry "
+                                     "url=\"#g\"><bind_material><technique_common><instance_material "
+                                     "symbol=\"s\" target=\"#m\"><bind_vertex_input semantic=\"UV\" "
+                                     "input_semantic=\"TEXCOORD\" "
+                                     "input_set=\"%s\"/></instance_material></technique_common>"
+                                     "</bind_material></instance_geometry></node></visual_scene></"
+                                     "library_visual_scenes><scene>"
+                                     "<instance_visual_scene url=\"#z\"/></scene></COLLADA>",
+            cases[i].slot, cases[i].slot, cases[i].sources, cases[i].inputs, cases[i].set);
+        struct scene_model *const model = load_text("c.dae", text);
+        if (!is_unsupported(model, cases[i].told) || model->unsupported_count != 1) {
+            fail_msg("%s: %u lines", cases[i].told, model->unsupported_count);
+        }
+        scene_model_free(model);
+    }
+}
+
+#define PLY_HEAD   "ply\nformat ascii 1.0\n"
+#define PLY_PLACE  "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+#define PLY_COLORS "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+#define PLY_FACE   "element face 1\nproperty list uchar int vertex_indices\n"
+
+#define X_FILE(mesh, material)                                                                              \
+    "xof 0303txt 0032\nMesh {\n 3;\n 0.0;0.0;0.0;,\n 1.0;0.0;0.0;,\n 0.0;1.0;0.0;;\n 1;\n 3;0,1,2;;\n" mesh \
+    " MeshMaterialList {\n  1;\n  1;\n  0;\n  Material {\n   1.0;0.0;0.0;0.25;;\n   5.0;\n   "              \
+    "0.0;0.0;0.0;;\n"                                                                                       \
+    "   0.0;0.0;0.0;;\n" material "  }\n }\n}\n"
+
+// What assimp has of a material and does not call by the usual name: the alpha of a face of DirectX, and the colour of
+// NFF.
+static void test_materials(void **state)
+{
+    (void)state;
+    struct scene_model *model = load_text("a.x", X_FILE("", ""));
+    assert_floats(model->materials[model->meshes[0].material].base_color, (const float[]){1, 0, 0, 0.25f}, 4,
+                  1e-6f);
+    assert_int_equal(model->unsupported_count, 0);
+    scene_model_free(model);
+    model = load_text("a.nff", "f 1 0 0 1 0 0 0 1\np 3\n0 0 0\n1 0 0\n0 1 0\n");
+    assert_floats(model->materials[model->meshes[0].material].base_color, (const float[]){1, 0, 0, 1}, 4,
+                  1e-6f);
+    scene_model_free(model);
+}
+
+// What other readers leave out.
+static void test_texts(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name, *text, *told;
+    } cases[] = {
+        {"t.ply",
+         PLY_HEAD PLY_PLACE PLY_COLORS PLY_FACE PLY_COLORS
+         "end_header\n0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n3 0 1 2 1 2 3\n",
+         "colours of faces (PLY): not drawn, as its vertices have colours"},
+        {"t.ply",
+         PLY_HEAD "comment TextureFile a.png\ncomment TextureFile b.png\n" PLY_PLACE
+                  "property float s\nproperty float t\n" PLY_FACE
+                  "end_header\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n",
+         "textures after the first (PLY): no face has the number of one"},
+        {"t.x", X_FILE(" FVFData { 0; 0; }\n", ""),
+         "assimp leaves out: Unknown data object in mesh in x file"},
+        {"t.x", X_FILE("", "   EffectInstance { \"a.fx\"; }\n"),
+         "assimp leaves out: Unknown data object in material in x file"},
+        {"t.off", "COFF\n3 1 0\n0 0 0 9 9 9 255\n1 0 0 9 9 9 255\n0 1 0 9 9 9 255\n3 0 1 2 1 2 3\n",
+         "colours of faces (OFF): not drawn, as its vertices have colours"},
+        {"t.stl",
+         "solid a\nfacet normal 0 0 1\ncolor 1 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+         "endloop\nendfacet\nendsolid a\n",
+         "colours in text (STL): not drawn"},
+        {"t.dxf",
+         "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n90\n2\n70\n0\n43\n0."
+         "5\n10\n0\n20\n0\n10\n2\n20\n0\n0\nENDSEC\n"
+         "0\nEOF\n",
+         "the width of polylines (DXF): drawn as lines"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct scene_model *const model = load_text(cases[i].name, cases[i].text);
+        if (!is_unsupported(model, cases[i].told) || model->unsupported_count != 1) {
+            fail_msg("%s: %u lines", cases[i].told, model->unsupported_count);
+        }
+        scene_model_free(model);
+    }
+}
+
 #define X3D(marks)                                                                                  \
     "<?xml version=\"1.0\"?><X3D version=\"3.0\"><Scene><Shape><IndexedFaceSet coordIndex=\"0 1 2 " \
     "-1\"><Coordinate point=\"0 0 0 1 0 0 0 1 0\"/></IndexedFaceSet></Shape><!-- " marks            \
@@ -251,10 +388,17 @@ static void test_meshes_without_faces(void **state)
 }
 
 static const struct CMUnitTest tests[] = {
-    cmocka_unit_test(test_entities), cmocka_unit_test(test_drawings),
-    cmocka_unit_test(test_schema),   cmocka_unit_test(test_meshes_without_faces),
-    cmocka_unit_test(test_log),      cmocka_unit_test(test_textures),
-    cmocka_unit_test(test_words),    cmocka_unit_test(test_cameras_and_lights),
+    cmocka_unit_test(test_vertices),
+    cmocka_unit_test(test_materials),
+    cmocka_unit_test(test_texts),
+    cmocka_unit_test(test_entities),
+    cmocka_unit_test(test_drawings),
+    cmocka_unit_test(test_schema),
+    cmocka_unit_test(test_meshes_without_faces),
+    cmocka_unit_test(test_log),
+    cmocka_unit_test(test_textures),
+    cmocka_unit_test(test_words),
+    cmocka_unit_test(test_cameras_and_lights),
 };
 
 const struct unit_tests test_gaps = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -333,6 +333,37 @@ static void test_many_materials(void **state)
     scene_model_free(model);
 }
 
+// Lines that are read in one pass mean what they mean with a comment behind them, which makes them go the long way.
+static void test_plain_lines(void **state)
+{
+    (void)state;
+    static const char *const bodies[] = {
+        "v 0 0 0\nv 1 0 0.5\nv\t1 1e0 -.25\nv 0 1 12345678.125 1\nf 1 2 3 4\nf -4 -3 -1\n",
+        "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 1 0 0 1\nf 1 2 3\n",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.5\nvt 1 0.25\nvt 0 1 0\nf 1/1 2/2 3/3\nf 3/-1 2/-2 1/-3\n",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 1\nvn 0 0 1\nvn 0 1 1\nf 1//1 2//2 3//1\nf 1/1/1 2/1/2 3/1/2\n",
+        ("v 0 0 0\nv 1 0 0\nv 2 1 0\nv 1 2 0\nv 0 2 0\nv -1 1 0\nv -2 1 0\nv -3 .5 0\nv -2 .1 0\n"
+         "f 1 2 3 4 5 6 7 8 9\nf 1 2 3 4 5 6 7 8\nf 1  2\t3 \n"),
+    };
+    for (size_t i = 0; i < sizeof bodies / sizeof bodies[0]; i++) {
+        for (int ending = 0; ending < 3; ending++) {
+            char plain[1024], remarked[1024], *p = plain, *r = remarked;
+            for (const char *c = bodies[i]; *c != 0; c++) {
+                const char *const end = ending == 0 ? "\n" : ending == 1 ? "\r\n" : "\r";
+                char line_end[4], letter[2] = {*c, 0};
+                snprintf(line_end, sizeof line_end, "%s", end);
+                p += sprintf(p, "%s", *c == '\n' ? line_end : letter);
+                r += *c == '\n' ? sprintf(r, " #%s", line_end) : sprintf(r, "%s", letter);
+            }
+            struct scene_model *const a = load_text("plain.obj", plain), *const b =
+                                                                             load_text("odd.obj", remarked);
+            assert_same_meshes(a, b);
+            scene_model_free(a);
+            scene_model_free(b);
+        }
+    }
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_surface_maps),
     cmocka_unit_test(test_layers),
@@ -348,6 +379,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_told),
     cmocka_unit_test(test_folded_quads),
     cmocka_unit_test(test_many_materials),
+    cmocka_unit_test(test_plain_lines),
 };
 
 const struct unit_tests test_obj = UNIT_TESTS(tests, make_directory, remove_directory);

@@ -235,12 +235,123 @@ static void test_mark(void **state)
     }
 }
 
+// A grid of triangles with two quads among them.
+enum { SIDE = 5, GRID_POINTS = SIDE * SIDE, GRID_FACES = 2 * (SIDE - 1) * (SIDE - 1) - 2 };
+
+// How a grid is written: types of its numbers, and what stands beside them.
+struct grid_form {
+    const char *coordinate, *count, *index;
+    bool is_text, is_big, has_others;
+};
+
+static size_t put_number(char *out, const struct grid_form *form, const char *type, double number)
+{
+    if (form->is_text) {
+        return (size_t)sprintf(out, "%g ", number);
+    }
+    unsigned char bytes[8] = {0};
+    size_t size = 4;
+    const float single = (float)number;
+    const uint32_t whole = (uint32_t)(int32_t)number;
+    memcpy(bytes, &whole, sizeof whole); // the bytes of shorter types stand first
+    if (strcmp(type, "float") == 0) {
+        memcpy(bytes, &single, sizeof single);
+    } else if (strcmp(type, "double") == 0) {
+        memcpy(bytes, &number, size = sizeof number);
+    } else {
+        size = strstr(type, "char") != NULL ? 1 : strstr(type, "short") != NULL ? 2 : 4;
+    }
+    for (size_t i = 0; i < size; i++) {
+        out[i] = (char)bytes[form->is_big ? size - 1 - i : i];
+    }
+    return size;
+}
+
+static size_t put_face(char *out, const struct grid_form *form, const int *corners, int count)
+{
+    size_t size = put_number(out, form, form->count, count);
+    for (int k = 0; k < count; k++) {
+        size += put_number(out + size, form, form->index, corners[k]);
+    }
+    return size + (form->is_text ? (size_t)sprintf(out + size, "\n") : 0);
+}
+
+// Write the grid, whose last face has `last` for its last corner. Leave its last `cut` bytes out.
+static void write_grid(const char *name, const struct grid_form *form, int last, size_t cut)
+{
+    char text[8192];
+    size_t size = (size_t)sprintf(text, "ply\nformat %s 1.0\nelement vertex %d\n",
+                                  form->is_text  ? "ascii"
+                                  : form->is_big ? "binary_big_endian"
+                                                 : "binary_little_endian",
+                                  GRID_POINTS);
+    const char *const others = form->has_others ? "property uchar q\nproperty float nx\nproperty double ny\n"
+                                                  "property short nz\n"
+                                                : "";
+    size += (size_t)sprintf(text + size, "property %s x\nproperty %s y\nproperty %s z\n%selement face %d\n",
+                            form->coordinate, form->coordinate, form->coordinate, others, GRID_FACES);
+    size += (size_t)sprintf(text + size, "property list %s %s vertex_indices\nend_header\n", form->count,
+                            form->index);
+    for (int i = 0; i < GRID_POINTS; i++) {
+        const double place[3] = {i % SIDE * 0.25, i / SIDE * -0.5, i * i % 7 * 0.125};
+        for (int c = 0; c < 3; c++) {
+            size += put_number(text + size, form, form->coordinate, place[c]);
+        }
+        if (form->has_others) {
+            size += put_number(text + size, form, "uchar", 200);
+            size += put_number(text + size, form, "float", i * 0.5);
+            size += put_number(text + size, form, "double", 1.25);
+            size += put_number(text + size, form, "short", -i);
+        }
+    }
+    for (int cell = 0; cell < (SIDE - 1) * (SIDE - 1); cell++) {
+        const int a = cell / (SIDE - 1) * SIDE + cell % (SIDE - 1),
+                  quad[] = {a, a + 1, a + SIDE + 1, a + SIDE};
+        const bool is_whole = cell == 5 || cell == 6, is_last = cell == (SIDE - 1) * (SIDE - 1) - 1;
+        const int rest[] = {quad[0], quad[2], is_last ? last : quad[3]};
+        size += put_face(text + size, form, quad, is_whole ? 4 : 3);
+        size += is_whole ? 0 : put_face(text + size, form, rest, 3);
+    }
+    write_bytes(name, text, size - cut);
+}
+
+// Rows that are loaded from known places have the numbers that text has.
+static void test_binary_rows(void **state)
+{
+    (void)state;
+    static const char *const coordinates[] = {"float", "double"}, *const counts[] = {"uchar", "int"},
+                             *const indices[] = {"int", "uint", "short"};
+    const int good = GRID_POINTS - 2;
+    for (int i = 0; i < 48; i++) {
+        struct grid_form form = {coordinates[i % 2], counts[i / 2 % 2], indices[i / 4 % 3], true,
+                                 i / 12 % 2 == 1,    i / 24 == 1};
+        write_grid("text.ply", &form, good, 0);
+        form.is_text = false;
+        write_grid("binary.ply", &form, good, 0);
+        struct scene_model *const text = load("text.ply");
+        struct scene_model *const binary = load("binary.ply");
+        assert_same_meshes(text, binary);
+        scene_model_free(text);
+        scene_model_free(binary);
+    }
+    const struct grid_form form = {"float", "uchar", "int", false, false, false};
+    write_grid("beyond.ply", &form, GRID_POINTS, 0);
+    expect_refused("beyond.ply", "face 29 refers to vertex 25 of 25");
+    write_grid("below.ply", &form, -1, 0);
+    expect_refused("below.ply", "face 29 refers to vertex -1 of 25");
+    write_grid("cut.ply", &form, good, 1);
+    expect_refused("cut.ply", "it ends in face 29 of 30");
+    write_grid("short.ply", &form, good, GRID_FACES * 13 + 8 + 1);
+    expect_refused("short.ply", "it ends in vertex 24 of 25");
+}
+
 static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_faces_before_vertices),
     cmocka_unit_test(test_mark),
     cmocka_unit_test(test_strips_beside_texture_coordinates),
     cmocka_unit_test(test_face_colors),
     cmocka_unit_test(test_binary_face_colors),
+    cmocka_unit_test(test_binary_rows),
     cmocka_unit_test(test_vertex_colors),
     cmocka_unit_test(test_all_colors),
     cmocka_unit_test(test_textures),

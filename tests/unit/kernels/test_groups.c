@@ -46,15 +46,22 @@ static void identity_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
-// Coordinates and the instance, which is 0.
-static void place_fragment(struct rhw_fragment *groups, int count)
+static void coord_fragment(struct rhw_fragment *groups, int count)
 {
     rig_fragment_pass(groups, count);
     for (int g = 0; g < count; g++) {
         groups[g].color[0][0] = groups[g].coord[0] * 0x1p-8f;
         groups[g].color[0][1] = groups[g].coord[1] * 0x1p-8f;
-        groups[g].color[0][2] =
-            groups[g].coord[2] + groups[g].coord[3] + rhw_float_from_int(groups[g].instance);
+        groups[g].color[0][2] = groups[g].coord[2] + groups[g].coord[3];
+    }
+}
+
+// Coordinates and the instance, which is 0.
+static void place_fragment(struct rhw_fragment *groups, int count)
+{
+    coord_fragment(groups, count);
+    for (int g = 0; g < count; g++) {
+        groups[g].color[0][2] += rhw_float_from_int(groups[g].instance);
     }
 }
 
@@ -80,6 +87,7 @@ enum program {
     FLAT,
     SCREEN,
     SCREEN_DERIVATIVES,
+    COORDINATES,
     PLACE,
     WEIGHTS,
     PROGRAMS
@@ -88,15 +96,16 @@ enum program {
 static void use_program(struct rig *rig, enum program program)
 {
     static rhw_fragment_function *const fragments[PROGRAMS] = {
-        [PLAIN] = rig_fragment_pass,  [DERIVATIVES] = texel_fragment,        [MASKED] = masked_fragment,
-        [SPARSE] = sparse_fragment,   [IDENTITY] = identity_fragment,        [FLAT] = rig_fragment_pass,
-        [SCREEN] = rig_fragment_pass, [SCREEN_DERIVATIVES] = texel_fragment, [PLACE] = place_fragment,
-        [WEIGHTS] = weights_fragment,
+        [PLAIN] = rig_fragment_pass,    [DERIVATIVES] = texel_fragment,        [MASKED] = masked_fragment,
+        [SPARSE] = sparse_fragment,     [IDENTITY] = identity_fragment,        [FLAT] = rig_fragment_pass,
+        [SCREEN] = rig_fragment_pass,   [SCREEN_DERIVATIVES] = texel_fragment, [PLACE] = place_fragment,
+        [COORDINATES] = coord_fragment, [WEIGHTS] = weights_fragment,
     };
     static const uint32_t uses[PROGRAMS] = {
         [MASKED] = RHW_USE_DISCARD | RHW_USE_DEPTH,
         [SPARSE] = RHW_USE_DISCARD,
         [IDENTITY] = RHW_USE_FACING,
+        [COORDINATES] = RHW_USE_COORD,
         [PLACE] = RHW_USE_COORD | RHW_USE_IDS,
         [WEIGHTS] = RHW_USE_BARYCENTRIC | RHW_USE_BARYCENTRIC_DERIVATIVES,
     };
@@ -262,7 +271,9 @@ static void draw_in_columns(struct rig *rig, const struct rig_vertex *vertices, 
 static void test_whole_tiles(void **state)
 {
     (void)state;
-    enum { TILES = 256 };
+    enum { TILES = 256, WHOLE = 6 };
+    static const enum program programs[WHOLE] = {PLAIN,  DERIVATIVES,        MASKED,
+                                                 SCREEN, SCREEN_DERIVATIVES, COORDINATES};
     static float whole[TILES * TILES][4];
     static const struct {
         float corners[3][2], w[3];
@@ -274,17 +285,19 @@ static void test_whole_tiles(void **state)
     };
     struct rig rig;
     rig_open(&rig, TILES, TILES);
-    for (int i = 0; i < 16; i++) {
+    for (int i = 0; i < 4 * 2 * WHOLE; i++) {
+        const int shape = i / (2 * WHOLE);
         struct rig_vertex vertices[3];
         for (int k = 0; k < 3; k++) {
-            const float *const corner = shapes[i / 4].corners[k];
-            rig_place(&rig, corner[0], corner[1], 0.5f, shapes[i / 4].w[k], vertices[k].position);
+            const float *const corner = shapes[shape].corners[k];
+            const float depth = shape == 3 ? 0.5f : 0.2f + 0.2f * (float)k;
+            rig_place(&rig, corner[0], corner[1], depth, shapes[shape].w[k], vertices[k].position);
             for (int c = 0; c < 4; c++) {
                 vertices[k].value[c] = (float)((7 * k + 3 * c) % 5);
             }
         }
-        use_program(&rig, i % 2 == 0 ? PLAIN : DERIVATIVES);
-        rig.pipeline.targets[0].blend = i % 4 >= 2;
+        use_program(&rig, programs[i % WHOLE]);
+        rig.pipeline.targets[0].blend = i / WHOLE % 2;
         rig.pipeline.targets[0].color.dst = RHW_BLEND_ONE;
         rig_draw_once(&rig, vertices, 3);
         memcpy(whole, rig_read_float4(&rig), sizeof whole);
@@ -296,30 +309,41 @@ static void test_whole_tiles(void **state)
     rig_close(&rig);
 }
 
-// Small triangles fill lanes whatever their fragments receive.
+// Return how many lanes of a group are live, in the mean, where right triangles with legs of some pixels stand side by
+// side, so that none is overtaken.
+static double live_lanes(struct rig *rig, float leg)
+{
+    static struct rig_vertex vertices[3 * TRIANGLES];
+    const int columns = (int)((float)SIZE / (leg + 2.5f)) - 1, count = columns * (columns * 3 / 4);
+    uint64_t random = 3;
+    for (int i = 0; i < count; i++) {
+        const float x = (float)(i % columns) * (leg + 2.5f) + 3, y = (float)(i / columns) * (leg + 2.5f) + 3;
+        for (int k = 0; k < 3; k++) {
+            struct rig_vertex *const v = &vertices[3 * i + k];
+            rig_place(rig, x + (k == 1 ? leg : 0), y + (k == 2 ? leg : 0), 0.5f, 1, v->position);
+            for (int c = 0; c < 4; c++) {
+                v->value[c] = rig_random_float(&random, 0, 1);
+            }
+        }
+    }
+    rig_draw_once(rig, vertices, 3 * count);
+    return (double)rig->stats.fragments_shaded / (double)rig->stats.fragment_groups;
+}
+
+// Small triangles fill lanes whatever their fragments receive. Those of more than a block do so but for weights, whose
+// groups are rows where these are half full.
 static void test_lanes_are_full(void **state)
 {
     (void)state;
-    static struct rig_vertex vertices[3 * TRIANGLES];
     struct rig rig;
     rig_open(&rig, SIZE, SIZE);
     for (int program = 0; program < PROGRAMS; program++) {
-        uint64_t random = 3;
         use_program(&rig, (enum program)program);
-        for (int i = 0; i < TRIANGLES; i++) { // side by side, so that none is overtaken
-            const float x = (float)(i % 20) * 7 + 3, y = (float)(i / 20) * 7 + 3;
-            for (int k = 0; k < 3; k++) {
-                struct rig_vertex *const v = &vertices[3 * i + k];
-                rig_place(&rig, x + (k == 1 ? 4.5f : 0), y + (k == 2 ? 4.5f : 0), 0.5f, 1, v->position);
-                for (int c = 0; c < 4; c++) {
-                    v->value[c] = rig_random_float(&random, 0, 1);
-                }
+        for (float leg = 4.5f; leg < 20; leg += 14) {
+            const double lanes = live_lanes(&rig, leg);
+            if (lanes < 7 && (leg < 8 || program != WEIGHTS)) {
+                fail_msg("program %d, legs of %g: %g of 8 lanes are live", program, (double)leg, lanes);
             }
-        }
-        rig_draw_once(&rig, vertices, 3 * TRIANGLES);
-        const double lanes = (double)rig.stats.fragments_shaded / (double)rig.stats.fragment_groups;
-        if (lanes < 7) {
-            fail_msg("program %d: %g of 8 lanes are live", program, lanes);
         }
     }
     rig_close(&rig);

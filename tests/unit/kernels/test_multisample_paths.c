@@ -2,7 +2,7 @@
 // Multisampling: the special paths give the bytes of the general one, whatever a draw asks for and wherever its samples go.
 #include "sample_rig.h"
 
-enum { INPUTS = 3 };
+enum { INPUTS = 6 };
 
 enum { CROWD = 600 }; // vertices
 
@@ -77,6 +77,17 @@ static void input_fragment(struct rhw_fragment *groups, int count)
     }
 }
 
+// Half of what is there, and coordinates.
+static void read_fragment(struct rhw_fragment *groups, int count)
+{
+    for (int g = 0; g < count; g++) {
+        for (int c = 0; c < 4; c++) {
+            groups[g].color[0][c] =
+                groups[g].color[0][c] * 0.5f + groups[g].coord[c] * 0x1p-8f + groups[g].varying[c];
+        }
+    }
+}
+
 static uint64_t hash_of_inputs(int samples, int inputs, enum rhw_paths paths)
 {
     const uint32_t every =
@@ -86,15 +97,21 @@ static uint64_t hash_of_inputs(int samples, int inputs, enum rhw_paths paths)
         uint32_t uses;
         enum rhw_qualifier qualifier;
         bool derivatives;
-    } asked[INPUTS] = {{coord_fragment, RHW_USE_COORD, RHW_SMOOTH, false},
-                       {input_fragment, every, RHW_SMOOTH, true},
-                       {input_fragment, every, RHW_NOPERSPECTIVE, true}};
+        enum rhw_sampling sampling;
+    } asked[INPUTS] = {
+        {coord_fragment, RHW_USE_COORD, RHW_SMOOTH, false, RHW_SAMPLING_CENTER},
+        {input_fragment, every, RHW_SMOOTH, true, RHW_SAMPLING_CENTER},
+        {input_fragment, every, RHW_NOPERSPECTIVE, true, RHW_SAMPLING_CENTER},
+        {coord_fragment, RHW_USE_COORD, RHW_SMOOTH, true, RHW_SAMPLING_SAMPLE},
+        {coord_fragment, RHW_USE_COORD, RHW_NOPERSPECTIVE, false, RHW_SAMPLING_SAMPLE},
+        {read_fragment, RHW_USE_COORD | RHW_USE_COLOR_INPUT, RHW_SMOOTH, false, RHW_SAMPLING_CENTER}};
     struct rig rig;
     open_samples(&rig, samples, paths);
     rig_set_program(&rig, rig_vertex_pass, asked[inputs].fragment);
     rig.pipeline.program.uses = asked[inputs].uses;
     rig.pipeline.program.varyings[0].qualifier = asked[inputs].qualifier;
     rig.pipeline.program.varyings[0].derivatives = asked[inputs].derivatives;
+    rig.pipeline.program.varyings[0].sampling = asked[inputs].sampling;
     draw_crowd(&rig);
     uint64_t hash = 0;
     for (int s = 0; s < samples; s++) {

@@ -107,7 +107,7 @@ static rhw_texture make_twin(const struct rig *rig, rhw_texture parent, int n, r
 static struct rhw_texture_data *data_of(const struct rig *rig, rhw_texture texture)
 {
     struct rhw_texture_data *const data = rhw_context_texture(rig->context, texture, "test");
-    assert_true(rhw_texture_linearize(rig->context, data));
+    assert_int_equal(rhw_texture_linearize(rig->context, data), RHW_OK);
     return data;
 }
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "draw/camera/coverage.h"
+#include "draw/camera/orbit.h"
 #include "draw/surface.h"
 
 static const double pi = 3.14159265358979323846;
@@ -184,6 +185,73 @@ static void test_default_orbit_faces_flat_models(void **state)
     }
 }
 
+// Make the square stand edge-on in the default picture, turned by `degrees` around its upper edge, and face as the
+// winding says. Write its normal.
+static void stand_edge_on(struct tiny *t, enum scene_axis up, double degrees, double normal[3])
+{
+    const struct scene_orbit usual = {.azimuth = 30, .elevation = 20, .up = up};
+    double right[3], above[3], back[3], across[3];
+    scene_orbit_axes(&usual, right, above, back);
+    for (int i = 0; i < 3; i++) {
+        across[i] = cos(degrees * pi / 180) * back[i] + sin(degrees * pi / 180) * above[i];
+        for (int v = 0; v < 4; v++) {
+            t->positions[v][i] = (float)((v & 1 ? 1 : -1) * right[i] + (v & 2 ? 1 : -1) * across[i]);
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        normal[i] = right[j] * across[k] - right[k] * across[j];
+    }
+    tiny_set_bounds(t);
+}
+
+// A model that is flat but not along an axis, and of which next to nothing would be seen, is looked at from the side
+// that it faces, and one that faces both ways from above. A few degrees are enough for the usual picture.
+static void test_default_orbit_turns_from_an_edge(void **state)
+{
+    (void)state;
+    static const uint32_t windings[3][6] = {{0, 1, 2, 2, 1, 3}, {0, 2, 1, 2, 3, 1}, {0, 1, 2, 2, 3, 1}};
+    for (int i = 0; i < 6 * 3; i++) {
+        const enum scene_axis up = (enum scene_axis)(i / 3);
+        struct tiny t;
+        double normal[3], above[3] = {0, 1, 0}, right[3], upright[3], back[3];
+        tiny_make(&t);
+        memcpy(t.indices, windings[i % 3], sizeof t.indices);
+        stand_edge_on(&t, up, 1, normal);
+        struct scene_orbit orbit = scene_camera_default_orbit(&t.model, up);
+        scene_orbit_axes(&orbit, right, upright, back);
+        scene_axis_turn(up, above);
+        const double upper = normal[0] * above[0] + normal[1] * above[1] + normal[2] * above[2] > 0 ? 1 : -1;
+        const double side = i % 3 == 2 ? upper : i % 3 == 0 ? 1 : -1;
+        for (int c = 0; c < 3; c++) {
+            tiny_assert_close(back[c], side * normal[c], 1e-6);
+        }
+        stand_edge_on(&t, up, 10, normal);
+        orbit = scene_camera_default_orbit(&t.model, up);
+        assert_true(orbit.azimuth == 30 && orbit.elevation == 20);
+    }
+}
+
+// A sliver is flat along two axes, and the one that counts is that of its surface.
+static void test_default_orbit_shows_a_sliver(void **state)
+{
+    (void)state;
+    static const int axes[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+    for (int i = 0; i < 3; i++) {
+        struct tiny t;
+        tiny_make(&t);
+        for (int v = 0; v < 4; v++) {
+            t.positions[v][axes[i][0]] = v & 1 ? 1.0f : -1.0f;
+            t.positions[v][axes[i][1]] = v & 2 ? 0.02f : -0.02f;
+            t.positions[v][3 - axes[i][0] - axes[i][1]] = 0.0f;
+        }
+        tiny_set_bounds(&t);
+        const struct scene_camera camera = scene_camera_fit(
+            &t.model, scene_camera_default_orbit(&t.model, SCENE_AXIS_Y), scene_camera_default_yfov(), 1.5);
+        assert_true(scene_coverage_count(&t.model, &camera, 1.5, 400) >= 400);
+    }
+}
+
 // A model whose up is another axis is one with y up, turned: the same picture of it.
 static void test_fit_turns_with_up(void **state)
 {
@@ -321,6 +389,7 @@ static void test_a_camera_shows_more_than_a_thumbnail(void **state)
         {SCENE_PRIMITIVE_TRIANGLES, 0.01, SCENE_SIGHT_ENOUGH},
         {SCENE_PRIMITIVE_TRIANGLES, 3.8, SCENE_SIGHT_ENOUGH},
         {SCENE_PRIMITIVE_TRIANGLES, 4.2, SCENE_SIGHT_NEXT_TO_NOTHING},
+        {SCENE_PRIMITIVE_TRIANGLES, 14, SCENE_SIGHT_NEXT_TO_NOTHING},
         {SCENE_PRIMITIVE_TRIANGLES, 2000, SCENE_SIGHT_NEXT_TO_NOTHING},
         {SCENE_PRIMITIVE_TRIANGLES, -1, SCENE_SIGHT_NOTHING},
         {SCENE_PRIMITIVE_LINES, 9, SCENE_SIGHT_ENOUGH},
@@ -340,6 +409,9 @@ static void test_a_camera_shows_more_than_a_thumbnail(void **state)
         if (sight != cases[i].sight) {
             fail_msg("case %zu: %d instead of %d", i, sight, cases[i].sight);
         }
+        // Who asks for a camera may see less.
+        const bool is_dot = cases[i].distance < 0 || cases[i].distance > 20;
+        assert_true(scene_camera_shows_a_dot(&t.model, &camera, 1.5) == is_dot);
     }
 }
 
@@ -532,6 +604,8 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_fit_angles),
     cmocka_unit_test(test_fit_of_degenerate_models),
     cmocka_unit_test(test_default_orbit_faces_flat_models),
+    cmocka_unit_test(test_default_orbit_turns_from_an_edge),
+    cmocka_unit_test(test_default_orbit_shows_a_sliver),
     cmocka_unit_test(test_fit_turns_with_up),
     cmocka_unit_test(test_fit_leaves_a_vast_ground_out),
     cmocka_unit_test(test_fit_is_about_the_frame),

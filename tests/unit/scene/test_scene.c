@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The order of drawing, and small models whose pixels are known.
+#include "patience.h"
 #include "tiny_model.h"
 
 #include <math.h>
@@ -293,6 +294,20 @@ static void test_texture_transform_and_mask(void **state)
     pictures = draw_model(&t.model, &view);
     assert_pixel(&pictures.color[4 * (8 * 2 + 5)], 0, 0, 255, 255);
     assert_pixel(&pictures.color[4 * (8 * 5 + 2)], 0, 255, 0, 255);
+    scene_pictures_free(&pictures);
+    // Outside of a decal, which is as large as the square's lower right quarter, its border shows.
+    const struct scene_texture_slot decal = {.transform = {2, 0, -1, 0, 2, -1},
+                                             .min_filter = RHW_FILTER_NEAREST,
+                                             .mag_filter = RHW_FILTER_NEAREST,
+                                             .mip_filter = RHW_MIP_FILTER_NONE,
+                                             .address_u = RHW_ADDRESS_BORDER,
+                                             .address_v = RHW_ADDRESS_BORDER,
+                                             .border = {1, 0, 1, 1}};
+    *slot = decal;
+    pictures = draw_model(&t.model, &view);
+    assert_pixel(&pictures.color[4 * (8 * 2 + 2)], 255, 0, 255, 255);
+    assert_pixel(&pictures.color[4 * (8 * 4 + 3)], 255, 0, 255, 255);
+    assert_pixel(&pictures.color[4 * (8 * 4 + 4)], 255, 0, 0, 255);
     scene_pictures_free(&pictures);
 }
 
@@ -653,6 +668,40 @@ static void test_pictures_do_not_depend_on_the_machine(void **state)
     scene_pictures_free(&first);
 }
 
+// A texture whose texels differ from those of its image is made in bands: the program is asked before each, and its
+// first no ends it all.
+static void test_images_given_up(void **state)
+{
+    (void)state;
+    enum { IMAGE_SIDE = 512 };
+    static uint16_t texels[IMAGE_SIDE * IMAGE_SIDE][4];
+    struct tiny t;
+    tiny_make(&t);
+    t.image = (struct scene_image){.width = IMAGE_SIDE, .height = IMAGE_SIDE, .texels = texels};
+    t.image.type = SCENE_IMAGE_RGBA16;
+    t.image.size = sizeof texels;
+    t.model.image_count = 1;
+    t.model.images = &t.image;
+    t.material.slots[SCENE_SLOT_BASE_COLOR].image = 0;
+    struct rhw_context_def def = rhw_context_def_default();
+    def.threads = 1;
+    rhw_context *context;
+    struct scene *scene;
+    assert_int_equal(rhw_context_create(&def, &context), RHW_OK);
+    struct patience patience = {.left = 1 << 30};
+    rhw_context_set_goes_on(context, goes_on, &patience);
+    assert_int_equal(scene_create(context, &t.model, &scene), RHW_OK);
+    scene_destroy(scene);
+    const int all = patience.asked;
+    assert_true(all >= 4); // bands of 65536 texels and a row
+    for (int left = 0; left < all; left++) {
+        patience = (struct patience){.left = left};
+        assert_int_equal(scene_create(context, &t.model, &scene), RHW_ERROR_GIVEN_UP);
+        assert_int_equal(patience.asked, left + 1);
+    }
+    rhw_context_destroy(context);
+}
+
 static void test_view_rules(void **state)
 {
     (void)state;
@@ -703,6 +752,7 @@ static const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_line_through_the_near_plane),
     cmocka_unit_test(test_wireframe_marks_edges),
     cmocka_unit_test(test_pictures_do_not_depend_on_the_machine),
+    cmocka_unit_test(test_images_given_up),
     cmocka_unit_test(test_view_rules),
 };
 

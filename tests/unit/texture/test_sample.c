@@ -30,7 +30,7 @@ static struct rhw_binding_data bind(rhw_context *context, rhw_texture texture,
                                     enum rhw_paths paths)
 {
     struct rhw_texture_data *const data = rhw_context_texture(context, texture, "test");
-    assert_true(rhw_texture_linearize(context, data));
+    assert_int_equal(rhw_texture_linearize(context, data), RHW_OK);
     rhw_sampler made;
     assert_int_equal(rhw_sampler_create(context, sampler, &made), RHW_OK);
     return rhw_binding_of(rhw_kernels_for(isa), paths, data, rhw_context_sampler(context, made, "test"));

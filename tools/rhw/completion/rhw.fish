@@ -76,7 +76,7 @@ complete -c rhw -n "$seen" -l max-time -x -a '10 60 300' -d 'fail when the whole
 complete -c rhw -n "$seen" -l max-texture -x -a '1024 2048 4096 8192 16384' -d 'halve textures until they are no longer than this'
 complete -c rhw -n "$seen" -l confine -F -d 'read no file outside this folder that the model names'
 complete -c rhw -n "$seen" -l stats -F -d 'write the time of each stage, memory and counts as JSON, to standard output without FILE'
-complete -c rhw -n "$seen" -l strict -d 'no picture where the file has something that is not drawn as it is meant'
+complete -c rhw -n "$seen" -l strict -d 'no picture where the file has something that is not drawn as it is meant, or next to nothing of it is seen'
 complete -c rhw -n "$seen" -s q -l quiet -d 'no warnings'
 complete -c rhw -n "$seen" -s h -l help -d 'print this and exit'
 

@@ -34,8 +34,8 @@ function showCoordinates(table, terms) {
 }
 
 const SOME_BEHIND = {
-  en: 'Not all corners are in front of the eye: where W is below 0, dividing would put a corner on the wrong side, and where it is 0 there is nothing to divide by. Only what lies beyond the near plane is filled, and its r, s, t may be negative or large; a, b, c are not.',
-  zh: '并非所有顶点都在眼睛前方：W 小于 0 时相除会落到错误的一侧，W 等于 0 时无法相除。只填充近平面之外（更远）的部分；其 r、s、t 可能为负或很大，而 a、b、c 不会。',
+  en: 'Not all corners are in front of the eye: where W is below 0, dividing would put a corner on the wrong side, and where it is 0 nothing can be divided by it. Only what lies beyond the near plane, a plane a little in front of the eye, is filled. Its r, s, t may be negative or large; a, b, c are not.',
+  zh: '并非所有顶点都在眼睛前方：W 小于 0 时，除以它会把顶点放到错误的一侧；W 等于 0 时无法相除。只填充比近平面（眼前不远处的一个平面）更远的部分；其 r、s、t 可能为负或很大，而 a、b、c 不会。',
 };
 // By how many corners are not in front of the eye.
 const BEHIND = [

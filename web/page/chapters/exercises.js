@@ -17,6 +17,7 @@ const GRID = 48; // pixels across the small picture in which the largest error i
 const REST = 400; // ms that the pointer or a corner rests until it is looked at
 const SAME = 0.03; // parts by which two W may differ and be one: some pixels under a finger
 const ALIKE = 0.01; // by which two shares may
+const MIDDLE = 0.05; // by which the shares of an edge's ends may differ from a half: a finger finds it
 
 const START = [
   [-1.3, -0.7, 0.4],
@@ -36,44 +37,44 @@ const percent = (part) => `${Math.round(100 * part)} %`;
 export const EXERCISES = [
   {
     asked: {
-      en: 'Make the left side right without touching the formula: drag corners in depth until the checkerboard no longer breaks at the line. What had to become equal?',
-      zh: '不改公式，让左边也画对：在深度方向上拖动顶点，直到棋盘格在分界线处不再错开。什么必须变得相等？',
+      en: 'Make the naive side correct without touching its formula: move corners nearer or farther until the checkerboard no longer breaks at the line. What had to become equal?',
+      zh: '不改公式，让“未校正”那边也画对：拉近或推远顶点，直到棋盘格在分界线处不再错开。什么必须变得相等？',
     },
     met: (_, { ws }) => spread(ws) < SAME,
     answer: (_, { ws }) => ({
-      en: `All W: yours are ${ws.map(short).join(', ')}. Then 1/W is the same everywhere, and r, s, t are a, b, c. A triangle that is flat to the camera needs no division.`,
-      zh: `三个 W 相等：现在是 ${ws.map(short).join('、')}。这时 1/W 处处相同，r、s、t 就是 a、b、c。正对相机的三角形不需要除法。`,
+      en: `All W: yours are ${ws.map(short).join(', ')}. Then 1/W is the same everywhere, and r, s, t are a, b, c. A triangle that is parallel to the screen needs no division.`,
+      zh: `三个 W 相等：现在是 ${ws.map(short).join('、')}。这时 1/W 处处相同，r、s、t 就是 a、b、c。与屏幕平行的三角形不需要除法。`,
     }),
   },
   {
     asked: {
-      en: 'Point at the pixel where naive is furthest off; up to a tenth less will do.',
-      zh: '指向未校正误差最大的像素（比最大值小不到一成也算）。',
+      en: 'With all corners in front of the eye, point at the pixel where the naive value is most wrong. Nine tenths of the largest error will do.',
+      zh: '所有顶点都在眼睛前方时，指向“未校正”误差最大的像素（达到最大误差的九成即可）。',
     },
-    met: (n, { worst }) => n && worst() > 0.01 && Math.abs(naiveOf(n) - n.u) > 0.9 * worst(),
+    met: (n, { ws, worst }) => n && Math.min(...ws) > 0 && worst() > 0.01 && Math.abs(naiveOf(n) - n.u) > 0.9 * worst(),
     answer: (n, { ws }) => {
       const [low, high] = [Math.min(...ws), Math.max(...ws)];
       const at = Math.sqrt(high) / (Math.sqrt(high) + Math.sqrt(low));
       return {
-        en: `Here u is ${short(n.u)} and naive says ${short(naiveOf(n))}. From a corner at W = ${short(low)} to one at ${short(high)} the gap is widest where the screen says ${percent(at)} of the way and space ${percent(1 - at)}: the split goes by √W, not by W.`,
-        zh: `这里 u 是 ${short(n.u)}，未校正给出 ${short(naiveOf(n))}。从 W = ${short(low)} 的顶点到 ${short(high)} 的顶点，差距最大处是屏幕上走了 ${percent(at)}、空间中走了 ${percent(1 - at)} 的地方：按 √W 分，而不是按 W。`,
+        en: `Here u is ${short(n.u)} and the naive value is ${short(naiveOf(n))}. From a corner at W = ${short(low)} to one at ${short(high)} the gap is widest where the screen says ${percent(at)} of the way and space ${percent(1 - at)}: the split goes by √W, not by W.`,
+        zh: `这里 u 是 ${short(n.u)}，“未校正”得到 ${short(naiveOf(n))}。从 W = ${short(low)} 的顶点到 ${short(high)} 的顶点，差距最大处是屏幕上走了 ${percent(at)}、空间中走了 ${percent(1 - at)} 的地方：按 √W 分，而不是按 W。`,
       };
     },
   },
   {
     asked: {
-      en: 'Point at the middle of the edge AB, as it lies in space.',
-      zh: '指向边 AB 在空间中的中点。',
+      en: 'Point at the middle of the edge AB: the middle in space, not in the picture.',
+      zh: '指向边 AB 的中点：是空间中的中点，不是画面上的。',
     },
-    met: (n) => n && n.W_0 > 0 && n.W_1 > 0 && Math.abs(n.a - 0.5) < 0.03 && Math.abs(n.b - 0.5) < 0.03,
+    met: (n) => n && n.W_0 > 0 && n.W_1 > 0 && Math.abs(n.a - 0.5) < MIDDLE && Math.abs(n.b - 0.5) < MIDDLE,
     answer: (n) => ({
-      en: `There r : s is W_A : W_B = ${short(n.W_0)} : ${short(n.W_1)}, so s = ${short(n.W_1 / (n.W_0 + n.W_1))}. In space each has half of P there; on the screen each counts in proportion to its W.`.replaceAll('_', ''),
-      zh: `那里 r : s = WA : WB = ${short(n.W_0)} : ${short(n.W_1)}，所以 s = ${short(n.W_1 / (n.W_0 + n.W_1))}。在空间中，两个顶点在中点各占一半；在屏幕上，各按自己的 W 成比例。`,
+      en: `There r : s is W_A : W_B = ${short(n.W_0)} : ${short(n.W_1)}, so s = ${short(n.W_1 / (n.W_0 + n.W_1))}. In space A and B have a half each there; on the screen their shares are in proportion to their W.`.replaceAll('_', ''),
+      zh: `那里 r : s = WA : WB = ${short(n.W_0)} : ${short(n.W_1)}，所以 s = ${short(n.W_1 / (n.W_0 + n.W_1))}。在空间中，两个顶点在中点各占一半；在屏幕上，两者的份额与各自的 W 成正比。`,
     }),
   },
   {
     asked: {
-      en: 'Find a pixel where C has the same share on the screen as in space, t = c, away from the edges. What is special about P?',
+      en: 'Away from the edges, find a pixel where C has the same share on the screen as in space: t = c. What is special about P?',
       zh: '找一个离边较远的像素，使 C 在屏幕上与空间中的份额相同（t = c）。P 有什么特别之处？',
     },
     met: (n, { ws }) => n && spread(ws) > 0.1 && Math.min(n.r, n.s, n.t) > 0.05 && Math.abs(n.t - n.c) < ALIKE,
@@ -84,13 +85,13 @@ export const EXERCISES = [
   },
   {
     asked: {
-      en: 'One edge right, the others not: give the edge AB the same distance at both ends, and leave C elsewhere.',
-      zh: '让一条边正确、其余的不正确：使 A、B 一样远，而 C 不同。',
+      en: 'Make the naive side correct along one edge alone: give A and B the same distance, and C another one.',
+      zh: '让“未校正”只在一条边上正确：使 A、B 一样远，而 C 不同。',
     },
     met: (_, { ws: [a, b, c] }) => spread([a, b]) < SAME && spread([a, c]) > 0.1,
     answer: (_, { ws: [a, , c] }) => ({
-      en: `Along AB W is ${short(a)} throughout, so there naive is right; towards C, at ${short(c)}, it drifts. In general naive is right along each line of the triangle that keeps its distance.`,
-      zh: `AB 上 W 处处是 ${short(a)}，所以在那里未校正也正确；朝 C（${short(c)}）走就偏了。一般地，三角形上保持等距的每条线上，未校正都正确。`,
+      en: `All along AB the distance W is ${short(a)}, so there the naive value is correct. It no longer is on the way to C, where W is ${short(c)}.`,
+      zh: `AB 上 W 处处是 ${short(a)}，所以在那里“未校正”也正确；朝 C（W = ${short(c)}）走就偏了。`,
     }),
   },
   {
@@ -100,8 +101,8 @@ export const EXERCISES = [
     },
     met: (n, { ws }) => n && Math.min(...ws) < 0,
     answer: (n) => ({
-      en: `a, b, c = ${[n.a, n.b, n.c].map(short).join(', ')} and r, s, t = ${[n.r, n.s, n.t].map(short).join(', ')}. P is in the triangle in space, whatever is behind the eye; its picture is not between the corners' pictures. The formula never asked for W > 0.`,
-      zh: `a、b、c = ${[n.a, n.b, n.c].map(short).join('、')}，r、s、t = ${[n.r, n.s, n.t].map(short).join('、')}。无论谁在眼睛后方，P 总在空间中的三角形内；它的像却不在各顶点的像之间。公式从未要求 W > 0。`,
+      en: `a, b, c = ${[n.a, n.b, n.c].map(short).join(', ')} and r, s, t = ${[n.r, n.s, n.t].map(short).join(', ')}. In space P lies within the triangle, whichever corner is behind the eye. On the screen it does not lie between the places of the corners. The formula never asked for W > 0.`,
+      zh: `a、b、c = ${[n.a, n.b, n.c].map(short).join('、')}，r、s、t = ${[n.r, n.s, n.t].map(short).join('、')}。无论哪个顶点在眼睛后方，P 在空间中总在三角形内；在屏幕上，它却不在各顶点的像之间。公式从未要求 W > 0。`,
     }),
   },
 ];
@@ -113,7 +114,7 @@ class Exercise {
     this.text = this.node.appendChild(document.createElement('p'));
     this.result = this.node.appendChild(document.createElement('p'));
     this.result.className = 'result';
-    this.result.setAttribute('aria-live', 'polite');
+    this.result.setAttribute('aria-live', 'off');
     this.button = this.node.appendChild(document.createElement('button'));
     this.button.type = 'button';
     this.done = false;

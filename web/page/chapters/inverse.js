@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // In the plane: an edge AB in front of the eye, its picture A'B', and a point between them. Halfway on the screen is not halfway
-// in space, and the distance Z of the point is not the mixture of the distances, but 1/Z is that of 1/Z. Beside it the curves of
-// Z, 1/Z, u/Z and u over the screen, and the edge's stripes as they are seen.
+// in space, and the distance W of the point is not the mixture of the distances, but 1/W is that of 1/W. Beside it the curves of
+// W, 1/W, u/W and u over the screen, and the edge's stripes as they are seen.
 import { choice } from '../controls.js';
 import { hearNumbers } from '../heard.js';
 import { whenLanguage } from '../language.js';
@@ -103,14 +103,13 @@ class Drawing {
     this.update();
   }
 
-  // Weights on the screen and in space, and Z there three ways.
+  // Weights on the screen and in space, and the distances W.
   numbers() {
-    const [zA, zB] = this.ends.map(([, z]) => z * this.unit);
+    const [wA, wB] = this.ends.map(([, z]) => z * this.unit);
     const [r, s] = [1 - this.q, this.q];
-    const inverse = r / zA + s / zB;
-    const [a, b] = [r / zA / inverse, s / zB / inverse];
-    const terms = { r, s, Z_A: zA, Z_B: zB, Z_P: 1 / inverse, a, b };
-    return terms;
+    const inverse = r / wA + s / wB;
+    const [a, b] = [r / wA / inverse, s / wB / inverse];
+    return { r, s, W_A: wA, W_B: wB, W_P: 1 / inverse, a, b };
   }
 
   #at([x, z]) {
@@ -156,7 +155,7 @@ class Drawing {
     this.ends.forEach((end, i) => {
       set(this.handles[i], { transform: `translate(${this.#at(end)})` });
       set(this.handles[i].lastChild, this.#beside(this.#at(end)[0], end[0] < this.ends[1 - i][0], end[1] < this.ends[1 - i][1]));
-      write(this.handles[i].lastChild, `${'AB'[i]}, Z = ${short(Number(terms[`Z_${'AB'[i]}`].toPrecision(3)))}`);
+      write(this.handles[i].lastChild, `${'AB'[i]}, W = ${short(Number(terms[`W_${'AB'[i]}`].toPrecision(3)))}`);
     });
     set(this.p, { transform: `translate(${this.#at(p)})`, ...percentOf(b) });
     set(this.shadow, { transform: `translate(${this.#at(onScreen(p))})`, ...percentOf(this.q) });
@@ -165,9 +164,9 @@ class Drawing {
 
   /** The edge AB of a triangle with these clip coordinates, and the point of it where A and B have their shares on the screen. */
   take({ clips, screen }) {
-    const [zA, zB] = clips.map((clip) => clip[3]);
-    this.#measure(Math.max(zA, zB) / FARTHEST);
-    this.ends = [[-ASIDE, zA / this.unit], [ASIDE, zB / this.unit]].map(([x, z]) => [x * z, z]);
+    const [wA, wB] = clips.map((clip) => clip[3]);
+    this.#measure(Math.max(wA, wB) / FARTHEST);
+    this.ends = [[-ASIDE, wA / this.unit], [ASIDE, wB / this.unit]].map(([x, z]) => [x * z, z]);
     this.screenAt = Math.min(SCREEN, 0.8 * this.ends[0][1], 0.8 * this.ends[1][1]);
     this.set(screen[1] / (screen[0] + screen[1]));
   }
@@ -208,7 +207,7 @@ class Drawing {
   }
 
   point(term) {
-    const corner = { Z_A: this.ends[0], Z_B: this.ends[1] }[term];
+    const corner = { W_A: this.ends[0], W_B: this.ends[1] }[term];
     this.marked ??= svg(this.root, 'polyline', { class: 'distance' });
     const to = corner && this.#at(corner);
     set(this.marked, { points: to ? points([[to[0], this.#at([0, 0])[1]], to]) : '' });
@@ -218,9 +217,9 @@ class Drawing {
 const LINES = [
   ['r', 'r'],
   ['s', 's'],
-  ['[1|Z_P] = [r|Z_A] + [s|Z_B]', 'Z_P'],
-  ['a = r·[Z_P|Z_A]', 'a'],
-  ['b = s·[Z_P|Z_B]', 'b'],
+  ['[1|W_P] = [r|W_A] + [s|W_B]', 'W_P'],
+  ['a = r·[W_P|W_A]', 'a'],
+  ['b = s·[W_P|W_B]', 'b'],
 ];
 
 const SAMPLES = 96; // of the curves
@@ -228,26 +227,26 @@ const STRIPES = 8; // of the edge
 
 // What is plotted over the screen, at weights r, s there. u is 0 in A and 1 in B.
 const OF = {
-  z: ({ r, s, zA, zB }) => 1 / (r / zA + s / zB),
-  naiveZ: ({ r, s, zA, zB }) => r * zA + s * zB,
-  inverse: ({ r, s, zA, zB }) => r / zA + s / zB,
-  over: ({ s, zB }) => s / zB,
-  u: ({ r, s, zA, zB }) => s / zB / (r / zA + s / zB),
+  w: ({ r, s, wA, wB }) => 1 / (r / wA + s / wB),
+  naiveW: ({ r, s, wA, wB }) => r * wA + s * wB,
+  inverse: ({ r, s, wA, wB }) => r / wA + s / wB,
+  over: ({ s, wB }) => s / wB,
+  u: ({ r, s, wA, wB }) => s / wB / (r / wA + s / wB),
   naiveU: ({ s }) => s,
 };
-const NAIVE_Z = { name: { en: 'r·ZA + s·ZB: a chord, wrong', zh: 'r·ZA + s·ZB：两端的连线，错误' }, kind: 'naive', of: OF.naiveZ };
-const NAIVE_U = { name: { en: 's, u mixed: a chord, wrong', zh: 's，直接插值的 u：两端的连线，错误' }, kind: 'naive', of: OF.naiveU };
-const INVERSE = { name: { en: '1/Z: straight', zh: '1/Z：直线' }, kind: 'inverse', of: OF.inverse };
+const NAIVE_W = { name: { en: 'r·WA + s·WB, W mixed: wrong', zh: 'r·WA + s·WB，直接插值的 W：错误' }, kind: 'naive', of: OF.naiveW };
+const NAIVE_U = { name: { en: 's, u mixed: wrong', zh: 's，直接插值的 u：错误' }, kind: 'naive', of: OF.naiveU };
+const INVERSE = { name: { en: '1/W: straight', zh: '1/W：直线' }, kind: 'inverse', of: OF.inverse };
 // What the two plots show, the upper one first. The curves of a plot have one scale.
 const PLOTS = {
-  z: [
-    { y: { en: 'Z, in units of length', zh: 'Z，长度单位' }, curves: [{ name: { en: 'Z: bent', zh: 'Z：弯曲' }, kind: 'w', of: OF.z }, NAIVE_Z] },
-    { y: { en: '1/Z, one over a length', zh: '1/Z，长度单位的倒数' }, curves: [INVERSE] },
+  w: [
+    { y: { en: 'W, in units of length', zh: 'W，长度单位' }, curves: [{ name: { en: 'W: bent', zh: 'W：弯曲' }, kind: 'w', of: OF.w }, NAIVE_W] },
+    { y: { en: '1/W, per unit of length', zh: '1/W，长度单位的倒数' }, curves: [INVERSE] },
   ],
   u: [
     {
-      y: { en: '1/Z and u/Z, one over a length', zh: '1/Z 与 u/Z，长度单位的倒数' },
-      curves: [INVERSE, { name: { en: 'u/Z: straight', zh: 'u/Z：直线' }, kind: 'depth', of: OF.over }],
+      y: { en: '1/W and u/W, per unit of length', zh: '1/W 与 u/W，长度单位的倒数' },
+      curves: [INVERSE, { name: { en: 'u/W: straight', zh: 'u/W：直线' }, kind: 'depth', of: OF.over }],
     },
     {
       y: { en: 'u, from 0 in A to 1 in B', zh: 'u：在 A 处为 0，在 B 处为 1' },
@@ -255,7 +254,7 @@ const PLOTS = {
     },
   ],
 };
-const PLACE = { en: "place on the screen, from A' to B'", zh: '屏幕位置，从 A′ 到 B′' };
+const PLACE = { en: "place on the screen, from A' to B'", zh: "屏幕位置，从 A' 到 B'" };
 
 // The edge as it is seen: stripes of equal length in space, with a value that is right and with one that is mixed on the screen.
 class Stripes {
@@ -269,14 +268,14 @@ class Stripes {
   }
 
   /** `q`: where the point is, as a part of the picture. */
-  show(zA, zB, q) {
+  show(wA, wB, q) {
     this.node.style.setProperty('--q', q);
     for (const { of, canvas } of this.rows) {
       const { width } = canvas;
       const image = new ImageData(width, 1);
       for (let x = 0; x < width; x++) {
         const s = (x + 0.5) / width;
-        const odd = Math.floor(STRIPES * of({ r: 1 - s, s, zA, zB })) % 2;
+        const odd = Math.floor(STRIPES * of({ r: 1 - s, s, wA, wB })) % 2;
         image.data.set(odd ? [70, 80, 92, 255] : [250, 246, 236, 255], 4 * x);
       }
       canvas.getContext('2d').putImageData(image, 0, 0);
@@ -290,21 +289,21 @@ function showLines(panel, terms) {
     for (const [text, term] of LINES) {
       fill(element(panel, 'div', text === term ? 'line beside' : 'line'), (row) => {
         formulaIn(row, text);
-        formulaIn(row, term === 'Z_P' ? ', Z_P =' : '=');
+        formulaIn(row, term === 'W_P' ? ', W_P =' : '=');
         formulaIn(row, term, { [term]: short(terms[term]) });
       });
     }
     fill(element(panel, 'div', 'line naive'), (row) => {
-      formulaIn(row, 'r·Z_A + s·Z_B');
-      write(element(row, 'span'), `= ${short(terms.r * terms.Z_A + terms.s * terms.Z_B)}`);
+      formulaIn(row, 'r·W_A + s·W_B');
+      write(element(row, 'span'), `= ${short(terms.r * terms.W_A + terms.s * terms.W_B)}`);
     });
   });
   hearNumbers(panel, terms, ['r', 's', 'a', 'b']);
 }
 
 // Curves of the weights at places between A' and B', and at both.
-function curvesOf(curves, { Z_A: zA, Z_B: zB }) {
-  const at = (s) => ({ s, r: 1 - s, zA, zB });
+function curvesOf(curves, { W_A: wA, W_B: wB }) {
+  const at = (s) => ({ s, r: 1 - s, wA, wB });
   return curves.map((curve) => ({
     ...curve,
     values: Array.from({ length: SAMPLES }, (_, i) => curve.of(at((i + 0.5) / SAMPLES))),
@@ -319,7 +318,7 @@ export function start(section) {
     en: 'This is the edge AB of the triangle of your model.',
     zh: '这是你的模型中那个三角形的边 AB。',
   });
-  let shown = PLOTS.z;
+  let shown = PLOTS.w;
   const show = () => {
     const terms = drawing.numbers();
     note.hidden = !drawing.isTaken;
@@ -329,12 +328,12 @@ export function start(section) {
       plots[i].show(curvesOf(curves, terms), drawing.q);
       legend(legends[i], curves);
     });
-    stripes.show(terms.Z_A, terms.Z_B, drawing.q);
+    stripes.show(terms.W_A, terms.W_B, drawing.q);
   };
   const rooms = [...section.querySelectorAll('.plot-room')];
   const names = [
-    { en: 'Z, or 1/Z and u/Z, over the screen', zh: '屏幕上的 Z，或 1/Z 与 u/Z' },
-    { en: '1/Z, or u, over the screen', zh: '屏幕上的 1/Z，或 u' },
+    { en: 'W, or 1/W and u/W, over the screen', zh: '屏幕上的 W，或 1/W 与 u/W' },
+    { en: '1/W, or u, over the screen', zh: '屏幕上的 1/W，或 u' },
   ];
   const slides = { by: (part) => drawing.slideBy(part), to: (part) => drawing.set(part) };
   const plots = rooms.map((room, i) => new Plot(room, { slides, name: names[i] }));
@@ -346,12 +345,10 @@ export function start(section) {
   });
   section.querySelector('.on-screen').addEventListener('click', () => drawing.set(0.5));
   section.querySelector('.in-space').addEventListener('click', () => {
-    const [zA, zB] = drawing.ends.map(([, z]) => z);
-    drawing.set(zB / (zA + zB));
+    const [wA, wB] = drawing.ends.map(([, z]) => z);
+    drawing.set(wB / (wA + wB));
   });
   whenLanguage(() => drawing.update());
-  chapterTerms(section, () => drawing.numbers(), [drawing], {
-    Z: { en: 'distance from the eye', zh: '到眼睛的距离' },
-  });
+  chapterTerms(section, () => drawing.numbers(), [drawing]);
   return drawing;
 }

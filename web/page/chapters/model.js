@@ -119,7 +119,7 @@ class ModelView {
   /** Takes the place of what was shown, if it can be read. `files`: those that it names. */
   async open(bytes, name, files = {}) {
     const turn = ++this.#opened;
-    this.#tell({ en: `Reading ${name} …`, zh: `正在读取 ${name} …` });
+    this.#tell({ en: `Reading ${name} …`, zh: `正在读取 ${name}……` });
     this.figure.dataset.drawn = '';
     try {
       const { info, warnings } = await this.#library.ask('open', { model: bytes, name, files });
@@ -279,7 +279,7 @@ class ModelView {
     const turn = this.#asked;
     this.pixel = [x, y];
     this.#place();
-    this.#tell({ en: 'Explaining …', zh: '正在解释 …' });
+    this.#tell({ en: 'Explaining …', zh: '正在计算……' });
     try {
       const at = { x: Math.floor(x * options.size[0]), y: Math.floor(y * options.size[1]) };
       const explanation = await this.#library.ask('explain', { ...at, options });

@@ -89,9 +89,9 @@ function showTable(table, terms, step, polygon) {
 }
 
 const SAID = [
-  { en: 'Clip space: X, Y and W as the vertex function gave them. What is nearer than the near plane is cut off.', zh: '裁剪空间：X、Y、W 是顶点函数给出的值。比近平面更近的部分被切掉。' },
-  { en: 'Everything moves along its line to the eye; the farther, the more it shrinks.', zh: '每个点沿着通向眼睛的直线移动；越远的缩得越多。' },
-  { en: 'The screen: X/W and Y/W. Lines are still lines, but equal steps are no longer equal.', zh: '屏幕：X/W 与 Y/W。直线仍是直线，但原来等长的步子不再等长。' },
+  { en: 'Clip space: X, Y and W as the vertex shader gave them. What is nearer than the near plane is cut off.', zh: '裁剪空间：X、Y、W 是顶点着色器给出的值。比近平面更近的部分被切掉。' },
+  { en: 'Every point moves along its line to the eye. What is farther shrinks more.', zh: '每个点沿着通向眼睛的直线移动；越远的缩得越多。' },
+  { en: 'The screen: X/W and Y/W. Lines are still lines, but equal steps are no longer equal.', zh: '屏幕：X/W 与 Y/W。直线仍是直线，但原来等距的点不再等距。' },
 ];
 
 // The slider, and the motion played once when it is first seen, unless the reader wants none.
@@ -108,8 +108,8 @@ class Motion {
     section.querySelector('.play').addEventListener('click', () => this.play());
     whenLanguage(() => this.show());
     if (!matchMedia('(prefers-reduced-motion: reduce)').matches) {
-      const seen = new IntersectionObserver(([entry]) => {
-        if (entry.isIntersecting) {
+      const seen = new IntersectionObserver((entries) => {
+        if (entries.at(-1).isIntersecting) {
           seen.disconnect();
           this.play();
         }
@@ -159,7 +159,7 @@ class Motion {
 
 export function start(section, stage) {
   const corners = [
-    { at: [-0.5, -0.42, -0.8], color: [1, 0.2, 0.15], uv: [0, 0] },
+    { at: [-0.5, -0.42, 0.4], color: [1, 0.2, 0.15], uv: [0, 0] },
     { at: [3.6, -0.4, -6], color: [0.2, 0.8, 0.3], uv: [1, 0] },
     { at: [-0.5, 1.2, -3], color: [0.3, 0.45, 1], uv: [0, 1] },
   ];
@@ -215,6 +215,6 @@ export function start(section, stage) {
       slider.max = taken ? 2 * Math.max(...w) : max;
     },
   });
-  view.pick([0.43, 0.5]);
+  view.pick([0.5, 0.45]);
   return view;
 }

@@ -5,7 +5,7 @@
 
 #include <minizip/unzip.h>
 
-#include "import/builder/import.h"
+#include "import.h"
 
 /// Open an archive for minizip. Return NULL if it is none.
 unzFile scene_zip64_open(struct scene_import *import, const char *path);

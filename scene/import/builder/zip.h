@@ -4,7 +4,7 @@
 #ifndef SCENE_IMPORT_ZIP_H
 #define SCENE_IMPORT_ZIP_H
 
-#include "import/builder/import.h"
+#include "import.h"
 
 struct scene_zip;
 

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// 3DS files, which are made here chunk by chunk.
+#include "model_files.h"
+
+#include <string.h>
+
+struct chunks {
+    unsigned char bytes[1024];
+    size_t size;
+};
+
+static void put(struct chunks *chunks, const void *bytes, size_t size)
+{
+    assert_true(chunks->size + size <= sizeof chunks->bytes);
+    memcpy(chunks->bytes + chunks->size, bytes, size);
+    chunks->size += size;
+}
+
+static void put_short(struct chunks *chunks, unsigned number)
+{
+    put(chunks, (const unsigned char[]){(unsigned char)number, (unsigned char)(number >> 8)}, 2);
+}
+
+// Begin a chunk. Return its place.
+static size_t begin(struct chunks *chunks, unsigned kind)
+{
+    put_short(chunks, kind);
+    put(chunks, "\0\0\0", 4);
+    return chunks->size - 6;
+}
+
+static void end(struct chunks *chunks, size_t place)
+{
+    const size_t size = chunks->size - place;
+    chunks->bytes[place + 2] = (unsigned char)size;
+    chunks->bytes[place + 3] = (unsigned char)(size >> 8);
+}
+
+static void put_text(struct chunks *chunks, unsigned kind, const char *text)
+{
+    const size_t place = begin(chunks, kind);
+    put(chunks, text, strlen(text) + 1);
+    end(chunks, place);
+}
+
+static void put_material(struct chunks *chunks, const unsigned char color[3], unsigned shading,
+                         unsigned tiling)
+{
+    const size_t material = begin(chunks, 0xafff);
+    put_text(chunks, 0xa000, "m");
+    const size_t shade = begin(chunks, 0xa100);
+    put_short(chunks, shading);
+    end(chunks, shade);
+    const size_t diffuse = begin(chunks, 0xa020), rgb = begin(chunks, 0x11);
+    put(chunks, color, 3);
+    end(chunks, rgb);
+    end(chunks, diffuse);
+    const size_t map = begin(chunks, 0xa200);
+    put_text(chunks, 0xa300, "a.png");
+    const size_t flags = begin(chunks, 0xa351);
+    put_short(chunks, tiling);
+    end(chunks, flags);
+    end(chunks, map);
+    end(chunks, material);
+}
+
+static void put_triangle(struct chunks *chunks)
+{
+    static const float positions[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                       uvs[3][2] = {{0, 0}, {4, 0}, {0, 4}};
+    const size_t object = begin(chunks, 0x4000);
+    put(chunks, "o", 2);
+    const size_t mesh = begin(chunks, 0x4100), vertices = begin(chunks, 0x4110);
+    put_short(chunks, 3);
+    put(chunks, positions, sizeof positions);
+    end(chunks, vertices);
+    const size_t faces = begin(chunks, 0x4120);
+    for (unsigned i = 0; i < 5; i++) {
+        put_short(chunks, i == 0 ? 1 : i == 4 ? 7 : i - 1); // a count, three corners, edges
+    }
+    const size_t group = begin(chunks, 0x4130);
+    put(chunks, "m", 2);
+    put_short(chunks, 1);
+    put_short(chunks, 0);
+    end(chunks, group);
+    end(chunks, faces);
+    const size_t coordinates = begin(chunks, 0x4140);
+    put_short(chunks, 3);
+    put(chunks, uvs, sizeof uvs);
+    end(chunks, coordinates);
+    end(chunks, mesh);
+    end(chunks, object);
+}
+
+enum { WIRE = 0, PHONG = 3 }; // shading
+
+static struct scene_model *make_model(const unsigned char color[3], unsigned shading, unsigned tiling)
+{
+    struct chunks chunks = {.size = 0};
+    const size_t file = begin(&chunks, 0x4d4d), editor = begin(&chunks, 0x3d3d);
+    put_material(&chunks, color, shading, tiling);
+    put_triangle(&chunks);
+    end(&chunks, editor);
+    end(&chunks, file);
+    write_bytes("a.png", "P6\n1 1\n255\n\x10\x20\x30", 14);
+    write_bytes("x.3ds", chunks.bytes, chunks.size);
+    return load("x.3ds");
+}
+
+// Beside a decal the material's own colour shows: under a grey that gives way to the texture it is that grey, and a
+// colour tints both.
+static void test_decal(void **state)
+{
+    (void)state;
+    static const struct {
+        unsigned char color[3];
+        unsigned tiling;
+        enum rhw_address address;
+        float factor[3], border[4];
+    } cases[] = {
+        {{188, 188, 188}, 0x10, RHW_ADDRESS_BORDER, {1, 1, 1}, {0.502887f, 0.502887f, 0.502887f, 1}},
+        {{188, 0, 0}, 0x11, RHW_ADDRESS_BORDER, {0.502887f, 0, 0}, {1, 1, 1, 1}},
+        {{188, 188, 188}, 0, RHW_ADDRESS_REPEAT, {1, 1, 1}, {0.502887f, 0.502887f, 0.502887f, 1}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct scene_model *const model = make_model(cases[i].color, PHONG, cases[i].tiling);
+        const struct scene_material *const material = &model->materials[model->meshes[0].material];
+        const struct scene_texture_slot *const slot = &material->slots[SCENE_SLOT_BASE_COLOR];
+        assert_true(slot->image >= 0);
+        assert_int_equal(slot->address_u, cases[i].address);
+        assert_int_equal(slot->address_v, cases[i].address);
+        assert_floats(material->base_color, cases[i].factor, 3, 1e-5f);
+        assert_floats(slot->border, cases[i].border, 4, 1e-5f);
+        scene_model_free(model);
+    }
+}
+
+static void test_wires(void **state)
+{
+    (void)state;
+    for (unsigned shading = WIRE; shading <= PHONG; shading++) {
+        struct scene_model *const model = make_model((const unsigned char[]){9, 9, 9}, shading, 0);
+        assert_true(is_unsupported(model, "wire frames: drawn as surfaces") == (shading == WIRE));
+        scene_model_free(model);
+    }
+}
+
+static const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_wires),
+    cmocka_unit_test(test_decal),
+};
+
+const struct unit_tests test_3ds = UNIT_TESTS(tests, make_directory, remove_directory);
