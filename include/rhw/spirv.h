@@ -1,34 +1,46 @@
 // SPDX-License-Identifier: MIT
 // Shaders that are translated when the program runs: SPIR-V 1.0 to 1.3, as glslang, Tint, Naga and DXC write it for
-// Vulkan. librhw-shader has them; it needs librhw and libc alone, and no compiler.
+// Vulkan. The library rhw-shader has them. It needs librhw and libc alone, and no compiler.
 //
-// A shader is one entry point of a module with its specialization. It needs no context: any thread may make and destroy
-// it, and any number of pipelines may share it. rhw_shader_program puts a vertex and a fragment shader together and fills
-// a struct rhw_program; rhw_shader_compute_program does so for compute. The bytes that they draw are the same on every
-// machine.
+// A shader is an entry point of a module with its specialization. A linked program is a vertex and a fragment shader
+// that fit together, or a compute shader. It fills the struct that a pipeline or a dispatch takes. Neither needs a
+// context: any thread may make and destroy them, and any number of pipelines and contexts may share them. The bytes
+// that they draw are the same on every machine.
 //
 // A module that breaks a rule of SPIR-V which the translation relies on, or that asks for what is not supported, is
 // refused with a message that names the instruction and its word. Accesses outside of buffers and images are harmless:
-// reads give 0, writes do nothing.
+// reads give 0, and writes do nothing.
 #ifndef RHW_SPIRV_H
 #define RHW_SPIRV_H
 
 #include "bind.h"
-#include "types.h"
+#include "dispatch.h"
+
+enum {
+    RHW_SHADER_MAX_SETS = 8,        ///< descriptor sets, whose numbers begin at 0
+    RHW_SHADER_MAX_RESOURCES = 256, ///< buffers, images and samplers that one shader names; an array is one
+    RHW_SHADER_MAX_WORDS = 1 << 22, ///< words of a module
+    RHW_SHADER_MAX_IDS = 1 << 20,   ///< ids of a module, its bound
+    RHW_SHADER_MAX_VALUES =
+        1 << 18, ///< operations on scalars of a shader, after its calls are put in their places
+    RHW_SHADER_MAX_NESTING = 128,      ///< selections and loops inside each other
+    RHW_SHADER_MAX_MEMORY = 256 << 20, ///< bytes that a translation may take
+    RHW_SHADER_MESSAGE = 256           ///< bytes of a message, with the 0 at its end
+};
+
+// Shaders --------------------------------------------------------------------------------------------
 
 enum rhw_shader_stage { RHW_SHADER_VERTEX, RHW_SHADER_FRAGMENT, RHW_SHADER_COMPUTE, RHW_SHADER_STAGE_COUNT };
 
-enum { RHW_SHADER_MAX_SETS = 8, RHW_SHADER_MESSAGE = 256 };
-
-/// A value for a constant that the module lets its user choose (Vulkan 1.3, "Specialization Constants").
+/// A value for a constant that the module lets its user choose (Vulkan 1.3 §10.8, "Specialization Constants").
 struct rhw_shader_constant {
-    uint32_t id;    ///< SpecId
-    uint32_t value; ///< bits of the number; of a bool, 0 or another number
+    uint32_t id;    ///< SpecId; an id that the module does not have is allowed
+    uint32_t value; ///< bits of the number; of a truth, 0 or any other number
 };
 
 struct rhw_shader_def {
     enum rhw_shader_stage stage;
-    const char *entry_point; ///< NULL: "main"
+    const char *entry_point; ///< NULL means "main"
     const struct rhw_shader_constant *constants;
     uint32_t constant_count;
 };
@@ -37,17 +49,105 @@ struct rhw_shader_def {
 typedef struct rhw_shader rhw_shader;
 
 /// Translate an entry point of a module of `size` bytes. The words may be in either order of bytes, and are copied.
-/// Set *shader to NULL on failure, and put one line into `message`, which has RHW_SHADER_MESSAGE bytes, unless it is
-/// NULL. The result is RHW_ERROR_MISUSE for a module that is refused, or RHW_ERROR_OUT_OF_MEMORY.
+/// Return RHW_ERROR_MISUSE for a module or a definition that is refused, or RHW_ERROR_OUT_OF_MEMORY. On failure
+/// *shader is NULL, and `message`, which has RHW_SHADER_MESSAGE bytes or is NULL, gets one line.
 RHW_API enum rhw_result rhw_shader_create(const void *words, size_t size, const struct rhw_shader_def *def,
                                           rhw_shader **shader, char *message);
-/// `shader` may be NULL. No pipeline of it may be used any more.
+/// Destroy a shader, which may be NULL. Programs that were linked of it go on.
 RHW_API void rhw_shader_destroy(rhw_shader *shader);
 
-/// What a draw or dispatch gives its shaders. The uniforms of the draw (rhw_pass_set_uniforms) are this struct.
+// Reflection -----------------------------------------------------------------------------------------
+
+/// What a binding of a set is to a shader (Vulkan 1.3 §14.1, "Descriptor Types").
+enum rhw_shader_resource_kind {
+    RHW_SHADER_UNIFORM_BUFFER,   ///< binding: rhw_binding_of_buffer, rhw_binding_of_memory
+    RHW_SHADER_STORAGE_BUFFER,   ///< binding: rhw_binding_of_buffer, rhw_binding_of_memory
+    RHW_SHADER_SAMPLED_TEXTURE,  ///< combined image sampler: rhw_binding_of_texture with a sampler
+    RHW_SHADER_TEXTURE,          ///< sampled image: rhw_binding_of_texture
+    RHW_SHADER_SAMPLER,          ///< rhw_binding_of_sampler
+    RHW_SHADER_STORAGE_IMAGE,    ///< rhw_binding_of_image
+    RHW_SHADER_TEXEL_BUFFER,     ///< uniform or storage texel buffer: rhw_binding_of_texels
+    RHW_SHADER_INPUT_ATTACHMENT, ///< rhw_binding_of_texture without a sampler
+};
+
+/// A buffer, image or sampler that a shader names and uses.
+struct rhw_shader_resource {
+    enum rhw_shader_resource_kind kind;
+    uint32_t set, binding;
+    uint32_t
+        count; ///< elements of an array; 1 where there is none; 0 if the layout of the program says how many
+    const char *name; ///< name in the module, or "" if the module has none; lives as long as the shader
+    uint32_t size; ///< bytes of a buffer up to its last member, or of the part before a member without length
+};
+
+/// A scalar, vector or column that a shader reads from the stage before, or gives to the one after.
+struct rhw_shader_variable {
+    uint32_t
+        location; ///< of vertices, number of the attribute; what a fragment shader writes, number of the target
+    uint32_t component;  ///< first of the components, 0..3
+    uint32_t components; ///< how many, 1..4
+    bool is_integer;
+    const char *name; ///< name in the module, or ""; lives as long as the shader
+};
+
+struct rhw_shader_info {
+    enum rhw_shader_stage stage;
+    const struct rhw_shader_resource *resources; ///< by set and binding
+    uint32_t resource_count;
+    const struct rhw_shader_variable *inputs,
+        *outputs; ///< by location and component, built-in variables left out
+    uint32_t input_count, output_count;
+    uint32_t push_size;   ///< bytes of push constants up to the last that is read
+    uint32_t size[3];     ///< invocations of a workgroup in each direction; of compute
+    uint32_t shared_size; ///< bytes that they share
+};
+
+/// Return what a shader is. It lives as long as the shader.
+RHW_API const struct rhw_shader_info *rhw_shader_get_info(const rhw_shader *shader);
+
+// Linking --------------------------------------------------------------------------------------------
+
+/// How many bindings of a set have a number (Vulkan 1.3 §14.2.1, "Descriptor Set Layout").
+struct rhw_shader_layout {
+    uint32_t set, binding;
+    uint32_t count;
+};
+
+struct rhw_shader_program_def {
+    const rhw_shader *vertex, *fragment; ///< fragment: NULL draws depth only
+    const rhw_shader *compute;           ///< alone
+    /// What the sets have, in any order, in order that several programs share sets. NULL: what the shaders name, where a
+    /// binding that both name has the larger count.
+    const struct rhw_shader_layout *layout;
+    uint32_t layout_count;
+};
+
+/// Shaders that fit together.
+typedef struct rhw_shader_program rhw_shader_program;
+
+/// Link shaders. They may be destroyed afterwards. Return RHW_ERROR_MISUSE where they do not fit, with one line as
+/// rhw_shader_create does, or RHW_ERROR_OUT_OF_MEMORY; *program is NULL then.
+RHW_API enum rhw_result rhw_shader_program_create(const struct rhw_shader_program_def *def,
+                                                  rhw_shader_program **program, char *message);
+/// Destroy a program, which may be NULL. No pipeline of it exists any more, and no dispatch of it is under way.
+RHW_API void rhw_shader_program_destroy(rhw_shader_program *program);
+
+/// Return what rhw_pipeline_def.program takes. Attribute i of the pipeline is location i. The uniforms of the draw are
+/// a struct rhw_shader_frame (rhw_pass_set_uniforms).
+RHW_API const struct rhw_program *rhw_shader_program_get(const rhw_shader_program *program);
+/// Return what rhw_dispatch_def.program takes. The uniforms of the dispatch are a struct rhw_shader_frame.
+RHW_API const struct rhw_compute_program *rhw_shader_program_get_compute(const rhw_shader_program *program);
+
+/// Return the place of a binding in the array of its set: that of the first element. −1: the set does not have it.
+RHW_API int rhw_shader_program_find(const rhw_shader_program *program, uint32_t set, uint32_t binding);
+/// Return how many elements the array of a set has.
+RHW_API uint32_t rhw_shader_program_set_size(const rhw_shader_program *program, uint32_t set);
+
+/// What a draw or dispatch gives its shaders. The memory that it points to lives, unchanged, until the pass or the
+/// dispatch has run.
 struct rhw_shader_frame {
-    /// Descriptor sets. Bindings of a set lie behind one another in the order of their numbers, arrays with all their
-    /// elements; rhw_shader_resource_at tells where. NULL and empty bindings are allowed, and read as 0.
+    /// Sets. Bindings of a set lie behind one another in the order of their numbers, arrays with all their elements
+    /// (rhw_shader_program_find). A set may be NULL, and a binding empty: they read as 0.
     const struct rhw_binding *sets[RHW_SHADER_MAX_SETS];
     const void *push_constants;
     uint32_t push_size; ///< bytes at `push_constants`

@@ -76,7 +76,8 @@ bool shader_is_number(const struct shader_builder *builder, uint32_t value, uint
 static void append(struct shader_program *program, uint32_t node)
 {
     if (program->code_count == program->code_room) {
-        program->code = shader_grow(program->memory, program->code, &program->code_room, sizeof *program->code);
+        program->code =
+            shader_grow(program->memory, program->code, &program->code_room, sizeof *program->code);
     }
     program->code[program->code_count++] = node;
 }
@@ -222,22 +223,24 @@ static void find_labels(struct shader_builder *builder)
     }
 }
 
-struct shader_program *shader_build(const struct shader_module *module, const struct shader_entry_point *entry)
+struct shader_program *shader_build(const struct shader_module *module,
+                                    const struct shader_entry_point *entry)
 {
     struct shader_memory *const memory = module->memory;
     struct shader_program *const program = shader_take(memory, 1, sizeof *program);
     struct shader_builder *const builder = shader_take(memory, 1, sizeof *builder);
     *program = (struct shader_program){.memory = memory, .module = module, .entry = entry};
-    *builder = (struct shader_builder){.module = module,
-                                       .entry = entry,
-                                       .program = program,
-                                       .memory = memory,
-                                       .word = entry->word,
-                                       .built = shader_take(memory, module->bound, sizeof(struct shader_built)),
-                                       .label_words = shader_take(memory, module->bound, sizeof(uint32_t)),
-                                       .visited = shader_take(memory, module->bound, sizeof(uint32_t)),
-                                       .output_homes = shader_take(memory, SHADER_OUT_COUNT, sizeof(uint32_t)),
-                                       .constant_buckets = shader_take(memory, CONSTANT_BUCKETS, sizeof(uint32_t))};
+    *builder =
+        (struct shader_builder){.module = module,
+                                .entry = entry,
+                                .program = program,
+                                .memory = memory,
+                                .word = entry->word,
+                                .built = shader_take(memory, module->bound, sizeof(struct shader_built)),
+                                .label_words = shader_take(memory, module->bound, sizeof(uint32_t)),
+                                .visited = shader_take(memory, module->bound, sizeof(uint32_t)),
+                                .output_homes = shader_take(memory, SHADER_OUT_COUNT, sizeof(uint32_t)),
+                                .constant_buckets = shader_take(memory, CONSTANT_BUCKETS, sizeof(uint32_t))};
     memset(builder->output_homes, 0xff, SHADER_OUT_COUNT * sizeof(uint32_t));
     (void)shader_number(builder, 0); // so that no other node has the number 0
     find_labels(builder);

@@ -32,9 +32,9 @@ struct shader_place {
     struct shader_dynamic_index dynamic[SHADER_MAX_DYNAMIC];
     uint32_t dynamic_count;
     // BUFFER, WORKGROUP and RESOURCE
-    uint32_t buffer; // node
-    uint32_t bytes;  // constant part of the offset
-    uint32_t offset; // value: the rest of it, or SHADER_NO_VALUE
+    uint32_t buffer;                    // node
+    uint32_t bytes;                     // constant part of the offset
+    uint32_t offset;                    // value: the rest of it, or SHADER_NO_VALUE
     const struct shader_member *matrix; // member whose matrices have the layout that counts here
     uint32_t row_stride;                // bytes from row to row of a column of such a matrix; 0: 4
     uint32_t resource;                  // number in the program, of what is no element yet
@@ -77,9 +77,9 @@ struct shader_fact_change {
 // The function that is being translated.
 struct shader_frame {
     const struct shader_function *function;
-    uint32_t region;   // what a return leaves, or 0
-    uint32_t *result;  // homes of what it returns
-    uint32_t nesting;  // where the function begins
+    uint32_t region;  // what a return leaves, or 0
+    uint32_t *result; // homes of what it returns
+    uint32_t nesting; // where the function begins
     struct shader_frame *caller;
 };
 
@@ -92,7 +92,7 @@ struct shader_builder {
     struct shader_facts facts;
     uint32_t *label_words; // by id: the word of its OpLabel
     uint32_t *visited;     // by id of a label: number of the call that translated it
-    uint32_t call, calls; // number of the call under way, and how many there were
+    uint32_t call, calls;  // number of the call under way, and how many there were
     uint32_t nesting;
     uint32_t block; // label of the block that is being translated
     uint32_t word;  // instruction that is being translated

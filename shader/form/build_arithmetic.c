@@ -83,7 +83,8 @@ static const struct plain_operation plain_operations[] = {
     {SPIRV_OP_Bitcast, SHADER_COPY, 1, false, false},
 };
 
-static uint32_t build_plain(struct shader_builder *builder, const struct plain_operation *plain, uint32_t a, uint32_t b)
+static uint32_t build_plain(struct shader_builder *builder, const struct plain_operation *plain, uint32_t a,
+                            uint32_t b)
 {
     if (plain->op == SHADER_COPY) {
         return a;
@@ -120,14 +121,14 @@ static uint32_t magnitude(struct shader_builder *builder, uint32_t x)
 static uint32_t field_mask(struct shader_builder *builder, uint32_t offset, uint32_t count)
 {
     const uint32_t all = shader_number(builder, UINT32_MAX), whole = shader_number(builder, 32);
-    const uint32_t ones =
-        emit2(builder, SHADER_SHIFT_RIGHT, all, emit2(builder, SHADER_ISUB, whole, count));
+    const uint32_t ones = emit2(builder, SHADER_SHIFT_RIGHT, all, emit2(builder, SHADER_ISUB, whole, count));
     const uint32_t is_none = emit2(builder, SHADER_IEQUAL, count, shader_number(builder, 0));
     const uint32_t mask = shader_emit(builder, SHADER_SELECT, is_none, shader_number(builder, 0), ones);
     return emit2(builder, SHADER_SHIFT_LEFT, mask, offset);
 }
 
-static uint32_t insert_field(struct shader_builder *builder, uint32_t base, uint32_t insert, uint32_t offset, uint32_t count)
+static uint32_t insert_field(struct shader_builder *builder, uint32_t base, uint32_t insert, uint32_t offset,
+                             uint32_t count)
 {
     const uint32_t mask = field_mask(builder, offset, count);
     const uint32_t moved = emit2(builder, SHADER_SHIFT_LEFT, insert, offset);
@@ -135,7 +136,8 @@ static uint32_t insert_field(struct shader_builder *builder, uint32_t base, uint
                  emit2(builder, SHADER_AND, moved, mask));
 }
 
-static uint32_t extract_field(struct shader_builder *builder, uint32_t base, uint32_t offset, uint32_t count, bool is_signed)
+static uint32_t extract_field(struct shader_builder *builder, uint32_t base, uint32_t offset, uint32_t count,
+                              bool is_signed)
 {
     const uint32_t whole = shader_number(builder, 32);
     const uint32_t above = emit2(builder, SHADER_ISUB, emit2(builder, SHADER_ISUB, whole, offset), count);
@@ -147,13 +149,16 @@ static uint32_t extract_field(struct shader_builder *builder, uint32_t base, uin
 }
 
 // Operations that are several of the form. Return false where the instruction is none of them.
-static bool build_composed(struct shader_builder *builder, uint32_t opcode, const uint32_t v[4], uint32_t *result)
+static bool build_composed(struct shader_builder *builder, uint32_t opcode, const uint32_t v[4],
+                           uint32_t *result)
 {
     const uint32_t zero = shader_number(builder, 0);
     uint32_t less, greater;
     switch (opcode) {
     case SPIRV_OP_SNegate: *result = emit2(builder, SHADER_ISUB, zero, v[0]); return true;
-    case SPIRV_OP_FNegate: *result = emit2(builder, SHADER_XOR, v[0], shader_number(builder, SIGN_BIT)); return true;
+    case SPIRV_OP_FNegate:
+        *result = emit2(builder, SHADER_XOR, v[0], shader_number(builder, SIGN_BIT));
+        return true;
     case SPIRV_OP_FRem: *result = float_rest(builder, v[0], v[1], SHADER_TRUNC); return true;
     case SPIRV_OP_FMod: *result = float_rest(builder, v[0], v[1], SHADER_FLOOR); return true;
     case SPIRV_OP_SMod: *result = signed_modulo(builder, v[0], v[1]); return true;
@@ -288,7 +293,8 @@ static void multiply_row(struct shader_builder *builder, uint32_t v_id, uint32_t
     const struct shader_type *const type = shader_result_type(builder);
     const uint32_t *const v = shader_scalars(builder, v_id), *const m = shader_scalars(builder, m_id);
     const uint32_t rows = rows_of(m_type);
-    check_shape(builder, rows_of(shader_type_of_value(builder, v_id)) == rows && rows_of(type) == columns_of(m_type));
+    check_shape(builder,
+                rows_of(shader_type_of_value(builder, v_id)) == rows && rows_of(type) == columns_of(m_type));
     uint32_t *const result = shader_new_scalars(builder, type);
     for (uint32_t c = 0; c < columns_of(m_type); c++) {
         uint32_t sum = SHADER_NO_VALUE;
@@ -317,7 +323,8 @@ static void build_outer_product(struct shader_builder *builder)
     const uint32_t rows = rows_of(type);
     uint32_t *const result = shader_new_scalars(builder, type);
     for (uint32_t i = 0; i < type->scalars; i++) {
-        result[i] = emit2(builder, SHADER_FMUL, component(builder, 3, i % rows), component(builder, 4, i / rows));
+        result[i] =
+            emit2(builder, SHADER_FMUL, component(builder, 3, i % rows), component(builder, 4, i / rows));
     }
     shader_define(builder, result);
 }
@@ -373,7 +380,8 @@ static void build_extended(struct shader_builder *builder, uint32_t opcode)
             high = emit2(builder, SHADER_AND, emit2(builder, SHADER_ULESS, a, b), one);
         } else {
             low = emit2(builder, SHADER_IMUL, a, b);
-            high = emit2(builder, opcode == SPIRV_OP_UMulExtended ? SHADER_UMUL_HIGH : SHADER_IMUL_HIGH, a, b);
+            high =
+                emit2(builder, opcode == SPIRV_OP_UMulExtended ? SHADER_UMUL_HIGH : SHADER_IMUL_HIGH, a, b);
         }
         result[i] = low;
         result[count + i] = high;
@@ -404,7 +412,7 @@ bool shader_build_arithmetic(struct shader_builder *builder, uint32_t opcode)
     case SPIRV_OP_SMulExtended: build_extended(builder, opcode); return true;
     default: break;
     }
-    const bool is_component = find_plain(opcode) != NULL ||
-                              (opcode >= SPIRV_OP_QuantizeToF16 && opcode <= SPIRV_OP_BitCount);
+    const bool is_component =
+        find_plain(opcode) != NULL || (opcode >= SPIRV_OP_QuantizeToF16 && opcode <= SPIRV_OP_BitCount);
     return is_component && build_components(builder, opcode);
 }

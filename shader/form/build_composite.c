@@ -5,8 +5,8 @@
 #include <string.h>
 
 // Find the part that literals from operand `first` on name. Return its type, and where its scalars begin.
-static const struct shader_type *find_part(const struct shader_builder *builder, const struct shader_type *type,
-                                           uint32_t first, uint32_t *begin)
+static const struct shader_type *find_part(const struct shader_builder *builder,
+                                           const struct shader_type *type, uint32_t first, uint32_t *begin)
 {
     *begin = 0;
     for (uint32_t i = first; i < shader_word_count(builder); i++) {
@@ -33,7 +33,8 @@ static void check_type(const struct shader_builder *builder, const struct shader
                        const struct shader_type *expected)
 {
     if (type != expected) {
-        shader_build_refuse(builder, "a part is of the type of id %u, not %u", (unsigned)type->id, (unsigned)expected->id);
+        shader_build_refuse(builder, "a part is of the type of id %u, not %u", (unsigned)type->id,
+                            (unsigned)expected->id);
     }
 }
 
@@ -62,7 +63,8 @@ static void build_extract(struct shader_builder *builder)
 {
     const uint32_t id = shader_operand(builder, 3);
     uint32_t begin;
-    check_type(builder, find_part(builder, shader_type_of_value(builder, id), 4, &begin), shader_result_type(builder));
+    check_type(builder, find_part(builder, shader_type_of_value(builder, id), 4, &begin),
+               shader_result_type(builder));
     shader_define(builder, shader_scalars(builder, id) + begin);
 }
 
@@ -75,7 +77,8 @@ static void build_insert(struct shader_builder *builder)
     check_type(builder, find_part(builder, type, 5, &begin), shader_type_of_value(builder, part));
     uint32_t *const result = shader_new_scalars(builder, type);
     memcpy(result, shader_scalars(builder, whole), type->scalars * sizeof *result);
-    memcpy(result + begin, shader_scalars(builder, part), shader_type_of_value(builder, part)->scalars * sizeof *result);
+    memcpy(result + begin, shader_scalars(builder, part),
+           shader_type_of_value(builder, part)->scalars * sizeof *result);
     shader_define(builder, result);
 }
 
@@ -106,7 +109,8 @@ static uint32_t is_component(struct shader_builder *builder, uint32_t index, uin
 
 static void build_extract_dynamic(struct shader_builder *builder)
 {
-    const uint32_t id = shader_operand(builder, 3), index = shader_scalars(builder, shader_operand(builder, 4))[0];
+    const uint32_t id = shader_operand(builder, 3),
+                   index = shader_scalars(builder, shader_operand(builder, 4))[0];
     const uint32_t *const scalars = shader_scalars(builder, id);
     const uint32_t count = shader_type_of_value(builder, id)->scalars;
     uint32_t result = scalars[count - 1];
@@ -118,7 +122,8 @@ static void build_extract_dynamic(struct shader_builder *builder)
 
 static void build_insert_dynamic(struct shader_builder *builder)
 {
-    const uint32_t id = shader_operand(builder, 3), part = shader_scalars(builder, shader_operand(builder, 4))[0];
+    const uint32_t id = shader_operand(builder, 3),
+                   part = shader_scalars(builder, shader_operand(builder, 4))[0];
     const uint32_t index = shader_scalars(builder, shader_operand(builder, 5))[0];
     const struct shader_type *const type = shader_result_type(builder);
     check_type(builder, shader_type_of_value(builder, id), type);

@@ -87,7 +87,8 @@ static void set_phis(struct shader_builder *builder, uint32_t label)
                 operand += 2;
             }
             if (operand + 1 >= shader_word_count(builder)) {
-                shader_build_refuse(builder, "it has no value for control flow from block %u", (unsigned)from);
+                shader_build_refuse(builder, "it has no value for control flow from block %u",
+                                    (unsigned)from);
             }
             if (writes) {
                 for (uint32_t i = 0; i < type->scalars; i++) {
@@ -194,7 +195,8 @@ static void build_instruction(struct shader_builder *builder, uint32_t opcode)
 // Ends of blocks -------------------------------------------------------------------------------------
 
 // Translate both ways, each until it comes to `stop`.
-static void build_if(struct shader_builder *builder, uint32_t condition, uint32_t if_true, uint32_t if_false, uint32_t stop)
+static void build_if(struct shader_builder *builder, uint32_t condition, uint32_t if_true, uint32_t if_false,
+                     uint32_t stop)
 {
     const uint32_t block = builder->block;
     uint32_t bits;
@@ -283,15 +285,16 @@ static bool has_phis(const struct shader_builder *builder, uint32_t label)
 }
 
 // List the cases in an order in which each goes only to later ones. Return how many there are.
-static uint32_t list_cases(struct shader_builder *builder, uint32_t selector, uint32_t merge, struct switch_case *cases)
+static uint32_t list_cases(struct shader_builder *builder, uint32_t selector, uint32_t merge,
+                           struct switch_case *cases)
 {
     const uint32_t words = shader_word_count(builder), otherwise = shader_operand(builder, 2);
     uint32_t count = 0, any = shader_number(builder, 0);
     bool has_default = otherwise == merge && !has_phis(builder, merge);
     for (uint32_t i = 3; i + 1 < words; i += 2) {
         const uint32_t label = shader_operand(builder, i + 1);
-        const uint32_t match =
-            shader_emit(builder, SHADER_IEQUAL, selector, shader_number(builder, shader_operand(builder, i)), 0);
+        const uint32_t match = shader_emit(builder, SHADER_IEQUAL, selector,
+                                           shader_number(builder, shader_operand(builder, i)), 0);
         any = shader_emit(builder, SHADER_OR, any, match, 0);
         uint32_t same = 0;
         while (same < count && cases[same].label != label) {
@@ -314,8 +317,9 @@ static uint32_t list_cases(struct shader_builder *builder, uint32_t selector, ui
     const uint32_t none = shader_emit(builder, SHADER_NOT, any, 0, 0);
     for (uint32_t i = 0; i < count; i++) {
         if (cases[i].label == otherwise) {
-            cases[i].match = cases[i].match == SHADER_NO_VALUE ? none
-                                                               : shader_emit(builder, SHADER_OR, cases[i].match, none, 0);
+            cases[i].match = cases[i].match == SHADER_NO_VALUE
+                                 ? none
+                                 : shader_emit(builder, SHADER_OR, cases[i].match, none, 0);
         }
     }
     return count;
@@ -399,7 +403,8 @@ static uint32_t build_block(struct shader_builder *builder, uint32_t label, uint
     }
     if (builder->visited[label] == builder->call) {
         builder->word = word;
-        shader_build_refuse(builder, "control flow comes to block %u on ways that do not nest", (unsigned)label);
+        shader_build_refuse(builder, "control flow comes to block %u on ways that do not nest",
+                            (unsigned)label);
     }
     builder->visited[label] = builder->call;
     builder->block = label;
@@ -542,8 +547,9 @@ static void build_from(struct shader_builder *builder, uint32_t label, uint32_t 
         return;
     }
     if (construct->region == 0) {
-        shader_build_refuse(builder, "control flow leaves a construct for block %u, which is not allowed to be left for",
-                            (unsigned)label);
+        shader_build_refuse(
+            builder, "control flow leaves a construct for block %u, which is not allowed to be left for",
+            (unsigned)label);
     }
     if (construct->fall != 0) {
         shader_set_home(builder, construct->fall, shader_number(builder, UINT32_MAX));

@@ -5,17 +5,81 @@
 #define SIGN_BIT 0x80000000u
 
 enum glsl_instruction {
-    GLSL_ROUND = 1, GLSL_ROUND_EVEN, GLSL_TRUNC, GLSL_FABS, GLSL_SABS, GLSL_FSIGN, GLSL_SSIGN, GLSL_FLOOR,
-    GLSL_CEIL, GLSL_FRACT, GLSL_RADIANS, GLSL_DEGREES, GLSL_SIN, GLSL_COS, GLSL_TAN, GLSL_ASIN, GLSL_ACOS,
-    GLSL_ATAN, GLSL_SINH, GLSL_COSH, GLSL_TANH, GLSL_ASINH, GLSL_ACOSH, GLSL_ATANH, GLSL_ATAN2, GLSL_POW,
-    GLSL_EXP, GLSL_LOG, GLSL_EXP2, GLSL_LOG2, GLSL_SQRT, GLSL_INVERSE_SQRT, GLSL_DETERMINANT,
-    GLSL_MATRIX_INVERSE, GLSL_MODF, GLSL_MODF_STRUCT, GLSL_FMIN, GLSL_UMIN, GLSL_SMIN, GLSL_FMAX, GLSL_UMAX,
-    GLSL_SMAX, GLSL_FCLAMP, GLSL_UCLAMP, GLSL_SCLAMP, GLSL_FMIX, GLSL_STEP = 48, GLSL_SMOOTH_STEP, GLSL_FMA,
-    GLSL_FREXP, GLSL_FREXP_STRUCT, GLSL_LDEXP, GLSL_PACK_SNORM4X8, GLSL_PACK_UNORM4X8, GLSL_PACK_SNORM2X16,
-    GLSL_PACK_UNORM2X16, GLSL_PACK_HALF2X16, GLSL_UNPACK_SNORM2X16 = 60, GLSL_UNPACK_UNORM2X16,
-    GLSL_UNPACK_HALF2X16, GLSL_UNPACK_SNORM4X8, GLSL_UNPACK_UNORM4X8, GLSL_LENGTH = 66, GLSL_DISTANCE,
-    GLSL_CROSS, GLSL_NORMALIZE, GLSL_FACE_FORWARD, GLSL_REFLECT, GLSL_REFRACT, GLSL_FIND_I_LSB,
-    GLSL_FIND_S_MSB, GLSL_FIND_U_MSB, GLSL_NMIN = 79, GLSL_NMAX, GLSL_NCLAMP
+    GLSL_ROUND = 1,
+    GLSL_ROUND_EVEN,
+    GLSL_TRUNC,
+    GLSL_FABS,
+    GLSL_SABS,
+    GLSL_FSIGN,
+    GLSL_SSIGN,
+    GLSL_FLOOR,
+    GLSL_CEIL,
+    GLSL_FRACT,
+    GLSL_RADIANS,
+    GLSL_DEGREES,
+    GLSL_SIN,
+    GLSL_COS,
+    GLSL_TAN,
+    GLSL_ASIN,
+    GLSL_ACOS,
+    GLSL_ATAN,
+    GLSL_SINH,
+    GLSL_COSH,
+    GLSL_TANH,
+    GLSL_ASINH,
+    GLSL_ACOSH,
+    GLSL_ATANH,
+    GLSL_ATAN2,
+    GLSL_POW,
+    GLSL_EXP,
+    GLSL_LOG,
+    GLSL_EXP2,
+    GLSL_LOG2,
+    GLSL_SQRT,
+    GLSL_INVERSE_SQRT,
+    GLSL_DETERMINANT,
+    GLSL_MATRIX_INVERSE,
+    GLSL_MODF,
+    GLSL_MODF_STRUCT,
+    GLSL_FMIN,
+    GLSL_UMIN,
+    GLSL_SMIN,
+    GLSL_FMAX,
+    GLSL_UMAX,
+    GLSL_SMAX,
+    GLSL_FCLAMP,
+    GLSL_UCLAMP,
+    GLSL_SCLAMP,
+    GLSL_FMIX,
+    GLSL_STEP = 48,
+    GLSL_SMOOTH_STEP,
+    GLSL_FMA,
+    GLSL_FREXP,
+    GLSL_FREXP_STRUCT,
+    GLSL_LDEXP,
+    GLSL_PACK_SNORM4X8,
+    GLSL_PACK_UNORM4X8,
+    GLSL_PACK_SNORM2X16,
+    GLSL_PACK_UNORM2X16,
+    GLSL_PACK_HALF2X16,
+    GLSL_UNPACK_SNORM2X16 = 60,
+    GLSL_UNPACK_UNORM2X16,
+    GLSL_UNPACK_HALF2X16,
+    GLSL_UNPACK_SNORM4X8,
+    GLSL_UNPACK_UNORM4X8,
+    GLSL_LENGTH = 66,
+    GLSL_DISTANCE,
+    GLSL_CROSS,
+    GLSL_NORMALIZE,
+    GLSL_FACE_FORWARD,
+    GLSL_REFLECT,
+    GLSL_REFRACT,
+    GLSL_FIND_I_LSB,
+    GLSL_FIND_S_MSB,
+    GLSL_FIND_U_MSB,
+    GLSL_NMIN = 79,
+    GLSL_NMAX,
+    GLSL_NCLAMP
 };
 
 // Operands of the instruction: component i of operand o, counted behind the number of the instruction.
@@ -95,14 +159,16 @@ static uint32_t mix(struct shader_builder *b, uint32_t x, uint32_t y, uint32_t a
 
 static uint32_t smooth_step(struct shader_builder *b, uint32_t from, uint32_t to, uint32_t x)
 {
-    const uint32_t part = emit2(b, SHADER_FDIV, emit2(b, SHADER_FSUB, x, from), emit2(b, SHADER_FSUB, to, from));
+    const uint32_t part =
+        emit2(b, SHADER_FDIV, emit2(b, SHADER_FSUB, x, from), emit2(b, SHADER_FSUB, to, from));
     const uint32_t t = emit2(b, SHADER_FMIN, emit2(b, SHADER_FMAX, part, number(b, 0.0f)), number(b, 1.0f));
     const uint32_t rest = emit2(b, SHADER_FSUB, number(b, 3.0f), emit2(b, SHADER_FMUL, number(b, 2.0f), t));
     return emit2(b, SHADER_FMUL, emit2(b, SHADER_FMUL, t, t), rest);
 }
 
 // The instructions that work component by component, on up to three operands.
-static bool build_component(struct shader_builder *b, uint32_t instruction, const uint32_t v[3], uint32_t *result)
+static bool build_component(struct shader_builder *b, uint32_t instruction, const uint32_t v[3],
+                            uint32_t *result)
 {
     const uint32_t x = v[0], y = v[1], z = v[2];
     switch (instruction) {
@@ -156,7 +222,9 @@ static bool build_component(struct shader_builder *b, uint32_t instruction, cons
         return true;
     }
     case GLSL_FMIX: *result = mix(b, x, y, z); return true;
-    case GLSL_STEP: *result = select(b, emit2(b, SHADER_FLESS, y, x), number(b, 0.0f), number(b, 1.0f)); return true;
+    case GLSL_STEP:
+        *result = select(b, emit2(b, SHADER_FLESS, y, x), number(b, 0.0f), number(b, 1.0f));
+        return true;
     case GLSL_SMOOTH_STEP: *result = smooth_step(b, x, y, z); return true;
     case GLSL_FMA: *result = emit2(b, SHADER_FADD, emit2(b, SHADER_FMUL, x, y), z); return true;
     case GLSL_LDEXP: *result = emit2(b, SHADER_LDEXP, x, y); return true;
@@ -249,7 +317,8 @@ static void build_refract(struct shader_builder *b)
     const uint32_t count = shader_result_type(b)->scalars, eta = operand(b, 2, 0), one = number(b, 1.0f);
     const uint32_t d = dot(b, 1, 0, count);
     const uint32_t rest = emit2(b, SHADER_FSUB, one, emit2(b, SHADER_FMUL, d, d));
-    const uint32_t k = emit2(b, SHADER_FSUB, one, emit2(b, SHADER_FMUL, emit2(b, SHADER_FMUL, eta, eta), rest));
+    const uint32_t k =
+        emit2(b, SHADER_FSUB, one, emit2(b, SHADER_FMUL, emit2(b, SHADER_FMUL, eta, eta), rest));
     const uint32_t along = emit2(b, SHADER_FADD, emit2(b, SHADER_FMUL, eta, d), emit1(b, SHADER_FSQRT, k));
     const uint32_t is_inside = emit2(b, SHADER_FLESS, k, number(b, 0.0f));
     uint32_t *const result = shader_new_scalars(b, shader_result_type(b));
@@ -282,7 +351,8 @@ static bool build_vector(struct shader_builder *b, uint32_t instruction)
 // Matrices -------------------------------------------------------------------------------------------
 
 // The determinant of the rows and columns that are left after taking away `row` and `column`, of a matrix of 2 to 4.
-static uint32_t minor_of(struct shader_builder *b, const uint32_t *m, uint32_t size, uint32_t row, uint32_t column)
+static uint32_t minor_of(struct shader_builder *b, const uint32_t *m, uint32_t size, uint32_t row,
+                         uint32_t column)
 {
     uint32_t left[9], count = 0;
     for (uint32_t c = 0; c < size; c++) {
@@ -296,7 +366,8 @@ static uint32_t minor_of(struct shader_builder *b, const uint32_t *m, uint32_t s
         return left[0];
     }
     if (size == 3) {
-        return emit2(b, SHADER_FSUB, emit2(b, SHADER_FMUL, left[0], left[3]), emit2(b, SHADER_FMUL, left[2], left[1]));
+        return emit2(b, SHADER_FSUB, emit2(b, SHADER_FMUL, left[0], left[3]),
+                     emit2(b, SHADER_FMUL, left[2], left[1]));
     }
     uint32_t sum = SHADER_NO_VALUE;
     for (uint32_t c = 0; c < 3; c++) {
@@ -333,7 +404,8 @@ static void build_matrix(struct shader_builder *b, bool inverts)
     for (uint32_t c = 0; c < size; c++) {
         for (uint32_t r = 0; r < size; r++) {
             const uint32_t part = emit2(b, SHADER_FDIV, minor_of(b, m, size, c, r), whole);
-            result[c * size + r] = (c + r) % 2 ? emit2(b, SHADER_XOR, part, shader_number(b, SIGN_BIT)) : part;
+            result[c * size + r] =
+                (c + r) % 2 ? emit2(b, SHADER_XOR, part, shader_number(b, SIGN_BIT)) : part;
         }
     }
     shader_define(b, result);
@@ -344,7 +416,8 @@ static void build_matrix(struct shader_builder *b, bool inverts)
 // Round x, held to ±1 or 0..1, to the nearest of `scale` steps.
 static uint32_t steps_of(struct shader_builder *b, uint32_t x, float scale, bool is_signed)
 {
-    const uint32_t held = emit2(b, SHADER_FMIN, emit2(b, SHADER_FMAX, x, number(b, is_signed ? -1.0f : 0.0f)), number(b, 1.0f));
+    const uint32_t held =
+        emit2(b, SHADER_FMIN, emit2(b, SHADER_FMAX, x, number(b, is_signed ? -1.0f : 0.0f)), number(b, 1.0f));
     const uint32_t whole = emit1(b, SHADER_ROUND_EVEN, emit2(b, SHADER_FMUL, held, number(b, scale)));
     return emit1(b, SHADER_INT_FROM_FLOAT, whole);
 }
@@ -366,10 +439,12 @@ static void build_unpack(struct shader_builder *b, uint32_t bits, bool is_signed
     const float scale = (float)((1u << (bits - is_signed)) - 1);
     uint32_t result[4];
     for (uint32_t i = 0; i < 32 / bits; i++) {
-        const uint32_t above = emit2(b, SHADER_SHIFT_LEFT, operand(b, 0, 0), shader_number(b, 32 - bits * (i + 1)));
+        const uint32_t above =
+            emit2(b, SHADER_SHIFT_LEFT, operand(b, 0, 0), shader_number(b, 32 - bits * (i + 1)));
         const uint32_t field = emit2(b, is_signed ? SHADER_SHIFT_RIGHT_SIGNED : SHADER_SHIFT_RIGHT, above,
                                      shader_number(b, 32 - bits));
-        const uint32_t value = emit2(b, SHADER_FDIV, emit1(b, SHADER_FLOAT_FROM_INT, field), number(b, scale));
+        const uint32_t value =
+            emit2(b, SHADER_FDIV, emit1(b, SHADER_FLOAT_FROM_INT, field), number(b, scale));
         result[i] = is_signed ? emit2(b, SHADER_FMAX, value, number(b, -1.0f)) : value;
     }
     if (shader_result_type(b)->scalars != 32 / bits) {
@@ -387,7 +462,8 @@ static void build_pack_halves(struct shader_builder *b)
 static void build_unpack_halves(struct shader_builder *b)
 {
     const uint32_t word = operand(b, 0, 0);
-    const uint32_t result[2] = {emit1(b, SHADER_UNPACK_LOW_HALF, word), emit1(b, SHADER_UNPACK_HIGH_HALF, word)};
+    const uint32_t result[2] = {emit1(b, SHADER_UNPACK_LOW_HALF, word),
+                                emit1(b, SHADER_UNPACK_HIGH_HALF, word)};
     if (shader_result_type(b)->scalars != 2) {
         shader_build_refuse(b, "the result has 2 components");
     }
@@ -444,7 +520,8 @@ void shader_build_glsl(struct shader_builder *builder)
             v[o] = operand(builder, o, i);
         }
         if (!build_component(builder, instruction, v, &result[i])) {
-            shader_build_refuse(builder, "instruction %u of GLSL.std.450 is not supported", (unsigned)instruction);
+            shader_build_refuse(builder, "instruction %u of GLSL.std.450 is not supported",
+                                (unsigned)instruction);
         }
     }
     shader_define(builder, result);

@@ -12,7 +12,8 @@ struct image_access {
     uint32_t spatial; // coordinates without the layer
 };
 
-static const struct shader_type *image_type_of(const struct shader_builder *builder, const struct shader_type *type)
+static const struct shader_type *image_type_of(const struct shader_builder *builder,
+                                               const struct shader_type *type)
 {
     const struct shader_type *const image = type->kind == SHADER_SAMPLED_IMAGE ? type->element : type;
     if (image->kind != SHADER_IMAGE) {
@@ -35,7 +36,8 @@ static uint32_t spatial_of(const struct shader_builder *builder, const struct sh
     }
 }
 
-static struct image_access begin_access(struct shader_builder *builder, uint32_t operand, enum shader_image_operation does)
+static struct image_access begin_access(struct shader_builder *builder, uint32_t operand,
+                                        enum shader_image_operation does)
 {
     const uint32_t id = shader_operand(builder, operand);
     const struct shader_place *const place = shader_place_of(builder, id);
@@ -58,7 +60,8 @@ static struct image_access begin_access(struct shader_builder *builder, uint32_t
 }
 
 // Components of an operand, at most `most`.
-static void take_components(struct shader_builder *builder, struct image_access *access, uint32_t id, uint32_t slot, uint32_t most)
+static void take_components(struct shader_builder *builder, struct image_access *access, uint32_t id,
+                            uint32_t slot, uint32_t most)
 {
     const uint32_t count = shader_type_of_value(builder, id)->scalars;
     if (count > 4) {
@@ -69,18 +72,20 @@ static void take_components(struct shader_builder *builder, struct image_access 
     }
 }
 
-static void take_coordinates(struct shader_builder *builder, struct image_access *access, uint32_t id, bool is_projective)
+static void take_coordinates(struct shader_builder *builder, struct image_access *access, uint32_t id,
+                             bool is_projective)
 {
     const uint32_t needed = access->spatial + (access->image->image.is_arrayed ? 1 : 0);
     const uint32_t count = shader_type_of_value(builder, id)->scalars;
     if (count < needed + (is_projective ? 1 : 0) || count > 4) {
-        shader_build_refuse(builder, "id %u has %u components; the image asks for %u", (unsigned)id, (unsigned)count,
-                            (unsigned)needed);
+        shader_build_refuse(builder, "id %u has %u components; the image asks for %u", (unsigned)id,
+                            (unsigned)count, (unsigned)needed);
     }
     take_components(builder, access, id, SHADER_IMAGE_COORDINATES, needed);
     for (uint32_t i = 0; is_projective && i < needed; i++) {
         uint32_t *const coordinate = &access->values[SHADER_IMAGE_COORDINATES + i];
-        *coordinate = shader_emit(builder, SHADER_FDIV, *coordinate, shader_scalars(builder, id)[count - 1], 0);
+        *coordinate =
+            shader_emit(builder, SHADER_FDIV, *coordinate, shader_scalars(builder, id)[count - 1], 0);
     }
 }
 
@@ -147,7 +152,8 @@ static void finish_access(struct shader_builder *builder, const struct image_acc
 }
 
 // The sampling instructions: with or without a level, a reference and a division by the last coordinate.
-static void build_sample(struct shader_builder *builder, bool is_explicit, bool has_reference, bool is_projective)
+static void build_sample(struct shader_builder *builder, bool is_explicit, bool has_reference,
+                         bool is_projective)
 {
     struct image_access access = begin_access(builder, 3, SHADER_DO_SAMPLE);
     const uint32_t id = shader_operand(builder, 4);
@@ -176,7 +182,8 @@ static void build_gather(struct shader_builder *builder, bool has_reference)
     if (has_reference) {
         take_components(builder, &access, shader_operand(builder, 5), SHADER_IMAGE_REFERENCE, 1);
         access.flags |= SHADER_IMAGE_HAS_REFERENCE;
-    } else if (!shader_is_number(builder, shader_scalars(builder, shader_operand(builder, 5))[0], &channel) || channel > 3) {
+    } else if (!shader_is_number(builder, shader_scalars(builder, shader_operand(builder, 5))[0], &channel) ||
+               channel > 3) {
         shader_build_refuse(builder, "the channel is a constant of 0 to 3");
     }
     access.flags |= channel << SHADER_IMAGE_CHANNEL_SHIFT;
@@ -261,7 +268,9 @@ bool shader_build_image(struct shader_builder *builder, uint32_t opcode)
 {
     switch (opcode) {
     case SPIRV_OP_SampledImage: build_sampled_image(builder); return true;
-    case SPIRV_OP_Image: shader_define_place(builder, shader_place_of(builder, shader_operand(builder, 3))); return true;
+    case SPIRV_OP_Image:
+        shader_define_place(builder, shader_place_of(builder, shader_operand(builder, 3)));
+        return true;
     case SPIRV_OP_ImageSampleImplicitLod: build_sample(builder, false, false, false); return true;
     case SPIRV_OP_ImageSampleExplicitLod: build_sample(builder, true, false, false); return true;
     case SPIRV_OP_ImageSampleDrefImplicitLod: build_sample(builder, false, true, false); return true;

@@ -11,21 +11,33 @@ struct built_in {
 };
 
 static const struct built_in built_in_inputs[] = {
-    {SPIRV_VERTEX_INDEX, SHADER_IN_VERTEX_INDEX, 1},       {SPIRV_INSTANCE_INDEX, SHADER_IN_INSTANCE_INDEX, 1},
-    {SPIRV_FRAG_COORD, SHADER_IN_COORD, 4},                {SPIRV_FRONT_FACING, SHADER_IN_FRONT_FACING, 1},
-    {SPIRV_PRIMITIVE_ID, SHADER_IN_PRIMITIVE, 1},          {SPIRV_SAMPLE_ID, SHADER_IN_SAMPLE_ID, 1},
-    {SPIRV_SAMPLE_POSITION, SHADER_IN_SAMPLE_POSITION, 2}, {SPIRV_SAMPLE_MASK, SHADER_IN_SAMPLE_MASK, 1},
-    {SPIRV_POINT_COORD, SHADER_IN_POINT_COORD, 2},         {SPIRV_LAYER, SHADER_IN_LAYER, 1},
-    {SPIRV_VIEWPORT_INDEX, SHADER_IN_VIEWPORT, 1},         {SPIRV_NUM_WORKGROUPS, SHADER_IN_WORKGROUP_COUNT, 3},
-    {SPIRV_WORKGROUP_ID, SHADER_IN_WORKGROUP, 3},          {SPIRV_LOCAL_INVOCATION_ID, SHADER_IN_LOCAL, 3},
-    {SPIRV_GLOBAL_INVOCATION_ID, SHADER_IN_GLOBAL, 3},     {SPIRV_LOCAL_INVOCATION_INDEX, SHADER_IN_LOCAL_INDEX, 1},
+    {SPIRV_VERTEX_INDEX, SHADER_IN_VERTEX_INDEX, 1},
+    {SPIRV_INSTANCE_INDEX, SHADER_IN_INSTANCE_INDEX, 1},
+    {SPIRV_FRAG_COORD, SHADER_IN_COORD, 4},
+    {SPIRV_FRONT_FACING, SHADER_IN_FRONT_FACING, 1},
+    {SPIRV_PRIMITIVE_ID, SHADER_IN_PRIMITIVE, 1},
+    {SPIRV_SAMPLE_ID, SHADER_IN_SAMPLE_ID, 1},
+    {SPIRV_SAMPLE_POSITION, SHADER_IN_SAMPLE_POSITION, 2},
+    {SPIRV_SAMPLE_MASK, SHADER_IN_SAMPLE_MASK, 1},
+    {SPIRV_POINT_COORD, SHADER_IN_POINT_COORD, 2},
+    {SPIRV_LAYER, SHADER_IN_LAYER, 1},
+    {SPIRV_VIEWPORT_INDEX, SHADER_IN_VIEWPORT, 1},
+    {SPIRV_NUM_WORKGROUPS, SHADER_IN_WORKGROUP_COUNT, 3},
+    {SPIRV_WORKGROUP_ID, SHADER_IN_WORKGROUP, 3},
+    {SPIRV_LOCAL_INVOCATION_ID, SHADER_IN_LOCAL, 3},
+    {SPIRV_GLOBAL_INVOCATION_ID, SHADER_IN_GLOBAL, 3},
+    {SPIRV_LOCAL_INVOCATION_INDEX, SHADER_IN_LOCAL_INDEX, 1},
 };
 
 static const struct built_in built_in_outputs[] = {
-    {SPIRV_POSITION, SHADER_OUT_POSITION, 4},           {SPIRV_POINT_SIZE, SHADER_OUT_POINT_SIZE, 1},
-    {SPIRV_CLIP_DISTANCE, SHADER_OUT_CLIP_DISTANCE, 8}, {SPIRV_CULL_DISTANCE, SHADER_OUT_CULL_DISTANCE, 8},
-    {SPIRV_LAYER, SHADER_OUT_LAYER, 1},                 {SPIRV_VIEWPORT_INDEX, SHADER_OUT_VIEWPORT, 1},
-    {SPIRV_FRAG_DEPTH, SHADER_OUT_DEPTH, 1},            {SPIRV_SAMPLE_MASK, SHADER_OUT_SAMPLE_MASK, 1},
+    {SPIRV_POSITION, SHADER_OUT_POSITION, 4},
+    {SPIRV_POINT_SIZE, SHADER_OUT_POINT_SIZE, 1},
+    {SPIRV_CLIP_DISTANCE, SHADER_OUT_CLIP_DISTANCE, 8},
+    {SPIRV_CULL_DISTANCE, SHADER_OUT_CULL_DISTANCE, 8},
+    {SPIRV_LAYER, SHADER_OUT_LAYER, 1},
+    {SPIRV_VIEWPORT_INDEX, SHADER_OUT_VIEWPORT, 1},
+    {SPIRV_FRAG_DEPTH, SHADER_OUT_DEPTH, 1},
+    {SPIRV_SAMPLE_MASK, SHADER_OUT_SAMPLE_MASK, 1},
 };
 
 // One input or output as it is walked: scalars of the variable get slots.
@@ -69,7 +81,8 @@ static void add_built_in(struct interface_walk *walk, const struct shader_type *
     const struct built_in *const table = is_output ? built_in_outputs : built_in_inputs;
     const size_t count = is_output ? sizeof built_in_outputs / sizeof *built_in_outputs
                                    : sizeof built_in_inputs / sizeof *built_in_inputs;
-    if (!is_output && (number == SPIRV_HELPER_INVOCATION || number == SPIRV_VIEW_INDEX || number == SPIRV_DEVICE_INDEX)) {
+    if (!is_output &&
+        (number == SPIRV_HELPER_INVOCATION || number == SPIRV_VIEW_INDEX || number == SPIRV_DEVICE_INDEX)) {
         for (uint32_t i = 0; i < type->scalars; i++) {
             walk->scalars[walk->next++] = shader_number(builder, 0);
         }
@@ -80,18 +93,21 @@ static void add_built_in(struct interface_walk *walk, const struct shader_type *
             continue;
         }
         if (type->scalars > table[i].components) {
-            shader_build_refuse(builder, "built-in %d has at most %u components", number, (unsigned)table[i].components);
+            shader_build_refuse(builder, "built-in %d has at most %u components", number,
+                                (unsigned)table[i].components);
         }
         for (uint32_t c = 0; c < type->scalars; c++) {
             add_scalar(walk, SHADER_BUILT_IN, (uint32_t)table[i].slot + c);
         }
         return;
     }
-    shader_build_refuse(builder, "built-in %d is not supported as %s", number, is_output ? "an output" : "an input");
+    shader_build_refuse(builder, "built-in %d is not supported as %s", number,
+                        is_output ? "an output" : "an input");
 }
 
 // Give the scalars of a type their slots from a location on. Return the location behind.
-static uint32_t add_located(struct interface_walk *walk, const struct shader_type *type, uint32_t location, uint32_t component)
+static uint32_t add_located(struct interface_walk *walk, const struct shader_type *type, uint32_t location,
+                            uint32_t component)
 {
     struct shader_builder *const builder = walk->builder;
     const uint32_t scalars = type->kind == SHADER_VECTOR ? type->count : 1;

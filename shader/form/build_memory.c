@@ -8,7 +8,8 @@ enum { MAX_CANDIDATES = 1024, SHADER_MAX_WORKGROUP = 32768 };
 // Scalars of a type in the memory of a workgroup, where arrays may be larger than values.
 static uint64_t shared_scalars(const struct shader_type *type)
 {
-    const uint64_t all = type->kind == SHADER_ARRAY ? shared_scalars(type->element) * type->count : type->scalars;
+    const uint64_t all =
+        type->kind == SHADER_ARRAY ? shared_scalars(type->element) * type->count : type->scalars;
     return all < SHADER_MAX_WORKGROUP ? all : SHADER_MAX_WORKGROUP;
 }
 
@@ -47,7 +48,8 @@ static void build_resource(struct shader_builder *builder, const struct shader_v
     place->kind = is_buffer ? SHADER_PLACE_BUFFER : SHADER_PLACE_RESOURCE;
     place->resource = add_resource(builder, variable, element, count);
     if (!place->is_array_of_resources) {
-        place->buffer = shader_emit_with(builder, SHADER_BUFFER, place->resource, shader_number(builder, 0), 0, 0);
+        place->buffer =
+            shader_emit_with(builder, SHADER_BUFFER, place->resource, shader_number(builder, 0), 0, 0);
     }
 }
 
@@ -110,7 +112,8 @@ static uint32_t add_offset(struct shader_builder *builder, uint32_t offset, uint
 }
 
 // Step `index` times `bytes` on in memory.
-static void step_bytes(struct shader_builder *builder, struct shader_place *place, uint32_t index, uint32_t bytes)
+static void step_bytes(struct shader_builder *builder, struct shader_place *place, uint32_t index,
+                       uint32_t bytes)
 {
     uint32_t number;
     if (bytes == 0) {
@@ -137,7 +140,9 @@ static void step_in_memory(struct shader_builder *builder, struct shader_place *
     case SHADER_ARRAY:
     case SHADER_RUNTIME_ARRAY: stride = type->stride; break;
     case SHADER_MATRIX:
-        stride = place->matrix && place->matrix->is_row_major ? 4 : place->matrix ? place->matrix->matrix_stride : 0;
+        stride = place->matrix && place->matrix->is_row_major ? 4
+                 : place->matrix                              ? place->matrix->matrix_stride
+                                                              : 0;
         place->row_stride = place->matrix && place->matrix->is_row_major ? place->matrix->matrix_stride : 4;
         break;
     default: stride = place->row_stride ? place->row_stride : 4; break;
@@ -152,7 +157,8 @@ static void step_in_scalars(struct shader_builder *builder, struct shader_place 
     uint32_t number;
     if (shader_is_number(builder, index, &number)) {
         if (number >= type->count) {
-            shader_build_refuse(builder, "there is no element %u of %u", (unsigned)number, (unsigned)type->count);
+            shader_build_refuse(builder, "there is no element %u of %u", (unsigned)number,
+                                (unsigned)type->count);
         }
         place->first += number * type->element->scalars;
         return;
@@ -225,18 +231,21 @@ static void build_access_chain(struct shader_builder *builder)
 
 // Scalars --------------------------------------------------------------------------------------------
 
-static uint32_t is_index(struct shader_builder *builder, const struct shader_dynamic_index *dynamic, uint32_t i)
+static uint32_t is_index(struct shader_builder *builder, const struct shader_dynamic_index *dynamic,
+                         uint32_t i)
 {
     return shader_emit(builder, SHADER_IEQUAL, dynamic->value, shader_number(builder, i), 0);
 }
 
 static uint32_t read_scalar(struct shader_builder *builder, const struct shader_place *place, uint32_t at)
 {
-    return place->kind == SHADER_PLACE_HOMES ? shader_get_home(builder, place->scalars[at]) : place->scalars[at];
+    return place->kind == SHADER_PLACE_HOMES ? shader_get_home(builder, place->scalars[at])
+                                             : place->scalars[at];
 }
 
 // Read the scalar that indices from `level` on pick; an index outside picks the last element.
-static uint32_t read_dynamic(struct shader_builder *builder, const struct shader_place *place, uint32_t level, uint32_t at)
+static uint32_t read_dynamic(struct shader_builder *builder, const struct shader_place *place, uint32_t level,
+                             uint32_t at)
 {
     if (level == place->dynamic_count) {
         return read_scalar(builder, place, at);
@@ -251,8 +260,8 @@ static uint32_t read_dynamic(struct shader_builder *builder, const struct shader
 }
 
 // Write the scalar that indices from `level` on pick, where `condition` holds; an index outside picks none.
-static void write_dynamic(struct shader_builder *builder, const struct shader_place *place, uint32_t level, uint32_t at,
-                          uint32_t condition, uint32_t value)
+static void write_dynamic(struct shader_builder *builder, const struct shader_place *place, uint32_t level,
+                          uint32_t at, uint32_t condition, uint32_t value)
 {
     if (level == place->dynamic_count) {
         const uint32_t home = place->scalars[at];
@@ -276,7 +285,8 @@ static void check_candidates(const struct shader_builder *builder, const struct 
     for (uint32_t i = 0; i < place->dynamic_count; i++) {
         candidates *= place->dynamic[i].count;
         if (candidates > MAX_CANDIDATES) {
-            shader_build_refuse(builder, "indices that are not constant pick from more than %d numbers", MAX_CANDIDATES);
+            shader_build_refuse(builder, "indices that are not constant pick from more than %d numbers",
+                                MAX_CANDIDATES);
         }
     }
 }
@@ -284,7 +294,8 @@ static void check_candidates(const struct shader_builder *builder, const struct 
 // Memory ---------------------------------------------------------------------------------------------
 
 // Load or store a scalar.
-static uint32_t access_word(struct shader_builder *builder, const struct shader_place *place, const uint32_t *value)
+static uint32_t access_word(struct shader_builder *builder, const struct shader_place *place,
+                            const uint32_t *value)
 {
     if (place->type->kind != SHADER_BOOL && place->type->bits != 32) {
         shader_build_refuse(builder, "memory of %d bits is not supported", place->type->bits);
@@ -295,7 +306,8 @@ static uint32_t access_word(struct shader_builder *builder, const struct shader_
 }
 
 // Load or store all scalars of a place, in order.
-static void access_memory(struct shader_builder *builder, const struct shader_place *place, uint32_t **scalars, bool stores)
+static void access_memory(struct shader_builder *builder, const struct shader_place *place,
+                          uint32_t **scalars, bool stores)
 {
     const struct shader_type *const type = place->type;
     if (type->kind == SHADER_INT || type->kind == SHADER_FLOAT || type->kind == SHADER_BOOL) {
@@ -433,18 +445,20 @@ static bool find_atomic(uint32_t opcode, enum shader_atomic *operation)
     }
 }
 
-static uint32_t emit_atomic(struct shader_builder *builder, enum shader_atomic operation, uint32_t pointer, uint32_t value,
-                            uint32_t comparand)
+static uint32_t emit_atomic(struct shader_builder *builder, enum shader_atomic operation, uint32_t pointer,
+                            uint32_t value, uint32_t comparand)
 {
     const struct shader_place *const place = shader_place_of(builder, pointer);
-    if ((place->kind != SHADER_PLACE_BUFFER && place->kind != SHADER_PLACE_WORKGROUP) || place->type->kind != SHADER_INT ||
-        place->type->bits != 32) {
-        shader_build_refuse(builder, "id %u does not point to an integer of 32 bits in memory", (unsigned)pointer);
+    if ((place->kind != SHADER_PLACE_BUFFER && place->kind != SHADER_PLACE_WORKGROUP) ||
+        place->type->kind != SHADER_INT || place->type->bits != 32) {
+        shader_build_refuse(builder, "id %u does not point to an integer of 32 bits in memory",
+                            (unsigned)pointer);
     }
     const uint32_t bytes = shader_number(builder, place->bytes);
     const uint32_t values[SHADER_ATOMIC_OPERANDS] = {
         place->buffer,
-        place->offset == SHADER_NO_VALUE ? bytes : shader_emit(builder, SHADER_IADD, place->offset, bytes, 0), value, comparand};
+        place->offset == SHADER_NO_VALUE ? bytes : shader_emit(builder, SHADER_IADD, place->offset, bytes, 0),
+        value, comparand};
     const uint32_t list = shader_add_list(builder->program, values, SHADER_ATOMIC_OPERANDS);
     return shader_emit_with(builder, SHADER_ATOMIC, (uint32_t)operation, list, 0, 0);
 }
@@ -459,20 +473,24 @@ static bool build_atomic(struct shader_builder *builder, uint32_t opcode)
     enum shader_atomic operation;
     uint32_t before;
     if (opcode == SPIRV_OP_AtomicStore) {
-        (void)emit_atomic(builder, SHADER_ATOMIC_STORE, shader_operand(builder, 1), atomic_value(builder, 4), 0);
+        (void)emit_atomic(builder, SHADER_ATOMIC_STORE, shader_operand(builder, 1), atomic_value(builder, 4),
+                          0);
         return true;
     }
     if (opcode == SPIRV_OP_AtomicLoad) {
         before = emit_atomic(builder, SHADER_ATOMIC_LOAD, shader_operand(builder, 3), 0, 0);
     } else if (opcode == SPIRV_OP_AtomicCompareExchange) {
-        before = emit_atomic(builder, SHADER_ATOMIC_COMPARE_EXCHANGE, shader_operand(builder, 3), atomic_value(builder, 7),
-                             atomic_value(builder, 8));
+        before = emit_atomic(builder, SHADER_ATOMIC_COMPARE_EXCHANGE, shader_operand(builder, 3),
+                             atomic_value(builder, 7), atomic_value(builder, 8));
     } else if (opcode == SPIRV_OP_AtomicIIncrement || opcode == SPIRV_OP_AtomicIDecrement) {
         const uint32_t step = opcode == SPIRV_OP_AtomicIIncrement ? 1 : UINT32_MAX;
-        before = emit_atomic(builder, SHADER_ATOMIC_ADD, shader_operand(builder, 3), shader_number(builder, step), 0);
+        before = emit_atomic(builder, SHADER_ATOMIC_ADD, shader_operand(builder, 3),
+                             shader_number(builder, step), 0);
     } else if (find_atomic(opcode, &operation)) {
         uint32_t value = atomic_value(builder, 6);
-        value = opcode == SPIRV_OP_AtomicISub ? shader_emit(builder, SHADER_ISUB, shader_number(builder, 0), value, 0) : value;
+        value = opcode == SPIRV_OP_AtomicISub
+                    ? shader_emit(builder, SHADER_ISUB, shader_number(builder, 0), value, 0)
+                    : value;
         before = emit_atomic(builder, operation, shader_operand(builder, 3), value, 0);
     } else {
         return false;

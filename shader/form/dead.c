@@ -13,8 +13,9 @@ static void mark(const struct shader_program *program, bool *is_read)
             struct shader_node *const node = &program->nodes[value];
             const enum shader_op op = (enum shader_op)node->op;
             const enum shader_op_kind kind = shader_op_kind_of(op);
-            const bool counts = op == SHADER_SET ? is_read[node->operands[0]]
-                                                 : kind == SHADER_KIND_EFFECT || kind == SHADER_KIND_FLOW || is_read[value];
+            const bool counts =
+                op == SHADER_SET ? is_read[node->operands[0]]
+                                 : kind == SHADER_KIND_EFFECT || kind == SHADER_KIND_FLOW || is_read[value];
             uint32_t operand_count;
             const uint32_t *const operands = shader_operands(program, node, &operand_count);
             for (uint32_t o = op == SHADER_SET ? 1 : 0; counts && o < operand_count; o++) {
@@ -28,7 +29,8 @@ static void mark(const struct shader_program *program, bool *is_read)
 static bool is_empty_pair(const struct shader_program *program, uint32_t before, uint32_t now)
 {
     const uint16_t first = program->nodes[before].op, second = program->nodes[now].op;
-    return (first == SHADER_IF && second == SHADER_END_IF) || (first == SHADER_REGION && second == SHADER_END_REGION);
+    return (first == SHADER_IF && second == SHADER_END_IF) ||
+           (first == SHADER_REGION && second == SHADER_END_REGION);
 }
 
 // Take out what is not read, ELSE with nothing behind it, IF and REGION with nothing in them, and REGIONs that nothing
@@ -54,7 +56,8 @@ static bool sweep(struct shader_program *program, const bool *is_read)
         } else if (node->op == SHADER_END_REGION && is_plain[--depth]) {
             continue;
         }
-        if (count > 0 && node->op == SHADER_END_IF && program->nodes[program->code[count - 1]].op == SHADER_ELSE) {
+        if (count > 0 && node->op == SHADER_END_IF &&
+            program->nodes[program->code[count - 1]].op == SHADER_ELSE) {
             count--;
         }
         if (count > 0 && is_empty_pair(program, program->code[count - 1], value)) {

@@ -14,7 +14,7 @@ struct direction {
     bool *is_needed;                             // by value: at the partner pixel
     bool *differs;                               // by value: at the partner pixel it may be another
     uint32_t *partner;                           // by value: its value there, or NONE
-    uint32_t step;                               // 1 − 2 · (the pixel's number & 1), as a float; NONE: not made yet
+    uint32_t step; // 1 − 2 · (the pixel's number & 1), as a float; NONE: not made yet
     uint32_t *code;
     uint32_t count;
     size_t room;
@@ -69,13 +69,14 @@ static void mark(struct direction *direction)
 static void put(struct direction *direction, uint32_t node)
 {
     if (direction->count == direction->room) {
-        direction->code =
-            shader_grow(direction->program->memory, direction->code, &direction->room, sizeof *direction->code);
+        direction->code = shader_grow(direction->program->memory, direction->code, &direction->room,
+                                      sizeof *direction->code);
     }
     direction->code[direction->count++] = node;
 }
 
-static uint32_t add(struct direction *direction, enum shader_op op, uint32_t immediate, uint32_t a, uint32_t b)
+static uint32_t add(struct direction *direction, enum shader_op op, uint32_t immediate, uint32_t a,
+                    uint32_t b)
 {
     const uint32_t node = shader_add_node(direction->program, op, immediate, a, b, 0);
     put(direction, node);
@@ -102,7 +103,8 @@ static void put_partner(struct direction *direction, uint32_t value, uint32_t no
         return;
     }
     if (node.op == SHADER_SET) {
-        (void)add(direction, SHADER_SET, 0, there(direction, node.operands[0], nodes), there(direction, node.operands[1], nodes));
+        (void)add(direction, SHADER_SET, 0, there(direction, node.operands[0], nodes),
+                  there(direction, node.operands[1], nodes));
         return;
     }
     uint32_t count;
@@ -131,7 +133,8 @@ static void put_derivative(struct direction *direction, uint32_t value, uint32_t
     const uint32_t operand = program->nodes[value].operands[0];
     struct shader_node *const node = &program->nodes[value];
     if (program->nodes[operand].op == SHADER_INPUT) {
-        *node = (struct shader_node){.op = (uint16_t)direction->analytic, .immediate = program->nodes[operand].immediate};
+        *node = (struct shader_node){.op = (uint16_t)direction->analytic,
+                                     .immediate = program->nodes[operand].immediate};
         put(direction, value);
         return;
     }
@@ -141,7 +144,8 @@ static void put_derivative(struct direction *direction, uint32_t value, uint32_t
         return;
     }
     const uint32_t difference = add(direction, SHADER_FSUB, 0, there(direction, operand, nodes), operand);
-    program->nodes[value] = (struct shader_node){.op = SHADER_FMUL, .operands = {difference, direction->step, 0}};
+    program->nodes[value] =
+        (struct shader_node){.op = SHADER_FMUL, .operands = {difference, direction->step, 0}};
     put(direction, value);
 }
 
@@ -185,7 +189,8 @@ static void differentiate(struct shader_program *program, enum shader_op derivat
         direction.partner[value] = NONE;
         needs_any = needs_any || direction.is_needed[value];
         if (program->nodes[value].op == SHADER_HOME && direction.is_needed[value]) {
-            direction.partner[value] = shader_add_node(program, SHADER_HOME, program->nodes[value].immediate, 0, 0, 0);
+            direction.partner[value] =
+                shader_add_node(program, SHADER_HOME, program->nodes[value].immediate, 0, 0, 0);
         }
     }
     if (needs_any) {

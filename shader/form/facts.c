@@ -20,7 +20,8 @@ static void put(struct shader_builder *builder, uint32_t home, uint32_t value)
     struct shader_facts *const facts = &builder->facts;
     if (facts->known[home] == SHADER_NO_VALUE && value != SHADER_NO_VALUE) {
         if (facts->home_count == facts->home_room) {
-            facts->homes = shader_grow(builder->memory, facts->homes, &facts->home_room, sizeof *facts->homes);
+            facts->homes =
+                shader_grow(builder->memory, facts->homes, &facts->home_room, sizeof *facts->homes);
         }
         facts->homes[facts->home_count++] = home;
     }

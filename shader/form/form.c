@@ -29,11 +29,12 @@ enum shader_op_kind shader_op_kind_of(enum shader_op op)
     return descriptions[op].kind;
 }
 
-uint32_t shader_add_node(struct shader_program *program, enum shader_op op, uint32_t immediate, uint32_t a, uint32_t b,
-                         uint32_t c)
+uint32_t shader_add_node(struct shader_program *program, enum shader_op op, uint32_t immediate, uint32_t a,
+                         uint32_t b, uint32_t c)
 {
     if (program->node_count >= SHADER_MAX_NODES) {
-        shader_refuse(program->module, 0, "the shader has more than %d operations after its calls are put in their places",
+        shader_refuse(program->module, 0,
+                      "the shader has more than %d operations after its calls are put in their places",
                       SHADER_MAX_NODES);
     }
     if (program->node_count == program->node_room) {
@@ -61,7 +62,8 @@ uint32_t shader_add_list(struct shader_program *program, const uint32_t *values,
     const uint32_t place = program->list_count;
     for (uint32_t i = 0; i <= count; i++) {
         if (program->list_count == program->list_room) {
-            program->lists = shader_grow(program->memory, program->lists, &program->list_room, sizeof *program->lists);
+            program->lists =
+                shader_grow(program->memory, program->lists, &program->list_room, sizeof *program->lists);
         }
         program->lists[program->list_count++] = i == 0 ? count : values[i - 1];
     }

@@ -30,7 +30,7 @@ struct shader_node {
 };
 
 enum shader_node_flag {
-    SHADER_UNIFORM = 1, // the same in all lanes of a call
+    SHADER_UNIFORM = 1,   // the same in all lanes of a call
     SHADER_EVERY_LANE = 2 // of SET: all lanes that live are active
 };
 
@@ -47,10 +47,10 @@ enum shader_built_in {
     SHADER_IN_POINT_COORD, // 2
     SHADER_IN_LAYER = SHADER_IN_POINT_COORD + 2,
     SHADER_IN_VIEWPORT,
-    SHADER_IN_WORKGROUP_COUNT,                              // 3
-    SHADER_IN_WORKGROUP = SHADER_IN_WORKGROUP_COUNT + 3,    // 3
-    SHADER_IN_LOCAL = SHADER_IN_WORKGROUP + 3,              // 3
-    SHADER_IN_GLOBAL = SHADER_IN_LOCAL + 3,                 // 3
+    SHADER_IN_WORKGROUP_COUNT,                           // 3
+    SHADER_IN_WORKGROUP = SHADER_IN_WORKGROUP_COUNT + 3, // 3
+    SHADER_IN_LOCAL = SHADER_IN_WORKGROUP + 3,           // 3
+    SHADER_IN_GLOBAL = SHADER_IN_LOCAL + 3,              // 3
     SHADER_IN_LOCAL_INDEX = SHADER_IN_GLOBAL + 3,
     SHADER_IN_COUNT
 };
@@ -58,7 +58,7 @@ enum shader_built_in {
 enum shader_output {
     SHADER_OUT_POSITION, // 4
     SHADER_OUT_POINT_SIZE = SHADER_OUT_POSITION + 4,
-    SHADER_OUT_CLIP_DISTANCE, // 8
+    SHADER_OUT_CLIP_DISTANCE,                                // 8
     SHADER_OUT_CULL_DISTANCE = SHADER_OUT_CLIP_DISTANCE + 8, // 8
     SHADER_OUT_LAYER = SHADER_OUT_CULL_DISTANCE + 8,
     SHADER_OUT_VIEWPORT,
@@ -170,11 +170,12 @@ uint32_t *shader_operands(const struct shader_program *program, struct shader_no
 uint32_t shader_add_list(struct shader_program *program, const uint32_t *values, uint32_t count);
 
 // Translate an entry point.
-struct shader_program *shader_build(const struct shader_module *module, const struct shader_entry_point *entry);
+struct shader_program *shader_build(const struct shader_module *module,
+                                    const struct shader_entry_point *entry);
 
 // Add a node without putting it into the code. Equal constants are one node.
-uint32_t shader_add_node(struct shader_program *program, enum shader_op op, uint32_t immediate, uint32_t a, uint32_t b,
-                         uint32_t c);
+uint32_t shader_add_node(struct shader_program *program, enum shader_op op, uint32_t immediate, uint32_t a,
+                         uint32_t b, uint32_t c);
 uint32_t shader_add_constant(struct shader_program *program, uint32_t bits);
 
 const char *shader_op_name(enum shader_op op);

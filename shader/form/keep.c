@@ -6,7 +6,7 @@ enum { NO_SCOPE = 0 };
 
 // Scopes are numbered in the order in which they begin; 0 is the whole program.
 struct scopes {
-    bool *is_open;       // by number
+    bool *is_open; // by number
     uint32_t stack[2 * SHADER_MAX_NESTING + 2];
     uint32_t depth, count;
 };
@@ -50,9 +50,11 @@ static uint32_t find_kept(struct shader_program *program, uint32_t *scope_of, ui
         const uint32_t *operands = shader_operands(program, &program->nodes[value], &operand_count);
         for (uint32_t o = 0; o < operand_count; o++) {
             const uint32_t operand = operands[o];
-            if (is_placed(&program->nodes[operand]) && !scopes.is_open[scope_of[operand]] && home_of[operand] == 0) {
+            if (is_placed(&program->nodes[operand]) && !scopes.is_open[scope_of[operand]] &&
+                home_of[operand] == 0) {
                 home_of[operand] = shader_add_node(program, SHADER_HOME, 0, 0, 0, 0);
-                operands = shader_operands(program, &program->nodes[value], &operand_count); // the nodes may have moved
+                operands = shader_operands(program, &program->nodes[value],
+                                           &operand_count); // the nodes may have moved
                 kept++;
             }
         }

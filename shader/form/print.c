@@ -59,7 +59,8 @@ void shader_print(FILE *stream, const struct shader_program *program)
         const uint32_t value = program->code[i];
         const struct shader_node *const node = &program->nodes[value];
         const enum shader_op op = (enum shader_op)node->op;
-        const bool closes = op == SHADER_ELSE || op == SHADER_END_IF || op == SHADER_END_REGION || op == SHADER_END_LOOP;
+        const bool closes =
+            op == SHADER_ELSE || op == SHADER_END_IF || op == SHADER_END_REGION || op == SHADER_END_LOOP;
         const bool opens = op == SHADER_ELSE || op == SHADER_IF || op == SHADER_REGION || op == SHADER_LOOP;
         depth -= closes ? 1 : 0;
         fprintf(stream, "%*s", 4 * depth, "");

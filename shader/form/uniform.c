@@ -10,8 +10,8 @@ static bool is_uniform_source(enum shader_op op)
 // Values that depend on the lane whatever their operands are.
 static bool is_varying_source(enum shader_op op)
 {
-    return op == SHADER_INPUT || op == SHADER_INPUT_DX || op == SHADER_INPUT_DY || op == SHADER_INPUT_BESIDE ||
-           op == SHADER_INPUT_BELOW || op == SHADER_BUILT_IN ||
+    return op == SHADER_INPUT || op == SHADER_INPUT_DX || op == SHADER_INPUT_DY ||
+           op == SHADER_INPUT_BESIDE || op == SHADER_INPUT_BELOW || op == SHADER_BUILT_IN ||
            op == SHADER_DDX || op == SHADER_DDY || op == SHADER_ATOMIC || op == SHADER_SAMPLE;
 }
 

@@ -73,8 +73,8 @@ static void extend(struct live_range *range, uint32_t place)
     range->end = place > range->end || range->end == NONE ? place : range->end;
 }
 
-static void read_at(struct assembler *assembler, uint32_t value, uint32_t place, const uint32_t *loops, uint32_t depth,
-                    const uint32_t *loop_end)
+static void read_at(struct assembler *assembler, uint32_t value, uint32_t place, const uint32_t *loops,
+                    uint32_t depth, const uint32_t *loop_end)
 {
     struct live_range *const range = &assembler->ranges[value];
     if (assembler->program->nodes[value].op == SHADER_HOME) {
@@ -95,7 +95,8 @@ static void find_ranges(struct assembler *assembler)
 {
     const struct shader_program *const program = assembler->program;
     uint32_t *const loop_end = shader_take(program->memory, program->code_count + 1, sizeof *loop_end);
-    uint32_t *const structure_end = shader_take(program->memory, program->code_count + 1, sizeof *structure_end);
+    uint32_t *const structure_end =
+        shader_take(program->memory, program->code_count + 1, sizeof *structure_end);
     uint32_t stack[2 * SHADER_MAX_NESTING + 2], depth = 0;
     for (uint32_t i = program->code_count; i-- > 0;) {
         const uint16_t op = op_at(assembler, i);
@@ -125,7 +126,8 @@ static void find_ranges(struct assembler *assembler)
             extend(&assembler->ranges[value], structure_end[i]);
         }
         if (op == SHADER_IF) {
-            read_at(assembler, node->operands[0], structure_end[i], loops, loop_depth, loop_end); // ELSE reads it again
+            read_at(assembler, node->operands[0], structure_end[i], loops, loop_depth,
+                    loop_end); // ELSE reads it again
         }
         if (op == SHADER_LOOP) {
             loops[loop_depth++] = i;
@@ -162,10 +164,14 @@ static void give_registers(struct assembler *assembler)
     const struct shader_program *const program = assembler->program;
     struct shader_memory *const memory = program->memory;
     const uint32_t places = program->code_count + 1, nodes = program->node_count;
-    struct endings begins = {shader_take(memory, places, sizeof(uint32_t)), shader_take(memory, nodes, sizeof(uint32_t))};
-    struct endings ends = {shader_take(memory, places, sizeof(uint32_t)), shader_take(memory, nodes, sizeof(uint32_t))};
-    struct free_registers varying = {shader_take(memory, 2 * nodes, sizeof(uint32_t)), 0, SHADER_FIXED_REGISTERS};
-    struct free_registers uniform = {shader_take(memory, nodes, sizeof(uint32_t)), 0, assembler->bytecode->constant_count};
+    struct endings begins = {shader_take(memory, places, sizeof(uint32_t)),
+                             shader_take(memory, nodes, sizeof(uint32_t))};
+    struct endings ends = {shader_take(memory, places, sizeof(uint32_t)),
+                           shader_take(memory, nodes, sizeof(uint32_t))};
+    struct free_registers varying = {shader_take(memory, 2 * nodes, sizeof(uint32_t)), 0,
+                                     SHADER_FIXED_REGISTERS};
+    struct free_registers uniform = {shader_take(memory, nodes, sizeof(uint32_t)), 0,
+                                     assembler->bytecode->constant_count};
     for (uint32_t value = nodes; value-- > 0;) {
         const struct live_range *const range = &assembler->ranges[value];
         if (range->end != NONE && is_placed(&program->nodes[value])) {
@@ -179,7 +185,8 @@ static void give_registers(struct assembler *assembler)
         // A result never shares a register with an operand of the same instruction: some are read while it is written.
         for (uint32_t v = begins.first[i]; v != 0; v = begins.next[v - 1]) {
             const struct shader_node *const node = &program->nodes[v - 1];
-            const bool is_mask = node->op == SHADER_IF || node->op == SHADER_REGION || node->op == SHADER_LOOP;
+            const bool is_mask =
+                node->op == SHADER_IF || node->op == SHADER_REGION || node->op == SHADER_LOOP;
             const bool is_uniform = (node->flags & SHADER_UNIFORM) && !is_mask;
             assembler->registers[v - 1] = take_register(is_uniform ? &uniform : &varying);
             if (node->op == SHADER_REGION || node->op == SHADER_LOOP) {
@@ -188,8 +195,10 @@ static void give_registers(struct assembler *assembler)
         }
         for (uint32_t v = ends.first[i]; v != 0; v = ends.next[v - 1]) {
             const struct shader_node *const node = &program->nodes[v - 1];
-            const bool is_mask = node->op == SHADER_IF || node->op == SHADER_REGION || node->op == SHADER_LOOP;
-            struct free_registers *const registers = (node->flags & SHADER_UNIFORM) && !is_mask ? &uniform : &varying;
+            const bool is_mask =
+                node->op == SHADER_IF || node->op == SHADER_REGION || node->op == SHADER_LOOP;
+            struct free_registers *const registers =
+                (node->flags & SHADER_UNIFORM) && !is_mask ? &uniform : &varying;
             registers->numbers[registers->count++] = assembler->registers[v - 1];
             if (node->op == SHADER_REGION || node->op == SHADER_LOOP) {
                 varying.numbers[varying.count++] = assembler->mask_registers[v - 1];
@@ -198,13 +207,15 @@ static void give_registers(struct assembler *assembler)
     }
     struct shader_bytecode *const bytecode = assembler->bytecode;
     if (varying.next + uniform.next > SHADER_REGISTER_VECTORS) {
-        shader_refuse(program->module, 0, "the shader keeps more than %d values at a time", SHADER_REGISTER_VECTORS);
+        shader_refuse(program->module, 0, "the shader keeps more than %d values at a time",
+                      SHADER_REGISTER_VECTORS);
     }
     bytecode->batch = (SHADER_REGISTER_VECTORS - uniform.next) / varying.next;
     const uint32_t *const size = program->entry->local_size;
     const uint32_t groups = (size[0] * size[1] * size[2] + 7) / 8;
     if (program->has_barriers && bytecode->batch < groups) {
-        shader_refuse(program->module, 0, "the shader keeps too many values for a workgroup of %u with barriers",
+        shader_refuse(program->module, 0,
+                      "the shader keeps too many values for a workgroup of %u with barriers",
                       (unsigned)(size[0] * size[1] * size[2]));
     }
     const uint32_t most = program->has_barriers && groups > SHADER_BATCH ? groups : SHADER_BATCH;
@@ -217,7 +228,8 @@ static void give_registers(struct assembler *assembler)
 
 static struct shader_operand_of varying_register(const struct assembler *assembler, uint32_t number)
 {
-    return (struct shader_operand_of){.vector = (number * assembler->bytecode->batch) & 0x7fffffff, .is_uniform = 0};
+    return (struct shader_operand_of){.vector = (number * assembler->bytecode->batch) & 0x7fffffff,
+                                      .is_uniform = 0};
 }
 
 static struct shader_operand_of operand_of(const struct assembler *assembler, uint32_t value)
@@ -227,14 +239,15 @@ static struct shader_operand_of operand_of(const struct assembler *assembler, ui
         return varying_register(assembler, assembler->registers[value]);
     }
     return (struct shader_operand_of){
-        .vector = (assembler->bytecode->first_uniform + assembler->registers[value]) & 0x7fffffff, .is_uniform = 1};
+        .vector = (assembler->bytecode->first_uniform + assembler->registers[value]) & 0x7fffffff,
+        .is_uniform = 1};
 }
 
 static struct shader_instruction *add(struct assembler *assembler, uint32_t op)
 {
     if (assembler->count == assembler->room) {
-        assembler->code =
-            shader_grow(assembler->program->memory, assembler->code, &assembler->room, sizeof *assembler->code);
+        assembler->code = shader_grow(assembler->program->memory, assembler->code, &assembler->room,
+                                      sizeof *assembler->code);
     }
     struct shader_instruction *const instruction = &assembler->code[assembler->count++];
     *instruction = (struct shader_instruction){.op = (uint8_t)op};
@@ -242,7 +255,8 @@ static struct shader_instruction *add(struct assembler *assembler, uint32_t op)
 }
 
 // Homes that begin to live at a place get what they begin with.
-static void fill_homes(struct assembler *assembler, const uint32_t *first, const uint32_t *next, uint32_t place)
+static void fill_homes(struct assembler *assembler, const uint32_t *first, const uint32_t *next,
+                       uint32_t place)
 {
     for (uint32_t v = first[place]; v != 0; v = next[v - 1]) {
         struct shader_instruction *const fill = add(assembler, SHADER_FILL);
@@ -259,7 +273,8 @@ struct open_structure {
     uint32_t to_else; // instruction of ELSE, or NONE
 };
 
-static void add_structure(struct assembler *assembler, uint32_t value, struct open_structure *stack, uint32_t *depth)
+static void add_structure(struct assembler *assembler, uint32_t value, struct open_structure *stack,
+                          uint32_t *depth)
 {
     const struct shader_node *const node = &assembler->program->nodes[value];
     const uint16_t op = node->op;
@@ -325,8 +340,8 @@ static void add_listed(struct assembler *assembler, uint32_t value)
     for (uint32_t i = 0; i < count; i++) {
         if (assembler->image_operand_count == assembler->image_operand_room) {
             assembler->image_operands =
-                shader_grow(assembler->program->memory, assembler->image_operands, &assembler->image_operand_room,
-                            sizeof *assembler->image_operands);
+                shader_grow(assembler->program->memory, assembler->image_operands,
+                            &assembler->image_operand_room, sizeof *assembler->image_operands);
         }
         assembler->image_operands[assembler->image_operand_count++] = operand_of(assembler, operands[i]);
     }
@@ -404,46 +419,23 @@ static void number_constants(struct assembler *assembler)
     assembler->bytecode->constant_count = count;
 }
 
-// Bindings of a set lie behind one another in the order of their numbers.
-static void place_resources(struct assembler *assembler)
-{
-    const struct shader_program *const program = assembler->program;
-    struct shader_slot *const slots = shader_take(program->memory, program->resource_count, sizeof *slots);
-    for (uint32_t r = 0; r < program->resource_count; r++) {
-        const struct shader_resource *const resource = &program->resources[r];
-        const int set = resource->variable->set;
-        if (set < 0 || set >= SHADER_MAX_SETS || resource->variable->binding < 0) {
-            shader_refuse(program->module, program->module->ids[resource->variable->id].word,
-                          "a resource has a binding, and a set below %d", SHADER_MAX_SETS);
-        }
-        slots[r] = (struct shader_slot){.set = (uint32_t)set, .count = resource->count};
-        for (uint32_t o = 0; o < program->resource_count; o++) {
-            const struct shader_variable *const other = program->resources[o].variable;
-            if (other->set == set && other->binding < resource->variable->binding) {
-                slots[r].first += program->resources[o].count;
-            }
-        }
-    }
-    assembler->bytecode->slots = slots;
-}
-
 struct shader_bytecode *shader_assemble(struct shader_program *program)
 {
     struct shader_memory *const memory = program->memory;
     struct shader_bytecode *const bytecode = shader_take(memory, 1, sizeof *bytecode);
-    struct assembler assembler = {.program = program,
-                                  .bytecode = bytecode,
-                                  .ranges = shader_take(memory, program->node_count, sizeof(struct live_range)),
-                                  .registers = shader_take(memory, program->node_count, sizeof(uint32_t)),
-                                  .mask_registers = shader_take(memory, program->node_count, sizeof(uint32_t)),
-                                  .outer_begin = shader_take(memory, program->code_count + 1, sizeof(uint32_t)),
-                                  .outer_end = shader_take(memory, program->code_count + 1, sizeof(uint32_t))};
+    struct assembler assembler = {
+        .program = program,
+        .bytecode = bytecode,
+        .ranges = shader_take(memory, program->node_count, sizeof(struct live_range)),
+        .registers = shader_take(memory, program->node_count, sizeof(uint32_t)),
+        .mask_registers = shader_take(memory, program->node_count, sizeof(uint32_t)),
+        .outer_begin = shader_take(memory, program->code_count + 1, sizeof(uint32_t)),
+        .outer_end = shader_take(memory, program->code_count + 1, sizeof(uint32_t))};
     for (uint32_t value = 0; value < program->node_count; value++) {
         assembler.ranges[value] = (struct live_range){NONE, NONE};
     }
     find_outermost(&assembler);
     find_ranges(&assembler);
-    place_resources(&assembler);
     number_constants(&assembler);
     give_registers(&assembler);
     add_code(&assembler);

@@ -11,10 +11,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-struct rhw_binding;
+#include "rhw/spirv.h"
 
 enum {
-    SHADER_BATCH = 16,           // most groups at a time; of a workgroup with barriers all
+    SHADER_BATCH = 16,              // most groups at a time; of a workgroup with barriers all
     SHADER_REGISTER_VECTORS = 4096, // of the array: 128 KB of stack
     SHADER_MAX_RESOURCES = 64,
     SHADER_NO_RESOURCE = 0xffff, // push constants
@@ -35,23 +35,14 @@ enum shader_extra_op {
 
 struct shader_instruction {
     uint8_t op;
-    uint8_t is_uniform;  // one vector is computed
-    uint16_t resource;   // of LOAD, STORE and LENGTH; SHADER_NO_RESOURCE: push constants
-    uint32_t immediate;  // of the node; of structure: the instruction to jump to
+    uint8_t is_uniform; // one vector is computed
+    uint16_t resource;  // of LOAD, STORE and LENGTH; SHADER_NO_RESOURCE: push constants
+    uint32_t immediate; // of the node; of structure: the instruction to jump to
     struct shader_operand_of result, a, b, c;
 };
 
 // Registers that every program has.
 enum { SHADER_ACTIVE, SHADER_ALIVE, SHADER_KILLED, SHADER_FIXED_REGISTERS };
-
-enum { SHADER_MAX_SETS = 8 };
-
-// What a draw or dispatch gives its shader: the uniforms of the functions point to it.
-struct shader_bound {
-    const struct rhw_binding *sets[SHADER_MAX_SETS];
-    const void *push; // push constants
-    uint32_t push_size;
-};
 
 // Where a resource of the program lies: as many bindings of a set from `first` on.
 struct shader_slot {
@@ -63,16 +54,16 @@ struct shader_bytecode {
     uint32_t code_count;
     const uint32_t *constants; // values of the first uniform registers
     uint32_t constant_count;
-    uint32_t first_uniform; // vector
-    uint32_t batch;         // groups at a time
-    uint32_t workgroup_size; // bytes of memory that a workgroup has
-    const struct shader_slot *slots; // by resource
+    uint32_t first_uniform;          // vector
+    uint32_t batch;                  // groups at a time
+    uint32_t workgroup_size;         // bytes of memory that a workgroup has
+    const struct shader_slot *slots; // by resource; a program gives them
     uint32_t target_count;
     // Component of the program's varyings for location · 4 + component; 0xff: there is none.
     uint8_t component_of[128];
     // Of SAMPLE and IMAGE_STORE: SHADER_IMAGE_OPERANDS from the number in b.vector on. c.vector is the sampler's resource.
     const struct shader_operand_of *image_operands;
-    bool is_linear[32]; // by location: the input is flat or noperspective
+    bool is_linear[32];  // by location: the input is flat or noperspective
     uint8_t w_component; // component that holds W of the position; 0xff: there is none
 };
 

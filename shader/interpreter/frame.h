@@ -15,13 +15,13 @@ union vector {
 struct frame {
     union vector *registers;
     const struct shader_bytecode *bytecode;
-    const struct shader_bound *bound;
+    const struct rhw_shader_frame *bound;
     int groups;
-    struct rhw_vertex *vertices;     // of the batch, or NULL
-    struct rhw_fragment *fragments;  // of the batch, or NULL
-    const struct rhw_workgroup *workgroup;            // of compute, or NULL
-    const struct rhw_invocations *invocations;        // of the batch
-    struct rhw_binding shared;                        // memory of the workgroup
+    struct rhw_vertex *vertices;               // of the batch, or NULL
+    struct rhw_fragment *fragments;            // of the batch, or NULL
+    const struct rhw_workgroup *workgroup;     // of compute, or NULL
+    const struct rhw_invocations *invocations; // of the batch
+    struct rhw_binding shared;                 // memory of the workgroup
     const struct shader_instruction *next;
     rhw_float texels[RHW_MAX_WORKGROUP_GROUPS][4]; // what was sampled last
 };

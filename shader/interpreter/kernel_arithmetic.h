@@ -10,22 +10,22 @@
 #include "rhw/shader_pack.h"
 
 // Loops over the vectors of the result; a, b and c are operands, as floats or whole numbers.
-#define OPERANDS                                                                          \
-    const int count = in->is_uniform ? 1 : frame->groups;                                 \
-    union vector *const d = &frame->registers[in->result.vector];                         \
-    const union vector *const a = &frame->registers[in->a.vector];                        \
-    const union vector *const b = &frame->registers[in->b.vector];                        \
-    const union vector *const c = &frame->registers[in->c.vector];                        \
+#define OPERANDS                                                                                  \
+    const int count = in->is_uniform ? 1 : frame->groups;                                         \
+    union vector *const d = &frame->registers[in->result.vector];                                 \
+    const union vector *const a = &frame->registers[in->a.vector];                                \
+    const union vector *const b = &frame->registers[in->b.vector];                                \
+    const union vector *const c = &frame->registers[in->c.vector];                                \
     const int a_step = !in->a.is_uniform, b_step = !in->b.is_uniform, c_step = !in->c.is_uniform; \
     (void)a, (void)b, (void)c, (void)a_step, (void)b_step, (void)c_step
 
-#define KERNEL(name, member, value)                                                       \
-    static void name(struct frame *frame, const struct shader_instruction *in)            \
-    {                                                                                     \
-        OPERANDS;                                                                         \
-        for (int i = 0; i < count; i++) {                                                 \
-            d[i].member = value;                                                          \
-        }                                                                                 \
+#define KERNEL(name, member, value)                                            \
+    static void name(struct frame *frame, const struct shader_instruction *in) \
+    {                                                                          \
+        OPERANDS;                                                              \
+        for (int i = 0; i < count; i++) {                                      \
+            d[i].member = value;                                               \
+        }                                                                      \
     }
 
 #define AF a[i * a_step].f
@@ -107,7 +107,7 @@ KERNEL(run_FLESS, i, rhw_less(AF, BF))
 KERNEL(run_FLESS_EQUAL, i, rhw_less_equal(AF, BF))
 KERNEL(run_IADD, i, (rhw_int)(AU + BU))
 KERNEL(run_ISUB, i, (rhw_int)(AU - BU))
-KERNEL(run_IMUL, i, (rhw_int)(AU * BU))
+KERNEL(run_IMUL, i, (rhw_int)(AU *BU))
 KERNEL(run_IMUL_HIGH, i, shader_mul_high(AI, BI, true))
 KERNEL(run_UMUL_HIGH, i, shader_mul_high(AI, BI, false))
 KERNEL(run_IDIV, i, rhw_divide_int(AI, BI))

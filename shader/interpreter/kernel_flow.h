@@ -29,7 +29,8 @@ static void jump_if_none(struct frame *frame, const struct shader_instruction *i
 
 static void run_IF(struct frame *frame, const struct shader_instruction *in)
 {
-    union vector *const active = fixed_register(frame, SHADER_ACTIVE), *const saved = &frame->registers[in->result.vector];
+    union vector *const active = fixed_register(frame, SHADER_ACTIVE),
+                        *const saved = &frame->registers[in->result.vector];
     const union vector *const a = &frame->registers[in->a.vector];
     for (int i = 0; i < frame->groups; i++) {
         saved[i].i = active[i].i;
@@ -40,8 +41,10 @@ static void run_IF(struct frame *frame, const struct shader_instruction *in)
 
 static void run_ELSE(struct frame *frame, const struct shader_instruction *in)
 {
-    union vector *const active = fixed_register(frame, SHADER_ACTIVE), *const alive = fixed_register(frame, SHADER_ALIVE);
-    const union vector *const saved = &frame->registers[in->result.vector], *const a = &frame->registers[in->a.vector];
+    union vector *const active = fixed_register(frame, SHADER_ACTIVE), *const alive = fixed_register(
+                                                                           frame, SHADER_ALIVE);
+    const union vector *const saved = &frame->registers[in->result.vector],
+                              *const a = &frame->registers[in->a.vector];
     for (int i = 0; i < frame->groups; i++) {
         active[i].i = saved[i].i & alive[i].i & ~a[in->a.is_uniform ? 0 : i].i;
     }
@@ -50,7 +53,8 @@ static void run_ELSE(struct frame *frame, const struct shader_instruction *in)
 
 static void run_END_IF(struct frame *frame, const struct shader_instruction *in)
 {
-    union vector *const active = fixed_register(frame, SHADER_ACTIVE), *const alive = fixed_register(frame, SHADER_ALIVE);
+    union vector *const active = fixed_register(frame, SHADER_ACTIVE), *const alive = fixed_register(
+                                                                           frame, SHADER_ALIVE);
     const union vector *const saved = &frame->registers[in->result.vector];
     for (int i = 0; i < frame->groups; i++) {
         active[i].i = saved[i].i & alive[i].i;
@@ -61,7 +65,8 @@ static void run_END_IF(struct frame *frame, const struct shader_instruction *in)
 static void run_REGION(struct frame *frame, const struct shader_instruction *in)
 {
     const union vector *const active = fixed_register(frame, SHADER_ACTIVE);
-    union vector *const saved = &frame->registers[in->result.vector], *const left = &frame->registers[in->b.vector];
+    union vector *const saved = &frame->registers[in->result.vector], *const left =
+                                                                          &frame->registers[in->b.vector];
     for (int i = 0; i < frame->groups; i++) {
         saved[i].i = active[i].i;
         left[i].i = rhw_splat_int(0);
@@ -70,8 +75,10 @@ static void run_REGION(struct frame *frame, const struct shader_instruction *in)
 
 static void run_END_REGION(struct frame *frame, const struct shader_instruction *in)
 {
-    union vector *const active = fixed_register(frame, SHADER_ACTIVE), *const alive = fixed_register(frame, SHADER_ALIVE);
-    const union vector *const saved = &frame->registers[in->result.vector], *const left = &frame->registers[in->b.vector];
+    union vector *const active = fixed_register(frame, SHADER_ACTIVE), *const alive = fixed_register(
+                                                                           frame, SHADER_ALIVE);
+    const union vector *const saved = &frame->registers[in->result.vector],
+                              *const left = &frame->registers[in->b.vector];
     for (int i = 0; i < frame->groups; i++) {
         alive[i].i |= left[i].i;
         active[i].i = saved[i].i & alive[i].i;
@@ -89,7 +96,8 @@ static void run_END_LOOP(struct frame *frame, const struct shader_instruction *i
 
 static void take_away(struct frame *frame, union vector *to)
 {
-    union vector *const active = fixed_register(frame, SHADER_ACTIVE), *const alive = fixed_register(frame, SHADER_ALIVE);
+    union vector *const active = fixed_register(frame, SHADER_ACTIVE), *const alive = fixed_register(
+                                                                           frame, SHADER_ALIVE);
     for (int i = 0; i < frame->groups; i++) {
         to[i].i |= active[i].i;
         alive[i].i &= ~active[i].i;
@@ -110,7 +118,8 @@ static void run_DISCARD(struct frame *frame, const struct shader_instruction *in
 
 static void run_SET(struct frame *frame, const struct shader_instruction *in)
 {
-    const union vector *const active = fixed_register(frame, SHADER_ACTIVE), *const a = &frame->registers[in->a.vector];
+    const union vector *const active = fixed_register(frame, SHADER_ACTIVE),
+                              *const a = &frame->registers[in->a.vector];
     union vector *const d = &frame->registers[in->result.vector];
     if (in->is_uniform) {
         d[0].i = a[0].i;

@@ -8,26 +8,28 @@
 // The operands of one group.
 struct image_request {
     rhw_float at[4];
-    rhw_int whole[4];  // the same bits as whole numbers
+    rhw_int whole[4]; // the same bits as whole numbers
     rhw_float gradient[6];
     rhw_float level, reference, bias;
     rhw_int offset[3];
     struct rhw_sample_request request;
 };
 
-static rhw_int image_operand(const struct frame *frame, const struct shader_operand_of *operands, int number, int group)
+static rhw_int image_operand(const struct frame *frame, const struct shader_operand_of *operands, int number,
+                             int group)
 {
     const struct shader_operand_of operand = operands[number];
     return frame->registers[operand.vector + (operand.is_uniform ? 0u : (uint32_t)group)].i;
 }
 
-static rhw_float image_float(const struct frame *frame, const struct shader_operand_of *operands, int number, int group)
+static rhw_float image_float(const struct frame *frame, const struct shader_operand_of *operands, int number,
+                             int group)
 {
     return rhw_float_from_bits(image_operand(frame, operands, number, group));
 }
 
-static void read_image_request(const struct frame *frame, const struct shader_operand_of *operands, uint32_t flags, int group,
-                               struct image_request *r)
+static void read_image_request(const struct frame *frame, const struct shader_operand_of *operands,
+                               uint32_t flags, int group, struct image_request *r)
 {
     const int spatial = (int)(flags >> SHADER_IMAGE_SPATIAL_SHIFT & 3);
     for (int i = 0; i < 4; i++) {
@@ -42,36 +44,40 @@ static void read_image_request(const struct frame *frame, const struct shader_op
     r->level = image_float(frame, operands, SHADER_IMAGE_LOD, group);
     r->reference = image_float(frame, operands, SHADER_IMAGE_REFERENCE, group);
     r->bias = image_float(frame, operands, SHADER_IMAGE_BIAS, group);
-    r->request = (struct rhw_sample_request){
-        .coordinates = r->at,
-        .gradient = flags & SHADER_IMAGE_HAS_GRADIENT ? r->gradient : NULL,
-        .lod = flags & SHADER_IMAGE_HAS_LOD ? &r->level : NULL,
-        .reference = flags & SHADER_IMAGE_HAS_REFERENCE ? &r->reference : NULL,
-        .offset = flags & SHADER_IMAGE_HAS_OFFSET ? r->offset : NULL,
-        .bias = flags & SHADER_IMAGE_HAS_BIAS ? &r->bias : NULL};
+    r->request =
+        (struct rhw_sample_request){.coordinates = r->at,
+                                    .gradient = flags & SHADER_IMAGE_HAS_GRADIENT ? r->gradient : NULL,
+                                    .lod = flags & SHADER_IMAGE_HAS_LOD ? &r->level : NULL,
+                                    .reference = flags & SHADER_IMAGE_HAS_REFERENCE ? &r->reference : NULL,
+                                    .offset = flags & SHADER_IMAGE_HAS_OFFSET ? r->offset : NULL,
+                                    .bias = flags & SHADER_IMAGE_HAS_BIAS ? &r->bias : NULL};
 }
 
 // Return the binding that lanes name first among `todo`, and which lanes name it. A texture and a sampler of their own
 // are put together in `pair`.
-static const struct rhw_binding *next_binding(const struct frame *frame, const struct shader_operand_of *operands,
-                                              const struct shader_instruction *in, int group, rhw_int *todo, rhw_int *lanes,
-                                              struct rhw_binding *pair)
+static const struct rhw_binding *next_binding(const struct frame *frame,
+                                              const struct shader_operand_of *operands,
+                                              const struct shader_instruction *in, int group, rhw_int *todo,
+                                              rhw_int *lanes, struct rhw_binding *pair)
 {
-    const uint32_t texture = (uint32_t)rhw_binding_next(image_operand(frame, operands, SHADER_IMAGE_TEXTURE, group), todo, lanes);
+    const uint32_t texture =
+        (uint32_t)rhw_binding_next(image_operand(frame, operands, SHADER_IMAGE_TEXTURE, group), todo, lanes);
     const struct rhw_binding *const binding = binding_of(frame, in->resource, texture);
     if (!(in->immediate & SHADER_IMAGE_HAS_SAMPLER)) {
         return binding;
     }
     // Lanes that name another sampler wait for their turn.
     rhw_int same = *lanes, rest = *lanes;
-    const uint32_t sampler = (uint32_t)rhw_binding_next(image_operand(frame, operands, SHADER_IMAGE_SAMPLER, group), &rest, &same);
+    const uint32_t sampler =
+        (uint32_t)rhw_binding_next(image_operand(frame, operands, SHADER_IMAGE_SAMPLER, group), &rest, &same);
     *todo |= rest;
     *lanes = same;
     const struct rhw_binding *const other = binding_of(frame, in->c.vector, sampler);
     return binding && other && rhw_binding_of_pair(binding, other, pair) ? pair : NULL;
 }
 
-static void access_image(const struct rhw_binding *binding, uint32_t flags, struct image_request *r, rhw_int sample, rhw_float texel[4])
+static void access_image(const struct rhw_binding *binding, uint32_t flags, struct image_request *r,
+                         rhw_int sample, rhw_float texel[4])
 {
     const int channel = (int)(flags >> SHADER_IMAGE_CHANNEL_SHIFT & 3);
     const rhw_int level = rhw_bits_from_float(r->level);
@@ -88,7 +94,9 @@ static void access_image(const struct rhw_binding *binding, uint32_t flags, stru
         return;
     case SHADER_DO_LOAD: rhw_binding_image_load(binding, r->whole, texel); return;
     case SHADER_DO_QUERY_LOD: rhw_binding_sample_query_lod(binding, &r->request, texel); return;
-    case SHADER_DO_SIZE: rhw_binding_sample_size(binding, flags & SHADER_IMAGE_HAS_LOD ? &level : NULL, size); break;
+    case SHADER_DO_SIZE:
+        rhw_binding_sample_size(binding, flags & SHADER_IMAGE_HAS_LOD ? &level : NULL, size);
+        break;
     case SHADER_DO_LEVELS: size[0] = rhw_splat_int(rhw_binding_sample_levels(binding)); break;
     case SHADER_DO_SAMPLES: size[0] = rhw_splat_int(rhw_binding_sample_samples(binding)); break;
     }
@@ -112,7 +120,8 @@ static void run_SAMPLE(struct frame *frame, const struct shader_instruction *in)
         const rhw_int sample = image_operand(frame, operands, SHADER_IMAGE_SAMPLE, i);
         for (rhw_int todo = active[i].i, lanes; rhw_any(todo); is_first = false) {
             struct rhw_binding pair;
-            const struct rhw_binding *const binding = next_binding(frame, operands, in, i, &todo, &lanes, &pair);
+            const struct rhw_binding *const binding =
+                next_binding(frame, operands, in, i, &todo, &lanes, &pair);
             rhw_float texel[4] = {rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f), rhw_splat(0.0f)};
             access_image(binding, in->immediate, &request, sample, texel);
             for (int c = 0; c < 4; c++) {
@@ -139,7 +148,8 @@ static void run_IMAGE_STORE(struct frame *frame, const struct shader_instruction
         read_image_request(frame, operands, in->immediate, i, &request);
         for (rhw_int todo = active[i].i, lanes; rhw_any(todo);) {
             struct rhw_binding pair;
-            const struct rhw_binding *const binding = next_binding(frame, operands, in, i, &todo, &lanes, &pair);
+            const struct rhw_binding *const binding =
+                next_binding(frame, operands, in, i, &todo, &lanes, &pair);
             rhw_float texel[4];
             for (int c = 0; c < 4; c++) {
                 texel[c] = image_float(frame, operands, SHADER_IMAGE_TEXEL + c, i);
@@ -178,7 +188,8 @@ static void read_partner(struct frame *frame, const struct shader_instruction *i
         const rhw_int odd = rhw_int_from_float(frame->fragments[i].coord[axis]) & 1;
         rhw_float offset[2] = {rhw_splat(0.0f), rhw_splat(0.0f)};
         offset[axis] = rhw_float_from_int(1 - 2 * odd);
-        d[i].f = rhw_interpolate_at(&frame->fragments[i], component, is_linear ? -1 : bytecode->w_component, offset);
+        d[i].f = rhw_interpolate_at(&frame->fragments[i], component, is_linear ? -1 : bytecode->w_component,
+                                    offset);
     }
 }
 

@@ -64,7 +64,8 @@ static rhw_int invocation_built_in(const struct frame *frame, int group, uint32_
     if (number >= SHADER_IN_WORKGROUP) {
         return rhw_splat_int(workgroup->id[number - SHADER_IN_WORKGROUP]);
     }
-    return rhw_splat_int(number >= SHADER_IN_WORKGROUP_COUNT ? workgroup->counts[number - SHADER_IN_WORKGROUP_COUNT] : 0);
+    return rhw_splat_int(
+        number >= SHADER_IN_WORKGROUP_COUNT ? workgroup->counts[number - SHADER_IN_WORKGROUP_COUNT] : 0);
 }
 
 static void run_BUILT_IN(struct frame *frame, const struct shader_instruction *in)
@@ -82,7 +83,8 @@ static void run_BUILT_IN(struct frame *frame, const struct shader_instruction *i
     }
 }
 
-static void vertex_output(const struct shader_bytecode *bytecode, struct rhw_vertex *vertex, uint32_t slot, union vector value)
+static void vertex_output(const struct shader_bytecode *bytecode, struct rhw_vertex *vertex, uint32_t slot,
+                          union vector value)
 {
     if (slot < SHADER_OUT_POSITION + 4) {
         vertex->position[slot - SHADER_OUT_POSITION] = value.f;
@@ -104,7 +106,8 @@ static void vertex_output(const struct shader_bytecode *bytecode, struct rhw_ver
     }
 }
 
-static void fragment_output(const struct shader_bytecode *bytecode, struct rhw_fragment *fragment, uint32_t slot, union vector value)
+static void fragment_output(const struct shader_bytecode *bytecode, struct rhw_fragment *fragment,
+                            uint32_t slot, union vector value)
 {
     const uint32_t channel = slot - SHADER_OUT_VARYING;
     if (slot == SHADER_OUT_DEPTH) {
@@ -144,12 +147,13 @@ static int32_t load_push(const struct frame *frame, uint32_t index)
 {
     int32_t value = 0;
     if (index < frame->bound->push_size / 4) {
-        memcpy(&value, (const unsigned char *)frame->bound->push + 4 * (size_t)index, sizeof value);
+        memcpy(&value, (const unsigned char *)frame->bound->push_constants + 4 * (size_t)index, sizeof value);
     }
     return value;
 }
 
-static rhw_int load_words(const struct frame *frame, const struct shader_instruction *in, rhw_int index, rhw_int mask)
+static rhw_int load_words(const struct frame *frame, const struct shader_instruction *in, rhw_int index,
+                          rhw_int mask)
 {
     if (in->resource == SHADER_NO_RESOURCE) {
         rhw_int value;
@@ -172,7 +176,8 @@ static rhw_int load_words(const struct frame *frame, const struct shader_instruc
 
 static rhw_int word_index(const struct frame *frame, const struct shader_instruction *in, int group)
 {
-    const rhw_uint offset = (rhw_uint)frame->registers[in->b.vector + (in->b.is_uniform ? 0u : (uint32_t)group)].i;
+    const rhw_uint offset =
+        (rhw_uint)frame->registers[in->b.vector + (in->b.is_uniform ? 0u : (uint32_t)group)].i;
     return (rhw_int)((offset + (rhw_uint)rhw_splat_int((int32_t)in->immediate)) >> 2);
 }
 
@@ -182,9 +187,10 @@ static void run_LOAD(struct frame *frame, const struct shader_instruction *in)
     if (in->is_uniform) {
         const uint32_t index = (uint32_t)word_index(frame, in, 0)[0];
         const uint32_t element = (uint32_t)frame->registers[in->a.vector].i[0];
-        d[0].i = rhw_splat_int(in->resource == SHADER_NO_RESOURCE
-                                   ? load_push(frame, index)
-                                   : rhw_binding_storage_load1(binding_of(frame, in->resource, element), index));
+        d[0].i =
+            rhw_splat_int(in->resource == SHADER_NO_RESOURCE
+                              ? load_push(frame, index)
+                              : rhw_binding_storage_load1(binding_of(frame, in->resource, element), index));
         return;
     }
     const union vector *const active = fixed_register(frame, SHADER_ACTIVE);

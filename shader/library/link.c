@@ -16,7 +16,8 @@ static void find_qualifiers(const struct shader_program *program, struct shader_
         }
         // A variable of several locations has one qualifier; those behind follow it.
         const uint32_t slots = (variable->type->scalars + COMPONENTS - 1) / COMPONENTS;
-        for (uint32_t l = (uint32_t)variable->location; l < LOCATIONS && l < (uint32_t)variable->location + slots; l++) {
+        for (uint32_t l = (uint32_t)variable->location;
+             l < LOCATIONS && l < (uint32_t)variable->location + slots; l++) {
             interface->is_flat[l] = variable->is_flat;
             interface->is_noperspective[l] = variable->is_noperspective;
             interface->is_centroid[l] = variable->is_centroid;
@@ -36,7 +37,9 @@ void shader_find_interface(const struct shader_program *program, struct shader_i
         case SHADER_INPUT_BESIDE:
         case SHADER_INPUT_BELOW: interface->needs_w = true; // fall through
         case SHADER_INPUT_DX:
-        case SHADER_INPUT_DY: interface->reads[node->immediate] = interface->derives[node->immediate] = true; break;
+        case SHADER_INPUT_DY:
+            interface->reads[node->immediate] = interface->derives[node->immediate] = true;
+            break;
         case SHADER_BUILT_IN: interface->built_in[node->immediate] = true; break;
         case SHADER_OUTPUT: interface->writes[node->immediate] = true; break;
         case SHADER_DISCARD: interface->discards = true; break;
@@ -51,8 +54,8 @@ void shader_find_interface(const struct shader_program *program, struct shader_i
 // Varyings -------------------------------------------------------------------------------------------
 
 // Add a varying of the components [first, end) of a location.
-static void add_varying(struct rhw_program *program, const struct shader_interface *fragment, uint32_t location, uint32_t first,
-                        uint32_t end)
+static void add_varying(struct rhw_program *program, const struct shader_interface *fragment,
+                        uint32_t location, uint32_t first, uint32_t end)
 {
     struct rhw_varying *const varying = &program->varyings[program->varying_count++];
     *varying = (struct rhw_varying){.components = (int)(end - first),
@@ -68,9 +71,9 @@ static void add_varying(struct rhw_program *program, const struct shader_interfa
 }
 
 // Every location that the fragment stage reads becomes a varying, of the components from its first to its last.
-static const char *link_varyings(const struct shader_interface *vertex, const struct shader_interface *fragment,
-                                 struct shader_bytecode *vertex_code, struct shader_bytecode *fragment_code,
-                                 struct rhw_program *program)
+static const char *link_varyings(const struct shader_interface *vertex,
+                                 const struct shader_interface *fragment, struct shader_bytecode *vertex_code,
+                                 struct shader_bytecode *fragment_code, struct rhw_program *program)
 {
     uint8_t component = 0;
     for (uint32_t location = 0; location < LOCATIONS; location++) {
@@ -89,7 +92,8 @@ static const char *link_varyings(const struct shader_interface *vertex, const st
             return "there are too many varyings";
         }
         add_varying(program, fragment, location, first, end);
-        fragment_code->is_linear[location] = fragment->is_flat[location] || fragment->is_noperspective[location];
+        fragment_code->is_linear[location] =
+            fragment->is_flat[location] || fragment->is_noperspective[location];
         for (uint32_t c = first; c < end; c++) {
             const uint32_t slot = location * COMPONENTS + c;
             if (reads[c] && !vertex->writes[SHADER_OUT_VARYING + slot]) {
@@ -99,7 +103,8 @@ static const char *link_varyings(const struct shader_interface *vertex, const st
         }
     }
     if (fragment->needs_w) {
-        program->varyings[program->varying_count++] = (struct rhw_varying){.components = 1, .derivatives = true};
+        program->varyings[program->varying_count++] =
+            (struct rhw_varying){.components = 1, .derivatives = true};
         vertex_code->w_component = fragment_code->w_component = component;
     }
     return NULL;
@@ -111,13 +116,18 @@ static uint32_t find_uses(const struct shader_interface *fragment)
     for (int c = 0; c < 4; c++) {
         uses |= fragment->built_in[SHADER_IN_COORD + c] ? (uint32_t)RHW_USE_COORD : 0;
     }
-    const bool uses_sample = fragment->built_in[SHADER_IN_SAMPLE_ID] || fragment->built_in[SHADER_IN_SAMPLE_POSITION] ||
+    const bool uses_sample = fragment->built_in[SHADER_IN_SAMPLE_ID] ||
+                             fragment->built_in[SHADER_IN_SAMPLE_POSITION] ||
                              fragment->built_in[SHADER_IN_SAMPLE_POSITION + 1];
-    const bool uses_point = fragment->built_in[SHADER_IN_POINT_COORD] || fragment->built_in[SHADER_IN_POINT_COORD + 1];
-    const bool uses_mask = fragment->built_in[SHADER_IN_SAMPLE_MASK] || fragment->writes[SHADER_OUT_SAMPLE_MASK];
+    const bool uses_point =
+        fragment->built_in[SHADER_IN_POINT_COORD] || fragment->built_in[SHADER_IN_POINT_COORD + 1];
+    const bool uses_mask =
+        fragment->built_in[SHADER_IN_SAMPLE_MASK] || fragment->writes[SHADER_OUT_SAMPLE_MASK];
     uses |= fragment->built_in[SHADER_IN_FRONT_FACING] ? (uint32_t)RHW_USE_FACING : 0;
     uses |= fragment->built_in[SHADER_IN_PRIMITIVE] ? (uint32_t)RHW_USE_IDS : 0;
-    uses |= fragment->built_in[SHADER_IN_LAYER] || fragment->built_in[SHADER_IN_VIEWPORT] ? (uint32_t)RHW_USE_LAYER : 0;
+    uses |= fragment->built_in[SHADER_IN_LAYER] || fragment->built_in[SHADER_IN_VIEWPORT]
+                ? (uint32_t)RHW_USE_LAYER
+                : 0;
     uses |= uses_sample ? (uint32_t)RHW_USE_SAMPLE : 0;
     uses |= uses_point ? (uint32_t)RHW_USE_POINT_COORD : 0;
     uses |= uses_mask ? (uint32_t)RHW_USE_SAMPLE_MASK : 0;
@@ -138,7 +148,8 @@ static int count_distances(const struct shader_interface *vertex, uint32_t first
 }
 
 const char *shader_link(const struct shader_interface *vertex, const struct shader_interface *fragment,
-                        struct shader_bytecode *vertex_code, struct shader_bytecode *fragment_code, struct rhw_program *program)
+                        struct shader_bytecode *vertex_code, struct shader_bytecode *fragment_code,
+                        struct rhw_program *program)
 {
     static const struct shader_interface nothing = {.discards = false};
     const struct shader_interface *const reader = fragment ? fragment : &nothing;
@@ -149,11 +160,12 @@ const char *shader_link(const struct shader_interface *vertex, const struct shad
         fragment_code->w_component = NO_COMPONENT;
     }
     program->varying_count = 0;
-    const char *const problem = link_varyings(vertex, reader, vertex_code, fragment ? fragment_code : vertex_code, program);
+    const char *const problem =
+        link_varyings(vertex, reader, vertex_code, fragment ? fragment_code : vertex_code, program);
     if (problem) {
         return problem;
     }
-    program->uniform_size = sizeof(struct shader_bound);
+    program->uniform_size = sizeof(struct rhw_shader_frame);
     program->writes_point_size = vertex->writes[SHADER_OUT_POINT_SIZE];
     program->writes_layer = vertex->writes[SHADER_OUT_LAYER];
     program->writes_viewport_index = vertex->writes[SHADER_OUT_VIEWPORT];

@@ -190,7 +190,8 @@ static void define_result(struct shader_module *module, uint32_t word, const cha
     const uint32_t id = words[has_type ? 2 : 1];
     struct shader_id *const defined = &module->ids[id];
     if (defined->word != 0) {
-        shader_refuse(module, word, "id %u was defined before, at word %u", (unsigned)id, (unsigned)defined->word);
+        shader_refuse(module, word, "id %u was defined before, at word %u", (unsigned)id,
+                      (unsigned)defined->word);
     }
     defined->word = word;
     defined->opcode = (uint16_t)(words[0] & 0xffff);
@@ -215,7 +216,8 @@ static bool is_constant(uint16_t opcode)
     return (opcode >= SPIRV_OP_ConstantTrue && opcode <= SPIRV_OP_SpecConstantOp) || opcode == SPIRV_OP_Undef;
 }
 
-const struct shader_constant *shader_constant_of_id(const struct shader_module *module, uint32_t word, uint32_t id)
+const struct shader_constant *shader_constant_of_id(const struct shader_module *module, uint32_t word,
+                                                    uint32_t id)
 {
     if (!is_constant(module->ids[id].opcode) || !module->ids[id].data.as_constant) {
         shader_refuse(module, word, "id %u is no constant", (unsigned)id);
@@ -233,7 +235,8 @@ const struct shader_type *shader_value_type(const struct shader_module *module, 
 
 // Decorations ----------------------------------------------------------------------------------------
 
-static void add_decoration(struct shader_module *module, uint32_t word, uint32_t id, int member, uint32_t operand)
+static void add_decoration(struct shader_module *module, uint32_t word, uint32_t id, int member,
+                           uint32_t operand)
 {
     const uint32_t end = word + (module->words[word] >> 16);
     const uint32_t number = ++module->decoration_count;
@@ -247,7 +250,8 @@ static void add_decoration(struct shader_module *module, uint32_t word, uint32_t
 }
 
 // Give an id, or a member of it, what a group was decorated with.
-static void copy_decorations(struct shader_module *module, uint32_t word, uint32_t group, uint32_t id, int member)
+static void copy_decorations(struct shader_module *module, uint32_t word, uint32_t group, uint32_t id,
+                             int member)
 {
     for (uint32_t d = module->ids[group].decorations; d != 0; d = module->decorations[d - 1].next) {
         if (module->decoration_count >= module->word_count) {
@@ -284,8 +288,8 @@ static void read_decoration(struct shader_module *module, uint32_t word)
     }
 }
 
-const struct shader_decoration *shader_find_decoration(const struct shader_module *module, uint32_t id, int member,
-                                                       enum spirv_decoration number)
+const struct shader_decoration *shader_find_decoration(const struct shader_module *module, uint32_t id,
+                                                       int member, enum spirv_decoration number)
 {
     for (uint32_t d = module->ids[id].decorations; d != 0; d = module->decorations[d - 1].next) {
         const struct shader_decoration *const decoration = &module->decorations[d - 1];
@@ -302,14 +306,14 @@ const struct shader_decoration *shader_find_decoration(const struct shader_modul
 static bool is_supported(uint32_t capability)
 {
     static const uint16_t supported[] = {
-        0,  1,  // Matrix, Shader
-        25, 26, // ImageGatherExtended, StorageImageMultisample
-        27, 28, 29, 30, 31, // UniformBuffer, SampledImage, StorageBuffer, StorageImage arrays; ClipDistance
-        32, 33, 34, 35, 36, // CullDistance, ImageCubeArray, SampleRateShading, ImageRect, SampledRect
-        40, 41, 42, 43, 44, 45, // InputAttachment, SparseResidency, MinLod, Sampled1D, Image1D, SampledCubeArray
-        46, 47, 48, 49, 50, 51, 52, // SampledBuffer … InterpolationFunction
-        55, 56, 57, // StorageImageRead, StorageImageWriteWithoutFormat, MultiViewport
-        61, 62, 63, 64, 65, 66, 67, 68, // GroupNonUniform and its kin
+        0,    1,                    // Matrix, Shader
+        25,   26,                   // ImageGatherExtended, StorageImageMultisample
+        27,   28,   29,   30,   31, // UniformBuffer, SampledImage, StorageBuffer, StorageImage arrays; ClipDistance
+        32,   33,   34,   35,   36, // CullDistance, ImageCubeArray, SampleRateShading, ImageRect, SampledRect
+        40,   41,   42,   43,   44,   45, // InputAttachment, SparseResidency, MinLod, Sampled1D, Image1D, SampledCubeArray
+        46,   47,   48,   49,   50,   51,   52, // SampledBuffer … InterpolationFunction
+        55,   56,   57, // StorageImageRead, StorageImageWriteWithoutFormat, MultiViewport
+        61,   62,   63,   64,   65,   66,   67,   68,        // GroupNonUniform and its kin
         4423, 4427, 4433, 4434, 4435, 4436, 4437, 4439, 4441 // ShaderViewportIndexLayer … VariablePointers
     };
     for (size_t i = 0; i < sizeof supported / sizeof *supported; i++) {
@@ -350,8 +354,8 @@ static void read_function(struct shader_module *module, uint32_t word)
 }
 
 // Read an instruction outside of functions.
-static void read_global(struct shader_module *module, uint32_t word, const struct shader_specialization *values,
-                        size_t count)
+static void read_global(struct shader_module *module, uint32_t word,
+                        const struct shader_specialization *values, size_t count)
 {
     const uint32_t opcode = module->words[word] & 0xffff;
     switch (opcode) {
@@ -362,7 +366,8 @@ static void read_global(struct shader_module *module, uint32_t word, const struc
         return;
     case SPIRV_OP_MemoryModel:
         if (module->words[word + 1] != 0 || (module->words[word + 2] != 1 && module->words[word + 2] != 3)) {
-            shader_refuse(module, word, "only logical addresses and the memory models GLSL450 and Vulkan are supported");
+            shader_refuse(module, word,
+                          "only logical addresses and the memory models GLSL450 and Vulkan are supported");
         }
         return;
     case SPIRV_OP_ExtInstImport: read_import(module, word); return;
@@ -433,11 +438,13 @@ static void check_header(struct shader_module *module, const uint32_t *words, si
         shader_refuse(module, 0, "version 0x%x of SPIR-V is not known", (unsigned)words[1]);
     }
     if (words[3] == 0 || words[3] > SHADER_MAX_IDS) {
-        shader_refuse(module, 0, "a bound of %u ids is not supported; it is 1 to %d", (unsigned)words[3], SHADER_MAX_IDS);
+        shader_refuse(module, 0, "a bound of %u ids is not supported; it is 1 to %d", (unsigned)words[3],
+                      SHADER_MAX_IDS);
     }
 }
 
-struct shader_module *shader_module_read(struct shader_memory *memory, const uint32_t *words, size_t word_count,
+struct shader_module *shader_module_read(struct shader_memory *memory, const uint32_t *words,
+                                         size_t word_count,
                                          const struct shader_specialization *specialization, size_t count)
 {
     struct shader_module *const module = shader_take(memory, 1, sizeof *module);
@@ -472,7 +479,8 @@ struct shader_module *shader_module_read(struct shader_memory *memory, const uin
             read_global(module, word, specialization, count);
         } else if (opcode == SPIRV_OP_Undef) {
             shader_read_constant(module, word, NULL, 0);
-        } else if (opcode == SPIRV_OP_Variable && shader_read_variable(module, word)->storage != SPIRV_FUNCTION) {
+        } else if (opcode == SPIRV_OP_Variable &&
+                   shader_read_variable(module, word)->storage != SPIRV_FUNCTION) {
             shader_refuse(module, word, "a variable of the module stands in a function");
         }
     }

@@ -85,7 +85,7 @@ struct shader_variable {
     enum spirv_storage_class storage;
     const struct shader_constant *initial; // NULL: none
     uint32_t id;
-    int set, binding; // −1: none
+    int set, binding;                                           // −1: none
     int location, component, index, built_in, input_attachment; // −1: none
     bool is_flat, is_noperspective, is_centroid, is_sample, is_not_readable, is_not_writable;
 };
@@ -142,7 +142,7 @@ struct shader_module {
     uint32_t variable_count;
     struct shader_function *functions;
     uint32_t function_count;
-    const char **names; // of ids, or NULL where OpName gives none
+    const char **names;   // of ids, or NULL where OpName gives none
     uint32_t glsl_import; // id of GLSL.std.450, or 0
     // Where reading stands, for messages.
     uint32_t at;
@@ -154,7 +154,8 @@ struct shader_specialization {
 
 // Read a module. `words` must stay; they are in the order of bytes of this machine. The memory owns what is made, and
 // takes the message where reading ends early.
-struct shader_module *shader_module_read(struct shader_memory *memory, const uint32_t *words, size_t word_count,
+struct shader_module *shader_module_read(struct shader_memory *memory, const uint32_t *words,
+                                         size_t word_count,
                                          const struct shader_specialization *specialization, size_t count);
 
 // Return the name of an instruction, or "an unknown instruction".
@@ -168,12 +169,13 @@ _Noreturn void shader_refuse(const struct shader_module *module, uint32_t word, 
 
 // Return the type, constant or variable that an id stands for. `word` is the instruction that uses it.
 const struct shader_type *shader_type_of_id(const struct shader_module *module, uint32_t word, uint32_t id);
-const struct shader_constant *shader_constant_of_id(const struct shader_module *module, uint32_t word, uint32_t id);
+const struct shader_constant *shader_constant_of_id(const struct shader_module *module, uint32_t word,
+                                                    uint32_t id);
 // Return the type of the value that an id stands for.
 const struct shader_type *shader_value_type(const struct shader_module *module, uint32_t word, uint32_t id);
 // Return the decoration of an id or of its member (−1: of the whole), or NULL.
-const struct shader_decoration *shader_find_decoration(const struct shader_module *module, uint32_t id, int member,
-                                                       enum spirv_decoration number);
+const struct shader_decoration *shader_find_decoration(const struct shader_module *module, uint32_t id,
+                                                       int member, enum spirv_decoration number);
 
 // What the files of the reader share -----------------------------------------------------------------
 

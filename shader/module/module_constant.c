@@ -28,7 +28,8 @@ static uint32_t narrow(const struct shader_type *type, uint32_t bits)
     return type->is_signed ? (uint32_t)((int32_t)upper >> shift) : upper >> shift;
 }
 
-static void read_number(struct shader_module *module, uint32_t word, const struct shader_type *type, uint32_t *scalar)
+static void read_number(struct shader_module *module, uint32_t word, const struct shader_type *type,
+                        uint32_t *scalar)
 {
     if ((type->kind != SHADER_INT && type->kind != SHADER_FLOAT) || (module->words[word] >> 16) != 4) {
         shader_refuse(module, word, "a constant is a number of one word");
@@ -40,18 +41,20 @@ static void read_number(struct shader_module *module, uint32_t word, const struc
 }
 
 // Put the scalars of the parts of a composite behind one another.
-static void read_composite(struct shader_module *module, uint32_t word, const struct shader_type *type, uint32_t *scalars)
+static void read_composite(struct shader_module *module, uint32_t word, const struct shader_type *type,
+                           uint32_t *scalars)
 {
     const uint32_t count = (module->words[word] >> 16) - 3;
     const bool is_struct = type->kind == SHADER_STRUCT;
-    const bool is_composite = is_struct || type->kind == SHADER_VECTOR || type->kind == SHADER_MATRIX ||
-                              type->kind == SHADER_ARRAY;
+    const bool is_composite =
+        is_struct || type->kind == SHADER_VECTOR || type->kind == SHADER_MATRIX || type->kind == SHADER_ARRAY;
     if (!is_composite || count != type->count) {
         shader_refuse(module, word, "a constant of id %u has %u parts", (unsigned)type->id,
                       is_composite ? (unsigned)type->count : 0);
     }
     for (uint32_t i = 0; i < count; i++) {
-        const struct shader_constant *const part = shader_constant_of_id(module, word, module->words[word + 3 + i]);
+        const struct shader_constant *const part =
+            shader_constant_of_id(module, word, module->words[word + 3 + i]);
         if (part->type != (is_struct ? type->members[i].type : type->element)) {
             shader_refuse(module, word, "part %u is of another type", (unsigned)i);
         }
@@ -63,7 +66,8 @@ static void read_composite(struct shader_module *module, uint32_t word, const st
 // Specialization -------------------------------------------------------------------------------------
 
 static const struct shader_specialization *find_value(const struct shader_module *module, uint32_t id,
-                                                      const struct shader_specialization *values, size_t count)
+                                                      const struct shader_specialization *values,
+                                                      size_t count)
 {
     const struct shader_decoration *const decoration = shader_find_decoration(module, id, -1, SPIRV_SPEC_ID);
     for (size_t i = 0; decoration && i < count; i++) {
@@ -198,7 +202,8 @@ static void evaluate_operation(const struct operation *operation, uint32_t opcod
         return;
     }
     if (opcode == SPIRV_OP_CompositeInsert) {
-        const struct shader_constant *const part = operand(operation, 0), *const whole = operand(operation, 1);
+        const struct shader_constant *const part = operand(operation, 0), *const whole =
+                                                                              operand(operation, 1);
         check_part(operation, whole->type, type);
         check_part(operation, find_part(operation, type, 2, &begin), part->type);
         memcpy(scalars, whole->scalars, type->scalars * sizeof *scalars);
@@ -231,8 +236,8 @@ static void evaluate_operation(const struct operation *operation, uint32_t opcod
     }
 }
 
-void shader_read_constant(struct shader_module *module, uint32_t word, const struct shader_specialization *values,
-                          size_t count)
+void shader_read_constant(struct shader_module *module, uint32_t word,
+                          const struct shader_specialization *values, size_t count)
 {
     const uint32_t *const words = module->words + word;
     const uint32_t opcode = words[0] & 0xffff;

@@ -8,7 +8,8 @@ void shader_read_entry_point(struct shader_module *module, uint32_t word)
     const uint32_t count = words[0] >> 16;
     const char *const name = (const char *)(words + 3);
     uint32_t behind = 3; // the name
-    while ((words[behind] & 0xff) && (words[behind] & 0xff00) && (words[behind] & 0xff0000) && (words[behind] >> 24)) {
+    while ((words[behind] & 0xff) && (words[behind] & 0xff00) && (words[behind] & 0xff0000) &&
+           (words[behind] >> 24)) {
         behind++;
     }
     behind++;

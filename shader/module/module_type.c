@@ -18,7 +18,8 @@ static void nest(const struct shader_module *module, uint32_t word, struct shade
 {
     const uint64_t scalars = type->scalars + element->scalars * count;
     if (element->depth + 1 > SHADER_MAX_TYPE_DEPTH || scalars > SHADER_MAX_SCALARS) {
-        shader_refuse(module, word, "the type is too large: at most %d scalars and %d types within each other",
+        shader_refuse(module, word,
+                      "the type is too large: at most %d scalars and %d types within each other",
                       SHADER_MAX_SCALARS, SHADER_MAX_TYPE_DEPTH);
     }
     type->scalars = (uint32_t)scalars;
@@ -46,9 +47,9 @@ static void read_vector(struct shader_module *module, uint32_t word, struct shad
 {
     type->element = shader_type_of_id(module, word, module->words[word + 2]);
     type->count = module->words[word + 3];
-    const bool fits = type->kind == SHADER_VECTOR
-                          ? is_scalar(type->element)
-                          : type->element->kind == SHADER_VECTOR && type->element->element->kind == SHADER_FLOAT;
+    const bool fits = type->kind == SHADER_VECTOR ? is_scalar(type->element)
+                                                  : type->element->kind == SHADER_VECTOR &&
+                                                        type->element->element->kind == SHADER_FLOAT;
     if (!fits || type->count < 2 || type->count > 4) {
         shader_refuse(module, word, "a vector has 2 to 4 scalars, and a matrix 2 to 4 vectors of floats");
     }
@@ -83,8 +84,8 @@ static void read_array(struct shader_module *module, uint32_t word, struct shade
     }
 }
 
-static uint32_t decorated(const struct shader_module *module, uint32_t id, int member, enum spirv_decoration number,
-                          uint32_t otherwise)
+static uint32_t decorated(const struct shader_module *module, uint32_t id, int member,
+                          enum spirv_decoration number, uint32_t otherwise)
 {
     const struct shader_decoration *const found = shader_find_decoration(module, id, member, number);
     return found ? found->value : otherwise;
@@ -120,7 +121,8 @@ static void read_image(struct shader_module *module, uint32_t word, struct shade
     const uint32_t *const words = module->words + word;
     type->element = shader_type_of_id(module, word, words[2]);
     if (words[3] > SPIRV_DIM_SUBPASS || words[5] > 1 || words[6] > 1 || words[7] == 0 || words[7] > 2 ||
-        (type->element->kind != SHADER_FLOAT && type->element->kind != SHADER_INT) || type->element->bits != 32) {
+        (type->element->kind != SHADER_FLOAT && type->element->kind != SHADER_INT) ||
+        type->element->bits != 32) {
         shader_refuse(module, word, "an image of this kind is not supported");
     }
     type->image = (struct shader_image_type){.dim = (enum spirv_dim)words[3],
@@ -144,9 +146,10 @@ static void read_function_type(struct shader_module *module, uint32_t word, stru
 
 void shader_read_type(struct shader_module *module, uint32_t word)
 {
-    static const enum shader_type_kind kinds[] = {
-        SHADER_VOID,  SHADER_BOOL,    SHADER_INT,           SHADER_FLOAT, SHADER_VECTOR,        SHADER_MATRIX,
-        SHADER_IMAGE, SHADER_SAMPLER, SHADER_SAMPLED_IMAGE, SHADER_ARRAY, SHADER_RUNTIME_ARRAY, SHADER_STRUCT};
+    static const enum shader_type_kind kinds[] = {SHADER_VOID,  SHADER_BOOL,          SHADER_INT,
+                                                  SHADER_FLOAT, SHADER_VECTOR,        SHADER_MATRIX,
+                                                  SHADER_IMAGE, SHADER_SAMPLER,       SHADER_SAMPLED_IMAGE,
+                                                  SHADER_ARRAY, SHADER_RUNTIME_ARRAY, SHADER_STRUCT};
     const uint32_t opcode = module->words[word] & 0xffff;
     enum shader_type_kind kind = SHADER_VOID;
     if (opcode == SPIRV_OP_TypePointer) {

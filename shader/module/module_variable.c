@@ -27,7 +27,8 @@ struct shader_variable *shader_read_variable(struct shader_module *module, uint3
     const uint32_t *const words = module->words + word;
     const struct shader_type *const pointer = shader_type_of_id(module, word, words[1]);
     if (pointer->kind != SHADER_POINTER || (uint32_t)pointer->storage != words[3]) {
-        shader_refuse(module, word, "id %u is no pointer to storage class %u", (unsigned)words[1], (unsigned)words[3]);
+        shader_refuse(module, word, "id %u is no pointer to storage class %u", (unsigned)words[1],
+                      (unsigned)words[3]);
     }
     if (!is_storage_class(words[3])) {
         shader_refuse(module, word, "storage class %u is not supported", (unsigned)words[3]);

@@ -96,7 +96,15 @@ enum spirv_built_in {
     SPIRV_VIEW_INDEX = 4440
 };
 
-enum spirv_dim { SPIRV_DIM_1D, SPIRV_DIM_2D, SPIRV_DIM_3D, SPIRV_DIM_CUBE, SPIRV_DIM_RECT, SPIRV_DIM_BUFFER, SPIRV_DIM_SUBPASS };
+enum spirv_dim {
+    SPIRV_DIM_1D,
+    SPIRV_DIM_2D,
+    SPIRV_DIM_3D,
+    SPIRV_DIM_CUBE,
+    SPIRV_DIM_RECT,
+    SPIRV_DIM_BUFFER,
+    SPIRV_DIM_SUBPASS
+};
 
 // Bits of image operands, which come in this order behind their mask.
 enum spirv_image_operand {

@@ -31,6 +31,25 @@ function(rhw_unit_room room)
     "SHELL:-iquote ${PROJECT_SOURCE_DIR}/scene")
   target_link_libraries(unit_${room} PRIVATE rhw_harness rhw_options Threads::Threads)
   add_dependencies(unit unit_${room})
+  file(GLOB texts CONFIGURE_DEPENDS ${RHW_UNIT_FOLDER}/${room}/glsl/*)
+  if(texts)
+    rhw_add_glsl(unit_${room} ${texts})
+  endif()
+endfunction()
+
+# Gives a target a header NAME_STAGE.h of each GLSL text NAME.STAGE: its words, as `const uint32_t NAME_STAGE[]`.
+function(rhw_add_glsl target)
+  find_program(RHW_GLSLANG glslangValidator REQUIRED)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_glsl)
+  file(MAKE_DIRECTORY ${folder})
+  foreach(text ${ARGN})
+    get_filename_component(file ${text} NAME)
+    string(REPLACE "." "_" name ${file})
+    add_custom_command(OUTPUT ${folder}/${name}.h DEPENDS ${text} VERBATIM
+      COMMAND ${RHW_GLSLANG} -V --quiet --vn ${name} -o ${folder}/${name}.h ${text})
+    target_sources(${target} PRIVATE ${folder}/${name}.h)
+  endforeach()
+  target_include_directories(${target} PRIVATE ${folder})
 endfunction()
 
 # Adds the programs of all rooms, and the target `unit` that builds them. Leaves out rooms and files whose names follow.

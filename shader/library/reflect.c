@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// What a shader tells about itself: resources, inputs and outputs.
+#include <stdlib.h>
+
+#include "shader.h"
+
+// Return the name of an id, or "".
+static const char *name_of(const struct shader_module *module, uint32_t id)
+{
+    const char *const name = module->names[id];
+    return name ? name : "";
+}
+
+// Resources ------------------------------------------------------------------------------------------
+
+static enum rhw_shader_resource_kind kind_of_image(const struct shader_image_type *image)
+{
+    if (image->dim == SPIRV_DIM_SUBPASS) {
+        return RHW_SHADER_INPUT_ATTACHMENT;
+    }
+    if (image->dim == SPIRV_DIM_BUFFER) {
+        return RHW_SHADER_TEXEL_BUFFER;
+    }
+    return image->is_storage ? RHW_SHADER_STORAGE_IMAGE : RHW_SHADER_TEXTURE;
+}
+
+static enum rhw_shader_resource_kind kind_of(const struct shader_resource *resource)
+{
+    const struct shader_type *const type = resource->type;
+    switch (type->kind) {
+    case SHADER_SAMPLER: return RHW_SHADER_SAMPLER;
+    case SHADER_SAMPLED_IMAGE:
+        return type->element->image.dim == SPIRV_DIM_BUFFER ? RHW_SHADER_TEXEL_BUFFER
+                                                            : RHW_SHADER_SAMPLED_TEXTURE;
+    case SHADER_IMAGE: return kind_of_image(&type->image);
+    default:
+        return resource->variable->storage == SPIRV_STORAGE_BUFFER || type->is_buffer_block
+                   ? RHW_SHADER_STORAGE_BUFFER
+                   : RHW_SHADER_UNIFORM_BUFFER;
+    }
+}
+
+// Return the bytes of a type in memory; 0 of an array without length.
+static uint32_t bytes_of(const struct shader_type *type, const struct shader_member *member)
+{
+    switch (type->kind) {
+    case SHADER_INT:
+    case SHADER_FLOAT: return (uint32_t)type->bits / 8;
+    case SHADER_VECTOR: return type->count * bytes_of(type->element, NULL);
+    case SHADER_MATRIX: {
+        const uint32_t rows = type->element->count, scalar = bytes_of(type->element->element, NULL);
+        const uint32_t vectors = member && member->is_row_major ? rows : type->count;
+        const uint32_t components = member && member->is_row_major ? type->count : rows;
+        const uint32_t stride = member && member->matrix_stride ? member->matrix_stride : components * scalar;
+        return (vectors - 1) * stride + components * scalar;
+    }
+    case SHADER_ARRAY: return (type->count - 1) * type->stride + bytes_of(type->element, member);
+    case SHADER_STRUCT: {
+        uint32_t end = 0;
+        for (uint32_t i = 0; i < type->count; i++) {
+            const struct shader_member *const one = &type->members[i];
+            const uint32_t own = one->offset + bytes_of(one->type, one);
+            end = own > end ? own : end;
+        }
+        return end;
+    }
+    default: return 0;
+    }
+}
+
+static int compare_resources(const void *a, const void *b)
+{
+    const struct rhw_shader_resource *const x = a, *const y = b;
+    const uint32_t p = x->set != y->set ? x->set : x->binding, q = x->set != y->set ? y->set : y->binding;
+    return p < q ? -1 : p > q;
+}
+
+// Resources that no code reaches are left out: they may be those of another entry point.
+static void reflect_resources(rhw_shader *shader)
+{
+    const struct shader_program *const form = shader->form;
+    const struct shader_module *const module = form->module;
+    bool *const is_used = shader_take(form->memory, form->resource_count, sizeof *is_used);
+    struct rhw_shader_resource *const resources =
+        shader_take(form->memory, form->resource_count, sizeof *resources);
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < form->code_count; i++) {
+        const struct shader_node *const node = &form->nodes[form->code[i]];
+        if (node->op == SHADER_BUFFER) {
+            is_used[node->immediate] = true;
+        }
+    }
+    for (uint32_t r = 0; r < form->resource_count; r++) {
+        const struct shader_resource *const resource = &form->resources[r];
+        const struct shader_variable *const variable = resource->variable;
+        if (!is_used[r]) {
+            continue;
+        }
+        if (variable->set < 0 || variable->set >= RHW_SHADER_MAX_SETS || variable->binding < 0) {
+            shader_refuse(module, module->ids[variable->id].word,
+                          "a resource has a binding, and a set below %d", RHW_SHADER_MAX_SETS);
+        }
+        if (count == RHW_SHADER_MAX_RESOURCES) {
+            shader_refuse(module, module->ids[variable->id].word, "the shader uses more than %d resources",
+                          RHW_SHADER_MAX_RESOURCES);
+        }
+        const bool is_buffer = resource->type->kind == SHADER_STRUCT;
+        resources[count++] =
+            (struct rhw_shader_resource){.kind = kind_of(resource),
+                                         .set = (uint32_t)variable->set,
+                                         .binding = (uint32_t)variable->binding,
+                                         .count = resource->count,
+                                         .name = name_of(module, variable->id),
+                                         .size = is_buffer ? bytes_of(resource->type, NULL) : 0};
+    }
+    if (count > 0) {
+        qsort(resources, count, sizeof *resources, compare_resources);
+    }
+    shader->info.resources = resources;
+    shader->info.resource_count = count;
+}
+
+// Inputs and outputs ---------------------------------------------------------------------------------
+
+struct variable_list {
+    struct shader_memory *memory;
+    struct rhw_shader_variable *variables;
+    uint32_t count;
+    size_t room;
+};
+
+// Add what a type has from a location on. Return the location behind.
+static uint32_t add_variables(struct variable_list *list, const struct shader_type *type, uint32_t location,
+                              uint32_t component, const char *name)
+{
+    if (type->kind == SHADER_MATRIX || type->kind == SHADER_ARRAY) {
+        for (uint32_t i = 0; i < type->count; i++) {
+            location = add_variables(list, type->element, location, component, name);
+        }
+        return location;
+    }
+    if (type->kind == SHADER_STRUCT) {
+        for (uint32_t i = 0; i < type->count; i++) {
+            const struct shader_member *const member = &type->members[i];
+            if (member->built_in >= 0) {
+                continue;
+            }
+            location = member->location >= 0 ? (uint32_t)member->location : location;
+            location = add_variables(list, member->type, location,
+                                     member->component < 0 ? 0 : (uint32_t)member->component, name);
+        }
+        return location;
+    }
+    if (list->count == list->room) {
+        list->variables = shader_grow(list->memory, list->variables, &list->room, sizeof *list->variables);
+    }
+    const struct shader_type *const scalar = type->kind == SHADER_VECTOR ? type->element : type;
+    list->variables[list->count++] =
+        (struct rhw_shader_variable){.location = location,
+                                     .component = component,
+                                     .components = type->kind == SHADER_VECTOR ? type->count : 1,
+                                     .is_integer = scalar->kind == SHADER_INT,
+                                     .name = name};
+    return location + 1;
+}
+
+static int compare_variables(const void *a, const void *b)
+{
+    const struct rhw_shader_variable *const x = a, *const y = b;
+    const uint32_t p = 4 * x->location + x->component, q = 4 * y->location + y->component;
+    return p < q ? -1 : p > q;
+}
+
+// Set *count, and return what the entry point has in a storage class.
+static const struct rhw_shader_variable *reflect_variables(rhw_shader *shader,
+                                                           enum spirv_storage_class storage, uint32_t *count)
+{
+    const struct shader_program *const form = shader->form;
+    const struct shader_module *const module = form->module;
+    struct variable_list list = {.memory = form->memory};
+    for (uint32_t i = 0; i < form->entry->interface_count; i++) {
+        const uint32_t id = form->entry->interface[i];
+        const struct shader_variable *const variable =
+            id < module->bound && module->ids[id].opcode == SPIRV_OP_Variable
+                ? module->ids[id].data.as_variable
+                : NULL;
+        if (variable && variable->storage == storage && variable->built_in < 0) {
+            (void)add_variables(
+                &list, variable->type, variable->location < 0 ? 0 : (uint32_t)variable->location,
+                variable->component < 0 ? 0 : (uint32_t)variable->component, name_of(module, id));
+        }
+    }
+    if (list.count > 0) {
+        qsort(list.variables, list.count, sizeof *list.variables, compare_variables);
+    }
+    *count = list.count;
+    return list.variables;
+}
+
+void shader_reflect(rhw_shader *shader)
+{
+    struct rhw_shader_info *const info = &shader->info;
+    reflect_resources(shader);
+    info->inputs = reflect_variables(shader, SPIRV_INPUT, &info->input_count);
+    info->outputs = reflect_variables(shader, SPIRV_OUTPUT, &info->output_count);
+    info->push_size = shader->form->push_size;
+    info->shared_size = shader->form->workgroup_size;
+    for (int i = 0; i < 3; i++) {
+        info->size[i] = info->stage == RHW_SHADER_COMPUTE ? shader->form->entry->local_size[i] : 0;
+    }
+}

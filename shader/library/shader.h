@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// A translated shader, shared by whoever holds it and by the programs that were linked of it.
+#ifndef SHADER_SHADER_H
+#define SHADER_SHADER_H
+
+#include <stdatomic.h>
+
+#include "form/form.h"
+#include "interpreter/bytecode.h"
+#include "link.h"
+#include "rhw/spirv.h"
+
+struct rhw_shader {
+    struct shader_memory memory; // of all that follows, but not of this struct
+    atomic_uint users;
+    const struct shader_program *form;
+    const struct shader_bytecode *bytecode; // without slots and components
+    struct shader_interface interface;
+    struct rhw_shader_info info;
+};
+
+// Take and leave a shader. It is freed when the last user leaves it.
+void shader_hold(const rhw_shader *shader);
+void shader_release(const rhw_shader *shader);
+
+// reflect.c. Fill the shader's info.
+void shader_reflect(rhw_shader *shader);
+
+// Write a message of one line, where there is room for one.
+void shader_say(char *message, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+#endif
