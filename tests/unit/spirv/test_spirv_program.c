@@ -64,8 +64,8 @@ static void test_stages_are_linked_and_draw(void **state)
     rig_begin(&rig);
     rig_use_pipeline(&rig);
     rig_use_vertices(&rig, 0, triangle, sizeof triangle);
-    rhw_pass_set_uniforms(rig.recording, &frame, sizeof frame);
-    rhw_pass_draw(rig.recording, 0, 3, 0, 1);
+    rhw_pass_set_uniforms(rig.context, rig.recording, &frame, sizeof frame);
+    rhw_pass_draw(rig.context, rig.recording, 0, 3, 0, 1);
     rig_end(&rig);
     const float(*const pixels)[4] = rig_read_float4(&rig);
     for (int i = 0; i < 64; i++) {
