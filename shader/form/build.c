@@ -242,7 +242,7 @@ struct shader_program *shader_build(const struct shader_module *module,
                                 .output_homes = shader_take(memory, SHADER_OUT_COUNT, sizeof(uint32_t)),
                                 .constant_buckets = shader_take(memory, CONSTANT_BUCKETS, sizeof(uint32_t))};
     memset(builder->output_homes, 0xff, SHADER_OUT_COUNT * sizeof(uint32_t));
-    (void)shader_number(builder, 0); // so that no other node has the number 0
+    (void)shader_number(builder, 0); // node 0 means that an operand is not there
     find_labels(builder);
     if (entry->function >= module->bound || module->ids[entry->function].opcode != SPIRV_OP_Function) {
         shader_build_refuse(builder, "id %u is no function", (unsigned)entry->function);

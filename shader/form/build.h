@@ -8,7 +8,7 @@
 // Where a pointer points to.
 enum shader_place_kind {
     SHADER_PLACE_NONE,
-    SHADER_PLACE_HOMES,     // of a variable whose scalars are homes
+    SHADER_PLACE_HOMES,     // a variable whose scalars are homes
     SHADER_PLACE_INPUT,     // scalars that are known values
     SHADER_PLACE_BUFFER,    // memory of a binding, or of push constants
     SHADER_PLACE_WORKGROUP, // bytes of the workgroup
@@ -46,9 +46,9 @@ struct shader_place {
 // What an id stands for.
 struct shader_built {
     const struct shader_type *type; // NULL: nothing yet
-    uint32_t *scalars;              // of a value
-    struct shader_place *place;     // of a pointer, image, sampler or sampled image
-    struct shader_place *sampler;   // of a sampled image
+    uint32_t *scalars;              // where the id is a value
+    struct shader_place *place;     // where it is a pointer, image, sampler or sampled image
+    struct shader_place *sampler;   // a sampled image has one too
     uint32_t *phi;                  // homes of an OpPhi
 };
 
@@ -66,7 +66,7 @@ struct shader_facts {
     size_t room;
     struct shader_fact_change *log;
     size_t log_count, log_room;
-    uint32_t *homes; // those that may have a known value
+    uint32_t *homes; // may have a known value
     size_t home_count, home_room;
 };
 
@@ -98,7 +98,7 @@ struct shader_builder {
     uint32_t word;  // instruction that is being translated
     struct shader_frame *frame;
     struct shader_construct *constructs;
-    uint32_t *constant_buckets; // of the program's constants
+    uint32_t *constant_buckets; // hash table of the program's constants
     uint32_t *output_homes;     // by enum shader_output, or SHADER_NO_VALUE
 };
 
@@ -106,7 +106,8 @@ struct shader_builder {
 
 _Noreturn void shader_build_refuse(const struct shader_builder *builder, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
-const uint32_t *shader_words(const struct shader_builder *builder); // of the instruction
+// Return the words of the instruction that is translated.
+const uint32_t *shader_words(const struct shader_builder *builder);
 uint32_t shader_word_count(const struct shader_builder *builder);
 // Return an operand word; refuse where it is missing.
 uint32_t shader_operand(const struct shader_builder *builder, uint32_t index);
@@ -145,7 +146,8 @@ uint32_t *shader_new_scalars(struct shader_builder *builder, const struct shader
 
 // build_flow.c. Translate a function that has its parameters. Return the homes of what it returns, or NULL.
 uint32_t *shader_build_function(struct shader_builder *builder, const struct shader_function *function);
-// build_arithmetic.c, build_glsl.c, build_memory.c, build_image.c. Return false where the instruction is none of theirs.
+// build_arithmetic.c, build_composite.c, build_glsl.c, build_memory.c, build_image.c. Return false where the file does
+// not have the instruction.
 bool shader_build_arithmetic(struct shader_builder *builder, uint32_t opcode);
 bool shader_build_composite(struct shader_builder *builder, uint32_t opcode);
 void shader_build_glsl(struct shader_builder *builder);

@@ -118,7 +118,7 @@ static uint32_t number(struct shader_builder *b, float value)
     return shader_number_float(b, value);
 }
 
-// Of whole numbers: is a < b, with or without a sign.
+// Return whether the whole number x is less than y, with or without a sign.
 static uint32_t smaller(struct shader_builder *b, uint32_t x, uint32_t y, bool is_signed)
 {
     return emit2(b, is_signed ? SHADER_ILESS : SHADER_ULESS, x, y);

@@ -44,7 +44,7 @@ static const struct built_in built_in_outputs[] = {
 struct interface_walk {
     struct shader_builder *builder;
     const struct shader_variable *variable;
-    uint32_t *scalars; // of the variable
+    uint32_t *scalars; // what the variable holds
     uint32_t next;     // scalar
 };
 
@@ -140,7 +140,7 @@ void shader_build_interface_variable(struct shader_builder *builder, const struc
                                      struct shader_place *place)
 {
     if (!is_in_interface(builder, variable->id)) {
-        return; // of another entry point
+        return; // another entry point has it
     }
     const struct shader_type *const type = variable->type;
     struct interface_walk walk = {builder, variable, shader_new_scalars(builder, type), 0};

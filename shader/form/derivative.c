@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Derivatives. That of an input is analytic. That of anything else is a difference in the 2×2 quad (Vulkan 1.3,
-// "Derivative Operations"): what the value depends on is computed a second time, as it is at the partner pixel, which is
-// (x ^ 1, y) for d/dx and (x, y ^ 1) for d/dy. Each lane does so for itself, so there are no helper lanes.
+// Derivatives. The derivative of an input is analytic. That of anything else is a difference in the 2×2 quad (Vulkan
+// 1.3, "Derivative Operations"): what the value depends on is computed a second time, as it is at the partner pixel,
+// which is (x ^ 1, y) for d/dx and (x, y ^ 1) for d/dy. Each lane does so for itself, so there are no helper lanes.
 #include "pass.h"
 
 #define NONE UINT32_MAX
@@ -10,7 +10,7 @@
 struct direction {
     struct shader_program *program;
     enum shader_op derivative, analytic, beside; // DDX, INPUT_DX, INPUT_BESIDE, or those of y
-    uint32_t axis;                               // of the coordinates: 0 or 1
+    uint32_t axis;                               // 0: x, 1: y
     bool *is_needed;                             // by value: at the partner pixel
     bool *differs;                               // by value: at the partner pixel it may be another
     uint32_t *partner;                           // by value: its value there, or NONE

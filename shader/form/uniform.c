@@ -78,7 +78,7 @@ void shader_mark_uniform(struct shader_program *program)
 
 void shader_run_passes(struct shader_program *program)
 {
-    shader_remove_dead(program); // so that no derivative is made of what nothing reads
+    shader_remove_dead(program); // no derivative is made of what nothing reads
     shader_build_derivatives(program);
     shader_keep_values(program);
     shader_forward_copies(program);

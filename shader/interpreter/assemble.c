@@ -126,8 +126,8 @@ static void find_ranges(struct assembler *assembler)
             extend(&assembler->ranges[value], structure_end[i]);
         }
         if (op == SHADER_IF) {
-            read_at(assembler, node->operands[0], structure_end[i], loops, loop_depth,
-                    loop_end); // ELSE reads it again
+            // The condition is read again by ELSE.
+            read_at(assembler, node->operands[0], structure_end[i], loops, loop_depth, loop_end);
         }
         if (op == SHADER_LOOP) {
             loops[loop_depth++] = i;
@@ -141,7 +141,7 @@ static void find_ranges(struct assembler *assembler)
 
 struct free_registers {
     uint32_t *numbers;
-    uint32_t count, next; // of `numbers`, and the first register that was never given out
+    uint32_t count, next; // length of `numbers`, and the first register that was never given out
 };
 
 static uint32_t take_register(struct free_registers *registers)

@@ -69,7 +69,7 @@ void shader_refuse(const struct shader_module *module, uint32_t word, const char
 // The operands of one instruction as they are checked.
 struct operand_reader {
     const struct shader_module *module;
-    uint32_t word, next, end; // of the instruction, the next operand, and behind the last
+    uint32_t word, next, end; // the instruction, its next operand, and behind the last
 };
 
 static uint32_t take_word(struct operand_reader *reader)
@@ -310,7 +310,8 @@ static bool is_supported(uint32_t capability)
         25,   26,                   // ImageGatherExtended, StorageImageMultisample
         27,   28,   29,   30,   31, // UniformBuffer, SampledImage, StorageBuffer, StorageImage arrays; ClipDistance
         32,   33,   34,   35,   36, // CullDistance, ImageCubeArray, SampleRateShading, ImageRect, SampledRect
-        40,   41,   42,   43,   44,   45, // InputAttachment, SparseResidency, MinLod, Sampled1D, Image1D, SampledCubeArray
+        40,   41,   42,   43,       // InputAttachment, SparseResidency, MinLod, Sampled1D
+        44,   45,                   // Image1D, SampledCubeArray
         46,   47,   48,   49,   50,   51,   52, // SampledBuffer … InterpolationFunction
         55,   56,   57, // StorageImageRead, StorageImageWriteWithoutFormat, MultiViewport
         61,   62,   63,   64,   65,   66,   67,   68,        // GroupNonUniform and its kin

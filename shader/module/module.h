@@ -2,9 +2,9 @@
 // A SPIR-V module as the builder reads it: its words, what each id stands for, types with their layout, constants with
 // their values after specialization, and its entry points.
 //
-// The reader checks the words once: every instruction is known and has the operands that its grammar asks for, every id
-// is defined once and is of the kind that its user needs. What is not checked here the builder checks where it relies on
-// it. A module that breaks a rule ends reading through shader_refuse.
+// The reader checks the words once: every instruction is known and has the operands that its grammar asks for, every
+// id is defined once and is of the kind that its user needs. What is not checked here the builder checks where it
+// relies on it. A module that breaks a rule ends reading through shader_refuse.
 #ifndef SHADER_MODULE_H
 #define SHADER_MODULE_H
 
@@ -18,7 +18,7 @@
 enum {
     SHADER_MAX_WORDS = 1 << 22,
     SHADER_MAX_IDS = 1 << 20,
-    SHADER_MAX_SCALARS = 1 << 14, // of a type
+    SHADER_MAX_SCALARS = 1 << 14, // scalars of a type
     SHADER_MAX_TYPE_DEPTH = 32
 };
 
@@ -62,7 +62,7 @@ struct shader_type {
     // VECTOR, MATRIX (its columns), ARRAY and RUNTIME_ARRAY, SAMPLED_IMAGE (its image), IMAGE (what sampling gives),
     // POINTER (what it points to), FUNCTION (what it returns).
     const struct shader_type *element;
-    uint32_t count;  // of elements, members or parameters
+    uint32_t count;  // how many elements, members or parameters
     uint32_t stride; // bytes from element to element of an array; 0: it has no layout
     const struct shader_member *members;
     const struct shader_type *const *parameters; // FUNCTION
@@ -71,7 +71,7 @@ struct shader_type {
     bool is_block, is_buffer_block;   // STRUCT
     // Scalars of 32 bits that a value of this type is made of; 0 where there are no such values.
     uint32_t scalars;
-    int depth; // of nesting
+    int depth; // how deep composites nest
 };
 
 struct shader_constant {
@@ -92,7 +92,7 @@ struct shader_variable {
 
 struct shader_function {
     uint32_t id;
-    uint32_t word, end; // of its OpFunction, and behind its OpFunctionEnd
+    uint32_t word, end; // where its OpFunction is, and behind its OpFunctionEnd
     const struct shader_type *type;
 };
 
@@ -138,11 +138,11 @@ struct shader_module {
     uint32_t decoration_count;
     struct shader_entry_point *entry_points;
     uint32_t entry_point_count;
-    struct shader_variable **variables; // of the module, not of functions
+    struct shader_variable **variables; // the module's, without those of functions
     uint32_t variable_count;
     struct shader_function *functions;
     uint32_t function_count;
-    const char **names;   // of ids, or NULL where OpName gives none
+    const char **names;   // by id, or NULL where OpName gives none
     uint32_t glsl_import; // id of GLSL.std.450, or 0
     // Where reading stands, for messages.
     uint32_t at;

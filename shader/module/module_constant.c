@@ -82,7 +82,7 @@ static const struct shader_specialization *find_value(const struct shader_module
 struct operation {
     const struct shader_module *module;
     uint32_t word;
-    const struct shader_type *type; // of the result
+    const struct shader_type *type; // what the result is
     const uint32_t *operands;       // behind the number of the operation
     uint32_t count;
 };
