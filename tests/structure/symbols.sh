@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The library shows no symbol without its prefix and keeps no state outside its contexts.
-# usage: symbols.sh LIBRHW (an archive or a shared library)
+# A library shows no symbol without its prefix and keeps no state outside its contexts. The inside of librhw-shader has the
+# prefix shader_, which its shared library does not show.
+# usage: symbols.sh LIBRARY (librhw or librhw-shader, an archive or a shared library)
 set -eu
 library=$1
 fail=0
@@ -13,20 +14,29 @@ esac
 # Lines of an archive that are no symbols have fewer fields.
 names=$(printf '%s\n' "$symbols" | awk 'NF >= 2 && $(NF - 1) ~ /^[A-Za-z]$/ { print $NF }')
 [ -n "$names" ] || { echo "$library shows no symbols at all"; exit 1; }
+headers=$(ls "$(dirname "$0")"/../../include/rhw/*.h | grep -v '/spirv\.h$')
+inside=
+case $(basename "$library") in
+librhw-shader.*)
+    headers=$(dirname "$0")/../../include/rhw/spirv.h
+    inside='|^shader_'
+    ;;
+esac
+case $library in *.so*) inside= ;; esac
 # _init and _fini are the linker's.
-unprefixed=$(printf '%s\n' "$names" | grep -v -E '^rhw_|^_(init|fini)$' || true)
+unprefixed=$(printf '%s\n' "$names" | grep -v -E "^rhw_|^_(init|fini)\$$inside" || true)
 if [ -n "$unprefixed" ]; then
-    echo "symbols without the prefix rhw_:"
+    echo "symbols without the prefix of $library:"
     printf '  %s\n' $unprefixed
     fail=1
 fi
 # A shared library shows the public functions and nothing of its inside.
 case $library in
 *.so*)
-    public=$(cat "$(dirname "$0")"/../../include/rhw/*.h | grep RHW_API | grep -o 'rhw_[a-z0-9_]*(' | tr -d '(' | sort -u)
+    public=$(cat $headers | grep RHW_API | grep -o 'rhw_[a-z0-9_]*(' | tr -d '(' | sort -u)
     shown=$(printf '%s\n' "$names" | grep '^rhw_' | sort -u)
     if [ "$public" != "$shown" ]; then
-        echo "the shared library does not show exactly what the headers declare"
+        echo "$library does not show exactly what its headers declare"
         fail=1
     fi
     ;;
