@@ -166,46 +166,90 @@ static uint32_t smooth_step(struct shader_builder *b, uint32_t from, uint32_t to
     return emit2(b, SHADER_FMUL, emit2(b, SHADER_FMUL, t, t), rest);
 }
 
-// The instructions that work component by component, on up to three operands.
+// Instructions that are one operation of the form.
+struct plain_instruction {
+    uint8_t instruction, op, operands;
+};
+
+static const struct plain_instruction plain_instructions[] = {
+    {GLSL_ROUND, SHADER_ROUND_EVEN, 1},
+    {GLSL_ROUND_EVEN, SHADER_ROUND_EVEN, 1},
+    {GLSL_TRUNC, SHADER_TRUNC, 1},
+    {GLSL_FLOOR, SHADER_FLOOR, 1},
+    {GLSL_CEIL, SHADER_CEIL, 1},
+    {GLSL_SIN, SHADER_SIN, 1},
+    {GLSL_COS, SHADER_COS, 1},
+    {GLSL_TAN, SHADER_TAN, 1},
+    {GLSL_ASIN, SHADER_ASIN, 1},
+    {GLSL_ACOS, SHADER_ACOS, 1},
+    {GLSL_ATAN, SHADER_ATAN, 1},
+    {GLSL_SINH, SHADER_SINH, 1},
+    {GLSL_COSH, SHADER_COSH, 1},
+    {GLSL_TANH, SHADER_TANH, 1},
+    {GLSL_ASINH, SHADER_ASINH, 1},
+    {GLSL_ACOSH, SHADER_ACOSH, 1},
+    {GLSL_ATANH, SHADER_ATANH, 1},
+    {GLSL_ATAN2, SHADER_ATAN2, 2},
+    {GLSL_POW, SHADER_POW, 2},
+    {GLSL_EXP, SHADER_EXP, 1},
+    {GLSL_LOG, SHADER_LOG, 1},
+    {GLSL_EXP2, SHADER_EXP2, 1},
+    {GLSL_LOG2, SHADER_LOG2, 1},
+    {GLSL_SQRT, SHADER_FSQRT, 1},
+    {GLSL_INVERSE_SQRT, SHADER_RSQRT, 1},
+    {GLSL_FMIN, SHADER_FMIN, 2},
+    {GLSL_FMAX, SHADER_FMAX, 2},
+    {GLSL_LDEXP, SHADER_LDEXP, 2},
+    {GLSL_FIND_I_LSB, SHADER_FIND_LOWEST, 1},
+    {GLSL_FIND_U_MSB, SHADER_FIND_HIGHEST, 1},
+};
+
+static bool build_plain_instruction(struct shader_builder *b, uint32_t instruction, const uint32_t v[3],
+                                    uint32_t *result)
+{
+    for (size_t i = 0; i < sizeof plain_instructions / sizeof *plain_instructions; i++) {
+        const struct plain_instruction *const plain = &plain_instructions[i];
+        if (plain->instruction == instruction) {
+            *result = emit2(b, (enum shader_op)plain->op, v[0], plain->operands > 1 ? v[1] : 0);
+            return true;
+        }
+    }
+    return false;
+}
+
+// Hold a whole number within least..most.
+static uint32_t whole_clamp(struct shader_builder *b, uint32_t x, uint32_t least, uint32_t most,
+                            bool is_signed)
+{
+    const uint32_t above = select(b, smaller(b, x, least, is_signed), least, x);
+    return select(b, smaller(b, most, above, is_signed), most, above);
+}
+
+static uint32_t highest_of_signed(struct shader_builder *b, uint32_t x)
+{
+    const uint32_t sign = emit2(b, SHADER_SHIFT_RIGHT_SIGNED, x, shader_number(b, 31));
+    return emit1(b, SHADER_FIND_HIGHEST, emit2(b, SHADER_XOR, x, sign));
+}
+
+static uint32_t step(struct shader_builder *b, uint32_t edge, uint32_t x)
+{
+    return select(b, emit2(b, SHADER_FLESS, x, edge), number(b, 0.0f), number(b, 1.0f));
+}
+
+// Translate an instruction that works component by component, on up to three operands. Return false where the
+// instruction is none.
 static bool build_component(struct shader_builder *b, uint32_t instruction, const uint32_t v[3],
                             uint32_t *result)
 {
     const uint32_t x = v[0], y = v[1], z = v[2];
     switch (instruction) {
-    case GLSL_ROUND:
-    case GLSL_ROUND_EVEN: *result = emit1(b, SHADER_ROUND_EVEN, x); return true;
-    case GLSL_TRUNC: *result = emit1(b, SHADER_TRUNC, x); return true;
     case GLSL_FABS: *result = emit2(b, SHADER_AND, x, shader_number(b, ~SIGN_BIT)); return true;
     case GLSL_SABS: *result = whole_magnitude(b, x); return true;
     case GLSL_FSIGN: *result = sign_of(b, x); return true;
     case GLSL_SSIGN: *result = whole_sign_of(b, x); return true;
-    case GLSL_FLOOR: *result = emit1(b, SHADER_FLOOR, x); return true;
-    case GLSL_CEIL: *result = emit1(b, SHADER_CEIL, x); return true;
     case GLSL_FRACT: *result = emit2(b, SHADER_FSUB, x, emit1(b, SHADER_FLOOR, x)); return true;
     case GLSL_RADIANS: *result = emit2(b, SHADER_FMUL, x, number(b, 0.017453292519943295f)); return true;
     case GLSL_DEGREES: *result = emit2(b, SHADER_FMUL, x, number(b, 57.29577951308232f)); return true;
-    case GLSL_SIN: *result = emit1(b, SHADER_SIN, x); return true;
-    case GLSL_COS: *result = emit1(b, SHADER_COS, x); return true;
-    case GLSL_TAN: *result = emit1(b, SHADER_TAN, x); return true;
-    case GLSL_ASIN: *result = emit1(b, SHADER_ASIN, x); return true;
-    case GLSL_ACOS: *result = emit1(b, SHADER_ACOS, x); return true;
-    case GLSL_ATAN: *result = emit1(b, SHADER_ATAN, x); return true;
-    case GLSL_SINH: *result = emit1(b, SHADER_SINH, x); return true;
-    case GLSL_COSH: *result = emit1(b, SHADER_COSH, x); return true;
-    case GLSL_TANH: *result = emit1(b, SHADER_TANH, x); return true;
-    case GLSL_ASINH: *result = emit1(b, SHADER_ASINH, x); return true;
-    case GLSL_ACOSH: *result = emit1(b, SHADER_ACOSH, x); return true;
-    case GLSL_ATANH: *result = emit1(b, SHADER_ATANH, x); return true;
-    case GLSL_ATAN2: *result = emit2(b, SHADER_ATAN2, x, y); return true;
-    case GLSL_POW: *result = emit2(b, SHADER_POW, x, y); return true;
-    case GLSL_EXP: *result = emit1(b, SHADER_EXP, x); return true;
-    case GLSL_LOG: *result = emit1(b, SHADER_LOG, x); return true;
-    case GLSL_EXP2: *result = emit1(b, SHADER_EXP2, x); return true;
-    case GLSL_LOG2: *result = emit1(b, SHADER_LOG2, x); return true;
-    case GLSL_SQRT: *result = emit1(b, SHADER_FSQRT, x); return true;
-    case GLSL_INVERSE_SQRT: *result = emit1(b, SHADER_RSQRT, x); return true;
-    case GLSL_FMIN: *result = emit2(b, SHADER_FMIN, x, y); return true;
-    case GLSL_FMAX: *result = emit2(b, SHADER_FMAX, x, y); return true;
     case GLSL_NMIN: *result = number_min(b, x, y, false); return true;
     case GLSL_NMAX: *result = number_min(b, x, y, true); return true;
     case GLSL_UMIN: *result = select(b, smaller(b, y, x, false), y, x); return true;
@@ -214,28 +258,14 @@ static bool build_component(struct shader_builder *b, uint32_t instruction, cons
     case GLSL_SMAX: *result = select(b, smaller(b, x, y, true), y, x); return true;
     case GLSL_FCLAMP: *result = emit2(b, SHADER_FMIN, emit2(b, SHADER_FMAX, x, y), z); return true;
     case GLSL_NCLAMP: *result = number_min(b, number_min(b, x, y, true), z, false); return true;
-    case GLSL_UCLAMP:
-    case GLSL_SCLAMP: {
-        const bool is_signed = instruction == GLSL_SCLAMP;
-        const uint32_t above = select(b, smaller(b, x, y, is_signed), y, x);
-        *result = select(b, smaller(b, z, above, is_signed), z, above);
-        return true;
-    }
+    case GLSL_UCLAMP: *result = whole_clamp(b, x, y, z, false); return true;
+    case GLSL_SCLAMP: *result = whole_clamp(b, x, y, z, true); return true;
     case GLSL_FMIX: *result = mix(b, x, y, z); return true;
-    case GLSL_STEP:
-        *result = select(b, emit2(b, SHADER_FLESS, y, x), number(b, 0.0f), number(b, 1.0f));
-        return true;
+    case GLSL_STEP: *result = step(b, x, y); return true;
     case GLSL_SMOOTH_STEP: *result = smooth_step(b, x, y, z); return true;
     case GLSL_FMA: *result = emit2(b, SHADER_FADD, emit2(b, SHADER_FMUL, x, y), z); return true;
-    case GLSL_LDEXP: *result = emit2(b, SHADER_LDEXP, x, y); return true;
-    case GLSL_FIND_I_LSB: *result = emit1(b, SHADER_FIND_LOWEST, x); return true;
-    case GLSL_FIND_U_MSB: *result = emit1(b, SHADER_FIND_HIGHEST, x); return true;
-    case GLSL_FIND_S_MSB: {
-        const uint32_t sign = emit2(b, SHADER_SHIFT_RIGHT_SIGNED, x, shader_number(b, 31));
-        *result = emit1(b, SHADER_FIND_HIGHEST, emit2(b, SHADER_XOR, x, sign));
-        return true;
-    }
-    default: return false;
+    case GLSL_FIND_S_MSB: *result = highest_of_signed(b, x); return true;
+    default: return build_plain_instruction(b, instruction, v, result);
     }
 }
 
