@@ -40,34 +40,6 @@ static enum rhw_shader_resource_kind kind_of(const struct shader_resource *resou
     }
 }
 
-// Return the bytes of a type in memory; 0 of an array without length.
-static uint32_t bytes_of(const struct shader_type *type, const struct shader_member *member)
-{
-    switch (type->kind) {
-    case SHADER_INT:
-    case SHADER_FLOAT: return (uint32_t)type->bits / 8;
-    case SHADER_VECTOR: return type->count * bytes_of(type->element, NULL);
-    case SHADER_MATRIX: {
-        const uint32_t rows = type->element->count, scalar = bytes_of(type->element->element, NULL);
-        const uint32_t vectors = member && member->is_row_major ? rows : type->count;
-        const uint32_t components = member && member->is_row_major ? type->count : rows;
-        const uint32_t stride = member && member->matrix_stride ? member->matrix_stride : components * scalar;
-        return (vectors - 1) * stride + components * scalar;
-    }
-    case SHADER_ARRAY: return (type->count - 1) * type->stride + bytes_of(type->element, member);
-    case SHADER_STRUCT: {
-        uint32_t end = 0;
-        for (uint32_t i = 0; i < type->count; i++) {
-            const struct shader_member *const one = &type->members[i];
-            const uint32_t own = one->offset + bytes_of(one->type, one);
-            end = own > end ? own : end;
-        }
-        return end;
-    }
-    default: return 0;
-    }
-}
-
 static int compare_resources(const void *a, const void *b)
 {
     const struct rhw_shader_resource *const x = a, *const y = b;
@@ -111,7 +83,7 @@ static void reflect_resources(rhw_shader *shader)
                                          .binding = (uint32_t)variable->binding,
                                          .count = resource->count,
                                          .name = name_of(module, variable->id),
-                                         .size = is_buffer ? bytes_of(resource->type, NULL) : 0};
+                                         .size = is_buffer ? resource->type->bytes : 0};
     }
     if (count > 0) {
         qsort(resources, count, sizeof *resources, compare_resources);
