@@ -179,7 +179,7 @@ static uint32_t find_push_size(const struct shader_program *form)
     for (uint32_t i = 0; is_used && i < form->module->variable_count; i++) {
         const struct shader_variable *const variable = form->module->variables[i];
         if (variable->storage == SPIRV_PUSH_CONSTANT) {
-            return bytes_of(variable->type, NULL);
+            return variable->type->bytes;
         }
     }
     return 0;
