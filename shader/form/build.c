@@ -260,6 +260,7 @@ struct shader_program *shader_build(const struct shader_module *module,
                                 .memory = memory,
                                 .word = entry->word,
                                 .built = shader_take(memory, module->bound, sizeof(struct shader_built)),
+                                .is_in_interface = shader_take(memory, module->bound, sizeof(bool)),
                                 .label_words = shader_take(memory, module->bound, sizeof(uint32_t)),
                                 .visited = shader_take(memory, module->bound, sizeof(uint32_t)),
                                 .output_homes = shader_take(memory, SHADER_OUT_COUNT, sizeof(uint32_t)),
@@ -267,6 +268,9 @@ struct shader_program *shader_build(const struct shader_module *module,
     memset(builder->output_homes, 0xff, SHADER_OUT_COUNT * sizeof(uint32_t));
     (void)shader_number(builder, 0); // so that no other node has the number 0
     find_labels(builder);
+    for (uint32_t i = 0; i < entry->interface_count; i++) {
+        builder->is_in_interface[entry->interface[i]] = true;
+    }
     if (entry->function >= module->bound || module->ids[entry->function].opcode != SPIRV_OP_Function) {
         shader_build_refuse(builder, "id %u is no function", (unsigned)entry->function);
     }

@@ -90,6 +90,7 @@ struct shader_builder {
     struct shader_program *program;
     struct shader_memory *memory;
     struct shader_built *built; // by id
+    bool *is_in_interface;      // by id: the entry point names the variable
     struct shader_facts facts;
     uint32_t *label_words; // by id: the word of its OpLabel
     uint32_t *visited;     // by id of a label: number of the call that translated it
