@@ -171,6 +171,9 @@ bool shader_build_memory(struct shader_builder *builder, uint32_t opcode);
 bool shader_build_image(struct shader_builder *builder, uint32_t opcode);
 // build_memory.c. Make the place of a variable.
 void shader_build_variable(struct shader_builder *builder, const struct shader_variable *variable);
+// Store the scalars of a value of a type where an id points to.
+void shader_store(struct shader_builder *builder, uint32_t pointer, const struct shader_type *type,
+                  uint32_t *scalars);
 // build_interface.c. Make the place of an input or output, and write outputs at the end.
 void shader_build_interface_variable(struct shader_builder *builder, const struct shader_variable *variable,
                                      struct shader_place *place);

@@ -546,36 +546,57 @@ static void build_unpack_halves(struct shader_builder *b)
     shader_define(b, result);
 }
 
-// Is it an integer, or a vector of them?
-static bool is_integer(const struct shader_type *type)
+// The two results of modf or frexp of operand 0: `count` scalars each.
+static void split(struct shader_builder *b, bool is_frexp, uint32_t count, uint32_t *first, uint32_t *second)
 {
-    return (type->kind == SHADER_VECTOR ? type->element : type)->kind == SHADER_INT;
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t x = operand(b, 0, i);
+        if (is_frexp) {
+            first[i] = emit1(b, SHADER_FREXP_FRACTION, x);
+            second[i] = emit1(b, SHADER_FREXP_EXPONENT, x);
+        } else {
+            second[i] = emit1(b, SHADER_TRUNC, x);
+            first[i] = emit2(b, SHADER_FSUB, x, second[i]);
+        }
+    }
+}
+
+// Refuse a second result that is not what goes with a first one of this type.
+static void check_second(const struct shader_builder *b, bool is_frexp, const struct shader_type *first,
+                         const struct shader_type *second)
+{
+    const bool is_integer = (second->kind == SHADER_VECTOR ? second->element : second)->kind == SHADER_INT;
+    if (is_frexp ? !is_integer || second->scalars != first->scalars : second != first) {
+        shader_build_refuse(b, "the second result is of a type that does not fit");
+    }
 }
 
 // modf and frexp in the forms that give a structure.
 static void build_parts(struct shader_builder *b, bool is_frexp)
 {
     const struct shader_type *const type = shader_result_type(b);
-    const uint32_t count = type->scalars / 2;
     if (type->kind != SHADER_STRUCT || type->count != 2) {
         shader_build_refuse(b, "the result is a structure of two members");
     }
-    shader_check_types(b, type->members[0].type, "ff", 5);
-    if (is_frexp ? !is_integer(type->members[1].type) || 2 * type->members[1].type->scalars != type->scalars
-                 : type->members[1].type != type->members[0].type) {
-        shader_build_refuse(b, "the second member of the result is of another type");
-    }
+    const struct shader_type *const first = type->members[0].type;
+    shader_check_types(b, first, "ff", 5);
+    check_second(b, is_frexp, first, type->members[1].type);
     uint32_t *const result = shader_new_scalars(b, type);
-    for (uint32_t i = 0; i < count; i++) {
-        const uint32_t x = operand(b, 0, i);
-        if (is_frexp) {
-            result[i] = emit1(b, SHADER_FREXP_FRACTION, x);
-            result[count + i] = emit1(b, SHADER_FREXP_EXPONENT, x);
-        } else {
-            result[count + i] = emit1(b, SHADER_TRUNC, x);
-            result[i] = emit2(b, SHADER_FSUB, x, result[count + i]);
-        }
-    }
+    split(b, is_frexp, first->scalars, result, result + first->scalars);
+    shader_define(b, result);
+}
+
+// modf and frexp in the forms that store the second result.
+static void build_stored_part(struct shader_builder *b, bool is_frexp)
+{
+    const struct shader_type *const type = shader_result_type(b);
+    const uint32_t pointer = shader_operand(b, 6);
+    shader_check_signature(b, "ff", 5);
+    const struct shader_type *const second = shader_place_of(b, pointer)->type;
+    check_second(b, is_frexp, type, second);
+    uint32_t *const result = shader_new_scalars(b, type), *const stored = shader_new_scalars(b, type);
+    split(b, is_frexp, type->scalars, result, stored);
+    shader_store(b, pointer, second, stored);
     shader_define(b, result);
 }
 
@@ -603,6 +624,8 @@ void shader_build_glsl(struct shader_builder *builder)
     case GLSL_UNPACK_HALF2X16: build_unpack_halves(builder); return;
     case GLSL_MODF_STRUCT:
     case GLSL_FREXP_STRUCT: build_parts(builder, instruction == GLSL_FREXP_STRUCT); return;
+    case GLSL_MODF:
+    case GLSL_FREXP: build_stored_part(builder, instruction == GLSL_FREXP); return;
     default: break;
     }
     const struct shader_type *const type = shader_result_type(builder);

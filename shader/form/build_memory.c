@@ -407,6 +407,16 @@ static void build_load(struct shader_builder *builder)
     shader_define(builder, scalars);
 }
 
+void shader_store(struct shader_builder *builder, uint32_t pointer, const struct shader_type *type,
+                  uint32_t *scalars)
+{
+    const struct shader_place *const place = shader_place_of(builder, pointer);
+    if (place->type != type || place->is_array_of_resources) {
+        shader_build_refuse(builder, "the value is not of the type of what is pointed to");
+    }
+    write_place(builder, place, scalars);
+}
+
 static void build_store(struct shader_builder *builder)
 {
     const struct shader_place *const place = shader_place_of(builder, shader_operand(builder, 1));
