@@ -97,7 +97,7 @@ static void find_ranges(struct assembler *assembler)
     uint32_t *const loop_end = shader_take(program->memory, program->code_count + 1, sizeof *loop_end);
     uint32_t *const structure_end =
         shader_take(program->memory, program->code_count + 1, sizeof *structure_end);
-    uint32_t stack[2 * SHADER_MAX_NESTING + 2], depth = 0;
+    uint32_t stack[SHADER_MAX_DEPTH], depth = 0;
     for (uint32_t i = program->code_count; i-- > 0;) {
         const uint16_t op = op_at(assembler, i);
         if (closes(op)) {
@@ -107,7 +107,7 @@ static void find_ranges(struct assembler *assembler)
             loop_end[i] = op == SHADER_LOOP ? structure_end[i] : i;
         }
     }
-    uint32_t loops[SHADER_MAX_NESTING + 1], loop_depth = 0;
+    uint32_t loops[SHADER_MAX_DEPTH], loop_depth = 0;
     for (uint32_t i = 0; i < program->code_count; i++) {
         const uint32_t value = program->code[i];
         struct shader_node *const node = &program->nodes[value];
@@ -315,7 +315,7 @@ static void add_structure(struct assembler *assembler, uint32_t value, struct op
 // Return the resource that a BUFFER node is an element of.
 static uint16_t resource_of(const struct assembler *assembler, uint32_t value)
 {
-    const struct shader_node *const buffer = &assembler->program->nodes[value];
+    const struct shader_node *const buffer = shader_resource_node(assembler->program, value);
     return buffer->op == SHADER_PUSH        ? SHADER_NO_RESOURCE
            : buffer->op == SHADER_WORKGROUP ? SHADER_SHARED
                                             : (uint16_t)buffer->immediate;
@@ -380,7 +380,7 @@ static void add_node(struct assembler *assembler, uint32_t value)
 static void add_code(struct assembler *assembler)
 {
     const struct shader_program *const program = assembler->program;
-    struct open_structure stack[2 * SHADER_MAX_NESTING + 2];
+    struct open_structure stack[SHADER_MAX_DEPTH];
     uint32_t depth = 0;
     uint32_t *const first = shader_take(program->memory, program->code_count + 1, sizeof *first);
     uint32_t *const next = shader_take(program->memory, program->node_count, sizeof *next);

@@ -40,34 +40,6 @@ static enum rhw_shader_resource_kind kind_of(const struct shader_resource *resou
     }
 }
 
-// Return the bytes of a type in memory; 0 of an array without length.
-static uint32_t bytes_of(const struct shader_type *type, const struct shader_member *member)
-{
-    switch (type->kind) {
-    case SHADER_INT:
-    case SHADER_FLOAT: return (uint32_t)type->bits / 8;
-    case SHADER_VECTOR: return type->count * bytes_of(type->element, NULL);
-    case SHADER_MATRIX: {
-        const uint32_t rows = type->element->count, scalar = bytes_of(type->element->element, NULL);
-        const uint32_t vectors = member && member->is_row_major ? rows : type->count;
-        const uint32_t components = member && member->is_row_major ? type->count : rows;
-        const uint32_t stride = member && member->matrix_stride ? member->matrix_stride : components * scalar;
-        return (vectors - 1) * stride + components * scalar;
-    }
-    case SHADER_ARRAY: return (type->count - 1) * type->stride + bytes_of(type->element, member);
-    case SHADER_STRUCT: {
-        uint32_t end = 0;
-        for (uint32_t i = 0; i < type->count; i++) {
-            const struct shader_member *const one = &type->members[i];
-            const uint32_t own = one->offset + bytes_of(one->type, one);
-            end = own > end ? own : end;
-        }
-        return end;
-    }
-    default: return 0;
-    }
-}
-
 static int compare_resources(const void *a, const void *b)
 {
     const struct rhw_shader_resource *const x = a, *const y = b;
@@ -111,7 +83,7 @@ static void reflect_resources(rhw_shader *shader)
                                          .binding = (uint32_t)variable->binding,
                                          .count = resource->count,
                                          .name = name_of(module, variable->id),
-                                         .size = is_buffer ? bytes_of(resource->type, NULL) : 0};
+                                         .size = is_buffer ? resource->type->bytes : 0};
     }
     if (count > 0) {
         qsort(resources, count, sizeof *resources, compare_resources);
@@ -171,6 +143,20 @@ static int compare_variables(const void *a, const void *b)
     return p < q ? -1 : p > q;
 }
 
+// The form has room for more attributes and targets than the library.
+static void check_location(const rhw_shader *shader, uint32_t id, enum spirv_storage_class storage,
+                           uint32_t location)
+{
+    const bool is_attribute = shader->info.stage == RHW_SHADER_VERTEX && storage == SPIRV_INPUT;
+    const bool is_target = shader->info.stage == RHW_SHADER_FRAGMENT && storage == SPIRV_OUTPUT;
+    const uint32_t limit = is_attribute ? RHW_MAX_ATTRIBUTES : RHW_MAX_COLOR_ATTACHMENTS;
+    if ((is_attribute || is_target) && location >= limit) {
+        const struct shader_module *const module = shader->form->module;
+        shader_refuse(module, module->ids[id].word, "location %u is not below %u", (unsigned)location,
+                      (unsigned)limit);
+    }
+}
+
 // Set *count, and return what the entry point has in a storage class.
 static const struct rhw_shader_variable *reflect_variables(rhw_shader *shader,
                                                            enum spirv_storage_class storage, uint32_t *count)
@@ -178,16 +164,22 @@ static const struct rhw_shader_variable *reflect_variables(rhw_shader *shader,
     const struct shader_program *const form = shader->form;
     const struct shader_module *const module = form->module;
     struct variable_list list = {.memory = form->memory};
+    bool *const is_listed = shader_take(form->memory, module->bound, sizeof *is_listed);
     for (uint32_t i = 0; i < form->entry->interface_count; i++) {
         const uint32_t id = form->entry->interface[i];
         const struct shader_variable *const variable =
             id < module->bound && module->ids[id].opcode == SPIRV_OP_Variable
                 ? module->ids[id].data.as_variable
                 : NULL;
-        if (variable && variable->storage == storage && variable->built_in < 0) {
+        if (variable && variable->storage == storage && variable->built_in < 0 && !is_listed[id]) {
+            is_listed[id] = true;
+            const uint32_t before = list.count;
             (void)add_variables(
                 &list, variable->type, variable->location < 0 ? 0 : (uint32_t)variable->location,
                 variable->component < 0 ? 0 : (uint32_t)variable->component, name_of(module, id));
+            for (uint32_t v = before; v < list.count; v++) {
+                check_location(shader, id, storage, list.variables[v].location);
+            }
         }
     }
     if (list.count > 0) {
@@ -207,7 +199,7 @@ static uint32_t find_push_size(const struct shader_program *form)
     for (uint32_t i = 0; is_used && i < form->module->variable_count; i++) {
         const struct shader_variable *const variable = form->module->variables[i];
         if (variable->storage == SPIRV_PUSH_CONSTANT) {
-            return bytes_of(variable->type, NULL);
+            return variable->type->bytes;
         }
     }
     return 0;
