@@ -30,7 +30,8 @@ int main(int argc, char **argv)
     for (int shader = 0; shader < BENCH_SHADERS; shader++) {
         const char *vertex[BENCH_GLSL_PIECES], *fragment[BENCH_GLSL_PIECES];
         bench_glsl(BENCH_GLSL_VULKAN, (enum bench_shader)shader, vertex, fragment);
-        if (!write_pieces(argv[1], shader, "vert", vertex) || !write_pieces(argv[1], shader, "frag", fragment)) {
+        if (!write_pieces(argv[1], shader, "vert", vertex) ||
+            !write_pieces(argv[1], shader, "frag", fragment)) {
             return 1;
         }
     }

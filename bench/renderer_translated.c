@@ -23,10 +23,8 @@ static rhw_shader_program *link_stages(const rhw_shader *vertex, const rhw_shade
     for (uint32_t i = 0; i < 2 + BENCH_DRAW_TEXTURES; i++) {
         layout[i] = (struct rhw_shader_layout){.set = i >= 2, .binding = i >= 2 ? i - 2 : i, .count = 1};
     }
-    const struct rhw_shader_program_def def = {.vertex = vertex,
-                                               .fragment = fragment,
-                                               .layout = layout,
-                                               .layout_count = 2 + BENCH_DRAW_TEXTURES};
+    const struct rhw_shader_program_def def = {
+        .vertex = vertex, .fragment = fragment, .layout = layout, .layout_count = 2 + BENCH_DRAW_TEXTURES};
     (void)rhw_shader_program_create(&def, &program, message);
     return program;
 }

@@ -4,8 +4,7 @@
 
 #include "words.inc"
 
-#define ROW(shader, vertex, fragment) \
-    [shader] = {{vertex, sizeof vertex}, {fragment, sizeof fragment}},
+#define ROW(shader, vertex, fragment) [shader] = {{vertex, sizeof vertex}, {fragment, sizeof fragment}},
 
 static const struct {
     struct bench_words vertex, fragment;
