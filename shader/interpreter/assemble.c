@@ -8,6 +8,8 @@
 
 #include <string.h>
 
+#include "pairs.h"
+
 #define NONE UINT32_MAX
 
 struct live_range {
@@ -20,6 +22,7 @@ struct assembler {
     struct live_range *ranges; // by value
     uint32_t *registers;       // by value
     uint32_t *mask_registers;  // by value: the second register of REGION and LOOP
+    struct shader_pairs pairs;
     struct shader_instruction *code;
     uint32_t count;
     size_t room;
@@ -113,11 +116,19 @@ static void find_ranges(struct assembler *assembler)
         struct shader_node *const node = &program->nodes[value];
         const enum shader_op op = (enum shader_op)node->op;
         const enum shader_op_kind kind = shader_op_kind_of(op);
+        if (assembler->pairs.is_taken[value]) {
+            continue;
+        }
         if (kind == SHADER_KIND_VALUE || kind == SHADER_KIND_READ || op == SHADER_ATOMIC) {
             extend(&assembler->ranges[value], i);
         }
         uint32_t operand_count;
-        const uint32_t *const operands = shader_operands(program, node, &operand_count);
+        uint32_t paired[3];
+        const uint32_t *operands = shader_operands(program, node, &operand_count);
+        if (shader_pair_at(&assembler->pairs, program, value, paired)) {
+            operands = paired;
+            operand_count = 3;
+        }
         for (uint32_t o = 0; o < operand_count; o++) {
             read_at(assembler, operands[o], i, loops, loop_depth, loop_end);
         }
@@ -355,10 +366,12 @@ static void add_node(struct assembler *assembler, uint32_t value)
         add_listed(assembler, value);
         return;
     }
-    struct shader_instruction *const instruction = add(assembler, node->op);
+    uint32_t paired[3];
+    const uint32_t pair = shader_pair_at(&assembler->pairs, assembler->program, value, paired);
+    struct shader_instruction *const instruction = add(assembler, pair ? pair : node->op);
     struct shader_operand_of operands[3] = {{0, 0}, {0, 0}, {0, 0}};
-    for (int o = 0; o < shader_op_operands(op); o++) {
-        operands[o] = operand_of(assembler, node->operands[o]);
+    for (int o = 0; o < (pair ? 3 : shader_op_operands(op)); o++) {
+        operands[o] = operand_of(assembler, pair ? paired[o] : node->operands[o]);
     }
     instruction->immediate = node->immediate;
     if (op == SHADER_LOAD || op == SHADER_STORE || op == SHADER_LENGTH) {
@@ -396,7 +409,7 @@ static void add_code(struct assembler *assembler)
         fill_homes(assembler, first, next, i);
         if (shader_op_kind_of((enum shader_op)program->nodes[value].op) == SHADER_KIND_FLOW) {
             add_structure(assembler, value, stack, &depth);
-        } else {
+        } else if (!assembler->pairs.is_taken[value]) {
             add_node(assembler, value);
         }
     }
@@ -434,6 +447,7 @@ struct shader_bytecode *shader_assemble(struct shader_program *program)
     for (uint32_t value = 0; value < program->node_count; value++) {
         assembler.ranges[value] = (struct live_range){NONE, NONE};
     }
+    shader_find_pairs(program, &assembler.pairs);
     find_outermost(&assembler);
     find_ranges(&assembler);
     number_constants(&assembler);
