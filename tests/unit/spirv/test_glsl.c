@@ -5,6 +5,7 @@
 #include <pthread.h>
 #include <rhw/shader.h>
 #include <rhw/spirv.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "harness.h"
