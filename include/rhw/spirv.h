@@ -56,6 +56,21 @@ RHW_API enum rhw_result rhw_shader_create(const void *words, size_t size, const 
 /// Destroy a shader, which may be NULL. Programs that were linked of it go on.
 RHW_API void rhw_shader_destroy(rhw_shader *shader);
 
+/// What rhw_shader_print shows of a translation.
+enum rhw_shader_stop {
+    RHW_SHADER_BUILT,    ///< the form as it is built: structured operations on scalars
+    RHW_SHADER_PASSED,   ///< the form behind its passes, as back ends take it
+    RHW_SHADER_ASSEMBLED ///< instructions of the interpreter, with their registers
+};
+
+/// Translate a shader as rhw_shader_create does up to where `stop` says, and give it to `write` as a text for people,
+/// piece by piece. Lines of the source stand in it, if the module was compiled with them. The text has no format that
+/// programs could rely on. Nothing is written of what is refused; results and `message` are those of rhw_shader_create.
+RHW_API enum rhw_result rhw_shader_print(const void *words, size_t size, const struct rhw_shader_def *def,
+                                         enum rhw_shader_stop stop,
+                                         void (*write)(void *user, const char *text, size_t size), void *user,
+                                         char *message);
+
 // Reflection -----------------------------------------------------------------------------------------
 
 /// What a binding of a set is to a shader (Vulkan 1.3 §14.1, "Descriptor Types").
