@@ -133,19 +133,6 @@ static void reflect_resources(rhw_shader *shader)
     shader->info.resource_count = count;
 }
 
-static void reflect_push_constants(rhw_shader *shader)
-{
-    const struct shader_module *const module = shader->form->module;
-    shader->info.push_size = shader->form->push_size;
-    for (uint32_t i = 0; i < module->variable_count && shader->info.push_size > 0; i++) {
-        const struct shader_variable *const variable = module->variables[i];
-        if (variable->storage == SPIRV_PUSH_CONSTANT && variable->type->kind == SHADER_STRUCT) {
-            shader->info.push_type = shader_reflect_type(shader, variable->type);
-            return;
-        }
-    }
-}
-
 // Inputs and outputs ---------------------------------------------------------------------------------
 
 struct variable_list {
@@ -221,6 +208,35 @@ static const struct rhw_shader_variable *reflect_variables(rhw_shader *shader,
     }
     *count = list.count;
     return list.variables;
+}
+
+// Return the bytes of the block of push constants, or 0 where no code reaches one.
+static uint32_t find_push_size(const struct shader_program *form)
+{
+    bool is_used = false;
+    for (uint32_t i = 0; i < form->code_count; i++) {
+        is_used = is_used || form->nodes[form->code[i]].op == SHADER_PUSH;
+    }
+    for (uint32_t i = 0; is_used && i < form->module->variable_count; i++) {
+        const struct shader_variable *const variable = form->module->variables[i];
+        if (variable->storage == SPIRV_PUSH_CONSTANT) {
+            return bytes_of(variable->type, NULL);
+        }
+    }
+    return 0;
+}
+
+static void reflect_push_constants(rhw_shader *shader)
+{
+    const struct shader_module *const module = shader->form->module;
+    shader->info.push_size = find_push_size(shader->form);
+    for (uint32_t i = 0; i < module->variable_count && shader->info.push_size > 0; i++) {
+        const struct shader_variable *const variable = module->variables[i];
+        if (variable->storage == SPIRV_PUSH_CONSTANT && variable->type->kind == SHADER_STRUCT) {
+            shader->info.push_type = shader_reflect_type(shader, variable->type);
+            return;
+        }
+    }
 }
 
 void shader_reflect(rhw_shader *shader)
