@@ -82,6 +82,79 @@ enum glsl_instruction {
     GLSL_NCLAMP
 };
 
+// What types the operands have (signature.c), by number; NULL: whoever translates the instruction looks.
+static const char *const signatures[] = {
+    [GLSL_ROUND] = "ff",
+    [GLSL_ROUND_EVEN] = "ff",
+    [GLSL_TRUNC] = "ff",
+    [GLSL_FABS] = "ff",
+    [GLSL_SABS] = "ii",
+    [GLSL_FSIGN] = "ff",
+    [GLSL_SSIGN] = "ii",
+    [GLSL_FLOOR] = "ff",
+    [GLSL_CEIL] = "ff",
+    [GLSL_FRACT] = "ff",
+    [GLSL_RADIANS] = "ff",
+    [GLSL_DEGREES] = "ff",
+    [GLSL_SIN] = "ff",
+    [GLSL_COS] = "ff",
+    [GLSL_TAN] = "ff",
+    [GLSL_ASIN] = "ff",
+    [GLSL_ACOS] = "ff",
+    [GLSL_ATAN] = "ff",
+    [GLSL_SINH] = "ff",
+    [GLSL_COSH] = "ff",
+    [GLSL_TANH] = "ff",
+    [GLSL_ASINH] = "ff",
+    [GLSL_ACOSH] = "ff",
+    [GLSL_ATANH] = "ff",
+    [GLSL_ATAN2] = "fff",
+    [GLSL_POW] = "fff",
+    [GLSL_EXP] = "ff",
+    [GLSL_LOG] = "ff",
+    [GLSL_EXP2] = "ff",
+    [GLSL_LOG2] = "ff",
+    [GLSL_SQRT] = "ff",
+    [GLSL_INVERSE_SQRT] = "ff",
+    [GLSL_FMIN] = "fff",
+    [GLSL_UMIN] = "iii",
+    [GLSL_SMIN] = "iii",
+    [GLSL_FMAX] = "fff",
+    [GLSL_UMAX] = "iii",
+    [GLSL_SMAX] = "iii",
+    [GLSL_FCLAMP] = "ffff",
+    [GLSL_UCLAMP] = "iiii",
+    [GLSL_SCLAMP] = "iiii",
+    [GLSL_FMIX] = "ffff",
+    [GLSL_STEP] = "fff",
+    [GLSL_SMOOTH_STEP] = "ffff",
+    [GLSL_FMA] = "ffff",
+    [GLSL_LDEXP] = "ffi",
+    [GLSL_PACK_SNORM4X8] = "If",
+    [GLSL_PACK_UNORM4X8] = "If",
+    [GLSL_PACK_SNORM2X16] = "If",
+    [GLSL_PACK_UNORM2X16] = "If",
+    [GLSL_PACK_HALF2X16] = "If",
+    [GLSL_UNPACK_SNORM2X16] = "fI",
+    [GLSL_UNPACK_UNORM2X16] = "fI",
+    [GLSL_UNPACK_HALF2X16] = "fI",
+    [GLSL_UNPACK_SNORM4X8] = "fI",
+    [GLSL_UNPACK_UNORM4X8] = "fI",
+    [GLSL_LENGTH] = "Ff",
+    [GLSL_DISTANCE] = "Fff",
+    [GLSL_CROSS] = "fff",
+    [GLSL_NORMALIZE] = "ff",
+    [GLSL_FACE_FORWARD] = "ffff",
+    [GLSL_REFLECT] = "fff",
+    [GLSL_REFRACT] = "fffF",
+    [GLSL_FIND_I_LSB] = "ii",
+    [GLSL_FIND_S_MSB] = "ii",
+    [GLSL_FIND_U_MSB] = "ii",
+    [GLSL_NMIN] = "fff",
+    [GLSL_NMAX] = "fff",
+    [GLSL_NCLAMP] = "ffff",
+};
+
 // Operands of the instruction: component i of operand o, counted behind the number of the instruction.
 static uint32_t operand(struct shader_builder *builder, uint32_t o, uint32_t i)
 {
@@ -124,11 +197,11 @@ static uint32_t smaller(struct shader_builder *b, uint32_t x, uint32_t y, bool i
     return emit2(b, is_signed ? SHADER_ILESS : SHADER_ULESS, x, y);
 }
 
-// min and max of floats that give the other operand where one is NaN.
+// min and max of floats that give the other operand where one is NaN. FMIN and FMAX give y where x is NaN.
 static uint32_t number_min(struct shader_builder *b, uint32_t x, uint32_t y, bool takes_max)
 {
-    const uint32_t is_number = emit2(b, SHADER_FEQUAL, x, x);
-    return select(b, is_number, emit2(b, takes_max ? SHADER_FMAX : SHADER_FMIN, x, y), y);
+    const uint32_t is_number = emit2(b, SHADER_FEQUAL, y, y);
+    return select(b, is_number, emit2(b, takes_max ? SHADER_FMAX : SHADER_FMIN, x, y), x);
 }
 
 static uint32_t sign_of(struct shader_builder *b, uint32_t x)
@@ -289,7 +362,7 @@ static void build_distance(struct shader_builder *b)
         sum = sum == SHADER_NO_VALUE ? square : emit2(b, SHADER_FADD, sum, square);
     }
     const uint32_t result = emit1(b, SHADER_FSQRT, sum);
-    shader_define(b, &result);
+    shader_define_scalar(b, result);
 }
 
 static void build_cross(struct shader_builder *b)
@@ -366,7 +439,7 @@ static bool build_vector(struct shader_builder *b, uint32_t instruction)
     switch (instruction) {
     case GLSL_LENGTH:
         result = emit1(b, SHADER_FSQRT, dot(b, 0, 0, count_of(b, 0)));
-        shader_define(b, &result);
+        shader_define_scalar(b, result);
         return true;
     case GLSL_DISTANCE: build_distance(b); return true;
     case GLSL_CROSS: build_cross(b); return true;
@@ -425,9 +498,12 @@ static void build_matrix(struct shader_builder *b, bool inverts)
     if (type->kind != SHADER_MATRIX || type->count != type->element->count) {
         shader_build_refuse(b, "id %u is no square matrix", (unsigned)id);
     }
+    if (shader_result_type(b) != (inverts ? type : type->element->element)) {
+        shader_build_refuse(b, "the result is %s", inverts ? "a matrix of the same type" : "a scalar of it");
+    }
     const uint32_t size = type->count, whole = determinant(b, m, size);
     if (!inverts) {
-        shader_define(b, &whole);
+        shader_define_scalar(b, whole);
         return;
     }
     uint32_t *const result = shader_new_scalars(b, type);
@@ -461,7 +537,7 @@ static void build_pack(struct shader_builder *b, uint32_t bits, bool is_signed)
                                      shader_number(b, (1u << bits) - 1));
         word = emit2(b, SHADER_OR, word, emit2(b, SHADER_SHIFT_LEFT, field, shader_number(b, i * bits)));
     }
-    shader_define(b, &word);
+    shader_define_scalar(b, word);
 }
 
 static void build_unpack(struct shader_builder *b, uint32_t bits, bool is_signed)
@@ -486,7 +562,7 @@ static void build_unpack(struct shader_builder *b, uint32_t bits, bool is_signed
 static void build_pack_halves(struct shader_builder *b)
 {
     const uint32_t word = emit2(b, SHADER_PACK_HALVES, operand(b, 0, 0), operand(b, 0, 1));
-    shader_define(b, &word);
+    shader_define_scalar(b, word);
 }
 
 static void build_unpack_halves(struct shader_builder *b)
@@ -500,28 +576,66 @@ static void build_unpack_halves(struct shader_builder *b)
     shader_define(b, result);
 }
 
+// The two results of modf or frexp of operand 0: `count` scalars each.
+static void split(struct shader_builder *b, bool is_frexp, uint32_t count, uint32_t *first, uint32_t *second)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t x = operand(b, 0, i);
+        if (is_frexp) {
+            first[i] = emit1(b, SHADER_FREXP_FRACTION, x);
+            second[i] = emit1(b, SHADER_FREXP_EXPONENT, x);
+        } else {
+            second[i] = emit1(b, SHADER_TRUNC, x);
+            first[i] = emit2(b, SHADER_FSUB, x, second[i]);
+        }
+    }
+}
+
+// Refuse a second result that is not what goes with a first one of this type.
+static void check_second(const struct shader_builder *b, bool is_frexp, const struct shader_type *first,
+                         const struct shader_type *second)
+{
+    const bool is_integer = (second->kind == SHADER_VECTOR ? second->element : second)->kind == SHADER_INT;
+    if (is_frexp ? !is_integer || second->scalars != first->scalars : second != first) {
+        shader_build_refuse(b, "the second result is of a type that does not fit");
+    }
+}
+
 // modf and frexp in the forms that give a structure.
 static void build_parts(struct shader_builder *b, bool is_frexp)
 {
     const struct shader_type *const type = shader_result_type(b);
-    const uint32_t count = type->scalars / 2;
-    uint32_t *const result = shader_new_scalars(b, type);
-    for (uint32_t i = 0; i < count; i++) {
-        const uint32_t x = operand(b, 0, i);
-        if (is_frexp) {
-            result[i] = emit1(b, SHADER_FREXP_FRACTION, x);
-            result[count + i] = emit1(b, SHADER_FREXP_EXPONENT, x);
-        } else {
-            result[count + i] = emit1(b, SHADER_TRUNC, x);
-            result[i] = emit2(b, SHADER_FSUB, x, result[count + i]);
-        }
+    if (type->kind != SHADER_STRUCT || type->count != 2) {
+        shader_build_refuse(b, "the result is a structure of two members");
     }
+    const struct shader_type *const first = type->members[0].type;
+    shader_check_types(b, first, "ff", 5);
+    check_second(b, is_frexp, first, type->members[1].type);
+    uint32_t *const result = shader_new_scalars(b, type);
+    split(b, is_frexp, first->scalars, result, result + first->scalars);
+    shader_define(b, result);
+}
+
+// modf and frexp in the forms that store the second result.
+static void build_stored_part(struct shader_builder *b, bool is_frexp)
+{
+    const struct shader_type *const type = shader_result_type(b);
+    const uint32_t pointer = shader_operand(b, 6);
+    shader_check_signature(b, "ff", 5);
+    const struct shader_type *const second = shader_place_of(b, pointer)->type;
+    check_second(b, is_frexp, type, second);
+    uint32_t *const result = shader_new_scalars(b, type), *const stored = shader_new_scalars(b, type);
+    split(b, is_frexp, type->scalars, result, stored);
+    shader_store(b, pointer, second, stored);
     shader_define(b, result);
 }
 
 void shader_build_glsl(struct shader_builder *builder)
 {
     const uint32_t instruction = shader_operand(builder, 4), operands = shader_word_count(builder) - 5;
+    if (instruction < sizeof signatures / sizeof *signatures && signatures[instruction]) {
+        shader_check_signature(builder, signatures[instruction], 5);
+    }
     if (build_vector(builder, instruction)) {
         return;
     }
@@ -540,6 +654,8 @@ void shader_build_glsl(struct shader_builder *builder)
     case GLSL_UNPACK_HALF2X16: build_unpack_halves(builder); return;
     case GLSL_MODF_STRUCT:
     case GLSL_FREXP_STRUCT: build_parts(builder, instruction == GLSL_FREXP_STRUCT); return;
+    case GLSL_MODF:
+    case GLSL_FREXP: build_stored_part(builder, instruction == GLSL_FREXP); return;
     default: break;
     }
     const struct shader_type *const type = shader_result_type(builder);

@@ -20,7 +20,11 @@ enum shader_op {
 
 enum shader_op_kind { SHADER_KIND_VALUE, SHADER_KIND_READ, SHADER_KIND_EFFECT, SHADER_KIND_FLOW };
 
-enum { SHADER_MAX_NODES = 1 << 18, SHADER_MAX_NESTING = 128 };
+enum {
+    SHADER_MAX_NODES = 1 << 18,
+    SHADER_MAX_NESTING = 128,                     // of selections, loops and calls
+    SHADER_MAX_DEPTH = 3 * SHADER_MAX_NESTING + 2 // of IF, REGION and LOOP: a switch has three
+};
 
 struct shader_node {
     uint16_t op;
@@ -82,6 +86,7 @@ struct shader_program {
     struct shader_node *nodes;
     uint32_t node_count;
     size_t node_room;
+    uint32_t *origins; // by node: the word of the instruction that it comes from; 0: of none
     uint32_t *code;
     uint32_t code_count;
     size_t code_room;
@@ -168,6 +173,10 @@ enum {
 uint32_t *shader_operands(const struct shader_program *program, struct shader_node *node, uint32_t *count);
 // Add a list of values. Return its place.
 uint32_t shader_add_list(struct shader_program *program, const uint32_t *values, uint32_t count);
+
+// Return the resource node that a value names: BUFFER, PUSH or WORKGROUP. The value is that node, or the home that
+// keeps it.
+const struct shader_node *shader_resource_node(const struct shader_program *program, uint32_t value);
 
 // Translate an entry point.
 struct shader_program *shader_build(const struct shader_module *module,

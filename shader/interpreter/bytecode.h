@@ -30,6 +30,9 @@ struct shader_operand_of {
 enum shader_extra_op {
     SHADER_END = 200, // the shader ends
     SHADER_FILL,      // a register with the immediate
+    SHADER_MUL_ADD,   // a · b + c, of floats and rounded twice, as a product and a sum
+    SHADER_MUL_SUB,   // a · b − c
+    SHADER_SUB_MUL,   // c − a · b
     SHADER_COUNT_OPS
 };
 

@@ -23,7 +23,7 @@ struct frame {
     const struct rhw_invocations *invocations; // groups of the batch, where there is a workgroup
     struct rhw_binding shared;                 // memory of the workgroup
     const struct shader_instruction *next;
-    rhw_float texels[RHW_MAX_WORKGROUP_GROUPS][4]; // what was sampled last
+    rhw_float (*texels)[4]; // what was sampled last, by group
 };
 
 typedef void shader_kernel(struct frame *frame, const struct shader_instruction *in);

@@ -61,6 +61,9 @@ void shader_refuse(const struct shader_module *module, uint32_t word, const char
     va_start(arguments, format);
     vsnprintf(message + length, (size_t)(SHADER_MESSAGE - length), format, arguments);
     va_end(arguments);
+    for (char *c = message; *c != '\0'; c++) { // strings of the module may have anything
+        *c = *c == 0x7f || (*c > 0 && *c < ' ') ? '?' : *c;
+    }
     shader_memory_end(module->memory);
 }
 
@@ -239,6 +242,9 @@ static void add_decoration(struct shader_module *module, uint32_t word, uint32_t
                            uint32_t operand)
 {
     const uint32_t end = word + (module->words[word] >> 16);
+    if (module->decoration_count >= module->word_count) {
+        shader_refuse(module, word, "the module has too many decorations");
+    }
     const uint32_t number = ++module->decoration_count;
     module->decorations[number - 1] =
         (struct shader_decoration){.next = module->ids[id].decorations,
@@ -419,6 +425,9 @@ static void make_room(struct shader_module *module)
     }
     struct shader_memory *const memory = module->memory;
     decorations = decorations > module->word_count ? module->word_count : decorations;
+    if (entry_points > SHADER_MAX_ENTRY_POINTS) {
+        shader_refuse(module, 0, "the module has more than %d entry points", SHADER_MAX_ENTRY_POINTS);
+    }
     module->decorations = shader_take(memory, decorations, sizeof *module->decorations);
     module->entry_points = shader_take(memory, entry_points, sizeof *module->entry_points);
     module->variables = shader_take(memory, variables, sizeof(struct shader_variable *));

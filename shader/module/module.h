@@ -18,7 +18,9 @@
 enum {
     SHADER_MAX_WORDS = 1 << 22,
     SHADER_MAX_IDS = 1 << 20,
-    SHADER_MAX_SCALARS = 1 << 14, // scalars of a type
+    SHADER_MAX_ENTRY_POINTS = 256,
+    SHADER_MAX_SCALARS = 1 << 14,      // scalars of a type
+    SHADER_MAX_TYPE_BYTES = INT32_MAX, // bytes of a type in memory
     SHADER_MAX_TYPE_DEPTH = 32
 };
 
@@ -46,6 +48,7 @@ struct shader_image_type {
 
 struct shader_member {
     const struct shader_type *type;
+    uint32_t first;         // scalar of the structure that is the first of the member
     uint32_t offset;        // bytes, in memory that has a layout
     uint32_t matrix_stride; // bytes; 0 where the member has no matrix
     bool is_row_major;
@@ -71,6 +74,9 @@ struct shader_type {
     bool is_block, is_buffer_block;   // STRUCT
     // Scalars of 32 bits that a value of this type is made of; 0 where there are no such values.
     uint32_t scalars;
+    // Bytes in memory up to the last scalar, or to the begin of an array without length. Those of a matrix follow from
+    // the member that it is part of (shader_member_bytes); here they are 0.
+    uint32_t bytes;
     int depth; // how deep composites nest
 };
 
@@ -181,6 +187,8 @@ const struct shader_decoration *shader_find_decoration(const struct shader_modul
 
 // module_type.c. Make the type that the instruction at `word` declares.
 void shader_read_type(struct shader_module *module, uint32_t word);
+// Return the bytes of a member in memory up to its last scalar.
+uint64_t shader_member_bytes(const struct shader_member *member);
 // module_constant.c. Make the constant that the instruction at `word` declares.
 void shader_read_constant(struct shader_module *module, uint32_t word,
                           const struct shader_specialization *specialization, size_t count);

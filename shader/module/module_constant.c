@@ -171,9 +171,7 @@ static const struct shader_type *find_part(const struct operation *operation, co
             shader_refuse(operation->module, operation->word, "there is no part %u", (unsigned)index);
         }
         if (type->kind == SHADER_STRUCT) {
-            for (uint32_t m = 0; m < index; m++) {
-                *begin += type->members[m].type->scalars;
-            }
+            *begin += type->members[index].first;
             type = type->members[index].type;
         } else {
             *begin += index * type->element->scalars;
