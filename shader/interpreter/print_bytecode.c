@@ -102,7 +102,8 @@ static void print_operands(const struct printer *printer, const struct shader_in
     const enum shader_op op = (enum shader_op)instruction->op;
     const struct shader_operand_of operands[] = {instruction->a, instruction->b, instruction->c};
     // What is stored to is no operand of the instruction, and that of a SET stands in its first.
-    const int first = op == SHADER_LOAD || op == SHADER_STORE || op == SHADER_LENGTH || op == SHADER_BUFFER ? 1 : 0;
+    const int first =
+        op == SHADER_LOAD || op == SHADER_STORE || op == SHADER_LENGTH || op == SHADER_BUFFER ? 1 : 0;
     const int count = op == SHADER_SET ? 1 : shader_op_operands(op);
     for (int o = first; o < count; o++) {
         print_register(printer, operands[o]);
@@ -147,8 +148,8 @@ void shader_print_bytecode(const struct shader_sink *sink, const struct shader_p
                            const struct shader_bytecode *bytecode)
 {
     const struct printer printer = {.sink = sink, .program = program, .bytecode = bytecode};
-    shader_sink_print(sink, "; %u instructions, %u groups of 8 lanes at a time\n", (unsigned)bytecode->code_count,
-                      (unsigned)bytecode->batch);
+    shader_sink_print(sink, "; %u instructions, %u groups of 8 lanes at a time\n",
+                      (unsigned)bytecode->code_count, (unsigned)bytecode->batch);
     for (uint32_t i = 0; i < bytecode->code_count; i++) {
         print_instruction(&printer, i);
         shader_sink_print(sink, "\n");

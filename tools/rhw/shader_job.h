@@ -45,7 +45,7 @@ struct cli_shader_constant {
 struct cli_shader_job {
     const char *out; ///< NULL: none
     enum cli_shader_print print;
-    bool has_step, is_before_passes, json, all_errors, runs;
+    bool is_relaxed, has_step, is_before_passes, json, all_errors, runs;
     const char *entry_point; ///< NULL: "main", or the only one
     struct glsl_macro macros[CLI_SHADER_LIST];
     int macro_count;
@@ -54,7 +54,7 @@ struct cli_shader_job {
     struct cli_shader_constant constants[CLI_SHADER_LIST];
     int constant_count;
     // Of --run
-    int width, height; ///< 0: nobody said
+    int width, height;
     double time, mouse[2];
     int groups[3];
     const char *push;
@@ -90,7 +90,9 @@ char *cli_shader_read(const char *path, size_t most, size_t *size);
 void cli_shader_print_table(const struct cli_shader_file *file);
 void cli_shader_print_json(const struct cli_shader_file *files, int count);
 
-// shader_run.c. Draw or dispatch. Report what is wrong.
+// shader_run.c. Report what the command line lacks to run such shaders.
+bool cli_shader_check_run(const struct cli_shader_job *job, const struct cli_shader_file *files, int count);
+// Draw or dispatch. Report what is wrong.
 bool cli_shader_run(struct cli_shader_job *job, const struct cli_shader_file *files, int count,
                     const rhw_shader_program *program);
 

@@ -12,8 +12,6 @@
 
 #define MOST_PICTURE ((size_t)1 << 30)
 
-enum { DEFAULT_SIDE = 512 };
-
 // Options --------------------------------------------------------------------------------------------
 
 static struct cli_shader_binding *find_binding(struct cli_shader_bindings *bindings,
@@ -35,8 +33,8 @@ static bool check_used(const struct cli_shader_bindings *bindings, const char *k
     for (int i = 0; i < bindings->count; i++) {
         const struct cli_shader_binding *const one = &bindings->list[i];
         if (!one->is_used) {
-            cli_error(one->option, "'%s': no shader here uses a %s %u:%u", one->argument, kind, (unsigned)one->set,
-                      (unsigned)one->binding);
+            cli_error(one->option, "'%s': no shader here uses a %s %u:%u", one->argument, kind,
+                      (unsigned)one->set, (unsigned)one->binding);
             return false;
         }
     }
@@ -49,13 +47,11 @@ static bool check_used(const struct cli_shader_bindings *bindings, const char *k
 static void set_member(const struct rhw_shader_member *member, const struct cli_shader_job *job, char *memory,
                        size_t size)
 {
-    const float width = (float)(job->width ? job->width : DEFAULT_SIDE);
-    const float height = (float)(job->height ? job->height : DEFAULT_SIDE);
     const struct {
         const char *name;
         float values[4];
     } known[] = {
-        {"iResolution", {width, height, 1, 0}},
+        {"iResolution", {(float)job->width, (float)job->height, 1, 0}},
         {"iTime", {(float)job->time, 0, 0, 0}},
         {"iMouse", {(float)job->mouse[0], (float)job->mouse[1], 0, 0}},
     };
@@ -82,7 +78,8 @@ static void set_members(const struct rhw_shader_type *type, const struct cli_sha
 
 static bool has_length(const struct rhw_shader_type *type)
 {
-    const struct rhw_shader_type *const last = type && type->count > 0 ? type->members[type->count - 1].type : NULL;
+    const struct rhw_shader_type *const last =
+        type && type->count > 0 ? type->members[type->count - 1].type : NULL;
     return !last || last->kind != RHW_SHADER_ARRAY || last->count > 0;
 }
 
@@ -122,11 +119,13 @@ static bool open_push_constants(struct cli_shader_resources *resources, const st
             cli_error("--push", "no shader here has push constants");
             return false;
         }
-        return cli_shader_values_read("--push", job->push, job->push, &resources->push, &resources->push_size);
+        return cli_shader_values_read("--push", job->push, job->push, &resources->push,
+                                      &resources->push_size);
     }
     resources->push = calloc(1, resources->push_size + 4);
     for (int i = 0; resources->push && i < count; i++) {
-        set_members(rhw_shader_get_info(files[i].shader)->push_type, job, resources->push, resources->push_size);
+        set_members(rhw_shader_get_info(files[i].shader)->push_type, job, resources->push,
+                    resources->push_size);
     }
     if (!resources->push) {
         cli_error("--run", "out of memory");
@@ -186,8 +185,8 @@ static bool open_image(struct cli_shader_resource *resource, rhw_context *contex
     if (resource->what->kind != RHW_SHADER_STORAGE_IMAGE) {
         return true; // it reads as 0
     }
-    resource->width = job->width ? job->width : DEFAULT_SIDE;
-    resource->height = job->height ? job->height : DEFAULT_SIDE;
+    resource->width = job->width;
+    resource->height = job->height;
     return create_texture(resource, context, RHW_FORMAT_RGBA8_UNORM);
 }
 
@@ -198,7 +197,8 @@ static bool is_buffer(const struct rhw_shader_resource *what)
     return what->kind == RHW_SHADER_UNIFORM_BUFFER || what->kind == RHW_SHADER_STORAGE_BUFFER;
 }
 
-static bool open_resource(struct cli_shader_resource *resource, rhw_context *context, struct cli_shader_job *job)
+static bool open_resource(struct cli_shader_resource *resource, rhw_context *context,
+                          struct cli_shader_job *job)
 {
     switch (resource->what->kind) {
     case RHW_SHADER_UNIFORM_BUFFER:
@@ -224,8 +224,9 @@ static bool bind(struct cli_shader_resources *resources, const struct cli_shader
     enum rhw_result result = RHW_OK;
     if (is_buffer(what)) {
         const bool is_read_only = what->kind == RHW_SHADER_UNIFORM_BUFFER;
-        result = rhw_binding_of_memory(resource->memory, resource->size, is_read_only, &binding) ? RHW_OK
-                                                                                                 : RHW_ERROR_MISUSE;
+        result = rhw_binding_of_memory(resource->memory, resource->size, is_read_only, &binding)
+                     ? RHW_OK
+                     : RHW_ERROR_MISUSE;
     } else if (what->kind == RHW_SHADER_SAMPLER) {
         result = rhw_binding_of_sampler(resources->context, sampler, &binding);
     } else if (what->kind == RHW_SHADER_STORAGE_IMAGE) {
@@ -356,7 +357,8 @@ bool cli_shader_write_picture(rhw_context *context, rhw_texture texture, int wid
     struct cli_output_file file;
     bool written = cli_output_file_open(&file, path);
     if (written) {
-        written = cli_png_write(&file, &raster) && cli_output_file_finish(&file) && cli_output_file_commit(&file);
+        written =
+            cli_png_write(&file, &raster) && cli_output_file_finish(&file) && cli_output_file_commit(&file);
         if (!written) {
             cli_output_file_discard(&file);
         }
@@ -391,8 +393,8 @@ static bool give(const struct cli_shader_resources *resources, const struct cli_
         cli_error("--result", "'%s': an image is written to a file named .png", asked->argument);
         return false;
     }
-    return cli_shader_write_picture(resources->context, resource->texture, resource->width, resource->height, 4,
-                                    asked->value);
+    return cli_shader_write_picture(resources->context, resource->texture, resource->width, resource->height,
+                                    4, asked->value);
 }
 
 bool cli_shader_resources_give(const struct cli_shader_resources *resources, const struct cli_shader_job *job)

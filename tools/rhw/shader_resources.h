@@ -33,7 +33,8 @@ bool cli_shader_resources_open(struct cli_shader_resources *resources, rhw_conte
 void cli_shader_resources_close(struct cli_shader_resources *resources);
 
 /// Print or write what --result asks for.
-bool cli_shader_resources_give(const struct cli_shader_resources *resources, const struct cli_shader_job *job);
+bool cli_shader_resources_give(const struct cli_shader_resources *resources,
+                               const struct cli_shader_job *job);
 
 /// Write a texture of RGBA8_UNORM as a PNG file.
 bool cli_shader_write_picture(rhw_context *context, rhw_texture texture, int width, int height, int channels,

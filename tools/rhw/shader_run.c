@@ -15,8 +15,8 @@ static void report_misuse(void *user, const char *message)
     cli_error(user, "%s", message);
 }
 
-static bool draw(rhw_context *context, const struct cli_shader_resources *resources, const struct cli_shader_job *job,
-                 const rhw_shader_program *program, rhw_texture target)
+static bool draw(rhw_context *context, const struct cli_shader_resources *resources,
+                 const struct cli_shader_job *job, const rhw_shader_program *program, rhw_texture target)
 {
     struct rhw_pipeline_def pipeline_def = rhw_pipeline_def_default();
     struct rhw_pass_def pass_def = rhw_pass_def_default();
@@ -69,9 +69,11 @@ static rhw_shader_program *link_screen(const struct cli_shader_file *file)
     for (uint32_t i = 0; i < info->input_count; i++) {
         if (info->inputs[i].location != 0 || info->inputs[i].is_integer ||
             info->inputs[i].component + info->inputs[i].components > 2) {
-            cli_error(file->path, "reads %s at location %u; a vertex shader beside it gives that, and alone it has a "
+            cli_error(file->path,
+                      "reads %s at location %u; a vertex shader beside it gives that, and alone it has a "
                       "vec2 at location 0",
-                      info->inputs[i].name[0] ? info->inputs[i].name : "an input", (unsigned)info->inputs[i].location);
+                      info->inputs[i].name[0] ? info->inputs[i].name : "an input",
+                      (unsigned)info->inputs[i].location);
             return NULL;
         }
     }
@@ -88,8 +90,7 @@ static rhw_shader_program *link_screen(const struct cli_shader_file *file)
     return program;
 }
 
-// Report what is missing of the command line.
-static bool check(const struct cli_shader_job *job, const struct cli_shader_file *files, int count)
+bool cli_shader_check_run(const struct cli_shader_job *job, const struct cli_shader_file *files, int count)
 {
     const bool computes = files[0].stage == RHW_SHADER_COMPUTE;
     if (count == 1 && files[0].stage == RHW_SHADER_VERTEX) {
@@ -109,9 +110,12 @@ static bool check(const struct cli_shader_job *job, const struct cli_shader_file
 static bool run(struct cli_shader_job *job, const struct cli_shader_file *files, int count,
                 const rhw_shader_program *program)
 {
+    enum { DEFAULT_SIDE = 512 };
     struct rhw_context_def def = rhw_context_def_default();
     struct cli_shader_resources resources = {0};
     rhw_context *context;
+    job->width = job->width ? job->width : DEFAULT_SIDE;
+    job->height = job->height ? job->height : DEFAULT_SIDE;
     def.threads = job->threads;
     def.assert_ = report_misuse;
     def.user = (void *)files[0].path;
@@ -133,9 +137,6 @@ static bool run(struct cli_shader_job *job, const struct cli_shader_file *files,
 bool cli_shader_run(struct cli_shader_job *job, const struct cli_shader_file *files, int count,
                     const rhw_shader_program *program)
 {
-    if (!check(job, files, count)) {
-        return false;
-    }
     if (program) {
         return run(job, files, count, program);
     }

@@ -76,7 +76,8 @@ static void report(const char *line, int length, const char *path)
     char subject[1024];
     const char *const colon = strstr(line, ": ");
     const bool is_split = colon && colon < line + length && colon - line < (ptrdiff_t)sizeof subject;
-    snprintf(subject, sizeof subject, "%.*s", is_split ? (int)(colon - line) : (int)strlen(path), is_split ? line : path);
+    snprintf(subject, sizeof subject, "%.*s", is_split ? (int)(colon - line) : (int)strlen(path),
+             is_split ? line : path);
     const char *const text = is_split ? colon + 2 : line;
     const int rest = length - (int)(text - line);
     if (strncmp(text, warning, sizeof warning - 1) == 0) {
@@ -96,7 +97,8 @@ static void report_log(const char *log, const char *path)
     }
 }
 
-static bool compile(struct cli_shader_file *file, const char *text, size_t size, const struct cli_shader_job *job)
+static bool compile(struct cli_shader_file *file, const char *text, size_t size,
+                    const struct cli_shader_job *job)
 {
     char message[1024];
     struct glsl_code code;
@@ -106,7 +108,7 @@ static bool compile(struct cli_shader_file *file, const char *text, size_t size,
         .macro_count = (uint32_t)job->macro_count,
         .include = glsl_include_file,
         .user = &folders,
-        .is_relaxed = job->runs,
+        .is_relaxed = job->runs || job->is_relaxed,
         .has_lines = job->print == CLI_SHADER_FORM || job->print == CLI_SHADER_BYTECODE,
     };
     const bool compiled =
@@ -163,8 +165,8 @@ static bool set_constants(struct cli_shader_file *file, struct cli_shader_job *j
             memcpy(&value.value, &number, sizeof number);
         } else if (constant->number != floor(constant->number) || constant->number < INT32_MIN ||
                    constant->number > UINT32_MAX) {
-            cli_error("--constant", "'%s': constant %u of %s is a whole number of 32 bits", constant->argument,
-                      (unsigned)constant->id, file->path);
+            cli_error("--constant", "'%s': constant %u of %s is a whole number of 32 bits",
+                      constant->argument, (unsigned)constant->id, file->path);
             return false;
         } else {
             value.value = (uint32_t)(int64_t)constant->number;

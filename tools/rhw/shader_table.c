@@ -6,10 +6,14 @@
 #include <stdio.h>
 
 static const char *const kind_names[] = {
-    [RHW_SHADER_UNIFORM_BUFFER] = "uniform buffer",     [RHW_SHADER_STORAGE_BUFFER] = "storage buffer",
-    [RHW_SHADER_SAMPLED_TEXTURE] = "sampled texture",   [RHW_SHADER_TEXTURE] = "texture",
-    [RHW_SHADER_SAMPLER] = "sampler",                   [RHW_SHADER_STORAGE_IMAGE] = "storage image",
-    [RHW_SHADER_TEXEL_BUFFER] = "texel buffer",         [RHW_SHADER_INPUT_ATTACHMENT] = "input attachment",
+    [RHW_SHADER_UNIFORM_BUFFER] = "uniform buffer",
+    [RHW_SHADER_STORAGE_BUFFER] = "storage buffer",
+    [RHW_SHADER_SAMPLED_TEXTURE] = "sampled texture",
+    [RHW_SHADER_TEXTURE] = "texture",
+    [RHW_SHADER_SAMPLER] = "sampler",
+    [RHW_SHADER_STORAGE_IMAGE] = "storage image",
+    [RHW_SHADER_TEXEL_BUFFER] = "texel buffer",
+    [RHW_SHADER_INPUT_ATTACHMENT] = "input attachment",
 };
 
 // Write the type of a number, vector or matrix as GLSL calls it.
@@ -20,7 +24,8 @@ static void name_number(const struct rhw_shader_type *type, char name[32])
     if (type->columns > 1) {
         snprintf(name, 32, "mat%ux%u", (unsigned)type->columns, (unsigned)type->rows);
     } else if (type->rows > 1) {
-        snprintf(name, 32, "%svec%u%s%s", letters[type->kind], (unsigned)type->rows, narrow[0] ? " of " : "", narrow);
+        snprintf(name, 32, "%svec%u%s%s", letters[type->kind], (unsigned)type->rows, narrow[0] ? " of " : "",
+                 narrow);
     } else {
         snprintf(name, 32, "%s%s", scalars[type->kind], narrow);
     }
@@ -74,7 +79,8 @@ static void print_resources(const struct rhw_shader_info *info)
 {
     for (uint32_t i = 0; i < info->resource_count; i++) {
         const struct rhw_shader_resource *const resource = &info->resources[i];
-        printf("  %u:%-3u %s%s ", (unsigned)resource->set, (unsigned)resource->binding, kind_names[resource->kind],
+        printf("  %u:%-3u %s%s ", (unsigned)resource->set, (unsigned)resource->binding,
+               kind_names[resource->kind],
                resource->is_read_only && resource->kind == RHW_SHADER_STORAGE_BUFFER ? ", read only," : "");
         print_name(resource->name);
         if (resource->count != 1) {
@@ -95,11 +101,15 @@ static void print_variables(const char *title, const struct rhw_shader_variable 
     }
     for (uint32_t i = 0; i < count; i++) {
         const struct rhw_shader_variable *const variable = &variables[i];
-        const char *const scalar = variable->is_integer ? "int" : "float", *const letter = variable->is_integer ? "i" : "";
+        const char *const scalar = variable->is_integer ? "int" : "float", *const letter =
+                                                                               variable->is_integer ? "i"
+                                                                                                    : "";
         char type[16];
-        snprintf(type, sizeof type, variable->components > 1 ? "%svec%u" : "%s", letter, (unsigned)variable->components);
+        snprintf(type, sizeof type, variable->components > 1 ? "%svec%u" : "%s", letter,
+                 (unsigned)variable->components);
         printf("  location %u%s%.1s  %-6s ", (unsigned)variable->location, variable->component > 0 ? "." : "",
-               variable->component > 0 ? &"xyzw"[variable->component] : "", variable->components > 1 ? type : scalar);
+               variable->component > 0 ? &"xyzw"[variable->component] : "",
+               variable->components > 1 ? type : scalar);
         print_name(variable->name);
         putchar('\n');
     }
@@ -165,8 +175,8 @@ static void write_shader(const struct cli_shader_file *file)
     for (uint32_t i = 0; i < info->resource_count; i++) {
         const struct rhw_shader_resource *const resource = &info->resources[i];
         printf("%s\n       {\"set\": %u, \"binding\": %u, \"kind\": \"%s\", \"count\": %u, \"name\": ",
-               i > 0 ? "," : "", (unsigned)resource->set, (unsigned)resource->binding, kind_names[resource->kind],
-               (unsigned)resource->count);
+               i > 0 ? "," : "", (unsigned)resource->set, (unsigned)resource->binding,
+               kind_names[resource->kind], (unsigned)resource->count);
         cli_json_string(stdout, resource->name);
         printf(", \"read_only\": %s, \"bytes\": %u, ", resource->is_read_only ? "true" : "false",
                (unsigned)resource->size);

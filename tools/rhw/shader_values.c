@@ -35,8 +35,8 @@ static bool read_number(const char **text, enum type type, uint32_t *bits)
     return is_read;
 }
 
-static bool read_numbers(const char *option, const char *argument, const char *text, enum type type, void **bytes,
-                         size_t *size)
+static bool read_numbers(const char *option, const char *argument, const char *text, enum type type,
+                         void **bytes, size_t *size)
 {
     size_t count = 1;
     for (const char *c = text; *c; c++) {

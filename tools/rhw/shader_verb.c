@@ -18,6 +18,7 @@ enum {
     OPTION_ALL_ERRORS,
     OPTION_ENTRY,
     OPTION_CONSTANT,
+    OPTION_RELAXED,
     OPTION_RUN, // those from here on belong to it
     OPTION_SIZE,
     OPTION_TIME,
@@ -31,7 +32,8 @@ enum {
 };
 
 static const struct cli_option options[] = {
-    {"out", OPTION_OUT, "OUT", "write SPIR-V, to a file named .spv; with --run the picture, to one named .png"},
+    {"out", OPTION_OUT, "OUT",
+     "write SPIR-V, to a file named .spv; with --run the picture, to one named .png"},
     {"print", OPTION_PRINT, "WHAT",
      "print info: stage, resources, inputs and outputs, which is what happens anyway;\n"
      "spirv: instructions of the module, as spirv-dis writes them;\n"
@@ -44,6 +46,10 @@ static const struct cli_option options[] = {
     {"define", OPTION_DEFINE, "MACRO", "define a macro of GLSL: NAME, or NAME=VALUE"},
     {"include", OPTION_INCLUDE, "DIR", "where #include looks, behind the folder of the file"},
     {"constant", OPTION_CONSTANT, "CONSTANT", "value of a specialization constant: ID=NUMBER"},
+    {"relaxed", OPTION_RELAXED, NULL,
+     "as OpenGL has it: uniforms outside of blocks make one, and what has no binding\nor location gets the "
+     "next; "
+     "--run does so anyway"},
     {"run", OPTION_RUN, NULL,
      "draw with a fragment shader on all of a picture, or dispatch a compute shader"},
     {"size", OPTION_SIZE, "WxH", "pixels of the picture, or N for a square; default 512x512"},
@@ -52,7 +58,8 @@ static const struct cli_option options[] = {
     {"texture", OPTION_TEXTURE, "BINDING", "picture of a texture: SET:BINDING=FILE, 0:1=wood.png"},
     {"groups", OPTION_GROUPS, "X,Y,Z", "workgroups of a compute shader; default 1,1,1"},
     {"buffer", OPTION_BUFFER, "BINDING",
-     "what a buffer holds at first: SET:BINDING=FILE, =BYTES of zeros,\nor =f32:, =i32: or =u32: and numbers: "
+     "what a buffer holds at first: SET:BINDING=FILE, =BYTES of zeros,\nor =f32:, =i32: or =u32: and "
+     "numbers: "
      "0:1=f32:1,2.5"},
     {"push", OPTION_PUSH, "VALUES", "push constants: a file, or numbers as of --buffer"},
     {"result", OPTION_RESULT, "BINDING",
@@ -64,15 +71,19 @@ static const struct cli_option options[] = {
 };
 
 static const char notes[] =
-    "FILE is GLSL for Vulkan (.vert, .frag, .comp; 4.50 where it has no #version) or SPIR-V (.spv). A vertex and a\n"
+    "FILE is GLSL for Vulkan (.vert, .frag, .comp; 4.50 where it has no #version) or SPIR-V (.spv). A vertex "
+    "and a\n"
     "fragment shader may be given together, and are linked then.\n"
-    "A fragment shader that is run alone may read a vec2 at location 0: 0,0 at the top left, 1,1 at the bottom right.\n"
-    "Members of its uniform blocks or push constants with these names, or uniforms outside of blocks, are set:\n"
+    "A fragment shader that is run alone may read a vec2 at location 0: 0,0 at the top left, 1,1 at the "
+    "bottom right.\n"
+    "Members of its uniform blocks or push constants with these names, or uniforms outside of blocks, are "
+    "set:\n"
     "  vec3 iResolution   pixels of the picture, and 1\n"
     "  float iTime        seconds, as of --time\n"
     "  vec4 iMouse        pixels, as of --mouse\n"
     "What no option gives is 0. A vertex shader that is run draws one triangle without attributes.\n"
-    "Textures repeat and are filtered linearly. The picture has the numbers of the first output, clamped to 0..1.\n\n"
+    "Textures repeat and are filtered linearly. The picture has the numbers of the first output, clamped to "
+    "0..1.\n\n"
     "Exit status: 0, 1 when a shader is refused or the work fails, 2 for a wrong command line.";
 
 static const struct cli_verb verb = {
@@ -141,8 +152,8 @@ static bool parse_binding(struct cli_shader_bindings *bindings, const char *opti
     }
     unsigned set, binding;
     int length = 0;
-    if (sscanf(argument, "%3u:%9u=%n", &set, &binding, &length) != 2 || length == 0 || argument[length] == 0 ||
-        set >= RHW_SHADER_MAX_SETS) {
+    if (sscanf(argument, "%3u:%9u=%n", &set, &binding, &length) != 2 || length == 0 ||
+        argument[length] == 0 || set >= RHW_SHADER_MAX_SETS) {
         cli_error(option, "'%s' is not SET:BINDING=VALUE, with a SET of 0 to %d, as in 0:1=%s", argument,
                   RHW_SHADER_MAX_SETS - 1, strcmp(option, "--result") == 0 ? "f32" : "FILE");
         return false;
@@ -207,7 +218,8 @@ static bool parse_run_option(struct cli_shader_job *job, int id, const char *arg
 
 static bool parse_option(struct cli_shader_job *job, int id, char *argument)
 {
-    static const char *const prints[] = {"info", "spirv", "ir", "bytecode"}, *const steps[] = {"build", "passes"};
+    static const char *const prints[] = {"info", "spirv", "ir", "bytecode"}, *const steps[] = {"build",
+                                                                                               "passes"};
     int choice;
     switch (id) {
     case OPTION_OUT: job->out = argument; return true;
@@ -222,6 +234,7 @@ static bool parse_option(struct cli_shader_job *job, int id, char *argument)
         return choice >= 0;
     case OPTION_JSON: job->json = true; return true;
     case OPTION_ALL_ERRORS: job->all_errors = true; return true;
+    case OPTION_RELAXED: job->is_relaxed = true; return true;
     case OPTION_ENTRY: job->entry_point = argument; return true;
     case OPTION_DEFINE: return parse_define(job, argument);
     case OPTION_INCLUDE:
@@ -257,7 +270,9 @@ static bool check_options(const struct cli_shader_job *job, int files, const cha
     } else if (job->has_step && job->print != CLI_SHADER_FORM) {
         cli_error("--after", "goes with --print ir alone");
     } else if (run_option && !job->runs) {
-        cli_error(run_option, "goes with --run alone");
+        char name[32];
+        snprintf(name, sizeof name, "--%s", run_option);
+        cli_error(name, "goes with --run alone");
     } else if (job->runs && (job->json || job->print != CLI_SHADER_NOTHING)) {
         cli_error("--run", "prints results alone; --print and --json do without it");
     } else {
@@ -377,14 +392,16 @@ static bool work(struct cli_shader_job *job, struct cli_shader_file *files, int 
 
 int cli_shader(int argc, char **argv)
 {
-    static struct cli_shader_job job = {.print = CLI_SHADER_NOTHING, .groups = {1, 1, 1}, .budget = {.seconds = 300.0}};
+    static struct cli_shader_job job = {
+        .print = CLI_SHADER_NOTHING, .groups = {1, 1, 1}, .budget = {.seconds = 300.0}};
     struct cli_shader_file files[CLI_SHADER_FILES] = {0};
     struct cli_parser parser;
     const char *run_option = NULL;
     cli_parser_start(&parser, &verb, argc, argv);
     int id;
     while ((id = cli_parser_next(&parser)) > 0) {
-        for (size_t i = 0; id > OPTION_RUN && id <= OPTION_THREADS && i < sizeof options / sizeof *options; i++) {
+        for (size_t i = 0; id > OPTION_RUN && id <= OPTION_THREADS && i < sizeof options / sizeof *options;
+             i++) {
             run_option = options[i].id == id ? options[i].name : run_option;
         }
         if (!parse_option(&job, id, (char *)parser.argument)) {
@@ -408,9 +425,10 @@ int cli_shader(int argc, char **argv)
         done = cli_shader_file_open(&files[count], parser.operands[count], &job);
         count++;
     }
-    done = done && work(&job, files, count);
+    const bool is_usage = done && job.runs && !cli_shader_check_run(&job, files, count);
+    done = done && !is_usage && work(&job, files, count);
     for (int i = 0; i < count; i++) {
         cli_shader_file_close(&files[i]);
     }
-    return done ? CLI_OK : CLI_FAILED;
+    return is_usage ? CLI_USAGE : done ? CLI_OK : CLI_FAILED;
 }

@@ -20,8 +20,9 @@ enum {
 
 struct cli_shader_words cli_shader_words_of(const uint32_t *words, size_t size)
 {
-    return (struct cli_shader_words){
-        .words = words, .count = size / sizeof *words, .is_swapped = size >= sizeof *words && words[0] != MAGIC};
+    return (struct cli_shader_words){.words = words,
+                                     .count = size / sizeof *words,
+                                     .is_swapped = size >= sizeof *words && words[0] != MAGIC};
 }
 
 static uint32_t word_at(const struct cli_shader_words *words, size_t place)
@@ -57,7 +58,8 @@ static char *string_of(const struct cli_shader_words *words, size_t place, size_
     return text;
 }
 
-char *cli_shader_find_entry(const struct cli_shader_words *words, const char *name, enum rhw_shader_stage *stage)
+char *cli_shader_find_entry(const struct cli_shader_words *words, const char *name,
+                            enum rhw_shader_stage *stage)
 {
     char *found = NULL;
     size_t count;
@@ -102,9 +104,9 @@ static enum cli_shader_constant_kind kind_of(const struct cli_shader_words *word
             if (count < 3 || word_at(words, place + 2) != target) {
                 continue;
             }
-            return opcode != OP_SPEC_CONSTANT                ? CLI_CONSTANT_BOOL
+            return opcode != OP_SPEC_CONSTANT                   ? CLI_CONSTANT_BOOL
                    : is_float(words, word_at(words, place + 1)) ? CLI_CONSTANT_FLOAT
-                                                             : CLI_CONSTANT_INT;
+                                                                : CLI_CONSTANT_INT;
         }
     }
     return CLI_CONSTANT_ABSENT;
