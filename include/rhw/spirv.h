@@ -131,8 +131,8 @@ struct rhw_shader_resource {
 
 /// A scalar, vector or column that a shader reads from the stage before, or gives to the one after.
 struct rhw_shader_variable {
-    uint32_t
-        location; ///< of vertices, number of the attribute; what a fragment shader writes, number of the target
+    /// A vertex shader's input has the number of the attribute here, a fragment shader's output that of the target.
+    uint32_t location;
     uint32_t component;  ///< first of the components, 0..3
     uint32_t components; ///< how many, 1..4
     bool is_integer;
@@ -147,7 +147,7 @@ struct rhw_shader_info {
         *outputs; ///< by location and component, built-in variables left out
     uint32_t input_count, output_count;
     uint32_t push_size;                      ///< bytes of the block of push constants; 0: none is used
-    const struct rhw_shader_type *push_type; ///< struct of the push constants; NULL: none is used
+    const struct rhw_shader_type *push_type; ///< its struct, or NULL
     uint32_t size[3];                        ///< invocations of a workgroup in each direction; of compute
     uint32_t shared_size;                    ///< bytes that they share
 };
@@ -166,8 +166,8 @@ struct rhw_shader_layout {
 struct rhw_shader_program_def {
     const rhw_shader *vertex, *fragment; ///< fragment: NULL draws depth only
     const rhw_shader *compute;           ///< alone
-    /// What the sets have, in any order, in order that several programs share sets. NULL: what the shaders name, where a
-    /// binding that both name has the larger count.
+    /// What the sets have, in any order; programs of one layout share their sets. NULL means what the shaders name,
+    /// where a binding that both name has the larger count.
     const struct rhw_shader_layout *layout;
     uint32_t layout_count;
 };

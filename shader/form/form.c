@@ -59,6 +59,12 @@ uint32_t *shader_operands(const struct shader_program *program, struct shader_no
     return node->operands;
 }
 
+const struct shader_node *shader_resource_node(const struct shader_program *program, uint32_t value)
+{
+    const struct shader_node *const node = &program->nodes[value];
+    return node->op == SHADER_HOME ? &program->nodes[node->operands[0]] : node;
+}
+
 uint32_t shader_add_list(struct shader_program *program, const uint32_t *values, uint32_t count)
 {
     const uint32_t place = program->list_count;

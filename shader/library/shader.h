@@ -11,7 +11,7 @@
 #include "rhw/spirv.h"
 
 struct rhw_shader {
-    struct shader_memory memory; // of all that follows, but not of this struct
+    struct shader_memory memory; // holds all that follows points to
     atomic_uint users;
     const struct shader_program *form;
     const struct shader_bytecode *bytecode; // without slots and components
