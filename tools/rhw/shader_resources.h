@@ -25,8 +25,8 @@ struct cli_shader_resources {
     struct rhw_shader_frame frame; ///< of all these
 };
 
-/// Make what the shaders of a program name, as the command line says it or of zeros. Report what is wrong. Close in either
-/// case.
+/// Make what the shaders of a program name, as the command line says it or of zeros. Report what is wrong. Close it in
+/// either case.
 bool cli_shader_resources_open(struct cli_shader_resources *resources, rhw_context *context,
                                struct cli_shader_job *job, const struct cli_shader_file *files, int count,
                                const rhw_shader_program *program);

@@ -6,8 +6,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/// Read "FILE", "BYTES" of zeros, or "f32:", "i32:" or "u32:" and numbers with commas. The bytes are allocated by malloc.
-/// Report what is wrong with the `argument` of `option`, which has `value` at its end.
+/// Read "FILE", "BYTES" of zeros, or "f32:", "i32:" or "u32:" and numbers with commas, to memory of malloc. Report what
+/// is wrong with the `argument` of `option`, which has `value` at its end.
 bool cli_shader_values_read(const char *option, const char *argument, const char *value, void **bytes,
                             size_t *size);
 

@@ -331,7 +331,7 @@ static bool write_words(const struct cli_shader_file *file, const char *path)
     return written;
 }
 
-// Link what was given. Return NULL after a message, and set *linked to NULL for a vertex shader alone, which is no program.
+// Link what was given. *linked stays NULL for a fragment shader alone, which is no program.
 static bool link_shaders(const struct cli_shader_file *files, int count, rhw_shader_program **linked)
 {
     struct rhw_shader_program_def def = {0};
