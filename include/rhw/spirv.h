@@ -97,7 +97,7 @@ struct rhw_shader_info {
     const struct rhw_shader_variable *inputs,
         *outputs; ///< by location and component, built-in variables left out
     uint32_t input_count, output_count;
-    uint32_t push_size;   ///< bytes of push constants up to the last that is read
+    uint32_t push_size;   ///< bytes of the block of push constants; 0: none is used
     uint32_t size[3];     ///< invocations of a workgroup in each direction; of compute
     uint32_t shared_size; ///< bytes that they share
 };

@@ -247,7 +247,7 @@ static uint32_t read_scalar(struct shader_builder *builder, const struct shader_
 static uint32_t read_dynamic(struct shader_builder *builder, const struct shader_place *place, uint32_t level,
                              uint32_t at)
 {
-    if (level == place->dynamic_count) {
+    if (level == SHADER_MAX_DYNAMIC || level == place->dynamic_count) {
         return read_scalar(builder, place, at);
     }
     const struct shader_dynamic_index *const dynamic = &place->dynamic[level];
@@ -263,7 +263,7 @@ static uint32_t read_dynamic(struct shader_builder *builder, const struct shader
 static void write_dynamic(struct shader_builder *builder, const struct shader_place *place, uint32_t level,
                           uint32_t at, uint32_t condition, uint32_t value)
 {
-    if (level == place->dynamic_count) {
+    if (level == SHADER_MAX_DYNAMIC || level == place->dynamic_count) {
         const uint32_t home = place->scalars[at];
         if (condition != SHADER_NO_VALUE) {
             value = shader_emit(builder, SHADER_SELECT, condition, value, shader_get_home(builder, home));

@@ -92,7 +92,6 @@ struct shader_program {
     uint32_t resource_count;
     uint32_t varying_mask[4]; // components of inputs that are read, a bit each
     bool writes[SHADER_OUT_COUNT];
-    uint32_t push_size;      // bytes of push constants that are read
     uint32_t workgroup_size; // bytes of memory of the workgroup
     bool has_barriers, uses_atomic_results;
 };

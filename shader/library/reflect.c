@@ -197,13 +197,29 @@ static const struct rhw_shader_variable *reflect_variables(rhw_shader *shader,
     return list.variables;
 }
 
+// Return the bytes of the block of push constants, or 0 where no code reaches one.
+static uint32_t find_push_size(const struct shader_program *form)
+{
+    bool is_used = false;
+    for (uint32_t i = 0; i < form->code_count; i++) {
+        is_used = is_used || form->nodes[form->code[i]].op == SHADER_PUSH;
+    }
+    for (uint32_t i = 0; is_used && i < form->module->variable_count; i++) {
+        const struct shader_variable *const variable = form->module->variables[i];
+        if (variable->storage == SPIRV_PUSH_CONSTANT) {
+            return bytes_of(variable->type, NULL);
+        }
+    }
+    return 0;
+}
+
 void shader_reflect(rhw_shader *shader)
 {
     struct rhw_shader_info *const info = &shader->info;
     reflect_resources(shader);
     info->inputs = reflect_variables(shader, SPIRV_INPUT, &info->input_count);
     info->outputs = reflect_variables(shader, SPIRV_OUTPUT, &info->output_count);
-    info->push_size = shader->form->push_size;
+    info->push_size = find_push_size(shader->form);
     info->shared_size = shader->form->workgroup_size;
     for (int i = 0; i < 3; i++) {
         info->size[i] = info->stage == RHW_SHADER_COMPUTE ? shader->form->entry->local_size[i] : 0;

@@ -85,7 +85,7 @@ static void test_compute_is_specialized_and_runs(void **state)
     const struct rhw_shader_constant constants[] = {
         {.id = 7, .value = 24}, {.id = 3, .value = 5}, {.id = 99, .value = 1}};
     const struct rhw_shader_def def = {
-        .stage = RHW_SHADER_COMPUTE, .constants = constants, .constant_count = 3};
+        .stage = RHW_SHADER_COMPUTE, .constants = constants, .constant_count = 2};
     assert_int_equal(rhw_shader_create(double_comp, sizeof double_comp, &def, &shader, message), RHW_OK);
     rhw_shader_program *const program = link_shaders(&(struct rhw_shader_program_def){.compute = shader});
     assert_int_equal(rhw_shader_program_get_compute(program)->size[0], 24);
