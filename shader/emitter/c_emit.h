@@ -17,21 +17,21 @@ struct shader_emitter {
     enum rhw_shader_stage kind;
     const struct shader_program *form;
     struct shader_c_plan plan;
-    struct shader_text arrays;  // declarations of what has an element for each group
-    struct shader_text once;    // what is computed once a call
-    struct shader_text body;    // what is computed for each group
-    struct shader_text *out;    // the one that is written to
-    const char **inlined;       // by value: the expression that stands where the value is read, or NULL
-    uint32_t mask, masks;       // number of the mask of active lanes, and how many there are
-    uint32_t divergence;        // structures around this place whose lanes go different ways
-    const char *group;          // the element that counts of what has one for each group
-    bool is_dead;               // no lane comes to this place
-    bool is_run_open;           // this place is in a loop over groups
-    uint32_t run;               // that is open or comes next
-    uint32_t wide_mask;         // number of the mask with which the run began
-    uint32_t *loops;            // places of the LOOPs that are loops of C, from the outermost
+    struct shader_text arrays; // declarations of what has an element for each group
+    struct shader_text once;   // what is computed once a call
+    struct shader_text body;   // what is computed for each group
+    struct shader_text *out;   // the one that is written to
+    const char **inlined;      // by value: the expression that stands where the value is read, or NULL
+    uint32_t mask, masks;      // number of the mask of active lanes, and how many there are
+    uint32_t divergence;       // structures around this place whose lanes go different ways
+    const char *group;         // the element that counts of what has one for each group
+    bool is_dead;              // no lane comes to this place
+    bool is_run_open;          // this place is in a loop over groups
+    uint32_t run;              // that is open or comes next
+    uint32_t wide_mask;        // number of the mask with which the run began
+    uint32_t *loops;           // places of the LOOPs that are loops of C, from the outermost
     uint32_t loop_depth;
-    bool *is_label_used;        // by place of structure: something jumps to its end
+    bool *is_label_used; // by place of structure: something jumps to its end
     // Textures and samplers that are put together once a call.
     struct shader_c_pair *pairs;
     size_t pair_count, pair_room;

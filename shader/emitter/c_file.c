@@ -8,11 +8,21 @@
 #include "c_emit.h"
 
 static const char *const uses[] = {
-    "RHW_USE_COORD",         "RHW_USE_FACING",     "RHW_USE_IDS",
-    "RHW_USE_LAYER",         "RHW_USE_POINT_COORD", "RHW_USE_BARYCENTRIC",
-    "RHW_USE_BARYCENTRIC_DERIVATIVES", "RHW_USE_FULLY_COVERED", "RHW_USE_SAMPLE",
-    "RHW_USE_COLOR_INPUT",   "RHW_USE_DEPTH_INPUT", "RHW_USE_STENCIL_INPUT",
-    "RHW_USE_SAMPLE_MASK",   "RHW_USE_DISCARD",    "RHW_USE_DEPTH",
+    "RHW_USE_COORD",
+    "RHW_USE_FACING",
+    "RHW_USE_IDS",
+    "RHW_USE_LAYER",
+    "RHW_USE_POINT_COORD",
+    "RHW_USE_BARYCENTRIC",
+    "RHW_USE_BARYCENTRIC_DERIVATIVES",
+    "RHW_USE_FULLY_COVERED",
+    "RHW_USE_SAMPLE",
+    "RHW_USE_COLOR_INPUT",
+    "RHW_USE_DEPTH_INPUT",
+    "RHW_USE_STENCIL_INPUT",
+    "RHW_USE_SAMPLE_MASK",
+    "RHW_USE_DISCARD",
+    "RHW_USE_DEPTH",
     "RHW_USE_EFFECTS",
 };
 
@@ -26,10 +36,11 @@ static const char *const samplings[] = {[RHW_SAMPLING_CENTER] = "RHW_SAMPLING_CE
 static void write_top(struct shader_text *file, const struct shader_c_program *program)
 {
     const char *const source = shader_c_clean(file->memory, program->source);
-    shader_text_line(file, "// %s%s%s, written by rhw as C. Changes are lost when it is written again.", program->name,
-                     source[0] ? " of " : "", source);
+    shader_text_line(file, "// %s%s%s, written by rhw as C. Changes are lost when it is written again.",
+                     program->name, source[0] ? " of " : "", source);
     shader_text_line(file, "//");
-    shader_text_line(file, "// rhw_add_shaders compiles it once per instruction set. A program declares what it uses:");
+    shader_text_line(
+        file, "// rhw_add_shaders compiles it once per instruction set. A program declares what it uses:");
     shader_text_line(file, "//");
     shader_text_line(file, "//     extern const struct %s %s_program;",
                      program->compute ? "rhw_compute_program" : "rhw_program", program->name);
@@ -38,7 +49,8 @@ static void write_top(struct shader_text *file, const struct shader_c_program *p
                          (unsigned)program->layout_count);
     }
     shader_text_line(file, "//");
-    shader_text_line(file, "// The uniforms of a draw or dispatch are a struct rhw_shader_frame of rhw/spirv.h.");
+    shader_text_line(file,
+                     "// The uniforms of a draw or dispatch are a struct rhw_shader_frame of rhw/spirv.h.");
     uint32_t place = 0;
     for (uint32_t i = 0; i < program->layout_count; i++) {
         const struct rhw_shader_layout *const layout = &program->layout[i];
@@ -50,10 +62,10 @@ static void write_top(struct shader_text *file, const struct shader_c_program *p
     }
     shader_text_line(file, "#include <rhw/isa.h>");
     shader_text_line(file, "#include <rhw/shader_spirv.h>");
-    shader_text_line(file, "");
+    shader_text_line(file, "%s", "");
     shader_text_line(file, "#pragma GCC diagnostic ignored \"-Wunused-variable\"");
     shader_text_line(file, "#pragma GCC diagnostic ignored \"-Wunused-but-set-variable\"");
-    shader_text_line(file, "");
+    shader_text_line(file, "%s", "");
 }
 
 static void write_layout(struct shader_text *file, const struct shader_c_program *program)
@@ -153,8 +165,8 @@ static void write_compute_program(struct shader_text *file, const struct shader_
 
 const char *shader_c_write(struct shader_memory *memory, const struct shader_c_program *program)
 {
-    static const char *const types[RHW_SHADER_STAGE_COUNT] = {
-        "rhw_vertex_function", "rhw_fragment_function", "rhw_workgroup_function"};
+    static const char *const types[RHW_SHADER_STAGE_COUNT] = {"rhw_vertex_function", "rhw_fragment_function",
+                                                              "rhw_workgroup_function"};
     static const char *const names[RHW_SHADER_STAGE_COUNT] = {"vertex", "fragment", "workgroup"};
     struct shader_text file = {.memory = memory};
     write_top(&file, program);
@@ -163,7 +175,7 @@ const char *shader_c_write(struct shader_memory *memory, const struct shader_c_p
             shader_text_line(&file, "RHW_ISA_DECLARE(%s, %s_%s);", types[s], program->name, names[s]);
         }
     }
-    shader_text_line(&file, "");
+    shader_text_line(&file, "%s", "");
     for (int s = 0; s < RHW_SHADER_STAGE_COUNT; s++) {
         if (program->stages[s].form) {
             shader_c_write_stage(memory, program, (enum rhw_shader_stage)s, &file);

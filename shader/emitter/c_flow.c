@@ -35,8 +35,7 @@ static void line_of_mask(struct shader_emitter *emitter, uint32_t mask, const ch
 static void go_on_alive(struct shader_emitter *emitter, uint32_t came_in)
 {
     emitter->mask = shader_c_new_mask(emitter);
-    line_of_mask(emitter, emitter->mask,
-                 shader_format(emitter->memory, "m%u & alive", (unsigned)came_in));
+    line_of_mask(emitter, emitter->mask, shader_format(emitter->memory, "m%u & alive", (unsigned)came_in));
 }
 
 // Statements of structure ----------------------------------------------------------------------------
@@ -80,8 +79,7 @@ static void write_leave(struct shader_emitter *emitter, uint32_t place)
     const struct shader_node *const node = &emitter->form->nodes[emitter->form->code[place]];
     const bool discards = node->op == SHADER_DISCARD;
     const uint32_t target = discards ? SHADER_C_NONE : emitter->plan.place[node->operands[0]];
-    const struct shader_c_structure *const structure =
-        discards ? NULL : &emitter->plan.structures[target];
+    const struct shader_c_structure *const structure = discards ? NULL : &emitter->plan.structures[target];
     emitter->is_dead = true;
     if (structure && structure->is_uniform) {
         jump_to_end(emitter, target);
@@ -116,8 +114,7 @@ static void write_if(struct shader_emitter *emitter, uint32_t place)
         shader_text_line(emitter->out, is_number ? "if (%s) {" : "if (%s[0]) {", truth);
     } else {
         inside = shader_c_new_mask(emitter);
-        line_of_mask(emitter, inside,
-                     shader_format(emitter->memory, "m%u & %s", (unsigned)before, truth));
+        line_of_mask(emitter, inside, shader_format(emitter->memory, "m%u & %s", (unsigned)before, truth));
         shader_text_line(emitter->out, "if (rhw_any(m%u)) {", (unsigned)inside);
         emitter->divergence++;
     }
@@ -396,12 +393,11 @@ static void write_wide_if(struct shader_emitter *emitter, uint32_t place)
                          truth);
     } else {
         inside = shader_c_new_mask(emitter);
-        set_mask(emitter, inside,
-                 shader_format(emitter->memory, "lanes%u[g] & %s", (unsigned)before, truth));
+        set_mask(emitter, inside, shader_format(emitter->memory, "lanes%u[g] & %s", (unsigned)before, truth));
         outside = shader_c_new_mask(emitter);
-        set_mask(emitter, outside,
-                 shader_format(emitter->memory, "lanes%u[g] & ~lanes%u[g]", (unsigned)before,
-                               (unsigned)inside));
+        set_mask(
+            emitter, outside,
+            shader_format(emitter->memory, "lanes%u[g] & ~lanes%u[g]", (unsigned)before, (unsigned)inside));
         emitter->divergence++;
     }
     const char *const test =

@@ -30,10 +30,10 @@ static const char *list_of(struct shader_emitter *emitter, const uint32_t *value
 static void write_coordinates(struct shader_emitter *emitter, const struct request *request, bool as_float)
 {
     const uint32_t count = request->spatial + (request->flags & SHADER_IMAGE_IS_ARRAYED ? 1 : 0);
-    shader_text_line(emitter->out, "const %s at%u[4] = {%s};", as_float ? "rhw_float" : "rhw_int",
-                     (unsigned)request->value,
-                     list_of(emitter, &request->operands[SHADER_IMAGE_COORDINATES], count < 4 ? count : 4,
-                             as_float));
+    shader_text_line(
+        emitter->out, "const %s at%u[4] = {%s};", as_float ? "rhw_float" : "rhw_int",
+        (unsigned)request->value,
+        list_of(emitter, &request->operands[SHADER_IMAGE_COORDINATES], count < 4 ? count : 4, as_float));
 }
 
 // Write an operand that a request points to. Return what points to it.
@@ -113,9 +113,8 @@ static void write_call(struct shader_emitter *emitter, const struct request *req
     struct shader_text *const out = emitter->out;
     const unsigned value = request->value;
     const unsigned channel = request->flags >> SHADER_IMAGE_CHANNEL_SHIFT & 3;
-    const char *const lod = request->flags & SHADER_IMAGE_HAS_LOD
-                                ? shader_format(emitter->memory, "&lod%u", value)
-                                : "NULL";
+    const char *const lod =
+        request->flags & SHADER_IMAGE_HAS_LOD ? shader_format(emitter->memory, "&lod%u", value) : "NULL";
     switch ((enum shader_image_operation)(request->flags & 15)) {
     case SHADER_DO_SAMPLE:
         shader_text_line(out, "rhw_binding_sample(%s, &request%u, %s);", binding, value, texel);

@@ -43,10 +43,10 @@ static void write_input(struct shader_emitter *emitter, uint32_t value)
     const char *text;
     switch ((enum shader_op)node->op) {
     case SHADER_INPUT:
-        text = emitter->kind == RHW_SHADER_VERTEX
-                   ? shader_format(emitter->memory, "v->attribute[%u][%u]", slot / COMPONENTS,
-                                   slot % COMPONENTS)
-                   : shader_format(emitter->memory, "f->varying[%u]", component);
+        text =
+            emitter->kind == RHW_SHADER_VERTEX
+                ? shader_format(emitter->memory, "v->attribute[%u][%u]", slot / COMPONENTS, slot % COMPONENTS)
+                : shader_format(emitter->memory, "f->varying[%u]", component);
         break;
     case SHADER_INPUT_DX: text = shader_format(emitter->memory, "f->ddx[%u]", component); break;
     case SHADER_INPUT_DY: text = shader_format(emitter->memory, "f->ddy[%u]", component); break;
@@ -136,8 +136,7 @@ static void write_vertex_output(struct shader_emitter *emitter, uint32_t slot, u
     } else if (slot == SHADER_OUT_LAYER || slot == SHADER_OUT_VIEWPORT) {
         shader_text_line(out, "v->%s = %s;", slot == SHADER_OUT_LAYER ? "layer" : "viewport_index",
                          shader_c_argument(emitter, value, false));
-    } else if (slot >= SHADER_OUT_VARYING &&
-               stage->component_of[slot - SHADER_OUT_VARYING] != NO_COMPONENT) {
+    } else if (slot >= SHADER_OUT_VARYING && stage->component_of[slot - SHADER_OUT_VARYING] != NO_COMPONENT) {
         const uint32_t place = slot - SHADER_OUT_VARYING;
         shader_text_line(out, "v->varying[%u] = %s; // %s", (unsigned)stage->component_of[place], number,
                          interface_name(emitter, place, SPIRV_OUTPUT));
@@ -289,10 +288,9 @@ static const char *load_alike(struct shader_emitter *emitter, const struct shade
 {
     const char *const index = index_text(emitter, node->operands[1], node->immediate, true);
     const bool is_push = emitter->form->nodes[node->operands[0]].op == SHADER_PUSH;
-    const char *const word =
-        is_push ? shader_format(emitter->memory, "rhw_spirv_push_word(frame, %s)", index)
-                : shader_format(emitter->memory, "rhw_spirv_word(words%u, %s)", (unsigned)node->operands[0],
-                                index);
+    const char *const word = is_push ? shader_format(emitter->memory, "rhw_spirv_push_word(frame, %s)", index)
+                                     : shader_format(emitter->memory, "rhw_spirv_word(words%u, %s)",
+                                                     (unsigned)node->operands[0], index);
     return shader_format(emitter->memory,
                          is_float ? "rhw_float_from_bits(rhw_splat_int(%s))" : "rhw_splat_int(%s)", word);
 }
@@ -334,8 +332,8 @@ static void write_load(struct shader_emitter *emitter, uint32_t value)
         shader_c_end_bindings(emitter, buffer, SHADER_C_NONE);
         text = name;
     }
-    shader_c_define(emitter, value,
-                    is_float ? shader_format(memory, "rhw_float_from_bits(%s)", text) : text, "");
+    shader_c_define(emitter, value, is_float ? shader_format(memory, "rhw_float_from_bits(%s)", text) : text,
+                    "");
 }
 
 static void write_store(struct shader_emitter *emitter, const struct shader_node *node)

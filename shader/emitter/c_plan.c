@@ -108,8 +108,7 @@ bool shader_c_is_cut(const struct shader_c_plan *plan, uint32_t place)
     if (op == SHADER_ATOMIC) {
         const struct shader_node *const node = &plan->form->nodes[plan->form->code[place]];
         return plan->uses[plan->form->code[place]] > 0 || node->immediate == SHADER_ATOMIC_STORE ||
-               node->immediate == SHADER_ATOMIC_EXCHANGE ||
-               node->immediate == SHADER_ATOMIC_COMPARE_EXCHANGE;
+               node->immediate == SHADER_ATOMIC_EXCHANGE || node->immediate == SHADER_ATOMIC_COMPARE_EXCHANGE;
     }
     return op == SHADER_BARRIER;
 }
@@ -151,8 +150,7 @@ static uint32_t number_runs(struct shader_c_plan *plan, uint32_t begin, uint32_t
                 structure->otherwise == SHADER_C_NONE ? structure->end : structure->otherwise;
             run = number_runs(plan, i + 1, middle, run + 1) + 1;
             plan->run[middle] = plan->run[structure->end] = SHADER_C_NONE;
-            run = middle == structure->end ? run
-                                           : number_runs(plan, middle + 1, structure->end, run) + 1;
+            run = middle == structure->end ? run : number_runs(plan, middle + 1, structure->end, run) + 1;
             i = structure->end;
         } else if (opens(op)) {
             for (uint32_t k = i; k <= plan->structures[i].end; k++) {
@@ -228,8 +226,9 @@ static bool is_constant_memory(const struct shader_c_plan *plan, uint32_t buffer
         return true;
     }
     return node->op == SHADER_BUFFER &&
-           (!plan->has_effects || (plan->form->resources[node->immediate].variable->storage == SPIRV_UNIFORM &&
-                                   !plan->form->resources[node->immediate].type->is_buffer_block));
+           (!plan->has_effects ||
+            (plan->form->resources[node->immediate].variable->storage == SPIRV_UNIFORM &&
+             !plan->form->resources[node->immediate].type->is_buffer_block));
 }
 
 static void find_hoisted(struct shader_c_plan *plan)
@@ -246,8 +245,8 @@ static void find_hoisted(struct shader_c_plan *plan)
         uint32_t count;
         const uint32_t *const operands = operands_at(plan, i, &count);
         for (uint32_t o = 0; o < count; o++) {
-            is_once = is_once &&
-                      (form->nodes[operands[o]].op == SHADER_CONSTANT || plan->is_hoisted[operands[o]]);
+            is_once =
+                is_once && (form->nodes[operands[o]].op == SHADER_CONSTANT || plan->is_hoisted[operands[o]]);
         }
         plan->is_hoisted[value] = is_once || op == SHADER_PUSH || op == SHADER_WORKGROUP;
     }
@@ -290,8 +289,7 @@ static int gives_float(const struct shader_node *node)
     case SHADER_INPUT_BESIDE:
     case SHADER_INPUT_BELOW:
     case SHADER_PART: return 1;
-    default:
-        return node->op >= SHADER_SIN && node->op <= SHADER_FREXP_FRACTION;
+    default: return node->op >= SHADER_SIN && node->op <= SHADER_FREXP_FRACTION;
     }
 }
 

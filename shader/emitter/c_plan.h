@@ -26,12 +26,12 @@ struct shader_c_plan {
     struct shader_c_structure *structures; // by place
     uint32_t *place;                       // by value: where it stands in the code, or SHADER_C_NONE
     uint32_t *block;                       // by place: number of the block around it
-    uint32_t *run;                         // by place: number of the run, or SHADER_C_NONE at cuts and wide structure
-    uint32_t *uses, *last_use;             // by value: how often it is read, and a place where it is read
-    bool *is_float;                        // by value: what it is declared as
-    bool *is_hoisted;                      // by value: it is computed once a call
-    bool *is_kept;                         // by value: it has an element for each group
-    uint32_t *home_run;                    // by value: the run that a home belongs to; SHADER_C_NONE: it is kept
+    uint32_t *run;             // by place: number of the run, or SHADER_C_NONE at cuts and wide structure
+    uint32_t *uses, *last_use; // by value: how often it is read, and a place where it is read
+    bool *is_float;            // by value: what it is declared as
+    bool *is_hoisted;          // by value: it is computed once a call
+    bool *is_kept;             // by value: it has an element for each group
+    uint32_t *home_run;        // by value: the run that a home belongs to; SHADER_C_NONE: it is kept
     bool has_cuts, has_effects, loses_lanes;
 };
 

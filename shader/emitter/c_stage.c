@@ -13,8 +13,7 @@ static const struct groups_of groups_of[RHW_SHADER_STAGE_COUNT] = {
     [RHW_SHADER_FRAGMENT] = {"fragment", "struct rhw_fragment *groups, int count",
                              "struct rhw_fragment *const f = &groups", "groups[0].uniforms", "f->mask"},
     [RHW_SHADER_COMPUTE] = {"workgroup", "struct rhw_workgroup *w",
-                            "const struct rhw_invocations *const i = &w->groups", "w->uniforms",
-                            "i->mask"},
+                            "const struct rhw_invocations *const i = &w->groups", "w->uniforms", "i->mask"},
 };
 
 void shader_c_open_groups(struct shader_emitter *emitter)
@@ -101,7 +100,7 @@ static void write_function(const struct shader_emitter *emitter, struct shader_t
         shader_text_line(file, "}");
     }
     shader_text_line(file, "}");
-    shader_text_line(file, "");
+    shader_text_line(file, "%s", "");
 }
 
 void shader_c_write_stage(struct shader_memory *memory, const struct shader_c_program *program,

@@ -15,9 +15,18 @@ struct notation {
     bool gives_float, takes_float[2];
 };
 
-#define FLOATS {true, true}
-#define FIRST_FLOAT {true, false}
-#define WHOLES {false, false}
+#define FLOATS     \
+    {              \
+        true, true \
+    }
+#define FIRST_FLOAT \
+    {               \
+        true, false \
+    }
+#define WHOLES       \
+    {                \
+        false, false \
+    }
 
 static const struct notation notations[SHADER_OP_COUNT] = {
     [SHADER_FADD] = {"+", true, FLOATS},
@@ -208,11 +217,10 @@ static const char *expression_of(struct shader_emitter *emitter, uint32_t value)
     const char first = notation->text[0];
     const bool is_function = first >= 'a' && first <= 'z';
     if (shader_op_operands(op) == 1) {
-        return is_function
-                   ? shader_format(memory, "%s(%s)", notation->text,
-                                   shader_c_argument(emitter, operands[0], notation->takes_float[0]))
-                   : shader_format(memory, "%s%s", notation->text,
-                                   shader_c_operand(emitter, operands[0], notation->takes_float[0]));
+        return is_function ? shader_format(memory, "%s(%s)", notation->text,
+                                           shader_c_argument(emitter, operands[0], notation->takes_float[0]))
+                           : shader_format(memory, "%s%s", notation->text,
+                                           shader_c_operand(emitter, operands[0], notation->takes_float[0]));
     }
     if (is_function) {
         return shader_format(memory, "%s(%s, %s)", notation->text,
@@ -221,11 +229,10 @@ static const char *expression_of(struct shader_emitter *emitter, uint32_t value)
     }
     // Of two numbers one is written as lanes.
     uint32_t bits;
-    const bool are_numbers = shader_c_is_number(emitter, operands[0], &bits) &&
-                             shader_c_is_number(emitter, operands[1], &bits);
-    const char *const left = are_numbers
-                                 ? shader_c_argument(emitter, operands[0], notation->takes_float[0])
-                                 : shader_c_operand(emitter, operands[0], notation->takes_float[0]);
+    const bool are_numbers =
+        shader_c_is_number(emitter, operands[0], &bits) && shader_c_is_number(emitter, operands[1], &bits);
+    const char *const left = are_numbers ? shader_c_argument(emitter, operands[0], notation->takes_float[0])
+                                         : shader_c_operand(emitter, operands[0], notation->takes_float[0]);
     return shader_format(memory, "%s %s %s", left, notation->text,
                          shader_c_operand(emitter, operands[1], notation->takes_float[1]));
 }
