@@ -59,6 +59,8 @@ bool shader_c_write_access(struct shader_emitter *emitter, uint32_t place);
 const char *shader_c_begin_bindings(struct shader_emitter *emitter, uint32_t texture, uint32_t sampler,
                                     const char **lanes);
 void shader_c_end_bindings(struct shader_emitter *emitter, uint32_t texture, uint32_t sampler);
+// Return the BUFFER, PUSH or WORKGROUP that a value is, or the home that keeps an element that lanes name.
+uint32_t shader_c_resource(const struct shader_emitter *emitter, uint32_t value);
 // Return true if a BUFFER is one binding for all lanes of a call.
 bool shader_c_is_one_binding(const struct shader_emitter *emitter, uint32_t buffer);
 

@@ -8,10 +8,11 @@ struct request {
     uint32_t flags, value, spatial;
 };
 
-static uint32_t sampler_of(const struct request *request)
+static uint32_t sampler_of(const struct shader_emitter *emitter, const struct request *request)
 {
-    return request->flags & SHADER_IMAGE_HAS_SAMPLER ? request->operands[SHADER_IMAGE_SAMPLER]
-                                                     : SHADER_C_NONE;
+    return request->flags & SHADER_IMAGE_HAS_SAMPLER
+               ? shader_c_resource(emitter, request->operands[SHADER_IMAGE_SAMPLER])
+               : SHADER_C_NONE;
 }
 
 static const char *list_of(struct shader_emitter *emitter, const uint32_t *values, uint32_t count,
@@ -155,7 +156,8 @@ static void write_sample(struct shader_emitter *emitter, uint32_t value)
                                     .flags = node->immediate,
                                     .value = value,
                                     .spatial = node->immediate >> SHADER_IMAGE_SPATIAL_SHIFT & 3};
-    const uint32_t texture = request.operands[SHADER_IMAGE_TEXTURE], sampler = sampler_of(&request);
+    const uint32_t texture = shader_c_resource(emitter, request.operands[SHADER_IMAGE_TEXTURE]);
+    const uint32_t sampler = sampler_of(emitter, &request);
     const bool is_one = shader_c_is_one_binding(emitter, texture) &&
                         (sampler == SHADER_C_NONE || shader_c_is_one_binding(emitter, sampler));
     const char *const texels = shader_format(emitter->memory, "texel%u", (unsigned)value);
@@ -182,7 +184,8 @@ static void write_image_store(struct shader_emitter *emitter, uint32_t value)
                                     .flags = node->immediate,
                                     .value = value,
                                     .spatial = node->immediate >> SHADER_IMAGE_SPATIAL_SHIFT & 3};
-    const uint32_t texture = request.operands[SHADER_IMAGE_TEXTURE], sampler = sampler_of(&request);
+    const uint32_t texture = shader_c_resource(emitter, request.operands[SHADER_IMAGE_TEXTURE]);
+    const uint32_t sampler = sampler_of(emitter, &request);
     const char *lanes;
     write_coordinates(emitter, &request, false);
     shader_text_line(emitter->out, "const rhw_float texel%u[4] = {%s};", (unsigned)value,

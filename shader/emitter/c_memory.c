@@ -158,14 +158,26 @@ static void write_fragment_output(struct shader_emitter *emitter, uint32_t slot,
 
 // Bindings -------------------------------------------------------------------------------------------
 
+uint32_t shader_c_resource(const struct shader_emitter *emitter, uint32_t value)
+{
+    const struct shader_node *const node = &emitter->form->nodes[value];
+    return node->op == SHADER_HOME && emitter->plan.is_hoisted[node->operands[0]] ? node->operands[0] : value;
+}
+
 bool shader_c_is_one_binding(const struct shader_emitter *emitter, uint32_t buffer)
 {
     return emitter->plan.is_hoisted[buffer];
 }
 
+// Return the element that lanes name, of which each has its own.
+static const char *element_of(struct shader_emitter *emitter, uint32_t buffer)
+{
+    return shader_c_argument(emitter, buffer, false);
+}
+
 static const char *element_text(struct shader_emitter *emitter, uint32_t buffer, const char *element)
 {
-    const uint32_t resource = emitter->form->nodes[buffer].immediate;
+    const uint32_t resource = shader_resource_node(emitter->form, buffer)->immediate;
     const struct shader_c_slot *const slot = &emitter->stage->slots[resource];
     return shader_format(emitter->memory, "rhw_spirv_element(frame, %u, %u, %u, %s)", (unsigned)slot->set,
                          (unsigned)slot->first, (unsigned)slot->count, element);
@@ -244,13 +256,13 @@ const char *shader_c_begin_bindings(struct shader_emitter *emitter, uint32_t tex
     shader_text_line(emitter->out, "for (rhw_int todo = m%u, lanes; rhw_any(todo);) {",
                      (unsigned)emitter->mask);
     shader_text_line(emitter->out, "const uint32_t named = (uint32_t)rhw_binding_next(%s, &todo, &lanes);",
-                     shader_c_argument(emitter, emitter->form->nodes[texture].operands[0], false));
+                     element_of(emitter, texture));
     shader_text_line(emitter->out, "const struct rhw_binding *%s = %s;", has_sampler ? "texture" : "binding",
                      element_text(emitter, texture, "named"));
     if (has_sampler) {
         shader_text_line(emitter->out, "rhw_int same = lanes, rest = lanes;");
         shader_text_line(emitter->out, "const uint32_t other = (uint32_t)rhw_binding_next(%s, &rest, &same);",
-                         shader_c_argument(emitter, emitter->form->nodes[sampler].operands[0], false));
+                         element_of(emitter, sampler));
         shader_text_line(emitter->out, "todo |= rest;");
         shader_text_line(emitter->out, "lanes = same;");
         shader_text_line(emitter->out, "struct rhw_binding pair;");
@@ -287,7 +299,8 @@ static const char *index_text(struct shader_emitter *emitter, uint32_t offset, u
 static const char *load_alike(struct shader_emitter *emitter, const struct shader_node *node, bool is_float)
 {
     const char *const index = index_text(emitter, node->operands[1], node->immediate, true);
-    const bool is_push = emitter->form->nodes[node->operands[0]].op == SHADER_PUSH;
+    const uint32_t buffer = shader_c_resource(emitter, node->operands[0]);
+    const bool is_push = emitter->form->nodes[buffer].op == SHADER_PUSH;
     const char *const word = is_push ? shader_format(emitter->memory, "rhw_spirv_push_word(frame, %s)", index)
                                      : shader_format(emitter->memory, "rhw_spirv_word(words%u, %s)",
                                                      (unsigned)node->operands[0], index);
@@ -297,7 +310,7 @@ static const char *load_alike(struct shader_emitter *emitter, const struct shade
 
 static bool is_written(const struct shader_emitter *emitter, uint32_t buffer)
 {
-    const struct shader_node *const node = &emitter->form->nodes[buffer];
+    const struct shader_node *const node = shader_resource_node(emitter->form, buffer);
     return node->op == SHADER_BUFFER && emitter->plan.has_effects &&
            (emitter->form->resources[node->immediate].variable->storage == SPIRV_STORAGE_BUFFER ||
             emitter->form->resources[node->immediate].type->is_buffer_block);
@@ -307,7 +320,7 @@ static void write_load(struct shader_emitter *emitter, uint32_t value)
 {
     struct shader_memory *const memory = emitter->memory;
     const struct shader_node *const node = &emitter->form->nodes[value];
-    const uint32_t buffer = node->operands[0];
+    const uint32_t buffer = shader_c_resource(emitter, node->operands[0]);
     const bool is_float = emitter->plan.is_float[value], is_one = shader_c_is_one_binding(emitter, buffer);
     if ((node->flags & SHADER_UNIFORM) && is_one) {
         shader_c_define(emitter, value, load_alike(emitter, node, is_float), "");
@@ -338,7 +351,7 @@ static void write_load(struct shader_emitter *emitter, uint32_t value)
 
 static void write_store(struct shader_emitter *emitter, const struct shader_node *node)
 {
-    const uint32_t buffer = node->operands[0];
+    const uint32_t buffer = shader_c_resource(emitter, node->operands[0]);
     const char *const index = index_text(emitter, node->operands[1], node->immediate, false);
     const char *const value = shader_c_argument(emitter, node->operands[2], false);
     const char *lanes;
@@ -355,7 +368,7 @@ static void write_store(struct shader_emitter *emitter, const struct shader_node
 
 static void write_length(struct shader_emitter *emitter, uint32_t value)
 {
-    const uint32_t buffer = emitter->form->nodes[value].operands[0];
+    const uint32_t buffer = shader_c_resource(emitter, emitter->form->nodes[value].operands[0]);
     if (shader_c_is_one_binding(emitter, buffer)) {
         shader_c_define(
             emitter, value,
@@ -399,11 +412,11 @@ static void write_atomic(struct shader_emitter *emitter, uint32_t value)
     const char *const name = shader_format(memory, "before%u", (unsigned)value);
     const char *lanes;
     shader_text_line(emitter->out, "rhw_int %s = rhw_splat_int(0);", name);
-    const char *const binding =
-        shader_c_begin_bindings(emitter, operands[SHADER_ATOMIC_BUFFER], SHADER_C_NONE, &lanes);
+    const uint32_t buffer = shader_c_resource(emitter, operands[SHADER_ATOMIC_BUFFER]);
+    const char *const binding = shader_c_begin_bindings(emitter, buffer, SHADER_C_NONE, &lanes);
     shader_text_line(emitter->out, "%s |= rhw_spirv_atomic(%s, RHW_STORAGE_%s, %s, %s, %s, %s);", name,
                      binding, atomic_names[node->immediate], index, number, comparand, lanes);
-    shader_c_end_bindings(emitter, operands[SHADER_ATOMIC_BUFFER], SHADER_C_NONE);
+    shader_c_end_bindings(emitter, buffer, SHADER_C_NONE);
     if (emitter->plan.uses[value] > 0) {
         shader_c_define(emitter, value, name, "");
     }

@@ -32,9 +32,9 @@ static uint32_t *operands_at(const struct shader_c_plan *plan, uint32_t place, u
 static void find_structures(struct shader_memory *memory, struct shader_c_plan *plan)
 {
     const struct shader_program *const form = plan->form;
-    uint32_t *const stack = shader_take(memory, 2 * SHADER_MAX_NESTING + 2, sizeof *stack);
+    uint32_t *const stack = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof *stack);
     uint32_t depth = 0, blocks = 0;
-    uint32_t *const block_stack = shader_take(memory, 2 * SHADER_MAX_NESTING + 2, sizeof *block_stack);
+    uint32_t *const block_stack = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof *block_stack);
     for (uint32_t i = 0; i < form->code_count; i++) {
         const enum shader_op op = op_at(plan, i);
         const struct shader_node *const node = &form->nodes[form->code[i]];
@@ -69,7 +69,7 @@ static void find_structures(struct shader_memory *memory, struct shader_c_plan *
 static void find_wide(struct shader_memory *memory, struct shader_c_plan *plan)
 {
     const struct shader_program *const form = plan->form;
-    uint32_t *const stack = shader_take(memory, 2 * SHADER_MAX_NESTING + 2, sizeof *stack);
+    uint32_t *const stack = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof *stack);
     for (bool changed = true; changed;) {
         uint32_t depth = 0;
         changed = false;
@@ -170,7 +170,7 @@ static void place_homes(struct shader_memory *memory, struct shader_c_plan *plan
     const struct shader_program *const form = plan->form;
     bool *const is_seen = shader_take(memory, form->node_count, sizeof *is_seen);
     uint32_t wide_loops = 0;
-    uint32_t *const stack = shader_take(memory, 2 * SHADER_MAX_NESTING + 2, sizeof *stack);
+    uint32_t *const stack = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof *stack);
     uint32_t depth = 0;
     for (uint32_t i = 0; i < form->code_count; i++) {
         const enum shader_op op = op_at(plan, i);
@@ -221,7 +221,7 @@ static void find_kept(struct shader_memory *memory, struct shader_c_plan *plan)
 // Nobody writes the memory while the shader runs, as far as it can tell.
 static bool is_constant_memory(const struct shader_c_plan *plan, uint32_t buffer)
 {
-    const struct shader_node *const node = &plan->form->nodes[buffer];
+    const struct shader_node *const node = shader_resource_node(plan->form, buffer);
     if (node->op == SHADER_PUSH) {
         return true;
     }

@@ -107,19 +107,19 @@ void shader_c_write_stage(struct shader_memory *memory, const struct shader_c_pr
                           enum rhw_shader_stage kind, struct shader_text *file)
 {
     const struct shader_program *const form = program->stages[kind].form;
-    struct shader_emitter emitter = {
-        .memory = memory,
-        .program = program,
-        .stage = &program->stages[kind],
-        .kind = kind,
-        .form = form,
-        .group = "g",
-        .arrays = {.memory = memory},
-        .once = {.memory = memory},
-        .body = {.memory = memory},
-        .inlined = shader_take(memory, form->node_count, sizeof(char *)),
-        .loops = shader_take(memory, 2 * SHADER_MAX_NESTING + 2, sizeof(uint32_t)),
-        .is_label_used = shader_take(memory, form->code_count + 1, sizeof(bool))};
+    struct shader_emitter emitter = {.memory = memory,
+                                     .program = program,
+                                     .stage = &program->stages[kind],
+                                     .kind = kind,
+                                     .form = form,
+                                     .group = "g",
+                                     .arrays = {.memory = memory},
+                                     .once = {.memory = memory},
+                                     .body = {.memory = memory},
+                                     .inlined = shader_take(memory, form->node_count, sizeof(char *)),
+                                     .loops = shader_take(memory, SHADER_MAX_DEPTH + 2, sizeof(uint32_t)),
+                                     .is_label_used =
+                                         shader_take(memory, form->code_count + 1, sizeof(bool))};
     shader_c_make_plan(memory, form, &emitter.plan);
     write_body(&emitter);
     write_function(&emitter, file);

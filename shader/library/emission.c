@@ -63,7 +63,8 @@ static const char *write_program(struct shader_memory *memory, const rhw_shader_
                                    .layout_count = program->layout_count,
                                    .layout_names = names};
     for (int s = 0; s < STAGES; s++) {
-        if (program->shaders[s]) {
+        const bool is_left_out = s == RHW_SHADER_FRAGMENT && !program->program.fragment[RHW_ISA_BASELINE];
+        if (program->shaders[s] && !is_left_out) {
             all.stages[s] = describe_stage(memory, program, s);
         }
     }
