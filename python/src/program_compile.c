@@ -22,8 +22,7 @@ static PyObject *compile(PyObject *module, PyObject *arguments)
     bool is_good;
     Py_BEGIN_ALLOW_THREADS is_good = glsl_compile((enum rhw_shader_stage)stage, text, (size_t)size, name,
                                                   &options, &code, message, sizeof message);
-    Py_END_ALLOW_THREADS
-    PyObject *const words =
+    Py_END_ALLOW_THREADS PyObject *const words =
         is_good ? PyBytes_FromStringAndSize((const char *)code.words, (Py_ssize_t)code.size) : NULL;
     const char *const log = code.log ? code.log : "";
     PyObject *const told = PyUnicode_DecodeUTF8(message, (Py_ssize_t)strlen(message), "replace");
@@ -46,6 +45,5 @@ static PyObject *compiles(PyObject *module, PyObject *nothing)
     return PyBool_FromLong(glsl_is_there());
 }
 
-PyMethodDef python_compile_functions[] = {{"compile", compile, METH_VARARGS, NULL},
-                                          {"compiles", compiles, METH_NOARGS, NULL},
-                                          {0}};
+PyMethodDef python_compile_functions[] = {
+    {"compile", compile, METH_VARARGS, NULL}, {"compiles", compiles, METH_NOARGS, NULL}, {0}};
