@@ -72,9 +72,9 @@ enum rhw_shader_resource_kind {
 
 /// What a type of a block is.
 enum rhw_shader_type_kind {
-    RHW_SHADER_FLOAT,  ///< number, vector or matrix
-    RHW_SHADER_INT,    ///< whole number with a sign, or a vector of them
-    RHW_SHADER_UINT,   ///< whole number without a sign, or a vector of them; GLSL's bool, 0 or 1
+    RHW_SHADER_FLOAT, ///< number, vector or matrix
+    RHW_SHADER_INT,   ///< whole number with a sign, or a vector of them
+    RHW_SHADER_UINT,  ///< whole number without a sign, or a vector of them; GLSL's bool, 0 or 1
     RHW_SHADER_ARRAY,
     RHW_SHADER_STRUCT
 };
@@ -90,8 +90,8 @@ struct rhw_shader_type {
     uint32_t stride; ///< bytes from column to column or row to row of a matrix, or from element to element
     uint32_t count;  ///< members of a struct, or elements of an array; 0: as many as the buffer has room for
     uint32_t size;   ///< bytes up to the last; without elements of an array that has no length
-    const struct rhw_shader_type *element;   ///< of an array
-    const struct rhw_shader_member *members; ///< of a struct
+    const struct rhw_shader_type *element;   ///< type of the elements, if this is an array
+    const struct rhw_shader_member *members; ///< if this is a struct
     const char *name;                        ///< name of a struct in the module, or ""
 };
 
@@ -131,14 +131,10 @@ struct rhw_shader_info {
     const struct rhw_shader_variable *inputs,
         *outputs; ///< by location and component, built-in variables left out
     uint32_t input_count, output_count;
-<<<<<<< HEAD
-    uint32_t push_size;   ///< bytes of push constants up to the last that is read
-    const struct rhw_shader_type *push_type; ///< struct of the push constants; NULL: none is read
-=======
-    uint32_t push_size;   ///< bytes of the block of push constants; 0: none is used
->>>>>>> shader
-    uint32_t size[3];     ///< invocations of a workgroup in each direction; of compute
-    uint32_t shared_size; ///< bytes that they share
+    uint32_t push_size;                      ///< bytes of the block of push constants; 0: none is used
+    const struct rhw_shader_type *push_type; ///< struct of the push constants; NULL if there are none
+    uint32_t size[3];                        ///< invocations of a workgroup in each direction; of compute
+    uint32_t shared_size;                    ///< bytes that they share
 };
 
 /// Return what a shader is. It lives as long as the shader.
