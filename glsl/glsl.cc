@@ -108,8 +108,8 @@ EShLanguage language_of(rhw_shader_stage stage)
 bool translate(EShLanguage stage, const char *text, int size, const char *name, const char *preamble,
                const glsl_options &options, std::vector<unsigned> &words, std::string &log)
 {
-    const EShMessages messages =
-        static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgCascadingErrors);
+    const EShMessages messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgCascadingErrors |
+                                                          (options.has_lines ? EShMsgDebugInfo : 0));
     glslang::TShader shader(stage);
     shader.setStringsWithLengthsAndNames(&text, &size, &name, 1);
     shader.setPreamble(preamble);
@@ -139,6 +139,7 @@ bool translate(EShLanguage stage, const char *text, int size, const char *name, 
     spv::SpvBuildLogger logger;
     glslang::SpvOptions spirv;
     spirv.disableOptimizer = true;
+    spirv.generateDebugInfo = options.has_lines;
     glslang::GlslangToSpv(*intermediate, words, &logger, &spirv);
     log += logger.getAllMessages();
     return !words.empty();

@@ -44,6 +44,8 @@ struct glsl_options {
     /// Uniforms that are in no block, as OpenGL has them, go to a block `gl_DefaultUniformBlock` of set 0, and what has no
     /// binding or location gets the next free one.
     bool is_relaxed;
+    /// The code knows its text and the lines that instructions come from, for rhw_shader_print.
+    bool has_lines;
 };
 
 /// A compiled text.
@@ -62,6 +64,10 @@ bool glsl_is_there(void);
 bool glsl_compile(enum rhw_shader_stage stage, const char *text, size_t size, const char *name,
                   const struct glsl_options *options, struct glsl_code *code, char *message,
                   size_t message_size);
+
+/// Give the instructions of a module as a text, by malloc, as spirv-dis writes it. Return NULL, with one line in
+/// `message`, for what is no module.
+char *glsl_disassemble(const uint32_t *words, size_t size, char *message, size_t message_size);
 
 void glsl_code_free(struct glsl_code *code);
 

@@ -23,6 +23,14 @@ bool glsl_compile(enum rhw_shader_stage stage, const char *text, size_t size, co
     return false;
 }
 
+char *glsl_disassemble(const uint32_t *words, size_t size, char *message, size_t message_size)
+{
+    (void)words;
+    (void)size;
+    snprintf(message, message_size, "this rhw was built without SPIRV-Tools; spirv-dis prints a module");
+    return NULL;
+}
+
 void glsl_code_free(struct glsl_code *code)
 {
     free(code->log);

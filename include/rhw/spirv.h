@@ -56,6 +56,21 @@ RHW_API enum rhw_result rhw_shader_create(const void *words, size_t size, const 
 /// Destroy a shader, which may be NULL. Programs that were linked of it go on.
 RHW_API void rhw_shader_destroy(rhw_shader *shader);
 
+/// What rhw_shader_print shows of a translation.
+enum rhw_shader_stop {
+    RHW_SHADER_BUILT,    ///< the form as it is built: structured operations on scalars
+    RHW_SHADER_PASSED,   ///< the form behind its passes, as back ends take it
+    RHW_SHADER_ASSEMBLED ///< instructions of the interpreter, with their registers
+};
+
+/// Translate a shader as rhw_shader_create does up to where `stop` says, and give it to `write` as a text for people,
+/// piece by piece. Lines of the source stand in it, if the module was compiled with them. The text has no format that
+/// programs could rely on. Nothing is written of what is refused; results and `message` are those of rhw_shader_create.
+RHW_API enum rhw_result rhw_shader_print(const void *words, size_t size, const struct rhw_shader_def *def,
+                                         enum rhw_shader_stop stop,
+                                         void (*write)(void *user, const char *text, size_t size), void *user,
+                                         char *message);
+
 // Reflection -----------------------------------------------------------------------------------------
 
 /// What a binding of a set is to a shader (Vulkan 1.3 §14.1, "Descriptor Types").
@@ -116,8 +131,8 @@ struct rhw_shader_resource {
 
 /// A scalar, vector or column that a shader reads from the stage before, or gives to the one after.
 struct rhw_shader_variable {
-    uint32_t
-        location; ///< of vertices, number of the attribute; what a fragment shader writes, number of the target
+    /// A vertex shader's input has the number of the attribute here, a fragment shader's output that of the target.
+    uint32_t location;
     uint32_t component;  ///< first of the components, 0..3
     uint32_t components; ///< how many, 1..4
     bool is_integer;
@@ -151,8 +166,8 @@ struct rhw_shader_layout {
 struct rhw_shader_program_def {
     const rhw_shader *vertex, *fragment; ///< fragment: NULL draws depth only
     const rhw_shader *compute;           ///< alone
-    /// What the sets have, in any order, in order that several programs share sets. NULL: what the shaders name, where a
-    /// binding that both name has the larger count.
+    /// What the sets have, in any order; programs of one layout share their sets. NULL means what the shaders name,
+    /// where a binding that both name has the larger count.
     const struct rhw_shader_layout *layout;
     uint32_t layout_count;
 };

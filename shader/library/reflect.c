@@ -184,6 +184,20 @@ static int compare_variables(const void *a, const void *b)
     return p < q ? -1 : p > q;
 }
 
+// The form has room for more attributes and targets than the library.
+static void check_location(const rhw_shader *shader, uint32_t id, enum spirv_storage_class storage,
+                           uint32_t location)
+{
+    const bool is_attribute = shader->info.stage == RHW_SHADER_VERTEX && storage == SPIRV_INPUT;
+    const bool is_target = shader->info.stage == RHW_SHADER_FRAGMENT && storage == SPIRV_OUTPUT;
+    const uint32_t limit = is_attribute ? RHW_MAX_ATTRIBUTES : RHW_MAX_COLOR_ATTACHMENTS;
+    if ((is_attribute || is_target) && location >= limit) {
+        const struct shader_module *const module = shader->form->module;
+        shader_refuse(module, module->ids[id].word, "location %u is not below %u", (unsigned)location,
+                      (unsigned)limit);
+    }
+}
+
 // Set *count, and return what the entry point has in a storage class.
 static const struct rhw_shader_variable *reflect_variables(rhw_shader *shader,
                                                            enum spirv_storage_class storage, uint32_t *count)
@@ -191,16 +205,22 @@ static const struct rhw_shader_variable *reflect_variables(rhw_shader *shader,
     const struct shader_program *const form = shader->form;
     const struct shader_module *const module = form->module;
     struct variable_list list = {.memory = form->memory};
+    bool *const is_listed = shader_take(form->memory, module->bound, sizeof *is_listed);
     for (uint32_t i = 0; i < form->entry->interface_count; i++) {
         const uint32_t id = form->entry->interface[i];
         const struct shader_variable *const variable =
             id < module->bound && module->ids[id].opcode == SPIRV_OP_Variable
                 ? module->ids[id].data.as_variable
                 : NULL;
-        if (variable && variable->storage == storage && variable->built_in < 0) {
+        if (variable && variable->storage == storage && variable->built_in < 0 && !is_listed[id]) {
+            is_listed[id] = true;
+            const uint32_t before = list.count;
             (void)add_variables(
                 &list, variable->type, variable->location < 0 ? 0 : (uint32_t)variable->location,
                 variable->component < 0 ? 0 : (uint32_t)variable->component, name_of(module, id));
+            for (uint32_t v = before; v < list.count; v++) {
+                check_location(shader, id, storage, list.variables[v].location);
+            }
         }
     }
     if (list.count > 0) {

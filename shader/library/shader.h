@@ -11,7 +11,7 @@
 #include "rhw/spirv.h"
 
 struct rhw_shader {
-    struct shader_memory memory; // of all that follows, but not of this struct
+    struct shader_memory memory; // holds all that follows points to
     atomic_uint users;
     const struct shader_program *form;
     const struct shader_bytecode *bytecode; // without slots and components
@@ -23,6 +23,12 @@ struct rhw_shader {
 // Take and leave a shader. It is freed when the last user leaves it.
 void shader_hold(const rhw_shader *shader);
 void shader_release(const rhw_shader *shader);
+
+// Return what is wrong with the arguments of rhw_shader_create, or NULL.
+const char *shader_find_misuse(const void *words, size_t size, const struct rhw_shader_def *def);
+// Read a module and build the form of an entry point, before passes.
+struct shader_program *shader_build_form(struct shader_memory *memory, const void *words, size_t size,
+                                         const struct rhw_shader_def *def);
 
 // reflect.c. Fill the shader's info.
 void shader_reflect(rhw_shader *shader);
