@@ -147,7 +147,7 @@ struct rhw_shader_info {
         *outputs; ///< by location and component, built-in variables left out
     uint32_t input_count, output_count;
     uint32_t push_size;                      ///< bytes of the block of push constants; 0: none is used
-    const struct rhw_shader_type *push_type; ///< its struct, or NULL
+    const struct rhw_shader_type *push_type; ///< struct of the push constants; NULL if there are none
     uint32_t size[3];                        ///< invocations of a workgroup in each direction; of compute
     uint32_t shared_size;                    ///< bytes that they share
 };
