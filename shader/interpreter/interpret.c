@@ -144,6 +144,7 @@ void RHW_ISA_NAME(shader_interpret_vertices)(struct rhw_vertex *groups, int coun
         for (int i = 0; i < frame.groups; i++) {
             begin_lanes(&frame, i, frame.vertices[i].mask);
         }
+                              .bindings = groups[0].bindings,
         execute(&frame);
     }
 }
@@ -162,6 +163,7 @@ void RHW_ISA_NAME(shader_interpret_fragments)(struct rhw_fragment *groups, int c
         for (int i = 0; i < frame.groups; i++) {
             begin_lanes(&frame, i, frame.fragments[i].mask);
         }
+                              .bindings = groups[0].bindings,
         execute(&frame);
         for (int i = 0; i < frame.groups; i++) {
             frame.fragments[i].mask &= ~fixed_register(&frame, SHADER_KILLED)[i].i;
@@ -173,10 +175,13 @@ void RHW_ISA_NAME(shader_interpret_workgroup)(const struct rhw_workgroup *workgr
 {
     union vector registers[SHADER_REGISTER_VECTORS];
     const struct shader_bytecode *const bytecode = ((const struct shader_stages *)workgroup->user)->compute;
-    struct frame frame = {
-        .registers = registers, .bytecode = bytecode, .bound = workgroup->uniforms, .workgroup = workgroup};
+    struct frame frame = {.registers = registers,
+                          .bytecode = bytecode,
+                          .bound = workgroup->uniforms,
+                          .bindings = workgroup->bindings,
+                          .workgroup = workgroup};
     (void)rhw_binding_of_memory(workgroup->shared, bytecode->workgroup_size, false, &frame.shared);
-    for (int first = 0; first < workgroup->count; first += (int)bytecode->batch) {
+    for (int first = 0; first < workgroup->count && !frame.is_given_up; first += (int)bytecode->batch) {
         const int left = workgroup->count - first;
         frame.groups = left < (int)bytecode->batch ? left : (int)bytecode->batch;
         frame.invocations = workgroup->groups + first;

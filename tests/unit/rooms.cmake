@@ -37,7 +37,7 @@ function(rhw_unit_room room)
   endif()
 endfunction()
 
-# Gives a target a header NAME_STAGE.h of each GLSL text NAME.STAGE: its words, as `const uint32_t NAME_STAGE[]`.
+# Gives a target a header NAME_STAGE.h of each GLSL text NAME.STAGE: its words, as `static const uint32_t NAME_STAGE[]`.
 function(rhw_add_glsl target)
   find_program(RHW_GLSLANG glslangValidator REQUIRED)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_glsl)
@@ -46,7 +46,8 @@ function(rhw_add_glsl target)
     get_filename_component(file ${text} NAME)
     string(REPLACE "." "_" name ${file})
     add_custom_command(OUTPUT ${folder}/${name}.h DEPENDS ${text} VERBATIM
-      COMMAND ${RHW_GLSLANG} -V --quiet --vn ${name} -o ${folder}/${name}.h ${text})
+      COMMAND ${RHW_GLSLANG} -V --quiet --target-env vulkan1.1 --vn ${name} -o ${folder}/${name}.h ${text}
+      COMMAND sed -i "s/^const/static const/" ${folder}/${name}.h)
     target_sources(${target} PRIVATE ${folder}/${name}.h)
   endforeach()
   target_include_directories(${target} PRIVATE ${folder})
