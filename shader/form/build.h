@@ -12,7 +12,8 @@ enum shader_place_kind {
     SHADER_PLACE_INPUT,     // scalars that are known values
     SHADER_PLACE_BUFFER,    // memory of a binding, or of push constants
     SHADER_PLACE_WORKGROUP, // bytes of the workgroup
-    SHADER_PLACE_RESOURCE   // an image or sampler
+    SHADER_PLACE_RESOURCE,  // an image or sampler
+    SHADER_PLACE_TEXEL      // of an image, for atomics
 };
 
 // An index of an access that is known when the shader runs.
@@ -39,6 +40,7 @@ struct shader_place {
     uint32_t row_stride;                // bytes from row to row of a column of such a matrix; 0: 4
     uint32_t resource;                  // number in the program, of what is no element yet
     bool is_array_of_resources;
+    uint32_t coordinates[3]; // of TEXEL, whose image is `buffer`
 };
 
 #define SHADER_NO_VALUE UINT32_MAX

@@ -445,14 +445,30 @@ static bool find_atomic(uint32_t opcode, enum shader_atomic *operation)
     }
 }
 
+static uint32_t emit_image_atomic(struct shader_builder *builder, enum shader_atomic operation,
+                                  const struct shader_place *place, uint32_t value, uint32_t comparand)
+{
+    const uint32_t values[SHADER_IMAGE_ATOMIC_OPERANDS] = {
+        place->buffer, place->coordinates[0], place->coordinates[1], place->coordinates[2], value, comparand};
+    const uint32_t list = shader_add_list(builder->program, values, SHADER_IMAGE_ATOMIC_OPERANDS);
+    return shader_emit_with(builder, SHADER_IMAGE_ATOMIC, (uint32_t)operation, list, 0, 0);
+}
+
 static uint32_t emit_atomic(struct shader_builder *builder, enum shader_atomic operation, uint32_t pointer,
                             uint32_t value, uint32_t comparand)
 {
     const struct shader_place *const place = shader_place_of(builder, pointer);
-    if ((place->kind != SHADER_PLACE_BUFFER && place->kind != SHADER_PLACE_WORKGROUP) ||
-        place->type->kind != SHADER_INT || place->type->bits != 32) {
-        shader_build_refuse(builder, "id %u does not point to an integer of 32 bits in memory",
-                            (unsigned)pointer);
+    const bool moves = operation == SHADER_ATOMIC_LOAD || operation == SHADER_ATOMIC_STORE ||
+                       operation == SHADER_ATOMIC_EXCHANGE;
+    if ((place->kind != SHADER_PLACE_BUFFER && place->kind != SHADER_PLACE_WORKGROUP &&
+         place->kind != SHADER_PLACE_TEXEL) ||
+        place->is_array_of_resources || place->type->bits != 32 ||
+        (place->type->kind != SHADER_INT && (place->type->kind != SHADER_FLOAT || !moves))) {
+        shader_build_refuse(builder, "id %u does not point to %s of 32 bits in memory", (unsigned)pointer,
+                            moves ? "a number" : "an integer");
+    }
+    if (place->kind == SHADER_PLACE_TEXEL) {
+        return emit_image_atomic(builder, operation, place, value, comparand);
     }
     const uint32_t bytes = shader_number(builder, place->bytes);
     const uint32_t values[SHADER_ATOMIC_OPERANDS] = {

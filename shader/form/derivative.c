@@ -40,8 +40,9 @@ static void mark(struct direction *direction)
             for (uint32_t o = node->op == SHADER_SET ? 1 : 0; o < count; o++) {
                 differs = differs || direction->differs[operands[o]];
             }
-            // A derivative is one number for the whole quad.
-            differs = differs && node->op != SHADER_DDX && node->op != SHADER_DDY;
+            // A derivative is one number for the whole quad, and effects happen once.
+            differs = differs && node->op != SHADER_DDX && node->op != SHADER_DDY &&
+                      node->op != SHADER_ATOMIC && node->op != SHADER_IMAGE_ATOMIC;
             const uint32_t result = node->op == SHADER_SET ? node->operands[0] : value;
             changed = changed || (differs && !direction->differs[result]);
             direction->differs[result] = direction->differs[result] || differs;

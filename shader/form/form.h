@@ -110,6 +110,7 @@ enum shader_image_operand {
     SHADER_IMAGE_OFFSET = SHADER_IMAGE_DY + 3,
     SHADER_IMAGE_SAMPLE = SHADER_IMAGE_OFFSET + 3,
     SHADER_IMAGE_TEXEL, // 4, that are stored
+    SHADER_IMAGE_LEAST_LOD,
     SHADER_IMAGE_OPERANDS = SHADER_IMAGE_TEXEL + 4
 };
 
@@ -123,6 +124,15 @@ enum shader_atomic_operand {
 };
 
 enum shader_atomic {
+// Operands of SHADER_IMAGE_ATOMIC, in their list. The immediate is its enum shader_atomic.
+enum shader_image_atomic_operand {
+    SHADER_IMAGE_ATOMIC_IMAGE,       // BUFFER node
+    SHADER_IMAGE_ATOMIC_COORDINATES, // 3
+    SHADER_IMAGE_ATOMIC_VALUE = SHADER_IMAGE_ATOMIC_COORDINATES + 3,
+    SHADER_IMAGE_ATOMIC_COMPARAND,
+    SHADER_IMAGE_ATOMIC_OPERANDS
+};
+
     SHADER_ATOMIC_LOAD,
     SHADER_ATOMIC_STORE,
     SHADER_ATOMIC_EXCHANGE,
@@ -146,7 +156,8 @@ enum shader_image_operation {
     SHADER_DO_LEVELS,
     SHADER_DO_SAMPLES,
     SHADER_DO_QUERY_LOD,
-    SHADER_DO_LOAD
+    SHADER_DO_LOAD,      // of a storage image or texel buffer
+    SHADER_DO_IMAGE_SIZE // of a storage image or texel buffer
 };
 
 // Fields of the immediate: the operation, spatial coordinates, the channel that is gathered, and which operands there are.
@@ -185,3 +196,7 @@ enum shader_op_kind shader_op_kind_of(enum shader_op op);
 bool shader_fold(enum shader_op op, const uint32_t operands[3], uint32_t *result);
 
 #endif
+// Return true if operand 0 is the place of a list.
+bool shader_op_has_list(enum shader_op op);
+// Return true if others may read what the operation gives.
+bool shader_op_has_result(enum shader_op op);

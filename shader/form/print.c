@@ -39,12 +39,6 @@ static bool shows_immediate(enum shader_op op)
     }
 }
 
-static bool has_result(enum shader_op op)
-{
-    const enum shader_op_kind kind = shader_op_kind_of(op);
-    return kind == SHADER_KIND_VALUE || kind == SHADER_KIND_READ;
-}
-
 static void print_name(FILE *stream, enum shader_op op)
 {
     for (const char *c = shader_op_name(op); *c != '\0'; c++) {
@@ -64,7 +58,7 @@ void shader_print(FILE *stream, const struct shader_program *program)
         const bool opens = op == SHADER_ELSE || op == SHADER_IF || op == SHADER_REGION || op == SHADER_LOOP;
         depth -= closes ? 1 : 0;
         fprintf(stream, "%*s", 4 * depth, "");
-        if (has_result(op) || op == SHADER_REGION || op == SHADER_LOOP) {
+        if (shader_op_has_result(op) || op == SHADER_REGION || op == SHADER_LOOP) {
             fprintf(stream, "v%u = ", (unsigned)value);
         }
         print_name(stream, op);

@@ -104,6 +104,7 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     [SHADER_WORKGROUP] = run_NOTHING,
     [SHADER_BARRIER] = run_NOTHING,
     ENTRY(ATOMIC),
+    ENTRY(IMAGE_ATOMIC),
 };
 #undef ENTRY
 
