@@ -147,12 +147,15 @@ uint32_t *shader_new_scalars(struct shader_builder *builder, const struct shader
 
 // build_flow.c. Translate a function that has its parameters. Return the homes of what it returns, or NULL.
 uint32_t *shader_build_function(struct shader_builder *builder, const struct shader_function *function);
-// build_arithmetic.c, build_glsl.c, build_memory.c, build_image.c. Return false where the instruction is none of theirs.
+// build_arithmetic.c, build_glsl.c, build_memory.c, build_image.c, build_subgroup.c. Return false where the instruction is none of theirs.
 bool shader_build_arithmetic(struct shader_builder *builder, uint32_t opcode);
 bool shader_build_composite(struct shader_builder *builder, uint32_t opcode);
 void shader_build_glsl(struct shader_builder *builder);
 bool shader_build_memory(struct shader_builder *builder, uint32_t opcode);
 bool shader_build_image(struct shader_builder *builder, uint32_t opcode);
+bool shader_build_subgroup(struct shader_builder *builder, uint32_t opcode);
+// build_subgroup.c. Return a component of a built-in of subgroups, or SHADER_NO_VALUE where `number` is another one.
+uint32_t shader_subgroup_built_in(struct shader_builder *builder, int number, uint32_t component);
 // build_memory.c. Make the place of a variable.
 void shader_build_variable(struct shader_builder *builder, const struct shader_variable *variable);
 // build_interface.c. Make the place of an input or output, and write outputs at the end.

@@ -515,6 +515,21 @@ static bool build_atomic(struct shader_builder *builder, uint32_t opcode)
     return true;
 }
 
+// The lanes of a subgroup go through the shader together.
+static void build_barrier(struct shader_builder *builder)
+{
+    enum { SUBGROUP = 3 };
+    uint32_t scope;
+    const uint32_t id = shader_operand(builder, 1);
+    if (!shader_is_number(builder, shader_scalars(builder, id)[0], &scope)) {
+        shader_build_refuse(builder, "the scope of a barrier is a constant");
+    }
+    if (scope != SUBGROUP) {
+        (void)shader_emit_with(builder, SHADER_BARRIER, 0, 0, 0, 0);
+        builder->program->has_barriers = true;
+    }
+}
+
 bool shader_build_memory(struct shader_builder *builder, uint32_t opcode)
 {
     switch (opcode) {
@@ -524,10 +539,7 @@ bool shader_build_memory(struct shader_builder *builder, uint32_t opcode)
     case SPIRV_OP_Store: build_store(builder); return true;
     case SPIRV_OP_CopyMemory: build_copy(builder); return true;
     case SPIRV_OP_ArrayLength: build_array_length(builder); return true;
-    case SPIRV_OP_ControlBarrier:
-        (void)shader_emit_with(builder, SHADER_BARRIER, 0, 0, 0, 0);
-        builder->program->has_barriers = true;
-        return true;
+    case SPIRV_OP_ControlBarrier: build_barrier(builder); return true;
     case SPIRV_OP_MemoryBarrier: return true; // memory is written in the order of the operations
     default: return build_atomic(builder, opcode);
     }

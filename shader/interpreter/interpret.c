@@ -4,6 +4,7 @@
 
 #include "kernel_arithmetic.h"
 #include "kernel_image.h"
+#include "kernel_subgroup.h"
 
 #define ENTRY(name) [SHADER_##name] = run_##name
 static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
@@ -105,6 +106,9 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     [SHADER_BARRIER] = run_NOTHING,
     ENTRY(ATOMIC),
     ENTRY(IMAGE_ATOMIC),
+    ENTRY(BALLOT),
+    ENTRY(SHUFFLE),
+    ENTRY(SCAN),
 };
 #undef ENTRY
 
@@ -140,12 +144,12 @@ void RHW_ISA_NAME(shader_interpret_vertices)(struct rhw_vertex *groups, int coun
         struct frame frame = {.registers = registers,
                               .bytecode = bytecode,
                               .bound = groups[0].uniforms,
+                              .bindings = groups[0].bindings,
                               .groups = left < (int)bytecode->batch ? left : (int)bytecode->batch,
                               .vertices = groups + first};
         for (int i = 0; i < frame.groups; i++) {
             begin_lanes(&frame, i, frame.vertices[i].mask);
         }
-                              .bindings = groups[0].bindings,
         execute(&frame);
     }
 }
@@ -159,12 +163,12 @@ void RHW_ISA_NAME(shader_interpret_fragments)(struct rhw_fragment *groups, int c
         struct frame frame = {.registers = registers,
                               .bytecode = bytecode,
                               .bound = groups[0].uniforms,
+                              .bindings = groups[0].bindings,
                               .groups = left < (int)bytecode->batch ? left : (int)bytecode->batch,
                               .fragments = groups + first};
         for (int i = 0; i < frame.groups; i++) {
             begin_lanes(&frame, i, frame.fragments[i].mask);
         }
-                              .bindings = groups[0].bindings,
         execute(&frame);
         for (int i = 0; i < frame.groups; i++) {
             frame.fragments[i].mask &= ~fixed_register(&frame, SHADER_KILLED)[i].i;
