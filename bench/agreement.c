@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static void compare_colors(struct bench_agreement *result, const uint8_t *a, const uint8_t *b,
                            const struct bench_tolerance *tolerance)
@@ -47,6 +48,9 @@ struct bench_agreement bench_agree(const struct bench_image *a, const struct ben
                                    const struct bench_tolerance *tolerance)
 {
     struct bench_agreement result = {.pixels = (uint64_t)a->width * (uint64_t)a->height};
+    const size_t pixels = (size_t)result.pixels;
+    result.is_equal = a->color ? memcmp(a->color, b->color, 4 * pixels) == 0
+                               : memcmp(a->depth, b->depth, pixels * sizeof *a->depth) == 0;
     if (a->color) {
         compare_colors(&result, a->color, b->color, tolerance);
     } else {

@@ -7,6 +7,7 @@
 
 struct bench_agreement {
     bool agrees;
+    bool is_equal; // no byte differs
     uint64_t pixels;
     uint64_t coverage; // pixels that only one image covers
     uint64_t outliers; // pixels covered by both that differ by more than the tolerance

@@ -28,6 +28,7 @@ struct bench_renderer {
     enum rhw_isa isa;           // of rhw
     uint64_t fragments;         // shaded in the last frame, where the renderer counts them
     struct bench_stages stages; // of the last frame, where the renderer measures them
+    char why[300];              // why `take` failed, where that is a limit of the renderer; else empty
     void *state;
     // Takes a scene, which must stay until `release`. False when the renderer cannot.
     bool (*take)(struct bench_renderer *renderer, const struct bench_scene *scene, int width, int height);
@@ -40,6 +41,8 @@ struct bench_renderer {
 
 // `threads` as in rhw_context_def, `isa` the highest to use; RHW_ISA_COUNT: that of RHW_ISA_BEST.
 bool bench_open_rhw(struct bench_renderer *renderer, int threads, enum rhw_isa isa, const char **why);
+// rhw, with shaders that are translated from the GLSL texts which a peer gets.
+bool bench_open_translated(struct bench_renderer *renderer, int threads, enum rhw_isa isa, const char **why);
 // A Mesa driver by its name, "llvmpipe" or "softpipe". One at a time.
 bool bench_open_gles(struct bench_renderer *renderer, const char *driver, const char **why);
 

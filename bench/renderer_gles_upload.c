@@ -105,7 +105,7 @@ static bool make_shader(struct gles_state *s, enum bench_shader shader)
     if (made->program) {
         return true;
     }
-    bench_glsl(shader, vertex, fragment);
+    bench_glsl(BENCH_GLSL_ES, shader, vertex, fragment);
     made->program = gles_program(&s->gl, vertex, fragment, BENCH_GLSL_PIECES, log, sizeof log);
     if (!made->program) {
         fprintf(stderr, "%s: shader %d: %s\n", s->gl.name, (int)shader, log);

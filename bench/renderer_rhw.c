@@ -61,7 +61,7 @@ static struct rhw_pass_def describe(const struct bench_state *s, const struct be
     def.samples = to_picture ? s->scene->samples : 0;
     def.depth.enabled = pass->depth != BENCH_PASS_NO_DEPTH;
     def.depth.store = pass->depth == BENCH_PASS_DEPTH_KEPT ? RHW_STORE_STORE : RHW_STORE_DISCARD;
-    def.depth.clear = s->scene->surfaces ? 0.0f : 1.0f; // surfaces: reversed
+    def.depth.clear = bench_rhw_draws_surfaces(s) ? 0.0f : 1.0f; // surfaces: reversed
     if (pass->depth == BENCH_PASS_DEPTH_KEPT) {
         def.depth.texture =
             pass->depth_texture == BENCH_PICTURE ? s->depth : s->textures[pass->depth_texture];
@@ -97,6 +97,16 @@ static enum rhw_result record_surfaces(struct bench_state *s, rhw_pass pass, boo
     return scene_surfaces_record(&s->upload, &s->surface_pipelines, &def, pass);
 }
 
+static void set_textures(const struct bench_state *s, rhw_context *context, rhw_pass pass,
+                         const struct bench_draw *draw)
+{
+    for (int t = 0; t < draw->texture_count; t++) {
+        const uint32_t texture = draw->textures[t];
+        rhw_pass_set_texture(context, pass, t, s->textures[texture],
+                             s->samplers[s->scene->textures[texture].filter]);
+    }
+}
+
 static void set_uniforms(const struct bench_state *s, rhw_context *context, rhw_pass pass,
                          const struct bench_draw *draw)
 {
@@ -126,11 +136,11 @@ static void record_draws(const struct bench_state *s, rhw_context *context, rhw_
             rhw_pass_set_vertex_buffer(context, pass, 1, s->instances[draw->mesh], 0);
         }
         rhw_pass_set_index_buffer(context, pass, s->indices[draw->mesh], RHW_INDEX_UINT32, 0);
-        set_uniforms(s, context, pass, draw);
-        for (int t = 0; t < draw->texture_count; t++) {
-            const uint32_t texture = draw->textures[t];
-            rhw_pass_set_texture(context, pass, t, s->textures[texture],
-                                 s->samplers[scene->textures[texture].filter]);
+        if (s->translated) {
+            rhw_pass_set_uniforms(context, pass, &s->frames[i].frame, sizeof s->frames[i].frame);
+        } else {
+            set_uniforms(s, context, pass, draw);
+            set_textures(s, context, pass, draw);
         }
         rhw_pass_draw_indexed(context, pass, 0, mesh->index_count, 0, 0,
                               mesh->instance_count ? mesh->instance_count : 1);
@@ -168,7 +178,7 @@ static void add_stats(struct bench_renderer *renderer, const struct rhw_stats *s
 
 static bool run_pass(struct bench_state *s, const struct bench_pass *pass, struct rhw_stats *stats)
 {
-    const struct bench_surfaces *const surfaces = s->scene->surfaces;
+    const struct bench_surfaces *const surfaces = bench_rhw_draws_surfaces(s) ? s->scene->surfaces : NULL;
     if (surfaces && pass->color_count == 0) {
         return scene_shadow_draw(&s->upload, &s->surface_pipelines, &surfaces->light_frame, &surfaces->map,
                                  &s->map, stats) == RHW_OK;

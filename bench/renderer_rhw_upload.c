@@ -92,6 +92,17 @@ static bool make_samplers(struct bench_state *s)
     return true;
 }
 
+bool bench_rhw_draws_surfaces(const struct bench_state *s)
+{
+    return s->scene->surfaces && !s->translated;
+}
+
+// Pictures of scenes with surfaces are in sRGB.
+static enum rhw_format picture_format(const struct bench_scene *scene)
+{
+    return scene->surfaces ? RHW_FORMAT_RGBA8_SRGB : formats[scene->picture];
+}
+
 static bool make_picture(struct bench_state *s, enum rhw_format format, rhw_texture *target)
 {
     struct rhw_texture_def def = rhw_texture_def_default();
@@ -147,12 +158,25 @@ static void set_targets(struct rhw_pipeline_def *def, const struct bench_scene *
     def->target_count = pass->color_count;
     for (int i = 0; i < pass->color_count; i++) {
         struct rhw_color_target *const target = &def->targets[i];
-        target->format = formats[pass->colors[i] == BENCH_PICTURE ? scene->picture
-                                                                  : scene->textures[pass->colors[i]].format];
+        target->format = pass->colors[i] == BENCH_PICTURE ? picture_format(scene)
+                                                          : formats[scene->textures[pass->colors[i]].format];
         target->blend = draw->blend != BENCH_BLEND_OFF;
         target->color = target->alpha = (struct rhw_blend_component){src, dst, RHW_BLEND_ADD};
         target->write_mask = draw->stencil == BENCH_STENCIL_COUNT ? RHW_WRITE_NONE : 0;
     }
+}
+
+static bool set_program(const struct bench_state *s, struct rhw_program *program, enum bench_shader shader)
+{
+    if (!s->translated) {
+        bench_program(program, shader);
+        return true;
+    }
+    const struct rhw_program *const made = s->translated(s->programs, shader);
+    if (made) {
+        *program = *made;
+    }
+    return made != NULL;
 }
 
 static bool make_pipeline(struct bench_state *s, const struct bench_pass *pass, const struct bench_draw *draw,
@@ -163,7 +187,9 @@ static bool make_pipeline(struct bench_state *s, const struct bench_pass *pass, 
                                                    [BENCH_POINT_LIST] = RHW_POINT_LIST};
     const struct bench_mesh *const mesh = &s->scene->meshes[draw->mesh];
     struct rhw_pipeline_def def = rhw_pipeline_def_default();
-    bench_program(&def.program, draw->shader);
+    if (!set_program(s, &def.program, draw->shader)) {
+        return false;
+    }
     set_attributes(&def, mesh, bench_shader_attributes[draw->shader]);
     set_depth_stencil(&def, draw);
     set_targets(&def, s->scene, pass, draw);
@@ -208,6 +234,72 @@ static bool make_pipelines(struct bench_state *s)
     return works;
 }
 
+// Frames of translated shaders --------------------------------------------------------------------------
+
+// Bind memory that is read alone.
+static bool bind_numbers(const void *numbers, size_t size, struct rhw_binding *binding)
+{
+    return rhw_binding_of_memory((void *)numbers, size, true, binding);
+}
+
+static bool bind_uniforms(const struct bench_scene *scene, uint32_t i, struct bench_draw_frame *frame)
+{
+    const struct bench_draw *const draw = &scene->draws[i];
+    if (scene->surfaces) {
+        return bind_numbers(&scene->surfaces->uniforms[i], sizeof *scene->surfaces->uniforms,
+                            &frame->uniforms[0]) &&
+               bind_numbers(&scene->surfaces->frame_uniforms, sizeof scene->surfaces->frame_uniforms,
+                            &frame->uniforms[1]);
+    }
+    if (bench_shader_shared[draw->shader] == 0) {
+        return bind_numbers(&draw->uniforms, sizeof draw->uniforms, &frame->uniforms[0]);
+    }
+    frame->numbers = calloc(BENCH_UNIFORMS_MAX, sizeof *frame->numbers);
+    return frame->numbers &&
+           bind_numbers(frame->numbers,
+                        bench_uniforms_copy(scene, draw, frame->numbers) * sizeof *frame->numbers,
+                        &frame->uniforms[0]);
+}
+
+static bool make_frame(struct bench_state *s, uint32_t i)
+{
+    const struct bench_draw *const draw = &s->scene->draws[i];
+    struct bench_draw_frame *const frame = &s->frames[i];
+    frame->frame.sets[0] = frame->uniforms;
+    frame->frame.sets[1] = frame->textures;
+    bool made = bind_uniforms(s->scene, i, frame);
+    for (int t = 0; made && t < draw->texture_count; t++) {
+        const uint32_t texture = draw->textures[t];
+        made = rhw_binding_of_texture(s->context, s->textures[texture],
+                                      s->samplers[s->scene->textures[texture].filter],
+                                      &frame->textures[t]) == RHW_OK;
+    }
+    return made;
+}
+
+static bool make_frames(struct bench_state *s)
+{
+    bool made = true;
+    if (s->translated) {
+        s->frames = calloc((size_t)s->scene->draw_count + 1, sizeof *s->frames);
+        made = s->frames != NULL;
+    }
+    for (uint32_t i = 0; s->translated && made && i < s->scene->draw_count; i++) {
+        made = make_frame(s, i);
+    }
+    return made;
+}
+
+static void drop_frames(struct bench_state *s)
+{
+    for (uint32_t i = 0; s->frames && i < s->scene->draw_count; i++) {
+        free(s->frames[i].numbers);
+    }
+    free(s->frames);
+}
+
+// Surfaces and scenes ---------------------------------------------------------------------------------
+
 static bool make_map(struct bench_state *s)
 {
     struct scene_shadow_map *const map = &s->scene->surfaces->map;
@@ -239,7 +331,7 @@ static bool upload_surfaces(struct bench_state *s)
 bool bench_rhw_upload(struct bench_state *s)
 {
     const struct bench_scene *const scene = s->scene;
-    if (scene->surfaces) {
+    if (bench_rhw_draws_surfaces(s)) {
         return upload_surfaces(s);
     }
     s->vertices = calloc((size_t)scene->mesh_count + 1, sizeof *s->vertices);
@@ -248,9 +340,9 @@ bool bench_rhw_upload(struct bench_state *s)
     s->textures = calloc((size_t)scene->texture_count + 1, sizeof *s->textures);
     s->pipelines = calloc((size_t)scene->draw_count + 1, sizeof *s->pipelines);
     return s->vertices && s->indices && s->instances && s->textures && s->pipelines && make_samplers(s) &&
-           (scene->has_color ? make_picture(s, formats[scene->picture], &s->color)
+           (scene->has_color ? make_picture(s, picture_format(scene), &s->color)
                              : make_picture(s, RHW_FORMAT_D32_FLOAT, &s->depth)) &&
-           make_meshes(s) && make_textures(s) && make_pipelines(s);
+           make_meshes(s) && make_textures(s) && make_pipelines(s) && make_frames(s);
 }
 
 // Ids that are null are no misuse; what draws share goes with the first of them.
@@ -280,6 +372,7 @@ void bench_rhw_drop(struct bench_state *s)
         rhw_texture_destroy(s->context, s->textures[i]);
     }
     drop_pipelines(s);
+    drop_frames(s);
     for (int i = 0; i < BENCH_FILTERS; i++) {
         rhw_sampler_destroy(s->context, s->samplers[i]);
     }
@@ -296,5 +389,6 @@ void bench_rhw_drop(struct bench_state *s)
     free(s->instances);
     free(s->textures);
     free(s->pipelines);
-    *s = (struct bench_state){.context = s->context, .def = s->def};
+    *s = (struct bench_state){
+        .context = s->context, .def = s->def, .translated = s->translated, .programs = s->programs};
 }

@@ -9,42 +9,6 @@ static const struct bench_shader_table *const tables[RHW_ISA_COUNT] = RHW_ISA_TA
                                               *const pass_tables[RHW_ISA_COUNT] =
                                                   RHW_ISA_TABLE(&bench_pass_shader_table);
 
-enum {
-    P = 1 << BENCH_POSITION,
-    N = 1 << BENCH_NORMAL,
-    T = 1 << BENCH_UV,
-    C = 1 << BENCH_COLOR,
-    PLACE = 1 << BENCH_PLACE,
-    TINT = 1 << BENCH_TINT
-};
-
-const uint32_t bench_shader_attributes[BENCH_SHADERS] = {
-    [BENCH_SHADER_FLAT] = P,
-    [BENCH_SHADER_LITERAL] = P,
-    [BENCH_SHADER_COLOR] = P | C,
-    [BENCH_SHADER_TEXTURE] = P | T,
-    [BENCH_SHADER_LIT] = P | N,
-    [BENCH_SHADER_LIT_POINT] = P | N,
-    [BENCH_SHADER_LIT_FLAT] = P | N,
-    [BENCH_SHADER_LIT_TEXTURE] = P | N | T,
-    [BENCH_SHADER_LIT_MASKED] = P | N | T,
-    [BENCH_SHADER_DEPTH] = P,
-    [BENCH_SHADER_PARTICLE] = P | PLACE | TINT,
-    [BENCH_SHADER_VOLUME] = P | N,
-    [BENCH_SHADER_SCREEN] = P | C,
-    [BENCH_SHADER_COORD] = P | C,
-    [BENCH_SHADER_SLOPES] = P | C,
-    [BENCH_SHADER_COORD_SLOPES] = P | C,
-    [BENCH_SHADER_DISCARD] = P | C,
-    [BENCH_SHADER_MOVE] = P | C,
-    [BENCH_SHADER_SAMPLE] = P | C,
-    [BENCH_SHADER_INPUT] = P | C,
-    [BENCH_SHADER_SHADOWED] = P | N,
-    [BENCH_SHADER_REFLECT] = P | N,
-    [BENCH_SHADER_SURFACE] = P | N,
-    [BENCH_SHADER_LIGHTS] = P | N,
-};
-
 static const uint32_t uses[BENCH_SHADERS] = {
     [BENCH_SHADER_LIT_FLAT] = RHW_USE_IDS,      [BENCH_SHADER_LIT_MASKED] = RHW_USE_DISCARD,
     [BENCH_SHADER_COORD] = RHW_USE_COORD,       [BENCH_SHADER_COORD_SLOPES] = RHW_USE_COORD,
@@ -52,19 +16,6 @@ static const uint32_t uses[BENCH_SHADERS] = {
     [BENCH_SHADER_INPUT] = RHW_USE_COLOR_INPUT, [BENCH_SHADER_SURFACE] = RHW_USE_COORD,
     [BENCH_SHADER_LIGHTS] = RHW_USE_COORD,
 };
-
-const uint32_t bench_shader_shared[BENCH_SHADERS] = {
-    [BENCH_SHADER_SHADOWED] = 4,
-    [BENCH_SHADER_LIGHTS] = 2 * BENCH_LIGHTS,
-};
-
-size_t bench_uniforms_copy(const struct bench_scene *scene, const struct bench_draw *draw, float *to)
-{
-    const size_t own = sizeof draw->uniforms / sizeof *to, shared = 4 * bench_shader_shared[draw->shader];
-    memcpy(to, &draw->uniforms, own * sizeof *to);
-    memcpy(to + own, scene->shared, shared * sizeof *to);
-    return own + shared;
-}
 
 static void add_varying(struct rhw_program *program, int components, bool derivatives)
 {
@@ -103,19 +54,19 @@ void bench_program(struct rhw_program *program, enum bench_shader shader)
         }
     }
     const uint32_t attributes = bench_shader_attributes[shader];
-    if (attributes & C) {
+    if (attributes & 1 << BENCH_COLOR) {
         add_color(program, shader);
     }
-    if ((attributes & N) && shader != BENCH_SHADER_VOLUME) {
+    if ((attributes & 1 << BENCH_NORMAL) && shader != BENCH_SHADER_VOLUME) {
         add_varying(program, 3, false); // normal, or ray
     }
-    if ((attributes & N) && shader != BENCH_SHADER_VOLUME && shader != BENCH_SHADER_LIGHTS) {
+    if ((attributes & 1 << BENCH_NORMAL) && shader != BENCH_SHADER_VOLUME && shader != BENCH_SHADER_LIGHTS) {
         add_varying(program, 3, false); // position
     }
-    if (attributes & T) {
+    if (attributes & 1 << BENCH_UV) {
         add_varying(program, 2, true);
     }
-    if (attributes & TINT) {
+    if (attributes & 1 << BENCH_TINT) {
         add_varying(program, 2, false); // corner
         add_flat(program, 4);
     }

@@ -10,22 +10,31 @@
 
 static const char vertex_main[] =
     "precision highp float;\n"
-    "layout(location = 0) in vec3 position;\n"
-    "layout(location = 1) in vec3 normal;\n"
-    "layout(location = 2) in vec2 uv;\n"
-    "layout(location = 4) in vec4 tangent;\n"
-    "uniform vec4 u[15];\n"
-    "out vec3 varying_position, varying_normal; out vec2 varying_uv; out float varying_support;\n"
+    "layout(location = POSITION) in vec3 position;\n"
+    "#ifdef NORMAL\n"
+    "layout(location = NORMAL) in vec3 normal;\n"
+    "#endif\n"
+    "layout(location = UV) in vec2 uv;\n"
     "#ifdef MAPPED\n"
-    "out vec4 varying_tangent;\n"
+    "layout(location = TANGENT) in vec4 tangent;\n"
+    "#endif\n"
+    "UNIFORM(0, u, 15);\n"
+    "VARYING(0) vec2 varying_uv;\n"
+    "#ifndef CAST\n"
+    "VARYING(1) vec3 varying_position; VARYING(2) vec3 varying_normal; VARYING(3) float varying_support;\n"
+    "#endif\n"
+    "#ifdef MAPPED\n"
+    "VARYING(4) vec4 varying_tangent;\n"
     "#endif\n"
     "vec3 to_world(vec4 p) { return vec3(dot(u[4], p), dot(u[5], p), dot(u[6], p)); }\n"
     "void main() {\n"
     "    gl_Position = u[0] * position.x + u[1] * position.y + u[2] * position.z + u[3];\n"
+    "    varying_uv = uv;\n"
+    "#ifndef CAST\n"
     "    varying_position = to_world(vec4(position, 1.0));\n"
     "    varying_normal = normalize(u[7].xyz * normal.x + u[8].xyz * normal.y + u[9].xyz * normal.z);\n"
     "    varying_support = dot(varying_position, varying_normal);\n"
-    "    varying_uv = uv;\n"
+    "#endif\n"
     "#ifdef MAPPED\n"
     "    varying_tangent = vec4(normalize(to_world(vec4(tangent.xyz, 0.0))), tangent.w);\n"
     "#endif\n"
@@ -33,11 +42,13 @@ static const char vertex_main[] =
 
 static const char fragment_formulas[] =
     "precision highp float;\n"
-    "uniform vec4 u[15], f[22];\n"
-    "uniform sampler2D map0, map1, map2, map3, map4, map5;\n"
-    "in vec3 varying_position, varying_normal; in vec2 varying_uv; in float varying_support;\n"
+    "UNIFORM(0, u, 15); UNIFORM(1, f, 22);\n"
+    "TEXTURE(0) sampler2D map0; TEXTURE(1) sampler2D map1; TEXTURE(2) sampler2D map2;\n"
+    "TEXTURE(3) sampler2D map3; TEXTURE(4) sampler2D map4; TEXTURE(5) sampler2D map5;\n"
+    "VARYING(0) vec2 varying_uv;\n"
+    "VARYING(1) vec3 varying_position; VARYING(2) vec3 varying_normal; VARYING(3) float varying_support;\n"
     "#ifdef MAPPED\n"
-    "in vec4 varying_tangent;\n"
+    "VARYING(4) vec4 varying_tangent;\n"
     "#endif\n"
     "layout(location = 0) out vec4 target;\n"
     "const float inverse_pi = 0.31830988618;\n"
@@ -159,21 +170,19 @@ static const char fragment_main[] =
     "}\n";
 
 static const char *const heads[BENCH_SHADERS] = {
-    [BENCH_SHADER_PBR_BASE] = "#version 300 es\n",
-    [BENCH_SHADER_PBR_MAPPED] = "#version 300 es\n#define MAPPED\n",
-    [BENCH_SHADER_PBR_MASKED] = "#version 300 es\n#define MAPPED\n#define MASKED\n",
-    [BENCH_SHADER_PBR_FULL] = "#version 300 es\n#define MAPPED\n#define FULL\n",
-    [BENCH_SHADER_PBR_BASE_SHADOWED] = "#version 300 es\n#define SHADOWED map1\n",
-    [BENCH_SHADER_PBR_MAPPED_SHADOWED] = "#version 300 es\n#define MAPPED\n#define SHADOWED map3\n",
-    [BENCH_SHADER_PBR_MASKED_SHADOWED] =
-        "#version 300 es\n#define MAPPED\n#define MASKED\n#define SHADOWED map3\n",
-    [BENCH_SHADER_PBR_FULL_SHADOWED] =
-        "#version 300 es\n#define MAPPED\n#define FULL\n#define SHADOWED map5\n",
-    [BENCH_SHADER_PBR_HAIR] = "#version 300 es\n#define BLENDED\n",
-    [BENCH_SHADER_PBR_GLASS] = "#version 300 es\n#define GLASS\n",
-    [BENCH_SHADER_PBR_BASE_LINEAR] = "#version 300 es\n#define LINEAR\n",
-    [BENCH_SHADER_PBR_CAST] = "#version 300 es\n",
-    [BENCH_SHADER_PBR_CAST_MASKED] = "#version 300 es\n#define MASKED\n",
+    [BENCH_SHADER_PBR_BASE] = "",
+    [BENCH_SHADER_PBR_MAPPED] = "#define MAPPED\n",
+    [BENCH_SHADER_PBR_MASKED] = "#define MAPPED\n#define MASKED\n",
+    [BENCH_SHADER_PBR_FULL] = "#define MAPPED\n#define FULL\n",
+    [BENCH_SHADER_PBR_BASE_SHADOWED] = "#define SHADOWED map1\n",
+    [BENCH_SHADER_PBR_MAPPED_SHADOWED] = "#define MAPPED\n#define SHADOWED map3\n",
+    [BENCH_SHADER_PBR_MASKED_SHADOWED] = "#define MAPPED\n#define MASKED\n#define SHADOWED map3\n",
+    [BENCH_SHADER_PBR_FULL_SHADOWED] = "#define MAPPED\n#define FULL\n#define SHADOWED map5\n",
+    [BENCH_SHADER_PBR_HAIR] = "#define BLENDED\n",
+    [BENCH_SHADER_PBR_GLASS] = "#define GLASS\n",
+    [BENCH_SHADER_PBR_BASE_LINEAR] = "#define LINEAR\n",
+    [BENCH_SHADER_PBR_CAST] = "#define CAST\n",
+    [BENCH_SHADER_PBR_CAST_MASKED] = "#define CAST\n#define MASKED\n",
 };
 
 _Static_assert(sizeof(struct bench_surface_uniforms) == 15 * 16, "`u` of the shaders");
@@ -306,9 +315,9 @@ static const char fragment_shadow[] =
     "#endif\n";
 
 static const char cast_main[] = "precision highp float;\n"
-                                "uniform vec4 u[15];\n"
-                                "uniform sampler2D map0;\n"
-                                "in vec2 varying_uv;\n"
+                                "UNIFORM(0, u, 15);\n"
+                                "TEXTURE(0) sampler2D map0;\n"
+                                "VARYING(0) vec2 varying_uv;\n"
                                 "void main() {\n"
                                 "#ifdef MASKED\n"
                                 "    if ((u[10] * texture(map0, varying_uv)).a < u[11].w) discard;\n"
@@ -350,9 +359,9 @@ static const char *formulas(void)
 void bench_glsl_pbr(enum bench_shader shader, const char *vertex[BENCH_GLSL_PIECES],
                     const char *fragment[BENCH_GLSL_PIECES])
 {
-    vertex[0] = fragment[0] = heads[shader];
-    vertex[1] = vertex_main;
-    vertex[2] = vertex[3] = fragment[3] = "";
-    fragment[1] = shader >= BENCH_SHADER_PBR_CAST ? cast_main : formulas();
-    fragment[2] = shader >= BENCH_SHADER_PBR_CAST ? "" : fragment_main;
+    vertex[3] = fragment[3] = heads[shader];
+    vertex[4] = vertex_main;
+    vertex[5] = vertex[6] = fragment[6] = "";
+    fragment[4] = shader >= BENCH_SHADER_PBR_CAST ? cast_main : formulas();
+    fragment[5] = shader >= BENCH_SHADER_PBR_CAST ? "" : fragment_main;
 }

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # What cpack makes of a build on Debian: rhw, the program; rhw-view, its window; librhw with its ABI in the name, the shared
-# library; and librhw-dev, the static one with headers, CMake and pkg-config packages. rhw-view needs rhw, and librhw-dev
-# the shared library, of the same build. script/package builds and calls it.
+# libraries librhw and librhw-shader, which are of one version; and librhw-dev, the static ones with headers, CMake and
+# pkg-config packages. rhw-view needs rhw, and librhw-dev the shared libraries, of the same build. script/package builds
+# and calls it.
 # As Debian's own tools have it: DEBFULLNAME and DEBEMAIL of who builds them.
 set(maintainer "the rhw authors <rhw@localhost>")
 if(NOT "$ENV{DEBEMAIL}" STREQUAL "")
@@ -31,7 +32,8 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${librhw})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 # What cpack would write by itself calls ldconfig from scripts, which Debian gave up for triggers.
 file(WRITE ${PROJECT_BINARY_DIR}/package/triggers "activate-noawait ldconfig\n")
-file(WRITE ${PROJECT_BINARY_DIR}/package/shlibs "librhw ${abi} ${librhw} (>= ${PROJECT_VERSION})\n")
+file(WRITE ${PROJECT_BINARY_DIR}/package/shlibs "librhw ${abi} ${librhw} (>= ${PROJECT_VERSION})
+librhw-shader ${abi} ${librhw} (>= ${PROJECT_VERSION})\n")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA
   ${PROJECT_BINARY_DIR}/package/triggers ${PROJECT_BINARY_DIR}/package/shlibs)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_STRICT_PERMISSION ON)
@@ -40,7 +42,8 @@ graphics card, a display or a driver. Coverage is exact, and a scene gives the
 same bytes on every machine, whatever the number of threads and the
 instruction set.
 .
-This package has the shared library, for programs that are linked with it.")
+This package has the shared libraries, for programs that are linked with them:
+librhw, and librhw-shader, which takes shaders as SPIR-V when a program runs.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME librhw-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${librhw} (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
@@ -50,7 +53,7 @@ graphics card, a display or a driver. Coverage is exact, and a scene gives the
 same bytes on every machine, whatever the number of threads and the
 instruction set.
 .
-This package has the static library, the headers and what CMake and pkg-config
+This package has the static libraries, the headers and what CMake and pkg-config
 need.")
 if(RHW_PROGRAM)
   list(APPEND CPACK_COMPONENTS_ALL program)
@@ -84,5 +87,6 @@ endif()
 # What Debian has elsewhere than others do, and what only a Debian package has.
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/debian_layout.cmake)
 set(CPACK_RHW_SOURCE ${PROJECT_SOURCE_DIR})
+set(CPACK_RHW_SHLIBS ${PROJECT_BINARY_DIR}/package/shlibs)
 set(CPACK_RHW_PACKAGES "library=${librhw};development=librhw-dev;program=rhw;view=rhw-view")
 include(CPack)

@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: MIT
 # cpack runs this on what is installed for the packages, a folder for each component, before it packs them.
 cmake_policy(VERSION 3.22)
-# What the shared library needs, which cpack finds out of programs alone without scripts that call ldconfig.
-file(GLOB_RECURSE library ${CPACK_TEMPORARY_DIRECTORY}/library/librhw.so.*.*.*)
+# What the shared libraries need, which cpack finds out of programs alone without scripts that call ldconfig. One of them
+# needs the other, which is in the package itself.
+file(GLOB_RECURSE library ${CPACK_TEMPORARY_DIRECTORY}/library/librhw*.so.*.*.*)
+list(GET library 0 folder)
+get_filename_component(folder ${folder} DIRECTORY)
+string(REGEX MATCH "library=([^;]*)" own "${CPACK_RHW_PACKAGES}")
+set(own ${CMAKE_MATCH_1})
 file(WRITE ${CPACK_TEMPORARY_DIRECTORY}/needs/debian/control "Source: rhw\n\nPackage: librhw\nArchitecture: any\n")
-execute_process(COMMAND dpkg-shlibdeps -O ${library} WORKING_DIRECTORY ${CPACK_TEMPORARY_DIRECTORY}/needs
+execute_process(COMMAND dpkg-shlibdeps -O -l${folder} -L${CPACK_RHW_SHLIBS} -x${own} ${library} WORKING_DIRECTORY ${CPACK_TEMPORARY_DIRECTORY}/needs
   OUTPUT_VARIABLE needs OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 string(REPLACE "shlibs:Depends=" "" CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "${needs}")
 file(REMOVE_RECURSE ${CPACK_TEMPORARY_DIRECTORY}/needs)

@@ -6,7 +6,11 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { CONSTANT_BUCKETS = 1024 };
+enum {
+    CONSTANT_BUCKETS = 1024,
+    MAX_LOOKED_AT = 32,  // constants of a bucket
+    MAX_EFFORT = 1 << 27 // words: a fraction of a second
+};
 
 // Instructions ---------------------------------------------------------------------------------------
 
@@ -38,6 +42,15 @@ uint32_t shader_operand(const struct shader_builder *builder, uint32_t index)
     return shader_words(builder)[index];
 }
 
+void shader_spend(struct shader_builder *builder, uint32_t words)
+{
+    if (words > MAX_EFFORT - builder->effort) {
+        shader_build_refuse(builder,
+                            "the shader has too many instructions, of its calls in their places too");
+    }
+    builder->effort += words;
+}
+
 const struct shader_type *shader_result_type(const struct shader_builder *builder)
 {
     return shader_type_of_id(builder->module, builder->word, shader_words(builder)[1]);
@@ -49,10 +62,13 @@ uint32_t shader_number(struct shader_builder *builder, uint32_t bits)
 {
     struct shader_program *const program = builder->program;
     uint32_t *const bucket = &builder->constant_buckets[(bits * 2654435761u) >> 22];
-    for (uint32_t node = *bucket; node != 0; node = program->nodes[node - 1].operands[0]) {
+    uint32_t looked_at = 0;
+    // Constants that were chosen to fall into one bucket are not all compared: equal ones may then be two nodes.
+    for (uint32_t node = *bucket; node != 0 && looked_at < MAX_LOOKED_AT; looked_at++) {
         if (program->nodes[node - 1].immediate == bits) {
             return node - 1;
         }
+        node = program->nodes[node - 1].operands[0];
     }
     const uint32_t node = shader_add_node(program, SHADER_CONSTANT, bits, *bucket, 0, 0);
     *bucket = node + 1;
@@ -86,6 +102,7 @@ uint32_t shader_emit_with(struct shader_builder *builder, enum shader_op op, uin
                           uint32_t b, uint32_t c)
 {
     const uint32_t node = shader_add_node(builder->program, op, immediate, a, b, c);
+    builder->program->origins[node] = builder->word;
     append(builder->program, node);
     return node;
 }
@@ -110,6 +127,7 @@ uint32_t shader_emit(struct shader_builder *builder, enum shader_op op, uint32_t
 uint32_t shader_new_home(struct shader_builder *builder, uint32_t initial)
 {
     const uint32_t home = shader_add_node(builder->program, SHADER_HOME, initial, 0, 0, 0);
+    builder->program->origins[home] = builder->word;
     shader_add_facts_of_home(builder, home);
     return home;
 }
@@ -202,6 +220,14 @@ void shader_define(struct shader_builder *builder, const uint32_t *scalars)
     built->place = NULL;
 }
 
+void shader_define_scalar(struct shader_builder *builder, uint32_t scalar)
+{
+    if (shader_result_type(builder)->scalars != 1) {
+        shader_build_refuse(builder, "the result is one scalar");
+    }
+    shader_define(builder, &scalar);
+}
+
 void shader_define_place(struct shader_builder *builder, const struct shader_place *place)
 {
     struct shader_built *const built = &builder->built[shader_operand(builder, 2)];
@@ -237,13 +263,17 @@ struct shader_program *shader_build(const struct shader_module *module,
                                 .memory = memory,
                                 .word = entry->word,
                                 .built = shader_take(memory, module->bound, sizeof(struct shader_built)),
+                                .is_in_interface = shader_take(memory, module->bound, sizeof(bool)),
                                 .label_words = shader_take(memory, module->bound, sizeof(uint32_t)),
                                 .visited = shader_take(memory, module->bound, sizeof(uint32_t)),
                                 .output_homes = shader_take(memory, SHADER_OUT_COUNT, sizeof(uint32_t)),
                                 .constant_buckets = shader_take(memory, CONSTANT_BUCKETS, sizeof(uint32_t))};
     memset(builder->output_homes, 0xff, SHADER_OUT_COUNT * sizeof(uint32_t));
-    (void)shader_number(builder, 0); // so that no other node has the number 0
+    (void)shader_number(builder, 0); // node 0 means that an operand is not there
     find_labels(builder);
+    for (uint32_t i = 0; i < entry->interface_count; i++) {
+        builder->is_in_interface[entry->interface[i]] = true;
+    }
     if (entry->function >= module->bound || module->ids[entry->function].opcode != SPIRV_OP_Function) {
         shader_build_refuse(builder, "id %u is no function", (unsigned)entry->function);
     }

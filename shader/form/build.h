@@ -8,7 +8,7 @@
 // Where a pointer points to.
 enum shader_place_kind {
     SHADER_PLACE_NONE,
-    SHADER_PLACE_HOMES,     // of a variable whose scalars are homes
+    SHADER_PLACE_HOMES,     // a variable whose scalars are homes
     SHADER_PLACE_INPUT,     // scalars that are known values
     SHADER_PLACE_BUFFER,    // memory of a binding, or of push constants
     SHADER_PLACE_WORKGROUP, // bytes of the workgroup
@@ -41,6 +41,7 @@ struct shader_place {
     uint32_t resource;                  // number in the program, of what is no element yet
     bool is_array_of_resources;
     uint32_t coordinates[3]; // of TEXEL, whose image is `buffer`
+    bool is_read_only;       // nothing is stored there
 };
 
 #define SHADER_NO_VALUE UINT32_MAX
@@ -48,9 +49,9 @@ struct shader_place {
 // What an id stands for.
 struct shader_built {
     const struct shader_type *type; // NULL: nothing yet
-    uint32_t *scalars;              // of a value
-    struct shader_place *place;     // of a pointer, image, sampler or sampled image
-    struct shader_place *sampler;   // of a sampled image
+    uint32_t *scalars;              // where the id is a value
+    struct shader_place *place;     // where it is a pointer, image, sampler or sampled image
+    struct shader_place *sampler;   // a sampled image has one too
     uint32_t *phi;                  // homes of an OpPhi
 };
 
@@ -68,7 +69,7 @@ struct shader_facts {
     size_t room;
     struct shader_fact_change *log;
     size_t log_count, log_room;
-    uint32_t *homes; // those that may have a known value
+    uint32_t *homes; // may have a known value
     size_t home_count, home_room;
 };
 
@@ -91,16 +92,18 @@ struct shader_builder {
     struct shader_program *program;
     struct shader_memory *memory;
     struct shader_built *built; // by id
+    bool *is_in_interface;      // by id: the entry point names the variable
     struct shader_facts facts;
     uint32_t *label_words; // by id: the word of its OpLabel
     uint32_t *visited;     // by id of a label: number of the call that translated it
     uint32_t call, calls;  // number of the call under way, and how many there were
     uint32_t nesting;
-    uint32_t block; // label of the block that is being translated
-    uint32_t word;  // instruction that is being translated
+    uint32_t effort; // words that were looked at
+    uint32_t block;  // label of the block that is being translated
+    uint32_t word;   // instruction that is being translated
     struct shader_frame *frame;
     struct shader_construct *constructs;
-    uint32_t *constant_buckets; // of the program's constants
+    uint32_t *constant_buckets; // hash table of the program's constants
     uint32_t *output_homes;     // by enum shader_output, or SHADER_NO_VALUE
 };
 
@@ -108,7 +111,8 @@ struct shader_builder {
 
 _Noreturn void shader_build_refuse(const struct shader_builder *builder, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
-const uint32_t *shader_words(const struct shader_builder *builder); // of the instruction
+// Return the words of the instruction that is translated.
+const uint32_t *shader_words(const struct shader_builder *builder);
 uint32_t shader_word_count(const struct shader_builder *builder);
 // Return an operand word; refuse where it is missing.
 uint32_t shader_operand(const struct shader_builder *builder, uint32_t index);
@@ -139,15 +143,31 @@ void shader_forget_since(struct shader_builder *builder, size_t mark);
 const uint32_t *shader_scalars(struct shader_builder *builder, uint32_t id);
 const struct shader_type *shader_type_of_value(struct shader_builder *builder, uint32_t id);
 struct shader_place *shader_place_of(struct shader_builder *builder, uint32_t id);
-// Give the result of the instruction its scalars, which are copied.
+// Give the result of the instruction its scalars, which are copied. There are as many as its type has.
 void shader_define(struct shader_builder *builder, const uint32_t *scalars);
+// Give the result, which is one scalar, its value.
+void shader_define_scalar(struct shader_builder *builder, uint32_t scalar);
 void shader_define_place(struct shader_builder *builder, const struct shader_place *place);
 const struct shader_type *shader_result_type(const struct shader_builder *builder);
 uint32_t *shader_new_scalars(struct shader_builder *builder, const struct shader_type *type);
 
+// Note that `words` more words are looked at. Calls that are put in their places repeat words without end, so there is a
+// bound on all of them.
+void shader_spend(struct shader_builder *builder, uint32_t words);
+
+// signature.c. Refuse the instruction if its result or an operand, of which the first stands at `first`, is not of the
+// type that the letters ask for (signature.c tells which).
+void shader_check_signature(struct shader_builder *builder, const char *letters, uint32_t first);
+// Do so for a result of a type of its own.
+void shader_check_types(struct shader_builder *builder, const struct shader_type *result, const char *letters,
+                        uint32_t first);
+// Refuse an instruction of arithmetic whose operands are not of the types that it asks for.
+void shader_check_operands(struct shader_builder *builder, uint32_t opcode);
+
 // build_flow.c. Translate a function that has its parameters. Return the homes of what it returns, or NULL.
 uint32_t *shader_build_function(struct shader_builder *builder, const struct shader_function *function);
-// build_arithmetic.c, build_glsl.c, build_memory.c, build_image.c, build_subgroup.c. Return false where the instruction is none of theirs.
+// build_arithmetic.c, build_composite.c, build_glsl.c, build_memory.c, build_image.c, build_subgroup.c. Return false where
+// the file does not have the instruction.
 bool shader_build_arithmetic(struct shader_builder *builder, uint32_t opcode);
 bool shader_build_composite(struct shader_builder *builder, uint32_t opcode);
 void shader_build_glsl(struct shader_builder *builder);
@@ -158,6 +178,9 @@ bool shader_build_subgroup(struct shader_builder *builder, uint32_t opcode);
 uint32_t shader_subgroup_built_in(struct shader_builder *builder, int number, uint32_t component);
 // build_memory.c. Make the place of a variable.
 void shader_build_variable(struct shader_builder *builder, const struct shader_variable *variable);
+// Store the scalars of a value of a type where an id points to.
+void shader_store(struct shader_builder *builder, uint32_t pointer, const struct shader_type *type,
+                  uint32_t *scalars);
 // build_interface.c. Make the place of an input or output, and write outputs at the end.
 void shader_build_interface_variable(struct shader_builder *builder, const struct shader_variable *variable,
                                      struct shader_place *place);

@@ -264,6 +264,18 @@ static void check_shape(const struct shader_builder *builder, bool fits)
     }
 }
 
+static void check_matrix(const struct shader_builder *builder, const struct shader_type *type)
+{
+    if (type->kind != SHADER_MATRIX) {
+        shader_build_refuse(builder, "id %u is no matrix", (unsigned)type->id);
+    }
+}
+
+static bool is_float_vector(const struct shader_type *type)
+{
+    return type->kind == SHADER_VECTOR && type->element->kind == SHADER_FLOAT;
+}
+
 // Matrix a times matrix b; a vector on the right is one column.
 static void multiply(struct shader_builder *builder, uint32_t a_id, uint32_t b_id)
 {
@@ -272,6 +284,10 @@ static void multiply(struct shader_builder *builder, uint32_t a_id, uint32_t b_i
     const struct shader_type *const type = shader_result_type(builder);
     const uint32_t *const a = shader_scalars(builder, a_id), *const b = shader_scalars(builder, b_id);
     const uint32_t rows = rows_of(a_type), inner = columns_of(a_type), columns = columns_of(b_type);
+    check_matrix(builder, a_type);
+    check_shape(builder, is_float_vector(b_type)
+                             ? is_float_vector(type)
+                             : b_type->kind == SHADER_MATRIX && type->kind == SHADER_MATRIX);
     check_shape(builder, rows_of(b_type) == inner && rows_of(type) == rows && columns_of(type) == columns);
     uint32_t *const result = shader_new_scalars(builder, type);
     for (uint32_t c = 0; c < columns; c++) {
@@ -293,6 +309,8 @@ static void multiply_row(struct shader_builder *builder, uint32_t v_id, uint32_t
     const struct shader_type *const type = shader_result_type(builder);
     const uint32_t *const v = shader_scalars(builder, v_id), *const m = shader_scalars(builder, m_id);
     const uint32_t rows = rows_of(m_type);
+    check_matrix(builder, m_type);
+    check_shape(builder, is_float_vector(type) && is_float_vector(shader_type_of_value(builder, v_id)));
     check_shape(builder,
                 rows_of(shader_type_of_value(builder, v_id)) == rows && rows_of(type) == columns_of(m_type));
     uint32_t *const result = shader_new_scalars(builder, type);
@@ -306,9 +324,13 @@ static void multiply_row(struct shader_builder *builder, uint32_t v_id, uint32_t
     shader_define(builder, result);
 }
 
-static void build_scaled(struct shader_builder *builder)
+static void build_scaled(struct shader_builder *builder, bool is_matrix)
 {
     const struct shader_type *const type = shader_result_type(builder);
+    if (is_matrix) {
+        check_matrix(builder, type);
+        shader_check_signature(builder, "ttF", 3);
+    }
     const uint32_t scale = component(builder, 4, 0);
     uint32_t *const result = shader_new_scalars(builder, type);
     for (uint32_t i = 0; i < type->scalars; i++) {
@@ -321,6 +343,11 @@ static void build_outer_product(struct shader_builder *builder)
 {
     const struct shader_type *const type = shader_result_type(builder);
     const uint32_t rows = rows_of(type);
+    const struct shader_type *const column = shader_type_of_value(builder, shader_operand(builder, 3));
+    const struct shader_type *const row = shader_type_of_value(builder, shader_operand(builder, 4));
+    check_matrix(builder, type);
+    check_shape(builder, is_float_vector(column) && is_float_vector(row) && column->count == rows &&
+                             row->count == columns_of(type));
     uint32_t *const result = shader_new_scalars(builder, type);
     for (uint32_t i = 0; i < type->scalars; i++) {
         result[i] =
@@ -334,6 +361,8 @@ static void build_transpose(struct shader_builder *builder)
     const struct shader_type *const type = shader_result_type(builder);
     const uint32_t rows = rows_of(type), columns = columns_of(type);
     const struct shader_type *const from = shader_type_of_value(builder, shader_operand(builder, 3));
+    check_matrix(builder, type);
+    check_matrix(builder, from);
     check_shape(builder, rows_of(from) == columns && columns_of(from) == rows);
     uint32_t *const result = shader_new_scalars(builder, type);
     for (uint32_t i = 0; i < type->scalars; i++) {
@@ -349,7 +378,7 @@ static void build_dot(struct shader_builder *builder)
     for (uint32_t i = 0; i < count; i++) {
         sum = add_product(builder, sum, component(builder, 3, i), component(builder, 4, i));
     }
-    shader_define(builder, &sum);
+    shader_define_scalar(builder, sum);
 }
 
 static void build_any_all(struct shader_builder *builder, enum shader_op op)
@@ -359,7 +388,7 @@ static void build_any_all(struct shader_builder *builder, enum shader_op op)
     for (uint32_t i = 1; i < count; i++) {
         result = emit2(builder, op, result, component(builder, 3, i));
     }
-    shader_define(builder, &result);
+    shader_define_scalar(builder, result);
 }
 
 // Two results in a structure: sum and carry, difference and borrow, or the lower and the upper half of a product.
@@ -367,6 +396,10 @@ static void build_extended(struct shader_builder *builder, uint32_t opcode)
 {
     const struct shader_type *const type = shader_result_type(builder);
     const uint32_t count = type->scalars / 2;
+    if (type->kind != SHADER_STRUCT || type->count != 2 || type->members[0].type != type->members[1].type) {
+        shader_build_refuse(builder, "the result is a structure of two members of one type");
+    }
+    shader_check_types(builder, type->members[0].type, "iii", 3);
     uint32_t *const result = shader_new_scalars(builder, type);
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t a = component(builder, 3, i), b = component(builder, 4, i);
@@ -391,9 +424,10 @@ static void build_extended(struct shader_builder *builder, uint32_t opcode)
 
 bool shader_build_arithmetic(struct shader_builder *builder, uint32_t opcode)
 {
+    shader_check_operands(builder, opcode);
     switch (opcode) {
     case SPIRV_OP_VectorTimesScalar:
-    case SPIRV_OP_MatrixTimesScalar: build_scaled(builder); return true;
+    case SPIRV_OP_MatrixTimesScalar: build_scaled(builder, opcode == SPIRV_OP_MatrixTimesScalar); return true;
     case SPIRV_OP_MatrixTimesVector:
     case SPIRV_OP_MatrixTimesMatrix:
         multiply(builder, shader_operand(builder, 3), shader_operand(builder, 4));

@@ -17,9 +17,7 @@ static const struct shader_type *find_part(const struct shader_builder *builder,
             shader_build_refuse(builder, "there is no part %u", (unsigned)index);
         }
         if (type->kind == SHADER_STRUCT) {
-            for (uint32_t m = 0; m < index; m++) {
-                *begin += type->members[m].type->scalars;
-            }
+            *begin += type->members[index].first;
             type = type->members[index].type;
         } else {
             *begin += index * type->element->scalars;
@@ -38,6 +36,24 @@ static void check_type(const struct shader_builder *builder, const struct shader
     }
 }
 
+// Part i of a composite is one of its elements; of a vector it may be a vector of them.
+static void check_part(const struct shader_builder *builder, const struct shader_type *type, uint32_t i,
+                       const struct shader_type *part)
+{
+    if (type->kind == SHADER_STRUCT) {
+        if (i >= type->count) {
+            shader_build_refuse(builder, "it has too many parts");
+        }
+        check_type(builder, part, type->members[i].type);
+        return;
+    }
+    if (type->kind != SHADER_VECTOR && type->kind != SHADER_MATRIX && type->kind != SHADER_ARRAY) {
+        shader_build_refuse(builder, "id %u is no composite", (unsigned)type->id);
+    }
+    const bool is_vector = type->kind == SHADER_VECTOR && part->kind == SHADER_VECTOR;
+    check_type(builder, is_vector ? part->element : part, type->element);
+}
+
 static void build_construct(struct shader_builder *builder)
 {
     const struct shader_type *const type = shader_result_type(builder);
@@ -47,6 +63,7 @@ static void build_construct(struct shader_builder *builder)
         const uint32_t id = shader_operand(builder, i);
         const struct shader_type *const part = shader_type_of_value(builder, id);
         const uint32_t *const scalars = shader_scalars(builder, id);
+        check_part(builder, type, i - 3, part);
         if (part->scalars > type->scalars - count) {
             shader_build_refuse(builder, "it has too many parts");
         }
@@ -82,12 +99,28 @@ static void build_insert(struct shader_builder *builder)
     shader_define(builder, result);
 }
 
+static void check_vector(const struct shader_builder *builder, const struct shader_type *type)
+{
+    if (type->kind != SHADER_VECTOR) {
+        shader_build_refuse(builder, "id %u is no vector", (unsigned)type->id);
+    }
+}
+
 static void build_shuffle(struct shader_builder *builder)
 {
     const uint32_t a = shader_operand(builder, 3), b = shader_operand(builder, 4);
     const uint32_t a_count = shader_type_of_value(builder, a)->scalars;
     const uint32_t b_count = shader_type_of_value(builder, b)->scalars;
     const struct shader_type *const type = shader_result_type(builder);
+    check_vector(builder, type);
+    check_vector(builder, shader_type_of_value(builder, a));
+    check_vector(builder, shader_type_of_value(builder, b));
+    check_type(builder, shader_type_of_value(builder, a)->element, type->element);
+    check_type(builder, shader_type_of_value(builder, b)->element, type->element);
+    if (shader_word_count(builder) != 5 + type->count) {
+        shader_build_refuse(builder, "a vector of %u is picked by %u components", (unsigned)type->count,
+                            (unsigned)shader_word_count(builder) - 5);
+    }
     uint32_t *const result = shader_new_scalars(builder, type);
     for (uint32_t i = 0; i < type->scalars; i++) {
         const uint32_t from = shader_operand(builder, 5 + i);
@@ -101,6 +134,16 @@ static void build_shuffle(struct shader_builder *builder)
     shader_define(builder, result);
 }
 
+// Return the value of an index, which stands at this operand.
+static uint32_t index_at(struct shader_builder *builder, uint32_t operand)
+{
+    const uint32_t id = shader_operand(builder, operand);
+    if (shader_type_of_value(builder, id)->kind != SHADER_INT) {
+        shader_build_refuse(builder, "index %u is no integer", (unsigned)id);
+    }
+    return shader_scalars(builder, id)[0];
+}
+
 // A truth for each component: it is the one that the index names. An index outside names none.
 static uint32_t is_component(struct shader_builder *builder, uint32_t index, uint32_t i)
 {
@@ -109,24 +152,28 @@ static uint32_t is_component(struct shader_builder *builder, uint32_t index, uin
 
 static void build_extract_dynamic(struct shader_builder *builder)
 {
-    const uint32_t id = shader_operand(builder, 3),
-                   index = shader_scalars(builder, shader_operand(builder, 4))[0];
+    const uint32_t id = shader_operand(builder, 3), index = index_at(builder, 4);
+    const struct shader_type *const type = shader_type_of_value(builder, id);
+    check_vector(builder, type);
+    check_type(builder, shader_result_type(builder), type->element);
     const uint32_t *const scalars = shader_scalars(builder, id);
-    const uint32_t count = shader_type_of_value(builder, id)->scalars;
+    const uint32_t count = type->scalars;
     uint32_t result = scalars[count - 1];
     for (uint32_t i = count - 1; i-- > 0;) {
         result = shader_emit(builder, SHADER_SELECT, is_component(builder, index, i), scalars[i], result);
     }
-    shader_define(builder, &result);
+    shader_define_scalar(builder, result);
 }
 
 static void build_insert_dynamic(struct shader_builder *builder)
 {
     const uint32_t id = shader_operand(builder, 3),
                    part = shader_scalars(builder, shader_operand(builder, 4))[0];
-    const uint32_t index = shader_scalars(builder, shader_operand(builder, 5))[0];
+    const uint32_t index = index_at(builder, 5);
     const struct shader_type *const type = shader_result_type(builder);
+    check_vector(builder, type);
     check_type(builder, shader_type_of_value(builder, id), type);
+    check_type(builder, shader_type_of_value(builder, shader_operand(builder, 4)), type->element);
     const uint32_t *const scalars = shader_scalars(builder, id);
     uint32_t *const result = shader_new_scalars(builder, type);
     for (uint32_t i = 0; i < type->scalars; i++) {

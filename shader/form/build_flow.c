@@ -31,11 +31,12 @@ static void leave(struct shader_builder *builder, uint32_t region)
     flow(builder, SHADER_LEAVE, region);
 }
 
-static struct shader_construct *find_construct(const struct shader_builder *builder, uint32_t label)
+static struct shader_construct *find_construct(struct shader_builder *builder, uint32_t label)
 {
     struct shader_construct *construct = builder->constructs;
     while (construct && construct->merge != label) {
         construct = construct->outer;
+        shader_spend(builder, 1);
     }
     return construct;
 }
@@ -86,6 +87,7 @@ static void set_phis(struct shader_builder *builder, uint32_t label)
             while (operand + 1 < shader_word_count(builder) && words[word + operand + 1] != from) {
                 operand += 2;
             }
+            shader_spend(builder, operand);
             if (operand + 1 >= shader_word_count(builder)) {
                 shader_build_refuse(builder, "it has no value for control flow from block %u",
                                     (unsigned)from);
@@ -241,39 +243,55 @@ static void build_branch(struct shader_builder *builder, uint32_t merge, uint32_
     builder->constructs = construct.outer;
 }
 
-// A switch: `next` is the number of the case that a lane goes to. A case may go to one that stands behind it.
+// A switch. A case may go to one that stands behind it.
 struct switch_case {
     uint32_t label;
     uint32_t match; // truth: the selector is one of its values
 };
 
-// Return true if blocks that begin at `label` lead to `target` before they come to `merge`. Only blocks that branch
-// without a condition are followed: a default that falls into a case ends so.
-static bool falls_into(const struct shader_builder *builder, uint32_t label, uint32_t target, uint32_t merge)
+enum { MAX_CASES = 4096, MAX_PATH = 128 };
+
+// The blocks that the default of a switch leads to without a condition.
+struct default_path {
+    uint32_t labels[MAX_PATH];
+    uint32_t count;
+};
+
+// Return the label at which control flow goes on behind a block, be it the merge block of what the block begins, or 0.
+static uint32_t label_behind(struct shader_builder *builder, uint32_t label)
 {
     const struct shader_module *const module = builder->module;
-    for (int steps = 0; steps < SHADER_MAX_NESTING && label != merge; steps++) {
-        if (label == target) {
-            return steps > 0;
+    uint32_t word = label < module->bound ? builder->label_words[label] : 0;
+    for (; word != 0 && word < module->word_count; word += module->words[word] >> 16) {
+        const uint32_t opcode = module->words[word] & 0xffff;
+        shader_spend(builder, module->words[word] >> 16);
+        if (opcode == SPIRV_OP_LoopMerge || opcode == SPIRV_OP_SelectionMerge || opcode == SPIRV_OP_Branch) {
+            return module->words[word + 1];
         }
-        uint32_t word = label < module->bound ? builder->label_words[label] : 0, next = 0;
-        for (; word != 0 && word < module->word_count; word += module->words[word] >> 16) {
-            const uint32_t opcode = module->words[word] & 0xffff;
-            if (opcode == SPIRV_OP_LoopMerge || opcode == SPIRV_OP_SelectionMerge) {
-                next = module->words[word + 1];
-                break;
-            }
-            if (opcode == SPIRV_OP_Branch) {
-                next = module->words[word + 1];
-            }
-            if (opcode >= SPIRV_OP_Branch && opcode <= SPIRV_OP_Unreachable) {
-                break;
-            }
+        if (opcode >= SPIRV_OP_BranchConditional && opcode <= SPIRV_OP_Unreachable) {
+            break;
         }
-        if (next == 0) {
-            return false;
+    }
+    return 0;
+}
+
+static void follow_default(struct shader_builder *builder, uint32_t label, uint32_t merge,
+                           struct default_path *path)
+{
+    path->count = 0;
+    for (label = label_behind(builder, label); label != 0 && label != merge && path->count < MAX_PATH;
+         label = label_behind(builder, label)) {
+        path->labels[path->count++] = label;
+    }
+}
+
+// Return true if the default of a switch falls into a case.
+static bool falls_into(const struct default_path *path, uint32_t label)
+{
+    for (uint32_t i = 0; i < path->count; i++) {
+        if (path->labels[i] == label) {
+            return true;
         }
-        label = next;
     }
     return false;
 }
@@ -292,6 +310,10 @@ static uint32_t list_cases(struct shader_builder *builder, uint32_t selector, ui
     const uint32_t words = shader_word_count(builder), otherwise = shader_operand(builder, 2);
     uint32_t count = 0, any = shader_number(builder, 0);
     bool has_default = otherwise == merge && !has_phis(builder, merge);
+    struct default_path path = {.count = 0};
+    if (!has_default) {
+        follow_default(builder, otherwise, merge, &path);
+    }
     for (uint32_t i = 3; i + 1 < words; i += 2) {
         const uint32_t label = shader_operand(builder, i + 1);
         const uint32_t match = shader_emit(builder, SHADER_IEQUAL, selector,
@@ -301,11 +323,14 @@ static uint32_t list_cases(struct shader_builder *builder, uint32_t selector, ui
         while (same < count && cases[same].label != label) {
             same++;
         }
+        if (count > MAX_CASES) {
+            shader_build_refuse(builder, "a switch has at most %d cases", MAX_CASES);
+        }
         if (same < count) {
             cases[same].match = shader_emit(builder, SHADER_OR, cases[same].match, match, 0);
             continue;
         }
-        if (!has_default && label != otherwise && falls_into(builder, otherwise, label, merge)) {
+        if (!has_default && label != otherwise && falls_into(&path, label)) {
             cases[count++] = (struct switch_case){otherwise, SHADER_NO_VALUE};
             has_default = true;
         }
@@ -410,9 +435,16 @@ static uint32_t build_block(struct shader_builder *builder, uint32_t label, uint
     builder->visited[label] = builder->call;
     builder->block = label;
     *merge = *next = 0;
+    bool may_have_phis = true;
     for (word += 2; word < function->end; word += module->words[word] >> 16) {
         const uint32_t opcode = module->words[word] & 0xffff;
         builder->word = word;
+        shader_spend(builder, module->words[word] >> 16);
+        if (opcode == SPIRV_OP_Phi && !may_have_phis) {
+            shader_build_refuse(builder, "it stands behind other instructions of its block");
+        }
+        may_have_phis =
+            may_have_phis && (opcode == SPIRV_OP_Phi || opcode == SPIRV_OP_Line || opcode == SPIRV_OP_NoLine);
         if (opcode == SPIRV_OP_SelectionMerge) {
             *merge = module->words[word + 1];
         } else if (opcode == SPIRV_OP_LoopMerge) {
@@ -503,6 +535,33 @@ static uint32_t loop_merge(const struct shader_builder *builder, uint32_t label,
     return 0;
 }
 
+// Control flow goes from the block under way to a label. Return true if it goes on there in the same construct: false if
+// it has come to `stop`, or leaves a construct.
+static bool goes_to(struct shader_builder *builder, uint32_t label, uint32_t stop)
+{
+    if (label >= builder->module->bound || builder->label_words[label] == 0) {
+        shader_build_refuse(builder, "id %u is no label", (unsigned)label);
+    }
+    set_phis(builder, label);
+    if (label == stop) {
+        return false;
+    }
+    const struct shader_construct *const construct = find_construct(builder, label);
+    if (!construct) {
+        return true;
+    }
+    if (construct->region == 0) {
+        shader_build_refuse(
+            builder, "control flow leaves a construct for block %u, which is not allowed to be left for",
+            (unsigned)label);
+    }
+    if (construct->fall != 0) {
+        shader_set_home(builder, construct->fall, shader_number(builder, UINT32_MAX));
+    }
+    leave(builder, construct->region);
+    return false;
+}
+
 // Translate from a label on, which control flow has come to, until it comes to `stop`.
 static void go_on_from(struct shader_builder *builder, uint32_t label, uint32_t stop)
 {
@@ -518,15 +577,9 @@ static void go_on_from(struct shader_builder *builder, uint32_t label, uint32_t 
             continue;
         }
         builder->word = build_block(builder, label, &merge, &next);
+        const bool branches = (shader_words(builder)[0] & 0xffff) == SPIRV_OP_Branch;
         label = build_end(builder, merge, stop);
-        if (label == 0) {
-            return;
-        }
-        if (merge == 0) {
-            build_from(builder, label, stop);
-            return;
-        }
-        if (label == stop) {
+        if (label == 0 || (branches ? !goes_to(builder, label, stop) : label == stop)) {
             return;
         }
     }
@@ -535,27 +588,9 @@ static void go_on_from(struct shader_builder *builder, uint32_t label, uint32_t 
 // Translate from a label on, to which control flow goes from the block under way.
 static void build_from(struct shader_builder *builder, uint32_t label, uint32_t stop)
 {
-    if (label >= builder->module->bound || builder->label_words[label] == 0) {
-        shader_build_refuse(builder, "id %u is no label", (unsigned)label);
-    }
-    set_phis(builder, label);
-    if (label == stop) {
-        return;
-    }
-    const struct shader_construct *const construct = find_construct(builder, label);
-    if (!construct) {
+    if (goes_to(builder, label, stop)) {
         go_on_from(builder, label, stop);
-        return;
     }
-    if (construct->region == 0) {
-        shader_build_refuse(
-            builder, "control flow leaves a construct for block %u, which is not allowed to be left for",
-            (unsigned)label);
-    }
-    if (construct->fall != 0) {
-        shader_set_home(builder, construct->fall, shader_number(builder, UINT32_MAX));
-    }
-    leave(builder, construct->region);
 }
 
 uint32_t *shader_build_function(struct shader_builder *builder, const struct shader_function *function)

@@ -82,6 +82,79 @@ enum glsl_instruction {
     GLSL_NCLAMP
 };
 
+// What types the operands have (signature.c), by number; NULL: whoever translates the instruction looks.
+static const char *const signatures[] = {
+    [GLSL_ROUND] = "ff",
+    [GLSL_ROUND_EVEN] = "ff",
+    [GLSL_TRUNC] = "ff",
+    [GLSL_FABS] = "ff",
+    [GLSL_SABS] = "ii",
+    [GLSL_FSIGN] = "ff",
+    [GLSL_SSIGN] = "ii",
+    [GLSL_FLOOR] = "ff",
+    [GLSL_CEIL] = "ff",
+    [GLSL_FRACT] = "ff",
+    [GLSL_RADIANS] = "ff",
+    [GLSL_DEGREES] = "ff",
+    [GLSL_SIN] = "ff",
+    [GLSL_COS] = "ff",
+    [GLSL_TAN] = "ff",
+    [GLSL_ASIN] = "ff",
+    [GLSL_ACOS] = "ff",
+    [GLSL_ATAN] = "ff",
+    [GLSL_SINH] = "ff",
+    [GLSL_COSH] = "ff",
+    [GLSL_TANH] = "ff",
+    [GLSL_ASINH] = "ff",
+    [GLSL_ACOSH] = "ff",
+    [GLSL_ATANH] = "ff",
+    [GLSL_ATAN2] = "fff",
+    [GLSL_POW] = "fff",
+    [GLSL_EXP] = "ff",
+    [GLSL_LOG] = "ff",
+    [GLSL_EXP2] = "ff",
+    [GLSL_LOG2] = "ff",
+    [GLSL_SQRT] = "ff",
+    [GLSL_INVERSE_SQRT] = "ff",
+    [GLSL_FMIN] = "fff",
+    [GLSL_UMIN] = "iii",
+    [GLSL_SMIN] = "iii",
+    [GLSL_FMAX] = "fff",
+    [GLSL_UMAX] = "iii",
+    [GLSL_SMAX] = "iii",
+    [GLSL_FCLAMP] = "ffff",
+    [GLSL_UCLAMP] = "iiii",
+    [GLSL_SCLAMP] = "iiii",
+    [GLSL_FMIX] = "ffff",
+    [GLSL_STEP] = "fff",
+    [GLSL_SMOOTH_STEP] = "ffff",
+    [GLSL_FMA] = "ffff",
+    [GLSL_LDEXP] = "ffi",
+    [GLSL_PACK_SNORM4X8] = "If",
+    [GLSL_PACK_UNORM4X8] = "If",
+    [GLSL_PACK_SNORM2X16] = "If",
+    [GLSL_PACK_UNORM2X16] = "If",
+    [GLSL_PACK_HALF2X16] = "If",
+    [GLSL_UNPACK_SNORM2X16] = "fI",
+    [GLSL_UNPACK_UNORM2X16] = "fI",
+    [GLSL_UNPACK_HALF2X16] = "fI",
+    [GLSL_UNPACK_SNORM4X8] = "fI",
+    [GLSL_UNPACK_UNORM4X8] = "fI",
+    [GLSL_LENGTH] = "Ff",
+    [GLSL_DISTANCE] = "Fff",
+    [GLSL_CROSS] = "fff",
+    [GLSL_NORMALIZE] = "ff",
+    [GLSL_FACE_FORWARD] = "ffff",
+    [GLSL_REFLECT] = "fff",
+    [GLSL_REFRACT] = "fffF",
+    [GLSL_FIND_I_LSB] = "ii",
+    [GLSL_FIND_S_MSB] = "ii",
+    [GLSL_FIND_U_MSB] = "ii",
+    [GLSL_NMIN] = "fff",
+    [GLSL_NMAX] = "fff",
+    [GLSL_NCLAMP] = "ffff",
+};
+
 // Operands of the instruction: component i of operand o, counted behind the number of the instruction.
 static uint32_t operand(struct shader_builder *builder, uint32_t o, uint32_t i)
 {
@@ -118,17 +191,17 @@ static uint32_t number(struct shader_builder *b, float value)
     return shader_number_float(b, value);
 }
 
-// Of whole numbers: is a < b, with or without a sign.
+// Return whether the whole number x is less than y, with or without a sign.
 static uint32_t smaller(struct shader_builder *b, uint32_t x, uint32_t y, bool is_signed)
 {
     return emit2(b, is_signed ? SHADER_ILESS : SHADER_ULESS, x, y);
 }
 
-// min and max of floats that give the other operand where one is NaN.
+// min and max of floats that give the other operand where one is NaN. FMIN and FMAX give y where x is NaN.
 static uint32_t number_min(struct shader_builder *b, uint32_t x, uint32_t y, bool takes_max)
 {
-    const uint32_t is_number = emit2(b, SHADER_FEQUAL, x, x);
-    return select(b, is_number, emit2(b, takes_max ? SHADER_FMAX : SHADER_FMIN, x, y), y);
+    const uint32_t is_number = emit2(b, SHADER_FEQUAL, y, y);
+    return select(b, is_number, emit2(b, takes_max ? SHADER_FMAX : SHADER_FMIN, x, y), x);
 }
 
 static uint32_t sign_of(struct shader_builder *b, uint32_t x)
@@ -166,46 +239,90 @@ static uint32_t smooth_step(struct shader_builder *b, uint32_t from, uint32_t to
     return emit2(b, SHADER_FMUL, emit2(b, SHADER_FMUL, t, t), rest);
 }
 
-// The instructions that work component by component, on up to three operands.
+// Instructions that are one operation of the form.
+struct plain_instruction {
+    uint8_t instruction, op, operands;
+};
+
+static const struct plain_instruction plain_instructions[] = {
+    {GLSL_ROUND, SHADER_ROUND_EVEN, 1},
+    {GLSL_ROUND_EVEN, SHADER_ROUND_EVEN, 1},
+    {GLSL_TRUNC, SHADER_TRUNC, 1},
+    {GLSL_FLOOR, SHADER_FLOOR, 1},
+    {GLSL_CEIL, SHADER_CEIL, 1},
+    {GLSL_SIN, SHADER_SIN, 1},
+    {GLSL_COS, SHADER_COS, 1},
+    {GLSL_TAN, SHADER_TAN, 1},
+    {GLSL_ASIN, SHADER_ASIN, 1},
+    {GLSL_ACOS, SHADER_ACOS, 1},
+    {GLSL_ATAN, SHADER_ATAN, 1},
+    {GLSL_SINH, SHADER_SINH, 1},
+    {GLSL_COSH, SHADER_COSH, 1},
+    {GLSL_TANH, SHADER_TANH, 1},
+    {GLSL_ASINH, SHADER_ASINH, 1},
+    {GLSL_ACOSH, SHADER_ACOSH, 1},
+    {GLSL_ATANH, SHADER_ATANH, 1},
+    {GLSL_ATAN2, SHADER_ATAN2, 2},
+    {GLSL_POW, SHADER_POW, 2},
+    {GLSL_EXP, SHADER_EXP, 1},
+    {GLSL_LOG, SHADER_LOG, 1},
+    {GLSL_EXP2, SHADER_EXP2, 1},
+    {GLSL_LOG2, SHADER_LOG2, 1},
+    {GLSL_SQRT, SHADER_FSQRT, 1},
+    {GLSL_INVERSE_SQRT, SHADER_RSQRT, 1},
+    {GLSL_FMIN, SHADER_FMIN, 2},
+    {GLSL_FMAX, SHADER_FMAX, 2},
+    {GLSL_LDEXP, SHADER_LDEXP, 2},
+    {GLSL_FIND_I_LSB, SHADER_FIND_LOWEST, 1},
+    {GLSL_FIND_U_MSB, SHADER_FIND_HIGHEST, 1},
+};
+
+static bool build_plain_instruction(struct shader_builder *b, uint32_t instruction, const uint32_t v[3],
+                                    uint32_t *result)
+{
+    for (size_t i = 0; i < sizeof plain_instructions / sizeof *plain_instructions; i++) {
+        const struct plain_instruction *const plain = &plain_instructions[i];
+        if (plain->instruction == instruction) {
+            *result = emit2(b, (enum shader_op)plain->op, v[0], plain->operands > 1 ? v[1] : 0);
+            return true;
+        }
+    }
+    return false;
+}
+
+// Hold a whole number within least..most.
+static uint32_t whole_clamp(struct shader_builder *b, uint32_t x, uint32_t least, uint32_t most,
+                            bool is_signed)
+{
+    const uint32_t above = select(b, smaller(b, x, least, is_signed), least, x);
+    return select(b, smaller(b, most, above, is_signed), most, above);
+}
+
+static uint32_t highest_of_signed(struct shader_builder *b, uint32_t x)
+{
+    const uint32_t sign = emit2(b, SHADER_SHIFT_RIGHT_SIGNED, x, shader_number(b, 31));
+    return emit1(b, SHADER_FIND_HIGHEST, emit2(b, SHADER_XOR, x, sign));
+}
+
+static uint32_t step(struct shader_builder *b, uint32_t edge, uint32_t x)
+{
+    return select(b, emit2(b, SHADER_FLESS, x, edge), number(b, 0.0f), number(b, 1.0f));
+}
+
+// Translate an instruction that works component by component, on up to three operands. Return false where the
+// instruction is none.
 static bool build_component(struct shader_builder *b, uint32_t instruction, const uint32_t v[3],
                             uint32_t *result)
 {
     const uint32_t x = v[0], y = v[1], z = v[2];
     switch (instruction) {
-    case GLSL_ROUND:
-    case GLSL_ROUND_EVEN: *result = emit1(b, SHADER_ROUND_EVEN, x); return true;
-    case GLSL_TRUNC: *result = emit1(b, SHADER_TRUNC, x); return true;
     case GLSL_FABS: *result = emit2(b, SHADER_AND, x, shader_number(b, ~SIGN_BIT)); return true;
     case GLSL_SABS: *result = whole_magnitude(b, x); return true;
     case GLSL_FSIGN: *result = sign_of(b, x); return true;
     case GLSL_SSIGN: *result = whole_sign_of(b, x); return true;
-    case GLSL_FLOOR: *result = emit1(b, SHADER_FLOOR, x); return true;
-    case GLSL_CEIL: *result = emit1(b, SHADER_CEIL, x); return true;
     case GLSL_FRACT: *result = emit2(b, SHADER_FSUB, x, emit1(b, SHADER_FLOOR, x)); return true;
     case GLSL_RADIANS: *result = emit2(b, SHADER_FMUL, x, number(b, 0.017453292519943295f)); return true;
     case GLSL_DEGREES: *result = emit2(b, SHADER_FMUL, x, number(b, 57.29577951308232f)); return true;
-    case GLSL_SIN: *result = emit1(b, SHADER_SIN, x); return true;
-    case GLSL_COS: *result = emit1(b, SHADER_COS, x); return true;
-    case GLSL_TAN: *result = emit1(b, SHADER_TAN, x); return true;
-    case GLSL_ASIN: *result = emit1(b, SHADER_ASIN, x); return true;
-    case GLSL_ACOS: *result = emit1(b, SHADER_ACOS, x); return true;
-    case GLSL_ATAN: *result = emit1(b, SHADER_ATAN, x); return true;
-    case GLSL_SINH: *result = emit1(b, SHADER_SINH, x); return true;
-    case GLSL_COSH: *result = emit1(b, SHADER_COSH, x); return true;
-    case GLSL_TANH: *result = emit1(b, SHADER_TANH, x); return true;
-    case GLSL_ASINH: *result = emit1(b, SHADER_ASINH, x); return true;
-    case GLSL_ACOSH: *result = emit1(b, SHADER_ACOSH, x); return true;
-    case GLSL_ATANH: *result = emit1(b, SHADER_ATANH, x); return true;
-    case GLSL_ATAN2: *result = emit2(b, SHADER_ATAN2, x, y); return true;
-    case GLSL_POW: *result = emit2(b, SHADER_POW, x, y); return true;
-    case GLSL_EXP: *result = emit1(b, SHADER_EXP, x); return true;
-    case GLSL_LOG: *result = emit1(b, SHADER_LOG, x); return true;
-    case GLSL_EXP2: *result = emit1(b, SHADER_EXP2, x); return true;
-    case GLSL_LOG2: *result = emit1(b, SHADER_LOG2, x); return true;
-    case GLSL_SQRT: *result = emit1(b, SHADER_FSQRT, x); return true;
-    case GLSL_INVERSE_SQRT: *result = emit1(b, SHADER_RSQRT, x); return true;
-    case GLSL_FMIN: *result = emit2(b, SHADER_FMIN, x, y); return true;
-    case GLSL_FMAX: *result = emit2(b, SHADER_FMAX, x, y); return true;
     case GLSL_NMIN: *result = number_min(b, x, y, false); return true;
     case GLSL_NMAX: *result = number_min(b, x, y, true); return true;
     case GLSL_UMIN: *result = select(b, smaller(b, y, x, false), y, x); return true;
@@ -214,28 +331,14 @@ static bool build_component(struct shader_builder *b, uint32_t instruction, cons
     case GLSL_SMAX: *result = select(b, smaller(b, x, y, true), y, x); return true;
     case GLSL_FCLAMP: *result = emit2(b, SHADER_FMIN, emit2(b, SHADER_FMAX, x, y), z); return true;
     case GLSL_NCLAMP: *result = number_min(b, number_min(b, x, y, true), z, false); return true;
-    case GLSL_UCLAMP:
-    case GLSL_SCLAMP: {
-        const bool is_signed = instruction == GLSL_SCLAMP;
-        const uint32_t above = select(b, smaller(b, x, y, is_signed), y, x);
-        *result = select(b, smaller(b, z, above, is_signed), z, above);
-        return true;
-    }
+    case GLSL_UCLAMP: *result = whole_clamp(b, x, y, z, false); return true;
+    case GLSL_SCLAMP: *result = whole_clamp(b, x, y, z, true); return true;
     case GLSL_FMIX: *result = mix(b, x, y, z); return true;
-    case GLSL_STEP:
-        *result = select(b, emit2(b, SHADER_FLESS, y, x), number(b, 0.0f), number(b, 1.0f));
-        return true;
+    case GLSL_STEP: *result = step(b, x, y); return true;
     case GLSL_SMOOTH_STEP: *result = smooth_step(b, x, y, z); return true;
     case GLSL_FMA: *result = emit2(b, SHADER_FADD, emit2(b, SHADER_FMUL, x, y), z); return true;
-    case GLSL_LDEXP: *result = emit2(b, SHADER_LDEXP, x, y); return true;
-    case GLSL_FIND_I_LSB: *result = emit1(b, SHADER_FIND_LOWEST, x); return true;
-    case GLSL_FIND_U_MSB: *result = emit1(b, SHADER_FIND_HIGHEST, x); return true;
-    case GLSL_FIND_S_MSB: {
-        const uint32_t sign = emit2(b, SHADER_SHIFT_RIGHT_SIGNED, x, shader_number(b, 31));
-        *result = emit1(b, SHADER_FIND_HIGHEST, emit2(b, SHADER_XOR, x, sign));
-        return true;
-    }
-    default: return false;
+    case GLSL_FIND_S_MSB: *result = highest_of_signed(b, x); return true;
+    default: return build_plain_instruction(b, instruction, v, result);
     }
 }
 
@@ -259,7 +362,7 @@ static void build_distance(struct shader_builder *b)
         sum = sum == SHADER_NO_VALUE ? square : emit2(b, SHADER_FADD, sum, square);
     }
     const uint32_t result = emit1(b, SHADER_FSQRT, sum);
-    shader_define(b, &result);
+    shader_define_scalar(b, result);
 }
 
 static void build_cross(struct shader_builder *b)
@@ -336,7 +439,7 @@ static bool build_vector(struct shader_builder *b, uint32_t instruction)
     switch (instruction) {
     case GLSL_LENGTH:
         result = emit1(b, SHADER_FSQRT, dot(b, 0, 0, count_of(b, 0)));
-        shader_define(b, &result);
+        shader_define_scalar(b, result);
         return true;
     case GLSL_DISTANCE: build_distance(b); return true;
     case GLSL_CROSS: build_cross(b); return true;
@@ -395,9 +498,12 @@ static void build_matrix(struct shader_builder *b, bool inverts)
     if (type->kind != SHADER_MATRIX || type->count != type->element->count) {
         shader_build_refuse(b, "id %u is no square matrix", (unsigned)id);
     }
+    if (shader_result_type(b) != (inverts ? type : type->element->element)) {
+        shader_build_refuse(b, "the result is %s", inverts ? "a matrix of the same type" : "a scalar of it");
+    }
     const uint32_t size = type->count, whole = determinant(b, m, size);
     if (!inverts) {
-        shader_define(b, &whole);
+        shader_define_scalar(b, whole);
         return;
     }
     uint32_t *const result = shader_new_scalars(b, type);
@@ -431,7 +537,7 @@ static void build_pack(struct shader_builder *b, uint32_t bits, bool is_signed)
                                      shader_number(b, (1u << bits) - 1));
         word = emit2(b, SHADER_OR, word, emit2(b, SHADER_SHIFT_LEFT, field, shader_number(b, i * bits)));
     }
-    shader_define(b, &word);
+    shader_define_scalar(b, word);
 }
 
 static void build_unpack(struct shader_builder *b, uint32_t bits, bool is_signed)
@@ -456,7 +562,7 @@ static void build_unpack(struct shader_builder *b, uint32_t bits, bool is_signed
 static void build_pack_halves(struct shader_builder *b)
 {
     const uint32_t word = emit2(b, SHADER_PACK_HALVES, operand(b, 0, 0), operand(b, 0, 1));
-    shader_define(b, &word);
+    shader_define_scalar(b, word);
 }
 
 static void build_unpack_halves(struct shader_builder *b)
@@ -470,28 +576,66 @@ static void build_unpack_halves(struct shader_builder *b)
     shader_define(b, result);
 }
 
+// The two results of modf or frexp of operand 0: `count` scalars each.
+static void split(struct shader_builder *b, bool is_frexp, uint32_t count, uint32_t *first, uint32_t *second)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t x = operand(b, 0, i);
+        if (is_frexp) {
+            first[i] = emit1(b, SHADER_FREXP_FRACTION, x);
+            second[i] = emit1(b, SHADER_FREXP_EXPONENT, x);
+        } else {
+            second[i] = emit1(b, SHADER_TRUNC, x);
+            first[i] = emit2(b, SHADER_FSUB, x, second[i]);
+        }
+    }
+}
+
+// Refuse a second result that is not what goes with a first one of this type.
+static void check_second(const struct shader_builder *b, bool is_frexp, const struct shader_type *first,
+                         const struct shader_type *second)
+{
+    const bool is_integer = (second->kind == SHADER_VECTOR ? second->element : second)->kind == SHADER_INT;
+    if (is_frexp ? !is_integer || second->scalars != first->scalars : second != first) {
+        shader_build_refuse(b, "the second result is of a type that does not fit");
+    }
+}
+
 // modf and frexp in the forms that give a structure.
 static void build_parts(struct shader_builder *b, bool is_frexp)
 {
     const struct shader_type *const type = shader_result_type(b);
-    const uint32_t count = type->scalars / 2;
-    uint32_t *const result = shader_new_scalars(b, type);
-    for (uint32_t i = 0; i < count; i++) {
-        const uint32_t x = operand(b, 0, i);
-        if (is_frexp) {
-            result[i] = emit1(b, SHADER_FREXP_FRACTION, x);
-            result[count + i] = emit1(b, SHADER_FREXP_EXPONENT, x);
-        } else {
-            result[count + i] = emit1(b, SHADER_TRUNC, x);
-            result[i] = emit2(b, SHADER_FSUB, x, result[count + i]);
-        }
+    if (type->kind != SHADER_STRUCT || type->count != 2) {
+        shader_build_refuse(b, "the result is a structure of two members");
     }
+    const struct shader_type *const first = type->members[0].type;
+    shader_check_types(b, first, "ff", 5);
+    check_second(b, is_frexp, first, type->members[1].type);
+    uint32_t *const result = shader_new_scalars(b, type);
+    split(b, is_frexp, first->scalars, result, result + first->scalars);
+    shader_define(b, result);
+}
+
+// modf and frexp in the forms that store the second result.
+static void build_stored_part(struct shader_builder *b, bool is_frexp)
+{
+    const struct shader_type *const type = shader_result_type(b);
+    const uint32_t pointer = shader_operand(b, 6);
+    shader_check_signature(b, "ff", 5);
+    const struct shader_type *const second = shader_place_of(b, pointer)->type;
+    check_second(b, is_frexp, type, second);
+    uint32_t *const result = shader_new_scalars(b, type), *const stored = shader_new_scalars(b, type);
+    split(b, is_frexp, type->scalars, result, stored);
+    shader_store(b, pointer, second, stored);
     shader_define(b, result);
 }
 
 void shader_build_glsl(struct shader_builder *builder)
 {
     const uint32_t instruction = shader_operand(builder, 4), operands = shader_word_count(builder) - 5;
+    if (instruction < sizeof signatures / sizeof *signatures && signatures[instruction]) {
+        shader_check_signature(builder, signatures[instruction], 5);
+    }
     if (build_vector(builder, instruction)) {
         return;
     }
@@ -510,6 +654,8 @@ void shader_build_glsl(struct shader_builder *builder)
     case GLSL_UNPACK_HALF2X16: build_unpack_halves(builder); return;
     case GLSL_MODF_STRUCT:
     case GLSL_FREXP_STRUCT: build_parts(builder, instruction == GLSL_FREXP_STRUCT); return;
+    case GLSL_MODF:
+    case GLSL_FREXP: build_stored_part(builder, instruction == GLSL_FREXP); return;
     default: break;
     }
     const struct shader_type *const type = shader_result_type(builder);

@@ -153,6 +153,19 @@ static void take_gradient(struct shader_builder *builder, struct image_access *a
     access->flags |= SHADER_IMAGE_HAS_GRADIENT;
 }
 
+// Return what the components of the result are.
+static enum shader_type_kind kind_of_result(const struct image_access *access)
+{
+    switch ((enum shader_image_operation)(access->flags & 15)) {
+    case SHADER_DO_SIZE:
+    case SHADER_DO_IMAGE_SIZE:
+    case SHADER_DO_LEVELS:
+    case SHADER_DO_SAMPLES: return SHADER_INT;
+    case SHADER_DO_QUERY_LOD: return SHADER_FLOAT;
+    default: return access->image->element->kind;
+    }
+}
+
 // Put the access into the code. Return its node, whose PARTs follow it.
 static uint32_t emit_access(struct shader_builder *builder, const struct image_access *access)
 {
@@ -169,6 +182,10 @@ static void finish_parts(struct shader_builder *builder, const struct image_acce
     uint32_t parts[4];
     if (type->scalars == 0 || type->scalars > 4) {
         shader_build_refuse(builder, "the result has 1 to 4 components");
+    }
+    const struct shader_type *const scalar = type->kind == SHADER_VECTOR ? type->element : type;
+    if (scalar->kind != kind_of_result(access)) {
+        shader_build_refuse(builder, "the result is not of the type that the image gives");
     }
     for (uint32_t i = 0; i < type->scalars; i++) {
         parts[i] = shader_emit_with(builder, SHADER_PART, order[i], sample, 0, 0);
@@ -339,14 +356,30 @@ static void build_texel_pointer(struct shader_builder *builder)
 
 static void build_sampled_image(struct shader_builder *builder)
 {
+    const struct shader_type *const type = shader_result_type(builder);
     const struct shader_place *const image = shader_place_of(builder, shader_operand(builder, 3));
     struct shader_place *const sampler = shader_place_of(builder, shader_operand(builder, 4));
+    if (type->kind != SHADER_SAMPLED_IMAGE ||
+        type->element != shader_type_of_value(builder, shader_operand(builder, 3))) {
+        shader_build_refuse(builder, "the result is not the sampled image of the type of the image");
+    }
     if (image->kind != SHADER_PLACE_RESOURCE || sampler->kind != SHADER_PLACE_RESOURCE ||
         shader_type_of_value(builder, shader_operand(builder, 4))->kind != SHADER_SAMPLER) {
         shader_build_refuse(builder, "a sampled image is made of an image and a sampler");
     }
     shader_define_place(builder, image);
     builder->built[shader_operand(builder, 2)].sampler = sampler;
+}
+
+// The image of a sampled image.
+static void build_image_of(struct shader_builder *builder)
+{
+    const uint32_t id = shader_operand(builder, 3);
+    const struct shader_type *const type = shader_type_of_value(builder, id);
+    if (type->kind != SHADER_SAMPLED_IMAGE || type->element != shader_result_type(builder)) {
+        shader_build_refuse(builder, "id %u is no sampled image of the type of the result", (unsigned)id);
+    }
+    shader_define_place(builder, shader_place_of(builder, id));
 }
 
 static void build_derivative(struct shader_builder *builder, uint32_t opcode)
@@ -356,6 +389,7 @@ static void build_derivative(struct shader_builder *builder, uint32_t opcode)
     const bool is_x = opcode == SPIRV_OP_DPdx || opcode == SPIRV_OP_DPdxFine || opcode == SPIRV_OP_DPdxCoarse;
     const bool is_y = opcode == SPIRV_OP_DPdy || opcode == SPIRV_OP_DPdyFine || opcode == SPIRV_OP_DPdyCoarse;
     uint32_t *const result = shader_new_scalars(builder, type);
+    shader_check_operands(builder, opcode);
     if (shader_type_of_value(builder, id) != type || builder->entry->model != SPIRV_FRAGMENT) {
         shader_build_refuse(builder, "a derivative is of the type of its operand, and in fragments alone");
     }
@@ -378,9 +412,7 @@ bool shader_build_image(struct shader_builder *builder, uint32_t opcode)
 {
     switch (opcode) {
     case SPIRV_OP_SampledImage: build_sampled_image(builder); return true;
-    case SPIRV_OP_Image:
-        shader_define_place(builder, shader_place_of(builder, shader_operand(builder, 3)));
-        return true;
+    case SPIRV_OP_Image: build_image_of(builder); return true;
     case SPIRV_OP_ImageTexelPointer: build_texel_pointer(builder); return true;
     case SPIRV_OP_ImageSampleImplicitLod: build_sample(builder, false, false, false); return true;
     case SPIRV_OP_ImageSampleExplicitLod: build_sample(builder, true, false, false); return true;

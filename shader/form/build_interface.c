@@ -4,59 +4,53 @@
 
 enum { COMPONENTS = 4, MAX_LOCATIONS = 32 };
 
+enum stage_set { IN_VERTEX = 1, IN_FRAGMENT = 2, IN_COMPUTE = 4 };
+
 struct built_in {
     enum spirv_built_in number;
     int slot; // the first component: enum shader_built_in of inputs, enum shader_output of outputs
     uint32_t components;
+    enum shader_type_kind kind; // of a component
+    enum stage_set stages;      // that have it
 };
 
 static const struct built_in built_in_inputs[] = {
-    {SPIRV_VERTEX_INDEX, SHADER_IN_VERTEX_INDEX, 1},
-    {SPIRV_INSTANCE_INDEX, SHADER_IN_INSTANCE_INDEX, 1},
-    {SPIRV_FRAG_COORD, SHADER_IN_COORD, 4},
-    {SPIRV_FRONT_FACING, SHADER_IN_FRONT_FACING, 1},
-    {SPIRV_PRIMITIVE_ID, SHADER_IN_PRIMITIVE, 1},
-    {SPIRV_SAMPLE_ID, SHADER_IN_SAMPLE_ID, 1},
-    {SPIRV_SAMPLE_POSITION, SHADER_IN_SAMPLE_POSITION, 2},
-    {SPIRV_SAMPLE_MASK, SHADER_IN_SAMPLE_MASK, 1},
-    {SPIRV_POINT_COORD, SHADER_IN_POINT_COORD, 2},
-    {SPIRV_LAYER, SHADER_IN_LAYER, 1},
-    {SPIRV_VIEWPORT_INDEX, SHADER_IN_VIEWPORT, 1},
-    {SPIRV_NUM_WORKGROUPS, SHADER_IN_WORKGROUP_COUNT, 3},
-    {SPIRV_WORKGROUP_ID, SHADER_IN_WORKGROUP, 3},
-    {SPIRV_LOCAL_INVOCATION_ID, SHADER_IN_LOCAL, 3},
-    {SPIRV_GLOBAL_INVOCATION_ID, SHADER_IN_GLOBAL, 3},
-    {SPIRV_LOCAL_INVOCATION_INDEX, SHADER_IN_LOCAL_INDEX, 1},
+    {SPIRV_VERTEX_INDEX, SHADER_IN_VERTEX_INDEX, 1, SHADER_INT, IN_VERTEX},
+    {SPIRV_INSTANCE_INDEX, SHADER_IN_INSTANCE_INDEX, 1, SHADER_INT, IN_VERTEX},
+    {SPIRV_FRAG_COORD, SHADER_IN_COORD, 4, SHADER_FLOAT, IN_FRAGMENT},
+    {SPIRV_FRONT_FACING, SHADER_IN_FRONT_FACING, 1, SHADER_BOOL, IN_FRAGMENT},
+    {SPIRV_PRIMITIVE_ID, SHADER_IN_PRIMITIVE, 1, SHADER_INT, IN_FRAGMENT},
+    {SPIRV_SAMPLE_ID, SHADER_IN_SAMPLE_ID, 1, SHADER_INT, IN_FRAGMENT},
+    {SPIRV_SAMPLE_POSITION, SHADER_IN_SAMPLE_POSITION, 2, SHADER_FLOAT, IN_FRAGMENT},
+    {SPIRV_SAMPLE_MASK, SHADER_IN_SAMPLE_MASK, 1, SHADER_INT, IN_FRAGMENT},
+    {SPIRV_POINT_COORD, SHADER_IN_POINT_COORD, 2, SHADER_FLOAT, IN_FRAGMENT},
+    {SPIRV_LAYER, SHADER_IN_LAYER, 1, SHADER_INT, IN_FRAGMENT},
+    {SPIRV_VIEWPORT_INDEX, SHADER_IN_VIEWPORT, 1, SHADER_INT, IN_FRAGMENT},
+    {SPIRV_NUM_WORKGROUPS, SHADER_IN_WORKGROUP_COUNT, 3, SHADER_INT, IN_COMPUTE},
+    {SPIRV_WORKGROUP_ID, SHADER_IN_WORKGROUP, 3, SHADER_INT, IN_COMPUTE},
+    {SPIRV_LOCAL_INVOCATION_ID, SHADER_IN_LOCAL, 3, SHADER_INT, IN_COMPUTE},
+    {SPIRV_GLOBAL_INVOCATION_ID, SHADER_IN_GLOBAL, 3, SHADER_INT, IN_COMPUTE},
+    {SPIRV_LOCAL_INVOCATION_INDEX, SHADER_IN_LOCAL_INDEX, 1, SHADER_INT, IN_COMPUTE},
 };
 
 static const struct built_in built_in_outputs[] = {
-    {SPIRV_POSITION, SHADER_OUT_POSITION, 4},
-    {SPIRV_POINT_SIZE, SHADER_OUT_POINT_SIZE, 1},
-    {SPIRV_CLIP_DISTANCE, SHADER_OUT_CLIP_DISTANCE, 8},
-    {SPIRV_CULL_DISTANCE, SHADER_OUT_CULL_DISTANCE, 8},
-    {SPIRV_LAYER, SHADER_OUT_LAYER, 1},
-    {SPIRV_VIEWPORT_INDEX, SHADER_OUT_VIEWPORT, 1},
-    {SPIRV_FRAG_DEPTH, SHADER_OUT_DEPTH, 1},
-    {SPIRV_SAMPLE_MASK, SHADER_OUT_SAMPLE_MASK, 1},
+    {SPIRV_POSITION, SHADER_OUT_POSITION, 4, SHADER_FLOAT, IN_VERTEX},
+    {SPIRV_POINT_SIZE, SHADER_OUT_POINT_SIZE, 1, SHADER_FLOAT, IN_VERTEX},
+    {SPIRV_CLIP_DISTANCE, SHADER_OUT_CLIP_DISTANCE, 8, SHADER_FLOAT, IN_VERTEX},
+    {SPIRV_CULL_DISTANCE, SHADER_OUT_CULL_DISTANCE, 8, SHADER_FLOAT, IN_VERTEX},
+    {SPIRV_LAYER, SHADER_OUT_LAYER, 1, SHADER_INT, IN_VERTEX},
+    {SPIRV_VIEWPORT_INDEX, SHADER_OUT_VIEWPORT, 1, SHADER_INT, IN_VERTEX},
+    {SPIRV_FRAG_DEPTH, SHADER_OUT_DEPTH, 1, SHADER_FLOAT, IN_FRAGMENT},
+    {SPIRV_SAMPLE_MASK, SHADER_OUT_SAMPLE_MASK, 1, SHADER_INT, IN_FRAGMENT},
 };
 
 // One input or output as it is walked: scalars of the variable get slots.
 struct interface_walk {
     struct shader_builder *builder;
     const struct shader_variable *variable;
-    uint32_t *scalars; // of the variable
+    uint32_t *scalars; // what the variable holds
     uint32_t next;     // scalar
 };
-
-static bool is_in_interface(const struct shader_builder *builder, uint32_t id)
-{
-    for (uint32_t i = 0; i < builder->entry->interface_count; i++) {
-        if (builder->entry->interface[i] == id) {
-            return true;
-        }
-    }
-    return false;
-}
 
 static uint32_t output_home(struct shader_builder *builder, uint32_t slot)
 {
@@ -72,6 +66,19 @@ static void add_scalar(struct interface_walk *walk, enum shader_op input, uint32
     walk->scalars[walk->next++] = walk->variable->storage == SPIRV_OUTPUT
                                       ? output_home(builder, slot)
                                       : shader_emit_with(builder, input, slot, 0, 0, 0);
+}
+
+static enum stage_set stage_of(const struct shader_builder *builder)
+{
+    return builder->entry->model == SPIRV_VERTEX     ? IN_VERTEX
+           : builder->entry->model == SPIRV_FRAGMENT ? IN_FRAGMENT
+                                                     : IN_COMPUTE;
+}
+
+// Return what the components of a scalar, vector or array of scalars are.
+static enum shader_type_kind component_kind(const struct shader_type *type)
+{
+    return type->kind == SHADER_VECTOR || type->kind == SHADER_ARRAY ? type->element->kind : type->kind;
 }
 
 static void add_built_in(struct interface_walk *walk, const struct shader_type *type, int number)
@@ -95,8 +102,11 @@ static void add_built_in(struct interface_walk *walk, const struct shader_type *
         return;
     }
     for (size_t i = 0; i < count; i++) {
-        if ((int)table[i].number != number) {
+        if ((int)table[i].number != number || (table[i].stages & stage_of(builder)) == 0) {
             continue;
+        }
+        if (component_kind(type) != table[i].kind) {
+            shader_build_refuse(builder, "built-in %d is declared with another type", number);
         }
         if (type->scalars > table[i].components) {
             shader_build_refuse(builder, "built-in %d has at most %u components", number,
@@ -107,7 +117,7 @@ static void add_built_in(struct interface_walk *walk, const struct shader_type *
         }
         return;
     }
-    shader_build_refuse(builder, "built-in %d is not supported as %s", number,
+    shader_build_refuse(builder, "built-in %d is not supported in this stage as %s", number,
                         is_output ? "an output" : "an input");
 }
 
@@ -135,6 +145,9 @@ static uint32_t add_located(struct interface_walk *walk, const struct shader_typ
         return location;
     default: break;
     }
+    if (component_kind(type) != SHADER_FLOAT && component_kind(type) != SHADER_INT) {
+        shader_build_refuse(builder, "inputs and outputs at locations are floats and integers");
+    }
     const uint32_t first = walk->variable->storage == SPIRV_OUTPUT ? SHADER_OUT_VARYING : 0;
     for (uint32_t i = 0; i < scalars; i++) {
         add_scalar(walk, SHADER_INPUT, first + location * COMPONENTS + component + i);
@@ -145,8 +158,8 @@ static uint32_t add_located(struct interface_walk *walk, const struct shader_typ
 void shader_build_interface_variable(struct shader_builder *builder, const struct shader_variable *variable,
                                      struct shader_place *place)
 {
-    if (!is_in_interface(builder, variable->id)) {
-        return; // of another entry point
+    if (!builder->is_in_interface[variable->id]) {
+        return; // another entry point has it
     }
     const struct shader_type *const type = variable->type;
     struct interface_walk walk = {builder, variable, shader_new_scalars(builder, type), 0};

@@ -3,7 +3,7 @@
 // shader is translated, with indices that may be known when it runs.
 #include "build.h"
 
-enum { MAX_CANDIDATES = 1024, SHADER_MAX_WORKGROUP = 32768 };
+enum { MAX_CANDIDATES = 1024, MAX_VARIABLES = 4096, SHADER_MAX_WORKGROUP = 32768 };
 
 // Scalars of a type in the memory of a workgroup, where arrays may be larger than values.
 static uint64_t shared_scalars(const struct shader_type *type)
@@ -19,6 +19,10 @@ static uint32_t add_resource(struct shader_builder *builder, const struct shader
                              const struct shader_type *element, uint32_t count)
 {
     struct shader_program *const program = builder->program;
+    if (program->resource_count == MAX_VARIABLES) {
+        shader_build_refuse(builder, "the module has more than %d buffers, images and samplers",
+                            MAX_VARIABLES);
+    }
     if (!program->resources) {
         program->resources =
             shader_take(builder->memory, builder->module->variable_count, sizeof *program->resources);
@@ -46,6 +50,7 @@ static void build_resource(struct shader_builder *builder, const struct shader_v
         shader_build_refuse(builder, "a resource is a block in a buffer, an image or a sampler");
     }
     place->kind = is_buffer ? SHADER_PLACE_BUFFER : SHADER_PLACE_RESOURCE;
+    place->is_read_only = variable->storage == SPIRV_UNIFORM && !element->is_buffer_block;
     place->resource = add_resource(builder, variable, element, count);
     if (!place->is_array_of_resources) {
         place->buffer =
@@ -80,6 +85,7 @@ void shader_build_variable(struct shader_builder *builder, const struct shader_v
     case SPIRV_STORAGE_BUFFER: build_resource(builder, variable, &place); break;
     case SPIRV_PUSH_CONSTANT:
         place.kind = SHADER_PLACE_BUFFER;
+        place.is_read_only = true;
         place.buffer = shader_emit_with(builder, SHADER_PUSH, 0, 0, 0, 0);
         break;
     case SPIRV_INPUT:
@@ -120,7 +126,11 @@ static void step_bytes(struct shader_builder *builder, struct shader_place *plac
         shader_build_refuse(builder, "the array or matrix has no stride");
     }
     if (shader_is_number(builder, index, &number)) {
-        place->bytes += number * bytes;
+        const uint64_t offset = place->bytes + (uint64_t)number * bytes;
+        if (offset > INT32_MAX) {
+            shader_build_refuse(builder, "element %u lies beyond %d bytes", (unsigned)number, INT32_MAX);
+        }
+        place->bytes = (uint32_t)offset;
         return;
     }
     const uint32_t more = shader_emit(builder, SHADER_IMUL, index, shader_number(builder, bytes), 0);
@@ -131,7 +141,11 @@ static void step_bytes(struct shader_builder *builder, struct shader_place *plac
 static void step_in_memory(struct shader_builder *builder, struct shader_place *place, uint32_t index)
 {
     const struct shader_type *const type = place->type;
-    uint32_t stride = 0;
+    uint32_t stride = 0, number;
+    if (type->kind != SHADER_RUNTIME_ARRAY && shader_is_number(builder, index, &number) &&
+        number >= type->count) {
+        shader_build_refuse(builder, "there is no element %u of %u", (unsigned)number, (unsigned)type->count);
+    }
     if (place->kind == SHADER_PLACE_WORKGROUP) {
         step_bytes(builder, place, index, 4 * (uint32_t)shared_scalars(type->element));
         return;
@@ -178,11 +192,8 @@ static void step_in_struct(struct shader_builder *builder, struct shader_place *
                             (unsigned)place->type->count);
     }
     const struct shader_member *const member = &place->type->members[number];
-    const uint32_t before = place->first;
-    for (uint32_t m = 0; m < number; m++) {
-        place->first += place->type->members[m].type->scalars;
-    }
-    place->bytes += place->kind == SHADER_PLACE_WORKGROUP ? 4 * (place->first - before) : member->offset;
+    place->first += member->first;
+    place->bytes += place->kind == SHADER_PLACE_WORKGROUP ? 4 * member->first : member->offset;
     place->matrix = member;
     place->type = member->type;
 }
@@ -297,12 +308,28 @@ static void check_candidates(const struct shader_builder *builder, const struct 
 static uint32_t access_word(struct shader_builder *builder, const struct shader_place *place,
                             const uint32_t *value)
 {
-    if (place->type->kind != SHADER_BOOL && place->type->bits != 32) {
+    const bool is_bool = place->type->kind == SHADER_BOOL;
+    if (!is_bool && place->bytes % 4 != 0) {
+        shader_build_refuse(builder, "a number of 32 bits does not lie at a multiple of 4 bytes, but at %u",
+                            (unsigned)place->bytes);
+    }
+    if (is_bool && place->kind != SHADER_PLACE_WORKGROUP) {
+        shader_build_refuse(builder, "there are no bools in memory that has a layout");
+    }
+    if (!is_bool && place->type->bits != 32) {
         shader_build_refuse(builder, "memory of %d bits is not supported", place->type->bits);
     }
     const uint32_t offset = place->offset == SHADER_NO_VALUE ? shader_number(builder, 0) : place->offset;
-    return value ? shader_emit_with(builder, SHADER_STORE, place->bytes, place->buffer, offset, *value)
-                 : shader_emit_with(builder, SHADER_LOAD, place->bytes, place->buffer, offset, 0);
+    if (value) {
+        return shader_emit_with(builder, SHADER_STORE, place->bytes, place->buffer, offset, *value);
+    }
+    const uint32_t loaded = shader_emit_with(builder, SHADER_LOAD, place->bytes, place->buffer, offset, 0);
+    if (!is_bool) {
+        return loaded;
+    }
+    // A store that an index led astray may have written any bits there. A truth is −1 or 0.
+    return shader_emit(builder, SHADER_NOT,
+                       shader_emit(builder, SHADER_IEQUAL, loaded, shader_number(builder, 0), 0), 0, 0);
 }
 
 // Load or store all scalars of a place, in order.
@@ -350,6 +377,9 @@ static void read_place(struct shader_builder *builder, const struct shader_place
 
 static void write_place(struct shader_builder *builder, const struct shader_place *place, uint32_t *scalars)
 {
+    if (place->is_read_only) {
+        shader_build_refuse(builder, "uniform blocks and push constants cannot be stored to");
+    }
     if (place->kind == SHADER_PLACE_BUFFER || place->kind == SHADER_PLACE_WORKGROUP) {
         access_memory(builder, place, &scalars, true);
         return;
@@ -376,6 +406,16 @@ static void build_load(struct shader_builder *builder)
     uint32_t *const scalars = shader_new_scalars(builder, place->type);
     read_place(builder, place, scalars);
     shader_define(builder, scalars);
+}
+
+void shader_store(struct shader_builder *builder, uint32_t pointer, const struct shader_type *type,
+                  uint32_t *scalars)
+{
+    const struct shader_place *const place = shader_place_of(builder, pointer);
+    if (place->type != type || place->is_array_of_resources) {
+        shader_build_refuse(builder, "the value is not of the type of what is pointed to");
+    }
+    write_place(builder, place, scalars);
 }
 
 static void build_store(struct shader_builder *builder)
@@ -410,8 +450,10 @@ static void build_array_length(struct shader_builder *builder)
     const struct shader_place *const place = shader_place_of(builder, shader_operand(builder, 3));
     const uint32_t number = shader_operand(builder, 4);
     const struct shader_type *const type = place->type;
-    if (place->kind != SHADER_PLACE_BUFFER || type->kind != SHADER_STRUCT || number + 1 != type->count ||
-        type->members[number].type->kind != SHADER_RUNTIME_ARRAY || type->members[number].type->stride == 0) {
+    if (place->kind != SHADER_PLACE_BUFFER || place->is_array_of_resources ||
+        builder->program->nodes[place->buffer].op != SHADER_BUFFER || type->kind != SHADER_STRUCT ||
+        number + 1 != type->count || type->members[number].type->kind != SHADER_RUNTIME_ARRAY ||
+        type->members[number].type->stride == 0) {
         shader_build_refuse(builder, "the last member of the block is no array without a length");
     }
     const struct shader_member *const member = &type->members[number];
@@ -422,7 +464,7 @@ static void build_array_length(struct shader_builder *builder)
     const uint32_t behind = shader_emit(builder, SHADER_SELECT, is_short, shader_number(builder, 0), rest);
     const uint32_t length =
         shader_emit(builder, SHADER_UDIV, behind, shader_number(builder, member->type->stride), 0);
-    shader_define(builder, &length);
+    shader_define_scalar(builder, length);
 }
 
 // Atomics --------------------------------------------------------------------------------------------
@@ -462,7 +504,7 @@ static uint32_t emit_atomic(struct shader_builder *builder, enum shader_atomic o
                        operation == SHADER_ATOMIC_EXCHANGE;
     if ((place->kind != SHADER_PLACE_BUFFER && place->kind != SHADER_PLACE_WORKGROUP &&
          place->kind != SHADER_PLACE_TEXEL) ||
-        place->is_array_of_resources || place->type->bits != 32 ||
+        place->is_read_only || place->is_array_of_resources || place->type->bits != 32 ||
         (place->type->kind != SHADER_INT && (place->type->kind != SHADER_FLOAT || !moves))) {
         shader_build_refuse(builder, "id %u does not point to %s of 32 bits in memory", (unsigned)pointer,
                             moves ? "a number" : "an integer");
@@ -481,13 +523,21 @@ static uint32_t emit_atomic(struct shader_builder *builder, enum shader_atomic o
 
 static uint32_t atomic_value(struct shader_builder *builder, uint32_t operand)
 {
-    return shader_scalars(builder, shader_operand(builder, operand))[0];
+    const uint32_t id = shader_operand(builder, operand);
+    if (shader_type_of_value(builder, id)->kind != SHADER_INT) {
+        shader_build_refuse(builder, "id %u is no integer", (unsigned)id);
+    }
+    return shader_scalars(builder, id)[0];
 }
 
 static bool build_atomic(struct shader_builder *builder, uint32_t opcode)
 {
     enum shader_atomic operation;
     uint32_t before;
+    if (opcode >= SPIRV_OP_AtomicLoad && opcode <= SPIRV_OP_AtomicXor && opcode != SPIRV_OP_AtomicStore &&
+        shader_result_type(builder) != shader_place_of(builder, shader_operand(builder, 3))->type) {
+        shader_build_refuse(builder, "the result is not of the type of what is pointed to");
+    }
     if (opcode == SPIRV_OP_AtomicStore) {
         (void)emit_atomic(builder, SHADER_ATOMIC_STORE, shader_operand(builder, 1), atomic_value(builder, 4),
                           0);
@@ -511,7 +561,7 @@ static bool build_atomic(struct shader_builder *builder, uint32_t opcode)
     } else {
         return false;
     }
-    shader_define(builder, &before);
+    shader_define_scalar(builder, before);
     return true;
 }
 

@@ -128,9 +128,6 @@ static void define_shuffled(struct shader_builder *builder, uint32_t from)
 {
     const uint32_t id = shader_operand(builder, 4);
     const struct shader_type *const type = shader_result_type(builder);
-    if (shader_type_of_value(builder, id) != type) {
-        shader_build_refuse(builder, "id %u is of another type", (unsigned)id);
-    }
     uint32_t *const result = shader_new_scalars(builder, type);
     for (uint32_t i = 0; i < type->scalars; i++) {
         result[i] = shader_emit(builder, SHADER_SHUFFLE, shader_scalars(builder, id)[i], from, 0);
@@ -227,9 +224,8 @@ static bool build_scan(struct shader_builder *builder, uint32_t opcode)
     }
     const uint32_t reach = shader_operand(builder, 4), id = shader_operand(builder, 5);
     const struct shader_type *const type = shader_result_type(builder);
-    if (reach > CLUSTERED_REDUCE || shader_type_of_value(builder, id) != type) {
-        shader_build_refuse(builder, "the group operation or the type of id %u is not supported",
-                            (unsigned)id);
+    if (reach > CLUSTERED_REDUCE) {
+        shader_build_refuse(builder, "group operation %u is not supported", (unsigned)reach);
     }
     const uint32_t immediate = (uint32_t)scan |
                                (reach == CLUSTERED_REDUCE ? 0 : reach) << SHADER_SCAN_REACH_SHIFT |
@@ -243,6 +239,35 @@ static bool build_scan(struct shader_builder *builder, uint32_t opcode)
 }
 
 // ------------------------------------------------------------------------------------------------------
+
+// Check the types of the result and the operands, in the letters of signature.c.
+static void check_types(struct shader_builder *builder, uint32_t opcode)
+{
+    switch (opcode) {
+    case SPIRV_OP_GroupNonUniformElect: shader_check_signature(builder, "B", 4); return;
+    case SPIRV_OP_GroupNonUniformAll:
+    case SPIRV_OP_GroupNonUniformAny: shader_check_signature(builder, "BB", 4); return;
+    case SPIRV_OP_GroupNonUniformAllEqual: shader_check_signature(builder, "B", 4); return;
+    case SPIRV_OP_GroupNonUniformInverseBallot: shader_check_signature(builder, "Bi", 4); return;
+    case SPIRV_OP_GroupNonUniformBallotBitExtract: shader_check_signature(builder, "BiI", 4); return;
+    case SPIRV_OP_GroupNonUniformBallotBitCount: shader_check_signature(builder, "Ii", 5); return;
+    case SPIRV_OP_GroupNonUniformBallotFindLSB:
+    case SPIRV_OP_GroupNonUniformBallotFindMSB: shader_check_signature(builder, "Ii", 4); return;
+    case SPIRV_OP_GroupNonUniformBallot: shader_check_signature(builder, "iB", 4); return;
+    case SPIRV_OP_GroupNonUniformBroadcastFirst: shader_check_signature(builder, "tt", 4); return;
+    case SPIRV_OP_GroupNonUniformFAdd:
+    case SPIRV_OP_GroupNonUniformFMul:
+    case SPIRV_OP_GroupNonUniformFMin:
+    case SPIRV_OP_GroupNonUniformFMax: shader_check_signature(builder, "ff", 5); return;
+    case SPIRV_OP_GroupNonUniformLogicalAnd:
+    case SPIRV_OP_GroupNonUniformLogicalOr:
+    case SPIRV_OP_GroupNonUniformLogicalXor: shader_check_signature(builder, "bb", 5); return;
+    default: break;
+    }
+    const bool is_scan =
+        opcode >= SPIRV_OP_GroupNonUniformIAdd && opcode <= SPIRV_OP_GroupNonUniformBitwiseXor;
+    shader_check_signature(builder, is_scan ? "ii" : "ttI", is_scan ? 5 : 4);
+}
 
 // Return the value of an instruction that has one of 32 bits, or SHADER_NO_VALUE.
 static uint32_t build_number(struct shader_builder *builder, uint32_t opcode)
@@ -274,11 +299,9 @@ bool shader_build_subgroup(struct shader_builder *builder, uint32_t opcode)
     if (builder->entry->model != SPIRV_COMPUTE && opcode != SPIRV_OP_GroupNonUniformElect) {
         shader_build_refuse(builder, "vertex and fragment shaders have no subgroup operation but elect");
     }
+    check_types(builder, opcode);
     const uint32_t number = build_number(builder, opcode);
     if (number != SHADER_NO_VALUE) {
-        if (shader_result_type(builder)->scalars != 1) {
-            shader_build_refuse(builder, "the result is a scalar");
-        }
         shader_define(builder, &number);
         return true;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // See pass.h.
 #include "pass.h"
+#include "uses.h"
 
 // A copy may be read as its home where the home is not set from the copy to its last reader. A reader in a loop that
 // began behind the copy reads in every round, so then the whole loop counts.
@@ -9,15 +10,14 @@
 struct copies {
     uint32_t *place;     // by value: number in the code, plus 1
     uint32_t *last_read; // by value: number in the code
-    uint32_t *set_first; // by home: first of `set_next` that sets it, plus 1
-    uint32_t *set_next;  // by place
+    struct shader_uses uses;
 };
 
 static void find_readers(const struct shader_program *program, struct copies *copies)
 {
     // Begin and end of the loops that are open.
     uint32_t *const loop_end = shader_take(program->memory, program->code_count + 1, sizeof *loop_end);
-    uint32_t stack[SHADER_MAX_NESTING + 1], depth = 0;
+    uint32_t stack[SHADER_MAX_DEPTH], depth = 0;
     for (uint32_t i = program->code_count; i-- > 0;) {
         const uint16_t op = program->nodes[program->code[i]].op;
         if (op == SHADER_END_LOOP) {
@@ -32,10 +32,6 @@ static void find_readers(const struct shader_program *program, struct copies *co
         struct shader_node *const node = &program->nodes[value];
         const enum shader_op op = (enum shader_op)node->op;
         copies->place[value] = i + 1;
-        if (op == SHADER_SET) {
-            copies->set_next[i] = copies->set_first[node->operands[0]];
-            copies->set_first[node->operands[0]] = i + 1;
-        }
         uint32_t operand_count;
         const uint32_t *const operands = shader_operands(program, node, &operand_count);
         for (uint32_t o = 0; o < operand_count; o++) {
@@ -58,24 +54,29 @@ static void find_readers(const struct shader_program *program, struct copies *co
     }
 }
 
+// Return true if a home is set behind place `from`, up to place `to`.
 static bool is_set_between(const struct copies *copies, uint32_t home, uint32_t from, uint32_t to)
 {
-    for (uint32_t s = copies->set_first[home]; s != 0; s = copies->set_next[s - 1]) {
-        if (s - 1 > from && s - 1 <= to) {
-            return true;
+    const uint32_t end = copies->uses.first_set[home + 1];
+    uint32_t low = copies->uses.first_set[home], high = end;
+    while (low < high) { // the first that stands behind `from`
+        const uint32_t middle = (low + high) / 2;
+        if (copies->uses.sets[middle] <= from) {
+            low = middle + 1;
+        } else {
+            high = middle;
         }
     }
-    return false;
+    return low < end && copies->uses.sets[low] <= to;
 }
 
 void shader_forward_copies(struct shader_program *program)
 {
     struct shader_memory *const memory = program->memory;
     struct copies copies = {.place = shader_take(memory, program->node_count, sizeof(uint32_t)),
-                            .last_read = shader_take(memory, program->node_count, sizeof(uint32_t)),
-                            .set_first = shader_take(memory, program->node_count, sizeof(uint32_t)),
-                            .set_next = shader_take(memory, program->code_count + 1, sizeof(uint32_t))};
+                            .last_read = shader_take(memory, program->node_count, sizeof(uint32_t))};
     uint32_t *const stands_for = shader_take(memory, program->node_count, sizeof *stands_for);
+    shader_find_uses(program, &copies.uses);
     find_readers(program, &copies);
     for (uint32_t i = 0; i < program->code_count; i++) {
         const uint32_t value = program->code[i];

@@ -1,27 +1,50 @@
 // SPDX-License-Identifier: MIT
 // See pass.h.
 #include "pass.h"
+#include "uses.h"
 
-// Mark what effects read, from the end to the beginning. A SET counts where its home is read anywhere, so rounds go on
-// until nothing new is found.
-static void mark(const struct shader_program *program, bool *is_read)
+// Values that are read, and those of them whose operands are still to be marked.
+struct marks {
+    bool *is_read;
+    uint32_t *todo;
+    uint32_t count;
+};
+
+static void mark_read(struct marks *marks, uint32_t value)
 {
-    for (bool found = true; found;) {
-        found = false;
-        for (uint32_t i = program->code_count; i-- > 0;) {
-            const uint32_t value = program->code[i];
-            struct shader_node *const node = &program->nodes[value];
-            const enum shader_op op = (enum shader_op)node->op;
-            const enum shader_op_kind kind = shader_op_kind_of(op);
-            const bool counts =
-                op == SHADER_SET ? is_read[node->operands[0]]
-                                 : kind == SHADER_KIND_EFFECT || kind == SHADER_KIND_FLOW || is_read[value];
-            uint32_t operand_count;
-            const uint32_t *const operands = shader_operands(program, node, &operand_count);
-            for (uint32_t o = op == SHADER_SET ? 1 : 0; counts && o < operand_count; o++) {
-                found = found || !is_read[operands[o]];
-                is_read[operands[o]] = true;
-            }
+    if (!marks->is_read[value]) {
+        marks->is_read[value] = true;
+        marks->todo[marks->count++] = value;
+    }
+}
+
+static void mark_operands(const struct shader_program *program, struct marks *marks, uint32_t value)
+{
+    uint32_t count;
+    const uint32_t *const operands = shader_operands(program, &program->nodes[value], &count);
+    for (uint32_t o = 0; o < count; o++) {
+        mark_read(marks, operands[o]);
+    }
+}
+
+// Mark what effects and structure read, and what that reads. A SET counts where its home is read anywhere.
+static void mark(const struct shader_program *program, struct marks *marks)
+{
+    struct shader_uses uses;
+    shader_find_uses(program, &uses);
+    for (uint32_t i = 0; i < program->code_count; i++) {
+        const uint32_t value = program->code[i];
+        const enum shader_op op = (enum shader_op)program->nodes[value].op;
+        const enum shader_op_kind kind = shader_op_kind_of(op);
+        if (op != SHADER_SET && (kind == SHADER_KIND_EFFECT || kind == SHADER_KIND_FLOW)) {
+            mark_operands(program, marks, value);
+        }
+    }
+    while (marks->count > 0) {
+        const uint32_t value = marks->todo[--marks->count];
+        mark_operands(program, marks, value);
+        for (uint32_t s = uses.first_set[value]; s < uses.first_set[value + 1]; s++) {
+            mark_read(marks, program->nodes[program->code[uses.sets[s]]].operands[1]);
         }
     }
 }
@@ -72,8 +95,9 @@ static bool sweep(struct shader_program *program, const bool *is_read)
 
 void shader_remove_dead(struct shader_program *program)
 {
-    bool *const is_read = shader_take(program->memory, program->node_count, sizeof *is_read);
-    mark(program, is_read);
-    while (sweep(program, is_read)) {
+    struct marks marks = {.is_read = shader_take(program->memory, program->node_count, sizeof(bool)),
+                          .todo = shader_take(program->memory, program->node_count, sizeof(uint32_t))};
+    mark(program, &marks);
+    while (sweep(program, marks.is_read)) {
     }
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Derivatives. That of an input is analytic. That of anything else is a difference in the 2×2 quad (Vulkan 1.3,
-// "Derivative Operations"): what the value depends on is computed a second time, as it is at the partner pixel, which is
-// (x ^ 1, y) for d/dx and (x, y ^ 1) for d/dy. Each lane does so for itself, so there are no helper lanes.
+// Derivatives. The derivative of an input is analytic. That of anything else is a difference in the 2×2 quad (Vulkan
+// 1.3, "Derivative Operations"): what the value depends on is computed a second time, as it is at the partner pixel,
+// which is (x ^ 1, y) for d/dx and (x, y ^ 1) for d/dy. Each lane does so for itself, so there are no helper lanes.
 #include "pass.h"
+#include "uses.h"
 
 #define NONE UINT32_MAX
 
@@ -10,7 +11,7 @@
 struct direction {
     struct shader_program *program;
     enum shader_op derivative, analytic, beside; // DDX, INPUT_DX, INPUT_BESIDE, or those of y
-    uint32_t axis;                               // of the coordinates: 0 or 1
+    uint32_t axis;                               // 0: x, 1: y
     bool *is_needed;                             // by value: at the partner pixel
     bool *differs;                               // by value: at the partner pixel it may be another
     uint32_t *partner;                           // by value: its value there, or NONE
@@ -25,46 +26,89 @@ static bool is_coordinate(const struct shader_node *node, uint32_t axis)
     return node->op == SHADER_BUILT_IN && node->immediate == SHADER_IN_COORD + axis;
 }
 
-// Mark values that may be others at the partner pixel, and among them those that derivatives need there.
-static void mark(struct direction *direction)
+// Values that were marked, and whose neighbours are still to be looked at.
+struct worklist {
+    bool *is_marked;
+    uint32_t *todo;
+    uint32_t count;
+};
+
+static void mark_value(struct worklist *list, uint32_t value)
+{
+    if (!list->is_marked[value]) {
+        list->is_marked[value] = true;
+        list->todo[list->count++] = value;
+    }
+}
+
+// A derivative is one number for the whole quad, and an effect happens once.
+static bool may_differ(const struct shader_node *node)
+{
+    return node->op != SHADER_DDX && node->op != SHADER_DDY && node->op != SHADER_ATOMIC &&
+           node->op != SHADER_IMAGE_ATOMIC;
+}
+
+// Mark values that may be others at the partner pixel.
+static void mark_different(const struct direction *direction, const struct shader_uses *uses, uint32_t *todo)
 {
     struct shader_program *const program = direction->program;
-    for (bool changed = true; changed;) {
-        changed = false;
-        for (uint32_t i = 0; i < program->code_count; i++) {
-            const uint32_t value = program->code[i];
-            struct shader_node *const node = &program->nodes[value];
-            uint32_t count;
-            const uint32_t *const operands = shader_operands(program, node, &count);
-            bool differs = node->op == SHADER_INPUT || is_coordinate(node, direction->axis);
-            for (uint32_t o = node->op == SHADER_SET ? 1 : 0; o < count; o++) {
-                differs = differs || direction->differs[operands[o]];
-            }
-            // A derivative is one number for the whole quad, and effects happen once.
-            differs = differs && node->op != SHADER_DDX && node->op != SHADER_DDY &&
-                      node->op != SHADER_ATOMIC && node->op != SHADER_IMAGE_ATOMIC;
-            const uint32_t result = node->op == SHADER_SET ? node->operands[0] : value;
-            changed = changed || (differs && !direction->differs[result]);
-            direction->differs[result] = direction->differs[result] || differs;
+    struct worklist list = {direction->differs, todo, 0};
+    for (uint32_t i = 0; i < program->code_count; i++) {
+        const struct shader_node *const node = &program->nodes[program->code[i]];
+        if (node->op == SHADER_INPUT || is_coordinate(node, direction->axis)) {
+            mark_value(&list, program->code[i]);
         }
-        for (uint32_t i = program->code_count; i-- > 0;) {
-            const uint32_t value = program->code[i];
-            struct shader_node *const node = &program->nodes[value];
-            uint32_t count;
-            const uint32_t *const operands = shader_operands(program, node, &count);
-            const bool is_home = node->op == SHADER_SET;
-            const bool is_derivative = node->op == direction->derivative;
-            if (is_derivative ? program->nodes[operands[0]].op == SHADER_INPUT
-                              : !direction->is_needed[is_home ? node->operands[0] : value]) {
-                continue;
-            }
-            for (uint32_t o = is_home ? 1 : 0; o < count; o++) {
-                const bool needs = direction->differs[operands[o]];
-                changed = changed || (needs && !direction->is_needed[operands[o]]);
-                direction->is_needed[operands[o]] = direction->is_needed[operands[o]] || needs;
+    }
+    while (list.count > 0) {
+        const uint32_t value = list.todo[--list.count];
+        for (uint32_t r = uses->first_reader[value]; r < uses->first_reader[value + 1]; r++) {
+            const struct shader_node *const reader = &program->nodes[uses->readers[r]];
+            if (may_differ(reader)) {
+                mark_value(&list, reader->op == SHADER_SET ? reader->operands[0] : uses->readers[r]);
             }
         }
     }
+}
+
+// Mark those among them that derivatives need at the partner pixel.
+static void mark_needed(const struct direction *direction, const struct shader_uses *uses, uint32_t *todo)
+{
+    struct shader_program *const program = direction->program;
+    struct worklist list = {direction->is_needed, todo, 0};
+    for (uint32_t i = 0; i < program->code_count; i++) {
+        const struct shader_node *const node = &program->nodes[program->code[i]];
+        const uint32_t operand = node->operands[0];
+        if (node->op == direction->derivative && program->nodes[operand].op != SHADER_INPUT &&
+            direction->differs[operand]) {
+            mark_value(&list, operand);
+        }
+    }
+    while (list.count > 0) {
+        const uint32_t value = list.todo[--list.count];
+        uint32_t count;
+        const uint32_t *const operands = shader_operands(program, &program->nodes[value], &count);
+        for (uint32_t o = 0; o < count; o++) {
+            if (direction->differs[operands[o]]) {
+                mark_value(&list, operands[o]);
+            }
+        }
+        for (uint32_t s = uses->first_set[value]; s < uses->first_set[value + 1]; s++) {
+            const uint32_t set_to = program->nodes[program->code[uses->sets[s]]].operands[1];
+            if (direction->differs[set_to]) {
+                mark_value(&list, set_to);
+            }
+        }
+    }
+}
+
+static void mark(const struct direction *direction)
+{
+    const struct shader_program *const program = direction->program;
+    uint32_t *const todo = shader_take(program->memory, program->node_count, sizeof *todo);
+    struct shader_uses uses;
+    shader_find_uses(program, &uses);
+    mark_different(direction, &uses, todo);
+    mark_needed(direction, &uses, todo);
 }
 
 static void put(struct direction *direction, uint32_t node)

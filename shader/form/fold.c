@@ -32,8 +32,8 @@ static bool fold_float(enum shader_op op, float a, float b, uint32_t *result)
     case SHADER_FSUB: *result = as_bits(a - b); break;
     case SHADER_FMUL: *result = as_bits(a * b); break;
     case SHADER_FDIV: *result = as_bits(a / b); break;
-    case SHADER_FMIN: *result = as_bits(b < a ? b : a); break;
-    case SHADER_FMAX: *result = as_bits(a < b ? b : a); break;
+    case SHADER_FMIN: *result = as_bits(a < b ? a : b); break;
+    case SHADER_FMAX: *result = as_bits(a > b ? a : b); break;
     case SHADER_FSQRT: *result = as_bits(sqrtf(a)); break;
     case SHADER_FLOOR: *result = as_bits(floorf(a)); break;
     case SHADER_CEIL: *result = as_bits(ceilf(a)); break;

@@ -51,6 +51,8 @@ uint32_t shader_add_node(struct shader_program *program, enum shader_op op, uint
                       SHADER_MAX_NODES);
     }
     if (program->node_count == program->node_room) {
+        size_t room = program->node_room;
+        program->origins = shader_grow(program->memory, program->origins, &room, sizeof *program->origins);
         program->nodes =
             shader_grow(program->memory, program->nodes, &program->node_room, sizeof *program->nodes);
     }
@@ -68,6 +70,12 @@ uint32_t *shader_operands(const struct shader_program *program, struct shader_no
     }
     *count = op == SHADER_LEAVE ? 0 : (uint32_t)shader_op_operands(op);
     return node->operands;
+}
+
+const struct shader_node *shader_resource_node(const struct shader_program *program, uint32_t value)
+{
+    const struct shader_node *const node = &program->nodes[value];
+    return node->op == SHADER_HOME ? &program->nodes[node->operands[0]] : node;
 }
 
 uint32_t shader_add_list(struct shader_program *program, const uint32_t *values, uint32_t count)

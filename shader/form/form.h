@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The form that shaders are translated into: operations on scalars of 32 bits, in structured order.
 //
-// A node is an operation and, if it has a result, that result: node number and value are one. `code` lists the nodes in
-// the order in which they are executed; IF, REGION and LOOP nest. A node is executed in the lanes that are active there:
-// IF keeps those whose condition is true, LEAVE takes lanes away until the end of what they leave. Values of nodes that
-// are not in `code` (constants, homes) are there from the beginning. A value may be read where it was computed in all
-// lanes that read it; a HOME may be read anywhere.
+// A node is an operation and, if it has a result, that result: node number and value are one. `code` lists the nodes
+// in the order in which they are executed; IF, REGION and LOOP nest. A node is executed in the lanes that are active
+// there: IF keeps those whose condition is true, LEAVE takes lanes away until the end of what they leave. Values of
+// nodes that are not in `code` (constants, homes) are there from the beginning. A value may be read where it was
+// computed in all lanes that read it; a HOME may be read anywhere.
 #ifndef SHADER_FORM_H
 #define SHADER_FORM_H
 
@@ -20,7 +20,11 @@ enum shader_op {
 
 enum shader_op_kind { SHADER_KIND_VALUE, SHADER_KIND_READ, SHADER_KIND_EFFECT, SHADER_KIND_FLOW };
 
-enum { SHADER_MAX_NODES = 1 << 18, SHADER_MAX_NESTING = 128 };
+enum {
+    SHADER_MAX_NODES = 1 << 18,
+    SHADER_MAX_NESTING = 128,                     // of selections, loops and calls
+    SHADER_MAX_DEPTH = 3 * SHADER_MAX_NESTING + 2 // of IF, REGION and LOOP: a switch has three
+};
 
 struct shader_node {
     uint16_t op;
@@ -30,8 +34,8 @@ struct shader_node {
 };
 
 enum shader_node_flag {
-    SHADER_UNIFORM = 1,   // the same in all lanes of a call
-    SHADER_EVERY_LANE = 2 // of SET: all lanes that live are active
+    SHADER_UNIFORM = 1,   // all lanes of a call have one value
+    SHADER_EVERY_LANE = 2 // a SET where all lanes that live are active
 };
 
 // Built-in inputs and outputs, by component where there are several.
@@ -72,8 +76,8 @@ enum shader_output {
 // A resource that the program uses.
 struct shader_resource {
     const struct shader_variable *variable;
-    const struct shader_type *type; // of one element
-    uint32_t count;                 // of elements; 0: as many as are bound
+    const struct shader_type *type; // type of one element
+    uint32_t count;                 // number of elements; 0: as many as are bound
 };
 
 struct shader_program {
@@ -83,6 +87,7 @@ struct shader_program {
     struct shader_node *nodes;
     uint32_t node_count;
     size_t node_room;
+    uint32_t *origins; // by node: the word of the instruction that it comes from; 0: of none
     uint32_t *code;
     uint32_t code_count;
     size_t code_room;
@@ -161,7 +166,8 @@ enum shader_image_operation {
     SHADER_DO_IMAGE_SIZE // of a storage image or texel buffer
 };
 
-// Fields of the immediate: the operation, spatial coordinates, the channel that is gathered, and which operands there are.
+// Fields of the immediate: the operation, spatial coordinates, the channel that is gathered, and which operands there
+// are.
 enum {
     SHADER_IMAGE_SPATIAL_SHIFT = 4,
     SHADER_IMAGE_CHANNEL_SHIFT = 6,
@@ -203,6 +209,10 @@ enum {
 uint32_t *shader_operands(const struct shader_program *program, struct shader_node *node, uint32_t *count);
 // Add a list of values. Return its place.
 uint32_t shader_add_list(struct shader_program *program, const uint32_t *values, uint32_t count);
+
+// Return the resource node that a value names: BUFFER, PUSH or WORKGROUP. The value is that node, or the home that
+// keeps it.
+const struct shader_node *shader_resource_node(const struct shader_program *program, uint32_t value);
 
 // Translate an entry point.
 struct shader_program *shader_build(const struct shader_module *module,

@@ -7,7 +7,7 @@ enum { NO_SCOPE = 0 };
 // Scopes are numbered in the order in which they begin; 0 is the whole program.
 struct scopes {
     bool *is_open; // by number
-    uint32_t stack[2 * SHADER_MAX_NESTING + 2];
+    uint32_t stack[SHADER_MAX_DEPTH + 1];
     uint32_t depth, count;
 };
 
@@ -52,7 +52,7 @@ static uint32_t find_kept(struct shader_program *program, uint32_t *scope_of, ui
             const uint32_t operand = operands[o];
             if (is_placed(&program->nodes[operand]) && !scopes.is_open[scope_of[operand]] &&
                 home_of[operand] == 0) {
-                home_of[operand] = shader_add_node(program, SHADER_HOME, 0, 0, 0, 0);
+                home_of[operand] = shader_add_node(program, SHADER_HOME, 0, operand, 0, 0);
                 operands = shader_operands(program, &program->nodes[value],
                                            &operand_count); // the nodes may have moved
                 kept++;

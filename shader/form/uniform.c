@@ -16,11 +16,15 @@ static bool is_varying_source(enum shader_op op)
            op == SHADER_SAMPLE || op == SHADER_BALLOT || op == SHADER_SHUFFLE || op == SHADER_SCAN;
 }
 
+// After so many rounds what is still open counts as not uniform, so that no program takes them for every home it has.
+enum { MAX_ROUNDS = 32 };
+
 // Mark what is not uniform, in rounds: a home that is set in some lanes only, or to what differs, is not.
 static void mark_varying(const struct shader_program *program, bool *varies)
 {
-    bool diverges[SHADER_MAX_NESTING * 2 + 2];
-    for (bool changed = true; changed;) {
+    bool diverges[SHADER_MAX_DEPTH + 1];
+    bool changed = true;
+    for (int round = 0; changed && round < MAX_ROUNDS; round++) {
         uint32_t depth = 0;
         changed = false;
         diverges[0] = false;
@@ -66,6 +70,9 @@ static void mark_varying(const struct shader_program *program, bool *varies)
             }
         }
     }
+    for (uint32_t value = 0; changed && value < program->node_count; value++) {
+        varies[value] = !is_uniform_source((enum shader_op)program->nodes[value].op);
+    }
 }
 
 void shader_mark_uniform(struct shader_program *program)
@@ -79,7 +86,7 @@ void shader_mark_uniform(struct shader_program *program)
 
 void shader_run_passes(struct shader_program *program)
 {
-    shader_remove_dead(program); // so that no derivative is made of what nothing reads
+    shader_remove_dead(program); // no derivative is made of what nothing reads
     shader_build_derivatives(program);
     shader_keep_values(program);
     shader_forward_copies(program);

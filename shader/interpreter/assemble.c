@@ -8,6 +8,8 @@
 
 #include <string.h>
 
+#include "pairs.h"
+
 #define NONE UINT32_MAX
 
 struct live_range {
@@ -20,6 +22,7 @@ struct assembler {
     struct live_range *ranges; // by value
     uint32_t *registers;       // by value
     uint32_t *mask_registers;  // by value: the second register of REGION and LOOP
+    struct shader_pairs pairs;
     struct shader_instruction *code;
     uint32_t count;
     size_t room;
@@ -97,7 +100,7 @@ static void find_ranges(struct assembler *assembler)
     uint32_t *const loop_end = shader_take(program->memory, program->code_count + 1, sizeof *loop_end);
     uint32_t *const structure_end =
         shader_take(program->memory, program->code_count + 1, sizeof *structure_end);
-    uint32_t stack[2 * SHADER_MAX_NESTING + 2], depth = 0;
+    uint32_t stack[SHADER_MAX_DEPTH], depth = 0;
     for (uint32_t i = program->code_count; i-- > 0;) {
         const uint16_t op = op_at(assembler, i);
         if (closes(op)) {
@@ -107,16 +110,24 @@ static void find_ranges(struct assembler *assembler)
             loop_end[i] = op == SHADER_LOOP ? structure_end[i] : i;
         }
     }
-    uint32_t loops[SHADER_MAX_NESTING + 1], loop_depth = 0;
+    uint32_t loops[SHADER_MAX_DEPTH], loop_depth = 0;
     for (uint32_t i = 0; i < program->code_count; i++) {
         const uint32_t value = program->code[i];
         struct shader_node *const node = &program->nodes[value];
         const enum shader_op op = (enum shader_op)node->op;
+        if (assembler->pairs.is_taken[value]) {
+            continue;
+        }
         if (shader_op_has_result(op)) {
             extend(&assembler->ranges[value], i);
         }
         uint32_t operand_count;
-        const uint32_t *const operands = shader_operands(program, node, &operand_count);
+        uint32_t paired[3];
+        const uint32_t *operands = shader_operands(program, node, &operand_count);
+        if (shader_pair_at(&assembler->pairs, program, value, paired)) {
+            operands = paired;
+            operand_count = 3;
+        }
         for (uint32_t o = 0; o < operand_count; o++) {
             read_at(assembler, operands[o], i, loops, loop_depth, loop_end);
         }
@@ -125,8 +136,8 @@ static void find_ranges(struct assembler *assembler)
             extend(&assembler->ranges[value], structure_end[i]);
         }
         if (op == SHADER_IF) {
-            read_at(assembler, node->operands[0], structure_end[i], loops, loop_depth,
-                    loop_end); // ELSE reads it again
+            // The condition is read again by ELSE.
+            read_at(assembler, node->operands[0], structure_end[i], loops, loop_depth, loop_end);
         }
         if (op == SHADER_LOOP) {
             loops[loop_depth++] = i;
@@ -140,7 +151,7 @@ static void find_ranges(struct assembler *assembler)
 
 struct free_registers {
     uint32_t *numbers;
-    uint32_t count, next; // of `numbers`, and the first register that was never given out
+    uint32_t count, next; // length of `numbers`, and the first register that was never given out
 };
 
 static uint32_t take_register(struct free_registers *registers)
@@ -314,7 +325,7 @@ static void add_structure(struct assembler *assembler, uint32_t value, struct op
 // Return the resource that a BUFFER node is an element of.
 static uint16_t resource_of(const struct assembler *assembler, uint32_t value)
 {
-    const struct shader_node *const buffer = &assembler->program->nodes[value];
+    const struct shader_node *const buffer = shader_resource_node(assembler->program, value);
     return buffer->op == SHADER_PUSH        ? SHADER_NO_RESOURCE
            : buffer->op == SHADER_WORKGROUP ? SHADER_SHARED
                                             : (uint16_t)buffer->immediate;
@@ -354,10 +365,12 @@ static void add_node(struct assembler *assembler, uint32_t value)
         add_listed(assembler, value);
         return;
     }
-    struct shader_instruction *const instruction = add(assembler, node->op);
+    uint32_t paired[3];
+    const uint32_t pair = shader_pair_at(&assembler->pairs, assembler->program, value, paired);
+    struct shader_instruction *const instruction = add(assembler, pair ? pair : node->op);
     struct shader_operand_of operands[3] = {{0, 0}, {0, 0}, {0, 0}};
-    for (int o = 0; o < shader_op_operands(op); o++) {
-        operands[o] = operand_of(assembler, node->operands[o]);
+    for (int o = 0; o < (pair ? 3 : shader_op_operands(op)); o++) {
+        operands[o] = operand_of(assembler, pair ? paired[o] : node->operands[o]);
     }
     instruction->immediate = node->immediate;
     if (op == SHADER_LOAD || op == SHADER_STORE || op == SHADER_LENGTH) {
@@ -379,7 +392,7 @@ static void add_node(struct assembler *assembler, uint32_t value)
 static void add_code(struct assembler *assembler)
 {
     const struct shader_program *const program = assembler->program;
-    struct open_structure stack[2 * SHADER_MAX_NESTING + 2];
+    struct open_structure stack[SHADER_MAX_DEPTH];
     uint32_t depth = 0;
     uint32_t *const first = shader_take(program->memory, program->code_count + 1, sizeof *first);
     uint32_t *const next = shader_take(program->memory, program->node_count, sizeof *next);
@@ -395,7 +408,7 @@ static void add_code(struct assembler *assembler)
         fill_homes(assembler, first, next, i);
         if (shader_op_kind_of((enum shader_op)program->nodes[value].op) == SHADER_KIND_FLOW) {
             add_structure(assembler, value, stack, &depth);
-        } else {
+        } else if (!assembler->pairs.is_taken[value]) {
             add_node(assembler, value);
         }
     }
@@ -433,6 +446,7 @@ struct shader_bytecode *shader_assemble(struct shader_program *program)
     for (uint32_t value = 0; value < program->node_count; value++) {
         assembler.ranges[value] = (struct live_range){NONE, NONE};
     }
+    shader_find_pairs(program, &assembler.pairs);
     find_outermost(&assembler);
     find_ranges(&assembler);
     number_constants(&assembler);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the interpreter executes: instructions on registers, for up to 16 groups of 8 lanes at a time, so that the cost of
-// finding out what to do is shared by 128 lanes.
+// What the interpreter executes: instructions on registers, for up to 16 groups of 8 lanes at a time, so that the cost
+// of finding out what to do is shared by 128 lanes.
 //
 // A register is a vector for each group of the batch, or one vector for all where the value is uniform. Registers lie
 // behind one another in one array; an operand names the first vector, and whether there is one for each group.
@@ -14,8 +14,8 @@
 #include "rhw/spirv.h"
 
 enum {
-    SHADER_BATCH = 16,              // most groups at a time; of a workgroup with barriers all
-    SHADER_REGISTER_VECTORS = 4096, // of the array: 128 KB of stack
+    SHADER_BATCH = 16,              // most groups at a time; a workgroup with barriers has all of its own
+    SHADER_REGISTER_VECTORS = 4096, // length of the array, which takes 128 KB of stack
     SHADER_MAX_RESOURCES = 64,
     SHADER_NO_RESOURCE = 0xffff, // push constants
     SHADER_SHARED = 0xfffe       // the memory of the workgroup
@@ -28,16 +28,19 @@ struct shader_operand_of {
 
 // Instructions are those of the form, and these.
 enum shader_extra_op {
-    SHADER_END = 200, // of the shader
+    SHADER_END = 200, // the shader ends
     SHADER_FILL,      // a register with the immediate
+    SHADER_MUL_ADD,   // a · b + c, of floats and rounded twice, as a product and a sum
+    SHADER_MUL_SUB,   // a · b − c
+    SHADER_SUB_MUL,   // c − a · b
     SHADER_COUNT_OPS
 };
 
 struct shader_instruction {
     uint8_t op;
     uint8_t is_uniform; // one vector is computed
-    uint16_t resource;  // of LOAD, STORE and LENGTH; SHADER_NO_RESOURCE: push constants
-    uint32_t immediate; // of the node; of structure: the instruction to jump to
+    uint16_t resource;  // what LOAD, STORE and LENGTH access; SHADER_NO_RESOURCE: push constants
+    uint32_t immediate; // the node's; structure has the instruction to jump to
     struct shader_operand_of result, a, b, c;
 };
 
@@ -61,7 +64,8 @@ struct shader_bytecode {
     uint32_t target_count;
     // Component of the program's varyings for location · 4 + component; 0xff: there is none.
     uint8_t component_of[128];
-    // Of SAMPLE and IMAGE_STORE: SHADER_IMAGE_OPERANDS from the number in b.vector on. c.vector is the sampler's resource.
+    // SAMPLE and IMAGE_STORE have SHADER_IMAGE_OPERANDS of them from the number in b.vector on. c.vector is the
+    // resource of the sampler.
     const struct shader_operand_of *image_operands;
     bool is_linear[32];  // by location: the input is flat or noperspective
     uint8_t w_component; // component that holds W of the position; 0xff: there is none

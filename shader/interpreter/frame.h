@@ -20,13 +20,13 @@ struct frame {
     uint32_t rounds;                     // of loops
     bool is_given_up;
     int groups;
-    struct rhw_vertex *vertices;               // of the batch, or NULL
-    struct rhw_fragment *fragments;            // of the batch, or NULL
-    const struct rhw_workgroup *workgroup;     // of compute, or NULL
-    const struct rhw_invocations *invocations; // of the batch
+    struct rhw_vertex *vertices;               // groups of the batch, or NULL
+    struct rhw_fragment *fragments;            // groups of the batch, or NULL
+    const struct rhw_workgroup *workgroup;     // what a compute shader is called for, or NULL
+    const struct rhw_invocations *invocations; // groups of the batch, where there is a workgroup
     struct rhw_binding shared;                 // memory of the workgroup
     const struct shader_instruction *next;
-    rhw_float texels[RHW_MAX_WORKGROUP_GROUPS][4]; // what was sampled last
+    rhw_float (*texels)[4]; // what was sampled last, by group
 };
 
 typedef void shader_kernel(struct frame *frame, const struct shader_instruction *in);

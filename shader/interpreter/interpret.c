@@ -48,6 +48,9 @@ static shader_kernel *const kernels[SHADER_COUNT_OPS] = {
     ENTRY(FIND_LOWEST),
     ENTRY(FIND_HIGHEST),
     ENTRY(SELECT),
+    ENTRY(MUL_ADD),
+    ENTRY(MUL_SUB),
+    ENTRY(SUB_MUL),
     ENTRY(FLOAT_FROM_INT),
     ENTRY(FLOAT_FROM_UINT),
     ENTRY(INT_FROM_FLOAT),
@@ -138,10 +141,12 @@ static void begin_lanes(struct frame *frame, int group, rhw_int mask)
 void RHW_ISA_NAME(shader_interpret_vertices)(struct rhw_vertex *groups, int count)
 {
     union vector registers[SHADER_REGISTER_VECTORS];
+    rhw_float texels[RHW_MAX_WORKGROUP_GROUPS][4];
     const struct shader_bytecode *const bytecode = ((const struct shader_stages *)groups[0].user)->vertex;
     for (int first = 0; first < count; first += (int)bytecode->batch) {
         const int left = count - first;
         struct frame frame = {.registers = registers,
+                              .texels = texels,
                               .bytecode = bytecode,
                               .bound = groups[0].uniforms,
                               .bindings = groups[0].bindings,
@@ -157,10 +162,12 @@ void RHW_ISA_NAME(shader_interpret_vertices)(struct rhw_vertex *groups, int coun
 void RHW_ISA_NAME(shader_interpret_fragments)(struct rhw_fragment *groups, int count)
 {
     union vector registers[SHADER_REGISTER_VECTORS];
+    rhw_float texels[RHW_MAX_WORKGROUP_GROUPS][4];
     const struct shader_bytecode *const bytecode = ((const struct shader_stages *)groups[0].user)->fragment;
     for (int first = 0; first < count; first += (int)bytecode->batch) {
         const int left = count - first;
         struct frame frame = {.registers = registers,
+                              .texels = texels,
                               .bytecode = bytecode,
                               .bound = groups[0].uniforms,
                               .bindings = groups[0].bindings,
@@ -179,8 +186,10 @@ void RHW_ISA_NAME(shader_interpret_fragments)(struct rhw_fragment *groups, int c
 void RHW_ISA_NAME(shader_interpret_workgroup)(const struct rhw_workgroup *workgroup)
 {
     union vector registers[SHADER_REGISTER_VECTORS];
+    rhw_float texels[RHW_MAX_WORKGROUP_GROUPS][4];
     const struct shader_bytecode *const bytecode = ((const struct shader_stages *)workgroup->user)->compute;
     struct frame frame = {.registers = registers,
+                          .texels = texels,
                           .bytecode = bytecode,
                           .bound = workgroup->uniforms,
                           .bindings = workgroup->bindings,

@@ -9,27 +9,98 @@
 #include "rhw/shader_math.h"
 #include "rhw/shader_pack.h"
 
-// Loops over the vectors of the result; a, b and c are operands, as floats or whole numbers.
-#define OPERANDS                                                                                  \
-    const int count = in->is_uniform ? 1 : frame->groups;                                         \
-    union vector *const d = &frame->registers[in->result.vector];                                 \
-    const union vector *const a = &frame->registers[in->a.vector];                                \
-    const union vector *const b = &frame->registers[in->b.vector];                                \
-    const union vector *const c = &frame->registers[in->c.vector];                                \
-    const int a_step = !in->a.is_uniform, b_step = !in->b.is_uniform, c_step = !in->c.is_uniform; \
-    (void)a, (void)b, (void)c, (void)a_step, (void)b_step, (void)c_step
+// Pointers to the vectors of the result and of the operands. No operand lies in the register of the result.
+#define VECTORS                                                             \
+    const int count = in->is_uniform ? 1 : frame->groups;                   \
+    union vector *const restrict d = &frame->registers[in->result.vector];  \
+    const union vector *const restrict a = &frame->registers[in->a.vector]; \
+    const union vector *const restrict b = &frame->registers[in->b.vector]; \
+    const union vector *const restrict c = &frame->registers[in->c.vector]; \
+    (void)a, (void)b, (void)c
 
-#define KERNEL(name, member, value)                                            \
+// A loop over groups, where operands have a vector for each group (a step of 1) or one for all (a step of 0).
+#define LOOP(member, value, step_a, step_b, step_c)                 \
+    {                                                               \
+        enum { a_step = step_a, b_step = step_b, c_step = step_c }; \
+        _Pragma("GCC unroll 4") for (int i = 0; i < count; i++)     \
+        {                                                           \
+            d[i].member = value;                                    \
+        }                                                           \
+        return;                                                     \
+    }
+
+// Operations of one operand, and those that take so long that one loop serves all steps.
+#define UNARY(name, member, value)                                             \
     static void name(struct frame *frame, const struct shader_instruction *in) \
     {                                                                          \
-        OPERANDS;                                                              \
+        VECTORS;                                                               \
+        if (in->a.is_uniform) {                                                \
+            LOOP(member, value, 0, 0, 0)                                       \
+        }                                                                      \
+        LOOP(member, value, 1, 0, 0)                                           \
+    }
+
+#define LONG(name, member, value)                                              \
+    static void name(struct frame *frame, const struct shader_instruction *in) \
+    {                                                                          \
+        VECTORS;                                                               \
+        const int a_step = !in->a.is_uniform, b_step = !in->b.is_uniform;      \
+        (void)b_step;                                                          \
         for (int i = 0; i < count; i++) {                                      \
             d[i].member = value;                                               \
         }                                                                      \
     }
 
+#define BINARY(name, member, value)                                            \
+    static void name(struct frame *frame, const struct shader_instruction *in) \
+    {                                                                          \
+        VECTORS;                                                               \
+        if (in->is_uniform) {                                                  \
+            enum { i = 0, a_step = 0, b_step = 0 };                            \
+            d[i].member = value;                                               \
+            return;                                                            \
+        }                                                                      \
+        if (in->b.is_uniform) {                                                \
+            LOOP(member, value, 1, 0, 0)                                       \
+        }                                                                      \
+        if (in->a.is_uniform) {                                                \
+            LOOP(member, value, 0, 1, 0)                                       \
+        }                                                                      \
+        LOOP(member, value, 1, 1, 0)                                           \
+    }
+
+// Operations of three operands, of which the first has a vector for each group.
+#define TERNARY(name, member, value)                                                      \
+    static void name(struct frame *frame, const struct shader_instruction *in)            \
+    {                                                                                     \
+        VECTORS;                                                                          \
+        if (in->is_uniform) {                                                             \
+            enum { i = 0, a_step = 0, b_step = 0, c_step = 0 };                           \
+            d[i].member = value;                                                          \
+            return;                                                                       \
+        }                                                                                 \
+        if (in->a.is_uniform) {                                                           \
+            const int a_step = 0, b_step = !in->b.is_uniform, c_step = !in->c.is_uniform; \
+            for (int i = 0; i < count; i++) {                                             \
+                d[i].member = value;                                                      \
+            }                                                                             \
+            return;                                                                       \
+        }                                                                                 \
+        if (in->b.is_uniform && in->c.is_uniform) {                                       \
+            LOOP(member, value, 1, 0, 0)                                                  \
+        }                                                                                 \
+        if (in->b.is_uniform) {                                                           \
+            LOOP(member, value, 1, 0, 1)                                                  \
+        }                                                                                 \
+        if (in->c.is_uniform) {                                                           \
+            LOOP(member, value, 1, 1, 0)                                                  \
+        }                                                                                 \
+        LOOP(member, value, 1, 1, 1)                                                      \
+    }
+
 #define AF a[i * a_step].f
 #define BF b[i * b_step].f
+#define CF c[i * c_step].f
 #define AI a[i * a_step].i
 #define BI b[i * b_step].i
 #define CI c[i * c_step].i
@@ -90,73 +161,76 @@ static inline rhw_int shader_frexp_exponent(rhw_float a)
     return exponent;
 }
 
-KERNEL(run_COPY, i, AI)
-KERNEL(run_FADD, f, AF + BF)
-KERNEL(run_FSUB, f, AF - BF)
-KERNEL(run_FMUL, f, AF *BF)
-KERNEL(run_FDIV, f, AF / BF)
-KERNEL(run_FMIN, f, rhw_min(AF, BF))
-KERNEL(run_FMAX, f, rhw_max(AF, BF))
-KERNEL(run_FSQRT, f, rhw_sqrt(AF))
-KERNEL(run_FLOOR, f, rhw_floor(AF))
-KERNEL(run_CEIL, f, rhw_ceil(AF))
-KERNEL(run_TRUNC, f, rhw_trunc(AF))
-KERNEL(run_ROUND_EVEN, f, rhw_round(AF))
-KERNEL(run_FEQUAL, i, rhw_equal(AF, BF))
-KERNEL(run_FLESS, i, rhw_less(AF, BF))
-KERNEL(run_FLESS_EQUAL, i, rhw_less_equal(AF, BF))
-KERNEL(run_IADD, i, (rhw_int)(AU + BU))
-KERNEL(run_ISUB, i, (rhw_int)(AU - BU))
-KERNEL(run_IMUL, i, (rhw_int)(AU *BU))
-KERNEL(run_IMUL_HIGH, i, shader_mul_high(AI, BI, true))
-KERNEL(run_UMUL_HIGH, i, shader_mul_high(AI, BI, false))
-KERNEL(run_IDIV, i, rhw_divide_int(AI, BI))
-KERNEL(run_UDIV, i, rhw_divide_uint(AI, BI))
-KERNEL(run_IREM, i, rhw_remainder_int(AI, BI))
-KERNEL(run_UREM, i, rhw_remainder_uint(AI, BI))
-KERNEL(run_AND, i, AI &BI)
-KERNEL(run_OR, i, AI | BI)
-KERNEL(run_XOR, i, AI ^ BI)
-KERNEL(run_NOT, i, ~AI)
-KERNEL(run_SHIFT_LEFT, i, (rhw_int)(AU << (rhw_uint)(BI & 31)))
-KERNEL(run_SHIFT_RIGHT, i, (rhw_int)(AU >> (rhw_uint)(BI & 31)))
-KERNEL(run_SHIFT_RIGHT_SIGNED, i, AI >> (BI & 31))
-KERNEL(run_IEQUAL, i, rhw_equal_int(AI, BI))
-KERNEL(run_ILESS, i, rhw_less_int(AI, BI))
-KERNEL(run_ULESS, i, shader_less_uint(AI, BI))
-KERNEL(run_BIT_REVERSE, i, rhw_bit_reverse(AI))
-KERNEL(run_BIT_COUNT, i, rhw_bit_count(AI))
-KERNEL(run_FIND_LOWEST, i, rhw_find_lsb(AI))
-KERNEL(run_FIND_HIGHEST, i, rhw_find_msb_uint(AI))
-KERNEL(run_SELECT, i, rhw_select_int(AI, BI, CI))
-KERNEL(run_FLOAT_FROM_INT, f, rhw_float_from_int(AI))
-KERNEL(run_FLOAT_FROM_UINT, f, shader_float_from_uint(AI))
-KERNEL(run_INT_FROM_FLOAT, i, rhw_int_from_float(AF))
-KERNEL(run_UINT_FROM_FLOAT, i, shader_uint_from_float(AF))
-KERNEL(run_PACK_HALVES, i, shader_pack_halves(AF, BF))
-KERNEL(run_UNPACK_LOW_HALF, f, rhw_float_from_half_bits(AI & 0xffff))
-KERNEL(run_UNPACK_HIGH_HALF, f, rhw_float_from_half_bits((rhw_int)(AU >> 16)))
-KERNEL(run_SIN, f, rhw_sin(AF))
-KERNEL(run_COS, f, rhw_cos(AF))
-KERNEL(run_TAN, f, rhw_tan(AF))
-KERNEL(run_ASIN, f, rhw_asin(AF))
-KERNEL(run_ACOS, f, rhw_acos(AF))
-KERNEL(run_ATAN, f, rhw_atan(AF))
-KERNEL(run_ATAN2, f, rhw_atan2(AF, BF))
-KERNEL(run_SINH, f, rhw_sinh(AF))
-KERNEL(run_COSH, f, rhw_cosh(AF))
-KERNEL(run_TANH, f, rhw_tanh(AF))
-KERNEL(run_ASINH, f, rhw_asinh(AF))
-KERNEL(run_ACOSH, f, rhw_acosh(AF))
-KERNEL(run_ATANH, f, rhw_atanh(AF))
-KERNEL(run_EXP, f, rhw_exp(AF))
-KERNEL(run_LOG, f, rhw_log(AF))
-KERNEL(run_EXP2, f, rhw_exp2(AF))
-KERNEL(run_LOG2, f, rhw_log2(AF))
-KERNEL(run_POW, f, rhw_pow(AF, BF))
-KERNEL(run_RSQRT, f, rhw_rsqrt(AF))
-KERNEL(run_LDEXP, f, rhw_ldexp(AF, BI))
-KERNEL(run_FREXP_FRACTION, f, shader_frexp_fraction(AF))
-KERNEL(run_FREXP_EXPONENT, i, shader_frexp_exponent(AF))
+UNARY(run_COPY, i, AI)
+BINARY(run_FADD, f, AF + BF)
+BINARY(run_FSUB, f, AF - BF)
+BINARY(run_FMUL, f, AF *BF)
+BINARY(run_FDIV, f, AF / BF)
+BINARY(run_FMIN, f, rhw_min(AF, BF))
+BINARY(run_FMAX, f, rhw_max(AF, BF))
+UNARY(run_FSQRT, f, rhw_sqrt(AF))
+UNARY(run_FLOOR, f, rhw_floor(AF))
+UNARY(run_CEIL, f, rhw_ceil(AF))
+UNARY(run_TRUNC, f, rhw_trunc(AF))
+UNARY(run_ROUND_EVEN, f, rhw_round(AF))
+BINARY(run_FEQUAL, i, rhw_equal(AF, BF))
+BINARY(run_FLESS, i, rhw_less(AF, BF))
+BINARY(run_FLESS_EQUAL, i, rhw_less_equal(AF, BF))
+BINARY(run_IADD, i, (rhw_int)(AU + BU))
+BINARY(run_ISUB, i, (rhw_int)(AU - BU))
+BINARY(run_IMUL, i, (rhw_int)(AU *BU))
+LONG(run_IMUL_HIGH, i, shader_mul_high(AI, BI, true))
+LONG(run_UMUL_HIGH, i, shader_mul_high(AI, BI, false))
+LONG(run_IDIV, i, rhw_divide_int(AI, BI))
+LONG(run_UDIV, i, rhw_divide_uint(AI, BI))
+LONG(run_IREM, i, rhw_remainder_int(AI, BI))
+LONG(run_UREM, i, rhw_remainder_uint(AI, BI))
+BINARY(run_AND, i, AI &BI)
+BINARY(run_OR, i, AI | BI)
+BINARY(run_XOR, i, AI ^ BI)
+UNARY(run_NOT, i, ~AI)
+BINARY(run_SHIFT_LEFT, i, (rhw_int)(AU << (rhw_uint)(BI & 31)))
+BINARY(run_SHIFT_RIGHT, i, (rhw_int)(AU >> (rhw_uint)(BI & 31)))
+BINARY(run_SHIFT_RIGHT_SIGNED, i, AI >> (BI & 31))
+BINARY(run_IEQUAL, i, rhw_equal_int(AI, BI))
+BINARY(run_ILESS, i, rhw_less_int(AI, BI))
+BINARY(run_ULESS, i, shader_less_uint(AI, BI))
+LONG(run_BIT_REVERSE, i, rhw_bit_reverse(AI))
+LONG(run_BIT_COUNT, i, rhw_bit_count(AI))
+LONG(run_FIND_LOWEST, i, rhw_find_lsb(AI))
+LONG(run_FIND_HIGHEST, i, rhw_find_msb_uint(AI))
+TERNARY(run_SELECT, i, rhw_select_int(AI, BI, CI))
+TERNARY(run_MUL_ADD, f, AF *BF + CF)
+TERNARY(run_MUL_SUB, f, AF *BF - CF)
+TERNARY(run_SUB_MUL, f, CF - AF * BF)
+UNARY(run_FLOAT_FROM_INT, f, rhw_float_from_int(AI))
+LONG(run_FLOAT_FROM_UINT, f, shader_float_from_uint(AI))
+UNARY(run_INT_FROM_FLOAT, i, rhw_int_from_float(AF))
+LONG(run_UINT_FROM_FLOAT, i, shader_uint_from_float(AF))
+LONG(run_PACK_HALVES, i, shader_pack_halves(AF, BF))
+LONG(run_UNPACK_LOW_HALF, f, rhw_float_from_half_bits(AI & 0xffff))
+LONG(run_UNPACK_HIGH_HALF, f, rhw_float_from_half_bits((rhw_int)(AU >> 16)))
+LONG(run_SIN, f, rhw_sin(AF))
+LONG(run_COS, f, rhw_cos(AF))
+LONG(run_TAN, f, rhw_tan(AF))
+LONG(run_ASIN, f, rhw_asin(AF))
+LONG(run_ACOS, f, rhw_acos(AF))
+LONG(run_ATAN, f, rhw_atan(AF))
+LONG(run_ATAN2, f, rhw_atan2(AF, BF))
+LONG(run_SINH, f, rhw_sinh(AF))
+LONG(run_COSH, f, rhw_cosh(AF))
+LONG(run_TANH, f, rhw_tanh(AF))
+LONG(run_ASINH, f, rhw_asinh(AF))
+LONG(run_ACOSH, f, rhw_acosh(AF))
+LONG(run_ATANH, f, rhw_atanh(AF))
+LONG(run_EXP, f, rhw_exp(AF))
+LONG(run_LOG, f, rhw_log(AF))
+LONG(run_EXP2, f, rhw_exp2(AF))
+LONG(run_LOG2, f, rhw_log2(AF))
+LONG(run_POW, f, rhw_pow(AF, BF))
+LONG(run_RSQRT, f, rhw_rsqrt(AF))
+LONG(run_LDEXP, f, rhw_ldexp(AF, BI))
+LONG(run_FREXP_FRACTION, f, shader_frexp_fraction(AF))
+LONG(run_FREXP_EXPONENT, i, shader_frexp_exponent(AF))
 
 #endif

@@ -8,7 +8,7 @@
 // The operands of one group.
 struct image_request {
     rhw_float at[4];
-    rhw_int whole[4]; // the same bits as whole numbers
+    rhw_int whole[4]; // bits of `at` as whole numbers
     rhw_float gradient[6];
     rhw_float level, reference, bias;
     rhw_int offset[3];

@@ -13,15 +13,18 @@
 static void run_INPUT(struct frame *frame, const struct shader_instruction *in)
 {
     union vector *const d = &frame->registers[in->result.vector];
+    const int count = frame->groups;
     if (frame->vertices) {
-        for (int i = 0; i < frame->groups; i++) {
-            d[i].f = frame->vertices[i].attribute[in->immediate / 4][in->immediate % 4];
+        const struct rhw_vertex *const vertices = frame->vertices;
+        for (int i = 0; i < count; i++) {
+            d[i].f = vertices[i].attribute[in->immediate / 4][in->immediate % 4];
         }
         return;
     }
     const int component = frame->bytecode->component_of[in->immediate];
-    for (int i = 0; i < frame->groups; i++) {
-        d[i].f = frame->fragments[i].varying[component];
+    const struct rhw_fragment *const fragments = frame->fragments;
+    for (int i = 0; i < count; i++) {
+        d[i].f = fragments[i].varying[component];
     }
 }
 
@@ -85,15 +88,25 @@ static void run_BUILT_IN(struct frame *frame, const struct shader_instruction *i
     }
 }
 
-static void vertex_output(const struct shader_bytecode *bytecode, struct rhw_vertex *vertex, uint32_t slot,
-                          union vector value)
+// The value of the first operand in a group.
+static inline union vector operand_a(const struct frame *frame, const struct shader_instruction *in,
+                                     int group)
 {
-    if (slot < SHADER_OUT_POSITION + 4) {
-        vertex->position[slot - SHADER_OUT_POSITION] = value.f;
-        if (slot == SHADER_OUT_POSITION + 3 && bytecode->w_component != 0xff) {
-            vertex->varying[bytecode->w_component] = value.f;
-        }
-    } else if (slot == SHADER_OUT_POINT_SIZE) {
+    return frame->registers[in->a.vector + (in->a.is_uniform ? 0u : (uint32_t)group)];
+}
+
+static void put_varying(const struct frame *frame, const struct shader_instruction *in, int component)
+{
+    struct rhw_vertex *const vertices = frame->vertices;
+    for (int i = 0; i < frame->groups; i++) {
+        vertices[i].varying[component] = operand_a(frame, in, i).f;
+    }
+}
+
+// Outputs of the vertex stage that are no varyings and not the position.
+static void put_other(struct rhw_vertex *vertex, uint32_t slot, union vector value)
+{
+    if (slot == SHADER_OUT_POINT_SIZE) {
         vertex->point_size = value.f;
     } else if (slot < SHADER_OUT_CULL_DISTANCE) {
         vertex->clip_distance[slot - SHADER_OUT_CLIP_DISTANCE] = value.f;
@@ -103,34 +116,67 @@ static void vertex_output(const struct shader_bytecode *bytecode, struct rhw_ver
         vertex->layer = value.i;
     } else if (slot == SHADER_OUT_VIEWPORT) {
         vertex->viewport_index = value.i;
-    } else if (slot >= SHADER_OUT_VARYING && bytecode->component_of[slot - SHADER_OUT_VARYING] != 0xff) {
-        vertex->varying[bytecode->component_of[slot - SHADER_OUT_VARYING]] = value.f;
     }
 }
 
-static void fragment_output(const struct shader_bytecode *bytecode, struct rhw_fragment *fragment,
-                            uint32_t slot, union vector value)
+static void put_vertex_output(const struct frame *frame, const struct shader_instruction *in)
 {
-    const uint32_t channel = slot - SHADER_OUT_VARYING;
-    if (slot == SHADER_OUT_DEPTH) {
-        fragment->depth = value.f;
-    } else if (slot == SHADER_OUT_SAMPLE_MASK) {
-        fragment->sample_mask &= value.i;
-    } else if (slot >= SHADER_OUT_VARYING && channel / 4 < bytecode->target_count) {
-        fragment->color[channel / 4][channel % 4] = value.f;
+    const struct shader_bytecode *const bytecode = frame->bytecode;
+    const uint32_t slot = in->immediate;
+    if (slot >= SHADER_OUT_VARYING) {
+        const int component = bytecode->component_of[slot - SHADER_OUT_VARYING];
+        if (component != 0xff) {
+            put_varying(frame, in, component);
+        }
+        return;
+    }
+    for (int i = 0; i < frame->groups; i++) {
+        if (slot < SHADER_OUT_POSITION + 4) {
+            frame->vertices[i].position[slot - SHADER_OUT_POSITION] = operand_a(frame, in, i).f;
+        } else {
+            put_other(&frame->vertices[i], slot, operand_a(frame, in, i));
+        }
+    }
+    if (slot == SHADER_OUT_POSITION + 3 && bytecode->w_component != 0xff) {
+        put_varying(frame, in, bytecode->w_component);
+    }
+}
+
+// The colours of the groups of a call stand one after the other.
+static void put_color(const struct frame *frame, const struct shader_instruction *in, uint32_t target,
+                      uint32_t channel)
+{
+    enum { STEP = 4 * RHW_MAX_COLOR_ATTACHMENTS };
+    rhw_float *const color = &frame->fragments->color[target][channel];
+    for (int i = 0; i < frame->groups; i++) {
+        color[i * STEP] = operand_a(frame, in, i).f;
+    }
+}
+
+static void put_fragment_output(const struct frame *frame, const struct shader_instruction *in)
+{
+    const uint32_t slot = in->immediate, channel = slot - SHADER_OUT_VARYING;
+    struct rhw_fragment *const fragments = frame->fragments;
+    if (slot >= SHADER_OUT_VARYING) {
+        if (channel / 4 < frame->bytecode->target_count) {
+            put_color(frame, in, channel / 4, channel % 4);
+        }
+        return;
+    }
+    for (int i = 0; i < frame->groups && slot == SHADER_OUT_DEPTH; i++) {
+        fragments[i].depth = operand_a(frame, in, i).f;
+    }
+    for (int i = 0; i < frame->groups && slot == SHADER_OUT_SAMPLE_MASK; i++) {
+        fragments[i].sample_mask &= operand_a(frame, in, i).i;
     }
 }
 
 static void run_OUTPUT(struct frame *frame, const struct shader_instruction *in)
 {
-    const union vector *const a = &frame->registers[in->a.vector];
-    for (int i = 0; i < frame->groups; i++) {
-        const union vector value = a[in->a.is_uniform ? 0 : i];
-        if (frame->vertices) {
-            vertex_output(frame->bytecode, &frame->vertices[i], in->immediate, value);
-        } else {
-            fragment_output(frame->bytecode, &frame->fragments[i], in->immediate, value);
-        }
+    if (frame->vertices) {
+        put_vertex_output(frame, in);
+    } else {
+        put_fragment_output(frame, in);
     }
 }
 

@@ -15,7 +15,7 @@ enum { STAGES = RHW_SHADER_STAGE_COUNT, MAX_TARGETS = RHW_MAX_COLOR_ATTACHMENTS 
 
 struct rhw_shader_program {
     const rhw_shader *shaders[STAGES];
-    struct shader_bytecode bytecode[STAGES]; // of the shaders, with slots and components
+    struct shader_bytecode bytecode[STAGES]; // the shaders' own, with slots and components
     struct shader_slot *slots[STAGES];
     struct shader_stages stages;
     struct rhw_shader_layout *layout; // by set and binding, each once
@@ -164,11 +164,22 @@ static const char *check_stages(const struct rhw_shader_program_def *def)
     return NULL;
 }
 
+// Return whether a fragment stage does anything. One that does nothing draws depth only, as a stage that is left out.
+static bool has_work(const struct shader_interface *fragment)
+{
+    bool has = fragment->discards || fragment->has_effects;
+    for (int i = 0; !has && i < SHADER_OUT_COUNT; i++) {
+        has = fragment->writes[i];
+    }
+    return has;
+}
+
 static const char *link_graphics(rhw_shader_program *program)
 {
     static rhw_vertex_function *const vertex[RHW_ISA_COUNT] = RHW_ISA_TABLE(shader_interpret_vertices);
     static rhw_fragment_function *const fragment[RHW_ISA_COUNT] = RHW_ISA_TABLE(shader_interpret_fragments);
-    const rhw_shader *const below = program->shaders[RHW_SHADER_FRAGMENT];
+    const rhw_shader *const given = program->shaders[RHW_SHADER_FRAGMENT];
+    const rhw_shader *const below = given && has_work(&given->interface) ? given : NULL;
     struct shader_bytecode *const bytecode = program->bytecode;
     const char *const problem = shader_link(&program->shaders[RHW_SHADER_VERTEX]->interface,
                                             below ? &below->interface : NULL, &bytecode[RHW_SHADER_VERTEX],

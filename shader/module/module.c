@@ -61,6 +61,9 @@ void shader_refuse(const struct shader_module *module, uint32_t word, const char
     va_start(arguments, format);
     vsnprintf(message + length, (size_t)(SHADER_MESSAGE - length), format, arguments);
     va_end(arguments);
+    for (char *c = message; *c != '\0'; c++) { // strings of the module may have anything
+        *c = *c == 0x7f || (*c > 0 && *c < ' ') ? '?' : *c;
+    }
     shader_memory_end(module->memory);
 }
 
@@ -69,7 +72,7 @@ void shader_refuse(const struct shader_module *module, uint32_t word, const char
 // The operands of one instruction as they are checked.
 struct operand_reader {
     const struct shader_module *module;
-    uint32_t word, next, end; // of the instruction, the next operand, and behind the last
+    uint32_t word, next, end; // the instruction, its next operand, and behind the last
 };
 
 static uint32_t take_word(struct operand_reader *reader)
@@ -239,6 +242,9 @@ static void add_decoration(struct shader_module *module, uint32_t word, uint32_t
                            uint32_t operand)
 {
     const uint32_t end = word + (module->words[word] >> 16);
+    if (module->decoration_count >= module->word_count) {
+        shader_refuse(module, word, "the module has too many decorations");
+    }
     const uint32_t number = ++module->decoration_count;
     module->decorations[number - 1] =
         (struct shader_decoration){.next = module->ids[id].decorations,
@@ -310,7 +316,8 @@ static bool is_supported(uint32_t capability)
         25,   26,                   // ImageGatherExtended, StorageImageMultisample
         27,   28,   29,   30,   31, // UniformBuffer, SampledImage, StorageBuffer, StorageImage arrays; ClipDistance
         32,   33,   34,   35,   36, // CullDistance, ImageCubeArray, SampleRateShading, ImageRect, SampledRect
-        40,   41,   42,   43,   44,   45, // InputAttachment, SparseResidency, MinLod, Sampled1D, Image1D, SampledCubeArray
+        40,   41,   42,   43,       // InputAttachment, SparseResidency, MinLod, Sampled1D
+        44,   45,                   // Image1D, SampledCubeArray
         46,   47,   48,   49,   50,   51,   52, // SampledBuffer … InterpolationFunction
         55,   56,   57, // StorageImageRead, StorageImageWriteWithoutFormat, MultiViewport
         61,   62,   63,   64,   65,   66,   67,   68,        // GroupNonUniform and its kin
@@ -418,6 +425,9 @@ static void make_room(struct shader_module *module)
     }
     struct shader_memory *const memory = module->memory;
     decorations = decorations > module->word_count ? module->word_count : decorations;
+    if (entry_points > SHADER_MAX_ENTRY_POINTS) {
+        shader_refuse(module, 0, "the module has more than %d entry points", SHADER_MAX_ENTRY_POINTS);
+    }
     module->decorations = shader_take(memory, decorations, sizeof *module->decorations);
     module->entry_points = shader_take(memory, entry_points, sizeof *module->entry_points);
     module->variables = shader_take(memory, variables, sizeof(struct shader_variable *));

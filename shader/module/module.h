@@ -2,9 +2,9 @@
 // A SPIR-V module as the builder reads it: its words, what each id stands for, types with their layout, constants with
 // their values after specialization, and its entry points.
 //
-// The reader checks the words once: every instruction is known and has the operands that its grammar asks for, every id
-// is defined once and is of the kind that its user needs. What is not checked here the builder checks where it relies on
-// it. A module that breaks a rule ends reading through shader_refuse.
+// The reader checks the words once: every instruction is known and has the operands that its grammar asks for, every
+// id is defined once and is of the kind that its user needs. What is not checked here the builder checks where it
+// relies on it. A module that breaks a rule ends reading through shader_refuse.
 #ifndef SHADER_MODULE_H
 #define SHADER_MODULE_H
 
@@ -18,7 +18,9 @@
 enum {
     SHADER_MAX_WORDS = 1 << 22,
     SHADER_MAX_IDS = 1 << 20,
-    SHADER_MAX_SCALARS = 1 << 14, // of a type
+    SHADER_MAX_ENTRY_POINTS = 256,
+    SHADER_MAX_SCALARS = 1 << 14,      // scalars of a type
+    SHADER_MAX_TYPE_BYTES = INT32_MAX, // bytes of a type in memory
     SHADER_MAX_TYPE_DEPTH = 32
 };
 
@@ -46,6 +48,7 @@ struct shader_image_type {
 
 struct shader_member {
     const struct shader_type *type;
+    uint32_t first;         // scalar of the structure that is the first of the member
     uint32_t offset;        // bytes, in memory that has a layout
     uint32_t matrix_stride; // bytes; 0 where the member has no matrix
     bool is_row_major;
@@ -62,7 +65,7 @@ struct shader_type {
     // VECTOR, MATRIX (its columns), ARRAY and RUNTIME_ARRAY, SAMPLED_IMAGE (its image), IMAGE (what sampling gives),
     // POINTER (what it points to), FUNCTION (what it returns).
     const struct shader_type *element;
-    uint32_t count;  // of elements, members or parameters
+    uint32_t count;  // how many elements, members or parameters
     uint32_t stride; // bytes from element to element of an array; 0: it has no layout
     const struct shader_member *members;
     const struct shader_type *const *parameters; // FUNCTION
@@ -71,7 +74,10 @@ struct shader_type {
     bool is_block, is_buffer_block;   // STRUCT
     // Scalars of 32 bits that a value of this type is made of; 0 where there are no such values.
     uint32_t scalars;
-    int depth; // of nesting
+    // Bytes in memory up to the last scalar, or to the begin of an array without length. Those of a matrix follow from
+    // the member that it is part of (shader_member_bytes); here they are 0.
+    uint32_t bytes;
+    int depth; // how deep composites nest
 };
 
 struct shader_constant {
@@ -92,7 +98,7 @@ struct shader_variable {
 
 struct shader_function {
     uint32_t id;
-    uint32_t word, end; // of its OpFunction, and behind its OpFunctionEnd
+    uint32_t word, end; // where its OpFunction is, and behind its OpFunctionEnd
     const struct shader_type *type;
 };
 
@@ -138,11 +144,11 @@ struct shader_module {
     uint32_t decoration_count;
     struct shader_entry_point *entry_points;
     uint32_t entry_point_count;
-    struct shader_variable **variables; // of the module, not of functions
+    struct shader_variable **variables; // the module's, without those of functions
     uint32_t variable_count;
     struct shader_function *functions;
     uint32_t function_count;
-    const char **names;   // of ids, or NULL where OpName gives none
+    const char **names;   // by id, or NULL where OpName gives none
     uint32_t glsl_import; // id of GLSL.std.450, or 0
     // Where reading stands, for messages.
     uint32_t at;
@@ -181,6 +187,8 @@ const struct shader_decoration *shader_find_decoration(const struct shader_modul
 
 // module_type.c. Make the type that the instruction at `word` declares.
 void shader_read_type(struct shader_module *module, uint32_t word);
+// Return the bytes of a member in memory up to its last scalar.
+uint64_t shader_member_bytes(const struct shader_member *member);
 // module_constant.c. Make the constant that the instruction at `word` declares.
 void shader_read_constant(struct shader_module *module, uint32_t word,
                           const struct shader_specialization *specialization, size_t count);

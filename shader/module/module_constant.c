@@ -82,7 +82,7 @@ static const struct shader_specialization *find_value(const struct shader_module
 struct operation {
     const struct shader_module *module;
     uint32_t word;
-    const struct shader_type *type; // of the result
+    const struct shader_type *type; // what the result is
     const uint32_t *operands;       // behind the number of the operation
     uint32_t count;
 };
@@ -171,9 +171,7 @@ static const struct shader_type *find_part(const struct operation *operation, co
             shader_refuse(operation->module, operation->word, "there is no part %u", (unsigned)index);
         }
         if (type->kind == SHADER_STRUCT) {
-            for (uint32_t m = 0; m < index; m++) {
-                *begin += type->members[m].type->scalars;
-            }
+            *begin += type->members[index].first;
             type = type->members[index].type;
         } else {
             *begin += index * type->element->scalars;

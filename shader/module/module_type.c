@@ -39,6 +39,7 @@ static void read_number(struct shader_module *module, uint32_t word, struct shad
         shader_refuse(module, word, "numbers of %u bits are not supported", (unsigned)bits);
     }
     type->bits = (int)bits;
+    type->bytes = bits / 8;
     type->is_signed = !is_float && module->words[word + 3] != 0;
     type->scalars = 1;
 }
@@ -54,6 +55,34 @@ static void read_vector(struct shader_module *module, uint32_t word, struct shad
         shader_refuse(module, word, "a vector has 2 to 4 scalars, and a matrix 2 to 4 vectors of floats");
     }
     nest(module, word, type, type->element, type->count);
+    type->bytes = type->kind == SHADER_VECTOR ? type->count * type->element->bytes : 0;
+}
+
+uint64_t shader_member_bytes(const struct shader_member *member)
+{
+    uint64_t before = 0;
+    const struct shader_type *type = member->type;
+    for (; type->kind == SHADER_ARRAY; type = type->element) {
+        before += (uint64_t)(type->count - 1) * type->stride;
+    }
+    if (type->kind != SHADER_MATRIX) {
+        return before + type->bytes;
+    }
+    const uint32_t rows = type->element->count, bytes = type->element->element->bytes;
+    const uint32_t vectors = member->is_row_major ? rows : type->count;
+    const uint32_t components = member->is_row_major ? type->count : rows;
+    return before + (uint64_t)(vectors - 1) * member->matrix_stride + components * bytes;
+}
+
+// Set the bytes of a type. Sums of offsets within one type fit into 32 bits because of the bound.
+static void set_bytes(const struct shader_module *module, uint32_t word, struct shader_type *type,
+                      uint64_t bytes)
+{
+    if (bytes > SHADER_MAX_TYPE_BYTES) {
+        shader_refuse(module, word, "by its offsets and strides the type has more than %d bytes",
+                      SHADER_MAX_TYPE_BYTES);
+    }
+    type->bytes = (uint32_t)bytes;
 }
 
 static void read_array(struct shader_module *module, uint32_t word, struct shader_type *type)
@@ -82,13 +111,35 @@ static void read_array(struct shader_module *module, uint32_t word, struct shade
     if (scalars > SHADER_MAX_SCALARS) {
         type->scalars = 0;
     }
+    const struct shader_member whole = {.type = type};
+    set_bytes(module, word, type, shader_member_bytes(&whole));
 }
 
-static uint32_t decorated(const struct shader_module *module, uint32_t id, int member,
-                          enum spirv_decoration number, uint32_t otherwise)
+// Give members what they are decorated with. One walk over the decorations serves all members.
+static void decorate_members(const struct shader_module *module, uint32_t id, struct shader_member *members,
+                             uint32_t count)
 {
-    const struct shader_decoration *const found = shader_find_decoration(module, id, member, number);
-    return found ? found->value : otherwise;
+    for (uint32_t d = module->ids[id].decorations; d != 0; d = module->decorations[d - 1].next) {
+        const struct shader_decoration *const decoration = &module->decorations[d - 1];
+        if (decoration->member < 0) {
+            continue;
+        }
+        if ((uint32_t)decoration->member >= count) {
+            shader_refuse(module, decoration->word, "id %u has no member %d", (unsigned)id,
+                          decoration->member);
+        }
+        struct shader_member *const member = &members[decoration->member];
+        const bool is_index = decoration->value <= INT32_MAX;
+        switch (decoration->number) {
+        case SPIRV_OFFSET: member->offset = decoration->value; break;
+        case SPIRV_MATRIX_STRIDE: member->matrix_stride = decoration->value; break;
+        case SPIRV_ROW_MAJOR: member->is_row_major = true; break;
+        case SPIRV_BUILT_IN: member->built_in = is_index ? (int)decoration->value : INT32_MAX; break;
+        case SPIRV_LOCATION: member->location = is_index ? (int)decoration->value : INT32_MAX; break;
+        case SPIRV_COMPONENT: member->component = is_index ? (int)decoration->value : INT32_MAX; break;
+        default: break;
+        }
+    }
 }
 
 static void read_struct(struct shader_module *module, uint32_t word, struct shader_type *type)
@@ -96,21 +147,26 @@ static void read_struct(struct shader_module *module, uint32_t word, struct shad
     type->count = (module->words[word] >> 16) - 2;
     struct shader_member *const members = shader_take(module->memory, type->count, sizeof *members);
     bool has_values = true;
+    uint64_t scalars = 0, end = 0;
     for (uint32_t i = 0; i < type->count; i++) {
-        const uint32_t id = type->id;
-        members[i] = (struct shader_member){
-            .type = shader_type_of_id(module, word, module->words[word + 2 + i]),
-            .offset = decorated(module, id, (int)i, SPIRV_OFFSET, 0),
-            .matrix_stride = decorated(module, id, (int)i, SPIRV_MATRIX_STRIDE, 0),
-            .is_row_major = shader_find_decoration(module, id, (int)i, SPIRV_ROW_MAJOR) != NULL,
-            .built_in = (int)decorated(module, id, (int)i, SPIRV_BUILT_IN, (uint32_t)-1),
-            .location = (int)decorated(module, id, (int)i, SPIRV_LOCATION, (uint32_t)-1),
-            .component = (int)decorated(module, id, (int)i, SPIRV_COMPONENT, 0),
-        };
-        has_values = has_values && members[i].type->scalars != 0;
-        nest(module, word, type, members[i].type, 1);
+        members[i] =
+            (struct shader_member){.type = shader_type_of_id(module, word, module->words[word + 2 + i]),
+                                   .built_in = -1,
+                                   .location = -1};
     }
-    type->scalars = has_values ? type->scalars : 0;
+    decorate_members(module, type->id, members, type->count);
+    for (uint32_t i = 0; i < type->count; i++) {
+        const uint64_t behind = members[i].offset + shader_member_bytes(&members[i]);
+        end = behind > end ? behind : end;
+        nest(module, word, type, members[i].type, 0);
+        // Memory may hold more than a value can.
+        has_values = has_values && members[i].type->scalars != 0;
+        members[i].first = has_values ? (uint32_t)scalars : 0;
+        scalars += members[i].type->scalars;
+        has_values = has_values && scalars <= SHADER_MAX_SCALARS;
+    }
+    type->scalars = has_values ? (uint32_t)scalars : 0;
+    set_bytes(module, word, type, end);
     type->members = members;
     type->is_block = shader_find_decoration(module, type->id, -1, SPIRV_BLOCK) != NULL;
     type->is_buffer_block = shader_find_decoration(module, type->id, -1, SPIRV_BUFFER_BLOCK) != NULL;

@@ -84,8 +84,8 @@ static uint32_t *word_at(const struct rhw_storage_image *image, const int32_t *a
 // Floats are moved, and not computed with.
 static bool has_atomic(const struct rhw_storage_image *image, enum rhw_storage_operation operation)
 {
-    const bool moves = operation == RHW_STORAGE_LOAD || operation == RHW_STORAGE_STORE ||
-                       operation == RHW_STORAGE_EXCHANGE;
+    const bool moves =
+        operation == RHW_STORAGE_LOAD || operation == RHW_STORAGE_STORE || operation == RHW_STORAGE_EXCHANGE;
     return image->info && (image->info == rhw_format_info(RHW_FORMAT_R32_UINT) ||
                            image->info == rhw_format_info(RHW_FORMAT_R32_SINT) ||
                            (moves && image->info == rhw_format_info(RHW_FORMAT_R32_FLOAT)));

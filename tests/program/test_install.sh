@@ -117,11 +117,13 @@ links() { # PROGRAM PKG-CONFIG-ARGUMENT...
 version=$("$CC" -E -dM "$root/include/rhw/base.h" | awk '/RHW_VERSION_/ { print $3 }' | paste -sd .)
 for one in $kinds; do
     case $one in
-    static) check "librhw.a" test -s "$library/librhw.a" ;;
+    static) check "librhw.a, librhw-shader.a" test -s "$library/librhw.a" -a -s "$library/librhw-shader.a" ;;
     shared)
         check "librhw.so leads to that of the version" test "$(readlink -f "$library/librhw.so")" = "$(realpath "$library")/librhw.so.$version"
         check "its name is that of its ABI" sh -c "readelf -d '$library/librhw.so' | grep -q 'SONAME.*\[librhw.so.${version%.*}\]'"
-        check "it says what it shows" "$root/tests/structure/symbols.sh" "$library/librhw.so"
+        check "it says what it shows" "$root/tests/structure/symbols.sh" "$library/librhw.so" "$library/librhw-shader.so"
+        check "librhw-shader.so leads to that of the version" test \
+            "$(readlink -f "$library/librhw-shader.so")" = "$(realpath "$library")/librhw-shader.so.$version"
         ;;
     esac
     links "pc_$one" "\$(pkg-config --cflags --libs rhw-$one)"
@@ -135,6 +137,33 @@ case $kinds in
     draws pc_wholly_static static
     ;;
 esac
+
+# librhw-shader brings librhw along. What is no module is refused by either.
+cat >spirv.c <<'C'
+#include <rhw/spirv.h>
+#include <stdio.h>
+int main(void)
+{
+    char message[RHW_SHADER_MESSAGE];
+    rhw_shader *shader;
+    rhw_shader_program *program;
+    const struct rhw_shader_program_def nothing = {0};
+    if (rhw_shader_create("words", 5, &(struct rhw_shader_def){0}, &shader, message) != RHW_ERROR_MISUSE) { return 1; }
+    printf("%s\n%s\n", rhw_version(), message);
+    return rhw_shader_program_create(&nothing, &program, message) != RHW_ERROR_MISUSE;
+}
+C
+refuses() { # PROGRAM KIND
+    check "$1 is linked with the $2 library" needs "./$1" "$2"
+    check "$1 refuses what is no module" sh -c "./$1 | grep -q 'whole words'"
+}
+for one in $kinds; do
+    check "spirv_$one is built" sh -c "$CC -O2 spirv.c \$(pkg-config --cflags --libs rhw-shader-$one) -o spirv_$one"
+    refuses spirv_$one $one
+done
+check "spirv is built" sh -c "$CC -O2 spirv.c \$(pkg-config --cflags --libs rhw-shader) -o spirv"
+refuses spirv $kind
+
 mkdir linked
 cat >linked/CMakeLists.txt <<'CMAKE'
 cmake_minimum_required(VERSION 3.22)
@@ -143,6 +172,9 @@ find_package(rhw REQUIRED)
 foreach(library IN LISTS LIBRARIES)
   add_executable(cmake_${library} ../hello.c)
   target_link_libraries(cmake_${library} PRIVATE rhw::${library})
+  string(REPLACE rhw rhw_shader shader ${library})
+  add_executable(cmake_${shader} ../spirv.c)
+  target_link_libraries(cmake_${shader} PRIVATE rhw::${shader})
 endforeach()
 CMAKE
 libraries=rhw
@@ -153,8 +185,10 @@ check "linked configures" cmake -S linked -B linked/build -DCMAKE_PREFIX_PATH="$
 check "linked builds" cmake --build linked/build
 for one in $kinds; do
     draws linked/build/cmake_rhw_$one $one
+    refuses linked/build/cmake_rhw_shader_$one $one
 done
 draws linked/build/cmake_rhw $kind
+refuses linked/build/cmake_rhw_shader $kind
 
 # The copies see what their target has, also what it is given after the call, and a target may be called for twice.
 mkdir given given/folder

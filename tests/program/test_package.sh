@@ -66,15 +66,17 @@ done
 abi=${version%.*}
 says librhw$abi Section '^libs$'
 says librhw$abi Depends '^libc6 '
-has librhw$abi "lib/.*/?librhw.so.$abi" "lib/.*/?librhw.so.$version"
+has librhw$abi "lib/.*/?librhw.so.$abi" "lib/.*/?librhw.so.$version" "lib/.*/?librhw-shader.so.$version"
 check "librhw$abi has nothing else" sh -c "! grep -Ev '/\$|librhw|share/doc/' librhw$abi.files"
 dpkg-deb -e librhw"$abi"_*.deb control
 check "who links it is told the package" grep -q "^librhw $abi librhw$abi" control/shlibs
+check "who links librhw-shader, too" grep -q "^librhw-shader $abi librhw$abi" control/shlibs
 check "the loader is told of it" grep -q '^activate-noawait ldconfig$' control/triggers
 rm -r control
 says librhw-dev Section '^libdevel$'
 says librhw-dev Depends "librhw$abi \\(= $version-1\\)"
 has librhw-dev 'include/rhw/rhw.h' 'lib/.*/?rhw-config.cmake' 'lib/.*/?pkgconfig/rhw.pc' 'share/man/man3/rhw.3.gz' \
+    'include/rhw/spirv.h' 'lib/.*/?librhw-shader.a' 'lib/.*/?librhw-shader.so' 'lib/.*/?pkgconfig/rhw-shader.pc' \
     'lib/.*/?librhw.a' 'lib/.*/?librhw.so' 'lib/.*/?pkgconfig/rhw-static.pc' 'lib/.*/?pkgconfig/rhw-shared.pc'
 # An empty root with dpkg's own records and nothing else.
 as_root=

@@ -28,8 +28,8 @@ check() { # DESCRIPTION COMMAND...
     }
 }
 
-# What the library is made of and nothing else, as an archive that FetchContent can take.
-tar -czf rhw.tar.gz -C "$root" CMakeLists.txt include src
+# What the libraries are made of and nothing else, as an archive that FetchContent can take.
+tar -czf rhw.tar.gz -C "$root" CMakeLists.txt include src shader
 
 # Watches what adding rhw changes: variables, the cache, tests, targets of names that are not its own.
 cat >watch.cmake <<'CMAKE'
@@ -63,7 +63,7 @@ function(check_state before)
   endif()
   read_targets(${CMAKE_CURRENT_SOURCE_DIR} targets)
   list(SORT targets)
-  list(FILTER targets EXCLUDE REGEX "^rhw(_options|_baseline|_avx2|_avx512)?$")
+  list(FILTER targets EXCLUDE REGEX "^rhw(_options|(_shader)?(_baseline|_avx2|_avx512)?)$")
   if(targets)
     message(SEND_ERROR "rhw brings the targets ${targets}")
   endif()
@@ -115,6 +115,7 @@ check "c has no warning" sh -c '! grep -q warning: log'
 check "shaders have their flags" grep -q -e '-ffp-contract=off' c/build/CMakeFiles/ripples.dir/flags.make
 check "another language does not have them" sh -c '! grep -q -e -ffp-contract -e -Wno-psabi c/build/CMakeFiles/other.dir/flags.make'
 c/build/ripples c.ppm >c.txt || check "the program of c ends with 0" false
+check "librhw-shader is built for whom it is linked to" test ! -e c/build/rhw/shader/librhw-shader.a
 check "c draws the known bytes: $(cat c.txt)" test "$(awk '{print $NF}' c.txt | sort -u)" = $known
 check "c has no test of rhw" sh -c 'ctest --test-dir c/build -N | grep -q "Total Tests: 0"'
 check "the library is optimized where nothing is chosen" grep -q -e ' -O3 ' c/build/rhw/src/CMakeFiles/rhw_baseline.dir/flags.make
@@ -129,7 +130,7 @@ check "c with RHW_INSTALL installs" cmake --install c/build --prefix "$folder/bo
 for file in bin/ripples include/rhw/rhw.h; do
     check "$file is installed" test -f both/$file
 done
-for file in librhw.a rhw-config.cmake rhw-shaders.cmake rhw.pc; do
+for file in librhw.a librhw-shader.a rhw-config.cmake rhw-shaders.cmake rhw.pc rhw-shader.pc; do
     check "$file is installed" test -n "$(find both -name $file)"
 done
 
@@ -150,7 +151,7 @@ read_state(before)
 FetchContent_MakeAvailable(rhw)
 check_state("\${before}")
 add_executable(version version.cpp)
-target_link_libraries(version PRIVATE rhw::rhw)
+target_link_libraries(version PRIVATE rhw::rhw rhw::rhw_shader)
 if(SHADERS)
   add_subdirectory(shaders)
 endif()
@@ -166,9 +167,15 @@ CMAKE
 cat >cxx/version.cpp <<'CXX'
 #include <rhw/rhw.h>
 #include <rhw/shader.h>
+#include <rhw/spirv.h>
 #include <cstdio>
 int main()
 {
+    rhw_shader *shader;
+    const rhw_shader_def def = {};
+    if (rhw_shader_create("words", 5, &def, &shader, nullptr) != RHW_ERROR_MISUSE) {
+        return 1;
+    }
     std::printf("%s %d\n", rhw_version(), static_cast<int>(rhw_arithmetic_flaws()));
 }
 CXX

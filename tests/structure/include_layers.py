@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""How files of src/ and scene/ include each other.
+"""How files of src/, shader/ and scene/ include each other.
 
 (a) Rooms point down: a file includes nothing of a room above its own, or of one beside it.
 (b) So do the folders of src/kernels, also by way of headers at its root, which belong to no folder.
@@ -16,6 +16,7 @@ import sys
 # src/context_create.c and src/defaults.c know every room, and scene/model.h is known by every room. The readers at
 # the root of scene/import stand beside the function that chooses one, above those with a folder of their own.
 SRC = ['base', 'context', 'format', 'resource', 'pipeline', 'binding', 'draw', 'kernels', 'run', 'pass', 'dispatch recording', '']
+SHADER = ['module', 'form', 'interpreter', 'library']
 SCENE = ['', 'draw/shading', 'draw/camera', 'import/image', 'import/builder',
          'import/finish import/gltf import/threemf import/assimp draw', 'import']
 KERNELS = ['texel', 'texture', 'raster', 'depth', 'fragment geometry', 'tile']
@@ -23,7 +24,7 @@ KERNELS = ['texel', 'texture', 'raster', 'depth', 'fragment geometry', 'tile']
 # What rooms below src/kernels may include of it: the table of kernels, what its functions take, and texels.
 KERNELS_INTERFACE = re.compile(r'kernels/(kernels|mip_work|transfer_work)\.h|kernels/texel/')
 
-LARGEST_CIRCLE = {'src': 3, 'scene': 2}  # source-and-header pairs
+LARGEST_CIRCLE = {'src': 3, 'shader': 0, 'scene': 2}  # source-and-header pairs
 LONGEST_CHAIN = 9  # files, the source at the top included
 
 
@@ -106,15 +107,16 @@ def longest_chain(includes):
 
 
 def main(root):
-    src, scene = includes_below(os.path.join(root, 'src')), includes_below(os.path.join(root, 'scene'))
+    src, shader, scene = (includes_below(os.path.join(root, folder)) for folder in ('src', 'shader', 'scene'))
     below = len('kernels/')
     kernels = {file[below:]: [name[below:] for name in to if name.startswith('kernels/')]
                for file, to in src.items() if file.startswith('kernels/')}
     flaws = [f'src/{line}' for line in upward(src, SRC, KERNELS_INTERFACE.match)]
+    flaws += [f'shader/{line}' for line in upward(shader, SHADER, lambda to: False)]
     flaws += [f'scene/{line}' for line in upward(scene, SCENE, lambda to: False)]
     flaws += [f'src/kernels/{line}' for line in upward(through_root(kernels), KERNELS, lambda to: False)]
     outside = {file: to for file, to in src.items() if not file.startswith('kernels/')}
-    for folder, includes in (('src', outside), ('scene', scene)):
+    for folder, includes in (('src', outside), ('shader', shader), ('scene', scene)):
         circle = largest_circle(includes)
         print(f'{folder}: the largest circle has {len(circle)} of at most {LARGEST_CIRCLE[folder]} pairs')
         if len(circle) > LARGEST_CIRCLE[folder]:

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Every header of the library and of scene/ includes what it uses: it compiles alone, as C17, without a warning, and can
+# Every header of the libraries and of scene/ includes what it uses: it compiles alone, as C17, without a warning, and can
 # be included twice. Headers of kernels are written for a source that is compiled once per instruction set; here they
 # are compiled for the baseline, and the functions they define go unused.
 # usage: private_headers.sh PROJECT_FOLDER C_COMPILER
@@ -9,11 +9,11 @@ root=$1
 compiler=$2
 failed=0
 count=0
-for header in $(cd "$root" && find src scene -name '*.h' | sort); do
+for header in $(cd "$root" && find src shader scene -name '*.h' | sort); do
     count=$((count + 1))
     if ! printf '#include "%s"\n#include "%s"\nextern int not_empty;\n' "$header" "$header" |
         "$compiler" -x c -std=gnu17 -fsyntax-only -I"$root" -I"$root/include" \
-            -iquote "$root/src" -iquote "$root/scene" -DRHW_ISA_SUFFIX=baseline \
+            -iquote "$root/src" -iquote "$root/shader" -iquote "$root/scene" -DRHW_ISA_SUFFIX=baseline \
             -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wundef \
             -Wno-unused-function -Wno-psabi -Werror -; then
         echo "$header does not compile alone with $compiler"

@@ -86,7 +86,10 @@ static void open_peer(struct bench *bench)
         snprintf(number, sizeof number, "%d", job->peer_threads);
         system_subprocess_set_variable("LP_NUM_THREADS", number);
     }
-    if (!bench_open_gles(&bench->renderers[bench->renderer_count], job->peer, &why)) {
+    struct bench_renderer *const renderer = &bench->renderers[bench->renderer_count];
+    if (strcmp(job->peer, "interpreter") == 0
+            ? !bench_open_translated(renderer, job->threads[0], job->isa, &why)
+            : !bench_open_gles(renderer, job->peer, &why)) {
         cli_warning(job->peer, "not compared with: %s", why);
         return;
     }
@@ -259,9 +262,9 @@ static bool measure_scene(struct bench *bench, const struct bench_scene *scene,
     for (; works && taken < count; taken++) {
         struct bench_renderer *const renderer = &bench->renderers[taken];
         works = renderer->take(renderer, scene, bench->job.width, bench->job.height);
-        if (!works && taken == bench->peer && scene->picture != BENCH_RGBA8) {
-            cli_warning(result->entry->name, "not compared with %s: it does not draw into this format",
-                        bench->job.peer);
+        if (!works && taken == bench->peer && (renderer->why[0] || scene->picture != BENCH_RGBA8)) {
+            cli_warning(result->entry->name, "not compared with %s: %s", bench->job.peer,
+                        renderer->why[0] ? renderer->why : "it does not draw into this format");
             renderer->release(renderer);
             with_peer = false;
             works = true;

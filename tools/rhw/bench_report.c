@@ -90,7 +90,9 @@ void cli_bench_print_row(const struct cli_bench_report *report, const struct cli
     if (result->has_peer) {
         print_time(&result->peer);
         printf(" %5.2f  %s", result->peer.median / result->all.median,
-               result->agreement.agrees ? "agree" : "DIFFER");
+               result->agreement.is_equal ? "equal"
+               : result->agreement.agrees ? "agree"
+                                          : "DIFFER");
     }
     printf("\n");
     fflush(stdout);
@@ -113,7 +115,8 @@ static void json_text(FILE *stream, const char *key, const char *text)
 static void json_agreement(FILE *stream, const struct cli_bench_result *result)
 {
     const struct bench_agreement *const a = &result->agreement;
-    fprintf(stream, ", \"agrees\": %s", a->agrees ? "true" : "false");
+    fprintf(stream, ", \"agrees\": %s, \"equal\": %s", a->agrees ? "true" : "false",
+            a->is_equal ? "true" : "false");
     json_member(stream, "coverage_pixels", (double)a->coverage);
     json_member(stream, "outlier_pixels", (double)a->outliers);
     json_member(stream, "largest_color_255", a->color);

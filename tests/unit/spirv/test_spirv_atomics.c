@@ -27,7 +27,8 @@ static struct rhw_binding bind_texels(void *texels, size_t size, enum rhw_format
 static void expect_equal_textures(const struct rig *rig, rhw_texture a, rhw_texture b)
 {
     static unsigned char bytes[2][1 << 14];
-    for (int layer = 0; layer < rhw_texture_layers(rig->context, a) * rhw_texture_depth(rig->context, a, 0); layer++) {
+    for (int layer = 0; layer < rhw_texture_layers(rig->context, a) * rhw_texture_depth(rig->context, a, 0);
+         layer++) {
         assert_int_equal(rhw_texture_read_layer(rig->context, a, 0, layer, bytes[0], 0), RHW_OK);
         assert_int_equal(rhw_texture_read_layer(rig->context, b, 0, layer, bytes[1], 0), RHW_OK);
         assert_memory_equal(bytes[0], bytes[1], sizeof *bytes);
@@ -71,9 +72,11 @@ static void make_things(const struct rig *rig, struct things *things)
         [PLANES] = {.format = RHW_FORMAT_R32_UINT, .width = 3, .height = 3, .layers = 2},
         [LINE] = {.kind = RHW_TEXTURE_1D, .format = RHW_FORMAT_R32_SINT, .width = 4},
         [FLOATS] = {.format = RHW_FORMAT_R32_FLOAT, .width = 2, .height = 2},
-        [CUBES] = {.kind = RHW_TEXTURE_CUBE, .format = RHW_FORMAT_R32_UINT, .width = 4, .height = 4, .layers = 2},
+        [CUBES] =
+            {.kind = RHW_TEXTURE_CUBE, .format = RHW_FORMAT_R32_UINT, .width = 4, .height = 4, .layers = 2},
     };
-    *things = (struct things){.words = {.words = {0, 1000, 0, UINT32_MAX}, .signed_words = {5, -5}, .numbers = {-1}}};
+    *things = (struct things){
+        .words = {.words = {0, 1000, 0, UINT32_MAX}, .signed_words = {5, -5}, .numbers = {-1}}};
     things->set[WORDS] = spirv_memory(&things->words, sizeof things->words);
     things->set[TEXELS] = bind_texels(things->texels, sizeof things->texels, RHW_FORMAT_R32_UINT);
     for (int i = 0; i < THINGS; i++) {
@@ -92,7 +95,8 @@ static rhw_int change(struct things *things, enum thing thing, enum rhw_storage_
         .operation = operation, .index = index, .value = &value, .comparand = &comparand};
     const bool is_image = thing != WORDS;
     rhw_int before;
-    (is_image ? rhw_binding_image_atomic : rhw_binding_storage_access)(&things->set[thing], &request, &before);
+    (is_image ? rhw_binding_image_atomic : rhw_binding_storage_access)(&things->set[thing], &request,
+                                                                       &before);
     return before;
 }
 
@@ -161,8 +165,8 @@ static void test_atomics_take_their_turns(void **state)
     make_things(&rig, &things);
     make_things(&rig, &own);
     const struct rhw_binding memory = spirv_memory(results, sizeof results);
-    assert_int_equal(spirv_dispatch(&rig, program, &(struct rhw_shader_frame){.sets = {things.set, &memory}}, 1),
-                     RHW_OK);
+    assert_int_equal(
+        spirv_dispatch(&rig, program, &(struct rhw_shader_frame){.sets = {things.set, &memory}}, 1), RHW_OK);
     for (int number = 0; number < STEPS; number++) {
         for (int group = 0; group < GROUPS; group++) {
             expect_results(&results[number * LANES], group, step(&own, number, numbers_of(group)), number);
@@ -188,7 +192,18 @@ static void test_atomics_take_their_turns(void **state)
 
 // Images ---------------------------------------------------------------------------------------------
 
-enum image { STORED_LINE, STORED_LINES, PLANE, STORED_PLANES, VOLUME, CUBE, STORED_CUBES, BUFFER, TABLE, IMAGES = TABLE + 3 };
+enum image {
+    STORED_LINE,
+    STORED_LINES,
+    PLANE,
+    STORED_PLANES,
+    VOLUME,
+    CUBE,
+    STORED_CUBES,
+    BUFFER,
+    TABLE,
+    IMAGES = TABLE + 3
+};
 
 struct images {
     struct rhw_binding set[IMAGES];
@@ -231,13 +246,13 @@ struct access {
 };
 
 static const struct access stores[] = {
-    {STORED_LINE, {0, 0, 0}, false},   {STORED_LINES, {0, 1, 0}, false},  {PLANE, {0, 1, 0}, false},
-    {STORED_PLANES, {0, 1, 2}, false}, {VOLUME, {0, 1, 2}, false},        {CUBE, {0, 1, 2}, false},
+    {STORED_LINE, {0, 0, 0}, false},   {STORED_LINES, {0, 1, 0}, false}, {PLANE, {0, 1, 0}, false},
+    {STORED_PLANES, {0, 1, 2}, false}, {VOLUME, {0, 1, 2}, false},       {CUBE, {0, 1, 2}, false},
     {STORED_CUBES, {0, 1, 3}, false},  {BUFFER, {0, 0, 0}, true},
 };
 static const struct access loads[] = {
-    {STORED_LINE, {0, 0, 0}, false},   {STORED_LINES, {1, 2, 0}, false},  {PLANE, {2, 3, 0}, false},
-    {STORED_PLANES, {0, 1, 2}, false}, {VOLUME, {0, 1, 2}, false},        {CUBE, {0, 1, 2}, false},
+    {STORED_LINE, {0, 0, 0}, false},   {STORED_LINES, {1, 2, 0}, false}, {PLANE, {2, 3, 0}, false},
+    {STORED_PLANES, {0, 1, 2}, false}, {VOLUME, {0, 1, 2}, false},       {CUBE, {0, 1, 2}, false},
     {STORED_CUBES, {0, 1, 3}, false},  {BUFFER, {0, 0, 0}, true},
 };
 enum { ACCESSES = sizeof loads / sizeof *loads };
@@ -274,16 +289,16 @@ static void expect_texels(const uint32_t (*results)[4], int group, int number, c
         for (int c = 0; c < 4; c++) {
             const uint32_t found = results[number * LANES + 8 * group + lane][c];
             if (found != (uint32_t)rhw_bits_from_float(texel[c])[lane]) {
-                fail_msg("result %d, lane %d, component %d: %08x for %08x", number, 8 * group + lane, c, found,
-                         (uint32_t)rhw_bits_from_float(texel[c])[lane]);
+                fail_msg("result %d, lane %d, component %d: %08x for %08x", number, 8 * group + lane, c,
+                         found, (uint32_t)rhw_bits_from_float(texel[c])[lane]);
             }
         }
     }
 }
 
 // Lane i of the table's image (i + step) % 4, of which there are 3.
-static void use_table(struct images *images, const struct lanes *lanes, int group, int step, bool stores_texel,
-                      rhw_float texel[4])
+static void use_table(struct images *images, const struct lanes *lanes, int group, int step,
+                      bool stores_texel, rhw_float texel[4])
 {
     const rhw_int i = (numbers_of(group) + step) & 3;
     for (int lane = 0; lane < 8; lane++) {
@@ -320,8 +335,8 @@ static void test_images_are_stored_and_loaded(void **state)
     make_images(&rig, &own);
     const struct rhw_binding memory[2] = {spirv_memory(points, sizeof points),
                                           spirv_memory(results, sizeof results)};
-    assert_int_equal(spirv_dispatch(&rig, program, &(struct rhw_shader_frame){.sets = {images.set, memory}}, 1),
-                     RHW_OK);
+    assert_int_equal(
+        spirv_dispatch(&rig, program, &(struct rhw_shader_frame){.sets = {images.set, memory}}, 1), RHW_OK);
     for (int a = 0; a <= ACCESSES; a++) {
         for (int group = 0; group < GROUPS; group++) {
             const struct lanes lanes = lanes_of((const float(*)[4])points, group);
@@ -375,7 +390,8 @@ static void check_format(const struct rig *rig, const rhw_shader_program *progra
     }
     const struct rhw_binding memory[2] = {spirv_memory((void *)points, sizeof points),
                                           spirv_memory(results, sizeof results)};
-    assert_int_equal(spirv_dispatch(rig, program, &(struct rhw_shader_frame){.sets = {sets[0], memory}}, 1), RHW_OK);
+    assert_int_equal(spirv_dispatch(rig, program, &(struct rhw_shader_frame){.sets = {sets[0], memory}}, 1),
+                     RHW_OK);
     for (int number = 0; number < 2; number++) {
         for (int group = 0; group < GROUPS; group++) {
             const struct lanes lanes = lanes_of(points, group);

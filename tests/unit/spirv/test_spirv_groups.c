@@ -44,19 +44,58 @@ static uint32_t in_lane(int i, unsigned lane)
     return lane < 8 && takes_part(other) ? source[other] : 0;
 }
 
-static uint32_t add_float(uint32_t a, uint32_t b) { return bits_of(float_of(a) + float_of(b)); }
-static uint32_t multiply_float(uint32_t a, uint32_t b) { return bits_of(float_of(a) * float_of(b)); }
-static uint32_t least_float(uint32_t a, uint32_t b) { return float_of(b) < float_of(a) ? b : a; }
-static uint32_t greatest_float(uint32_t a, uint32_t b) { return float_of(a) < float_of(b) ? b : a; }
-static uint32_t add(uint32_t a, uint32_t b) { return a + b; }
-static uint32_t multiply(uint32_t a, uint32_t b) { return a * b; }
-static uint32_t least_int(uint32_t a, uint32_t b) { return (int32_t)b < (int32_t)a ? b : a; }
-static uint32_t greatest_int(uint32_t a, uint32_t b) { return (int32_t)a < (int32_t)b ? b : a; }
-static uint32_t least(uint32_t a, uint32_t b) { return b < a ? b : a; }
-static uint32_t greatest(uint32_t a, uint32_t b) { return a < b ? b : a; }
-static uint32_t all_bits(uint32_t a, uint32_t b) { return a & b; }
-static uint32_t any_bits(uint32_t a, uint32_t b) { return a | b; }
-static uint32_t odd_bits(uint32_t a, uint32_t b) { return a ^ b; }
+static uint32_t add_float(uint32_t a, uint32_t b)
+{
+    return bits_of(float_of(a) + float_of(b));
+}
+static uint32_t multiply_float(uint32_t a, uint32_t b)
+{
+    return bits_of(float_of(a) * float_of(b));
+}
+static uint32_t least_float(uint32_t a, uint32_t b)
+{
+    return float_of(b) < float_of(a) ? b : a;
+}
+static uint32_t greatest_float(uint32_t a, uint32_t b)
+{
+    return float_of(a) < float_of(b) ? b : a;
+}
+static uint32_t add(uint32_t a, uint32_t b)
+{
+    return a + b;
+}
+static uint32_t multiply(uint32_t a, uint32_t b)
+{
+    return a * b;
+}
+static uint32_t least_int(uint32_t a, uint32_t b)
+{
+    return (int32_t)b < (int32_t)a ? b : a;
+}
+static uint32_t greatest_int(uint32_t a, uint32_t b)
+{
+    return (int32_t)a < (int32_t)b ? b : a;
+}
+static uint32_t least(uint32_t a, uint32_t b)
+{
+    return b < a ? b : a;
+}
+static uint32_t greatest(uint32_t a, uint32_t b)
+{
+    return a < b ? b : a;
+}
+static uint32_t all_bits(uint32_t a, uint32_t b)
+{
+    return a & b;
+}
+static uint32_t any_bits(uint32_t a, uint32_t b)
+{
+    return a | b;
+}
+static uint32_t odd_bits(uint32_t a, uint32_t b)
+{
+    return a ^ b;
+}
 
 enum value { VALUE, SIGNED, NUMBER };
 
@@ -73,12 +112,23 @@ static const struct scan {
     int cluster;
     uint32_t none; // what the first lane gets of those before it
 } scans[] = {
-    {add_float, NUMBER, 0, 8, 0},      {multiply_float, NUMBER, 0, 8, 0}, {least_float, NUMBER, 0, 8, 0},
-    {greatest_float, NUMBER, 0, 8, 0}, {add, VALUE, 0, 8, 0},             {multiply, VALUE, 0, 8, 0},
-    {least_int, SIGNED, 0, 8, 0},      {greatest_int, SIGNED, 0, 8, 0},   {least, VALUE, 0, 8, 0},
-    {greatest, VALUE, 0, 8, 0},        {all_bits, VALUE, 0, 8, 0},        {any_bits, VALUE, 0, 8, 0},
-    {odd_bits, VALUE, 0, 8, 0},        {add_float, NUMBER, 1, 8, 0},      {multiply, VALUE, 1, 8, 0},
-    {least_float, NUMBER, 1, 8, 0},    {add, VALUE, 2, 8, 0},
+    {add_float, NUMBER, 0, 8, 0},
+    {multiply_float, NUMBER, 0, 8, 0},
+    {least_float, NUMBER, 0, 8, 0},
+    {greatest_float, NUMBER, 0, 8, 0},
+    {add, VALUE, 0, 8, 0},
+    {multiply, VALUE, 0, 8, 0},
+    {least_int, SIGNED, 0, 8, 0},
+    {greatest_int, SIGNED, 0, 8, 0},
+    {least, VALUE, 0, 8, 0},
+    {greatest, VALUE, 0, 8, 0},
+    {all_bits, VALUE, 0, 8, 0},
+    {any_bits, VALUE, 0, 8, 0},
+    {odd_bits, VALUE, 0, 8, 0},
+    {add_float, NUMBER, 1, 8, 0},
+    {multiply, VALUE, 1, 8, 0},
+    {least_float, NUMBER, 1, 8, 0},
+    {add, VALUE, 2, 8, 0},
     {multiply_float, NUMBER, 2, 8, 0x3f800000}, // 1
     {least_float, NUMBER, 2, 8, 0x7f800000},    // infinity
     {greatest_float, NUMBER, 2, 8, 0xff800000}, // −infinity
@@ -87,7 +137,9 @@ static const struct scan {
     {least, VALUE, 2, 8, UINT32_MAX},
     {greatest, VALUE, 2, 8, 0},
     {all_bits, VALUE, 2, 8, UINT32_MAX},
-    {add, VALUE, 0, 4, 0},             {add_float, NUMBER, 0, 2, 0},      {greatest, VALUE, 0, 1, 0},
+    {add, VALUE, 0, 4, 0},
+    {add_float, NUMBER, 0, 2, 0},
+    {greatest, VALUE, 0, 1, 0},
     {odd_bits, VALUE, 0, 8, 0},
 };
 enum { SCANS = sizeof scans / sizeof *scans };
@@ -96,7 +148,8 @@ static uint32_t do_scan(const struct scan *scan, int i)
 {
     uint32_t result = scan->none;
     bool has_any = false;
-    const int first = i - i % scan->cluster, end = scan->reach == 0 ? first + scan->cluster : i + (scan->reach == 1);
+    const int first = i - i % scan->cluster,
+              end = scan->reach == 0 ? first + scan->cluster : i + (scan->reach == 1);
     for (int other = first; other < end; other++) {
         if (takes_part(other)) {
             const uint32_t value = value_of(scan->value, other);
@@ -179,7 +232,8 @@ static void test_lanes_of_a_subgroup_work_together(void **state)
     (void)state;
     rhw_shader_program *const program =
         spirv_link(NULL, NULL, SPIRV_CREATE(subgroups_comp, RHW_SHADER_COMPUTE));
-    const struct rhw_binding set[2] = {spirv_memory(source, sizeof source), spirv_memory(results, sizeof results)};
+    const struct rhw_binding set[2] = {spirv_memory(source, sizeof source),
+                                       spirv_memory(results, sizeof results)};
     struct rig rig;
     rig_open(&rig, 4, 4);
     uint64_t random = 3;
@@ -213,7 +267,8 @@ static void test_fragments_have_elect_alone(void **state)
     char message[RHW_SHADER_MESSAGE];
     rhw_shader *shader;
     assert_int_equal(rhw_shader_create(shuffled_frag, sizeof shuffled_frag,
-                                       &(struct rhw_shader_def){.stage = RHW_SHADER_FRAGMENT}, &shader, message),
+                                       &(struct rhw_shader_def){.stage = RHW_SHADER_FRAGMENT}, &shader,
+                                       message),
                      RHW_ERROR_MISUSE);
     assert_non_null(strstr(message, "no subgroup operation but elect"));
     rhw_shader_program *const program = spirv_link(SPIRV_CREATE(plain_vert, RHW_SHADER_VERTEX),

@@ -56,9 +56,10 @@ static void bind_all(const struct rig *rig, struct rhw_binding set[IMAGES])
         [CUBE_SHADOW] = {.kind = RHW_TEXTURE_CUBE, .width = 8, .height = 8, .format = RHW_FORMAT_D32_FLOAT},
     };
     const rhw_sampler linear = make_sampler(rig, &(struct rhw_sampler_def){.address_v = RHW_ADDRESS_MIRROR});
-    const rhw_sampler nearest = make_sampler(rig, &(struct rhw_sampler_def){.min_filter = RHW_FILTER_NEAREST,
-                                                                            .mag_filter = RHW_FILTER_NEAREST,
-                                                                            .mip_filter = RHW_MIP_FILTER_NEAREST});
+    const rhw_sampler nearest =
+        make_sampler(rig, &(struct rhw_sampler_def){.min_filter = RHW_FILTER_NEAREST,
+                                                    .mag_filter = RHW_FILTER_NEAREST,
+                                                    .mip_filter = RHW_MIP_FILTER_NEAREST});
     const rhw_sampler compares =
         make_sampler(rig, &(struct rhw_sampler_def){.compares = true, .mip_filter = RHW_MIP_FILTER_NEAREST});
     rhw_texture plane = {0};
@@ -75,10 +76,10 @@ static void bind_all(const struct rig *rig, struct rhw_binding set[IMAGES])
             write_noise(rig, texture, (uint64_t)i + 1);
         }
         set[i] = bind(rig, texture,
-                      i == SAMPLES    ? (rhw_sampler){0}
+                      i == SAMPLES                      ? (rhw_sampler){0}
                       : i == SHADOW || i == CUBE_SHADOW ? compares
-                      : is_whole      ? nearest
-                                      : linear);
+                      : is_whole                        ? nearest
+                                                        : linear);
     }
     for (uint32_t i = 0; i < 40; i++) {
         texels[0][i] = texels[1][i] = i * 0x9e3779b9;
@@ -203,8 +204,7 @@ static void check_gradients(struct check *check)
     }
     expect_sample(check, LINE, &(struct rhw_sample_request){.coordinates = divided, .lod = &p[2]});
     expect_sample(check, VOLUME, &(struct rhw_sample_request){.coordinates = divided, .gradient = back});
-    expect_sample(check, PLANE,
-                  &(struct rhw_sample_request){.coordinates = p, .lod = &p[3], .offset = two});
+    expect_sample(check, PLANE, &(struct rhw_sample_request){.coordinates = p, .lod = &p[3], .offset = two});
     expect_sample(check, PLANES,
                   &(struct rhw_sample_request){.coordinates = p, .gradient = p, .offset = other});
     expect_sample(check, VOLUME,
@@ -270,8 +270,9 @@ static void check_gathers(struct check *check)
         const rhw_int offset[3] = {rhw_splat_int(offsets[i][0]), rhw_splat_int(offsets[i][1]),
                                    rhw_splat_int(0)};
         rhw_float texel[4];
-        rhw_binding_sample_gather(
-            &check->set[PLANE], &(struct rhw_sample_request){.coordinates = check->p, .offset = offset}, 2, texel);
+        rhw_binding_sample_gather(&check->set[PLANE],
+                                  &(struct rhw_sample_request){.coordinates = check->p, .offset = offset}, 2,
+                                  texel);
         corners[i] = texel[3];
     }
     expect(check, corners);
@@ -302,8 +303,9 @@ static void check_pairs(struct check *check)
             if (fetches) {
                 rhw_binding_sample_fetch(binding, check->at, NULL, texel);
             } else {
-                const bool has_pair = i % 4 < 3 && rhw_binding_of_pair(&check->set[TEXTURES + i % 4],
-                                                                       &check->set[SAMPLERS + i / 3 % 2], &pair);
+                const bool has_pair =
+                    i % 4 < 3 && rhw_binding_of_pair(&check->set[TEXTURES + i % 4],
+                                                     &check->set[SAMPLERS + i / 3 % 2], &pair);
                 rhw_binding_sample_lod(has_pair ? &pair : NULL, check->p, check->p[3], texel);
             }
             for (int c = 0; c < 4; c++) {
@@ -323,8 +325,7 @@ static void test_compute_samples_as_c_does(void **state)
     for (int i = 0; i < LANES * 4; i++) {
         points[i / 4][i % 4] = rig_random_float(&random, -0.4f, 1.3f);
     }
-    rhw_shader_program *const program =
-        spirv_link(NULL, NULL, SPIRV_CREATE(images_comp, RHW_SHADER_COMPUTE));
+    rhw_shader_program *const program = spirv_link(NULL, NULL, SPIRV_CREATE(images_comp, RHW_SHADER_COMPUTE));
     assert_int_equal(rhw_shader_program_set_size(program, 0), IMAGES);
     struct rig rig;
     struct rhw_binding set[IMAGES];
@@ -332,7 +333,8 @@ static void test_compute_samples_as_c_does(void **state)
     bind_all(&rig, set);
     const struct rhw_binding memory[2] = {spirv_memory(points, sizeof points),
                                           spirv_memory(results, sizeof results)};
-    assert_int_equal(spirv_dispatch(&rig, program, &(struct rhw_shader_frame){.sets = {set, memory}}, 1), RHW_OK);
+    assert_int_equal(spirv_dispatch(&rig, program, &(struct rhw_shader_frame){.sets = {set, memory}}, 1),
+                     RHW_OK);
     for (int group = 0; group < LANES / 8; group++) {
         struct check check = {.set = set, .results = (const uint32_t(*)[4])results, .group = group};
         for (int lane = 0; lane < 8; lane++) {

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Who reads each value, and who sets each home, so that passes go from one to the other without walking the code again
+// and again.
+#ifndef SHADER_USES_H
+#define SHADER_USES_H
+
+#include "form.h"
+
+struct shader_uses {
+    uint32_t *first_reader, *readers; // by value: where its readers begin; nodes
+    uint32_t *first_set, *sets; // by home: where its SETs begin; their places in the code, from first to last
+};
+
+// Find the uses of all values in the code. The readers of a home are those of what it holds; a SET reads its value alone.
+void shader_find_uses(const struct shader_program *program, struct shader_uses *uses);
+
+#endif
