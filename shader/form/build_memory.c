@@ -521,11 +521,12 @@ static uint32_t emit_atomic(struct shader_builder *builder, enum shader_atomic o
     return shader_emit_with(builder, SHADER_ATOMIC, (uint32_t)operation, list, 0, 0);
 }
 
-static uint32_t atomic_value(struct shader_builder *builder, uint32_t operand)
+// Return an operand that is of the type of what is pointed to.
+static uint32_t atomic_value(struct shader_builder *builder, uint32_t pointer, uint32_t operand)
 {
     const uint32_t id = shader_operand(builder, operand);
-    if (shader_type_of_value(builder, id)->kind != SHADER_INT) {
-        shader_build_refuse(builder, "id %u is no integer", (unsigned)id);
+    if (shader_type_of_value(builder, id) != shader_place_of(builder, shader_operand(builder, pointer))->type) {
+        shader_build_refuse(builder, "id %u is not of the type of what is pointed to", (unsigned)id);
     }
     return shader_scalars(builder, id)[0];
 }
@@ -539,7 +540,7 @@ static bool build_atomic(struct shader_builder *builder, uint32_t opcode)
         shader_build_refuse(builder, "the result is not of the type of what is pointed to");
     }
     if (opcode == SPIRV_OP_AtomicStore) {
-        (void)emit_atomic(builder, SHADER_ATOMIC_STORE, shader_operand(builder, 1), atomic_value(builder, 4),
+        (void)emit_atomic(builder, SHADER_ATOMIC_STORE, shader_operand(builder, 1), atomic_value(builder, 1, 4),
                           0);
         return true;
     }
@@ -547,13 +548,13 @@ static bool build_atomic(struct shader_builder *builder, uint32_t opcode)
         before = emit_atomic(builder, SHADER_ATOMIC_LOAD, shader_operand(builder, 3), 0, 0);
     } else if (opcode == SPIRV_OP_AtomicCompareExchange) {
         before = emit_atomic(builder, SHADER_ATOMIC_COMPARE_EXCHANGE, shader_operand(builder, 3),
-                             atomic_value(builder, 7), atomic_value(builder, 8));
+                             atomic_value(builder, 3, 7), atomic_value(builder, 3, 8));
     } else if (opcode == SPIRV_OP_AtomicIIncrement || opcode == SPIRV_OP_AtomicIDecrement) {
         const uint32_t step = opcode == SPIRV_OP_AtomicIIncrement ? 1 : UINT32_MAX;
         before = emit_atomic(builder, SHADER_ATOMIC_ADD, shader_operand(builder, 3),
                              shader_number(builder, step), 0);
     } else if (find_atomic(opcode, &operation)) {
-        uint32_t value = atomic_value(builder, 6);
+        uint32_t value = atomic_value(builder, 3, 6);
         value = opcode == SPIRV_OP_AtomicISub
                     ? shader_emit(builder, SHADER_ISUB, shader_number(builder, 0), value, 0)
                     : value;
