@@ -189,7 +189,8 @@ static void build_instruction(struct shader_builder *builder, uint32_t opcode)
     default: break;
     }
     if (!shader_build_arithmetic(builder, opcode) && !shader_build_composite(builder, opcode) &&
-        !shader_build_memory(builder, opcode) && !shader_build_image(builder, opcode)) {
+        !shader_build_memory(builder, opcode) && !shader_build_image(builder, opcode) &&
+        !shader_build_subgroup(builder, opcode)) {
         shader_build_refuse(builder, "the instruction is not supported here");
     }
 }

@@ -95,6 +95,12 @@ static void add_built_in(struct interface_walk *walk, const struct shader_type *
         }
         return;
     }
+    if (!is_output && shader_subgroup_built_in(builder, number, 0) != SHADER_NO_VALUE) {
+        for (uint32_t c = 0; c < type->scalars; c++) {
+            walk->scalars[walk->next++] = shader_subgroup_built_in(builder, number, c);
+        }
+        return;
+    }
     for (size_t i = 0; i < count; i++) {
         if ((int)table[i].number != number || (table[i].stages & stage_of(builder)) == 0) {
             continue;
