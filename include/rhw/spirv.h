@@ -146,12 +146,8 @@ struct rhw_shader_info {
     const struct rhw_shader_variable *inputs,
         *outputs; ///< by location and component, built-in variables left out
     uint32_t input_count, output_count;
-<<<<<<< HEAD
-    uint32_t push_size;   ///< bytes of push constants up to the last that is read
-    const struct rhw_shader_type *push_type; ///< struct of the push constants; NULL: none is read
-=======
     uint32_t push_size;   ///< bytes of the block of push constants; 0: none is used
->>>>>>> shader
+    const struct rhw_shader_type *push_type; ///< struct of the push constants; NULL: none is read
     uint32_t size[3];     ///< invocations of a workgroup in each direction; of compute
     uint32_t shared_size; ///< bytes that they share
 };
